@@ -1,0 +1,39 @@
+# Flags every target gets. What shapes a trace must not depend on the machine that builds it:
+# no fused multiply-add contraction, no fast-math, no -march=native.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_CXX_FLAGS_RELEASE "-O2")  # no -DNDEBUG: ENSURE and assert stay in
+
+add_library(farrier_flags INTERFACE)
+target_compile_options(farrier_flags INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -ffp-contract=off>)
+target_include_directories(farrier_flags INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/lib)
+
+if(FARRIER_SANITIZE)
+  target_compile_options(farrier_flags INTERFACE -fsanitize=${FARRIER_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(farrier_flags INTERFACE -fsanitize=${FARRIER_SANITIZE})
+endif()
+
+find_program(FARRIER_CCACHE ccache)
+if(FARRIER_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${FARRIER_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${FARRIER_CCACHE})
+endif()
+
+# farrier_library(NAME SOURCES... ) declares lib target `farrier_<NAME>`; its edges stay in target_link_libraries
+# lines of its own, which tests/architecture reads.
+function(farrier_library name)
+  add_library(farrier_${name} STATIC ${ARGN})
+  target_link_libraries(farrier_${name} PUBLIC farrier_flags)
+endfunction()
+
+# farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary whose cases CTest runs one by one or, with
+# the whole binary being quick, as one entry.
+function(farrier_test name label)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE farrier_flags GTest::gtest GTest::gtest_main)
+  add_test(NAME ${label}/${name} COMMAND ${name})
+  set_tests_properties(${label}/${name} PROPERTIES LABELS ${label})
+endfunction()

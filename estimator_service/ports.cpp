@@ -1,0 +1,112 @@
+#include "estimator_service/ports.hpp"
+
+#include "estimator_service/estimator_service.hpp"
+
+namespace farrier::estimator_service {
+namespace {
+
+using namespace std::chrono_literals;
+
+class EstimatorApplication final : public participant::Application {
+ public:
+  EstimatorApplication(const robot::Robot& robot, std::vector<std::uint16_t> joints,
+                       participant::In<signals::JointMeasurement>* measurements,
+                       participant::Out<signals::JointModelEstimate>* estimates,
+                       participant::Participant& participant, Tick ticks)
+      : service_(robot),
+        measurements_(measurements),
+        estimates_(estimates),
+        participant_(participant),
+        lockstep_(participant.identity().clock == bus::ClockKind::kLockstep),
+        ticks_(ticks),
+        inbox_(std::move(joints)) {}
+
+  void poll(SteadyTime now) override;
+  bool finished() const override { return lockstep_ && ticks_ > 0 && tick_ >= ticks_; }
+  int missing() const override { return lockstep_ ? std::max(1, inbox_.missing(tick_)) : 1; }
+  std::string waits_for() const override;
+
+ private:
+  void take(const signals::JointMeasurement& measurement);
+  void step_lockstep();
+
+  EstimatorService service_;
+  participant::In<signals::JointMeasurement>* measurements_;
+  participant::Out<signals::JointModelEstimate>* estimates_;
+  participant::Participant& participant_;
+  bool lockstep_;
+  Tick ticks_;
+  Tick tick_ = 0;
+  participant::TickInbox<signals::JointMeasurement> inbox_;
+  SteadyTime next_health_{};
+};
+
+void EstimatorApplication::take(const signals::JointMeasurement& measurement) {
+  const signals::JointModelEstimate estimate = service_.step(measurement);
+  if (signals::is_estimate_tick(measurement.tick)) {
+    estimates_->publish(estimate);
+  }
+}
+
+void EstimatorApplication::step_lockstep() {
+  while (!finished() && inbox_.missing(tick_) == 0) {
+    for (std::size_t i = 0; i < inbox_.keys().size(); ++i) {
+      take(*inbox_.find(i, tick_));
+    }
+    participant_.tick_done(tick_);
+    ++tick_;
+    if (finished()) {
+      participant_.report_health(tick_, true);
+    }
+  }
+}
+
+void EstimatorApplication::poll(SteadyTime now) {
+  measurements_->drain([&](const signals::JointMeasurement& measurement) {
+    if (lockstep_) {
+      inbox_.put(measurement);
+    } else {
+      tick_ = std::max(tick_, measurement.tick);
+      take(measurement);
+    }
+  });
+  if (!participant_.started(now)) {
+    return;
+  }
+  if (lockstep_) {
+    step_lockstep();
+  } else if (now >= next_health_) {
+    next_health_ = now + 100ms;
+    participant_.report_health(tick_, false);
+  }
+}
+
+std::string EstimatorApplication::waits_for() const {
+  const std::string lacking = participant_.greeting_lacks();
+  return lacking.empty() ? "joint/measurement of joint " + std::to_string(inbox_.first_missing(tick_)) + " at tick " +
+                               std::to_string(tick_)
+                         : lacking;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot,
+                                                                     participant::Participant& participant,
+                                                                     Tick ticks) {
+  std::vector<std::uint16_t> joints;
+  for (const robot::Joint& joint : robot.joints) {
+    joints.push_back(joint.number);
+  }
+  auto measurements = participant.subscribe<signals::JointMeasurement>(joints);
+  if (!measurements) {
+    return measurements.error();
+  }
+  auto estimates = participant.publish<signals::JointModelEstimate>(joints);
+  if (!estimates) {
+    return estimates.error();
+  }
+  return std::unique_ptr<participant::Application>(std::make_unique<EstimatorApplication>(
+      robot, joints, measurements.value(), estimates.value(), participant, ticks));
+}
+
+}  // namespace farrier::estimator_service

@@ -1,0 +1,76 @@
+#include "joint_node/gains_decoding.hpp"
+
+#include <cmath>
+
+#include "signals/fields.hpp"
+
+namespace farrier::joint_node {
+namespace {
+
+struct FiniteCheck {
+  const char* first_bad = nullptr;
+
+  template <class Field>
+  void operator()(const char* name, const Field& field) {
+    if constexpr (std::is_same_v<Field, double>) {
+      if (!std::isfinite(field) && first_bad == nullptr) {
+        first_bad = name;
+      }
+    } else if constexpr (requires { field.size(); }) {
+      for (const auto& element : field) {
+        (*this)(name, element);
+      }
+    }
+  }
+};
+
+}  // namespace
+
+Result<Done> check_gains(const signals::JointControllerGains& signal) {
+  FiniteCheck check;
+  signals::visit_fields(signal, check);
+  if (check.first_bad != nullptr) {
+    return Error{std::string(check.first_bad) + " is not finite"};
+  }
+  if (signal.delay_ticks > signal.k_delay.size()) {
+    return Error{"delay_ticks is " + std::to_string(signal.delay_ticks) + ": give 0 to 2"};
+  }
+  if (signal.phase >= signals::kPhaseCount) {
+    return Error{"phase is " + std::to_string(signal.phase) + ": give 0 (swing) or 1 (stance)"};
+  }
+  const control::Gains gains = unpack_gains(signal);
+  const control::Normalisation& n = gains.normalisation;
+  if (!(n.position > 0 && n.velocity > 0 && n.force > 0 && n.current_A > 0)) {
+    return Error{"a scale is not positive"};
+  }
+  if (!(gains.spectral_radius < 1.0)) {
+    return Error{"closed loop unstable for the model they came with: spectral radius " +
+                 std::to_string(gains.spectral_radius)};
+  }
+  return Done{};
+}
+
+control::Gains unpack_gains(const signals::JointControllerGains& signal) noexcept {
+  control::Gains gains{};
+  gains.normalisation = {signal.position_scale_m_or_rad, signal.velocity_scale_m_s_or_rad_s,
+                         signal.force_scale_N_or_Nm, signal.current_scale_A};
+  gains.position = signal.k_position;
+  gains.velocity = signal.k_velocity;
+  gains.force = signal.k_force;
+  gains.integral = signal.k_integral;
+  gains.feed_forward = signal.feed_forward;
+  gains.integral_factor = signal.integral_factor;
+  gains.delay = signal.k_delay;
+  gains.delay_ticks = signal.delay_ticks;
+  gains.form = signal.compliant != 0 ? control::Form::kCompliant : control::Form::kFullState;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      gains.model.a(row, column) = signal.model_a[static_cast<std::size_t>(3 * row + column)];
+    }
+    gains.model.b(row) = signal.model_b[static_cast<std::size_t>(row)];
+  }
+  gains.spectral_radius = control::closed_loop_spectral_radius(gains.model, gains, gains.delay_ticks);
+  return gains;
+}
+
+}  // namespace farrier::joint_node

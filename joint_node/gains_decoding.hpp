@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "control/closed_loop.hpp"
+#include "core/result.hpp"
+#include "signals/signals.hpp"
+
+namespace farrier::joint_node {
+
+/// Decides whether gains that came over the wire may act: every number finite, a delay the controller can hold,
+/// scales positive, and the closed loop stable for the model they came with. Refuses with the reason.
+Result<Done> check_gains(const signals::JointControllerGains& signal);
+
+/// Checked gains as the controller takes them.
+control::Gains unpack_gains(const signals::JointControllerGains& signal) noexcept;
+
+}  // namespace farrier::joint_node

@@ -1,0 +1,198 @@
+#include "joint_node/joint_node.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace farrier::joint_node {
+namespace {
+
+using signals::JointState;
+using signals::Mode;
+using signals::Phase;
+
+bool finite(const signals::JointSensors& s) noexcept {
+  return std::isfinite(s.position_m_or_rad) && std::isfinite(s.velocity_m_s_or_rad_s) && std::isfinite(s.force_N_or_Nm);
+}
+
+bool finite(const signals::JointCommand& c) noexcept {
+  return std::isfinite(c.position_rad) && std::isfinite(c.velocity_rad_s) && std::isfinite(c.torque_ff_Nm) &&
+         std::isfinite(c.stiffness_Nm_rad) && std::isfinite(c.damping_Nms_rad) && c.stiffness_Nm_rad >= 0 &&
+         c.damping_Nms_rad >= 0;
+}
+
+}  // namespace
+
+JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, std::uint64_t session)
+    : joint_(joint), safety_(safety), session_(session), good_samples_(safety.recovery_samples) {
+  faults_.set(Fault::kDisarmed);
+  faults_.set(Fault::kNoGains);
+}
+
+bool JointNode::store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept {
+  PhaseSlots& slots = slots_[signal.phase];
+  if (signal.generation <= std::max(slots.acting.generation, slots.pending.generation)) {
+    return false;
+  }
+  slots.pending = {gains, signal.generation, signal.effective_tick};
+  faults_.set(Fault::kGainsRefused, false);
+  return true;
+}
+
+void JointNode::set_mode(const signals::SystemMode& mode) noexcept {
+  if (mode.session == session_ && mode.epoch > std::max(mode_.epoch, pending_mode_.epoch)) {
+    pending_mode_ = mode;
+  }
+}
+
+void JointNode::announce_phase(const signals::GaitPhase& phase) noexcept {
+  if (phase.phase >= signals::kPhaseCount) {
+    return;
+  }
+  // Announcements come at most a few ahead; the oldest place is the one longest due.
+  auto place = std::min_element(announced_.begin(), announced_.end(),
+                                [](const auto& a, const auto& b) { return a.count < b.count; });
+  *place = phase;
+}
+
+std::uint32_t JointNode::newest_generation() const noexcept {
+  std::uint32_t newest = 0;
+  for (const PhaseSlots& slots : slots_) {
+    newest = std::max({newest, slots.acting.generation, slots.pending.generation});
+  }
+  return newest;
+}
+
+void JointNode::apply_due(Tick tick) noexcept {
+  if (pending_mode_.epoch > mode_.epoch && tick >= pending_mode_.effective_tick) {
+    mode_ = pending_mode_;
+  }
+  for (PhaseSlots& slots : slots_) {
+    if (slots.pending.generation != 0 && tick >= slots.pending.effective_tick) {
+      slots.acting = slots.pending;
+      slots.pending.generation = 0;
+    }
+  }
+  std::uint32_t newest = 0;
+  for (const signals::GaitPhase& announced : announced_) {
+    if (announced.count > newest && announced.switch_tick <= tick) {
+      newest = announced.count;
+      phase_ = static_cast<Phase>(announced.phase);
+    }
+  }
+}
+
+// The table of docs/architecture.md: condition, latch, clear condition; precedence is the order of Fault.
+void JointNode::assess(const Inputs& inputs) noexcept {
+  const bool armed = mode_.epoch != 0 && mode_.mode == static_cast<std::uint8_t>(Mode::kArmed);
+  faults_.set(Fault::kDisarmed, !armed);
+  if (faults_.has(Fault::kTripped) && armed && mode_.epoch > tripped_epoch_) {
+    faults_.set(Fault::kTripped, false);
+  }
+  const bool sensors_good = inputs.sensors_age_s <= safety_.sensors_stale_s && finite(inputs.sensors);
+  good_samples_ = sensors_good ? std::min(good_samples_ + 1, safety_.recovery_samples) : 0;
+  faults_.set(Fault::kSensorsStale, good_samples_ < safety_.recovery_samples);
+
+  const bool command_good = finite(inputs.command);
+  const bool had_command = inputs.command.tick != kNoTick;
+  faults_.set(Fault::kCommandStale, !command_good || !(inputs.command_age_s <= safety_.command_damping_s));
+  if (armed && had_command && !(inputs.command_age_s <= safety_.command_trip_s) && !faults_.has(Fault::kTripped)) {
+    faults_.set(Fault::kTripped);
+    tripped_epoch_ = mode_.epoch;
+  }
+  faults_.set(Fault::kNoGains, slots_[static_cast<std::size_t>(phase_)].acting.generation == 0);
+}
+
+JointState JointNode::state() const noexcept {
+  if (faults_.has(Fault::kDisarmed) || faults_.has(Fault::kTripped) || faults_.has(Fault::kSensorsStale) ||
+      faults_.has(Fault::kNoGains)) {
+    return JointState::kNull;
+  }
+  return faults_.has(Fault::kCommandStale) ? JointState::kDamping : JointState::kTracking;
+}
+
+double JointNode::force_reference(const Inputs& inputs, JointState state) noexcept {
+  const double q = joint_.linkage.angle(inputs.sensors.position_m_or_rad);
+  const double q_dot = joint_.linkage.angular_velocity(q, inputs.sensors.velocity_m_s_or_rad_s);
+  double torque = 0;
+  bool clamped = false;
+  if (state == JointState::kTracking) {
+    const signals::JointCommand& command = inputs.command;
+    const double q_ref = std::clamp(command.position_rad, joint_.angle_min_rad, joint_.angle_max_rad);
+    clamped = q_ref != command.position_rad;
+    // tau_ref = tau_ff + k_p (q_ref - q) + k_d (q̇_ref - q̇)   (Hubacher 2014, Fig. 1.3)
+    torque = command.torque_ff_Nm + command.stiffness_Nm_rad * (q_ref - q) +
+             command.damping_Nms_rad * (command.velocity_rad_s - q_dot);
+  } else {
+    torque = -safety_.damping_gain_Nms_rad * q_dot;
+  }
+  const double wanted = joint_.linkage.force(q, torque);
+  const double reference = std::clamp(wanted, -joint_.pull_limit, joint_.push_limit);
+  faults_.set(Fault::kReferenceClamped, clamped || reference != wanted);
+  return reference;
+}
+
+double JointNode::valve_current(double reference, const control::Measurement& measured) noexcept {
+  const Slot& slot = slots_[static_cast<std::size_t>(phase_)].acting;
+  if (slot.generation != controller_generation_ || phase_ != controller_phase_) {
+    controller_.set_gains(slot.gains, measured, reference);
+    controller_generation_ = slot.generation;
+    controller_phase_ = phase_;
+  }
+  const control::ForceController::Output output = controller_.step(reference, measured);
+  faults_.set(Fault::kValveSaturated, output.saturated);
+  return output.valve_current_A;
+}
+
+void JointNode::reset_controller() noexcept {
+  controller_.reset();
+  controller_generation_ = 0;
+  faults_.set(Fault::kReferenceClamped, false);
+  faults_.set(Fault::kValveSaturated, false);
+}
+
+JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
+  apply_due(inputs.tick);
+  assess(inputs);
+  const JointState now = state();
+
+  double reference = 0;
+  double current_A = 0;
+  if (now == JointState::kNull) {
+    reset_controller();
+  } else {
+    // The models are linearised at mid-stroke; the controller sees the deviation from there.
+    const control::Measurement measured{inputs.sensors.position_m_or_rad - 0.5 * joint_.actuator.stroke,
+                                        inputs.sensors.velocity_m_s_or_rad_s, inputs.sensors.force_N_or_Nm};
+    reference = force_reference(inputs, now);
+    current_A = valve_current(reference, measured);
+  }
+
+  Outputs out;
+  signals::JointValveCommand& valve = out.valve;
+  valve.joint = joint_.number;
+  valve.tick = inputs.sensors.tick;
+  valve.sample_time_ns = inputs.sensors.sample_time_ns;
+  valve.valve_current_A = current_A;
+  valve.force_reference_N_or_Nm = reference;
+  valve.generation = now == JointState::kNull ? 0 : controller_generation_;
+  valve.faults = faults_.bits();
+  valve.state = static_cast<std::uint8_t>(now);
+  valve.phase = static_cast<std::uint8_t>(phase_);
+
+  signals::JointMeasurement& measurement = out.measurement;
+  measurement.joint = joint_.number;
+  measurement.tick = inputs.sensors.tick;
+  measurement.sample_time_ns = inputs.sensors.sample_time_ns;
+  measurement.position_m_or_rad = inputs.sensors.position_m_or_rad;
+  measurement.velocity_m_s_or_rad_s = inputs.sensors.velocity_m_s_or_rad_s;
+  measurement.force_N_or_Nm = inputs.sensors.force_N_or_Nm;
+  measurement.valve_current_A = current_A;
+  measurement.force_reference_N_or_Nm = reference;
+  measurement.generation = valve.generation;
+  measurement.faults = valve.faults;
+  measurement.state = valve.state;
+  measurement.phase = valve.phase;
+  return out;
+}
+
+}  // namespace farrier::joint_node

@@ -1,0 +1,91 @@
+#pragma once
+
+// One joint's torque loop (thesis Fig. 1.3 around Fig. 7.1):
+//
+//   joint/command ──▶ tau_ref = tau_ff + k_p (q_ref − q) + k_d (q̇_ref − q̇) ──▶ F_ref = tau_ref / lever(q) ──▶ LQR-I ──▶ valve
+//   joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)
+//   controller_gains ──▶ slot per phase, acts from its effective tick      gait/phase ──▶ which slot acts
+//
+// What it does when something is missing is the table in docs/architecture.md.
+
+#include <array>
+
+#include "control/force_controller.hpp"
+#include "core/fault.hpp"
+#include "robot/robot.hpp"
+#include "signals/signals.hpp"
+
+namespace farrier::joint_node {
+
+/// One joint of a joint_node process. No clock, no I/O, no allocation after construction.
+class JointNode {
+ public:
+  /// `session`: only a mode of this session arms the joint.
+  JointNode(const robot::Joint& joint, const robot::Safety& safety, std::uint64_t session);
+
+  /// Puts checked gains (check_gains) into the slot of their phase; they act from effective_tick on.
+  /// False, and the slot keeps what it has, when the generation is not newer than the slot's.
+  bool store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept;
+
+  /// A gain update failed its check: the last good gains go on acting, and the joint says so until the next good one.
+  void refuse_gains() noexcept { faults_.set(Fault::kGainsRefused); }
+
+  void set_mode(const signals::SystemMode& mode) noexcept;
+  void announce_phase(const signals::GaitPhase& phase) noexcept;
+
+  struct Inputs {
+    Tick tick = kNoTick;              ///< control tick; selects gains, phase and mode that are due
+    signals::JointSensors sensors;    ///< the newest there is
+    double sensors_age_s = 0;         ///< since it was received; infinite when there was none
+    signals::JointCommand command;    ///< the newest there is
+    double command_age_s = 0;         ///< since it was received; infinite when there was none
+  };
+  struct Outputs {
+    signals::JointValveCommand valve;
+    signals::JointMeasurement measurement;
+  };
+
+  /// One control period. Always answers with a valve command within the valve's limits.
+  Outputs step(const Inputs& inputs) noexcept;
+
+  FaultSet faults() const noexcept { return faults_; }
+  std::uint16_t joint() const noexcept { return joint_.number; }
+
+  /// Newest generation held in any slot, acting or not.
+  std::uint32_t newest_generation() const noexcept;
+
+ private:
+  struct Slot {
+    control::Gains gains{};
+    std::uint32_t generation = 0;  ///< 0: empty
+    Tick effective_tick = kNoTick;
+  };
+  struct PhaseSlots {
+    Slot acting;
+    Slot pending;  ///< generation 0: none
+  };
+
+  void apply_due(Tick tick) noexcept;
+  void assess(const Inputs& inputs) noexcept;
+  signals::JointState state() const noexcept;
+  double force_reference(const Inputs& inputs, signals::JointState state) noexcept;
+  double valve_current(double reference, const control::Measurement& measured) noexcept;
+  void reset_controller() noexcept;
+
+  robot::Joint joint_;
+  robot::Safety safety_;
+  std::uint64_t session_;
+  control::ForceController controller_;
+  std::array<PhaseSlots, signals::kPhaseCount> slots_{};
+  signals::SystemMode mode_{};
+  signals::SystemMode pending_mode_{};
+  std::array<signals::GaitPhase, 4> announced_{};  ///< of this leg, not yet due
+  signals::Phase phase_ = signals::Phase::kStance;
+  std::uint32_t controller_generation_ = 0;  ///< generation the controller runs with; 0: none
+  signals::Phase controller_phase_ = signals::Phase::kStance;
+  FaultSet faults_;
+  std::uint32_t tripped_epoch_ = 0;
+  int good_samples_ = 0;
+};
+
+}  // namespace farrier::joint_node

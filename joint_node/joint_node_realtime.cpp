@@ -1,0 +1,196 @@
+#include "joint_node/joint_node_realtime.hpp"
+
+#include <limits>
+
+#include "core/latest_value.hpp"
+#include "core/spsc_ring.hpp"
+#include "joint_node/gains_decoding.hpp"
+
+namespace farrier::joint_node {
+namespace {
+
+using namespace std::chrono_literals;
+
+template <class Signal>
+struct Stamped {
+  Signal signal{};
+  SteadyTime received{};
+};
+
+struct GainsUpdate {
+  signals::JointControllerGains signal;
+  bool refused = false;
+};
+
+/// Everything that crosses between the threads for one joint.
+struct Mailbox {
+  LatestValue<Stamped<signals::JointSensors>> sensors;
+  LatestValue<Stamped<signals::JointCommand>> command;
+  LatestValue<signals::SystemMode> mode;
+  SpscRing<GainsUpdate, 16> gains;
+  SpscRing<signals::GaitPhase, 16> phases;
+  SpscRing<JointNode::Outputs, 16> outputs;
+
+  Tick newest_sensors = kNoTick;               ///< bus thread
+  Stamped<signals::JointSensors> last_sensors; ///< control thread
+  Stamped<signals::JointCommand> last_command; ///< control thread
+};
+
+double age_s(SteadyTime received, SteadyTime now) noexcept {
+  return received == SteadyTime{} ? std::numeric_limits<double>::infinity()
+                                  : std::chrono::duration<double>(now - received).count();
+}
+
+class JointNodeRealtime final : public participant::RealtimeApplication {
+ public:
+  JointNodeRealtime(std::vector<HostedJoint> joints, Ports ports, participant::Participant& participant,
+                    Nanoseconds period)
+      : joints_(std::move(joints)), mail_(joints_.size()), ports_(ports), participant_(participant), period_(period) {}
+
+  bool receive(SteadyTime now) override;
+  void step(SteadyTime now, std::uint64_t missed) noexcept override;
+  void send() override;
+  bool finished() const override { return false; }
+  Nanoseconds period() const override { return period_; }
+  Trigger trigger() const override { return Trigger::kArrival; }
+  std::string waits_for() const override { return participant_.greeting_lacks(); }
+
+ private:
+  template <class Use>
+  void with_mail_of(std::uint16_t joint, Use&& use) {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (joints_[i].number == joint) {
+        use(mail_[i]);
+      }
+    }
+  }
+  bool all_fresh() const noexcept;
+
+  std::vector<HostedJoint> joints_;
+  std::vector<Mailbox> mail_;
+  Ports ports_;
+  participant::Participant& participant_;
+  Nanoseconds period_;
+  Tick stepped_for_ = kNoTick;  ///< bus thread: newest tick for which the control thread was woken
+  SteadyTime next_health_{};
+  std::atomic<std::uint64_t> missed_{0};
+  std::atomic<Tick> last_tick_{kNoTick};
+};
+
+bool JointNodeRealtime::all_fresh() const noexcept {
+  for (const Mailbox& mail : mail_) {
+    if (mail.newest_sensors <= stepped_for_) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool JointNodeRealtime::receive(SteadyTime now) {
+  ports_.sensors->drain([&](const signals::JointSensors& sensors) {
+    with_mail_of(sensors.joint, [&](Mailbox& mail) {
+      mail.sensors.store({sensors, now});
+      mail.newest_sensors = sensors.tick;
+    });
+  });
+  ports_.commands->drain([&](const signals::JointCommand& command) {
+    with_mail_of(command.joint, [&](Mailbox& mail) { mail.command.store({command, now}); });
+  });
+  ports_.gains->drain([&](const signals::JointControllerGains& gains) {
+    const auto checked = check_gains(gains);
+    if (!checked) {
+      participant_.event(signals::Severity::kWarning, last_tick_, gains.joint,
+                         "gains refused: " + checked.error().message);
+    }
+    with_mail_of(gains.joint, [&](Mailbox& mail) { mail.gains.push({gains, !checked}); });
+  });
+  ports_.phases->drain([&](const signals::GaitPhase& phase) {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (joints_[i].leg == phase.leg) {
+        mail_[i].phases.push(phase);
+      }
+    }
+  });
+  ports_.modes->drain([&](const signals::SystemMode& mode) {
+    for (Mailbox& mail : mail_) {
+      mail.mode.store(mode);
+    }
+  });
+  if (!participant_.started(now)) {
+    return false;
+  }
+  if (all_fresh()) {
+    stepped_for_ = mail_.front().newest_sensors;
+    for (const Mailbox& mail : mail_) {
+      stepped_for_ = std::min(stepped_for_, mail.newest_sensors);
+    }
+    inputs_complete.post();
+  }
+  if (now >= next_health_) {
+    next_health_ = now + 100ms;
+    signals::SystemHealth health;
+    health.missed_deadlines = missed_;
+    participant_.report_health(last_tick_, false, health);
+  }
+  return true;
+}
+
+void JointNodeRealtime::step(SteadyTime now, std::uint64_t missed) noexcept {
+  missed_.fetch_add(missed, std::memory_order_relaxed);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    Mailbox& mail = mail_[i];
+    JointNode& node = joints_[i].node;
+    mail.sensors.fetch(mail.last_sensors);
+    mail.command.fetch(mail.last_command);
+    if (signals::SystemMode mode; mail.mode.fetch(mode)) {
+      node.set_mode(mode);
+    }
+    for (GainsUpdate update; mail.gains.pop(update);) {
+      if (update.refused) {
+        node.refuse_gains();
+      } else {
+        node.store_gains(update.signal, unpack_gains(update.signal));
+      }
+    }
+    for (signals::GaitPhase phase; mail.phases.pop(phase);) {
+      node.announce_phase(phase);
+    }
+    JointNode::Inputs inputs;
+    inputs.tick = mail.last_sensors.signal.tick;
+    inputs.sensors = mail.last_sensors.signal;
+    inputs.sensors_age_s = age_s(mail.last_sensors.received, now);
+    inputs.command = mail.last_command.signal;
+    inputs.command_age_s = age_s(mail.last_command.received, now);
+    mail.outputs.push(node.step(inputs));
+    last_tick_.store(inputs.tick, std::memory_order_relaxed);
+  }
+}
+
+void JointNodeRealtime::send() {
+  for (Mailbox& mail : mail_) {
+    for (JointNode::Outputs outputs; mail.outputs.pop(outputs);) {
+      ports_.valves->publish(outputs.valve);
+      ports_.measurements->publish(outputs.measurement);
+    }
+  }
+}
+
+}  // namespace
+
+Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const robot::Robot& robot,
+                                                                          const std::vector<std::string>& joints,
+                                                                          participant::Participant& participant) {
+  auto hosted = host_joints(robot, joints, participant.identity().session);
+  if (!hosted) {
+    return hosted.error();
+  }
+  auto ports = Ports::open(participant, hosted.value(), robot);
+  if (!ports) {
+    return ports.error();
+  }
+  const auto period = std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s));
+  return std::unique_ptr<participant::RealtimeApplication>(
+      std::make_unique<JointNodeRealtime>(std::move(hosted).value(), ports.value(), participant, period));
+}
+
+}  // namespace farrier::joint_node

@@ -1,0 +1,58 @@
+#include "joint_node/ports.hpp"
+
+namespace farrier::joint_node {
+
+Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const std::vector<std::string>& names,
+                                             std::uint64_t session) {
+  std::vector<HostedJoint> hosted;
+  const auto host = [&](const robot::Joint& joint) {
+    hosted.push_back({JointNode(joint, robot.safety, session), joint.number, static_cast<std::uint16_t>(joint.leg),
+                      joint.name});
+  };
+  for (const std::string& name : names) {
+    const robot::Joint* joint = robot.find(name);
+    if (joint == nullptr) {
+      return Error{"--joints: " + robot.name + " has no joint '" + name + "'"};
+    }
+    host(*joint);
+  }
+  if (names.empty()) {
+    for (const robot::Joint& joint : robot.joints) {
+      host(joint);
+    }
+  }
+  return hosted;
+}
+
+Result<Ports> Ports::open(participant::Participant& participant, const std::vector<HostedJoint>& joints,
+                          const robot::Robot& robot) {
+  std::vector<std::uint16_t> numbers;
+  std::vector<std::string> names;
+  for (const HostedJoint& joint : joints) {
+    numbers.push_back(joint.number);
+    names.push_back(joint.name);
+  }
+  std::vector<std::uint16_t> legs;
+  for (std::size_t leg = 0; leg < robot.plan.legs.size(); ++leg) {
+    legs.push_back(static_cast<std::uint16_t>(leg));
+  }
+  const auto sensors = participant.subscribe<signals::JointSensors>(numbers, names);
+  const auto commands = participant.subscribe<signals::JointCommand>(numbers, names);
+  const auto gains = participant.subscribe<signals::JointControllerGains>(numbers, names);
+  const auto phases = participant.subscribe<signals::GaitPhase>(legs);
+  const auto modes = participant.subscribe<signals::SystemMode>({0});
+  const auto valves = participant.publish<signals::JointValveCommand>(numbers);
+  const auto measurements = participant.publish<signals::JointMeasurement>(numbers);
+  for (const auto* refused : {sensors ? nullptr : &sensors.error(), commands ? nullptr : &commands.error(),
+                              gains ? nullptr : &gains.error(), phases ? nullptr : &phases.error(),
+                              modes ? nullptr : &modes.error(), valves ? nullptr : &valves.error(),
+                              measurements ? nullptr : &measurements.error()}) {
+    if (refused != nullptr) {
+      return *refused;
+    }
+  }
+  return Ports{sensors.value(), commands.value(), gains.value(),       phases.value(),
+               modes.value(),   valves.value(),   measurements.value()};
+}
+
+}  // namespace farrier::joint_node

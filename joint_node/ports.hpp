@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "joint_node/joint_node.hpp"
+#include "participant/participant.hpp"
+
+namespace farrier::joint_node {
+
+/// A joint this process hosts, with its place in the robot.
+struct HostedJoint {
+  JointNode node;
+  std::uint16_t number;
+  std::uint16_t leg;
+  std::string name;
+};
+
+/// Picks the named joints of the robot, all of them for an empty list. Refuses a name the robot does not have.
+Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const std::vector<std::string>& names,
+                                             std::uint64_t session);
+
+/// The arrows that end or begin at a joint_node.
+struct Ports {
+  participant::In<signals::JointSensors>* sensors;
+  participant::In<signals::JointCommand>* commands;
+  participant::In<signals::JointControllerGains>* gains;
+  participant::In<signals::GaitPhase>* phases;
+  participant::In<signals::SystemMode>* modes;
+  participant::Out<signals::JointValveCommand>* valves;
+  participant::Out<signals::JointMeasurement>* measurements;
+
+  static Result<Ports> open(participant::Participant& participant, const std::vector<HostedJoint>& joints,
+                            const robot::Robot& robot);
+};
+
+}  // namespace farrier::joint_node

@@ -1,0 +1,97 @@
+#include "lab/inproc_run.hpp"
+
+#include <algorithm>
+
+#include "bus/inproc/inproc_bus.hpp"
+#include "estimator_service/ports.hpp"
+#include "joint_node/joint_node_lockstep.hpp"
+#include "lab/gait_source.hpp"
+#include "lab/run_monitor.hpp"
+#include "sim_bridge/sim_bridge_lockstep.hpp"
+#include "supervisor/ports.hpp"
+
+namespace farrier::lab {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::uint64_t kSession = 1;
+// Polls of everybody without a tick done after which a run counts as standing still.
+constexpr int kStandstill = 10'000;
+
+/// One member with its bus. Declaration order is destruction order: ports go before the bus they are on.
+struct Seat {
+  std::unique_ptr<bus::Bus> bus;
+  std::unique_ptr<participant::Participant> participant;
+  std::unique_ptr<participant::Application> application;
+};
+
+Result<std::unique_ptr<participant::Application>> create_application(const Member& member, const robot::Robot& robot,
+                                                                     const InprocRun& run,
+                                                                     participant::Participant& participant) {
+  switch (member.number) {
+    case participant::kSimBridge:
+      return sim_bridge::create_lockstep(robot, run.seed, run.trace_path, participant, run.ticks);
+    case participant::kEstimatorService: return estimator_service::create_application(robot, participant, run.ticks);
+    case participant::kSupervisor: return supervisor::create_application(robot, run.design, participant, run.ticks);
+    case participant::kGaitSource: {
+      auto gait = GaitSource::create(robot, run.seed, participant, run.ticks);
+      if (!gait) {
+        return gait.error();
+      }
+      return std::unique_ptr<participant::Application>(std::move(gait).value());
+    }
+    default: return joint_node::create_lockstep(robot, member.joints, participant, run.ticks);
+  }
+}
+
+}  // namespace
+
+Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run) {
+  SteadyTime now{};
+  const auto domain = std::make_shared<bus::InprocDomain>([&now] { return now; });
+  const std::vector<Member> members = plan_members(robot, run.grouping);
+  std::vector<Seat> seats(members.size());
+  for (const Member& member : members) {
+    Seat& seat = seats[member.number];
+    seat.bus = bus::create_inproc_bus(domain);
+    auto joined = participant::Participant::join(
+        *seat.bus, {member.name, robot.name, member.number, static_cast<std::uint16_t>(members.size()), kSession,
+                    bus::ClockKind::kLockstep});
+    if (!joined) {
+      return joined.error();
+    }
+    seat.participant = std::move(joined).value();
+    auto application = create_application(member, robot, run, *seat.participant);
+    if (!application) {
+      return application.error();
+    }
+    seat.application = std::move(application).value();
+  }
+  Seat& gait = seats[participant::kGaitSource];
+  auto monitor = RunMonitor::create(*gait.bus, gait.participant->identity());
+  if (!monitor) {
+    return monitor.error();
+  }
+  const auto& source = static_cast<const GaitSource&>(*gait.application);
+  int idle_polls = 0;
+  Tick last = kNoTick;
+  while (!std::all_of(seats.begin(), seats.end(), [](const Seat& seat) { return seat.application->finished(); })) {
+    now += 1ms;
+    for (Seat& seat : seats) {
+      seat.application->poll(now);
+    }
+    idle_polls = source.tick() == last ? idle_polls + 1 : 0;
+    if (idle_polls > kStandstill) {
+      return Error{"the run stands still: " + seats[participant::kSimBridge].application->waits_for()};
+    }
+    if (source.tick() != last && source.tick() % 100 == 0 && run.progress && !run.progress(source.tick())) {
+      return Error{"interrupted"};
+    }
+    last = source.tick();
+  }
+  monitor.value().poll();
+  return InprocResult{gait.participant->hellos(), monitor.value().healths(), monitor.value().events()};
+}
+
+}  // namespace farrier::lab

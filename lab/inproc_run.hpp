@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lab/run_plan.hpp"
+#include "supervisor/supervisor.hpp"
+
+namespace farrier::lab {
+
+/// A whole run in one thread over the in-process bus: the same node cores, ports and lock-step as over DDS.
+struct InprocRun {
+  Grouping grouping = Grouping::kPerLeg;
+  Tick ticks = 0;
+  std::uint64_t seed = 1;
+  supervisor::Design design = supervisor::Design::kStance;
+  std::string trace_path;                    ///< empty: none
+  std::function<bool(Tick)> progress;        ///< called now and then; false ends the run early
+};
+
+struct InprocResult {
+  std::vector<signals::SystemHello> hellos;   ///< by participant
+  std::vector<signals::SystemHealth> healths;
+  std::vector<signals::SystemEvent> events;
+};
+
+/// Refuses with the reason, also when the run stands still (a bug: nothing outside can hold it up).
+Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run);
+
+}  // namespace farrier::lab

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+#include "signals/fields.hpp"
+
+namespace farrier::bus {
+
+/// How many of a signal's first fields form its DDS key (those idl/ marks @key).
+template <class Signal>
+inline constexpr std::size_t kKeyFields = 1;
+template <>
+inline constexpr std::size_t kKeyFields<signals::JointControllerGains> = 2;
+
+/// The DDS key of a signal as one number: samples with the same number share a history.
+template <class Signal>
+std::uint32_t key_of(const Signal& signal) noexcept {
+  std::uint32_t key = 0;
+  std::size_t index = 0;
+  signals::visit_fields(signal, [&](const char*, const auto& field) {
+    using Field = std::remove_cvref_t<decltype(field)>;
+    if constexpr (std::is_integral_v<Field> && sizeof(Field) <= sizeof(std::uint16_t)) {
+      if (index < kKeyFields<Signal>) {
+        key = (key << 16) | field;
+      }
+    }
+    ++index;
+  });
+  return key;
+}
+
+}  // namespace farrier::bus

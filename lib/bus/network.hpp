@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace farrier::bus {
+
+/// Where a DDS process looks for the others. The default finds up to `max_processes` processes on this computer by
+/// unicast alone: it works on a loopback device without multicast.
+struct NetworkOptions {
+  int domain = 0;                              ///< DDS domain, 0..232
+  std::string address = "127.0.0.1";           ///< address of the one interface DDS uses
+  std::vector<std::string> peers{"127.0.0.1"}; ///< computers to look for processes on
+  int max_processes = 40;                      ///< per computer
+};
+
+}  // namespace farrier::bus

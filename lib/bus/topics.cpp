@@ -1,0 +1,98 @@
+#include "bus/topics.hpp"
+
+#include "core/ensure.hpp"
+#include "core/noise.hpp"
+
+namespace farrier::bus {
+namespace {
+
+using namespace std::chrono_literals;
+
+// 1 kHz streams: freshness is what counts; the DDS deadline and liveliness are the second net behind the
+// application's own ages.
+constexpr Qos kStream{Reliability::kBestEffort, Durability::kVolatile, 1, 2ms, Liveliness::kManualByTopic, 20ms,
+                      Ownership::kShared};
+constexpr Qos kLatest{Reliability::kBestEffort, Durability::kVolatile, 1, kInfinite, Liveliness::kAutomatic,
+                        kInfinite, Ownership::kShared};
+// Authority over the robot: a standby supervisor takes over by ownership strength.
+constexpr Qos kAuthority{Reliability::kReliable, Durability::kTransientLocal, 1, kInfinite,
+                         Liveliness::kManualByTopic, 20ms, Ownership::kExclusive};
+constexpr Qos announcements(int depth) {
+  return {Reliability::kReliable, Durability::kTransientLocal, depth, kInfinite, Liveliness::kAutomatic, kInfinite,
+          Ownership::kShared};
+}
+constexpr Qos kLockstepOnly{Reliability::kReliable, Durability::kVolatile, 1, kInfinite, Liveliness::kAutomatic,
+                            kInfinite, Ownership::kShared};
+
+// A sample for tick k + 1 may arrive before the one for tick k is taken; four leave room to spare.
+constexpr int kTwoTicks = 4;
+
+#define FARRIER_TOPIC(Signal, name, file, key, version, route, qos, depth) \
+  TopicSpec{TopicId::k##Signal, name, "wire::" #Signal, #file ".idl", key, version, route, sizeof(signals::Signal), qos, depth}
+
+// clang-format off
+constexpr std::array<TopicSpec, kTopicCount> kTopics{
+    FARRIER_TOPIC(JointSensors, "joint/sensors", joint_sensors, "joint", 1, Route::kJoint, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointCommand, "joint/command", joint_command, "joint", 1, Route::kJoint, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointValveCommand, "joint/valve_command", joint_valve_command, "joint", 1, Route::kRobot, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointMeasurement, "joint/measurement", joint_measurement, "joint", 1, Route::kRobot, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointModelEstimate, "joint/model_estimate", joint_model_estimate, "joint", 1, Route::kRobot, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointControllerGains, "joint/controller_gains", joint_controller_gains, "joint, phase", 1, Route::kJoint, kAuthority, kTwoTicks),
+    FARRIER_TOPIC(GaitPhase, "gait/phase", gait_phase, "leg", 1, Route::kRobot, announcements(4), 4),
+    FARRIER_TOPIC(SystemHello, "system/hello", system_hello, "participant", 1, Route::kRobot, announcements(1), 1),
+    FARRIER_TOPIC(SystemHealth, "system/health", system_health, "participant", 1, Route::kRobot, announcements(1), 1),
+    FARRIER_TOPIC(SystemEvent, "system/event", system_event, "participant", 1, Route::kRobot, announcements(1000), 1000),
+    FARRIER_TOPIC(SystemMode, "system/mode", system_mode, "robot", 1, Route::kRobot, kAuthority, kTwoTicks),
+    FARRIER_TOPIC(ClockTick, "clock/tick", clock_tick, "clock", 1, Route::kRobot, kLatest, kTwoTicks),
+    FARRIER_TOPIC(ClockTickDone, "clock/tick_done", clock_tick_done, "participant", 1, Route::kRobot, kLockstepOnly, kTwoTicks),
+};
+// clang-format on
+#undef FARRIER_TOPIC
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < kTopics.size(); ++i) {
+    if (static_cast<std::size_t>(kTopics[i].id) != i) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(in_order(), "the registry is indexed by TopicId");
+
+}  // namespace
+
+std::span<const TopicSpec> topics() { return kTopics; }
+
+const TopicSpec& spec(TopicId id) { return kTopics[static_cast<std::size_t>(id)]; }
+
+Qos qos_for(const TopicSpec& topic, ClockKind clock) {
+  if (clock == ClockKind::kRealtime) {
+    return topic.realtime;
+  }
+  Qos qos = topic.realtime;
+  qos.reliability = Reliability::kReliable;
+  qos.history_depth = topic.lockstep_depth;
+  qos.deadline = kInfinite;
+  qos.liveliness = Liveliness::kAutomatic;
+  qos.lease = kInfinite;
+  return qos;
+}
+
+std::uint64_t contract_hash() {
+  std::string text;
+  for (const TopicSpec& topic : kTopics) {
+    text += std::string(topic.name) + ' ' + topic.type_name + ' ' + std::to_string(topic.version) + ' ';
+  }
+#define FARRIER_FIELD_TEXT(field) #field " "
+#define FARRIER_SIGNAL_TEXT(Signal, file) text += #Signal ": " FARRIER_FIELDS_##Signal(FARRIER_FIELD_TEXT);
+  FARRIER_SIGNALS(FARRIER_SIGNAL_TEXT)
+#undef FARRIER_SIGNAL_TEXT
+#undef FARRIER_FIELD_TEXT
+  return stable_hash(text);
+}
+
+std::string partition(const std::string& robot) { return robot; }
+
+std::string partition(const std::string& robot, const std::string& joint) { return robot + '/' + joint; }
+
+}  // namespace farrier::bus

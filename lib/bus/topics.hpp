@@ -1,0 +1,72 @@
+#pragma once
+
+// The registry: every topic with its message, name, version, route and QoS, once. idl/README.md is generated from it.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <type_traits>
+
+#include "bus/qos.hpp"
+#include "signals/fields.hpp"
+
+namespace farrier::bus {
+
+/// One number per topic, in the order of FARRIER_SIGNALS.
+enum class TopicId : std::uint8_t {
+#define FARRIER_TOPIC_ID(Signal, file) k##Signal,
+  FARRIER_SIGNALS(FARRIER_TOPIC_ID)
+#undef FARRIER_TOPIC_ID
+};
+
+/// Who gets a sample: everybody of the robot, or only the processes that host the sample's joint.
+enum class Route : std::uint8_t { kRobot, kJoint };
+
+enum class ClockKind : std::uint8_t { kLockstep, kRealtime };
+
+struct TopicSpec {
+  TopicId id;
+  const char* name;        ///< DDS topic name
+  const char* type_name;   ///< DDS type name, "wire::X"
+  const char* idl;         ///< file in idl/
+  const char* key;         ///< key fields, for people
+  std::uint32_t version;   ///< raised with every change of the fields or of their meaning
+  Route route;
+  std::size_t signal_size; ///< sizeof of our struct
+  Qos realtime;            ///< QoS on the real-time clock
+  int lockstep_depth;      ///< history in lock-step, where every topic is reliable and nothing ever expires
+};
+
+std::span<const TopicSpec> topics();
+const TopicSpec& spec(TopicId id);
+
+/// The QoS of a topic on a clock. In lock-step: reliable, deadline and lease infinite, and deep enough that a
+/// sample for tick k + 1 does not overwrite the one for tick k.
+Qos qos_for(const TopicSpec& topic, ClockKind clock);
+
+/// Hash over every topic's name, version and fields. Processes that disagree on it do not start together.
+std::uint64_t contract_hash();
+
+/// DDS partition of a robot's topics that go to everybody, and of one joint's.
+std::string partition(const std::string& robot);
+std::string partition(const std::string& robot, const std::string& joint);
+
+/// TopicId of a signal type.
+template <class Signal>
+struct TopicOf;
+#define FARRIER_TOPIC_OF(Signal, file)             \
+  template <>                                      \
+  struct TopicOf<signals::Signal> {                \
+    static constexpr TopicId id = TopicId::k##Signal; \
+  };
+FARRIER_SIGNALS(FARRIER_TOPIC_OF)
+#undef FARRIER_TOPIC_OF
+
+#define FARRIER_COUNT(Signal, file) +1
+inline constexpr std::size_t kTopicCount = 0 FARRIER_SIGNALS(FARRIER_COUNT);
+#undef FARRIER_COUNT
+static_assert(kTopicCount <= signals::kMaxTopics, "SystemHealth cannot count this many topics");
+
+}  // namespace farrier::bus

@@ -1,0 +1,146 @@
+#include "bus_cyclone/cyclone_bus.hpp"
+
+#include <dds/dds.h>
+
+#include <cstdlib>
+#include <map>
+
+#include "bus/endpoint_check.hpp"
+#include "bus_cyclone/cyclone_config.hpp"
+#include "bus_cyclone/cyclone_endpoints.hpp"
+#include "bus_cyclone/cyclone_qos.hpp"
+
+namespace farrier::bus_cyclone {
+namespace {
+
+constexpr int kMaxDomain = 232;  // RTPS 2.2, 9.6.1: the last whose ports stay below 65536
+
+// A second bus of a domain in one process gets a Cyclone domain of its own, so that samples between the two cross
+// the network as between processes. Only Cyclone's own number of it differs.
+constexpr dds_domainid_t kLocalDomainStride = 1000;
+constexpr int kMaxBusesOfADomain = 256;
+
+Error refused(const std::string& what, dds_return_t code) {
+  return Error{"Cyclone refuses " + what + ": " + dds_strretcode(code)};
+}
+
+class CycloneBus final : public bus::Bus {
+ public:
+  CycloneBus(dds_entity_t domain, dds_entity_t participant) : domain_(domain), participant_(participant) {}
+  ~CycloneBus() override { dds_delete(domain_); }
+
+  bus::Vendor vendor() const noexcept override { return bus::Vendor::kCyclone; }
+
+  Result<std::unique_ptr<bus::RawWriter>> create_writer(const bus::EndpointSpec& endpoint) override {
+    if (auto error = bus::endpoint_error(endpoint)) {
+      return *error;
+    }
+    const dds_entity_t topic = topic_of(endpoint.topic);
+    if (topic < 0) {
+      return refused(std::string("topic ") + bus::spec(endpoint.topic).name, topic);
+    }
+    const dds_entity_t publisher = parent(publishers_, endpoint.partitions, &dds_create_publisher);
+    if (publisher < 0) {
+      return refused("the partitions of a writer", publisher);
+    }
+    const QosPtr qos = endpoint_qos(endpoint);
+    const dds_entity_t writer = dds_create_writer(publisher, topic, qos.get(), nullptr);
+    if (writer < 0) {
+      return refused(std::string("the QoS of the writer of ") + bus::spec(endpoint.topic).name, writer);
+    }
+    return wrap_writer(endpoint.topic, writer);
+  }
+
+  Result<std::unique_ptr<bus::RawReader>> create_reader(const bus::EndpointSpec& endpoint) override {
+    if (auto error = bus::endpoint_error(endpoint)) {
+      return *error;
+    }
+    const dds_entity_t topic = topic_of(endpoint.topic);
+    if (topic < 0) {
+      return refused(std::string("topic ") + bus::spec(endpoint.topic).name, topic);
+    }
+    const dds_entity_t subscriber = parent(subscribers_, endpoint.partitions, &dds_create_subscriber);
+    if (subscriber < 0) {
+      return refused("the partitions of a reader", subscriber);
+    }
+    const QosPtr qos = endpoint_qos(endpoint);
+    return make_reader(endpoint.topic, subscriber, topic, *qos, notifier_);
+  }
+
+ private:
+  using Parents = std::map<std::vector<std::string>, dds_entity_t>;
+
+  dds_entity_t topic_of(bus::TopicId id) {
+    const auto found = topics_.find(id);
+    if (found != topics_.end()) {
+      return found->second;
+    }
+    const dds_entity_t topic =
+        dds_create_topic(participant_, &topic_descriptor(id), bus::spec(id).name, nullptr, nullptr);
+    if (topic > 0) {
+      topics_.emplace(id, topic);
+    }
+    return topic;
+  }
+
+  template <class Create>
+  dds_entity_t parent(Parents& parents, const std::vector<std::string>& partitions, Create create) {
+    const auto found = parents.find(partitions);
+    if (found != parents.end()) {
+      return found->second;
+    }
+    const QosPtr qos = partition_qos(partitions);
+    const dds_entity_t entity = create(participant_, qos.get(), nullptr);
+    if (entity > 0) {
+      parents.emplace(partitions, entity);
+    }
+    return entity;
+  }
+
+  dds_entity_t domain_;
+  dds_entity_t participant_;
+  std::map<bus::TopicId, dds_entity_t> topics_;
+  Parents publishers_;
+  Parents subscribers_;
+};
+
+std::string config_with_user_part(const bus::NetworkOptions& options) {
+  std::string config = cyclone_config(options);
+  const char* user = std::getenv("CYCLONEDDS_URI");
+  if (user != nullptr && *user != '\0') {
+    config += std::string(",") + user;
+  }
+  return config;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<bus::Bus>> create_cyclone_bus(const bus::NetworkOptions& options) {
+  if (options.domain < 0 || options.domain > kMaxDomain) {
+    return Error{"DDS domain " + std::to_string(options.domain) + " is outside 0.." + std::to_string(kMaxDomain)};
+  }
+  if (options.max_processes < 1 || options.peers.empty()) {
+    return Error{"network: max_processes must be at least 1 and peers must name a computer"};
+  }
+  const std::string config = config_with_user_part(options);
+  auto local_id = static_cast<dds_domainid_t>(options.domain);
+  dds_entity_t domain = dds_create_domain(local_id, config.c_str());
+  for (int i = 1; i < kMaxBusesOfADomain && domain == DDS_RETCODE_PRECONDITION_NOT_MET; ++i) {
+    local_id += kLocalDomainStride;
+    domain = dds_create_domain(local_id, config.c_str());
+  }
+  if (domain < 0) {
+    return refused("domain " + std::to_string(options.domain) + " on " + options.address +
+                       " (its own message is above; is the address this computer's, CYCLONEDDS_URI well-formed, and " +
+                       "are fewer than " + std::to_string(options.max_processes) + " processes running?)",
+                   domain);
+  }
+  const dds_entity_t participant = dds_create_participant(local_id, nullptr, nullptr);
+  if (participant < 0) {
+    dds_delete(domain);
+    return refused("a participant in domain " + std::to_string(options.domain), participant);
+  }
+  return std::unique_ptr<bus::Bus>(std::make_unique<CycloneBus>(domain, participant));
+}
+
+}  // namespace farrier::bus_cyclone

@@ -1,0 +1,45 @@
+#include "bus_cyclone/cyclone_config.hpp"
+
+namespace farrier::bus_cyclone {
+namespace {
+
+// A reliable reader that misses a sample learns of it from the next heartbeat and asks at once: late readers and
+// lost datagrams cost tens of milliseconds. Acknowledgements may wait, nothing in a KEEP_LAST writer waits for them.
+constexpr const char* kReliableTiming =
+    "<HeartbeatInterval min=\"5 ms\" minsched=\"20 ms\" max=\"100 ms\">20 ms</HeartbeatInterval>"
+    "<NackDelay>1 ms</NackDelay>"
+    "<AckDelay>10 ms</AckDelay>"
+    "<PreEmptiveAckDelay>5 ms</PreEmptiveAckDelay>";
+
+// A tick's worth of samples from every process fits many times over. The kernel may grant less (net.core.rmem_max).
+constexpr const char* kSockets = "<SocketReceiveBufferSize max=\"4 MiB\"/>";
+
+// Announcements go by unicast to every port a process may have, so they are rare; a process that starts
+// announces itself at once and everyone answers.
+constexpr const char* kAnnouncementPeriod = "5 s";
+
+std::string element(const std::string& name, const std::string& content) {
+  return '<' + name + '>' + content + "</" + name + '>';
+}
+
+}  // namespace
+
+std::string cyclone_config(const bus::NetworkOptions& options) {
+  std::string peers;
+  for (const std::string& peer : options.peers) {
+    peers += "<Peer Address=\"" + peer + "\"/>";
+  }
+  const std::string general = "<Interfaces><NetworkInterface address=\"" + options.address +
+                              "\"/></Interfaces>" + element("AllowMulticast", "false") +
+                              element("Transport", "udp");
+  const std::string discovery = element("ExternalDomainId", std::to_string(options.domain)) +
+                                element("ParticipantIndex", "auto") +
+                                element("MaxAutoParticipantIndex", std::to_string(options.max_processes - 1)) +
+                                element("Peers", peers) + element("SPDPInterval", kAnnouncementPeriod);
+  // One receive thread: with unicast alone there is nothing for a second one to do but to switch contexts.
+  const std::string internal = element("MultipleReceiveThreads", "false") + kReliableTiming + kSockets;
+  return element("CycloneDDS", "<Domain Id=\"any\">" + element("General", general) + element("Discovery", discovery) +
+                                   element("Internal", internal) + "</Domain>");
+}
+
+}  // namespace farrier::bus_cyclone

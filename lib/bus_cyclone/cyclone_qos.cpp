@@ -1,0 +1,58 @@
+#include "bus_cyclone/cyclone_qos.hpp"
+
+namespace farrier::bus_cyclone {
+namespace {
+
+// A reliable KEEP_LAST writer replaces its oldest sample rather than wait; this bounds the exception, a writer
+// whose history over all keys exceeds Cyclone's high-water mark while a reader does not acknowledge.
+constexpr dds_duration_t kMaxBlockingTime = DDS_MSECS(10);
+
+// Our kInfinite and Cyclone's are the same number.
+static_assert(bus::kInfinite.count() == DDS_INFINITY);
+
+dds_liveliness_kind_t liveliness_kind(bus::Liveliness liveliness) {
+  return liveliness == bus::Liveliness::kAutomatic ? DDS_LIVELINESS_AUTOMATIC : DDS_LIVELINESS_MANUAL_BY_TOPIC;
+}
+
+}  // namespace
+
+QosPtr partition_qos(const std::vector<std::string>& partitions) {
+  QosPtr qos(dds_create_qos());
+  std::vector<const char*> names;
+  for (const std::string& name : partitions) {
+    names.push_back(name.c_str());
+  }
+  if (!names.empty()) {
+    dds_qset_partition(qos.get(), static_cast<std::uint32_t>(names.size()), names.data());
+  }
+  return qos;
+}
+
+QosPtr endpoint_qos(const bus::EndpointSpec& endpoint) {
+  const bus::Qos& wanted = endpoint.qos;
+  QosPtr qos(dds_create_qos());
+  dds_qset_reliability(qos.get(),
+                       wanted.reliability == bus::Reliability::kReliable ? DDS_RELIABILITY_RELIABLE
+                                                                         : DDS_RELIABILITY_BEST_EFFORT,
+                       kMaxBlockingTime);
+  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, wanted.history_depth);
+  dds_qset_durability(qos.get(), wanted.durability == bus::Durability::kTransientLocal
+                                     ? DDS_DURABILITY_TRANSIENT_LOCAL
+                                     : DDS_DURABILITY_VOLATILE);
+  // What a transient-local writer keeps for late readers is set here, not by its history.
+  dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, wanted.history_depth, DDS_LENGTH_UNLIMITED,
+                              DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+  dds_qset_deadline(qos.get(), wanted.deadline.count());
+  dds_qset_liveliness(qos.get(), liveliness_kind(wanted.liveliness), wanted.lease.count());
+  dds_qset_ownership(qos.get(), wanted.ownership == bus::Ownership::kExclusive ? DDS_OWNERSHIP_EXCLUSIVE
+                                                                               : DDS_OWNERSHIP_SHARED);
+  dds_qset_ownership_strength(qos.get(), endpoint.ownership_strength);
+  // A key whose writer ended is kept: no sample of ours means "gone".
+  dds_qset_writer_data_lifecycle(qos.get(), false);
+  // The only representation Fast DDS 2.9 knows.
+  const dds_data_representation_id_t representation = DDS_DATA_REPRESENTATION_XCDR1;
+  dds_qset_data_representation(qos.get(), 1, &representation);
+  return qos;
+}
+
+}  // namespace farrier::bus_cyclone

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <dds/dds.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bus/bus.hpp"
+
+namespace farrier::bus_cyclone {
+
+struct QosDeleter {
+  void operator()(dds_qos_t* qos) const noexcept { dds_delete_qos(qos); }
+};
+using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
+
+/// QoS of a publisher or subscriber that carries the partitions of its endpoints.
+QosPtr partition_qos(const std::vector<std::string>& partitions);
+
+/// QoS of a writer or reader. What one of the two does not know is ignored there by Cyclone.
+QosPtr endpoint_qos(const bus::EndpointSpec& endpoint);
+
+}  // namespace farrier::bus_cyclone

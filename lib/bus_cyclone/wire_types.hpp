@@ -1,0 +1,60 @@
+#pragma once
+
+// The types idlc generates from idl/, paired with our signals.
+
+#include <clock_tick.h>
+#include <clock_tick_done.h>
+#include <gait_phase.h>
+#include <joint_command.h>
+#include <joint_controller_gains.h>
+#include <joint_measurement.h>
+#include <joint_model_estimate.h>
+#include <joint_sensors.h>
+#include <joint_valve_command.h>
+#include <system_event.h>
+#include <system_health.h>
+#include <system_hello.h>
+#include <system_mode.h>
+
+#include <algorithm>
+#include <array>
+
+#include "signals/fields.hpp"
+
+namespace farrier::bus_cyclone {
+
+template <class T>
+void copy_field(T& to, const T& from) noexcept {
+  to = from;
+}
+template <class T, std::size_t kCount>
+void copy_field(T (&to)[kCount], const std::array<T, kCount>& from) noexcept {
+  std::copy(from.begin(), from.end(), to);
+}
+template <class T, std::size_t kCount>
+void copy_field(std::array<T, kCount>& to, const T (&from)[kCount]) noexcept {
+  std::copy(from, from + kCount, to.begin());
+}
+
+/// The generated type of a signal, and the copies between the two.
+template <class Signal>
+struct Wire;
+
+#define FARRIER_COPY_FIELD(field) copy_field(to.field, from.field);
+#define FARRIER_WIRE(Signal, file)                                                   \
+  template <>                                                                        \
+  struct Wire<signals::Signal> {                                                     \
+    using Type = wire_##Signal;                                                      \
+    static const dds_topic_descriptor_t& descriptor() { return wire_##Signal##_desc; } \
+    static void copy(Type& to, const signals::Signal& from) noexcept {               \
+      FARRIER_FIELDS_##Signal(FARRIER_COPY_FIELD)                                    \
+    }                                                                                \
+    static void copy(signals::Signal& to, const Type& from) noexcept {               \
+      FARRIER_FIELDS_##Signal(FARRIER_COPY_FIELD)                                    \
+    }                                                                                \
+  };
+FARRIER_SIGNALS(FARRIER_WIRE)
+#undef FARRIER_WIRE
+#undef FARRIER_COPY_FIELD
+
+}  // namespace farrier::bus_cyclone

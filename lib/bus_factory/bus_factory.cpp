@@ -1,0 +1,17 @@
+#include "bus_factory/bus_factory.hpp"
+
+#include "bus_cyclone/cyclone_bus.hpp"
+#include "bus_fastdds/fast_bus.hpp"
+
+namespace farrier::bus_factory {
+
+Result<std::unique_ptr<bus::Bus>> create_bus(bus::Vendor vendor, const bus::NetworkOptions& network) {
+  switch (vendor) {
+    case bus::Vendor::kCyclone: return bus_cyclone::create_cyclone_bus(network);
+    case bus::Vendor::kFast: return bus_fastdds::create_fast_bus(network);
+    case bus::Vendor::kInproc: break;
+  }
+  return Error{"a process of its own needs a DDS vendor: --dds cyclone or --dds fast"};
+}
+
+}  // namespace farrier::bus_factory

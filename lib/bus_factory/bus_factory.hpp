@@ -1,0 +1,14 @@
+#pragma once
+
+#include <memory>
+
+#include "bus/bus.hpp"
+#include "bus/network.hpp"
+
+namespace farrier::bus_factory {
+
+/// The bus of a process over the vendor chosen at start. The in-process bus is not among them: it joins nodes of one
+/// process, which the lab does.
+Result<std::unique_ptr<bus::Bus>> create_bus(bus::Vendor vendor, const bus::NetworkOptions& network);
+
+}  // namespace farrier::bus_factory

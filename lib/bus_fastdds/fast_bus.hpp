@@ -1,0 +1,24 @@
+#pragma once
+
+// The bus over eProsima Fast DDS 2.9: UDP only, unicast on one interface, written on the caller's thread.
+
+#include <memory>
+
+#include "bus/bus.hpp"
+#include "bus/network.hpp"
+#include "core/result.hpp"
+
+namespace farrier::bus_fastdds {
+
+/// Joins the DDS domain of `options` as one participant with sockets of its own, also when the process already
+/// holds another bus of this domain.
+///
+/// Everything is configured here. Of a user's FASTRTPS_DEFAULT_PROFILES_FILE only <log> acts: participants and
+/// endpoints are created from explicit settings, and samples between two buses of one process always cross UDP.
+/// ROS_DISCOVERY_SERVER is Fast DDS's own and would turn discovery into a client's: leave it unset.
+///
+/// Arrivals are counted on the receive thread. Fast DDS tells of several samples at once when a gap in a reliable
+/// stream closes; each of them is counted, and in a race with take() some may be counted twice, never less than once.
+Result<std::unique_ptr<bus::Bus>> create_fast_bus(const bus::NetworkOptions& options);
+
+}  // namespace farrier::bus_fastdds

@@ -1,0 +1,151 @@
+#include "bus_fastdds/fast_qos.hpp"
+
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include <algorithm>
+
+namespace farrier::bus_fastdds {
+namespace {
+
+using namespace std::chrono_literals;
+using eprosima::fastrtps::Duration_t;
+using eprosima::fastrtps::rtps::IPLocator;
+using eprosima::fastrtps::rtps::Locator_t;
+
+// A tick's worth of samples from every process fits many times over. The kernel may grant less (net.core.rmem_max).
+constexpr std::uint32_t kSocketBufferBytes = 4u << 20;
+
+// Announcements go by unicast to every port a process may have, so they are rare; a process that starts announces
+// itself at once and everyone answers.
+constexpr Nanoseconds kAnnouncementPeriod = 5s;
+constexpr Nanoseconds kParticipantLease = 20s;
+constexpr std::uint32_t kInitialAnnouncements = 5;
+constexpr Nanoseconds kInitialAnnouncementPeriod = 50ms;
+
+// A reliable reader that misses a sample learns of it from the next heartbeat and asks at once: late readers and
+// lost datagrams cost tens of milliseconds.
+constexpr Nanoseconds kHeartbeatPeriod = 20ms;
+constexpr Nanoseconds kFirstAcknowledgement = 5ms;
+
+// Far more keys than any topic has; only keys that are used take memory.
+constexpr int kMaxKeys = 256;
+constexpr int kFirstSamples = 32;  // allocated before the first write
+
+Duration_t duration(Nanoseconds time) {
+  if (time == bus::kInfinite) {
+    return eprosima::fastrtps::c_TimeInfinite;
+  }
+  const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(time);
+  return Duration_t(static_cast<std::int32_t>(seconds.count()), static_cast<std::uint32_t>((time - seconds).count()));
+}
+
+Locator_t locator(const std::string& address) {
+  Locator_t result;
+  IPLocator::createLocator(LOCATOR_KIND_UDPv4, address, 0, result);  // port 0: the well-known one
+  return result;
+}
+
+dds::PartitionQosPolicy partition_list(const std::vector<std::string>& partitions) {
+  dds::PartitionQosPolicy policy;
+  for (const std::string& partition : partitions) {
+    policy.push_back(partition.c_str());
+  }
+  return policy;
+}
+
+// What writers and readers are told alike.
+template <class EndpointQos>
+void set_common(EndpointQos& qos, const bus::EndpointSpec& endpoint) {
+  const bus::Qos& wanted = endpoint.qos;
+  qos.reliability().kind = wanted.reliability == bus::Reliability::kReliable ? dds::RELIABLE_RELIABILITY_QOS
+                                                                             : dds::BEST_EFFORT_RELIABILITY_QOS;
+  qos.durability().kind = wanted.durability == bus::Durability::kTransientLocal ? dds::TRANSIENT_LOCAL_DURABILITY_QOS
+                                                                                : dds::VOLATILE_DURABILITY_QOS;
+  qos.history().kind = dds::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = wanted.history_depth;
+  qos.deadline().period = duration(wanted.deadline);
+  qos.liveliness().kind = wanted.liveliness == bus::Liveliness::kManualByTopic ? dds::MANUAL_BY_TOPIC_LIVELINESS_QOS
+                                                                               : dds::AUTOMATIC_LIVELINESS_QOS;
+  qos.liveliness().lease_duration = duration(wanted.lease);
+  qos.ownership().kind = wanted.ownership == bus::Ownership::kExclusive ? dds::EXCLUSIVE_OWNERSHIP_QOS
+                                                                        : dds::SHARED_OWNERSHIP_QOS;
+  // KEEP_LAST per key is the bound: no limit beside it may refuse or displace a sample.
+  qos.resource_limits().max_samples = 0;
+  qos.resource_limits().max_instances = kMaxKeys;
+  qos.resource_limits().max_samples_per_instance = wanted.history_depth;
+  qos.resource_limits().allocated_samples = kFirstSamples;
+  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_MEMORY_MODE;
+  qos.data_sharing().off();
+}
+
+}  // namespace
+
+dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options) {
+  const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList = {options.address};
+  udp->sendBufferSize = kSocketBufferBytes;
+  udp->receiveBufferSize = kSocketBufferBytes;
+  udp->maxInitialPeersRange = static_cast<std::uint32_t>(options.max_processes);
+
+  dds::DomainParticipantQos qos;
+  qos.name("farrier");
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports = {udp};
+
+  auto& wire = qos.wire_protocol();
+  wire.default_unicast_locator_list.push_back(locator(options.address));
+  wire.builtin.metatrafficUnicastLocatorList.push_back(locator(options.address));
+  for (const std::string& peer : options.peers) {
+    wire.builtin.initialPeersList.push_back(locator(peer));
+  }
+  // Ports taken by another process: try every index, as Cyclone does.
+  wire.builtin.mutation_tries = static_cast<std::uint32_t>(options.max_processes);
+  auto& discovery = wire.builtin.discovery_config;
+  discovery.leaseDuration = duration(kParticipantLease);
+  discovery.leaseDuration_announcementperiod = duration(kAnnouncementPeriod);
+  discovery.initial_announcements.count = kInitialAnnouncements;
+  discovery.initial_announcements.period = duration(kInitialAnnouncementPeriod);
+  return qos;
+}
+
+dds::PublisherQos publisher_qos(const std::vector<std::string>& partitions) {
+  dds::PublisherQos qos;
+  qos.partition() = partition_list(partitions);
+  return qos;
+}
+
+dds::SubscriberQos subscriber_qos(const std::vector<std::string>& partitions) {
+  dds::SubscriberQos qos;
+  qos.partition() = partition_list(partitions);
+  return qos;
+}
+
+dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint) {
+  dds::DataWriterQos qos;
+  set_common(qos, endpoint);
+  qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
+  qos.ownership_strength().value = static_cast<std::uint32_t>(std::max(0, endpoint.ownership_strength));
+  qos.writer_data_lifecycle().autodispose_unregistered_instances = false;
+  if (endpoint.qos.lease != bus::kInfinite) {
+    qos.liveliness().announcement_period = duration(endpoint.qos.lease / 3);  // AUTOMATIC: twice lost is not yet dead
+  }
+  qos.reliable_writer_qos().disable_heartbeat_piggyback = true;
+  auto& times = qos.reliable_writer_qos().times;
+  times.initialHeartbeatDelay = duration(0ms);
+  times.heartbeatPeriod = duration(kHeartbeatPeriod);
+  times.nackResponseDelay = duration(0ms);
+  times.nackSupressionDuration = duration(20ms);
+  return qos;
+}
+
+dds::DataReaderQos reader_qos(const bus::EndpointSpec& endpoint) {
+  dds::DataReaderQos qos;
+  set_common(qos, endpoint);
+  auto& times = qos.reliable_reader_qos().times;
+  times.initialAcknackDelay = duration(kFirstAcknowledgement);
+  times.heartbeatResponseDelay = duration(0ms);
+  return qos;
+}
+
+}  // namespace farrier::bus_fastdds

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <fastdds/dds/domain/qos/DomainParticipantQos.hpp>
+#include <fastdds/dds/publisher/qos/DataWriterQos.hpp>
+#include <fastdds/dds/publisher/qos/PublisherQos.hpp>
+#include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
+#include <fastdds/dds/subscriber/qos/SubscriberQos.hpp>
+
+#include <string>
+#include <vector>
+
+#include "bus/bus.hpp"
+#include "bus/network.hpp"
+
+namespace farrier::bus_fastdds {
+
+namespace dds = eprosima::fastdds::dds;
+
+dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options);
+
+dds::PublisherQos publisher_qos(const std::vector<std::string>& partitions);
+dds::SubscriberQos subscriber_qos(const std::vector<std::string>& partitions);
+
+dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint);
+dds::DataReaderQos reader_qos(const bus::EndpointSpec& endpoint);
+
+}  // namespace farrier::bus_fastdds

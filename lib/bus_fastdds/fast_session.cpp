@@ -1,0 +1,65 @@
+#include "bus_fastdds/fast_session.hpp"
+
+#include <fastrtps/xmlparser/XMLProfileManager.h>
+
+namespace farrier::bus_fastdds {
+namespace {
+
+// Two buses of one process are two computers to each other; Fast DDS's short cut between them would let tests pass
+// that no network would. A library-wide setting, made after a user's profiles are read so that it holds.
+void disable_intraprocess_delivery(dds::DomainParticipantFactory& factory) {
+  factory.load_profiles();
+  eprosima::fastrtps::LibrarySettingsAttributes settings;
+  settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+  eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+}
+
+}  // namespace
+
+Result<std::shared_ptr<FastSession>> FastSession::open(const bus::NetworkOptions& options) {
+  auto factory = dds::DomainParticipantFactory::get_shared_instance();
+  disable_intraprocess_delivery(*factory);
+  dds::DomainParticipant* participant = factory->create_participant(
+      static_cast<std::uint32_t>(options.domain), participant_qos(options), nullptr, dds::StatusMask::none());
+  if (participant == nullptr) {
+    return Error{"Fast DDS refuses a participant in domain " + std::to_string(options.domain) + " on " +
+                 options.address + " (its own message is above; is the address this computer's, and are fewer than " +
+                 std::to_string(options.max_processes) + " processes running?)"};
+  }
+  return std::shared_ptr<FastSession>(new FastSession(std::move(factory), participant));
+}
+
+FastSession::~FastSession() {
+  participant_->delete_contained_entities();
+  factory_->delete_participant(participant_);
+}
+
+dds::Topic* FastSession::topic(bus::TopicId id, const dds::TypeSupport& type) {
+  dds::Topic*& topic = topics_[static_cast<std::size_t>(id)];
+  if (topic == nullptr) {
+    const bus::TopicSpec& spec = bus::spec(id);
+    if (type.register_type(participant_, spec.type_name) != ReturnCode_t::RETCODE_OK) {
+      return nullptr;
+    }
+    topic = participant_->create_topic(spec.name, spec.type_name, dds::TOPIC_QOS_DEFAULT);
+  }
+  return topic;
+}
+
+dds::Publisher* FastSession::publisher(const std::vector<std::string>& partitions) {
+  dds::Publisher*& publisher = publishers_[partitions];
+  if (publisher == nullptr) {
+    publisher = participant_->create_publisher(publisher_qos(partitions));
+  }
+  return publisher;
+}
+
+dds::Subscriber* FastSession::subscriber(const std::vector<std::string>& partitions) {
+  dds::Subscriber*& subscriber = subscribers_[partitions];
+  if (subscriber == nullptr) {
+    subscriber = participant_->create_subscriber(subscriber_qos(partitions));
+  }
+  return subscriber;
+}
+
+}  // namespace farrier::bus_fastdds

@@ -1,0 +1,208 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/problem.hpp"
+
+namespace farrier::config {
+
+/// Inclusive bounds of a parameter, in its own unit.
+struct Range {
+  double min;
+  double max;
+};
+
+/// Value of a parameter that may be left out of the file.
+template <class T>
+struct Default {
+  T value;
+};
+template <class T>
+Default(T) -> Default<T>;
+
+/// Name and meaning of one value of an enum.
+template <class E>
+struct Option {
+  const char* name;
+  E value;
+};
+
+/// Name of a parameter, with its unit, and the sentence that explains it.
+struct Entry {
+  const char* name;
+  const char* sentence;
+};
+
+/// Where a group of parameters stands in its file; for checks that span several groups.
+struct Place {
+  std::string file;
+  std::string where;
+  int line = 0;
+  std::map<std::string, int> lines;  ///< of the keys given in the file
+
+  /// A problem with the group's parameter `key`, or with the group itself when `key` is empty.
+  Problem problem(const std::string& key, std::string message) const;
+};
+
+/// A map whose keys are names the author of the file chose, in the order of the file.
+template <class T>
+using Named = std::vector<std::pair<std::string, T>>;
+
+template <class T>
+const T* find(const Named<T>& items, const std::string& name) noexcept {
+  for (const auto& item : items) {
+    if (item.first == name) {
+      return &item.second;
+    }
+  }
+  return nullptr;
+}
+
+/// A struct of parameters is described once, by a free function found beside it,
+///
+///     void declare(config::Visitor& v, Valve& valve) {
+///       v.number("current_max_A", valve.current_max_A, {1e-4, 1.0}, "Current of the full-open valve.");
+///       v.number("cut_off_Hz", valve.cut_off_Hz, {1, 1e4}, Default{250.0}, "...");
+///     }
+///
+/// and everything else follows from it: reading with checks (reader.hpp), writing (printer.hpp), the table of
+/// parameters (reference_table.hpp). A name ends with its unit; a parameter without Default is required.
+class Visitor {
+ public:
+  virtual ~Visitor() = default;
+
+  void number(const char* name, double& value, Range range, const char* sentence) {
+    visit_number({name, sentence}, value, range, std::nullopt);
+  }
+  void number(const char* name, double& value, Range range, Default<double> fallback, const char* sentence) {
+    visit_number({name, sentence}, value, range, fallback.value);
+  }
+  void integer(const char* name, int& value, Range range, const char* sentence) {
+    visit_integer({name, sentence}, value, range, std::nullopt);
+  }
+  void integer(const char* name, int& value, Range range, Default<int> fallback, const char* sentence) {
+    visit_integer({name, sentence}, value, range, fallback.value);
+  }
+  void flag(const char* name, bool& value, const char* sentence) {
+    visit_flag({name, sentence}, value, std::nullopt);
+  }
+  void flag(const char* name, bool& value, Default<bool> fallback, const char* sentence) {
+    visit_flag({name, sentence}, value, fallback.value);
+  }
+  /// Text that is a name: letters, digits, "_" and "-", at most `longest` characters.
+  void name(const char* name, std::string& value, std::size_t longest, const char* sentence) {
+    visit_name({name, sentence}, value, longest);
+  }
+  /// List of numbers, each in the range; absent is empty.
+  void numbers(const char* name, std::vector<double>& values, Range range, const char* sentence) {
+    visit_numbers({name, sentence}, values, range);
+  }
+  /// List of names, not empty.
+  void names(const char* name, std::vector<std::string>& values, const char* sentence) {
+    visit_names({name, sentence}, values);
+  }
+  template <class E>
+  void choice(const char* name, E& value, std::span<const Option<E>> options, const char* sentence) {
+    choose<E>({name, sentence}, value, options, std::nullopt);
+  }
+  template <class E>
+  void choice(const char* name, E& value, std::span<const Option<E>> options, Default<E> fallback,
+              const char* sentence) {
+    choose<E>({name, sentence}, value, options, fallback.value);
+  }
+
+  template <class T>
+  void group(const char* name, T& value, const char* sentence) {
+    if (enter_group({name, sentence}, true, true)) {
+      declare(*this, value);
+      leave();
+    }
+  }
+  /// A group that may be absent; present in the file, it becomes present in the struct.
+  template <class T>
+  void group(const char* name, std::optional<T>& value, const char* sentence) {
+    if (enter_group({name, sentence}, false, value.has_value())) {
+      if (!value.has_value()) {
+        value.emplace();
+      }
+      declare(*this, *value);
+      leave();
+    }
+  }
+  /// A map from names to groups, not empty; names are at most `longest` characters.
+  template <class T>
+  void groups(const char* name, Named<T>& items, std::size_t longest, const char* sentence) {
+    std::vector<std::string> names;
+    for (const auto& item : items) {
+      names.push_back(item.first);
+    }
+    if (!enter_map({name, sentence}, names, longest)) {
+      return;
+    }
+    Named<T> visited;
+    for (const std::string& item_name : names) {
+      const T* present = find(items, item_name);
+      visited.emplace_back(item_name, present != nullptr ? *present : T{});
+      if (enter_item(item_name)) {
+        declare(*this, visited.back().second);
+        leave();
+      }
+    }
+    items = std::move(visited);
+    leave();
+  }
+  /// A map from names to names, not empty, and where it stands.
+  void pairs(const char* name, Named<std::string>& items, Place& place, std::size_t longest, const char* sentence) {
+    visit_pairs({name, sentence}, items, place, longest);
+  }
+
+  /// Where the present group stands.
+  virtual void here(Place&) {}
+  /// A condition between parameters of the present group, checked once they are all good.
+  virtual void check(bool, const char* /*key*/, const std::string& /*message*/) {}
+
+ protected:
+  virtual void visit_number(const Entry&, double&, Range, std::optional<double> fallback) = 0;
+  virtual void visit_integer(const Entry&, int&, Range, std::optional<int> fallback) = 0;
+  virtual void visit_flag(const Entry&, bool&, std::optional<bool> fallback) = 0;
+  virtual void visit_name(const Entry&, std::string&, std::size_t longest) = 0;
+  virtual void visit_numbers(const Entry&, std::vector<double>&, Range) = 0;
+  virtual void visit_names(const Entry&, std::vector<std::string>&) = 0;
+  virtual void visit_pairs(const Entry&, Named<std::string>&, Place&, std::size_t longest) = 0;
+  virtual void visit_choice(const Entry&, int& index, std::span<const char* const> names,
+                            std::optional<int> fallback) = 0;
+  /// True when the group is to be visited; leave() follows.
+  virtual bool enter_group(const Entry&, bool required, bool present) = 0;
+  virtual bool enter_map(const Entry&, std::vector<std::string>& names, std::size_t longest) = 0;
+  virtual bool enter_item(const std::string& name) = 0;
+  virtual void leave() = 0;
+
+ private:
+  template <class E>
+  void choose(const Entry& entry, E& value, std::span<const Option<E>> options, std::optional<E> fallback) {
+    std::vector<const char*> names;
+    int index = 0;
+    std::optional<int> fallback_index;
+    for (std::size_t i = 0; i < options.size(); ++i) {
+      names.push_back(options[i].name);
+      if (options[i].value == value) {
+        index = static_cast<int>(i);
+      }
+      if (fallback == options[i].value) {
+        fallback_index = static_cast<int>(i);
+      }
+    }
+    visit_choice(entry, index, names, fallback_index);
+    value = options[static_cast<std::size_t>(index)].value;
+  }
+};
+
+/// Shortest text that reads back as the same number.
+std::string number_text(double value);
+
+}  // namespace farrier::config

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+
+namespace farrier::control {
+
+/// Square matrix, column and eigenvalues of up to six rows; never on the heap.
+inline constexpr int kMaxStates = 6;
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxStates, kMaxStates>;
+using SmallColumn = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxStates, 1>;
+using SmallSpectrum = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, 0, kMaxStates, 1>;
+
+/// Eigenvalues of a square matrix; NaN throughout when they cannot be computed.
+SmallSpectrum eigenvalues(const SmallMatrix& m) noexcept;
+
+/// Largest modulus of the eigenvalues; NaN when they cannot be computed.
+double spectral_radius(const SmallMatrix& m) noexcept;
+
+/// Below this a pair counts as not stabilisable. In the normalised units of the thesis the full-state force model
+/// gives ~1e-15 without a load spring and ~1e-3 with one of 2e4 N/m, so this refuses springs under ~0.2 N/m.
+inline constexpr double kStabilisabilityThreshold = 1e-8;
+
+/// Distance of (a, b) from a pair with an uncontrollable mode that does not decay: the smallest singular value of
+/// [a - z I, b] over z = 1 and the eigenvalues z of `a` on or outside the unit circle (Popov, Belevitch, Hautus
+/// test; Eising 1984). NaN when the eigenvalues cannot be computed.
+double stabilisability(const SmallMatrix& a, const SmallColumn& b) noexcept;
+
+}  // namespace farrier::control

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace farrier {
+
+/// Faults a joint can be in, one bit each. Order is precedence: the lowest set bit decides the joint's output.
+enum class Fault : std::uint32_t {
+  kDisarmed = 1u << 0,          ///< not armed for the present session: valve to null
+  kTripped = 1u << 1,           ///< latched after a long loss of commands: valve to null until re-armed
+  kSensorsStale = 1u << 2,      ///< sensors too old or not finite: valve to null
+  kCommandStale = 1u << 3,      ///< command too old: damping only
+  kNoGains = 1u << 4,           ///< no accepted gains yet: valve to null
+  kGainsRefused = 1u << 5,      ///< a gain update was refused; the last good gains act
+  kReferenceClamped = 1u << 6,  ///< force or position limit reached: reference clamped
+  kValveSaturated = 1u << 7,    ///< valve current at its limit
+  kActuatorSilent = 1u << 8,    ///< sim bridge: no valve command in time, spool to null
+};
+
+/// Set of faults; trivially copyable, travels as its bits.
+class FaultSet {
+ public:
+  constexpr FaultSet() = default;
+  constexpr explicit FaultSet(std::uint32_t bits) : bits_(bits) {}
+
+  constexpr void set(Fault fault, bool on = true) noexcept {
+    const auto bit = static_cast<std::uint32_t>(fault);
+    bits_ = on ? (bits_ | bit) : (bits_ & ~bit);
+  }
+  constexpr bool has(Fault fault) const noexcept { return (bits_ & static_cast<std::uint32_t>(fault)) != 0; }
+  constexpr bool any() const noexcept { return bits_ != 0; }
+  constexpr std::uint32_t bits() const noexcept { return bits_; }
+  friend constexpr bool operator==(FaultSet, FaultSet) = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+const char* to_string(Fault fault) noexcept;
+
+/// "disarmed, command stale"; empty for no fault.
+std::string to_string(FaultSet faults);
+
+}  // namespace farrier

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace farrier::gait {
+
+/// One stride of a foot relative to its neutral place under the hip (hip frame: x forward, z up).
+struct FootPath {
+  double step_length_m;  ///< S, way during stance
+  double step_height_m;  ///< H, lift in mid-swing
+  double stance_s;       ///< T_s, > 0
+  double swing_s;        ///< T_w, > 0
+};
+
+/// Position (m), velocity (m/s) and acceleration (m/s^2) of one point.
+struct PointMotion {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+};
+
+/// The foot `since_touchdown_s` after touchdown, up to T_s + T_w. In stance it moves backward at the constant speed
+/// S / T_s; negative times continue that line. In swing it comes back so that position, velocity, acceleration and
+/// jerk are continuous at lift-off and touchdown: acceleration is zero at both and still small some milliseconds
+/// before and after, when a touchdown that comes early or late changes the load.
+PointMotion foot_motion(const FootPath& path, double since_touchdown_s) noexcept;
+
+}  // namespace farrier::gait

@@ -1,0 +1,95 @@
+#include "participant/options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <map>
+
+namespace farrier::participant {
+namespace {
+
+const std::map<std::string, bus::Vendor> kVendors{
+    {"cyclone", bus::Vendor::kCyclone}, {"fast", bus::Vendor::kFast}, {"inproc", bus::Vendor::kInproc}};
+const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind::kLockstep},
+                                                    {"realtime", bus::ClockKind::kRealtime}};
+
+void declare(CLI::App& app, ProcessOptions& o) {
+  app.add_option("--robot", o.robot_path, "Robot file")->capture_default_str();
+  app.add_option("--dds", o.vendor, "DDS vendor of this process (also FARRIER_DDS): cyclone or fast")
+      ->envname("FARRIER_DDS")
+      ->transform(CLI::CheckedTransformer(kVendors));
+  app.add_option("--clock", o.clock, "lockstep or realtime")->transform(CLI::CheckedTransformer(kClocks));
+  app.add_option("--domain", o.network.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
+  app.add_option("--address", o.network.address, "Address of the interface DDS uses")->capture_default_str();
+  app.add_option("--peers", o.network.peers, "Computers to look for processes on")->delimiter(',');
+  app.add_option("--number", o.number, "This participant's number in the run")->required();
+  app.add_option("--participants", o.participants, "How many take part in the run")->required();
+  app.add_option("--session", o.session, "Session of the run; others are ignored")->capture_default_str();
+  app.add_option("--seed", o.seed, "Seed of noise and touchdown times")->capture_default_str();
+  app.add_option("--ticks", o.ticks, "Length of the run; 0: until SIGTERM")->capture_default_str();
+  app.add_option("--joints", o.joints, "Joints this process hosts")->delimiter(',');
+  app.add_option("--trace", o.trace_path, "Trace file to write (CSV)");
+  app.add_option("--design", o.design, "Design to publish in both slots: stance or swing")
+      ->check(CLI::IsMember({"stance", "swing"}))
+      ->capture_default_str();
+  app.add_option("--gait", o.gait, "trot or stand, instead of the robot file's")->check(CLI::IsMember({"trot", "stand"}));
+  app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's");
+}
+
+template <class Value>
+std::string name_in(const std::map<std::string, Value>& names, Value value) {
+  for (const auto& [name, candidate] : names) {
+    if (candidate == value) {
+      return name;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+ProcessOptions parse_options(const std::string& process, const std::string& purpose, int argc, char** argv) {
+  CLI::App app(purpose, process);
+  ProcessOptions options;
+  declare(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& problem) {
+    std::exit(app.exit(problem) == 0 ? 0 : 2);
+  }
+  if (options.number >= options.participants) {
+    std::fprintf(stderr, "%s: --number %u must be below --participants %u\n", process.c_str(), options.number,
+                 options.participants);
+    std::exit(2);
+  }
+  return options;
+}
+
+std::vector<std::string> to_arguments(const ProcessOptions& o) {
+  const auto joined = [](const std::vector<std::string>& parts) {
+    std::string text;
+    for (const std::string& part : parts) {
+      text += (text.empty() ? "" : ",") + part;
+    }
+    return text;
+  };
+  std::vector<std::string> arguments{
+      "--robot", o.robot_path, "--dds", name_in(kVendors, o.vendor), "--clock", name_in(kClocks, o.clock),
+      "--domain", std::to_string(o.network.domain), "--address", o.network.address, "--peers", joined(o.network.peers),
+      "--number", std::to_string(o.number), "--participants", std::to_string(o.participants),
+      "--session", std::to_string(o.session), "--seed", std::to_string(o.seed), "--ticks", std::to_string(o.ticks),
+      "--design", o.design};
+  const auto append = [&](const char* flag, const std::string& value) {
+    if (!value.empty()) {
+      arguments.insert(arguments.end(), {flag, value});
+    }
+  };
+  append("--joints", joined(o.joints));
+  append("--trace", o.trace_path);
+  append("--gait", o.gait);
+  if (o.frequency_Hz > 0) {
+    append("--frequency", std::to_string(o.frequency_Hz));
+  }
+  return arguments;
+}
+
+}  // namespace farrier::participant

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bus/bus.hpp"
+#include "bus/network.hpp"
+#include "participant/participant.hpp"
+
+namespace farrier::participant {
+
+/// Command line every process of a run shares; `farrier trot` fills it in, an integrator writes it in a unit file.
+struct ProcessOptions {
+  std::string robot_path = "deploy/robots/hyq.yaml";
+  bus::Vendor vendor = bus::Vendor::kCyclone;
+  bus::ClockKind clock = bus::ClockKind::kLockstep;
+  bus::NetworkOptions network;
+  std::uint16_t number = 0;
+  std::uint16_t participants = 0;
+  std::uint64_t session = 1;
+  std::uint64_t seed = 1;
+  Tick ticks = 0;                   ///< length of the run; 0: until SIGTERM
+  std::vector<std::string> joints;  ///< joint_node: the joints it hosts
+  std::string trace_path;           ///< sim_bridge: where the trace goes, or empty
+  std::string design = "stance";    ///< supervisor: design published in both slots
+  std::string gait;                 ///< overrides of the robot file, or empty
+  double frequency_Hz = 0;
+};
+
+/// Parses argv; prints help or every mistake and exits (0 or 2) when there is nothing to run.
+ProcessOptions parse_options(const std::string& process, const std::string& purpose, int argc, char** argv);
+
+/// The argv a launcher passes to get these options; the inverse of parse_options.
+std::vector<std::string> to_arguments(const ProcessOptions& options);
+
+}  // namespace farrier::participant

@@ -1,0 +1,113 @@
+#pragma once
+
+// How a process takes part in a run: it opens its ports, greets the others until every route has carried a sample,
+// then reports ticks done, health and events.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bus/bus.hpp"
+#include "participant/ports.hpp"
+
+namespace farrier::participant {
+
+/// Everybody's number in a run. Joint nodes follow one another from kFirstJointNode.
+inline constexpr std::uint16_t kSimBridge = 0;
+inline constexpr std::uint16_t kEstimatorService = 1;
+inline constexpr std::uint16_t kSupervisor = 2;
+inline constexpr std::uint16_t kGaitSource = 3;
+inline constexpr std::uint16_t kFirstJointNode = 4;
+
+struct Identity {
+  std::string name;               ///< "sim_bridge", "joint_node lf", ...
+  std::string robot;              ///< partition prefix
+  std::uint16_t number = 0;       ///< this participant
+  std::uint16_t participants = 1; ///< of the run, numbered 0..participants-1
+  std::uint64_t session = 0;
+  bus::ClockKind clock = bus::ClockKind::kLockstep;
+};
+
+/// How a process of this identity opens a topic: QoS by its clock, partitions by the topic's route. `joints` names
+/// those of a topic routed by joint.
+bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& joints = {});
+
+/// One process's place in a run. Not thread-safe: owned by the thread that talks to the bus.
+class Participant {
+ public:
+  static Result<std::unique_ptr<Participant>> join(bus::Bus& bus, Identity identity);
+
+  /// Opens a receiving port and expects each of `keys` to be heard on it before the run starts.
+  /// `partitions`: names of joints for topics routed by joint, empty otherwise.
+  template <class Signal>
+  Result<In<Signal>*> subscribe(std::vector<std::uint16_t> keys, const std::vector<std::string>& joints = {}) {
+    auto made = bus::Subscription<Signal>::create(bus_, endpoint_of(identity_, bus::TopicOf<Signal>::id, joints));
+    if (!made) {
+      return made.error();
+    }
+    auto port = std::make_unique<In<Signal>>(std::move(made).value(), std::move(keys));
+    In<Signal>* raw = port.get();
+    ports_.push_back(std::move(port));
+    return raw;
+  }
+
+  /// Opens a sending port that speaks for `keys`, with one writer per joint where the topic is routed by joint.
+  template <class Signal>
+  Result<Out<Signal>*> publish(std::vector<std::uint16_t> keys, const std::vector<std::string>& joints = {}) {
+    const bus::TopicId topic = bus::TopicOf<Signal>::id;
+    const bool by_joint = bus::spec(topic).route == bus::Route::kJoint;
+    std::vector<bus::Publisher<Signal>> publishers;
+    for (std::size_t i = 0; i < (by_joint ? joints.size() : 1); ++i) {
+      auto made = bus::Publisher<Signal>::create(
+          bus_, endpoint_of(identity_, topic, by_joint ? std::vector<std::string>{joints[i]} : std::vector<std::string>{}));
+      if (!made) {
+        return made.error();
+      }
+      publishers.push_back(std::move(made).value());
+    }
+    auto port = std::make_unique<Out<Signal>>(std::move(publishers), std::move(keys));
+    Out<Signal>* raw = port.get();
+    ports_.push_back(std::move(port));
+    return raw;
+  }
+
+  /// Greets while the run has not started. Call it after the ports were drained. True once every participant has
+  /// said that it hears all it must.
+  bool started(SteadyTime now);
+
+  /// What the greeting still lacks, for people; empty when complete.
+  std::string greeting_lacks() const;
+
+  /// A participant that belongs to another contract or version, or empty.
+  const std::string& refusal() const noexcept { return refusal_; }
+
+  void tick_done(Tick tick, const signals::ClockTickDone& issued = {}) noexcept;
+  void report_health(Tick tick, bool final_report, const signals::SystemHealth& measured = {}) noexcept;
+  void event(signals::Severity severity, Tick tick, std::uint16_t joint, std::string_view text) noexcept;
+
+  const std::vector<signals::SystemHello>& hellos() const noexcept { return hellos_; }
+  const Identity& identity() const noexcept { return identity_; }
+  bus::Bus& bus() noexcept { return bus_; }
+
+ private:
+  Participant(bus::Bus& bus, Identity identity);
+  Result<Done> open();
+  void say_hello() noexcept;
+  void hear_hellos();
+
+  bus::Bus& bus_;
+  Identity identity_;
+  std::vector<std::unique_ptr<Port>> ports_;
+  std::unique_ptr<bus::Publisher<signals::SystemHello>> hello_out_;
+  std::unique_ptr<bus::Subscription<signals::SystemHello>> hello_in_;
+  std::unique_ptr<bus::Publisher<signals::SystemHealth>> health_out_;
+  std::unique_ptr<bus::Publisher<signals::SystemEvent>> event_out_;
+  Out<signals::ClockTickDone>* tick_done_out_ = nullptr;
+  std::vector<signals::SystemHello> hellos_;
+  std::string refusal_;
+  std::uint32_t events_ = 0;
+  SteadyTime next_greeting_{};
+  bool started_ = false;
+};
+
+}  // namespace farrier::participant

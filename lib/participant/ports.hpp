@@ -1,0 +1,183 @@
+#pragma once
+
+// Typed ports of a participant. A port knows which keys it must hear (or speak for), so that before a run starts
+// every route can be proved by a probe: a sample that carries its key and no tick.
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bus/bus.hpp"
+
+namespace farrier::participant {
+
+/// The key and the tick of a signal. A sample without a tick is a probe.
+inline std::uint16_t& key_of(signals::GaitPhase& s) { return s.leg; }
+inline std::uint16_t& key_of(signals::SystemMode& s) { return s.robot; }
+inline std::uint16_t& key_of(signals::ClockTick& s) { return s.clock; }
+template <class Signal>
+  requires requires(Signal s) { s.joint; s.tick; }
+std::uint16_t& key_of(Signal& s) { return s.joint; }
+inline std::uint16_t& key_of(signals::JointControllerGains& s) { return s.joint; }
+inline std::uint16_t& key_of(signals::ClockTickDone& s) { return s.participant; }
+
+inline Tick tick_of(const signals::GaitPhase& s) { return s.announced_tick; }
+inline Tick tick_of(const signals::SystemMode& s) { return s.effective_tick; }
+inline Tick tick_of(const signals::JointControllerGains& s) { return s.effective_tick; }
+template <class Signal>
+  requires requires(Signal s) { s.tick; }
+Tick tick_of(const Signal& s) { return s.tick; }
+
+template <class Signal>
+std::uint16_t key_of(const Signal& s) {
+  return key_of(const_cast<Signal&>(s));
+}
+
+/// What the greeting and the health report need of any port.
+class Port {
+ public:
+  virtual ~Port() = default;
+  virtual void probe() noexcept {}
+  virtual int routes_expected() const noexcept { return 0; }
+  virtual int routes_heard() const noexcept { return 0; }
+  virtual std::string first_unheard() const { return {}; }
+  virtual void count(signals::SystemHealth& health) const noexcept = 0;
+};
+
+/// Receiving port: one reader, and the keys that must be heard on it.
+template <class Signal>
+class In final : public Port {
+ public:
+  In(bus::Subscription<Signal> subscription, std::vector<std::uint16_t> keys)
+      : subscription_(std::move(subscription)), keys_(std::move(keys)), heard_(keys_.size(), false) {}
+
+  /// Calls consume(signal) for every waiting sample, oldest first. Returns how many came.
+  template <class Consume>
+  std::size_t drain(Consume&& consume) {
+    return subscription_.drain([&](const Signal& signal) {
+      if (unheard_left_) {
+        mark(key_of(signal));
+      }
+      if (tick_of(signal) != kNoTick) {
+        ++received_;
+        consume(signal);
+      }
+    });
+  }
+
+  int routes_expected() const noexcept override { return static_cast<int>(keys_.size()); }
+  int routes_heard() const noexcept override { return static_cast<int>(std::count(heard_.begin(), heard_.end(), true)); }
+  std::string first_unheard() const override {
+    const auto place = std::find(heard_.begin(), heard_.end(), false);
+    if (place == heard_.end()) {
+      return {};
+    }
+    return std::string(bus::spec(kTopic).name) + " of " + std::to_string(keys_[place - heard_.begin()]);
+  }
+  void count(signals::SystemHealth& health) const noexcept override {
+    health.received[static_cast<std::size_t>(kTopic)] += received_;
+    health.lost[static_cast<std::size_t>(kTopic)] += subscription_.status().lost;
+  }
+  bus::ReaderStatus status() const noexcept { return subscription_.status(); }
+
+ private:
+  static constexpr bus::TopicId kTopic = bus::TopicOf<Signal>::id;
+
+  void mark(std::uint16_t key) noexcept {
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      if (keys_[i] == key) {
+        heard_[i] = true;
+      }
+    }
+    unheard_left_ = std::find(heard_.begin(), heard_.end(), false) != heard_.end();
+  }
+
+  bus::Subscription<Signal> subscription_;
+  std::vector<std::uint16_t> keys_;
+  std::vector<bool> heard_;
+  bool unheard_left_ = true;
+  std::uint64_t received_ = 0;
+};
+
+/// Sending port: the keys it speaks for, with one writer per key where the topic is routed by joint.
+template <class Signal>
+class Out final : public Port {
+ public:
+  Out(std::vector<bus::Publisher<Signal>> publishers, std::vector<std::uint16_t> keys)
+      : publishers_(std::move(publishers)), keys_(std::move(keys)) {}
+
+  void publish(const Signal& signal) noexcept {
+    ++sent_;
+    publisher_of(key_of(signal)).publish(signal);
+  }
+  void probe() noexcept override {
+    for (const std::uint16_t key : keys_) {
+      Signal signal;
+      key_of(signal) = key;
+      publisher_of(key).publish(signal);
+    }
+  }
+  std::uint64_t sent() const noexcept { return sent_; }
+  void count(signals::SystemHealth& health) const noexcept override {
+    health.sent[static_cast<std::size_t>(bus::TopicOf<Signal>::id)] += sent_;
+  }
+
+ private:
+  bus::Publisher<Signal>& publisher_of(std::uint16_t key) noexcept {
+    if (publishers_.size() == 1) {
+      return publishers_.front();
+    }
+    const auto place = std::find(keys_.begin(), keys_.end(), key);
+    return publishers_[static_cast<std::size_t>(place - keys_.begin())];
+  }
+
+  std::vector<bus::Publisher<Signal>> publishers_;
+  std::vector<std::uint16_t> keys_;
+  std::uint64_t sent_ = 0;
+};
+
+/// Holds the samples of the next few ticks of each key until their tick is due.
+template <class Signal>
+class TickInbox {
+ public:
+  explicit TickInbox(std::vector<std::uint16_t> keys) : keys_(std::move(keys)), slots_(keys_.size()) {}
+
+  void put(const Signal& signal) noexcept {
+    const auto place = std::find(keys_.begin(), keys_.end(), key_of(signal));
+    if (place != keys_.end()) {
+      slots_[static_cast<std::size_t>(place - keys_.begin())][index(tick_of(signal))] = signal;
+    }
+  }
+  /// The sample of the i-th key for exactly this tick, or null.
+  const Signal* find(std::size_t i, Tick tick) const noexcept {
+    const Signal& signal = slots_[i][index(tick)];
+    return tick_of(signal) == tick ? &signal : nullptr;
+  }
+  int missing(Tick tick) const noexcept {
+    int count = 0;
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      count += find(i, tick) == nullptr ? 1 : 0;
+    }
+    return count;
+  }
+  std::uint16_t first_missing(Tick tick) const noexcept {
+    for (std::size_t i = 0; i < keys_.size(); ++i) {
+      if (find(i, tick) == nullptr) {
+        return keys_[i];
+      }
+    }
+    return 0;
+  }
+  const std::vector<std::uint16_t>& keys() const noexcept { return keys_; }
+
+ private:
+  static constexpr std::size_t kDepth = 4;
+  static std::size_t index(Tick tick) noexcept { return static_cast<std::size_t>(tick) % kDepth; }
+
+  std::vector<std::uint16_t> keys_;
+  std::vector<std::array<Signal, kDepth>> slots_;
+};
+
+}  // namespace farrier::participant

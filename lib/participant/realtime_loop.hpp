@@ -1,0 +1,42 @@
+#pragma once
+
+// The real-time clock's three threads: the bus thread receives, the control thread steps, the sender thread
+// publishes. Samples cross between them through latest-value cells and rings; the control thread never calls DDS.
+
+#include <atomic>
+#include <string>
+
+#include "bus/bus.hpp"
+#include "core/time.hpp"
+#include "participant/wake_up.hpp"
+
+namespace farrier::participant {
+
+class RealtimeApplication {
+ public:
+  enum class Trigger {
+    kDeadline,  ///< step on the grid of the period
+    kArrival,   ///< step when fresh inputs are complete, at the latest one and a half periods after the last step
+  };
+
+  virtual ~RealtimeApplication() = default;
+
+  /// Bus thread: takes what has arrived, greets, reports health. True once the run has started.
+  virtual bool receive(SteadyTime now) = 0;
+  /// Control thread: one period. `missed`: whole periods skipped since the last one.
+  virtual void step(SteadyTime now, std::uint64_t missed) noexcept = 0;
+  /// Sender thread: publishes what the control thread has left.
+  virtual void send() = 0;
+  virtual bool finished() const = 0;
+  virtual Nanoseconds period() const = 0;
+  virtual Trigger trigger() const = 0;
+  virtual std::string waits_for() const = 0;
+
+  WakeUp inputs_complete;  ///< posted by the bus thread
+  WakeUp outputs_waiting;  ///< posted by the control thread
+};
+
+/// Drives an application on the real-time clock until SIGTERM; returns the process's exit status.
+int run_realtime(RealtimeApplication& application, bus::Bus& bus, const char* name);
+
+}  // namespace farrier::participant

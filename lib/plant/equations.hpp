@@ -1,0 +1,147 @@
+#pragma once
+
+#include <cmath>
+
+#include "plant/actuator.hpp"
+
+namespace farrier::plant {
+
+/// (drop^2 + delta^2)^(1/4), sqrt(Pa): what orifice_root divides by.
+inline double orifice_divisor(double drop_Pa, double laminar_pressure_Pa) noexcept {
+  return std::sqrt(std::sqrt(drop_Pa * drop_Pa + laminar_pressure_Pa * laminar_pressure_Pa));
+}
+
+/// Signed root of a pressure drop, sqrt(Pa): drop / (drop^2 + delta^2)^(1/4). Odd, smooth, and sqrt(drop) for
+/// drop >> delta; near zero it is the laminar flow drop / sqrt(delta). At drop = 10 delta it is 0.25 % below the
+/// root. (Borutzky, Barnard and Thoma 2002 motivate the transition; this closed form is Simscape's orifice.)
+inline double orifice_root(double drop_Pa, double laminar_pressure_Pa) noexcept {
+  return drop_Pa / orifice_divisor(drop_Pa, laminar_pressure_Pa);
+}
+
+/// What is integrated. A chamber's compression is its pressure while oil fills it; below zero the pressure is zero
+/// and -compression / beta_e is the share of the chamber that is void, to be refilled before pressure rises again.
+struct IntegrationState {
+  double position;
+  double velocity;
+  double compression_a_Pa;
+  double compression_b_Pa;
+};
+
+/// What is held over a step.
+struct HeldInput {
+  double flow_gain;       ///< K_v |u|, m^3/s/sqrt(Pa)
+  double port_a_Pa;       ///< pressure the valve connects to chamber a
+  double port_b_Pa;       ///< and to chamber b
+  double external_force;  ///< N or Nm
+};
+
+/// Right-hand side of the nonlinear joint, Hubacher (2014) (2.30a), (2.30b) in one form, with flow both ways
+/// through every orifice, voids, end stops and an external force. Uses no function but sqrt.
+class JointEquations {
+ public:
+  JointEquations(const ActuatorParams& actuator, const LoadParams& load) noexcept;
+
+  /// Constants of the load; the state is not touched.
+  void set_load(const LoadParams& load) noexcept;
+
+  HeldInput hold(double valve_current_A, double external_force) const noexcept;
+  IntegrationState derivative(const IntegrationState& s, const HeldInput& input) const noexcept;
+
+  /// F_h = A_p (p_a - alpha p_b), (2.8).
+  double hydraulic_force(const IntegrationState& s) const noexcept;
+  /// Force of the end stops on the piston: only pushes inward, never returns more than it took.
+  double stop_force(const IntegrationState& s) const noexcept;
+
+  const ActuatorParams& actuator() const noexcept { return actuator_; }
+  const LoadParams& load() const noexcept { return load_; }
+
+ private:
+  double stop_push(double depth, double approach_speed) const noexcept;
+
+  ActuatorParams actuator_;
+  LoadParams load_;
+  double inverse_mass_ = 0.0;
+  double total_damping_ = 0.0;
+  double inverse_bulk_modulus_;
+  double smallest_volume_m3_;
+  double inverse_stop_ramp_;
+};
+
+inline JointEquations::JointEquations(const ActuatorParams& actuator, const LoadParams& load) noexcept
+    : actuator_(actuator),
+      inverse_bulk_modulus_(1.0 / actuator.bulk_modulus_Pa),
+      smallest_volume_m3_(0.25 * actuator.line_volume_m3),
+      inverse_stop_ramp_(1000.0 / actuator.stroke) {
+  set_load(load);
+}
+
+inline void JointEquations::set_load(const LoadParams& load) noexcept {
+  load_ = load;
+  inverse_mass_ = 1.0 / (load.mass + actuator_.piston_mass);       // (2.25)
+  total_damping_ = load.damping + actuator_.piston_damping;        // (2.26)
+}
+
+inline HeldInput JointEquations::hold(double valve_current_A, double external_force) const noexcept {
+  const bool extends = valve_current_A > 0.0;
+  return {actuator_.valve_gain * std::abs(valve_current_A),
+          extends ? actuator_.supply_pressure_Pa : actuator_.return_pressure_Pa,
+          extends ? actuator_.return_pressure_Pa : actuator_.supply_pressure_Pa, external_force};
+}
+
+inline double JointEquations::stop_push(double depth, double approach_speed) const noexcept {
+  // F = s(depth) (k depth + d depth'), s a smooth step over the first thousandth of the stroke: no kink at contact.
+  const double ramp = depth * inverse_stop_ramp_;
+  const double engaged = ramp < 1.0 ? ramp * ramp * (3.0 - 2.0 * ramp) : 1.0;
+  const double push = engaged * (actuator_.stop_stiffness * depth + actuator_.stop_damping * approach_speed);
+  return push > 0.0 ? push : 0.0;
+}
+
+inline double JointEquations::stop_force(const IntegrationState& s) const noexcept {
+  if (s.position < 0.0) {
+    return stop_push(-s.position, -s.velocity);
+  }
+  const double beyond = s.position - actuator_.stroke;
+  return beyond > 0.0 ? -stop_push(beyond, s.velocity) : 0.0;
+}
+
+inline double JointEquations::hydraulic_force(const IntegrationState& s) const noexcept {
+  const double p_a = s.compression_a_Pa > 0.0 ? s.compression_a_Pa : 0.0;
+  const double p_b = s.compression_b_Pa > 0.0 ? s.compression_b_Pa : 0.0;
+  return actuator_.area_a * p_a - actuator_.area_b * p_b;
+}
+
+inline IntegrationState JointEquations::derivative(const IntegrationState& s, const HeldInput& input) const noexcept {
+  const ActuatorParams& act = actuator_;
+  const double p_a = s.compression_a_Pa > 0.0 ? s.compression_a_Pa : 0.0;
+  const double p_b = s.compression_b_Pa > 0.0 ? s.compression_b_Pa : 0.0;
+
+  // (2.14), (2.15): both chambers' flows counted inward, q = K_v |u| drop / root(drop); the port pressures carry
+  // the sign of u.
+  const double drop_a = input.port_a_Pa - p_a;
+  const double drop_b = input.port_b_Pa - p_b;
+  const double root_a = orifice_divisor(drop_a, act.laminar_pressure_Pa);
+  const double root_b = orifice_divisor(drop_b, act.laminar_pressure_Pa);
+
+  // (2.12) V_a = V_pl + A_p x, (2.13) V_b = V_pl + (L_c - x) alpha A_p
+  double v_a = act.line_volume_m3 + act.area_a * s.position;
+  double v_b = act.line_volume_m3 + act.area_b * (act.stroke - s.position);
+  v_a = v_a > smallest_volume_m3_ ? v_a : smallest_volume_m3_;
+  v_b = v_b > smallest_volume_m3_ ? v_b : smallest_volume_m3_;
+
+  // (2.10), (2.11): c' = beta_e / V (q - V'). With a void W = -c V / beta_e the same balance W' = V' - q
+  // asks for c' = beta_e / V (q - V' (1 + c / beta_e)).
+  const double filled_a = 1.0 + (s.compression_a_Pa - p_a) * inverse_bulk_modulus_;
+  const double filled_b = 1.0 + (s.compression_b_Pa - p_b) * inverse_bulk_modulus_;
+  const double growth_a = act.area_a * s.velocity * filled_a;
+  const double growth_b = -act.area_b * s.velocity * filled_b;
+
+  // (2.24) (m_l + m_p) a = A_p (p_a - alpha p_b) - (d_l + d_p) v - C (x - x_eq) + F_ext + F_stop
+  const double force = act.area_a * p_a - act.area_b * p_b - total_damping_ * s.velocity -
+                       load_.stiffness * (s.position - load_.equilibrium_position) + input.external_force +
+                       stop_force(s);
+  return {s.velocity, force * inverse_mass_,
+          act.bulk_modulus_Pa * (input.flow_gain * drop_a - growth_a * root_a) / (v_a * root_a),
+          act.bulk_modulus_Pa * (input.flow_gain * drop_b - growth_b * root_b) / (v_b * root_b)};
+}
+
+}  // namespace farrier::plant

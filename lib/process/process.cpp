@@ -1,0 +1,60 @@
+#include "process/process.hpp"
+
+#include <cstdio>
+
+#include "bus_factory/bus_factory.hpp"
+#include "participant/loop.hpp"
+
+namespace farrier::process {
+namespace {
+
+int refuse(const char* name, const Error& error) {
+  std::fprintf(stderr, "%s: %s\n", name, error.message.c_str());
+  return 1;
+}
+
+}  // namespace
+
+Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOptions& options) {
+  robot::Overrides overrides;
+  if (!options.gait.empty()) {
+    overrides.pattern = options.gait == "stand" ? gait::Pattern::kStand : gait::Pattern::kTrot;
+  }
+  if (options.frequency_Hz > 0) {
+    overrides.frequency_Hz = options.frequency_Hz;
+  }
+  return robot::load_robot(options.robot_path, overrides);
+}
+
+participant::Identity identity_of(const participant::ProcessOptions& options, const std::string& name,
+                                  const robot::Robot& robot) {
+  return {name, robot.name, options.number, options.participants, options.session, options.clock};
+}
+
+int run(const char* name, const participant::ProcessOptions& options,
+        const Factory<participant::Application>& lockstep, const Factory<participant::RealtimeApplication>& realtime) {
+  participant::install_signal_handlers();
+  const auto robot = load_robot(options);
+  if (!robot) {
+    std::fputs(config::to_string(robot.error()).c_str(), stderr);
+    return 2;
+  }
+  auto bus = bus_factory::create_bus(options.vendor, options.network);
+  if (!bus) {
+    return refuse(name, bus.error());
+  }
+  auto member = participant::Participant::join(*bus.value(), identity_of(options, name, robot.value()));
+  if (!member) {
+    return refuse(name, member.error());
+  }
+  if (options.clock == bus::ClockKind::kRealtime && realtime) {
+    auto application = realtime(*member.value(), robot.value());
+    return application ? participant::run_realtime(*application.value(), *bus.value(), name)
+                       : refuse(name, application.error());
+  }
+  auto application = lockstep(*member.value(), robot.value());
+  return application ? participant::run(*application.value(), *bus.value(), name)
+                     : refuse(name, application.error());
+}
+
+}  // namespace farrier::process

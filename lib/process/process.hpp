@@ -1,0 +1,31 @@
+#pragma once
+
+// What every main.cpp shares: load the robot, open the bus, take part, run until told to stop.
+
+#include <functional>
+#include <memory>
+
+#include "participant/application.hpp"
+#include "participant/options.hpp"
+#include "participant/realtime_loop.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::process {
+
+template <class App>
+using Factory =
+    std::function<Result<std::unique_ptr<App>>(participant::Participant&, const robot::Robot&)>;
+
+/// Loads the robot file with the options' overrides.
+Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOptions& options);
+
+/// Identity of this process in the run.
+participant::Identity identity_of(const participant::ProcessOptions& options, const std::string& name,
+                                  const robot::Robot& robot);
+
+/// Runs one process to its end; returns its exit status: 0 stopped as told, 1 could not take part, 2 bad input.
+int run(const char* name, const participant::ProcessOptions& options,
+        const Factory<participant::Application>& lockstep,
+        const Factory<participant::RealtimeApplication>& realtime = nullptr);
+
+}  // namespace farrier::process

@@ -1,0 +1,129 @@
+#include "robot/actuator_section.hpp"
+
+#include <array>
+
+namespace farrier::robot {
+
+using config::Default;
+using config::Option;
+using config::Visitor;
+
+void declare(Visitor& v, Supply& s) {
+  v.number("supply_pressure_Pa", s.supply_pressure_Pa, {1e5, 5e7}, "Pressure of the pump at the valves, p_s.");
+  v.number("return_pressure_Pa", s.return_pressure_Pa, {0, 1e7}, Default{0.0}, "Pressure of the reservoir, p_t.");
+  v.number("bulk_modulus_Pa", s.bulk_modulus_Pa, {1e7, 5e9}, "Effective bulk modulus of oil and lines, beta_e.");
+  v.number("laminar_pressure_Pa", s.laminar_pressure_Pa, {1, 1e6}, Default{1e5},
+           "Pressure drop below which an orifice is laminar.");
+  v.check(s.return_pressure_Pa < s.supply_pressure_Pa, "return_pressure_Pa", "must be below supply_pressure_Pa");
+}
+
+void declare(Visitor& v, Valve& valve) {
+  v.number("gain_m3_s_AsqrtPa", valve.gain_m3_s_AsqrtPa, {1e-9, 1e-3},
+           "Flow per current and root of pressure drop, K_v: Q = K_v u sqrt(dp).");
+  v.number("current_max_A", valve.current_max_A, {1e-4, 1}, "Current of the full-open valve; the controller's limit.");
+}
+
+void declare(Visitor& v, Stops& stops) {
+  v.number("stiffness_N_m", stops.stiffness_N_m, {1e4, 1e10}, "Stiffness of the contact with an end of the cylinder.");
+  v.number("damping_Ns_m", stops.damping_Ns_m, {0, 1e7}, "Damping of that contact.");
+}
+
+void declare(Visitor& v, CylinderNoise& noise) {
+  v.number("position_m", noise.position_m, {0, 1e-2}, "Standard deviation of the measured piston position.");
+  v.number("velocity_m_s", noise.velocity_m_s, {0, 1}, "Standard deviation of the measured piston velocity.");
+  v.number("force_N", noise.force_N, {0, 1e3}, "Standard deviation of the load cell.");
+}
+
+void declare(Visitor& v, Cylinder& c) {
+  v.number("bore_m", c.bore_m, {2e-3, 0.5}, "Diameter of the piston, D_p.");
+  v.number("rod_m", c.rod_m, {0, 0.5}, "Diameter of the rod, D_r; 0 for a rod on neither side.");
+  v.number("stroke_m", c.stroke_m, {1e-3, 5}, "Stroke, L_c.");
+  v.number("piston_mass_kg", c.piston_mass_kg, {0, 100}, "Piston and rod, m_p.");
+  v.number("piston_damping_Ns_m", c.piston_damping_Ns_m, {0, 1e6}, "Viscous friction of the piston, d_p.");
+  v.number("rated_force_N", c.rated_force_N, {1, 1e6}, "Force the cylinder and its mounting are made for.");
+  v.number("velocity_norm_m_s", c.velocity_norm_m_s, {1e-3, 100}, Default{1.2}, "Velocity that counts as 1 (3.52).");
+  v.number("force_norm_N", c.force_norm_N, {1, 1e6}, Default{5000.0}, "Force that counts as 1 (3.52).");
+  v.group("stops", c.stops, "Contact at both ends of the stroke.");
+  v.group("noise", c.noise, "Sensor noise.");
+  v.check(c.rod_m < c.bore_m, "rod_m", "must be below bore_m");
+}
+
+void declare(Visitor& v, RotaryMotor& m) {
+  v.here(m.place);
+  v.number("displacement_m3_rad", m.displacement_m3_rad, {1e-9, 1e-2}, "Volume per angle, the same on both sides.");
+  v.number("travel_rad", m.travel_rad, {1e-2, 6.3}, "Angle from stop to stop.");
+  v.number("rated_torque_Nm", m.rated_torque_Nm, {1e-2, 1e5}, "Torque the motor is made for.");
+  v.name("like_cylinder", m.like_cylinder, kLongestName,
+         "Actuator whose friction, inertia, stops, noise and normalisation it has, seen through a lever.");
+  v.names("lever_joints", m.lever_joints, "Joints whose levers at home are averaged to that lever.");
+}
+
+void declare(Visitor& v, Actuator& a) {
+  v.here(a.place);
+  v.name("valve", a.valve, kLongestName, "Its valve, by name.");
+  v.number("line_volume_m3", a.line_volume_m3, {1e-9, 1e-2}, "Dead volume of each chamber with its hose, V_pl.");
+  v.group("cylinder", a.cylinder, "A cylinder; or else rotary_motor.");
+  v.group("rotary_motor", a.rotary_motor, "A rotary vane motor; or else cylinder.");
+  v.check(a.cylinder.has_value() != a.rotary_motor.has_value(), "", "give either cylinder or rotary_motor");
+}
+
+void declare(Visitor& v, Triangle& t) {
+  v.number("side_a_m", t.side_a_m, {1e-3, 10}, "Joint to one end of the cylinder.");
+  v.number("side_b_m", t.side_b_m, {1e-3, 10}, "Joint to the other end.");
+  v.number("angle_at_zero_rad", t.angle_at_zero_rad, {1e-3, 3.14}, "Angle between the two at joint angle 0.");
+  v.flag("opens_with_angle", t.opens_with_angle, "Whether that angle grows with the joint's (on a hind leg).");
+  v.number("retracted_length_m", t.retracted_length_m, {1e-3, 20}, "Length of the cylinder at position 0.");
+}
+
+void declare(Visitor& v, Direct& d) {
+  v.number("lever", d.lever, {1e-3, 1e3}, Default{1.0}, "Actuator position per joint angle: m/rad, or 1 for a motor.");
+  v.number("zero_angle_rad", d.zero_angle_rad, {-10, 10}, Default{0.0}, "Joint angle at actuator position 0.");
+}
+
+void declare(Visitor& v, LinkageSection& l) {
+  v.here(l.place);
+  v.group("triangle", l.triangle, "A cylinder across the joint; or else direct.");
+  v.group("direct", l.direct, "A constant ratio; or else triangle.");
+  v.check(l.triangle.has_value() != l.direct.has_value(), "", "give either triangle or direct");
+}
+
+void declare(Visitor& v, CylinderLoad& l) {
+  v.number("mass_kg", l.mass_kg, {0.01, 1000}, "Mass the piston moves, m_l.");
+  v.number("damping_Ns_m", l.damping_Ns_m, {0, 1e5}, "Viscous friction of the load, d_l.");
+  v.number("stiffness_N_m", l.stiffness_N_m, {0, 1e7}, Default{0.0}, "Springs against the base, C = k_1 + k_2.");
+  v.number("equilibrium_position_m", l.equilibrium_position_m, {-10, 10}, Default{0.0},
+           "Piston position where those are slack.");
+}
+
+void declare(Visitor& v, LegLoad& l) {
+  v.here(l.place);
+  v.name("damping_like", l.damping_like, kLongestName,
+         "Load whose friction in swing it has, seen through the motor's lever.");
+}
+
+void declare(Visitor& v, Load& l) {
+  v.here(l.place);
+  v.group("swing", l.swing, "With the leg in the air; with stance, or else leg_about_haa.");
+  v.group("stance", l.stance, "With the foot on the ground.");
+  v.group("leg_about_haa", l.leg_about_haa,
+          "The leg's own inertia about its HAA axis at home, in swing and stance; for a rotary motor.");
+  v.check(l.swing.has_value() == l.stance.has_value() && l.swing.has_value() != l.leg_about_haa.has_value(), "",
+          "give either swing and stance, or leg_about_haa");
+}
+
+void declare(Visitor& v, Controller& c) {
+  constexpr std::array kForms = {Option<control::Form>{"full_state", control::Form::kFullState},
+                                 Option<control::Form>{"compliant", control::Form::kCompliant}};
+  control::LqrWeights& w = c.weights;
+  v.choice<control::Form>("form", c.form, kForms,
+                          "full_state needs a load spring; compliant leaves the position out of the design (9.2.4).");
+  v.number("integral_weight", w.integral, {0, 1e6}, "On the summed force error (7.9).");
+  v.number("position_weight", w.position, {0, 1e6}, "On the position (7.9); unused by the compliant form.");
+  v.number("velocity_weight", w.velocity, {0, 1e6}, "On the velocity (7.9).");
+  v.number("force_weight", w.force, {0, 1e6}, "On the force (7.9).");
+  v.number("input_weight", w.input, {1e-6, 1e6}, "On the valve current (7.10).");
+  v.number("integral_factor", w.integral_factor, {1e-3, 50}, "Multiplies the integral gain at run time, xi (7.11).");
+  v.number("feed_forward_factor", w.feed_forward_factor, {0, 2}, Default{1.0}, "Multiplies the feed-forward; 0 is off.");
+}
+
+}  // namespace farrier::robot

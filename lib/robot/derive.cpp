@@ -1,0 +1,93 @@
+#include "robot/derive.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace farrier::robot {
+namespace {
+
+plant::ActuatorParams common_params(const Supply& supply, const Valve& valve, const Actuator& actuator) {
+  plant::ActuatorParams params;
+  params.line_volume_m3 = actuator.line_volume_m3;
+  params.bulk_modulus_Pa = supply.bulk_modulus_Pa;
+  params.valve_gain = valve.gain_m3_s_AsqrtPa;
+  params.valve_current_max_A = valve.current_max_A;
+  params.supply_pressure_Pa = supply.supply_pressure_Pa;
+  params.return_pressure_Pa = supply.return_pressure_Pa;
+  params.laminar_pressure_Pa = supply.laminar_pressure_Pa;
+  return params;
+}
+
+}  // namespace
+
+Result<plant::Linkage> make_linkage(const LinkageSection& section, bool mirrored) {
+  const double mirror = mirrored ? -1.0 : 1.0;
+  if (section.direct) {
+    // lever (-q - zero) = -lever (q - (-zero))
+    return plant::Linkage::direct(mirror * section.direct->lever, mirror * section.direct->zero_angle_rad);
+  }
+  const Triangle& t = *section.triangle;
+  return plant::Linkage::triangle({.side_a_m = t.side_a_m,
+                                   .side_b_m = t.side_b_m,
+                                   .angle_at_zero_rad = t.angle_at_zero_rad,
+                                   .angle_sign = t.opens_with_angle ? 1.0 : -1.0,
+                                   .mirror = mirror,
+                                   .retracted_length_m = t.retracted_length_m});
+}
+
+plant::ActuatorParams cylinder_params(const Supply& supply, const Valve& valve, const Actuator& actuator) {
+  const Cylinder& c = *actuator.cylinder;
+  plant::ActuatorParams params = common_params(supply, valve, actuator);
+  params.area_a = std::numbers::pi / 4.0 * c.bore_m * c.bore_m;
+  params.area_b = std::numbers::pi / 4.0 * (c.bore_m * c.bore_m - c.rod_m * c.rod_m);
+  params.stroke = c.stroke_m;
+  params.piston_mass = c.piston_mass_kg;
+  params.piston_damping = c.piston_damping_Ns_m;
+  params.stop_stiffness = c.stops.stiffness_N_m;
+  params.stop_damping = c.stops.damping_Ns_m;
+  return params;
+}
+
+plant::ActuatorParams motor_params(const Supply& supply, const Valve& valve, const Actuator& actuator,
+                                   const Cylinder& like, double lever_m) {
+  const double square = lever_m * lever_m;
+  plant::ActuatorParams params = common_params(supply, valve, actuator);
+  params.area_a = actuator.rotary_motor->displacement_m3_rad;
+  params.area_b = params.area_a;
+  params.stroke = actuator.rotary_motor->travel_rad;
+  params.piston_mass = like.piston_mass_kg * square;
+  params.piston_damping = like.piston_damping_Ns_m * square;
+  params.stop_stiffness = like.stops.stiffness_N_m * square;
+  params.stop_damping = like.stops.damping_Ns_m * square;
+  return params;
+}
+
+plant::LoadParams cylinder_load(const CylinderLoad& load) {
+  return {load.mass_kg, load.damping_Ns_m, load.stiffness_N_m, load.equilibrium_position_m};
+}
+
+plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_like, double lever_m) {
+  return {inertia_kg_m2, damping_like.damping_Ns_m * lever_m * lever_m, 0.0, 0.0};
+}
+
+ForceLimits force_limits(const plant::ActuatorParams& a, double rated) {
+  return {std::min(rated, a.supply_pressure_Pa * a.area_a - a.return_pressure_Pa * a.area_b),
+          std::min(rated, a.supply_pressure_Pa * a.area_b - a.return_pressure_Pa * a.area_a)};
+}
+
+SensorNoise cylinder_noise(const CylinderNoise& noise) { return {noise.position_m, noise.velocity_m_s, noise.force_N}; }
+
+SensorNoise motor_noise(const CylinderNoise& noise, double lever_m) {
+  return {noise.position_m / lever_m, noise.velocity_m_s / lever_m, noise.force_N * lever_m};
+}
+
+control::Normalisation cylinder_normalisation(const Cylinder& cylinder, const plant::ActuatorParams& params) {
+  return {0.5 * params.stroke, cylinder.velocity_norm_m_s, cylinder.force_norm_N, params.valve_current_max_A};
+}
+
+control::Normalisation motor_normalisation(const Cylinder& like, const plant::ActuatorParams& params, double lever_m) {
+  return {0.5 * params.stroke, like.velocity_norm_m_s / lever_m, like.force_norm_N * lever_m,
+          params.valve_current_max_A};
+}
+
+}  // namespace farrier::robot

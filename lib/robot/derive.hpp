@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+
+#include "core/result.hpp"
+#include "plant/actuator.hpp"
+#include "plant/linkage.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::robot {
+
+// Derived quantities, one function each. A rotary motor takes what its data sheet does not give from a cylinder whose
+// force F would act on a lever r: torque r F, angle x / r; so friction and inertia scale with r^2, noise and
+// normalisation of position and velocity with 1 / r, of force with r.
+
+/// The linkage of a leg that counts angles like a hind one (mirrored false) or the other way.
+Result<plant::Linkage> make_linkage(const LinkageSection& section, bool mirrored);
+
+/// A_p = pi D_p^2 / 4 and A_r = pi (D_p^2 - D_r^2) / 4 (Hubacher 2014, Table A.1); the rest is copied.
+plant::ActuatorParams cylinder_params(const Supply& supply, const Valve& valve, const Actuator& actuator);
+
+/// Friction, rotor inertia and stops are those of `like` times r^2.
+plant::ActuatorParams motor_params(const Supply& supply, const Valve& valve, const Actuator& actuator,
+                                   const Cylinder& like, double lever_m);
+
+plant::LoadParams cylinder_load(const CylinderLoad& load);
+
+/// The leg as the load of a motor: its inertia, and the friction of a cylinder's load times r^2.
+plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_like, double lever_m);
+
+/// Largest force (N or Nm), the less of what the supply can do and what the actuator is made for:
+/// push p_s A_a - p_t A_b, pull p_s A_b - p_t A_a.
+struct ForceLimits {
+  double push;
+  double pull;
+};
+ForceLimits force_limits(const plant::ActuatorParams& actuator, double rated);
+
+SensorNoise cylinder_noise(const CylinderNoise& noise);
+SensorNoise motor_noise(const CylinderNoise& noise, double lever_m);
+
+/// T = W of (3.52): half the stroke, velocity and force by the file; V of (3.53) is the full-open valve's current.
+control::Normalisation cylinder_normalisation(const Cylinder& cylinder, const plant::ActuatorParams& params);
+
+/// Half the travel; the cylinder's velocity divided by the lever and its force multiplied by it, so that one set of
+/// weights asks the same of a hip and a knee: equal power, equal stiffness of the loop at the leg.
+control::Normalisation motor_normalisation(const Cylinder& like, const plant::ActuatorParams& params, double lever_m);
+
+}  // namespace farrier::robot

@@ -1,0 +1,50 @@
+#include "robot/robot.hpp"
+
+#include <algorithm>
+
+#include "config/printer.hpp"
+#include "config/reader.hpp"
+#include "config/reference_table.hpp"
+#include "core/noise.hpp"
+#include "robot/robot_builder.hpp"
+
+namespace farrier::robot {
+namespace {
+
+std::vector<config::Setting> settings_of(const Overrides& overrides) {
+  std::vector<config::Setting> settings;
+  if (overrides.pattern) {
+    settings.push_back({"gait.pattern", *overrides.pattern == gait::Pattern::kTrot ? "trot" : "stand"});
+  }
+  if (overrides.frequency_Hz) {
+    settings.push_back({"gait.frequency_Hz", config::number_text(*overrides.frequency_Hz)});
+  }
+  return settings;
+}
+
+}  // namespace
+
+const Joint* Robot::find(std::string_view joint_name) const noexcept {
+  const auto found =
+      std::find_if(joints.begin(), joints.end(), [&](const Joint& joint) { return joint.name == joint_name; });
+  return found == joints.end() ? nullptr : &*found;
+}
+
+Result<Robot, config::Problems> load_robot(const std::string& path, const Overrides& overrides) {
+  auto file = config::read_file<RobotFile>(path, settings_of(overrides));
+  return file ? build_robot(std::move(file).value()) : Result<Robot, config::Problems>(file.error());
+}
+
+Result<Robot, config::Problems> load_robot_text(const std::string& text, const std::string& file,
+                                                const Overrides& overrides) {
+  auto read = config::read_text<RobotFile>(text, file, settings_of(overrides));
+  return read ? build_robot(std::move(read).value()) : Result<Robot, config::Problems>(read.error());
+}
+
+std::string print_config(const Robot& robot) { return config::print_yaml(robot.file); }
+
+std::uint64_t configuration_hash(const Robot& robot) { return stable_hash(print_config(robot)); }
+
+std::string parameter_table() { return config::reference_table<RobotFile>(); }
+
+}  // namespace farrier::robot

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/problem.hpp"
+#include "control/lqr.hpp"
+#include "core/result.hpp"
+#include "gait/gait_params.hpp"
+#include "plant/actuator.hpp"
+#include "plant/linkage.hpp"
+#include "robot/robot_file.hpp"
+
+namespace farrier::robot {
+
+/// Standard deviations of the sensors, actuator coordinates (m, m/s, N or rad, rad/s, Nm).
+struct SensorNoise {
+  double position = 0.0;
+  double velocity = 0.0;
+  double force = 0.0;
+};
+
+/// One joint, everything derived and in SI. "Actuator coordinates" are m and N for a cylinder, rad and Nm for a motor.
+struct Joint {
+  std::string name;
+  std::uint16_t number;              ///< its place in Robot::joints and its key on the bus
+  int leg;                           ///< its place in Robot::plan.legs
+  int index_in_leg;
+  plant::ActuatorParams actuator;
+  plant::Linkage linkage;
+  plant::LoadParams swing_load, stance_load;  ///< actuator coordinates
+  double angle_min_rad, angle_max_rad, home_angle_rad;  ///< of this leg, mirrored where the leg is
+  double push_limit, pull_limit;     ///< largest force (N, Nm; positive) extending and retracting
+  SensorNoise noise;
+  control::Form form;
+  control::LqrWeights weights;
+  control::Normalisation normalisation;
+  double stiffness_Nm_rad, damping_Nms_rad;
+};
+
+struct Robot {
+  std::string name;
+  std::string path;  ///< of the file it came from
+  double period_s;
+  int loop_delay_lockstep, loop_delay_realtime;  ///< ticks
+  std::vector<Joint> joints;                     ///< in the order of the file: leg by leg
+  gait::RobotPlan plan;
+  Safety safety;
+  Bounds bounds;
+  RobotFile file;  ///< what all of the above was derived from, defaults and overrides filled in
+
+  /// The joint of that name, null for none.
+  const Joint* find(std::string_view joint_name) const noexcept;
+};
+
+/// What a command line may change.
+struct Overrides {
+  std::optional<gait::Pattern> pattern;
+  std::optional<double> frequency_Hz;
+};
+
+/// Loads and checks a robot file. Refuses with every mistake in it, each with its line and remedy; checks that need
+/// several sections (references, strokes, reach of the gait) are made once each section by itself is good.
+Result<Robot, config::Problems> load_robot(const std::string& path, const Overrides& overrides = {});
+
+/// Same, from text; `file` names it in problems.
+Result<Robot, config::Problems> load_robot_text(const std::string& text, const std::string& file,
+                                                const Overrides& overrides = {});
+
+/// Effective configuration as YAML: every parameter with its value. Loads again to the same robot.
+std::string print_config(const Robot& robot);
+
+/// Of print_config: equal for robots that behave the same, whatever comments and order of keys their files have.
+std::uint64_t configuration_hash(const Robot& robot);
+
+/// Markdown table of every parameter of a robot file.
+std::string parameter_table();
+
+}  // namespace farrier::robot

@@ -1,0 +1,110 @@
+#include "robot/robot_file.hpp"
+
+#include <array>
+
+namespace farrier::robot {
+
+using config::Default;
+using config::Option;
+using config::Visitor;
+
+void declare(Visitor& v, Safety& s) {
+  v.number("sensors_stale_s", s.sensors_stale_s, {1e-4, 1}, Default{0.003}, "Sensors older than this: valve to null.");
+  v.number("command_damping_s", s.command_damping_s, {1e-4, 1}, Default{0.005}, "Command older than this: damping.");
+  v.number("command_trip_s", s.command_trip_s, {1e-3, 10}, Default{0.050},
+           "Command older than this: valve to null until re-armed.");
+  v.number("valve_silent_s", s.valve_silent_s, {1e-4, 1}, Default{0.005},
+           "No valve command for this long: spool to null.");
+  v.integer("recovery_samples", s.recovery_samples, {1, 10000}, Default{10},
+            "Good sensor samples that end a stale spell.");
+  v.number("damping_gain_Nms_rad", s.damping_gain_Nms_rad, {0, 1e4}, Default{20.0},
+           "Joint torque against the joint's velocity while its command is late (Ns/m on a rig).");
+  v.check(s.command_damping_s < s.command_trip_s, "command_trip_s", "must be longer than command_damping_s");
+}
+
+void declare(Visitor& v, Bounds& b) {
+  v.number("stance_nrmse", b.stance_nrmse, {1e-3, 10}, Default{0.10},
+           "Largest tolerated torque error in stance, RMS over the range of the reference.");
+  v.flag("judged", b.judged, Default{true}, "Whether a run fails when the bound is exceeded.");
+}
+
+void declare(Visitor& v, LoopDelay& d) {
+  v.integer("lockstep", d.lockstep, {0, 2}, Default{0}, "On a simulated clock.");
+  v.integer("realtime", d.realtime, {0, 2}, Default{1}, "On the machine's clock.");
+}
+
+void declare(Visitor& v, JointTemplate& j) {
+  v.here(j.place);
+  v.name("actuator", j.actuator, kLongestName, "Its actuator, by name.");
+  v.name("linkage", j.linkage, kLongestName, "Its linkage, by name.");
+  v.name("load", j.load, kLongestName, "Its load, by name.");
+  v.name("controller", j.controller, kLongestName, "Its controller, by name.");
+  v.flag("mirrored_in_front", j.mirrored_in_front, Default{false},
+         "Whether front legs count its angle the other way; the angles below are a hind leg's.");
+  v.number("angle_min_rad", j.angle_min_rad, {-10, 10}, "Lower joint limit.");
+  v.number("angle_max_rad", j.angle_max_rad, {-10, 10}, "Upper joint limit.");
+  v.number("home_angle_rad", j.home_angle_rad, {-10, 10}, "Home pose.");
+  v.number("stiffness_Nm_rad", j.stiffness_Nm_rad, {0, 1e5}, "Joint impedance, k_p.");
+  v.number("damping_Nms_rad", j.damping_Nms_rad, {0, 1e4}, "Joint impedance, k_d.");
+  v.check(j.angle_min_rad < j.angle_max_rad, "angle_max_rad", "must be above angle_min_rad");
+  v.check(j.home_angle_rad >= j.angle_min_rad && j.home_angle_rad <= j.angle_max_rad, "home_angle_rad",
+          "must lie between angle_min_rad and angle_max_rad");
+}
+
+void declare(Visitor& v, Leg& l) {
+  v.here(l.place);
+  v.flag("front", l.front, "Front or hind: the knee bends backward or forward.");
+  v.flag("left", l.left, "Left or right.");
+  v.number("phase_offset", l.phase_offset, {0, 0.999999}, "Share of the stride by which this leg is late.");
+  v.pairs("joints", l.joints, l.joints_place, kLongestName,
+          "Joint names and what each is an instance of, in the order HAA, HFE, KFE.");
+}
+
+void declare(Visitor& v, GaitSection& section) {
+  gait::GaitParams& g = *section.params;
+  constexpr std::array kPatterns = {Option<gait::Pattern>{"trot", gait::Pattern::kTrot},
+                                    Option<gait::Pattern>{"stand", gait::Pattern::kStand}};
+  constexpr std::array kReferences = {
+      Option<gait::ReferenceKind>{"leg_kinematics", gait::ReferenceKind::kLegKinematics},
+      Option<gait::ReferenceKind>{"multisine", gait::ReferenceKind::kMultisine}};
+  v.choice<gait::Pattern>("pattern", g.pattern, kPatterns, Default{gait::Pattern::kTrot}, "Which legs stand when.");
+  v.number("frequency_Hz", g.frequency_Hz, {0.05, 10}, "Strides per second.");
+  v.number("duty", g.duty, {0.05, 0.95}, "Stance part of the stride.");
+  v.number("step_length_m", g.step_length_m, {0, 2}, Default{0.0}, "Way of the foot under the hip during stance.");
+  v.number("step_height_m", g.step_height_m, {0, 1}, Default{0.0}, "Lift of the foot in mid-swing.");
+  v.number("load_transfer_fraction", g.load_transfer_fraction, {0, 0.5}, Default{0.15 / 0.65},
+           "Part of the stance in which the load comes in, and again in which it goes out.");
+  v.number("touchdown_jitter_s", g.touchdown_jitter_s, {0, 0.2}, Default{0.0},
+           "Actual touchdowns lie within plus or minus this of the planned ones.");
+  v.number("lead_in_s", g.lead_in_s, {0, 60}, Default{0.5}, "Standing before the first stride.");
+  v.integer("announce_ticks", g.announce_ticks, {1, 10000}, Default{40}, "A switch is announced this many ticks ahead.");
+  v.choice<gait::ReferenceKind>("reference", g.reference, kReferences, Default{gait::ReferenceKind::kLegKinematics},
+                                "Joint references from leg kinematics, or a sum of sines as force (a rig).");
+  v.numbers("multisine_frequencies_Hz", g.multisine_frequencies_Hz, {1e-3, 400}, "Equal amplitudes, zero phase.");
+  v.number("multisine_amplitude_N", g.multisine_amplitude_N, {0, 1e5}, Default{0.0}, "Sum of the amplitudes.");
+  v.check(g.reference != gait::ReferenceKind::kMultisine || !g.multisine_frequencies_Hz.empty(),
+          "multisine_frequencies_Hz", "a multisine needs at least one frequency");
+}
+
+void declare(Visitor& v, RobotFile& f) {
+  v.here(f.place);
+  v.name("name", f.name, kLongestName, "Name of the robot, its partition on the bus.");
+  v.number("period_s", f.period_s, {1e-4, 0.1}, Default{0.001}, "Period of the joint loop; a tick.");
+  v.group("loop_delay_ticks", f.loop_delay_ticks,
+          "Ticks from a sensor sample to the first valve command that knows it; designs are made for it.");
+  v.group("supply", f.supply, "Oil and its pressure.");
+  v.group("body", f.body, "Rigid body; absent for a rig, which then weighs nothing.");
+  v.groups("valves", f.valves, kLongestName, "Servo valves.");
+  v.groups("actuators", f.actuators, kLongestName, "Cylinders and motors.");
+  v.groups("linkages", f.linkages, kLongestName, "Geometry between joint angle and actuator position.");
+  v.groups("loads", f.loads, kLongestName, "What an actuator moves.");
+  v.groups("controllers", f.controllers, kLongestName, "Weights of the force loop.");
+  v.groups("joints", f.joints, kLongestName, "Joints, once for all legs.");
+  v.groups("legs", f.legs, kLongestName, "Legs, in the order in which joints are numbered.");
+  GaitSection gait{&f.gait};
+  v.group("gait", gait, "How the robot moves.");
+  v.group("safety", f.safety, "What a joint does when something is missing.");
+  v.group("bounds", f.bounds, "What a run is judged by.");
+}
+
+}  // namespace farrier::robot

@@ -1,0 +1,93 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/visitor.hpp"
+#include "gait/gait_params.hpp"
+#include "robot/actuator_section.hpp"
+#include "robot/body_section.hpp"
+
+namespace farrier::robot {
+
+/// What a joint does when something is missing; the table of docs/architecture.md.
+struct Safety {
+  double sensors_stale_s = 0.003;        ///< sensors older than this: valve to null
+  double command_damping_s = 0.005;      ///< command older than this: damping only
+  double command_trip_s = 0.050;         ///< command older than this: valve to null, latched
+  double valve_silent_s = 0.005;         ///< no valve command for this long: spool to null
+  int recovery_samples = 10;             ///< good sensor samples that end a stale spell
+  double damping_gain_Nms_rad = 20.0;    ///< of the joint while its command is late: tau = -gain qdot
+};
+
+/// What a run is judged by.
+struct Bounds {
+  double stance_nrmse = 0.10;  ///< largest tolerated torque error in stance, RMS over the range of the reference
+  bool judged = true;          ///< whether a run on this robot fails when it is exceeded
+};
+
+/// Ticks between a sensor sample and the first valve command that knows it; every design is made for it.
+struct LoopDelay {
+  int lockstep = 0;
+  int realtime = 1;
+};
+
+/// A joint as all legs have it. On front legs of a mirrored joint angles count the other way.
+struct JointTemplate {
+  std::string actuator;
+  std::string linkage;
+  std::string load;
+  std::string controller;
+  bool mirrored_in_front = false;
+  double angle_min_rad = 0.0;
+  double angle_max_rad = 0.0;
+  double home_angle_rad = 0.0;
+  double stiffness_Nm_rad = 0.0;
+  double damping_Nms_rad = 0.0;
+  config::Place place;
+};
+
+struct Leg {
+  bool front = true;
+  bool left = true;
+  double phase_offset = 0.0;
+  config::Named<std::string> joints;  ///< joint name to joint template, HAA, HFE, KFE
+  config::Place joints_place;
+  config::Place place;
+};
+
+/// A robot file, deploy/robots/*.yaml, as it is written: sections that refer to each other by name.
+struct RobotFile {
+  std::string name;
+  double period_s = 0.001;
+  LoopDelay loop_delay_ticks;
+  Supply supply;
+  std::optional<Body> body;
+  config::Named<Valve> valves;
+  config::Named<Actuator> actuators;
+  config::Named<LinkageSection> linkages;
+  config::Named<Load> loads;
+  config::Named<Controller> controllers;
+  config::Named<JointTemplate> joints;
+  config::Named<Leg> legs;
+  gait::GaitParams gait;
+  Safety safety;
+  Bounds bounds;
+  config::Place place;
+};
+
+void declare(config::Visitor& v, Safety& safety);
+void declare(config::Visitor& v, Bounds& bounds);
+void declare(config::Visitor& v, LoopDelay& delay);
+void declare(config::Visitor& v, JointTemplate& joint);
+void declare(config::Visitor& v, Leg& leg);
+void declare(config::Visitor& v, RobotFile& file);
+
+/// Declares gait::GaitParams; a wrapper because declarations are found beside their struct, and gait knows no config.
+struct GaitSection {
+  gait::GaitParams* params = nullptr;
+};
+void declare(config::Visitor& v, GaitSection& gait);
+
+}  // namespace farrier::robot

@@ -1,0 +1,48 @@
+#include "signals/signals.hpp"
+
+#include <type_traits>
+
+#include "signals/fields.hpp"
+
+namespace farrier::signals {
+
+#define FARRIER_CHECK(Signal, file) static_assert(std::is_trivially_copyable_v<Signal>);
+FARRIER_SIGNALS(FARRIER_CHECK)
+#undef FARRIER_CHECK
+
+const char* to_string(Phase phase) noexcept {
+  switch (phase) {
+    case Phase::kSwing: return "swing";
+    case Phase::kStance: return "stance";
+  }
+  return "unknown phase";
+}
+
+const char* to_string(Mode mode) noexcept {
+  switch (mode) {
+    case Mode::kIdle: return "idle";
+    case Mode::kArmed: return "armed";
+    case Mode::kStopped: return "stopped";
+  }
+  return "unknown mode";
+}
+
+const char* to_string(JointState state) noexcept {
+  switch (state) {
+    case JointState::kNull: return "null";
+    case JointState::kDamping: return "damping";
+    case JointState::kTracking: return "tracking";
+  }
+  return "unknown state";
+}
+
+const char* to_string(Severity severity) noexcept {
+  switch (severity) {
+    case Severity::kInfo: return "info";
+    case Severity::kWarning: return "warning";
+    case Severity::kError: return "error";
+  }
+  return "unknown severity";
+}
+
+}  // namespace farrier::signals

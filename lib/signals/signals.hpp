@@ -1,0 +1,215 @@
+#pragma once
+
+// Our own trivially-copyable struct of every arrow in idl/. No generated or vendor type appears anywhere else:
+// each vendor's codec copies field by field from the lists in signals/fields.hpp.
+//
+// Coordinates are the actuator's: a cylinder's piston position in m (from retracted), velocity in m/s and load-cell
+// force in N; for a rotary motor the same fields hold rad, rad/s and Nm, which their names say.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "core/time.hpp"
+
+namespace farrier::signals {
+
+/// Phase of a leg. Also names the slot of gains that acts in it.
+enum class Phase : std::uint8_t { kSwing = 0, kStance = 1 };
+inline constexpr int kPhaseCount = 2;
+
+/// What the whole robot may do; the supervisor publishes it.
+enum class Mode : std::uint8_t { kIdle = 0, kArmed = 1, kStopped = 2 };
+
+/// What one joint does (precedence from the bottom of the table in docs/architecture.md).
+enum class JointState : std::uint8_t { kNull = 0, kDamping = 1, kTracking = 2 };
+
+enum class Severity : std::uint8_t { kInfo = 0, kWarning = 1, kError = 2 };
+
+/// Number of topics a health report can count; larger than the registry, checked there.
+inline constexpr int kMaxTopics = 16;
+
+using Name = std::array<char, 24>;
+using Text = std::array<char, 104>;
+
+/// sim_bridge or hardware -> joint_node: one joint's sensors at one tick.
+struct JointSensors {
+  std::uint16_t joint = 0;              ///< key: the joint's number in the robot file
+  Tick tick = kNoTick;                  ///< tick the sample was taken at
+  std::int64_t sample_time_ns = 0;      ///< steady clock of the sampling computer
+  double position_m_or_rad = 0;         ///< [0, stroke]
+  double velocity_m_s_or_rad_s = 0;     ///< positive extends
+  double force_N_or_Nm = 0;             ///< load cell, positive pushes the load towards extension
+  std::uint32_t required_generation = 0;  ///< lock-step: gains the joint must hold before it acts on this tick
+  std::uint32_t required_epoch = 0;     ///< lock-step: mode epoch the joint must know before it acts on this tick
+};
+
+/// Gait source or planner -> joint_node: the field's joint command (MIT Cheetah, Unitree, ODRI).
+struct JointCommand {
+  std::uint16_t joint = 0;          ///< key
+  Tick tick = kNoTick;              ///< tick it is meant for
+  std::int64_t sample_time_ns = 0;  ///< steady clock of the sender
+  double position_rad = 0;
+  double velocity_rad_s = 0;
+  double torque_ff_Nm = 0;
+  double stiffness_Nm_rad = 0;         ///< k_p >= 0
+  double damping_Nms_rad = 0;          ///< k_d >= 0
+  std::uint32_t announced_phases = 0;  ///< phase announcements of this joint's leg issued before this command
+};
+
+/// joint_node -> sim_bridge or hardware: the valve command that answers one sensor sample.
+struct JointValveCommand {
+  std::uint16_t joint = 0;          ///< key
+  Tick tick = kNoTick;              ///< tick of the sensors it answers
+  std::int64_t sample_time_ns = 0;  ///< sample time of the sensors it answers: carried through, so latency is measurable
+  double valve_current_A = 0;       ///< within +- the valve's nominal current
+  double force_reference_N_or_Nm = 0;
+  std::uint32_t generation = 0;  ///< generation of the gains that acted
+  std::uint32_t faults = 0;      ///< farrier::FaultSet bits
+  std::uint8_t state = 0;        ///< JointState
+  std::uint8_t phase = 0;        ///< Phase whose gains acted
+};
+
+/// joint_node -> estimator_service: what the joint measured and did at one tick.
+struct JointMeasurement {
+  std::uint16_t joint = 0;  ///< key
+  Tick tick = kNoTick;
+  std::int64_t sample_time_ns = 0;
+  double position_m_or_rad = 0;
+  double velocity_m_s_or_rad_s = 0;
+  double force_N_or_Nm = 0;
+  double valve_current_A = 0;  ///< applied from this tick on
+  double force_reference_N_or_Nm = 0;
+  std::uint32_t generation = 0;
+  std::uint32_t faults = 0;
+  std::uint8_t state = 0;
+  std::uint8_t phase = 0;
+};
+
+/// estimator_service -> supervisor: the discrete model x[k+1] = A x[k] + B u[k] + c, SI units, states
+/// (position, velocity, load-cell force), A row by row.
+struct JointModelEstimate {
+  std::uint16_t joint = 0;  ///< key
+  Tick tick = kNoTick;
+  std::array<double, 9> a{};
+  std::array<double, 3> b{};
+  std::array<double, 3> c{};
+  double validity = 0;      ///< 0: not an estimate; 1: certain
+  std::uint32_t flags = 0;  ///< Table F.1
+};
+
+/// Ticks between two estimates of a joint.
+inline constexpr Tick kEstimatePeriodTicks = 100;
+
+/// True for the ticks at which every joint's estimate is published: what the supervisor waits for in lock-step.
+constexpr bool is_estimate_tick(Tick tick) noexcept { return tick % kEstimatePeriodTicks == 0; }
+
+/// supervisor -> joint_node: one slot of one joint's gains, in the thesis's normalised units (Fig. 7.1).
+struct JointControllerGains {
+  std::uint16_t joint = 0;      ///< key
+  std::uint8_t phase = 0;       ///< key: Phase the gains are for
+  std::uint32_t epoch = 0;      ///< of the supervisor that issued them
+  std::uint32_t generation = 0; ///< rises by one with every issue to this joint; 0 is never issued
+  Tick effective_tick = kNoTick;
+  double k_position = 0;
+  double k_velocity = 0;
+  double k_force = 0;
+  double k_integral = 0;
+  double feed_forward = 0;
+  double integral_factor = 0;            ///< xi of (7.11)
+  std::array<double, 2> k_delay{};       ///< on the last valve commands, newest first
+  std::uint8_t delay_ticks = 0;          ///< loop delay the gains were designed for, 0..2
+  std::uint8_t compliant = 0;            ///< 1: designed without the position state (thesis 9.2.4)
+  double position_scale_m_or_rad = 0;    ///< (3.52)
+  double velocity_scale_m_s_or_rad_s = 0;
+  double force_scale_N_or_Nm = 0;
+  double current_scale_A = 0;            ///< (3.53)
+  std::array<double, 9> model_a{};       ///< model they were designed for, SI, row by row
+  std::array<double, 3> model_b{};
+};
+
+/// Gait source -> supervisor, estimator_service, joint_node: a leg will change phase.
+struct GaitPhase {
+  std::uint16_t leg = 0;    ///< key
+  std::uint32_t count = 0;  ///< announcements of this leg so far, this one included
+  Tick announced_tick = kNoTick;
+  Tick switch_tick = kNoTick;  ///< tick at which `phase` is planned to begin
+  std::uint8_t phase = 0;      ///< Phase that begins
+};
+
+/// Every process -> every process: who is there, and whose samples it has received. Matched endpoints prove nothing.
+struct SystemHello {
+  std::uint16_t participant = 0;    ///< key
+  std::uint64_t session = 0;        ///< one per run; others are ignored
+  std::uint64_t contract = 0;       ///< hash of all topics, versions and fields: must be equal everywhere
+  std::uint32_t pid = 0;
+  std::uint8_t vendor = 0;          ///< bus::Vendor
+  std::uint16_t routes_expected = 0;  ///< (reader, key) pairs this process must hear before it starts
+  std::uint16_t routes_heard = 0;
+  Name name{};
+};
+
+/// Every process -> supervisor, monitors, the run's launcher: is it well, what did it send and receive.
+struct SystemHealth {
+  std::uint16_t participant = 0;  ///< key
+  Tick tick = kNoTick;
+  std::uint8_t final_report = 0;  ///< 1: the last of this run
+  std::uint64_t missed_deadlines = 0;
+  double latency_p50_s = 0;  ///< sensor sample to valve command; sim_bridge only, 0 elsewhere
+  double latency_p99_s = 0;
+  std::array<std::uint64_t, kMaxTopics> sent{};      ///< samples by topic number
+  std::array<std::uint64_t, kMaxTopics> received{};  ///< samples by topic number
+  std::array<std::uint64_t, kMaxTopics> lost{};      ///< samples known lost by topic number
+};
+
+/// Every process -> supervisor, monitors: something changed, and why.
+struct SystemEvent {
+  std::uint16_t participant = 0;  ///< key
+  std::uint32_t count = 0;    ///< events of this participant so far
+  Tick tick = kNoTick;
+  std::uint8_t severity = 0;
+  std::uint16_t joint = 0xffff;  ///< 0xffff: not about one joint
+  Text text{};
+};
+
+/// supervisor -> all: what the robot may do.
+struct SystemMode {
+  std::uint16_t robot = 0;     ///< key
+  std::uint32_t epoch = 0;     ///< rises by one with every change; 0 is never issued
+  std::uint64_t session = 0;   ///< a joint arms only for the session it was started in
+  Tick effective_tick = kNoTick;
+  std::uint8_t mode = 0;
+};
+
+/// sim_bridge -> gait source, supervisor: tick k has begun (sensors of tick k are published).
+struct ClockTick {
+  std::uint16_t clock = 0;  ///< key
+  Tick tick = kNoTick;
+};
+
+/// Lock-step, every process -> sim_bridge: all this process does in tick k is published.
+struct ClockTickDone {
+  std::uint16_t participant = 0;  ///< key
+  Tick tick = kNoTick;
+  std::uint32_t issued_gains = 0;   ///< samples of controller_gains this process has published so far
+  std::uint32_t issued_modes = 0;   ///< samples of system/mode it has published so far
+};
+
+/// Copies as much of `text` as fits, always zero-terminated.
+template <std::size_t kSize>
+void assign(std::array<char, kSize>& to, std::string_view text) noexcept {
+  to.fill('\0');
+  text.copy(to.data(), kSize - 1);
+}
+
+template <std::size_t kSize>
+std::string_view text_of(const std::array<char, kSize>& from) noexcept {
+  return std::string_view(from.data());
+}
+
+const char* to_string(Phase phase) noexcept;
+const char* to_string(Mode mode) noexcept;
+const char* to_string(JointState state) noexcept;
+const char* to_string(Severity severity) noexcept;
+
+}  // namespace farrier::signals

@@ -1,0 +1,71 @@
+#include "sim_bridge/ports.hpp"
+
+namespace farrier::sim_bridge {
+
+std::vector<std::uint16_t> joint_numbers(const robot::Robot& robot) {
+  std::vector<std::uint16_t> numbers;
+  for (const robot::Joint& joint : robot.joints) {
+    numbers.push_back(joint.number);
+  }
+  return numbers;
+}
+
+std::vector<std::string> joint_names(const robot::Robot& robot) {
+  std::vector<std::string> names;
+  for (const robot::Joint& joint : robot.joints) {
+    names.push_back(joint.name);
+  }
+  return names;
+}
+
+Result<std::optional<record::TraceWriter>> open_trace(const std::string& path, const robot::Robot& robot) {
+  if (path.empty()) {
+    return std::optional<record::TraceWriter>();
+  }
+  auto writer = record::TraceWriter::create(path, joint_names(robot));
+  if (!writer) {
+    return writer.error();
+  }
+  return std::optional<record::TraceWriter>(std::move(writer).value());
+}
+
+Result<Ports> Ports::open(participant::Participant& participant, const robot::Robot& robot) {
+  const auto numbers = joint_numbers(robot);
+  const auto names = joint_names(robot);
+  Ports ports{};
+  const auto take = [](auto*& port, auto made) -> Result<Done> {
+    if (!made) {
+      return made.error();
+    }
+    port = made.value();
+    return Done{};
+  };
+  if (auto r = take(ports.valves, participant.subscribe<signals::JointValveCommand>(numbers)); !r) {
+    return r.error();
+  }
+  if (auto r = take(ports.sensors, participant.publish<signals::JointSensors>(numbers, names)); !r) {
+    return r.error();
+  }
+  if (auto r = take(ports.clock, participant.publish<signals::ClockTick>({0})); !r) {
+    return r.error();
+  }
+  if (participant.identity().clock == bus::ClockKind::kRealtime) {
+    return ports;
+  }
+  std::vector<std::uint16_t> others;
+  for (std::uint16_t number = 1; number < participant.identity().participants; ++number) {
+    others.push_back(number);
+  }
+  if (auto r = take(ports.done, participant.subscribe<signals::ClockTickDone>(others)); !r) {
+    return r.error();
+  }
+  if (auto r = take(ports.gains, participant.subscribe<signals::JointControllerGains>(numbers, names)); !r) {
+    return r.error();
+  }
+  if (auto r = take(ports.modes, participant.subscribe<signals::SystemMode>({0})); !r) {
+    return r.error();
+  }
+  return ports;
+}
+
+}  // namespace farrier::sim_bridge

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "participant/participant.hpp"
+#include "record/trace.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::sim_bridge {
+
+/// The arrows that end or begin at sim_bridge. On the real-time clock nobody reports ticks done.
+struct Ports {
+  participant::In<signals::JointValveCommand>* valves;
+  participant::In<signals::ClockTickDone>* done;            ///< lock-step only, else null
+  participant::In<signals::JointControllerGains>* gains;    ///< lock-step only: to know what each joint must hold
+  participant::In<signals::SystemMode>* modes;              ///< lock-step only
+  participant::Out<signals::JointSensors>* sensors;
+  participant::Out<signals::ClockTick>* clock;
+
+  static Result<Ports> open(participant::Participant& participant, const robot::Robot& robot);
+};
+
+std::vector<std::uint16_t> joint_numbers(const robot::Robot& robot);
+std::vector<std::string> joint_names(const robot::Robot& robot);
+
+/// The trace file of a run; nothing for an empty path.
+Result<std::optional<record::TraceWriter>> open_trace(const std::string& path, const robot::Robot& robot);
+
+}  // namespace farrier::sim_bridge

@@ -1,0 +1,207 @@
+#include "sim_bridge/sim_bridge_lockstep.hpp"
+
+#include <optional>
+
+#include "record/trace.hpp"
+#include "runtime/latency_histogram.hpp"
+#include "sim_bridge/ports.hpp"
+#include "sim_bridge/sim_world.hpp"
+
+namespace farrier::sim_bridge {
+namespace {
+
+std::int64_t to_ns(SteadyTime time) { return std::chrono::duration_cast<Nanoseconds>(time.time_since_epoch()).count(); }
+
+class SimBridgeLockstep final : public participant::Application {
+ public:
+  SimBridgeLockstep(SimWorld world, std::optional<record::TraceWriter> trace, Ports ports,
+                    const std::vector<std::uint16_t>& joints, participant::Participant& participant, Tick ticks)
+      : world_(std::move(world)),
+        trace_(std::move(trace)),
+        ports_(ports),
+        participant_(participant),
+        ticks_(ticks),
+        valves_(joints),
+        valve_current_A_(joints.size(), 0.0),
+        generation_(joints.size(), 0) {
+    std::vector<std::uint16_t> others;
+    for (std::uint16_t number = 1; number < participant.identity().participants; ++number) {
+      others.push_back(number);
+    }
+    done_ = participant::TickInbox<signals::ClockTickDone>(others);
+  }
+
+  void poll(SteadyTime now) override;
+  bool finished() const override { return ticks_ > 0 && world_.tick() >= ticks_; }
+  int missing() const override;
+  std::string waits_for() const override;
+
+ private:
+  void drain();
+  bool complete() const;
+  void begin_tick();
+  void end_tick();
+  void record() noexcept;
+  void report(bool final_report);
+
+  SimWorld world_;
+  std::optional<record::TraceWriter> trace_;
+  Ports ports_;
+  participant::Participant& participant_;
+  Tick ticks_;
+  bool begun_ = false;
+  participant::TickInbox<signals::JointValveCommand> valves_;
+  participant::TickInbox<signals::ClockTickDone> done_{{}};
+  std::vector<double> valve_current_A_;
+  std::vector<std::uint32_t> generation_;  ///< newest issued to each joint, as seen here
+  std::uint32_t received_gains_ = 0;
+  std::uint32_t received_modes_ = 0;
+  std::uint32_t mode_epoch_ = 0;
+  runtime::LatencyHistogram latency_;
+};
+
+void SimBridgeLockstep::drain() {
+  ports_.valves->drain([&](const signals::JointValveCommand& valve) {
+    latency_.add(std::chrono::steady_clock::now().time_since_epoch() - Nanoseconds(valve.sample_time_ns));
+    valves_.put(valve);
+  });
+  ports_.done->drain([&](const signals::ClockTickDone& done) { done_.put(done); });
+  ports_.gains->drain([&](const signals::JointControllerGains& gains) {
+    ++received_gains_;
+    for (std::size_t i = 0; i < generation_.size(); ++i) {
+      if (valves_.keys()[i] == gains.joint) {
+        generation_[i] = std::max(generation_[i], gains.generation);
+      }
+    }
+  });
+  ports_.modes->drain([&](const signals::SystemMode& mode) {
+    ++received_modes_;
+    mode_epoch_ = std::max(mode_epoch_, mode.epoch);
+  });
+}
+
+bool SimBridgeLockstep::complete() const {
+  const Tick tick = world_.tick();
+  if (valves_.missing(tick) > 0 || done_.missing(tick) > 0) {
+    return false;
+  }
+  std::uint32_t issued_gains = 0;
+  std::uint32_t issued_modes = 0;
+  for (std::size_t i = 0; i < done_.keys().size(); ++i) {
+    issued_gains += done_.find(i, tick)->issued_gains;
+    issued_modes += done_.find(i, tick)->issued_modes;
+  }
+  return received_gains_ >= issued_gains && received_modes_ >= issued_modes;
+}
+
+void SimBridgeLockstep::begin_tick() {
+  for (std::size_t i = 0; i < world_.joints(); ++i) {
+    signals::JointSensors sensors = world_.sample(i);
+    sensors.required_generation = generation_[i];
+    sensors.required_epoch = mode_epoch_;
+    sensors.sample_time_ns = to_ns(std::chrono::steady_clock::now());
+    ports_.sensors->publish(sensors);
+  }
+  ports_.clock->publish({0, world_.tick()});
+  begun_ = true;
+}
+
+void SimBridgeLockstep::record() noexcept {
+  for (std::size_t i = 0; i < world_.joints(); ++i) {
+    const signals::JointValveCommand& valve = *valves_.find(i, world_.tick());
+    record::TraceRow row;
+    world_.describe(i, row);
+    row.force_reference_N_or_Nm = valve.force_reference_N_or_Nm;
+    row.valve_current_A = valve.valve_current_A;
+    row.phase = valve.phase;
+    row.state = valve.state;
+    row.generation = valve.generation;
+    row.faults = valve.faults;
+    trace_->write(row);
+  }
+}
+
+void SimBridgeLockstep::end_tick() {
+  for (std::size_t i = 0; i < world_.joints(); ++i) {
+    valve_current_A_[i] = valves_.find(i, world_.tick())->valve_current_A;
+  }
+  if (trace_) {
+    record();
+  }
+  world_.advance(valve_current_A_);
+  begun_ = false;
+}
+
+void SimBridgeLockstep::report(bool final_report) {
+  signals::SystemHealth health;
+  health.latency_p50_s = latency_.quantile_s(0.50);
+  health.latency_p99_s = latency_.quantile_s(0.99);
+  participant_.report_health(world_.tick(), final_report, health);
+}
+
+void SimBridgeLockstep::poll(SteadyTime now) {
+  drain();
+  if (!participant_.started(now) || finished()) {
+    return;
+  }
+  if (!begun_) {
+    begin_tick();
+    return;
+  }
+  while (complete()) {
+    end_tick();
+    if (finished()) {
+      if (trace_ && !trace_->finish()) {
+        participant_.event(signals::Severity::kError, world_.tick(), 0xffff, "the trace is incomplete: disk full?");
+      }
+      report(true);
+      return;
+    }
+    begin_tick();
+    drain();
+  }
+}
+
+int SimBridgeLockstep::missing() const {
+  const int count = valves_.missing(world_.tick()) + done_.missing(world_.tick());
+  return count > 0 && begun_ ? count : 1;
+}
+
+std::string SimBridgeLockstep::waits_for() const {
+  if (const std::string lacking = participant_.greeting_lacks(); !lacking.empty()) {
+    return lacking;
+  }
+  const Tick tick = world_.tick();
+  const std::string at = " at tick " + std::to_string(tick);
+  if (done_.missing(tick) > 0) {
+    const auto& hello = participant_.hellos()[done_.first_missing(tick)];
+    return std::string(signals::text_of(hello.name)) + " to finish" + at;
+  }
+  if (valves_.missing(tick) > 0) {
+    return "joint/valve_command of joint " + std::to_string(valves_.first_missing(tick)) + at;
+  }
+  return "gains or mode that the supervisor has issued" + at;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::Robot& robot, std::uint64_t seed,
+                                                                  const std::string& trace_path,
+                                                                  participant::Participant& participant, Tick ticks) {
+  auto world = SimWorld::create(robot, seed);
+  if (!world) {
+    return world.error();
+  }
+  auto trace = open_trace(trace_path, robot);
+  if (!trace) {
+    return trace.error();
+  }
+  auto ports = Ports::open(participant, robot);
+  if (!ports) {
+    return ports.error();
+  }
+  return std::unique_ptr<participant::Application>(std::make_unique<SimBridgeLockstep>(
+      std::move(world).value(), std::move(trace).value(), ports.value(), joint_numbers(robot), participant, ticks));
+}
+
+}  // namespace farrier::sim_bridge

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "participant/application.hpp"
+#include "participant/participant.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::sim_bridge {
+
+/// The simulated robot in lock-step, and the lock-step clock itself: tick k + 1 begins only when every joint has
+/// answered tick k, every participant has finished it, and all it issued has arrived here.
+/// `trace_path` empty: no trace. `ticks` 0: until told to stop.
+Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::Robot& robot, std::uint64_t seed,
+                                                                  const std::string& trace_path,
+                                                                  participant::Participant& participant, Tick ticks);
+
+}  // namespace farrier::sim_bridge

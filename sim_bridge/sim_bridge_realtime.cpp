@@ -1,0 +1,191 @@
+#include "sim_bridge/sim_bridge_realtime.hpp"
+
+#include <atomic>
+#include <optional>
+
+#include "core/fault.hpp"
+#include "core/latest_value.hpp"
+#include "core/spsc_ring.hpp"
+#include "record/trace.hpp"
+#include "runtime/latency_histogram.hpp"
+#include "sim_bridge/ports.hpp"
+#include "sim_bridge/sim_world.hpp"
+
+namespace farrier::sim_bridge {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct ReceivedValve {
+  signals::JointValveCommand command{};
+  SteadyTime received{};
+};
+
+/// Everything that crosses between the threads for one joint.
+struct Mailbox {
+  LatestValue<ReceivedValve> valve;
+  SpscRing<signals::JointSensors, 16> sensors;
+  SpscRing<record::TraceRow, 64> rows;
+  ReceivedValve last_valve;  ///< control thread
+};
+
+class SimBridgeRealtime final : public participant::RealtimeApplication {
+ public:
+  SimBridgeRealtime(SimWorld world, std::optional<record::TraceWriter> trace, Ports ports, const robot::Robot& robot,
+                    participant::Participant& participant, Tick ticks)
+      : world_(std::move(world)),
+        trace_(std::move(trace)),
+        ports_(ports),
+        participant_(participant),
+        period_(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s))),
+        silent_after_s_(robot.safety.valve_silent_s),
+        ticks_(ticks),
+        numbers_(joint_numbers(robot)),
+        mail_(numbers_.size()),
+        valve_current_A_(numbers_.size(), 0.0) {}
+
+  bool receive(SteadyTime now) override;
+  void step(SteadyTime now, std::uint64_t missed) noexcept override;
+  void send() override;
+  bool finished() const override { return ticks_ > 0 && tick_.load(std::memory_order_relaxed) >= ticks_; }
+  Nanoseconds period() const override { return period_; }
+  Trigger trigger() const override { return Trigger::kDeadline; }
+  std::string waits_for() const override { return participant_.greeting_lacks(); }
+
+ private:
+  void apply_valve(std::size_t index, SteadyTime now) noexcept;
+  void report(bool final_report);
+
+  SimWorld world_;
+  std::optional<record::TraceWriter> trace_;
+  Ports ports_;
+  participant::Participant& participant_;
+  Nanoseconds period_;
+  double silent_after_s_;
+  Tick ticks_;
+  std::vector<std::uint16_t> numbers_;
+  std::vector<Mailbox> mail_;
+  std::vector<double> valve_current_A_;
+  runtime::LatencyHistogram latency_;  ///< bus thread
+  SteadyTime next_health_{};
+  std::atomic<Tick> tick_{0};
+  std::atomic<Tick> sent_tick_{kNoTick};
+  std::atomic<std::uint64_t> missed_{0};
+  bool reported_final_ = false;
+};
+
+bool SimBridgeRealtime::receive(SteadyTime now) {
+  ports_.valves->drain([&](const signals::JointValveCommand& valve) {
+    latency_.add(now.time_since_epoch() - Nanoseconds(valve.sample_time_ns));
+    for (std::size_t i = 0; i < numbers_.size(); ++i) {
+      if (numbers_[i] == valve.joint) {
+        mail_[i].valve.store({valve, now});
+      }
+    }
+  });
+  if (!participant_.started(now)) {
+    return false;
+  }
+  if (finished() && sent_tick_.load(std::memory_order_acquire) + 1 >= ticks_ && !reported_final_) {
+    reported_final_ = true;
+    report(true);
+  } else if (now >= next_health_ && !reported_final_) {
+    next_health_ = now + 100ms;
+    report(false);
+  }
+  return true;
+}
+
+void SimBridgeRealtime::report(bool final_report) {
+  signals::SystemHealth health;
+  health.missed_deadlines = missed_.load(std::memory_order_relaxed);
+  health.latency_p50_s = latency_.quantile_s(0.50);
+  health.latency_p99_s = latency_.quantile_s(0.99);
+  participant_.report_health(tick_.load(std::memory_order_relaxed), final_report, health);
+}
+
+// The command that answered the sensors of tick k acts from tick k + 1: one tick of loop delay.
+void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept {
+  Mailbox& mail = mail_[index];
+  mail.valve.fetch(mail.last_valve);
+  const signals::JointValveCommand& valve = mail.last_valve.command;
+  const bool silent = mail.last_valve.received == SteadyTime{} ||
+                      std::chrono::duration<double>(now - mail.last_valve.received).count() > silent_after_s_;
+  valve_current_A_[index] = silent ? 0.0 : valve.valve_current_A;
+
+  record::TraceRow row;
+  world_.describe(index, row);
+  row.force_reference_N_or_Nm = valve.force_reference_N_or_Nm;
+  row.valve_current_A = valve_current_A_[index];
+  row.phase = valve.phase;
+  row.state = silent ? static_cast<std::uint8_t>(signals::JointState::kNull) : valve.state;
+  row.generation = valve.generation;
+  FaultSet faults(valve.faults);
+  faults.set(Fault::kActuatorSilent, silent);
+  row.faults = faults.bits();
+  row.command_age_ticks = static_cast<std::uint32_t>(world_.tick() - valve.tick);
+  mail.rows.push(row);
+}
+
+void SimBridgeRealtime::step(SteadyTime now, std::uint64_t missed) noexcept {
+  missed_.fetch_add(missed, std::memory_order_relaxed);
+  for (std::size_t i = 0; i < mail_.size(); ++i) {
+    apply_valve(i, now);
+  }
+  world_.advance(valve_current_A_);
+  const auto sampled = std::chrono::duration_cast<Nanoseconds>(now.time_since_epoch()).count();
+  for (std::size_t i = 0; i < mail_.size(); ++i) {
+    signals::JointSensors sensors = world_.sample(i);
+    sensors.sample_time_ns = sampled;
+    mail_[i].sensors.push(sensors);
+  }
+  tick_.store(world_.tick(), std::memory_order_release);
+}
+
+void SimBridgeRealtime::send() {
+  const Tick now = tick_.load(std::memory_order_acquire);
+  for (Mailbox& mail : mail_) {
+    for (signals::JointSensors sensors; mail.sensors.pop(sensors);) {
+      ports_.sensors->publish(sensors);
+    }
+  }
+  ports_.clock->publish({0, now});
+  for (bool any = true; any && trace_;) {
+    any = false;
+    for (Mailbox& mail : mail_) {
+      if (record::TraceRow row; mail.rows.pop(row)) {
+        trace_->write(row);
+        any = true;
+      }
+    }
+  }
+  if (finished() && trace_) {
+    trace_->finish();
+  }
+  sent_tick_.store(now, std::memory_order_release);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const robot::Robot& robot,
+                                                                          std::uint64_t seed,
+                                                                          const std::string& trace_path,
+                                                                          participant::Participant& participant,
+                                                                          Tick ticks) {
+  auto world = SimWorld::create(robot, seed);
+  if (!world) {
+    return world.error();
+  }
+  auto trace = open_trace(trace_path, robot);
+  if (!trace) {
+    return trace.error();
+  }
+  auto ports = Ports::open(participant, robot);
+  if (!ports) {
+    return ports.error();
+  }
+  return std::unique_ptr<participant::RealtimeApplication>(std::make_unique<SimBridgeRealtime>(
+      std::move(world).value(), std::move(trace).value(), ports.value(), robot, participant, ticks));
+}
+
+}  // namespace farrier::sim_bridge

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "participant/participant.hpp"
+#include "participant/realtime_loop.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::sim_bridge {
+
+/// The simulated robot on the real-time clock: advances every period on absolute deadlines with the newest valve
+/// commands; a joint that has had none for safety.valve_silent_s gets a null spool.
+Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const robot::Robot& robot,
+                                                                          std::uint64_t seed,
+                                                                          const std::string& trace_path,
+                                                                          participant::Participant& participant,
+                                                                          Tick ticks);
+
+}  // namespace farrier::sim_bridge

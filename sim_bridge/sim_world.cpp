@@ -1,0 +1,105 @@
+#include "sim_bridge/sim_world.hpp"
+
+#include <algorithm>
+
+namespace farrier::sim_bridge {
+
+SimWorld::SimWorld(const robot::Robot& robot, std::uint64_t seed)
+    : plan_(robot.plan), schedule_(robot.plan, seed), reference_(robot.plan) {}
+
+Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed) {
+  SimWorld world(robot, seed);
+  for (const robot::Joint& joint : robot.joints) {
+    const double home = joint.linkage.position(joint.home_angle_rad);
+    const plant::State rest = plant::equilibrium(joint.actuator, joint.stance_load, home, 0.0);
+    auto plant = plant::HydraulicJoint::create(joint.actuator, joint.stance_load, rest);
+    if (!plant) {
+      return Error{joint.name + ": " + plant.error().message};
+    }
+    world.joints_.push_back({joint, std::move(plant).value(), NoiseStream(seed, joint.name, "position"),
+                             NoiseStream(seed, joint.name, "velocity"), NoiseStream(seed, joint.name, "force"),
+                             gait::Phase::kStance, 0.0});
+  }
+  world.apply_loads();
+  return world;
+}
+
+void SimWorld::apply_loads() noexcept {
+  for (Joint& joint : joints_) {
+    const int leg = joint.parameters.leg;
+    const gait::Phase phase = schedule_.actual_phase(leg, tick_);
+    if (phase != joint.load_phase) {
+      joint.plant.set_load(phase == gait::Phase::kStance ? joint.parameters.stance_load : joint.parameters.swing_load);
+      joint.load_phase = phase;
+    }
+    joint.external_force = 0.0;
+  }
+  // The ground pushes each leg up with its share of the weight: tau = J^T f at the leg's actual pose.
+  for (std::size_t leg = 0; leg < plan_.legs.size(); ++leg) {
+    if (plan_.gait.reference != gait::ReferenceKind::kLegKinematics) {
+      continue;
+    }
+    const int number = static_cast<int>(leg);
+    const double share =
+        gait::load_share(schedule_.actual_stance_progress(number, tick_), plan_.gait.load_transfer_fraction);
+    if (share <= 0.0) {
+      continue;
+    }
+    Eigen::Vector3d angles = Eigen::Vector3d::Zero();
+    for (const Joint& joint : joints_) {
+      if (joint.parameters.leg == number) {
+        angles[joint.parameters.index_in_leg] = joint.parameters.linkage.angle(joint.plant.state().position);
+      }
+    }
+    const Eigen::Vector3d torques =
+        gait::ground_torques(plan_.legs[leg].geometry, angles, share * reference_.weight_per_share_N(tick_));
+    for (Joint& joint : joints_) {
+      if (joint.parameters.leg == number) {
+        const int index = joint.parameters.index_in_leg;
+        joint.external_force = joint.parameters.linkage.force(angles[index], torques[index]);
+      }
+    }
+  }
+}
+
+signals::JointSensors SimWorld::sample(std::size_t index) const noexcept {
+  const Joint& joint = joints_[index];
+  const robot::SensorNoise& noise = joint.parameters.noise;
+  signals::JointSensors sensors;
+  sensors.joint = joint.parameters.number;
+  sensors.tick = tick_;
+  sensors.position_m_or_rad = joint.plant.state().position + noise.position * joint.position_noise.normal(tick_);
+  sensors.velocity_m_s_or_rad_s = joint.plant.state().velocity + noise.velocity * joint.velocity_noise.normal(tick_);
+  sensors.force_N_or_Nm = joint.plant.load_cell_force() + noise.force * joint.force_noise.normal(tick_);
+  return sensors;
+}
+
+void SimWorld::describe(std::size_t index, record::TraceRow& row) const noexcept {
+  const Joint& joint = joints_[index];
+  const plant::State& state = joint.plant.state();
+  row.tick = tick_;
+  row.joint = joint.parameters.number;
+  row.position_m_or_rad = state.position;
+  row.velocity_m_s_or_rad_s = state.velocity;
+  row.force_N_or_Nm = joint.plant.load_cell_force();
+  row.pressure_a_Pa = state.pressure_a_Pa;
+  row.pressure_b_Pa = state.pressure_b_Pa;
+  row.external_force_N_or_Nm = joint.external_force;
+  row.load_mass_kg_or_kgm2 = joint.plant.load().mass;
+  row.actual_phase = static_cast<std::uint8_t>(joint.load_phase);
+}
+
+void SimWorld::advance(const std::vector<double>& valve_current_A) noexcept {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const plant::StepReport report = joints_[i].plant.step(valve_current_A[i], joints_[i].external_force, plan_.period_s);
+    worst_.error_position = std::max(worst_.error_position, report.error_position);
+    worst_.error_velocity = std::max(worst_.error_velocity, report.error_velocity);
+    worst_.error_pressure_Pa = std::max(worst_.error_pressure_Pa, report.error_pressure_Pa);
+    worst_.substeps = std::max(worst_.substeps, report.substeps);
+    worst_.bound_hit = worst_.bound_hit || report.bound_hit;
+  }
+  ++tick_;
+  apply_loads();
+}
+
+}  // namespace farrier::sim_bridge

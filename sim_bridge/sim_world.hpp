@@ -1,0 +1,66 @@
+#pragma once
+
+// The simulated robot: one hydraulic joint and bench load per joint of the robot file.
+//
+//   valve currents ──▶ HydraulicJoint (2.30a/b) ◀── load of the leg's actual phase, weight on the leg
+//                            │ position, velocity, load-cell force
+//                            ▼
+//   sensors ◀── + noise (seeded by joint name, addressed by tick)
+
+#include <memory>
+#include <vector>
+
+#include "gait/leg_kinematics.hpp"
+#include "gait/reference.hpp"
+#include "gait/schedule.hpp"
+#include "plant/hydraulic_joint.hpp"
+#include "record/trace.hpp"
+#include "robot/robot.hpp"
+#include "signals/signals.hpp"
+
+namespace farrier::sim_bridge {
+
+/// What sim_bridge simulates. The same robot, seed and valve currents give the same numbers bit for bit.
+class SimWorld {
+ public:
+  /// Every joint at rest at its home pose. Refuses a robot whose joints cannot be simulated, naming the joint.
+  static Result<SimWorld> create(const robot::Robot& robot, std::uint64_t seed);
+
+  /// Noisy sensors of one joint at the present tick.
+  signals::JointSensors sample(std::size_t joint) const noexcept;
+
+  /// Applies one current per joint over [tick, tick + 1) and moves to the next tick.
+  void advance(const std::vector<double>& valve_current_A) noexcept;
+
+  /// What a trace records of one joint at the present tick, before advance(); controller fields are left alone.
+  void describe(std::size_t joint, record::TraceRow& row) const noexcept;
+
+  Tick tick() const noexcept { return tick_; }
+  std::size_t joints() const noexcept { return joints_.size(); }
+
+  /// Largest error the integrator stated for one step of any joint so far, relative to its tolerance scales.
+  const plant::StepReport& worst_step() const noexcept { return worst_; }
+
+ private:
+  struct Joint {
+    robot::Joint parameters;
+    plant::HydraulicJoint plant;
+    NoiseStream position_noise;
+    NoiseStream velocity_noise;
+    NoiseStream force_noise;
+    gait::Phase load_phase;
+    double external_force;
+  };
+
+  SimWorld(const robot::Robot& robot, std::uint64_t seed);
+  void apply_loads() noexcept;
+
+  gait::RobotPlan plan_;
+  gait::Schedule schedule_;
+  gait::Reference reference_;
+  std::vector<Joint> joints_;
+  plant::StepReport worst_;
+  Tick tick_ = 0;
+};
+
+}  // namespace farrier::sim_bridge

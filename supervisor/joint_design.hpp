@@ -1,0 +1,16 @@
+#pragma once
+
+#include "control/closed_loop.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::supervisor {
+
+/// Sampled model of a joint under a bench load at mid-stroke, shut valve, the mean of both valve signs.
+control::DiscreteModel model_of(const robot::Joint& joint, const plant::LoadParams& load, double period_s);
+
+/// LQR of a joint for a bench load, in the form and with the weights of the robot file, for a loop with
+/// `delay_ticks` of delay. Refuses with the joint's name and the design's reason.
+Result<control::Gains> design_joint(const robot::Joint& joint, const plant::LoadParams& load, double period_s,
+                                    int delay_ticks);
+
+}  // namespace farrier::supervisor

@@ -1,0 +1,13 @@
+// supervisor: clock/tick + joint/model_estimate ──▶ designs ──▶ joint/controller_gains, system/mode
+
+#include "process/process.hpp"
+#include "supervisor/ports.hpp"
+
+int main(int argc, char** argv) {
+  using namespace farrier;
+  const auto options = participant::parse_options("supervisor", "Arms the robot and publishes its gains", argc, argv);
+  const auto design = options.design == "swing" ? supervisor::Design::kSwing : supervisor::Design::kStance;
+  return process::run("supervisor", options, [&](auto& member, const auto& robot) {
+    return supervisor::create_application(robot, design, member, options.ticks);
+  });
+}

@@ -1,0 +1,147 @@
+#include "supervisor/ports.hpp"
+
+#include <algorithm>
+
+namespace farrier::supervisor {
+namespace {
+
+using namespace std::chrono_literals;
+
+struct Ports {
+  participant::In<signals::ClockTick>* clock;
+  participant::In<signals::JointModelEstimate>* estimates;
+  participant::Out<signals::JointControllerGains>* gains;
+  participant::Out<signals::SystemMode>* modes;
+};
+
+class SupervisorApplication final : public participant::Application {
+ public:
+  SupervisorApplication(Supervisor supervisor, Ports ports, std::vector<std::uint16_t> joints,
+                        participant::Participant& participant, Tick ticks)
+      : supervisor_(std::move(supervisor)),
+        ports_(ports),
+        participant_(participant),
+        lockstep_(participant.identity().clock == bus::ClockKind::kLockstep),
+        ticks_(ticks),
+        estimates_(std::move(joints)) {}
+
+  void poll(SteadyTime now) override;
+  bool finished() const override { return lockstep_ && ticks_ > 0 && tick_ >= ticks_; }
+  int missing() const override { return 1; }
+  std::string waits_for() const override;
+
+ private:
+  bool estimates_due() const { return tick_ > 0 && signals::is_estimate_tick(tick_ - 1); }
+  void step_lockstep();
+  void issue(Tick tick);
+
+  Supervisor supervisor_;
+  Ports ports_;
+  participant::Participant& participant_;
+  bool lockstep_;
+  Tick ticks_;
+  Tick tick_ = 0;             ///< next to be worked on
+  Tick begun_ = kNoTick;      ///< newest the clock has begun
+  participant::TickInbox<signals::JointModelEstimate> estimates_;
+  SteadyTime next_health_{};
+};
+
+void SupervisorApplication::issue(Tick tick) {
+  const Supervisor::Outputs& outputs = supervisor_.step(tick);
+  for (const signals::JointControllerGains& gains : outputs.gains) {
+    ports_.gains->publish(gains);
+  }
+  for (const signals::SystemMode& mode : outputs.modes) {
+    ports_.modes->publish(mode);
+  }
+}
+
+void SupervisorApplication::step_lockstep() {
+  while (!finished() && begun_ >= tick_ && !(estimates_due() && estimates_.missing(tick_ - 1) > 0)) {
+    for (std::size_t i = 0; estimates_due() && i < estimates_.keys().size(); ++i) {
+      supervisor_.take(*estimates_.find(i, tick_ - 1));
+    }
+    issue(tick_);
+    signals::ClockTickDone issued;
+    issued.issued_gains = static_cast<std::uint32_t>(ports_.gains->sent());
+    issued.issued_modes = static_cast<std::uint32_t>(ports_.modes->sent());
+    participant_.tick_done(tick_, issued);
+    ++tick_;
+    if (finished()) {
+      participant_.report_health(tick_, true);
+    }
+  }
+}
+
+void SupervisorApplication::poll(SteadyTime now) {
+  ports_.clock->drain([&](const signals::ClockTick& clock) { begun_ = std::max(begun_, clock.tick); });
+  ports_.estimates->drain([&](const signals::JointModelEstimate& estimate) {
+    if (lockstep_) {
+      estimates_.put(estimate);
+    } else {
+      supervisor_.take(estimate);
+    }
+  });
+  if (!participant_.started(now)) {
+    return;
+  }
+  if (lockstep_) {
+    step_lockstep();
+    return;
+  }
+  if (begun_ != kNoTick) {
+    issue(begun_);
+  }
+  if (now >= next_health_) {
+    next_health_ = now + 100ms;
+    participant_.report_health(begun_, false);
+  }
+}
+
+std::string SupervisorApplication::waits_for() const {
+  const std::string lacking = participant_.greeting_lacks();
+  if (!lacking.empty()) {
+    return lacking;
+  }
+  return (begun_ < tick_ ? "clock/tick " : "joint/model_estimate for tick ") + std::to_string(tick_);
+}
+
+}  // namespace
+
+Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot, Design design,
+                                                                     participant::Participant& participant,
+                                                                     Tick ticks) {
+  const bool lockstep = participant.identity().clock == bus::ClockKind::kLockstep;
+  auto supervisor = Supervisor::create(robot, design, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime,
+                                       participant.identity().session);
+  if (!supervisor) {
+    return supervisor.error();
+  }
+  std::vector<std::uint16_t> numbers;
+  std::vector<std::string> names;
+  for (const robot::Joint& joint : robot.joints) {
+    numbers.push_back(joint.number);
+    names.push_back(joint.name);
+  }
+  auto clock = participant.subscribe<signals::ClockTick>({0});
+  if (!clock) {
+    return clock.error();
+  }
+  auto estimates = participant.subscribe<signals::JointModelEstimate>(numbers);
+  if (!estimates) {
+    return estimates.error();
+  }
+  auto gains = participant.publish<signals::JointControllerGains>(numbers, names);
+  if (!gains) {
+    return gains.error();
+  }
+  auto modes = participant.publish<signals::SystemMode>({0});
+  if (!modes) {
+    return modes.error();
+  }
+  return std::unique_ptr<participant::Application>(std::make_unique<SupervisorApplication>(
+      std::move(supervisor).value(), Ports{clock.value(), estimates.value(), gains.value(), modes.value()}, numbers,
+      participant, ticks));
+}
+
+}  // namespace farrier::supervisor

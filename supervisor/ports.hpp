@@ -1,0 +1,18 @@
+#pragma once
+
+#include <memory>
+
+#include "participant/application.hpp"
+#include "participant/participant.hpp"
+#include "robot/robot.hpp"
+#include "supervisor/supervisor.hpp"
+
+namespace farrier::supervisor {
+
+/// The supervisor on its ports, on either clock. In lock-step it works on the estimates of tick k - 1 in tick k.
+/// `ticks` 0: until told to stop.
+Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot, Design design,
+                                                                     participant::Participant& participant,
+                                                                     Tick ticks);
+
+}  // namespace farrier::supervisor

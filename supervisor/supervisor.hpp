@@ -1,0 +1,54 @@
+#pragma once
+
+// What the robot may do, and with which gains:
+//
+//   tick ──▶ arm, publish the designed gains ──▶ system/mode, joint/controller_gains
+//   joint/model_estimate ──▶ (redesign when it pays: not yet)
+
+#include <vector>
+
+#include "robot/robot.hpp"
+#include "signals/signals.hpp"
+
+namespace farrier::supervisor {
+
+/// Which bench load the published gains are designed for. Both slots of a joint get the same design.
+enum class Design { kStance, kSwing };
+
+/// Ticks from the publication of gains or a mode to the tick from which they act.
+inline constexpr Tick kLeadTicks = 2;
+
+/// The supervisor's core. No clock, no I/O; designs at construction, step only hands out.
+class Supervisor {
+ public:
+  /// Refuses a robot with a joint that has no controller, with the reason.
+  static Result<Supervisor> create(const robot::Robot& robot, Design design, int loop_delay_ticks,
+                                   std::uint64_t session);
+
+  struct Outputs {
+    std::vector<signals::JointControllerGains> gains;
+    std::vector<signals::SystemMode> modes;
+  };
+
+  /// What to publish at this tick: everything at the first, nothing later.
+  const Outputs& step(Tick tick) noexcept;
+
+  /// Takes an estimate; counts it. Nothing is redesigned from it yet.
+  void take(const signals::JointModelEstimate& estimate) noexcept;
+
+  std::uint64_t estimates() const noexcept { return estimates_; }
+
+ private:
+  explicit Supervisor(Outputs first) : first_(std::move(first)) {}
+
+  Outputs first_;
+  Outputs nothing_;
+  bool issued_ = false;
+  std::uint64_t estimates_ = 0;
+};
+
+/// Gains as they travel. `generation` >= 1.
+signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase phase, std::uint32_t epoch,
+                                         std::uint32_t generation, const control::Gains& gains) noexcept;
+
+}  // namespace farrier::supervisor

@@ -1,0 +1,129 @@
+#pragma once
+
+// The fixture of the conformance suite: a writing and a reading bus that belong to different "processes", and the
+// words the tests are told in.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "buses.hpp"
+
+namespace farrier::contract {
+
+using namespace std::chrono_literals;
+
+// Budgets are for a loaded two-core machine; what DDS itself needs is in the comments.
+inline constexpr Nanoseconds kMatchBudget = 10s;      ///< 5 ms; 1 s where Fast's endpoint discovery repeats itself
+inline constexpr Nanoseconds kDeliveryBudget = 5s;    ///< 0.1 ms; tens of ms where a datagram was lost
+inline constexpr Nanoseconds kLateJoinerBudget = 5s;  ///< tens of ms, a heartbeat
+inline constexpr Nanoseconds kSilenceBudget = 2s;     ///< to notice a 20 ms lease or a 10 ms deadline
+inline constexpr Nanoseconds kLease = 20ms;
+inline constexpr Nanoseconds kDeadline = 10ms;
+inline constexpr Nanoseconds kPollPeriod = 5ms;
+
+inline constexpr const char* kRobot = "robot";
+
+struct Pair {
+  const char* name;
+  bus::Vendor writer;
+  bus::Vendor reader;
+};
+
+inline void PrintTo(const Pair& pair, std::ostream* out) { *out << pair.name; }
+
+/// Waits until `condition` holds, woken by arrivals of `bus`; false when it does not within the budget.
+template <class Condition>
+bool wait_until(bus::Bus& bus, Nanoseconds budget, Condition&& condition) {
+  const SteadyTime end = std::chrono::steady_clock::now() + budget;
+  for (;;) {
+    const std::uint64_t seen = bus.arrivals();
+    if (condition()) {
+      return true;
+    }
+    if (std::chrono::steady_clock::now() >= end) {
+      return false;
+    }
+    bus.wait_for_arrivals(seen + 1, kPollPeriod);
+  }
+}
+
+inline bus::Qos reliable(int depth = 1, bus::Durability durability = bus::Durability::kVolatile) {
+  return {bus::Reliability::kReliable, durability, depth};
+}
+
+class Conformance : public testing::TestWithParam<Pair> {
+ protected:
+  void SetUp() override {
+    if (!available(GetParam().writer) || !available(GetParam().reader)) {
+      GTEST_SKIP() << "this build has no Fast DDS";
+    }
+    writer_bus_ = make_bus(GetParam().writer, own_domain(), inproc_);
+    reader_bus_ = make_bus(GetParam().reader, own_domain(), inproc_);
+  }
+
+  bus::Bus& writer_bus() { return *writer_bus_; }
+  bus::Bus& reader_bus() { return *reader_bus_; }
+
+  template <class Signal>
+  bus::Publisher<Signal> publisher(const bus::Qos& qos, std::vector<std::string> partitions = {kRobot},
+                                   int strength = 0) {
+    auto created = bus::Publisher<Signal>::create(
+        *writer_bus_, {bus::TopicOf<Signal>::id, qos, std::move(partitions), strength});
+    FARRIER_ENSURE(created.ok(), created.error().message.c_str());
+    return std::move(created).value();
+  }
+
+  template <class Signal>
+  bus::Subscription<Signal> subscription(const bus::Qos& qos, std::vector<std::string> partitions = {kRobot}) {
+    auto created =
+        bus::Subscription<Signal>::create(*reader_bus_, {bus::TopicOf<Signal>::id, qos, std::move(partitions)});
+    FARRIER_ENSURE(created.ok(), created.error().message.c_str());
+    return std::move(created).value();
+  }
+
+  /// Both ends know of each other: the writer of `readers` readers, the reader of one writer.
+  template <class Signal>
+  testing::AssertionResult matched(const bus::Publisher<Signal>& publisher,
+                                   const bus::Subscription<Signal>& subscription, int readers = 1) {
+    if (wait_until(*reader_bus_, kMatchBudget, [&] {
+          return publisher.matched_readers() >= readers && subscription.status().matched_writers >= 1;
+        })) {
+      return testing::AssertionSuccess();
+    }
+    return testing::AssertionFailure() << "writer knows " << publisher.matched_readers() << " of " << readers
+                                       << " readers, reader knows " << subscription.status().matched_writers
+                                       << " of 1 writers";
+  }
+
+  /// Takes samples until `count` have come or the budget is spent.
+  template <class Signal>
+  std::vector<Signal> receive(bus::Subscription<Signal>& subscription, std::size_t count,
+                              Nanoseconds budget = kDeliveryBudget) {
+    std::vector<Signal> samples;
+    wait_until(*reader_bus_, budget, [&] {
+      subscription.drain([&](const Signal& signal) { samples.push_back(signal); });
+      return samples.size() >= count;
+    });
+    return samples;
+  }
+
+  /// Everything that waits now.
+  template <class Signal>
+  std::vector<Signal> taken(bus::Subscription<Signal>& subscription) {
+    std::vector<Signal> samples;
+    subscription.drain([&](const Signal& signal) { samples.push_back(signal); });
+    return samples;
+  }
+
+  std::shared_ptr<bus::InprocDomain> inproc_ =
+      std::make_shared<bus::InprocDomain>([] { return std::chrono::steady_clock::now(); });
+
+ private:
+  std::unique_ptr<bus::Bus> writer_bus_;
+  std::unique_ptr<bus::Bus> reader_bus_;
+};
+
+}  // namespace farrier::contract

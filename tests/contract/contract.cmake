@@ -1,0 +1,22 @@
+set(contract_dir ${CMAKE_CURRENT_LIST_DIR})
+
+add_library(contract_support STATIC ${contract_dir}/buses.cpp ${contract_dir}/peer.cpp ${contract_dir}/peer_roles.cpp)
+target_link_libraries(contract_support PUBLIC farrier_flags farrier_bus PRIVATE farrier_bus_cyclone)
+if(TARGET farrier_bus_fastdds)
+  target_link_libraries(contract_support PRIVATE farrier_bus_fastdds)
+  target_compile_definitions(contract_support PRIVATE FARRIER_HAVE_FASTDDS)
+endif()
+
+farrier_test(contract_test contract ${contract_dir}/contract_main.cpp ${contract_dir}/conformance_delivery_test.cpp
+  ${contract_dir}/conformance_matching_test.cpp ${contract_dir}/conformance_failure_test.cpp)
+target_link_libraries(contract_test PRIVATE contract_support)
+
+farrier_test(contract_text_test contract ${contract_dir}/contract_text_test.cpp)
+target_link_libraries(contract_text_test PRIVATE farrier_bus)
+target_compile_definitions(contract_text_test PRIVATE FARRIER_IDL_DIR="${PROJECT_SOURCE_DIR}/idl")
+
+farrier_test(inproc_bus_test contract ${contract_dir}/inproc_bus_test.cpp)
+target_link_libraries(inproc_bus_test PRIVATE farrier_bus)
+
+farrier_test(discovery_test system ${contract_dir}/contract_main.cpp ${contract_dir}/discovery_test.cpp)
+target_link_libraries(discovery_test PRIVATE contract_support)

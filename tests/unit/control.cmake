@@ -1,0 +1,19 @@
+farrier_test(control_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/control_discretise_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_riccati_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_riccati_slicot_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_lqr_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_delay_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_force_controller_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_tracking_test.cpp)
+target_link_libraries(control_test PRIVATE farrier_control)
+
+# SLICOT, where installed, is a second opinion on the Riccati equation.
+find_library(FARRIER_SLICOT_LIBRARY slicot)
+find_library(FARRIER_LAPACK_LIBRARY lapack)
+find_library(FARRIER_BLAS_LIBRARY blas)
+if(FARRIER_SLICOT_LIBRARY AND FARRIER_LAPACK_LIBRARY AND FARRIER_BLAS_LIBRARY)
+  target_compile_definitions(control_test PRIVATE FARRIER_HAVE_SLICOT=1)
+  target_link_libraries(control_test PRIVATE
+    ${FARRIER_SLICOT_LIBRARY} ${FARRIER_LAPACK_LIBRARY} ${FARRIER_BLAS_LIBRARY})
+endif()

@@ -1,0 +1,130 @@
+#include "tools/cli/child_process.hpp"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <deque>
+#include <fstream>
+#include <thread>
+
+namespace farrier::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::size_t kLastLines = 5;
+
+std::deque<std::string> last_lines(const std::string& path, std::size_t count) {
+  std::deque<std::string> lines;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    lines.push_back(line);
+    if (lines.size() > count) {
+      lines.pop_front();
+    }
+  }
+  return lines;
+}
+
+}  // namespace
+
+Result<ChildProcess> ChildProcess::start(const std::string& name, const std::string& executable,
+                                         const std::vector<std::string>& arguments, const std::string& log_path) {
+  const int log = ::open(log_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (log < 0) {
+    return Error{"cannot write " + log_path + ": " + std::strerror(errno)};
+  }
+  std::vector<char*> argv{const_cast<char*>(executable.c_str())};
+  for (const std::string& argument : arguments) {
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  }
+  argv.push_back(nullptr);
+  const pid_t pid = ::fork();
+  if (pid == 0) {
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    // Ctrl-C goes to the launcher alone, which ends its children in order.
+    ::setpgid(0, 0);
+    ::dup2(log, STDOUT_FILENO);
+    ::dup2(log, STDERR_FILENO);
+    ::execv(executable.c_str(), argv.data());
+    ::dprintf(STDERR_FILENO, "cannot run %s: %s\n", executable.c_str(), std::strerror(errno));
+    ::_exit(127);
+  }
+  ::close(log);
+  if (pid < 0) {
+    return Error{"cannot start " + name + ": " + std::strerror(errno)};
+  }
+  return ChildProcess(name, log_path, pid);
+}
+
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept
+    : name_(std::move(other.name_)),
+      log_path_(std::move(other.log_path_)),
+      pid_(other.pid_),
+      ended_(other.ended_),
+      exit_status_(other.exit_status_) {
+  other.ended_ = true;
+}
+
+ChildProcess::~ChildProcess() {
+  if (running()) {
+    ::kill(pid_, SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+  }
+}
+
+bool ChildProcess::running() {
+  int status = 0;
+  if (!ended_ && ::waitpid(pid_, &status, WNOHANG) == pid_) {
+    ended_ = true;
+    exit_status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  }
+  return !ended_;
+}
+
+void ChildProcess::terminate() {
+  if (running()) {
+    ::kill(pid_, SIGTERM);
+    ::kill(pid_, SIGCONT);
+  }
+}
+
+std::string ChildProcess::epitaph() {
+  std::string text = name_ + " (pid " + std::to_string(pid_) + ") ended with exit status " +
+                     std::to_string(exit_status_);
+  if (exit_status_ > 128) {
+    text += std::string(", killed by ") + ::strsignal(exit_status_ - 128);
+  }
+  const auto lines = last_lines(log_path_, kLastLines);
+  text += lines.empty() ? "; it said nothing" : "; its last lines:";
+  for (const std::string& line : lines) {
+    text += "\n  " + line;
+  }
+  return text;
+}
+
+std::string ChildProcess::last_log_line() const {
+  const auto lines = last_lines(log_path_, 1);
+  return lines.empty() ? std::string() : lines.back();
+}
+
+void end_all(std::vector<ChildProcess>& children) {
+  for (ChildProcess& child : children) {
+    child.terminate();
+  }
+  const auto until = std::chrono::steady_clock::now() + 2s;
+  for (ChildProcess& child : children) {
+    while (child.running() && std::chrono::steady_clock::now() < until) {
+      std::this_thread::sleep_for(5ms);
+    }
+  }
+  children.clear();
+}
+
+}  // namespace farrier::cli

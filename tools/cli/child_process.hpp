@@ -1,0 +1,48 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+
+namespace farrier::cli {
+
+/// A process this one started. It is killed when this object goes, and by the kernel when this process dies.
+class ChildProcess {
+ public:
+  /// Starts `executable` with its standard output and error going to `log_path`.
+  static Result<ChildProcess> start(const std::string& name, const std::string& executable,
+                                    const std::vector<std::string>& arguments, const std::string& log_path);
+  ~ChildProcess();
+  ChildProcess(ChildProcess&& other) noexcept;
+  ChildProcess& operator=(ChildProcess&&) = delete;
+
+  /// True while it runs.
+  bool running();
+  /// Asks it to end (SIGTERM).
+  void terminate();
+  /// How it ended, with its last lines: "joint_node_lf ended with exit status 2:\n  ...".
+  std::string epitaph();
+
+  const std::string& name() const noexcept { return name_; }
+  pid_t pid() const noexcept { return pid_; }
+  int exit_status() const noexcept { return exit_status_; }
+  std::string last_log_line() const;
+
+ private:
+  ChildProcess(std::string name, std::string log_path, pid_t pid)
+      : name_(std::move(name)), log_path_(std::move(log_path)), pid_(pid) {}
+
+  std::string name_;
+  std::string log_path_;
+  pid_t pid_;
+  bool ended_ = false;
+  int exit_status_ = 0;  ///< of the shell's kind: 128 + signal when killed by one
+};
+
+/// Ends all of them: SIGTERM, then SIGKILL for those that do not go within two seconds.
+void end_all(std::vector<ChildProcess>& children);
+
+}  // namespace farrier::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+// Every subcommand: one function that declares its options on a CLI11 app and returns what runs it.
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace farrier::cli {
+
+inline constexpr int kPassed = 0;
+inline constexpr int kFailed = 1;       ///< ran, and did not meet its bounds, or broke down
+inline constexpr int kBadInput = 2;     ///< refused before anything moved
+inline constexpr int kInterrupted = 130;
+
+std::function<int()> declare_trot(CLI::App& app);
+
+}  // namespace farrier::cli

@@ -1,0 +1,177 @@
+#include "tools/cli/dds_run.hpp"
+
+#include <filesystem>
+#include <thread>
+
+#include "bus_factory/bus_factory.hpp"
+#include "lab/gait_source.hpp"
+#include "lab/run_monitor.hpp"
+#include "participant/loop.hpp"
+#include "tools/cli/child_process.hpp"
+#include "tools/cli/domain_lock.hpp"
+#include "tools/cli/progress.hpp"
+
+namespace farrier::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kHousekeeping = 20ms;
+constexpr auto kSilenceWorthSaying = 3s;
+
+SteadyTime now() { return std::chrono::steady_clock::now(); }
+
+Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,
+                                                 const std::vector<lab::Member>& members) {
+  std::vector<ChildProcess> children;
+  for (const lab::Member& member : members) {
+    if (member.executable.empty()) {
+      continue;
+    }
+    participant::ProcessOptions options = common;
+    options.vendor = vendor_of(run.dds, member);
+    options.number = member.number;
+    options.joints = member.joints;
+    if (member.number != participant::kSimBridge) {
+      options.trace_path.clear();
+    }
+    const std::string executable = run.executables + "/" + member.executable + "/" + member.executable;
+    auto child = ChildProcess::start(member.name, executable, participant::to_arguments(options),
+                                     run.log_directory + "/" + member.name + ".log");
+    if (!child) {
+      return child.error();
+    }
+    children.push_back(std::move(child).value());
+  }
+  return children;
+}
+
+/// What this process owns of a run besides its children.
+struct Seat {
+  std::unique_ptr<bus::Bus> bus;
+  std::unique_ptr<participant::Participant> participant;
+  std::unique_ptr<lab::GaitSource> gait;
+};
+
+Result<Seat> take_seat(const robot::Robot& robot, const participant::ProcessOptions& common,
+                       const lab::Member& member, bus::Vendor vendor) {
+  Seat seat;
+  auto bus = bus_factory::create_bus(vendor, common.network);
+  if (!bus) {
+    return bus.error();
+  }
+  seat.bus = std::move(bus).value();
+  auto participant = participant::Participant::join(
+      *seat.bus, {member.name, robot.name, member.number, common.participants, common.session, common.clock});
+  if (!participant) {
+    return participant.error();
+  }
+  seat.participant = std::move(participant).value();
+  auto gait = lab::GaitSource::create(robot, common.seed, *seat.participant, common.ticks);
+  if (!gait) {
+    return gait.error();
+  }
+  seat.gait = std::move(gait).value();
+  return seat;
+}
+
+/// Plays the gait until the run is over. Refuses when a child dies or the user interrupts.
+Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children, Progress& progress,
+                    bool realtime) {
+  SteadyTime next_housekeeping{};
+  SteadyTime first_tick{};
+  SteadyTime moved = now();
+  Tick last = 0;
+  for (;;) {
+    const std::uint64_t before = seat.bus->arrivals();
+    seat.gait->poll(now());
+    if (seat.gait->tick() != last) {
+      first_tick = last == 0 ? now() : first_tick;
+      last = seat.gait->tick();
+      moved = now();
+    }
+    if (now() >= next_housekeeping) {
+      next_housekeeping = now() + kHousekeeping;
+      if (participant::stop_requested()) {
+        return Error{"interrupted"};
+      }
+      for (ChildProcess& child : children) {
+        if (!child.running()) {
+          return Error{child.epitaph()};
+        }
+      }
+      if (!seat.participant->refusal().empty()) {
+        return Error{seat.participant->refusal()};
+      }
+      monitor.poll();
+      if (realtime ? monitor.healths()[participant::kSimBridge].final_report != 0 : monitor.all_final()) {
+        return std::chrono::duration<double>(moved - first_tick).count();
+      }
+      progress.update(last);
+      if (now() - moved > kSilenceWorthSaying) {
+        const std::string said = children.front().last_log_line();
+        progress.note(last == 0 ? "starting: " + seat.gait->waits_for() : said);
+        moved = now();
+      }
+    }
+    seat.bus->wait_for_arrivals(before + 1, 2ms);
+  }
+}
+
+}  // namespace
+
+bus::Vendor vendor_of(DdsChoice choice, const lab::Member& member) noexcept {
+  switch (choice) {
+    case DdsChoice::kCyclone: return bus::Vendor::kCyclone;
+    case DdsChoice::kFast: return bus::Vendor::kFast;
+    case DdsChoice::kMixed:
+      return member.number == participant::kSimBridge || member.number == participant::kEstimatorService
+                 ? bus::Vendor::kCyclone
+                 : bus::Vendor::kFast;
+    case DdsChoice::kInproc: break;
+  }
+  return bus::Vendor::kInproc;
+}
+
+Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
+  participant::install_signal_handlers();
+  auto lock = DomainLock::acquire();
+  if (!lock) {
+    return lock.error();
+  }
+  RunOutcome outcome;
+  outcome.members = lab::plan_members(robot, run.grouping);
+  participant::ProcessOptions common = run.common;
+  common.network.domain = lock.value().domain();
+  common.participants = static_cast<std::uint16_t>(outcome.members.size());
+
+  std::error_code ignored;
+  std::filesystem::create_directories(run.log_directory, ignored);
+  auto children = start_children(run, common, outcome.members);
+  if (!children) {
+    return children.error();
+  }
+  const lab::Member& self = outcome.members[participant::kGaitSource];
+  auto seat = take_seat(robot, common, self, vendor_of(run.dds, self));
+  if (!seat) {
+    return seat.error();
+  }
+  auto monitor = lab::RunMonitor::create(*seat.value().bus, seat.value().participant->identity());
+  if (!monitor) {
+    return monitor.error();
+  }
+  Progress progress(run.title, common.ticks);
+  auto played = play(seat.value(), monitor.value(), children.value(), progress,
+                     common.clock == bus::ClockKind::kRealtime);
+  if (!played) {
+    return played.error();
+  }
+  end_all(children.value());
+  outcome.wall_s = played.value();
+  outcome.hellos = seat.value().participant->hellos();
+  outcome.healths = monitor.value().healths();
+  outcome.events = monitor.value().events();
+  return outcome;
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/run_plan.hpp"
+#include "participant/options.hpp"
+
+namespace farrier::cli {
+
+/// Which vendor each process of a run is on.
+enum class DdsChoice { kCyclone, kFast, kMixed, kInproc };
+
+bus::Vendor vendor_of(DdsChoice choice, const lab::Member& member) noexcept;
+
+/// A run of real processes over DDS. Member-independent options are in `common`.
+struct DdsRun {
+  DdsChoice dds = DdsChoice::kCyclone;
+  lab::Grouping grouping = lab::Grouping::kPerLeg;
+  participant::ProcessOptions common;
+  std::string executables;  ///< directory of the node executables
+  std::string log_directory;
+  std::string title;
+};
+
+struct RunOutcome {
+  std::vector<lab::Member> members;
+  std::vector<signals::SystemHello> hellos;    ///< by participant
+  std::vector<signals::SystemHealth> healths;  ///< by participant
+  std::vector<signals::SystemEvent> events;
+  double wall_s = 0;  ///< from the first tick to the last
+};
+
+/// Starts every process, plays the gait from this one, shows progress, ends every process. Refuses when a process
+/// dies (with its name, exit status and last lines) or the user interrupts; no process is left behind either way.
+Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run);
+
+}  // namespace farrier::cli

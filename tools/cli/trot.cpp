@@ -1,0 +1,189 @@
+// farrier trot: run, judge, report.
+
+#include <cstdio>
+#include <filesystem>
+
+#include <unistd.h>
+
+#include "lab/inproc_run.hpp"
+#include "participant/loop.hpp"
+#include "process/process.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/cli/trot_options.hpp"
+#include "tools/report/console.hpp"
+#include "tools/report/html_report.hpp"
+#include "tools/report/joint_poles.hpp"
+#include "tools/report/tracking.hpp"
+
+namespace farrier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "farrier trot: %s\n", error.message.c_str());
+  return participant::stop_requested() ? kInterrupted : kFailed;
+}
+
+participant::ProcessOptions common_options(const TrotOptions& o) {
+  participant::ProcessOptions common;
+  common.robot_path = o.robot_path;
+  common.clock = o.clock;
+  common.seed = o.seed;
+  common.session = static_cast<std::uint64_t>(::getpid());
+  common.trace_path = o.trace_path;
+  common.gait = o.gait;
+  common.frequency_Hz = o.frequency_Hz;
+  return common;
+}
+
+Result<RunOutcome> run_inproc(const robot::Robot& robot, const TrotOptions& o, supervisor::Design design,
+                              const std::string& trace_path, const std::string& title) {
+  participant::install_signal_handlers();
+  lab::InprocRun run;
+  run.grouping = o.nodes;
+  run.ticks = lab::ticks_of(o.duration_s, robot);
+  run.seed = o.seed;
+  run.design = design;
+  run.trace_path = trace_path;
+  Progress progress(title, run.ticks);
+  run.progress = [&](Tick tick) {
+    progress.update(tick);
+    return !participant::stop_requested();
+  };
+  const SteadyTime begin = std::chrono::steady_clock::now();
+  auto result = lab::run_inproc(robot, run);
+  if (!result) {
+    return result.error();
+  }
+  RunOutcome outcome;
+  outcome.members = lab::plan_members(robot, o.nodes);
+  outcome.hellos = std::move(result.value().hellos);
+  outcome.healths = std::move(result.value().healths);
+  outcome.events = std::move(result.value().events);
+  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return outcome;
+}
+
+Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o) {
+  if (o.dds == DdsChoice::kInproc) {
+    return run_inproc(robot, o, supervisor::Design::kStance, o.trace_path, "trot");
+  }
+  DdsRun run;
+  run.dds = o.dds;
+  run.grouping = o.nodes;
+  run.common = common_options(o);
+  run.common.ticks = lab::ticks_of(o.duration_s, robot);
+  run.executables = build_directory();
+  run.log_directory = o.out + "/log";
+  run.title = "trot";
+  return run_over_dds(robot, run);
+}
+
+Result<report::Tracking> tracking_of(const robot::Robot& robot, const std::string& trace_path, std::uint64_t seed,
+                                     int loop_delay, std::vector<record::TraceRow>& rows) {
+  std::vector<std::string> names;
+  for (const robot::Joint& joint : robot.joints) {
+    names.push_back(joint.name);
+  }
+  auto read = record::read_trace(trace_path, names);
+  if (!read) {
+    return read.error();
+  }
+  rows = std::move(read).value();
+  return report::track(robot, gait::Schedule(robot.plan, seed), rows, loop_delay);
+}
+
+/// The same gait with the swing design in both slots. In process: lock-step traces do not depend on the transport.
+Result<Done> add_swing_design(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
+  const std::string path = o.out + "/trace_swing_design.csv";
+  auto run = run_inproc(robot, o, supervisor::Design::kSwing, path, "trot, swing design beside");
+  if (!run) {
+    return run.error();
+  }
+  std::vector<record::TraceRow> rows;
+  auto tracking = tracking_of(robot, path, o.seed, robot.loop_delay_lockstep, rows);
+  if (!tracking) {
+    return tracking.error();
+  }
+  report::add_swing_design_tracking(figures, robot, tracking.value());
+  return Done{};
+}
+
+int trot(TrotOptions o) {
+  const auto loaded = process::load_robot(common_options(o));
+  if (!loaded) {
+    std::fputs(config::to_string(loaded.error()).c_str(), stderr);
+    return kBadInput;
+  }
+  const robot::Robot& robot = loaded.value();
+  if (o.dds == DdsChoice::kInproc && o.clock == bus::ClockKind::kRealtime) {
+    std::fputs("farrier trot: --dds inproc runs on the lock-step clock only: choose a vendor for --clock realtime\n",
+               stderr);
+    return kBadInput;
+  }
+  std::error_code refused;
+  fs::create_directories(o.out, refused);
+  if (refused) {
+    std::fprintf(stderr, "farrier trot: --out %s: %s\n", o.out.c_str(), refused.message().c_str());
+    return kBadInput;
+  }
+  o.out = fs::absolute(o.out).lexically_normal().string();
+  o.trace_path = o.trace_path.empty() ? o.out + "/trace.csv" : fs::absolute(o.trace_path).string();
+  const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+
+  auto ran = run_once(robot, o);
+  if (!ran) {
+    return fail(ran.error());
+  }
+  const bool lockstep = o.clock == bus::ClockKind::kLockstep;
+  const int loop_delay = lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime;
+  report::Outcome outcome;
+  outcome.command = "trot";
+  outcome.run = report::run_info(robot, o.seed);
+  for (std::size_t i = 0; i < ran.value().hellos.size(); ++i) {
+    outcome.run.processes.push_back(report::process_info(ran.value().hellos[i], ran.value().healths[i]));
+  }
+  std::vector<record::TraceRow> rows;
+  auto tracking = tracking_of(robot, o.trace_path, o.seed, loop_delay, rows);
+  if (!tracking) {
+    return fail(tracking.error());
+  }
+  report::add_tracking(outcome.figures, robot, tracking.value(),
+                       lockstep ? std::optional<double>(0.0) : std::nullopt);
+  if (auto added = report::add_spectral_radii(outcome.figures, robot, loop_delay); !added) {
+    return fail(added.error());
+  }
+  outcome.figures.add("trot.ticks_per_s", static_cast<double>(tracking.value().ticks) / ran.value().wall_s);
+  report::add_transport(outcome.figures, outcome.run, lockstep);
+  for (const signals::SystemEvent& event : ran.value().events) {
+    if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {
+      outcome.failures.emplace_back(signals::text_of(event.text));
+    }
+  }
+  if (auto beside = add_swing_design(robot, o, outcome.figures); !beside) {
+    return fail(beside.error());
+  }
+  if (auto written = report::write_json(json_path, outcome); !written) {
+    return fail(written.error());
+  }
+  const gait::Schedule schedule(robot.plan, o.seed);
+  auto page = report::write_report(o.out, {outcome, robot, schedule, rows, loop_delay});
+  if (!page) {
+    return fail(page.error());
+  }
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  std::printf("report: %s\nfigures: %s\ntrace: %s\n", page.value().c_str(), json_path.c_str(), o.trace_path.c_str());
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace
+
+std::function<int()> declare_trot(CLI::App& app) {
+  auto options = std::make_shared<TrotOptions>();
+  declare(app, *options);
+  return [options] { return trot(*options); };
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "tools/cli/dds_run.hpp"
+
+namespace farrier::cli {
+
+/// What the command line of `farrier trot` says.
+struct TrotOptions {
+  std::string robot_path;
+  DdsChoice dds = DdsChoice::kCyclone;
+  bus::ClockKind clock = bus::ClockKind::kLockstep;
+  lab::Grouping nodes = lab::Grouping::kPerLeg;
+  double duration_s = 9.0;
+  std::string gait;         ///< empty: the robot file's
+  double frequency_Hz = 0;  ///< 0: the robot file's
+  std::uint64_t seed = 1;
+  std::string out = "out/trot";
+  std::string trace_path;   ///< empty: trace.csv in `out`
+  std::string json_path;    ///< empty: figures.json in `out`
+};
+
+void declare(CLI::App& app, TrotOptions& options);
+
+/// Directory of the build this command runs from: the node executables lie in it.
+std::string build_directory();
+
+/// The source tree's deploy/robots/<name>, or where the packages install it.
+std::string shipped_robot(const std::string& name);
+
+}  // namespace farrier::cli

@@ -1,0 +1,103 @@
+#include <array>
+
+#include "tools/report/figures.hpp"
+
+namespace farrier::report {
+namespace {
+
+using enum Relation;
+
+// clang-format off
+constexpr std::array kSpecs{
+    // trot: torque tracking from the third stride on, standing from 1 s after the lead-in on
+    FigureSpec{"trot.<joint>.stance_nrmse", "1", kAtMost,
+               "RMS force error in stance over the RMS of the reference about its mean there, which counts for at least 5 % of the actuator's rating."},
+    FigureSpec{"trot.<joint>.swing_nrmse", "1", kNone, "The same in swing."},
+    FigureSpec{"trot.<joint>.swing_design_stance_nrmse", "1", kNone,
+               "Stance NRMSE of a second run in which every joint keeps the controller designed for swing."},
+    FigureSpec{"trot.<joint>.swing_design_swing_nrmse", "1", kNone, "Swing NRMSE of that second run."},
+    FigureSpec{"trot.<joint>.missed_ticks", "1", kAtMost,
+               "Ticks whose valve command answered sensors older than the loop delay allows."},
+    FigureSpec{"trot.<joint>.travel_rad", "rad", kAtLeast, "Largest less smallest joint angle."},
+    FigureSpec{"trot.<joint>.stance_spectral_radius", "1", kBelow,
+               "Largest modulus of the closed-loop poles: stance design on the stance load."},
+    FigureSpec{"trot.<joint>.swing_spectral_radius", "1", kBelow,
+               "Largest modulus of the closed-loop poles: swing design on the swing load."},
+    FigureSpec{"trot.strides", "1", kAtLeast, "Strides that every leg completed."},
+    FigureSpec{"trot.ticks", "1", kNone, "Ticks of the run."},
+    FigureSpec{"trot.ticks_per_s", "1/s", kNone, "Ticks per second of wall time."},
+    FigureSpec{"trot.latency_p50_us", "us", kAtMost, "Median time from a sensor sample to the valve command that answers it."},
+    FigureSpec{"trot.latency_p99_us", "us", kAtMost, "The same time that 99 % of the samples do not exceed."},
+    FigureSpec{"trot.packets.<process>.<topic>.sent", "1", kNone, "Samples of a topic that a process published."},
+    FigureSpec{"trot.packets.<process>.<topic>.received", "1", kNone, "Samples of a topic that a process received."},
+    FigureSpec{"trot.lost_samples", "1", kAtMost, "Samples that any process knows it lost, all topics."},
+
+    FigureSpec{"bench.lockstep.<vendor>.ticks_per_s", "1/s", kAtLeast, "Ticks per second of a robot in lock-step over this vendor."},
+    FigureSpec{"bench.lockstep.<vendor>.bare_ticks_per_s", "1/s", kNone,
+               "Ticks per second of the bare vendor: the same samples between the same processes, nothing computed."},
+    FigureSpec{"bench.lockstep.<vendor>.ratio", "1", kAtLeast, "The first over the second."},
+    FigureSpec{"bench.plant.us_per_tick", "us", kAtMost, "Time to integrate one joint over one tick."},
+    FigureSpec{"bench.plant.cvode_us_per_tick", "us", kNone, "The same with CVODE at equal error."},
+    FigureSpec{"bench.plant.speedup", "1", kAtLeast, "The second over the first."},
+    FigureSpec{"bench.plant.error", "1", kAtMost, "Largest error of the integrator against a converged solution, over the range of each state."},
+    FigureSpec{"bench.plant.cvode_error", "1", kNone, "The same of CVODE."},
+    FigureSpec{"bench.riccati.doubling_us", "us", kAtMost, "Time of one Riccati solution by structured doubling."},
+    FigureSpec{"bench.riccati.iteration_us", "us", kNone, "Time of the same by iterating the Riccati recursion."},
+    FigureSpec{"bench.riccati.slicot_us", "us", kNone, "Time of the same by SLICOT."},
+    FigureSpec{"bench.riccati.speedup_iteration", "1", kAtLeast, "Time by iteration over time by doubling."},
+    FigureSpec{"bench.riccati.speedup_slicot", "1", kAtLeast, "Time by SLICOT over time by doubling."},
+    FigureSpec{"bench.riccati.relative_residual", "1", kAtMost, "Largest residual of the Riccati equation relative to its solution."},
+    FigureSpec{"bench.control.step_ns", "ns", kAtMost, "Time of one step of the force controller."},
+    FigureSpec{"bench.control.allocations", "1", kAtMost, "Allocations made by the steps of the force controller."},
+};
+// clang-format on
+
+// Cuts the first dotted part off `rest`.
+std::string_view next_part(std::string_view& rest) noexcept {
+  const std::size_t dot = rest.find('.');
+  const std::string_view part = rest.substr(0, dot);
+  rest = dot == std::string_view::npos ? std::string_view{} : rest.substr(dot + 1);
+  return part;
+}
+
+}  // namespace
+
+std::span<const FigureSpec> figure_specs() noexcept { return kSpecs; }
+
+std::optional<std::vector<std::string_view>> match(std::string_view pattern, std::string_view name) {
+  std::vector<std::string_view> names;
+  while (!pattern.empty() && !name.empty()) {
+    const std::string_view wanted = next_part(pattern);
+    const std::string_view given = next_part(name);
+    if (wanted.starts_with('<') && !given.empty()) {
+      names.push_back(given);
+    } else if (wanted != given) {
+      return std::nullopt;
+    }
+  }
+  if (!pattern.empty() || !name.empty()) {
+    return std::nullopt;
+  }
+  return names;
+}
+
+const FigureSpec* find_spec(std::string_view name) noexcept {
+  for (const FigureSpec& spec : kSpecs) {
+    if (match(spec.pattern, name)) {
+      return &spec;
+    }
+  }
+  return nullptr;
+}
+
+std::string figures_table_markdown() {
+  std::string table = "| figure | unit | bound | meaning |\n|---|---|---|---|\n";
+  for (const FigureSpec& spec : kSpecs) {
+    table += "| `" + std::string(spec.pattern) + "` | " + spec.unit + " | " +
+             (spec.relation == kNone ? "" : "`" + std::string(to_string(spec.relation)) + "`") + " | " + spec.sentence +
+             " |\n";
+  }
+  return table;
+}
+
+}  // namespace farrier::report

@@ -1,0 +1,71 @@
+#pragma once
+
+// The one form of what a command measures: named figures, each declared once in figure_registry.cpp. Tables for
+// people, JSON and the HTML report all show the same Figures.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace farrier::report {
+
+/// How a figure must relate to its bound.
+enum class Relation {
+  kNone,     ///< never bounded
+  kAtMost,   ///< value <= bound
+  kBelow,    ///< value < bound
+  kAtLeast,  ///< value >= bound
+};
+
+/// "<=", "<", ">="; empty for kNone.
+const char* to_string(Relation relation) noexcept;
+
+/// Declaration of a figure, or of a family of them.
+struct FigureSpec {
+  const char* pattern;   ///< dotted name; a part in angle brackets, as in trot.<joint>.travel_rad, stands for one name
+  const char* unit;      ///< "1" for ratios and counts
+  Relation relation;     ///< a figure with a relation may be given a bound; one without never has one
+  const char* sentence;  ///< what it is
+};
+
+/// Every declared figure.
+std::span<const FigureSpec> figure_specs() noexcept;
+
+/// The declaration `name` falls under, null for none.
+const FigureSpec* find_spec(std::string_view name) noexcept;
+
+/// What the angle brackets of `pattern` stand for in `name`, in order; nothing when the name does not fit.
+std::optional<std::vector<std::string_view>> match(std::string_view pattern, std::string_view name);
+
+/// Markdown table of every declared figure, for docs/figures.md.
+std::string figures_table_markdown();
+
+struct Figure {
+  std::string name;
+  double value;
+  std::optional<double> bound;
+  const FigureSpec* spec;
+
+  /// True without a bound. A value that is not finite never holds a bound.
+  bool holds() const noexcept;
+};
+
+/// The figures of one run, in the order they were added.
+class Figures {
+ public:
+  /// Adding an undeclared name, a name twice, or a bound that is not finite or whose figure declares no relation
+  /// is a bug and aborts.
+  void add(std::string name, double value, std::optional<double> bound = std::nullopt);
+
+  std::span<const Figure> all() const noexcept { return figures_; }
+  /// Null for none of that name.
+  const Figure* find(std::string_view name) const noexcept;
+  bool all_hold() const noexcept;
+
+ private:
+  std::vector<Figure> figures_;
+};
+
+}  // namespace farrier::report

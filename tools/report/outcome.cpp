@@ -1,0 +1,85 @@
+#include "tools/report/outcome.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+namespace farrier::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Figure& figure) {
+  Json json{{"name", figure.name},
+            {"value", std::isfinite(figure.value) ? Json(figure.value) : Json(nullptr)},
+            {"unit", figure.spec->unit}};
+  if (figure.bound) {
+    json["relation"] = to_string(figure.spec->relation);
+    json["bound"] = *figure.bound;
+    json["holds"] = figure.holds();
+  }
+  return json;
+}
+
+Json json_of(const ProcessInfo& process) {
+  Json topics = Json::array();
+  for (const TopicCount& topic : process.topics) {
+    topics.push_back(
+        {{"topic", topic.topic}, {"sent", topic.sent}, {"received", topic.received}, {"lost", topic.lost}});
+  }
+  return {{"name", process.name},
+          {"number", process.number},
+          {"pid", process.pid},
+          {"vendor", process.vendor},
+          {"missed_deadlines", process.missed_deadlines},
+          {"topics", std::move(topics)}};
+}
+
+Json json_of(const RunInfo& run) {
+  Json processes = Json::array();
+  for (const ProcessInfo& process : run.processes) {
+    processes.push_back(json_of(process));
+  }
+  return {{"version", run.version},
+          {"git_revision", run.git_revision},
+          {"configuration", run.configuration},
+          {"configuration_hash", run.configuration_hash},
+          {"seed", run.seed},
+          {"machine",
+           {{"cpu_model", run.machine.cpu_model},
+            {"cores", run.machine.cores},
+            {"kernel", run.machine.kernel},
+            {"memory_bytes", run.machine.memory_bytes}}},
+          {"processes", std::move(processes)}};
+}
+
+}  // namespace
+
+std::string to_json(const Outcome& outcome) {
+  Json json{{"command", outcome.command}, {"verdict", outcome.passes() ? "pass" : "fail"}};
+  if (!outcome.failures.empty()) {
+    json["failures"] = outcome.failures;
+  }
+  json["figures"] = Json::array();
+  for (const Figure& figure : outcome.figures.all()) {
+    json["figures"].push_back(json_of(figure));
+  }
+  json["run"] = json_of(outcome.run);
+  constexpr int kIndent = 2;
+  // Text from outside, such as a configuration, may be no UTF-8: replaced rather than thrown about.
+  return json.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<Done> write_json(const std::string& path, const Outcome& outcome) {
+  std::ofstream file(path);
+  file << to_json(outcome) << std::flush;
+  if (!file) {
+    return Error{"cannot write the figures to " + path + ": " + std::strerror(errno)};
+  }
+  return Done{};
+}
+
+}  // namespace farrier::report

@@ -1,0 +1,171 @@
+#include "tools/report/pictures.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+
+#include "tools/report/gnuplot.hpp"
+#include "tools/report/joint_poles.hpp"
+#include "tools/report/picture_data.hpp"
+#include "tools/report/tracking.hpp"
+
+namespace farrier::report {
+namespace {
+
+constexpr const char* kScript = "data/pictures.gp";
+
+// Colours of Okabe and Ito (2008), which most colour-blind people can tell apart.
+constexpr const char* kHeader = R"(set encoding utf8
+set style line 1 lc rgb "#000000" lw 1.2
+set style line 2 lc rgb "#0072b2" lw 1.2
+set style line 3 lc rgb "#d55e00" lw 1
+set style line 9 lc rgb "#d8dde1" lw 0.5
+set border 3 lc rgb "#667078"
+set tics nomirror out scale 0.5 textcolor rgb "#333333"
+set grid xtics ytics ls 9
+)";
+
+// Panels lie one above the other and share their x axis; the legend stands above both.
+constexpr const char* kTrackingLayout = R"(set terminal svg size 960,440 font "sans-serif,12" noenhanced background "#ffffff"
+set lmargin at screen 0.085; set rmargin at screen 0.985
+set key at screen 0.985,0.975 right top horizontal samplen 2 noautotitle
+)";
+
+constexpr const char* kOverviewLayout = R"(set terminal svg size 640,180 font "sans-serif,11" noenhanced background "#ffffff"
+set lmargin at screen 0.125; set rmargin at screen 0.98; set tmargin at screen 0.84; set bmargin at screen 0.27
+set key at screen 0.98,0.98 right top horizontal samplen 2 noautotitle
+set xlabel "time / s"; set format x "%g"; set ytics auto
+)";
+
+constexpr const char* kPolesLayout = R"(set terminal svg size 420,470 font "sans-serif,11" noenhanced background "#ffffff"
+set lmargin at screen 0.13; set rmargin at screen 0.97; set tmargin at screen 0.98; set bmargin at screen 0.27
+set size ratio -1
+set key at screen 0.13,0.01 left bottom vertical Left reverse samplen 1 noautotitle
+set xlabel "real part of z"; set ylabel "imaginary part of z" offset 1,0
+set xtics 0.5; set ytics 0.5
+)";
+
+std::string number(double value) { return config::number_text(value); }
+
+std::string x_range(double from, double to) { return "set xrange [" + number(from) + ":" + number(to) + "]\n"; }
+
+std::string quantity(const Rating& rating) { return rating.rotary ? "torque / Nm" : "force / N"; }
+
+std::string tracking_plot(const JointPictures& paths, const std::string& data, const JointPictureData& content,
+                          const Rating& rating) {
+  std::string script = kTrackingLayout;
+  script += "set output '" + paths.tracking + "'\nset multiplot\n";
+  script += x_range(content.window_start_s, content.window_end_s);
+  for (const auto& [from, to] : content.stance_s) {
+    script += "set object rectangle from " + number(from) + ", graph 0 to " + number(to) +
+              ", graph 1 behind fillcolor rgb \"#e9eff3\" fillstyle solid noborder\n";
+  }
+  script += "set tmargin at screen 0.91; set bmargin at screen 0.46; unset xlabel; set format x ''\n";
+  script += "set ylabel '" + quantity(rating) + "'\n";
+  script += "plot keyentry with boxes fillstyle solid noborder fillcolor rgb '#dbe5eb' title 'stance (planned)', '" +
+            data + "_window.dat' using 1:2 with lines ls 1 title 'reference', '' using 1:3 with lines ls 2 title '" +
+            (rating.rotary ? "torque" : "force") + "', keyentry with lines ls 3 title 'reference − " +
+            (rating.rotary ? "torque" : "force") + "'\n";
+  script += "set tmargin at screen 0.42; set bmargin at screen 0.115; set xlabel 'time / s'; set format x '%g'\n";
+  script += "set ylabel 'error / " + std::string(rating.rotary ? "Nm" : "N") + "'\n";
+  script += "plot '" + data + "_window.dat' using 1:4 with lines ls 3\n";
+  return script + "unset multiplot\nunset object\n";
+}
+
+std::string overview_plot(const JointPictures& paths, const std::string& data, const JointPictureData& content,
+                          const Rating& rating) {
+  std::string script = kOverviewLayout;
+  script += "set output '" + paths.overview + "'\n" + x_range(0.0, content.run_end_s);
+  script += "set ylabel '" + quantity(rating) + "'\n";
+  script += "set object rectangle from " + number(content.window_start_s) + ", graph 0 to " +
+            number(content.window_end_s) + ", graph 1 behind fillcolor rgb '#f3ead3' fillstyle solid noborder\n";
+  script += "plot keyentry with boxes fillstyle solid noborder fillcolor rgb '#eadbb4' title 'shown above', '" + data +
+            "_run.dat' using 1:2:3 with filledcurves fillstyle solid fillcolor rgb '#9aa5ad' title 'reference', " +
+            "'' using 1:4:5 with filledcurves fillstyle solid fillcolor rgb '#d55e00' title 'error'\n";
+  return script + "unset object\n";
+}
+
+// A loop without delay leaves states unused, which add poles at exactly zero: nothing to look at.
+std::string datablock(const char* name, const control::ClosedLoopPoles& poles, double& largest) {
+  std::string block = std::string("$") + name + " << EOD\n";
+  bool any = false;
+  for (const std::complex<double>& pole : poles) {
+    if (std::abs(pole) > 0.0) {
+      block += number(pole.real()) + " " + number(pole.imag()) + "\n";
+      largest = std::max(largest, std::abs(pole));
+      any = true;
+    }
+  }
+  return block + (any ? "" : "NaN NaN\n") + "EOD\n";
+}
+
+std::string poles_plot(const JointPictures& paths, const JointPoles& poles) {
+  constexpr double kRoom = 1.12;
+  double largest = 1.0;
+  std::string script = datablock("own", poles.stance_on_stance, largest) +
+                       datablock("lifted", poles.stance_on_swing, largest) +
+                       datablock("landed", poles.swing_on_stance, largest) + kPolesLayout;
+  script += "set output '" + paths.poles + "'\n" + x_range(-kRoom * largest, kRoom * largest);
+  script += "set yrange [" + number(-kRoom * largest) + ":" + number(kRoom * largest) + "]\n";
+  script += "set object circle at 0,0 size 1 behind fillstyle solid 0.08 fillcolor rgb '#0072b2' linewidth 1\n";
+  script += "plot $own using 1:2 with points pt 7 ps 0.9 lc rgb '#0072b2' title 'stance design, stance load', "
+            "$lifted using 1:2 with points pt 8 ps 1.1 lw 1.3 lc rgb '#009e73' title 'stance design, swing load', "
+            "$landed using 1:2 with points pt 2 ps 0.9 lw 1.5 lc rgb '#d55e00' title 'swing design, stance load'\n";
+  return script + "unset object\nset size noratio\nset autoscale y\nset xtics auto\nset ytics auto\n";
+}
+
+Result<Done> make_folders(const std::string& out_dir) {
+  for (const char* folder : {"/data", "/pictures"}) {
+    std::error_code failure;
+    std::filesystem::create_directories(out_dir + folder, failure);
+    if (failure) {
+      return Error{"cannot make the folder " + out_dir + folder + ": " + failure.message()};
+    }
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, const robot::Robot& robot,
+                                                 const gait::Schedule& schedule,
+                                                 std::span<const record::TraceRow> rows, int loop_delay_ticks) {
+  if (auto made = make_folders(out_dir); !made) {
+    return made.error();
+  }
+  const auto by_joint = rows_by_joint(robot, rows);
+  std::vector<JointPictures> pictures;
+  std::string script = kHeader;
+  for (const robot::Joint& joint : robot.joints) {
+    const std::string data = "data/" + joint.name;
+    const auto content =
+        write_picture_data(out_dir + "/" + data, robot, schedule, joint, by_joint[joint.number]);
+    const auto poles = joint_poles(joint, robot.period_s, loop_delay_ticks);
+    if (!content || !poles) {
+      return content ? poles.error() : content.error();
+    }
+    const bool has_run = !by_joint[joint.number].empty();
+    const std::string stem = "pictures/" + joint.name;
+    pictures.push_back({.tracking = content.value().empty ? "" : stem + "_tracking.svg",
+                        .overview = has_run ? stem + "_overview.svg" : "",
+                        .poles = stem + "_poles.svg"});
+    const Rating rating = rating_of(robot, joint);
+    script += content.value().empty ? "" : tracking_plot(pictures.back(), data, content.value(), rating);
+    script += has_run ? overview_plot(pictures.back(), data, content.value(), rating) : "";
+    script += poles_plot(pictures.back(), poles.value());
+  }
+  std::ofstream file(out_dir + "/" + kScript);
+  file << script << std::flush;
+  if (!file) {
+    return Error{"cannot write " + out_dir + "/" + kScript + ": " + std::strerror(errno)};
+  }
+  if (auto drawn = run_gnuplot(out_dir, kScript); !drawn) {
+    return drawn.error();
+  }
+  return pictures;
+}
+
+}  // namespace farrier::report

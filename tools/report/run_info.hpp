@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "robot/robot.hpp"
+#include "signals/signals.hpp"
+#include "tools/report/figures.hpp"
+
+namespace farrier::report {
+
+/// Samples of one topic at one process.
+struct TopicCount {
+  std::string topic;  ///< as on the bus, "joint/sensors"
+  std::uint64_t sent = 0;
+  std::uint64_t received = 0;
+  std::uint64_t lost = 0;  ///< known to be lost on the way to this process
+};
+
+/// One process of a run, by its own last report.
+struct ProcessInfo {
+  std::string name;
+  std::uint16_t number = 0;
+  std::uint32_t pid = 0;
+  std::string vendor;  ///< of its DDS
+  std::uint64_t missed_deadlines = 0;
+  double latency_p50_s = 0.0;  ///< sensor sample to valve command; 0 where not measured
+  double latency_p99_s = 0.0;
+  std::vector<TopicCount> topics;  ///< those it sent, received or lost samples of
+};
+
+struct Machine {
+  std::string cpu_model;
+  int cores = 0;
+  std::string kernel;  ///< name, release and version; says PREEMPT_RT where it is
+  std::uint64_t memory_bytes = 0;
+};
+
+/// What a run must record to be repeated.
+struct RunInfo {
+  std::string version;
+  std::string git_revision;        ///< of the source at configure time; "unknown" outside a repository
+  std::string configuration;       ///< effective, YAML; empty for a command without a robot
+  std::string configuration_hash;  ///< 16 hexadecimal digits; empty likewise
+  std::uint64_t seed = 0;
+  Machine machine;
+  std::vector<ProcessInfo> processes;
+};
+
+/// This build on this machine, no robot and no processes.
+RunInfo run_info(std::uint64_t seed);
+
+/// The same with the robot's effective configuration.
+RunInfo run_info(const robot::Robot& robot, std::uint64_t seed);
+
+/// What a process told about itself.
+ProcessInfo process_info(const signals::SystemHello& hello, const signals::SystemHealth& health);
+
+/// Adds trot.packets.* and trot.lost_samples, which must be 0 where losses are judged (best effort on the real-time
+/// clock may lose some), and trot.latency_* where a process measured it.
+void add_transport(Figures& figures, const RunInfo& run, bool judge_losses);
+
+}  // namespace farrier::report

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tools/report/figures.hpp"
+#include "tools/report/run_info.hpp"
+
+namespace farrier::report {
+
+/// Four significant digits; whole numbers in full up to 15 digits; "-" for what is not finite.
+std::string short_number(double value);
+
+/// "0.143 1, must be <= 0.1"; the unit is left out for "1".
+std::string value_with_unit(const Figure& figure);
+std::string bound_text(const Figure& figure);
+
+/// Joints with tracking figures, in the order they were added.
+std::vector<std::string> joints_of(const Figures& figures);
+
+/// "trot.lf_kfe.stance_nrmse 0.143, must be <= 0.1" for every figure that does not hold, then the outcome's failures.
+std::vector<std::string> reasons_to_fail(const Figures& figures, const std::vector<std::string>& failures);
+
+/// "joint/sensors 24000 out", "joint/sensors 24000 in", "joint/sensors 24000 in (3 lost)".
+std::vector<std::string> topic_texts(const ProcessInfo& process);
+
+}  // namespace farrier::report

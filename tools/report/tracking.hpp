@@ -1,0 +1,61 @@
+#pragma once
+
+// How well the joints of a run were torque sources.
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "gait/schedule.hpp"
+#include "record/trace.hpp"
+#include "robot/robot.hpp"
+#include "tools/report/figures.hpp"
+
+namespace farrier::report {
+
+/// What an actuator is sold for: the scale of its errors.
+struct Rating {
+  double force;  ///< N, or Nm for a rotary motor
+  bool rotary;
+};
+Rating rating_of(const robot::Robot& robot, const robot::Joint& joint);
+
+/// First tick that is judged: the start of the leg's third stride, for one that only stands 1 s after the lead-in.
+Tick first_judged_tick(const robot::Robot& robot, const gait::Schedule& schedule, int leg);
+
+/// Force error of one joint over the judged ticks of one phase, N or Nm.
+struct PhaseError {
+  std::uint64_t ticks = 0;
+  double rms_error = 0.0;
+  double rms_reference = 0.0;  ///< about its mean over these ticks
+  double nrmse = 0.0;          ///< rms_error / max(rms_reference, 5 % of the rating); NaN without a tick
+};
+
+struct JointTracking {
+  PhaseError stance, swing;        ///< planned phases, whose gains act
+  double travel_rad = 0.0;         ///< largest less smallest joint angle, judged ticks; NaN without one
+  std::uint64_t missed_ticks = 0;  ///< judged ticks whose command is older than the loop delay
+};
+
+struct Tracking {
+  std::vector<JointTracking> joints;  ///< in the order of Robot::joints
+  int strides = 0;                    ///< completed by every leg; 0 for a robot that stands
+  Tick ticks = 0;                     ///< of the run
+};
+
+/// One pass over the rows, in any order. Rows of joints the robot does not have are a bug.
+Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::span<const record::TraceRow> rows,
+               int loop_delay_ticks);
+
+/// Adds trot.ticks, trot.strides and each joint's figures, bounded where the robot is judged: stance NRMSE by its
+/// file, knees of a trot by kKneeTravel_rad, missed ticks by `missed_ticks_bound` (none in real time, where the
+/// machine decides them).
+inline constexpr double kKneeTravel_rad = 0.3;
+void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking,
+                  std::optional<double> missed_ticks_bound);
+
+/// Adds the errors of a second run in which every joint kept its swing design: what adapting is worth.
+void add_swing_design_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking);
+
+}  // namespace farrier::report
