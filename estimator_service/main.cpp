@@ -6,7 +6,7 @@
 int main(int argc, char** argv) {
   using namespace farrier;
   const auto options = participant::parse_options("estimator_service", "Estimates every joint's dynamics", argc, argv);
-  return process::run("estimator_service", options, [&](auto& member, const auto& robot) {
+  return process::run(options, [&](auto& member, const auto& robot) {
     return estimator_service::create_application(robot, member, options.ticks);
   });
 }

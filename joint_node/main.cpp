@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   using namespace farrier;
   const auto options = participant::parse_options("joint_node", "Torque loops of the joints it hosts", argc, argv);
   return process::run(
-      "joint_node", options,
+      options,
       [&](auto& member, const auto& robot) {
         return joint_node::create_lockstep(robot, options.joints, member, options.ticks);
       },

@@ -8,7 +8,7 @@ int main(int argc, char** argv) {
   using namespace farrier;
   const auto o = participant::parse_options("sim_bridge", "Simulates the robot's hydraulic joints", argc, argv);
   return process::run(
-      "sim_bridge", o,
+      o,
       [&](auto& member, const auto& robot) {
         return sim_bridge::create_lockstep(robot, o.seed, o.trace_path, member, o.ticks);
       },

@@ -1,6 +1,5 @@
 #include "bus_fastdds/fast_qos.hpp"
 
-#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
 #include <fastrtps/utils/IPLocator.h>
 
 #include <algorithm>
@@ -21,7 +20,7 @@ constexpr std::uint32_t kSocketBufferBytes = 4u << 20;
 constexpr Nanoseconds kAnnouncementPeriod = 5s;
 constexpr Nanoseconds kParticipantLease = 20s;
 constexpr std::uint32_t kInitialAnnouncements = 5;
-constexpr Nanoseconds kInitialAnnouncementPeriod = 50ms;
+constexpr Nanoseconds kInitialAnnouncementPeriod = 20ms;
 
 // A reliable reader that misses a sample learns of it from the next heartbeat and asks at once: late readers and
 // lost datagrams cost tens of milliseconds.
@@ -81,17 +80,21 @@ void set_common(EndpointQos& qos, const bus::EndpointSpec& endpoint) {
 
 }  // namespace
 
-dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options) {
+std::shared_ptr<StartupTransportDescriptor> transport(const bus::NetworkOptions& options) {
   const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {options.address};
   udp->sendBufferSize = kSocketBufferBytes;
   udp->receiveBufferSize = kSocketBufferBytes;
   udp->maxInitialPeersRange = static_cast<std::uint32_t>(options.max_processes);
+  return std::make_shared<StartupTransportDescriptor>(udp);
+}
 
+dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options,
+                                          std::shared_ptr<StartupTransportDescriptor> transport) {
   dds::DomainParticipantQos qos;
   qos.name("farrier");
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports = {udp};
+  qos.transport().user_transports = {std::move(transport)};
 
   auto& wire = qos.wire_protocol();
   wire.default_unicast_locator_list.push_back(locator(options.address));

@@ -6,17 +6,22 @@
 #include <fastdds/dds/subscriber/qos/DataReaderQos.hpp>
 #include <fastdds/dds/subscriber/qos/SubscriberQos.hpp>
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "bus/bus.hpp"
 #include "bus/network.hpp"
+#include "bus_fastdds/startup_transport.hpp"
 
 namespace farrier::bus_fastdds {
 
 namespace dds = eprosima::fastdds::dds;
 
-dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options);
+std::shared_ptr<StartupTransportDescriptor> transport(const bus::NetworkOptions& options);
+
+dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options,
+                                          std::shared_ptr<StartupTransportDescriptor> transport);
 
 dds::PublisherQos publisher_qos(const std::vector<std::string>& partitions);
 dds::SubscriberQos subscriber_qos(const std::vector<std::string>& partitions);

@@ -19,13 +19,15 @@ void disable_intraprocess_delivery(dds::DomainParticipantFactory& factory) {
 Result<std::shared_ptr<FastSession>> FastSession::open(const bus::NetworkOptions& options) {
   auto factory = dds::DomainParticipantFactory::get_shared_instance();
   disable_intraprocess_delivery(*factory);
+  const auto udp = transport(options);
   dds::DomainParticipant* participant = factory->create_participant(
-      static_cast<std::uint32_t>(options.domain), participant_qos(options), nullptr, dds::StatusMask::none());
+      static_cast<std::uint32_t>(options.domain), participant_qos(options, udp), nullptr, dds::StatusMask::none());
   if (participant == nullptr) {
     return Error{"Fast DDS refuses a participant in domain " + std::to_string(options.domain) + " on " +
                  options.address + " (its own message is above; is the address this computer's, and are fewer than " +
                  std::to_string(options.max_processes) + " processes running?)"};
   }
+  *udp->receiving = true;
   return std::shared_ptr<FastSession>(new FastSession(std::move(factory), participant));
 }
 

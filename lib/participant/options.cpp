@@ -13,6 +13,7 @@ const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind:
                                                     {"realtime", bus::ClockKind::kRealtime}};
 
 void declare(CLI::App& app, ProcessOptions& o) {
+  app.add_option("--name", o.name, "Name the others see")->capture_default_str();
   app.add_option("--robot", o.robot_path, "Robot file")->capture_default_str();
   app.add_option("--dds", o.vendor, "DDS vendor of this process (also FARRIER_DDS): cyclone or fast")
       ->envname("FARRIER_DDS")
@@ -50,6 +51,7 @@ std::string name_in(const std::map<std::string, Value>& names, Value value) {
 ProcessOptions parse_options(const std::string& process, const std::string& purpose, int argc, char** argv) {
   CLI::App app(purpose, process);
   ProcessOptions options;
+  options.name = process;
   declare(app, options);
   try {
     app.parse(argc, argv);
@@ -73,7 +75,7 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
     return text;
   };
   std::vector<std::string> arguments{
-      "--robot", o.robot_path, "--dds", name_in(kVendors, o.vendor), "--clock", name_in(kClocks, o.clock),
+      "--name", o.name, "--robot", o.robot_path, "--dds", name_in(kVendors, o.vendor), "--clock", name_in(kClocks, o.clock),
       "--domain", std::to_string(o.network.domain), "--address", o.network.address, "--peers", joined(o.network.peers),
       "--number", std::to_string(o.number), "--participants", std::to_string(o.participants),
       "--session", std::to_string(o.session), "--seed", std::to_string(o.seed), "--ticks", std::to_string(o.ticks),

@@ -12,6 +12,7 @@ namespace farrier::participant {
 
 /// Command line every process of a run shares; `farrier trot` fills it in, an integrator writes it in a unit file.
 struct ProcessOptions {
+  std::string name;  ///< of this participant, as others see it; parse_options fills in the process's own
   std::string robot_path = "deploy/robots/hyq.yaml";
   bus::Vendor vendor = bus::Vendor::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;

@@ -118,6 +118,9 @@ bool Participant::started(SteadyTime now) {
   started_ = greeting_lacks().empty();
   if (started_) {
     say_hello();
+    for (const auto& port : ports_) {
+      port->start();
+    }
   }
   return started_;
 }

@@ -43,6 +43,8 @@ class Port {
   virtual int routes_expected() const noexcept { return 0; }
   virtual int routes_heard() const noexcept { return 0; }
   virtual std::string first_unheard() const { return {}; }
+  /// The run has started: what was lost while greeting does not count.
+  virtual void start() noexcept {}
   virtual void count(signals::SystemHealth& health) const noexcept = 0;
 };
 
@@ -76,9 +78,10 @@ class In final : public Port {
     }
     return std::string(bus::spec(kTopic).name) + " of " + std::to_string(keys_[place - heard_.begin()]);
   }
+  void start() noexcept override { lost_before_ = subscription_.status().lost; }
   void count(signals::SystemHealth& health) const noexcept override {
     health.received[static_cast<std::size_t>(kTopic)] += received_;
-    health.lost[static_cast<std::size_t>(kTopic)] += subscription_.status().lost;
+    health.lost[static_cast<std::size_t>(kTopic)] += subscription_.status().lost - lost_before_;
   }
   bus::ReaderStatus status() const noexcept { return subscription_.status(); }
 
@@ -99,6 +102,7 @@ class In final : public Port {
   std::vector<bool> heard_;
   bool unheard_left_ = true;
   std::uint64_t received_ = 0;
+  std::uint64_t lost_before_ = 0;  ///< probes lost while endpoints found each other
 };
 
 /// Sending port: the keys it speaks for, with one writer per key where the topic is routed by joint.

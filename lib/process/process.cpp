@@ -26,14 +26,13 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
   return robot::load_robot(options.robot_path, overrides);
 }
 
-participant::Identity identity_of(const participant::ProcessOptions& options, const std::string& name,
-                                  const robot::Robot& robot) {
-  return {name, robot.name, options.number, options.participants, options.session, options.clock};
+participant::Identity identity_of(const participant::ProcessOptions& options, const robot::Robot& robot) {
+  return {options.name, robot.name, options.number, options.participants, options.session, options.clock};
 }
 
-int run(const char* name, const participant::ProcessOptions& options,
-        const Factory<participant::Application>& lockstep, const Factory<participant::RealtimeApplication>& realtime) {
+int run(const participant::ProcessOptions& options, const Factory<participant::Application>& lockstep, const Factory<participant::RealtimeApplication>& realtime) {
   participant::install_signal_handlers();
+  const char* const name = options.name.c_str();
   const auto robot = load_robot(options);
   if (!robot) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
@@ -43,7 +42,7 @@ int run(const char* name, const participant::ProcessOptions& options,
   if (!bus) {
     return refuse(name, bus.error());
   }
-  auto member = participant::Participant::join(*bus.value(), identity_of(options, name, robot.value()));
+  auto member = participant::Participant::join(*bus.value(), identity_of(options, robot.value()));
   if (!member) {
     return refuse(name, member.error());
   }

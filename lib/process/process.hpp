@@ -20,12 +20,10 @@ using Factory =
 Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOptions& options);
 
 /// Identity of this process in the run.
-participant::Identity identity_of(const participant::ProcessOptions& options, const std::string& name,
-                                  const robot::Robot& robot);
+participant::Identity identity_of(const participant::ProcessOptions& options, const robot::Robot& robot);
 
 /// Runs one process to its end; returns its exit status: 0 stopped as told, 1 could not take part, 2 bad input.
-int run(const char* name, const participant::ProcessOptions& options,
-        const Factory<participant::Application>& lockstep,
+int run(const participant::ProcessOptions& options, const Factory<participant::Application>& lockstep,
         const Factory<participant::RealtimeApplication>& realtime = nullptr);
 
 }  // namespace farrier::process

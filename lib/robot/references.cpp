@@ -6,7 +6,6 @@
 namespace farrier::robot {
 namespace {
 
-constexpr std::size_t kJointsOfALeg = 3;
 constexpr std::size_t kMostJoints = 64;
 
 class ReferenceCheck {
@@ -115,7 +114,7 @@ class ReferenceCheck {
       }
       const JointTemplate* joint = resolve(file_.joints, "joints", kind, leg.joints_place, name);
       const Load* load = joint != nullptr ? config::find(file_.loads, joint->load) : nullptr;
-      if (load != nullptr && load->leg_about_haa && (i != 0 || count != kJointsOfALeg)) {
+      if (load != nullptr && load->leg_about_haa && (count == 1 || (count == kJointsOfALeg && i != 0))) {
         problems_.push_back(
             leg.joints_place.problem(name, "has the whole leg as its load: only the first of three joints can"));
       }

@@ -12,8 +12,6 @@
 namespace farrier::robot {
 namespace {
 
-constexpr std::size_t kJointsOfALeg = 3;  // HAA, HFE, KFE: what leg kinematics mean by a leg
-
 // What one joint template comes to on a leg that counts its angle the one way or the other.
 struct Instance {
   plant::Linkage linkage;

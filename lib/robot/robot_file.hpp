@@ -11,6 +11,9 @@
 
 namespace farrier::robot {
 
+/// HAA, HFE, KFE: what leg kinematics mean by a leg. A rig has one joint.
+inline constexpr std::size_t kJointsOfALeg = 3;
+
 /// What a joint does when something is missing; the table of docs/architecture.md.
 struct Safety {
   double sensors_stale_s = 0.003;        ///< sensors older than this: valve to null

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,8 +24,6 @@ inline constexpr Nanoseconds kSilenceBudget = 2s;     ///< to notice a 20 ms lea
 inline constexpr Nanoseconds kLease = 20ms;
 inline constexpr Nanoseconds kDeadline = 10ms;
 inline constexpr Nanoseconds kPollPeriod = 5ms;
-
-inline constexpr const char* kRobot = "robot";
 
 struct Pair {
   const char* name;
@@ -54,32 +53,61 @@ inline bus::Qos reliable(int depth = 1, bus::Durability durability = bus::Durabi
   return {bus::Reliability::kReliable, durability, depth};
 }
 
+/// The two buses of a pair.
+struct Buses {
+  std::shared_ptr<bus::InprocDomain> inproc =
+      std::make_shared<bus::InprocDomain>([] { return std::chrono::steady_clock::now(); });
+  std::unique_ptr<bus::Bus> writer;
+  std::unique_ptr<bus::Bus> reader;
+
+  explicit Buses(const Pair& pair)
+      : writer(make_bus(pair.writer, own_domain(), inproc)), reader(make_bus(pair.reader, own_domain(), inproc)) {}
+};
+
+/// The tests of a pair share its buses, as the endpoints of a process do. Their endpoints meet in partitions of their
+/// own: news of an endpoint's end takes up to a second, and until then it counts as matched.
 class Conformance : public testing::TestWithParam<Pair> {
  protected:
+  static void TearDownTestSuite() { shared_.clear(); }
+
   void SetUp() override {
     if (!available(GetParam().writer) || !available(GetParam().reader)) {
       GTEST_SKIP() << "this build has no Fast DDS";
     }
-    writer_bus_ = make_bus(GetParam().writer, own_domain(), inproc_);
-    reader_bus_ = make_bus(GetParam().reader, own_domain(), inproc_);
+    buses_ = buses();
+    use_another_robot();
   }
 
-  bus::Bus& writer_bus() { return *writer_bus_; }
-  bus::Bus& reader_bus() { return *reader_bus_; }
+  /// The buses of this test.
+  virtual std::shared_ptr<Buses> buses() {
+    std::shared_ptr<Buses>& shared = shared_[GetParam().name];
+    if (!shared) {
+      shared = std::make_shared<Buses>(GetParam());
+    }
+    return shared;
+  }
+
+  /// The partition of this test's present endpoints.
+  std::string robot() const { return "robot" + std::to_string(robots_); }
+  /// Leaves the endpoints so far behind.
+  void use_another_robot() { ++robots_; }
+
+  bus::Bus& writer_bus() { return *buses_->writer; }
+  bus::Bus& reader_bus() { return *buses_->reader; }
+  const std::shared_ptr<bus::InprocDomain>& inproc() { return buses_->inproc; }
 
   template <class Signal>
-  bus::Publisher<Signal> publisher(const bus::Qos& qos, std::vector<std::string> partitions = {kRobot},
-                                   int strength = 0) {
+  bus::Publisher<Signal> publisher(const bus::Qos& qos, std::vector<std::string> partitions = {}) {
     auto created = bus::Publisher<Signal>::create(
-        *writer_bus_, {bus::TopicOf<Signal>::id, qos, std::move(partitions), strength});
+        writer_bus(), {bus::TopicOf<Signal>::id, qos, in_robot(std::move(partitions))});
     FARRIER_ENSURE(created.ok(), created.error().message.c_str());
     return std::move(created).value();
   }
 
   template <class Signal>
-  bus::Subscription<Signal> subscription(const bus::Qos& qos, std::vector<std::string> partitions = {kRobot}) {
+  bus::Subscription<Signal> subscription(const bus::Qos& qos, std::vector<std::string> partitions = {}) {
     auto created =
-        bus::Subscription<Signal>::create(*reader_bus_, {bus::TopicOf<Signal>::id, qos, std::move(partitions)});
+        bus::Subscription<Signal>::create(reader_bus(), {bus::TopicOf<Signal>::id, qos, in_robot(std::move(partitions))});
     FARRIER_ENSURE(created.ok(), created.error().message.c_str());
     return std::move(created).value();
   }
@@ -88,7 +116,7 @@ class Conformance : public testing::TestWithParam<Pair> {
   template <class Signal>
   testing::AssertionResult matched(const bus::Publisher<Signal>& publisher,
                                    const bus::Subscription<Signal>& subscription, int readers = 1) {
-    if (wait_until(*reader_bus_, kMatchBudget, [&] {
+    if (wait_until(reader_bus(), kMatchBudget, [&] {
           return publisher.matched_readers() >= readers && subscription.status().matched_writers >= 1;
         })) {
       return testing::AssertionSuccess();
@@ -103,7 +131,7 @@ class Conformance : public testing::TestWithParam<Pair> {
   std::vector<Signal> receive(bus::Subscription<Signal>& subscription, std::size_t count,
                               Nanoseconds budget = kDeliveryBudget) {
     std::vector<Signal> samples;
-    wait_until(*reader_bus_, budget, [&] {
+    wait_until(reader_bus(), budget, [&] {
       subscription.drain([&](const Signal& signal) { samples.push_back(signal); });
       return samples.size() >= count;
     });
@@ -118,12 +146,19 @@ class Conformance : public testing::TestWithParam<Pair> {
     return samples;
   }
 
-  std::shared_ptr<bus::InprocDomain> inproc_ =
-      std::make_shared<bus::InprocDomain>([] { return std::chrono::steady_clock::now(); });
-
  private:
-  std::unique_ptr<bus::Bus> writer_bus_;
-  std::unique_ptr<bus::Bus> reader_bus_;
+  /// Names of partitions within this test's; without any, the robot's own.
+  std::vector<std::string> in_robot(std::vector<std::string> partitions) const {
+    for (std::string& partition : partitions) {
+      partition = bus::partition(robot(), partition);
+    }
+    return partitions.empty() ? std::vector{robot()} : partitions;
+  }
+
+  static inline int robots_ = 0;
+  static inline std::map<std::string, std::shared_ptr<Buses>> shared_;
+
+  std::shared_ptr<Buses> buses_;
 };
 
 }  // namespace farrier::contract

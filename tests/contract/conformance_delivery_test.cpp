@@ -57,6 +57,7 @@ TEST_P(Conformance, HistoryKeepsTheNewestSamplesOfEveryKey) {
   constexpr int kTicks = 10;
   for (const int depth : {1, 4}) {
     SCOPED_TRACE("depth " + std::to_string(depth));
+    use_another_robot();
     // The writer keeps all of them: a reliable reader may take its first samples from a repetition.
     auto writer = publisher<JointSensors>(reliable(kTicks));
     auto reader = subscription<JointSensors>(reliable(depth));

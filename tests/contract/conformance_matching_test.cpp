@@ -79,9 +79,9 @@ TEST_P(Conformance, LateVolatileSubscriberReceivesOnlyWhatIsNew) {
 }
 
 TEST_P(Conformance, PartitionRoutesAJointToItsProcessAlone) {
-  const std::string a = std::string(kRobot) + "/lf_haa";
-  const std::string b = std::string(kRobot) + "/lf_hfe";
-  const std::string c = std::string(kRobot) + "/lf_kfe";
+  const std::string a = "lf_haa";
+  const std::string b = "lf_hfe";
+  const std::string c = "lf_kfe";
   auto writer_a = publisher<JointSensors>(reliable(8), {a});
   auto writer_b = publisher<JointSensors>(reliable(8), {b});
   auto writer_c = publisher<JointSensors>(reliable(8), {c});

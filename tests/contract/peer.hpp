@@ -37,10 +37,10 @@ class Peer {
 bus::Qos authority();
 
 /// Starts a process that publishes SystemMode with `strength` as its epoch, and as its ownership strength, every 2 ms.
-std::vector<std::string> mode_writer(bus::Vendor vendor, int domain, int strength);
+std::vector<std::string> mode_writer(bus::Vendor vendor, int domain, const std::string& robot, int strength);
 
 /// Starts a process that reads SystemEvent reliably.
-std::vector<std::string> event_reader(bus::Vendor vendor, int domain);
+std::vector<std::string> event_reader(bus::Vendor vendor, int domain, const std::string& robot);
 
 /// Starts a process that says hello as participant `index` and reports how long it took to hear `count` of them,
 /// itself included.

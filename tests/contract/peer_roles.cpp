@@ -35,9 +35,9 @@ std::unique_ptr<bus::Bus> own_bus(const std::string& vendor, const std::string& 
   return make_bus(bus::parse_vendor(vendor).value(), std::stoi(domain), nullptr);
 }
 
-int write_modes(bus::Bus& bus, int strength) {
+int write_modes(bus::Bus& bus, const std::string& robot, int strength) {
   auto writer = bus::Publisher<signals::SystemMode>::create(
-      bus, {bus::TopicId::kSystemMode, authority(), {"robot"}, strength});
+      bus, {bus::TopicId::kSystemMode, authority(), {robot}, strength});
   signals::SystemMode mode;
   mode.epoch = static_cast<std::uint32_t>(strength);
   while (!dismissed(2)) {
@@ -47,9 +47,9 @@ int write_modes(bus::Bus& bus, int strength) {
   return 0;
 }
 
-int read_events(bus::Bus& bus) {
+int read_events(bus::Bus& bus, const std::string& robot) {
   auto reader = bus::Subscription<signals::SystemEvent>::create(
-      bus, {bus::TopicId::kSystemEvent, {bus::Reliability::kReliable}, {"robot"}});
+      bus, {bus::TopicId::kSystemEvent, {bus::Reliability::kReliable}, {robot}});
   while (!dismissed(10)) {
     reader.value().drain([](const signals::SystemEvent&) {});
   }
@@ -115,12 +115,12 @@ bus::Qos authority() {
   return bus::qos_for(bus::spec(bus::TopicId::kSystemMode), bus::ClockKind::kRealtime);
 }
 
-std::vector<std::string> mode_writer(bus::Vendor vendor, int domain, int strength) {
-  return {kModeWriter, to_string(vendor), std::to_string(domain), std::to_string(strength)};
+std::vector<std::string> mode_writer(bus::Vendor vendor, int domain, const std::string& robot, int strength) {
+  return {kModeWriter, to_string(vendor), std::to_string(domain), robot, std::to_string(strength)};
 }
 
-std::vector<std::string> event_reader(bus::Vendor vendor, int domain) {
-  return {kEventReader, to_string(vendor), std::to_string(domain)};
+std::vector<std::string> event_reader(bus::Vendor vendor, int domain, const std::string& robot) {
+  return {kEventReader, to_string(vendor), std::to_string(domain), robot};
 }
 
 std::vector<std::string> greeter(bus::Vendor vendor, int domain, int index, int count) {
@@ -133,10 +133,10 @@ int run_role(const std::vector<std::string>& arguments) {
   const SteadyTime start = std::chrono::steady_clock::now();
   const std::string role = arguments.empty() ? "" : arguments[0];
   if (role == kModeWriter) {
-    return write_modes(*own_bus(arguments.at(1), arguments.at(2)), std::stoi(arguments.at(3)));
+    return write_modes(*own_bus(arguments.at(1), arguments.at(2)), arguments.at(3), std::stoi(arguments.at(4)));
   }
   if (role == kEventReader) {
-    return read_events(*own_bus(arguments.at(1), arguments.at(2)));
+    return read_events(*own_bus(arguments.at(1), arguments.at(2)), arguments.at(3));
   }
   if (role == kGreeter) {
     return greet(*own_bus(arguments.at(1), arguments.at(2)), std::stoi(arguments.at(3)),

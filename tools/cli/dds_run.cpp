@@ -30,6 +30,7 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
     }
     participant::ProcessOptions options = common;
     options.vendor = vendor_of(run.dds, member);
+    options.name = member.name;
     options.number = member.number;
     options.joints = member.joints;
     if (member.number != participant::kSimBridge) {

@@ -93,10 +93,9 @@ Tick first_judged_tick(const robot::Robot& robot, const gait::Schedule& schedule
   // The first lift-off comes within a stride of the lead-in, every leg's first touchdown within another.
   const Tick latest = schedule.lead_in_ticks() + (kFirstJudgedStride + 3) * schedule.stride_ticks();
   const auto ticks = std::views::iota(Tick{0}, latest);
-  return latest - std::ranges::distance(
-                      std::ranges::partition_point(
-                          ticks, [&](Tick tick) { return schedule.stride(leg, tick) < kFirstJudgedStride; }),
-                      ticks.end());
+  const auto first = std::ranges::partition_point(
+      ticks, [&](Tick tick) { return schedule.stride(leg, tick) < kFirstJudgedStride; });
+  return first == ticks.end() ? latest : *first;
 }
 
 Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::span<const record::TraceRow> rows,

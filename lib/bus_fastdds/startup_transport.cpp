@@ -1,0 +1,45 @@
+#include "bus_fastdds/startup_transport.hpp"
+
+#include <fastdds/rtps/transport/ChainingTransport.h>
+
+#include "bus_fastdds/cyclone_acknack.hpp"
+
+namespace farrier::bus_fastdds {
+namespace {
+
+namespace rtps = eprosima::fastdds::rtps;
+using eprosima::fastrtps::rtps::LocatorsIterator;
+using eprosima::fastrtps::rtps::octet;
+using eprosima::fastrtps::rtps::SenderResource;
+
+class StartupTransport final : public rtps::ChainingTransport {
+ public:
+  explicit StartupTransport(const StartupTransportDescriptor& descriptor)
+      : ChainingTransport(descriptor), descriptor_(descriptor) {}
+
+  rtps::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
+
+  bool send(SenderResource* udp, const octet* bytes, std::uint32_t size, LocatorsIterator* first,
+            LocatorsIterator* last, const std::chrono::steady_clock::time_point& timeout) override {
+    if (!descriptor_.receiving->load(std::memory_order_relaxed)) {
+      return true;
+    }
+    return udp->send(bytes, size, first, last, timeout);
+  }
+
+  void receive(rtps::TransportReceiverInterface* receiver, const octet* bytes, std::uint32_t size,
+               const rtps::Locator& local, const rtps::Locator& remote) override {
+    // The buffer belongs to the thread that calls, which fills it anew for every datagram.
+    translate_cyclone_acknacks({const_cast<octet*>(bytes), size});
+    receiver->OnDataReceived(bytes, size, local, remote);
+  }
+
+ private:
+  StartupTransportDescriptor descriptor_;
+};
+
+}  // namespace
+
+rtps::TransportInterface* StartupTransportDescriptor::create_transport() const { return new StartupTransport(*this); }
+
+}  // namespace farrier::bus_fastdds

@@ -1,0 +1,46 @@
+#include <gtest/gtest.h>
+
+#include "robot_test_files.hpp"
+
+namespace farrier::robot {
+namespace {
+
+TEST(Fc1d, IsTheRigOfTheThesis) {
+  const Robot rig = load_shipped("fc1d");
+  ASSERT_EQ(rig.joints.size(), 1u);
+  const Joint& joint = rig.joints[0];
+  EXPECT_EQ(joint.name, "fc1d");
+  EXPECT_EQ(joint.form, control::Form::kFullState);
+  EXPECT_EQ(joint.actuator.bulk_modulus_Pa, 5.5e8);
+  EXPECT_EQ(joint.actuator.valve_gain, 1.6704e-6);
+  EXPECT_EQ(joint.actuator.supply_pressure_Pa, 125e5);
+  EXPECT_EQ(joint.actuator.line_volume_m3, 6.8047e-6);
+  EXPECT_EQ(joint.actuator.piston_damping, 700.0);
+  EXPECT_EQ(joint.swing_load.mass, 2.5);
+  EXPECT_EQ(joint.stance_load.mass, 50.0);
+  EXPECT_EQ(joint.stance_load.stiffness, 21480.0);
+  EXPECT_EQ(joint.swing_load.equilibrium_position, 0.04);
+  EXPECT_EQ(joint.linkage.position(0.03), 0.03);
+  EXPECT_EQ(joint.linkage.lever(0.03), 1.0);
+  EXPECT_EQ(joint.stiffness_Nm_rad, 0.0);
+  EXPECT_EQ(rig.plan.body_weight_N, 0.0);
+  EXPECT_EQ(rig.plan.gait.reference, gait::ReferenceKind::kMultisine);
+  EXPECT_EQ(rig.plan.gait.multisine_frequencies_Hz, (std::vector<double>{2, 5, 10}));
+  EXPECT_EQ(rig.plan.gait.multisine_amplitude_N, 160.0);
+}
+
+TEST(Robot, TakesItsWeightsFromTheThesis) {
+  for (const char* name : {"hyq", "fc1d"}) {
+    for (const Joint& joint : load_shipped(name).joints) {
+      EXPECT_EQ(joint.weights.integral, 2.5);
+      EXPECT_EQ(joint.weights.position, 1.0);
+      EXPECT_EQ(joint.weights.velocity, 1.0);
+      EXPECT_EQ(joint.weights.force, 5000.0);
+      EXPECT_EQ(joint.weights.input, 0.1);
+      EXPECT_EQ(joint.weights.integral_factor, 6.0);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace farrier::robot
