@@ -89,7 +89,9 @@ void JointNode::assess(const Inputs& inputs) noexcept {
     faults_.set(Fault::kTripped, false);
   }
   const bool sensors_good = inputs.sensors_age_s <= safety_.sensors_stale_s && finite(inputs.sensors);
-  good_samples_ = sensors_good ? std::min(good_samples_ + 1, safety_.recovery_samples) : 0;
+  const int new_samples = inputs.sensors.tick != last_sensors_tick_ ? 1 : 0;
+  last_sensors_tick_ = inputs.sensors.tick;
+  good_samples_ = sensors_good ? std::min(good_samples_ + new_samples, safety_.recovery_samples) : 0;
   faults_.set(Fault::kSensorsStale, good_samples_ < safety_.recovery_samples);
 
   const bool command_good = finite(inputs.command);
@@ -126,17 +128,21 @@ double JointNode::force_reference(const Inputs& inputs, JointState state) noexce
     torque = -safety_.damping_gain_Nms_rad * q_dot;
   }
   const double wanted = joint_.linkage.force(q, torque);
-  const double reference = std::clamp(wanted, -joint_.pull_limit, joint_.push_limit);
+  // Numbers too large to add up (inf - inf) ask for nothing.
+  const double reference = std::isnan(wanted) ? 0.0 : std::clamp(wanted, -joint_.pull_limit, joint_.push_limit);
   faults_.set(Fault::kReferenceClamped, clamped || reference != wanted);
   return reference;
 }
 
 double JointNode::valve_current(double reference, const control::Measurement& measured) noexcept {
   const Slot& slot = slots_[static_cast<std::size_t>(phase_)].acting;
-  if (slot.generation != controller_generation_ || phase_ != controller_phase_) {
-    controller_.set_gains(slot.gains, measured, reference);
+  const bool changed = slot.generation != controller_generation_ || phase_ != controller_phase_;
+  if (changed && controller_.set_gains(slot.gains, measured, reference)) {
     controller_generation_ = slot.generation;
     controller_phase_ = phase_;
+  }
+  if (controller_generation_ == 0) {
+    return 0.0;  // refused, for a measurement too large to add up: tried again next time
   }
   const control::ForceController::Output output = controller_.step(reference, measured);
   faults_.set(Fault::kValveSaturated, output.saturated);

@@ -86,6 +86,7 @@ class JointNode {
   FaultSet faults_;
   std::uint32_t tripped_epoch_ = 0;
   int good_samples_ = 0;
+  Tick last_sensors_tick_ = kNoTick;
 };
 
 }  // namespace farrier::joint_node

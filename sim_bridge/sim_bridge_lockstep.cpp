@@ -15,15 +15,16 @@ std::int64_t to_ns(SteadyTime time) { return std::chrono::duration_cast<Nanoseco
 class SimBridgeLockstep final : public participant::Application {
  public:
   SimBridgeLockstep(SimWorld world, std::optional<record::TraceWriter> trace, Ports ports,
-                    const std::vector<std::uint16_t>& joints, participant::Participant& participant, Tick ticks)
+                    const robot::Robot& robot, participant::Participant& participant, Tick ticks)
       : world_(std::move(world)),
         trace_(std::move(trace)),
         ports_(ports),
         participant_(participant),
         ticks_(ticks),
-        valves_(joints),
-        valve_current_A_(joints.size(), 0.0),
-        generation_(joints.size(), 0) {
+        loop_delay_(robot.loop_delay_lockstep),
+        valves_(joint_numbers(robot)),
+        valve_current_A_(robot.joints.size(), 0.0),
+        generation_(robot.joints.size(), 0) {
     std::vector<std::uint16_t> others;
     for (std::uint16_t number = 1; number < participant.identity().participants; ++number) {
       others.push_back(number);
@@ -49,6 +50,7 @@ class SimBridgeLockstep final : public participant::Application {
   Ports ports_;
   participant::Participant& participant_;
   Tick ticks_;
+  int loop_delay_;  ///< ticks by which a valve command acts late, to try designs for a delay
   bool begun_ = false;
   participant::TickInbox<signals::JointValveCommand> valves_;
   participant::TickInbox<signals::ClockTickDone> done_{{}};
@@ -112,7 +114,8 @@ void SimBridgeLockstep::record() noexcept {
     record::TraceRow row;
     world_.describe(i, row);
     row.force_reference_N_or_Nm = valve.force_reference_N_or_Nm;
-    row.valve_current_A = valve.valve_current_A;
+    row.valve_current_A = valve_current_A_[i];
+    row.command_age_ticks = static_cast<std::uint32_t>(loop_delay_);
     row.phase = valve.phase;
     row.state = valve.state;
     row.generation = valve.generation;
@@ -123,7 +126,8 @@ void SimBridgeLockstep::record() noexcept {
 
 void SimBridgeLockstep::end_tick() {
   for (std::size_t i = 0; i < world_.joints(); ++i) {
-    valve_current_A_[i] = valves_.find(i, world_.tick())->valve_current_A;
+    const signals::JointValveCommand* acting = valves_.find(i, world_.tick() - loop_delay_);
+    valve_current_A_[i] = acting != nullptr ? acting->valve_current_A : 0.0;
   }
   if (trace_) {
     record();
@@ -201,7 +205,7 @@ Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::R
     return ports.error();
   }
   return std::unique_ptr<participant::Application>(std::make_unique<SimBridgeLockstep>(
-      std::move(world).value(), std::move(trace).value(), ports.value(), joint_numbers(robot), participant, ticks));
+      std::move(world).value(), std::move(trace).value(), ports.value(), robot, participant, ticks));
 }
 
 }  // namespace farrier::sim_bridge

@@ -104,7 +104,7 @@ void SimBridgeRealtime::report(bool final_report) {
   participant_.report_health(tick_.load(std::memory_order_relaxed), final_report, health);
 }
 
-// The command that answered the sensors of tick k acts from tick k + 1: one tick of loop delay.
+// At tick k the newest command there is answers the sensors of tick k - 1: one tick of loop delay.
 void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept {
   Mailbox& mail = mail_[index];
   mail.valve.fetch(mail.last_valve);
@@ -129,16 +129,14 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
 
 void SimBridgeRealtime::step(SteadyTime now, std::uint64_t missed) noexcept {
   missed_.fetch_add(missed, std::memory_order_relaxed);
-  for (std::size_t i = 0; i < mail_.size(); ++i) {
-    apply_valve(i, now);
-  }
-  world_.advance(valve_current_A_);
   const auto sampled = std::chrono::duration_cast<Nanoseconds>(now.time_since_epoch()).count();
   for (std::size_t i = 0; i < mail_.size(); ++i) {
     signals::JointSensors sensors = world_.sample(i);
     sensors.sample_time_ns = sampled;
     mail_[i].sensors.push(sensors);
+    apply_valve(i, now);
   }
+  world_.advance(valve_current_A_);
   tick_.store(world_.tick(), std::memory_order_release);
 }
 
@@ -149,7 +147,7 @@ void SimBridgeRealtime::send() {
       ports_.sensors->publish(sensors);
     }
   }
-  ports_.clock->publish({0, now});
+  ports_.clock->publish({0, now - 1});  // the tick whose sensors have just gone out
   for (bool any = true; any && trace_;) {
     any = false;
     for (Mailbox& mail : mail_) {

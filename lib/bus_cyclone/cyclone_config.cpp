@@ -32,9 +32,11 @@ std::string cyclone_config(const bus::NetworkOptions& options) {
   const std::string general = "<Interfaces><NetworkInterface address=\"" + options.address +
                               "\"/></Interfaces>" + element("AllowMulticast", "false") +
                               element("Transport", "udp");
+  // Cyclone 0.10 announces itself to this index, too, but does not take it for itself.
+  const int max_index = options.max_processes;
   const std::string discovery = element("ExternalDomainId", std::to_string(options.domain)) +
                                 element("ParticipantIndex", "auto") +
-                                element("MaxAutoParticipantIndex", std::to_string(options.max_processes - 1)) +
+                                element("MaxAutoParticipantIndex", std::to_string(max_index)) +
                                 element("Peers", peers) + element("SPDPInterval", kAnnouncementPeriod);
   // One receive thread: with unicast alone there is nothing for a second one to do but to switch contexts.
   const std::string internal = element("MultipleReceiveThreads", "false") + kReliableTiming + kSockets;

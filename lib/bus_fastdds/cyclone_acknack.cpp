@@ -6,7 +6,7 @@
 namespace farrier::bus_fastdds {
 namespace {
 
-// RTPS 2.2, 9.4.1: message header "RTPS", version, vendor, GUID prefix; then submessages, each with a header of its own.
+// RTPS 2.2, 9.4.1: message header ("RTPS", version, vendor, GUID prefix), then submessages with headers of their own.
 constexpr std::size_t kHeaderBytes = 20;
 constexpr std::array<std::uint8_t, 4> kProtocol{'R', 'T', 'P', 'S'};
 constexpr std::size_t kVendorOffset = 6;

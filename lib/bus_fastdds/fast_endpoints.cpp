@@ -12,9 +12,9 @@ namespace {
 
 class FastWriter final : public bus::RawWriter {
  public:
-  FastWriter(std::shared_ptr<FastSession> session, dds::DataWriter* writer)
-      : session_(std::move(session)), writer_(writer) {}
-  ~FastWriter() override { const_cast<dds::Publisher*>(writer_->get_publisher())->delete_datawriter(writer_); }
+  FastWriter(std::shared_ptr<FastSession> session, dds::Publisher* publisher, dds::DataWriter* writer)
+      : session_(std::move(session)), publisher_(publisher), writer_(writer) {}
+  ~FastWriter() override { publisher_->delete_datawriter(writer_); }
 
   bool write(const void* signal) noexcept override {
     // Fast DDS asks for a pointer to non-const and hands it to SignalType, which only reads.
@@ -29,32 +29,34 @@ class FastWriter final : public bus::RawWriter {
 
  private:
   std::shared_ptr<FastSession> session_;
+  dds::Publisher* publisher_;
   dds::DataWriter* writer_;
 };
 
 template <class Signal>
 class FastReader final : public bus::RawReader {
  public:
-  FastReader(std::shared_ptr<FastSession> session, std::shared_ptr<bus::Notifier> notifier)
-      : session_(std::move(session)), events_(std::move(notifier)) {}
+  FastReader(std::shared_ptr<FastSession> session, dds::Subscriber* subscriber,
+             std::shared_ptr<bus::Notifier> notifier)
+      : session_(std::move(session)), subscriber_(subscriber), events_(std::move(notifier)) {}
   ~FastReader() override {
     if (reader_ != nullptr) {
       // Deleting alone would wait for callbacks under way too, but could start new ones first.
       reader_->set_listener(nullptr);
-      const_cast<dds::Subscriber*>(reader_->get_subscriber())->delete_datareader(reader_);
+      subscriber_->delete_datareader(reader_);
     }
   }
 
-  bool open(dds::Subscriber* subscriber, dds::Topic* topic, const dds::DataReaderQos& qos) {
-    reader_ = subscriber->create_datareader(topic, qos, &events_, ReaderEvents::mask());
+  bool open(dds::Topic* topic, const dds::DataReaderQos& qos) {
+    reader_ = subscriber_->create_datareader(topic, qos, &events_, ReaderEvents::mask());
     return reader_ != nullptr;
   }
 
   std::size_t take(void* signals, std::size_t capacity) noexcept override {
     auto* out = static_cast<Signal*>(signals);
     std::size_t filled = 0;
-    events_.taking(capacity);
     std::size_t removed = 0;
+    events_.taking(capacity);
     dds::SampleInfo info;
     while (filled < capacity && reader_->take_next_sample(&out[filled], &info) == ReturnCode_t::RETCODE_OK) {
       ++removed;
@@ -75,6 +77,7 @@ class FastReader final : public bus::RawReader {
 
  private:
   std::shared_ptr<FastSession> session_;
+  dds::Subscriber* subscriber_;
   ReaderEvents events_;
   dds::DataReader* reader_ = nullptr;
   std::atomic<std::uint64_t> received_{0};
@@ -97,8 +100,8 @@ Result<std::unique_ptr<bus::RawReader>> make_typed_reader(const std::shared_ptr<
                                                           dds::Subscriber* subscriber, dds::Topic* topic,
                                                           const dds::DataReaderQos& qos,
                                                           std::shared_ptr<bus::Notifier> notifier) {
-  auto reader = std::make_unique<FastReader<Signal>>(session, std::move(notifier));
-  if (!reader->open(subscriber, topic, qos)) {
+  auto reader = std::make_unique<FastReader<Signal>>(session, subscriber, std::move(notifier));
+  if (!reader->open(topic, qos)) {
     return Error{"Fast DDS refuses the QoS of the reader of " + topic->get_name() + " (its own message is above)"};
   }
   return std::unique_ptr<bus::RawReader>(std::move(reader));
@@ -118,7 +121,7 @@ Error refused(const std::string& what, bus::TopicId topic) {
 
 Result<std::unique_ptr<bus::RawWriter>> make_writer(const std::shared_ptr<FastSession>& session,
                                                     const bus::EndpointSpec& endpoint) {
-  dds::Topic* topic = session->topic(endpoint.topic, factory(endpoint.topic).type());
+  dds::Topic* topic = session->topic(endpoint.topic, factory(endpoint.topic).type);
   if (topic == nullptr) {
     return refused("the topic", endpoint.topic);
   }
@@ -130,13 +133,13 @@ Result<std::unique_ptr<bus::RawWriter>> make_writer(const std::shared_ptr<FastSe
   if (writer == nullptr) {
     return refused("the QoS of the writer", endpoint.topic);
   }
-  return std::unique_ptr<bus::RawWriter>(std::make_unique<FastWriter>(session, writer));
+  return std::unique_ptr<bus::RawWriter>(std::make_unique<FastWriter>(session, publisher, writer));
 }
 
 Result<std::unique_ptr<bus::RawReader>> make_reader(const std::shared_ptr<FastSession>& session,
                                                     const bus::EndpointSpec& endpoint,
                                                     std::shared_ptr<bus::Notifier> notifier) {
-  dds::Topic* topic = session->topic(endpoint.topic, factory(endpoint.topic).type());
+  dds::Topic* topic = session->topic(endpoint.topic, factory(endpoint.topic).type);
   if (topic == nullptr) {
     return refused("the topic", endpoint.topic);
   }

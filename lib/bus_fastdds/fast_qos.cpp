@@ -22,10 +22,14 @@ constexpr Nanoseconds kParticipantLease = 20s;
 constexpr std::uint32_t kInitialAnnouncements = 5;
 constexpr Nanoseconds kInitialAnnouncementPeriod = 20ms;
 
-// A reliable reader that misses a sample learns of it from the next heartbeat and asks at once: late readers and
-// lost datagrams cost tens of milliseconds.
-constexpr Nanoseconds kHeartbeatPeriod = 20ms;
+// Nothing waits for heartbeats while nothing is lost: readers greet the writers they find, and no KEEP_LAST writer
+// waits for acknowledgements. So they are only as frequent as a lost sample may be late, and no sample carries one:
+// with a history of a few samples per key Fast DDS would add one to almost every sample, and an answer to each.
+constexpr Nanoseconds kHeartbeatPeriod = 50ms;
 constexpr Nanoseconds kFirstAcknowledgement = 5ms;
+// How long after sending a sample requests for it are ignored. Fast DDS wakes its event thread twice per such time
+// and reader, with zero for every sample, which costs more than the sample.
+constexpr Nanoseconds kRequestsIgnored = 20ms;
 
 // Far more keys than any topic has; only keys that are used take memory.
 constexpr int kMaxKeys = 256;
@@ -138,7 +142,7 @@ dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint) {
   times.initialHeartbeatDelay = duration(0ms);
   times.heartbeatPeriod = duration(kHeartbeatPeriod);
   times.nackResponseDelay = duration(0ms);
-  times.nackSupressionDuration = duration(20ms);
+  times.nackSupressionDuration = duration(kRequestsIgnored);
   return qos;
 }
 

@@ -36,14 +36,14 @@ FastSession::~FastSession() {
   factory_->delete_participant(participant_);
 }
 
-dds::Topic* FastSession::topic(bus::TopicId id, const dds::TypeSupport& type) {
+dds::Topic* FastSession::topic(bus::TopicId id, dds::TypeSupport (*make_type)()) {
   dds::Topic*& topic = topics_[static_cast<std::size_t>(id)];
   if (topic == nullptr) {
     const bus::TopicSpec& spec = bus::spec(id);
-    if (type.register_type(participant_, spec.type_name) != ReturnCode_t::RETCODE_OK) {
+    if (make_type().register_type(participant_, spec.type_name) != ReturnCode_t::RETCODE_OK) {
       return nullptr;
     }
-    topic = participant_->create_topic(spec.name, spec.type_name, dds::TOPIC_QOS_DEFAULT);
+    topic = participant_->create_topic(spec.name, spec.type_name, dds::TopicQos());
   }
   return topic;
 }

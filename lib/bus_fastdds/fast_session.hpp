@@ -27,7 +27,7 @@ class FastSession {
   FastSession& operator=(const FastSession&) = delete;
 
   /// Null when Fast DDS refuses; its own log says why.
-  dds::Topic* topic(bus::TopicId id, const dds::TypeSupport& type);
+  dds::Topic* topic(bus::TopicId id, dds::TypeSupport (*make_type)());
   dds::Publisher* publisher(const std::vector<std::string>& partitions);
   dds::Subscriber* subscriber(const std::vector<std::string>& partitions);
 

@@ -85,7 +85,6 @@ class SignalType final : public Wire<Signal>::Codec {
 
   // The generated getKey works in one buffer of the type, which the writing and the receiving thread share.
   bool getKey(void* data, Handle* handle, bool /*force_md5: security only*/) override {
-    static_assert(kKeyBytes >= sizeof(std::uint16_t));
     WireSignal signal;
     Wire<Signal>::copy(signal, *static_cast<const Signal*>(data));
     std::array<char, kKeyBytes> key{};

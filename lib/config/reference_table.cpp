@@ -15,7 +15,8 @@ class TableWriter final : public Visitor {
   std::string path(const std::string& name) const { return paths_.empty() ? name : paths_.back() + "." + name; }
 
   void row(const Entry& entry, const std::string& unit, const std::string& values, const std::string& fallback) {
-    text_ += "| `" + path(entry.name) + "` | " + unit + " | " + values + " | " + fallback + " | " + entry.sentence + " |\n";
+    text_ += "| `" + path(entry.name) + "` | " + unit + " | " + values + " | " + fallback + " | ";
+    text_ += std::string(entry.sentence) + " |\n";
   }
 
   static std::string range_text(Range range) { return number_text(range.min) + " to " + number_text(range.max); }

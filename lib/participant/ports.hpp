@@ -156,6 +156,9 @@ class TickInbox {
   }
   /// The sample of the i-th key for exactly this tick, or null.
   const Signal* find(std::size_t i, Tick tick) const noexcept {
+    if (tick < 0) {
+      return nullptr;
+    }
     const Signal& signal = slots_[i][index(tick)];
     return tick_of(signal) == tick ? &signal : nullptr;
   }

@@ -12,15 +12,16 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kControlPriority = 80;
 constexpr auto kHousekeeping = 5ms;
 constexpr auto kSilenceWorthReporting = 5s;
 
 SteadyTime now() { return std::chrono::steady_clock::now(); }
 
 void control(RealtimeApplication& application, const char* name, const std::atomic<bool>& started) {
-  if (const std::string lacking = runtime::make_realtime(kControlPriority); !lacking.empty()) {
-    std::fprintf(stderr, "%s: runs without %s\n", name, lacking.c_str());
+  for (const std::string& lacking : {runtime::set_priority(runtime::kControlPriority), runtime::lock_memory()}) {
+    if (!lacking.empty()) {
+      std::fprintf(stderr, "%s: runs without %s\n", name, lacking.c_str());
+    }
   }
   while (!started.load(std::memory_order_acquire) && !stop_requested()) {
     std::this_thread::sleep_for(1ms);

@@ -4,6 +4,7 @@
 
 #include "bus_factory/bus_factory.hpp"
 #include "participant/loop.hpp"
+#include "runtime/realtime_thread.hpp"
 
 namespace farrier::process {
 namespace {
@@ -37,6 +38,11 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   if (!robot) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return 2;
+  }
+  if (options.clock == bus::ClockKind::kRealtime) {
+    if (const std::string lacking = runtime::set_priority(runtime::kBusPriority); !lacking.empty()) {
+      std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());
+    }
   }
   auto bus = bus_factory::create_bus(options.vendor, options.network);
   if (!bus) {

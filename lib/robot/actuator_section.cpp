@@ -123,7 +123,8 @@ void declare(Visitor& v, Controller& c) {
   v.number("force_weight", w.force, {0, 1e6}, "On the force (7.9).");
   v.number("input_weight", w.input, {1e-6, 1e6}, "On the valve current (7.10).");
   v.number("integral_factor", w.integral_factor, {1e-3, 50}, "Multiplies the integral gain at run time, xi (7.11).");
-  v.number("feed_forward_factor", w.feed_forward_factor, {0, 2}, Default{1.0}, "Multiplies the feed-forward; 0 is off.");
+  v.number("feed_forward_factor", w.feed_forward_factor, {0, 2}, Default{1.0},
+           "Multiplies the feed-forward; 0 is off.");
 }
 
 }  // namespace farrier::robot

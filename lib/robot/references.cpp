@@ -95,7 +95,8 @@ class ReferenceCheck {
                                        : " is for a rotary motor: a cylinder takes one with swing and stance")));
     }
     if (linkage != nullptr && rotary && linkage->triangle) {
-      problems_.push_back(joint.place.problem("linkage", joint.linkage + " is for a cylinder: a motor takes a direct one"));
+      problems_.push_back(
+          joint.place.problem("linkage", joint.linkage + " is for a cylinder: a motor takes a direct one"));
     }
   }
 

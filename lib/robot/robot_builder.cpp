@@ -1,7 +1,7 @@
 #include "robot/robot_builder.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "gait/leg_kinematics.hpp"
@@ -58,7 +58,9 @@ class Builder {
     return std::move(problems_);
   }
 
-  const Actuator& actuator_of(const JointTemplate& joint) const { return *config::find(file_.actuators, joint.actuator); }
+  const Actuator& actuator_of(const JointTemplate& joint) const {
+    return *config::find(file_.actuators, joint.actuator);
+  }
 
   // Linkages must be triangles, and joint limits must stay within reach and stroke.
   void check_geometry() {

@@ -77,7 +77,8 @@ void declare(Visitor& v, GaitSection& section) {
   v.number("touchdown_jitter_s", g.touchdown_jitter_s, {0, 0.2}, Default{0.0},
            "Actual touchdowns lie within plus or minus this of the planned ones.");
   v.number("lead_in_s", g.lead_in_s, {0, 60}, Default{0.5}, "Standing before the first stride.");
-  v.integer("announce_ticks", g.announce_ticks, {1, 10000}, Default{40}, "A switch is announced this many ticks ahead.");
+  v.integer("announce_ticks", g.announce_ticks, {1, 10000}, Default{40},
+            "A switch is announced this many ticks ahead.");
   v.choice<gait::ReferenceKind>("reference", g.reference, kReferences, Default{gait::ReferenceKind::kLegKinematics},
                                 "Joint references from leg kinematics, or a sum of sines as force (a rig).");
   v.numbers("multisine_frequencies_Hz", g.multisine_frequencies_Hz, {1e-3, 400}, "Equal amplitudes, zero phase.");

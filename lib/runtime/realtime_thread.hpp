@@ -4,8 +4,17 @@
 
 namespace farrier::runtime {
 
-/// Makes the calling thread real-time: SCHED_FIFO at `priority`, memory locked, stack touched. Where the system's
-/// limits forbid a step the thread runs on without it; returns what could not be had, empty when all could.
-std::string make_realtime(int priority);
+/// SCHED_FIFO priorities of a process on the real-time clock: the control loop comes before the thread that talks to
+/// the bus, whose priority the vendor's threads inherit when it creates them.
+inline constexpr int kControlPriority = 80;
+inline constexpr int kBusPriority = 60;
+
+/// Gives the calling thread, and threads it creates from now on, a SCHED_FIFO priority. Where the system's limits
+/// forbid it the thread runs on without; returns what could not be had, empty when all could.
+std::string set_priority(int priority);
+
+/// Locks the process's memory and touches the calling thread's stack, so that a loop meets no page fault. Returns as
+/// set_priority.
+std::string lock_memory();
 
 }  // namespace farrier::runtime

@@ -106,8 +106,8 @@ class Conformance : public testing::TestWithParam<Pair> {
 
   template <class Signal>
   bus::Subscription<Signal> subscription(const bus::Qos& qos, std::vector<std::string> partitions = {}) {
-    auto created =
-        bus::Subscription<Signal>::create(reader_bus(), {bus::TopicOf<Signal>::id, qos, in_robot(std::move(partitions))});
+    auto created = bus::Subscription<Signal>::create(
+        reader_bus(), {bus::TopicOf<Signal>::id, qos, in_robot(std::move(partitions))});
     FARRIER_ENSURE(created.ok(), created.error().message.c_str());
     return std::move(created).value();
   }

@@ -26,7 +26,8 @@ class RemoteSupervisor {
     }
     bus_ = make_bus(vendor, 0, inproc);
     thread_ = std::jthread([this, robot, strength](const std::stop_token& silence) {
-      auto writer = bus::Publisher<SystemMode>::create(*bus_, {bus::TopicId::kSystemMode, authority(), {robot}, strength});
+      auto writer =
+          bus::Publisher<SystemMode>::create(*bus_, {bus::TopicId::kSystemMode, authority(), {robot}, strength});
       while (!silence.stop_requested()) {
         writer.value().publish({.epoch = static_cast<std::uint32_t>(strength)});
         std::this_thread::sleep_for(2ms);
@@ -138,17 +139,16 @@ TEST_P(Failure, WritingDoesNotWaitForADeadReader) {
   EXPECT_LT((std::chrono::steady_clock::now() - start) / kSamples, kWriteBudget);
 }
 
-const testing::internal::ParamGenerator<Pair> kPairs =
-    testing::Values(Pair{"Inproc", bus::Vendor::kInproc, bus::Vendor::kInproc},
-                    Pair{"Cyclone", bus::Vendor::kCyclone, bus::Vendor::kCyclone},
-                    Pair{"Fast", bus::Vendor::kFast, bus::Vendor::kFast},
-                    Pair{"CycloneToFastDds", bus::Vendor::kCyclone, bus::Vendor::kFast},
-                    Pair{"FastDdsToCyclone", bus::Vendor::kFast, bus::Vendor::kCyclone});
+constexpr Pair kPairs[] = {{"Inproc", bus::Vendor::kInproc, bus::Vendor::kInproc},
+                           {"Cyclone", bus::Vendor::kCyclone, bus::Vendor::kCyclone},
+                           {"Fast", bus::Vendor::kFast, bus::Vendor::kFast},
+                           {"CycloneToFastDds", bus::Vendor::kCyclone, bus::Vendor::kFast},
+                           {"FastDdsToCyclone", bus::Vendor::kFast, bus::Vendor::kCyclone}};
 
 std::string name_of(const testing::TestParamInfo<Pair>& pair) { return pair.param.name; }
 
-INSTANTIATE_TEST_SUITE_P(Bus, Conformance, kPairs, name_of);
-INSTANTIATE_TEST_SUITE_P(Bus, Failure, kPairs, name_of);
+INSTANTIATE_TEST_SUITE_P(Bus, Conformance, testing::ValuesIn(kPairs), name_of);
+INSTANTIATE_TEST_SUITE_P(Bus, Failure, testing::ValuesIn(kPairs), name_of);
 
 }  // namespace
 }  // namespace farrier::contract

@@ -15,6 +15,9 @@ farrier_test(contract_text_test contract ${contract_dir}/contract_text_test.cpp)
 target_link_libraries(contract_text_test PRIVATE farrier_bus)
 target_compile_definitions(contract_text_test PRIVATE FARRIER_IDL_DIR="${PROJECT_SOURCE_DIR}/idl")
 
+farrier_test(cyclone_bus_test contract ${contract_dir}/cyclone_bus_test.cpp)
+target_link_libraries(cyclone_bus_test PRIVATE farrier_bus_cyclone)
+
 farrier_test(inproc_bus_test contract ${contract_dir}/inproc_bus_test.cpp)
 target_link_libraries(inproc_bus_test PRIVATE farrier_bus)
 

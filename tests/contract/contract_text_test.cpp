@@ -48,7 +48,8 @@ IdlFile read_idl(const std::string& name) {
   if (std::regex_search(code, match, std::regex(R"(struct\s+(\w+))"))) {
     file.structure = match[1];
   }
-  const std::regex field(R"((@key\s+)?((?:unsigned )?(?:long long|long|short)|octet|char|double)\s+(\w+)(?:\[(\d+)\])?;)");
+  const std::regex field(
+      R"((@key\s+)?((?:unsigned )?(?:long long|long|short)|octet|char|double)\s+(\w+)(?:\[(\d+)\])?;)");
   for (std::sregex_iterator i(code.begin(), code.end(), field), end; i != end; ++i) {
     const std::smatch& found = *i;
     file.fields.push_back({found[1].matched, found[2], found[3], found[4].matched ? std::stoul(found[4]) : 1});

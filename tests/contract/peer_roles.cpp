@@ -57,8 +57,8 @@ int read_events(bus::Bus& bus, const std::string& robot) {
 }
 
 int greet(bus::Bus& bus, int index, std::size_t count, SteadyTime start) {
-  const bus::EndpointSpec endpoint{
-      bus::TopicId::kSystemHello, bus::qos_for(bus::spec(bus::TopicId::kSystemHello), bus::ClockKind::kRealtime), {"robot"}};
+  const bus::Qos qos = bus::qos_for(bus::spec(bus::TopicId::kSystemHello), bus::ClockKind::kRealtime);
+  const bus::EndpointSpec endpoint{bus::TopicId::kSystemHello, qos, {"robot"}};
   auto reader = bus::Subscription<signals::SystemHello>::create(bus, endpoint);
   auto writer = bus::Publisher<signals::SystemHello>::create(bus, endpoint);
   signals::SystemHello hello;

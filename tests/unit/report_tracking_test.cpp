@@ -12,8 +12,8 @@ using testing::rows_of;
 
 constexpr double kRounding = 1e-9;  // relative, of sums over some thousand ticks
 
-struct Run {
-  explicit Run(robot::Robot with = hyq()) : robot(std::move(with)), schedule(robot.plan, kSeed) {}
+struct Rehearsal {
+  explicit Rehearsal(robot::Robot with = hyq()) : robot(std::move(with)), schedule(robot.plan, kSeed) {}
 
   Tick ticks() const { return schedule.lead_in_ticks() + 7 * schedule.stride_ticks(); }
 
@@ -28,7 +28,7 @@ constexpr double kOddTick = 1e-5;
 double square_wave(Tick tick) { return tick % 2 == 0 ? 1.0 : -1.0; }
 
 TEST(Tracking, ErrorIsRelativeToTheReferenceAboutItsMean) {
-  const Run run;
+  const Rehearsal run;
   const auto rows = rows_of(run.robot, run.schedule, run.ticks(), [&](const robot::Joint& joint, auto& row) {
     const double amplitude = 0.5 * rating_of(run.robot, joint).force;
     const double error = row.phase == 1 ? 0.04 : 0.15;
@@ -42,7 +42,7 @@ TEST(Tracking, ErrorIsRelativeToTheReferenceAboutItsMean) {
 }
 
 TEST(Tracking, AReferenceAtRestIsMeasuredAgainstFivePercentOfTheRating) {
-  const Run run;
+  const Rehearsal run;
   const auto rows = rows_of(run.robot, run.schedule, run.ticks(), [&](const robot::Joint& joint, auto& row) {
     row.force_reference_N_or_Nm = 0.25 * rating_of(run.robot, joint).force;
     row.force_N_or_Nm = row.force_reference_N_or_Nm - 0.005 * rating_of(run.robot, joint).force;
@@ -61,7 +61,7 @@ TEST(Tracking, RatingsAreThoseOfTheDataSheets) {
 }
 
 TEST(Tracking, JudgesFromTheThirdStrideOfEachLeg) {
-  const Run run;
+  const Rehearsal run;
   for (int leg = 0; leg < 4; ++leg) {
     const Tick first = first_judged_tick(run.robot, run.schedule, leg);
     EXPECT_EQ(run.schedule.stride(leg, first), 2);
@@ -76,7 +76,7 @@ TEST(Tracking, JudgesFromTheThirdStrideOfEachLeg) {
 }
 
 TEST(Tracking, ARobotThatStandsIsJudgedFromOneSecondAfterTheLeadIn) {
-  const Run run(standing());
+  const Rehearsal run(standing());
   EXPECT_EQ(first_judged_tick(run.robot, run.schedule, 0), run.schedule.lead_in_ticks() + 1000);
   const auto rows = rows_of(run.robot, run.schedule, 3000, [](const auto&, auto&) {});
   const Tracking tracking = track(run.robot, run.schedule, rows, 0);
@@ -86,7 +86,7 @@ TEST(Tracking, ARobotThatStandsIsJudgedFromOneSecondAfterTheLeadIn) {
 }
 
 TEST(Tracking, TravelIsThatOfTheJointNotOfThePiston) {
-  const Run run;
+  const Rehearsal run;
   const auto rows = rows_of(run.robot, run.schedule, run.ticks(), [](const auto&, auto&) {});
   for (const JointTracking& joint : track(run.robot, run.schedule, rows, 0).joints) {
     EXPECT_NEAR(joint.travel_rad, 0.5, 1e-4);  // sampled within half a tick of its peaks: 0.25 (2 pi f T)^2 / 8
@@ -94,7 +94,7 @@ TEST(Tracking, TravelIsThatOfTheJointNotOfThePiston) {
 }
 
 TEST(Tracking, CountsCommandsThatAreOlderThanTheLoopDelay) {
-  const Run run;
+  const Rehearsal run;
   const Tick late = first_judged_tick(run.robot, run.schedule, 0) + 100;
   const auto rows = rows_of(run.robot, run.schedule, run.ticks(), [&](const robot::Joint& joint, auto& row) {
     row.command_age_ticks = joint.number == 0 && row.tick >= late && row.tick < late + 5 ? 2 : 1;
@@ -105,7 +105,7 @@ TEST(Tracking, CountsCommandsThatAreOlderThanTheLoopDelay) {
 }
 
 TEST(Tracking, CountsTheStridesThatEveryLegCompleted) {
-  const Run run;
+  const Rehearsal run;
   Tick ticks = 0;
   while (run.schedule.stride(0, ticks) < 4 || run.schedule.stride(1, ticks) < 4) {
     ++ticks;
@@ -116,7 +116,7 @@ TEST(Tracking, CountsTheStridesThatEveryLegCompleted) {
 }
 
 TEST(Tracking, AForceThatIsNotANumberFailsItsJointOnly) {
-  const Run run;
+  const Rehearsal run;
   const Tick bad = first_judged_tick(run.robot, run.schedule, 0);
   const auto rows = rows_of(run.robot, run.schedule, run.ticks(), [&](const robot::Joint& joint, auto& row) {
     row.force_N_or_Nm = joint.number == 2 && row.tick == bad ? std::numeric_limits<double>::quiet_NaN() : 0.0;
@@ -128,7 +128,7 @@ TEST(Tracking, AForceThatIsNotANumberFailsItsJointOnly) {
 }
 
 TEST(Tracking, ARunTooShortToJudgeDoesNotPass) {
-  const Run run;
+  const Rehearsal run;
   const auto rows = rows_of(run.robot, run.schedule, 100, [](const auto&, auto&) {});
   Figures figures;
   add_tracking(figures, run.robot, track(run.robot, run.schedule, rows, 0), 0.0);
@@ -136,19 +136,29 @@ TEST(Tracking, ARunTooShortToJudgeDoesNotPass) {
 }
 
 TEST(Tracking, OnlyKneesOfATrotMustTravel) {
-  const auto bounded = [](const Run& run, const char* name) {
+  const auto bounded = [](const Rehearsal& run, const char* name) {
     Figures figures;
     add_tracking(figures, run.robot, track(run.robot, run.schedule, {}, 0), 0.0);
     return figures.find(name)->bound.has_value();
   };
-  const Run trot;
+  const Rehearsal trot;
   EXPECT_TRUE(bounded(trot, "trot.rh_kfe.travel_rad"));
   EXPECT_FALSE(bounded(trot, "trot.rh_hfe.travel_rad"));
-  EXPECT_FALSE(bounded(Run(standing()), "trot.rh_kfe.travel_rad"));
+  EXPECT_FALSE(bounded(Rehearsal(standing()), "trot.rh_kfe.travel_rad"));
+}
+
+TEST(Tracking, AJointThatIsItsPistonHasNoTravelInRadians) {
+  auto rig = robot::load_robot(std::string(FARRIER_ROBOTS) + "/fc1d.yaml");
+  ASSERT_TRUE(rig.ok()) << config::to_string(rig.error());
+  const Rehearsal run(std::move(rig).value());
+  Figures figures;
+  add_tracking(figures, run.robot, track(run.robot, run.schedule, {}, 0), 0.0);
+  EXPECT_EQ(figures.find("trot.fc1d.travel_rad"), nullptr);
+  EXPECT_NE(figures.find("trot.fc1d.stance_nrmse"), nullptr);
 }
 
 TEST(Tracking, TakesWellUnderASecondForAHundredThousandRows) {
-  const Run run;
+  const Rehearsal run;
   const auto rows = rows_of(run.robot, run.schedule, 100'000 / 12, [](const auto&, auto&) {});
   const auto start = std::chrono::steady_clock::now();
   const Tracking tracking = track(run.robot, run.schedule, rows, 0);

@@ -84,8 +84,9 @@ TEST_P(RobotFileFuzz, SurvivesLinesMovedRepeatedAndCut) {
 
 TEST_P(RobotFileFuzz, SurvivesRandomValues) {
   const std::vector<std::string> good = lines_of(print_config(load_shipped(GetParam())));
-  const std::vector<std::string> values = {"0",    "-1",    "1e308", "-1e-308", ".nan", "1e9", "0.5", "true", "\"\"", "[]",
-                                           "[1]",  "{}",    "~",     "haa",     "0.02", "2",   "1e-9", "*a",   "&a 1", "trot"};
+  const std::vector<std::string> values = {"0",   "-1", "1e308", "-1e-308", ".nan", "1e9", "0.5",
+                                           "[1]", "{}", "~",     "haa",     "0.02", "2",   "1e-9",
+                                           "*a",  "[]", "&a 1",  "trot",    "true", "\"\""};
   for (int i = 0; i < 600; ++i) {
     std::vector<std::string> lines = good;
     std::string& line = lines[below(lines.size())];

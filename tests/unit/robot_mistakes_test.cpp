@@ -40,13 +40,15 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"  duty: 0.65", "  dutty: 0.65", "gait.dutty: is not a known parameter: did you mean duty?"},
         Mistake{"retracted_length_m: 0.281\n  kfe:", "retracted_length_m: nine\n  kfe:",
                 "linkages.hfe.triangle.retracted_length_m: nine is not a number: give 0.001 to 20"},
-        Mistake{"rh_hfe: hfe, rh_kfe: kfe", "rh_hfe: hfe, lf_kfe: kfe", "legs.rh.joints.lf_kfe: is the name of a joint of leg lf too: rename one"},
+        Mistake{"rh_hfe: hfe, rh_kfe: kfe", "rh_hfe: hfe, lf_kfe: kfe",
+                "legs.rh.joints.lf_kfe: is the name of a joint of leg lf too: rename one"},
         Mistake{"rh_kfe: kfe", "rh_kfe: knee", "legs.rh.joints.rh_kfe: knee is not one of joints: haa, hfe, kfe"},
         Mistake{"rh_hfe: hfe, rh_kfe: kfe", "rh_hfe: hfe",
                 "legs.rh.joints: has 2 joints: give HAA, HFE, KFE, or the one joint of a rig"},
         Mistake{"rh_haa: haa, rh_hfe: hfe,", "rh_hfe: hfe, rh_haa: haa,",
                 "legs.rh.joints.rh_haa: has the whole leg as its load: only the first of three joints can"},
-        Mistake{"damping_like: bench", "damping_like: leg", "loads.leg.leg_about_haa.damping_like: leg has no swing load"},
+        Mistake{"damping_like: bench", "damping_like: leg",
+                "loads.leg.leg_about_haa.damping_like: leg has no swing load"},
         Mistake{"like_cylinder: cylinder", "like_cylinder: haa_motor",
                 "actuators.haa_motor.rotary_motor.like_cylinder: haa_motor is not a cylinder"},
         Mistake{"lever_joints: [hfe, kfe]", "lever_joints: [haa, kfe]",
@@ -57,8 +59,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "joints.haa.linkage: kfe is for a cylinder: a motor takes a direct one"},
         Mistake{"rod_m: 0.010 ", "rod_m: 0.020 ", "actuators.cylinder.cylinder.rod_m: must be below bore_m"},
         Mistake{"angle_min_rad: -1.2  ", "angle_min_rad: -1.3  ",
-                "joints.haa.angle_min_rad: -1.3 puts actuator haa_motor at -0.10000000000000009, outside its stroke: 0 to "
-                "1.7467"},
+                "joints.haa.angle_min_rad: -1.3 puts actuator haa_motor at -0.10000000000000009, outside its "
+                "stroke: 0 to 1.7467"},
         Mistake{"home_angle_rad: 1.5", "home_angle_rad: -1.5",
                 "joints.kfe.home_angle_rad: must lie between angle_min_rad and angle_max_rad"},
         Mistake{"angle_max_rad: 0.8726646 ", "angle_max_rad: 1.5 ",
@@ -104,7 +106,8 @@ TEST(RobotFileMistakes, IncludeStopsTooSoftForTheSupply) {
 TEST(RobotFileMistakes, IncludeAFileThatIsNotThere) {
   const auto robot = load_robot(shipped("no_such_robot"));
   ASSERT_FALSE(robot.ok());
-  EXPECT_EQ(to_string(robot.error()), shipped("no_such_robot") + ": cannot be read: check the path and its permissions\n");
+  EXPECT_EQ(to_string(robot.error()),
+            shipped("no_such_robot") + ": cannot be read: check the path and its permissions\n");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "plant/linear_model.hpp"
 #include "robot_test_files.hpp"
 
 namespace farrier::robot {
@@ -27,6 +28,38 @@ TEST(Fc1d, IsTheRigOfTheThesis) {
   EXPECT_EQ(rig.plan.gait.reference, gait::ReferenceKind::kMultisine);
   EXPECT_EQ(rig.plan.gait.multisine_frequencies_Hz, (std::vector<double>{2, 5, 10}));
   EXPECT_EQ(rig.plan.gait.multisine_amplitude_N, 160.0);
+}
+
+// Golden: an independent computation of the thesis's LQR from Table A.2 with V_pl set right, at (50 kg, 500 Ns/m); its
+// Figs 7.4 and 7.8 show about [0, -4, 8]. Opening valve, mid-stroke.
+TEST(Fc1d, LeadsToTheGainsTheThesisShows) {
+  const Robot rig = load_shipped("fc1d");
+  const Joint& joint = rig.joints.at(0);
+  const plant::LinearModel model =
+      plant::linearise_load_cell_force(joint.actuator, joint.stance_load, {.position = 0.04, .valve_sign = 1.0});
+  const auto gains = control::design_lqr(model.a, model.b, rig.period_s, joint.weights, joint.normalisation, joint.form,
+                                         rig.loop_delay_lockstep);
+  ASSERT_TRUE(gains.ok()) << control::to_string(gains.error());
+  EXPECT_NEAR(gains.value().position, 0.065, 0.5e-3);  // half of the last digit given
+  EXPECT_NEAR(gains.value().velocity, -4.47, 0.5e-2);
+  EXPECT_NEAR(gains.value().force, 8.55, 0.5e-2);
+}
+
+TEST(Robot, LeadsToAControllerForEveryJointLoadAndClock) {
+  for (const char* name : {"hyq", "fc1d"}) {
+    const Robot robot = load_shipped(name);
+    for (const Joint& joint : robot.joints) {
+      for (const plant::LoadParams& load : {joint.swing_load, joint.stance_load}) {
+        for (const int delay : {robot.loop_delay_lockstep, robot.loop_delay_realtime}) {
+          const plant::LinearModel model = plant::linearise_load_cell_force(
+              joint.actuator, load, {.position = joint.linkage.position(joint.home_angle_rad)});
+          const auto gains = control::design_lqr(model.a, model.b, robot.period_s, joint.weights, joint.normalisation,
+                                                 joint.form, delay);
+          EXPECT_TRUE(gains.ok()) << joint.name << ", " << load.mass << " kg, delay " << delay;
+        }
+      }
+    }
+  }
 }
 
 TEST(Robot, TakesItsWeightsFromTheThesis) {

@@ -23,20 +23,23 @@ class Paper {
  public:
   explicit Paper(bool colour) : colour_(colour) {}
 
-  /// Columns as wide as their longest cell; the first is flush left, numbers flush right.
+  /// Columns as wide as their longest cell, and two more where one fails; the first is flush left, others right.
   void table(const std::vector<Row>& rows) {
     std::vector<std::size_t> widths;
+    std::vector<bool> marked;
     for (const Row& row : rows) {
       widths.resize(std::max(widths.size(), row.size()));
+      marked.resize(widths.size());
       for (std::size_t i = 0; i < row.size(); ++i) {
         widths[i] = std::max(widths[i], row[i].text.size());
+        marked[i] = marked[i] || row[i].fails;
       }
     }
     for (const Row& row : rows) {
       for (std::size_t i = 0; i < row.size(); ++i) {
         const std::string gap(widths[i] - row[i].text.size(), ' ');
-        const std::string mark = i == 0 ? "" : row[i].fails ? " !" : "  ";
-        text += i == 0 ? row[i].text + gap : "  " + gap + (row[i].fails ? red(row[i].text + mark) : row[i].text + mark);
+        const std::string cell = row[i].fails ? red(row[i].text + " !") : row[i].text + (marked[i] ? "  " : "");
+        text += i == 0 ? cell + gap : "  " + gap + cell;
       }
       end_line();
     }
@@ -142,14 +145,24 @@ void add_other_figures(Paper& paper, const Figures& figures) {
   }
 }
 
+std::string padded(std::string text, std::size_t width) {
+  text.resize(std::max(text.size(), width), ' ');
+  return text;
+}
+
 void add_processes(Paper& paper, const RunInfo& run) {
-  std::size_t longest = 0;
+  std::size_t name_width = 0;
+  std::size_t pid_width = 0;
+  std::size_t vendor_width = 0;
   for (const ProcessInfo& process : run.processes) {
-    longest = std::max(longest, process.name.size());
+    name_width = std::max(name_width, process.name.size());
+    pid_width = std::max(pid_width, std::to_string(process.pid).size());
+    vendor_width = std::max(vendor_width, process.vendor.size());
   }
   for (const ProcessInfo& process : run.processes) {
-    std::string head = process.name + std::string(longest - process.name.size(), ' ') + "  pid " +
-                       std::to_string(process.pid) + "  " + process.vendor + "  ";
+    const std::string head = padded(process.name, name_width) + "  pid " +
+                             padded(std::to_string(process.pid), pid_width) + "  " +
+                             padded(process.vendor, vendor_width) + "  ";
     std::vector<std::string> items = topic_texts(process);
     if (process.missed_deadlines > 0) {
       items.insert(items.begin(), std::to_string(process.missed_deadlines) + " missed deadlines");

@@ -13,7 +13,8 @@ namespace {
 
 constexpr const char* kStyle = R"(
 :root { color-scheme: light; }
-body { font: 15px/1.45 system-ui, sans-serif; color: #1c2226; background: #fff; max-width: 1120px; margin: 2rem auto; padding: 0 1rem; }
+body { font: 15px/1.45 system-ui, sans-serif; color: #1c2226; background: #fff; }
+body { max-width: 1120px; margin: 2rem auto; padding: 0 1rem; }
 h1 { font-size: 1.6rem; margin: 0; } h2 { font-size: 1.2rem; margin: 2.2rem 0 .6rem; border-bottom: 1px solid #d8dde1; }
 h3 { font-size: 1.05rem; margin: 1.6rem 0 .4rem; }
 p.where { color: #56616a; margin: .2rem 0 1rem; }
@@ -25,7 +26,8 @@ td.fails { color: #a63603; font-weight: 700; }
 .verdict { display: inline-block; padding: .05rem .6rem; border-radius: .3rem; color: #fff; }
 .pass { background: #00704f; } .fail { background: #b03a00; }
 ul.reasons { color: #a63603; }
-.beside { display: flex; flex-wrap: wrap; gap: .5rem 1.5rem; align-items: flex-start; }
+.beside { display: flex; flex-wrap: wrap; gap: .5rem 1rem; align-items: flex-start; }
+figure.poles { width: 420px; }
 img { max-width: 100%; height: auto; }
 pre { background: #f6f8f9; padding: .8rem; overflow-x: auto; font-size: .82rem; }
 a { color: #005a8c; } figure { margin: 0; } figcaption { color: #56616a; font-size: .85rem; }
@@ -34,7 +36,7 @@ a { color: #005a8c; } figure { margin: 0; } figcaption { color: #56616a; font-si
 
 std::string picture(const std::string& path, const std::string& what) {
   return path.empty() ? ""
-                      : "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(what) + "\" loading=\"lazy\">\n";
+                      : "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(what) + "\">\n";
 }
 
 std::string joint_section(const robot::Joint& joint, const JointPictures& pictures) {
@@ -47,7 +49,8 @@ std::string joint_section(const robot::Joint& joint, const JointPictures& pictur
   const bool compliant = joint.form == control::Form::kCompliant;
   html += "<div class=\"beside\">\n<figure>" +
           picture(pictures.overview, "reference and error of " + joint.name + " over the whole run") +
-          "</figure>\n<figure>" + picture(pictures.poles, "closed-loop poles of " + joint.name) + "<figcaption>" +
+          "</figure>\n<figure class=\"poles\">" + picture(pictures.poles, "closed-loop poles of " + joint.name) +
+          "<figcaption>" +
           (compliant ? "The joint is free to move: without a load spring its position is the pole at 1." : "") +
           "</figcaption></figure>\n</div>\n";
   return html;

@@ -72,7 +72,8 @@ std::string joint_table_html(const Figures& figures) {
 
 std::string figures_table_html(const Figures& figures) {
   std::string html =
-      "<table><thead><tr><th>figure</th><th>value</th><th>unit</th><th>bound</th><th>meaning</th></tr></thead>\n<tbody>\n";
+      "<table><thead><tr><th>figure</th><th>value</th><th>unit</th><th>bound</th><th>meaning</th></tr></thead>\n"
+      "<tbody>\n";
   for (const Figure& figure : figures.all()) {
     if (figure.name.starts_with("trot.packets.")) {
       continue;
@@ -86,8 +87,8 @@ std::string figures_table_html(const Figures& figures) {
 
 std::string processes_table_html(const RunInfo& run) {
   std::string html =
-      "<table><thead><tr><th>process</th><th>pid</th><th>DDS</th><th>missed deadlines</th><th>samples</th></tr></thead>\n"
-      "<tbody>\n";
+      "<table><thead><tr><th>process</th><th>pid</th><th>DDS</th><th>missed deadlines</th><th>samples</th></tr>"
+      "</thead>\n<tbody>\n";
   for (const ProcessInfo& process : run.processes) {
     std::string samples;
     for (const std::string& text : topic_texts(process)) {

@@ -12,12 +12,19 @@ Result<JointPoles> joint_poles(const robot::Joint& joint, double period_s, int l
   }
   const control::DiscreteModel stance_model = supervisor::model_of(joint, joint.stance_load, period_s);
   const control::DiscreteModel swing_model = supervisor::model_of(joint, joint.swing_load, period_s);
-  return JointPoles{
-      .stance_on_stance = control::closed_loop_poles(stance_model, stance.value(), loop_delay_ticks),
-      .stance_on_swing = control::closed_loop_poles(swing_model, stance.value(), loop_delay_ticks),
-      .swing_on_stance = control::closed_loop_poles(stance_model, swing.value(), loop_delay_ticks),
-      .stance_spectral_radius = control::closed_loop_spectral_radius(stance_model, stance.value(), loop_delay_ticks),
-      .swing_spectral_radius = control::closed_loop_spectral_radius(swing_model, swing.value(), loop_delay_ticks)};
+  const auto poles = [&](const control::DiscreteModel& model, const control::Gains& gains) {
+    return control::closed_loop_poles(model, gains, loop_delay_ticks);
+  };
+  const auto radius = [&](const control::DiscreteModel& model, const control::Gains& gains) {
+    return control::closed_loop_spectral_radius(model, gains, loop_delay_ticks);
+  };
+  return JointPoles{.stance_on_stance = poles(stance_model, stance.value()),
+                    .stance_on_swing = poles(swing_model, stance.value()),
+                    .swing_on_stance = poles(stance_model, swing.value()),
+                    .stance_spectral_radius = radius(stance_model, stance.value()),
+                    .swing_spectral_radius = radius(swing_model, swing.value()),
+                    .stance_on_swing_spectral_radius = radius(swing_model, stance.value()),
+                    .swing_on_stance_spectral_radius = radius(stance_model, swing.value())};
 }
 
 Result<Done> add_spectral_radii(Figures& figures, const robot::Robot& robot, int loop_delay_ticks) {

@@ -11,8 +11,11 @@ struct JointPoles {
   control::ClosedLoopPoles stance_on_stance;  ///< stance design, stance load: what acts in stance
   control::ClosedLoopPoles stance_on_swing;   ///< stance design, swing load: a lift-off that was not foreseen
   control::ClosedLoopPoles swing_on_stance;   ///< swing design, stance load: a touchdown that was not foreseen
-  double stance_spectral_radius;              ///< stance design on the stance load
-  double swing_spectral_radius;               ///< swing design on the swing load
+  // Spectral radii leave out the free position of the compliant form, as control::closed_loop_spectral_radius says.
+  double stance_spectral_radius;  ///< stance design on the stance load
+  double swing_spectral_radius;   ///< swing design on the swing load
+  double stance_on_swing_spectral_radius;
+  double swing_on_stance_spectral_radius;
 };
 
 /// Refuses a joint no controller can be designed for, with its name and the reason.

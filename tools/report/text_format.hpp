@@ -13,8 +13,10 @@ namespace farrier::report {
 /// Four significant digits; whole numbers in full up to 15 digits; "-" for what is not finite.
 std::string short_number(double value);
 
-/// "0.143 1, must be <= 0.1"; the unit is left out for "1".
+/// "310 us"; just the number where the unit is "1".
 std::string value_with_unit(const Figure& figure);
+
+/// "<= 0.1"; empty without a bound.
 std::string bound_text(const Figure& figure);
 
 /// Joints with tracking figures, in the order they were added.

@@ -75,13 +75,21 @@ int completed_strides(const robot::Robot& robot, const gait::Schedule& schedule,
   return std::max(0, robot.plan.legs.empty() ? 0 : strides);
 }
 
+const robot::JointTemplate& template_of(const robot::Robot& robot, const robot::Joint& joint) {
+  const robot::Leg& leg = robot.file.legs.at(static_cast<std::size_t>(joint.leg)).second;
+  return *config::find(robot.file.joints, leg.joints.at(static_cast<std::size_t>(joint.index_in_leg)).second);
+}
+
+// A rig whose joint is its piston moves in metres.
+bool turns(const robot::Robot& robot, const robot::Joint& joint) {
+  return rating_of(robot, joint).rotary ||
+         config::find(robot.file.linkages, template_of(robot, joint).linkage)->triangle.has_value();
+}
+
 }  // namespace
 
 Rating rating_of(const robot::Robot& robot, const robot::Joint& joint) {
-  const robot::Leg& leg = robot.file.legs.at(static_cast<std::size_t>(joint.leg)).second;
-  const std::string& kind = leg.joints.at(static_cast<std::size_t>(joint.index_in_leg)).second;
-  const robot::Actuator& actuator =
-      *config::find(robot.file.actuators, config::find(robot.file.joints, kind)->actuator);
+  const robot::Actuator& actuator = *config::find(robot.file.actuators, template_of(robot, joint).actuator);
   return actuator.cylinder ? Rating{actuator.cylinder->rated_force_N, false}
                            : Rating{actuator.rotary_motor->rated_torque_Nm, true};
 }
@@ -143,7 +151,9 @@ void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& t
       figures.add(prefix + "swing_nrmse", of_joint.swing.nrmse);
     }
     figures.add(prefix + "missed_ticks", static_cast<double>(of_joint.missed_ticks), missed_ticks_bound);
-    figures.add(prefix + "travel_rad", of_joint.travel_rad, judged(knee && legs_move, kKneeTravel_rad));
+    if (turns(robot, joint)) {
+      figures.add(prefix + "travel_rad", of_joint.travel_rad, judged(knee && legs_move, kKneeTravel_rad));
+    }
   }
 }
 

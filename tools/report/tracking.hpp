@@ -34,7 +34,7 @@ struct PhaseError {
 
 struct JointTracking {
   PhaseError stance, swing;        ///< planned phases, whose gains act
-  double travel_rad = 0.0;         ///< largest less smallest joint angle, judged ticks; NaN without one
+  double travel_rad = 0.0;         ///< largest less smallest joint angle (m where the joint is a piston), judged ticks
   std::uint64_t missed_ticks = 0;  ///< judged ticks whose command is older than the loop delay
 };
 
@@ -48,10 +48,11 @@ struct Tracking {
 Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::span<const record::TraceRow> rows,
                int loop_delay_ticks);
 
+inline constexpr double kKneeTravel_rad = 0.3;
+
 /// Adds trot.ticks, trot.strides and each joint's figures, bounded where the robot is judged: stance NRMSE by its
 /// file, knees of a trot by kKneeTravel_rad, missed ticks by `missed_ticks_bound` (none in real time, where the
-/// machine decides them).
-inline constexpr double kKneeTravel_rad = 0.3;
+/// machine decides them). A joint that is its piston has no travel_rad.
 void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking,
                   std::optional<double> missed_ticks_bound);
 

@@ -1,0 +1,11 @@
+farrier_test(core_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/core_fault_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/core_noise_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/core_result_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/core_threads_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/core_signals_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/runtime_deadline_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/runtime_histogram_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/trace_file_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
+target_link_libraries(core_test PRIVATE farrier_core farrier_signals farrier_runtime farrier_record)
