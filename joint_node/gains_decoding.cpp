@@ -43,6 +43,13 @@ Result<Done> check_gains(const signals::JointControllerGains& signal) {
   if (!(n.position > 0 && n.velocity > 0 && n.force > 0 && n.current_A > 0)) {
     return Error{"a scale is not positive"};
   }
+  if (!(gains.integral * gains.integral_factor > 0)) {
+    return Error{"no integral action"};
+  }
+  // The compliant loop is judged without the position state, so nothing may lean on it.
+  if (gains.form == control::Form::kCompliant && gains.position != 0.0) {
+    return Error{"compliant gains with a position gain of " + std::to_string(gains.position)};
+  }
   if (!(gains.spectral_radius < 1.0)) {
     return Error{"closed loop unstable for the model they came with: spectral radius " +
                  std::to_string(gains.spectral_radius)};

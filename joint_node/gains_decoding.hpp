@@ -9,7 +9,8 @@
 namespace farrier::joint_node {
 
 /// Decides whether gains that came over the wire may act: every number finite, a delay the controller can hold,
-/// scales positive, and the closed loop stable for the model they came with. Refuses with the reason.
+/// scales and integral action positive, no position gain in the compliant form, and the closed loop stable for the
+/// model they came with. Refuses with the reason.
 Result<Done> check_gains(const signals::JointControllerGains& signal);
 
 /// Checked gains as the controller takes them.

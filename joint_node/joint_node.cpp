@@ -23,61 +23,56 @@ bool finite(const signals::JointCommand& c) noexcept {
 }  // namespace
 
 JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, std::uint64_t session)
-    : joint_(joint), safety_(safety), session_(session), good_samples_(safety.recovery_samples) {
+    : joint_(joint),
+      safety_(safety),
+      session_(session),
+      home_position_(joint.linkage.position(joint.home_angle_rad)),
+      good_samples_(safety.recovery_samples) {
   faults_.set(Fault::kDisarmed);
   faults_.set(Fault::kNoGains);
 }
 
 bool JointNode::store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept {
-  PhaseSlots& slots = slots_[signal.phase];
-  if (signal.generation <= std::max(slots.acting.generation, slots.pending.generation)) {
+  auto& upcoming = upcoming_gains_[signal.phase];
+  if (signal.generation <= upcoming.newest()) {
     return false;
   }
-  slots.pending = {gains, signal.generation, signal.effective_tick};
+  upcoming.put({gains, signal.generation, signal.effective_tick});
   faults_.set(Fault::kGainsRefused, false);
   return true;
 }
 
 void JointNode::set_mode(const signals::SystemMode& mode) noexcept {
-  if (mode.session == session_ && mode.epoch > std::max(mode_.epoch, pending_mode_.epoch)) {
-    pending_mode_ = mode;
+  if (mode.session == session_) {
+    upcoming_modes_.put(mode);
   }
 }
 
 void JointNode::announce_phase(const signals::GaitPhase& phase) noexcept {
-  if (phase.phase >= signals::kPhaseCount) {
-    return;
+  if (phase.phase < signals::kPhaseCount) {
+    upcoming_phases_.put(phase);
   }
-  // Announcements come at most a few ahead; the oldest place is the one longest due.
-  auto place = std::min_element(announced_.begin(), announced_.end(),
-                                [](const auto& a, const auto& b) { return a.count < b.count; });
-  *place = phase;
 }
 
 std::uint32_t JointNode::newest_generation() const noexcept {
   std::uint32_t newest = 0;
-  for (const PhaseSlots& slots : slots_) {
-    newest = std::max({newest, slots.acting.generation, slots.pending.generation});
+  for (const auto& upcoming : upcoming_gains_) {
+    newest = std::max(newest, upcoming.newest());
   }
   return newest;
 }
 
 void JointNode::apply_due(Tick tick) noexcept {
-  if (pending_mode_.epoch > mode_.epoch && tick >= pending_mode_.effective_tick) {
-    mode_ = pending_mode_;
+  if (const auto mode = upcoming_modes_.take_due(tick)) {
+    mode_ = *mode;
   }
-  for (PhaseSlots& slots : slots_) {
-    if (slots.pending.generation != 0 && tick >= slots.pending.effective_tick) {
-      slots.acting = slots.pending;
-      slots.pending.generation = 0;
+  for (std::size_t phase = 0; phase < acting_.size(); ++phase) {
+    if (const auto slot = upcoming_gains_[phase].take_due(tick)) {
+      acting_[phase] = *slot;
     }
   }
-  std::uint32_t newest = 0;
-  for (const signals::GaitPhase& announced : announced_) {
-    if (announced.count > newest && announced.switch_tick <= tick) {
-      newest = announced.count;
-      phase_ = static_cast<Phase>(announced.phase);
-    }
+  if (const auto phase = upcoming_phases_.take_due(tick)) {
+    phase_ = static_cast<Phase>(phase->phase);
   }
 }
 
@@ -101,7 +96,7 @@ void JointNode::assess(const Inputs& inputs) noexcept {
     faults_.set(Fault::kTripped);
     tripped_epoch_ = mode_.epoch;
   }
-  faults_.set(Fault::kNoGains, slots_[static_cast<std::size_t>(phase_)].acting.generation == 0);
+  faults_.set(Fault::kNoGains, acting_[static_cast<std::size_t>(phase_)].generation == 0);
 }
 
 JointState JointNode::state() const noexcept {
@@ -135,7 +130,7 @@ double JointNode::force_reference(const Inputs& inputs, JointState state) noexce
 }
 
 double JointNode::valve_current(double reference, const control::Measurement& measured) noexcept {
-  const Slot& slot = slots_[static_cast<std::size_t>(phase_)].acting;
+  const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
   const bool changed = slot.generation != controller_generation_ || phase_ != controller_phase_;
   if (changed && controller_.set_gains(slot.gains, measured, reference)) {
     controller_generation_ = slot.generation;
@@ -145,8 +140,11 @@ double JointNode::valve_current(double reference, const control::Measurement& me
     return 0.0;  // refused, for a measurement too large to add up: tried again next time
   }
   const control::ForceController::Output output = controller_.step(reference, measured);
-  faults_.set(Fault::kValveSaturated, output.saturated);
-  return output.valve_current_A;
+  // The controller limits to the scale its gains came with; the valve has the last word.
+  const double limit_A = joint_.actuator.valve_current_max_A;
+  const double current_A = std::clamp(output.valve_current_A, -limit_A, limit_A);
+  faults_.set(Fault::kValveSaturated, output.saturated || current_A != output.valve_current_A);
+  return current_A;
 }
 
 void JointNode::reset_controller() noexcept {
@@ -166,8 +164,8 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   if (now == JointState::kNull) {
     reset_controller();
   } else {
-    // The models are linearised at mid-stroke; the controller sees the deviation from there.
-    const control::Measurement measured{inputs.sensors.position_m_or_rad - 0.5 * joint_.actuator.stroke,
+    // Designs are linearised at the home pose; the controller sees the deviation from there.
+    const control::Measurement measured{inputs.sensors.position_m_or_rad - home_position_,
                                         inputs.sensors.velocity_m_s_or_rad_s, inputs.sensors.force_N_or_Nm};
     reference = force_reference(inputs, now);
     current_A = valve_current(reference, measured);

@@ -12,6 +12,7 @@
 
 #include "control/force_controller.hpp"
 #include "core/fault.hpp"
+#include "joint_node/upcoming.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
 
@@ -60,10 +61,6 @@ class JointNode {
     std::uint32_t generation = 0;  ///< 0: empty
     Tick effective_tick = kNoTick;
   };
-  struct PhaseSlots {
-    Slot acting;
-    Slot pending;  ///< generation 0: none
-  };
 
   void apply_due(Tick tick) noexcept;
   void assess(const Inputs& inputs) noexcept;
@@ -75,11 +72,13 @@ class JointNode {
   robot::Joint joint_;
   robot::Safety safety_;
   std::uint64_t session_;
+  double home_position_;  ///< m or rad
   control::ForceController controller_;
-  std::array<PhaseSlots, signals::kPhaseCount> slots_{};
+  std::array<Slot, signals::kPhaseCount> acting_{};
+  std::array<Upcoming<Slot, &Slot::generation, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
   signals::SystemMode mode_{};
-  signals::SystemMode pending_mode_{};
-  std::array<signals::GaitPhase, 4> announced_{};  ///< of this leg, not yet due
+  Upcoming<signals::SystemMode, &signals::SystemMode::epoch, &signals::SystemMode::effective_tick> upcoming_modes_;
+  Upcoming<signals::GaitPhase, &signals::GaitPhase::count, &signals::GaitPhase::switch_tick> upcoming_phases_;
   signals::Phase phase_ = signals::Phase::kStance;
   std::uint32_t controller_generation_ = 0;  ///< generation the controller runs with; 0: none
   signals::Phase controller_phase_ = signals::Phase::kStance;

@@ -5,9 +5,10 @@
 namespace farrier::supervisor {
 
 control::DiscreteModel model_of(const robot::Joint& joint, const plant::LoadParams& load, double period_s) {
-  plant::OperatingPoint middle;
-  middle.position = 0.5 * joint.actuator.stroke;
-  const plant::LinearModel model = plant::linearise_load_cell_force(joint.actuator, load, middle);
+  plant::OperatingPoint home;
+  home.position = joint.linkage.position(joint.home_angle_rad);
+  home.valve_sign = 1.0;
+  const plant::LinearModel model = plant::linearise_load_cell_force(joint.actuator, load, home);
   return control::discretise(model.a, model.b, period_s);
 }
 

@@ -6,8 +6,7 @@
 int main(int argc, char** argv) {
   using namespace farrier;
   const auto options = participant::parse_options("supervisor", "Arms the robot and publishes its gains", argc, argv);
-  const auto design = options.design == "swing" ? supervisor::Design::kSwing : supervisor::Design::kStance;
   return process::run(options, [&](auto& member, const auto& robot) {
-    return supervisor::create_application(robot, design, member, options.ticks);
+    return supervisor::create_application(robot, supervisor::parse_design(options.design), member, options.ticks);
   });
 }

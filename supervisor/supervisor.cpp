@@ -33,18 +33,26 @@ signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase pha
   return signal;
 }
 
+Design parse_design(std::string_view name) noexcept {
+  if (name == "swing") {
+    return Design::kSwing;
+  }
+  return name == "phases" ? Design::kPhases : Design::kStance;
+}
+
 Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, int loop_delay_ticks,
                                       std::uint64_t session) {
   constexpr std::uint32_t kFirstEpoch = 1;
   Outputs first;
   for (const robot::Joint& joint : robot.joints) {
-    const plant::LoadParams& load = design == Design::kStance ? joint.stance_load : joint.swing_load;
-    const auto gains = design_joint(joint, load, robot.period_s, loop_delay_ticks);
-    if (!gains) {
-      return gains.error();
-    }
     std::uint32_t generation = 0;
     for (const signals::Phase phase : {signals::Phase::kSwing, signals::Phase::kStance}) {
+      const bool for_stance = design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
+      const auto gains = design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, robot.period_s,
+                                      loop_delay_ticks);
+      if (!gains) {
+        return gains.error();
+      }
       first.gains.push_back(pack_gains(joint.number, phase, kFirstEpoch, ++generation, gains.value()));
     }
   }

@@ -5,6 +5,7 @@
 //   tick ──▶ arm, publish the designed gains ──▶ system/mode, joint/controller_gains
 //   joint/model_estimate ──▶ (redesign when it pays: not yet)
 
+#include <string_view>
 #include <vector>
 
 #include "robot/robot.hpp"
@@ -12,8 +13,11 @@
 
 namespace farrier::supervisor {
 
-/// Which bench load the published gains are designed for. Both slots of a joint get the same design.
-enum class Design { kStance, kSwing };
+/// Which bench load the published gains are designed for: one load for both slots of a joint, or each slot its own.
+enum class Design { kStance, kSwing, kPhases };
+
+/// "stance", "swing", "phases"; anything else counts as "stance".
+Design parse_design(std::string_view name) noexcept;
 
 /// Ticks from the publication of gains or a mode to the tick from which they act.
 inline constexpr Tick kLeadTicks = 2;

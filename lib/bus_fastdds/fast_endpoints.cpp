@@ -55,16 +55,18 @@ class FastReader final : public bus::RawReader {
   std::size_t take(void* signals, std::size_t capacity) noexcept override {
     auto* out = static_cast<Signal*>(signals);
     std::size_t filled = 0;
-    std::size_t removed = 0;
-    events_.taking(capacity);
     dds::SampleInfo info;
-    while (filled < capacity && reader_->take_next_sample(&out[filled], &info) == ReturnCode_t::RETCODE_OK) {
-      ++removed;
+    while (filled < capacity) {
+      events_.taking();
+      const bool removed = reader_->take_next_sample(&out[filled], &info) == ReturnCode_t::RETCODE_OK;
+      events_.taken(removed);
+      if (!removed) {
+        break;
+      }
       if (info.valid_data) {
         ++filled;
       }
     }
-    events_.taken(capacity, removed);
     received_.fetch_add(filled, std::memory_order_relaxed);
     return filled;
   }

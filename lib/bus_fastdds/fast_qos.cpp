@@ -93,7 +93,7 @@ std::shared_ptr<StartupTransportDescriptor> transport(const bus::NetworkOptions&
   return std::make_shared<StartupTransportDescriptor>(udp);
 }
 
-dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options,
+dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options, int index,
                                           std::shared_ptr<StartupTransportDescriptor> transport) {
   dds::DomainParticipantQos qos;
   qos.name("farrier");
@@ -106,8 +106,9 @@ dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options,
   for (const std::string& peer : options.peers) {
     wire.builtin.initialPeersList.push_back(locator(peer));
   }
-  // Ports taken by another process: try every index, as Cyclone does.
-  wire.builtin.mutation_tries = static_cast<std::uint32_t>(options.max_processes);
+  wire.participant_id = index;
+  // Another process may take the index's ports first: then the next ones, up to the last.
+  wire.builtin.mutation_tries = static_cast<std::uint32_t>(options.max_processes - index);
   auto& discovery = wire.builtin.discovery_config;
   discovery.leaseDuration = duration(kParticipantLease);
   discovery.leaseDuration_announcementperiod = duration(kAnnouncementPeriod);

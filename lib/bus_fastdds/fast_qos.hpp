@@ -18,9 +18,11 @@ namespace farrier::bus_fastdds {
 
 namespace dds = eprosima::fastdds::dds;
 
+/// The one transport of a participant; its `receiving` is to be set once the participant exists.
 std::shared_ptr<StartupTransportDescriptor> transport(const bus::NetworkOptions& options);
 
-dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options,
+/// `index` gives the participant its well-known ports.
+dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options, int index,
                                           std::shared_ptr<StartupTransportDescriptor> transport);
 
 dds::PublisherQos publisher_qos(const std::vector<std::string>& partitions);

@@ -1,6 +1,11 @@
 #include "bus_fastdds/fast_session.hpp"
 
+#include <fastrtps/utils/IPFinder.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
+
+#include <algorithm>
+
+#include "bus_fastdds/free_index.hpp"
 
 namespace farrier::bus_fastdds {
 namespace {
@@ -14,21 +19,36 @@ void disable_intraprocess_delivery(dds::DomainParticipantFactory& factory) {
   eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
 }
 
+// Fast DDS would join with a participant that hears nobody.
+bool is_address_of_this_computer(const std::string& address) {
+  using eprosima::fastrtps::rtps::IPFinder;
+  std::vector<IPFinder::info_IP> interfaces;
+  IPFinder::getIPs(&interfaces, true);
+  return std::any_of(interfaces.begin(), interfaces.end(),
+                     [&](const IPFinder::info_IP& ip) { return ip.name == address; });
+}
+
 }  // namespace
 
 Result<std::shared_ptr<FastSession>> FastSession::open(const bus::NetworkOptions& options) {
+  if (!is_address_of_this_computer(options.address)) {
+    return Error{"network: " + options.address + " is not an IPv4 address of this computer"};
+  }
   auto factory = dds::DomainParticipantFactory::get_shared_instance();
   disable_intraprocess_delivery(*factory);
-  const auto udp = transport(options);
-  dds::DomainParticipant* participant = factory->create_participant(
-      static_cast<std::uint32_t>(options.domain), participant_qos(options, udp), nullptr, dds::StatusMask::none());
-  if (participant == nullptr) {
-    return Error{"Fast DDS refuses a participant in domain " + std::to_string(options.domain) + " on " +
-                 options.address + " (its own message is above; is the address this computer's, and are fewer than " +
-                 std::to_string(options.max_processes) + " processes running?)"};
+  for (int index = free_participant_index(options, 0); index >= 0; index = free_participant_index(options, index + 1)) {
+    const auto udp = transport(options);
+    dds::DomainParticipant* participant =
+        factory->create_participant(static_cast<std::uint32_t>(options.domain), participant_qos(options, index, udp),
+                                    nullptr, dds::StatusMask::none());
+    if (participant != nullptr) {
+      *udp->receiving = true;
+      return std::shared_ptr<FastSession>(new FastSession(std::move(factory), participant));
+    }
   }
-  *udp->receiving = true;
-  return std::shared_ptr<FastSession>(new FastSession(std::move(factory), participant));
+  return Error{"Fast DDS has no free participant index on " + options.address + " in domain " +
+               std::to_string(options.domain) + ": are " + std::to_string(options.max_processes) +
+               " processes (network: max_processes) running, or did it print another reason above?"};
 }
 
 FastSession::~FastSession() {

@@ -25,12 +25,9 @@ class ReaderEvents final : public dds::DataReaderListener {
                                              << dds::StatusMask::subscription_matched();
   }
 
-  /// Brackets a take of at most `capacity` samples, of which `removed` left the history.
-  void taking(std::size_t capacity) noexcept { taken_at_most_.fetch_add(capacity); }
-  void taken(std::size_t capacity, std::size_t removed) noexcept {
-    taken_at_least_.fetch_add(removed);
-    taken_at_most_.fetch_sub(capacity - removed);
-  }
+  /// Bracket the removal of one sample, which may find none.
+  void taking() noexcept { taken_at_most_.fetch_add(1); }
+  void taken(bool removed) noexcept { removed ? taken_at_least_.fetch_add(1) : taken_at_most_.fetch_sub(1); }
 
   bus::ReaderStatus status() const noexcept {
     bus::ReaderStatus status;

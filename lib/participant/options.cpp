@@ -1,6 +1,7 @@
 #include "participant/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 
@@ -29,8 +30,8 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--ticks", o.ticks, "Length of the run; 0: until SIGTERM")->capture_default_str();
   app.add_option("--joints", o.joints, "Joints this process hosts")->delimiter(',');
   app.add_option("--trace", o.trace_path, "Trace file to write (CSV)");
-  app.add_option("--design", o.design, "Design to publish in both slots: stance or swing")
-      ->check(CLI::IsMember({"stance", "swing"}))
+  app.add_option("--design", o.design, "Load the published gains are for: stance or swing in both slots, or phases: each slot its own")
+      ->check(CLI::IsMember({"stance", "swing", "phases"}))
       ->capture_default_str();
   app.add_option("--gait", o.gait, "trot or stand, instead of the robot file's")->check(CLI::IsMember({"trot", "stand"}));
   app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's");
@@ -89,7 +90,9 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
   append("--trace", o.trace_path);
   append("--gait", o.gait);
   if (o.frequency_Hz > 0) {
-    append("--frequency", std::to_string(o.frequency_Hz));
+    char exact[32];
+    std::snprintf(exact, sizeof exact, "%.17g", o.frequency_Hz);  // it shapes the trace
+    append("--frequency", exact);
   }
   return arguments;
 }

@@ -126,6 +126,9 @@ bool Participant::started(SteadyTime now) {
 }
 
 std::string Participant::greeting_lacks() const {
+  if (!refusal_.empty()) {
+    return refusal_;
+  }
   for (std::size_t i = 0; i < hellos_.size(); ++i) {
     const SystemHello& hello = hellos_[i];
     if (hello.session == 0) {

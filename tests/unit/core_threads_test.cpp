@@ -131,20 +131,23 @@ TEST(SpscRing, LosesNothingItDidNotCountBetweenTwoThreads) {
   });
   Block block;
   std::uint64_t popped = 0, last = 0, torn = 0, disordered = 0;
-  const auto empty_ring = [&] {
-    while (ring.pop(block)) {
-      ++popped;
-      torn += block.whole() ? 0 : 1;
-      disordered += block.words[0] > last ? 0 : 1;
-      last = block.words[0];
+  const auto take = [&] {
+    if (!ring.pop(block)) {
+      return false;
     }
+    ++popped;
+    torn += block.whole() ? 0 : 1;
+    disordered += block.words[0] > last ? 0 : 1;
+    last = block.words[0];
+    return true;
   };
   for (const auto end = until_parting(); std::chrono::steady_clock::now() < end;) {
-    empty_ring();
+    take();
   }
   stop = true;
   producer.join();
-  empty_ring();
+  while (take()) {
+  }
   EXPECT_EQ(torn, 0u);
   EXPECT_EQ(disordered, 0u);
   EXPECT_EQ(popped, accepted);

@@ -28,7 +28,7 @@ class Page : public testing::OwnFolder {
     const auto rows =
         testing::rows_of(robot_, schedule_, ticks, testing::lagging_forces(robot_, schedule_));
     Outcome outcome{.command = "trot", .figures = {}, .run = run_info(robot_, kSeed), .failures = {}};
-    add_tracking(outcome.figures, robot_, track(robot_, schedule_, rows, 0), 0.0);
+    add_tracking(outcome.figures, robot_, track(robot_, schedule_, rows, 0), Judgement::kLockstep);
     FARRIER_ENSURE(add_spectral_radii(outcome.figures, robot_, 0).ok(), "HyQ has controllers");
     return write_report(path_, {outcome, robot_, schedule_, rows, 0});
   }

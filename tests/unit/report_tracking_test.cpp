@@ -122,7 +122,7 @@ TEST(Tracking, AForceThatIsNotANumberFailsItsJointOnly) {
     row.force_N_or_Nm = joint.number == 2 && row.tick == bad ? std::numeric_limits<double>::quiet_NaN() : 0.0;
   });
   Figures figures;
-  add_tracking(figures, run.robot, track(run.robot, run.schedule, rows, 0), 0.0);
+  add_tracking(figures, run.robot, track(run.robot, run.schedule, rows, 0), Judgement::kLockstep);
   EXPECT_FALSE(figures.find("trot.lf_kfe.stance_nrmse")->holds());
   EXPECT_TRUE(figures.find("trot.lf_hfe.stance_nrmse")->holds());
 }
@@ -131,14 +131,14 @@ TEST(Tracking, ARunTooShortToJudgeDoesNotPass) {
   const Rehearsal run;
   const auto rows = rows_of(run.robot, run.schedule, 100, [](const auto&, auto&) {});
   Figures figures;
-  add_tracking(figures, run.robot, track(run.robot, run.schedule, rows, 0), 0.0);
+  add_tracking(figures, run.robot, track(run.robot, run.schedule, rows, 0), Judgement::kLockstep);
   EXPECT_FALSE(figures.all_hold());
 }
 
 TEST(Tracking, OnlyKneesOfATrotMustTravel) {
   const auto bounded = [](const Rehearsal& run, const char* name) {
     Figures figures;
-    add_tracking(figures, run.robot, track(run.robot, run.schedule, {}, 0), 0.0);
+    add_tracking(figures, run.robot, track(run.robot, run.schedule, {}, 0), Judgement::kLockstep);
     return figures.find(name)->bound.has_value();
   };
   const Rehearsal trot;
@@ -152,7 +152,7 @@ TEST(Tracking, AJointThatIsItsPistonHasNoTravelInRadians) {
   ASSERT_TRUE(rig.ok()) << config::to_string(rig.error());
   const Rehearsal run(std::move(rig).value());
   Figures figures;
-  add_tracking(figures, run.robot, track(run.robot, run.schedule, {}, 0), 0.0);
+  add_tracking(figures, run.robot, track(run.robot, run.schedule, {}, 0), Judgement::kLockstep);
   EXPECT_EQ(figures.find("trot.fc1d.travel_rad"), nullptr);
   EXPECT_NE(figures.find("trot.fc1d.stance_nrmse"), nullptr);
 }

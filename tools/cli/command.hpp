@@ -12,6 +12,7 @@ inline constexpr int kFailed = 1;       ///< ran, and did not meet its bounds, o
 inline constexpr int kBadInput = 2;     ///< refused before anything moved
 inline constexpr int kInterrupted = 130;
 
+std::function<int()> declare_bench(CLI::App& app);
 std::function<int()> declare_trot(CLI::App& app);
 
 }  // namespace farrier::cli

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "bus_factory/bus_factory.hpp"
+#include "lab/bare_exchange.hpp"
 #include "lab/gait_source.hpp"
 #include "lab/run_monitor.hpp"
 #include "participant/loop.hpp"
@@ -37,7 +38,8 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
     if (member.number != participant::kSimBridge) {
       options.trace_path.clear();
     }
-    const std::string executable = run.executables + "/" + member.executable + "/" + member.executable;
+    const std::string name = run.bare ? "bare_exchange" : member.executable;
+    const std::string executable = run.executables + (run.bare ? "/tools/" : "/") + name + "/" + name;
     auto child = ChildProcess::start(member.name, executable, participant::to_arguments(options),
                                      run.log_directory + "/" + member.name + ".log");
     if (!child) {
@@ -55,14 +57,14 @@ struct Seat {
   std::unique_ptr<lab::GaitSource> gait;
 };
 
-Result<Seat> take_seat(const robot::Robot& robot, const participant::ProcessOptions& common,
-                       const lab::Member& member, bus::Vendor vendor) {
+Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const participant::ProcessOptions& common,
+                       const lab::Member& member) {
   Seat seat;
   if (common.clock == bus::ClockKind::kRealtime) {
     // Where the limits forbid it the gait is played without: the node processes say so in their logs.
     static_cast<void>(runtime::set_priority(runtime::kBusPriority));
   }
-  auto bus = bus_factory::create_bus(vendor, common.network);
+  auto bus = bus_factory::create_bus(vendor_of(run.dds, member), common.network);
   if (!bus) {
     return bus.error();
   }
@@ -73,7 +75,8 @@ Result<Seat> take_seat(const robot::Robot& robot, const participant::ProcessOpti
     return participant.error();
   }
   seat.participant = std::move(participant).value();
-  auto gait = lab::GaitSource::create(robot, common.seed, *seat.participant, common.ticks);
+  auto gait = run.bare ? lab::create_bare_gait(robot, *seat.participant, common.ticks)
+                       : lab::GaitSource::create(robot, common.seed, *seat.participant, common.ticks);
   if (!gait) {
     return gait.error();
   }
@@ -158,7 +161,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     return children.error();
   }
   const lab::Member& self = outcome.members[participant::kGaitSource];
-  auto seat = take_seat(robot, common, self, vendor_of(run.dds, self));
+  auto seat = take_seat(robot, run, common, self);
   if (!seat) {
     return seat.error();
   }

@@ -21,6 +21,7 @@ struct DdsRun {
   std::string executables;  ///< directory of the node executables
   std::string log_directory;
   std::string title;
+  bool bare = false;  ///< exchange the same samples with nothing computed: the yardstick of farrier bench
 };
 
 struct RunOutcome {

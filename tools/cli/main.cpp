@@ -13,6 +13,7 @@ struct Subcommand {
 };
 
 constexpr Subcommand kSubcommands[] = {
+    {"bench", "Measure speed as ratios against what a user would pick instead", farrier::cli::declare_bench},
     {"trot", "Run a robot's gait through all processes, judge it and report", farrier::cli::declare_trot},
 };
 

@@ -74,6 +74,8 @@ Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o) {
   run.dds = o.dds;
   run.grouping = o.nodes;
   run.common = common_options(o);
+  // With a tick of delay the stance design does not hold the swing load: in real time each slot has its own.
+  run.common.design = o.clock == bus::ClockKind::kRealtime ? "phases" : "stance";
   run.common.ticks = lab::ticks_of(o.duration_s, robot);
   run.executables = build_directory();
   run.log_directory = o.out + "/log";
@@ -151,7 +153,7 @@ int trot(TrotOptions o) {
     return fail(tracking.error());
   }
   report::add_tracking(outcome.figures, robot, tracking.value(),
-                       lockstep ? std::optional<double>(0.0) : std::nullopt);
+                       lockstep ? report::Judgement::kLockstep : report::Judgement::kMeasuredOnly);
   if (auto added = report::add_spectral_radii(outcome.figures, robot, loop_delay); !added) {
     return fail(added.error());
   }

@@ -6,7 +6,7 @@
 
 namespace farrier::report {
 
-/// Closed-loop poles of one joint at mid-stroke, for the loads and the loop delay of its robot.
+/// Closed-loop poles of one joint at its home pose, for the loads and the loop delay of its robot.
 struct JointPoles {
   control::ClosedLoopPoles stance_on_stance;  ///< stance design, stance load: what acts in stance
   control::ClosedLoopPoles stance_on_swing;   ///< stance design, swing load: a lift-off that was not foreseen

@@ -133,9 +133,10 @@ Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::s
 }
 
 void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking,
-                  std::optional<double> missed_ticks_bound) {
+                  Judgement judgement) {
+  const bool lockstep = judgement == Judgement::kLockstep;
   const auto judged = [&](bool applies, double bound) {
-    return applies && robot.bounds.judged ? std::optional(bound) : std::nullopt;
+    return applies && lockstep && robot.bounds.judged ? std::optional(bound) : std::nullopt;
   };
   const bool legs_move = robot.plan.gait.pattern == gait::Pattern::kTrot &&
                          robot.plan.gait.reference == gait::ReferenceKind::kLegKinematics;
@@ -150,7 +151,8 @@ void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& t
     if (of_joint.swing.ticks > 0) {
       figures.add(prefix + "swing_nrmse", of_joint.swing.nrmse);
     }
-    figures.add(prefix + "missed_ticks", static_cast<double>(of_joint.missed_ticks), missed_ticks_bound);
+    figures.add(prefix + "missed_ticks", static_cast<double>(of_joint.missed_ticks),
+                lockstep ? std::optional(0.0) : std::nullopt);
     if (turns(robot, joint)) {
       figures.add(prefix + "travel_rad", of_joint.travel_rad, judged(knee && legs_move, kKneeTravel_rad));
     }

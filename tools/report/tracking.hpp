@@ -3,7 +3,6 @@
 // How well the joints of a run were torque sources.
 
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,13 +47,15 @@ struct Tracking {
 Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::span<const record::TraceRow> rows,
                int loop_delay_ticks);
 
-inline constexpr double kKneeTravel_rad = 0.3;
+/// Which figures of a run are judged: on the real-time clock the machine's scheduling decides them, and they are
+/// measured only.
+enum class Judgement { kLockstep, kMeasuredOnly };
 
-/// Adds trot.ticks, trot.strides and each joint's figures, bounded where the robot is judged: stance NRMSE by its
-/// file, knees of a trot by kKneeTravel_rad, missed ticks by `missed_ticks_bound` (none in real time, where the
-/// machine decides them). A joint that is its piston has no travel_rad.
-void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking,
-                  std::optional<double> missed_ticks_bound);
+/// Adds trot.ticks, trot.strides and each joint's figures; in lock-step bounded where the robot is judged: stance
+/// NRMSE by its file, knees of a trot by kKneeTravel_rad, missed ticks by 0. A joint that is its piston has no
+/// travel_rad.
+inline constexpr double kKneeTravel_rad = 0.3;
+void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking, Judgement judgement);
 
 /// Adds the errors of a second run in which every joint kept its swing design: what adapting is worth.
 void add_swing_design_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking);

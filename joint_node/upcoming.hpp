@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/time.hpp"
+
+namespace farrier::joint_node {
+
+/// What was announced ahead and is not due yet: the next few items, each with a number that rises by one with every
+/// issue (0 is never issued) and the tick from which it holds. Whatever the order of arrival, the newest item that is
+/// due holds; so an item that comes early never takes the place of one that is due before it.
+template <class Item, std::uint32_t Item::*kNumber, Tick Item::*kTick>
+class Upcoming {
+ public:
+  /// Puts an item to wait. When more wait than there are places, the oldest number goes.
+  void put(const Item& item) noexcept {
+    Item& oldest = *std::min_element(waiting_.begin(), waiting_.end(), older);
+    if (item.*kNumber > std::max(taken_, oldest.*kNumber)) {
+      oldest = item;
+    }
+  }
+
+  /// The newest item that is due at `tick` and newer than any taken before; forgets those it supersedes.
+  std::optional<Item> take_due(Tick tick) noexcept {
+    std::optional<Item> due;
+    for (Item& item : waiting_) {
+      if (item.*kNumber > taken_ && item.*kTick <= tick) {
+        taken_ = item.*kNumber;
+        due = item;
+      }
+    }
+    for (Item& item : waiting_) {
+      if (item.*kNumber <= taken_) {
+        item.*kNumber = 0;
+      }
+    }
+    return due;
+  }
+
+  /// Largest number seen, taken or waiting; 0 without any.
+  std::uint32_t newest() const noexcept {
+    return std::max(taken_, std::max_element(waiting_.begin(), waiting_.end(), older)->*kNumber);
+  }
+
+ private:
+  static bool older(const Item& one, const Item& other) noexcept { return one.*kNumber < other.*kNumber; }
+
+  std::array<Item, 4> waiting_{};
+  std::uint32_t taken_ = 0;
+};
+
+}  // namespace farrier::joint_node

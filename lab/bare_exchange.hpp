@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+
+#include "lab/gait_source.hpp"
+#include "participant/application.hpp"
+#include "participant/participant.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::lab {
+
+/// The samples of a lock-step run between the same participants, counted instead of used: nothing is simulated,
+/// controlled or recorded. What the transport alone can do, to hold the stack against.
+/// `joints`: those a joint node hosts; the participant's number says what it is.
+Result<std::unique_ptr<participant::Application>> create_bare(const robot::Robot& robot,
+                                                              const std::vector<std::string>& joints,
+                                                              participant::Participant& participant, Tick ticks);
+
+/// The same for the gait source.
+Result<std::unique_ptr<GaitSource>> create_bare_gait(const robot::Robot& robot, participant::Participant& participant,
+                                                     Tick ticks);
+
+}  // namespace farrier::lab

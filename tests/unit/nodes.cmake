@@ -1,0 +1,27 @@
+farrier_test(joint_node_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/gains_decoding_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_arming_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_gains_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_missing_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_reference_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_standing_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
+target_link_libraries(joint_node_test PRIVATE farrier_joint_node_core farrier_supervisor_core)
+
+farrier_test(nodes_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/estimator_service_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/sim_world_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/sim_world_contact_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/supervisor_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
+target_link_libraries(nodes_test PRIVATE farrier_estimator_service_core farrier_sim_bridge_core
+  farrier_supervisor_core farrier_joint_node_core)
+
+farrier_test(participant_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/participant_greeting_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/participant_ports_test.cpp)
+target_link_libraries(participant_test PRIVATE farrier_participant)
+
+foreach(test IN ITEMS joint_node_test nodes_test)
+  target_compile_definitions(${test} PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
+endforeach()

@@ -1,0 +1,164 @@
+#include "participant/options.hpp"
+#include "tests/unit/participant_run.hpp"
+
+namespace farrier::participant {
+namespace {
+
+using namespace testing;
+using signals::JointSensors;
+
+JointSensors sensors_of(std::uint16_t joint, Tick tick) { return {.joint = joint, .tick = tick}; }
+
+TEST(EndpointOf, RoutesByRobotOrByJoint) {
+  const Identity identity = TestRun(2).identity(0, "sim_bridge");
+  EXPECT_EQ(endpoint_of(identity, bus::TopicId::kClockTick).partitions, std::vector<std::string>{"hyq"});
+  EXPECT_EQ(endpoint_of(identity, bus::TopicId::kJointSensors, {"lf_haa", "lf_kfe"}).partitions,
+            (std::vector<std::string>{"hyq/lf_haa", "hyq/lf_kfe"}));
+}
+
+TEST(EndpointOf, TakesTheQosOfTheClock) {
+  Identity identity = TestRun(2).identity(0, "sim_bridge");
+  for (const auto clock : {bus::ClockKind::kLockstep, bus::ClockKind::kRealtime}) {
+    identity.clock = clock;
+    for (const bus::TopicSpec& topic : bus::topics()) {
+      EXPECT_EQ(endpoint_of(identity, topic.id).qos, bus::qos_for(topic, clock)) << topic.name;
+    }
+  }
+}
+
+TEST(Ports, GiveAProcessOnlyTheJointsItHosts) {
+  const TestRun run(2);
+  const Member sender = run.join(0, "sim_bridge");
+  const Member receiver = run.join(1, "joint_node_lf_kfe");
+  auto* out = opened(sender->publish<JointSensors>({3, 4}, {"lf_hfe", "lf_kfe"}));
+  auto* in = opened(receiver->subscribe<JointSensors>({4}, {"lf_kfe"}));
+  out->publish(sensors_of(3, 0));
+  out->publish(sensors_of(4, 0));
+  std::vector<std::uint16_t> heard;
+  in->drain([&](const JointSensors& sensors) { heard.push_back(sensors.joint); });
+  EXPECT_EQ(heard, std::vector<std::uint16_t>{4});
+  EXPECT_EQ(in->status().received, 1u) << "the other joint's sample must not even travel";
+}
+
+TEST(Ports, ProbeEveryRouteTheySpeakFor) {
+  const TestRun run(2);
+  const Member sender = run.join(0, "sim_bridge");
+  const Member receiver = run.join(1, "joint_node_lf");
+  auto* out = opened(sender->publish<JointSensors>({3, 4}, {"lf_hfe", "lf_kfe"}));
+  auto* in = opened(receiver->subscribe<JointSensors>({3, 4}, {"lf_hfe", "lf_kfe"}));
+  EXPECT_EQ(in->routes_expected(), 2);
+  EXPECT_EQ(in->first_unheard(), "joint/sensors of 3");
+  out->publish(sensors_of(3, 0));
+  in->drain([](const JointSensors&) {});
+  EXPECT_EQ(in->routes_heard(), 1);
+  EXPECT_EQ(in->first_unheard(), "joint/sensors of 4");
+  out->probe();
+  in->drain([](const JointSensors& sensors) { FAIL() << "a probe of joint " << sensors.joint << " was delivered"; });
+  EXPECT_EQ(in->routes_heard(), 2);
+  EXPECT_EQ(in->first_unheard(), "");
+  EXPECT_EQ(out->sent(), 1u) << "probes do not count";
+}
+
+TEST(Ports, DoNotCountAKeyTheyNeedNotHear) {
+  const TestRun run(2);
+  const Member sender = run.join(0, "sim_bridge");
+  const Member receiver = run.join(1, "other");
+  auto* out = opened(sender->publish<JointSensors>({9}, {"lf_kfe"}));
+  auto* in = opened(receiver->subscribe<JointSensors>({4}, {"lf_kfe"}));
+  out->probe();
+  in->drain([](const JointSensors&) {});
+  EXPECT_EQ(in->routes_heard(), 0);
+}
+
+TEST(TickInbox, GivesTheSampleOfExactlyTheTickAsked) {
+  TickInbox<JointSensors> inbox({7, 8});
+  inbox.put(sensors_of(8, 5));
+  EXPECT_EQ(inbox.find(1, 4), nullptr);
+  ASSERT_NE(inbox.find(1, 5), nullptr);
+  EXPECT_EQ(inbox.find(1, 5)->joint, 8);
+  EXPECT_EQ(inbox.find(0, 5), nullptr);
+}
+
+TEST(TickInbox, KeepsTheNextTicksUntilTheyAreDue) {
+  TickInbox<JointSensors> inbox({7});
+  for (Tick tick = 10; tick < 14; ++tick) {
+    inbox.put(sensors_of(7, tick));
+  }
+  for (Tick tick = 10; tick < 14; ++tick) {
+    EXPECT_NE(inbox.find(0, tick), nullptr) << "tick " << tick;
+  }
+  inbox.put(sensors_of(7, 14));
+  EXPECT_EQ(inbox.find(0, 10), nullptr) << "its place is taken";
+}
+
+TEST(TickInbox, SaysWhoIsMissing) {
+  TickInbox<JointSensors> inbox({7, 8, 9});
+  EXPECT_EQ(inbox.missing(0), 3);
+  inbox.put(sensors_of(7, 0));
+  inbox.put(sensors_of(9, 0));
+  EXPECT_EQ(inbox.missing(0), 1);
+  EXPECT_EQ(inbox.first_missing(0), 8);
+  EXPECT_EQ(inbox.missing(1), 3);
+}
+
+TEST(TickInbox, IgnoresAKeyThatIsNotItsOwn) {
+  TickInbox<JointSensors> inbox({7});
+  inbox.put(sensors_of(99, 0));
+  EXPECT_EQ(inbox.missing(0), 1);
+}
+
+ProcessOptions parsed(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), "process");
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) {
+    argv.push_back(argument.data());
+  }
+  return parse_options("process", "", static_cast<int>(argv.size()), argv.data());
+}
+
+TEST(ProcessOptions, SurviveTheCommandLine) {
+  ProcessOptions options;
+  options.name = "joint_node_lf";
+  options.robot_path = "robots/a b.yaml";
+  options.vendor = bus::Vendor::kFast;
+  options.clock = bus::ClockKind::kRealtime;
+  options.network.domain = 42;
+  options.network.address = "127.0.0.1";
+  options.network.peers = {"10.0.0.1", "10.0.0.2"};
+  options.number = 4;
+  options.participants = 8;
+  options.session = 0xffff'ffff'ffff'fff0ull;
+  options.seed = 9;
+  options.ticks = 4000;
+  options.joints = {"lf_haa", "lf_hfe"};
+  options.trace_path = "trace.csv";
+  options.design = "swing";
+  options.gait = "stand";
+  options.frequency_Hz = 4.0 / 3.0;
+  const ProcessOptions back = parsed(to_arguments(options));
+  EXPECT_EQ(back.name, options.name);
+  EXPECT_EQ(back.robot_path, options.robot_path);
+  EXPECT_EQ(back.vendor, options.vendor);
+  EXPECT_EQ(back.clock, options.clock);
+  EXPECT_EQ(back.network.domain, options.network.domain);
+  EXPECT_EQ(back.network.address, options.network.address);
+  EXPECT_EQ(back.network.peers, options.network.peers);
+  EXPECT_EQ(back.number, options.number);
+  EXPECT_EQ(back.participants, options.participants);
+  EXPECT_EQ(back.session, options.session);
+  EXPECT_EQ(back.seed, options.seed);
+  EXPECT_EQ(back.ticks, options.ticks);
+  EXPECT_EQ(back.joints, options.joints);
+  EXPECT_EQ(back.trace_path, options.trace_path);
+  EXPECT_EQ(back.design, options.design);
+  EXPECT_EQ(back.gait, options.gait);
+  EXPECT_EQ(back.frequency_Hz, options.frequency_Hz) << "to the last bit: it shapes the trace";
+}
+
+TEST(ProcessOptions, RefuseANumberBeyondTheParticipants) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(parsed({"--number", "3", "--participants", "3"}), ::testing::ExitedWithCode(2), "must be below");
+}
+
+}  // namespace
+}  // namespace farrier::participant

@@ -1,0 +1,12 @@
+// bare_exchange: one process of farrier bench's yardstick: the samples of a run, and nothing computed from them.
+
+#include "lab/bare_exchange.hpp"
+#include "process/process.hpp"
+
+int main(int argc, char** argv) {
+  using namespace farrier;
+  const auto options = participant::parse_options("bare_exchange", "Exchanges a run's samples bare", argc, argv);
+  return process::run(options, [&](auto& member, const auto& robot) {
+    return lab::create_bare(robot, options.joints, member, options.ticks);
+  });
+}

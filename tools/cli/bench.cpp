@@ -1,0 +1,157 @@
+// farrier bench: speed as ratios in one run against what a user would pick instead.
+
+#include <cstdio>
+#include <filesystem>
+
+#include <unistd.h>
+
+#include "lab/bench_control.hpp"
+#include "lab/bench_plant.hpp"
+#include "lab/bench_riccati.hpp"
+#include "process/process.hpp"
+#include "tools/cli/allocation_count.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/dds_run.hpp"
+#include "tools/cli/trot_options.hpp"
+#include "tools/report/console.hpp"
+
+namespace farrier::cli {
+namespace {
+
+// The least the product promises; figures without a bound are for people.
+constexpr double kLockstepRatio = 0.5;
+constexpr double kPlantSpeedup = 20.0;
+constexpr double kRiccatiSpeedup = 3.0;
+constexpr double kRiccatiResidual = 1e-12;
+
+struct BenchOptions {
+  std::vector<std::string> only{"lockstep", "plant", "riccati", "control"};
+  std::string robot_path;
+  Tick ticks = 4000;
+  std::string out = "out/bench";
+  std::string json_path;
+};
+
+Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, DdsChoice dds, bool bare) {
+  DdsRun run;
+  run.dds = dds;
+  run.bare = bare;
+  run.common.robot_path = o.robot_path;
+  run.common.ticks = o.ticks;
+  run.common.session = static_cast<std::uint64_t>(::getpid());
+  run.executables = build_directory();
+  run.log_directory = o.out + "/log";
+  run.title = std::string(dds == DdsChoice::kCyclone ? "cyclone" : "fast") + (bare ? ", bare exchange" : ", whole stack");
+  const auto outcome = run_over_dds(robot, run);
+  if (!outcome) {
+    return outcome.error();
+  }
+  return static_cast<double>(o.ticks) / outcome.value().wall_s;
+}
+
+Result<Done> bench_lockstep(const BenchOptions& o, report::Figures& figures) {
+  const auto robot = robot::load_robot(o.robot_path);
+  if (!robot) {
+    return Error{config::to_string(robot.error())};
+  }
+  for (const DdsChoice dds : {DdsChoice::kCyclone, DdsChoice::kFast}) {
+    const auto bare = ticks_per_s(robot.value(), o, dds, true);
+    if (!bare) {
+      return bare.error();
+    }
+    const auto whole = ticks_per_s(robot.value(), o, dds, false);
+    if (!whole) {
+      return whole.error();
+    }
+    const std::string prefix = std::string("bench.lockstep.") + (dds == DdsChoice::kCyclone ? "cyclone." : "fast.");
+    figures.add(prefix + "ticks_per_s", whole.value());
+    figures.add(prefix + "bare_ticks_per_s", bare.value());
+    figures.add(prefix + "ratio", whole.value() / bare.value(), kLockstepRatio);
+  }
+  return Done{};
+}
+
+void bench_plant(report::Figures& figures) {
+  std::fputs("plant: ours against CVODE at equal accuracy\n", stderr);
+  const lab::PlantBench bench = lab::bench_plant(400);
+  figures.add("bench.plant.us_per_tick", 1e6 * bench.ours_s_per_tick);
+  figures.add("bench.plant.cvode_us_per_tick", 1e6 * bench.cvode_s_per_tick);
+  figures.add("bench.plant.speedup", bench.cvode_s_per_tick / bench.ours_s_per_tick, kPlantSpeedup);
+  figures.add("bench.plant.error", bench.ours_error);
+  figures.add("bench.plant.cvode_error", bench.cvode_error);
+}
+
+void bench_riccati(report::Figures& figures) {
+  std::fputs("riccati: doubling against the thesis's iteration and SLICOT SB02OD\n", stderr);
+  const lab::RiccatiBench bench = lab::bench_riccati(50);
+  figures.add("bench.riccati.doubling_us", 1e6 * bench.doubling_s);
+  figures.add("bench.riccati.iteration_us", 1e6 * bench.iteration_s);
+  figures.add("bench.riccati.slicot_us", 1e6 * bench.slicot_s);
+  figures.add("bench.riccati.speedup_iteration", bench.iteration_s / bench.doubling_s, kRiccatiSpeedup);
+  figures.add("bench.riccati.speedup_slicot", bench.slicot_s / bench.doubling_s, kRiccatiSpeedup);
+  figures.add("bench.riccati.relative_residual", bench.doubling_residual, kRiccatiResidual);
+}
+
+void bench_control(report::Figures& figures) {
+  std::fputs("control: one joint's control step\n", stderr);
+  const lab::ControlBench bench = lab::bench_control(200'000, allocation_count);
+  figures.add("bench.control.step_ns", 1e9 * bench.step_s);
+  figures.add("bench.control.allocations", static_cast<double>(bench.allocations), 0.0);
+}
+
+int bench(BenchOptions o) {
+  std::error_code refused;
+  std::filesystem::create_directories(o.out, refused);
+  if (refused) {
+    std::fprintf(stderr, "farrier bench: --out %s: %s\n", o.out.c_str(), refused.message().c_str());
+    return kBadInput;
+  }
+  const auto wanted = [&](const char* name) { return std::find(o.only.begin(), o.only.end(), name) != o.only.end(); };
+  report::Outcome outcome;
+  outcome.command = "bench";
+  outcome.run = report::run_info(0);
+  if (wanted("lockstep")) {
+    if (const auto done = bench_lockstep(o, outcome.figures); !done) {
+      std::fprintf(stderr, "farrier bench: %s\n", done.error().message.c_str());
+      return kFailed;
+    }
+  }
+  if (wanted("plant")) {
+    bench_plant(outcome.figures);
+  }
+  if (wanted("riccati")) {
+    bench_riccati(outcome.figures);
+  }
+  if (wanted("control")) {
+    bench_control(outcome.figures);
+  }
+  const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  if (const auto written = report::write_json(json_path, outcome); !written) {
+    std::fprintf(stderr, "farrier bench: %s\n", written.error().message.c_str());
+    return kFailed;
+  }
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  std::printf("figures: %s\n", json_path.c_str());
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace
+
+std::function<int()> declare_bench(CLI::App& app) {
+  auto o = std::make_shared<BenchOptions>();
+  o->robot_path = shipped_robot("hyq.yaml");
+  app.add_option("--only", o->only, "what to measure: lockstep, plant, riccati, control")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control"}))
+      ->type_name("<names>");
+  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs")->type_name("<file>")->capture_default_str();
+  app.add_option("--ticks", o->ticks, "length of each lock-step run")
+      ->check(CLI::Range(100, 1000000))
+      ->type_name("<n>")
+      ->capture_default_str();
+  app.add_option("--out", o->out, "directory for the figures and the logs")->type_name("<dir>")->capture_default_str();
+  app.add_option("--json", o->json_path, "write the figures here instead of figures.json in --out")->type_name("<file>");
+  return [o] { return bench(*o); };
+}
+
+}  // namespace farrier::cli
