@@ -29,11 +29,14 @@ function(farrier_library name)
   target_link_libraries(farrier_${name} PUBLIC farrier_flags)
 endfunction()
 
-# farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary whose cases CTest runs one by one or, with
-# the whole binary being quick, as one entry.
+# farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary as one CTest entry. Tiers that start processes or
+# hold leases of a few milliseconds have the machine to themselves.
 function(farrier_test name label)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE farrier_flags GTest::gtest GTest::gtest_main)
   add_test(NAME ${label}/${name} COMMAND ${name})
   set_tests_properties(${label}/${name} PROPERTIES LABELS ${label})
+  if(label MATCHES "^(contract|system|realtime|long)$")
+    set_tests_properties(${label}/${name} PROPERTIES RUN_SERIAL TRUE)
+  endif()
 endfunction()

@@ -27,24 +27,24 @@ constexpr Qos kLockstepOnly{Reliability::kReliable, Durability::kVolatile, 1, kI
 // A sample for tick k + 1 may arrive before the one for tick k is taken; four leave room to spare.
 constexpr int kTwoTicks = 4;
 
-#define FARRIER_TOPIC(Signal, name, file, key, version, route, qos, depth) \
-  TopicSpec{TopicId::k##Signal, name, "wire::" #Signal, #file ".idl", key, version, route, sizeof(signals::Signal), qos, depth}
+#define FARRIER_TOPIC(Signal, name, file, flow, key, version, route, qos, depth) \
+  TopicSpec{TopicId::k##Signal, name, "wire::" #Signal, #file ".idl", flow, key, version, route, sizeof(signals::Signal), qos, depth}
 
 // clang-format off
 constexpr std::array<TopicSpec, kTopicCount> kTopics{
-    FARRIER_TOPIC(JointSensors, "joint/sensors", joint_sensors, "joint", 1, Route::kJoint, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointCommand, "joint/command", joint_command, "joint", 1, Route::kJoint, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointValveCommand, "joint/valve_command", joint_valve_command, "joint", 1, Route::kRobot, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointMeasurement, "joint/measurement", joint_measurement, "joint", 1, Route::kRobot, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointModelEstimate, "joint/model_estimate", joint_model_estimate, "joint", 1, Route::kRobot, kLatest, kTwoTicks),
-    FARRIER_TOPIC(JointControllerGains, "joint/controller_gains", joint_controller_gains, "joint, phase", 1, Route::kJoint, kAuthority, kTwoTicks),
-    FARRIER_TOPIC(GaitPhase, "gait/phase", gait_phase, "leg", 1, Route::kRobot, announcements(4), 4),
-    FARRIER_TOPIC(SystemHello, "system/hello", system_hello, "participant", 1, Route::kRobot, announcements(1), 1),
-    FARRIER_TOPIC(SystemHealth, "system/health", system_health, "participant", 1, Route::kRobot, announcements(1), 1),
-    FARRIER_TOPIC(SystemEvent, "system/event", system_event, "participant", 1, Route::kRobot, announcements(1000), 1000),
-    FARRIER_TOPIC(SystemMode, "system/mode", system_mode, "robot", 1, Route::kRobot, kAuthority, kTwoTicks),
-    FARRIER_TOPIC(ClockTick, "clock/tick", clock_tick, "clock", 1, Route::kRobot, kLatest, kTwoTicks),
-    FARRIER_TOPIC(ClockTickDone, "clock/tick_done", clock_tick_done, "participant", 1, Route::kRobot, kLockstepOnly, kTwoTicks),
+    FARRIER_TOPIC(JointSensors, "joint/sensors", joint_sensors, "sim_bridge → joint_node", "joint", 1, Route::kJoint, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointCommand, "joint/command", joint_command, "gait source → joint_node", "joint", 1, Route::kJoint, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointValveCommand, "joint/valve_command", joint_valve_command, "joint_node → sim_bridge", "joint", 1, Route::kRobot, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointMeasurement, "joint/measurement", joint_measurement, "joint_node → estimator_service", "joint", 1, Route::kRobot, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointModelEstimate, "joint/model_estimate", joint_model_estimate, "estimator_service → supervisor", "joint", 1, Route::kRobot, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointControllerGains, "joint/controller_gains", joint_controller_gains, "supervisor → joint_node, sim_bridge", "joint, phase", 1, Route::kJoint, kAuthority, kTwoTicks),
+    FARRIER_TOPIC(GaitPhase, "gait/phase", gait_phase, "gait source → joint_node", "leg", 1, Route::kRobot, announcements(4), 4),
+    FARRIER_TOPIC(SystemHello, "system/hello", system_hello, "all → all", "participant", 1, Route::kRobot, announcements(1), 1),
+    FARRIER_TOPIC(SystemHealth, "system/health", system_health, "all → monitors", "participant", 1, Route::kRobot, announcements(1), 1),
+    FARRIER_TOPIC(SystemEvent, "system/event", system_event, "all → monitors", "participant", 1, Route::kRobot, announcements(1000), 1000),
+    FARRIER_TOPIC(SystemMode, "system/mode", system_mode, "supervisor → joint_node, sim_bridge", "robot", 1, Route::kRobot, kAuthority, kTwoTicks),
+    FARRIER_TOPIC(ClockTick, "clock/tick", clock_tick, "sim_bridge → gait source, supervisor", "clock", 1, Route::kRobot, kLatest, kTwoTicks),
+    FARRIER_TOPIC(ClockTickDone, "clock/tick_done", clock_tick_done, "all → sim_bridge", "participant", 1, Route::kRobot, kLockstepOnly, kTwoTicks),
 };
 // clang-format on
 #undef FARRIER_TOPIC

@@ -31,6 +31,7 @@ struct TopicSpec {
   const char* name;        ///< DDS topic name
   const char* type_name;   ///< DDS type name, "wire::X"
   const char* idl;         ///< file in idl/
+  const char* flow;        ///< who sends it to whom, for people
   const char* key;         ///< key fields, for people
   std::uint32_t version;   ///< raised with every change of the fields or of their meaning
   Route route;
@@ -48,6 +49,9 @@ Qos qos_for(const TopicSpec& topic, ClockKind clock);
 
 /// Hash over every topic's name, version and fields. Processes that disagree on it do not start together.
 std::uint64_t contract_hash();
+
+/// Markdown table of the registry with its QoS on both clocks, for idl/README.md.
+std::string topics_table_markdown();
 
 /// DDS partition of a robot's topics that go to everybody, and of one joint's.
 std::string partition(const std::string& robot);

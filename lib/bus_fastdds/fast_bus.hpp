@@ -13,9 +13,9 @@ namespace farrier::bus_fastdds {
 /// Joins the DDS domain of `options` as one participant with sockets of its own, also when the process already
 /// holds another bus of this domain.
 ///
-/// Everything is configured here. Of a user's FASTRTPS_DEFAULT_PROFILES_FILE only <log> acts: participants and
-/// endpoints are created from explicit settings, and samples between two buses of one process always cross UDP.
-/// ROS_DISCOVERY_SERVER is Fast DDS's own and would turn discovery into a client's: leave it unset.
+/// Everything is configured here. A user's FASTRTPS_DEFAULT_PROFILES_FILE is read but changes neither participants
+/// nor endpoints, and samples between two buses of one process cross UDP whatever it says.
+/// ROS_DISCOVERY_SERVER is read by Fast DDS itself and would turn discovery into a client's: leave it unset.
 ///
 /// Arrivals are counted on the receive thread. Fast DDS tells of several samples at once when a gap in a reliable
 /// stream closes; each of them is counted, and in a race with take() some may be counted twice, never less than once.

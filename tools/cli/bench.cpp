@@ -12,6 +12,7 @@
 #include "tools/cli/allocation_count.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/dds_run.hpp"
+#include "tools/cli/help.hpp"
 #include "tools/cli/trot_options.hpp"
 #include "tools/report/console.hpp"
 
@@ -140,17 +141,22 @@ int bench(BenchOptions o) {
 std::function<int()> declare_bench(CLI::App& app) {
   auto o = std::make_shared<BenchOptions>();
   o->robot_path = shipped_robot("hyq.yaml");
-  app.add_option("--only", o->only, "what to measure: lockstep, plant, riccati, control")
+  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control")
       ->delimiter(',')
-      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control"}))
-      ->type_name("<names>");
-  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs")->type_name("<file>")->capture_default_str();
+      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control"}).description(""))
+      ->type_name("<names>")
+      ->default_str("all");
+  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs")
+      ->type_name("<file>")
+      ->default_str("hyq.yaml, as shipped");
   app.add_option("--ticks", o->ticks, "length of each lock-step run")
-      ->check(CLI::Range(100, 1000000))
+      ->check(between(100, 1e6))
       ->type_name("<n>")
       ->capture_default_str();
   app.add_option("--out", o->out, "directory for the figures and the logs")->type_name("<dir>")->capture_default_str();
-  app.add_option("--json", o->json_path, "write the figures here instead of figures.json in --out")->type_name("<file>");
+  app.add_option("--json", o->json_path, "where the figures go")
+      ->type_name("<file>")
+      ->default_str("figures.json in --out");
   return [o] { return bench(*o); };
 }
 

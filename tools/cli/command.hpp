@@ -13,6 +13,7 @@ inline constexpr int kBadInput = 2;     ///< refused before anything moved
 inline constexpr int kInterrupted = 130;
 
 std::function<int()> declare_bench(CLI::App& app);
+std::function<int()> declare_tables(CLI::App& app);
 std::function<int()> declare_trot(CLI::App& app);
 
 }  // namespace farrier::cli

@@ -1,8 +1,11 @@
 // farrier: the command of the house. Each subcommand is one function of command.hpp.
 
+#include <algorithm>
 #include <cstdio>
+#include <string_view>
 
 #include "tools/cli/command.hpp"
+#include "tools/cli/help.hpp"
 
 namespace {
 
@@ -13,16 +16,26 @@ struct Subcommand {
 };
 
 constexpr Subcommand kSubcommands[] = {
-    {"bench", "Measure speed as ratios against what a user would pick instead", farrier::cli::declare_bench},
     {"trot", "Run a robot's gait through all processes, judge it and report", farrier::cli::declare_trot},
+    {"bench", "Measure speed as ratios against what a user would pick instead", farrier::cli::declare_bench},
+    {"tables", "Print the generated tables of the documentation", farrier::cli::declare_tables},
 };
+
+bool is_subcommand(std::string_view name) {
+  return std::any_of(std::begin(kSubcommands), std::end(kSubcommands),
+                     [&](const Subcommand& command) { return name == command.name; });
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  using namespace farrier::cli;
+  if (argc > 1 && argv[1][0] != '-' && !is_subcommand(argv[1])) {
+    std::fprintf(stderr, "farrier: '%s' is not a farrier command\nsee 'farrier --help'\n", argv[1]);
+    return kBadInput;
+  }
   CLI::App app("Torque control of hydraulic legged robots over DDS", "farrier");
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
+  use_help(app);
   std::function<int()> run;
   for (const Subcommand& command : kSubcommands) {
     CLI::App* sub = app.add_subcommand(command.name, command.sentence);
@@ -32,7 +45,11 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& problem) {
-    return app.exit(problem) == 0 ? farrier::cli::kPassed : farrier::cli::kBadInput;
+    return app.exit(problem) == 0 ? kPassed : kBadInput;
+  }
+  if (!run) {
+    std::fputs(app.help().c_str(), stderr);
+    return kBadInput;
   }
   return run();
 }

@@ -120,6 +120,10 @@ int trot(TrotOptions o) {
     return kBadInput;
   }
   const robot::Robot& robot = loaded.value();
+  if (o.print_config) {
+    std::fputs(robot::print_config(robot).c_str(), stdout);
+    return kPassed;
+  }
   if (o.dds == DdsChoice::kInproc && o.clock == bus::ClockKind::kRealtime) {
     std::fputs("farrier trot: --dds inproc runs on the lock-step clock only: choose a vendor for --clock realtime\n",
                stderr);

@@ -2,6 +2,8 @@
 
 #include <filesystem>
 
+#include "tools/cli/help.hpp"
+
 namespace farrier::cli {
 namespace {
 
@@ -14,43 +16,33 @@ const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind:
 const std::map<std::string, lab::Grouping> kNodes{{"per-leg", lab::Grouping::kPerLeg},
                                                   {"per-joint", lab::Grouping::kPerJoint},
                                                   {"one", lab::Grouping::kOne}};
-
-template <class Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
-                        const std::map<std::string, Value>& choices, const std::string& text) {
-  std::string names;
-  for (const auto& [choice, ignored] : choices) {
-    names += (names.empty() ? "" : "|") + choice;
-  }
-  return app
-      .add_option_function<std::string>(name, [&value, &choices](const std::string& given) { value = choices.at(given); },
-                                        text)
-      ->check(CLI::IsMember(&choices))
-      ->type_name(names);
-}
+const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "stand"}};
 
 }  // namespace
 
 void declare(CLI::App& app, TrotOptions& o) {
   o.robot_path = shipped_robot("hyq.yaml");
-  app.add_option("--robot", o.robot_path, "robot file")->type_name("<file>")->capture_default_str();
-  add_choice(app, "--dds", o.dds, kDds,
-             "vendor; mixed: sim_bridge and estimator_service on Cyclone, the rest on Fast; inproc: one process")
+  app.add_option("--robot", o.robot_path, "robot file")->type_name("<file>")->default_str("hyq.yaml, as shipped");
+  add_choice(app, "--dds", o.dds, kDds, "cyclone|fast|mixed|inproc",
+             "DDS vendor; mixed: sim_bridge and estimator_service on Cyclone DDS, the rest on Fast DDS; inproc: all "
+             "nodes in one process")
       ->default_str("cyclone");
-  add_choice(app, "--clock", o.clock, kClocks, "lock-step (repeatable) or real time")->default_str("lockstep");
-  add_choice(app, "--nodes", o.nodes, kNodes, "joints per joint_node process")->default_str("per-leg");
+  add_choice(app, "--clock", o.clock, kClocks, "lockstep|realtime", "lock-step, which repeats bit for bit, or real time")
+      ->default_str("lockstep");
+  add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")->default_str("per-leg");
   app.add_option("--duration", o.duration_s, "simulated seconds")
-      ->check(CLI::Range(0.1, 3600.0))
+      ->check(between(0.1, 3600.0))
       ->type_name("<s>")
       ->capture_default_str();
-  app.add_option("--gait", o.gait, "gait, instead of the robot file's")->check(CLI::IsMember({"trot", "stand"}))->type_name("trot|stand");
+  add_choice(app, "--gait", o.gait, kGaits, "trot|stand", "gait, instead of the robot file's");
   app.add_option("--frequency", o.frequency_Hz, "strides per second, instead of the robot file's")
-      ->check(CLI::Range(0.1, 10.0))
+      ->check(between(0.1, 10.0))
       ->type_name("<Hz>");
   app.add_option("--seed", o.seed, "seed of sensor noise and touchdown times")->type_name("<n>")->capture_default_str();
   app.add_option("--out", o.out, "directory for the report, the trace and the logs")->type_name("<dir>")->capture_default_str();
-  app.add_option("--trace", o.trace_path, "write the trace here instead of trace.csv in --out")->type_name("<file>");
-  app.add_option("--json", o.json_path, "write the figures here instead of figures.json in --out")->type_name("<file>");
+  app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
+  app.add_option("--json", o.json_path, "where the figures go")->type_name("<file>")->default_str("figures.json in --out");
+  app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
 }
 
 std::string build_directory() {

@@ -20,6 +20,7 @@ struct TrotOptions {
   std::string out = "out/trot";
   std::string trace_path;   ///< empty: trace.csv in `out`
   std::string json_path;    ///< empty: figures.json in `out`
+  bool print_config = false;
 };
 
 void declare(CLI::App& app, TrotOptions& options);

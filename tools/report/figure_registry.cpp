@@ -36,7 +36,7 @@ constexpr std::array kSpecs{
     FigureSpec{"bench.lockstep.<vendor>.bare_ticks_per_s", "1/s", kNone,
                "Ticks per second of the bare vendor: the same samples between the same processes, nothing computed."},
     FigureSpec{"bench.lockstep.<vendor>.ratio", "1", kAtLeast, "The first over the second."},
-    FigureSpec{"bench.plant.us_per_tick", "us", kAtMost, "Time to integrate one joint over one tick."},
+    FigureSpec{"bench.plant.us_per_tick", "us", kAtMost, "Time to integrate twelve joints over one tick of 1 ms."},
     FigureSpec{"bench.plant.cvode_us_per_tick", "us", kNone, "The same with CVODE at equal error."},
     FigureSpec{"bench.plant.speedup", "1", kAtLeast, "The second over the first."},
     FigureSpec{"bench.plant.error", "1", kAtMost, "Largest error of the integrator against a converged solution, over the range of each state."},

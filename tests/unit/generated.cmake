@@ -1,0 +1,13 @@
+# Tables the documentation prints from the code.
+foreach(table IN ITEMS topics:idl/README.md figures:docs/figures.md parameters:docs/parameters.md)
+  string(REPLACE ":" ";" parts ${table})
+  list(GET parts 0 name)
+  list(GET parts 1 file)
+  add_test(NAME architecture/table_of_${name}_is_not_stale
+    COMMAND ${CMAKE_COMMAND} -DCOMMAND=$<TARGET_FILE:farrier> -DTABLE=${name} -DFILE=${PROJECT_SOURCE_DIR}/${file}
+      -P ${CMAKE_CURRENT_LIST_DIR}/../architecture/compare_table.cmake)
+  set_tests_properties(architecture/table_of_${name}_is_not_stale PROPERTIES LABELS architecture)
+endforeach()
+
+farrier_test(fast_acknack_test unit ${CMAKE_CURRENT_LIST_DIR}/fast_cyclone_acknack_test.cpp)
+target_link_libraries(fast_acknack_test PRIVATE farrier_bus_fastdds)

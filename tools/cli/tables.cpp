@@ -1,0 +1,33 @@
+// farrier tables: what can rot in the documentation is printed from the code; a test compares it with the files.
+
+#include <cstdio>
+#include <map>
+
+#include "bus/topics.hpp"
+#include "robot/robot.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/help.hpp"
+#include "tools/report/figures.hpp"
+
+namespace farrier::cli {
+namespace {
+
+using Table = std::string (*)();
+const std::map<std::string, Table> kTables{{"topics", bus::topics_table_markdown},
+                                           {"figures", report::figures_table_markdown},
+                                           {"parameters", robot::parameter_table}};
+
+}  // namespace
+
+std::function<int()> declare_tables(CLI::App& app) {
+  auto table = std::make_shared<Table>(nullptr);
+  add_choice(app, "table", *table, kTables, "topics|figures|parameters",
+             "topics (idl/README.md), figures (docs/figures.md) or parameters (docs/parameters.md)")
+      ->required();
+  return [table] {
+    std::fputs((*table)().c_str(), stdout);
+    return kPassed;
+  };
+}
+
+}  // namespace farrier::cli
