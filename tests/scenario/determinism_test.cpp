@@ -1,0 +1,51 @@
+// A lock-step run gives the same trace bit for bit.
+
+#include "tests/scenario/scenario_run.hpp"
+
+namespace farrier::scenario {
+namespace {
+
+// Several strides of every leg.
+constexpr Tick kStrides = 3000;
+constexpr Tick kShort = 200;
+
+lab::InprocRun settings(Tick ticks, std::uint64_t seed = 3) {
+  lab::InprocRun run;
+  run.ticks = ticks;
+  run.seed = seed;
+  return run;
+}
+
+TEST(Lockstep, GivesTheSameTraceHoweverJointsAreGrouped) {
+  const robot::Robot hyq = load_with_jitter("hyq", 0.010);
+  lab::InprocRun grouped = settings(kStrides);
+  const std::string per_leg = run(hyq, grouped).trace;
+  ASSERT_FALSE(per_leg.empty());
+  grouped.grouping = lab::Grouping::kPerJoint;
+  EXPECT_TRUE(run(hyq, grouped).trace == per_leg) << "per joint";
+  grouped.grouping = lab::Grouping::kOne;
+  EXPECT_TRUE(run(hyq, grouped).trace == per_leg) << "all in one";
+}
+
+TEST(Lockstep, GivesTheSameTraceForTheSameSeed) {
+  const robot::Robot hyq = load("hyq");
+  const std::string trace = run(hyq, settings(kShort)).trace;
+  ASSERT_FALSE(trace.empty());
+  EXPECT_TRUE(run(hyq, settings(kShort)).trace == trace);
+}
+
+TEST(Lockstep, GivesAnotherTraceForAnotherSeed) {
+  const robot::Robot hyq = load("hyq");
+  EXPECT_FALSE(run(hyq, settings(kShort, 3)).trace == run(hyq, settings(kShort, 4)).trace);
+}
+
+TEST(Lockstep, GivesALongerRunThatBeginsAsTheShorterOne) {
+  const robot::Robot rig = load("fc1d");
+  const std::string one = run(rig, settings(kShort)).trace;
+  const std::string longer = run(rig, settings(2 * kShort)).trace;
+  ASSERT_FALSE(one.empty());
+  EXPECT_TRUE(longer.compare(0, one.size(), one) == 0);
+}
+
+}  // namespace
+}  // namespace farrier::scenario

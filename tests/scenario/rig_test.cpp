@@ -1,0 +1,81 @@
+// The thesis's one-joint rig.
+
+#include <cmath>
+#include <map>
+
+#include "gait/schedule.hpp"
+#include "tests/scenario/scenario_run.hpp"
+#include "tools/report/tracking.hpp"
+
+namespace farrier::scenario {
+namespace {
+
+using gait::Phase;
+
+constexpr Tick kTicks = 3000;
+
+lab::InprocRun settings(supervisor::Design design) {
+  lab::InprocRun run;
+  run.ticks = kTicks;
+  run.design = design;
+  return run;
+}
+
+TEST(Rig, RunsWithEitherDesign) {
+  const robot::Robot rig = load("fc1d");
+  for (const auto design : {supervisor::Design::kStance, supervisor::Design::kSwing}) {
+    for (const record::TraceRow& row : run(rig, settings(design)).rows) {
+      ASSERT_TRUE(std::isfinite(row.position_m_or_rad) && std::isfinite(row.force_N_or_Nm));
+      ASSERT_TRUE(std::abs(row.valve_current_A) <= rig.joints[0].actuator.valve_current_max_A);
+      ASSERT_EQ(row.state == static_cast<std::uint8_t>(signals::JointState::kTracking), row.tick >= supervisor::kLeadTicks);
+    }
+  }
+}
+
+TEST(Rig, TracksTheHeavyCartBetterWithTheDesignForIt) {
+  const robot::Robot rig = load("fc1d");
+  const gait::Schedule schedule(rig.plan, 1);
+  std::map<supervisor::Design, double> nrmse;
+  for (const auto design : {supervisor::Design::kStance, supervisor::Design::kSwing}) {
+    const Outcome outcome = run(rig, settings(design));
+    nrmse[design] = report::track(rig, schedule, outcome.rows, 0).joints.at(0).stance.nrmse;
+  }
+  EXPECT_LT(nrmse[supervisor::Design::kStance], nrmse[supervisor::Design::kSwing]);
+  RecordProperty("stance_design", std::to_string(nrmse[supervisor::Design::kStance]));
+  RecordProperty("swing_design", std::to_string(nrmse[supervisor::Design::kSwing]));
+}
+
+std::vector<Tick> changes(const Outcome& outcome, std::uint8_t record::TraceRow::*phase) {
+  std::vector<Tick> ticks;
+  std::uint8_t last = static_cast<std::uint8_t>(Phase::kStance);
+  for (const record::TraceRow& row : outcome.rows) {
+    if (row.*phase != last) {
+      ticks.push_back(row.tick);
+      last = row.*phase;
+    }
+  }
+  return ticks;
+}
+
+TEST(Rig, ChangesGainsAtTheAnnouncedTickWhereverTheTouchdownReallyIs) {
+  const robot::Robot exact = load("fc1d");
+  const robot::Robot jittery = load_with_jitter("fc1d", 0.015);
+  const Outcome on_time = run(exact, settings(supervisor::Design::kPhases));
+  const Outcome early_or_late = run(jittery, settings(supervisor::Design::kPhases));
+  const auto planned = changes(on_time, &record::TraceRow::phase);
+  EXPECT_GE(planned.size(), 4u);
+  EXPECT_EQ(changes(on_time, &record::TraceRow::actual_phase), planned);
+  EXPECT_EQ(changes(early_or_late, &record::TraceRow::phase), planned) << "the announcement moved with the jitter";
+  EXPECT_NE(changes(early_or_late, &record::TraceRow::actual_phase), planned) << "the jitter did nothing";
+
+  const gait::Schedule schedule(exact.plan, 1);
+  for (const record::TraceRow& row : early_or_late.rows) {
+    ASSERT_EQ(row.phase, static_cast<std::uint8_t>(schedule.phase(0, row.tick))) << "tick " << row.tick;
+    if (row.tick >= supervisor::kLeadTicks) {
+      ASSERT_EQ(row.generation, row.phase == static_cast<std::uint8_t>(Phase::kSwing) ? 1u : 2u);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace farrier::scenario

@@ -1,0 +1,69 @@
+#pragma once
+
+// Whole runs over the in-process bus, with what they wrote.
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "core/fault.hpp"
+#include "lab/inproc_run.hpp"
+#include "record/trace.hpp"
+#include "sim_bridge/ports.hpp"
+
+namespace farrier::scenario {
+
+inline robot::Robot load(const std::string& name, const robot::Overrides& overrides = {}) {
+  auto robot = robot::load_robot(std::string(FARRIER_ROBOTS) + name + ".yaml", overrides);
+  FARRIER_ENSURE(robot.ok(), config::to_string(robot.error()).c_str());
+  return std::move(robot).value();
+}
+
+/// Touchdowns up to `jitter_s` early or late.
+inline robot::Robot load_with_jitter(const std::string& name, double jitter_s) {
+  robot::Robot robot = load(name);
+  robot.plan.gait.touchdown_jitter_s = jitter_s;
+  FARRIER_ENSURE(gait::validate(robot.plan).ok(), "a jitter below the announcement");
+  return robot;
+}
+
+struct Outcome {
+  std::string trace;                   ///< its bytes
+  std::vector<record::TraceRow> rows;  ///< tick by tick, joint by joint
+  lab::InprocResult result;
+
+  const record::TraceRow& at(Tick tick, std::size_t joint, std::size_t joints) const {
+    return rows.at(static_cast<std::size_t>(tick) * joints + joint);
+  }
+};
+
+/// Runs to the end; a run that is refused or stands still fails the test and gives nothing.
+inline Outcome run(const robot::Robot& robot, lab::InprocRun settings) {
+  static int runs = 0;
+  settings.trace_path = (std::filesystem::temp_directory_path() /
+                         ("farrier_scenario_" + std::to_string(::getpid()) + "_" + std::to_string(++runs) + ".csv"))
+                            .string();
+  auto result = lab::run_inproc(robot, settings);
+  Outcome outcome;
+  if (!result) {
+    ADD_FAILURE() << result.error().message;
+  } else {
+    outcome.result = std::move(result).value();
+    std::ostringstream bytes;
+    bytes << std::ifstream(settings.trace_path).rdbuf();
+    outcome.trace = bytes.str();
+    auto rows = record::read_trace(settings.trace_path, sim_bridge::joint_names(robot));
+    EXPECT_TRUE(rows.ok()) << (rows ? "" : rows.error().message);
+    EXPECT_EQ(rows.value().size(), static_cast<std::size_t>(settings.ticks) * robot.joints.size());
+    outcome.rows = std::move(rows).value();
+  }
+  std::filesystem::remove(settings.trace_path);
+  return outcome;
+}
+
+}  // namespace farrier::scenario
