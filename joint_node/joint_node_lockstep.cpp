@@ -105,6 +105,7 @@ void JointNodeLockstep::step() {
     const JointNode::Outputs outputs = joints_[i].node.step(inputs);
     ports_.valves->publish(outputs.valve);
     ports_.measurements->publish(outputs.measurement);
+    report_faults(joints_[i], outputs.valve, participant_);
   }
   participant_.tick_done(tick_);
   ++tick_;

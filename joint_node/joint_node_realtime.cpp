@@ -30,6 +30,7 @@ struct Mailbox {
   SpscRing<GainsUpdate, 16> gains;
   SpscRing<signals::GaitPhase, 16> phases;
   SpscRing<JointNode::Outputs, 16> outputs;
+  LatestValue<signals::JointValveCommand> answered;  ///< for the bus thread, which makes events of its faults
 
   Tick newest_sensors = kNoTick;               ///< bus thread
   Stamped<signals::JointSensors> last_sensors; ///< control thread
@@ -126,6 +127,11 @@ bool JointNodeRealtime::receive(SteadyTime now) {
     }
     inputs_complete.post();
   }
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    if (signals::JointValveCommand answered; mail_[i].answered.fetch(answered)) {
+      report_faults(joints_[i], answered, participant_);
+    }
+  }
   if (now >= next_health_) {
     next_health_ = now + 100ms;
     signals::SystemHealth health;
@@ -161,7 +167,9 @@ void JointNodeRealtime::step(SteadyTime now, std::uint64_t missed) noexcept {
     inputs.sensors_age_s = age_s(mail.last_sensors.received, now);
     inputs.command = mail.last_command.signal;
     inputs.command_age_s = age_s(mail.last_command.received, now);
-    mail.outputs.push(node.step(inputs));
+    const JointNode::Outputs outputs = node.step(inputs);
+    mail.outputs.push(outputs);
+    mail.answered.store(outputs.valve);
     last_tick_.store(inputs.tick, std::memory_order_relaxed);
   }
 }

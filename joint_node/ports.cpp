@@ -6,7 +6,7 @@ Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const st
                                              std::uint64_t session) {
   std::vector<HostedJoint> hosted;
   const auto host = [&](const robot::Joint& joint) {
-    hosted.push_back({JointNode(joint, robot.safety, session), joint.number, static_cast<std::uint16_t>(joint.leg),
+    hosted.push_back({JointNode(joint, robot.safety, session), {}, joint.number, static_cast<std::uint16_t>(joint.leg),
                       joint.name});
   };
   for (const std::string& name : names) {
@@ -22,6 +22,16 @@ Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const st
     }
   }
   return hosted;
+}
+
+void report_faults(HostedJoint& joint, const signals::JointValveCommand& answered,
+                   participant::Participant& participant) {
+  const FaultSet faults(answered.faults);
+  if (const auto change = joint.fault_events.update(answered.tick, faults)) {
+    const bool nulled = answered.state == static_cast<std::uint8_t>(signals::JointState::kNull);
+    participant.event(nulled ? signals::Severity::kWarning : signals::Severity::kInfo, answered.tick, joint.number,
+                      *change);
+  }
 }
 
 Result<Ports> Ports::open(participant::Participant& participant, const std::vector<HostedJoint>& joints,

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "joint_node/fault_events.hpp"
 #include "joint_node/joint_node.hpp"
 #include "participant/participant.hpp"
 
@@ -11,6 +12,7 @@ namespace farrier::joint_node {
 /// A joint this process hosts, with its place in the robot.
 struct HostedJoint {
   JointNode node;
+  FaultEvents fault_events;
   std::uint16_t number;
   std::uint16_t leg;
   std::string name;
@@ -19,6 +21,10 @@ struct HostedJoint {
 /// Picks the named joints of the robot, all of them for an empty list. Refuses a name the robot does not have.
 Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const std::vector<std::string>& names,
                                              std::uint64_t session);
+
+/// Says in an event what has changed in a joint's faults, if anything has.
+void report_faults(HostedJoint& joint, const signals::JointValveCommand& answered,
+                   participant::Participant& participant);
 
 /// The arrows that end or begin at a joint_node.
 struct Ports {

@@ -7,6 +7,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
+// A quarter of the lease of the topics that carry authority.
+constexpr auto kAssertionPeriod = 5ms;
+
 struct Ports {
   participant::In<signals::ClockTick>* clock;
   participant::In<signals::JointModelEstimate>* estimates;
@@ -44,6 +47,7 @@ class SupervisorApplication final : public participant::Application {
   Tick begun_ = kNoTick;      ///< newest the clock has begun
   participant::TickInbox<signals::JointModelEstimate> estimates_;
   SteadyTime next_health_{};
+  SteadyTime next_assertion_{};
 };
 
 void SupervisorApplication::issue(Tick tick) {
@@ -91,6 +95,11 @@ void SupervisorApplication::poll(SteadyTime now) {
   }
   if (begun_ != kNoTick) {
     issue(begun_);
+  }
+  if (now >= next_assertion_) {
+    next_assertion_ = now + kAssertionPeriod;
+    ports_.gains->assert_liveliness();
+    ports_.modes->assert_liveliness();
   }
   if (now >= next_health_) {
     next_health_ = now + 100ms;

@@ -44,6 +44,8 @@ class RawWriter {
   virtual ~RawWriter() = default;
   /// Publishes one signal. False when the transport refused it. Not for the 1 kHz thread of the real-time clock.
   virtual bool write(const void* signal) noexcept = 0;
+  /// Says that this writer lives although it has nothing to write: for MANUAL_BY_TOPIC liveliness.
+  virtual void assert_liveliness() noexcept = 0;
   virtual int matched_readers() const noexcept = 0;
 };
 
@@ -93,6 +95,7 @@ class Publisher {
     ++sent_;
     return writer_->write(&signal);
   }
+  void assert_liveliness() noexcept { writer_->assert_liveliness(); }
   std::uint64_t sent() const noexcept { return sent_; }
   int matched_readers() const noexcept { return writer_->matched_readers(); }
 

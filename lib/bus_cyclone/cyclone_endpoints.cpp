@@ -19,6 +19,8 @@ class CycloneWriter final : public bus::RawWriter {
     return dds_write(writer_, &sample) == DDS_RETCODE_OK;
   }
 
+  void assert_liveliness() noexcept override { dds_assert_liveliness(writer_); }
+
   int matched_readers() const noexcept override {
     dds_publication_matched_status_t status{};
     dds_get_publication_matched_status(writer_, &status);

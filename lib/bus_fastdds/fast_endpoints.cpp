@@ -21,6 +21,8 @@ class FastWriter final : public bus::RawWriter {
     return writer_->write(const_cast<void*>(signal));
   }
 
+  void assert_liveliness() noexcept override { writer_->assert_liveliness(); }
+
   int matched_readers() const noexcept override {
     dds::PublicationMatchedStatus status;
     writer_->get_publication_matched_status(status);

@@ -7,8 +7,8 @@ const char* to_string(Fault fault) noexcept {
     case Fault::kDisarmed: return "disarmed";
     case Fault::kTripped: return "tripped";
     case Fault::kSensorsStale: return "sensors stale";
-    case Fault::kCommandStale: return "command stale";
     case Fault::kNoGains: return "no gains";
+    case Fault::kCommandStale: return "command stale";
     case Fault::kGainsRefused: return "gains refused";
     case Fault::kReferenceClamped: return "reference clamped";
     case Fault::kValveSaturated: return "valve saturated";

@@ -10,8 +10,8 @@ enum class Fault : std::uint32_t {
   kDisarmed = 1u << 0,          ///< not armed for the present session: valve to null
   kTripped = 1u << 1,           ///< latched after a long loss of commands: valve to null until re-armed
   kSensorsStale = 1u << 2,      ///< sensors too old or not finite: valve to null
-  kCommandStale = 1u << 3,      ///< command too old: damping only
-  kNoGains = 1u << 4,           ///< no accepted gains yet: valve to null
+  kNoGains = 1u << 3,           ///< no accepted gains yet: valve to null
+  kCommandStale = 1u << 4,      ///< command too old: damping only
   kGainsRefused = 1u << 5,      ///< a gain update was refused; the last good gains act
   kReferenceClamped = 1u << 6,  ///< force or position limit reached: reference clamped
   kValveSaturated = 1u << 7,    ///< valve current at its limit

@@ -116,6 +116,12 @@ class Out final : public Port {
     ++sent_;
     publisher_of(key_of(signal)).publish(signal);
   }
+  /// Keeps the authority of a topic whose writer seldom writes.
+  void assert_liveliness() noexcept {
+    for (bus::Publisher<Signal>& publisher : publishers_) {
+      publisher.assert_liveliness();
+    }
+  }
   void probe() noexcept override {
     for (const std::uint16_t key : keys_) {
       Signal signal;

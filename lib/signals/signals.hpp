@@ -128,7 +128,7 @@ struct JointControllerGains {
   std::array<double, 3> model_b{};
 };
 
-/// Gait source -> supervisor, estimator_service, joint_node: a leg will change phase.
+/// Gait source -> joint_node: a leg will change phase.
 struct GaitPhase {
   std::uint16_t leg = 0;    ///< key
   std::uint32_t count = 0;  ///< announcements of this leg so far, this one included

@@ -17,11 +17,9 @@ constexpr std::uint8_t kFinal = 0x02;
 /// A datagram of `vendor` with one ACKNACK of no requests, little endian.
 std::vector<std::uint8_t> acknack(std::uint8_t vendor, std::uint8_t flags, std::uint8_t base, std::uint8_t count,
                                   std::uint8_t kind = kAcknack) {
-  std::vector<std::uint8_t> bytes{'R', 'T', 'P', 'S', 2, 1, 1, vendor};
-  bytes.resize(20);
-  bytes.insert(bytes.end(), {kind, flags, 24, 0, 0, 0, 3, 0xc7, 0, 0, 3, 0xc2, 0, 0, 0, 0, base, 0, 0, 0,
-                             0, 0, 0, 0, count, 0, 0, 0});
-  return bytes;
+  return {'R', 'T', 'P', 'S', 2, 1, 1, vendor, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+          kind, flags, 24, 0, 0, 0, 3, 0xc7, 0, 0, 3, 0xc2, 0, 0, 0, 0, base, 0, 0, 0,
+          0, 0, 0, 0, count, 0, 0, 0};
 }
 
 constexpr std::uint8_t kCyclone = 0x10;

@@ -170,6 +170,19 @@ TEST(JointNode, ChangesGainsWithoutABump) {
   EXPECT_NEAR(after.valve.valve_current_A, before_A, rounding_A);
 }
 
+TEST(JointNode, ChangesSlotsThoughBothHoldTheSameGeneration) {
+  Bench changing;
+  changing.node.set_mode(mode_of(signals::Mode::kArmed, 1));
+  changing.offer(gains_of(changing.joint, Phase::kStance, 1));
+  changing.offer(swing_design(changing, Phase::kSwing, 1, 0));
+  Bench staying = changing;
+  changing.announce(Phase::kSwing, 1, 5);
+  changing.inputs.command.torque_ff_Nm = staying.inputs.command.torque_ff_Nm = 2;
+  changing.step_to(5);
+  staying.step_to(5);
+  EXPECT_NE(changing.step().valve.valve_current_A, staying.step().valve.valve_current_A);
+}
+
 TEST(JointNode, KnowsTheNewestGenerationItHoldsActingOrNot) {
   Bench bench;
   EXPECT_EQ(bench.node.newest_generation(), 0u);

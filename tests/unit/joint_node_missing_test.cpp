@@ -176,9 +176,12 @@ TEST(JointNode, DampsWhenTheCommandIsNotFinite) {
 }
 
 TEST(JointNode, DampsWhenTheCommandAsksForNegativeImpedance) {
-  Bench bench = Bench::tracking();
-  bench.inputs.command.damping_Nms_rad = -1;
-  EXPECT_EQ(bench.state(), JointState::kDamping);
+  for (double signals::JointCommand::*impedance :
+       {&signals::JointCommand::stiffness_Nm_rad, &signals::JointCommand::damping_Nms_rad}) {
+    Bench bench = Bench::tracking();
+    bench.inputs.command.*impedance = -1;
+    EXPECT_EQ(bench.state(), JointState::kDamping);
+  }
 }
 
 TEST(JointNode, PutsLostSensorsBeforeALostCommand) {

@@ -36,6 +36,11 @@ class InprocWriter final : public RawWriter {
     return true;
   }
 
+  void assert_liveliness() noexcept override {
+    const std::lock_guard lock(domain_->state().mutex);
+    domain_->state().assert_liveliness(state_);
+  }
+
   int matched_readers() const noexcept override {
     const std::lock_guard lock(domain_->state().mutex);
     return static_cast<int>(state_.readers.size());

@@ -84,6 +84,7 @@ struct InprocState {
   void remove(WriterState& writer);
   void remove(ReaderState& reader);
 
+  void assert_liveliness(WriterState& writer);
   void write(WriterState& writer, const void* signal);
   /// Brings a reader's liveliness and deadline counters up to `now`.
   void refresh(ReaderState& reader, SteadyTime now);
@@ -159,16 +160,20 @@ inline void InprocState::match(WriterState& writer, ReaderState& reader) {
   reader.writers.push_back(&writer);
 }
 
-inline void InprocState::write(WriterState& writer, const void* signal) {
+inline void InprocState::assert_liveliness(WriterState& writer) {
   const SteadyTime now = clock();
-  judge_liveliness(writer, now);  // a lease that ran out before this write is counted, however late
+  judge_liveliness(writer, now);  // a lease that ran out before now is counted, however late
   writer.asserted = now;
   writer.alive = true;
+}
+
+inline void InprocState::write(WriterState& writer, const void* signal) {
+  assert_liveliness(writer);
   if (writer.history) {
     writer.history->push(writer.history->index_of(writer.key_of(signal)), signal);
   }
   for (ReaderState* reader : writer.readers) {
-    deliver(writer, *reader, signal, now);
+    deliver(writer, *reader, signal, writer.asserted);
   }
 }
 

@@ -1,0 +1,40 @@
+#pragma once
+
+// Every exception from the rules that tests/architecture checks, with its reason. One that is no longer needed fails.
+
+#include <string_view>
+
+namespace farrier::architecture {
+
+struct Exception {
+  std::string_view path;  ///< a file, or a folder for all below it
+  std::string_view reason;
+};
+
+/// Where a vendor's or a generated header may be included.
+inline constexpr Exception kVendorHeaders[] = {
+    {"lib/bus_cyclone", "the Cyclone DDS bus"},
+    {"lib/bus_fastdds", "the Fast DDS bus"},
+};
+
+/// Where below lib/ and in process cores a clock may be read or a random number drawn.
+inline constexpr Exception kClocks[] = {
+    {"lib/participant", "the main loops, the one place where a process meets the clock"},
+};
+
+/// Main programs longer than 80 lines.
+inline constexpr Exception kLongMains[] = {
+    {"", ""},  // none
+};
+
+/// Sources longer than 300 lines.
+inline constexpr Exception kLongFiles[] = {
+    {"", ""},  // none
+};
+
+/// Includes of a header whose library is not linked.
+inline constexpr Exception kIncludes[] = {
+    {"", ""},  // none
+};
+
+}  // namespace farrier::architecture

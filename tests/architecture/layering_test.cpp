@@ -1,0 +1,144 @@
+// Dependencies point one way, and every edge is one target_link_libraries line.
+
+#include <gtest/gtest.h>
+
+#include "tests/architecture/target_graph.hpp"
+
+namespace farrier::architecture {
+namespace {
+
+bool in_product(const Source& source) { return source.is_cpp() && !source.in("tests"); }
+
+/// Where a quoted include leads: from the root ("joint_node/ports.hpp"), from lib/ ("core/time.hpp"), in tests also to
+/// a file beside it. Null when no such file is ours.
+const Source* resolve(const Source& source, const Include& include) {
+  if (const Source* from_root = find_source(include.target)) {
+    return from_root;
+  }
+  if (const Source* from_lib = find_source("lib/" + include.target)) {
+    return from_lib;
+  }
+  const std::string folder = source.path.substr(0, source.path.rfind('/') + 1);
+  return source.in("tests") ? find_source(folder + include.target) : nullptr;
+}
+
+TEST(Layering, EverySourceBelongsToATarget) {
+  for (const Source& source : source_tree()) {
+    if (in_product(source) && source.path.ends_with(".cpp")) {
+      const Target* owner = TargetGraph::of_product().owner(source.path);
+      EXPECT_TRUE(owner != nullptr && owner->sources.count(source.path) > 0) << source.path << " is built by nobody";
+    }
+  }
+}
+
+TEST(Layering, EverySourceATargetListsIsThere) {
+  for (const auto& [name, target] : TargetGraph::of_product().targets()) {
+    for (const std::string& path : target.sources) {
+      if (path.ends_with(".cpp") && path.find('$') == std::string::npos) {
+        EXPECT_NE(find_source(path), nullptr) << name << " lists " << path;
+      }
+    }
+  }
+}
+
+TEST(Layering, EveryIncludeLeadsToALinkedLibrary) {
+  const TargetGraph& graph = TargetGraph::of_product();
+  Exceptions exceptions(kIncludes);
+  int checked = 0;
+  for (const Source& source : source_tree()) {
+    if (!in_product(source)) {
+      continue;
+    }
+    const Target* from = graph.owner(source.path);
+    ASSERT_NE(from, nullptr) << source.path;
+    const std::set<std::string> visible = graph.visible(from->name);
+    for (const Include& include : includes_of(source)) {
+      const Source* header = include.quoted ? resolve(source, include) : nullptr;
+      if (header == nullptr) {
+        continue;
+      }
+      const Target* to = graph.owner(header->path);
+      ASSERT_NE(to, nullptr) << header->path;
+      ++checked;
+      EXPECT_TRUE(visible.count(to->name) > 0 || exceptions.cover(source.path))
+          << at(source, include.line) << ": \"" << include.target << "\" is of " << to->name << ", which "
+          << from->name << " does not link";
+    }
+  }
+  EXPECT_GT(checked, 300) << "the test must find the includes";
+  EXPECT_EQ(exceptions.unused(), "");
+}
+
+TEST(Layering, NoLibraryReachesItself) {
+  const TargetGraph& graph = TargetGraph::of_product();
+  for (const auto& [name, target] : graph.targets()) {
+    for (const std::string& link : target.links) {
+      EXPECT_EQ(graph.reachable(link).count(name), 0u) << name << " and " << link << " need each other";
+    }
+  }
+}
+
+TEST(Layering, OnlyTheBusesIncludeVendorOrGeneratedHeaders) {
+  constexpr const char* kVendorFolders[] = {"dds/", "ddsc/", "fastdds/", "fastrtps/", "fastcdr/"};
+  Exceptions exceptions(kVendorHeaders);
+  for (const Source& source : source_tree()) {
+    if (!source.is_cpp()) {
+      continue;
+    }
+    for (const Include& include : includes_of(source)) {
+      bool foreign = include.quoted && resolve(source, include) == nullptr;
+      for (const char* folder : kVendorFolders) {
+        foreign = foreign || include.target.rfind(folder, 0) == 0;
+      }
+      EXPECT_TRUE(!foreign || exceptions.cover(source.path))
+          << at(source, include.line) << ": \"" << include.target << "\" is a vendor's or generated";
+    }
+  }
+  EXPECT_EQ(exceptions.unused(), "");
+}
+
+// A node's logic links and is tested without any transport.
+TEST(Layering, NoProcessCoreReachesABusOrARuntime) {
+  const TargetGraph& graph = TargetGraph::of_product();
+  int cores = 0;
+  for (const char* process : {"joint_node", "estimator_service", "supervisor", "sim_bridge"}) {
+    const std::string core = std::string("farrier_") + process + "_core";
+    ASSERT_EQ(graph.targets().count(core), 1u) << core;
+    ++cores;
+    for (const char* forbidden : {"farrier_bus", "farrier_bus_cyclone", "farrier_bus_fastdds", "farrier_bus_factory",
+                                  "farrier_participant", "farrier_process", "farrier_runtime"}) {
+      EXPECT_EQ(graph.reachable(core).count(forbidden), 0u) << core << " reaches " << forbidden;
+    }
+  }
+  EXPECT_EQ(cores, 4);
+}
+
+// The numerics serve any transport, any process and any file format.
+TEST(Layering, NoNumericalLibraryReachesSignalsConfigurationOrTransport) {
+  const TargetGraph& graph = TargetGraph::of_product();
+  for (const char* library : {"farrier_core", "farrier_plant", "farrier_control", "farrier_gait"}) {
+    ASSERT_EQ(graph.targets().count(library), 1u) << library;
+    for (const char* forbidden : {"farrier_signals", "farrier_config", "farrier_robot", "farrier_bus", "farrier_runtime",
+                                  "farrier_record", "farrier_participant", "yaml-cpp"}) {
+      EXPECT_EQ(graph.reachable(library).count(forbidden), 0u) << library << " reaches " << forbidden;
+    }
+  }
+}
+
+TEST(Layering, NothingUsesAProcesssMainOrATool) {
+  const TargetGraph& graph = TargetGraph::of_product();
+  for (const auto& [name, target] : graph.targets()) {
+    for (const std::string& link : target.links) {
+      const auto linked = graph.targets().find(link);
+      if (linked != graph.targets().end() && target.folder.rfind("tools", 0) != 0) {
+        EXPECT_NE(linked->second.folder.rfind("tools", 0), 0u) << name << " links the tool " << link;
+      }
+      EXPECT_EQ(link == "joint_node" || link == "supervisor" || link == "estimator_service" || link == "sim_bridge",
+                false)
+          << name << " links a process";
+    }
+  }
+}
+
+}  // namespace
+}  // namespace farrier::architecture
