@@ -1,7 +1,5 @@
 #include "participant/loop.hpp"
 
-#include <sys/prctl.h>
-
 #include <csignal>
 #include <cstdio>
 
@@ -12,11 +10,11 @@ using namespace std::chrono_literals;
 
 // Transports may report several samples with one arrival; a short sleep bounds what that costs.
 constexpr auto kLongestSleep = 2ms;
-constexpr auto kSilenceWorthReporting = 5s;
+constexpr auto kSilenceWorthReporting = 2s;
 
-volatile std::sig_atomic_t stop = 0;
+volatile std::sig_atomic_t stop_signal = 0;
 
-void request_stop(int) { stop = 1; }
+void request_stop(int signal) { stop_signal = signal; }
 
 }  // namespace
 
@@ -25,10 +23,11 @@ void install_signal_handlers() {
   action.sa_handler = request_stop;
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGINT, &action, nullptr);
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
 }
 
-bool stop_requested() noexcept { return stop != 0; }
+bool stop_requested() noexcept { return stop_signal != 0; }
+
+int stop_status() noexcept { return stop_signal == 0 ? 0 : 128 + stop_signal; }
 
 int run(Application& application, bus::Bus& bus, const char* name) {
   std::string waited_for;

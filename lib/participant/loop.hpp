@@ -5,11 +5,14 @@
 
 namespace farrier::participant {
 
-/// Makes SIGTERM and SIGINT end run() and makes the process die with its launcher.
+/// Makes SIGTERM and SIGINT end run().
 void install_signal_handlers();
 
 /// True once SIGTERM or SIGINT came.
 bool stop_requested() noexcept;
+
+/// Exit status of a program that they ended, as shells count: 130 after SIGINT, 143 after SIGTERM; 0 before.
+int stop_status() noexcept;
 
 /// Drives an application in lock-step until SIGTERM; returns the process's exit status. When nothing moves for a
 /// while it says on standard error what it waits for.

@@ -39,6 +39,16 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return 2;
   }
+  bool unknown_joint = false;
+  for (const std::string& joint : options.joints) {
+    if (robot.value().find(joint) == nullptr) {
+      std::fprintf(stderr, "%s: --joints: %s has no joint '%s'\n", name, robot.value().name.c_str(), joint.c_str());
+      unknown_joint = true;
+    }
+  }
+  if (unknown_joint) {
+    return 2;
+  }
   if (options.clock == bus::ClockKind::kRealtime) {
     if (const std::string lacking = runtime::set_priority(runtime::kBusPriority); !lacking.empty()) {
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());

@@ -68,7 +68,17 @@ TEST_F(ShortRun, GetsAHelloAndAFinalReportFromEverybody) {
     EXPECT_EQ(outcome_->result.healths[member.number].final_report, 1) << member.name;
     EXPECT_EQ(outcome_->result.healths[member.number].tick, kTicks) << member.name;
   }
-  EXPECT_TRUE(outcome_->result.events.empty());
+}
+
+TEST_F(ShortRun, TellsWhyEachJointWasNullAndWhenItWasWell) {
+  std::vector<std::vector<std::string>> told(hyq().joints.size());
+  for (const signals::SystemEvent& event : outcome_->result.events) {
+    told.at(event.joint).push_back(std::to_string(event.tick) + " " + std::string(signals::text_of(event.text)));
+  }
+  const std::string armed = std::to_string(supervisor::kLeadTicks) + " well again";
+  for (const auto& of_joint : told) {
+    EXPECT_EQ(of_joint, (std::vector<std::string>{"0 disarmed, no gains", armed}));
+  }
 }
 
 TEST_F(ShortRun, LosesNothingOnTheBus) {

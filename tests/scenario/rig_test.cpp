@@ -58,7 +58,7 @@ std::vector<Tick> changes(const Outcome& outcome, std::uint8_t record::TraceRow:
 }
 
 TEST(Rig, ChangesGainsAtTheAnnouncedTickWhereverTheTouchdownReallyIs) {
-  const robot::Robot exact = load("fc1d");
+  const robot::Robot exact = load_with_jitter("fc1d", 0.0);
   const robot::Robot jittery = load_with_jitter("fc1d", 0.015);
   const Outcome on_time = run(exact, settings(supervisor::Design::kPhases));
   const Outcome early_or_late = run(jittery, settings(supervisor::Design::kPhases));

@@ -1,6 +1,7 @@
 farrier_test(joint_node_test unit
   ${CMAKE_CURRENT_LIST_DIR}/gains_decoding_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_arming_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_fault_events_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_missing_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_reference_test.cpp

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <cstring>
 #include <deque>
+#include <filesystem>
 #include <fstream>
 #include <thread>
 
@@ -45,9 +46,13 @@ Result<ChildProcess> ChildProcess::start(const std::string& name, const std::str
     argv.push_back(const_cast<char*>(argument.c_str()));
   }
   argv.push_back(nullptr);
+  const pid_t self = ::getpid();
   const pid_t pid = ::fork();
   if (pid == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != self) {
+      ::_exit(127);  // the launcher died before the line above
+    }
     // Ctrl-C goes to the launcher alone, which ends its children in order.
     ::setpgid(0, 0);
     ::dup2(log, STDOUT_FILENO);
@@ -109,7 +114,21 @@ std::string ChildProcess::epitaph() {
   return text;
 }
 
-std::string ChildProcess::last_log_line() const {
+bool ChildProcess::stopped() const {
+  std::ifstream file("/proc/" + std::to_string(pid_) + "/stat");
+  std::string stat;
+  std::getline(file, stat);
+  // "pid (name) state ...": T stopped, t traced (proc_pid_stat(5)).
+  const std::size_t state = stat.rfind(')') + 2;
+  return state < stat.size() && (stat[state] == 'T' || stat[state] == 't');
+}
+
+std::string ChildProcess::last_words(std::chrono::seconds silence) const {
+  std::error_code unknown;
+  const auto written = std::filesystem::last_write_time(log_path_, unknown);
+  if (unknown || std::filesystem::file_time_type::clock::now() - written > silence) {
+    return {};
+  }
   const auto lines = last_lines(log_path_, 1);
   return lines.empty() ? std::string() : lines.back();
 }

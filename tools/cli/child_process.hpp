@@ -2,6 +2,7 @@
 
 #include <sys/types.h>
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,14 @@ class ChildProcess {
   /// How it ended, with its last lines: "joint_node_lf ended with exit status 2:\n  ...".
   std::string epitaph();
 
+  /// True while somebody has stopped it: a debugger, Ctrl-Z, SIGSTOP.
+  bool stopped() const;
+
   const std::string& name() const noexcept { return name_; }
   pid_t pid() const noexcept { return pid_; }
   int exit_status() const noexcept { return exit_status_; }
-  std::string last_log_line() const;
+  /// The last line it said, empty when it has said nothing for `silence`.
+  std::string last_words(std::chrono::seconds silence) const;
 
  private:
   ChildProcess(std::string name, std::string log_path, pid_t pid)

@@ -9,8 +9,7 @@ namespace farrier::cli {
 
 inline constexpr int kPassed = 0;
 inline constexpr int kFailed = 1;       ///< ran, and did not meet its bounds, or broke down
-inline constexpr int kBadInput = 2;     ///< refused before anything moved
-inline constexpr int kInterrupted = 130;
+inline constexpr int kBadInput = 2;     ///< refused before anything moved; interrupted: 130 or 143
 
 std::function<int()> declare_bench(CLI::App& app);
 std::function<int()> declare_tables(CLI::App& app);

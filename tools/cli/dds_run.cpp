@@ -84,6 +84,21 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   return seat;
 }
 
+/// Why nothing moves: who is stopped, or else what sim_bridge waits for, or else this process.
+std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children) {
+  std::string stopped;
+  for (const ChildProcess& child : children) {
+    if (child.stopped()) {
+      stopped += (stopped.empty() ? "" : ", ") + child.name() + " (pid " + std::to_string(child.pid()) + ")";
+    }
+  }
+  if (!stopped.empty()) {
+    return "stopped: " + stopped + "; the run stands at tick " + std::to_string(gait.tick());
+  }
+  const std::string said = gait.tick() == 0 ? "" : children.front().last_words(kSilenceWorthSaying);
+  return said.empty() ? "waiting for " + gait.waits_for() : said;
+}
+
 /// Plays the gait until the run is over. Refuses when a child dies or the user interrupts.
 Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children, Progress& progress,
                     bool realtime) {
@@ -118,8 +133,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       }
       progress.update(last);
       if (now() - moved > kSilenceWorthSaying) {
-        const std::string said = children.front().last_log_line();
-        progress.note(last == 0 ? "starting: " + seat.gait->waits_for() : said);
+        progress.note(standstill(*seat.gait, children));
         moved = now();
       }
     }
@@ -154,8 +168,11 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   common.network.domain = lock.value().domain();
   common.participants = static_cast<std::uint16_t>(outcome.members.size());
 
-  std::error_code ignored;
-  std::filesystem::create_directories(run.log_directory, ignored);
+  std::error_code refused;
+  std::filesystem::create_directories(run.log_directory, refused);
+  if (refused) {
+    return Error{"cannot write logs to " + run.log_directory + ": " + refused.message()};
+  }
   auto children = start_children(run, common, outcome.members);
   if (!children) {
     return children.error();

@@ -1,11 +1,10 @@
 #include "tools/cli/domain_lock.hpp"
 
-#include <fcntl.h>
-#include <sys/file.h>
+#include <arpa/inet.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
-#include <cstdlib>
-#include <string>
+#include <cstdint>
 
 namespace farrier::cli {
 namespace {
@@ -13,33 +12,35 @@ namespace {
 constexpr int kFirstDomain = 1;
 constexpr int kLastDomain = 100;
 
-std::string lock_path(int domain) {
-  const char* directory = std::getenv("XDG_RUNTIME_DIR");
-  return std::string(directory != nullptr ? directory : "/tmp") + "/farrier-domain-" + std::to_string(domain) +
-         ".lock";
-}
+/// Last of the 250 ports that belong to a domain (RTPS 2.3, 9.6.1.1); participants count up from the first.
+std::uint16_t lock_port(int domain) { return static_cast<std::uint16_t>(7400 + 250 * domain + 249); }
 
 }  // namespace
 
 Result<DomainLock> DomainLock::acquire() {
   for (int domain = kFirstDomain; domain <= kLastDomain; ++domain) {
-    const int file = ::open(lock_path(domain).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file < 0) {
-      continue;
+    const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(lock_port(domain));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    if (socket >= 0 && ::bind(socket, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0) {
+      return DomainLock(domain, socket);
     }
-    if (::flock(file, LOCK_EX | LOCK_NB) == 0) {
-      return DomainLock(domain, file);
+    if (socket >= 0) {
+      ::close(socket);
     }
-    ::close(file);
   }
-  return Error{"no DDS domain between 1 and 100 is free on this computer: end other runs"};
+  return Error{"no DDS domain between 1 and 100 is free on this computer: end other runs, and see that lo is up"};
 }
 
-DomainLock::DomainLock(DomainLock&& other) noexcept : domain_(other.domain_), file_(other.file_) { other.file_ = -1; }
+DomainLock::DomainLock(DomainLock&& other) noexcept : domain_(other.domain_), socket_(other.socket_) {
+  other.socket_ = -1;
+}
 
 DomainLock::~DomainLock() {
-  if (file_ >= 0) {
-    ::close(file_);
+  if (socket_ >= 0) {
+    ::close(socket_);
   }
 }
 

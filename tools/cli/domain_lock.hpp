@@ -4,7 +4,8 @@
 
 namespace farrier::cli {
 
-/// A DDS domain no other farrier run of this computer uses, held while this object lives. Domains 1 to 100 keep DDS
+/// A DDS domain no other farrier run uses, held while this object lives by a loopback port of that domain which DDS
+/// leaves alone: it reaches as far as the domain does, whatever file system the runs see. Domains 1 to 100 keep DDS
 /// below the ephemeral ports.
 class DomainLock {
  public:
@@ -16,10 +17,10 @@ class DomainLock {
   int domain() const noexcept { return domain_; }
 
  private:
-  DomainLock(int domain, int file) : domain_(domain), file_(file) {}
+  DomainLock(int domain, int socket) : domain_(domain), socket_(socket) {}
 
   int domain_;
-  int file_;
+  int socket_;
 };
 
 }  // namespace farrier::cli

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include "participant/loop.hpp"
 #include "process/process.hpp"
 #include "tools/cli/command.hpp"
+#include "tools/cli/output_file.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/trot_options.hpp"
 #include "tools/report/console.hpp"
@@ -23,7 +25,7 @@ namespace fs = std::filesystem;
 
 int fail(const Error& error) {
   std::fprintf(stderr, "farrier trot: %s\n", error.message.c_str());
-  return participant::stop_requested() ? kInterrupted : kFailed;
+  return participant::stop_requested() ? participant::stop_status() : kFailed;
 }
 
 participant::ProcessOptions common_options(const TrotOptions& o) {
@@ -113,6 +115,29 @@ Result<Done> add_swing_design(const robot::Robot& robot, const TrotOptions& o, r
   return Done{};
 }
 
+bool long_enough(const robot::Robot& robot, const report::Tracking& tracking) {
+  for (const report::JointTracking& joint : tracking.joints) {
+    const bool swings = robot.plan.gait.pattern == gait::Pattern::kTrot;
+    if (joint.stance.ticks == 0 || (swings && joint.swing.ticks == 0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// What changed in the run, one line an event.
+void write_events(const std::string& path, const robot::Robot& robot, const RunOutcome& run) {
+  std::ofstream file(path);
+  for (const signals::SystemEvent& event : run.events) {
+    file << "tick " << event.tick << ' ' << signals::to_string(static_cast<signals::Severity>(event.severity)) << ' '
+         << (event.participant < run.members.size() ? run.members[event.participant].name : "?");
+    if (event.joint < robot.joints.size()) {
+      file << ' ' << robot.joints[event.joint].name;
+    }
+    file << ": " << signals::text_of(event.text) << '\n';
+  }
+}
+
 int trot(TrotOptions o) {
   const auto loaded = process::load_robot(common_options(o));
   if (!loaded) {
@@ -138,6 +163,12 @@ int trot(TrotOptions o) {
   o.out = fs::absolute(o.out).lexically_normal().string();
   o.trace_path = o.trace_path.empty() ? o.out + "/trace.csv" : fs::absolute(o.trace_path).string();
   const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  for (const std::string& path : {o.trace_path, json_path}) {
+    if (auto way = make_way(path); !way) {
+      std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
+      return kBadInput;
+    }
+  }
 
   auto ran = run_once(robot, o);
   if (!ran) {
@@ -151,9 +182,17 @@ int trot(TrotOptions o) {
   for (std::size_t i = 0; i < ran.value().hellos.size(); ++i) {
     outcome.run.processes.push_back(report::process_info(ran.value().hellos[i], ran.value().healths[i]));
   }
+  for (const signals::SystemEvent& event : ran.value().events) {
+    if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {
+      outcome.failures.emplace_back(signals::text_of(event.text));
+    }
+  }
   std::vector<record::TraceRow> rows;
   auto tracking = tracking_of(robot, o.trace_path, o.seed, loop_delay, rows);
   if (!tracking) {
+    for (const std::string& failure : outcome.failures) {
+      std::fprintf(stderr, "farrier trot: %s\n", failure.c_str());
+    }
     return fail(tracking.error());
   }
   report::add_tracking(outcome.figures, robot, tracking.value(),
@@ -163,11 +202,10 @@ int trot(TrotOptions o) {
   }
   outcome.figures.add("trot.ticks_per_s", static_cast<double>(tracking.value().ticks) / ran.value().wall_s);
   report::add_transport(outcome.figures, outcome.run, lockstep);
-  for (const signals::SystemEvent& event : ran.value().events) {
-    if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {
-      outcome.failures.emplace_back(signals::text_of(event.text));
-    }
+  if (!long_enough(robot, tracking.value())) {
+    outcome.failures.emplace_back("too short to be judged, which begins with every leg's third stride: give a longer --duration");
   }
+  write_events(o.out + "/events.txt", robot, ran.value());
   if (auto beside = add_swing_design(robot, o, outcome.figures); !beside) {
     return fail(beside.error());
   }

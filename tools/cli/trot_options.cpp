@@ -26,7 +26,8 @@ void declare(CLI::App& app, TrotOptions& o) {
   add_choice(app, "--dds", o.dds, kDds, "cyclone|fast|mixed|inproc",
              "DDS vendor; mixed: sim_bridge and estimator_service on Cyclone DDS, the rest on Fast DDS; inproc: all "
              "nodes in one process")
-      ->default_str("cyclone");
+      ->envname("FARRIER_DDS")
+      ->default_str("cyclone, or what FARRIER_DDS says");
   add_choice(app, "--clock", o.clock, kClocks, "lockstep|realtime", "lock-step, which repeats bit for bit, or real time")
       ->default_str("lockstep");
   add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")->default_str("per-leg");
@@ -38,7 +39,9 @@ void declare(CLI::App& app, TrotOptions& o) {
   app.add_option("--frequency", o.frequency_Hz, "strides per second, instead of the robot file's")
       ->check(between(0.1, 10.0))
       ->type_name("<Hz>");
-  app.add_option("--seed", o.seed, "seed of sensor noise and touchdown times")->type_name("<n>")->capture_default_str();
+  app.add_option("--seed", o.seed, "seed of sensor noise and touchdown times")
+      ->check(between(0.0, 18446744073709551615.0))
+      ->type_name("<n>")->capture_default_str();
   app.add_option("--out", o.out, "directory for the report, the trace and the logs")->type_name("<dir>")->capture_default_str();
   app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
   app.add_option("--json", o.json_path, "where the figures go")->type_name("<file>")->default_str("figures.json in --out");
