@@ -18,17 +18,6 @@ std::vector<std::string> joint_names(const robot::Robot& robot) {
   return names;
 }
 
-Result<std::optional<record::TraceWriter>> open_trace(const std::string& path, const robot::Robot& robot) {
-  if (path.empty()) {
-    return std::optional<record::TraceWriter>();
-  }
-  auto writer = record::TraceWriter::create(path, joint_names(robot));
-  if (!writer) {
-    return writer.error();
-  }
-  return std::optional<record::TraceWriter>(std::move(writer).value());
-}
-
 Result<Ports> Ports::open(participant::Participant& participant, const robot::Robot& robot) {
   const auto numbers = joint_numbers(robot);
   const auto names = joint_names(robot);
@@ -66,6 +55,27 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
     return r.error();
   }
   return ports;
+}
+
+Result<Parts> Parts::assemble(const robot::Robot& robot, std::uint64_t seed, const std::string& trace_path,
+                              participant::Participant& participant) {
+  auto world = SimWorld::create(robot, seed);
+  if (!world) {
+    return world.error();
+  }
+  std::optional<record::TraceWriter> trace;
+  if (!trace_path.empty()) {
+    auto writer = record::TraceWriter::create(trace_path, joint_names(robot));
+    if (!writer) {
+      return writer.error();
+    }
+    trace = std::move(writer).value();
+  }
+  auto ports = Ports::open(participant, robot);
+  if (!ports) {
+    return ports.error();
+  }
+  return Parts{std::move(world).value(), std::move(trace), ports.value()};
 }
 
 }  // namespace farrier::sim_bridge

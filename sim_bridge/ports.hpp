@@ -5,6 +5,7 @@
 #include "participant/participant.hpp"
 #include "record/trace.hpp"
 #include "robot/robot.hpp"
+#include "sim_bridge/sim_world.hpp"
 
 namespace farrier::sim_bridge {
 
@@ -23,7 +24,14 @@ struct Ports {
 std::vector<std::uint16_t> joint_numbers(const robot::Robot& robot);
 std::vector<std::string> joint_names(const robot::Robot& robot);
 
-/// The trace file of a run; nothing for an empty path.
-Result<std::optional<record::TraceWriter>> open_trace(const std::string& path, const robot::Robot& robot);
+/// What sim_bridge is made of on either clock.
+struct Parts {
+  SimWorld world;
+  std::optional<record::TraceWriter> trace;  ///< none for an empty path
+  Ports ports;
+
+  static Result<Parts> assemble(const robot::Robot& robot, std::uint64_t seed, const std::string& trace_path,
+                                participant::Participant& participant);
+};
 
 }  // namespace farrier::sim_bridge

@@ -14,11 +14,10 @@ std::int64_t to_ns(SteadyTime time) { return std::chrono::duration_cast<Nanoseco
 
 class SimBridgeLockstep final : public participant::Application {
  public:
-  SimBridgeLockstep(SimWorld world, std::optional<record::TraceWriter> trace, Ports ports,
-                    const robot::Robot& robot, participant::Participant& participant, Tick ticks)
-      : world_(std::move(world)),
-        trace_(std::move(trace)),
-        ports_(ports),
+  SimBridgeLockstep(Parts parts, const robot::Robot& robot, participant::Participant& participant, Tick ticks)
+      : world_(std::move(parts.world)),
+        trace_(std::move(parts.trace)),
+        ports_(parts.ports),
         participant_(participant),
         ticks_(ticks),
         loop_delay_(robot.loop_delay_lockstep),
@@ -192,20 +191,12 @@ std::string SimBridgeLockstep::waits_for() const {
 Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::Robot& robot, std::uint64_t seed,
                                                                   const std::string& trace_path,
                                                                   participant::Participant& participant, Tick ticks) {
-  auto world = SimWorld::create(robot, seed);
-  if (!world) {
-    return world.error();
-  }
-  auto trace = open_trace(trace_path, robot);
-  if (!trace) {
-    return trace.error();
-  }
-  auto ports = Ports::open(participant, robot);
-  if (!ports) {
-    return ports.error();
+  auto parts = Parts::assemble(robot, seed, trace_path, participant);
+  if (!parts) {
+    return parts.error();
   }
   return std::unique_ptr<participant::Application>(std::make_unique<SimBridgeLockstep>(
-      std::move(world).value(), std::move(trace).value(), ports.value(), robot, participant, ticks));
+      std::move(parts).value(), robot, participant, ticks));
 }
 
 }  // namespace farrier::sim_bridge

@@ -31,11 +31,11 @@ struct Mailbox {
 
 class SimBridgeRealtime final : public participant::RealtimeApplication {
  public:
-  SimBridgeRealtime(SimWorld world, std::optional<record::TraceWriter> trace, Ports ports, const robot::Robot& robot,
+  SimBridgeRealtime(Parts parts, const robot::Robot& robot,
                     participant::Participant& participant, Tick ticks)
-      : world_(std::move(world)),
-        trace_(std::move(trace)),
-        ports_(ports),
+      : world_(std::move(parts.world)),
+        trace_(std::move(parts.trace)),
+        ports_(parts.ports),
         participant_(participant),
         period_(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s))),
         silent_after_s_(robot.safety.valve_silent_s),
@@ -170,20 +170,12 @@ Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const 
                                                                           const std::string& trace_path,
                                                                           participant::Participant& participant,
                                                                           Tick ticks) {
-  auto world = SimWorld::create(robot, seed);
-  if (!world) {
-    return world.error();
-  }
-  auto trace = open_trace(trace_path, robot);
-  if (!trace) {
-    return trace.error();
-  }
-  auto ports = Ports::open(participant, robot);
-  if (!ports) {
-    return ports.error();
+  auto parts = Parts::assemble(robot, seed, trace_path, participant);
+  if (!parts) {
+    return parts.error();
   }
   return std::unique_ptr<participant::RealtimeApplication>(std::make_unique<SimBridgeRealtime>(
-      std::move(world).value(), std::move(trace).value(), ports.value(), robot, participant, ticks));
+      std::move(parts).value(), robot, participant, ticks));
 }
 
 }  // namespace farrier::sim_bridge

@@ -64,6 +64,10 @@ ProcessOptions parse_options(const std::string& process, const std::string& purp
                  options.participants);
     std::exit(2);
   }
+  if (options.session == 0) {
+    std::fprintf(stderr, "%s: --session must not be 0, which stands for no session\n", process.c_str());
+    std::exit(2);
+  }
   return options;
 }
 

@@ -93,7 +93,7 @@ Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vec
       at = comma + 1;
       visit_columns(row, [&](auto& field) { parse(field); });
     }
-    if (!good || at != end) {
+    if (!good || at != end || line.back() == ',') {
       return Error{path + ":" + std::to_string(number) + ": not a row of a trace"};
     }
     rows.push_back(row);

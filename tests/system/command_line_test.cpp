@@ -1,0 +1,159 @@
+// What the command takes, refuses and writes.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "farrier_command.hpp"
+
+namespace farrier::test {
+namespace {
+
+constexpr int kJointsPerLeg = 3;
+constexpr int kTicks = 4000;
+
+/// One run that the cases about figures share.
+const nlohmann::json& figures_of_a_run() {
+  static const nlohmann::json figures = [] {
+    const ScratchDirectory scratch;
+    const int status = run_farrier({"trot", "--dds", "mixed", "--duration", "4", "--out", scratch.file("out"),
+                                    "--json", scratch.file("figures.json")});
+    nlohmann::json json = read_json(scratch.file("figures.json"));
+    json["exit_status"] = status;
+    return json;
+  }();
+  return figures;
+}
+
+double figure(const std::string& name) {
+  for (const auto& entry : figures_of_a_run()["figures"]) {
+    if (entry["name"] == name) {
+      return entry["value"].is_null() ? NAN : entry["value"].get<double>();
+    }
+  }
+  ADD_FAILURE() << "no figure " << name;
+  return NAN;
+}
+
+TEST(Figures, HaveTheCommonFormAndPass) {
+  const nlohmann::json& run = figures_of_a_run();
+  EXPECT_EQ(run["exit_status"], 0);
+  EXPECT_EQ(run["command"], "trot");
+  EXPECT_EQ(run["verdict"], "pass");
+  for (const auto& entry : run["figures"]) {
+    EXPECT_TRUE(entry.contains("name") && entry.contains("value") && entry.contains("unit")) << entry;
+    EXPECT_EQ(entry.contains("bound"), entry.contains("relation")) << entry;
+    EXPECT_EQ(entry.contains("bound"), entry.contains("holds")) << entry;
+  }
+  for (const char* part : {"version", "git_revision", "configuration", "seed", "machine", "processes"}) {
+    EXPECT_TRUE(run["run"].contains(part)) << part;
+  }
+}
+
+TEST(Figures, JudgeEveryJointInStanceWithTheSwingDesignBeside) {
+  for (const char* leg : {"lf", "rf", "lh", "rh"}) {
+    for (const char* joint : {"haa", "hfe", "kfe"}) {
+      const std::string name = std::string("trot.") + leg + "_" + joint;
+      EXPECT_LE(figure(name + ".stance_nrmse"), 0.10) << name;
+      EXPECT_GT(figure(name + ".swing_design_stance_nrmse"), 0.0) << name;
+    }
+  }
+}
+
+TEST(Figures, ShowThatAProcessReceivesOnlyTheJointsItHosts) {
+  EXPECT_EQ(figure("trot.packets.joint_node_lf.joint_sensors.received"), kJointsPerLeg * kTicks);
+  EXPECT_EQ(figure("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * kTicks);
+  EXPECT_EQ(figure("trot.packets.sim_bridge.joint_sensors.sent"), 4 * kJointsPerLeg * kTicks);
+  EXPECT_EQ(figure("trot.packets.estimator_service.joint_measurement.received"), 4 * kJointsPerLeg * kTicks);
+}
+
+TEST(Figures, NameEveryProcessWithItsPidAndTheVendorItWasAskedFor) {
+  std::set<int> pids;
+  for (const auto& process : figures_of_a_run()["run"]["processes"]) {
+    pids.insert(process["pid"].get<int>());
+    const std::string name = process["name"];
+    EXPECT_EQ(process["vendor"], name == "sim_bridge" || name == "estimator_service" ? "cyclone" : "fast") << name;
+  }
+  EXPECT_EQ(pids.size(), 8u);
+}
+
+TEST(Figures, HoldTheLatencyFromSensorToValve) {
+  EXPECT_GT(figure("trot.latency_p50_us"), 0.0);
+  EXPECT_LE(figure("trot.latency_p50_us"), figure("trot.latency_p99_us"));
+}
+
+TEST(RealTimeClock, RunsToItsEndOverBothVendors) {
+  const ScratchDirectory scratch;
+  std::string output;
+  // On a machine without a real-time kernel only the logic is judged: the run ends and has its figures.
+  EXPECT_EQ(run_farrier({"trot", "--clock", "realtime", "--dds", "mixed", "--duration", "4", "--out",
+                         scratch.file("out"), "--json", scratch.file("figures.json")},
+                        &output),
+            0)
+      << output;
+  const nlohmann::json figures = read_json(scratch.file("figures.json"));
+  ASSERT_FALSE(figures.is_discarded());
+  EXPECT_EQ(figures["run"]["processes"].size(), 8u);
+}
+
+/// A robot file with these replacements, in a scratch directory.
+class BadRobot {
+ public:
+  explicit BadRobot(std::initializer_list<std::pair<const char*, const char*>> replacements) {
+    std::string text = read_file(FARRIER_ROBOTS "/hyq.yaml");
+    for (const auto& [from, to] : replacements) {
+      const std::size_t place = text.find(from);
+      EXPECT_NE(place, std::string::npos) << from;
+      text.replace(place, std::string(from).size(), to);
+    }
+    std::ofstream(path()) << text;
+  }
+  std::string path() const { return scratch_.file("bad.yaml"); }
+  std::string out() const { return scratch_.file("out"); }
+
+ private:
+  ScratchDirectory scratch_;
+};
+
+TEST(BadInput, IsListedWholeWithItsLinesBeforeAnythingMoves) {
+  const BadRobot robot({{"supply_pressure_Pa:", "supply_pressure_bar:"}, {"duty: 0.65", "duty: 1.7"}});
+  std::string output;
+  EXPECT_EQ(run_farrier({"trot", "--robot", robot.path(), "--out", robot.out()}, &output), 2);
+  EXPECT_NE(output.find("supply_pressure_Pa"), std::string::npos) << output;
+  EXPECT_NE(output.find("duty"), std::string::npos) << output;
+  EXPECT_NE(output.find("bad.yaml:"), std::string::npos) << output;
+  EXPECT_FALSE(std::filesystem::exists(robot.out()));
+}
+
+TEST(BadInput, NamesAFileThatIsNotThere) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"trot", "--robot", "/nowhere/robot.yaml"}, &output), 2);
+  EXPECT_NE(output.find("/nowhere/robot.yaml"), std::string::npos) << output;
+}
+
+TEST(BadInput, RefusesUnknownValuesOptionsAndCommandsByName) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"trot", "--dds", "zenoh"}, &output), 2);
+  EXPECT_NE(output.find("'zenoh' is not one of cyclone|fast|mixed|inproc"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"trot", "--duraton", "4"}, &output), 2);
+  EXPECT_NE(output.find("--duraton"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"canter"}, &output), 2);
+  EXPECT_NE(output.find("'canter' is not a farrier command"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"trot", "--clock", "realtime", "--dds", "inproc"}, &output), 2);
+}
+
+TEST(Help, ListsTheCommandsAndTheOptionsOfEach) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"--help"}, &output), 0);
+  EXPECT_NE(output.find("usage: farrier <command>"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"trot", "--help"}, &output), 0);
+  for (const char* option : {"--robot", "--dds", "--clock", "--nodes", "--duration", "--gait", "--frequency", "--seed",
+                             "--out", "--trace", "--json"}) {
+    EXPECT_NE(output.find(option), std::string::npos) << option;
+  }
+}
+
+}  // namespace
+}  // namespace farrier::test

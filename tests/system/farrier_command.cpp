@@ -1,0 +1,155 @@
+#include "farrier_command.hpp"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace farrier::test {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+/// The words of a process's command line; empty when it is gone.
+std::vector<std::string> command_line(const std::filesystem::path& process) {
+  std::ifstream file(process / "cmdline", std::ios::binary);
+  std::vector<std::string> words;
+  for (std::string word; std::getline(file, word, '\0');) {
+    words.push_back(word);
+  }
+  return words;
+}
+
+bool follows(const std::vector<std::string>& words, const std::string& flag, const std::string& value) {
+  const auto place = std::find(words.begin(), words.end(), flag);
+  return place != words.end() && place + 1 != words.end() && *(place + 1) == value;
+}
+
+template <class Use>
+void for_each_process(Use&& use) {
+  for (const auto& entry : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = entry.path().filename().string();
+    if (std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c) != 0; })) {
+      use(static_cast<pid_t>(std::stol(name)), command_line(entry.path()));
+    }
+  }
+}
+
+}  // namespace
+
+ScratchDirectory::ScratchDirectory() {
+  std::string name = (std::filesystem::temp_directory_path() / "farrier-test-XXXXXX").string();
+  path_ = ::mkdtemp(name.data());
+}
+
+ScratchDirectory::~ScratchDirectory() {
+  std::error_code ignored;
+  std::filesystem::remove_all(path_, ignored);
+}
+
+FarrierCommand::FarrierCommand(const std::vector<std::string>& arguments) {
+  const std::string log = scratch_.file("output");
+  std::vector<char*> argv{const_cast<char*>(FARRIER_COMMAND)};
+  for (const std::string& argument : arguments) {
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  }
+  argv.push_back(nullptr);
+  const int file = ::open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  pid_ = ::fork();
+  if (pid_ == 0) {
+    ::dup2(file, STDOUT_FILENO);
+    ::dup2(file, STDERR_FILENO);
+    ::execv(argv.front(), argv.data());
+    ::_exit(127);
+  }
+  ::close(file);
+}
+
+FarrierCommand::~FarrierCommand() {
+  if (!ended_) {
+    ::kill(pid_, SIGKILL);
+    ::waitpid(pid_, nullptr, 0);
+  }
+}
+
+int FarrierCommand::wait(std::chrono::seconds budget) {
+  const auto until = Clock::now() + budget;
+  int status = 0;
+  while (Clock::now() < until) {
+    if (::waitpid(pid_, &status, WNOHANG) == pid_) {
+      ended_ = true;
+      return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+    }
+    std::this_thread::sleep_for(10ms);
+  }
+  return -1;
+}
+
+void FarrierCommand::signal(int number) const { ::kill(pid_, number); }
+
+pid_t FarrierCommand::process(const std::string& name) const {
+  const auto until = Clock::now() + 30s;
+  while (Clock::now() < until) {
+    pid_t found = 0;
+    for_each_process([&](pid_t pid, const std::vector<std::string>& words) {
+      if (follows(words, "--name", name) && follows(words, "--session", std::to_string(pid_))) {
+        found = pid;
+      }
+    });
+    if (found != 0) {
+      return found;
+    }
+    std::this_thread::sleep_for(5ms);
+  }
+  return 0;
+}
+
+bool FarrierCommand::says(const std::string& text, std::chrono::seconds budget) const {
+  const auto until = Clock::now() + budget;
+  while (Clock::now() < until) {
+    if (output().find(text) != std::string::npos) {
+      return true;
+    }
+    std::this_thread::sleep_for(5ms);
+  }
+  return false;
+}
+
+std::string FarrierCommand::output() const { return read_file(scratch_.file("output")); }
+
+std::vector<pid_t> processes_of_session(pid_t launcher) {
+  std::vector<pid_t> found;
+  for_each_process([&](pid_t pid, const std::vector<std::string>& words) {
+    if (follows(words, "--session", std::to_string(launcher))) {
+      found.push_back(pid);
+    }
+  });
+  return found;
+}
+
+int run_farrier(const std::vector<std::string>& arguments, std::string* output) {
+  FarrierCommand command(arguments);
+  const int status = command.wait();
+  if (output != nullptr) {
+    *output = command.output();
+  }
+  return status;
+}
+
+std::string read_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+nlohmann::json read_json(const std::string& path) { return nlohmann::json::parse(read_file(path), nullptr, false); }
+
+}  // namespace farrier::test

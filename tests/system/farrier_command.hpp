@@ -1,0 +1,63 @@
+#pragma once
+
+// Starts the farrier command as a user would and looks at what it leaves: exit status, output, traces, processes.
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace farrier::test {
+
+/// A directory that goes with its test.
+class ScratchDirectory {
+ public:
+  ScratchDirectory();
+  ~ScratchDirectory();
+  ScratchDirectory(const ScratchDirectory&) = delete;
+  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// One running farrier command with its output in a file.
+class FarrierCommand {
+ public:
+  explicit FarrierCommand(const std::vector<std::string>& arguments);
+  ~FarrierCommand();
+  FarrierCommand(const FarrierCommand&) = delete;
+  FarrierCommand& operator=(const FarrierCommand&) = delete;
+
+  /// Waits until it ends; its exit status, 128 + signal when killed, -1 when it does not end in time.
+  int wait(std::chrono::seconds budget = std::chrono::seconds(120));
+  void signal(int number) const;
+
+  /// Process of the run whose command line has `--name <name>`; 0 when there is none within the budget.
+  pid_t process(const std::string& name) const;
+  /// Waits until the output has `text`; false when it does not come in time.
+  bool says(const std::string& text, std::chrono::seconds budget = std::chrono::seconds(60)) const;
+  std::string output() const;
+  pid_t pid() const noexcept { return pid_; }
+
+ private:
+  ScratchDirectory scratch_;
+  pid_t pid_;
+  bool ended_ = false;
+};
+
+/// Node processes that name this launcher's session in their command line.
+std::vector<pid_t> processes_of_session(pid_t launcher);
+
+/// Runs to the end; the exit status.
+int run_farrier(const std::vector<std::string>& arguments, std::string* output = nullptr);
+
+std::string read_file(const std::string& path);
+nlohmann::json read_json(const std::string& path);
+
+}  // namespace farrier::test

@@ -1,0 +1,14 @@
+# Real processes over real DDS, started as a user would.
+function(farrier_system_test name label duration)
+  farrier_test(${name} ${label} ${ARGN} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/farrier_command.cpp)
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
+  target_link_libraries(${name} PRIVATE nlohmann_json::nlohmann_json Threads::Threads)
+  target_compile_definitions(${name} PRIVATE FARRIER_COMMAND="$<TARGET_FILE:farrier>"
+    FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots" FARRIER_TRACE_DURATION="${duration}")
+  add_dependencies(${name} product)
+endfunction()
+
+farrier_system_test(trace_identity_test system 1.5 ${CMAKE_CURRENT_LIST_DIR}/trace_identity_test.cpp)
+farrier_system_test(long_trace_identity_test long 12 ${CMAKE_CURRENT_LIST_DIR}/trace_identity_test.cpp)
+farrier_system_test(process_failure_test system 0 ${CMAKE_CURRENT_LIST_DIR}/process_failure_test.cpp)
+farrier_system_test(command_line_test system 0 ${CMAKE_CURRENT_LIST_DIR}/command_line_test.cpp)

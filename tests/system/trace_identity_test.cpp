@@ -1,0 +1,94 @@
+// A lock-step run gives the same trace bit for bit over every transport, however joints are grouped into processes,
+// and whatever process a debugger holds up.
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <thread>
+
+#include "farrier_command.hpp"
+
+namespace farrier::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kDuration = FARRIER_TRACE_DURATION;
+
+/// Trace of a run; empty when it has left none.
+std::string trace_of(const std::string& dds, const std::string& nodes) {
+  const ScratchDirectory scratch;
+  run_farrier({"trot", "--dds", dds, "--nodes", nodes, "--duration", kDuration, "--out", scratch.file("out"), "--trace",
+               scratch.file("trace.csv")});
+  return read_file(scratch.file("trace.csv"));
+}
+
+const std::string& reference_trace() {
+  static const std::string trace = trace_of("inproc", "per-leg");
+  return trace;
+}
+
+struct Way {
+  const char* dds;
+  const char* nodes;
+};
+
+class TraceIdentity : public testing::TestWithParam<Way> {};
+
+TEST_P(TraceIdentity, EqualsTheInProcessTraceByteForByte) {
+  ASSERT_GT(reference_trace().size(), 1000u);
+  EXPECT_TRUE(trace_of(GetParam().dds, GetParam().nodes) == reference_trace());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Over, TraceIdentity,
+    testing::Values(Way{"inproc", "per-joint"}, Way{"inproc", "one"}, Way{"cyclone", "per-leg"},
+                    Way{"cyclone", "per-joint"}, Way{"cyclone", "one"}, Way{"fast", "per-leg"},
+                    Way{"fast", "per-joint"}, Way{"fast", "one"}, Way{"mixed", "per-leg"}, Way{"mixed", "per-joint"},
+                    Way{"mixed", "one"}),
+    [](const auto& way) {
+      std::string name = std::string(way.param.dds) + "_" + way.param.nodes;
+      std::replace(name.begin(), name.end(), '-', '_');
+      return name;
+    });
+
+struct Pause {
+  const char* dds;
+  const char* process;
+};
+
+class TraceUnderADebuggersPause : public testing::TestWithParam<Pause> {};
+
+TEST_P(TraceUnderADebuggersPause, IsTheSame) {
+  const ScratchDirectory scratch;
+  FarrierCommand trot({"trot", "--dds", GetParam().dds, "--duration", kDuration, "--out", scratch.file("out"),
+                       "--trace", scratch.file("trace.csv")});
+  const pid_t paused = trot.process(GetParam().process);
+  ASSERT_NE(paused, 0);
+  // A tenth of the run is over when the first line of progress behind the start is out.
+  ASSERT_TRUE(trot.says("trot: tick 1") || trot.says("trot: tick 2"));
+  ASSERT_EQ(::kill(paused, SIGSTOP), 0);
+  std::this_thread::sleep_for(1s);
+  ASSERT_EQ(::kill(paused, SIGCONT), 0);
+  EXPECT_NE(trot.wait(), -1);
+  EXPECT_TRUE(read_file(scratch.file("trace.csv")) == reference_trace());
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, TraceUnderADebuggersPause,
+                         testing::Values(Pause{"cyclone", "sim_bridge"}, Pause{"cyclone", "joint_node_rf"},
+                                         Pause{"cyclone", "estimator_service"}, Pause{"cyclone", "supervisor"},
+                                         Pause{"fast", "joint_node_lf"}, Pause{"mixed", "estimator_service"}),
+                         [](const auto& pause) { return std::string(pause.param.dds) + "_" + pause.param.process; });
+
+TEST(TwoRunsAtOnce, DoNotHearEachOther) {
+  std::string first;
+  std::string second;
+  std::thread other([&] { first = trace_of("cyclone", "per-leg"); });
+  second = trace_of("mixed", "per-leg");
+  other.join();
+  EXPECT_TRUE(first == reference_trace());
+  EXPECT_TRUE(second == reference_trace());
+}
+
+}  // namespace
+}  // namespace farrier::test
