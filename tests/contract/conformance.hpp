@@ -20,8 +20,9 @@ using namespace std::chrono_literals;
 inline constexpr Nanoseconds kMatchBudget = 10s;      ///< 5 ms; 1 s where Fast's endpoint discovery repeats itself
 inline constexpr Nanoseconds kDeliveryBudget = 5s;    ///< 0.1 ms; tens of ms where a datagram was lost
 inline constexpr Nanoseconds kLateJoinerBudget = 5s;  ///< tens of ms, a heartbeat
-inline constexpr Nanoseconds kSilenceBudget = 2s;     ///< to notice a 20 ms lease or a 10 ms deadline
-inline constexpr Nanoseconds kLease = 20ms;
+inline constexpr Nanoseconds kSilenceBudget = 2s;     ///< to notice a lease or a deadline
+inline constexpr Nanoseconds kQuietWindow = 200ms;    ///< ten leases of a topic that carries authority
+inline constexpr Nanoseconds kAcknowledged = 200ms;   ///< for a sample's acknowledgement to be back
 inline constexpr Nanoseconds kDeadline = 10ms;
 inline constexpr Nanoseconds kPollPeriod = 5ms;
 

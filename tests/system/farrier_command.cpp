@@ -54,9 +54,9 @@ ScratchDirectory::~ScratchDirectory() {
   std::filesystem::remove_all(path_, ignored);
 }
 
-FarrierCommand::FarrierCommand(const std::vector<std::string>& arguments) {
+FarrierCommand::FarrierCommand(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
   const std::string log = scratch_.file("output");
-  std::vector<char*> argv{const_cast<char*>(FARRIER_COMMAND)};
+  std::vector<char*> argv{const_cast<char*>(surroundings.executable.c_str())};
   for (const std::string& argument : arguments) {
     argv.push_back(const_cast<char*>(argument.c_str()));
   }
@@ -66,6 +66,9 @@ FarrierCommand::FarrierCommand(const std::vector<std::string>& arguments) {
   if (pid_ == 0) {
     ::dup2(file, STDOUT_FILENO);
     ::dup2(file, STDERR_FILENO);
+    if (surroundings.prepare) {
+      surroundings.prepare();
+    }
     ::execv(argv.front(), argv.data());
     ::_exit(127);
   }
@@ -134,8 +137,8 @@ std::vector<pid_t> processes_of_session(pid_t launcher) {
   return found;
 }
 
-int run_farrier(const std::vector<std::string>& arguments, std::string* output) {
-  FarrierCommand command(arguments);
+int run_farrier(const std::vector<std::string>& arguments, std::string* output, const Surroundings& surroundings) {
+  FarrierCommand command(arguments, surroundings);
   const int status = command.wait();
   if (output != nullptr) {
     *output = command.output();

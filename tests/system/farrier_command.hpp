@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -26,10 +27,16 @@ class ScratchDirectory {
   std::filesystem::path path_;
 };
 
-/// One running farrier command with its output in a file.
+/// What a command starts with besides its arguments.
+struct Surroundings {
+  std::string executable = FARRIER_COMMAND;
+  std::function<void()> prepare;  ///< runs in the new process before the command; ending there, it ends with its status
+};
+
+/// One running command, farrier unless told otherwise, with its output in a file.
 class FarrierCommand {
  public:
-  explicit FarrierCommand(const std::vector<std::string>& arguments);
+  explicit FarrierCommand(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
   ~FarrierCommand();
   FarrierCommand(const FarrierCommand&) = delete;
   FarrierCommand& operator=(const FarrierCommand&) = delete;
@@ -55,7 +62,8 @@ class FarrierCommand {
 std::vector<pid_t> processes_of_session(pid_t launcher);
 
 /// Runs to the end; the exit status.
-int run_farrier(const std::vector<std::string>& arguments, std::string* output = nullptr);
+int run_farrier(const std::vector<std::string>& arguments, std::string* output = nullptr,
+                const Surroundings& surroundings = {});
 
 std::string read_file(const std::string& path);
 nlohmann::json read_json(const std::string& path);
