@@ -50,9 +50,9 @@ Result<Done> check_gains(const signals::JointControllerGains& signal) {
   if (gains.form == control::Form::kCompliant && gains.position != 0.0) {
     return Error{"compliant gains with a position gain of " + std::to_string(gains.position)};
   }
-  if (!(gains.spectral_radius < 1.0)) {
-    return Error{"closed loop unstable for the model they came with: spectral radius " +
-                 std::to_string(gains.spectral_radius)};
+  const double radius = control::closed_loop_spectral_radius(gains.model, gains, gains.delay_ticks);
+  if (!(radius < 1.0)) {
+    return Error{"closed loop unstable for the model they came with: spectral radius " + std::to_string(radius)};
   }
   return Done{};
 }
@@ -76,7 +76,6 @@ control::Gains unpack_gains(const signals::JointControllerGains& signal) noexcep
     }
     gains.model.b(row) = signal.model_b[static_cast<std::size_t>(row)];
   }
-  gains.spectral_radius = control::closed_loop_spectral_radius(gains.model, gains, gains.delay_ticks);
   return gains;
 }
 

@@ -13,7 +13,7 @@ namespace farrier::joint_node {
 /// model they came with. Refuses with the reason.
 Result<Done> check_gains(const signals::JointControllerGains& signal);
 
-/// Checked gains as the controller takes them.
+/// Checked gains as the controller takes them; their spectral radius is left to check_gains.
 control::Gains unpack_gains(const signals::JointControllerGains& signal) noexcept;
 
 }  // namespace farrier::joint_node

@@ -37,9 +37,13 @@ bool JointNode::store_gains(const signals::JointControllerGains& signal, const c
   if (signal.generation <= upcoming.newest()) {
     return false;
   }
-  upcoming.put({gains, signal.generation, signal.effective_tick});
-  faults_.set(Fault::kGainsRefused, false);
+  upcoming.put({gains, signal.generation, signal.effective_tick, false});
   return true;
+}
+
+void JointNode::refuse_gains(const signals::JointControllerGains& signal) noexcept {
+  const std::size_t phase = signal.phase < signals::kPhaseCount ? signal.phase : 0;
+  upcoming_gains_[phase].put({{}, signal.generation, signal.effective_tick, true});
 }
 
 void JointNode::set_mode(const signals::SystemMode& mode) noexcept {
@@ -68,7 +72,10 @@ void JointNode::apply_due(Tick tick) noexcept {
   }
   for (std::size_t phase = 0; phase < acting_.size(); ++phase) {
     if (const auto slot = upcoming_gains_[phase].take_due(tick)) {
-      acting_[phase] = *slot;
+      faults_.set(Fault::kGainsRefused, slot->refused);
+      if (!slot->refused) {
+        acting_[phase] = *slot;
+      }
     }
   }
   if (const auto phase = upcoming_phases_.take_due(tick)) {

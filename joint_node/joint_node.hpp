@@ -28,8 +28,9 @@ class JointNode {
   /// False, and the slot keeps what it has, when the generation is not newer than the slot's.
   bool store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept;
 
-  /// A gain update failed its check: the last good gains go on acting, and the joint says so until the next good one.
-  void refuse_gains() noexcept { faults_.set(Fault::kGainsRefused); }
+  /// A gain update failed its check: from its effective tick the joint says so, until the next good one acts; the last
+  /// good gains go on acting all the while.
+  void refuse_gains(const signals::JointControllerGains& signal) noexcept;
 
   void set_mode(const signals::SystemMode& mode) noexcept;
   void announce_phase(const signals::GaitPhase& phase) noexcept;
@@ -52,7 +53,7 @@ class JointNode {
   FaultSet faults() const noexcept { return faults_; }
   std::uint16_t joint() const noexcept { return joint_.number; }
 
-  /// Newest generation held in any slot, acting or not.
+  /// Newest generation heard of for any slot: acting, waiting or refused.
   std::uint32_t newest_generation() const noexcept;
 
  private:
@@ -60,6 +61,7 @@ class JointNode {
     control::Gains gains{};
     std::uint32_t generation = 0;  ///< 0: empty
     Tick effective_tick = kNoTick;
+    bool refused = false;
   };
 
   void apply_due(Tick tick) noexcept;

@@ -75,7 +75,7 @@ void JointNodeLockstep::offer_gains(const signals::JointControllerGains& signal)
       continue;
     }
     if (const auto checked = check_gains(signal); !checked) {
-      joint.node.refuse_gains();
+      joint.node.refuse_gains(signal);
       participant_.event(signals::Severity::kWarning, tick_, joint.number, "gains refused: " + checked.error().message);
     } else {
       joint.node.store_gains(signal, unpack_gains(signal));

@@ -153,7 +153,7 @@ void JointNodeRealtime::step(SteadyTime now, std::uint64_t missed) noexcept {
     }
     for (GainsUpdate update; mail.gains.pop(update);) {
       if (update.refused) {
-        node.refuse_gains();
+        node.refuse_gains(update.signal);
       } else {
         node.store_gains(update.signal, unpack_gains(update.signal));
       }

@@ -24,6 +24,9 @@ struct Ports {
 std::vector<std::uint16_t> joint_numbers(const robot::Robot& robot);
 std::vector<std::string> joint_names(const robot::Robot& robot);
 
+/// Event of a run whose trace the disk did not take.
+inline constexpr const char* kIncompleteTrace = "the trace is incomplete: disk full?";
+
 /// What sim_bridge is made of on either clock.
 struct Parts {
   SimWorld world;

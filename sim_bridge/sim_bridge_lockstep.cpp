@@ -155,7 +155,7 @@ void SimBridgeLockstep::poll(SteadyTime now) {
     end_tick();
     if (finished()) {
       if (trace_ && !trace_->finish()) {
-        participant_.event(signals::Severity::kError, world_.tick(), 0xffff, "the trace is incomplete: disk full?");
+        participant_.event(signals::Severity::kError, world_.tick(), 0xffff, kIncompleteTrace);
       }
       report(true);
       return;

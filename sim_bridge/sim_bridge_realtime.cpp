@@ -69,7 +69,8 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   runtime::LatencyHistogram latency_;  ///< bus thread
   SteadyTime next_health_{};
   std::atomic<Tick> tick_{0};
-  std::atomic<Tick> sent_tick_{kNoTick};
+  std::atomic<Tick> sent_tick_{kNoTick};  ///< all before this tick is sent and recorded
+  std::atomic<bool> trace_complete_{true};
   std::atomic<std::uint64_t> missed_{0};
   bool reported_final_ = false;
 };
@@ -86,8 +87,11 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
   if (!participant_.started(now)) {
     return false;
   }
-  if (finished() && sent_tick_.load(std::memory_order_acquire) + 1 >= ticks_ && !reported_final_) {
+  if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && !reported_final_) {
     reported_final_ = true;
+    if (!trace_complete_.load(std::memory_order_relaxed)) {
+      participant_.event(signals::Severity::kError, ticks_, 0xffff, kIncompleteTrace);
+    }
     report(true);
   } else if (now >= next_health_ && !reported_final_) {
     next_health_ = now + 100ms;
@@ -157,8 +161,8 @@ void SimBridgeRealtime::send() {
       }
     }
   }
-  if (finished() && trace_) {
-    trace_->finish();
+  if (ticks_ > 0 && now >= ticks_ && trace_) {
+    trace_complete_.store(trace_->finish(), std::memory_order_relaxed);
   }
   sent_tick_.store(now, std::memory_order_release);
 }

@@ -37,7 +37,8 @@ std::string cyclone_config(const bus::NetworkOptions& options) {
   const std::string discovery = element("ExternalDomainId", std::to_string(options.domain)) +
                                 element("ParticipantIndex", "auto") +
                                 element("MaxAutoParticipantIndex", std::to_string(max_index)) +
-                                element("Peers", peers) + element("SPDPInterval", kAnnouncementPeriod);
+                                element("Peers", peers) + element("SPDPInterval", kAnnouncementPeriod) +
+                                element("LeaseDuration", std::to_string(options.lease.count()) + " s");
   // One receive thread: with unicast alone there is nothing for a second one to do but to switch contexts.
   const std::string internal = element("MultipleReceiveThreads", "false") + kReliableTiming + kSockets;
   return element("CycloneDDS", "<Domain Id=\"any\">" + element("General", general) + element("Discovery", discovery) +

@@ -18,7 +18,6 @@ constexpr std::uint32_t kSocketBufferBytes = 4u << 20;
 // Announcements go by unicast to every port a process may have, so they are rare; a process that starts announces
 // itself at once and everyone answers.
 constexpr Nanoseconds kAnnouncementPeriod = 5s;
-constexpr Nanoseconds kParticipantLease = 20s;
 constexpr std::uint32_t kInitialAnnouncements = 5;
 constexpr Nanoseconds kInitialAnnouncementPeriod = 20ms;
 
@@ -110,7 +109,7 @@ dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options, in
   // Another process may take the index's ports first: then the next ones, up to the last.
   wire.builtin.mutation_tries = static_cast<std::uint32_t>(options.max_processes - index);
   auto& discovery = wire.builtin.discovery_config;
-  discovery.leaseDuration = duration(kParticipantLease);
+  discovery.leaseDuration = duration(options.lease);
   discovery.leaseDuration_announcementperiod = duration(kAnnouncementPeriod);
   discovery.initial_announcements.count = kInitialAnnouncements;
   discovery.initial_announcements.period = duration(kInitialAnnouncementPeriod);

@@ -14,7 +14,7 @@ bool stop_requested() noexcept;
 /// Exit status of a program that they ended, as shells count: 130 after SIGINT, 143 after SIGTERM; 0 before.
 int stop_status() noexcept;
 
-/// Drives an application in lock-step until SIGTERM; returns the process's exit status. When nothing moves for a
+/// Drives an application by one thread that polls it whenever samples arrive, until SIGTERM; returns the process's exit status. When nothing moves for a
 /// while it says on standard error what it waits for.
 int run(Application& application, bus::Bus& bus, const char* name);
 

@@ -9,9 +9,12 @@ namespace farrier::participant {
 namespace {
 
 const std::map<std::string, bus::Vendor> kVendors{
-    {"cyclone", bus::Vendor::kCyclone}, {"fast", bus::Vendor::kFast}, {"inproc", bus::Vendor::kInproc}};
+    {"cyclone", bus::Vendor::kCyclone}, {"fast", bus::Vendor::kFast}};
 const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind::kLockstep},
                                                     {"realtime", bus::ClockKind::kRealtime}};
+
+const std::map<std::string, std::uint16_t> kFixedNumbers{
+    {"sim_bridge", kSimBridge}, {"estimator_service", kEstimatorService}, {"supervisor", kSupervisor}};
 
 void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--name", o.name, "Name the others see")->capture_default_str();
@@ -27,14 +30,17 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--participants", o.participants, "How many take part in the run")->required();
   app.add_option("--session", o.session, "Session of the run; others are ignored")->capture_default_str();
   app.add_option("--seed", o.seed, "Seed of noise and touchdown times")->capture_default_str();
-  app.add_option("--ticks", o.ticks, "Length of the run; 0: until SIGTERM")->capture_default_str();
+  app.add_option("--ticks", o.ticks, "Length of the run; 0: until SIGTERM")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   app.add_option("--joints", o.joints, "Joints this process hosts")->delimiter(',');
   app.add_option("--trace", o.trace_path, "Trace file to write (CSV)");
   app.add_option("--design", o.design, "Load the published gains are for: stance or swing in both slots, or phases: each slot its own")
       ->check(CLI::IsMember({"stance", "swing", "phases"}))
       ->capture_default_str();
   app.add_option("--gait", o.gait, "trot or stand, instead of the robot file's")->check(CLI::IsMember({"trot", "stand"}));
-  app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's");
+  app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's")
+      ->check(CLI::Range(0.1, 10.0));
 }
 
 template <class Value>
@@ -64,11 +70,26 @@ ProcessOptions parse_options(const std::string& process, const std::string& purp
                  options.participants);
     std::exit(2);
   }
+  if (const auto fixed = kFixedNumbers.find(process);
+      fixed != kFixedNumbers.end() ? options.number != fixed->second
+                                   : process == "joint_node" && options.number < kFirstJointNode) {
+    std::fprintf(stderr, "%s: --number %u is another participant's: sim_bridge is 0, estimator_service 1, supervisor 2, "
+                 "the gait source 3, joint nodes 4 and up\n", process.c_str(), options.number);
+    std::exit(2);
+  }
   if (options.session == 0) {
     std::fprintf(stderr, "%s: --session must not be 0, which stands for no session\n", process.c_str());
     std::exit(2);
   }
   return options;
+}
+
+bus::NetworkOptions network_of(const ProcessOptions& options) {
+  bus::NetworkOptions network = options.network;
+  if (options.clock == bus::ClockKind::kLockstep) {
+    network.lease = bus::kPatientLease;
+  }
+  return network;
 }
 
 std::vector<std::string> to_arguments(const ProcessOptions& o) {

@@ -29,6 +29,9 @@ struct ProcessOptions {
   double frequency_Hz = 0;
 };
 
+/// The network as the clock needs it: in lock-step nobody is forgotten for being held up.
+bus::NetworkOptions network_of(const ProcessOptions& options);
+
 /// Parses argv; prints help or every mistake and exits (0 or 2) when there is nothing to run.
 ProcessOptions parse_options(const std::string& process, const std::string& purpose, int argc, char** argv);
 

@@ -32,7 +32,8 @@ struct Identity {
 /// those of a topic routed by joint.
 bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& joints = {});
 
-/// One process's place in a run. Not thread-safe: owned by the thread that talks to the bus.
+/// One process's place in a run. Owned by the bus
+/// thread; on the real-time clock the sender thread publishes on ports, whose counters allow it.
 class Participant {
  public:
   static Result<std::unique_ptr<Participant>> join(bus::Bus& bus, Identity identity);

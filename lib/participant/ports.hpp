@@ -4,6 +4,7 @@
 // every route can be proved by a probe: a sample that carries its key and no tick.
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -64,6 +65,7 @@ class In final : public Port {
       }
       if (tick_of(signal) != kNoTick) {
         ++received_;
+        count_gap(signal);
         consume(signal);
       }
     });
@@ -81,12 +83,25 @@ class In final : public Port {
   void start() noexcept override { lost_before_ = subscription_.status().lost; }
   void count(signals::SystemHealth& health) const noexcept override {
     health.received[static_cast<std::size_t>(kTopic)] += received_;
-    health.lost[static_cast<std::size_t>(kTopic)] += subscription_.status().lost - lost_before_;
+    health.lost[static_cast<std::size_t>(kTopic)] += subscription_.status().lost - lost_before_ + skipped_;
   }
   bus::ReaderStatus status() const noexcept { return subscription_.status(); }
 
  private:
   static constexpr bus::TopicId kTopic = bus::TopicOf<Signal>::id;
+
+  // Sensors come for every tick of a joint: one that is missing was overwritten or dropped on the way, which the
+  // transport does not tell.
+  void count_gap(const Signal& signal) noexcept {
+    if constexpr (std::is_same_v<Signal, signals::JointSensors>) {
+      const auto place = std::find(keys_.begin(), keys_.end(), key_of(signal)) - keys_.begin();
+      if (static_cast<std::size_t>(place) < last_tick_.size()) {
+        Tick& last = last_tick_[static_cast<std::size_t>(place)];
+        skipped_ += last != kNoTick && signal.tick > last + 1 ? static_cast<std::uint64_t>(signal.tick - last - 1) : 0;
+        last = signal.tick;
+      }
+    }
+  }
 
   void mark(std::uint16_t key) noexcept {
     for (std::size_t i = 0; i < keys_.size(); ++i) {
@@ -102,6 +117,8 @@ class In final : public Port {
   std::vector<bool> heard_;
   bool unheard_left_ = true;
   std::uint64_t received_ = 0;
+  std::vector<Tick> last_tick_ = std::vector<Tick>(keys_.size(), kNoTick);
+  std::uint64_t skipped_ = 0;
   std::uint64_t lost_before_ = 0;  ///< probes lost while endpoints found each other
 };
 
@@ -112,9 +129,12 @@ class Out final : public Port {
   Out(std::vector<bus::Publisher<Signal>> publishers, std::vector<std::uint16_t> keys)
       : publishers_(std::move(publishers)), keys_(std::move(keys)) {}
 
+  /// A sample the transport refuses counts as lost.
   void publish(const Signal& signal) noexcept {
-    ++sent_;
-    publisher_of(key_of(signal)).publish(signal);
+    sent_.fetch_add(1, std::memory_order_relaxed);
+    if (!publisher_of(key_of(signal)).publish(signal)) {
+      refused_.fetch_add(1, std::memory_order_relaxed);
+    }
   }
   /// Keeps the authority of a topic whose writer seldom writes.
   void assert_liveliness() noexcept {
@@ -129,9 +149,10 @@ class Out final : public Port {
       publisher_of(key).publish(signal);
     }
   }
-  std::uint64_t sent() const noexcept { return sent_; }
+  std::uint64_t sent() const noexcept { return sent_.load(std::memory_order_relaxed); }
   void count(signals::SystemHealth& health) const noexcept override {
-    health.sent[static_cast<std::size_t>(bus::TopicOf<Signal>::id)] += sent_;
+    health.sent[static_cast<std::size_t>(bus::TopicOf<Signal>::id)] += sent();
+    health.lost[static_cast<std::size_t>(bus::TopicOf<Signal>::id)] += refused_.load(std::memory_order_relaxed);
   }
 
  private:
@@ -145,7 +166,8 @@ class Out final : public Port {
 
   std::vector<bus::Publisher<Signal>> publishers_;
   std::vector<std::uint16_t> keys_;
-  std::uint64_t sent_ = 0;
+  std::atomic<std::uint64_t> sent_{0};  ///< the sender thread counts, the bus thread reports
+  std::atomic<std::uint64_t> refused_{0};
 };
 
 /// Holds the samples of the next few ticks of each key until their tick is due.

@@ -51,6 +51,9 @@ void send(RealtimeApplication& application, const std::atomic<bool>& started) {
       application.send();
     }
   }
+  if (started.load(std::memory_order_acquire)) {
+    application.send();
+  }
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ participant::Identity identity_of(const participant::ProcessOptions& options, co
   return {options.name, robot.name, options.number, options.participants, options.session, options.clock};
 }
 
-int run(const participant::ProcessOptions& options, const Factory<participant::Application>& lockstep, const Factory<participant::RealtimeApplication>& realtime) {
+int run(const participant::ProcessOptions& options, const Factory<participant::Application>& polled, const Factory<participant::RealtimeApplication>& threaded) {
   participant::install_signal_handlers();
   const char* const name = options.name.c_str();
   const auto robot = load_robot(options);
@@ -54,7 +54,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());
     }
   }
-  auto bus = bus_factory::create_bus(options.vendor, options.network);
+  auto bus = bus_factory::create_bus(options.vendor, participant::network_of(options));
   if (!bus) {
     return refuse(name, bus.error());
   }
@@ -62,12 +62,12 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   if (!member) {
     return refuse(name, member.error());
   }
-  if (options.clock == bus::ClockKind::kRealtime && realtime) {
-    auto application = realtime(*member.value(), robot.value());
+  if (options.clock == bus::ClockKind::kRealtime && threaded) {
+    auto application = threaded(*member.value(), robot.value());
     return application ? participant::run_realtime(*application.value(), *bus.value(), name)
                        : refuse(name, application.error());
   }
-  auto application = lockstep(*member.value(), robot.value());
+  auto application = polled(*member.value(), robot.value());
   return application ? participant::run(*application.value(), *bus.value(), name)
                      : refuse(name, application.error());
 }

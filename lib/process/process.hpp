@@ -22,8 +22,9 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
 /// Identity of this process in the run.
 participant::Identity identity_of(const participant::ProcessOptions& options, const robot::Robot& robot);
 
-/// Runs one process to its end; returns its exit status: 0 stopped as told, 1 could not take part, 2 bad input.
-int run(const participant::ProcessOptions& options, const Factory<participant::Application>& lockstep,
-        const Factory<participant::RealtimeApplication>& realtime = nullptr);
+/// Runs one process to its end, by one thread that polls or, on the real-time clock and where the process has a
+/// control loop, by the three threads of `threaded`; returns its exit status: 0 stopped as told, 1 could not take part, 2 bad input.
+int run(const participant::ProcessOptions& options, const Factory<participant::Application>& polled,
+        const Factory<participant::RealtimeApplication>& threaded = nullptr);
 
 }  // namespace farrier::process

@@ -41,7 +41,7 @@ class TraceWriter {
   void write(const TraceRow& row);
 
   /// Flushes; false when the disk did not take everything.
-  bool finish();
+  [[nodiscard]] bool finish();
 
  private:
   struct Close {

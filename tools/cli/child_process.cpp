@@ -78,9 +78,16 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
 }
 
 ChildProcess::~ChildProcess() {
+  kill();
+}
+
+void ChildProcess::kill() {
   if (running()) {
     ::kill(pid_, SIGKILL);
-    ::waitpid(pid_, nullptr, 0);
+    int status = 0;
+    ::waitpid(pid_, &status, 0);
+    ended_ = true;
+    exit_status_ = 128 + SIGKILL;
   }
 }
 
@@ -133,17 +140,23 @@ std::string ChildProcess::last_words(std::chrono::seconds silence) const {
   return lines.empty() ? std::string() : lines.back();
 }
 
-void end_all(std::vector<ChildProcess>& children) {
+std::string end_all(std::vector<ChildProcess>& children) {
   for (ChildProcess& child : children) {
     child.terminate();
   }
   const auto until = std::chrono::steady_clock::now() + 2s;
+  std::string hard_ends;
   for (ChildProcess& child : children) {
     while (child.running() && std::chrono::steady_clock::now() < until) {
       std::this_thread::sleep_for(5ms);
     }
+    child.kill();
+    if (child.exit_status() != 0) {
+      hard_ends += (hard_ends.empty() ? "" : "\n") + child.epitaph();
+    }
   }
   children.clear();
+  return hard_ends;
 }
 
 }  // namespace farrier::cli

@@ -24,6 +24,8 @@ class ChildProcess {
   bool running();
   /// Asks it to end (SIGTERM).
   void terminate();
+  /// Ends it (SIGKILL) if it still runs.
+  void kill();
   /// How it ended, with its last lines: "joint_node_lf ended with exit status 2:\n  ...".
   std::string epitaph();
 
@@ -47,7 +49,8 @@ class ChildProcess {
   int exit_status_ = 0;  ///< of the shell's kind: 128 + signal when killed by one
 };
 
-/// Ends all of them: SIGTERM, then SIGKILL for those that do not go within two seconds.
-void end_all(std::vector<ChildProcess>& children);
+/// Ends all of them: SIGTERM, then SIGKILL for those that do not go within two seconds. Returns the epitaphs of those
+/// that did not end with status 0; empty when all did.
+std::string end_all(std::vector<ChildProcess>& children);
 
 }  // namespace farrier::cli

@@ -64,7 +64,7 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
     // Where the limits forbid it the gait is played without: the node processes say so in their logs.
     static_cast<void>(runtime::set_priority(runtime::kBusPriority));
   }
-  auto bus = bus_factory::create_bus(vendor_of(run.dds, member), common.network);
+  auto bus = bus_factory::create_bus(vendor_of(run.dds, member), participant::network_of(common));
   if (!bus) {
     return bus.error();
   }
@@ -189,10 +189,13 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   Progress progress(run.title, common.ticks);
   auto played = play(seat.value(), monitor.value(), children.value(), progress,
                      common.clock == bus::ClockKind::kRealtime);
+  const std::string hard_ends = end_all(children.value());
   if (!played) {
     return played.error();
   }
-  end_all(children.value());
+  if (!hard_ends.empty()) {
+    return Error{hard_ends};
+  }
   outcome.wall_s = played.value();
   outcome.hellos = seat.value().participant->hellos();
   outcome.healths = monitor.value().healths();
