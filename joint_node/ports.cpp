@@ -28,7 +28,9 @@ void report_faults(HostedJoint& joint, const signals::JointValveCommand& answere
                    participant::Participant& participant) {
   const FaultSet faults(answered.faults);
   if (const auto change = joint.fault_events.update(answered.tick, faults)) {
-    const bool nulled = answered.state == static_cast<std::uint8_t>(signals::JointState::kNull);
+    // A joint that is not armed is at null because nobody has asked it for more.
+    const bool nulled = answered.state == static_cast<std::uint8_t>(signals::JointState::kNull) &&
+                        !faults.has(Fault::kDisarmed);
     participant.event(nulled ? signals::Severity::kWarning : signals::Severity::kInfo, answered.tick, joint.number,
                       *change);
   }

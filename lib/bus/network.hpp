@@ -6,7 +6,8 @@
 
 namespace farrier::bus {
 
-inline constexpr std::chrono::seconds kPatientLease = std::chrono::hours(24);
+/// The longest that Cyclone takes.
+inline constexpr std::chrono::seconds kPatientLease = std::chrono::hours(1);
 
 /// Where a DDS process looks for the others. The default finds up to `max_processes` processes on this computer by
 /// unicast alone: it works on a loopback device without multicast.

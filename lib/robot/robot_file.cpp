@@ -24,7 +24,7 @@ void declare(Visitor& v, Safety& s) {
 
 void declare(Visitor& v, Bounds& b) {
   v.number("stance_nrmse", b.stance_nrmse, {1e-3, 10}, Default{0.10},
-           "Largest tolerated torque error in stance, RMS over the range of the reference.");
+           "Largest tolerated NRMSE of the force in stance: RMS error over the RMS of the reference about its mean.");
   v.flag("judged", b.judged, Default{true}, "Whether a run fails when the bound is exceeded.");
 }
 

@@ -26,7 +26,7 @@ struct Safety {
 
 /// What a run is judged by.
 struct Bounds {
-  double stance_nrmse = 0.10;  ///< largest tolerated torque error in stance, RMS over the range of the reference
+  double stance_nrmse = 0.10;  ///< largest tolerated NRMSE in stance
   bool judged = true;          ///< whether a run on this robot fails when it is exceeded
 };
 

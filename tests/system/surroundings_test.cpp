@@ -98,6 +98,19 @@ INSTANTIATE_TEST_SUITE_P(Of, UnwritableOutput,
                                          BadPlace{"OutBelowAFile", "--out", "/dev/null/out"}),
                          [](const auto& place) { return std::string(place.param.name); });
 
+TEST(OutputDirectory, IsRefusedWhileAnotherRunWritesThere) {
+  const ScratchDirectory scratch;
+  FarrierCommand first({"trot", "--duration", "600", "--out", scratch.file("out")});
+  ASSERT_TRUE(first.says("trot: tick 0 of"));
+  std::string output;
+  EXPECT_EQ(run_farrier({"trot", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("out")}, &output), 2);
+  EXPECT_NE(output.find("another run writes there"), std::string::npos) << output;
+  first.signal(SIGINT);
+  EXPECT_EQ(first.wait(20s), 130);
+  run_farrier({"trot", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("out")});
+  EXPECT_TRUE(fs::exists(scratch.file("out/figures.json")));
+}
+
 TEST(FiguresOfAnEarlierRun, DoNotStandForOneThatWasInterrupted) {
   const ScratchDirectory scratch;
   fs::create_directory(scratch.file("out"));

@@ -65,7 +65,7 @@ class Bench {
     if (check_gains(signal)) {
       node.store_gains(signal, unpack_gains(signal));
     } else {
-      node.refuse_gains();
+      node.refuse_gains(signal);
     }
   }
 

@@ -92,9 +92,9 @@ TEST(JointNode, ActsOnAsIfNothingHadComeWhenAnUpdateIsRefused) {
 
 TEST(JointNode, ForgetsARefusalWithTheNextGoodGains) {
   Bench bench = Bench::tracking();
-  bench.node.refuse_gains();
+  bench.node.refuse_gains(gains_of(bench.joint, Phase::kStance, 3));
   EXPECT_TRUE(has(bench.step(), Fault::kGainsRefused));
-  bench.offer(gains_of(bench.joint, Phase::kStance, 3));
+  bench.offer(gains_of(bench.joint, Phase::kStance, 4));
   EXPECT_FALSE(has(bench.step(), Fault::kGainsRefused));
 }
 

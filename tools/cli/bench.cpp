@@ -1,5 +1,6 @@
 // farrier bench: speed as ratios in one run against what a user would pick instead.
 
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 
@@ -8,11 +9,13 @@
 #include "lab/bench_control.hpp"
 #include "lab/bench_plant.hpp"
 #include "lab/bench_riccati.hpp"
+#include "participant/loop.hpp"
 #include "process/process.hpp"
 #include "tools/cli/allocation_count.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/dds_run.hpp"
 #include "tools/cli/help.hpp"
+#include "tools/cli/output_file.hpp"
 #include "tools/cli/trot_options.hpp"
 #include "tools/report/console.hpp"
 
@@ -50,17 +53,13 @@ Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, Dds
   return static_cast<double>(o.ticks) / outcome.value().wall_s;
 }
 
-Result<Done> bench_lockstep(const BenchOptions& o, report::Figures& figures) {
-  const auto robot = robot::load_robot(o.robot_path);
-  if (!robot) {
-    return Error{config::to_string(robot.error())};
-  }
+Result<Done> bench_lockstep(const BenchOptions& o, const robot::Robot& robot, report::Figures& figures) {
   for (const DdsChoice dds : {DdsChoice::kCyclone, DdsChoice::kFast}) {
-    const auto bare = ticks_per_s(robot.value(), o, dds, true);
+    const auto bare = ticks_per_s(robot, o, dds, true);
     if (!bare) {
       return bare.error();
     }
-    const auto whole = ticks_per_s(robot.value(), o, dds, false);
+    const auto whole = ticks_per_s(robot, o, dds, false);
     if (!whole) {
       return whole.error();
     }
@@ -108,15 +107,29 @@ int bench(BenchOptions o) {
     return kBadInput;
   }
   const auto wanted = [&](const char* name) { return std::find(o.only.begin(), o.only.end(), name) != o.only.end(); };
+  const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  if (const auto way = make_way(json_path); !way) {
+    std::fprintf(stderr, "farrier bench: %s\n", way.error().message.c_str());
+    return kBadInput;
+  }
+  const auto robot = robot::load_robot(o.robot_path);
+  if (!robot) {
+    std::fputs(config::to_string(robot.error()).c_str(), stderr);
+    return kBadInput;
+  }
   report::Outcome outcome;
   outcome.command = "bench";
   outcome.run = report::run_info(0);
   if (wanted("lockstep")) {
-    if (const auto done = bench_lockstep(o, outcome.figures); !done) {
+    const auto done = bench_lockstep(o, robot.value(), outcome.figures);
+    if (!done) {
       std::fprintf(stderr, "farrier bench: %s\n", done.error().message.c_str());
-      return kFailed;
+      return participant::stop_requested() ? participant::stop_status() : kFailed;
     }
   }
+  // What follows has nothing to clean up: Ctrl-C may end it at once.
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
   if (wanted("plant")) {
     bench_plant(outcome.figures);
   }
@@ -126,7 +139,6 @@ int bench(BenchOptions o) {
   if (wanted("control")) {
     bench_control(outcome.figures);
   }
-  const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
   if (const auto written = report::write_json(json_path, outcome); !written) {
     std::fprintf(stderr, "farrier bench: %s\n", written.error().message.c_str());
     return kFailed;

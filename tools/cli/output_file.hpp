@@ -6,6 +6,20 @@
 
 namespace farrier::cli {
 
+/// A directory for a run's results, made where it is missing. No other run writes there while this object lives.
+class OutputDirectory {
+ public:
+  static Result<OutputDirectory> claim(const std::string& path);
+  ~OutputDirectory();
+  OutputDirectory(OutputDirectory&& other) noexcept;
+  OutputDirectory& operator=(OutputDirectory&&) = delete;
+
+ private:
+  explicit OutputDirectory(int file) : file_(file) {}
+
+  int file_;
+};
+
 /// Refuses a path that cannot be written, before the work whose result is to go there, and removes the file an
 /// earlier run left, which must not pass for this run's. Devices and pipes are left alone.
 Result<Done> make_way(const std::string& path);

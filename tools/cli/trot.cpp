@@ -9,6 +9,7 @@
 #include "lab/inproc_run.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
+#include "supervisor/joint_design.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/progress.hpp"
@@ -115,6 +116,22 @@ Result<Done> add_swing_design(const robot::Robot& robot, const TrotOptions& o, r
   return Done{};
 }
 
+/// Joints of the robot file no controller can be designed for, a line each; empty when there are none.
+std::string undesignable(const robot::Robot& robot) {
+  std::string lines;
+  for (const robot::Joint& joint : robot.joints) {
+    for (const plant::LoadParams& load : {joint.swing_load, joint.stance_load}) {
+      for (const int delay : {robot.loop_delay_lockstep, robot.loop_delay_realtime}) {
+        const auto gains = supervisor::design_joint(joint, load, robot.period_s, delay);
+        if (!gains && lines.find(gains.error().message) == std::string::npos) {
+          lines += robot.path + ": joints: " + gains.error().message + "\n";
+        }
+      }
+    }
+  }
+  return lines;
+}
+
 bool long_enough(const robot::Robot& robot, const report::Tracking& tracking) {
   for (const report::JointTracking& joint : tracking.joints) {
     const bool swings = robot.plan.gait.pattern == gait::Pattern::kTrot;
@@ -154,14 +171,17 @@ int trot(TrotOptions o) {
                stderr);
     return kBadInput;
   }
-  std::error_code refused;
-  fs::create_directories(o.out, refused);
-  if (refused) {
-    std::fprintf(stderr, "farrier trot: --out %s: %s\n", o.out.c_str(), refused.message().c_str());
+  const auto directory = OutputDirectory::claim(o.out);
+  if (!directory) {
+    std::fprintf(stderr, "farrier trot: %s\n", directory.error().message.c_str());
     return kBadInput;
   }
   o.out = fs::absolute(o.out).lexically_normal().string();
   o.trace_path = o.trace_path.empty() ? o.out + "/trace.csv" : fs::absolute(o.trace_path).string();
+  if (const std::string missing = undesignable(robot); !missing.empty()) {
+    std::fputs(missing.c_str(), stderr);
+    return kBadInput;
+  }
   const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
   for (const std::string& path : {o.trace_path, json_path}) {
     if (auto way = make_way(path); !way) {

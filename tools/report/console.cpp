@@ -134,7 +134,8 @@ void add_joint_table(Paper& paper, const Figures& figures) {
 void add_other_figures(Paper& paper, const Figures& figures) {
   std::vector<Row> rows;
   for (const Figure& figure : figures.all()) {
-    const bool elsewhere = is_in_joint_table(figure) || figure.name.starts_with("trot.packets.") ||
+    const bool nothing_to_tell = figure.name.ends_with(".not_tracking_ticks") && figure.value == 0 && figure.holds();
+    const bool elsewhere = nothing_to_tell || is_in_joint_table(figure) || figure.name.starts_with("trot.packets.") ||
                            figure.name.starts_with("trot.latency_");
     if (!elsewhere) {
       rows.push_back({{figure.name}, {value_with_unit(figure), !figure.holds()}, {bound_text(figure)}});

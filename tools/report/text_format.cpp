@@ -36,13 +36,12 @@ std::vector<std::string> joints_of(const Figures& figures) {
 }
 
 std::vector<std::string> reasons_to_fail(const Figures& figures, const std::vector<std::string>& failures) {
-  std::vector<std::string> reasons;
+  std::vector<std::string> reasons = failures;
   for (const Figure& figure : figures.all()) {
     if (!figure.holds()) {
       reasons.push_back(figure.name + " " + value_with_unit(figure) + ", must be " + bound_text(figure));
     }
   }
-  reasons.insert(reasons.end(), failures.begin(), failures.end());
   return reasons;
 }
 

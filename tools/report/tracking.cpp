@@ -6,6 +6,8 @@
 #include <ranges>
 
 #include "core/ensure.hpp"
+#include "core/fault.hpp"
+#include "signals/signals.hpp"
 
 namespace farrier::report {
 namespace {
@@ -51,6 +53,8 @@ struct JointSums {
   double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
   bool position_finite = true;
   std::uint64_t missed_ticks = 0;
+  std::uint64_t not_tracking_ticks = 0;
+  bool tripped = false;
 
   void add(const record::TraceRow& row, int loop_delay_ticks) noexcept {
     (row.phase == static_cast<std::uint8_t>(gait::Phase::kStance) ? stance : swing)
@@ -58,6 +62,7 @@ struct JointSums {
     lowest = std::min(lowest, row.position_m_or_rad);
     highest = std::max(highest, row.position_m_or_rad);
     position_finite = position_finite && std::isfinite(row.position_m_or_rad);
+    not_tracking_ticks += row.state != static_cast<std::uint8_t>(signals::JointState::kTracking) ? 1 : 0;
     missed_ticks += row.command_age_ticks > static_cast<std::uint32_t>(loop_delay_ticks) ? 1 : 0;
   }
 
@@ -116,6 +121,7 @@ Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::s
   for (const record::TraceRow& row : rows) {
     FARRIER_ENSURE(row.joint < sums.size(), "a trace row of a joint the robot does not have");
     tracking.ticks = std::max(tracking.ticks, row.tick + 1);
+    sums[row.joint].tripped = sums[row.joint].tripped || FaultSet(row.faults).has(Fault::kTripped);
     if (row.tick >= sums[row.joint].first_judged) {
       sums[row.joint].add(row, loop_delay_ticks);
     }
@@ -126,7 +132,9 @@ Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::s
     tracking.joints.push_back({.stance = of_joint.stance.result(rating),
                                .swing = of_joint.swing.result(rating),
                                .travel_rad = of_joint.travel_rad(joint.linkage),
-                               .missed_ticks = of_joint.missed_ticks});
+                               .missed_ticks = of_joint.missed_ticks,
+                               .not_tracking_ticks = of_joint.not_tracking_ticks,
+                               .tripped = of_joint.tripped});
   }
   tracking.strides = completed_strides(robot, schedule, tracking.ticks);
   return tracking;
@@ -142,6 +150,8 @@ void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& t
                          robot.plan.gait.reference == gait::ReferenceKind::kLegKinematics;
   figures.add("trot.ticks", static_cast<double>(tracking.ticks));
   figures.add("trot.strides", tracking.strides);
+  figures.add("trot.tripped_joints",
+              static_cast<double>(std::ranges::count_if(tracking.joints, &JointTracking::tripped)), 0.0);
   for (const robot::Joint& joint : robot.joints) {
     const JointTracking& of_joint = tracking.joints[joint.number];
     const bool knee = joint.index_in_leg == kKnee &&
@@ -152,6 +162,8 @@ void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& t
       figures.add(prefix + "swing_nrmse", of_joint.swing.nrmse);
     }
     figures.add(prefix + "missed_ticks", static_cast<double>(of_joint.missed_ticks),
+                lockstep ? std::optional(0.0) : std::nullopt);
+    figures.add(prefix + "not_tracking_ticks", static_cast<double>(of_joint.not_tracking_ticks),
                 lockstep ? std::optional(0.0) : std::nullopt);
     if (turns(robot, joint)) {
       figures.add(prefix + "travel_rad", of_joint.travel_rad, judged(knee && legs_move, kKneeTravel_rad));

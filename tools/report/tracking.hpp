@@ -35,6 +35,8 @@ struct JointTracking {
   PhaseError stance, swing;        ///< planned phases, whose gains act
   double travel_rad = 0.0;         ///< largest less smallest joint angle (m where the joint is a piston), judged ticks
   std::uint64_t missed_ticks = 0;  ///< judged ticks whose command is older than the loop delay
+  std::uint64_t not_tracking_ticks = 0;  ///< judged ticks at null or damping: their reference is no reference
+  bool tripped = false;                  ///< at any tick of the run
 };
 
 struct Tracking {
@@ -52,7 +54,8 @@ Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::s
 enum class Judgement { kLockstep, kMeasuredOnly };
 
 /// Adds trot.ticks, trot.strides and each joint's figures; in lock-step bounded where the robot is judged: stance
-/// NRMSE by its file, knees of a trot by kKneeTravel_rad, missed ticks by 0. A joint that is its piston has no
+/// NRMSE by its file, knees of a trot by kKneeTravel_rad, missed ticks and ticks without tracking by 0; tripped joints
+/// by 0 on either clock. A joint that is its piston has no
 /// travel_rad.
 inline constexpr double kKneeTravel_rad = 0.3;
 void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking, Judgement judgement);
