@@ -37,13 +37,13 @@ bool JointNode::store_gains(const signals::JointControllerGains& signal, const c
   if (signal.generation <= upcoming.newest()) {
     return false;
   }
-  upcoming.put({gains, signal.generation, signal.effective_tick, false});
+  upcoming.put({gains, signal.generation, signal.effective_tick});
   return true;
 }
 
 void JointNode::refuse_gains(const signals::JointControllerGains& signal) noexcept {
   const std::size_t phase = signal.phase < signals::kPhaseCount ? signal.phase : 0;
-  upcoming_gains_[phase].put({{}, signal.generation, signal.effective_tick, true});
+  upcoming_refusals_[phase].put({signal.generation, signal.effective_tick});
 }
 
 void JointNode::set_mode(const signals::SystemMode& mode) noexcept {
@@ -60,8 +60,8 @@ void JointNode::announce_phase(const signals::GaitPhase& phase) noexcept {
 
 std::uint32_t JointNode::newest_generation() const noexcept {
   std::uint32_t newest = 0;
-  for (const auto& upcoming : upcoming_gains_) {
-    newest = std::max(newest, upcoming.newest());
+  for (std::size_t phase = 0; phase < acting_.size(); ++phase) {
+    newest = std::max({newest, upcoming_gains_[phase].newest(), upcoming_refusals_[phase].newest()});
   }
   return newest;
 }
@@ -70,14 +70,17 @@ void JointNode::apply_due(Tick tick) noexcept {
   if (const auto mode = upcoming_modes_.take_due(tick)) {
     mode_ = *mode;
   }
+  bool last_was_refused = false;
   for (std::size_t phase = 0; phase < acting_.size(); ++phase) {
     if (const auto slot = upcoming_gains_[phase].take_due(tick)) {
-      faults_.set(Fault::kGainsRefused, slot->refused);
-      if (!slot->refused) {
-        acting_[phase] = *slot;
-      }
+      acting_[phase] = *slot;
     }
+    if (const auto refusal = upcoming_refusals_[phase].take_due(tick)) {
+      refused_[phase] = *refusal;
+    }
+    last_was_refused = last_was_refused || refused_[phase].generation > acting_[phase].generation;
   }
+  faults_.set(Fault::kGainsRefused, last_was_refused);
   if (const auto phase = upcoming_phases_.take_due(tick)) {
     phase_ = static_cast<Phase>(phase->phase);
   }

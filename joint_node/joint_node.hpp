@@ -61,7 +61,11 @@ class JointNode {
     control::Gains gains{};
     std::uint32_t generation = 0;  ///< 0: empty
     Tick effective_tick = kNoTick;
-    bool refused = false;
+  };
+  /// A gain update that failed its check.
+  struct Refusal {
+    std::uint32_t generation = 0;
+    Tick effective_tick = kNoTick;
   };
 
   void apply_due(Tick tick) noexcept;
@@ -78,6 +82,9 @@ class JointNode {
   control::ForceController controller_;
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::generation, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
+  std::array<Refusal, signals::kPhaseCount> refused_{};
+  std::array<Upcoming<Refusal, &Refusal::generation, &Refusal::effective_tick>, signals::kPhaseCount>
+      upcoming_refusals_{};
   signals::SystemMode mode_{};
   Upcoming<signals::SystemMode, &signals::SystemMode::epoch, &signals::SystemMode::effective_tick> upcoming_modes_;
   Upcoming<signals::GaitPhase, &signals::GaitPhase::count, &signals::GaitPhase::switch_tick> upcoming_phases_;

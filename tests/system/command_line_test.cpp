@@ -84,20 +84,6 @@ TEST(Figures, HoldTheLatencyFromSensorToValve) {
   EXPECT_LE(figure("trot.latency_p50_us"), figure("trot.latency_p99_us"));
 }
 
-TEST(RealTimeClock, RunsToItsEndOverBothVendors) {
-  const ScratchDirectory scratch;
-  std::string output;
-  // On a machine without a real-time kernel only the logic is judged: the run ends and has its figures.
-  EXPECT_EQ(run_farrier({"trot", "--clock", "realtime", "--dds", "mixed", "--duration", "4", "--out",
-                         scratch.file("out"), "--json", scratch.file("figures.json")},
-                        &output),
-            0)
-      << output;
-  const nlohmann::json figures = read_json(scratch.file("figures.json"));
-  ASSERT_FALSE(figures.is_discarded());
-  EXPECT_EQ(figures["run"]["processes"].size(), 8u);
-}
-
 /// A robot file with these replacements, in a scratch directory.
 class BadRobot {
  public:
