@@ -1,6 +1,7 @@
 #include "estimator_service/ports.hpp"
 
 #include "estimator_service/estimator_service.hpp"
+#include "robot/keys.hpp"
 
 namespace farrier::estimator_service {
 namespace {
@@ -93,10 +94,7 @@ std::string EstimatorApplication::waits_for() const {
 Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot,
                                                                      participant::Participant& participant,
                                                                      Tick ticks) {
-  std::vector<std::uint16_t> joints;
-  for (const robot::Joint& joint : robot.joints) {
-    joints.push_back(joint.number);
-  }
+  const std::vector<std::uint16_t> joints = robot::joint_numbers(robot);
   auto measurements = participant.subscribe<signals::JointMeasurement>(joints);
   if (!measurements) {
     return measurements.error();

@@ -1,5 +1,7 @@
 #include "joint_node/ports.hpp"
 
+#include "robot/keys.hpp"
+
 namespace farrier::joint_node {
 
 Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const std::vector<std::string>& names,
@@ -44,14 +46,10 @@ Result<Ports> Ports::open(participant::Participant& participant, const std::vect
     numbers.push_back(joint.number);
     names.push_back(joint.name);
   }
-  std::vector<std::uint16_t> legs;
-  for (std::size_t leg = 0; leg < robot.plan.legs.size(); ++leg) {
-    legs.push_back(static_cast<std::uint16_t>(leg));
-  }
   const auto sensors = participant.subscribe<signals::JointSensors>(numbers, names);
   const auto commands = participant.subscribe<signals::JointCommand>(numbers, names);
   const auto gains = participant.subscribe<signals::JointControllerGains>(numbers, names);
-  const auto phases = participant.subscribe<signals::GaitPhase>(legs);
+  const auto phases = participant.subscribe<signals::GaitPhase>(robot::leg_numbers(robot));
   const auto modes = participant.subscribe<signals::SystemMode>({0});
   const auto valves = participant.publish<signals::JointValveCommand>(numbers);
   const auto measurements = participant.publish<signals::JointMeasurement>(numbers);

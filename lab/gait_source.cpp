@@ -4,6 +4,7 @@
 
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
+#include "robot/keys.hpp"
 
 namespace farrier::lab {
 namespace {
@@ -123,16 +124,8 @@ void PlannedGait::poll(SteadyTime now) {
 
 Result<std::unique_ptr<GaitSource>> GaitSource::create(const robot::Robot& robot, std::uint64_t seed,
                                                        participant::Participant& participant, Tick ticks) {
-  std::vector<std::uint16_t> numbers;
-  std::vector<std::string> names;
-  for (const robot::Joint& joint : robot.joints) {
-    numbers.push_back(joint.number);
-    names.push_back(joint.name);
-  }
-  std::vector<std::uint16_t> legs;
-  for (std::size_t leg = 0; leg < robot.plan.legs.size(); ++leg) {
-    legs.push_back(static_cast<std::uint16_t>(leg));
-  }
+  const std::vector<std::uint16_t> numbers = robot::joint_numbers(robot);
+  const std::vector<std::string> names = robot::joint_names(robot);
   auto clock = participant.subscribe<signals::ClockTick>({0});
   if (!clock) {
     return clock.error();
@@ -141,7 +134,7 @@ Result<std::unique_ptr<GaitSource>> GaitSource::create(const robot::Robot& robot
   if (!commands) {
     return commands.error();
   }
-  auto phases = participant.publish<signals::GaitPhase>(legs);
+  auto phases = participant.publish<signals::GaitPhase>(robot::leg_numbers(robot));
   if (!phases) {
     return phases.error();
   }

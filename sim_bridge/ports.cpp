@@ -1,26 +1,12 @@
 #include "sim_bridge/ports.hpp"
 
+#include "robot/keys.hpp"
+
 namespace farrier::sim_bridge {
 
-std::vector<std::uint16_t> joint_numbers(const robot::Robot& robot) {
-  std::vector<std::uint16_t> numbers;
-  for (const robot::Joint& joint : robot.joints) {
-    numbers.push_back(joint.number);
-  }
-  return numbers;
-}
-
-std::vector<std::string> joint_names(const robot::Robot& robot) {
-  std::vector<std::string> names;
-  for (const robot::Joint& joint : robot.joints) {
-    names.push_back(joint.name);
-  }
-  return names;
-}
-
 Result<Ports> Ports::open(participant::Participant& participant, const robot::Robot& robot) {
-  const auto numbers = joint_numbers(robot);
-  const auto names = joint_names(robot);
+  const auto numbers = robot::joint_numbers(robot);
+  const auto names = robot::joint_names(robot);
   Ports ports{};
   const auto take = [](auto*& port, auto made) -> Result<Done> {
     if (!made) {
@@ -65,7 +51,7 @@ Result<Parts> Parts::assemble(const robot::Robot& robot, std::uint64_t seed, con
   }
   std::optional<record::TraceWriter> trace;
   if (!trace_path.empty()) {
-    auto writer = record::TraceWriter::create(trace_path, joint_names(robot));
+    auto writer = record::TraceWriter::create(trace_path, robot::joint_names(robot));
     if (!writer) {
       return writer.error();
     }

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "record/trace.hpp"
+#include "robot/keys.hpp"
 #include "runtime/latency_histogram.hpp"
 #include "sim_bridge/ports.hpp"
 #include "sim_bridge/sim_world.hpp"
@@ -21,7 +22,7 @@ class SimBridgeLockstep final : public participant::Application {
         participant_(participant),
         ticks_(ticks),
         loop_delay_(robot.loop_delay_lockstep),
-        valves_(joint_numbers(robot)),
+        valves_(robot::joint_numbers(robot)),
         valve_current_A_(robot.joints.size(), 0.0),
         generation_(robot.joints.size(), 0) {
     std::vector<std::uint16_t> others;

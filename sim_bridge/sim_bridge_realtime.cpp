@@ -7,6 +7,7 @@
 #include "core/latest_value.hpp"
 #include "core/spsc_ring.hpp"
 #include "record/trace.hpp"
+#include "robot/keys.hpp"
 #include "runtime/latency_histogram.hpp"
 #include "sim_bridge/ports.hpp"
 #include "sim_bridge/sim_world.hpp"
@@ -40,7 +41,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
         period_(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s))),
         silent_after_s_(robot.safety.valve_silent_s),
         ticks_(ticks),
-        numbers_(joint_numbers(robot)),
+        numbers_(robot::joint_numbers(robot)),
         mail_(numbers_.size()),
         valve_current_A_(numbers_.size(), 0.0) {}
 

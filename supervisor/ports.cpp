@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "robot/keys.hpp"
+
 namespace farrier::supervisor {
 namespace {
 
@@ -126,12 +128,8 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
   if (!supervisor) {
     return supervisor.error();
   }
-  std::vector<std::uint16_t> numbers;
-  std::vector<std::string> names;
-  for (const robot::Joint& joint : robot.joints) {
-    numbers.push_back(joint.number);
-    names.push_back(joint.name);
-  }
+  const std::vector<std::uint16_t> numbers = robot::joint_numbers(robot);
+  const std::vector<std::string> names = robot::joint_names(robot);
   auto clock = participant.subscribe<signals::ClockTick>({0});
   if (!clock) {
     return clock.error();

@@ -125,7 +125,7 @@ TEST(PlanMembers, HostsEveryJointOnceInEveryGrouping) {
       EXPECT_EQ(members[i].number, i);
       hosted.insert(hosted.end(), members[i].joints.begin(), members[i].joints.end());
     }
-    EXPECT_EQ(hosted, sim_bridge::joint_names(hyq));
+    EXPECT_EQ(hosted, robot::joint_names(hyq));
   }
 }
 

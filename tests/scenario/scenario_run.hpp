@@ -14,7 +14,7 @@
 #include "core/fault.hpp"
 #include "lab/inproc_run.hpp"
 #include "record/trace.hpp"
-#include "sim_bridge/ports.hpp"
+#include "robot/keys.hpp"
 
 namespace farrier::scenario {
 
@@ -57,7 +57,7 @@ inline Outcome run(const robot::Robot& robot, lab::InprocRun settings) {
     std::ostringstream bytes;
     bytes << std::ifstream(settings.trace_path).rdbuf();
     outcome.trace = bytes.str();
-    auto rows = record::read_trace(settings.trace_path, sim_bridge::joint_names(robot));
+    auto rows = record::read_trace(settings.trace_path, robot::joint_names(robot));
     EXPECT_TRUE(rows.ok()) << (rows ? "" : rows.error().message);
     EXPECT_EQ(rows.value().size(), static_cast<std::size_t>(settings.ticks) * robot.joints.size());
     outcome.rows = std::move(rows).value();

@@ -9,6 +9,7 @@
 #include "lab/inproc_run.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
+#include "robot/keys.hpp"
 #include "supervisor/joint_design.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/output_file.hpp"
@@ -88,11 +89,7 @@ Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o) {
 
 Result<report::Tracking> tracking_of(const robot::Robot& robot, const std::string& trace_path, std::uint64_t seed,
                                      int loop_delay, std::vector<record::TraceRow>& rows) {
-  std::vector<std::string> names;
-  for (const robot::Joint& joint : robot.joints) {
-    names.push_back(joint.name);
-  }
-  auto read = record::read_trace(trace_path, names);
+  auto read = record::read_trace(trace_path, robot::joint_names(robot));
   if (!read) {
     return read.error();
   }
