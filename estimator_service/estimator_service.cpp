@@ -14,6 +14,7 @@ signals::JointModelEstimate EstimatorService::step(const signals::JointMeasureme
   signals::JointModelEstimate estimate;
   estimate.joint = measurement.joint;
   estimate.tick = measurement.tick;
+  estimate.phase = measurement.phase;
   estimate.flags = static_cast<std::uint32_t>(EstimateFlag::kNotEstimating);
   for (Joint& joint : joints_) {
     if (joint.number == measurement.joint && std::isfinite(measurement.position_m_or_rad) &&

@@ -2,7 +2,7 @@
 
 // One estimator per leg joint:
 //
-//   joint/measurement ──▶ estimator of that joint ──▶ joint/model_estimate (every kEstimatePeriodTicks)
+//   joint/measurement ──▶ estimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
 //
 // The estimators do not estimate yet: each report says so by validity 0 and the flag kNotEstimating.
 

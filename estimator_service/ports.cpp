@@ -14,7 +14,8 @@ class EstimatorApplication final : public participant::Application {
                        participant::In<signals::JointMeasurement>* measurements,
                        participant::Out<signals::JointModelEstimate>* estimates,
                        participant::Participant& participant, Tick ticks)
-      : service_(robot),
+      : robot_(robot),
+        service_(robot),
         measurements_(measurements),
         estimates_(estimates),
         participant_(participant),
@@ -31,6 +32,7 @@ class EstimatorApplication final : public participant::Application {
   void take(const signals::JointMeasurement& measurement);
   void step_lockstep();
 
+  const robot::Robot& robot_;
   EstimatorService service_;
   participant::In<signals::JointMeasurement>* measurements_;
   participant::Out<signals::JointModelEstimate>* estimates_;
@@ -44,7 +46,7 @@ class EstimatorApplication final : public participant::Application {
 
 void EstimatorApplication::take(const signals::JointMeasurement& measurement) {
   const signals::JointModelEstimate estimate = service_.step(measurement);
-  if (signals::is_estimate_tick(measurement.tick)) {
+  if (robot_.estimate_due(measurement.tick)) {
     estimates_->publish(estimate);
   }
 }

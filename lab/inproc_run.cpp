@@ -82,6 +82,9 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
       seat.application->poll(now);
     }
     idle_polls = source.tick() == last ? idle_polls + 1 : 0;
+    if (source.tick() != last) {
+      monitor.value().poll();
+    }
     if (idle_polls > kStandstill) {
       return Error{"the run stands still: " + seats[participant::kSimBridge].application->waits_for()};
     }
@@ -91,7 +94,8 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     last = source.tick();
   }
   monitor.value().poll();
-  return InprocResult{gait.participant->hellos(), monitor.value().healths(), monitor.value().events()};
+  return InprocResult{gait.participant->hellos(), monitor.value().healths(), monitor.value().events(),
+                      monitor.value().decisions()};
 }
 
 }  // namespace farrier::lab

@@ -15,7 +15,13 @@ Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity
   if (!events) {
     return events.error();
   }
-  return RunMonitor(std::move(health).value(), std::move(events).value(), identity.participants);
+  auto decisions = bus::Subscription<signals::JointUpdateDecision>::create(
+      bus, participant::endpoint_of(identity, bus::TopicId::kJointUpdateDecision));
+  if (!decisions) {
+    return decisions.error();
+  }
+  return RunMonitor(std::move(health).value(), std::move(events).value(), std::move(decisions).value(),
+                    identity.participants);
 }
 
 void RunMonitor::poll() {
@@ -25,6 +31,11 @@ void RunMonitor::poll() {
     }
   });
   event_in_.drain([&](const signals::SystemEvent& event) { events_.push_back(event); });
+  decision_in_.drain([&](const signals::JointUpdateDecision& decision) {
+    if (decision.tick != kNoTick) {  // else a probe of the greeting
+      decisions_.push_back(decision);
+    }
+  });
 }
 
 bool RunMonitor::all_final() const noexcept {

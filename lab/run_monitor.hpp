@@ -7,7 +7,7 @@
 
 namespace farrier::lab {
 
-/// Listens to the health and the events of a run. Only adds readers.
+/// Listens to the health, the events and the decisions about gains of a run. Only adds readers.
 class RunMonitor {
  public:
   static Result<RunMonitor> create(bus::Bus& bus, const participant::Identity& identity);
@@ -20,16 +20,23 @@ class RunMonitor {
   /// True when every participant has sent its final report.
   bool all_final() const noexcept;
   const std::vector<signals::SystemEvent>& events() const noexcept { return events_; }
+  /// In the order in which they came: of one joint in that of their ticks.
+  const std::vector<signals::JointUpdateDecision>& decisions() const noexcept { return decisions_; }
 
  private:
   RunMonitor(bus::Subscription<signals::SystemHealth> health, bus::Subscription<signals::SystemEvent> events,
-             std::size_t participants)
-      : health_in_(std::move(health)), event_in_(std::move(events)), healths_(participants) {}
+             bus::Subscription<signals::JointUpdateDecision> decisions, std::size_t participants)
+      : health_in_(std::move(health)),
+        event_in_(std::move(events)),
+        decision_in_(std::move(decisions)),
+        healths_(participants) {}
 
   bus::Subscription<signals::SystemHealth> health_in_;
   bus::Subscription<signals::SystemEvent> event_in_;
+  bus::Subscription<signals::JointUpdateDecision> decision_in_;
   std::vector<signals::SystemHealth> healths_;
   std::vector<signals::SystemEvent> events_;
+  std::vector<signals::JointUpdateDecision> decisions_;
 };
 
 }  // namespace farrier::lab

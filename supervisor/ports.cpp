@@ -17,13 +17,15 @@ struct Ports {
   participant::In<signals::JointModelEstimate>* estimates;
   participant::Out<signals::JointControllerGains>* gains;
   participant::Out<signals::SystemMode>* modes;
+  participant::Out<signals::JointUpdateDecision>* decisions;
 };
 
 class SupervisorApplication final : public participant::Application {
  public:
-  SupervisorApplication(Supervisor supervisor, Ports ports, std::vector<std::uint16_t> joints,
-                        participant::Participant& participant, Tick ticks)
-      : supervisor_(std::move(supervisor)),
+  SupervisorApplication(const robot::Robot& robot, Supervisor supervisor, Ports ports,
+                        std::vector<std::uint16_t> joints, participant::Participant& participant, Tick ticks)
+      : robot_(robot),
+        supervisor_(std::move(supervisor)),
         ports_(ports),
         participant_(participant),
         lockstep_(participant.identity().clock == bus::ClockKind::kLockstep),
@@ -36,10 +38,11 @@ class SupervisorApplication final : public participant::Application {
   std::string waits_for() const override;
 
  private:
-  bool estimates_due() const { return tick_ > 0 && signals::is_estimate_tick(tick_ - 1); }
+  bool estimates_due() const { return tick_ > 0 && robot_.estimate_due(tick_ - 1); }
   void step_lockstep();
   void issue(Tick tick);
 
+  const robot::Robot& robot_;
   Supervisor supervisor_;
   Ports ports_;
   participant::Participant& participant_;
@@ -59,6 +62,9 @@ void SupervisorApplication::issue(Tick tick) {
   }
   for (const signals::SystemMode& mode : outputs.modes) {
     ports_.modes->publish(mode);
+  }
+  for (const signals::JointUpdateDecision& decision : outputs.decisions) {
+    ports_.decisions->publish(decision);
   }
 }
 
@@ -146,9 +152,14 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
   if (!modes) {
     return modes.error();
   }
+  auto decisions = participant.publish<signals::JointUpdateDecision>(numbers);
+  if (!decisions) {
+    return decisions.error();
+  }
   return std::unique_ptr<participant::Application>(std::make_unique<SupervisorApplication>(
-      std::move(supervisor).value(), Ports{clock.value(), estimates.value(), gains.value(), modes.value()}, numbers,
-      participant, ticks));
+      robot, std::move(supervisor).value(),
+      Ports{clock.value(), estimates.value(), gains.value(), modes.value(), decisions.value()}, numbers, participant,
+      ticks));
 }
 
 }  // namespace farrier::supervisor

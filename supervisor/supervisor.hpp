@@ -3,7 +3,7 @@
 // What the robot may do, and with which gains:
 //
 //   tick ──▶ arm, publish the designed gains ──▶ system/mode, joint/controller_gains
-//   joint/model_estimate ──▶ (redesign when it pays: not yet)
+//   joint/model_estimate ──▶ (redesign when it pays: not yet) ──▶ joint/update_decision
 
 #include <string_view>
 #include <vector>
@@ -32,6 +32,7 @@ class Supervisor {
   struct Outputs {
     std::vector<signals::JointControllerGains> gains;
     std::vector<signals::SystemMode> modes;
+    std::vector<signals::JointUpdateDecision> decisions;  ///< none yet
   };
 
   /// What to publish at this tick: everything at the first, nothing later.

@@ -27,6 +27,9 @@ constexpr Qos kLockstepOnly{Reliability::kReliable, Durability::kVolatile, 1, kI
 // A sample for tick k + 1 may arrive before the one for tick k is taken; four leave room to spare.
 constexpr int kTwoTicks = 4;
 
+// Decisions of a joint that a monitor may leave lying, or join too late for; a joint is redesigned a few times a run.
+constexpr int kDecisions = 64;
+
 #define FARRIER_TOPIC(Signal, name, file, flow, key, version, route, qos, depth) \
   TopicSpec{TopicId::k##Signal, name, "wire::" #Signal, #file ".idl", flow, key, version, route, sizeof(signals::Signal), qos, depth}
 
@@ -36,8 +39,9 @@ constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(JointCommand, "joint/command", joint_command, "gait source → joint_node", "joint", 1, Route::kJoint, kStream, kTwoTicks),
     FARRIER_TOPIC(JointValveCommand, "joint/valve_command", joint_valve_command, "joint_node → sim_bridge", "joint", 1, Route::kRobot, kStream, kTwoTicks),
     FARRIER_TOPIC(JointMeasurement, "joint/measurement", joint_measurement, "joint_node → estimator_service", "joint", 1, Route::kRobot, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointModelEstimate, "joint/model_estimate", joint_model_estimate, "estimator_service → supervisor", "joint", 1, Route::kRobot, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointModelEstimate, "joint/model_estimate", joint_model_estimate, "estimator_service → supervisor", "joint", 2, Route::kRobot, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointControllerGains, "joint/controller_gains", joint_controller_gains, "supervisor → joint_node, sim_bridge", "joint, phase", 1, Route::kJoint, kAuthority, kTwoTicks),
+    FARRIER_TOPIC(JointUpdateDecision, "joint/update_decision", joint_update_decision, "supervisor → monitors", "joint", 1, Route::kRobot, announcements(kDecisions), kDecisions),
     FARRIER_TOPIC(GaitPhase, "gait/phase", gait_phase, "gait source → joint_node", "leg", 1, Route::kRobot, announcements(4), 4),
     FARRIER_TOPIC(SystemHello, "system/hello", system_hello, "all → all", "participant", 1, Route::kRobot, announcements(1), 1),
     FARRIER_TOPIC(SystemHealth, "system/health", system_health, "all → monitors", "participant", 1, Route::kRobot, announcements(1), 1),

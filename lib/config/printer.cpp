@@ -35,7 +35,9 @@ class Printer final : public Visitor {
   void visit_flag(const Entry& entry, bool& value, std::optional<bool>) override {
     line(entry.name, value ? "true" : "false");
   }
-  void visit_name(const Entry& entry, std::string& value, std::size_t) override { line(entry.name, quoted(value)); }
+  void visit_name(const Entry& entry, std::string& value, std::size_t, const char*) override {
+    line(entry.name, quoted(value));
+  }
   void visit_numbers(const Entry& entry, std::vector<double>& values, Range) override {
     list(entry.name, values, number_text);
   }
@@ -60,8 +62,8 @@ class Printer final : public Visitor {
     }
     return present;
   }
-  bool enter_map(const Entry& entry, std::vector<std::string>&, std::size_t) override {
-    return enter_group(entry, true, true);
+  bool enter_map(const Entry& entry, std::vector<std::string>& names, std::size_t, bool required) override {
+    return enter_group(entry, required, required || !names.empty());
   }
   bool enter_item(const std::string& name) override {
     line(quoted(name), "");

@@ -113,8 +113,9 @@ class Reader final : public Visitor {
     }
   }
 
-  void visit_name(const Entry& entry, std::string& value, std::size_t longest) override {
-    if (const auto* found = claim(entry, true, "give a name")) {
+  void visit_name(const Entry& entry, std::string& value, std::size_t longest, const char* fallback) override {
+    value = fallback != nullptr ? fallback : value;
+    if (const auto* found = claim(entry, fallback == nullptr, "give a name")) {
       accept(found->line, path(entry.name), read_name(found->value, longest, value));
     }
   }
@@ -161,7 +162,7 @@ class Reader final : public Visitor {
 
   void visit_pairs(const Entry& entry, Named<std::string>& items, Place& place, std::size_t longest) override {
     std::vector<std::string> names;
-    if (!enter_map(entry, names, longest)) {
+    if (!enter_map(entry, names, longest, true)) {
       return;
     }
     here(place);
@@ -187,8 +188,8 @@ class Reader final : public Visitor {
     return true;
   }
 
-  bool enter_map(const Entry& entry, std::vector<std::string>& names, std::size_t longest) override {
-    if (!enter_group(entry, true, true)) {
+  bool enter_map(const Entry& entry, std::vector<std::string>& names, std::size_t longest, bool required) override {
+    if (!enter_group(entry, required, true)) {
       return false;
     }
     Frame& frame = frames_.back();

@@ -30,8 +30,8 @@ class TableWriter final : public Visitor {
   void visit_flag(const Entry& entry, bool&, std::optional<bool> fallback) override {
     row(entry, "", "true, false", !fallback ? kRequired : *fallback ? "true" : "false");
   }
-  void visit_name(const Entry& entry, std::string&, std::size_t longest) override {
-    row(entry, "", "name of at most " + std::to_string(longest), kRequired);
+  void visit_name(const Entry& entry, std::string&, std::size_t longest, const char* fallback) override {
+    row(entry, "", "name of at most " + std::to_string(longest), fallback != nullptr ? fallback : kRequired);
   }
   void visit_numbers(const Entry& entry, std::vector<double>&, Range range) override {
     row(entry, unit_of(entry.name), "list, each " + range_text(range), "empty");
@@ -50,13 +50,13 @@ class TableWriter final : public Visitor {
     }
     row(entry, "", list, fallback ? names[static_cast<std::size_t>(*fallback)] : kRequired);
   }
-  bool enter_group(const Entry& entry, bool required, bool) override {
-    row(entry, "", "group", required ? kRequired : "absent");
+  bool enter_group(const Entry& entry, bool required, bool present) override {
+    row(entry, "", "group", required ? kRequired : present ? "its defaults" : "absent");
     paths_.push_back(path(entry.name));
     return true;
   }
-  bool enter_map(const Entry& entry, std::vector<std::string>& names, std::size_t) override {
-    row(entry, "", "map of groups", kRequired);
+  bool enter_map(const Entry& entry, std::vector<std::string>& names, std::size_t, bool required) override {
+    row(entry, "", "map of groups", required ? kRequired : "absent");
     paths_.push_back(path(entry.name));
     names = {"<name>"};
     return true;

@@ -25,6 +25,9 @@ struct Default {
 template <class T>
 Default(T) -> Default<T>;
 
+/// Marks a group that may be left out because every parameter in it may: the struct's own initialisers then stand.
+struct Defaults {};
+
 /// Name and meaning of one value of an enum.
 template <class E>
 struct Option {
@@ -96,7 +99,11 @@ class Visitor {
   }
   /// Text that is a name: letters, digits, "_" and "-", at most `longest` characters.
   void name(const char* name, std::string& value, std::size_t longest, const char* sentence) {
-    visit_name({name, sentence}, value, longest);
+    visit_name({name, sentence}, value, longest, nullptr);
+  }
+  void name(const char* name, std::string& value, std::size_t longest, Default<const char*> fallback,
+            const char* sentence) {
+    visit_name({name, sentence}, value, longest, fallback.value);
   }
   /// List of numbers, each in the range; absent is empty.
   void numbers(const char* name, std::vector<double>& values, Range range, const char* sentence) {
@@ -123,6 +130,13 @@ class Visitor {
       leave();
     }
   }
+  template <class T>
+  void group(const char* name, T& value, Defaults, const char* sentence) {
+    if (enter_group({name, sentence}, false, true)) {
+      declare(*this, value);
+      leave();
+    }
+  }
   /// A group that may be absent; present in the file, it becomes present in the struct.
   template <class T>
   void group(const char* name, std::optional<T>& value, const char* sentence) {
@@ -137,24 +151,12 @@ class Visitor {
   /// A map from names to groups, not empty; names are at most `longest` characters.
   template <class T>
   void groups(const char* name, Named<T>& items, std::size_t longest, const char* sentence) {
-    std::vector<std::string> names;
-    for (const auto& item : items) {
-      names.push_back(item.first);
-    }
-    if (!enter_map({name, sentence}, names, longest)) {
-      return;
-    }
-    Named<T> visited;
-    for (const std::string& item_name : names) {
-      const T* present = find(items, item_name);
-      visited.emplace_back(item_name, present != nullptr ? *present : T{});
-      if (enter_item(item_name)) {
-        declare(*this, visited.back().second);
-        leave();
-      }
-    }
-    items = std::move(visited);
-    leave();
+    visit_groups({name, sentence}, items, longest, true);
+  }
+  /// The same, but the whole map may be absent.
+  template <class T>
+  void groups(const char* name, Named<T>& items, std::size_t longest, Defaults, const char* sentence) {
+    visit_groups({name, sentence}, items, longest, false);
   }
   /// A map from names to names, not empty, and where it stands.
   void pairs(const char* name, Named<std::string>& items, Place& place, std::size_t longest, const char* sentence) {
@@ -170,7 +172,8 @@ class Visitor {
   virtual void visit_number(const Entry&, double&, Range, std::optional<double> fallback) = 0;
   virtual void visit_integer(const Entry&, int&, Range, std::optional<int> fallback) = 0;
   virtual void visit_flag(const Entry&, bool&, std::optional<bool> fallback) = 0;
-  virtual void visit_name(const Entry&, std::string&, std::size_t longest) = 0;
+  /// A null `fallback`: required.
+  virtual void visit_name(const Entry&, std::string&, std::size_t longest, const char* fallback) = 0;
   virtual void visit_numbers(const Entry&, std::vector<double>&, Range) = 0;
   virtual void visit_names(const Entry&, std::vector<std::string>&) = 0;
   virtual void visit_pairs(const Entry&, Named<std::string>&, Place&, std::size_t longest) = 0;
@@ -178,11 +181,33 @@ class Visitor {
                             std::optional<int> fallback) = 0;
   /// True when the group is to be visited; leave() follows.
   virtual bool enter_group(const Entry&, bool required, bool present) = 0;
-  virtual bool enter_map(const Entry&, std::vector<std::string>& names, std::size_t longest) = 0;
+  virtual bool enter_map(const Entry&, std::vector<std::string>& names, std::size_t longest, bool required) = 0;
   virtual bool enter_item(const std::string& name) = 0;
   virtual void leave() = 0;
 
  private:
+  template <class T>
+  void visit_groups(const Entry& entry, Named<T>& items, std::size_t longest, bool required) {
+    std::vector<std::string> names;
+    for (const auto& item : items) {
+      names.push_back(item.first);
+    }
+    if (!enter_map(entry, names, longest, required)) {
+      return;
+    }
+    Named<T> visited;
+    for (const std::string& item_name : names) {
+      const T* present = find(items, item_name);
+      visited.emplace_back(item_name, present != nullptr ? *present : T{});
+      if (enter_item(item_name)) {
+        declare(*this, visited.back().second);
+        leave();
+      }
+    }
+    items = std::move(visited);
+    leave();
+  }
+
   template <class E>
   void choose(const Entry& entry, E& value, std::span<const Option<E>> options, std::optional<E> fallback) {
     std::vector<const char*> names;

@@ -85,6 +85,7 @@ class ReferenceCheck {
     const LinkageSection* linkage = resolve(file_.linkages, "linkages", joint.linkage, joint.place, "linkage");
     const Load* load = resolve(file_.loads, "loads", joint.load, joint.place, "load");
     resolve(file_.controllers, "controllers", joint.controller, joint.place, "controller");
+    resolve(file_.estimators, "estimators", joint.estimator, joint.place, "estimator");
     if (actuator == nullptr) {
       return;
     }

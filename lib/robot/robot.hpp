@@ -9,6 +9,7 @@
 #include "config/problem.hpp"
 #include "control/lqr.hpp"
 #include "core/result.hpp"
+#include "core/time.hpp"
 #include "gait/gait_params.hpp"
 #include "plant/actuator.hpp"
 #include "plant/linkage.hpp"
@@ -38,7 +39,10 @@ struct Joint {
   control::Form form;
   control::LqrWeights weights;
   control::Normalisation normalisation;
+  EstimatorParams estimator;
   double stiffness_Nm_rad, damping_Nms_rad;
+  double dither_percent;  ///< probing current, plus or minus, of the valve's nominal current; 0: none
+  int dither_hold_ticks;  ///< ticks for which it keeps its sign, >= 1
 };
 
 struct Robot {
@@ -46,14 +50,19 @@ struct Robot {
   std::string path;  ///< of the file it came from
   double period_s;
   int loop_delay_lockstep, loop_delay_realtime;  ///< ticks
+  int estimate_period_ticks;                     ///< >= 1
   std::vector<Joint> joints;                     ///< in the order of the file: leg by leg
   gait::RobotPlan plan;
+  UpdateLogicParams update_logic;
   Safety safety;
   Bounds bounds;
   RobotFile file;  ///< what all of the above was derived from, defaults and overrides filled in
 
   /// The joint of that name, null for none.
   const Joint* find(std::string_view joint_name) const noexcept;
+
+  /// Whether every joint's estimate is published at this tick: what the supervisor waits for in lock-step.
+  bool estimate_due(Tick tick) const noexcept { return tick % estimate_period_ticks == 0; }
 };
 
 /// What a command line may change.

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "gait/leg_kinematics.hpp"
+#include "robot/adaptation_check.hpp"
 #include "robot/derive.hpp"
 #include "robot/leg_inertia.hpp"
 #include "robot/references.hpp"
@@ -20,12 +21,14 @@ struct Instance {
 
 class Builder {
  public:
-  explicit Builder(RobotFile file) : file_(std::move(file)) {}
+  explicit Builder(RobotFile file) : file_(std::move(file)) { add_default_estimator(file_); }
 
   Result<Robot, config::Problems> build() {
     problems_ = check_references(file_);
     if (problems_.empty()) {
       check_geometry();
+      const config::Problems misfits = check_adaptation(file_);
+      problems_.insert(problems_.end(), misfits.begin(), misfits.end());
     }
     if (!problems_.empty()) {
       return refuse();
@@ -35,8 +38,10 @@ class Builder {
                 .period_s = file_.period_s,
                 .loop_delay_lockstep = file_.loop_delay_ticks.lockstep,
                 .loop_delay_realtime = file_.loop_delay_ticks.realtime,
+                .estimate_period_ticks = file_.estimate_period_ticks,
                 .joints = {},
                 .plan = {file_.period_s, body_weight_N(), file_.gait, {}},
+                .update_logic = file_.update_logic.params,
                 .safety = file_.safety,
                 .bounds = file_.bounds,
                 .file = {}};
@@ -179,8 +184,11 @@ class Builder {
                 .form = controller.form,
                 .weights = controller.weights,
                 .normalisation = {},
+                .estimator = config::find(file_.estimators, from.estimator)->params,
                 .stiffness_Nm_rad = from.stiffness_Nm_rad,
-                .damping_Nms_rad = from.damping_Nms_rad};
+                .damping_Nms_rad = from.damping_Nms_rad,
+                .dither_percent = from.dither_percent,
+                .dither_hold_ticks = from.dither_hold_ticks};
     double rated = 0.0;
     if (actuator.cylinder) {
       joint.actuator = cylinder_params(file_.supply, valve, actuator);

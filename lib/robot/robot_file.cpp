@@ -5,6 +5,7 @@
 namespace farrier::robot {
 
 using config::Default;
+using config::Defaults;
 using config::Option;
 using config::Visitor;
 
@@ -39,6 +40,8 @@ void declare(Visitor& v, JointTemplate& j) {
   v.name("linkage", j.linkage, kLongestName, "Its linkage, by name.");
   v.name("load", j.load, kLongestName, "Its load, by name.");
   v.name("controller", j.controller, kLongestName, "Its controller, by name.");
+  v.name("estimator", j.estimator, kLongestName, Default{kDefaultEstimator},
+         "Its estimator, by name; default is always there.");
   v.flag("mirrored_in_front", j.mirrored_in_front, Default{false},
          "Whether front legs count its angle the other way; the angles below are a hind leg's.");
   v.number("angle_min_rad", j.angle_min_rad, {-10, 10}, "Lower joint limit.");
@@ -46,6 +49,10 @@ void declare(Visitor& v, JointTemplate& j) {
   v.number("home_angle_rad", j.home_angle_rad, {-10, 10}, "Home pose.");
   v.number("stiffness_Nm_rad", j.stiffness_Nm_rad, {0, 1e5}, "Joint impedance, k_p.");
   v.number("damping_Nms_rad", j.damping_Nms_rad, {0, 1e4}, "Joint impedance, k_d.");
+  v.number("dither_percent", j.dither_percent, {0, 10}, Default{0.0},
+           "Probing current, plus or minus this much of the valve's current_max_A; 0 is none.");
+  v.integer("dither_hold_ticks", j.dither_hold_ticks, {1, 100}, Default{1},
+            "Ticks for which the probing current keeps its sign.");
   v.check(j.angle_min_rad < j.angle_max_rad, "angle_max_rad", "must be above angle_min_rad");
   v.check(j.home_angle_rad >= j.angle_min_rad && j.home_angle_rad <= j.angle_max_rad, "home_angle_rad",
           "must lie between angle_min_rad and angle_max_rad");
@@ -93,6 +100,8 @@ void declare(Visitor& v, RobotFile& f) {
   v.number("period_s", f.period_s, {1e-4, 0.1}, Default{0.001}, "Period of the joint loop; a tick.");
   v.group("loop_delay_ticks", f.loop_delay_ticks,
           "Ticks from a sensor sample to the first valve command that knows it; designs are made for it.");
+  v.integer("estimate_period_ticks", f.estimate_period_ticks, {1, 1000}, Default{10},
+            "Ticks between two estimates of a joint.");
   v.group("supply", f.supply, "Oil and its pressure.");
   v.group("body", f.body, "Rigid body; absent for a rig, which then weighs nothing.");
   v.groups("valves", f.valves, kLongestName, "Servo valves.");
@@ -100,6 +109,8 @@ void declare(Visitor& v, RobotFile& f) {
   v.groups("linkages", f.linkages, kLongestName, "Geometry between joint angle and actuator position.");
   v.groups("loads", f.loads, kLongestName, "What an actuator moves.");
   v.groups("controllers", f.controllers, kLongestName, "Weights of the force loop.");
+  v.groups("estimators", f.estimators, kLongestName, Defaults{}, "How the dynamics of a joint are estimated.");
+  v.group("update_logic", f.update_logic, Defaults{}, "When an estimate leads to new gains.");
   v.groups("joints", f.joints, kLongestName, "Joints, once for all legs.");
   v.groups("legs", f.legs, kLongestName, "Legs, in the order in which joints are numbered.");
   GaitSection gait{&f.gait};

@@ -7,6 +7,7 @@
 #include "config/visitor.hpp"
 #include "gait/gait_params.hpp"
 #include "robot/actuator_section.hpp"
+#include "robot/adaptation_section.hpp"
 #include "robot/body_section.hpp"
 
 namespace farrier::robot {
@@ -42,12 +43,15 @@ struct JointTemplate {
   std::string linkage;
   std::string load;
   std::string controller;
+  std::string estimator = kDefaultEstimator;
   bool mirrored_in_front = false;
   double angle_min_rad = 0.0;
   double angle_max_rad = 0.0;
   double home_angle_rad = 0.0;
   double stiffness_Nm_rad = 0.0;
   double damping_Nms_rad = 0.0;
+  double dither_percent = 0.0;  ///< of the valve's nominal current: the probing current is plus or minus this
+  int dither_hold_ticks = 1;    ///< for which it keeps its sign
   config::Place place;
 };
 
@@ -65,6 +69,7 @@ struct RobotFile {
   std::string name;
   double period_s = 0.001;
   LoopDelay loop_delay_ticks;
+  int estimate_period_ticks = 10;
   Supply supply;
   std::optional<Body> body;
   config::Named<Valve> valves;
@@ -72,6 +77,8 @@ struct RobotFile {
   config::Named<LinkageSection> linkages;
   config::Named<Load> loads;
   config::Named<Controller> controllers;
+  config::Named<EstimatorSection> estimators;
+  UpdateLogicSection update_logic;
   config::Named<JointTemplate> joints;
   config::Named<Leg> legs;
   gait::GaitParams gait;

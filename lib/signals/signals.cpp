@@ -45,4 +45,17 @@ const char* to_string(Severity severity) noexcept {
   return "unknown severity";
 }
 
+const char* to_string(UpdateVerdict verdict) noexcept {
+  switch (verdict) {
+    case UpdateVerdict::kAccepted: return "accepted";
+    case UpdateVerdict::kNotDifferentEnough: return "not different enough";
+    case UpdateVerdict::kNotConverged: return "not converged";
+    case UpdateVerdict::kNotValid: return "not valid";
+    case UpdateVerdict::kDesignRefused: return "design refused";
+    case UpdateVerdict::kUnstableOnEstimate: return "unstable on the estimate";
+    case UpdateVerdict::kUnstableOnStoredModel: return "unstable on the stored model";
+  }
+  return "unknown verdict";
+}
+
 }  // namespace farrier::signals

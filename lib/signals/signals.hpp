@@ -26,6 +26,17 @@ enum class JointState : std::uint8_t { kNull = 0, kDamping = 1, kTracking = 2 };
 
 enum class Severity : std::uint8_t { kInfo = 0, kWarning = 1, kError = 2 };
 
+/// What the update logic made of an estimate (Hubacher 2014, Fig. 8.8, Table F.2), in the order in which it asks.
+enum class UpdateVerdict : std::uint8_t {
+  kAccepted = 0,              ///< new gains are issued
+  kNotDifferentEnough = 1,    ///< poles too near those the acting gains are designed for
+  kNotConverged = 2,          ///< poles still move
+  kNotValid = 3,              ///< the estimate says too little
+  kDesignRefused = 4,         ///< no controller exists for the estimate
+  kUnstableOnEstimate = 5,    ///< the new closed loop is not stable on the estimate within its errors
+  kUnstableOnStoredModel = 6, ///< nor on the stored model within its stated uncertainty
+};
+
 /// Number of topics a health report can count; larger than the registry, checked there.
 inline constexpr int kMaxTopics = 16;
 
@@ -90,19 +101,18 @@ struct JointMeasurement {
 /// (position, velocity, load-cell force), A row by row.
 struct JointModelEstimate {
   std::uint16_t joint = 0;  ///< key
-  Tick tick = kNoTick;
+  Tick tick = kNoTick;      ///< of the newest measurement behind it
+  std::uint8_t phase = 0;   ///< Phase whose dynamics it describes
   std::array<double, 9> a{};
   std::array<double, 3> b{};
   std::array<double, 3> c{};
-  double validity = 0;      ///< 0: not an estimate; 1: certain
-  std::uint32_t flags = 0;  ///< Table F.1
+  std::array<double, 9> a_error{};  ///< standard errors of a, one sigma, SI, >= 0
+  std::array<double, 3> b_error{};  ///< of b
+  double validity = 0;        ///< 0: not an estimate; 1: certain
+  double excitation = 0;      ///< lower bound of the normalised information matrix's smallest eigenvalue, >= 0
+  std::uint32_t samples = 0;  ///< informative ones behind it
+  std::uint32_t flags = 0;    ///< Table F.1
 };
-
-/// Ticks between two estimates of a joint.
-inline constexpr Tick kEstimatePeriodTicks = 100;
-
-/// True for the ticks at which every joint's estimate is published: what the supervisor waits for in lock-step.
-constexpr bool is_estimate_tick(Tick tick) noexcept { return tick % kEstimatePeriodTicks == 0; }
 
 /// supervisor -> joint_node: one slot of one joint's gains, in the thesis's normalised units (Fig. 7.1).
 struct JointControllerGains {
@@ -125,6 +135,29 @@ struct JointControllerGains {
   double force_scale_N_or_Nm = 0;
   double current_scale_A = 0;            ///< (3.53)
   std::array<double, 9> model_a{};       ///< model they were designed for, SI, row by row
+  std::array<double, 3> model_b{};
+};
+
+/// supervisor -> monitors: gains redesigned from an estimate, or a design that was refused; published when it happens.
+struct JointUpdateDecision {
+  std::uint16_t joint = 0;              ///< key
+  Tick tick = kNoTick;                  ///< at which it was decided
+  std::uint8_t phase = 0;               ///< Phase whose slot of gains it concerns
+  std::uint8_t verdict = 0;             ///< UpdateVerdict
+  std::uint32_t generation = 0;         ///< of the gains issued, or of those that go on acting
+  std::uint32_t estimate_samples = 0;   ///< JointModelEstimate::samples
+  double validity = 0;                  ///< of the estimate, 0..1
+  double excitation = 0;                ///< of the estimate, >= 0
+  double pole_distance = 0;             ///< of the estimate's poles from those the acting gains are designed for, >= 0
+  double pole_spread = 0;               ///< of the estimates' poles over the convergence window, >= 0
+  std::uint32_t converged_ticks = 0;    ///< for how long they have stayed within the spread
+  std::array<double, 3> poles_re{};     ///< of the estimate, z-plane, unit circle is 1
+  std::array<double, 3> poles_im{};
+  std::array<double, 3> designed_poles_re{};  ///< of the model the acting gains are designed for
+  std::array<double, 3> designed_poles_im{};
+  double estimated_radius = 0;          ///< spectral radius of the new gains' loop on the estimate; 0: not worked out
+  double stored_radius = 0;             ///< on the stored model, worst corner of its uncertainty; 0: not worked out
+  std::array<double, 9> model_a{};      ///< the estimate, SI, row by row
   std::array<double, 3> model_b{};
 };
 
@@ -211,5 +244,6 @@ const char* to_string(Phase phase) noexcept;
 const char* to_string(Mode mode) noexcept;
 const char* to_string(JointState state) noexcept;
 const char* to_string(Severity severity) noexcept;
+const char* to_string(UpdateVerdict verdict) noexcept;
 
 }  // namespace farrier::signals

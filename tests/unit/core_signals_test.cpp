@@ -16,7 +16,11 @@ TEST(Signals, AreInvalidUntilFilledIn) {
   EXPECT_EQ(JointControllerGains{}.effective_tick, kNoTick);
   EXPECT_EQ(JointControllerGains{}.generation, 0u) << "0 is never issued";
   EXPECT_EQ(SystemMode{}.epoch, 0u) << "0 is never issued";
+  EXPECT_EQ(JointModelEstimate{}.tick, kNoTick);
   EXPECT_EQ(JointModelEstimate{}.validity, 0.0) << "not an estimate";
+  EXPECT_EQ(JointModelEstimate{}.samples, 0u) << "nothing behind it";
+  EXPECT_EQ(JointUpdateDecision{}.tick, kNoTick);
+  EXPECT_EQ(JointUpdateDecision{}.generation, 0u) << "0 is never issued";
   EXPECT_EQ(JointValveCommand{}.state, static_cast<std::uint8_t>(JointState::kNull));
   EXPECT_EQ(SystemMode{}.mode, static_cast<std::uint8_t>(Mode::kIdle));
 }
@@ -74,14 +78,16 @@ TEST(Signals, NameEveryValueOfTheirEnums) {
   EXPECT_STREQ(to_string(static_cast<Mode>(200)), "unknown mode");
 }
 
-TEST(Signals, AskForAnEstimateOncePerEstimatePeriod) {
-  std::set<Tick> due;
-  for (Tick tick = 0; tick < 3 * kEstimatePeriodTicks; ++tick) {
-    if (is_estimate_tick(tick)) {
-      due.insert(tick);
-    }
+TEST(Signals, NameEveryVerdictOfTheUpdateLogicDifferently) {
+  std::set<std::string> names;
+  constexpr int kVerdicts = static_cast<int>(UpdateVerdict::kUnstableOnStoredModel) + 1;
+  for (int verdict = 0; verdict < kVerdicts; ++verdict) {
+    names.insert(to_string(static_cast<UpdateVerdict>(verdict)));
   }
-  EXPECT_EQ(due, (std::set<Tick>{0, kEstimatePeriodTicks, 2 * kEstimatePeriodTicks}));
+  EXPECT_EQ(names.size(), static_cast<std::size_t>(kVerdicts));
+  EXPECT_EQ(names.count("accepted"), 1u);
+  EXPECT_EQ(names.count("unknown verdict"), 0u);
+  EXPECT_STREQ(to_string(static_cast<UpdateVerdict>(kVerdicts)), "unknown verdict");
 }
 
 }  // namespace

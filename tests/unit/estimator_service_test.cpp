@@ -15,11 +15,14 @@ EstimatorService service() {
   return EstimatorService(hyq);
 }
 
-TEST(EstimatorService, AnswersForTheJointAndTheTickItWasGiven) {
+TEST(EstimatorService, AnswersForTheJointTickAndPhaseItWasGiven) {
   EstimatorService estimators = service();
-  const auto estimate = estimators.step({.joint = 7, .tick = 1300});
+  constexpr auto kStance = static_cast<std::uint8_t>(signals::Phase::kStance);
+  const auto estimate = estimators.step({.joint = 7, .tick = 1300, .phase = kStance});
   EXPECT_EQ(estimate.joint, 7);
   EXPECT_EQ(estimate.tick, 1300);
+  EXPECT_EQ(estimate.phase, kStance);
+  EXPECT_EQ(estimators.step({.joint = 7, .tick = 1301}).phase, static_cast<std::uint8_t>(signals::Phase::kSwing));
 }
 
 TEST(EstimatorService, SaysThatItDoesNotEstimate) {

@@ -200,6 +200,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   outcome.hellos = seat.value().participant->hellos();
   outcome.healths = monitor.value().healths();
   outcome.events = monitor.value().events();
+  outcome.decisions = monitor.value().decisions();
   return outcome;
 }
 

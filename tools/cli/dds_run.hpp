@@ -29,6 +29,7 @@ struct RunOutcome {
   std::vector<signals::SystemHello> hellos;    ///< by participant
   std::vector<signals::SystemHealth> healths;  ///< by participant
   std::vector<signals::SystemEvent> events;
+  std::vector<signals::JointUpdateDecision> decisions;
   double wall_s = 0;  ///< from the first tick to the last
 };
 

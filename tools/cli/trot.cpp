@@ -66,6 +66,7 @@ Result<RunOutcome> run_inproc(const robot::Robot& robot, const TrotOptions& o, s
   outcome.hellos = std::move(result.value().hellos);
   outcome.healths = std::move(result.value().healths);
   outcome.events = std::move(result.value().events);
+  outcome.decisions = std::move(result.value().decisions);
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcome;
 }
