@@ -1,4 +1,5 @@
 farrier_test(scenario_test scenario
+  ${CMAKE_CURRENT_LIST_DIR}/adaptation_wiring_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/determinism_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/lifecycle_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rig_test.cpp

@@ -31,7 +31,24 @@ TEST(ConfigPrinter, PrintsEveryParameterWithItsEffectiveValue) {
             "    pressure_Pa: 2e+05\n"
             "roles:\n"
             "  \"ann\": \"front\"\n"
-            "  \"bob\": \"rear\"\n");
+            "  \"bob\": \"rear\"\n"
+            "owner: \"nobody\"\n"
+            "lamp:\n"
+            "  power_W: 5\n");
+}
+
+TEST(ConfigPrinter, PrintsWhatMayBeAbsentSoThatItReadsBack) {
+  const auto cart = read_text<Cart>(
+      kGood + "owner: eve\nlamp: {power_W: 7}\nlanterns: {red: {power_W: 2}, blue: {}}\n", "cart.yaml");
+  ASSERT_TRUE(cart.ok()) << to_string(cart.error());
+  const std::string printed = print_yaml(cart.value());
+  EXPECT_NE(printed.find("owner: \"eve\"\nlamp:\n  power_W: 7\n"
+                         "lanterns:\n  \"red\":\n    power_W: 2\n  \"blue\":\n    power_W: 5\n"),
+            std::string::npos)
+      << printed;
+  const auto again = read_text<Cart>(printed, "printed");
+  ASSERT_TRUE(again.ok()) << to_string(again.error());
+  EXPECT_EQ(print_yaml(again.value()), printed);
 }
 
 TEST(ConfigPrinter, ReadsBackBitForBit) {
@@ -51,6 +68,10 @@ TEST(ConfigReferenceTable, ListsEveryParameterWithUnitRangeDefaultAndSentence) {
   for (const char* row : {"| `mass_kg` | kg | 0.01 to 1000 | required | Mass of the cart. |\n",
                           "| `seats` |  | whole, 1 to 8 | 2 | Seats. |\n",
                           "| `colour` |  | red, green, blue | green | Paint. |\n",
+                          "| `owner` |  | name of at most 8 | nobody | Whose it is. |\n",
+                          "| `lamp` |  | group | its defaults | Its lamp. |\n",
+                          "| `lanterns` |  | map of groups | absent | What hangs on it. |\n",
+                          "| `lanterns.<name>.power_W` | W | 1 to 100 | 5 | Power of the lamp. |\n",
                           "| `trailer` |  | group | absent | What it pulls. |\n",
                           "| `trailer.axles` |  | whole, 1 to 3 | required | Number of axles. |\n",
                           "| `wheels.<name>.pressure_Pa` | Pa | 1e+05 to 1e+06 | 2e+05 | Pressure of the tyre. |\n"}) {

@@ -39,6 +39,24 @@ TEST(ConfigReader, FillsInDefaults) {
   EXPECT_EQ(cart.value().wheels[0].second.pressure_Pa, 2e5);
 }
 
+TEST(ConfigReader, LeavesOutWhatHasDefaultsThroughout) {
+  const auto cart = read_text<Cart>(kGood, "cart.yaml");
+  ASSERT_TRUE(cart.ok()) << to_string(cart.error());
+  EXPECT_EQ(cart.value().owner, "nobody");
+  EXPECT_EQ(cart.value().lamp.power_W, Lamp{}.power_W);
+  EXPECT_TRUE(cart.value().lanterns.empty());
+}
+
+TEST(ConfigReader, ChecksWhatMayBeLeftOutOnceItIsThere) {
+  EXPECT_EQ(mistakes_with("lamp: {power_W: 900}\n"),
+            "cart.yaml:9: lamp.power_W: 900 is out of range: give 1 to 100\n");
+  EXPECT_EQ(mistakes_with("lamp: bright\n"), "cart.yaml:9: lamp: is bright: give a group of parameters\n");
+  EXPECT_EQ(mistakes_with("lanterns: {}\n"), "cart.yaml:9: lanterns: is empty: give at least one entry\n");
+  EXPECT_EQ(mistakes_with("lanterns:\n  red: {powr_W: 2}\n"),
+            "cart.yaml:10: lanterns.red.powr_W: is not a known parameter: did you mean power_W?\n");
+  EXPECT_EQ(mistakes_with("owner: 3 men\n").substr(0, 18), "cart.yaml:9: owner");
+}
+
 TEST(ConfigReader, KnowsTheLineOfEveryKey) {
   const auto cart = read_text<Cart>(kGood, "cart.yaml");
   ASSERT_TRUE(cart.ok());

@@ -20,6 +20,10 @@ struct Trailer {
   int axles = 0;
 };
 
+struct Lamp {
+  double power_W = 5.0;
+};
+
 struct Cart {
   std::string name;
   double mass_kg = 0.0;
@@ -32,6 +36,9 @@ struct Cart {
   std::optional<Trailer> trailer;
   Named<Wheel> wheels;
   Named<std::string> roles;
+  std::string owner;
+  Lamp lamp;
+  Named<Lamp> lanterns;
   Place place, roles_place;
 };
 
@@ -41,6 +48,10 @@ inline void declare(Visitor& v, Wheel& w) {
 }
 
 inline void declare(Visitor& v, Trailer& t) { v.integer("axles", t.axles, {1, 3}, "Number of axles."); }
+
+inline void declare(Visitor& v, Lamp& l) {
+  v.number("power_W", l.power_W, {1, 100}, Default{Lamp{}.power_W}, "Power of the lamp.");
+}
 
 inline void declare(Visitor& v, Cart& c) {
   constexpr std::array kColours = {Option<Colour>{"red", Colour::kRed}, Option<Colour>{"green", Colour::kGreen},
@@ -57,6 +68,9 @@ inline void declare(Visitor& v, Cart& c) {
   v.group("trailer", c.trailer, "What it pulls.");
   v.groups("wheels", c.wheels, 8, "Wheels.");
   v.pairs("roles", c.roles, c.roles_place, 8, "Who does what.");
+  v.name("owner", c.owner, 8, Default{"nobody"}, "Whose it is.");
+  v.group("lamp", c.lamp, Defaults{}, "Its lamp.");
+  v.groups("lanterns", c.lanterns, 8, Defaults{}, "What hangs on it.");
   v.check(c.drag_Ns_m < c.mass_kg, "drag_Ns_m", "must be below mass_kg");
 }
 

@@ -28,9 +28,16 @@ std::string fingerprint(const Joint& j) {
   const control::Normalisation& n = j.normalisation;
   for (const double x : {j.push_limit, j.pull_limit, j.noise.position, j.noise.velocity, j.noise.force, w.integral,
                          w.position, w.velocity, w.force, w.input, w.integral_factor, w.feed_forward_factor,
-                         n.position, n.velocity, n.force, n.current_A, j.stiffness_Nm_rad, j.damping_Nms_rad}) {
+                         n.position, n.velocity, n.force, n.current_A, j.stiffness_Nm_rad, j.damping_Nms_rad,
+                         j.dither_percent}) {
     text << x << ' ';
   }
+  const EstimatorParams& e = j.estimator;
+  for (const double x : {e.forgetting_factor, e.operating_point_time_constant_s, e.initial_covariance,
+                         e.covariance_limit, e.regressor_min, e.stability_limit}) {
+    text << x << ' ';
+  }
+  text << e.bias << e.position << e.phase_memory << ' ' << e.blank_ticks << ' ' << j.dither_hold_ticks << ' ';
   text << static_cast<int>(j.form);
   return text.str();
 }
@@ -51,6 +58,7 @@ TEST_P(RoundTrip, PrintedConfigurationLoadsToTheSameRobot) {
   EXPECT_EQ(again.value().plan.body_weight_N, robot.plan.body_weight_N);
   EXPECT_EQ(again.value().plan.gait.hip_height_m, robot.plan.gait.hip_height_m);
   EXPECT_EQ(again.value().loop_delay_realtime, robot.loop_delay_realtime);
+  EXPECT_EQ(again.value().estimate_period_ticks, robot.estimate_period_ticks);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, RoundTrip, testing::Values("hyq", "fc1d"));
@@ -85,7 +93,8 @@ TEST(Overrides, ArePartOfTheEffectiveConfigurationAndAreChecked) {
 TEST(ParameterTable, CoversTheWholeRobotFile) {
   const std::string table = parameter_table();
   for (const char* path : {"`period_s`", "`supply.supply_pressure_Pa`", "`actuators.<name>.cylinder.bore_m`",
-                           "`loads.<name>.stance.mass_kg`", "`gait.duty`", "`safety.command_trip_s`"}) {
+                           "`loads.<name>.stance.mass_kg`", "`gait.duty`", "`estimators.<name>.bias`", "`update_logic.converged_ticks`",
+                           "`safety.command_trip_s`"}) {
     EXPECT_NE(table.find(path), std::string::npos) << path;
   }
   EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 100);
