@@ -50,7 +50,7 @@ struct Robot {
   std::string path;  ///< of the file it came from
   double period_s;
   int loop_delay_lockstep, loop_delay_realtime;  ///< ticks
-  int estimate_period_ticks;                     ///< >= 1
+  int estimate_period_ticks;  ///< >= 1; one for all joints, so that the tick alone says in lock-step what is due
   std::vector<Joint> joints;                     ///< in the order of the file: leg by leg
   gait::RobotPlan plan;
   UpdateLogicParams update_logic;
