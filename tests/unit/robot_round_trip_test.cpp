@@ -93,8 +93,8 @@ TEST(Overrides, ArePartOfTheEffectiveConfigurationAndAreChecked) {
 TEST(ParameterTable, CoversTheWholeRobotFile) {
   const std::string table = parameter_table();
   for (const char* path : {"`period_s`", "`supply.supply_pressure_Pa`", "`actuators.<name>.cylinder.bore_m`",
-                           "`loads.<name>.stance.mass_kg`", "`gait.duty`", "`estimators.<name>.bias`", "`update_logic.converged_ticks`",
-                           "`safety.command_trip_s`"}) {
+                           "`loads.<name>.stance.mass_kg`", "`gait.duty`", "`estimators.<name>.bias`",
+                           "`update_logic.converged_ticks`", "`safety.command_trip_s`"}) {
     EXPECT_NE(table.find(path), std::string::npos) << path;
   }
   EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 100);
