@@ -13,7 +13,8 @@ using Poles = std::array<std::complex<double>, N>;
 
 /// Eigenvalues of `a`, largest modulus first, of a conjugate pair the one above the real axis first. From the
 /// characteristic polynomial of the balanced matrix about the mean of its eigenvalues: each to about eps |a|^N over
-/// the product of its distances to the others. NaN throughout when `a` is not finite or too large to be cubed.
+/// the product of its distances to the others, two that coincide to the root of eps. NaN throughout when `a` is not
+/// finite or too large to be cubed.
 template <int N>
 Poles<N> poles(const Eigen::Matrix<double, N, N>& a) noexcept;
 

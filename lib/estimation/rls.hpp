@@ -70,7 +70,8 @@ class Rls {
   /// Variance of the noise of each measurement: weighted sum of the products of prediction errors before and after
   /// each sample, (1 / weight) sum_k lambda^(n-k) e[k|k-1] e[k|k]; once weight() has settled that is
   /// s <- lambda s + (1 - lambda) e[k|k-1] e[k|k]. That sum is the residual of the weighted least-squares fit, so it
-  /// comes out (weight - N) / weight too small. Zero before the first sample.
+  /// comes out (weight - N) / weight too small; it also holds the square of what theta0 was off, over the initial
+  /// covariance, until that is forgotten. Zero before the first sample.
   Eigen::Vector3d residual_variance() const noexcept;
 
   /// First-order variance of one parameter, row 0..2, column 0..N-1: residual variance of the row times P(column,

@@ -25,11 +25,12 @@ struct Sample {
   Eigen::Vector3d y;
 };
 
-/// `count` samples of y = theta h + noise, white regressors of variance one.
+/// `count` samples of y = theta h + noise from tick `first` on, white regressors of variance one.
 template <int N>
-std::vector<Sample<N>> excited(const Eigen::Matrix<double, 3, N>& theta, double noise, int count, std::uint64_t seed) {
+std::vector<Sample<N>> excited(const Eigen::Matrix<double, 3, N>& theta, double noise, int count, std::uint64_t seed,
+                               Tick first = 0) {
   std::vector<Sample<N>> samples;
-  for (int k = 0; k < count; ++k) {
+  for (Tick k = first; k < first + count; ++k) {
     const Eigen::Matrix<double, N, 1> h = normal<N>(seed, "regressor", k);
     samples.push_back({h, theta * h + noise * normal<3>(seed, "noise", k)});
   }

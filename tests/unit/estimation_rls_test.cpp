@@ -164,12 +164,13 @@ TEST(Rls, FollowsAChangeOfTheSystemWithinItsMemory) {
 
 TEST(Rls, ParameterVarianceIsTheSpreadOfTheEstimate) {
   constexpr int kRuns = 2000;
+  constexpr double kFlat = 1e6;  // the first estimate is 1 off: 1/kFlat in a residual sum of 100 kNoise^2
   const Eigen::Matrix<double, 3, 4> theta = normal<3, 4>(71, "theta", 0);
   Eigen::Matrix<double, 3, 4> squares = Eigen::Matrix<double, 3, 4>::Zero();
   Eigen::Matrix<double, 3, 4> claimed = Eigen::Matrix<double, 3, 4>::Zero();
   for (int run = 0; run < kRuns; ++run) {
-    Rls<4> rls = estimator<4>(1.0);
-    for (const auto& [h, y] : excited<4>(theta, kNoise, 100, 1000 + run)) {
+    Rls<4> rls = estimator<4>(1.0, kFlat);
+    for (const auto& [h, y] : excited<4>(theta, kNoise, 100, 72, 100 * run)) {
       rls.update(h, y);
     }
     squares += (rls.parameters() - theta).cwiseAbs2() / kRuns;
