@@ -8,8 +8,8 @@ namespace farrier::lab {
 /// Hubacher (2014), (6.21) as it stands, for three measurements and N regressors: parameter vector of 3N entries,
 /// regression matrix (6.30), (6.31) of 3 x 3N, covariance of 3N x 3N. What estimation::Rls is checked and timed
 /// against. The covariance is taken off as P H'[..]^-1 (H P), 3N x 3 times 3 x 3N: the printed order of the products
-/// costs twice the time, and (P H')' in the place of H P halves the cost of this but lets an asymmetry grow with
-/// 1/lambda a sample until nothing is left.
+/// costs twice the time, and (P H')' in the place of H P lets an asymmetry grow with 1/lambda a sample until nothing
+/// is left.
 template <int N>
 class TextbookRls {
  public:

@@ -31,7 +31,7 @@ Eigen::Matrix<double, N, N> balanced(Eigen::Matrix<double, N, N> a) noexcept {
         }
       }
       if (row > 0.0 && column > 0.0 && (row > kAlike * column || column > kAlike * row)) {
-        const int exponent = static_cast<int>(std::lrint(0.5 * std::log2(row / column)));
+        const int exponent = static_cast<int>(std::lrint(0.5 * (std::log2(row) - std::log2(column))));
         const double down = std::ldexp(1.0, -exponent);
         a.row(i) *= down;
         a.col(i) /= down;

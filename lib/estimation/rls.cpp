@@ -11,15 +11,19 @@
 namespace farrier::estimation {
 namespace {
 
-// With |h|, |y - Theta h| up to 1e100 and P up to 1e100 no product in update() overflows: one sample moves Theta by
-// at most sqrt(trace P / lambda) / 2 times the prediction error.
-constexpr double kLargest = 1e100;
+// With h, y and P up to 1e40 a fit over n samples has |Theta| <= 2 sqrt(n trace P) |y| <= 2e60 sqrt(n), its errors stay
+// below 1e101 sqrt(n), and their squares are finite. What rounding might add to that is refused by its own check.
+constexpr double kLargest = 1e40;
 constexpr double kLargestSquare = kLargest * kLargest;
+constexpr double kLargestSquaredError = 1e250;
 
 // Standard deviations further apart than 1/eps cannot be told from one another: entries of D stop at eps^2 of the
 // largest covariance.
 constexpr double kSmallestShare =
     std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon();
+
+// What a covariance put on its limit stays short of it: more than the trace's own rounding.
+constexpr double kRoom = 1e-14;
 
 bool within(double value, double low, double high) { return value >= low && value <= high; }
 
@@ -43,14 +47,14 @@ Result<Rls<N>> Rls<N>::create(const RlsParams& params, const Parameters& theta0)
     return Error{"forgetting_factor must be above 0 and at most 1, is " + std::to_string(params.forgetting_factor)};
   }
   if (!within(params.initial_covariance, 1.0 / kLargest, kLargest)) {
-    return Error{"initial_covariance must be within 1e-100 and 1e100"};
+    return Error{"initial_covariance must be within 1e-40 and 1e40"};
   }
   if (!within(params.covariance_limit, N * params.initial_covariance, kLargest)) {
     return Error{"covariance_limit must be at least initial_covariance times the " + std::to_string(N) +
-                 " regressors, and at most 1e100"};
+                 " regressors, and at most 1e40"};
   }
   if (!(params.regressor_min >= 0.0 && params.regressor_min < kLargest)) {
-    return Error{"regressor_min must not be negative and stay below 1e100"};
+    return Error{"regressor_min must not be negative and stay below 1e40"};
   }
   if (!theta0.allFinite()) {
     return Error{"the first estimate must be finite"};
@@ -76,7 +80,7 @@ RlsStatus Rls<N>::update(const Regressor& h, const Eigen::Vector3d& y) noexcept 
     size += h(j) * h(j);
   }
   const Eigen::Array4d e_squared = e * e;
-  if (!(size <= kLargestSquare && e_squared.sum() <= kLargestSquare)) {
+  if (!(size <= kLargestSquare && y.squaredNorm() <= kLargestSquare && e_squared.sum() <= kLargestSquaredError)) {
     return status_ = RlsStatus::kNotFinite;
   }
   if (size < regressor_min_squared_) {
@@ -161,7 +165,7 @@ void Rls<N>::reset(const Parameters& theta0) noexcept {
 template <int N>
 void Rls<N>::inflate(double factor) noexcept {
   if (factor >= 1.0) {
-    scale_covariance(std::min(factor, std::max(params_.covariance_limit / trace_, 1.0)));
+    scale_covariance(std::min(factor, std::max((1.0 - kRoom) * params_.covariance_limit / trace_, 1.0)));
   }
 }
 
@@ -199,7 +203,6 @@ double Rls<N>::trace_of_factors() const noexcept {
 // the factors mean nothing any more.
 template <int N>
 bool Rls<N>::repair_covariance() noexcept {
-  constexpr double kRoom = 1e-9;
   if (std::isfinite(trace_)) {
     scale_covariance((1.0 - kRoom) * params_.covariance_limit / trace_);
     if (trace_ <= params_.covariance_limit) {

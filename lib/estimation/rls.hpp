@@ -16,7 +16,7 @@ enum class RlsStatus : std::uint8_t {
   kRegressorTooSmall = 3,              ///< left out: the regressor tells too little (wind-up, 6.1.3)
   kCovarianceNotPositiveDefinite = 4,  ///< taken; the covariance was beyond repair and is the initial one again
   kInputTooSmall = 5,                  ///< left out by the owner, who knows which regressor is the input
-  kNotFinite = 6,                      ///< refused: not finite, or regressor or prediction error beyond 1e100
+  kNotFinite = 6,                      ///< refused: not finite, or regressor or measurement beyond 1e40
 };
 
 /// Name of a status, for people.
@@ -25,9 +25,9 @@ const char* to_string(RlsStatus status) noexcept;
 /// Settings of an estimator. Unit: that of the normalised signals, 1.
 struct RlsParams {
   double forgetting_factor = 0.9;    ///< lambda of (6.7), (0, 1]; remembers 1/(1 - lambda) samples (6.22)
-  double initial_covariance = 1e3;   ///< diagonal of the first P, [1e-100, 1e100]
-  double covariance_limit = 1e6;     ///< largest trace of P, [N * initial_covariance, 1e100]
-  double regressor_min = 0.0;        ///< norm below which a regressor is left out, [0, 1e100)
+  double initial_covariance = 1e3;   ///< diagonal of the first P, [1e-40, 1e40]
+  double covariance_limit = 1e6;     ///< largest trace of P, [N * initial_covariance, 1e40]
+  double regressor_min = 0.0;        ///< norm below which a regressor is left out, [0, 1e40)
 };
 
 /// Recursive least squares with forgetting (Hubacher 2014, (6.21)) for y = Theta h + noise: three measurements y, one

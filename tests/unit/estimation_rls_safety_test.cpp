@@ -92,7 +92,7 @@ TEST(Rls, BoundsItsCovarianceWithoutExcitation) {
 TEST(Rls, ChangesNothingOnASampleThatIsNotFinite) {
   const Eigen::Vector4d h(0.3, -0.2, 0.5, 0.1);
   const Eigen::Vector3d y(0.1, 0.2, -0.3);
-  for (const double bad : {kNaN, kInfinity, -kInfinity, 1e200, -1e308}) {
+  for (const double bad : {kNaN, kInfinity, -kInfinity, 1e41, 1e200, -1e308}) {
     Rls<4> rls = settled();
     const Rls<4> before = rls;
     for (int i = 0; i < 4; ++i) {
@@ -148,7 +148,7 @@ void survive(const RlsParams& params, int samples) {
 
 TEST(Rls, KeepsASymmetricPositiveCovarianceThroughAMillionNastySamples) {
   survive({0.9, 1e3, 1e6, 0.0}, 1'000'000);
-  survive({0.5, 1e3, 1e90, 0.0}, 1'000'000);
+  survive({0.5, 1e3, 1e40, 0.0}, 1'000'000);
   survive({1.0, 1e-3, 1e2, 1e-9}, 1'000'000);
 }
 
@@ -157,9 +157,9 @@ TEST(Rls, CovarianceIsPositiveDefiniteAfterNastySamples) {
   for (int k = 0; k < 100'000; ++k) {
     rls.update(nasty_regressor(k), Eigen::Vector3d(1.0, k % 3 - 1.0, -0.5));
   }
-  // An entry of D climbs from its floor to 1 in ln(1 / (eps^2 1e6)) / ln(1 / 0.9) = 560 samples, errors of up to 1e90
-  // fall to 1e-9 in 2170.
-  constexpr int kEnough = 3000;
+  // An entry of D climbs from its floor to 1 in ln(1 / (eps^2 1e6)) / ln(1 / 0.9) = 560 samples, errors of up to 1e43
+  // fall to 1e-9 in 1140.
+  constexpr int kEnough = 2000;
   for (const auto& [h, y] : excited<4>(truth(), 0.0, kEnough, 6)) {
     rls.update(h, y);
     const Eigen::LLT<Eigen::Matrix4d> factor(rls.covariance());
@@ -177,6 +177,7 @@ TEST(Rls, InflationScalesTheCovarianceUpToItsLimit) {
   EXPECT_EQ(rls.parameters(), before.parameters());
   rls.inflate(1e12);
   EXPECT_NEAR(rls.covariance_trace(), kParams.covariance_limit, kRounding * kParams.covariance_limit);
+  EXPECT_LE(rls.covariance_trace(), kParams.covariance_limit);
   rls.inflate(kInfinity);
   EXPECT_NEAR(rls.covariance_trace(), kParams.covariance_limit, kRounding * kParams.covariance_limit);
   Rls<4> untouched = before;

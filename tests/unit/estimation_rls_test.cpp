@@ -144,7 +144,8 @@ TEST(Rls, ConvergesToANoisySystem) {
   // Five standard errors noise / sqrt(n).
   EXPECT_LT((rls.parameters() - theta).cwiseAbs().maxCoeff(), 5.0 * kNoise / std::sqrt(20000.0));
   // The variance of a variance of n normal samples is 2/n of its square.
-  EXPECT_LT((rls.residual_variance().array() / (kNoise * kNoise) - 1.0).abs().maxCoeff(), 5.0 * std::sqrt(2.0 / 20000.0));
+  const Eigen::Array3d ratio = rls.residual_variance().array() / (kNoise * kNoise);
+  EXPECT_LT((ratio - 1.0).abs().maxCoeff(), 5.0 * std::sqrt(2.0 / 20000.0));
 }
 
 TEST(Rls, FollowsAChangeOfTheSystemWithinItsMemory) {
