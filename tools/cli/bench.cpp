@@ -9,6 +9,7 @@
 #include "lab/bench_control.hpp"
 #include "lab/bench_plant.hpp"
 #include "lab/bench_riccati.hpp"
+#include "lab/bench_rls.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
 #include "tools/cli/allocation_count.hpp"
@@ -27,9 +28,11 @@ constexpr double kLockstepRatio = 0.5;
 constexpr double kPlantSpeedup = 20.0;
 constexpr double kRiccatiSpeedup = 3.0;
 constexpr double kRiccatiResidual = 1e-12;
+constexpr double kRlsSpeedup = 20.0;
+constexpr double kRlsDifference = 1e-12;
 
 struct BenchOptions {
-  std::vector<std::string> only{"lockstep", "plant", "riccati", "control"};
+  std::vector<std::string> only{"lockstep", "plant", "riccati", "control", "rls"};
   std::string robot_path;
   Tick ticks = 4000;
   std::string out = "out/bench";
@@ -99,6 +102,17 @@ void bench_control(report::Figures& figures) {
   figures.add("bench.control.allocations", static_cast<double>(bench.allocations), 0.0);
 }
 
+void bench_rls(report::Figures& figures) {
+  std::fputs("rls: one covariance for three rows against the thesis's 12 x 12\n", stderr);
+  const lab::RlsBench bench = lab::bench_rls(4000, allocation_count);
+  figures.add("bench.rls.ns_per_update", 1e9 * bench.update_s);
+  figures.add("bench.rls.ns_per_update_bias", 1e9 * bench.update_bias_s);
+  figures.add("bench.rls.textbook_ns_per_update", 1e9 * bench.textbook_s);
+  figures.add("bench.rls.speedup", bench.textbook_s / bench.update_s, kRlsSpeedup);
+  figures.add("bench.rls.difference", bench.difference, kRlsDifference);
+  figures.add("bench.rls.allocations", static_cast<double>(bench.allocations), 0.0);
+}
+
 int bench(BenchOptions o) {
   std::error_code refused;
   std::filesystem::create_directories(o.out, refused);
@@ -139,6 +153,9 @@ int bench(BenchOptions o) {
   if (wanted("control")) {
     bench_control(outcome.figures);
   }
+  if (wanted("rls")) {
+    bench_rls(outcome.figures);
+  }
   if (const auto written = report::write_json(json_path, outcome); !written) {
     std::fprintf(stderr, "farrier bench: %s\n", written.error().message.c_str());
     return kFailed;
@@ -153,9 +170,9 @@ int bench(BenchOptions o) {
 std::function<int()> declare_bench(CLI::App& app) {
   auto o = std::make_shared<BenchOptions>();
   o->robot_path = shipped_robot("hyq.yaml");
-  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control")
+  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control, rls")
       ->delimiter(',')
-      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control"}).description(""))
+      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls"}).description(""))
       ->type_name("<names>")
       ->default_str("all");
   app.add_option("--robot", o->robot_path, "robot file of the lock-step runs")

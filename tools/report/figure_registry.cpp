@@ -52,6 +52,13 @@ constexpr std::array kSpecs{
     FigureSpec{"bench.riccati.relative_residual", "1", kAtMost, "Largest residual of the Riccati equation relative to its solution."},
     FigureSpec{"bench.control.step_ns", "ns", kNone, "Time of one step of the force controller."},
     FigureSpec{"bench.control.allocations", "1", kAtMost, "Allocations made by the steps of the force controller."},
+    FigureSpec{"bench.rls.ns_per_update", "ns", kNone, "Time of one sample of recursive least squares: three measurements, four regressors."},
+    FigureSpec{"bench.rls.ns_per_update_bias", "ns", kNone, "The same with five regressors."},
+    FigureSpec{"bench.rls.textbook_ns_per_update", "ns", kNone,
+               "Time of one sample of the textbook's form: twelve parameters, 12 x 12 covariance."},
+    FigureSpec{"bench.rls.speedup", "1", kAtLeast, "The third over the first."},
+    FigureSpec{"bench.rls.difference", "1", kAtMost, "Largest difference of the first and the third's estimates, over the largest parameter."},
+    FigureSpec{"bench.rls.allocations", "1", kAtMost, "Allocations made by the samples."},
 };
 // clang-format on
 
