@@ -39,6 +39,8 @@ struct Joint {
   control::LqrWeights weights;
   control::Normalisation normalisation;
   double stiffness_Nm_rad, damping_Nms_rad;
+  double dither_percent = 0.0;  ///< of the valve's nominal current, added while tracking; 0: none
+  int dither_hold_ticks = 1;    ///< ticks the dither keeps its sign at least
 };
 
 struct Robot {
