@@ -31,9 +31,10 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
                                                                      participant::Participant& participant) {
   switch (member.number) {
     case participant::kSimBridge:
-      return sim_bridge::create_lockstep(robot, run.seed, run.trace_path, participant, run.ticks);
+      return sim_bridge::create_lockstep(robot, run.seed, run.trace_path, participant, run.ticks, run.load_changes);
     case participant::kEstimatorService: return estimator_service::create_application(robot, participant, run.ticks);
-    case participant::kSupervisor: return supervisor::create_application(robot, run.design, participant, run.ticks);
+    case participant::kSupervisor:
+      return supervisor::create_application(robot, run.design, participant, run.ticks, run.known_loads);
     case participant::kGaitSource: {
       auto gait = GaitSource::create(robot, run.seed, participant, run.ticks);
       if (!gait) {
