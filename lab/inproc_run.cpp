@@ -7,6 +7,7 @@
 #include "joint_node/joint_node_lockstep.hpp"
 #include "lab/gait_source.hpp"
 #include "lab/run_monitor.hpp"
+#include "robot/keys.hpp"
 #include "sim_bridge/sim_bridge_lockstep.hpp"
 #include "supervisor/ports.hpp"
 
@@ -74,6 +75,13 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   if (!monitor) {
     return monitor.error();
   }
+  auto issued = bus::Subscription<signals::JointControllerGains>::create(
+      *gait.bus, participant::endpoint_of(gait.participant->identity(), bus::TopicId::kJointControllerGains,
+                                          robot::joint_names(robot)));
+  if (!issued) {
+    return issued.error();
+  }
+  InprocResult result;
   const auto& source = static_cast<const GaitSource&>(*gait.application);
   int idle_polls = 0;
   Tick last = kNoTick;
@@ -82,6 +90,11 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     for (Seat& seat : seats) {
       seat.application->poll(now);
     }
+    issued.value().drain([&](const signals::JointControllerGains& gains) {
+      if (gains.generation > 0) {  // else a probe of the greeting
+        result.gains.push_back(gains);
+      }
+    });
     idle_polls = source.tick() == last ? idle_polls + 1 : 0;
     if (idle_polls > kStandstill) {
       return Error{"the run stands still: " + seats[participant::kSimBridge].application->waits_for()};
@@ -92,7 +105,10 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     last = source.tick();
   }
   monitor.value().poll();
-  return InprocResult{gait.participant->hellos(), monitor.value().healths(), monitor.value().events()};
+  result.hellos = gait.participant->hellos();
+  result.healths = monitor.value().healths();
+  result.events = monitor.value().events();
+  return result;
 }
 
 }  // namespace farrier::lab

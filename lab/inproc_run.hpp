@@ -26,6 +26,7 @@ struct InprocResult {
   std::vector<signals::SystemHello> hellos;   ///< by participant
   std::vector<signals::SystemHealth> healths;
   std::vector<signals::SystemEvent> events;
+  std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued, in order
 };
 
 /// Refuses with the reason, also when the run stands still (a bug: nothing outside can hold it up).
