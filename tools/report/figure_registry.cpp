@@ -43,7 +43,7 @@ constexpr std::array kSpecs{
                "The same with gains designed for the true load of each quarter, switched exactly."},
     FigureSpec{"trot.fig7_8.true_load_dithered.<quarter>_nrmse", "1", kNone, "The same with the dither that the adaptive run has."},
     FigureSpec{"trot.fig7_8.light_ratio_<quarter>", "1", kAtMost, "Adaptive over true load, light quarters: the dither's cost is in it."},
-    FigureSpec{"trot.fig7_8.light_ratio_dithered_<quarter>", "1", kNone, "Adaptive over true load with the same dither, light quarters."},
+    FigureSpec{"trot.fig7_8.dithered_light_ratio_<quarter>", "1", kNone, "Adaptive over true load with the same dither, light quarters."},
     FigureSpec{"trot.fig7_8.updates", "1", kNone, "Gain updates of the adaptive run after its first gains."},
     // trot --experiment switching: what it is worth that gains change with the announced phase
     FigureSpec{"trot.switching.stepped_ratio", "1", kAtMost,

@@ -84,7 +84,7 @@ void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const
       const double error = error_of(*adaptive, plan, i);
       figures.add("trot.fig7_8.light_ratio_" + quarter_name(i), error / error_of(*true_load, plan, i),
                   kLightRatioAtMost);
-      figures.add("trot.fig7_8.light_ratio_dithered_" + quarter_name(i), error / error_of(*dithered, plan, i));
+      figures.add("trot.fig7_8.dithered_light_ratio_" + quarter_name(i), error / error_of(*dithered, plan, i));
     }
   }
   figures.add("trot.fig7_8.updates", static_cast<double>(updates_of(*adaptive)));
