@@ -2,7 +2,7 @@
 
 // The simulated robot: one hydraulic joint and bench load per joint of the robot file.
 //
-//   valve currents ──▶ HydraulicJoint (2.30a/b) ◀── load of the leg's actual phase, or of a load change; weight on the leg
+//   valve currents ──▶ HydraulicJoint (2.30a/b) ◀── load of the leg's actual phase or of a load change, weight on it
 //                            │ position, velocity, load-cell force
 //                            ▼
 //   sensors ◀── + noise (seeded by joint name, addressed by tick)

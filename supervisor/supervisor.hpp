@@ -15,7 +15,7 @@
 namespace farrier::supervisor {
 
 /// Which bench load the published gains are designed for: one load for both slots of a joint, or each slot its own.
-/// kAdaptive begins with the swing load in both.
+/// kAdaptive begins with the swing load in both, and stays there: nothing is redesigned yet.
 enum class Design { kStance, kSwing, kPhases, kAdaptive };
 
 /// "stance", "swing", "phases", "adaptive"; anything else counts as "stance".

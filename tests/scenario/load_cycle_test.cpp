@@ -7,7 +7,9 @@ namespace {
 
 constexpr double kShortQuarter_s = 0.4;  // the transient and as much again
 
-lab::LoadCycle cycle(double quarter_s = kShortQuarter_s) { return lab::make_load_cycle(load("fc1d"), quarter_s).value(); }
+lab::LoadCycle cycle(double quarter_s = kShortQuarter_s) {
+  return lab::make_load_cycle(load("fc1d"), quarter_s).value();
+}
 
 lab::InprocRun settings(const lab::LoadCycle& cycle) {
   lab::InprocRun run;

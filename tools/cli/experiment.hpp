@@ -9,9 +9,10 @@
 
 namespace farrier::cli {
 
-/// farrier trot --experiment fig7.8: Hubacher (2014), Section 7.5. A rig stands under a multisine while its load changes
-/// from 0.5 to 50 kg and back, a quarter of the run each, and nothing says so. Four runs in process with one seed: the
-/// first gains kept, adaptive gains, gains for the true load of each quarter without and with the adaptive run's dither.
+/// farrier trot --experiment fig7.8: Hubacher (2014), Section 7.5. A rig stands under a multisine while its load
+/// changes from 0.5 to 50 kg and back, a quarter of the run each, and nothing says so. Four runs in process with one
+/// seed: the first gains kept, adaptive gains, gains for the true load of each quarter without and with the adaptive
+/// run's dither.
 int run_load_cycle(const robot::Robot& rig, const TrotOptions& options);
 
 /// farrier trot --experiment switching: what changing gains at the announced phase is worth right after touchdown.

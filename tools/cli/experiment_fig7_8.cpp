@@ -1,6 +1,5 @@
 // farrier trot --experiment fig7.8
 
-#include <algorithm>
 #include <cstdio>
 
 #include "lab/load_cycle.hpp"
@@ -11,8 +10,8 @@
 namespace farrier::cli {
 namespace {
 
-/// Of the valve's nominal current, where the robot file asks for none: the cycle's reference alone excites nothing above
-/// 10 Hz.
+/// Of the valve's nominal current, where the robot file asks for none: the cycle's reference alone excites nothing
+/// above 10 Hz.
 constexpr double kDither_percent = 0.1;
 
 struct Case {
@@ -26,7 +25,8 @@ constexpr Case kCases[] = {
     {"fixed", "Gains fixed, designed for the light load", supervisor::Design::kSwing, false, false},
     {"adaptive", "Gains adaptive", supervisor::Design::kAdaptive, false, true},
     {"true_load", "Gains for the true load, switched exactly", supervisor::Design::kSwing, true, false},
-    {"true_load_dithered", "Gains for the true load, switched exactly, dithered", supervisor::Design::kSwing, true, true}};
+    {"true_load_dithered", "Gains for the true load, switched exactly, dithered", supervisor::Design::kSwing, true,
+     true}};
 
 robot::Robot with_dither(robot::Robot robot, bool dithers) {
   double& percent = robot.joints[0].dither_percent;

@@ -1,8 +1,10 @@
 // farrier trot --experiment switching
 
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "lab/switching.hpp"
 #include "robot/robot_builder.hpp"
@@ -93,7 +95,7 @@ void add_comparison(report::Figures& figures, const robot::Robot& robot, const C
 int run_switching(const robot::Robot& robot, const TrotOptions& options) {
   if (robot.plan.gait.pattern != gait::Pattern::kTrot ||
       robot.plan.gait.reference != gait::ReferenceKind::kLegKinematics) {
-    std::fprintf(stderr, "farrier trot: --experiment switching is about touchdowns: give a robot with legs that trots\n");
+    std::fputs("farrier trot: --experiment switching is about touchdowns: give a robot with legs that trots\n", stderr);
     return kBadInput;
   }
   const auto steps = with_load_transfer(robot, 0.0);
@@ -118,8 +120,8 @@ int run_switching(const robot::Robot& robot, const TrotOptions& options) {
   figures.add("trot.switching.touchdowns", std::min(stepped.value().on.touchdowns, ramped.value().on.touchdowns),
               kStridesAtLeast);
   figures.add("trot.switching.bump", std::max(stepped.value().bump, ramped.value().bump), kBumpAtMost);
-  const auto page = report::write_page(
-      options.out, report::page_head(robot.name + ": gains switched at touchdown", outcome) + report::page_foot(outcome));
+  const std::string head = report::page_head(robot.name + ": gains switched at touchdown", outcome);
+  const auto page = report::write_page(options.out, head + report::page_foot(outcome));
   if (!page) {
     return fail_experiment(page.error());
   }

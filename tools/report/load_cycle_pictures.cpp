@@ -139,7 +139,8 @@ std::string poles_plot(const LoadCycleRun& run, const LoadCyclePlan& plan) {
 }
 
 /// Poles of the models whose gains act at any time of the quarter; then, as a second block, of the true load.
-std::string quarter_poles(const std::vector<JointControllerGains>& gains, const LoadCyclePlan& plan, std::size_t quarter) {
+std::string quarter_poles(const std::vector<JointControllerGains>& gains, const LoadCyclePlan& plan,
+                          std::size_t quarter) {
   std::string lines;
   for (std::size_t i = 0; i < gains.size(); ++i) {
     const bool begins = gains[i].effective_tick < plan.begin[quarter + 1];
