@@ -10,6 +10,9 @@ using signals::JointState;
 using signals::Mode;
 using signals::Phase;
 
+constexpr double kPercent = 0.01;
+constexpr std::uint64_t kDitherSeed = 0;  // the controller's own: what it adds does not depend on the world's draws
+
 bool finite(const signals::JointSensors& s) noexcept {
   return std::isfinite(s.position_m_or_rad) && std::isfinite(s.velocity_m_s_or_rad_s) && std::isfinite(s.force_N_or_Nm);
 }
@@ -27,6 +30,8 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, std
       safety_(safety),
       session_(session),
       home_position_(joint.linkage.position(joint.home_angle_rad)),
+      dither_amplitude_A_(kPercent * joint.dither_percent * joint.actuator.valve_current_max_A),
+      dither_sign_(kDitherSeed, joint.name, "dither"),
       good_samples_(safety.recovery_samples) {
   faults_.set(Fault::kDisarmed);
   faults_.set(Fault::kNoGains);
@@ -139,17 +144,30 @@ double JointNode::force_reference(const Inputs& inputs, JointState state) noexce
   return reference;
 }
 
-double JointNode::valve_current(double reference, const control::Measurement& measured) noexcept {
+double JointNode::dither_A(Tick tick) const noexcept {
+  if (!(dither_amplitude_A_ > 0.0)) {
+    return 0.0;
+  }
+  constexpr double kEvenOdds = 0.5;
+  const bool positive = dither_sign_.uniform(tick / std::max(1, joint_.dither_hold_ticks)) < kEvenOdds;
+  return positive ? dither_amplitude_A_ : -dither_amplitude_A_;
+}
+
+// A change of gains is bumpless at what the last step saw, so that a reference that steps with the phase steps the
+// valve through the gains of the new phase.
+double JointNode::valve_current(double reference, const control::Measurement& measured, double probe_A) noexcept {
   const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
   const bool changed = slot.generation != controller_generation_ || phase_ != controller_phase_;
-  if (changed && controller_.set_gains(slot.gains, measured, reference)) {
+  if (changed && controller_.set_gains(slot.gains, last_measured_, last_reference_)) {
     controller_generation_ = slot.generation;
     controller_phase_ = phase_;
   }
   if (controller_generation_ == 0) {
     return 0.0;  // refused, for a measurement too large to add up: tried again next time
   }
-  const control::ForceController::Output output = controller_.step(reference, measured);
+  const control::ForceController::Output output = controller_.step(reference, measured, probe_A);
+  last_measured_ = measured;
+  last_reference_ = reference;
   // The controller limits to the scale its gains came with; the valve has the last word.
   const double limit_A = joint_.actuator.valve_current_max_A;
   const double current_A = std::clamp(output.valve_current_A, -limit_A, limit_A);
@@ -160,6 +178,8 @@ double JointNode::valve_current(double reference, const control::Measurement& me
 void JointNode::reset_controller() noexcept {
   controller_.reset();
   controller_generation_ = 0;
+  last_measured_ = {};
+  last_reference_ = 0.0;
   faults_.set(Fault::kReferenceClamped, false);
   faults_.set(Fault::kValveSaturated, false);
 }
@@ -178,7 +198,8 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
     const control::Measurement measured{inputs.sensors.position_m_or_rad - home_position_,
                                         inputs.sensors.velocity_m_s_or_rad_s, inputs.sensors.force_N_or_Nm};
     reference = force_reference(inputs, now);
-    current_A = valve_current(reference, measured);
+    const double probe_A = now == JointState::kTracking ? dither_A(inputs.tick) : 0.0;
+    current_A = valve_current(reference, measured, probe_A);
   }
 
   Outputs out;

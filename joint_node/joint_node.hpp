@@ -4,6 +4,7 @@
 //
 //   joint/command ──▶ tau_ref = tau_ff + k_p (q_ref − q) + k_d (q̇_ref − q̇) ──▶ F_ref = tau_ref / lever(q) ──▶ LQR-I ──▶ valve
 //   joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)
+//                                                          dither while tracking, added to what the controller asks for ──▲
 //   controller_gains ──▶ slot per phase, acts from its effective tick      gait/phase ──▶ which slot acts
 //
 // What it does when something is missing is the table in docs/architecture.md.
@@ -12,6 +13,7 @@
 
 #include "control/force_controller.hpp"
 #include "core/fault.hpp"
+#include "core/noise.hpp"
 #include "joint_node/upcoming.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
@@ -72,14 +74,19 @@ class JointNode {
   void assess(const Inputs& inputs) noexcept;
   signals::JointState state() const noexcept;
   double force_reference(const Inputs& inputs, signals::JointState state) noexcept;
-  double valve_current(double reference, const control::Measurement& measured) noexcept;
+  double dither_A(Tick tick) const noexcept;
+  double valve_current(double reference, const control::Measurement& measured, double probe_A) noexcept;
   void reset_controller() noexcept;
 
   robot::Joint joint_;
   robot::Safety safety_;
   std::uint64_t session_;
   double home_position_;  ///< m or rad
+  double dither_amplitude_A_;
+  NoiseStream dither_sign_;  ///< by tick / hold
   control::ForceController controller_;
+  control::Measurement last_measured_{};  ///< of the controller's last step
+  double last_reference_ = 0.0;           ///< of the controller's last step, N or Nm
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::generation, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
   std::array<Refusal, signals::kPhaseCount> refused_{};

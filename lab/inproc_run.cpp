@@ -7,6 +7,7 @@
 #include "joint_node/joint_node_lockstep.hpp"
 #include "lab/gait_source.hpp"
 #include "lab/run_monitor.hpp"
+#include "robot/keys.hpp"
 #include "sim_bridge/sim_bridge_lockstep.hpp"
 #include "supervisor/ports.hpp"
 
@@ -31,9 +32,10 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
                                                                      participant::Participant& participant) {
   switch (member.number) {
     case participant::kSimBridge:
-      return sim_bridge::create_lockstep(robot, run.seed, run.trace_path, participant, run.ticks);
+      return sim_bridge::create_lockstep(robot, run.seed, run.trace_path, participant, run.ticks, run.load_changes);
     case participant::kEstimatorService: return estimator_service::create_application(robot, participant, run.ticks);
-    case participant::kSupervisor: return supervisor::create_application(robot, run.design, participant, run.ticks);
+    case participant::kSupervisor:
+      return supervisor::create_application(robot, run.design, participant, run.ticks, run.known_loads);
     case participant::kGaitSource: {
       auto gait = GaitSource::create(robot, run.seed, participant, run.ticks);
       if (!gait) {
@@ -73,6 +75,13 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   if (!monitor) {
     return monitor.error();
   }
+  auto issued = bus::Subscription<signals::JointControllerGains>::create(
+      *gait.bus, participant::endpoint_of(gait.participant->identity(), bus::TopicId::kJointControllerGains,
+                                          robot::joint_names(robot)));
+  if (!issued) {
+    return issued.error();
+  }
+  InprocResult result;
   const auto& source = static_cast<const GaitSource&>(*gait.application);
   int idle_polls = 0;
   Tick last = kNoTick;
@@ -81,6 +90,11 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     for (Seat& seat : seats) {
       seat.application->poll(now);
     }
+    issued.value().drain([&](const signals::JointControllerGains& gains) {
+      if (gains.generation > 0) {  // else a probe of the greeting
+        result.gains.push_back(gains);
+      }
+    });
     idle_polls = source.tick() == last ? idle_polls + 1 : 0;
     if (source.tick() != last) {
       monitor.value().poll();
@@ -94,8 +108,11 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     last = source.tick();
   }
   monitor.value().poll();
-  return InprocResult{gait.participant->hellos(), monitor.value().healths(), monitor.value().events(),
-                      monitor.value().decisions()};
+  result.hellos = gait.participant->hellos();
+  result.healths = monitor.value().healths();
+  result.events = monitor.value().events();
+  result.decisions = monitor.value().decisions();
+  return result;
 }
 
 }  // namespace farrier::lab

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lab/run_plan.hpp"
+#include "robot/load_change.hpp"
 #include "supervisor/supervisor.hpp"
 
 namespace farrier::lab {
@@ -15,6 +16,8 @@ struct InprocRun {
   Tick ticks = 0;
   std::uint64_t seed = 1;
   supervisor::Design design = supervisor::Design::kStance;
+  std::vector<robot::LoadChange> load_changes;  ///< of the simulated world
+  std::vector<robot::LoadChange> known_loads;   ///< what the supervisor knows of them and designs for exactly
   std::string trace_path;                    ///< empty: none
   std::function<bool(Tick)> progress;        ///< called now and then; false ends the run early
 };
@@ -24,6 +27,7 @@ struct InprocResult {
   std::vector<signals::SystemHealth> healths;
   std::vector<signals::SystemEvent> events;
   std::vector<signals::JointUpdateDecision> decisions;
+  std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued, in order
 };
 
 /// Refuses with the reason, also when the run stands still (a bug: nothing outside can hold it up).

@@ -44,8 +44,9 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
 }
 
 Result<Parts> Parts::assemble(const robot::Robot& robot, std::uint64_t seed, const std::string& trace_path,
-                              participant::Participant& participant) {
-  auto world = SimWorld::create(robot, seed);
+                              participant::Participant& participant,
+                              std::vector<robot::LoadChange> load_changes) {
+  auto world = SimWorld::create(robot, seed, std::move(load_changes));
   if (!world) {
     return world.error();
   }

@@ -31,7 +31,8 @@ struct Parts {
   Ports ports;
 
   static Result<Parts> assemble(const robot::Robot& robot, std::uint64_t seed, const std::string& trace_path,
-                                participant::Participant& participant);
+                                participant::Participant& participant,
+                                std::vector<robot::LoadChange> load_changes = {});
 };
 
 }  // namespace farrier::sim_bridge

@@ -191,8 +191,9 @@ std::string SimBridgeLockstep::waits_for() const {
 
 Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::Robot& robot, std::uint64_t seed,
                                                                   const std::string& trace_path,
-                                                                  participant::Participant& participant, Tick ticks) {
-  auto parts = Parts::assemble(robot, seed, trace_path, participant);
+                                                                  participant::Participant& participant, Tick ticks,
+                                                                  std::vector<robot::LoadChange> load_changes) {
+  auto parts = Parts::assemble(robot, seed, trace_path, participant, std::move(load_changes));
   if (!parts) {
     return parts.error();
   }

@@ -2,18 +2,21 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "participant/application.hpp"
 #include "participant/participant.hpp"
+#include "robot/load_change.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::sim_bridge {
 
 /// The simulated robot in lock-step, and the lock-step clock itself: tick k + 1 begins only when every joint has
 /// answered tick k, every participant has finished it, and all it issued has arrived here.
-/// `trace_path` empty: no trace. `ticks` 0: until told to stop.
+/// `trace_path` empty: no trace. `ticks` 0: until told to stop. `load_changes` as SimWorld::create takes them.
 Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::Robot& robot, std::uint64_t seed,
                                                                   const std::string& trace_path,
-                                                                  participant::Participant& participant, Tick ticks);
+                                                                  participant::Participant& participant, Tick ticks,
+                                                                  std::vector<robot::LoadChange> load_changes = {});
 
 }  // namespace farrier::sim_bridge

@@ -7,7 +7,8 @@ namespace farrier::sim_bridge {
 SimWorld::SimWorld(const robot::Robot& robot, std::uint64_t seed)
     : plan_(robot.plan), schedule_(robot.plan, seed), reference_(robot.plan) {}
 
-Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed) {
+Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed,
+                                  std::vector<robot::LoadChange> load_changes) {
   SimWorld world(robot, seed);
   for (const robot::Joint& joint : robot.joints) {
     const double home = joint.linkage.position(joint.home_angle_rad);
@@ -18,20 +19,43 @@ Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed)
     }
     world.joints_.push_back({joint, std::move(plant).value(), NoiseStream(seed, joint.name, "position"),
                              NoiseStream(seed, joint.name, "velocity"), NoiseStream(seed, joint.name, "force"),
-                             gait::Phase::kStance, 0.0});
+                             gait::Phase::kStance, 0.0, false});
   }
+  for (const robot::LoadChange& change : load_changes) {
+    if (change.joint >= world.joints_.size()) {
+      return Error{"a load change of joint " + std::to_string(change.joint) + ": " + robot.name + " has " +
+                   std::to_string(world.joints_.size()) + " joints"};
+    }
+    plant::HydraulicJoint trial = world.joints_[change.joint].plant;
+    if (!trial.set_load(change.load)) {
+      return Error{robot.joints[change.joint].name + ": cannot carry a load of " + std::to_string(change.load.mass) +
+                   " from tick " + std::to_string(change.tick) + " on"};
+    }
+  }
+  std::ranges::stable_sort(load_changes, {}, &robot::LoadChange::tick);
+  world.load_changes_ = std::move(load_changes);
   world.apply_loads();
   return world;
 }
 
+void SimWorld::apply_load_changes() noexcept {
+  for (; next_load_change_ < load_changes_.size() && load_changes_[next_load_change_].tick <= tick_;
+       ++next_load_change_) {
+    const robot::LoadChange& change = load_changes_[next_load_change_];
+    joints_[change.joint].plant.set_load(change.load);
+    joints_[change.joint].load_ruled = true;
+  }
+}
+
 void SimWorld::apply_loads() noexcept {
+  apply_load_changes();
   for (Joint& joint : joints_) {
     const int leg = joint.parameters.leg;
     const gait::Phase phase = schedule_.actual_phase(leg, tick_);
-    if (phase != joint.load_phase) {
+    if (phase != joint.load_phase && !joint.load_ruled) {
       joint.plant.set_load(phase == gait::Phase::kStance ? joint.parameters.stance_load : joint.parameters.swing_load);
-      joint.load_phase = phase;
     }
+    joint.load_phase = phase;
     joint.external_force = 0.0;
   }
   // The ground pushes each leg up with its share of the weight: tau = J^T f at the leg's actual pose.

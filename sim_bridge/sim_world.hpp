@@ -2,7 +2,7 @@
 
 // The simulated robot: one hydraulic joint and bench load per joint of the robot file.
 //
-//   valve currents ──▶ HydraulicJoint (2.30a/b) ◀── load of the leg's actual phase, weight on the leg
+//   valve currents ──▶ HydraulicJoint (2.30a/b) ◀── load of the leg's actual phase or of a load change, weight on it
 //                            │ position, velocity, load-cell force
 //                            ▼
 //   sensors ◀── + noise (seeded by joint name, addressed by tick)
@@ -15,6 +15,7 @@
 #include "gait/schedule.hpp"
 #include "plant/hydraulic_joint.hpp"
 #include "record/trace.hpp"
+#include "robot/load_change.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
 
@@ -23,8 +24,11 @@ namespace farrier::sim_bridge {
 /// What sim_bridge simulates. The same robot, seed and valve currents give the same numbers bit for bit.
 class SimWorld {
  public:
-  /// Every joint at rest at its home pose. Refuses a robot whose joints cannot be simulated, naming the joint.
-  static Result<SimWorld> create(const robot::Robot& robot, std::uint64_t seed);
+  /// Every joint at rest at its home pose. A joint with `load_changes` (any order; of two at one tick the later in the
+  /// list) has the load of its actual phase until the first and that of the newest from then on. Refuses a robot whose
+  /// joints cannot be simulated, and loads no joint can carry, naming the joint.
+  static Result<SimWorld> create(const robot::Robot& robot, std::uint64_t seed,
+                                 std::vector<robot::LoadChange> load_changes = {});
 
   /// Noisy sensors of one joint at the present tick.
   signals::JointSensors sample(std::size_t joint) const noexcept;
@@ -50,15 +54,19 @@ class SimWorld {
     NoiseStream force_noise;
     gait::Phase load_phase;
     double external_force;
+    bool load_ruled;  ///< by a load change
   };
 
   SimWorld(const robot::Robot& robot, std::uint64_t seed);
   void apply_loads() noexcept;
+  void apply_load_changes() noexcept;
 
   gait::RobotPlan plan_;
   gait::Schedule schedule_;
   gait::Reference reference_;
   std::vector<Joint> joints_;
+  std::vector<robot::LoadChange> load_changes_;  // in the order of their ticks
+  std::size_t next_load_change_ = 0;
   plant::StepReport worst_;
   Tick tick_ = 0;
 };

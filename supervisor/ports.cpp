@@ -127,10 +127,11 @@ std::string SupervisorApplication::waits_for() const {
 
 Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot, Design design,
                                                                      participant::Participant& participant,
-                                                                     Tick ticks) {
+                                                                     Tick ticks,
+                                                                     std::vector<robot::LoadChange> known_loads) {
   const bool lockstep = participant.identity().clock == bus::ClockKind::kLockstep;
   auto supervisor = Supervisor::create(robot, design, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime,
-                                       participant.identity().session);
+                                       participant.identity().session, std::move(known_loads));
   if (!supervisor) {
     return supervisor.error();
   }

@@ -1,5 +1,8 @@
 #include "supervisor/supervisor.hpp"
 
+#include <algorithm>
+#include <array>
+
 #include "supervisor/joint_design.hpp"
 
 namespace farrier::supervisor {
@@ -37,45 +40,69 @@ Design parse_design(std::string_view name) noexcept {
   if (name == "swing") {
     return Design::kSwing;
   }
+  if (name == "adaptive") {
+    return Design::kAdaptive;
+  }
   return name == "phases" ? Design::kPhases : Design::kStance;
 }
 
 Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, int loop_delay_ticks,
-                                      std::uint64_t session) {
+                                      std::uint64_t session, std::vector<robot::LoadChange> known_loads) {
   constexpr std::uint32_t kFirstEpoch = 1;
-  Outputs first;
+  constexpr std::array kPhases{signals::Phase::kSwing, signals::Phase::kStance};
+  std::vector<std::uint32_t> generations(robot.joints.size(), 0);
+  std::vector<Batch> batches(1);
   for (const robot::Joint& joint : robot.joints) {
-    std::uint32_t generation = 0;
-    for (const signals::Phase phase : {signals::Phase::kSwing, signals::Phase::kStance}) {
+    for (const signals::Phase phase : kPhases) {
       const bool for_stance = design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
       const auto gains = design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, robot.period_s,
                                       loop_delay_ticks);
       if (!gains) {
         return gains.error();
       }
-      first.gains.push_back(pack_gains(joint.number, phase, kFirstEpoch, ++generation, gains.value()));
+      batches[0].outputs.gains.push_back(
+          pack_gains(joint.number, phase, kFirstEpoch, ++generations[joint.number], gains.value()));
     }
   }
   signals::SystemMode armed;
   armed.epoch = kFirstEpoch;
   armed.session = session;
   armed.mode = static_cast<std::uint8_t>(signals::Mode::kArmed);
-  first.modes.push_back(armed);
-  return Supervisor(std::move(first));
+  batches[0].outputs.modes.push_back(armed);
+
+  std::ranges::stable_sort(known_loads, {}, &robot::LoadChange::tick);
+  for (const robot::LoadChange& known : known_loads) {
+    if (known.joint >= robot.joints.size()) {
+      return Error{"a known load of joint " + std::to_string(known.joint) + ", which " + robot.name + " does not have"};
+    }
+    const auto gains = design_joint(robot.joints[known.joint], known.load, robot.period_s, loop_delay_ticks);
+    if (!gains) {
+      return gains.error();
+    }
+    const Tick issue_tick = known.tick - kLeadTicks;
+    if (batches.size() == 1 || batches.back().tick != issue_tick) {
+      batches.push_back({issue_tick, {}});
+    }
+    for (const signals::Phase phase : kPhases) {
+      batches.back().outputs.gains.push_back(
+          pack_gains(known.joint, phase, kFirstEpoch, ++generations[known.joint], gains.value()));
+    }
+  }
+  return Supervisor(std::move(batches));
 }
 
 const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
-  if (issued_) {
+  if (next_batch_ == batches_.size() || (next_batch_ > 0 && batches_[next_batch_].tick > tick)) {
     return nothing_;
   }
-  issued_ = true;
-  for (signals::JointControllerGains& gains : first_.gains) {
+  Outputs& due = batches_[next_batch_++].outputs;
+  for (signals::JointControllerGains& gains : due.gains) {
     gains.effective_tick = tick + kLeadTicks;
   }
-  for (signals::SystemMode& mode : first_.modes) {
+  for (signals::SystemMode& mode : due.modes) {
     mode.effective_tick = tick + kLeadTicks;
   }
-  return first_;
+  return due;
 }
 
 void Supervisor::take(const signals::JointModelEstimate&) noexcept { ++estimates_; }

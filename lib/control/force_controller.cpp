@@ -51,7 +51,7 @@ bool ForceController::set_gains(const Gains& gains, const Measurement& now, doub
     const Output output = contributions(gains, force_reference, now);
     const double others = total(output) - output.integral_part_A;
     const double per_sum = gains.normalisation.current_A * gains.integral_factor * gains.integral;
-    const double sum = (past_currents_A_[0] - others) / per_sum;
+    const double sum = (command_A_ - others) / per_sum;
     if (!std::isfinite(sum)) {
       return false;
     }
@@ -62,18 +62,22 @@ bool ForceController::set_gains(const Gains& gains, const Measurement& now, doub
   return true;
 }
 
-ForceController::Output ForceController::step(double force_reference, const Measurement& measurement) noexcept {
+ForceController::Output ForceController::step(double force_reference, const Measurement& measurement,
+                                               double probe_A) noexcept {
+  command_A_ = 0.0;
   if (!has_gains_ || !is_finite(measurement) || !std::isfinite(force_reference)) {
     remember(0.0);
     return {};
   }
   Output output = contributions(gains_, force_reference, measurement);
-  const double wanted = total(output);
+  const double command = total(output);
+  const double wanted = command + probe_A;
   if (!std::isfinite(wanted)) {
     remember(0.0);
     return {};
   }
   const double limit = gains_.normalisation.current_A;
+  command_A_ = std::clamp(command, -limit, limit);
   output.valve_current_A = std::clamp(wanted, -limit, limit);
   output.saturated = output.valve_current_A != wanted;
   // xi[k+1] = xi[k] + (r - F), unless that winds up
@@ -90,6 +94,7 @@ ForceController::Output ForceController::step(double force_reference, const Meas
 void ForceController::reset() noexcept {
   sum_ = 0.0;
   past_currents_A_ = {};
+  command_A_ = 0.0;
   has_run_ = false;
 }
 

@@ -22,9 +22,9 @@ struct Measurement {
 class ForceController {
  public:
   struct Output {
-    double valve_current_A;  ///< within +-current_A of the normalisation
+    double valve_current_A;  ///< within +-current_A of the normalisation, the probe included
     bool saturated;
-    // Contributions before saturation, A; the delay part is what the past inputs take back.
+    // Contributions before saturation and probe, A; the delay part is what the past inputs take back.
     double position_part_A;
     double velocity_part_A;
     double force_part_A;
@@ -33,13 +33,16 @@ class ForceController {
     double delay_part_A;
   };
 
-  /// Changes gains without a bump: the sum is set so that at this measurement and reference the next step repeats
-  /// the last valve current. The first gains after construction or reset start with an empty sum. Gains, reference
+  /// Changes gains without a bump: the sum is set so that at this measurement and reference the next step, its probe
+  /// apart, repeats the command of the last step, its probe apart. Give what the last step was given, and whatever has
+  /// changed since then passes through the new gains; give what the next step will get, and that change is lost.
+  /// The first gains after construction or reset start with an empty sum. Gains, reference
   /// or measurement that are not finite, and gains without integral action, are refused: false, the old ones stay.
   bool set_gains(const Gains& gains, const Measurement& now, double force_reference) noexcept;
 
-  /// force_reference in N.
-  Output step(double force_reference, const Measurement& measurement) noexcept;
+  /// force_reference in N. probe_A is added to the command before it is limited (dither, to identify by); delay
+  /// compensation takes it into account like any current that went to the valve.
+  Output step(double force_reference, const Measurement& measurement, double probe_A = 0.0) noexcept;
 
   /// Empties the sum and forgets past currents; the gains stay.
   void reset() noexcept;
@@ -55,6 +58,7 @@ class ForceController {
   bool has_gains_ = false;
   bool has_run_ = false;
   double sum_ = 0.0;
+  double command_A_ = 0.0;  // of the last step, limited, without the probe
   std::array<double, kMaxDelayTicks> past_currents_A_{};  // newest first
 };
 

@@ -5,6 +5,7 @@ farrier_test(control_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control_lqr_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_delay_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_force_controller_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_probe_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_tracking_test.cpp)
 target_link_libraries(control_test PRIVATE farrier_control)
 

@@ -42,8 +42,10 @@ inline signals::SystemMode mode_of(signals::Mode mode, std::uint32_t epoch, Tick
 
 class Bench {
  public:
-  explicit Bench(const std::string& name = "lf_kfe")
-      : joint(joint_named(name)), node(joint, hyq().safety, kSession) {
+  explicit Bench(const std::string& name = "lf_kfe") : Bench(joint_named(name)) {}
+
+  /// `of` must live as long as the bench.
+  explicit Bench(const robot::Joint& of) : joint(of), node(joint, hyq().safety, kSession) {
     inputs.sensors.joint = inputs.command.joint = joint.number;
     inputs.sensors.position_m_or_rad = joint.linkage.position(joint.home_angle_rad);
     inputs.command.position_rad = joint.home_angle_rad;
@@ -52,8 +54,9 @@ class Bench {
   }
 
   /// Armed, with stance and swing gains of generations 1 and 2, acting from tick 0.
-  static Bench tracking(const std::string& name = "lf_kfe") {
-    Bench bench(name);
+  static Bench tracking(const std::string& name = "lf_kfe") { return tracking(joint_named(name)); }
+  static Bench tracking(const robot::Joint& of) {
+    Bench bench(of);
     bench.node.set_mode(mode_of(signals::Mode::kArmed, 1));
     bench.offer(gains_of(bench.joint, signals::Phase::kSwing, 1));
     bench.offer(gains_of(bench.joint, signals::Phase::kStance, 2));

@@ -1,6 +1,7 @@
 farrier_test(joint_node_test unit
   ${CMAKE_CURRENT_LIST_DIR}/gains_decoding_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_arming_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_dither_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_fault_events_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_missing_test.cpp
@@ -13,6 +14,8 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/estimator_service_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_contact_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/sim_world_load_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/supervisor_known_loads_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(nodes_test PRIVATE farrier_estimator_service_core farrier_sim_bridge_core

@@ -89,6 +89,14 @@ TEST(FigureRegistry, PlaceholdersYieldTheNamesTheyStandFor) {
   EXPECT_EQ(*names, (std::vector<std::string_view>{"joint_node_lf", "joint_sensors"}));
 }
 
+TEST(FigureRegistry, PlaceholdersMayBePartOfAPart) {
+  using Names = std::vector<std::string_view>;
+  EXPECT_EQ(match("trot.<quarter>_nrmse", "trot.quarter2_nrmse"), Names{"quarter2"});
+  EXPECT_EQ(match("trot.ratio_<quarter>", "trot.ratio_quarter2"), Names{"quarter2"});
+  EXPECT_FALSE(match("trot.<quarter>_nrmse", "trot.quarter2_ratio"));
+  EXPECT_FALSE(match("trot.<quarter>_nrmse", "trot._nrmse")) << "a placeholder stands for something";
+}
+
 TEST(FigureRegistry, TheTableListsEveryPatternOnceWithItsSentence) {
   const std::string table = figures_table_markdown();
   for (const FigureSpec& spec : figure_specs()) {

@@ -12,6 +12,7 @@
 #include "robot/keys.hpp"
 #include "supervisor/joint_design.hpp"
 #include "tools/cli/command.hpp"
+#include "tools/cli/experiment.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/trot_options.hpp"
@@ -180,14 +181,17 @@ int trot(TrotOptions o) {
     std::fputs(missing.c_str(), stderr);
     return kBadInput;
   }
-  const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
-  for (const std::string& path : {o.trace_path, json_path}) {
+  o.json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  for (const std::string& path : {o.trace_path, o.json_path}) {
     if (auto way = make_way(path); !way) {
       std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
       return kBadInput;
     }
   }
 
+  if (o.experiment != Experiment::kNone) {
+    return o.experiment == Experiment::kLoadCycle ? run_load_cycle(robot, o) : run_switching(robot, o);
+  }
   auto ran = run_once(robot, o);
   if (!ran) {
     return fail(ran.error());
@@ -227,7 +231,7 @@ int trot(TrotOptions o) {
   if (auto beside = add_swing_design(robot, o, outcome.figures); !beside) {
     return fail(beside.error());
   }
-  if (auto written = report::write_json(json_path, outcome); !written) {
+  if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail(written.error());
   }
   const gait::Schedule schedule(robot.plan, o.seed);
@@ -236,7 +240,7 @@ int trot(TrotOptions o) {
     return fail(page.error());
   }
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
-  std::printf("report: %s\nfigures: %s\ntrace: %s\n", page.value().c_str(), json_path.c_str(), o.trace_path.c_str());
+  std::printf("report: %s\nfigures: %s\ntrace: %s\n", page.value().c_str(), o.json_path.c_str(), o.trace_path.c_str());
   return outcome.passes() ? kPassed : kFailed;
 }
 

@@ -17,6 +17,8 @@ const std::map<std::string, lab::Grouping> kNodes{{"per-leg", lab::Grouping::kPe
                                                   {"per-joint", lab::Grouping::kPerJoint},
                                                   {"one", lab::Grouping::kOne}};
 const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "stand"}};
+const std::map<std::string, Experiment> kExperiments{{"fig7.8", Experiment::kLoadCycle},
+                                                     {"switching", Experiment::kSwitching}};
 
 }  // namespace
 
@@ -45,6 +47,9 @@ void declare(CLI::App& app, TrotOptions& o) {
   app.add_option("--out", o.out, "directory for the report, the trace and the logs")->type_name("<dir>")->capture_default_str();
   app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
   app.add_option("--json", o.json_path, "where the figures go")->type_name("<file>")->default_str("figures.json in --out");
+  add_choice(app, "--experiment", o.experiment, kExperiments, "fig7.8|switching",
+             "instead of one run, in process: fig7.8, a rig (fc1d.yaml) whose load changes unannounced; switching, what "
+             "it is worth that gains change at touchdown");
   app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
 }
 

@@ -7,6 +7,9 @@
 
 namespace farrier::cli {
 
+/// Runs of their own that `farrier trot` makes instead of one of the gait.
+enum class Experiment { kNone, kLoadCycle, kSwitching };
+
 /// What the command line of `farrier trot` says.
 struct TrotOptions {
   std::string robot_path;
@@ -21,6 +24,7 @@ struct TrotOptions {
   std::string trace_path;   ///< empty: trace.csv in `out`
   std::string json_path;    ///< empty: figures.json in `out`
   bool print_config = false;
+  Experiment experiment = Experiment::kNone;
 };
 
 void declare(CLI::App& app, TrotOptions& options);

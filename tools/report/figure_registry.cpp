@@ -35,6 +35,28 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.packets.<process>.<topic>.received", "1", kNone, "Samples of a topic that a process received."},
     FigureSpec{"trot.lost_samples", "1", kAtMost, "Samples that any process knows it lost, all topics."},
 
+    // trot --experiment fig7.8: Hubacher (2014), Section 7.5; quarters are named quarter1 to quarter4
+    FigureSpec{"trot.fig7_8.fixed.<quarter>_nrmse", "1", kAtLeast,
+               "RMS force error over RMS reference, from 0.2 s after the load's change to the quarter's end: gains fixed, designed for the light load."},
+    FigureSpec{"trot.fig7_8.adaptive.<quarter>_nrmse", "1", kAtMost, "The same with adaptive gains."},
+    FigureSpec{"trot.fig7_8.true_load.<quarter>_nrmse", "1", kNone,
+               "The same with gains designed for the true load of each quarter, switched exactly."},
+    FigureSpec{"trot.fig7_8.true_load_dithered.<quarter>_nrmse", "1", kNone, "The same with the dither that the adaptive run has."},
+    FigureSpec{"trot.fig7_8.light_ratio_<quarter>", "1", kAtMost, "Adaptive over true load, light quarters: the dither's cost is in it."},
+    FigureSpec{"trot.fig7_8.dithered_light_ratio_<quarter>", "1", kNone, "Adaptive over true load with the same dither, light quarters."},
+    FigureSpec{"trot.fig7_8.updates", "1", kNone, "Gain updates of the adaptive run after its first gains."},
+    // trot --experiment switching: what it is worth that gains change with the announced phase
+    FigureSpec{"trot.switching.stepped_ratio", "1", kAtMost,
+               "Integrated force error over 30 ms after actual touchdowns, hips and knees, gains switched with the phase over swing gains in both phases; reference and weight step at touchdown."},
+    FigureSpec{"trot.switching.ramped_ratio", "1", kNone, "The same with the load transfer of the robot file."},
+    FigureSpec{"trot.switching.stepped_to_stance_ratio", "1", kNone, "As stepped_ratio, over stance gains in both phases."},
+    FigureSpec{"trot.switching.ramped_to_stance_ratio", "1", kNone, "As ramped_ratio, over stance gains in both phases."},
+    FigureSpec{"trot.switching.touchdowns", "1", kAtLeast, "Touchdowns of every leg that were judged."},
+    FigureSpec{"trot.switching.bump", "1", kAtMost,
+               "Largest jump of the valve command at a gain switch at unchanged reference and measurement, over the valve's nominal current."},
+    FigureSpec{"trot.<joint>.switching_stepped_ratio", "1", kNone, "trot.switching.stepped_ratio of one joint."},
+    FigureSpec{"trot.<joint>.switching_ramped_ratio", "1", kNone, "trot.switching.ramped_ratio of one joint."},
+
     FigureSpec{"bench.lockstep.<vendor>.ticks_per_s", "1/s", kNone, "Ticks per second of a robot in lock-step over this vendor."},
     FigureSpec{"bench.lockstep.<vendor>.bare_ticks_per_s", "1/s", kNone,
                "Ticks per second of the bare vendor: the same samples between the same processes, nothing computed."},
@@ -70,6 +92,21 @@ std::string_view next_part(std::string_view& rest) noexcept {
   return part;
 }
 
+// What the angle brackets stand for in one part: <joint>, light_<quarter>, <quarter>_nrmse; never nothing.
+std::optional<std::string_view> placeholder(std::string_view wanted, std::string_view given) noexcept {
+  const std::size_t open = wanted.find('<');
+  const std::size_t close = wanted.find('>');
+  if (open == std::string_view::npos || close == std::string_view::npos) {
+    return std::nullopt;
+  }
+  const std::string_view before = wanted.substr(0, open);
+  const std::string_view after = wanted.substr(close + 1);
+  if (given.size() <= before.size() + after.size() || !given.starts_with(before) || !given.ends_with(after)) {
+    return std::nullopt;
+  }
+  return given.substr(before.size(), given.size() - before.size() - after.size());
+}
+
 }  // namespace
 
 std::span<const FigureSpec> figure_specs() noexcept { return kSpecs; }
@@ -79,8 +116,8 @@ std::optional<std::vector<std::string_view>> match(std::string_view pattern, std
   while (!pattern.empty() && !name.empty()) {
     const std::string_view wanted = next_part(pattern);
     const std::string_view given = next_part(name);
-    if (wanted.starts_with('<') && !given.empty()) {
-      names.push_back(given);
+    if (const auto stands_for = placeholder(wanted, given)) {
+      names.push_back(*stands_for);
     } else if (wanted != given) {
       return std::nullopt;
     }

@@ -24,7 +24,7 @@ const char* to_string(Relation relation) noexcept;
 
 /// Declaration of a figure, or of a family of them.
 struct FigureSpec {
-  const char* pattern;   ///< dotted name; a part in angle brackets, as in trot.<joint>.travel_rad, stands for one name
+  const char* pattern;   ///< dotted name; angle brackets in a part, as in trot.<joint>.travel_rad, stand for one name
   const char* unit;      ///< "1" for ratios and counts
   Relation relation;     ///< a figure with a relation may be given a bound; one without never has one
   const char* sentence;  ///< what it is

@@ -22,7 +22,29 @@ std::string text_of_file(const std::string& path) {
   return text.str();
 }
 
+constexpr const char* kScript = "data/pictures.gp";
+
 }  // namespace
+
+Result<Done> make_picture_folders(const std::string& out_dir) {
+  for (const char* folder : {"/data", "/pictures"}) {
+    std::error_code failure;
+    std::filesystem::create_directories(out_dir + folder, failure);
+    if (failure) {
+      return Error{"cannot make the folder " + out_dir + folder + ": " + failure.message()};
+    }
+  }
+  return Done{};
+}
+
+Result<Done> draw(const std::string& out_dir, const std::string& script) {
+  std::ofstream file(out_dir + "/" + kScript);
+  file << script << std::flush;
+  if (!file) {
+    return Error{"cannot write " + out_dir + "/" + kScript + ": " + std::strerror(errno)};
+  }
+  return run_gnuplot(out_dir, kScript);
+}
 
 Result<Done> run_gnuplot(const std::string& directory, const std::string& script) {
   const std::string log = (std::filesystem::absolute(directory) / (script + ".log")).string();

@@ -1,11 +1,7 @@
 #include "tools/report/pictures.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include "tools/report/gnuplot.hpp"
 #include "tools/report/joint_poles.hpp"
@@ -15,20 +11,6 @@
 
 namespace farrier::report {
 namespace {
-
-constexpr const char* kScript = "data/pictures.gp";
-
-// Every picture starts from here. Colours of Okabe and Ito (2008), which most colour-blind people can tell apart.
-constexpr const char* kStart = R"(reset
-set encoding utf8
-set style line 1 lc rgb "#000000" lw 1.2
-set style line 2 lc rgb "#0072b2" lw 1.2
-set style line 3 lc rgb "#d55e00" lw 1
-set style line 9 lc rgb "#d8dde1" lw 0.5
-set border 3 lc rgb "#667078"
-set tics nomirror out scale 0.5 textcolor rgb "#333333"
-set grid xtics ytics ls 9
-)";
 
 // Panels lie one above the other and share their x axis; the legend stands above both.
 constexpr const char* kTrackingLayout =
@@ -61,7 +43,7 @@ std::string quantity(const Rating& rating) { return rating.rotary ? "torque / Nm
 
 std::string tracking_plot(const JointPictures& paths, const std::string& data, const JointPictureData& content,
                           const Rating& rating) {
-  std::string script = std::string(kStart) + kTrackingLayout;
+  std::string script = std::string(kPictureStart) + kTrackingLayout;
   script += "set output '" + paths.tracking + "'\nset multiplot\n";
   script += x_range(content.window_start_s, content.window_end_s);
   for (const auto& [from, to] : content.stance_s) {
@@ -83,7 +65,7 @@ std::string tracking_plot(const JointPictures& paths, const std::string& data, c
 
 std::string overview_plot(const JointPictures& paths, const std::string& data, const JointPictureData& content,
                           const Rating& rating) {
-  std::string script = std::string(kStart) + kOverviewLayout;
+  std::string script = std::string(kPictureStart) + kOverviewLayout;
   script += "set output '" + paths.overview + "'\n" + x_range(0.0, content.run_end_s);
   script += "set ylabel '" + quantity(rating) + "'\n";
   script += "set object rectangle from " + number(content.window_start_s) + ", graph 0 to " +
@@ -114,7 +96,7 @@ std::string datablock(const char* name, const control::ClosedLoopPoles& poles, d
 std::string poles_plot(const JointPictures& paths, const JointPoles& poles) {
   constexpr double kRoom = 1.12;
   double largest = 1.0;
-  std::string script = kStart + datablock("own", poles.stance_on_stance, largest) +
+  std::string script = kPictureStart + datablock("own", poles.stance_on_stance, largest) +
                        datablock("lifted", poles.stance_on_swing, largest) +
                        datablock("landed", poles.swing_on_stance, largest) + kPolesLayout;
   const std::string range = "[" + number(-kRoom * largest) + ":" + number(kRoom * largest) + "]\n";
@@ -132,23 +114,12 @@ std::string poles_plot(const JointPictures& paths, const JointPoles& poles) {
   return script;
 }
 
-Result<Done> make_folders(const std::string& out_dir) {
-  for (const char* folder : {"/data", "/pictures"}) {
-    std::error_code failure;
-    std::filesystem::create_directories(out_dir + folder, failure);
-    if (failure) {
-      return Error{"cannot make the folder " + out_dir + folder + ": " + failure.message()};
-    }
-  }
-  return Done{};
-}
-
 }  // namespace
 
 Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, const robot::Robot& robot,
                                                  const gait::Schedule& schedule,
                                                  std::span<const record::TraceRow> rows, int loop_delay_ticks) {
-  if (auto made = make_folders(out_dir); !made) {
+  if (auto made = make_picture_folders(out_dir); !made) {
     return made.error();
   }
   const auto by_joint = rows_by_joint(robot, rows);
@@ -172,12 +143,7 @@ Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, con
     script += has_run ? overview_plot(pictures.back(), data, content.value(), rating) : "";
     script += poles_plot(pictures.back(), poles.value());
   }
-  std::ofstream file(out_dir + "/" + kScript);
-  file << script << std::flush;
-  if (!file) {
-    return Error{"cannot write " + out_dir + "/" + kScript + ": " + std::strerror(errno)};
-  }
-  if (auto drawn = run_gnuplot(out_dir, kScript); !drawn) {
+  if (auto drawn = draw(out_dir, script); !drawn) {
     return drawn.error();
   }
   return pictures;

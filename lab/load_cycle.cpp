@@ -1,0 +1,36 @@
+#include "lab/load_cycle.hpp"
+
+#include "lab/run_plan.hpp"
+#include "robot/robot_builder.hpp"
+
+namespace farrier::lab {
+
+Result<LoadCycle> make_load_cycle(const robot::Robot& rig, double quarter_s) {
+  robot::RobotFile file = rig.file;
+  if (rig.joints.size() != 1 || file.loads.size() != 1 || !file.loads[0].second.swing) {
+    return Error{rig.name + ": the load cycle of Fig. 7.6 is for a rig with one cylinder and its load, such as fc1d"};
+  }
+  robot::Load& load = file.loads[0].second;
+  load.swing->mass_kg = kLightMass_kg;
+  load.stance->mass_kg = kHeavyMass_kg;
+  file.gait.pattern = gait::Pattern::kStand;
+  auto built = robot::build_robot(std::move(file));
+  if (!built) {
+    return Error{config::to_string(built.error())};
+  }
+  LoadCycle cycle{.robot = std::move(built).value(), .loads = {}, .begin = {}, .changes = {}};
+  const robot::Joint& joint = cycle.robot.joints[0];
+  cycle.loads = {joint.swing_load, joint.stance_load, joint.swing_load, joint.stance_load};
+  cycle.loads.back().damping *= kFrictionFactor;
+  const Tick lead_in = ticks_of(cycle.robot.plan.gait.lead_in_s, cycle.robot);
+  const Tick quarter = ticks_of(quarter_s, cycle.robot);
+  for (std::size_t i = 0; i <= kQuarters; ++i) {
+    cycle.begin[i] = lead_in + static_cast<Tick>(i) * quarter;
+  }
+  for (std::size_t i = 0; i < kQuarters; ++i) {
+    cycle.changes.push_back({i == 0 ? 0 : cycle.begin[i], joint.number, cycle.loads[i]});
+  }
+  return cycle;
+}
+
+}  // namespace farrier::lab

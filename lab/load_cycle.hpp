@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/result.hpp"
+#include "robot/load_change.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::lab {
+
+inline constexpr std::size_t kQuarters = 4;
+inline constexpr double kQuarter_s = 1.0;            ///< Figs 7.7 and 7.8 are as long
+inline constexpr double kLightMass_kg = 0.5;         ///< quarters 1 and 3, and what the first controller is for
+inline constexpr double kHeavyMass_kg = 50.0;        ///< quarters 2 and 4
+inline constexpr double kFrictionFactor = 5.0;       ///< of the load's friction, quarter 4
+
+/// Hubacher (2014), Section 7.5 and Fig. 7.6: the load of a rig's joint changes by quarters of the run, and nothing
+/// tells so. Quarter n begins at begin[n - 1] and ends where the next begins; the lead-in before the first has the
+/// load of the first.
+struct LoadCycle {
+  robot::Robot robot;                             ///< stands; swing load light, stance load heavy
+  std::array<plant::LoadParams, kQuarters> loads;
+  std::array<Tick, kQuarters + 1> begin;          ///< the last is the end of the run
+  std::vector<robot::LoadChange> changes;         ///< of the world
+};
+
+/// The cycle on a robot with one joint. Refuses other robots, and a rig that cannot be built with these loads.
+Result<LoadCycle> make_load_cycle(const robot::Robot& rig, double quarter_s = kQuarter_s);
+
+}  // namespace farrier::lab

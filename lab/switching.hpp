@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "record/trace.hpp"
+#include "robot/robot.hpp"
+#include "signals/signals.hpp"
+
+namespace farrier::lab {
+
+inline constexpr double kTouchdownWindow_s = 0.030;
+
+/// Force errors right after touchdowns.
+struct TouchdownErrors {
+  std::vector<double> integral_Ns;  ///< by joint; Nms for a motor; 0 for joints that do not flex
+  int touchdowns = 0;               ///< of the leg that was judged least often
+};
+
+/// Integral of |F_ref - F| dt over kTouchdownWindow_s from each actual touchdown (where the simulated leg lands, not
+/// where it was announced) at or after `from`, hips and knees of every leg. A window the rows do not cover is left out.
+TouchdownErrors touchdown_errors(const robot::Robot& robot, std::span<const record::TraceRow> rows, Tick from);
+
+/// Largest jump of the valve command at a change of gains, reference and measurement unchanged, over the valve's
+/// nominal current. Found by replaying each joint's force controller on the trace with the gains that were issued;
+/// whenever other gains begin to act, a copy of the controller takes them and steps on what the last step saw. Dither
+/// is no part of the replay. NaN when the trace names gains that were not issued.
+double largest_bump(const robot::Robot& robot, std::span<const record::TraceRow> rows,
+                    std::span<const signals::JointControllerGains> gains);
+
+}  // namespace farrier::lab

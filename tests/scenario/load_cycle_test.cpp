@@ -1,0 +1,81 @@
+#include "lab/load_cycle.hpp"
+#include "scenario_run.hpp"
+#include "tools/report/load_cycle.hpp"
+
+namespace farrier::scenario {
+namespace {
+
+constexpr double kShortQuarter_s = 0.4;  // the transient and as much again
+
+lab::LoadCycle cycle(double quarter_s = kShortQuarter_s) {
+  return lab::make_load_cycle(load("fc1d"), quarter_s).value();
+}
+
+lab::InprocRun settings(const lab::LoadCycle& cycle) {
+  lab::InprocRun run;
+  run.ticks = cycle.begin.back();
+  run.design = supervisor::Design::kSwing;
+  run.load_changes = cycle.changes;
+  return run;
+}
+
+double quarter_error(const Outcome& outcome, const lab::LoadCycle& cycle, std::size_t quarter) {
+  const Tick transient = lab::ticks_of(report::kJudgedAfter_s, cycle.robot);
+  return report::relative_error(outcome.rows, cycle.begin[quarter] + transient, cycle.begin[quarter + 1]);
+}
+
+TEST(LoadCycle, IsThatOfFigure7_6) {
+  const lab::LoadCycle of_rig = cycle(lab::kQuarter_s);
+  const double friction = of_rig.robot.joints[0].swing_load.damping;
+  const double mass_kg[] = {0.5, 50.0, 0.5, 50.0};
+  const double frictions[] = {friction, friction, friction, 5.0 * friction};
+  for (std::size_t i = 0; i < lab::kQuarters; ++i) {
+    EXPECT_EQ(of_rig.loads[i].mass, mass_kg[i]);
+    EXPECT_EQ(of_rig.loads[i].damping, frictions[i]);
+    EXPECT_EQ(of_rig.begin[i + 1] - of_rig.begin[i], 1000);
+  }
+  EXPECT_EQ(of_rig.robot.plan.gait.pattern, gait::Pattern::kStand) << "nothing announces the change";
+  EXPECT_EQ(of_rig.robot.joints[0].swing_load.mass, 0.5) << "what the first design is for";
+}
+
+TEST(LoadCycle, RefusesARobotWithLegs) { EXPECT_FALSE(lab::make_load_cycle(load("hyq"))); }
+
+TEST(LoadCycle, ChangesTheLoadAndWithPerfectKnowledgeTheGainsAtTheTickOfEveryQuarter) {
+  const lab::LoadCycle of_rig = cycle();
+  lab::InprocRun knowing = settings(of_rig);
+  knowing.known_loads = of_rig.changes;
+  const Outcome outcome = run(of_rig.robot, knowing);
+  std::vector<Tick> heavier_or_lighter, other_gains;
+  for (std::size_t i = 1; i < outcome.rows.size(); ++i) {
+    const record::TraceRow& before = outcome.rows[i - 1];
+    const record::TraceRow& now = outcome.rows[i];
+    if (now.load_mass_kg_or_kgm2 != before.load_mass_kg_or_kgm2) {
+      heavier_or_lighter.push_back(now.tick);
+    }
+    if (now.generation != before.generation && now.tick >= of_rig.begin[0]) {
+      other_gains.push_back(now.tick);
+    }
+    ASSERT_EQ(now.phase, static_cast<std::uint8_t>(signals::Phase::kStance));
+  }
+  const std::vector<Tick> begins(of_rig.begin.begin() + 1, of_rig.begin.end() - 1);
+  EXPECT_EQ(heavier_or_lighter, begins);
+  EXPECT_EQ(other_gains, begins);
+  EXPECT_EQ(outcome.result.gains.size(), 2u + 2u * lab::kQuarters) << "both slots, at the start and every quarter";
+}
+
+TEST(LoadCycle, IsLostWithGainsForTheLightLoadAndHeldWithGainsForTheTrueOne) {
+  const lab::LoadCycle of_rig = cycle(lab::kQuarter_s);
+  const Outcome fixed = run(of_rig.robot, settings(of_rig));
+  lab::InprocRun knowing = settings(of_rig);
+  knowing.known_loads = of_rig.changes;
+  const Outcome exact = run(of_rig.robot, knowing);
+  for (const std::size_t heavy : {1u, 3u}) {
+    EXPECT_GE(quarter_error(fixed, of_rig, heavy), report::kFixedAtLeast);
+  }
+  for (std::size_t quarter = 0; quarter < lab::kQuarters; ++quarter) {
+    EXPECT_LE(quarter_error(exact, of_rig, quarter), of_rig.robot.bounds.stance_nrmse) << quarter;
+  }
+}
+
+}  // namespace
+}  // namespace farrier::scenario

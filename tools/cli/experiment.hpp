@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "lab/inproc_run.hpp"
+#include "record/trace.hpp"
+#include "tools/cli/trot_options.hpp"
+#include "tools/report/outcome.hpp"
+
+namespace farrier::cli {
+
+/// farrier trot --experiment fig7.8: Hubacher (2014), Section 7.5. A rig stands under a multisine while its load
+/// changes from 0.5 to 50 kg and back, a quarter of the run each, and nothing says so. Four runs in process with one
+/// seed: the first gains kept, adaptive gains, gains for the true load of each quarter without and with the adaptive
+/// run's dither.
+int run_load_cycle(const robot::Robot& rig, const TrotOptions& options);
+
+/// farrier trot --experiment switching: what changing gains at the announced phase is worth right after touchdown.
+/// "On": each phase acts with its own gains, from the announced tick. "Off": the gains of the swing slot act in both
+/// phases. The designs for the true swing and stance load stand for adapted ones. Twice: with a reference and a weight
+/// that step at touchdown, and with the load transfer of the robot file.
+int run_switching(const robot::Robot& robot, const TrotOptions& options);
+
+/// A run in process, with what it wrote.
+struct ExperimentRun {
+  std::vector<record::TraceRow> rows;
+  lab::InprocResult result;
+};
+
+/// Runs with a bar called `title`; the trace goes to `trace_path`. Refuses what lab::run_inproc does, and when the user
+/// interrupts.
+Result<ExperimentRun> run_experiment(const robot::Robot& robot, lab::InprocRun run, const std::string& trace_path,
+                                     const std::string& title);
+
+/// Adds the run's errors to the failures.
+void add_failures(report::Outcome& outcome, const ExperimentRun& run, const std::string& title);
+
+/// Says why an experiment ended, and gives its exit status.
+int fail_experiment(const Error& error);
+
+/// Writes the figures, prints them, names the files; gives the exit status.
+int finish_experiment(const report::Outcome& outcome, const TrotOptions& options, const std::string& page);
+
+}  // namespace farrier::cli

@@ -1,0 +1,111 @@
+#include "tools/report/load_cycle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "tools/report/html_page.hpp"
+#include "tools/report/html_tables.hpp"
+#include "tools/report/load_cycle_pictures.hpp"
+#include "tools/report/text_format.hpp"
+
+namespace farrier::report {
+namespace {
+
+constexpr std::size_t kQuarters = 4;
+
+bool heavy(std::size_t quarter) { return quarter % 2 == 1; }
+
+std::string quarter_name(std::size_t quarter) { return "quarter" + std::to_string(quarter + 1); }
+
+double error_of(const LoadCycleRun& run, const LoadCyclePlan& plan, std::size_t quarter) {
+  const Tick transient = std::llround(kJudgedAfter_s / plan.robot.period_s);
+  return relative_error(run.rows, plan.begin[quarter] + transient, plan.begin[quarter + 1]);
+}
+
+const LoadCycleRun* find(std::span<const LoadCycleRun> runs, std::string_view name) {
+  const auto found = std::ranges::find(runs, name, &LoadCycleRun::name);
+  return found == runs.end() ? nullptr : &*found;
+}
+
+/// Ticks at which gains changed after the first did.
+std::size_t updates_of(const LoadCycleRun& run) {
+  std::set<Tick> ticks;
+  for (const signals::JointControllerGains& gains : run.gains) {
+    ticks.insert(gains.effective_tick);
+  }
+  return ticks.empty() ? 0 : ticks.size() - 1;
+}
+
+std::string load_table(const LoadCyclePlan& plan) {
+  std::string html = "<table><thead><tr><th>quarter</th><th>from</th><th>mass</th><th>friction</th></tr></thead>\n";
+  for (std::size_t i = 0; i < kQuarters; ++i) {
+    html += "<tr><td>" + std::to_string(i + 1) + "</td><td>" +
+            short_number(static_cast<double>(plan.begin[i]) * plan.robot.period_s) + " s</td><td>" +
+            short_number(plan.loads[i].mass) + " kg</td><td>" + short_number(plan.loads[i].damping) +
+            " Ns/m</td></tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+}  // namespace
+
+double relative_error(std::span<const record::TraceRow> rows, Tick from, Tick to) noexcept {
+  double errors = 0.0;
+  double references = 0.0;
+  for (const record::TraceRow& row : rows) {
+    if (row.tick >= from && row.tick < to) {
+      const double error = row.force_reference_N_or_Nm - row.force_N_or_Nm;
+      errors += error * error;
+      references += row.force_reference_N_or_Nm * row.force_reference_N_or_Nm;
+    }
+  }
+  return std::sqrt(errors / references);
+}
+
+void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const LoadCycleRun> runs) {
+  for (const LoadCycleRun& run : runs) {
+    for (std::size_t i = 0; i < kQuarters; ++i) {
+      std::optional<double> bound;
+      if (heavy(i) && (run.name == "fixed" || run.name == "adaptive")) {
+        bound = run.name == "fixed" ? kFixedAtLeast : kAdaptiveAtMost;
+      }
+      figures.add("trot.fig7_8." + run.name + "." + quarter_name(i) + "_nrmse", error_of(run, plan, i), bound);
+    }
+  }
+  const LoadCycleRun* adaptive = find(runs, "adaptive");
+  const LoadCycleRun* true_load = find(runs, "true_load");
+  const LoadCycleRun* dithered = find(runs, "true_load_dithered");
+  if (adaptive == nullptr || true_load == nullptr || dithered == nullptr) {
+    return;
+  }
+  for (std::size_t i = 0; i < kQuarters; ++i) {
+    if (!heavy(i)) {
+      const double error = error_of(*adaptive, plan, i);
+      figures.add("trot.fig7_8.light_ratio_" + quarter_name(i), error / error_of(*true_load, plan, i),
+                  kLightRatioAtMost);
+      figures.add("trot.fig7_8.dithered_light_ratio_" + quarter_name(i), error / error_of(*dithered, plan, i));
+    }
+  }
+  figures.add("trot.fig7_8.updates", static_cast<double>(updates_of(*adaptive)));
+}
+
+Result<std::string> write_load_cycle_report(const std::string& out_dir, const Outcome& outcome,
+                                            const LoadCyclePlan& plan, std::span<const LoadCycleRun> runs) {
+  if (auto drawn = draw_load_cycle(out_dir, plan, runs); !drawn) {
+    return drawn.error();
+  }
+  std::string html = page_head(plan.robot.name + ": load changes as in Fig. 7.8", outcome);
+  html += "<h2>Load</h2>\n" + load_table(plan);
+  html += "<p>Heavy quarters are shaded. Poles are those of the model the acting gains were designed for (colour: "
+          "time within the run) and of the true load (crosses).</p>\n";
+  for (const LoadCycleRun& run : runs) {
+    const std::string name = escape_html(run.name);
+    html += "<h2 id=\"" + name + "\">" + escape_html(run.title) + "</h2>\n<img src=\"pictures/" + name +
+            "_force.svg\" alt=\"force and gains over time\">\n<img src=\"pictures/" + name +
+            "_poles.svg\" alt=\"poles by quarter\">\n";
+  }
+  return write_page(out_dir, html + page_foot(outcome));
+}
+
+}  // namespace farrier::report
