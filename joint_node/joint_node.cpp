@@ -25,13 +25,14 @@ bool finite(const signals::JointCommand& c) noexcept {
 
 }  // namespace
 
-JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, std::uint64_t session)
+JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, double period_s, std::uint64_t session)
     : joint_(joint),
       safety_(safety),
       session_(session),
       home_position_(joint.linkage.position(joint.home_angle_rad)),
       dither_amplitude_A_(kPercent * joint.dither_percent * joint.actuator.valve_current_max_A),
       dither_sign_(kDitherSeed, joint.name, "dither"),
+      flow_law_(joint.actuator, joint.feedback_linearisation, home_position_, period_s),
       good_samples_(safety.recovery_samples) {
   faults_.set(Fault::kDisarmed);
   faults_.set(Fault::kNoGains);
@@ -111,7 +112,9 @@ void JointNode::assess(const Inputs& inputs) noexcept {
     faults_.set(Fault::kTripped);
     tripped_epoch_ = mode_.epoch;
   }
-  faults_.set(Fault::kNoGains, acting_[static_cast<std::size_t>(phase_)].generation == 0);
+  // The flow law brings its own.
+  const bool needs_gains = joint_.kind == control::Kind::kLqr;
+  faults_.set(Fault::kNoGains, needs_gains && acting_[static_cast<std::size_t>(phase_)].generation == 0);
 }
 
 JointState JointNode::state() const noexcept {
@@ -153,9 +156,28 @@ double JointNode::dither_A(Tick tick) const noexcept {
   return positive ? dither_amplitude_A_ : -dither_amplitude_A_;
 }
 
+double JointNode::valve_current(double reference, const control::Measurement& measured, double probe_A) noexcept {
+  switch (joint_.kind) {
+    case control::Kind::kLqr: return valve_current_by_gains(reference, measured, probe_A);
+    case control::Kind::kFeedbackLinearisation: return valve_current_by_flow_law(reference, measured, probe_A);
+  }
+  return 0.0;
+}
+
+double JointNode::valve_current_by_flow_law(double reference, const control::Measurement& measured,
+                                            double probe_A) noexcept {
+  const control::FeedbackLinearisation::Output output = flow_law_.step(reference, measured);
+  const double limit_A = joint_.actuator.valve_current_max_A;
+  const double wanted_A = output.valve_current_A + probe_A;
+  const double current_A = std::clamp(wanted_A, -limit_A, limit_A);
+  faults_.set(Fault::kValveSaturated, output.saturated || current_A != wanted_A);
+  return current_A;
+}
+
 // A change of gains is bumpless at what the last step saw, so that a reference that steps with the phase steps the
 // valve through the gains of the new phase.
-double JointNode::valve_current(double reference, const control::Measurement& measured, double probe_A) noexcept {
+double JointNode::valve_current_by_gains(double reference, const control::Measurement& measured,
+                                         double probe_A) noexcept {
   const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
   const bool changed = slot.generation != controller_generation_ || phase_ != controller_phase_;
   if (changed && controller_.set_gains(slot.gains, last_measured_, last_reference_)) {
@@ -177,6 +199,7 @@ double JointNode::valve_current(double reference, const control::Measurement& me
 
 void JointNode::reset_controller() noexcept {
   controller_.reset();
+  flow_law_.reset();
   controller_generation_ = 0;
   last_measured_ = {};
   last_reference_ = 0.0;

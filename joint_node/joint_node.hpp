@@ -7,10 +7,12 @@
 //                                                          dither while tracking, added to what the controller asks for ──▲
 //   controller_gains ──▶ slot per phase, acts from its effective tick      gait/phase ──▶ which slot acts
 //
+// A joint whose kind is feedback_linearisation has the nominal flow law in place of LQR-I, and needs no gains.
 // What it does when something is missing is the table in docs/architecture.md.
 
 #include <array>
 
+#include "control/feedback_linearisation.hpp"
 #include "control/force_controller.hpp"
 #include "core/fault.hpp"
 #include "core/noise.hpp"
@@ -24,7 +26,7 @@ namespace farrier::joint_node {
 class JointNode {
  public:
   /// `session`: only a mode of this session arms the joint.
-  JointNode(const robot::Joint& joint, const robot::Safety& safety, std::uint64_t session);
+  JointNode(const robot::Joint& joint, const robot::Safety& safety, double period_s, std::uint64_t session);
 
   /// Puts checked gains (check_gains) into the slot of their phase; they act from effective_tick on.
   /// False, and the slot keeps what it has, when the generation is not newer than the slot's.
@@ -76,6 +78,8 @@ class JointNode {
   double force_reference(const Inputs& inputs, signals::JointState state) noexcept;
   double dither_A(Tick tick) const noexcept;
   double valve_current(double reference, const control::Measurement& measured, double probe_A) noexcept;
+  double valve_current_by_gains(double reference, const control::Measurement& measured, double probe_A) noexcept;
+  double valve_current_by_flow_law(double reference, const control::Measurement& measured, double probe_A) noexcept;
   void reset_controller() noexcept;
 
   robot::Joint joint_;
@@ -87,6 +91,7 @@ class JointNode {
   control::ForceController controller_;
   control::Measurement last_measured_{};  ///< of the controller's last step
   double last_reference_ = 0.0;           ///< of the controller's last step, N or Nm
+  control::FeedbackLinearisation flow_law_;
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::generation, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
   std::array<Refusal, signals::kPhaseCount> refused_{};

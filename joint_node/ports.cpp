@@ -8,8 +8,8 @@ Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const st
                                              std::uint64_t session) {
   std::vector<HostedJoint> hosted;
   const auto host = [&](const robot::Joint& joint) {
-    hosted.push_back({JointNode(joint, robot.safety, session), {}, joint.number, static_cast<std::uint16_t>(joint.leg),
-                      joint.name});
+    hosted.push_back({JointNode(joint, robot.safety, robot.period_s, session), {}, joint.number,
+                      static_cast<std::uint16_t>(joint.leg), joint.name});
   };
   for (const std::string& name : names) {
     const robot::Joint* joint = robot.find(name);

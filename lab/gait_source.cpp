@@ -20,7 +20,7 @@ struct Ports {
 class PlannedGait final : public GaitSource {
  public:
   PlannedGait(const robot::Robot& robot, std::uint64_t seed, Ports ports, participant::Participant& participant,
-              Tick ticks)
+              Tick ticks, Announce announce)
       : robot_(robot),
         schedule_(robot.plan, seed),
         reference_(robot.plan),
@@ -28,6 +28,7 @@ class PlannedGait final : public GaitSource {
         participant_(participant),
         lockstep_(participant.identity().clock == bus::ClockKind::kLockstep),
         ticks_(ticks),
+        announce_(announce),
         announced_(robot.plan.legs.size(), 0) {}
 
   void poll(SteadyTime now) override;
@@ -51,6 +52,7 @@ class PlannedGait final : public GaitSource {
   participant::Participant& participant_;
   bool lockstep_;
   Tick ticks_;
+  Announce announce_;
   Tick tick_ = 0;         ///< next the clock must begin
   Tick begun_ = kNoTick;  ///< newest the clock has begun
   bool primed_ = false;   ///< what tick 0 needs is published
@@ -62,7 +64,9 @@ void PlannedGait::announce(Tick tick) {
   for (std::size_t leg = 0; leg < announced_.size(); ++leg) {
     if (const auto planned = schedule_.announcement(static_cast<int>(leg), tick)) {
       announced_[leg] = planned->count;
-      ports_.phases->publish({static_cast<std::uint16_t>(leg), planned->count, tick, planned->tick,
+      const Tick at = announce_ == Announce::kActual ? schedule_.actual_switch(static_cast<int>(leg), *planned)
+                                                     : planned->tick;
+      ports_.phases->publish({static_cast<std::uint16_t>(leg), planned->count, tick, at,
                               static_cast<std::uint8_t>(planned->phase)});
     }
   }
@@ -123,7 +127,8 @@ void PlannedGait::poll(SteadyTime now) {
 }  // namespace
 
 Result<std::unique_ptr<GaitSource>> GaitSource::create(const robot::Robot& robot, std::uint64_t seed,
-                                                       participant::Participant& participant, Tick ticks) {
+                                                       participant::Participant& participant, Tick ticks,
+                                                       Announce announce) {
   const std::vector<std::uint16_t> numbers = robot::joint_numbers(robot);
   const std::vector<std::string> names = robot::joint_names(robot);
   auto clock = participant.subscribe<signals::ClockTick>({0});
@@ -139,7 +144,7 @@ Result<std::unique_ptr<GaitSource>> GaitSource::create(const robot::Robot& robot
     return phases.error();
   }
   return std::unique_ptr<GaitSource>(std::make_unique<PlannedGait>(
-      robot, seed, Ports{clock.value(), commands.value(), phases.value()}, participant, ticks));
+      robot, seed, Ports{clock.value(), commands.value(), phases.value()}, participant, ticks, announce));
 }
 
 }  // namespace farrier::lab

@@ -5,10 +5,8 @@
 #include "bus/inproc/inproc_bus.hpp"
 #include "estimator_service/ports.hpp"
 #include "joint_node/joint_node_lockstep.hpp"
-#include "lab/gait_source.hpp"
 #include "lab/run_monitor.hpp"
 #include "robot/keys.hpp"
-#include "sim_bridge/sim_bridge_lockstep.hpp"
 #include "supervisor/ports.hpp"
 
 namespace farrier::lab {
@@ -32,12 +30,14 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
                                                                      participant::Participant& participant) {
   switch (member.number) {
     case participant::kSimBridge:
-      return sim_bridge::create_lockstep(robot, run.seed, run.trace_path, participant, run.ticks, run.load_changes);
+      return sim_bridge::create_lockstep(run.world != nullptr ? *run.world : robot, run.seed, run.trace_path,
+                                         participant, run.ticks, run.load_changes, run.sink);
     case participant::kEstimatorService: return estimator_service::create_application(robot, participant, run.ticks);
     case participant::kSupervisor:
-      return supervisor::create_application(robot, run.design, participant, run.ticks, run.known_loads);
+      return supervisor::create_application(run.designer != nullptr ? *run.designer : robot, run.design, participant,
+                                            run.ticks, run.known_loads);
     case participant::kGaitSource: {
-      auto gait = GaitSource::create(robot, run.seed, participant, run.ticks);
+      auto gait = GaitSource::create(robot, run.seed, participant, run.ticks, run.announce);
       if (!gait) {
         return gait.error();
       }

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "lab/gait_source.hpp"
 #include "lab/run_plan.hpp"
 #include "robot/load_change.hpp"
+#include "sim_bridge/sim_bridge_lockstep.hpp"
 #include "supervisor/supervisor.hpp"
 
 namespace farrier::lab {
@@ -18,7 +20,11 @@ struct InprocRun {
   supervisor::Design design = supervisor::Design::kStance;
   std::vector<robot::LoadChange> load_changes;  ///< of the simulated world
   std::vector<robot::LoadChange> known_loads;   ///< what the supervisor knows of them and designs for exactly
+  Announce announce = Announce::kPlanned;    ///< what the gait source says of touchdowns
+  const robot::Robot* world = nullptr;       ///< what sim_bridge simulates; null: the robot
+  const robot::Robot* designer = nullptr;    ///< what the supervisor designs for; null: the robot
   std::string trace_path;                    ///< empty: none
+  sim_bridge::RowSink sink;                  ///< gets every row a trace would hold; empty: none
   std::function<bool(Tick)> progress;        ///< called now and then; false ends the run early
 };
 
@@ -30,7 +36,8 @@ struct InprocResult {
   std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued, in order
 };
 
-/// Refuses with the reason, also when the run stands still (a bug: nothing outside can hold it up).
+/// `robot` is what every participant believes in; `world` and `designer` differ from it in values only, never in its
+/// joints and legs. Refuses with the reason, also when the run stands still (a bug: nothing outside can hold it up).
 Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run);
 
 }  // namespace farrier::lab

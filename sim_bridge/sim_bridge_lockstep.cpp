@@ -15,9 +15,11 @@ std::int64_t to_ns(SteadyTime time) { return std::chrono::duration_cast<Nanoseco
 
 class SimBridgeLockstep final : public participant::Application {
  public:
-  SimBridgeLockstep(Parts parts, const robot::Robot& robot, participant::Participant& participant, Tick ticks)
+  SimBridgeLockstep(Parts parts, const robot::Robot& robot, participant::Participant& participant, Tick ticks,
+                    RowSink sink)
       : world_(std::move(parts.world)),
         trace_(std::move(parts.trace)),
+        sink_(std::move(sink)),
         ports_(parts.ports),
         participant_(participant),
         ticks_(ticks),
@@ -47,6 +49,7 @@ class SimBridgeLockstep final : public participant::Application {
 
   SimWorld world_;
   std::optional<record::TraceWriter> trace_;
+  RowSink sink_;
   Ports ports_;
   participant::Participant& participant_;
   Tick ticks_;
@@ -120,7 +123,12 @@ void SimBridgeLockstep::record() noexcept {
     row.state = valve.state;
     row.generation = valve.generation;
     row.faults = valve.faults;
-    trace_->write(row);
+    if (trace_) {
+      trace_->write(row);
+    }
+    if (sink_) {
+      sink_(row);
+    }
   }
 }
 
@@ -129,7 +137,7 @@ void SimBridgeLockstep::end_tick() {
     const signals::JointValveCommand* acting = valves_.find(i, world_.tick() - loop_delay_);
     valve_current_A_[i] = acting != nullptr ? acting->valve_current_A : 0.0;
   }
-  if (trace_) {
+  if (trace_ || sink_) {
     record();
   }
   world_.advance(valve_current_A_);
@@ -192,13 +200,14 @@ std::string SimBridgeLockstep::waits_for() const {
 Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::Robot& robot, std::uint64_t seed,
                                                                   const std::string& trace_path,
                                                                   participant::Participant& participant, Tick ticks,
-                                                                  std::vector<robot::LoadChange> load_changes) {
+                                                                  std::vector<robot::LoadChange> load_changes,
+                                                                  RowSink sink) {
   auto parts = Parts::assemble(robot, seed, trace_path, participant, std::move(load_changes));
   if (!parts) {
     return parts.error();
   }
   return std::unique_ptr<participant::Application>(std::make_unique<SimBridgeLockstep>(
-      std::move(parts).value(), robot, participant, ticks));
+      std::move(parts).value(), robot, participant, ticks, std::move(sink)));
 }
 
 }  // namespace farrier::sim_bridge

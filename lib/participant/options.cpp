@@ -35,8 +35,8 @@ void declare(CLI::App& app, ProcessOptions& o) {
       ->capture_default_str();
   app.add_option("--joints", o.joints, "Joints this process hosts")->delimiter(',');
   app.add_option("--trace", o.trace_path, "Trace file to write (CSV)");
-  app.add_option("--design", o.design, "Load the published gains are for: stance or swing in both slots, or phases: each slot its own")
-      ->check(CLI::IsMember({"stance", "swing", "phases"}))
+  app.add_option("--design", o.design, "Load the published gains are for: stance or swing in both slots, phases: each slot its own, or adaptive: starts from swing")
+      ->check(CLI::IsMember({"stance", "swing", "phases", "adaptive"}))
       ->capture_default_str();
   app.add_option("--gait", o.gait, "trot or stand, instead of the robot file's")->check(CLI::IsMember({"trot", "stand"}));
   app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's")

@@ -114,7 +114,14 @@ void declare(Visitor& v, Load& l) {
 void declare(Visitor& v, Controller& c) {
   constexpr std::array kForms = {Option<control::Form>{"full_state", control::Form::kFullState},
                                  Option<control::Form>{"compliant", control::Form::kCompliant}};
+  constexpr std::array kKinds = {
+      Option<control::Kind>{"lqr", control::Kind::kLqr},
+      Option<control::Kind>{"feedback_linearisation", control::Kind::kFeedbackLinearisation}};
   control::LqrWeights& w = c.weights;
+  control::FeedbackLinearisationGains& f = c.feedback_linearisation;
+  v.choice<control::Kind>("kind", c.kind, kKinds, Default{control::Kind::kLqr},
+                          "lqr runs the designs that come over the bus; feedback_linearisation inverts the flow law, "
+                          "as HyQ ran it (9.2.5), with the last three of these and neither form nor weights.");
   v.choice<control::Form>("form", c.form, kForms,
                           "full_state needs a load spring; compliant leaves the position out of the design (9.2.4).");
   v.number("integral_weight", w.integral, {0, 1e6}, "On the summed force error (7.9).");
@@ -125,6 +132,12 @@ void declare(Visitor& v, Controller& c) {
   v.number("integral_factor", w.integral_factor, {1e-3, 50}, "Multiplies the integral gain at run time, xi (7.11).");
   v.number("feed_forward_factor", w.feed_forward_factor, {0, 2}, Default{1.0},
            "Multiplies the feed-forward; 0 is off.");
+  v.number("force_rate_1_s", f.force_1_s, {0, 1e5}, Default{f.force_1_s},
+           "feedback_linearisation: rate at which a force error is to vanish.");
+  v.number("integral_rate_1_s2", f.integral_1_s2, {0, 1e8}, Default{f.integral_1_s2},
+           "feedback_linearisation: on the integral of the force error; 0 is off.");
+  v.number("velocity_compensation", f.velocity_compensation, {0, 2}, Default{f.velocity_compensation},
+           "feedback_linearisation: share of the piston's own flow that the valve makes up for.");
 }
 
 }  // namespace farrier::robot

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/visitor.hpp"
+#include "control/feedback_linearisation.hpp"
 #include "control/lqr.hpp"
 
 namespace farrier::robot {
@@ -109,8 +110,10 @@ struct Load {
 };
 
 struct Controller {
+  control::Kind kind = control::Kind::kLqr;
   control::Form form = control::Form::kCompliant;
   control::LqrWeights weights;
+  control::FeedbackLinearisationGains feedback_linearisation;
 };
 
 void declare(config::Visitor& v, Supply& supply);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/problem.hpp"
+#include "control/feedback_linearisation.hpp"
 #include "control/lqr.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
@@ -36,6 +37,8 @@ struct Joint {
   double angle_min_rad, angle_max_rad, home_angle_rad;  ///< of this leg, mirrored where the leg is
   double push_limit, pull_limit;     ///< largest force (N, Nm; positive) extending and retracting
   SensorNoise noise;
+  control::Kind kind;
+  control::FeedbackLinearisationGains feedback_linearisation;  ///< act where the kind says so
   control::Form form;
   control::LqrWeights weights;
   control::Normalisation normalisation;

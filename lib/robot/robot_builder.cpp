@@ -181,6 +181,8 @@ class Builder {
                 .push_limit = 0.0,
                 .pull_limit = 0.0,
                 .noise = {},
+                .kind = controller.kind,
+                .feedback_linearisation = controller.feedback_linearisation,
                 .form = controller.form,
                 .weights = controller.weights,
                 .normalisation = {},

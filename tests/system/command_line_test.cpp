@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -130,13 +131,47 @@ TEST(BadInput, RefusesUnknownValuesOptionsAndCommandsByName) {
   EXPECT_EQ(run_farrier({"trot", "--clock", "realtime", "--dds", "inproc"}, &output), 2);
 }
 
+TEST(BadInput, OfAVariedTrotIsRefusedBeforeAnythingMoves) {
+  const ScratchDirectory scratch;
+  const std::string out = scratch.file("out");
+  std::string output;
+  EXPECT_EQ(run_farrier({"trot", "--vary", "--clock", "realtime", "--out", out}, &output), 2);
+  EXPECT_NE(output.find("--vary runs on the lock-step clock only"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"trot", "--vary", "--seeds", "0", "--out", out}, &output), 2);
+  EXPECT_NE(output.find("give 1 to 10000"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"trot", "--seeds", "3", "--out", out}, &output), 2);
+  EXPECT_NE(output.find("--seeds requires --vary"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"trot", "--vary", "--trace", scratch.file("trace.csv"), "--out", out}, &output), 2);
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(VariedTrot, WritesARowForEverySeedControllerAndJointAndJudgesAdaptation) {
+  constexpr int kControllers = 5;
+  const ScratchDirectory scratch;
+  const int status = run_farrier({"trot", "--vary", "--seeds", "1", "--duration", "4", "--out", scratch.file("out")});
+  const nlohmann::json run = read_json(scratch.file("out/figures.json"));
+  EXPECT_EQ(status == 0, run["verdict"] == "pass");
+  EXPECT_EQ(run["command"], "trot");
+  std::set<std::string> bounded;
+  for (const auto& entry : run["figures"]) {
+    EXPECT_FALSE(entry["value"].is_null()) << entry;
+    if (entry.contains("bound")) {
+      bounded.insert(entry["name"].get<std::string>());
+    }
+  }
+  EXPECT_EQ(bounded, (std::set<std::string>{"trot.vary.median_ratio_perfect", "trot.vary.adaptive_worst",
+                                            "trot.vary.adaptive_diverged", "trot.vary.adaptive.seeds_failed"}));
+  const std::string rows = read_file(scratch.file("out/vary.csv"));
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + kControllers * 4 * kJointsPerLeg);
+}
+
 TEST(Help, ListsTheCommandsAndTheOptionsOfEach) {
   std::string output;
   EXPECT_EQ(run_farrier({"--help"}, &output), 0);
   EXPECT_NE(output.find("usage: farrier <command>"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"trot", "--help"}, &output), 0);
   for (const char* option : {"--robot", "--dds", "--clock", "--nodes", "--duration", "--gait", "--frequency", "--seed",
-                             "--out", "--trace", "--json"}) {
+                             "--out", "--trace", "--json", "--vary", "--seeds"}) {
     EXPECT_NE(output.find(option), std::string::npos) << option;
   }
 }

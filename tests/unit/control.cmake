@@ -9,6 +9,11 @@ farrier_test(control_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control_tracking_test.cpp)
 target_link_libraries(control_test PRIVATE farrier_control)
 
+farrier_test(feedback_linearisation_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/control_feedback_linearisation_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
+target_link_libraries(feedback_linearisation_test PRIVATE farrier_control farrier_plant)
+
 # SLICOT, where installed, is a second opinion on the Riccati equation.
 find_library(FARRIER_SLICOT_LIBRARY slicot)
 find_library(FARRIER_LAPACK_LIBRARY lapack)

@@ -45,7 +45,7 @@ class Bench {
   explicit Bench(const std::string& name = "lf_kfe") : Bench(joint_named(name)) {}
 
   /// `of` must live as long as the bench.
-  explicit Bench(const robot::Joint& of) : joint(of), node(joint, hyq().safety, kSession) {
+  explicit Bench(const robot::Joint& of) : joint(of), node(joint, hyq().safety, hyq().period_s, kSession) {
     inputs.sensors.joint = inputs.command.joint = joint.number;
     inputs.sensors.position_m_or_rad = joint.linkage.position(joint.home_angle_rad);
     inputs.command.position_rad = joint.home_angle_rad;

@@ -16,6 +16,7 @@
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/trot_options.hpp"
+#include "tools/cli/vary.hpp"
 #include "tools/report/console.hpp"
 #include "tools/report/html_report.hpp"
 #include "tools/report/joint_poles.hpp"
@@ -100,7 +101,10 @@ Result<report::Tracking> tracking_of(const robot::Robot& robot, const std::strin
 }
 
 /// The same gait with the swing design in both slots. In process: lock-step traces do not depend on the transport.
-Result<Done> add_swing_design(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
+Result<Done> add_swing_design(robot::Robot robot, const TrotOptions& o, report::Figures& figures) {
+  for (robot::Joint& joint : robot.joints) {
+    joint.kind = control::Kind::kLqr;
+  }
   const std::string path = o.out + "/trace_swing_design.csv";
   auto run = run_inproc(robot, o, supervisor::Design::kSwing, path, "trot, swing design beside");
   if (!run) {
@@ -131,16 +135,6 @@ std::string undesignable(const robot::Robot& robot) {
   return lines;
 }
 
-bool long_enough(const robot::Robot& robot, const report::Tracking& tracking) {
-  for (const report::JointTracking& joint : tracking.joints) {
-    const bool swings = robot.plan.gait.pattern == gait::Pattern::kTrot;
-    if (joint.stance.ticks == 0 || (swings && joint.swing.ticks == 0)) {
-      return false;
-    }
-  }
-  return true;
-}
-
 /// What changed in the run, one line an event.
 void write_events(const std::string& path, const robot::Robot& robot, const RunOutcome& run) {
   std::ofstream file(path);
@@ -165,6 +159,10 @@ int trot(TrotOptions o) {
     std::fputs(robot::print_config(robot).c_str(), stdout);
     return kPassed;
   }
+  if (o.vary && o.clock == bus::ClockKind::kRealtime) {
+    std::fputs("farrier trot: --vary runs on the lock-step clock only: leave --clock realtime out\n", stderr);
+    return kBadInput;
+  }
   if (o.dds == DdsChoice::kInproc && o.clock == bus::ClockKind::kRealtime) {
     std::fputs("farrier trot: --dds inproc runs on the lock-step clock only: choose a vendor for --clock realtime\n",
                stderr);
@@ -182,13 +180,17 @@ int trot(TrotOptions o) {
     return kBadInput;
   }
   o.json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
-  for (const std::string& path : {o.trace_path, o.json_path}) {
+  const std::string rows_path = o.vary ? o.out + "/vary.csv" : o.trace_path;
+  for (const std::string& path : {rows_path, o.json_path}) {
     if (auto way = make_way(path); !way) {
       std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
       return kBadInput;
     }
   }
 
+  if (o.vary) {
+    return vary(robot, o, rows_path);
+  }
   if (o.experiment != Experiment::kNone) {
     return o.experiment == Experiment::kLoadCycle ? run_load_cycle(robot, o) : run_switching(robot, o);
   }
@@ -224,8 +226,8 @@ int trot(TrotOptions o) {
   }
   outcome.figures.add("trot.ticks_per_s", static_cast<double>(tracking.value().ticks) / ran.value().wall_s);
   report::add_transport(outcome.figures, outcome.run, lockstep);
-  if (!long_enough(robot, tracking.value())) {
-    outcome.failures.emplace_back("too short to be judged, which begins with every leg's third stride: give a longer --duration");
+  if (!report::long_enough(robot, tracking.value())) {
+    outcome.failures.emplace_back(kTooShort);
   }
   write_events(o.out + "/events.txt", robot, ran.value());
   if (auto beside = add_swing_design(robot, o, outcome.figures); !beside) {

@@ -45,11 +45,25 @@ void declare(CLI::App& app, TrotOptions& o) {
       ->check(between(0.0, 18446744073709551615.0))
       ->type_name("<n>")->capture_default_str();
   app.add_option("--out", o.out, "directory for the report, the trace and the logs")->type_name("<dir>")->capture_default_str();
-  app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
+  CLI::Option* const trace = app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
   app.add_option("--json", o.json_path, "where the figures go")->type_name("<file>")->default_str("figures.json in --out");
-  add_choice(app, "--experiment", o.experiment, kExperiments, "fig7.8|switching",
-             "instead of one run, in process: fig7.8, a rig (fc1d.yaml) whose load changes unannounced; switching, what "
-             "it is worth that gains change at touchdown");
+  CLI::Option* const experiment =
+      add_choice(app, "--experiment", o.experiment, kExperiments, "fig7.8|switching",
+                 "instead of one run, in process: fig7.8, a rig (fc1d.yaml) whose load changes unannounced; switching, "
+                 "what it is worth that gains change at touchdown");
+  CLI::Option* const vary =
+      app.add_flag("--vary", o.vary,
+                   "run robots whose loads, supply, friction and valves are drawn and known to no controller: the "
+                   "adaptive one against perfect knowledge and fixed ones; in process, whatever --dds says, for "
+                   "lock-step traces do not depend on it")
+          ->type_name("")
+          ->excludes(trace)
+          ->excludes(experiment);
+  app.add_option("--seeds", o.seeds, "robots that --vary draws, from --seed on")
+      ->check(between(1, 10000))
+      ->type_name("<n>")
+      ->capture_default_str()
+      ->needs(vary);
   app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
 }
 

@@ -25,7 +25,13 @@ struct TrotOptions {
   std::string json_path;    ///< empty: figures.json in `out`
   bool print_config = false;
   Experiment experiment = Experiment::kNone;
+  bool vary = false;        ///< varied robots under every controller instead of one run
+  int seeds = 5;            ///< of `vary`, from `seed` on
 };
+
+/// What a run that has no judged tick fails with.
+inline constexpr const char* kTooShort =
+    "too short to be judged, which begins with every leg's third stride: give a longer --duration";
 
 void declare(CLI::App& app, TrotOptions& options);
 

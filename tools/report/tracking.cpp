@@ -140,6 +140,13 @@ Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::s
   return tracking;
 }
 
+bool long_enough(const robot::Robot& robot, const Tracking& tracking) {
+  const bool swings = robot.plan.gait.pattern == gait::Pattern::kTrot;
+  return std::ranges::all_of(tracking.joints, [&](const JointTracking& joint) {
+    return joint.stance.ticks > 0 && (!swings || joint.swing.ticks > 0);
+  });
+}
+
 void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking,
                   Judgement judgement) {
   const bool lockstep = judgement == Judgement::kLockstep;

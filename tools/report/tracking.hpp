@@ -45,6 +45,9 @@ struct Tracking {
   Tick ticks = 0;                     ///< of the run
 };
 
+/// Whether every joint has judged ticks in every phase its gait has.
+bool long_enough(const robot::Robot& robot, const Tracking& tracking);
+
 /// One pass over the rows, in any order. Rows of joints the robot does not have are a bug.
 Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::span<const record::TraceRow> rows,
                int loop_delay_ticks);
