@@ -15,8 +15,15 @@ namespace farrier::joint_node::testing {
 inline constexpr std::uint64_t kSession = 77;
 inline constexpr int kNoDelay = 0;
 
+/// HyQ without the dither of its file: a test that is about dither sets its own.
 inline const robot::Robot& hyq() {
-  static const robot::Robot robot = robot::load_shipped("hyq");
+  static const robot::Robot robot = [] {
+    robot::Robot shipped = robot::load_shipped("hyq");
+    for (robot::Joint& joint : shipped.joints) {
+      joint.dither_percent = 0.0;
+    }
+    return shipped;
+  }();
   return robot;
 }
 
