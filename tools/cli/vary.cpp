@@ -23,12 +23,14 @@ using report::Contender;
 
 constexpr std::size_t kLongestTable = 40;
 
-/// The robot as the nodes of this contender know it: nominal, with the contender's kind of controller.
+/// The robot as the nodes of this contender know it: nominal, with the contender's kind of controller. Only adaptation
+/// needs the dither, so only adaptation pays for it.
 robot::Robot believed_by(Contender contender, const robot::Robot& nominal) {
   robot::Robot robot = nominal;
   for (robot::Joint& joint : robot.joints) {
     joint.kind = contender == Contender::kFeedbackLinearisation ? control::Kind::kFeedbackLinearisation
                                                                 : control::Kind::kLqr;
+    joint.dither_percent = contender == Contender::kAdaptive ? joint.dither_percent : 0.0;
   }
   return robot;
 }
