@@ -1,37 +1,66 @@
 #include "estimator_service/estimator_service.hpp"
 
-#include <cmath>
+#include "robot/joint_model.hpp"
 
 namespace farrier::estimator_service {
 
-EstimatorService::EstimatorService(const robot::Robot& robot) {
+Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int loop_delay_ticks) {
+  std::vector<estimation::JointEstimator> estimators;
   for (const robot::Joint& joint : robot.joints) {
-    joints_.push_back({joint.number});
+    const control::Normalisation& n = joint.normalisation;
+    const control::DiscreteModel prior = robot::model_of(joint, joint.swing_load, robot.period_s);
+    auto estimator = estimation::JointEstimator::create(
+        joint.estimator,
+        {.state = {n.position, n.velocity, n.force},
+         .current_A = n.current_A,
+         .sensor_noise = {joint.noise.position, joint.noise.velocity, joint.noise.force},
+         .home_position = joint.linkage.position(joint.home_angle_rad),
+         .period_s = robot.period_s,
+         .input_delay_ticks = loop_delay_ticks},
+        prior.a, prior.b);
+    if (!estimator) {
+      return Error{joint.name + ": " + estimator.error().message};
+    }
+    estimators.push_back(std::move(estimator).value());
+  }
+  return EstimatorService(std::move(estimators));
+}
+
+void EstimatorService::take(const signals::JointMeasurement& measurement) noexcept {
+  if (measurement.joint < estimators_.size()) {
+    estimators_[measurement.joint].take({.tick = measurement.tick,
+                                         .state = {measurement.position_m_or_rad, measurement.velocity_m_s_or_rad_s,
+                                                   measurement.force_N_or_Nm},
+                                         .current_A = measurement.valve_current_A,
+                                         .phase = measurement.phase});
   }
 }
 
-signals::JointModelEstimate EstimatorService::step(const signals::JointMeasurement& measurement) noexcept {
-  signals::JointModelEstimate estimate;
-  estimate.joint = measurement.joint;
-  estimate.tick = measurement.tick;
-  estimate.phase = measurement.phase;
-  estimate.flags = static_cast<std::uint32_t>(EstimateFlag::kNotEstimating);
-  for (Joint& joint : joints_) {
-    if (joint.number == measurement.joint && std::isfinite(measurement.position_m_or_rad) &&
-        std::isfinite(measurement.velocity_m_s_or_rad_s) && std::isfinite(measurement.force_N_or_Nm)) {
-      ++joint.usable;
-    }
+signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick tick) const noexcept {
+  signals::JointModelEstimate signal;
+  signal.joint = joint;
+  signal.tick = tick;
+  if (joint >= estimators_.size()) {
+    return signal;
   }
-  return estimate;
-}
-
-std::uint64_t EstimatorService::usable_measurements(std::uint16_t number) const noexcept {
-  for (const Joint& joint : joints_) {
-    if (joint.number == number) {
-      return joint.usable;
+  const estimation::ModelEstimate estimate = estimators_[joint].estimate();
+  signal.phase = static_cast<std::uint8_t>(estimate.phase);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      const auto place = static_cast<std::size_t>(3 * row + column);
+      signal.a[place] = estimate.a(row, column);
+      signal.a_error[place] = estimate.a_error(row, column);
     }
+    const auto place = static_cast<std::size_t>(row);
+    signal.b[place] = estimate.b(row);
+    signal.b_error[place] = estimate.b_error(row);
+    signal.c[place] = estimate.c(row);
   }
-  return 0;
+  signal.validity = estimate.validity;
+  signal.excitation = estimate.excitation;
+  signal.samples = estimate.samples;
+  signal.flags = estimate.flags;
+  return signal;
 }
 
 }  // namespace farrier::estimator_service

@@ -2,39 +2,33 @@
 
 // One estimator per leg joint:
 //
-//   joint/measurement ──▶ estimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
-//
-// The estimators do not estimate yet: each report says so by validity 0 and the flag kNotEstimating.
+//   joint/measurement ──▶ JointEstimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
 
 #include <vector>
 
+#include "estimation/joint_estimator.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
 
 namespace farrier::estimator_service {
 
-/// Flags of a model estimate (thesis Table F.1 where it has one).
-enum class EstimateFlag : std::uint32_t {
-  kNotEstimating = 1u << 0,  ///< no estimator runs for this joint
-};
-
-/// The service's core: holds one estimator's state per joint. No clock, no I/O, no allocation after construction.
+/// The service's core. No clock, no I/O, no allocation after construction.
 class EstimatorService {
  public:
-  explicit EstimatorService(const robot::Robot& robot);
+  /// Every estimator starts from the joint's swing load in both phases, and knows that a command acts
+  /// `loop_delay_ticks` after the sample it answers. Refuses estimator settings out of range, naming the joint.
+  static Result<EstimatorService> create(const robot::Robot& robot, int loop_delay_ticks);
 
-  /// Takes one joint's measurement; returns its present estimate.
-  signals::JointModelEstimate step(const signals::JointMeasurement& measurement) noexcept;
+  /// Takes one joint's measurement. Measurements of joints the robot does not have are left out.
+  void take(const signals::JointMeasurement& measurement) noexcept;
 
-  /// Measurements taken of a joint that were finite.
-  std::uint64_t usable_measurements(std::uint16_t joint) const noexcept;
+  /// Present estimate of a joint, as of `tick`. Not an estimate for a joint the robot does not have.
+  signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick) const noexcept;
 
  private:
-  struct Joint {
-    std::uint16_t number;
-    std::uint64_t usable = 0;
-  };
-  std::vector<Joint> joints_;
+  explicit EstimatorService(std::vector<estimation::JointEstimator> estimators) : estimators_(std::move(estimators)) {}
+
+  std::vector<estimation::JointEstimator> estimators_;  // by joint number
 };
 
 }  // namespace farrier::estimator_service

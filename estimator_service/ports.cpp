@@ -10,12 +10,12 @@ using namespace std::chrono_literals;
 
 class EstimatorApplication final : public participant::Application {
  public:
-  EstimatorApplication(const robot::Robot& robot, std::vector<std::uint16_t> joints,
+  EstimatorApplication(const robot::Robot& robot, EstimatorService service, std::vector<std::uint16_t> joints,
                        participant::In<signals::JointMeasurement>* measurements,
                        participant::Out<signals::JointModelEstimate>* estimates,
                        participant::Participant& participant, Tick ticks)
       : robot_(robot),
-        service_(robot),
+        service_(std::move(service)),
         measurements_(measurements),
         estimates_(estimates),
         participant_(participant),
@@ -45,9 +45,9 @@ class EstimatorApplication final : public participant::Application {
 };
 
 void EstimatorApplication::take(const signals::JointMeasurement& measurement) {
-  const signals::JointModelEstimate estimate = service_.step(measurement);
+  service_.take(measurement);
   if (robot_.estimate_due(measurement.tick)) {
-    estimates_->publish(estimate);
+    estimates_->publish(service_.estimate(measurement.joint, measurement.tick));
   }
 }
 
@@ -96,6 +96,11 @@ std::string EstimatorApplication::waits_for() const {
 Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot,
                                                                      participant::Participant& participant,
                                                                      Tick ticks) {
+  const bool lockstep = participant.identity().clock == bus::ClockKind::kLockstep;
+  auto service = EstimatorService::create(robot, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime);
+  if (!service) {
+    return service.error();
+  }
   const std::vector<std::uint16_t> joints = robot::joint_numbers(robot);
   auto measurements = participant.subscribe<signals::JointMeasurement>(joints);
   if (!measurements) {
@@ -106,7 +111,7 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
     return estimates.error();
   }
   return std::unique_ptr<participant::Application>(std::make_unique<EstimatorApplication>(
-      robot, joints, measurements.value(), estimates.value(), participant, ticks));
+      robot, std::move(service).value(), joints, measurements.value(), estimates.value(), participant, ticks));
 }
 
 }  // namespace farrier::estimator_service

@@ -5,10 +5,6 @@
 
 namespace farrier::supervisor {
 
-/// Sampled model of a joint under a bench load at its home pose, the valve just opening to extend, which is the sign
-/// the thesis designs for and the one with the higher valve gain.
-control::DiscreteModel model_of(const robot::Joint& joint, const plant::LoadParams& load, double period_s);
-
 /// LQR of a joint for a bench load, in the form and with the weights of the robot file, for a loop with
 /// `delay_ticks` of delay. Refuses with the joint's name and the design's reason.
 Result<control::Gains> design_joint(const robot::Joint& joint, const plant::LoadParams& load, double period_s,

@@ -41,6 +41,7 @@ class SupervisorApplication final : public participant::Application {
   bool estimates_due() const { return tick_ > 0 && robot_.estimate_due(tick_ - 1); }
   void step_lockstep();
   void issue(Tick tick);
+  void tell(const signals::JointUpdateDecision& decision, control::DesignStatus status);
 
   const robot::Robot& robot_;
   Supervisor supervisor_;
@@ -55,6 +56,20 @@ class SupervisorApplication final : public participant::Application {
   SteadyTime next_assertion_{};
 };
 
+// A refused design is an event with its reason; an accepted one is told by its decision.
+void SupervisorApplication::tell(const signals::JointUpdateDecision& decision, control::DesignStatus status) {
+  const auto verdict = static_cast<signals::UpdateVerdict>(decision.verdict);
+  if (verdict == signals::UpdateVerdict::kAccepted) {
+    return;
+  }
+  std::string text = std::string(signals::to_string(static_cast<signals::Phase>(decision.phase))) + " gains kept: " +
+                     signals::to_string(verdict);
+  if (status != control::DesignStatus::kSuccessful) {
+    text += std::string(" (") + control::to_string(status) + ")";
+  }
+  participant_.event(signals::Severity::kInfo, decision.tick, decision.joint, text);
+}
+
 void SupervisorApplication::issue(Tick tick) {
   const Supervisor::Outputs& outputs = supervisor_.step(tick);
   for (const signals::JointControllerGains& gains : outputs.gains) {
@@ -63,15 +78,16 @@ void SupervisorApplication::issue(Tick tick) {
   for (const signals::SystemMode& mode : outputs.modes) {
     ports_.modes->publish(mode);
   }
-  for (const signals::JointUpdateDecision& decision : outputs.decisions) {
-    ports_.decisions->publish(decision);
+  for (std::size_t i = 0; i < outputs.decisions.size(); ++i) {
+    ports_.decisions->publish(outputs.decisions[i]);
+    tell(outputs.decisions[i], outputs.design_statuses[i]);
   }
 }
 
 void SupervisorApplication::step_lockstep() {
   while (!finished() && begun_ >= tick_ && !(estimates_due() && estimates_.missing(tick_ - 1) > 0)) {
     for (std::size_t i = 0; estimates_due() && i < estimates_.keys().size(); ++i) {
-      supervisor_.take(*estimates_.find(i, tick_ - 1));
+      supervisor_.take(*estimates_.find(i, tick_ - 1), tick_);
     }
     issue(tick_);
     signals::ClockTickDone issued;
@@ -91,7 +107,7 @@ void SupervisorApplication::poll(SteadyTime now) {
     if (lockstep_) {
       estimates_.put(estimate);
     } else {
-      supervisor_.take(estimate);
+      supervisor_.take(estimate, estimate.tick);
     }
   });
   if (!participant_.started(now)) {

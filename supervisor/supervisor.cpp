@@ -36,6 +36,12 @@ signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase pha
   return signal;
 }
 
+namespace {
+
+constexpr std::uint32_t kFirstEpoch = 1;
+
+}  // namespace
+
 Design parse_design(std::string_view name) noexcept {
   if (name == "swing") {
     return Design::kSwing;
@@ -48,11 +54,12 @@ Design parse_design(std::string_view name) noexcept {
 
 Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, int loop_delay_ticks,
                                       std::uint64_t session, std::vector<robot::LoadChange> known_loads) {
-  constexpr std::uint32_t kFirstEpoch = 1;
   constexpr std::array kPhases{signals::Phase::kSwing, signals::Phase::kStance};
   std::vector<std::uint32_t> generations(robot.joints.size(), 0);
   std::vector<Batch> batches(1);
+  std::vector<JointSlots> slots;
   for (const robot::Joint& joint : robot.joints) {
+    std::vector<control::Gains> first;
     for (const signals::Phase phase : kPhases) {
       const bool for_stance = design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
       const auto gains = design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, robot.period_s,
@@ -62,6 +69,14 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
       }
       batches[0].outputs.gains.push_back(
           pack_gains(joint.number, phase, kFirstEpoch, ++generations[joint.number], gains.value()));
+      first.push_back(gains.value());
+    }
+    if (design == Design::kAdaptive) {
+      const auto slot = [&](const control::Gains& gains) {
+        return SlotUpdate(joint, robot.update_logic, robot.estimate_period_ticks * robot.period_s,
+                          robot.estimate_period_ticks, gains);
+      };
+      slots.push_back({{slot(first[0]), slot(first[1])}, {1, 2}, 2});
     }
   }
   signals::SystemMode armed;
@@ -79,7 +94,7 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     if (!gains) {
       return gains.error();
     }
-    const Tick issue_tick = known.tick - kLeadTicks;
+    const Tick issue_tick = known.tick - robot.update_logic.gain_lead_ticks;
     if (batches.size() == 1 || batches.back().tick != issue_tick) {
       batches.push_back({issue_tick, {}});
     }
@@ -88,23 +103,59 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
           pack_gains(known.joint, phase, kFirstEpoch, ++generations[known.joint], gains.value()));
     }
   }
-  return Supervisor(std::move(batches));
+  return Supervisor(std::move(batches), std::move(slots), robot.update_logic.gain_lead_ticks);
+}
+
+Supervisor::Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks)
+    : batches_(std::move(batches)), joints_(std::move(joints)), lead_ticks_(lead_ticks) {
+  for (Outputs* outputs : {&pending_, &issued_}) {
+    outputs->gains.reserve(joints_.size());
+    outputs->decisions.reserve(joints_.size());
+    outputs->design_statuses.reserve(joints_.size());
+  }
+}
+
+void Supervisor::take(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
+  if (estimate.joint >= joints_.size() || estimate.phase >= signals::kPhaseCount) {
+    return;
+  }
+  JointSlots& joint = joints_[estimate.joint];
+  if (joint.taken != kNoTick && joint.taken >= tick) {
+    return;
+  }
+  joint.taken = tick;
+  SlotUpdate& slot = joint.slots[estimate.phase];
+  signals::JointUpdateDecision decision = slot.look(estimate, tick);
+  std::uint32_t& generation = joint.generations[estimate.phase];
+  if (decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted)) {
+    generation = ++joint.newest_generation;
+    pending_.gains.push_back(pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), kFirstEpoch,
+                                        generation, slot.gains()));
+  }
+  if (slot.is_news()) {
+    decision.generation = generation;
+    pending_.decisions.push_back(decision);
+    pending_.design_statuses.push_back(slot.design_status());
+  }
 }
 
 const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
-  if (next_batch_ == batches_.size() || (next_batch_ > 0 && batches_[next_batch_].tick > tick)) {
-    return nothing_;
+  const bool batch_due =
+      next_batch_ < batches_.size() && (next_batch_ == 0 || batches_[next_batch_].tick <= tick);
+  Outputs& due = batch_due ? batches_[next_batch_++].outputs : issued_;
+  if (!batch_due) {
+    std::swap(issued_, pending_);
+    pending_.gains.clear();
+    pending_.decisions.clear();
+    pending_.design_statuses.clear();
   }
-  Outputs& due = batches_[next_batch_++].outputs;
   for (signals::JointControllerGains& gains : due.gains) {
-    gains.effective_tick = tick + kLeadTicks;
+    gains.effective_tick = tick + lead_ticks_;
   }
   for (signals::SystemMode& mode : due.modes) {
-    mode.effective_tick = tick + kLeadTicks;
+    mode.effective_tick = tick + lead_ticks_;
   }
   return due;
 }
-
-void Supervisor::take(const signals::JointModelEstimate&) noexcept { ++estimates_; }
 
 }  // namespace farrier::supervisor

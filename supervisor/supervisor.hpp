@@ -2,8 +2,8 @@
 
 // What the robot may do, and with which gains:
 //
-//   tick ──▶ arm, publish the designed gains ──▶ system/mode, joint/controller_gains
-//   joint/model_estimate ──▶ (redesign when it pays: not yet) ──▶ joint/update_decision
+//   tick ──▶ arm, publish the first gains ──▶ system/mode, joint/controller_gains
+//   joint/model_estimate ──▶ SlotUpdate of the joint's phase ──▶ joint/controller_gains, joint/update_decision
 
 #include <string_view>
 #include <vector>
@@ -11,24 +11,22 @@
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
+#include "supervisor/slot_update.hpp"
 
 namespace farrier::supervisor {
 
 /// Which bench load the published gains are designed for: one load for both slots of a joint, or each slot its own.
-/// kAdaptive begins with the swing load in both, and stays there: nothing is redesigned yet.
+/// kAdaptive begins with the swing load in both, and redesigns each when its estimate says that it pays.
 enum class Design { kStance, kSwing, kPhases, kAdaptive };
 
 /// "stance", "swing", "phases", "adaptive"; anything else counts as "stance".
 Design parse_design(std::string_view name) noexcept;
 
-/// Ticks from the publication of gains or a mode to the tick from which they act.
-inline constexpr Tick kLeadTicks = 2;
-
-/// The supervisor's core. No clock, no I/O; designs at construction, step only hands out.
+/// The supervisor's core. No clock, no I/O; nothing is allocated after construction.
 class Supervisor {
  public:
   /// `known_loads` is perfect knowledge, to measure by: gains designed for that load go into both slots of the joint
-  /// and act exactly from its tick on (never sooner than kLeadTicks after the first step). Refuses a robot with a joint
+  /// and act exactly from its tick on (never sooner than gain_lead_ticks after the first step). Refuses a robot with a joint
   /// that has no controller, with the reason.
   static Result<Supervisor> create(const robot::Robot& robot, Design design, int loop_delay_ticks,
                                    std::uint64_t session, std::vector<robot::LoadChange> known_loads = {});
@@ -36,29 +34,37 @@ class Supervisor {
   struct Outputs {
     std::vector<signals::JointControllerGains> gains;
     std::vector<signals::SystemMode> modes;
-    std::vector<signals::JointUpdateDecision> decisions;  ///< none yet
+    std::vector<signals::JointUpdateDecision> decisions;  ///< gains accepted, and designs refused for a new reason
+    std::vector<control::DesignStatus> design_statuses;   ///< of the decisions, in their order
   };
 
-  /// What to publish at this tick: everything at the first, later the gains for known loads.
+  /// What to publish at this tick: at the first everything; later the gains for known loads, and what came of the
+  /// estimates taken since the last step.
   const Outputs& step(Tick tick) noexcept;
 
-  /// Takes an estimate; counts it. Nothing is redesigned from it yet.
-  void take(const signals::JointModelEstimate& estimate) noexcept;
-
-  std::uint64_t estimates() const noexcept { return estimates_; }
+  /// Looks at an estimate. Of one joint, at most one between two steps counts.
+  void take(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
 
  private:
   struct Batch {
     Tick tick;  ///< of its issue; the first is issued at the first step
     Outputs outputs;
   };
+  struct JointSlots {
+    std::array<SlotUpdate, signals::kPhaseCount> slots;  // by phase
+    std::array<std::uint32_t, signals::kPhaseCount> generations;
+    std::uint32_t newest_generation;
+    Tick taken = kNoTick;
+  };
 
-  explicit Supervisor(std::vector<Batch> batches) : batches_(std::move(batches)) {}
+  Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks);
 
   std::vector<Batch> batches_;  // in the order of their ticks
   std::size_t next_batch_ = 0;
-  Outputs nothing_;
-  std::uint64_t estimates_ = 0;
+  std::vector<JointSlots> joints_;  // by number; empty unless adaptive
+  Tick lead_ticks_;
+  Outputs pending_;  // what came of estimates
+  Outputs issued_;
 };
 
 /// Gains as they travel. `generation` >= 1.

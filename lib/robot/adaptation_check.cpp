@@ -19,9 +19,9 @@ void check_estimator(const RobotFile& file, const EstimatorSection& estimator, c
                        "samples: give at least " + std::to_string(jitter_ticks(file)) +
                        ", which is gait.touchdown_jitter_s, or more"));
   }
-  if (e.operating_point_time_constant_s > 0.0 && e.operating_point_time_constant_s < file.period_s) {
+  if (e.operating_point_order > 0 && e.operating_point_time_constant_s < file.period_s) {
     problems.push_back(estimator.place.problem("operating_point_time_constant_s",
-                                               "is shorter than period_s: give 0 or at least a period"));
+                                               "is shorter than period_s: give at least a period"));
   }
 }
 

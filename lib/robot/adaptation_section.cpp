@@ -15,9 +15,15 @@ void declare(Visitor& v, EstimatorSection& section) {
            "Weight of a sample against the next one's, lambda (6.21); 1 forgets nothing.");
   v.flag("bias", e.bias, Default{d.bias}, "A constant in the regressor, for forces that no state explains.");
   v.flag("position", e.position, Default{d.position}, "The position in the regressor; a load spring needs it.");
-  v.number("operating_point_time_constant_s", e.operating_point_time_constant_s, {0, 10},
+  v.number("operating_point_time_constant_s", e.operating_point_time_constant_s, {1e-6, 10},
            Default{d.operating_point_time_constant_s},
-           "Of the moving average of states and input that is subtracted; 0 subtracts the home pose.");
+           "Of the moving mean of states and input that is subtracted.");
+  v.integer("operating_point_order", e.operating_point_order, {0, 4}, Default{d.operating_point_order},
+            "How often the moving mean is subtracted; 0 subtracts the home pose once and for all.");
+  v.number("full_weight_norm", e.full_weight_norm, {1e-9, 1e6}, Default{d.full_weight_norm},
+           "Norm of the normalised regressor up to which a sample has full weight; larger ones are scaled down to it.");
+  v.number("innovation_forgetting", e.innovation_forgetting, {0, 0.9999}, Default{d.innovation_forgetting},
+           "Of the variance of prediction errors, by which measured states are corrected before they are regressed on.");
   v.number("initial_covariance", e.initial_covariance, {1e-6, 1e12}, Default{d.initial_covariance},
            "Of every parameter at the start, in normalised units.");
   v.number("covariance_limit", e.covariance_limit, {1e-6, 1e15}, Default{d.covariance_limit},
@@ -25,7 +31,9 @@ void declare(Visitor& v, EstimatorSection& section) {
   v.number("regressor_min", e.regressor_min, {0, 10}, Default{d.regressor_min},
            "Norm of the normalised regressor below which a sample says nothing (6.24).");
   v.integer("blank_ticks", e.blank_ticks, {0, 10000}, Default{d.blank_ticks},
-            "No samples are taken this long before and after a planned switch of phase.");
+            "No samples are taken this long after a joint's switch of phase.");
+  v.integer("min_samples", e.min_samples, {1, 1000000}, Default{d.min_samples},
+            "Samples of a phase before its first estimate.");
   v.number("stability_limit", e.stability_limit, {0.01, 0.999999}, Default{d.stability_limit},
            "Modulus to which an unstable pole of an estimate is mapped (8.1.1).");
   v.flag("phase_memory", e.phase_memory, Default{d.phase_memory}, "Whether what is known of each phase is kept apart.");
@@ -39,23 +47,23 @@ void declare(Visitor& v, UpdateLogicSection& section) {
   v.here(section.place);
   v.number("pole_distance_min", u.pole_distance_min, {0, 2}, Default{d.pole_distance_min},
            "Distance in the z-plane from the poles the acting gains are designed for that pays a redesign.");
+  v.number("gain_ratio_min", u.gain_ratio_min, {1, 1000}, Default{d.gain_ratio_min},
+           "Ratio of the valve's gain to the one they are designed for, or its inverse, that pays one as well.");
   v.number("pole_spread_max", u.pole_spread_max, {0, 2}, Default{d.pole_spread_max},
            "Distance in the z-plane over which the poles of a converged estimate may move.");
   v.integer("converged_ticks", u.converged_ticks, {1, 100000}, Default{d.converged_ticks},
             "How long they must stay within it; a multiple of estimate_period_ticks.");
   v.number("validity_min", u.validity_min, {0, 1}, Default{d.validity_min}, "Least validity of an estimate.");
   v.number("model_uncertainty", u.model_uncertainty, {0, 1}, Default{d.model_uncertainty},
-           "Relative uncertainty of the stored model, on which new gains must be stable as well.");
+           "Relative uncertainty of the stored model; new gains must be stable on it, moved that far to the estimate.");
+  v.number("uncertainty_growth_1_s", u.uncertainty_growth_1_s, {0, 1e6}, Default{d.uncertainty_growth_1_s},
+           "Its growth while valid, converged estimates ask for gains that it does not allow.");
   v.number("error_sigmas", u.error_sigmas, {0, 10}, Default{d.error_sigmas},
-           "Standard errors of the estimate within which new gains must be stable.");
+           "Standard errors of the valve's gain within which new gains must be stable.");
   v.integer("gain_lead_ticks", u.gain_lead_ticks, {2, 1000}, Default{d.gain_lead_ticks},
             "Ticks from the issue of gains to their effect; covers the transport.");
-  v.integer("refractory_ticks", u.refractory_ticks, {0, 1000000}, Default{d.refractory_ticks},
-            "Ticks from one issue of gains for a joint's phase to the next.");
   v.check(u.pole_spread_max <= u.pole_distance_min, "pole_spread_max",
           "must not be above pole_distance_min: what counts as still must not count as moved");
-  v.check(u.refractory_ticks >= u.gain_lead_ticks, "refractory_ticks",
-          "must not be below gain_lead_ticks: gains would be replaced before they act");
 }
 
 }  // namespace farrier::robot

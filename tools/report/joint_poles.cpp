@@ -1,5 +1,6 @@
 #include "tools/report/joint_poles.hpp"
 
+#include "robot/joint_model.hpp"
 #include "supervisor/joint_design.hpp"
 
 namespace farrier::report {
@@ -10,8 +11,8 @@ Result<JointPoles> joint_poles(const robot::Joint& joint, double period_s, int l
   if (!stance || !swing) {
     return stance ? swing.error() : stance.error();
   }
-  const control::DiscreteModel stance_model = supervisor::model_of(joint, joint.stance_load, period_s);
-  const control::DiscreteModel swing_model = supervisor::model_of(joint, joint.swing_load, period_s);
+  const control::DiscreteModel stance_model = robot::model_of(joint, joint.stance_load, period_s);
+  const control::DiscreteModel swing_model = robot::model_of(joint, joint.swing_load, period_s);
   const auto poles = [&](const control::DiscreteModel& model, const control::Gains& gains) {
     return control::closed_loop_poles(model, gains, loop_delay_ticks);
   };

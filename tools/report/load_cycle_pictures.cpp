@@ -8,6 +8,7 @@
 
 #include "config/problem.hpp"
 #include "control/spectrum.hpp"
+#include "robot/joint_model.hpp"
 #include "supervisor/joint_design.hpp"
 #include "tools/report/gnuplot.hpp"
 
@@ -151,7 +152,7 @@ std::string quarter_poles(const std::vector<JointControllerGains>& gains, const 
     }
   }
   const robot::Joint& joint = plan.robot.joints.front();
-  const auto truth = supervisor::model_of(joint, plan.loads[quarter], plan.robot.period_s);
+  const auto truth = robot::model_of(joint, plan.loads[quarter], plan.robot.period_s);
   return lines + "\n\n" + pole_lines(truth.a, 0.0);
 }
 

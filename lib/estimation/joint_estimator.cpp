@@ -1,0 +1,245 @@
+#include "estimation/joint_estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "estimation/poles.hpp"
+
+namespace farrier::estimation {
+namespace {
+
+// The constant's entry in the regressor: near the other entries' size, so that one initial covariance suits all.
+constexpr double kBiasEntry = 0.1;
+// The prediction error is taken for this many times the sensors' variance at the start: sensors are believed first.
+constexpr double kFirstInnovation = 100.0;
+// Least share of a prediction error that corrects the state: a model is never believed altogether.
+constexpr double kLeastCorrection = 0.05;
+
+constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
+
+// Places in the regressor [x] v F u [1].
+struct Columns {
+  int velocity, force, input, bias;
+};
+
+template <int N>
+Columns columns_of(bool position) noexcept {
+  const int first = position ? 1 : 0;
+  return {first, first + 1, first + 2, first + 3};
+}
+
+std::uint32_t flags_of(RlsStatus status) noexcept {
+  switch (status) {
+    case RlsStatus::kRegressorTooSmall:
+    case RlsStatus::kInputTooSmall: return bit(EstimateFlag::kRegressorTooSmall);
+    case RlsStatus::kCovarianceNotPositiveDefinite: return bit(EstimateFlag::kCovarianceRepaired);
+    case RlsStatus::kNotFinite: return bit(EstimateFlag::kSampleRefused);
+    case RlsStatus::kNotYetSet:
+    case RlsStatus::kOk: break;
+  }
+  return 0;
+}
+
+template <int N>
+Result<Rls<N>> make_rls(const EstimatorParams& params, const Eigen::Matrix3d& a, const Eigen::Vector3d& b) {
+  typename Rls<N>::Parameters theta = Rls<N>::Parameters::Zero();
+  const Columns columns = columns_of<N>(params.position);
+  if (params.position) {
+    theta.col(0) = a.col(0);
+  }
+  theta.col(columns.velocity) = a.col(1);
+  theta.col(columns.force) = a.col(2);
+  theta.col(columns.input) = b;
+  return Rls<N>::create({.forgetting_factor = params.forgetting_factor,
+                         .initial_covariance = params.initial_covariance,
+                         .covariance_limit = params.covariance_limit,
+                         .regressor_min = params.regressor_min},
+                        theta);
+}
+
+}  // namespace
+
+Result<JointEstimator> JointEstimator::create(const EstimatorParams& params, const JointScales& scales,
+                                              const Eigen::Matrix3d& prior_a, const Eigen::Vector3d& prior_b) {
+  if (params.operating_point_order < 0 || params.operating_point_order > Washout::kMaxOrder) {
+    return Error{"operating_point_order must be 0 to 4"};
+  }
+  if (!(scales.state.array() > 0).all() || !(scales.current_A > 0) || !(scales.period_s > 0) ||
+      !(scales.sensor_noise.array() >= 0).all() || scales.input_delay_ticks < 0 || scales.input_delay_ticks > 2) {
+    return Error{"scales and period must be positive, sensor noise not negative, the input delay 0 to 2 ticks"};
+  }
+  // T^-1 A T, T^-1 B V
+  const Eigen::Matrix3d a = scales.state.cwiseInverse().asDiagonal() * prior_a * scales.state.asDiagonal();
+  const Eigen::Vector3d b = scales.current_A * prior_b.cwiseQuotient(scales.state);
+  const auto with = [&](auto rls) -> Result<JointEstimator> {
+    if (!rls) {
+      return rls.error();
+    }
+    return JointEstimator(params, scales, {std::move(rls).value(), Eigen::Vector3d::Zero()});
+  };
+  switch (params.columns()) {
+    case 3: return with(make_rls<3>(params, a, b));
+    case 4: return with(make_rls<4>(params, a, b));
+    default: return with(make_rls<5>(params, a, b));
+  }
+}
+
+JointEstimator::JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory)
+    : params_(params),
+      scales_(scales),
+      noise_variance_(scales.sensor_noise.cwiseQuotient(scales.state).array().square()),
+      kinematic_step_(scales.period_s * scales.state(1) / scales.state(0)),
+      washout_(std::min(1.0, scales.period_s / std::max(params.operating_point_time_constant_s, scales.period_s)),
+               params.operating_point_order),
+      memories_{memory, memory} {
+  for (PhaseMemory& each : memories_) {
+    each.innovation_variance = kFirstInnovation * noise_variance_;
+  }
+}
+
+void JointEstimator::restart(const Eigen::Vector4d& washed) noexcept {
+  filtered_ = washed.head<3>();
+  inputs_ = {washed(3), 0.0, 0.0};
+  inputs_known_ = 1;
+}
+
+void JointEstimator::take(const JointSample& sample) noexcept {
+  if (!sample.state.allFinite() || !std::isfinite(sample.current_A) || sample.phase < 0 || sample.phase > 1) {
+    washout_.reset();
+    last_tick_ = kNoTick;
+    sample_flags_ = bit(EstimateFlag::kSampleRefused);
+    return;
+  }
+  const bool follows = last_tick_ != kNoTick && sample.tick == last_tick_ + 1;
+  if (!follows) {
+    washout_.reset();
+  }
+  Eigen::Vector4d signal;
+  signal << (sample.state - Eigen::Vector3d(scales_.home_position, 0, 0)).cwiseQuotient(scales_.state),
+      sample.current_A / scales_.current_A;
+  const Eigen::Vector4d washed = washout_.pass(signal);
+  ticks_in_phase_ = sample.phase == phase_ ? ticks_in_phase_ + 1 : 0;
+  phase_ = sample.phase;
+  last_tick_ = sample.tick;
+  sample_flags_ = ticks_in_phase_ > params_.blank_ticks ? 0 : bit(EstimateFlag::kBlanked);
+  if (!follows) {
+    restart(washed);
+    return;
+  }
+  if (sample_flags_ == 0 && inputs_known_ > scales_.input_delay_ticks) {
+    PhaseMemory& known = memory(phase_);
+    std::visit([&](auto& rls) { update(rls, known.innovation_variance, washed.head<3>()); }, known.rls);
+  } else {
+    filtered_ = washed.head<3>();
+  }
+  inputs_ = {washed(3), inputs_[0], inputs_[1]};
+  inputs_known_ = std::min(inputs_known_ + 1, 3);
+}
+
+template <int N>
+void JointEstimator::update(Rls<N>& rls, Eigen::Vector3d& innovation_variance,
+                            const Eigen::Vector3d& measured) noexcept {
+  const Columns columns = columns_of<N>(params_.position);
+  typename Rls<N>::Regressor h;
+  if (params_.position) {
+    h(0) = filtered_(0);
+  }
+  h(columns.velocity) = filtered_(1);
+  h(columns.force) = filtered_(2);
+  h(columns.input) = inputs_[static_cast<std::size_t>(scales_.input_delay_ticks)];
+  const double norm = h.head(columns.bias).norm();
+  if (params_.bias) {
+    h(columns.bias) = kBiasEntry;
+  }
+  const auto prediction = [&] {
+    Eigen::Vector3d y = rls.parameters() * h;
+    if (!params_.position) {
+      y(0) = measured(0);
+    }
+    return y;
+  };
+  const double memory = params_.innovation_forgetting;
+  innovation_variance = memory * innovation_variance +
+                        (1.0 - memory) * Eigen::Vector3d((measured - prediction()).array().square());
+  // Large motion is where the joint is least linear: (h, y) / sqrt(1 + |h|^2 / h_0^2).
+  const double ratio = norm / params_.full_weight_norm;
+  const double weight = 1.0 / std::sqrt(1.0 + ratio * ratio);
+  sample_flags_ |= flags_of(rls.update(weight * h, weight * measured));
+
+  const Eigen::Vector3d predicted = prediction();
+  // L = 1 - R / S, scalar by channel
+  const Eigen::Vector3d correction = (1.0 - noise_variance_.array() / innovation_variance.array().max(1e-300))
+                                         .max(kLeastCorrection)
+                                         .min(1.0);
+  filtered_ = predicted + correction.cwiseProduct(measured - predicted);
+}
+
+template <int N>
+void JointEstimator::read(const Rls<N>& rls, ModelEstimate& out) const noexcept {
+  const Columns columns = columns_of<N>(params_.position);
+  const auto theta = rls.parameters();
+  const auto covariance = rls.covariance();
+  const Eigen::Vector3d residual = rls.residual_variance().cwiseMax(0.0);
+  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d b = theta.col(columns.input);
+  a.col(1) = theta.col(columns.velocity);
+  a.col(2) = theta.col(columns.force);
+  if (params_.position) {
+    a.col(0) = theta.col(0);
+  }
+  a.row(0) << 1.0, kinematic_step_, 0.0;
+  b(0) = 0.0;
+  const auto error = [&](int row, int column) { return std::sqrt(residual(row) * covariance(column, column)); };
+  for (int row = 1; row < 3; ++row) {
+    out.a_error(row, 0) = params_.position ? error(row, 0) : 0.0;
+    out.a_error(row, 1) = error(row, columns.velocity);
+    out.a_error(row, 2) = error(row, columns.force);
+    out.b_error(row) = error(row, columns.input);
+    out.c(row) = params_.bias ? theta(row, columns.bias) * kBiasEntry : 0.0;
+  }
+
+  // Velocity and force are what is uncertain: the position only sums.
+  Eigen::Matrix2d loop = a.bottomRightCorner<2, 2>();
+  switch (map_to_stable<2>(loop, params_.stability_limit)) {
+    case StabilityStatus::kMappedToStable:
+      out.flags |= bit(EstimateFlag::kMappedToStable);
+      a.bottomRightCorner<2, 2>() = loop;
+      break;
+    case StabilityStatus::kEigenvalueError: out.flags |= bit(EstimateFlag::kEigenvalueError); break;
+    case StabilityStatus::kNotYetSet:
+    case StabilityStatus::kStable: break;
+  }
+  const Eigen::Matrix2d block = covariance.template block<2, 2>(columns.velocity, columns.velocity);
+  const auto errors = pole_standard_error<2>(loop, poles<2>(loop), residual.tail<2>(), block);
+  const double pole_error = std::max(errors[0], errors[1]);
+  if (!(b(2) > 0.0 && a(1, 2) > 0.0)) {
+    out.flags |= bit(EstimateFlag::kNotPhysical);
+  }
+  out.samples = static_cast<std::uint32_t>(std::min<std::int64_t>(rls.samples(), UINT32_MAX));
+  if (rls.samples() < params_.min_samples) {
+    out.flags |= bit(EstimateFlag::kNotYetSet);
+  }
+  constexpr std::uint32_t kForbidding = bit(EstimateFlag::kNotPhysical) | bit(EstimateFlag::kNotYetSet) |
+                                        bit(EstimateFlag::kBlanked) | bit(EstimateFlag::kEigenvalueError);
+  out.validity = (out.flags & kForbidding) != 0 ? 0.0 : std::clamp(1.0 - pole_error / kUselessPoleError, 0.0, 1.0);
+  out.excitation = 1.0 / rls.covariance_trace();
+
+  // Back to SI: T A T^-1, T B V^-1.
+  const auto to_si = scales_.state.asDiagonal();
+  const auto from_si = scales_.state.cwiseInverse().asDiagonal();
+  out.a = to_si * a * from_si;
+  out.a_error = (to_si * out.a_error * from_si).eval();
+  out.b = scales_.state.cwiseProduct(b) / scales_.current_A;
+  out.b_error = scales_.state.cwiseProduct(out.b_error) / scales_.current_A;
+  out.c = scales_.state.cwiseProduct(out.c);
+}
+
+ModelEstimate JointEstimator::estimate() const noexcept {
+  ModelEstimate out;
+  out.phase = std::max(phase_, 0);
+  out.flags = phase_ < 0 ? bit(EstimateFlag::kNotYetSet) : sample_flags_;
+  std::visit([&](const auto& rls) { read(rls, out); }, memory(out.phase).rls);
+  return out;
+}
+
+}  // namespace farrier::estimation

@@ -1,0 +1,123 @@
+#pragma once
+
+// One joint's estimator, from sensors and commands to a model that says how sure it is:
+//
+//   x, v, F, u ──▶ normalise ──▶ Washout ──▶ regressor of the tick before ──▶ Rls of the phase ──▶ estimate()
+//                                    └──▶ state filter: prediction against sensors ──▲
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <variant>
+
+#include "core/result.hpp"
+#include "core/time.hpp"
+#include "estimation/estimator_params.hpp"
+#include "estimation/rls.hpp"
+#include "estimation/stable_map.hpp"
+#include "estimation/washout.hpp"
+
+namespace farrier::estimation {
+
+/// Divisors of (3.52), (3.53), and what is known of the joint beforehand. Position relative to home.
+struct JointScales {
+  Eigen::Vector3d state;          ///< position, velocity, force: m, m/s, N or rad, rad/s, Nm; > 0
+  double current_A = 0;           ///< > 0
+  Eigen::Vector3d sensor_noise;   ///< standard deviations, in the units of `state`; >= 0
+  double home_position = 0;       ///< m or rad
+  double period_s = 0;            ///< > 0
+  int input_delay_ticks = 0;      ///< ticks from a command's sample to the plant, 0..2
+};
+
+/// One tick of one joint.
+struct JointSample {
+  Tick tick = kNoTick;
+  Eigen::Vector3d state;  ///< position, velocity, force as measured
+  double current_A = 0;   ///< commanded, acts from this tick on
+  int phase = 0;          ///< 0 or 1: whose gains acted
+};
+
+/// Why an estimate is what it is; bits of JointModelEstimate::flags. Hubacher (2014), Table F.1 shares the names.
+enum class EstimateFlag : std::uint32_t {
+  kNotYetSet = 1u << 0,             ///< too few samples of this phase so far
+  kRegressorTooSmall = 1u << 1,     ///< the last sample was left out (6.24)
+  kCovarianceRepaired = 1u << 2,    ///< the covariance was beyond repair and begun anew
+  kSampleRefused = 1u << 3,         ///< the last sample was not finite
+  kMappedToStable = 1u << 4,        ///< a pole beyond the limit was put on it
+  kEigenvalueError = 1u << 5,       ///< the poles could not be mapped
+  kBlanked = 1u << 6,               ///< a switch of phase is too recent
+  kNotPhysical = 1u << 7,           ///< opening the valve would lower the force, or a force brake the load
+};
+
+/// x[k+1] = A x[k] + B u[k] + c of what the washout leaves, SI, position relative to home.
+struct ModelEstimate {
+  Eigen::Matrix3d a = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+  Eigen::Vector3d c = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d a_error = Eigen::Matrix3d::Zero();  ///< standard errors
+  Eigen::Vector3d b_error = Eigen::Vector3d::Zero();
+  double validity = 0;      ///< 0..1; 0 when a flag forbids use: 1 - (standard error of the faster pole) / 0.3
+  double excitation = 0;    ///< lower bound of the information matrix's smallest eigenvalue, 1 / trace(P)
+  std::uint32_t samples = 0;
+  std::uint32_t flags = 0;  ///< EstimateFlag
+  int phase = 0;
+};
+
+/// Standard error of a pole, in the z-plane, at which an estimate says nothing any more.
+inline constexpr double kUselessPoleError = 0.3;
+
+/// Recursive least squares of a joint whose load changes with the phase of its leg (Hubacher 2014, 6.2, 8.1).
+///
+/// The first row is not estimated but known: position is summed velocity. Measured states are noisy regressors, which
+/// biases least squares (Soderstrom 2007, "Errors-in-variables methods in system identification"), and here the loop
+/// feeds the noise back into the input. So the regressor holds states corrected towards their prediction, channel by
+/// channel, by 1 - (sensor variance) / (prediction error variance), the gain of a scalar Kalman filter whose innovation
+/// variance is measured: a model that predicts well is believed, one that does not leaves the sensors as they are.
+class JointEstimator {
+ public:
+  /// `prior_a`, `prior_b`: SI, where both phases start. Refuses settings out of range, naming them.
+  static Result<JointEstimator> create(const EstimatorParams& params, const JointScales& scales,
+                                       const Eigen::Matrix3d& prior_a, const Eigen::Vector3d& prior_b);
+
+  /// Takes one tick. A gap in the ticks or a sample that is not finite starts the filters anew; estimates stay.
+  void take(const JointSample& sample) noexcept;
+
+  /// What is known of the phase of the last sample.
+  ModelEstimate estimate() const noexcept;
+
+ private:
+  using Memory = std::variant<Rls<3>, Rls<4>, Rls<5>>;
+  struct PhaseMemory {
+    Memory rls;
+    Eigen::Vector3d innovation_variance;
+  };
+
+  JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory);
+
+  PhaseMemory& memory(int phase) noexcept { return memories_[params_.phase_memory ? static_cast<std::size_t>(phase) : 0]; }
+  const PhaseMemory& memory(int phase) const noexcept {
+    return memories_[params_.phase_memory ? static_cast<std::size_t>(phase) : 0];
+  }
+  void restart(const Eigen::Vector4d& washed) noexcept;
+  template <int N>
+  void update(Rls<N>& rls, Eigen::Vector3d& innovation_variance, const Eigen::Vector3d& measured) noexcept;
+  template <int N>
+  void read(const Rls<N>& rls, ModelEstimate& out) const noexcept;
+
+  EstimatorParams params_;
+  JointScales scales_;
+  Eigen::Vector3d noise_variance_;  // normalised
+  double kinematic_step_;           // normalised velocity to normalised position over a period
+  Washout washout_;
+  std::array<PhaseMemory, 2> memories_;
+  Eigen::Vector3d filtered_ = Eigen::Vector3d::Zero();  // state of the last tick
+  std::array<double, 3> inputs_{};                      // washed-out, newest first
+  int inputs_known_ = 0;
+  Tick last_tick_ = kNoTick;
+  int phase_ = -1;
+  int ticks_in_phase_ = 0;
+  std::uint32_t sample_flags_ = 0;
+};
+
+}  // namespace farrier::estimation
