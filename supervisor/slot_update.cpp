@@ -13,8 +13,8 @@ using signals::UpdateVerdict;
 
 // Entries of a normalised model smaller than this have the uncertainty of one of this size.
 constexpr double kSmallestEntry = 0.05;
-// Standard errors are not believed to make the valve's gain uncertain by more than this share.
-constexpr double kLargestGainError = 0.5;
+// The valve's gain is taken for at most this share larger than its estimate.
+constexpr double kLargestGainError = 2.0;
 
 control::DiscreteModel unpack(const signals::JointModelEstimate& estimate) noexcept {
   control::DiscreteModel model;
@@ -108,7 +108,11 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
     decision.designed_poles_re[i] = designed_poles_[i].real();
     decision.designed_poles_im[i] = designed_poles_[i].imag();
   }
-  const double gain_ratio = model.b(2) / gains_.model.b(2);
+  // Too high a valve gain in the design slows a loop, too low a one destabilises it: designs are for the upper end.
+  const double gain_error = std::min(kLargestGainError, logic_.error_sigmas * estimate.b_error[2] / model.b(2));
+  control::DiscreteModel cautious = model;
+  cautious.b *= 1.0 + gain_error;
+  const double gain_ratio = cautious.b(2) / gains_.model.b(2);
   if (decision.pole_distance <= logic_.pole_distance_min &&
       std::max(gain_ratio, 1.0 / gain_ratio) <= logic_.gain_ratio_min) {
     contradicted_s_ = 0;
@@ -120,7 +124,7 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
   if (estimate.validity < logic_.validity_min) {
     return UpdateVerdict::kNotValid;
   }
-  const UpdateVerdict verdict = redesign(estimate, model, decision);
+  const UpdateVerdict verdict = redesign(cautious, model, decision);
   if (verdict == UpdateVerdict::kAccepted) {
     designed_poles_ = poles;
     still_ticks_ = -1;
@@ -129,9 +133,9 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
   return verdict;
 }
 
-UpdateVerdict SlotUpdate::redesign(const signals::JointModelEstimate& estimate, const control::DiscreteModel& model,
+UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const control::DiscreteModel& model,
                                    signals::JointUpdateDecision& decision) noexcept {
-  const auto designed = control::design_lqr(model, weights_, normalisation_, form_, gains_.delay_ticks);
+  const auto designed = control::design_lqr(cautious, weights_, normalisation_, form_, gains_.delay_ticks);
   design_status_ = designed ? control::DesignStatus::kSuccessful : designed.error();
   if (!designed) {
     return UpdateVerdict::kDesignRefused;
@@ -142,17 +146,11 @@ UpdateVerdict SlotUpdate::redesign(const signals::JointModelEstimate& estimate, 
     design_status_ = control::DesignStatus::kClosedLoopNotStable;
     return UpdateVerdict::kDesignRefused;
   }
-  const double gain_error = std::min(kLargestGainError, logic_.error_sigmas * estimate.b_error[2] / model.b(2));
-  for (const double factor : {1.0 - gain_error, 1.0 + gain_error}) {
-    control::DiscreteModel corner = model;
-    corner.b *= factor;
-    decision.estimated_radius =
-        std::max(decision.estimated_radius, control::closed_loop_spectral_radius(corner, gains, gains.delay_ticks));
-  }
+  decision.estimated_radius = control::closed_loop_spectral_radius(model, gains, gains.delay_ticks);
   if (!(decision.estimated_radius < 1.0)) {
     return UpdateVerdict::kUnstableOnEstimate;
   }
-  decision.stored_radius = control::closed_loop_spectral_radius(stored_towards(model), gains, gains.delay_ticks);
+  decision.stored_radius = control::closed_loop_spectral_radius(stored_towards(cautious), gains, gains.delay_ticks);
   if (!(decision.stored_radius < 1.0)) {
     contradicted_s_ += estimate_period_s_;
     return UpdateVerdict::kUnstableOnStoredModel;

@@ -42,7 +42,7 @@ class SlotUpdate {
   void follow(const PoleSet& poles) noexcept;
   signals::UpdateVerdict judge(const signals::JointModelEstimate& estimate, const control::DiscreteModel& model,
                                signals::JointUpdateDecision& decision) noexcept;
-  signals::UpdateVerdict redesign(const signals::JointModelEstimate& estimate, const control::DiscreteModel& model,
+  signals::UpdateVerdict redesign(const control::DiscreteModel& cautious, const control::DiscreteModel& model,
                                   signals::JointUpdateDecision& decision) noexcept;
   control::DiscreteModel stored_towards(const control::DiscreteModel& model) const noexcept;
 

@@ -9,8 +9,8 @@ struct EstimatorParams {
   double forgetting_factor = 0.998;  ///< lambda of (6.21), (0, 1]
   bool bias = true;                  ///< a constant in the regressor, for forces no state explains
   bool position = true;              ///< the position in the regressor; a joint without a spring does not need it
-  double operating_point_time_constant_s = 0.008;  ///< of the moving mean that is subtracted, >= a period
-  int operating_point_order = 3;     ///< times it is subtracted, 0..4; 0: the home pose is subtracted instead
+  double operating_point_time_constant_s = 0.006;  ///< of the moving mean that is subtracted, >= a period
+  int operating_point_order = 2;     ///< times it is subtracted, 0..4; 0: the home pose is subtracted instead
   double full_weight_norm = 0.006;   ///< norm up to which a regressor has full weight, > 0; larger ones are scaled to it
   double innovation_forgetting = 0.9;  ///< of the prediction errors' variance, which weighs states against sensors
   double initial_covariance = 1e5;   ///< of every parameter

@@ -15,6 +15,9 @@ constexpr double kFirstInnovation = 100.0;
 // Least share of a prediction error that corrects the state: a model is never believed altogether.
 constexpr double kLeastCorrection = 0.05;
 
+// Forgetting of the prediction errors that make the misfit: 50 ticks.
+constexpr double kMisfitMemory = 0.98;
+
 constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
 
 // Places in the regressor [x] v F u [1].
@@ -75,7 +78,7 @@ Result<JointEstimator> JointEstimator::create(const EstimatorParams& params, con
     if (!rls) {
       return rls.error();
     }
-    return JointEstimator(params, scales, {std::move(rls).value(), Eigen::Vector3d::Zero()});
+    return JointEstimator(params, scales, {std::move(rls).value(), Eigen::Vector3d::Zero(), 0.0});
   };
   switch (params.columns()) {
     case 3: return with(make_rls<3>(params, a, b));
@@ -128,7 +131,7 @@ void JointEstimator::take(const JointSample& sample) noexcept {
   }
   if (sample_flags_ == 0 && inputs_known_ > scales_.input_delay_ticks) {
     PhaseMemory& known = memory(phase_);
-    std::visit([&](auto& rls) { update(rls, known.innovation_variance, washed.head<3>()); }, known.rls);
+    std::visit([&](auto& rls) { update(rls, known, washed.head<3>()); }, known.rls);
   } else {
     filtered_ = washed.head<3>();
   }
@@ -137,8 +140,7 @@ void JointEstimator::take(const JointSample& sample) noexcept {
 }
 
 template <int N>
-void JointEstimator::update(Rls<N>& rls, Eigen::Vector3d& innovation_variance,
-                            const Eigen::Vector3d& measured) noexcept {
+void JointEstimator::update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector3d& measured) noexcept {
   const Columns columns = columns_of<N>(params_.position);
   typename Rls<N>::Regressor h;
   if (params_.position) {
@@ -159,8 +161,10 @@ void JointEstimator::update(Rls<N>& rls, Eigen::Vector3d& innovation_variance,
     return y;
   };
   const double memory = params_.innovation_forgetting;
-  innovation_variance = memory * innovation_variance +
-                        (1.0 - memory) * Eigen::Vector3d((measured - prediction()).array().square());
+  const Eigen::Vector3d innovation_squared = (measured - prediction()).array().square();
+  known.innovation_variance = memory * known.innovation_variance + (1.0 - memory) * innovation_squared;
+  known.force_error_variance =
+      kMisfitMemory * known.force_error_variance + (1.0 - kMisfitMemory) * innovation_squared(2);
   // Large motion is where the joint is least linear: (h, y) / sqrt(1 + |h|^2 / h_0^2).
   const double ratio = norm / params_.full_weight_norm;
   const double weight = 1.0 / std::sqrt(1.0 + ratio * ratio);
@@ -168,14 +172,14 @@ void JointEstimator::update(Rls<N>& rls, Eigen::Vector3d& innovation_variance,
 
   const Eigen::Vector3d predicted = prediction();
   // L = 1 - R / S, scalar by channel
-  const Eigen::Vector3d correction = (1.0 - noise_variance_.array() / innovation_variance.array().max(1e-300))
+  const Eigen::Vector3d correction = (1.0 - noise_variance_.array() / known.innovation_variance.array().max(1e-300))
                                          .max(kLeastCorrection)
                                          .min(1.0);
   filtered_ = predicted + correction.cwiseProduct(measured - predicted);
 }
 
 template <int N>
-void JointEstimator::read(const Rls<N>& rls, ModelEstimate& out) const noexcept {
+void JointEstimator::read(const Rls<N>& rls, double force_error_variance, ModelEstimate& out) const noexcept {
   const Columns columns = columns_of<N>(params_.position);
   const auto theta = rls.parameters();
   const auto covariance = rls.covariance();
@@ -197,6 +201,11 @@ void JointEstimator::read(const Rls<N>& rls, ModelEstimate& out) const noexcept 
     out.b_error(row) = error(row, columns.input);
     out.c(row) = params_.bias ? theta(row, columns.bias) * kBiasEntry : 0.0;
   }
+
+  // var = n_F^2 + (a_32 n_v)^2 + (a_33 n_F)^2
+  const double explained = noise_variance_(2) * (1.0 + a(2, 2) * a(2, 2)) + a(2, 1) * a(2, 1) * noise_variance_(1);
+  const double misfit = explained > 0.0 ? std::sqrt(force_error_variance / explained) : 0.0;
+  out.b_error(2) += kMisfitError * std::max(0.0, misfit - kMisfitFree) * std::abs(b(2));
 
   // Velocity and force are what is uncertain: the position only sums.
   Eigen::Matrix2d loop = a.bottomRightCorner<2, 2>();
@@ -238,7 +247,8 @@ ModelEstimate JointEstimator::estimate() const noexcept {
   ModelEstimate out;
   out.phase = std::max(phase_, 0);
   out.flags = phase_ < 0 ? bit(EstimateFlag::kNotYetSet) : sample_flags_;
-  std::visit([&](const auto& rls) { read(rls, out); }, memory(out.phase).rls);
+  const PhaseMemory& known = memory(out.phase);
+  std::visit([&](const auto& rls) { read(rls, known.force_error_variance, out); }, known.rls);
   return out;
 }
 

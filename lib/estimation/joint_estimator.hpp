@@ -56,8 +56,8 @@ struct ModelEstimate {
   Eigen::Vector3d b = Eigen::Vector3d::Zero();
   Eigen::Vector3d c = Eigen::Vector3d::Zero();
   Eigen::Matrix3d a_error = Eigen::Matrix3d::Zero();  ///< standard errors
-  Eigen::Vector3d b_error = Eigen::Vector3d::Zero();
-  double validity = 0;      ///< 0..1; 0 when a flag forbids use: 1 - (standard error of the faster pole) / 0.3
+  Eigen::Vector3d b_error = Eigen::Vector3d::Zero();  ///< of the force row: and what kMisfitError makes of misfit
+  double validity = 0;      ///< 0..1; 0 when a flag forbids use: 1 - (larger standard error of a pole) / kUselessPoleError
   double excitation = 0;    ///< lower bound of the information matrix's smallest eigenvalue, 1 / trace(P)
   std::uint32_t samples = 0;
   std::uint32_t flags = 0;  ///< EstimateFlag
@@ -65,7 +65,14 @@ struct ModelEstimate {
 };
 
 /// Standard error of a pole, in the z-plane, at which an estimate says nothing any more.
-inline constexpr double kUselessPoleError = 0.3;
+inline constexpr double kUselessPoleError = 0.6;
+
+/// Misfit: RMS error of force predictions over what the sensors' noise explains. A joint that oscillates between the
+/// valve's limits answers less than the model's valve gain says near rest; least squares then returns the gain of the
+/// oscillation, confidently, and gains designed for it keep the oscillation up. Beyond kMisfitFree the relative error of
+/// the valve's gain grows by kMisfitError for every further unit.
+inline constexpr double kMisfitFree = 3.0;
+inline constexpr double kMisfitError = 0.05;
 
 /// Recursive least squares of a joint whose load changes with the phase of its leg (Hubacher 2014, 6.2, 8.1).
 ///
@@ -91,6 +98,7 @@ class JointEstimator {
   struct PhaseMemory {
     Memory rls;
     Eigen::Vector3d innovation_variance;
+    double force_error_variance = 0;  ///< of force predictions, over kMisfitMemory
   };
 
   JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory);
@@ -101,9 +109,9 @@ class JointEstimator {
   }
   void restart(const Eigen::Vector4d& washed) noexcept;
   template <int N>
-  void update(Rls<N>& rls, Eigen::Vector3d& innovation_variance, const Eigen::Vector3d& measured) noexcept;
+  void update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector3d& measured) noexcept;
   template <int N>
-  void read(const Rls<N>& rls, ModelEstimate& out) const noexcept;
+  void read(const Rls<N>& rls, double force_error_variance, ModelEstimate& out) const noexcept;
 
   EstimatorParams params_;
   JointScales scales_;
