@@ -29,6 +29,7 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
     : joint_(joint),
       safety_(safety),
       session_(session),
+      stance_lead_ticks_(std::llround(safety.stance_lead_s / period_s)),
       home_position_(joint.linkage.position(joint.home_angle_rad)),
       dither_amplitude_A_(kPercent * joint.dither_percent * joint.actuator.valve_current_max_A),
       dither_sign_(kDitherSeed, joint.name, "dither"),
@@ -59,9 +60,16 @@ void JointNode::set_mode(const signals::SystemMode& mode) noexcept {
 }
 
 void JointNode::announce_phase(const signals::GaitPhase& phase) noexcept {
-  if (phase.phase < signals::kPhaseCount) {
-    upcoming_phases_.put(phase);
+  if (phase.phase >= signals::kPhaseCount) {
+    return;
   }
+  signals::GaitPhase acting = phase;
+  if (static_cast<Phase>(phase.phase) == Phase::kStance) {
+    // Swing gains are unstable on the stance load, stance gains stable on the swing load: a leg may land early, so be
+    // early (docs/decisions/0016). Ticks before 0 are as due as 0.
+    acting.switch_tick = std::max<Tick>(phase.switch_tick, 0) - stance_lead_ticks_;
+  }
+  upcoming_phases_.put(acting);
 }
 
 std::uint32_t JointNode::newest_generation() const noexcept {

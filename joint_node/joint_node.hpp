@@ -5,7 +5,7 @@
 //   joint/command ──▶ tau_ref = tau_ff + k_p (q_ref − q) + k_d (q̇_ref − q̇) ──▶ F_ref = tau_ref / lever(q) ──▶ LQR-I ──▶ valve
 //   joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)
 //                                                          dither while tracking, added to what the controller asks for ──▲
-//   controller_gains ──▶ slot per phase, acts from its effective tick      gait/phase ──▶ which slot acts
+//   controller_gains ──▶ slot per phase, acts from its effective tick      gait/phase ──▶ which slot acts, stance a little early
 //
 // A joint whose kind is feedback_linearisation has the nominal flow law in place of LQR-I, and needs no gains.
 // What it does when something is missing is the table in docs/architecture.md.
@@ -37,6 +37,9 @@ class JointNode {
   void refuse_gains(const signals::JointControllerGains& signal) noexcept;
 
   void set_mode(const signals::SystemMode& mode) noexcept;
+
+  /// The leg changes phase at the announced tick, at once when it has gone by; the gains of stance act
+  /// Safety::stance_lead_s sooner than announced, rounded to whole periods. Phases there are not are ignored.
   void announce_phase(const signals::GaitPhase& phase) noexcept;
 
   struct Inputs {
@@ -85,6 +88,7 @@ class JointNode {
   robot::Joint joint_;
   robot::Safety safety_;
   std::uint64_t session_;
+  Tick stance_lead_ticks_;
   double home_position_;  ///< m or rad
   double dither_amplitude_A_;
   NoiseStream dither_sign_;  ///< by tick / hold

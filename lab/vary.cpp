@@ -5,7 +5,7 @@
 namespace farrier::lab {
 namespace {
 
-double draw_within(const Range& range, std::uint64_t seed, const std::string& name, const char* quantity) noexcept {
+double draw_within(const robot::Interval& range, std::uint64_t seed, const std::string& name, const char* quantity) noexcept {
   return range.low + (range.high - range.low) * NoiseStream(seed, name, quantity).uniform(0);
 }
 
@@ -14,13 +14,21 @@ bool carries_the_body(const robot::Joint& joint) noexcept { return joint.stance_
 
 }  // namespace
 
+robot::Robot with_varied_body(robot::Robot nominal) {
+  if (nominal.variation.body_mass_kg > 0.0 && nominal.file.body) {
+    nominal.plan.body_weight_N = nominal.file.body->gravity_m_s2 * nominal.variation.body_mass_kg;
+  }
+  return nominal;
+}
+
 Draw draw_variation(const robot::Robot& nominal, std::uint64_t seed) {
-  Draw draw{.supply_factor = draw_within(kSupplyFactor, seed, nominal.name, "vary.supply"), .joints = {}};
+  const robot::Variation& within = nominal.variation;
+  Draw draw{.supply_factor = draw_within(within.supply_factor, seed, nominal.name, "vary.supply"), .joints = {}};
   for (const robot::Joint& joint : nominal.joints) {
-    draw.joints.push_back({.friction_factor = draw_within(kFrictionFactor, seed, joint.name, "vary.friction"),
-                           .valve_factor = draw_within(kValveFactor, seed, joint.name, "vary.valve"),
+    draw.joints.push_back({.friction_factor = draw_within(within.friction_factor, seed, joint.name, "vary.friction"),
+                           .valve_factor = draw_within(within.valve_gain_factor, seed, joint.name, "vary.valve"),
                            .stance_mass = carries_the_body(joint)
-                                              ? draw_within(kStanceMass_kg, seed, joint.name, "vary.stance_mass")
+                                              ? draw_within(within.stance_mass_kg, seed, joint.name, "vary.stance_mass")
                                               : joint.stance_load.mass});
   }
   return draw;

@@ -7,15 +7,6 @@
 
 namespace farrier::lab {
 
-/// Bounds between which varied() draws, every value uniformly.
-struct Range {
-  double low, high;
-};
-inline constexpr Range kSupplyFactor{0.7, 1.3};
-inline constexpr Range kFrictionFactor{1.0, 5.0};
-inline constexpr Range kValveFactor{0.8, 1.2};
-inline constexpr Range kStanceMass_kg{10.0, 80.0};
-
 /// What one joint of a varied robot differs in.
 struct JointDraw {
   double friction_factor;  ///< on the damping of the load, in swing and stance
@@ -28,7 +19,11 @@ struct Draw {
   std::vector<JointDraw> joints;  ///< in the order of Robot::joints
 };
 
-/// What `seed` draws for this robot. Addressed by (seed, joint's name, quantity): neither the order of the joints nor
+/// The robot with the body of its varied kind, Variation::body_mass_kg: what the gait carries, and so what the world and
+/// every controller are asked for. Loads on cylinders are drawn, the leg about a hip stays.
+robot::Robot with_varied_body(robot::Robot nominal);
+
+/// What `seed` draws for this robot between the ends of its `variation`. Addressed by (seed, joint's name, quantity): neither the order of the joints nor
 /// how many there are changes a joint's numbers.
 Draw draw_variation(const robot::Robot& nominal, std::uint64_t seed);
 

@@ -24,7 +24,7 @@ struct TraceRow {
   double valve_current_A = 0;     ///< acts from this tick on
   double external_force_N_or_Nm = 0;
   double load_mass_kg_or_kgm2 = 0;
-  std::uint8_t phase = 0;         ///< planned phase, whose gains act
+  std::uint8_t phase = 0;         ///< phase whose gains act
   std::uint8_t actual_phase = 0;  ///< phase of the simulated leg
   std::uint8_t state = 0;         ///< signals::JointState
   std::uint32_t generation = 0;

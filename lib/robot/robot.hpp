@@ -59,6 +59,7 @@ struct Robot {
   UpdateLogicParams update_logic;
   Safety safety;
   Bounds bounds;
+  Variation variation;
   RobotFile file;  ///< what all of the above was derived from, defaults and overrides filled in
 
   /// The joint of that name, null for none.

@@ -6,6 +6,7 @@
 
 #include "gait/leg_kinematics.hpp"
 #include "robot/adaptation_check.hpp"
+#include "robot/cross_check.hpp"
 #include "robot/derive.hpp"
 #include "robot/leg_inertia.hpp"
 #include "robot/references.hpp"
@@ -27,8 +28,9 @@ class Builder {
     problems_ = check_references(file_);
     if (problems_.empty()) {
       check_geometry();
-      const config::Problems misfits = check_adaptation(file_);
-      problems_.insert(problems_.end(), misfits.begin(), misfits.end());
+      for (const config::Problems& misfits : {check_adaptation(file_), check_between_sections(file_)}) {
+        problems_.insert(problems_.end(), misfits.begin(), misfits.end());
+      }
     }
     if (!problems_.empty()) {
       return refuse();
@@ -42,8 +44,9 @@ class Builder {
                 .joints = {},
                 .plan = {file_.period_s, body_weight_N(), file_.gait, {}},
                 .update_logic = file_.update_logic.params,
-                .safety = file_.safety,
+                .safety = file_.safety.params,
                 .bounds = file_.bounds,
+                .variation = file_.variation.params,
                 .file = {}};
     for (const auto& [name, leg] : file_.legs) {
       add_leg(name, leg, robot);

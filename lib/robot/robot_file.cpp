@@ -9,7 +9,9 @@ using config::Defaults;
 using config::Option;
 using config::Visitor;
 
-void declare(Visitor& v, Safety& s) {
+void declare(Visitor& v, SafetySection& section) {
+  Safety& s = section.params;
+  v.here(section.place);
   v.number("sensors_stale_s", s.sensors_stale_s, {1e-4, 1}, Default{0.003}, "Sensors older than this: valve to null.");
   v.number("command_damping_s", s.command_damping_s, {1e-4, 1}, Default{0.005}, "Command older than this: damping.");
   v.number("command_trip_s", s.command_trip_s, {1e-3, 10}, Default{0.050},
@@ -20,6 +22,8 @@ void declare(Visitor& v, Safety& s) {
             "Good sensor samples that end a stale spell.");
   v.number("damping_gain_Nms_rad", s.damping_gain_Nms_rad, {0, 1e4}, Default{20.0},
            "Joint torque against the joint's velocity while its command is late (Ns/m on a rig).");
+  v.number("stance_lead_s", s.stance_lead_s, {0, 0.1}, Default{0.0},
+           "Stance gains act this long before the announced touchdown, for one that comes early.");
   v.check(s.command_damping_s < s.command_trip_s, "command_trip_s", "must be longer than command_damping_s");
 }
 
@@ -117,6 +121,7 @@ void declare(Visitor& v, RobotFile& f) {
   v.group("gait", gait, "How the robot moves.");
   v.group("safety", f.safety, "What a joint does when something is missing.");
   v.group("bounds", f.bounds, "What a run is judged by.");
+  v.group("variation", f.variation, Defaults{}, "How far robots of `farrier trot --vary` are drawn from this one.");
 }
 
 }  // namespace farrier::robot

@@ -9,13 +9,14 @@
 #include "robot/actuator_section.hpp"
 #include "robot/adaptation_section.hpp"
 #include "robot/body_section.hpp"
+#include "robot/variation_section.hpp"
 
 namespace farrier::robot {
 
 /// HAA, HFE, KFE: what leg kinematics mean by a leg. A rig has one joint.
 inline constexpr std::size_t kJointsOfALeg = 3;
 
-/// What a joint does when something is missing; the table of docs/architecture.md.
+/// What a joint does when something is missing, the table of docs/architecture.md, and when a touchdown may be early.
 struct Safety {
   double sensors_stale_s = 0.003;        ///< sensors older than this: valve to null
   double command_damping_s = 0.005;      ///< command older than this: damping only
@@ -23,6 +24,12 @@ struct Safety {
   double valve_silent_s = 0.005;         ///< no valve command for this long: spool to null
   int recovery_samples = 10;             ///< good sensor samples that end a stale spell
   double damping_gain_Nms_rad = 20.0;    ///< of the joint while its command is late: tau = -gain qdot
+  double stance_lead_s = 0.0;            ///< stance gains act this long before the announced touchdown
+};
+
+struct SafetySection {
+  Safety params;
+  config::Place place;
 };
 
 /// What a run is judged by.
@@ -82,12 +89,13 @@ struct RobotFile {
   config::Named<JointTemplate> joints;
   config::Named<Leg> legs;
   gait::GaitParams gait;
-  Safety safety;
+  SafetySection safety;
   Bounds bounds;
+  VariationSection variation;
   config::Place place;
 };
 
-void declare(config::Visitor& v, Safety& safety);
+void declare(config::Visitor& v, SafetySection& safety);
 void declare(config::Visitor& v, Bounds& bounds);
 void declare(config::Visitor& v, LoopDelay& delay);
 void declare(config::Visitor& v, JointTemplate& joint);

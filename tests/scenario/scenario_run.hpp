@@ -24,10 +24,11 @@ inline robot::Robot load(const std::string& name, const robot::Overrides& overri
   return std::move(robot).value();
 }
 
-/// Touchdowns up to `jitter_s` early or late.
+/// Touchdowns up to `jitter_s` early or late; gains change exactly as announced, without the file's stance lead.
 inline robot::Robot load_with_jitter(const std::string& name, double jitter_s) {
   robot::Robot robot = load(name);
   robot.plan.gait.touchdown_jitter_s = jitter_s;
+  robot.safety.stance_lead_s = 0.0;
   FARRIER_ENSURE(gait::validate(robot.plan).ok(), "a jitter below the announcement");
   return robot;
 }

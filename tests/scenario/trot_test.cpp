@@ -1,5 +1,6 @@
 // HyQ trots and stands: how good its joints are as torque sources.
 
+#include <algorithm>
 #include <cmath>
 
 #include "gait/reference.hpp"
@@ -47,6 +48,22 @@ TEST(Trot, LosesTheTorqueInStanceWithTheDesignForSwing) {
       EXPECT_GT(tracking.joints.at(joint.number).stance.nrmse, 0.5) << joint.name;
     }
   }
+}
+
+// Touchdowns come up to 10 ms before their plan, and swing gains would lose the joint in that time.
+TEST(Trot, NeverHasSwingGainsOnALegThatStands) {
+  const auto unprotected_rows = [](const robot::Robot& hyq) {
+    lab::InprocRun settings;
+    settings.ticks = kTicks;
+    settings.design = supervisor::Design::kPhases;
+    const Outcome outcome = run(hyq, settings);
+    return std::ranges::count_if(outcome.rows, [](const record::TraceRow& row) {
+      return row.actual_phase == static_cast<std::uint8_t>(gait::Phase::kStance) && row.phase != row.actual_phase;
+    });
+  };
+  const robot::Robot hyq = load("hyq");
+  EXPECT_EQ(unprotected_rows(hyq), 0);
+  EXPECT_GT(unprotected_rows(load_with_jitter("hyq", hyq.plan.gait.touchdown_jitter_s)), 0) << "no touchdown was early";
 }
 
 // The tolerance of a joint at rest: a torque error as large as a run may have in stance, a tenth of a twentieth of the

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gait/reference.hpp"
 #include "gait/schedule.hpp"
 #include "lab/vary.hpp"
 #include "tests/scenario/scenario_run.hpp"
@@ -14,10 +15,10 @@ namespace {
 constexpr Tick kTicks = 4000;  // every leg's third stride, from which a run is judged, is over here
 constexpr std::uint64_t kSeeds = 200;
 
-bool within(double value, const lab::Range& range) { return value >= range.low && value <= range.high; }
+bool within(double value, const robot::Interval& range) { return value >= range.low && value <= range.high; }
 
 // Of kSeeds uniform draws the smallest lies in the lowest tenth but for one chance in 10^9.
-bool fills(std::vector<double> values, const lab::Range& range) {
+bool fills(std::vector<double> values, const robot::Interval& range) {
   const auto [low, high] = std::ranges::minmax(values);
   const double tenth = 0.1 * (range.high - range.low);
   return low < range.low + tenth && high > range.high - tenth;
@@ -25,6 +26,7 @@ bool fills(std::vector<double> values, const lab::Range& range) {
 
 TEST(Variation, DrawsFromTheWholeOfItsRanges) {
   const robot::Robot hyq = load("hyq");
+  const robot::Variation& ranges = hyq.variation;
   std::vector<double> supply, friction, valve, mass;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
     const lab::Draw draw = lab::draw_variation(hyq, seed);
@@ -33,13 +35,59 @@ TEST(Variation, DrawsFromTheWholeOfItsRanges) {
     friction.push_back(knee.friction_factor);
     valve.push_back(knee.valve_factor);
     mass.push_back(knee.stance_mass);
-    ASSERT_TRUE(within(supply.back(), lab::kSupplyFactor) && within(friction.back(), lab::kFrictionFactor) &&
-                within(valve.back(), lab::kValveFactor) && within(mass.back(), lab::kStanceMass_kg));
+    ASSERT_TRUE(within(supply.back(), ranges.supply_factor) && within(friction.back(), ranges.friction_factor) &&
+                within(valve.back(), ranges.valve_gain_factor) && within(mass.back(), ranges.stance_mass_kg));
   }
-  EXPECT_TRUE(fills(supply, lab::kSupplyFactor));
-  EXPECT_TRUE(fills(friction, lab::kFrictionFactor));
-  EXPECT_TRUE(fills(valve, lab::kValveFactor));
-  EXPECT_TRUE(fills(mass, lab::kStanceMass_kg));
+  EXPECT_TRUE(fills(supply, ranges.supply_factor));
+  EXPECT_TRUE(fills(friction, ranges.friction_factor));
+  EXPECT_TRUE(fills(valve, ranges.valve_gain_factor));
+  EXPECT_TRUE(fills(mass, ranges.stance_mass_kg));
+}
+
+TEST(Variation, WithAnEndGivenTwiceDrawsThatValue) {
+  robot::Robot hyq = load("hyq");
+  hyq.variation.supply_factor = {0.8, 0.8};
+  hyq.variation.stance_mass_kg = {42.0, 42.0};
+  const lab::Draw draw = lab::draw_variation(hyq, 4);
+  EXPECT_EQ(draw.supply_factor, 0.8);
+  EXPECT_EQ(draw.joints[hyq.find("rh_kfe")->number].stance_mass, 42.0);
+}
+
+TEST(Variation, HasTheBodyOfItsRobotFile) {
+  const robot::Robot hyq = load("hyq");
+  const robot::Robot lighter = lab::with_varied_body(hyq);
+  EXPECT_EQ(lighter.plan.body_weight_N, 75.0 * 9.81);
+  const lab::Draw draw = lab::draw_variation(lighter, 4);
+  EXPECT_EQ(lab::varied(lighter, draw).plan.body_weight_N, lighter.plan.body_weight_N) << "world and beliefs alike";
+  robot::Robot unsaid = hyq;
+  unsaid.variation.body_mass_kg = 0.0;
+  EXPECT_EQ(lab::with_varied_body(unsaid).plan.body_weight_N, hyq.plan.body_weight_N);
+  EXPECT_EQ(lab::with_varied_body(load("fc1d")).plan.body_weight_N, 0.0);
+}
+
+// What a knee is asked for in stance, over the least its cylinder gives at rest in any draw, p_s A_r for pull and p_s A_p
+// for push: below one, every draw can be carried.
+TEST(Variation, AsksNoCylinderForMoreThanTheLeastSupplyGives) {
+  const auto largest_demand = [](const robot::Robot& robot) {
+    const gait::Reference reference(robot.plan);
+    const gait::Schedule schedule(robot.plan, 1);
+    double largest = 0.0;
+    for (const robot::Joint& joint : robot.joints) {
+      const double low_Pa = robot.variation.supply_factor.low * joint.actuator.supply_pressure_Pa;
+      for (Tick tick = kTicks - schedule.stride_ticks(); tick < kTicks; ++tick) {
+        const gait::JointReference asked = reference.at(joint.leg, joint.index_in_leg, tick);
+        const double force = joint.linkage.force(asked.position_rad, asked.torque_ff_Nm);
+        const double area = force > 0.0 ? joint.actuator.area_a : joint.actuator.area_b;
+        if (schedule.phase(joint.leg, tick) == gait::Phase::kStance) {
+          largest = std::max(largest, std::abs(force) / (low_Pa * area));
+        }
+      }
+    }
+    return largest;
+  };
+  const robot::Robot hyq = load("hyq");
+  EXPECT_GT(largest_demand(hyq), 1.0) << "84.8 kg, which is why varied robots are lighter";
+  EXPECT_LT(largest_demand(lab::with_varied_body(hyq)), 1.0);
 }
 
 TEST(Variation, OfAJointDoesNotDependOnTheOthersOrTheirOrder) {

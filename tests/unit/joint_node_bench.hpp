@@ -15,13 +15,14 @@ namespace farrier::joint_node::testing {
 inline constexpr std::uint64_t kSession = 77;
 inline constexpr int kNoDelay = 0;
 
-/// HyQ without the dither of its file: a test that is about dither sets its own.
+/// HyQ without the dither and the stance lead of its file: a test that is about them sets its own.
 inline const robot::Robot& hyq() {
   static const robot::Robot robot = [] {
     robot::Robot shipped = robot::load_shipped("hyq");
     for (robot::Joint& joint : shipped.joints) {
       joint.dither_percent = 0.0;
     }
+    shipped.safety.stance_lead_s = 0.0;
     return shipped;
   }();
   return robot;
@@ -52,7 +53,8 @@ class Bench {
   explicit Bench(const std::string& name = "lf_kfe") : Bench(joint_named(name)) {}
 
   /// `of` must live as long as the bench.
-  explicit Bench(const robot::Joint& of) : joint(of), node(joint, hyq().safety, hyq().period_s, kSession) {
+  explicit Bench(const robot::Joint& of, const robot::Safety& safety = hyq().safety)
+      : joint(of), node(joint, safety, hyq().period_s, kSession) {
     inputs.sensors.joint = inputs.command.joint = joint.number;
     inputs.sensors.position_m_or_rad = joint.linkage.position(joint.home_angle_rad);
     inputs.command.position_rad = joint.home_angle_rad;
@@ -62,8 +64,8 @@ class Bench {
 
   /// Armed, with stance and swing gains of generations 1 and 2, acting from tick 0.
   static Bench tracking(const std::string& name = "lf_kfe") { return tracking(joint_named(name)); }
-  static Bench tracking(const robot::Joint& of) {
-    Bench bench(of);
+  static Bench tracking(const robot::Joint& of, const robot::Safety& safety = hyq().safety) {
+    Bench bench(of, safety);
     bench.node.set_mode(mode_of(signals::Mode::kArmed, 1));
     bench.offer(gains_of(bench.joint, signals::Phase::kSwing, 1));
     bench.offer(gains_of(bench.joint, signals::Phase::kStance, 2));

@@ -7,6 +7,7 @@ farrier_test(joint_node_test unit
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_missing_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_reference_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_stance_lead_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_standing_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(joint_node_test PRIVATE farrier_joint_node_core farrier_supervisor_core)

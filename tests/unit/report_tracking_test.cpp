@@ -41,6 +41,22 @@ TEST(Tracking, ErrorIsRelativeToTheReferenceAboutItsMean) {
   }
 }
 
+TEST(Tracking, JudgesPlannedPhasesWhicheverGainsActed) {
+  const Rehearsal run;
+  const auto rows = rows_of(run.robot, run.schedule, run.ticks(), [&](const robot::Joint& joint, auto& row) {
+    const bool stance = run.schedule.phase(joint.leg, row.tick) == gait::Phase::kStance;
+    const double amplitude = 0.5 * rating_of(run.robot, joint).force;
+    row.force_reference_N_or_Nm = amplitude * square_wave(row.tick);
+    row.force_N_or_Nm = row.force_reference_N_or_Nm + amplitude * (stance ? 0.04 : 0.15);
+    row.phase = static_cast<std::uint8_t>(run.schedule.phase(joint.leg, row.tick + 10));
+    row.actual_phase = static_cast<std::uint8_t>(run.schedule.phase(joint.leg, row.tick - 7));
+  });
+  for (const JointTracking& joint : track(run.robot, run.schedule, rows, 0).joints) {
+    EXPECT_NEAR(joint.stance.nrmse, 0.04, 0.04 * kOddTick);
+    EXPECT_NEAR(joint.swing.nrmse, 0.15, 0.15 * kOddTick);
+  }
+}
+
 TEST(Tracking, AReferenceAtRestIsMeasuredAgainstFivePercentOfTheRating) {
   const Rehearsal run;
   const auto rows = rows_of(run.robot, run.schedule, run.ticks(), [&](const robot::Joint& joint, auto& row) {

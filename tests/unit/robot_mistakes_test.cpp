@@ -63,6 +63,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "stroke: 0 to 1.7467"},
         Mistake{"home_angle_rad: 1.5", "home_angle_rad: -1.5",
                 "joints.kfe.home_angle_rad: must lie between angle_min_rad and angle_max_rad"},
+        Mistake{"stance_lead_s: 0.010", "stance_lead_s: 0.04 ",
+                "safety.stance_lead_s: is 0.04, but a touchdown is announced 0.04 s ahead: give less, or more "
+                "gait.announce_ticks"},
+        Mistake{"stance_lead_s: 0.010", "stance_lead_s: 0.2",
+                "safety.stance_lead_s: 0.2 is out of range: give 0 to 0.1"},
+        Mistake{"body_mass_kg: 75", "body_mass_kg: 25",
+                "variation.body_mass_kg: is 25, but the legs alone weigh 25.796 kg: give the mass of the whole robot"},
+        Mistake{"supply_factor: [0.7, 1.3]", "supply_factor: [1.3, 0.7]",
+                "variation.supply_factor: is no interval: give two numbers, the lower one first"},
+        Mistake{"friction_factor: [1, 5]", "friction_factor: [1]",
+                "variation.friction_factor: is no interval: give two numbers, the lower one first"},
         Mistake{"angle_max_rad: 0.8726646 ", "angle_max_rad: 1.5 ",
                 "joints.hfe.angle_max_rad: folds linkage hfe beyond its dead centre"}));
 

@@ -15,10 +15,11 @@ namespace farrier::cli {
 /// run's dither.
 int run_load_cycle(const robot::Robot& rig, const TrotOptions& options);
 
-/// farrier trot --experiment switching: what changing gains at the announced phase is worth right after touchdown.
-/// "On": each phase acts with its own gains, from the announced tick. "Off": the gains of the swing slot act in both
-/// phases. The designs for the true swing and stance load stand for adapted ones. Twice: with a reference and a weight
-/// that step at touchdown, and with the load transfer of the robot file.
+/// farrier trot --experiment switching: what changing gains with the phase is worth right after touchdown. "On": each
+/// phase acts with its own gains, switched exactly: touchdowns are announced where they happen, without stance lead.
+/// "Off": the gains of the swing slot act in both phases. The designs for the true swing and stance load stand for
+/// adapted ones. Twice: with a reference and a weight that step at touchdown, and with the load transfer of the robot
+/// file.
 int run_switching(const robot::Robot& robot, const TrotOptions& options);
 
 /// A run in process, with what it wrote.

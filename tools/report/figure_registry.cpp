@@ -45,9 +45,9 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.fig7_8.light_ratio_<quarter>", "1", kAtMost, "Adaptive over true load, light quarters: the dither's cost is in it."},
     FigureSpec{"trot.fig7_8.dithered_light_ratio_<quarter>", "1", kNone, "Adaptive over true load with the same dither, light quarters."},
     FigureSpec{"trot.fig7_8.updates", "1", kNone, "Gain updates of the adaptive run after its first gains."},
-    // trot --experiment switching: what it is worth that gains change with the announced phase
+    // trot --experiment switching: what it is worth that gains change at touchdown
     FigureSpec{"trot.switching.stepped_ratio", "1", kAtMost,
-               "Integrated force error over 30 ms after actual touchdowns, hips and knees, gains switched with the phase over swing gains in both phases; reference and weight step at touchdown."},
+               "Integrated force error over 30 ms after actual touchdowns, hips and knees, gains switched exactly at touchdown over swing gains in both phases; reference and weight step at touchdown."},
     FigureSpec{"trot.switching.ramped_ratio", "1", kNone, "The same with the load transfer of the robot file."},
     FigureSpec{"trot.switching.stepped_to_stance_ratio", "1", kNone, "As stepped_ratio, over stance gains in both phases."},
     FigureSpec{"trot.switching.ramped_to_stance_ratio", "1", kNone, "As ramped_ratio, over stance gains in both phases."},

@@ -48,7 +48,7 @@ void extend_stances(std::vector<std::pair<double, double>>& stances, bool follow
 }
 
 void write_window(std::FILE* file, const std::vector<const record::TraceRow*>& rows, Tick first, Tick last,
-                  double period_s, JointPictureData& data) {
+                  const gait::Schedule& schedule, int leg, double period_s, JointPictureData& data) {
   bool in_stance = false;
   for (const record::TraceRow* row : rows) {
     if (row->tick < first || row->tick >= last) {
@@ -57,7 +57,7 @@ void write_window(std::FILE* file, const std::vector<const record::TraceRow*>& r
     const double time_s = static_cast<double>(row->tick) * period_s;
     std::fprintf(file, "%.4f %.6g %.6g %.6g\n", time_s, row->force_reference_N_or_Nm, row->force_N_or_Nm,
                  error_of(*row));
-    const bool stance = row->phase == static_cast<std::uint8_t>(gait::Phase::kStance);
+    const bool stance = schedule.phase(leg, row->tick) == gait::Phase::kStance;
     if (stance) {
       extend_stances(data.stance_s, in_stance, time_s, time_s + period_s);
     }
@@ -108,7 +108,7 @@ Result<JointPictureData> write_picture_data(const std::string& stem, const robot
   data.window_start_s = static_cast<double>(first) * robot.period_s;
   data.window_end_s = static_cast<double>(last) * robot.period_s;
   data.run_end_s = static_cast<double>(ticks) * robot.period_s;
-  write_window(window.get(), rows, first, last, robot.period_s, data);
+  write_window(window.get(), rows, first, last, schedule, joint.leg, robot.period_s, data);
   write_run(run.get(), rows, ticks, robot.period_s);
   if (std::fflush(window.get()) != 0 || std::fflush(run.get()) != 0) {
     return Error{"cannot write the data of the report's pictures to " + stem + "_*.dat: " + std::strerror(errno)};

@@ -56,8 +56,8 @@ struct JointSums {
   std::uint64_t not_tracking_ticks = 0;
   bool tripped = false;
 
-  void add(const record::TraceRow& row, int loop_delay_ticks) noexcept {
-    (row.phase == static_cast<std::uint8_t>(gait::Phase::kStance) ? stance : swing)
+  void add(const record::TraceRow& row, gait::Phase planned, int loop_delay_ticks) noexcept {
+    (planned == gait::Phase::kStance ? stance : swing)
         .add(row.force_reference_N_or_Nm, row.force_N_or_Nm);
     lowest = std::min(lowest, row.position_m_or_rad);
     highest = std::max(highest, row.position_m_or_rad);
@@ -123,7 +123,7 @@ Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::s
     tracking.ticks = std::max(tracking.ticks, row.tick + 1);
     sums[row.joint].tripped = sums[row.joint].tripped || FaultSet(row.faults).has(Fault::kTripped);
     if (row.tick >= sums[row.joint].first_judged) {
-      sums[row.joint].add(row, loop_delay_ticks);
+      sums[row.joint].add(row, schedule.phase(robot.joints[row.joint].leg, row.tick), loop_delay_ticks);
     }
   }
   for (const robot::Joint& joint : robot.joints) {

@@ -32,7 +32,7 @@ struct PhaseError {
 };
 
 struct JointTracking {
-  PhaseError stance, swing;        ///< planned phases, whose gains act
+  PhaseError stance, swing;        ///< planned phases, whichever gains act
   double travel_rad = 0.0;         ///< largest less smallest joint angle (m where the joint is a piston), judged ticks
   std::uint64_t missed_ticks = 0;  ///< judged ticks whose command is older than the loop delay
   std::uint64_t not_tracking_ticks = 0;  ///< judged ticks at null or damping: their reference is no reference
@@ -48,7 +48,9 @@ struct Tracking {
 /// Whether every joint has judged ticks in every phase its gait has.
 bool long_enough(const robot::Robot& robot, const Tracking& tracking);
 
-/// One pass over the rows, in any order. Rows of joints the robot does not have are a bug.
+/// One pass over the rows, in any order. Stance and swing are those the schedule plans, whichever gains act and
+/// whenever the leg really lands: runs that switch at different ticks are judged on the same ones. Rows of joints the
+/// robot does not have are a bug.
 Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::span<const record::TraceRow> rows,
                int loop_delay_ticks);
 

@@ -1,0 +1,44 @@
+#include "robot/cross_check.hpp"
+
+#include "robot/leg_inertia.hpp"
+
+namespace farrier::robot {
+namespace {
+
+void check_stance_lead(const RobotFile& file, config::Problems& problems) {
+  const double announced_s = file.gait.announce_ticks * file.period_s;
+  if (file.safety.params.stance_lead_s >= announced_s) {
+    problems.push_back(file.safety.place.problem(
+        "stance_lead_s", "is " + config::number_text(file.safety.params.stance_lead_s) +
+                             ", but a touchdown is announced " + config::number_text(announced_s) +
+                             " s ahead: give less, or more gait.announce_ticks"));
+  }
+}
+
+void check_varied_body(const RobotFile& file, config::Problems& problems) {
+  const double mass_kg = file.variation.params.body_mass_kg;
+  if (mass_kg == 0.0) {
+    return;
+  }
+  if (!file.body) {
+    problems.push_back(file.variation.place.problem("body_mass_kg", "is for a robot with a body: leave it out"));
+    return;
+  }
+  const double legs_kg = static_cast<double>(file.legs.size()) * leg_mass_kg(*file.body);
+  if (mass_kg <= legs_kg) {
+    problems.push_back(file.variation.place.problem(
+        "body_mass_kg", "is " + config::number_text(mass_kg) + ", but the legs alone weigh " +
+                            config::number_text(legs_kg) + " kg: give the mass of the whole robot"));
+  }
+}
+
+}  // namespace
+
+config::Problems check_between_sections(const RobotFile& file) {
+  config::Problems problems;
+  check_stance_lead(file, problems);
+  check_varied_body(file, problems);
+  return problems;
+}
+
+}  // namespace farrier::robot
