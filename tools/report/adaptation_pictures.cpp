@@ -8,6 +8,7 @@
 
 #include "config/problem.hpp"
 #include "control/spectrum.hpp"
+#include "robot/joint_model.hpp"
 #include "supervisor/joint_design.hpp"
 #include "tools/report/gnuplot.hpp"
 
@@ -68,7 +69,7 @@ std::string estimate_lines(const AdaptationPicture& input, Phase phase, bool acc
 
 std::string true_lines(const AdaptationPicture& input, const plant::LoadParams& load) {
   std::string lines;
-  const auto poles = control::eigenvalues(supervisor::model_of(input.joint, load, input.robot.period_s).a);
+  const auto poles = control::eigenvalues(robot::model_of(input.joint, load, input.robot.period_s).a);
   for (Eigen::Index i = 0; i < poles.size(); ++i) {
     lines += number(poles[i].real()) + " " + number(poles[i].imag()) + "\n";
   }

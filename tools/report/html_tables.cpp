@@ -91,8 +91,8 @@ std::string decisions_html(const RunInfo& run) {
     return {};
   }
   std::string html =
-      "<h2>Decisions about gains</h2>\n<details><summary>" + std::to_string(run.decisions.size()) +
-      " decisions</summary>\n<table><thead><tr><th>tick</th><th>joint</th><th>phase</th><th>verdict</th>"
+      "<h2>Decisions about gains</h2>\n<details><summary>All of them: " + std::to_string(run.decisions.size()) +
+      "</summary>\n<table><thead><tr><th>tick</th><th>joint</th><th>phase</th><th>verdict</th>"
       "<th>generation</th><th>pole distance</th><th>pole spread</th><th>validity</th><th>excitation</th>"
       "<th>radius on the estimate</th><th>on the stored model</th></tr></thead>\n<tbody>\n";
   for (const DecisionInfo& info : run.decisions) {
