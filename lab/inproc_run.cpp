@@ -71,15 +71,9 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     seat.application = std::move(application).value();
   }
   Seat& gait = seats[participant::kGaitSource];
-  auto monitor = RunMonitor::create(*gait.bus, gait.participant->identity());
+  auto monitor = RunMonitor::create(*gait.bus, gait.participant->identity(), robot::joint_names(robot));
   if (!monitor) {
     return monitor.error();
-  }
-  auto issued = bus::Subscription<signals::JointControllerGains>::create(
-      *gait.bus, participant::endpoint_of(gait.participant->identity(), bus::TopicId::kJointControllerGains,
-                                          robot::joint_names(robot)));
-  if (!issued) {
-    return issued.error();
   }
   InprocResult result;
   const auto& source = static_cast<const GaitSource&>(*gait.application);
@@ -90,11 +84,6 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     for (Seat& seat : seats) {
       seat.application->poll(now);
     }
-    issued.value().drain([&](const signals::JointControllerGains& gains) {
-      if (gains.generation > 0) {  // else a probe of the greeting
-        result.gains.push_back(gains);
-      }
-    });
     idle_polls = source.tick() == last ? idle_polls + 1 : 0;
     if (source.tick() != last) {
       monitor.value().poll();
@@ -112,6 +101,7 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   result.healths = monitor.value().healths();
   result.events = monitor.value().events();
   result.decisions = monitor.value().decisions();
+  result.gains = monitor.value().gains();
   return result;
 }
 

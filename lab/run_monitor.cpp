@@ -4,7 +4,8 @@
 
 namespace farrier::lab {
 
-Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity& identity) {
+Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity& identity,
+                                      const std::vector<std::string>& joints) {
   auto health = bus::Subscription<signals::SystemHealth>::create(
       bus, participant::endpoint_of(identity, bus::TopicId::kSystemHealth));
   if (!health) {
@@ -20,8 +21,17 @@ Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity
   if (!decisions) {
     return decisions.error();
   }
-  return RunMonitor(std::move(health).value(), std::move(events).value(), std::move(decisions).value(),
-                    identity.participants);
+  RunMonitor monitor(std::move(health).value(), std::move(events).value(), std::move(decisions).value(),
+                     identity.participants);
+  if (!joints.empty()) {
+    auto gains = bus::Subscription<signals::JointControllerGains>::create(
+        bus, participant::endpoint_of(identity, bus::TopicId::kJointControllerGains, joints));
+    if (!gains) {
+      return gains.error();
+    }
+    monitor.gains_in_ = std::move(gains).value();
+  }
+  return monitor;
 }
 
 void RunMonitor::poll() {
@@ -36,6 +46,13 @@ void RunMonitor::poll() {
       decisions_.push_back(decision);
     }
   });
+  if (gains_in_) {
+    gains_in_->drain([&](const signals::JointControllerGains& gains) {
+      if (gains.generation > 0) {  // else a probe of the greeting
+        gains_.push_back(gains);
+      }
+    });
+  }
 }
 
 bool RunMonitor::all_final() const noexcept {

@@ -1,16 +1,20 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "participant/participant.hpp"
 
 namespace farrier::lab {
 
-/// Listens to the health, the events and the decisions about gains of a run. Only adds readers.
+/// Listens to the health, the events, the gains and the decisions about gains of a run. Only adds readers.
 class RunMonitor {
  public:
-  static Result<RunMonitor> create(bus::Bus& bus, const participant::Identity& identity);
+  /// `joints`: names of those whose gains it collects; none: no gains.
+  static Result<RunMonitor> create(bus::Bus& bus, const participant::Identity& identity,
+                                   const std::vector<std::string>& joints = {});
 
   /// Takes what has come.
   void poll();
@@ -22,6 +26,8 @@ class RunMonitor {
   const std::vector<signals::SystemEvent>& events() const noexcept { return events_; }
   /// In the order in which they came: of one joint in that of their ticks.
   const std::vector<signals::JointUpdateDecision>& decisions() const noexcept { return decisions_; }
+  /// Every update that was issued, in the order in which they came; between two polls only the newest of a slot.
+  const std::vector<signals::JointControllerGains>& gains() const noexcept { return gains_; }
 
  private:
   RunMonitor(bus::Subscription<signals::SystemHealth> health, bus::Subscription<signals::SystemEvent> events,
@@ -34,9 +40,11 @@ class RunMonitor {
   bus::Subscription<signals::SystemHealth> health_in_;
   bus::Subscription<signals::SystemEvent> event_in_;
   bus::Subscription<signals::JointUpdateDecision> decision_in_;
+  std::optional<bus::Subscription<signals::JointControllerGains>> gains_in_;
   std::vector<signals::SystemHealth> healths_;
   std::vector<signals::SystemEvent> events_;
   std::vector<signals::JointUpdateDecision> decisions_;
+  std::vector<signals::JointControllerGains> gains_;
 };
 
 }  // namespace farrier::lab

@@ -35,12 +35,15 @@ void declare(CLI::App& app, ProcessOptions& o) {
       ->capture_default_str();
   app.add_option("--joints", o.joints, "Joints this process hosts")->delimiter(',');
   app.add_option("--trace", o.trace_path, "Trace file to write (CSV)");
-  app.add_option("--design", o.design, "Load the published gains are for: stance or swing in both slots, phases: each slot its own, or adaptive: starts from swing")
+  app.add_option("--design", o.design,
+                 "Load the published gains are for: stance or swing in both slots, phases: each slot its own, or "
+                 "adaptive: swing in both at first, then what the estimates say")
       ->check(CLI::IsMember({"stance", "swing", "phases", "adaptive"}))
       ->capture_default_str();
   app.add_option("--gait", o.gait, "trot or stand, instead of the robot file's")->check(CLI::IsMember({"trot", "stand"}));
   app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's")
       ->check(CLI::Range(0.1, 10.0));
+  app.add_flag("--no-dither", o.no_dither, "Valves are not probed, whatever the robot file says");
 }
 
 template <class Value>
@@ -118,6 +121,9 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
     char exact[32];
     std::snprintf(exact, sizeof exact, "%.17g", o.frequency_Hz);  // it shapes the trace
     append("--frequency", exact);
+  }
+  if (o.no_dither) {
+    arguments.push_back("--no-dither");
   }
   return arguments;
 }

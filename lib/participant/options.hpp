@@ -27,6 +27,7 @@ struct ProcessOptions {
   std::string design = "stance";    ///< supervisor: "stance", "swing", "phases" or "adaptive"
   std::string gait;                 ///< overrides of the robot file, or empty
   double frequency_Hz = 0;
+  bool no_dither = false;           ///< joint_node: valves are not probed, whatever the robot file says
 };
 
 /// The network as the clock needs it: in lock-step nobody is forgotten for being held up.

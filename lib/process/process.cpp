@@ -24,6 +24,7 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
   if (options.frequency_Hz > 0) {
     overrides.frequency_Hz = options.frequency_Hz;
   }
+  overrides.without_dither = options.no_dither;
   return robot::load_robot(options.robot_path, overrides);
 }
 

@@ -22,6 +22,17 @@ std::vector<config::Setting> settings_of(const Overrides& overrides) {
   return settings;
 }
 
+Result<Robot, config::Problems> build(Result<RobotFile, config::Problems> read, const Overrides& overrides) {
+  if (!read) {
+    return read.error();
+  }
+  RobotFile file = std::move(read).value();
+  for (auto& [name, joint] : file.joints) {
+    joint.dither_percent = overrides.without_dither ? 0.0 : joint.dither_percent;
+  }
+  return build_robot(std::move(file));
+}
+
 }  // namespace
 
 const Joint* Robot::find(std::string_view joint_name) const noexcept {
@@ -31,14 +42,12 @@ const Joint* Robot::find(std::string_view joint_name) const noexcept {
 }
 
 Result<Robot, config::Problems> load_robot(const std::string& path, const Overrides& overrides) {
-  auto file = config::read_file<RobotFile>(path, settings_of(overrides));
-  return file ? build_robot(std::move(file).value()) : Result<Robot, config::Problems>(file.error());
+  return build(config::read_file<RobotFile>(path, settings_of(overrides)), overrides);
 }
 
 Result<Robot, config::Problems> load_robot_text(const std::string& text, const std::string& file,
                                                 const Overrides& overrides) {
-  auto read = config::read_text<RobotFile>(text, file, settings_of(overrides));
-  return read ? build_robot(std::move(read).value()) : Result<Robot, config::Problems>(read.error());
+  return build(config::read_text<RobotFile>(text, file, settings_of(overrides)), overrides);
 }
 
 std::string print_config(const Robot& robot) { return config::print_yaml(robot.file); }

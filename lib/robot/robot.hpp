@@ -73,6 +73,7 @@ struct Robot {
 struct Overrides {
   std::optional<gait::Pattern> pattern;
   std::optional<double> frequency_Hz;
+  bool without_dither = false;  ///< dither_percent of every joint is 0
 };
 
 /// Loads and checks a robot file. Refuses with every mistake in it, each with its line and remedy; checks that need

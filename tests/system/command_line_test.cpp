@@ -19,8 +19,8 @@ constexpr int kTicks = 4000;
 const nlohmann::json& figures_of_a_run() {
   static const nlohmann::json figures = [] {
     const ScratchDirectory scratch;
-    const int status = run_farrier({"trot", "--dds", "mixed", "--duration", "4", "--out", scratch.file("out"),
-                                    "--json", scratch.file("figures.json")});
+    const int status = run_farrier({"trot", "--design", "stance", "--dds", "mixed", "--duration", "4", "--out",
+                                    scratch.file("out"), "--json", scratch.file("figures.json")});
     nlohmann::json json = read_json(scratch.file("figures.json"));
     json["exit_status"] = status;
     return json;
@@ -129,6 +129,9 @@ TEST(BadInput, RefusesUnknownValuesOptionsAndCommandsByName) {
   EXPECT_EQ(run_farrier({"canter"}, &output), 2);
   EXPECT_NE(output.find("'canter' is not a farrier command"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"trot", "--clock", "realtime", "--dds", "inproc"}, &output), 2);
+  EXPECT_EQ(run_farrier({"trot", "--design", "clever"}, &output), 2);
+  EXPECT_NE(output.find("'clever' is not one of adaptive|stance|swing|phases"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"trot", "--design", "stance", "--vary"}, &output), 2);
 }
 
 TEST(BadInput, OfAVariedTrotIsRefusedBeforeAnythingMoves) {
@@ -165,13 +168,26 @@ TEST(VariedTrot, WritesARowForEverySeedControllerAndJointAndJudgesAdaptation) {
   EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + kControllers * 4 * kJointsPerLeg);
 }
 
+TEST(Design, DecidesWhoProbesAndWhetherGainsAreUpdated) {
+  for (const char* design : {"adaptive", "stance", "swing", "phases"}) {
+    const ScratchDirectory scratch;
+    run_farrier({"trot", "--dds", "inproc", "--design", design, "--duration", "1.5", "--out", scratch.file("out")});
+    const nlohmann::json run = read_json(scratch.file("out/figures.json"))["run"];
+    const bool adapts = std::string(design) == "adaptive";
+    EXPECT_EQ(run["configuration"].get<std::string>().find("dither_percent: 0\n") == std::string::npos, adapts)
+        << design;
+    EXPECT_EQ(!run["decisions"].empty(), adapts) << design;
+    EXPECT_EQ(read_file(scratch.file("out/events.txt")).find(" gains ") != std::string::npos, adapts) << design;
+  }
+}
+
 TEST(Help, ListsTheCommandsAndTheOptionsOfEach) {
   std::string output;
   EXPECT_EQ(run_farrier({"--help"}, &output), 0);
   EXPECT_NE(output.find("usage: farrier <command>"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"trot", "--help"}, &output), 0);
   for (const char* option : {"--robot", "--dds", "--clock", "--nodes", "--duration", "--gait", "--frequency", "--seed",
-                             "--out", "--trace", "--json", "--vary", "--seeds"}) {
+                             "--out", "--trace", "--json", "--design", "--dither-cost", "--vary", "--seeds"}) {
     EXPECT_NE(output.find(option), std::string::npos) << option;
   }
 }

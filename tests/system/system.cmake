@@ -19,5 +19,7 @@ farrier_system_test(traffic_test system 0 ${CMAKE_CURRENT_LIST_DIR}/traffic_test
 farrier_system_test(network_test system 0 ${CMAKE_CURRENT_LIST_DIR}/network_test.cpp)
 farrier_system_test(long_pause_test long 0 ${CMAKE_CURRENT_LIST_DIR}/long_pause_test.cpp)
 farrier_system_test(realtime_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/realtime_test.cpp)
+farrier_system_test(estimator_death_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/estimator_death_test.cpp)
+target_link_libraries(estimator_death_test PRIVATE farrier_record farrier_signals)
 # Real time is for a computer that has nothing else to do.
-set_tests_properties(realtime/realtime_test PROPERTIES RUN_SERIAL TRUE)
+set_tests_properties(realtime/realtime_test realtime/estimator_death_test PROPERTIES RUN_SERIAL TRUE)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <thread>
@@ -29,20 +30,29 @@ const std::string& reference_trace() {
   return trace;
 }
 
+TEST(TraceIdentity, IsThatOfRunsInWhichGainsWereUpdated) {
+  const ScratchDirectory scratch;
+  run_farrier({"trot", "--dds", "mixed", "--duration", kDuration, "--out", scratch.file("out")});
+  const nlohmann::json figures = read_json(scratch.file("out/figures.json"))["figures"];
+  const auto updates = std::ranges::find_if(figures, [](const auto& figure) { return figure["name"] == "trot.updates"; });
+  ASSERT_NE(updates, figures.end());
+  EXPECT_GE((*updates)["value"].get<double>(), 1.0);
+}
+
 struct Way {
   const char* dds;
   const char* nodes;
 };
 
-class TraceIdentity : public testing::TestWithParam<Way> {};
+class TraceOverEveryTransport : public testing::TestWithParam<Way> {};
 
-TEST_P(TraceIdentity, EqualsTheInProcessTraceByteForByte) {
+TEST_P(TraceOverEveryTransport, EqualsTheInProcessTraceByteForByte) {
   ASSERT_GT(reference_trace().size(), 1000u);
   EXPECT_TRUE(trace_of(GetParam().dds, GetParam().nodes) == reference_trace());
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Over, TraceIdentity,
+    Over, TraceOverEveryTransport,
     testing::Values(Way{"inproc", "per-joint"}, Way{"inproc", "one"}, Way{"cyclone", "per-leg"},
                     Way{"cyclone", "per-joint"}, Way{"cyclone", "one"}, Way{"fast", "per-leg"},
                     Way{"fast", "per-joint"}, Way{"fast", "one"}, Way{"mixed", "per-leg"}, Way{"mixed", "per-joint"},

@@ -135,6 +135,7 @@ TEST(ProcessOptions, SurviveTheCommandLine) {
   options.design = "swing";
   options.gait = "stand";
   options.frequency_Hz = 4.0 / 3.0;
+  options.no_dither = true;
   const ProcessOptions back = parsed(to_arguments(options));
   EXPECT_EQ(back.name, options.name);
   EXPECT_EQ(back.robot_path, options.robot_path);
@@ -153,6 +154,15 @@ TEST(ProcessOptions, SurviveTheCommandLine) {
   EXPECT_EQ(back.design, options.design);
   EXPECT_EQ(back.gait, options.gait);
   EXPECT_EQ(back.frequency_Hz, options.frequency_Hz) << "to the last bit: it shapes the trace";
+  EXPECT_TRUE(back.no_dither);
+}
+
+TEST(ProcessOptions, TakeEveryDesignOfTheSupervisorAndLeaveDitherOnUnlessTold) {
+  for (const char* design : {"adaptive", "stance", "swing", "phases"}) {
+    const ProcessOptions options = parsed({"--number", "0", "--participants", "3", "--design", design});
+    EXPECT_EQ(options.design, design);
+    EXPECT_FALSE(options.no_dither);
+  }
 }
 
 TEST(ProcessOptions, RefuseANumberBeyondTheParticipants) {

@@ -104,7 +104,7 @@ TEST(LoadCycleFigures, CountTheUpdatesAfterTheFirstGains) {
   runs[0].gains = {gains_at(2, 1), gains_at(2, 2), gains_at(150, 3), gains_at(600, 4)};
   Figures figures;
   add_load_cycle(figures, plan(), runs);
-  EXPECT_EQ(figures.find("trot.fig7_8.updates")->value, 2.0);
+  EXPECT_EQ(figures.find("trot.fig7_8.gain_updates")->value, 2.0);
 }
 
 TEST(LoadCycleReport, ShowsForcesGainsAndPolesOfEveryRun) {

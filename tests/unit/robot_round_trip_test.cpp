@@ -90,6 +90,19 @@ TEST(Overrides, ArePartOfTheEffectiveConfigurationAndAreChecked) {
             shipped("hyq") + ": gait.frequency_Hz: 900 is out of range: give 0.05 to 10\n");
 }
 
+TEST(Overrides, TakeTheDitherFromEveryJointAndNothingElse) {
+  const Robot probed = load_shipped("hyq");
+  Robot quiet = load_shipped("hyq", {.pattern = std::nullopt, .frequency_Hz = std::nullopt, .without_dither = true});
+  ASSERT_GT(probed.joints.front().dither_percent, 0.0);
+  for (const Joint& joint : quiet.joints) {
+    EXPECT_EQ(joint.dither_percent, 0.0) << joint.name;
+  }
+  for (auto& [name, joint] : quiet.file.joints) {
+    joint.dither_percent = config::find(probed.file.joints, name)->dither_percent;
+  }
+  EXPECT_EQ(print_config(quiet), print_config(probed));
+}
+
 TEST(ParameterTable, CoversTheWholeRobotFile) {
   const std::string table = parameter_table();
   for (const char* path : {"`period_s`", "`supply.supply_pressure_Pa`", "`actuators.<name>.cylinder.bore_m`",

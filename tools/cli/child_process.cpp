@@ -77,6 +77,17 @@ ChildProcess::ChildProcess(ChildProcess&& other) noexcept
   other.ended_ = true;
 }
 
+ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
+  kill();
+  name_ = std::move(other.name_);
+  log_path_ = std::move(other.log_path_);
+  pid_ = other.pid_;
+  ended_ = other.ended_;
+  exit_status_ = other.exit_status_;
+  other.ended_ = true;
+  return *this;
+}
+
 ChildProcess::~ChildProcess() {
   kill();
 }

@@ -18,7 +18,7 @@ class ChildProcess {
                                     const std::vector<std::string>& arguments, const std::string& log_path);
   ~ChildProcess();
   ChildProcess(ChildProcess&& other) noexcept;
-  ChildProcess& operator=(ChildProcess&&) = delete;
+  ChildProcess& operator=(ChildProcess&& other) noexcept;
 
   /// True while it runs.
   bool running();

@@ -8,6 +8,7 @@
 #include "lab/gait_source.hpp"
 #include "lab/run_monitor.hpp"
 #include "participant/loop.hpp"
+#include "robot/keys.hpp"
 #include "runtime/realtime_thread.hpp"
 #include "tools/cli/child_process.hpp"
 #include "tools/cli/domain_lock.hpp"
@@ -99,9 +100,27 @@ std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProce
   return said.empty() ? "waiting for " + gait.waits_for() : said;
 }
 
-/// Plays the gait until the run is over. Refuses when a child dies or the user interrupts.
+/// Takes the dead out of `children`. Refuses when the run cannot do without one: in real time, once it has begun, it
+/// can without `estimator`; in lock-step everybody waits for everybody.
+Result<Done> bury(std::vector<ChildProcess>& children, const std::string& estimator, bool realtime, Tick tick,
+                  std::vector<std::string>& warnings) {
+  for (auto child = children.begin(); child != children.end();) {
+    if (child->running()) {
+      ++child;
+      continue;
+    }
+    if (child->name() != estimator || !realtime || tick <= 0) {
+      return Error{child->epitaph() + (realtime ? "" : "\nIn lock-step every process waits for every other, so the run ends.")};
+    }
+    warnings.push_back("no update of gains after tick " + std::to_string(tick) + ": " + child->epitaph());
+    child = children.erase(child);
+  }
+  return Done{};
+}
+
+/// Plays the gait until the run is over. Refuses as bury does, and when the user interrupts.
 Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children, Progress& progress,
-                    bool realtime) {
+                    bool realtime, RunOutcome& outcome) {
   SteadyTime next_housekeeping{};
   SteadyTime first_tick{};
   SteadyTime moved = now();
@@ -119,10 +138,10 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       if (participant::stop_requested()) {
         return Error{"interrupted"};
       }
-      for (ChildProcess& child : children) {
-        if (!child.running()) {
-          return Error{child.epitaph()};
-        }
+      if (auto buried = bury(children, outcome.members[participant::kEstimatorService].name, realtime, last,
+                             outcome.warnings);
+          !buried) {
+        return buried.error();
       }
       if (!seat.participant->refusal().empty()) {
         return Error{seat.participant->refusal()};
@@ -182,13 +201,14 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   if (!seat) {
     return seat.error();
   }
-  auto monitor = lab::RunMonitor::create(*seat.value().bus, seat.value().participant->identity());
+  auto monitor = lab::RunMonitor::create(*seat.value().bus, seat.value().participant->identity(),
+                                         robot::joint_names(robot));
   if (!monitor) {
     return monitor.error();
   }
   Progress progress(run.title, common.ticks);
   auto played = play(seat.value(), monitor.value(), children.value(), progress,
-                     common.clock == bus::ClockKind::kRealtime);
+                     common.clock == bus::ClockKind::kRealtime, outcome);
   const std::string hard_ends = end_all(children.value());
   if (!played) {
     return played.error();
@@ -201,6 +221,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   outcome.healths = monitor.value().healths();
   outcome.events = monitor.value().events();
   outcome.decisions = monitor.value().decisions();
+  outcome.gains = monitor.value().gains();
   return outcome;
 }
 

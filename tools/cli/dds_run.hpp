@@ -30,11 +30,14 @@ struct RunOutcome {
   std::vector<signals::SystemHealth> healths;  ///< by participant
   std::vector<signals::SystemEvent> events;
   std::vector<signals::JointUpdateDecision> decisions;
+  std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued
+  std::vector<std::string> warnings;  ///< what went wrong and did not end the run
   double wall_s = 0;  ///< from the first tick to the last
 };
 
 /// Starts every process, plays the gait from this one, shows progress, ends every process. Refuses when a process
-/// dies (with its name, exit status and last lines) or the user interrupts; no process is left behind either way.
+/// dies (with its name, exit status and last lines) or the user interrupts; no process is left behind either way. In
+/// real time a run goes on without estimator_service, with a warning: gains then stay as they are.
 Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run);
 
 }  // namespace farrier::cli

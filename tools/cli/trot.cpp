@@ -2,21 +2,20 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 
 #include <unistd.h>
 
-#include "lab/inproc_run.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
-#include "robot/keys.hpp"
 #include "supervisor/joint_design.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/experiment.hpp"
+#include "tools/cli/in_process.hpp"
 #include "tools/cli/output_file.hpp"
-#include "tools/cli/progress.hpp"
+#include "tools/cli/run_events.hpp"
 #include "tools/cli/trot_options.hpp"
 #include "tools/cli/vary.hpp"
+#include "tools/report/adaptation.hpp"
 #include "tools/report/console.hpp"
 #include "tools/report/html_report.hpp"
 #include "tools/report/joint_poles.hpp"
@@ -41,82 +40,25 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
   common.trace_path = o.trace_path;
   common.gait = o.gait;
   common.frequency_Hz = o.frequency_Hz;
+  common.design = o.design;
+  // Varied robots and experiments say themselves who probes.
+  common.no_dither = !o.vary && o.experiment == Experiment::kNone && o.design != "adaptive";
   return common;
-}
-
-Result<RunOutcome> run_inproc(const robot::Robot& robot, const TrotOptions& o, supervisor::Design design,
-                              const std::string& trace_path, const std::string& title) {
-  participant::install_signal_handlers();
-  lab::InprocRun run;
-  run.grouping = o.nodes;
-  run.ticks = lab::ticks_of(o.duration_s, robot);
-  run.seed = o.seed;
-  run.design = design;
-  run.trace_path = trace_path;
-  Progress progress(title, run.ticks);
-  run.progress = [&](Tick tick) {
-    progress.update(tick);
-    return !participant::stop_requested();
-  };
-  const SteadyTime begin = std::chrono::steady_clock::now();
-  auto result = lab::run_inproc(robot, run);
-  if (!result) {
-    return result.error();
-  }
-  RunOutcome outcome;
-  outcome.members = lab::plan_members(robot, o.nodes);
-  outcome.hellos = std::move(result.value().hellos);
-  outcome.healths = std::move(result.value().healths);
-  outcome.events = std::move(result.value().events);
-  outcome.decisions = std::move(result.value().decisions);
-  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return outcome;
 }
 
 Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o) {
   if (o.dds == DdsChoice::kInproc) {
-    return run_inproc(robot, o, supervisor::Design::kStance, o.trace_path, "trot");
+    return run_in_process(robot, o, supervisor::parse_design(o.design), o.trace_path, "trot");
   }
   DdsRun run;
   run.dds = o.dds;
   run.grouping = o.nodes;
   run.common = common_options(o);
-  // With a tick of delay the stance design does not hold the swing load: in real time each slot has its own.
-  run.common.design = o.clock == bus::ClockKind::kRealtime ? "phases" : "stance";
   run.common.ticks = lab::ticks_of(o.duration_s, robot);
   run.executables = build_directory();
   run.log_directory = o.out + "/log";
   run.title = "trot";
   return run_over_dds(robot, run);
-}
-
-Result<report::Tracking> tracking_of(const robot::Robot& robot, const std::string& trace_path, std::uint64_t seed,
-                                     int loop_delay, std::vector<record::TraceRow>& rows) {
-  auto read = record::read_trace(trace_path, robot::joint_names(robot));
-  if (!read) {
-    return read.error();
-  }
-  rows = std::move(read).value();
-  return report::track(robot, gait::Schedule(robot.plan, seed), rows, loop_delay);
-}
-
-/// The same gait with the swing design in both slots. In process: lock-step traces do not depend on the transport.
-Result<Done> add_swing_design(robot::Robot robot, const TrotOptions& o, report::Figures& figures) {
-  for (robot::Joint& joint : robot.joints) {
-    joint.kind = control::Kind::kLqr;
-  }
-  const std::string path = o.out + "/trace_swing_design.csv";
-  auto run = run_inproc(robot, o, supervisor::Design::kSwing, path, "trot, swing design beside");
-  if (!run) {
-    return run.error();
-  }
-  std::vector<record::TraceRow> rows;
-  auto tracking = tracking_of(robot, path, o.seed, robot.loop_delay_lockstep, rows);
-  if (!tracking) {
-    return tracking.error();
-  }
-  report::add_swing_design_tracking(figures, robot, tracking.value());
-  return Done{};
 }
 
 /// Joints of the robot file no controller can be designed for, a line each; empty when there are none.
@@ -135,20 +77,28 @@ std::string undesignable(const robot::Robot& robot) {
   return lines;
 }
 
-/// What changed in the run, one line an event.
-void write_events(const std::string& path, const robot::Robot& robot, const RunOutcome& run) {
-  std::ofstream file(path);
-  for (const signals::SystemEvent& event : run.events) {
-    file << "tick " << event.tick << ' ' << signals::to_string(static_cast<signals::Severity>(event.severity)) << ' '
-         << (event.participant < run.members.size() ? run.members[event.participant].name : "?");
-    if (event.joint < robot.joints.size()) {
-      file << ' ' << robot.joints[event.joint].name;
+/// The runs beside that the options ask for.
+Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
+  if (o.dither_cost) {
+    participant::ProcessOptions probed = common_options(o);
+    probed.no_dither = false;
+    const auto loaded = process::load_robot(probed);
+    if (!loaded) {
+      return Error{config::to_string(loaded.error())};
     }
-    file << ": " << signals::text_of(event.text) << '\n';
+    if (auto added = add_dither_cost(loaded.value(), o, figures); !added) {
+      return added;
+    }
   }
+  return add_swing_design(robot, o, figures);
 }
 
 int trot(TrotOptions o) {
+  if (o.design.empty()) {
+    // With a tick of delay one design does not hold both loads, and nothing shows yet that adaptation gets by with it
+    // while it learns: in real time each slot has the design for its own load.
+    o.design = o.clock == bus::ClockKind::kRealtime ? "phases" : "adaptive";
+  }
   const auto loaded = process::load_robot(common_options(o));
   if (!loaded) {
     std::fputs(config::to_string(loaded.error()).c_str(), stderr);
@@ -206,6 +156,8 @@ int trot(TrotOptions o) {
   for (std::size_t i = 0; i < ran.value().hellos.size(); ++i) {
     outcome.run.processes.push_back(report::process_info(ran.value().hellos[i], ran.value().healths[i]));
   }
+  outcome.run.decisions = report::decision_infos(robot, ran.value().decisions);
+  outcome.warnings = ran.value().warnings;
   for (const signals::SystemEvent& event : ran.value().events) {
     if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {
       outcome.failures.emplace_back(signals::text_of(event.text));
@@ -221,6 +173,8 @@ int trot(TrotOptions o) {
   }
   report::add_tracking(outcome.figures, robot, tracking.value(),
                        lockstep ? report::Judgement::kLockstep : report::Judgement::kMeasuredOnly);
+  report::add_updates(outcome.figures, robot, outcome.run.decisions, tracking.value().ticks,
+                      lockstep && o.design == "adaptive");
   if (auto added = report::add_spectral_radii(outcome.figures, robot, loop_delay); !added) {
     return fail(added.error());
   }
@@ -229,15 +183,15 @@ int trot(TrotOptions o) {
   if (!report::long_enough(robot, tracking.value())) {
     outcome.failures.emplace_back(kTooShort);
   }
-  write_events(o.out + "/events.txt", robot, ran.value());
-  if (auto beside = add_swing_design(robot, o, outcome.figures); !beside) {
+  write_events(o.out + "/events.txt", robot, ran.value(), outcome.run.decisions);
+  if (auto beside = add_runs_beside(robot, o, outcome.figures); !beside) {
     return fail(beside.error());
   }
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail(written.error());
   }
   const gait::Schedule schedule(robot.plan, o.seed);
-  auto page = report::write_report(o.out, {outcome, robot, schedule, rows, loop_delay});
+  auto page = report::write_report(o.out, {outcome, robot, schedule, rows, loop_delay, ran.value().gains});
   if (!page) {
     return fail(page.error());
   }

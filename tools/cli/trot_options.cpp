@@ -20,6 +20,9 @@ const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "sta
 const std::map<std::string, Experiment> kExperiments{{"fig7.8", Experiment::kLoadCycle},
                                                      {"switching", Experiment::kSwitching}};
 
+const std::map<std::string, std::string> kDesigns{
+    {"adaptive", "adaptive"}, {"stance", "stance"}, {"swing", "swing"}, {"phases", "phases"}};
+
 }  // namespace
 
 void declare(CLI::App& app, TrotOptions& o) {
@@ -33,6 +36,12 @@ void declare(CLI::App& app, TrotOptions& o) {
   add_choice(app, "--clock", o.clock, kClocks, "lockstep|realtime", "lock-step, which repeats bit for bit, or real time")
       ->default_str("lockstep");
   add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")->default_str("per-leg");
+  CLI::Option* const design =
+      add_choice(app, "--design", o.design, kDesigns, "adaptive|stance|swing|phases",
+                 "gains: adaptive begins with the swing design in both phases and redesigns from what it measures, "
+                 "probing the valves as the robot file says; stance and swing keep one design in both phases, phases "
+                 "keeps one for each; none of the three probes")
+          ->default_str("adaptive; phases with --clock realtime");
   app.add_option("--duration", o.duration_s, "simulated seconds")
       ->check(between(0.1, 3600.0))
       ->type_name("<s>")
@@ -51,6 +60,13 @@ void declare(CLI::App& app, TrotOptions& o) {
       add_choice(app, "--experiment", o.experiment, kExperiments, "fig7.8|switching",
                  "instead of one run, in process: fig7.8, a rig (fc1d.yaml) whose load changes unannounced; switching, "
                  "what it is worth that gains change at touchdown");
+  experiment->excludes(design);
+  CLI::Option* const dither_cost =
+      app.add_flag("--dither-cost", o.dither_cost,
+                   "two more runs in process, each phase with its fixed design, with the dither of the robot file and "
+                   "without: figure trot.dither_cost_ratio")
+          ->type_name("")
+          ->excludes(experiment);
   CLI::Option* const vary =
       app.add_flag("--vary", o.vary,
                    "run robots whose loads, supply, friction and valves are drawn and known to no controller: the "
@@ -58,6 +74,8 @@ void declare(CLI::App& app, TrotOptions& o) {
                    "lock-step traces do not depend on it")
           ->type_name("")
           ->excludes(trace)
+          ->excludes(design)
+          ->excludes(dither_cost)
           ->excludes(experiment);
   app.add_option("--seeds", o.seeds, "robots that --vary draws, from --seed on")
       ->check(between(1, 10000))

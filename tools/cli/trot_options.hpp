@@ -16,6 +16,7 @@ struct TrotOptions {
   DdsChoice dds = DdsChoice::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
   lab::Grouping nodes = lab::Grouping::kPerLeg;
+  std::string design;       ///< as supervisor::parse_design takes it; empty: adaptive, in real time phases
   double duration_s = 9.0;
   std::string gait;         ///< empty: the robot file's
   double frequency_Hz = 0;  ///< 0: the robot file's
@@ -25,6 +26,7 @@ struct TrotOptions {
   std::string json_path;    ///< empty: figures.json in `out`
   bool print_config = false;
   Experiment experiment = Experiment::kNone;
+  bool dither_cost = false; ///< two more runs: what the robot file's dither costs
   bool vary = false;        ///< varied robots under every controller instead of one run
   int seeds = 5;            ///< of `vary`, from `seed` on
 };

@@ -89,7 +89,8 @@ struct Column {
   const char* title;
   const char* figure;
 };
-constexpr std::array kColumns{Column{"stance NRMSE", "stance_nrmse"},
+constexpr std::array kColumns{Column{"updates", "updates"},
+                              Column{"stance NRMSE", "stance_nrmse"},
                               Column{"swing design", "swing_design_stance_nrmse"},
                               Column{"swing NRMSE", "swing_nrmse"},
                               Column{"swing design", "swing_design_swing_nrmse"},
@@ -134,7 +135,9 @@ void add_joint_table(Paper& paper, const Figures& figures) {
 void add_other_figures(Paper& paper, const Figures& figures) {
   std::vector<Row> rows;
   for (const Figure& figure : figures.all()) {
-    const bool nothing_to_tell = figure.name.ends_with(".not_tracking_ticks") && figure.value == 0 && figure.holds();
+    const bool nothing_to_tell =
+        (figure.name.ends_with(".not_tracking_ticks") || figure.name.ends_with(".refused_designs")) &&
+        figure.value == 0 && figure.holds();
     const bool elsewhere = nothing_to_tell || is_in_joint_table(figure) || figure.name.starts_with("trot.packets.") ||
                            figure.name.starts_with("trot.latency_");
     if (!elsewhere) {
@@ -196,6 +199,9 @@ std::string console_text(const Outcome& outcome, bool colour) {
   add_other_figures(paper, outcome.figures);
   add_processes(paper, outcome.run);
   add_latency(paper, outcome.figures);
+  for (const std::string& warning : outcome.warnings) {
+    paper.line("warning: " + warning);
+  }
   for (const std::string& reason : reasons_to_fail(outcome.figures, outcome.failures)) {
     paper.line(paper.red("! " + reason));
   }

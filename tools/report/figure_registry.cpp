@@ -26,6 +26,12 @@ constexpr std::array kSpecs{
                "Largest modulus of the closed-loop poles: stance design on the stance load."},
     FigureSpec{"trot.<joint>.swing_spectral_radius", "1", kBelow,
                "Largest modulus of the closed-loop poles: swing design on the swing load."},
+    FigureSpec{"trot.<joint>.updates", "1", kAtLeast, "Redesigned gains that the supervisor issued, both slots."},
+    FigureSpec{"trot.<joint>.refused_designs", "1", kNone,
+               "Redesigns it refused: no controller, or one unstable on the estimate or on the stored model within its uncertainty."},
+    FigureSpec{"trot.updates", "1", kNone, "Redesigned gains issued, all joints."},
+    FigureSpec{"trot.dither_cost_ratio", "1", kNone,
+               "With --dither-cost: stance NRMSE of a run with a fixed design per phase and the robot file's dither over that of one without, median over joints."},
     FigureSpec{"trot.strides", "1", kNone, "Strides that every leg completed."},
     FigureSpec{"trot.ticks", "1", kNone, "Ticks of the run."},
     FigureSpec{"trot.ticks_per_s", "1/s", kNone, "Ticks per second of wall time."},
@@ -44,8 +50,8 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.fig7_8.true_load_dithered.<quarter>_nrmse", "1", kNone, "The same with the dither that the adaptive run has."},
     FigureSpec{"trot.fig7_8.light_ratio_<quarter>", "1", kAtMost, "Adaptive over true load, light quarters: the dither's cost is in it."},
     FigureSpec{"trot.fig7_8.dithered_light_ratio_<quarter>", "1", kNone, "Adaptive over true load with the same dither, light quarters."},
-    FigureSpec{"trot.fig7_8.updates", "1", kNone, "Gain updates of the adaptive run after its first gains."},
-    // trot --experiment switching: what it is worth that gains change at touchdown
+    FigureSpec{"trot.fig7_8.gain_updates", "1", kNone, "Gain updates of the adaptive run after its first gains."},
+    // trot --experiment switching: what it is worth that gains change with the announced phase
     FigureSpec{"trot.switching.stepped_ratio", "1", kAtMost,
                "Integrated force error over 30 ms after actual touchdowns, hips and knees, gains switched exactly at touchdown over swing gains in both phases; reference and weight step at touchdown."},
     FigureSpec{"trot.switching.ramped_ratio", "1", kNone, "The same with the load transfer of the robot file."},

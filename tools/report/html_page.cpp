@@ -52,6 +52,9 @@ std::string page_head(const std::string& plain_title, const Outcome& outcome) {
     }
     html += "</ul>\n";
   }
+  for (const std::string& warning : outcome.warnings) {
+    html += "<p>Warning: " + escape_html(warning) + "</p>\n";
+  }
   return html;
 }
 

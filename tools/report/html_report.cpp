@@ -19,6 +19,7 @@ std::string joint_section(const robot::Joint& joint, const JointPictures& pictur
     html += "<p>The run ended before its judged part began: nothing to show here.</p>\n";
   }
   html += picture(pictures.tracking, "force reference, force and error of " + joint.name);
+  html += picture(pictures.adaptation, "gains over time and poles of the estimates of " + joint.name);
   const bool compliant = joint.form == control::Form::kCompliant;
   html += "<div class=\"beside\">\n<figure>" +
           picture(pictures.overview, "reference and error of " + joint.name + " over the whole run") +
@@ -37,6 +38,7 @@ std::string page(const ReportInput& input, const std::vector<JointPictures>& pic
   for (const robot::Joint& joint : input.robot.joints) {
     html += joint_section(joint, pictures[joint.number]);
   }
+  html += decisions_html(outcome.run);
   html += page_foot(outcome);
   return html;
 }
@@ -44,8 +46,7 @@ std::string page(const ReportInput& input, const std::vector<JointPictures>& pic
 }  // namespace
 
 Result<std::string> write_report(const std::string& out_dir, const ReportInput& input) {
-  const auto pictures =
-      draw_pictures(out_dir, input.robot, input.schedule, input.rows, input.loop_delay_ticks);
+  const auto pictures = draw_pictures(out_dir, input);
   if (!pictures) {
     return pictures.error();
   }

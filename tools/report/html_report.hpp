@@ -7,6 +7,7 @@
 #include "gait/schedule.hpp"
 #include "record/trace.hpp"
 #include "robot/robot.hpp"
+#include "signals/signals.hpp"
 #include "tools/report/outcome.hpp"
 
 namespace farrier::report {
@@ -18,6 +19,7 @@ struct ReportInput {
   const gait::Schedule& schedule;
   std::span<const record::TraceRow> rows;
   int loop_delay_ticks;  ///< of the run's clock
+  std::span<const signals::JointControllerGains> gains = {};  ///< every update issued
 };
 
 /// Writes out_dir/index.html with its pictures beside it, making the folder where needed, and returns the page's

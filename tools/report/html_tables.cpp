@@ -27,7 +27,8 @@ struct Column {
   const char* title;
   const char* figure;
 };
-constexpr std::array kColumns{Column{"stance NRMSE", "stance_nrmse"},
+constexpr std::array kColumns{Column{"updates", "updates"},
+                              Column{"stance NRMSE", "stance_nrmse"},
                               Column{"with swing design", "swing_design_stance_nrmse"},
                               Column{"swing NRMSE", "swing_nrmse"},
                               Column{"with swing design", "swing_design_swing_nrmse"},
@@ -83,6 +84,28 @@ std::string figures_table_html(const Figures& figures) {
             cell(escape_html(bound_text(figure))) + cell(escape_html(figure.spec->sentence), "meaning") + "</tr>\n";
   }
   return html + "</tbody></table>\n";
+}
+
+std::string decisions_html(const RunInfo& run) {
+  if (run.decisions.empty()) {
+    return {};
+  }
+  std::string html =
+      "<h2>Decisions about gains</h2>\n<details><summary>All of them: " + std::to_string(run.decisions.size()) +
+      "</summary>\n<table><thead><tr><th>tick</th><th>joint</th><th>phase</th><th>verdict</th>"
+      "<th>generation</th><th>pole distance</th><th>pole spread</th><th>validity</th><th>excitation</th>"
+      "<th>radius on the estimate</th><th>on the stored model</th></tr></thead>\n<tbody>\n";
+  for (const DecisionInfo& info : run.decisions) {
+    const signals::JointUpdateDecision& decision = info.decision;
+    const auto number = [](double value) { return cell(short_number(value), "number"); };
+    html += "<tr>" + cell(std::to_string(decision.tick), "number") + cell(escape_html(info.joint)) +
+            cell(signals::to_string(static_cast<signals::Phase>(decision.phase))) +
+            cell(signals::to_string(static_cast<signals::UpdateVerdict>(decision.verdict))) +
+            cell(std::to_string(decision.generation), "number") + number(decision.pole_distance) +
+            number(decision.pole_spread) + number(decision.validity) + number(decision.excitation) +
+            number(decision.estimated_radius) + number(decision.stored_radius) + "</tr>\n";
+  }
+  return html + "</tbody></table>\n</details>\n";
 }
 
 std::string processes_table_html(const RunInfo& run) {

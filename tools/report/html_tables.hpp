@@ -16,6 +16,9 @@ std::string joint_table_html(const Figures& figures);
 /// Every figure but the packet counts, with unit and bound.
 std::string figures_table_html(const Figures& figures);
 
+/// One row per decision about gains, with a heading; nothing when there are none.
+std::string decisions_html(const RunInfo& run);
+
 /// One row per process, with the samples of each topic.
 std::string processes_table_html(const RunInfo& run);
 

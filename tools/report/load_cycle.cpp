@@ -87,7 +87,7 @@ void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const
       figures.add("trot.fig7_8.dithered_light_ratio_" + quarter_name(i), error / error_of(*dithered, plan, i));
     }
   }
-  figures.add("trot.fig7_8.updates", static_cast<double>(updates_of(*adaptive)));
+  figures.add("trot.fig7_8.gain_updates", static_cast<double>(updates_of(*adaptive)));
 }
 
 Result<std::string> write_load_cycle_report(const std::string& out_dir, const Outcome& outcome,

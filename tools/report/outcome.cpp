@@ -38,8 +38,37 @@ Json json_of(const ProcessInfo& process) {
           {"topics", std::move(topics)}};
 }
 
+Json poles_of(const std::array<double, 3>& re, const std::array<double, 3>& im) {
+  Json poles = Json::array();
+  for (std::size_t i = 0; i < re.size(); ++i) {
+    poles.push_back({re[i], im[i]});  // null where not finite
+  }
+  return poles;
+}
+
+Json json_of(const DecisionInfo& info) {
+  const signals::JointUpdateDecision& decision = info.decision;
+  return {{"tick", decision.tick},
+          {"joint", info.joint},
+          {"phase", signals::to_string(static_cast<signals::Phase>(decision.phase))},
+          {"verdict", signals::to_string(static_cast<signals::UpdateVerdict>(decision.verdict))},
+          {"generation", decision.generation},
+          {"validity", decision.validity},
+          {"excitation", decision.excitation},
+          {"pole_distance", decision.pole_distance},
+          {"pole_spread", decision.pole_spread},
+          {"poles", poles_of(decision.poles_re, decision.poles_im)},
+          {"designed_poles", poles_of(decision.designed_poles_re, decision.designed_poles_im)},
+          {"estimated_radius", decision.estimated_radius},
+          {"stored_radius", decision.stored_radius}};
+}
+
 Json json_of(const RunInfo& run) {
   Json processes = Json::array();
+  Json decisions = Json::array();
+  for (const DecisionInfo& decision : run.decisions) {
+    decisions.push_back(json_of(decision));
+  }
   for (const ProcessInfo& process : run.processes) {
     processes.push_back(json_of(process));
   }
@@ -53,7 +82,8 @@ Json json_of(const RunInfo& run) {
             {"cores", run.machine.cores},
             {"kernel", run.machine.kernel},
             {"memory_bytes", run.machine.memory_bytes}}},
-          {"processes", std::move(processes)}};
+          {"processes", std::move(processes)},
+          {"decisions", std::move(decisions)}};
 }
 
 }  // namespace
@@ -62,6 +92,9 @@ std::string to_json(const Outcome& outcome) {
   Json json{{"command", outcome.command}, {"verdict", outcome.passes() ? "pass" : "fail"}};
   if (!outcome.failures.empty()) {
     json["failures"] = outcome.failures;
+  }
+  if (!outcome.warnings.empty()) {
+    json["warnings"] = outcome.warnings;
   }
   json["figures"] = Json::array();
   for (const Figure& figure : outcome.figures.all()) {

@@ -15,12 +15,13 @@ struct Outcome {
   Figures figures;
   RunInfo run;
   std::vector<std::string> failures;  ///< what went wrong besides figures: "joint_node_lf ended with status 1"
+  std::vector<std::string> warnings = {};  ///< what went wrong and fails nothing
 
   /// Every figure holds and nothing else failed.
   bool passes() const noexcept { return failures.empty() && figures.all_hold(); }
 };
 
-/// {"command", "verdict": "pass"|"fail", "failures" (only when there are any), "figures": [{"name", "value", "unit"},
+/// {"command", "verdict": "pass"|"fail", "failures", "warnings" (only when there are any), "figures": [{"name", "value", "unit"},
 /// with a bound also "relation", "bound", "holds"], "run": {...}}. Values that are not finite are null.
 std::string to_json(const Outcome& outcome);
 

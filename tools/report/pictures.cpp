@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tools/report/adaptation_pictures.hpp"
 #include "tools/report/gnuplot.hpp"
+#include "tools/report/html_report.hpp"
 #include "tools/report/joint_poles.hpp"
 #include "tools/report/picture_data.hpp"
 #include "tools/report/text_format.hpp"
@@ -116,20 +118,20 @@ std::string poles_plot(const JointPictures& paths, const JointPoles& poles) {
 
 }  // namespace
 
-Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, const robot::Robot& robot,
-                                                 const gait::Schedule& schedule,
-                                                 std::span<const record::TraceRow> rows, int loop_delay_ticks) {
+Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, const ReportInput& input) {
+  const robot::Robot& robot = input.robot;
   if (auto made = make_picture_folders(out_dir); !made) {
     return made.error();
   }
-  const auto by_joint = rows_by_joint(robot, rows);
+  const auto by_joint = rows_by_joint(robot, input.rows);
+  const Tick ticks = input.rows.empty() ? 0 : std::ranges::max(input.rows, {}, &record::TraceRow::tick).tick + 1;
   std::vector<JointPictures> pictures;
   std::string script;
   for (const robot::Joint& joint : robot.joints) {
     const std::string data = "data/" + joint.name;
     const auto content =
-        write_picture_data(out_dir + "/" + data, robot, schedule, joint, by_joint[joint.number]);
-    const auto poles = joint_poles(joint, robot.period_s, loop_delay_ticks);
+        write_picture_data(out_dir + "/" + data, robot, input.schedule, joint, by_joint[joint.number]);
+    const auto poles = joint_poles(joint, robot.period_s, input.loop_delay_ticks);
     if (!content || !poles) {
       return content ? poles.error() : content.error();
     }
@@ -142,6 +144,13 @@ Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, con
     script += content.value().empty ? "" : tracking_plot(pictures.back(), data, content.value(), rating);
     script += has_run ? overview_plot(pictures.back(), data, content.value(), rating) : "";
     script += poles_plot(pictures.back(), poles.value());
+    const AdaptationPicture adaptation{robot, joint, input.outcome.run.decisions, input.gains, input.loop_delay_ticks, ticks};
+    if (adapted(adaptation)) {
+      pictures.back().adaptation = stem + "_adaptation.svg";
+      if (auto plotted = plot_adaptation(adaptation, out_dir, data, pictures.back().adaptation, script); !plotted) {
+        return plotted.error();
+      }
+    }
   }
   if (auto drawn = draw(out_dir, script); !drawn) {
     return drawn.error();

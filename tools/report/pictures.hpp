@@ -1,13 +1,9 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/result.hpp"
-#include "gait/schedule.hpp"
-#include "record/trace.hpp"
-#include "robot/robot.hpp"
 
 namespace farrier::report {
 
@@ -16,12 +12,13 @@ struct JointPictures {
   std::string tracking;  ///< reference and force, error below, planned stances shaded; three strides
   std::string overview;  ///< reference and error over the whole run
   std::string poles;     ///< closed loops against the unit circle
+  std::string adaptation = {};  ///< gains over time, poles of the estimates; empty where nothing was decided
 };
+
+struct ReportInput;
 
 /// Draws every joint's pictures below `out_dir` with one gnuplot process; its script and data stay in out_dir/data.
 /// Refuses when gnuplot is missing or fails, the disk does not take the files, or a controller cannot be designed.
-Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, const robot::Robot& robot,
-                                                 const gait::Schedule& schedule,
-                                                 std::span<const record::TraceRow> rows, int loop_delay_ticks);
+Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, const ReportInput& input);
 
 }  // namespace farrier::report

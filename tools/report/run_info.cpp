@@ -70,6 +70,17 @@ RunInfo run_info(const robot::Robot& robot, std::uint64_t seed) {
   return run;
 }
 
+std::vector<DecisionInfo> decision_infos(const robot::Robot& robot,
+                                         std::span<const signals::JointUpdateDecision> decisions) {
+  std::vector<DecisionInfo> infos;
+  for (const signals::JointUpdateDecision& decision : decisions) {
+    if (decision.joint < robot.joints.size()) {
+      infos.push_back({robot.joints[decision.joint].name, decision});
+    }
+  }
+  return infos;
+}
+
 ProcessInfo process_info(const signals::SystemHello& hello, const signals::SystemHealth& health) {
   ProcessInfo process{.name = std::string(signals::text_of(hello.name)),
                       .number = hello.participant,

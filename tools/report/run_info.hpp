@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,16 @@ struct ProcessInfo {
   std::vector<TopicCount> topics;  ///< those it sent, received or lost samples of
 };
 
+/// What the supervisor decided about one joint's gains.
+struct DecisionInfo {
+  std::string joint;
+  signals::JointUpdateDecision decision;
+
+  bool accepted() const noexcept {
+    return decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted);
+  }
+};
+
 struct Machine {
   std::string cpu_model;
   int cores = 0;
@@ -46,6 +57,7 @@ struct RunInfo {
   std::uint64_t seed = 0;
   Machine machine;
   std::vector<ProcessInfo> processes;
+  std::vector<DecisionInfo> decisions;  ///< in the order in which they came
 };
 
 /// This build on this machine, no robot and no processes.
@@ -53,6 +65,10 @@ RunInfo run_info(std::uint64_t seed);
 
 /// The same with the robot's effective configuration.
 RunInfo run_info(const robot::Robot& robot, std::uint64_t seed);
+
+/// The decisions with their joints' names; those about joints the robot does not have are left out.
+std::vector<DecisionInfo> decision_infos(const robot::Robot& robot,
+                                         std::span<const signals::JointUpdateDecision> decisions);
 
 /// What a process told about itself.
 ProcessInfo process_info(const signals::SystemHello& hello, const signals::SystemHealth& health);

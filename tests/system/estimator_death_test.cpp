@@ -1,0 +1,96 @@
+// Without the estimator a robot goes on with the gains it has.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <map>
+
+#include "farrier_command.hpp"
+#include "record/trace.hpp"
+#include "signals/signals.hpp"
+
+namespace farrier::test {
+namespace {
+
+constexpr double kTicks = 4000;
+// A busy computer makes a joint miss ticks now and then: that is no joint that has lost its torque.
+constexpr double kMayNotTrack = 0.1;
+// What the supervisor has received it may still work on, and the launcher looks for the dead every 20 ms.
+constexpr long kOnTheWayTicks = 100;
+
+/// A run in real time whose estimator_service is killed in the middle.
+class EstimatorDeath : public testing::TestWithParam<const char*> {
+ protected:
+  EstimatorDeath()
+      : trot_({"trot", "--clock", "realtime", "--design", GetParam(), "--duration", "4", "--out",
+               scratch_.file("out")}) {
+    estimator_ = trot_.process("estimator_service");
+    if (estimator_ != 0 && trot_.says("trot: tick 2")) {
+      ::kill(estimator_, SIGKILL);
+    }
+    status_ = trot_.wait();
+    run_ = read_json(scratch_.file("out/figures.json"));
+  }
+
+  /// "… after tick N: estimator_service …" in the only warning; -1 when there is none.
+  long tick_of_death() const {
+    const std::string warning = run_.contains("warnings") ? run_["warnings"][0].get<std::string>() : "";
+    const std::string before = "after tick ";
+    const std::size_t place = warning.find(before);
+    return place == std::string::npos ? -1 : std::stol(warning.substr(place + before.size()));
+  }
+
+  ScratchDirectory scratch_;
+  FarrierCommand trot_;
+  pid_t estimator_ = 0;
+  int status_ = -1;
+  nlohmann::json run_;
+};
+
+TEST_P(EstimatorDeath, StopsUpdatesAndNothingElse) {
+  ASSERT_NE(estimator_, 0);
+  EXPECT_EQ(status_, 0) << trot_.output();
+  ASSERT_FALSE(run_.is_discarded()) << trot_.output();
+  EXPECT_NE(trot_.output().find("estimator_service (pid " + std::to_string(estimator_) +
+                                ") ended with exit status 137, killed by Killed"),
+            std::string::npos)
+      << trot_.output();
+  const long death = tick_of_death();
+  ASSERT_GT(death, 0);
+  ASSERT_LT(death, kTicks - 1000) << "it died too late to see what comes after";
+
+  for (const auto& decision : run_["run"]["decisions"]) {
+    EXPECT_LE(decision["tick"].get<long>(), death + kOnTheWayTicks) << decision;
+  }
+
+  std::map<int, std::pair<int, int>> after;  // by joint: rows, rows that track
+  std::vector<std::string> joints;
+  for (const char* leg : {"lf", "rf", "lh", "rh"}) {
+    for (const char* joint : {"_haa", "_hfe", "_kfe"}) {
+      joints.push_back(std::string(leg) + joint);
+    }
+  }
+  const auto rows = record::read_trace(scratch_.file("out/trace.csv"), joints);
+  ASSERT_TRUE(rows) << rows.error().message;
+  Tick last = 0;
+  for (const record::TraceRow& row : rows.value()) {
+    last = std::max(last, row.tick);
+    if (row.tick > death) {
+      auto& [all, tracking] = after[row.joint];
+      ++all;
+      tracking += row.state == static_cast<std::uint8_t>(signals::JointState::kTracking) ? 1 : 0;
+    }
+  }
+  EXPECT_NEAR(static_cast<double>(last), kTicks, 2.0);
+  ASSERT_EQ(after.size(), joints.size());
+  for (const auto& [joint, counts] : after) {
+    EXPECT_GE(counts.second, (1.0 - kMayNotTrack) * counts.first) << joints[static_cast<std::size_t>(joint)];
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EstimatorDeath, testing::Values("phases", "adaptive"),
+                         [](const auto& design) { return std::string(design.param); });
+
+}  // namespace
+}  // namespace farrier::test
