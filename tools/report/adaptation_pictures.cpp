@@ -60,7 +60,8 @@ std::string estimate_lines(const AdaptationPicture& input, Phase phase, bool acc
     if (info.joint == input.joint.name && info.accepted() == accepted &&
         decision.phase == static_cast<std::uint8_t>(phase)) {
       for (std::size_t i = 0; i < decision.poles_re.size(); ++i) {
-        lines += number(decision.poles_re[i]) + " " + number(decision.poles_im[i]) + "\n";
+        const bool unused = decision.poles_re[i] == 0.0 && decision.poles_im[i] == 0.0;  // compliant: two states
+        lines += unused ? "" : number(decision.poles_re[i]) + " " + number(decision.poles_im[i]) + "\n";
       }
     }
   }
@@ -69,7 +70,10 @@ std::string estimate_lines(const AdaptationPicture& input, Phase phase, bool acc
 
 std::string true_lines(const AdaptationPicture& input, const plant::LoadParams& load) {
   std::string lines;
-  const auto poles = control::eigenvalues(robot::model_of(input.joint, load, input.robot.period_s).a);
+  const control::SmallMatrix a = robot::model_of(input.joint, load, input.robot.period_s).a;
+  // The compliant form leaves the position out, and so do its estimates.
+  const bool compliant = input.joint.form == control::Form::kCompliant;
+  const auto poles = control::eigenvalues(compliant ? control::SmallMatrix(a.bottomRightCorner(2, 2)) : a);
   for (Eigen::Index i = 0; i < poles.size(); ++i) {
     lines += number(poles[i].real()) + " " + number(poles[i].imag()) + "\n";
   }
