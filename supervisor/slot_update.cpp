@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/closed_loop.hpp"
+#include "estimation/joint_estimator.hpp"
 #include "estimation/poles.hpp"
 
 namespace farrier::supervisor {
@@ -15,6 +16,9 @@ using signals::UpdateVerdict;
 constexpr double kSmallestEntry = 0.05;
 // The valve's gain is taken for at most this share larger than its estimate.
 constexpr double kLargestGainError = 2.0;
+
+// A joint whose force is not what its model predicts oscillates as a rule, and shall not wait for a perfect estimate.
+constexpr double kMisfitLeniency = 0.5;
 
 control::DiscreteModel unpack(const signals::JointModelEstimate& estimate) noexcept {
   control::DiscreteModel model;
@@ -121,7 +125,8 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
   if (still_ticks_ < logic_.converged_ticks) {
     return UpdateVerdict::kNotConverged;
   }
-  if (estimate.validity < logic_.validity_min) {
+  const bool misfit = (estimate.flags & static_cast<std::uint32_t>(estimation::EstimateFlag::kMisfit)) != 0;
+  if (estimate.validity < (misfit ? kMisfitLeniency : 1.0) * logic_.validity_min) {
     return UpdateVerdict::kNotValid;
   }
   const UpdateVerdict verdict = redesign(cautious, model, decision);

@@ -205,6 +205,9 @@ void JointEstimator::read(const Rls<N>& rls, double force_error_variance, ModelE
   // var = n_F^2 + (a_32 n_v)^2 + (a_33 n_F)^2
   const double explained = noise_variance_(2) * (1.0 + a(2, 2) * a(2, 2)) + a(2, 1) * a(2, 1) * noise_variance_(1);
   const double misfit = explained > 0.0 ? std::sqrt(force_error_variance / explained) : 0.0;
+  if (misfit > kMisfitFree) {
+    out.flags |= bit(EstimateFlag::kMisfit);
+  }
   out.b_error(2) += kMisfitError * std::max(0.0, misfit - kMisfitFree) * std::abs(b(2));
 
   // Velocity and force are what is uncertain: the position only sums.

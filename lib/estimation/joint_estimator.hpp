@@ -48,6 +48,7 @@ enum class EstimateFlag : std::uint32_t {
   kEigenvalueError = 1u << 5,       ///< the poles could not be mapped
   kBlanked = 1u << 6,               ///< a switch of phase is too recent
   kNotPhysical = 1u << 7,           ///< opening the valve would lower the force, or a force brake the load
+  kMisfit = 1u << 8,                ///< force predictions err by more than kMisfitFree times what noise explains
 };
 
 /// x[k+1] = A x[k] + B u[k] + c of what the washout leaves, SI, position relative to home.

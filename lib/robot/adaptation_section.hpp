@@ -13,7 +13,7 @@ struct UpdateLogicParams {
   double gain_ratio_min = 1.2;      ///< of the valve's gain to the one they are designed for, or its inverse; > 1
   double pole_spread_max = 0.05;    ///< of the poles that count as converged, z-plane
   int converged_ticks = 20;         ///< for which they must
-  double validity_min = 0.5;        ///< of the estimate
+  double validity_min = 0.8;        ///< of the estimate
   double model_uncertainty = 0.3;   ///< relative, of the stored model's parameters, when it was stored
   double uncertainty_growth_1_s = 10.0;  ///< by which that grows while valid, converged estimates speak against it
   double error_sigmas = 2.0;        ///< standard errors of the valve's gain that new gains must survive

@@ -71,7 +71,7 @@ TEST(Robot, TakesItsWeightsFromTheThesis) {
       EXPECT_EQ(joint.weights.velocity, 1.0);
       EXPECT_EQ(joint.weights.force, 5000.0);
       EXPECT_EQ(joint.weights.input, 0.1);
-      EXPECT_EQ(joint.weights.integral_factor, joint.name == "fc1d" ? 12.0 : 6.0);
+      EXPECT_EQ(joint.weights.integral_factor, joint.name == "fc1d" ? 14.0 : 6.0);
     }
   }
 }
