@@ -14,6 +14,11 @@ constexpr double kBiasEntry = 0.1;
 constexpr double kFirstInnovation = 100.0;
 // Least share of a prediction error that corrects the state: a model is never believed altogether.
 constexpr double kLeastCorrection = 0.05;
+// From one sample to the next, up to which the washout goes on: what it missed is small against starting anew.
+constexpr Tick kBridgedTicks = 3;
+// Time constants per stage after which the washout's start is forgotten: to 2 % with one stage, to 5e-4 with three.
+// Until then what it leaves is not the linear model's: x[0] is its own mean, and the mean of A x[0] + B u[0] is not x[1].
+constexpr double kSettlingTimeConstants = 4.0;
 
 // Forgetting of the prediction errors that make the misfit: 50 ticks.
 constexpr double kMisfitMemory = 0.98;
@@ -94,6 +99,8 @@ JointEstimator::JointEstimator(const EstimatorParams& params, const JointScales&
       kinematic_step_(scales.period_s * scales.state(1) / scales.state(0)),
       washout_(std::min(1.0, scales.period_s / std::max(params.operating_point_time_constant_s, scales.period_s)),
                params.operating_point_order),
+      settling_ticks_(static_cast<int>(std::ceil(kSettlingTimeConstants * params.operating_point_order *
+                                                 params.operating_point_time_constant_s / scales.period_s))),
       memories_{memory, memory} {
   for (PhaseMemory& each : memories_) {
     each.innovation_variance = kFirstInnovation * noise_variance_;
@@ -108,14 +115,15 @@ void JointEstimator::restart(const Eigen::Vector4d& washed) noexcept {
 
 void JointEstimator::take(const JointSample& sample) noexcept {
   if (!sample.state.allFinite() || !std::isfinite(sample.current_A) || sample.phase < 0 || sample.phase > 1) {
-    washout_.reset();
-    last_tick_ = kNoTick;
     sample_flags_ = bit(EstimateFlag::kSampleRefused);
     return;
   }
-  const bool follows = last_tick_ != kNoTick && sample.tick == last_tick_ + 1;
-  if (!follows) {
+  const Tick since = last_tick_ == kNoTick ? 0 : sample.tick - last_tick_;
+  const bool follows = since == 1;
+  unsettled_ticks_ = std::max(unsettled_ticks_ - 1, 0);
+  if (since < 1 || since > kBridgedTicks) {
     washout_.reset();
+    unsettled_ticks_ = settling_ticks_;
   }
   Eigen::Vector4d signal;
   signal << (sample.state - Eigen::Vector3d(scales_.home_position, 0, 0)).cwiseQuotient(scales_.state),
@@ -129,7 +137,7 @@ void JointEstimator::take(const JointSample& sample) noexcept {
     restart(washed);
     return;
   }
-  if (sample_flags_ == 0 && inputs_known_ > scales_.input_delay_ticks) {
+  if (sample_flags_ == 0 && unsettled_ticks_ == 0 && inputs_known_ > scales_.input_delay_ticks) {
     PhaseMemory& known = memory(phase_);
     std::visit([&](auto& rls) { update(rls, known, washed.head<3>()); }, known.rls);
   } else {
