@@ -61,7 +61,7 @@ Result<Rls<N>> make_rls(const EstimatorParams& params, const Eigen::Matrix3d& a,
   return Rls<N>::create({.forgetting_factor = params.forgetting_factor,
                          .initial_covariance = params.initial_covariance,
                          .covariance_limit = params.covariance_limit,
-                         .regressor_min = params.regressor_min},
+                         .regressor_min = 0.0},
                         theta);
 }
 
@@ -72,9 +72,24 @@ Result<JointEstimator> JointEstimator::create(const EstimatorParams& params, con
   if (params.operating_point_order < 0 || params.operating_point_order > Washout::kMaxOrder) {
     return Error{"operating_point_order must be 0 to 4"};
   }
-  if (!(scales.state.array() > 0).all() || !(scales.current_A > 0) || !(scales.period_s > 0) ||
+  const auto positive = [](double x) { return x > 0.0 && std::isfinite(x); };
+  if (!positive(params.full_weight_norm) || !positive(params.operating_point_time_constant_s)) {
+    return Error{"full_weight_norm and operating_point_time_constant_s must be positive"};
+  }
+  if (!(params.innovation_forgetting >= 0.0 && params.innovation_forgetting < 1.0) ||
+      !(params.stability_limit > 0.0 && params.stability_limit < 1.0)) {
+    return Error{"innovation_forgetting must be in [0, 1), stability_limit in (0, 1)"};
+  }
+  if (!(params.regressor_min >= 0.0 && std::isfinite(params.regressor_min))) {
+    return Error{"regressor_min must not be negative"};
+  }
+  if (params.blank_ticks < 0 || params.min_samples < 1) {
+    return Error{"blank_ticks must not be negative, min_samples at least 1"};
+  }
+  if (!scales.state.allFinite() || !scales.sensor_noise.allFinite() || !std::isfinite(scales.home_position) ||
+      !std::isfinite(scales.current_A) || !std::isfinite(scales.period_s) || !(scales.state.array() > 0).all() || !(scales.current_A > 0) || !(scales.period_s > 0) ||
       !(scales.sensor_noise.array() >= 0).all() || scales.input_delay_ticks < 0 || scales.input_delay_ticks > 2) {
-    return Error{"scales and period must be positive, sensor noise not negative, the input delay 0 to 2 ticks"};
+    return Error{"scales and period must be positive, sensor noise not negative, all finite, the input delay 0 to 2 ticks"};
   }
   // T^-1 A T, T^-1 B V
   const Eigen::Matrix3d a = scales.state.cwiseInverse().asDiagonal() * prior_a * scales.state.asDiagonal();
@@ -176,7 +191,9 @@ void JointEstimator::update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector
   // Large motion is where the joint is least linear: (h, y) / sqrt(1 + |h|^2 / h_0^2).
   const double ratio = norm / params_.full_weight_norm;
   const double weight = 1.0 / std::sqrt(1.0 + ratio * ratio);
-  sample_flags_ |= flags_of(rls.update(weight * h, weight * measured));
+  // (6.24) of what moves: the constant says nothing.
+  sample_flags_ |= norm < params_.regressor_min ? bit(EstimateFlag::kRegressorTooSmall)
+                                                : flags_of(rls.update(weight * h, weight * measured));
 
   const Eigen::Vector3d predicted = prediction();
   // L = 1 - R / S, scalar by channel

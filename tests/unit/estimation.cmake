@@ -1,6 +1,8 @@
 farrier_test(estimation_test unit
   ${CMAKE_CURRENT_LIST_DIR}/estimation_rls_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/estimation_rls_safety_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/estimation_joint_memory_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/estimation_joint_safety_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/estimation_joint_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/estimation_poles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/estimation_stable_map_test.cpp
