@@ -20,6 +20,8 @@ constexpr Tick kBridgedTicks = 3;
 // Until then what it leaves is not the linear model's: x[0] is its own mean, and the mean of A x[0] + B u[0] is not x[1].
 constexpr double kSettlingTimeConstants = 4.0;
 
+// Normalised signals beyond this are refused: a variance that has become infinite would stay so.
+constexpr double kLargestSignal = 1e40;
 // Forgetting of the prediction errors that make the misfit: 50 ticks.
 constexpr double kMisfitMemory = 0.98;
 
@@ -129,7 +131,10 @@ void JointEstimator::restart(const Eigen::Vector4d& washed) noexcept {
 }
 
 void JointEstimator::take(const JointSample& sample) noexcept {
-  if (!sample.state.allFinite() || !std::isfinite(sample.current_A) || sample.phase < 0 || sample.phase > 1) {
+  Eigen::Vector4d signal;
+  signal << (sample.state - Eigen::Vector3d(scales_.home_position, 0, 0)).cwiseQuotient(scales_.state),
+      sample.current_A / scales_.current_A;
+  if (!(signal.array().abs() <= kLargestSignal).all() || sample.phase < 0 || sample.phase > 1) {
     sample_flags_ = bit(EstimateFlag::kSampleRefused);
     return;
   }
@@ -140,9 +145,6 @@ void JointEstimator::take(const JointSample& sample) noexcept {
     washout_.reset();
     unsettled_ticks_ = settling_ticks_;
   }
-  Eigen::Vector4d signal;
-  signal << (sample.state - Eigen::Vector3d(scales_.home_position, 0, 0)).cwiseQuotient(scales_.state),
-      sample.current_A / scales_.current_A;
   const Eigen::Vector4d washed = washout_.pass(signal);
   ticks_in_phase_ = sample.phase == phase_ ? ticks_in_phase_ + 1 : 0;
   phase_ = sample.phase;

@@ -43,7 +43,7 @@ enum class EstimateFlag : std::uint32_t {
   kNotYetSet = 1u << 0,             ///< too few samples of this phase so far
   kRegressorTooSmall = 1u << 1,     ///< the last sample was left out (6.24)
   kCovarianceRepaired = 1u << 2,    ///< the covariance was beyond repair and begun anew
-  kSampleRefused = 1u << 3,         ///< the last sample was not finite
+  kSampleRefused = 1u << 3,         ///< the last sample was not finite, or beyond 1e40 normalised
   kMappedToStable = 1u << 4,        ///< a pole beyond the limit was put on it
   kEigenvalueError = 1u << 5,       ///< the poles could not be mapped
   kBlanked = 1u << 6,               ///< a switch of phase is too recent

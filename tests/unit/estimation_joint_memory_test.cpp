@@ -12,7 +12,7 @@ using namespace testing;
 constexpr int kSwing = 0, kStance = 1;
 constexpr int kEnough = 3000;
 constexpr double kExact = 1e-3;  // as in estimation_joint_test.cpp
-// A sample or two that are missing shift the mean by up to 1 - (7/8)^2 of itself for a dozen ticks of the 500 that are
+// A sample or two that are missing shift the mean by up to 1 - (5/6)^2 of itself for a dozen ticks of the 500 that are
 // remembered: a tenth of the distance of poles that counts as a change.
 constexpr double kBridged = 0.01;
 
@@ -186,9 +186,11 @@ TEST(JointEstimator, StartsItsFiltersAnewAfterALongGap) {
   for (int k = 0; k < 100; ++k) {
     joint.next();
   }
-  // Three stages of 8 ms, four time constants each.
-  constexpr int kSettling = 96;
-  feed(estimates, joint, kSettling);
+  const EstimatorParams params;
+  constexpr double kTimeConstantsPerStage = 4.0;
+  const int settling = static_cast<int>(kTimeConstantsPerStage * params.operating_point_order *
+                                        params.operating_point_time_constant_s / kPeriod_s);
+  feed(estimates, joint, settling);
   EXPECT_EQ(estimates.estimate().samples, before.samples) << "a mean that has just begun misleads";
   EXPECT_EQ(estimates.estimate().a, before.a);
   EXPECT_EQ(estimates.estimate().validity, before.validity) << "what was known is known";

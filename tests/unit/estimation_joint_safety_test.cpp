@@ -84,7 +84,7 @@ TEST(JointEstimator, RefusesScalesOutOfRange) {
 }
 
 TEST(JointEstimator, LeavesOutASampleThatIsNotFiniteAndSaysSo) {
-  for (const double bad : {kNaN, kInfinity, -kInfinity}) {
+  for (const double bad : {kNaN, kInfinity, -kInfinity, 1e308}) {
     for (int field = 0; field < 4; ++field) {
       JointEstimator estimates = estimator();
       Joint joint(linear_joint(kStanceMass_kg));

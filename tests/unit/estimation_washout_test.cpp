@@ -13,7 +13,7 @@ namespace {
 
 using testing::normal;
 
-constexpr double kSmoothing = 1.0 / 8.0;  // HyQ's: 1 ms over 8 ms
+constexpr double kSmoothing = 1.0 / 8.0;  // 1 ms over 8 ms
 constexpr double kRounding = 1e-12;       // of a few dozen sums of terms up to ten
 // Ticks in which the slowest mode is gone: order 4, (1 - 1/8)^600 600^3 / 6 < 1e-27.
 constexpr int kSettled = 600;

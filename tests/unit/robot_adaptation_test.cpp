@@ -70,8 +70,8 @@ TEST(Adaptation, IsTakenFromTheEstimatorAJointNames) {
   const Robot hyq = load_shipped("hyq");
   const Robot rig = load_shipped("fc1d");
   EXPECT_EQ(hyq.joints[11].estimator.forgetting_factor, 0.998);
-  EXPECT_EQ(hyq.joints[11].estimator.operating_point_time_constant_s, 0.008);
-  EXPECT_EQ(hyq.joints[11].estimator.operating_point_order, 3);
+  EXPECT_EQ(hyq.joints[11].estimator.operating_point_time_constant_s, 0.006);
+  EXPECT_EQ(hyq.joints[11].estimator.operating_point_order, 2);
   EXPECT_EQ(hyq.joints[11].estimator.columns(), 4) << "velocity, force, current, bias";
   EXPECT_EQ(rig.joints[0].estimator.forgetting_factor, 0.98);
   EXPECT_EQ(rig.joints[0].estimator.columns(), 5) << "the springs need the position";
@@ -119,9 +119,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "least 10, which is gait.touchdown_jitter_s, or more"},
         Mistake{"covariance_limit: 1e6", "covariance_limit: 4e5",
                 "estimators.rls.covariance_limit: must be above the trace at the start: 4 times initial_covariance"},
-        Mistake{"operating_point_time_constant_s: 0.008", "operating_point_time_constant_s: 2e-4",
+        Mistake{"operating_point_time_constant_s: 0.006", "operating_point_time_constant_s: 2e-4",
                 "estimators.rls.operating_point_time_constant_s: is shorter than period_s: give at least a period"},
-        Mistake{"operating_point_order: 3", "operating_point_order: 5",
+        Mistake{"operating_point_order: 2", "operating_point_order: 5",
                 "estimators.rls.operating_point_order: 5 is out of range: give 0 to 4"},
         Mistake{"innovation_forgetting: 0.9", "innovation_forgetting: 1",
                 "estimators.rls.innovation_forgetting: 1 is out of range: give 0 to 0.9999"},

@@ -49,9 +49,9 @@ inline robot::UpdateLogicParams credulous() {
   return logic;
 }
 
-/// A sure estimate of `model`: valid, its valve gain known to `relative_error`.
+/// A sure estimate of `model`: valid, its valve gain known to a standard error of `relative_error`.
 inline signals::JointModelEstimate estimate_of(const control::DiscreteModel& model, std::uint16_t joint = 0,
-                                               std::uint8_t phase = 0, double relative_error = 0.01) {
+                                               std::uint8_t phase = 0, double relative_error = 0.0) {
   signals::JointModelEstimate estimate;
   estimate.joint = joint;
   estimate.phase = phase;

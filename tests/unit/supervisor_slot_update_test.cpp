@@ -130,6 +130,32 @@ TEST(SlotUpdate, RedesignsForAValveGainThatHasChangedBetweenTheSamePoles) {
   EXPECT_EQ(verdict_of(insist(slot, estimate_of(model), kLong).back()), UpdateVerdict::kNotDifferentEnough);
 }
 
+// Too high a valve gain in the design slows a loop, too low a one destabilises it.
+TEST(SlotUpdate, DesignsForTheUpperEndOfTheValveGain) {
+  constexpr double kError = 0.1;
+  SlotUpdate slot = slot_for(cart(20.0), credulous());
+  const control::DiscreteModel model = model_of(cart(kHeavy_kg));
+  ASSERT_EQ(verdict_of(insist(slot, estimate_of(model, 0, 0, kError), kLong).back()), UpdateVerdict::kAccepted);
+  const double upper = 1.0 + rig().update_logic.error_sigmas * kError;
+  EXPECT_NEAR(slot.gains().model.b(2), upper * model.b(2), 1e-12 * model.b(2));
+  const control::Gains sure = gains_for(cart(kHeavy_kg));
+  EXPECT_LT(slot.gains().force, sure.force);
+  EXPECT_LT(control::closed_loop_spectral_radius(model, slot.gains(), kNoDelay), 1.0) << "stable on the estimate too";
+}
+
+TEST(SlotUpdate, BelievesAnErrorOfTheValveGainUpToItsLimit) {
+  for (const double error : {100.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+    SlotUpdate slot = slot_for(cart(20.0), credulous());
+    const control::DiscreteModel model = model_of(cart(kHeavy_kg));
+    const auto decisions = insist(slot, estimate_of(model, 0, 0, error), kLong);
+    constexpr double kLargestGainError = 2.0;
+    if (verdict_of(decisions.back()) == UpdateVerdict::kAccepted) {
+      EXPECT_NEAR(slot.gains().model.b(2), (1.0 + kLargestGainError) * model.b(2), 1e-9 * model.b(2)) << error;
+    }
+    EXPECT_TRUE(std::isfinite(slot.gains().force)) << error;
+  }
+}
+
 TEST(SlotUpdate, RefusesADesignByName) {
   SlotUpdate slot = slot_for(cart(20.0), credulous());
   const auto decisions = insist(slot, estimate_of(unstabilisable()), 100);
