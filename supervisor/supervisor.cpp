@@ -120,10 +120,10 @@ void Supervisor::take(const signals::JointModelEstimate& estimate, Tick tick) no
     return;
   }
   JointSlots& joint = joints_[estimate.joint];
-  if (joint.taken != kNoTick && joint.taken >= tick) {
+  if (joint.looked) {
     return;
   }
-  joint.taken = tick;
+  joint.looked = true;
   SlotUpdate& slot = joint.slots[estimate.phase];
   signals::JointUpdateDecision decision = slot.look(estimate, tick);
   std::uint32_t& generation = joint.generations[estimate.phase];
@@ -144,6 +144,9 @@ const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
       next_batch_ < batches_.size() && (next_batch_ == 0 || batches_[next_batch_].tick <= tick);
   Outputs& due = batch_due ? batches_[next_batch_++].outputs : issued_;
   if (!batch_due) {
+    for (JointSlots& joint : joints_) {
+      joint.looked = false;
+    }
     std::swap(issued_, pending_);
     pending_.gains.clear();
     pending_.decisions.clear();

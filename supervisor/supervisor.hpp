@@ -54,7 +54,7 @@ class Supervisor {
     std::array<SlotUpdate, signals::kPhaseCount> slots;  // by phase
     std::array<std::uint32_t, signals::kPhaseCount> generations;
     std::uint32_t newest_generation;
-    Tick taken = kNoTick;
+    bool looked = false;  // at an estimate since the last step
   };
 
   Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks);

@@ -14,7 +14,14 @@ constexpr double kBiasEntry = 0.1;
 constexpr double kFirstInnovation = 100.0;
 // Least share of a prediction error that corrects the state: a model is never believed altogether.
 constexpr double kLeastCorrection = 0.05;
+// From one sample to the next, up to which the washout goes on: what it missed is small against starting anew.
+constexpr Tick kBridgedTicks = 3;
+// Time constants per stage after which the washout's start is forgotten: to 2 % with one stage, to 5e-4 with three.
+// Until then what it leaves is not the linear model's: x[0] is its own mean, and the mean of A x[0] + B u[0] is not x[1].
+constexpr double kSettlingTimeConstants = 4.0;
 
+// Normalised signals beyond this are refused: a variance that has become infinite would stay so.
+constexpr double kLargestSignal = 1e40;
 // Forgetting of the prediction errors that make the misfit: 50 ticks.
 constexpr double kMisfitMemory = 0.98;
 
@@ -56,7 +63,7 @@ Result<Rls<N>> make_rls(const EstimatorParams& params, const Eigen::Matrix3d& a,
   return Rls<N>::create({.forgetting_factor = params.forgetting_factor,
                          .initial_covariance = params.initial_covariance,
                          .covariance_limit = params.covariance_limit,
-                         .regressor_min = params.regressor_min},
+                         .regressor_min = 0.0},
                         theta);
 }
 
@@ -67,9 +74,24 @@ Result<JointEstimator> JointEstimator::create(const EstimatorParams& params, con
   if (params.operating_point_order < 0 || params.operating_point_order > Washout::kMaxOrder) {
     return Error{"operating_point_order must be 0 to 4"};
   }
-  if (!(scales.state.array() > 0).all() || !(scales.current_A > 0) || !(scales.period_s > 0) ||
+  const auto positive = [](double x) { return x > 0.0 && std::isfinite(x); };
+  if (!positive(params.full_weight_norm) || !positive(params.operating_point_time_constant_s)) {
+    return Error{"full_weight_norm and operating_point_time_constant_s must be positive"};
+  }
+  if (!(params.innovation_forgetting >= 0.0 && params.innovation_forgetting < 1.0) ||
+      !(params.stability_limit > 0.0 && params.stability_limit < 1.0)) {
+    return Error{"innovation_forgetting must be in [0, 1), stability_limit in (0, 1)"};
+  }
+  if (!(params.regressor_min >= 0.0 && std::isfinite(params.regressor_min))) {
+    return Error{"regressor_min must not be negative"};
+  }
+  if (params.blank_ticks < 0 || params.min_samples < 1) {
+    return Error{"blank_ticks must not be negative, min_samples at least 1"};
+  }
+  if (!scales.state.allFinite() || !scales.sensor_noise.allFinite() || !std::isfinite(scales.home_position) ||
+      !std::isfinite(scales.current_A) || !std::isfinite(scales.period_s) || !(scales.state.array() > 0).all() || !(scales.current_A > 0) || !(scales.period_s > 0) ||
       !(scales.sensor_noise.array() >= 0).all() || scales.input_delay_ticks < 0 || scales.input_delay_ticks > 2) {
-    return Error{"scales and period must be positive, sensor noise not negative, the input delay 0 to 2 ticks"};
+    return Error{"scales and period must be positive, sensor noise not negative, all finite, the input delay 0 to 2 ticks"};
   }
   // T^-1 A T, T^-1 B V
   const Eigen::Matrix3d a = scales.state.cwiseInverse().asDiagonal() * prior_a * scales.state.asDiagonal();
@@ -94,6 +116,8 @@ JointEstimator::JointEstimator(const EstimatorParams& params, const JointScales&
       kinematic_step_(scales.period_s * scales.state(1) / scales.state(0)),
       washout_(std::min(1.0, scales.period_s / std::max(params.operating_point_time_constant_s, scales.period_s)),
                params.operating_point_order),
+      settling_ticks_(static_cast<int>(std::ceil(kSettlingTimeConstants * params.operating_point_order *
+                                                 params.operating_point_time_constant_s / scales.period_s))),
       memories_{memory, memory} {
   for (PhaseMemory& each : memories_) {
     each.innovation_variance = kFirstInnovation * noise_variance_;
@@ -107,19 +131,20 @@ void JointEstimator::restart(const Eigen::Vector4d& washed) noexcept {
 }
 
 void JointEstimator::take(const JointSample& sample) noexcept {
-  if (!sample.state.allFinite() || !std::isfinite(sample.current_A) || sample.phase < 0 || sample.phase > 1) {
-    washout_.reset();
-    last_tick_ = kNoTick;
-    sample_flags_ = bit(EstimateFlag::kSampleRefused);
-    return;
-  }
-  const bool follows = last_tick_ != kNoTick && sample.tick == last_tick_ + 1;
-  if (!follows) {
-    washout_.reset();
-  }
   Eigen::Vector4d signal;
   signal << (sample.state - Eigen::Vector3d(scales_.home_position, 0, 0)).cwiseQuotient(scales_.state),
       sample.current_A / scales_.current_A;
+  if (!(signal.array().abs() <= kLargestSignal).all() || sample.phase < 0 || sample.phase > 1) {
+    sample_flags_ = bit(EstimateFlag::kSampleRefused);
+    return;
+  }
+  const Tick since = last_tick_ == kNoTick ? 0 : sample.tick - last_tick_;
+  const bool follows = since == 1;
+  unsettled_ticks_ = std::max(unsettled_ticks_ - 1, 0);
+  if (since < 1 || since > kBridgedTicks) {
+    washout_.reset();
+    unsettled_ticks_ = settling_ticks_;
+  }
   const Eigen::Vector4d washed = washout_.pass(signal);
   ticks_in_phase_ = sample.phase == phase_ ? ticks_in_phase_ + 1 : 0;
   phase_ = sample.phase;
@@ -129,7 +154,7 @@ void JointEstimator::take(const JointSample& sample) noexcept {
     restart(washed);
     return;
   }
-  if (sample_flags_ == 0 && inputs_known_ > scales_.input_delay_ticks) {
+  if (sample_flags_ == 0 && unsettled_ticks_ == 0 && inputs_known_ > scales_.input_delay_ticks) {
     PhaseMemory& known = memory(phase_);
     std::visit([&](auto& rls) { update(rls, known, washed.head<3>()); }, known.rls);
   } else {
@@ -168,7 +193,9 @@ void JointEstimator::update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector
   // Large motion is where the joint is least linear: (h, y) / sqrt(1 + |h|^2 / h_0^2).
   const double ratio = norm / params_.full_weight_norm;
   const double weight = 1.0 / std::sqrt(1.0 + ratio * ratio);
-  sample_flags_ |= flags_of(rls.update(weight * h, weight * measured));
+  // (6.24) of what moves: the constant says nothing.
+  sample_flags_ |= norm < params_.regressor_min ? bit(EstimateFlag::kRegressorTooSmall)
+                                                : flags_of(rls.update(weight * h, weight * measured));
 
   const Eigen::Vector3d predicted = prediction();
   // L = 1 - R / S, scalar by channel

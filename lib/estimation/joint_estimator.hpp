@@ -43,7 +43,7 @@ enum class EstimateFlag : std::uint32_t {
   kNotYetSet = 1u << 0,             ///< too few samples of this phase so far
   kRegressorTooSmall = 1u << 1,     ///< the last sample was left out (6.24)
   kCovarianceRepaired = 1u << 2,    ///< the covariance was beyond repair and begun anew
-  kSampleRefused = 1u << 3,         ///< the last sample was not finite
+  kSampleRefused = 1u << 3,         ///< the last sample was not finite, or beyond 1e40 normalised
   kMappedToStable = 1u << 4,        ///< a pole beyond the limit was put on it
   kEigenvalueError = 1u << 5,       ///< the poles could not be mapped
   kBlanked = 1u << 6,               ///< a switch of phase is too recent
@@ -88,7 +88,8 @@ class JointEstimator {
   static Result<JointEstimator> create(const EstimatorParams& params, const JointScales& scales,
                                        const Eigen::Matrix3d& prior_a, const Eigen::Vector3d& prior_b);
 
-  /// Takes one tick. A gap in the ticks or a sample that is not finite starts the filters anew; estimates stay.
+  /// Takes one tick. A gap of more than a tick or two, in which samples that are not finite count as missing, starts
+  /// the filters anew: no samples until they have settled. Estimates stay.
   void take(const JointSample& sample) noexcept;
 
   /// What is known of the phase of the last sample.
@@ -119,10 +120,12 @@ class JointEstimator {
   Eigen::Vector3d noise_variance_;  // normalised
   double kinematic_step_;           // normalised velocity to normalised position over a period
   Washout washout_;
+  int settling_ticks_;              // what the washout takes to forget how it started
   std::array<PhaseMemory, 2> memories_;
   Eigen::Vector3d filtered_ = Eigen::Vector3d::Zero();  // state of the last tick
   std::array<double, 3> inputs_{};                      // washed-out, newest first
   int inputs_known_ = 0;
+  int unsettled_ticks_ = 0;
   Tick last_tick_ = kNoTick;
   int phase_ = -1;
   int ticks_in_phase_ = 0;

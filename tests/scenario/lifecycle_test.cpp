@@ -32,7 +32,7 @@ class ShortRun : public ::testing::Test {
 Outcome* ShortRun::outcome_ = nullptr;
 
 TEST_F(ShortRun, StartsWithShutValves) {
-  for (Tick tick = 0; tick < supervisor::kLeadTicks; ++tick) {
+  for (Tick tick = 0; tick < hyq().update_logic.gain_lead_ticks; ++tick) {
     for (std::size_t joint = 0; joint < hyq().joints.size(); ++joint) {
       EXPECT_EQ(row(tick, joint).state, static_cast<std::uint8_t>(JointState::kNull));
       EXPECT_EQ(row(tick, joint).valve_current_A, 0.0);
@@ -44,7 +44,7 @@ TEST_F(ShortRun, StartsWithShutValves) {
 
 TEST_F(ShortRun, ArmsEveryJointAtTheSupervisorsEffectiveTick) {
   for (std::size_t joint = 0; joint < hyq().joints.size(); ++joint) {
-    const auto& armed = row(supervisor::kLeadTicks, joint);
+    const auto& armed = row(hyq().update_logic.gain_lead_ticks, joint);
     EXPECT_EQ(armed.state, static_cast<std::uint8_t>(JointState::kTracking)) << hyq().joints[joint].name;
     EXPECT_EQ(armed.generation, 2u) << "stance gains are the second issue";
   }
@@ -52,7 +52,7 @@ TEST_F(ShortRun, ArmsEveryJointAtTheSupervisorsEffectiveTick) {
 
 TEST_F(ShortRun, LacksNothingOnceArmed) {
   for (const record::TraceRow& row : outcome_->rows) {
-    if (row.tick >= supervisor::kLeadTicks) {
+    if (row.tick >= hyq().update_logic.gain_lead_ticks) {
       ASSERT_EQ(FaultSet(row.faults), FaultSet{}) << to_string(FaultSet(row.faults)) << " at tick " << row.tick;
       ASSERT_EQ(row.command_age_ticks, 0u) << "the command that answers tick k acts from tick k";
     }
@@ -75,7 +75,7 @@ TEST_F(ShortRun, TellsWhyEachJointWasNullAndWhenItWasWell) {
   for (const signals::SystemEvent& event : outcome_->result.events) {
     told.at(event.joint).push_back(std::to_string(event.tick) + " " + std::string(signals::text_of(event.text)));
   }
-  const std::string armed = std::to_string(supervisor::kLeadTicks) + " well again";
+  const std::string armed = std::to_string(hyq().update_logic.gain_lead_ticks) + " well again";
   for (const auto& of_joint : told) {
     EXPECT_EQ(of_joint, (std::vector<std::string>{"0 disarmed, no gains", armed}));
   }

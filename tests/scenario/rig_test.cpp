@@ -27,7 +27,8 @@ TEST(Rig, RunsWithEitherDesign) {
     for (const record::TraceRow& row : run(rig, settings(design)).rows) {
       ASSERT_TRUE(std::isfinite(row.position_m_or_rad) && std::isfinite(row.force_N_or_Nm));
       ASSERT_TRUE(std::abs(row.valve_current_A) <= rig.joints[0].actuator.valve_current_max_A);
-      ASSERT_EQ(row.state == static_cast<std::uint8_t>(signals::JointState::kTracking), row.tick >= supervisor::kLeadTicks);
+      ASSERT_EQ(row.state == static_cast<std::uint8_t>(signals::JointState::kTracking),
+                row.tick >= rig.update_logic.gain_lead_ticks);
     }
   }
 }
@@ -71,7 +72,7 @@ TEST(Rig, ChangesGainsAtTheAnnouncedTickWhereverTheTouchdownReallyIs) {
   const gait::Schedule schedule(exact.plan, 1);
   for (const record::TraceRow& row : early_or_late.rows) {
     ASSERT_EQ(row.phase, static_cast<std::uint8_t>(schedule.phase(0, row.tick))) << "tick " << row.tick;
-    if (row.tick >= supervisor::kLeadTicks) {
+    if (row.tick >= exact.update_logic.gain_lead_ticks) {
       ASSERT_EQ(row.generation, row.phase == static_cast<std::uint8_t>(Phase::kSwing) ? 1u : 2u);
     }
   }

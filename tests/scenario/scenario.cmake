@@ -1,5 +1,6 @@
 farrier_test(scenario_test scenario
   ${CMAKE_CURRENT_LIST_DIR}/adaptation_wiring_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/adaptive_trot_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/determinism_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/lifecycle_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/load_cycle_test.cpp

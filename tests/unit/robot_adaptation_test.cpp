@@ -25,7 +25,7 @@ std::string without_all(std::string text, const std::string& line) {
 std::string without_adaptation() {
   std::string text = without(without(text_of("hyq"), "estimators"), "update_logic");
   text = without_all(text, "    estimator: rls\n");
-  text = without_all(text, "    dither_percent: 0.2\n");
+  text = without_all(text, "    dither_percent: 0.05\n");
   return without_all(text, "estimate_period_ticks: 10\n");
 }
 
@@ -69,18 +69,19 @@ TEST(Adaptation, BlanksAsLongAsTouchdownsJitterWhereAFileSaysNothing) {
 TEST(Adaptation, IsTakenFromTheEstimatorAJointNames) {
   const Robot hyq = load_shipped("hyq");
   const Robot rig = load_shipped("fc1d");
-  EXPECT_EQ(hyq.joints[11].estimator.forgetting_factor, 0.995);
-  EXPECT_EQ(hyq.joints[11].estimator.operating_point_time_constant_s, 0.02);
+  EXPECT_EQ(hyq.joints[11].estimator.forgetting_factor, 0.998);
+  EXPECT_EQ(hyq.joints[11].estimator.operating_point_time_constant_s, 0.006);
+  EXPECT_EQ(hyq.joints[11].estimator.operating_point_order, 2);
   EXPECT_EQ(hyq.joints[11].estimator.columns(), 4) << "velocity, force, current, bias";
-  EXPECT_EQ(rig.joints[0].estimator.forgetting_factor, 0.97);
+  EXPECT_EQ(rig.joints[0].estimator.forgetting_factor, 0.98);
   EXPECT_EQ(rig.joints[0].estimator.columns(), 5) << "the springs need the position";
-  EXPECT_EQ(hyq.joints[0].dither_percent, 0.2);
+  EXPECT_EQ(hyq.joints[0].dither_percent, 0.05);
   EXPECT_EQ(hyq.update_logic.converged_ticks, 20);
 }
 
 TEST(Adaptation, TakesAFilesOwnDefaultEstimatorForJointsThatNameNone) {
   std::string text = without_all(text_of("hyq"), "    estimator: rls\n");
-  text = replaced(text, "  rls:\n    forgetting_factor: 0.995", "  default:\n    forgetting_factor: 0.9");
+  text = replaced(text, "  rls:\n    forgetting_factor: 0.998", "  default:\n    forgetting_factor: 0.9");
   EXPECT_EQ(loaded(text).joints[5].estimator.forgetting_factor, 0.9);
 }
 
@@ -113,26 +114,28 @@ TEST_P(AdaptationMistake, IsReportedWithItsLineAndRemedy) {
 INSTANTIATE_TEST_SUITE_P(
     All, AdaptationMistake,
     testing::Values(
-        Mistake{"blank_ticks: 12", "blank_ticks: 9",
+        Mistake{"blank_ticks: 22", "blank_ticks: 9",
                 "estimators.rls.blank_ticks: is 9, but jitter of the touchdowns reaches into the samples: give at "
                 "least 10, which is gait.touchdown_jitter_s, or more"},
-        Mistake{"bias: true", "covariance_limit: 4e4\n    initial_covariance: 1e4",
+        Mistake{"covariance_limit: 1e6", "covariance_limit: 4e5",
                 "estimators.rls.covariance_limit: must be above the trace at the start: 4 times initial_covariance"},
-        Mistake{"operating_point_time_constant_s: 0.02", "operating_point_time_constant_s: 2e-4",
-                "estimators.rls.operating_point_time_constant_s: is shorter than period_s: give 0 or at least a "
-                "period"},
-        Mistake{"forgetting_factor: 0.995", "forgetting_factor: 0.4",
+        Mistake{"operating_point_time_constant_s: 0.006", "operating_point_time_constant_s: 2e-4",
+                "estimators.rls.operating_point_time_constant_s: is shorter than period_s: give at least a period"},
+        Mistake{"operating_point_order: 2", "operating_point_order: 5",
+                "estimators.rls.operating_point_order: 5 is out of range: give 0 to 4"},
+        Mistake{"innovation_forgetting: 0.9", "innovation_forgetting: 1",
+                "estimators.rls.innovation_forgetting: 1 is out of range: give 0 to 0.9999"},
+        Mistake{"forgetting_factor: 0.998", "forgetting_factor: 0.4",
                 "estimators.rls.forgetting_factor: 0.4 is out of range: give 0.5 to 1"},
         Mistake{"converged_ticks: 20", "converged_ticks: 25",
                 "update_logic.converged_ticks: 25 is not a multiple of estimate_period_ticks: give one of 10"},
-        Mistake{"pole_spread_max: 0.02", "pole_spread_max: 0.04",
+        Mistake{"pole_spread_max: 0.05", "pole_spread_max: 0.11",
                 "update_logic.pole_spread_max: must not be above pole_distance_min: what counts as still must not "
                 "count as moved"},
         Mistake{"gain_lead_ticks: 2", "gain_lead_ticks: 1",
                 "update_logic.gain_lead_ticks: 1 is out of range: give 2 to 1000"},
-        Mistake{"gain_lead_ticks: 2", "refractory_ticks: 3\n  gain_lead_ticks: 4",
-                "update_logic.refractory_ticks: must not be below gain_lead_ticks: gains would be replaced before "
-                "they act"}));
+        Mistake{"gain_ratio_min: 1.2", "gain_ratio_min: 0.9",
+                "update_logic.gain_ratio_min: 0.9 is out of range: give 1 to 1000"}));
 
 TEST(AdaptationMistakes, IncludeAnEstimatorNobodyDeclared) {
   const std::string text = replaced(text_of("fc1d"), "    estimator: rls", "    estimator: rsl");

@@ -63,7 +63,7 @@ TEST(SupervisorKnownLoads, FromTheStartActAsSoonAsTheyCan) {
   Supervisor supervisor = told_of({{0, 2, of_mass(20.0)}});
   const auto issued = issued_later(supervisor);
   ASSERT_EQ(issued.size(), 2u);
-  EXPECT_EQ(issued[0].effective_tick, 1 + kLeadTicks) << "the step after the first design";
+  EXPECT_EQ(issued[0].effective_tick, 1 + hyq().update_logic.gain_lead_ticks) << "the step after the first design";
 }
 
 TEST(SupervisorKnownLoads, AreRefusedForAJointTheRobotDoesNotHave) {

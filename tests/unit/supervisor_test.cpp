@@ -67,10 +67,11 @@ TEST(Supervisor, ArmsTheRobotForItsSessionOnce) {
 TEST(Supervisor, LeavesTimeForWhatItIssuesToArrive) {
   Supervisor supervisor = supervisor_of(shipped("hyq"), Design::kStance);
   const auto& outputs = supervisor.step(1000);
+  const int lead_ticks = shipped("hyq").update_logic.gain_lead_ticks;
   for (const JointControllerGains& gains : outputs.gains) {
-    EXPECT_EQ(gains.effective_tick, 1000 + kLeadTicks);
+    EXPECT_EQ(gains.effective_tick, 1000 + lead_ticks);
   }
-  EXPECT_EQ(outputs.modes.at(0).effective_tick, 1000 + kLeadTicks);
+  EXPECT_EQ(outputs.modes.at(0).effective_tick, 1000 + lead_ticks);
 }
 
 TEST(Supervisor, IssuesOnlyGainsThatAJointAccepts) {
@@ -122,13 +123,6 @@ TEST(Supervisor, RefusesAFullStateDesignWithoutASpringNamingTheJoint) {
   ASSERT_FALSE(refused);
   EXPECT_EQ(refused.error().message.find(robot.joints[4].name + ": no controller"), 0u) << refused.error().message;
   EXPECT_NE(refused.error().message.find("set form: compliant"), std::string::npos) << refused.error().message;
-}
-
-TEST(Supervisor, CountsTheEstimatesItTakes) {
-  Supervisor supervisor = supervisor_of(shipped("fc1d"), Design::kStance);
-  supervisor.take({});
-  supervisor.take({});
-  EXPECT_EQ(supervisor.estimates(), 2u);
 }
 
 TEST(Supervisor, StepDoesNotAllocate) {

