@@ -1,5 +1,6 @@
 #include "control/closed_loop.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "control/spectrum.hpp"
@@ -34,6 +35,12 @@ Matrix6 closed_loop_matrix(const DiscreteModel& model, const Gains& gains, int d
   return loop;
 }
 
+/// How many past inputs the loop reaches back to; further ones are read by nobody and add poles at zero.
+int past_inputs(const Gains& gains, int delay_ticks) noexcept {
+  const int read_by_gains = gains.delay[1] != 0.0 ? 2 : (gains.delay[0] != 0.0 ? 1 : 0);
+  return std::clamp(delay_ticks, read_by_gains, kMaxDelayTicks);
+}
+
 }  // namespace
 
 ClosedLoopPoles closed_loop_poles(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
@@ -47,16 +54,17 @@ ClosedLoopPoles closed_loop_poles(const DiscreteModel& model, const Gains& gains
 
 double closed_loop_spectral_radius(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
   const Matrix6 loop = closed_loop_matrix(model, gains, delay_ticks);
+  const int past = past_inputs(gains, delay_ticks);
   if (gains.form == Form::kFullState) {
-    return spectral_radius(loop);
+    return spectral_radius(loop.topLeftCorner(kLastInput + past, kLastInput + past));
   }
-  SmallMatrix force_loop(5, 5);
-  for (int row = 0, i = 0; row < 6; ++row) {
-    if (row == kPosition) {
-      continue;
+  constexpr std::array kForceLoop{kIntegral, kVelocity, kForce, kLastInput, kSecondLastInput};
+  const int states = 3 + past;
+  SmallMatrix force_loop(states, states);
+  for (int i = 0; i < states; ++i) {
+    for (int j = 0; j < states; ++j) {
+      force_loop(i, j) = loop(kForceLoop[static_cast<std::size_t>(i)], kForceLoop[static_cast<std::size_t>(j)]);
     }
-    force_loop(i, 0) = loop(row, kIntegral);
-    force_loop.row(i++).tail<4>() = loop.row(row).tail<4>();
   }
   return spectral_radius(force_loop);
 }

@@ -84,7 +84,7 @@ Result<Eigen::Matrix<double, 1, 1 + P + D>, DesignStatus> augmented_gain(const S
       augmented(1 + P + i, P + i) = 1.0;
     }
   }
-  if (!(stabilisability(augmented, input) >= kStabilisabilityThreshold)) {
+  if (!is_stabilisable<N>(augmented, input)) {
     return DesignStatus::kNotStabilisable;
   }
   Square<N> q = Square<N>::Zero();

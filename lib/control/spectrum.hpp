@@ -27,4 +27,9 @@ inline constexpr double kStabilisabilityThreshold = 1e-8;
 /// test; Eising 1984). NaN when the eigenvalues cannot be computed.
 double stabilisability(const SmallMatrix& a, const SmallColumn& b) noexcept;
 
+/// stabilisability(a, b) >= kStabilisabilityThreshold for N = 3..6 states, most often told from a lower bound of the
+/// singular values in a fraction of the time. False when the eigenvalues cannot be computed.
+template <int N>
+bool is_stabilisable(const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b) noexcept;
+
 }  // namespace farrier::control

@@ -3,6 +3,7 @@ farrier_test(control_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control_riccati_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_riccati_slicot_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_lqr_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_spectrum_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_delay_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_force_controller_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_probe_test.cpp

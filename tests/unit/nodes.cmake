@@ -31,6 +31,10 @@ farrier_test(participant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/participant_ports_test.cpp)
 target_link_libraries(participant_test PRIVATE farrier_participant)
 
-foreach(test IN ITEMS joint_node_test nodes_test)
+farrier_test(bench_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/bench_tick_test.cpp)
+target_link_libraries(bench_test PRIVATE farrier_bench)
+
+foreach(test IN ITEMS joint_node_test nodes_test bench_test)
   target_compile_definitions(${test} PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 endforeach()

@@ -8,8 +8,10 @@
 
 #include "lab/bench_control.hpp"
 #include "lab/bench_plant.hpp"
+#include "lab/bench_redesign.hpp"
 #include "lab/bench_riccati.hpp"
 #include "lab/bench_rls.hpp"
+#include "lab/bench_tick.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
 #include "tools/cli/allocation_count.hpp"
@@ -30,9 +32,11 @@ constexpr double kRiccatiSpeedup = 3.0;
 constexpr double kRiccatiResidual = 1e-12;
 constexpr double kRlsSpeedup = 20.0;
 constexpr double kRlsDifference = 1e-12;
+constexpr double kTickUs = 50.0;
+constexpr double kRedesignUs = 10.0;
 
 struct BenchOptions {
-  std::vector<std::string> only{"lockstep", "plant", "riccati", "control", "rls"};
+  std::vector<std::string> only{"lockstep", "plant", "riccati", "control", "rls", "tick"};
   std::string robot_path;
   Tick ticks = 4000;
   std::string out = "out/bench";
@@ -113,6 +117,27 @@ void bench_rls(report::Figures& figures) {
   figures.add("bench.rls.allocations", static_cast<double>(bench.allocations), 0.0);
 }
 
+Result<Done> bench_tick(const robot::Robot& robot, report::Figures& figures) {
+  std::fputs("tick: every joint's control, estimation and update logic on one core, and a redesign\n", stderr);
+  const auto tick = lab::bench_tick(robot, 20, allocation_count);
+  if (!tick) {
+    return tick.error();
+  }
+  const auto redesign = lab::bench_redesign(robot, 50, allocation_count);
+  if (!redesign) {
+    return redesign.error();
+  }
+  figures.add("bench.tick.us", 1e6 * tick.value().tick_s, kTickUs);
+  figures.add("bench.tick.estimation_us", 1e6 * tick.value().estimation_s);
+  figures.add("bench.tick.update_logic_us", 1e6 * tick.value().update_logic_s);
+  figures.add("bench.tick.control_us", 1e6 * tick.value().control_s);
+  figures.add("bench.tick.allocations", static_cast<double>(tick.value().allocations), 0.0);
+  figures.add("bench.redesign.us", 1e6 * redesign.value().redesign_s, kRedesignUs);
+  figures.add("bench.redesign.lqr_us", 1e6 * redesign.value().lqr_s);
+  figures.add("bench.redesign.allocations", static_cast<double>(redesign.value().allocations), 0.0);
+  return Done{};
+}
+
 int bench(BenchOptions o) {
   std::error_code refused;
   std::filesystem::create_directories(o.out, refused);
@@ -156,6 +181,12 @@ int bench(BenchOptions o) {
   if (wanted("rls")) {
     bench_rls(outcome.figures);
   }
+  if (wanted("tick")) {
+    if (const auto done = bench_tick(robot.value(), outcome.figures); !done) {
+      std::fprintf(stderr, "farrier bench: %s\n", done.error().message.c_str());
+      return kFailed;
+    }
+  }
   if (const auto written = report::write_json(json_path, outcome); !written) {
     std::fprintf(stderr, "farrier bench: %s\n", written.error().message.c_str());
     return kFailed;
@@ -170,12 +201,12 @@ int bench(BenchOptions o) {
 std::function<int()> declare_bench(CLI::App& app) {
   auto o = std::make_shared<BenchOptions>();
   o->robot_path = shipped_robot("hyq.yaml");
-  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control, rls")
+  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control, rls, tick")
       ->delimiter(',')
-      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls"}).description(""))
+      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls", "tick"}).description(""))
       ->type_name("<names>")
       ->default_str("all");
-  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs")
+  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs and of the tick")
       ->type_name("<file>")
       ->default_str("hyq.yaml, as shipped");
   app.add_option("--ticks", o->ticks, "length of each lock-step run")

@@ -108,6 +108,16 @@ constexpr std::array kSpecs{
     FigureSpec{"bench.rls.speedup", "1", kAtLeast, "The third over the first."},
     FigureSpec{"bench.rls.difference", "1", kAtMost, "Largest difference of the first and the third's estimates, over the largest parameter."},
     FigureSpec{"bench.rls.allocations", "1", kAtMost, "Allocations made by the samples."},
+    FigureSpec{"bench.tick.us", "us", kAtMost,
+               "Time of one tick of every joint of the robot on one core: control, estimation with poles, update logic, an estimate looked at in every tick, no redesign."},
+    FigureSpec{"bench.tick.estimation_us", "us", kNone, "Time of the estimators alone, poles included."},
+    FigureSpec{"bench.tick.update_logic_us", "us", kNone, "Time of the update logic alone."},
+    FigureSpec{"bench.tick.control_us", "us", kNone, "Time of the joint nodes' steps alone."},
+    FigureSpec{"bench.tick.allocations", "1", kAtMost, "Allocations made by these ticks."},
+    FigureSpec{"bench.redesign.us", "us", kAtMost,
+               "Time from an estimate that asks for new gains to these, every check included; for the loop delay, of lock-step and real time, that takes longer."},
+    FigureSpec{"bench.redesign.lqr_us", "us", kNone, "Time of the LQR design in it."},
+    FigureSpec{"bench.redesign.allocations", "1", kAtMost, "Allocations made by these redesigns."},
 };
 // clang-format on
 
