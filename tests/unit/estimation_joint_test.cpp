@@ -116,6 +116,21 @@ TEST(JointEstimator, SaysHowUncertainNoiseMakesIt) {
   EXPECT_GE(within, 9) << "of " << kSeeds << " within three standard errors";
 }
 
+TEST(JointEstimator, IsLessSureOfTheValveWhenForcesDoWhatNoiseCannotExplain) {
+  const auto relative_error = [](double told_noise) {
+    JointEstimator estimates = estimator(with(false, true), scales(told_noise * kHyqNoise));
+    Joint joint(linear_joint(kStanceMass_kg));
+    joint.measured_with(kHyqNoise);
+    feed(estimates, joint, kEnough);
+    const ModelEstimate estimate = estimates.estimate();
+    return estimate.b_error(2) / estimate.b(2);
+  };
+  constexpr double kTimesTheNoise = 20.0;
+  EXPECT_LT(relative_error(1.0), kMisfitError);
+  // The force's own noise is told too small as well, so the misfit is about as many times what is explained.
+  EXPECT_GT(relative_error(1.0 / kTimesTheNoise), 0.5 * kMisfitError * (kTimesTheNoise - kMisfitFree));
+}
+
 TEST(JointEstimator, RecoversTheSameJointThroughADelay) {
   const LinearModel truth = linear_joint(kStanceMass_kg);
   for (const int delay_ticks : {0, 1, 2}) {
