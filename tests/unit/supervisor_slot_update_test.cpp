@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "estimation/joint_estimator.hpp"
 #include "estimation/poles.hpp"
 #include "supervisor_estimates.hpp"
 
@@ -84,6 +85,16 @@ TEST(SlotUpdate, DoesNotActOnAnEstimateThatIsUnsure) {
   }
 }
 
+TEST(SlotUpdate, ActsOnALessSureEstimateOfAJointThatOscillates) {
+  JointModelEstimate estimate = estimate_of(model_of(cart(kHeavy_kg)));
+  estimate.validity = 0.6 * rig().update_logic.validity_min;
+  SlotUpdate calm = slot_for(cart(20.0), credulous());
+  EXPECT_EQ(verdict_of(insist(calm, estimate, kLong).back()), UpdateVerdict::kNotValid);
+  estimate.flags = static_cast<std::uint32_t>(estimation::EstimateFlag::kMisfit);
+  SlotUpdate oscillating = slot_for(cart(20.0), credulous());
+  EXPECT_EQ(verdict_of(insist(oscillating, estimate, kLong).back()), UpdateVerdict::kAccepted);
+}
+
 TEST(SlotUpdate, DoesNotActOnAModelThatIsNotFiniteOrHasNoForwardValve) {
   const auto verdict_when = [](auto change) {
     SlotUpdate slot = slot_for(cart(20.0), credulous());
@@ -133,10 +144,12 @@ TEST(SlotUpdate, RedesignsForAValveGainThatHasChangedBetweenTheSamePoles) {
 // Too high a valve gain in the design slows a loop, too low a one destabilises it.
 TEST(SlotUpdate, DesignsForTheUpperEndOfTheValveGain) {
   constexpr double kError = 0.1;
-  SlotUpdate slot = slot_for(cart(20.0), credulous());
+  robot::UpdateLogicParams logic = credulous();
+  logic.error_sigmas = 2.0;
+  SlotUpdate slot = slot_for(cart(20.0), logic);
   const control::DiscreteModel model = model_of(cart(kHeavy_kg));
   ASSERT_EQ(verdict_of(insist(slot, estimate_of(model, 0, 0, kError), kLong).back()), UpdateVerdict::kAccepted);
-  const double upper = 1.0 + rig().update_logic.error_sigmas * kError;
+  const double upper = 1.0 + logic.error_sigmas * kError;
   EXPECT_NEAR(slot.gains().model.b(2), upper * model.b(2), 1e-12 * model.b(2));
   const control::Gains sure = gains_for(cart(kHeavy_kg));
   EXPECT_LT(slot.gains().force, sure.force);
@@ -145,7 +158,9 @@ TEST(SlotUpdate, DesignsForTheUpperEndOfTheValveGain) {
 
 TEST(SlotUpdate, BelievesAnErrorOfTheValveGainUpToItsLimit) {
   for (const double error : {100.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
-    SlotUpdate slot = slot_for(cart(20.0), credulous());
+    robot::UpdateLogicParams logic = credulous();
+    logic.error_sigmas = 2.0;
+    SlotUpdate slot = slot_for(cart(20.0), logic);
     const control::DiscreteModel model = model_of(cart(kHeavy_kg));
     const auto decisions = insist(slot, estimate_of(model, 0, 0, error), kLong);
     constexpr double kLargestGainError = 2.0;
