@@ -64,7 +64,9 @@ class In final : public Port {
         mark(key_of(signal));
       }
       if (tick_of(signal) != kNoTick) {
-        ++received_;
+        if (received_++ == 0) {
+          forget_lost_probes();  // a writer that started later than this reader went on probing
+        }
         count_gap(signal);
         consume(signal);
       }
@@ -80,7 +82,7 @@ class In final : public Port {
     }
     return std::string(bus::spec(kTopic).name) + " of " + std::to_string(keys_[place - heard_.begin()]);
   }
-  void start() noexcept override { lost_before_ = subscription_.status().lost; }
+  void start() noexcept override { forget_lost_probes(); }
   void count(signals::SystemHealth& health) const noexcept override {
     health.received[static_cast<std::size_t>(kTopic)] += received_;
     health.lost[static_cast<std::size_t>(kTopic)] += subscription_.status().lost - lost_before_ + skipped_;
@@ -89,6 +91,8 @@ class In final : public Port {
 
  private:
   static constexpr bus::TopicId kTopic = bus::TopicOf<Signal>::id;
+
+  void forget_lost_probes() noexcept { lost_before_ = subscription_.status().lost; }
 
   // Sensors come for every tick of a joint: one that is missing was overwritten or dropped on the way, which the
   // transport does not tell.
