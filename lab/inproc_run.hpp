@@ -20,6 +20,7 @@ struct InprocRun {
   supervisor::Design design = supervisor::Design::kStance;
   std::vector<robot::LoadChange> load_changes;  ///< of the simulated world
   std::vector<robot::LoadChange> known_loads;   ///< what the supervisor knows of them and designs for exactly
+  std::vector<supervisor::SlotGains> first_gains;  ///< by joint: the supervisor's first; empty: as `design` says
   Announce announce = Announce::kPlanned;    ///< what the gait source says of touchdowns
   const robot::Robot* world = nullptr;       ///< what sim_bridge simulates; null: the robot
   const robot::Robot* designer = nullptr;    ///< what the supervisor designs for; null: the robot

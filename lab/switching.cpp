@@ -103,6 +103,27 @@ TouchdownErrors touchdown_errors(const robot::Robot& robot, std::span<const reco
   return errors;
 }
 
+std::vector<supervisor::SlotGains> last_gains(const robot::Robot& robot,
+                                              std::span<const signals::JointControllerGains> gains) {
+  std::vector<supervisor::SlotGains> last(robot.joints.size());
+  std::vector<std::array<bool, signals::kPhaseCount>> given(robot.joints.size(), {false, false});
+  for (const signals::JointControllerGains& update : gains) {
+    FARRIER_ENSURE(update.joint < last.size() && update.phase < signals::kPhaseCount, "gains of a slot that is none");
+    last[update.joint][update.phase] = joint_node::unpack_gains(update);
+    given[update.joint][update.phase] = true;
+  }
+  FARRIER_ENSURE(std::ranges::all_of(given, [](const auto& slots) { return slots[0] && slots[1]; }),
+                 "a supervisor's first gains fill every slot");
+  return last;
+}
+
+std::vector<supervisor::SlotGains> in_both_slots(std::vector<supervisor::SlotGains> gains, signals::Phase phase) {
+  for (supervisor::SlotGains& slots : gains) {
+    slots.fill(control::Gains(slots[static_cast<std::size_t>(phase)]));
+  }
+  return gains;
+}
+
 double largest_bump(const robot::Robot& robot, std::span<const record::TraceRow> rows,
                     std::span<const signals::JointControllerGains> gains) {
   const auto sorted = by_joint(robot, rows);

@@ -6,6 +6,7 @@
 #include "record/trace.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
+#include "supervisor/supervisor.hpp"
 
 namespace farrier::lab {
 
@@ -20,6 +21,14 @@ struct TouchdownErrors {
 /// Integral of |F_ref - F| dt over kTouchdownWindow_s from each actual touchdown (where the simulated leg lands, not
 /// where it was announced) at or after `from`, hips and knees of every leg. A window the rows do not cover is left out.
 TouchdownErrors touchdown_errors(const robot::Robot& robot, std::span<const record::TraceRow> rows, Tick from);
+
+/// What a run's gains have come to, by joint: the last ones issued for each slot. `gains` of a whole run, in the order
+/// of their issue.
+std::vector<supervisor::SlotGains> last_gains(const robot::Robot& robot,
+                                              std::span<const signals::JointControllerGains> gains);
+
+/// The gains of one phase in both slots of every joint.
+std::vector<supervisor::SlotGains> in_both_slots(std::vector<supervisor::SlotGains> gains, signals::Phase phase);
 
 /// Largest jump of the valve command at a change of gains, reference and measurement unchanged, over the valve's
 /// nominal current. Found by replaying each joint's force controller on the trace with the gains that were issued;

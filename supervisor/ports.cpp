@@ -144,10 +144,11 @@ std::string SupervisorApplication::waits_for() const {
 Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot, Design design,
                                                                      participant::Participant& participant,
                                                                      Tick ticks,
-                                                                     std::vector<robot::LoadChange> known_loads) {
+                                                                     std::vector<robot::LoadChange> known_loads,
+                                                                     const std::vector<SlotGains>& first_gains) {
   const bool lockstep = participant.identity().clock == bus::ClockKind::kLockstep;
   auto supervisor = Supervisor::create(robot, design, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime,
-                                       participant.identity().session, std::move(known_loads));
+                                       participant.identity().session, std::move(known_loads), first_gains);
   if (!supervisor) {
     return supervisor.error();
   }

@@ -39,6 +39,40 @@ signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase pha
 namespace {
 
 constexpr std::uint32_t kFirstEpoch = 1;
+constexpr std::array kPhases{signals::Phase::kSwing, signals::Phase::kStance};
+
+Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double period_s, int delay_ticks) {
+  SlotGains slots;
+  for (const signals::Phase phase : kPhases) {
+    const bool for_stance =
+        design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
+    const auto gains = design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, period_s, delay_ticks);
+    if (!gains) {
+      return gains.error();
+    }
+    slots[static_cast<std::size_t>(phase)] = gains.value();
+  }
+  return slots;
+}
+
+Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>& first_gains, int delay_ticks) {
+  if (first_gains.empty()) {
+    return Done{};
+  }
+  if (first_gains.size() != robot.joints.size()) {
+    return Error{"first gains of " + std::to_string(first_gains.size()) + " joints, but " + robot.name + " has " +
+                 std::to_string(robot.joints.size()) + ": give every joint's"};
+  }
+  for (const robot::Joint& joint : robot.joints) {
+    for (const control::Gains& gains : first_gains[joint.number]) {
+      if (gains.delay_ticks != delay_ticks) {
+        return Error{joint.name + ": first gains for a delay of " + std::to_string(gains.delay_ticks) +
+                     " ticks in a loop with " + std::to_string(delay_ticks) + ": give gains designed for that"};
+      }
+    }
+  }
+  return Done{};
+}
 
 }  // namespace
 
@@ -53,30 +87,30 @@ Design parse_design(std::string_view name) noexcept {
 }
 
 Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, int loop_delay_ticks,
-                                      std::uint64_t session, std::vector<robot::LoadChange> known_loads) {
-  constexpr std::array kPhases{signals::Phase::kSwing, signals::Phase::kStance};
+                                      std::uint64_t session, std::vector<robot::LoadChange> known_loads,
+                                      const std::vector<SlotGains>& first_gains) {
+  if (auto fit = check_first(robot, first_gains, loop_delay_ticks); !fit) {
+    return fit.error();
+  }
   std::vector<std::uint32_t> generations(robot.joints.size(), 0);
   std::vector<Batch> batches(1);
   std::vector<JointSlots> slots;
   for (const robot::Joint& joint : robot.joints) {
-    std::vector<control::Gains> first;
+    const auto first = first_gains.empty() ? design_slots(joint, design, robot.period_s, loop_delay_ticks)
+                                           : Result<SlotGains>(first_gains[joint.number]);
+    if (!first) {
+      return first.error();
+    }
     for (const signals::Phase phase : kPhases) {
-      const bool for_stance = design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
-      const auto gains = design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, robot.period_s,
-                                      loop_delay_ticks);
-      if (!gains) {
-        return gains.error();
-      }
-      batches[0].outputs.gains.push_back(
-          pack_gains(joint.number, phase, kFirstEpoch, ++generations[joint.number], gains.value()));
-      first.push_back(gains.value());
+      batches[0].outputs.gains.push_back(pack_gains(joint.number, phase, kFirstEpoch, ++generations[joint.number],
+                                                    first.value()[static_cast<std::size_t>(phase)]));
     }
     if (design == Design::kAdaptive) {
       const auto slot = [&](const control::Gains& gains) {
         return SlotUpdate(joint, robot.update_logic, robot.estimate_period_ticks * robot.period_s,
                           robot.estimate_period_ticks, gains);
       };
-      slots.push_back({{slot(first[0]), slot(first[1])}, {1, 2}, 2});
+      slots.push_back({{slot(first.value()[0]), slot(first.value()[1])}, {1, 2}, 2});
     }
   }
   signals::SystemMode armed;

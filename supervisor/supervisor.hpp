@@ -5,6 +5,7 @@
 //   tick ──▶ arm, publish the first gains ──▶ system/mode, joint/controller_gains
 //   joint/model_estimate ──▶ SlotUpdate of the joint's phase ──▶ joint/controller_gains, joint/update_decision
 
+#include <array>
 #include <string_view>
 #include <vector>
 
@@ -22,14 +23,19 @@ enum class Design { kStance, kSwing, kPhases, kAdaptive };
 /// "stance", "swing", "phases", "adaptive"; anything else counts as "stance".
 Design parse_design(std::string_view name) noexcept;
 
+/// Gains of a joint's slots, by phase.
+using SlotGains = std::array<control::Gains, signals::kPhaseCount>;
+
 /// The supervisor's core. No clock, no I/O; nothing is allocated after construction.
 class Supervisor {
  public:
   /// `known_loads` is perfect knowledge, to measure by: gains designed for that load go into both slots of the joint
-  /// and act exactly from its tick on (never sooner than gain_lead_ticks after the first step). Refuses a robot with a joint
-  /// that has no controller, with the reason.
+  /// and act exactly from its tick on (never sooner than gain_lead_ticks after the first step). `first_gains`, by
+  /// joint: what the slots begin with in place of designs for bench loads; empty: those designs. Refuses a robot with a
+  /// joint that has no controller, and first gains that are not for these joints or this delay, with the reason.
   static Result<Supervisor> create(const robot::Robot& robot, Design design, int loop_delay_ticks,
-                                   std::uint64_t session, std::vector<robot::LoadChange> known_loads = {});
+                                   std::uint64_t session, std::vector<robot::LoadChange> known_loads = {},
+                                   const std::vector<SlotGains>& first_gains = {});
 
   struct Outputs {
     std::vector<signals::JointControllerGains> gains;

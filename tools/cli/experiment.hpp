@@ -15,11 +15,12 @@ namespace farrier::cli {
 /// run's dither.
 int run_load_cycle(const robot::Robot& rig, const TrotOptions& options);
 
-/// farrier trot --experiment switching: what changing gains with the phase is worth right after touchdown. "On": each
-/// phase acts with its own gains, switched exactly: touchdowns are announced where they happen, without stance lead.
-/// "Off": the gains of the swing slot act in both phases. The designs for the true swing and stance load stand for
-/// adapted ones. Twice: with a reference and a weight that step at touchdown, and with the load transfer of the robot
-/// file.
+/// farrier trot --experiment switching: what changing gains with the phase is worth right after touchdown. An adaptive
+/// run of the gait gives every joint its gains of both phases; then nothing is redesigned and nothing dithers. "On":
+/// each phase acts with its own, switched as the product does it: touchdowns are announced as planned, and stance gains
+/// act stance_lead_s earlier. "Off": the swing gains act in both phases, for they act when a leg lands, and estimates
+/// alone would tell of it only later. Both again against the stance gains in both phases. Twice: with a reference and a
+/// weight that step at touchdown, and with the load transfer of the robot file.
 int run_switching(const robot::Robot& robot, const TrotOptions& options);
 
 /// A run in process, with what it wrote.

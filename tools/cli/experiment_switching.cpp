@@ -4,30 +4,25 @@
 #include <cstdio>
 #include <numeric>
 #include <optional>
-#include <utility>
 
 #include "lab/switching.hpp"
 #include "robot/robot_builder.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/experiment.hpp"
+#include "tools/cli/in_process.hpp"
 #include "tools/report/html_page.hpp"
 
 namespace farrier::cli {
 namespace {
 
-constexpr double kAdapting_s = 5.0;  ///< after the lead-in: gains have settled by then
+constexpr double kAdapting_s = 9.0;  ///< as long as farrier trot
+constexpr int kStridesFirst = 2;     ///< not judged: the robot gets into its stride
 constexpr int kStrides = 12;
-constexpr int kStridesAtLeast = 10;
+constexpr int kTouchdownsAtLeast = 11;  ///< ten strides lie between them
 constexpr double kSteppedAtMost = 0.5;
 constexpr double kBumpAtMost = 1e-12;  ///< of the nominal current: the rounding of sums that large
 
-struct Slots {
-  const char* name;
-  supervisor::Design design;
-};
-constexpr Slots kOn{"switched", supervisor::Design::kPhases};
-constexpr Slots kSwingGains{"swing_gains", supervisor::Design::kSwing};
-constexpr Slots kStanceGains{"stance_gains", supervisor::Design::kStance};
+using Gains = std::vector<supervisor::SlotGains>;
 
 struct Comparison {
   lab::TouchdownErrors on, swing_gains, stance_gains;
@@ -36,12 +31,6 @@ struct Comparison {
 
 double sum(const lab::TouchdownErrors& errors) {
   return std::accumulate(errors.integral_Ns.begin(), errors.integral_Ns.end(), 0.0);
-}
-
-/// Who knows the loads knows when they change, and need not be early.
-robot::Robot switched_exactly(robot::Robot robot) {
-  robot.safety.stance_lead_s = 0.0;
-  return robot;
 }
 
 Result<robot::Robot> with_load_transfer(const robot::Robot& robot, double fraction) {
@@ -54,18 +43,34 @@ Result<robot::Robot> with_load_transfer(const robot::Robot& robot, double fracti
   return std::move(built).value();
 }
 
-Result<Comparison> compare(const robot::Robot& robot, const TrotOptions& options, const std::string& reference,
-                           report::Outcome& outcome) {
-  const auto ticks = [&](double duration_s) { return lab::ticks_of(duration_s, robot); };
-  const Tick from = ticks(robot.plan.gait.lead_in_s + kAdapting_s);
+/// What the gains come to on this gait.
+Result<Gains> adapt(const robot::Robot& robot, const TrotOptions& options, report::Outcome& outcome) {
+  lab::InprocRun settings;
+  settings.ticks = lab::ticks_of(kAdapting_s, robot);
+  settings.seed = options.seed;
+  settings.design = supervisor::Design::kAdaptive;
+  auto ran = run_experiment(robot, settings, options.out + "/trace_adapting.csv", "switching adapting");
+  if (!ran) {
+    return ran.error();
+  }
+  add_failures(outcome, ran.value(), "adapting");
+  const auto& gains = ran.value().result.gains;
+  outcome.figures.add("trot.switching.gain_updates",
+                      static_cast<double>(gains.size() - signals::kPhaseCount * robot.joints.size()));
+  return lab::last_gains(robot, gains);
+}
+
+Result<Comparison> compare(const robot::Robot& robot, const Gains& adapted, const TrotOptions& options,
+                           const std::string& reference, report::Outcome& outcome) {
+  const double stride_s = 1.0 / robot.plan.gait.frequency_Hz;
+  const Tick from = lab::ticks_of(robot.plan.gait.lead_in_s + kStridesFirst * stride_s, robot);
   Comparison comparison;
-  const auto measure = [&](const Slots& slots, lab::TouchdownErrors& errors) -> Result<Done> {
+  const auto measure = [&](const char* slots, const Gains& gains, lab::TouchdownErrors& errors) -> Result<Done> {
     lab::InprocRun settings;
-    settings.ticks = from + ticks(kStrides / robot.plan.gait.frequency_Hz);
+    settings.ticks = from + lab::ticks_of(kStrides * stride_s, robot);
     settings.seed = options.seed;
-    settings.design = slots.design;
-    settings.announce = lab::Announce::kActual;
-    const std::string name = reference + "_" + slots.name;
+    settings.first_gains = gains;
+    const std::string name = reference + "_" + slots;
     auto ran = run_experiment(robot, settings, options.out + "/trace_" + name + ".csv", "switching " + name);
     if (!ran) {
       return ran.error();
@@ -76,11 +81,16 @@ Result<Comparison> compare(const robot::Robot& robot, const TrotOptions& options
     comparison.bump = comparison.bump >= bump ? comparison.bump : bump;
     return Done{};
   };
-  for (auto&& [slots, errors] : {std::pair(kOn, &comparison.on), std::pair(kSwingGains, &comparison.swing_gains),
-                                 std::pair(kStanceGains, &comparison.stance_gains)}) {
-    if (auto measured = measure(slots, *errors); !measured) {
-      return measured.error();
-    }
+  if (auto measured = measure("switched", adapted, comparison.on); !measured) {
+    return measured.error();
+  }
+  const Gains swing = lab::in_both_slots(adapted, signals::Phase::kSwing);
+  if (auto measured = measure("swing_gains", swing, comparison.swing_gains); !measured) {
+    return measured.error();
+  }
+  const Gains stance = lab::in_both_slots(adapted, signals::Phase::kStance);
+  if (auto measured = measure("stance_gains", stance, comparison.stance_gains); !measured) {
+    return measured.error();
   }
   return comparison;
 }
@@ -113,11 +123,15 @@ int run_switching(const robot::Robot& robot, const TrotOptions& options) {
   report::Outcome outcome;
   outcome.command = "trot";
   outcome.run = report::run_info(robot, options.seed);
-  const auto stepped = compare(switched_exactly(steps.value()), options, "stepped", outcome);
+  const auto adapted = adapt(robot, options, outcome);
+  if (!adapted) {
+    return fail_experiment(adapted.error());
+  }
+  const auto stepped = compare(without_dither(steps.value()), adapted.value(), options, "stepped", outcome);
   if (!stepped) {
     return fail_experiment(stepped.error());
   }
-  const auto ramped = compare(switched_exactly(robot), options, "ramped", outcome);
+  const auto ramped = compare(without_dither(robot), adapted.value(), options, "ramped", outcome);
   if (!ramped) {
     return fail_experiment(ramped.error());
   }
@@ -125,7 +139,7 @@ int run_switching(const robot::Robot& robot, const TrotOptions& options) {
   add_comparison(figures, robot, stepped.value(), "stepped", kSteppedAtMost);
   add_comparison(figures, robot, ramped.value(), "ramped", std::nullopt);
   figures.add("trot.switching.touchdowns", std::min(stepped.value().on.touchdowns, ramped.value().on.touchdowns),
-              kStridesAtLeast);
+              kTouchdownsAtLeast);
   figures.add("trot.switching.bump", std::max(stepped.value().bump, ramped.value().bump), kBumpAtMost);
   const std::string head = report::page_head(robot.name + ": gains switched at touchdown", outcome);
   const auto page = report::write_page(options.out, head + report::page_foot(outcome));
