@@ -1,7 +1,9 @@
 #include "lab/switching.hpp"
 
 #include <cmath>
+#include <numeric>
 
+#include "robot/robot_builder.hpp"
 #include "scenario_run.hpp"
 
 namespace farrier::scenario {
@@ -50,19 +52,78 @@ TEST(TouchdownErrors, LeaveOutWhatCameTooEarlyAndWhatTheRunCutShort) {
   EXPECT_EQ(lab::touchdown_errors(robot, rows, 0).touchdowns, 0);
 }
 
+signals::JointControllerGains update(std::uint16_t joint, std::uint8_t phase, double k_force) {
+  signals::JointControllerGains gains;
+  gains.joint = joint;
+  gains.phase = phase;
+  gains.k_force = k_force;
+  return gains;
+}
+
+TEST(LastGains, AreTheNewestOfEachSlot) {
+  robot::Robot robot = load("hyq");
+  robot.joints.erase(robot.joints.begin() + 2, robot.joints.end());
+  const std::vector<signals::JointControllerGains> issued{
+      update(0, kSwing, 1.0), update(0, kStance, 2.0), update(1, kSwing, 3.0),  update(1, kStance, 4.0),
+      update(1, kSwing, 5.0), update(0, kStance, 6.0), update(0, kStance, 7.0),
+  };
+  const auto last = lab::last_gains(robot, issued);
+  ASSERT_EQ(last.size(), 2u);
+  EXPECT_EQ(last[0][kSwing].force, 1.0);
+  EXPECT_EQ(last[0][kStance].force, 7.0);
+  EXPECT_EQ(last[1][kSwing].force, 5.0);
+  EXPECT_EQ(last[1][kStance].force, 4.0);
+  const auto of_stance = lab::in_both_slots(last, signals::Phase::kStance);
+  EXPECT_EQ(of_stance[0][kSwing].force, 7.0);
+  EXPECT_EQ(of_stance[1][kStance].force, 4.0);
+}
+
+/// HyQ with the gains that a trot of the usual length adapted.
 class Switching : public ::testing::Test {
  protected:
-  static lab::InprocRun settings(supervisor::Design design) {
-    lab::InprocRun run;
-    run.ticks = 3000;
-    run.design = design;
-    return run;
+  static constexpr Tick kAdapting = 9000, kRun = 4000, kJudgedFrom = 1500;
+
+  static void SetUpTestSuite() {
+    lab::InprocRun adaptive;
+    adaptive.ticks = kAdapting;
+    adaptive.design = supervisor::Design::kAdaptive;
+    const robot::Robot robot = load("hyq");
+    adapted_ = lab::last_gains(robot, run(robot, adaptive).result.gains);
   }
+  static void TearDownTestSuite() { adapted_.clear(); }
+
+  static Outcome run_with(const robot::Robot& robot, const std::vector<supervisor::SlotGains>& gains) {
+    lab::InprocRun settings;
+    settings.ticks = kRun;
+    settings.first_gains = gains;
+    return run(robot, settings);
+  }
+
+  static lab::TouchdownErrors errors_with(const robot::Robot& robot, const std::vector<supervisor::SlotGains>& gains) {
+    return lab::touchdown_errors(robot, run_with(robot, gains).rows, kJudgedFrom);
+  }
+
+  static robot::Robot undithered() {
+    robot::Overrides overrides;
+    overrides.without_dither = true;
+    return load("hyq", overrides);
+  }
+
+  static std::vector<supervisor::SlotGains> adapted_;
 };
+std::vector<supervisor::SlotGains> Switching::adapted_;
+
+TEST_F(Switching, ActsWithTheGainsThatWereGivenAndNoOthers) {
+  const Outcome outcome = run_with(undithered(), adapted_);
+  ASSERT_EQ(outcome.result.gains.size(), signals::kPhaseCount * adapted_.size());
+  for (const signals::JointControllerGains& gains : outcome.result.gains) {
+    EXPECT_EQ(gains.k_force, adapted_.at(gains.joint).at(gains.phase).force);
+  }
+}
 
 TEST_F(Switching, ChangesGainsWithoutABumpOfTheValve) {
-  const robot::Robot robot = load("hyq");
-  const Outcome outcome = run(robot, settings(supervisor::Design::kPhases));
+  const robot::Robot robot = undithered();
+  const Outcome outcome = run_with(robot, adapted_);
   const double bump = lab::largest_bump(robot, outcome.rows, outcome.result.gains);
   EXPECT_LE(bump, kRounding);
   EXPECT_GT(bump, 0.0) << "no gain change was replayed";
@@ -70,19 +131,30 @@ TEST_F(Switching, ChangesGainsWithoutABumpOfTheValve) {
 }
 
 TEST_F(Switching, KeepsTheForceAfterTouchdownBetterThanSwingGainsThroughout) {
-  const robot::Robot robot = load("hyq");
-  const auto error = [&](supervisor::Design design) {
-    const Outcome outcome = run(robot, settings(design));
-    return lab::touchdown_errors(robot, outcome.rows, lab::ticks_of(1.5, robot));
-  };
-  const auto on = error(supervisor::Design::kPhases);
-  const auto off = error(supervisor::Design::kSwing);
+  const robot::Robot robot = undithered();
+  const auto on = errors_with(robot, adapted_);
+  const auto off = errors_with(robot, lab::in_both_slots(adapted_, signals::Phase::kSwing));
   ASSERT_GT(on.touchdowns, 0);
   for (const robot::Joint& joint : robot.joints) {
     if (joint.index_in_leg > 0) {
       EXPECT_LT(on.integral_Ns[joint.number], off.integral_Ns[joint.number]) << joint.name;
     }
   }
+}
+
+TEST_F(Switching, HalvesTheForceErrorAfterTouchdownsWithAStepOfTheLoad) {
+  constexpr double kAtMost = 0.5;  // of trot.switching.stepped_ratio
+  robot::RobotFile file = undithered().file;
+  file.gait.load_transfer_fraction = 0.0;
+  const auto robot = robot::build_robot(std::move(file));
+  ASSERT_TRUE(robot.ok());
+  const auto sum = [](const lab::TouchdownErrors& errors) {
+    return std::accumulate(errors.integral_Ns.begin(), errors.integral_Ns.end(), 0.0);
+  };
+  const auto on = errors_with(robot.value(), adapted_);
+  const auto off = errors_with(robot.value(), lab::in_both_slots(adapted_, signals::Phase::kSwing));
+  ASSERT_GT(on.touchdowns, 0);
+  EXPECT_LE(sum(on), kAtMost * sum(off));
 }
 
 }  // namespace

@@ -18,6 +18,7 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_contact_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_load_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_adaptive_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/supervisor_first_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_known_loads_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_news_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_update_test.cpp
