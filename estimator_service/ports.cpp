@@ -21,6 +21,7 @@ class EstimatorApplication final : public participant::Application {
         participant_(participant),
         lockstep_(participant.identity().clock == bus::ClockKind::kLockstep),
         ticks_(ticks),
+        newest_ticks_(joints.size(), kNoTick),
         inbox_(std::move(joints)) {}
 
   void poll(SteadyTime now) override;
@@ -40,12 +41,17 @@ class EstimatorApplication final : public participant::Application {
   bool lockstep_;
   Tick ticks_;
   Tick tick_ = 0;
+  std::vector<Tick> newest_ticks_;  ///< of measurements, by joint
   participant::TickInbox<signals::JointMeasurement> inbox_;
   SteadyTime next_health_{};
 };
 
 void EstimatorApplication::take(const signals::JointMeasurement& measurement) {
   service_.take(measurement);
+  if (measurement.joint >= newest_ticks_.size() || measurement.tick <= newest_ticks_[measurement.joint]) {
+    return;  // a joint whose next sensors are late answers the last ones again
+  }
+  newest_ticks_[measurement.joint] = measurement.tick;
   if (robot_.estimate_due(measurement.tick)) {
     estimates_->publish(service_.estimate(measurement.joint, measurement.tick));
   }

@@ -193,7 +193,7 @@ double JointNode::valve_current_by_gains(double reference, const control::Measur
     controller_phase_ = phase_;
   }
   if (controller_generation_ == 0) {
-    return 0.0;  // refused, for a measurement too large to add up: tried again next time
+    return 0.0;  // gains that cannot be used; those are refused on arrival
   }
   const control::ForceController::Output output = controller_.step(reference, measured, probe_A);
   last_measured_ = measured;

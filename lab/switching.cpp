@@ -130,9 +130,10 @@ double largest_bump(const robot::Robot& robot, std::span<const record::TraceRow>
   double largest = 0.0;
   for (const robot::Joint& joint : robot.joints) {
     const double bump = largest_bump(joint, sorted[joint.number], gains);
-    if (!(bump <= largest)) {
-      largest = bump;
+    if (std::isnan(bump)) {
+      return bump;
     }
+    largest = std::max(largest, bump);
   }
   return largest;
 }

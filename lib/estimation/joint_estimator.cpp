@@ -135,8 +135,11 @@ void JointEstimator::take(const JointSample& sample) noexcept {
   signal << (sample.state - Eigen::Vector3d(scales_.home_position, 0, 0)).cwiseQuotient(scales_.state),
       sample.current_A / scales_.current_A;
   if (!(signal.array().abs() <= kLargestSignal).all() || sample.phase < 0 || sample.phase > 1) {
-    sample_flags_ = bit(EstimateFlag::kSampleRefused);
+    sample_flags_ = (sample_flags_ & bit(EstimateFlag::kBlanked)) | bit(EstimateFlag::kSampleRefused);
     return;
+  }
+  if (last_tick_ != kNoTick && sample.tick == last_tick_) {
+    return;  // a joint whose next sensors are late answers the last ones again
   }
   const Tick since = last_tick_ == kNoTick ? 0 : sample.tick - last_tick_;
   const bool follows = since == 1;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cmath>
 #include <numeric>
 #include <optional>
 
@@ -28,6 +29,9 @@ struct Comparison {
   lab::TouchdownErrors on, swing_gains, stance_gains;
   double bump = 0.0;
 };
+
+// NaN when one of them is: a run that could not be replayed shall not pass.
+double larger(double a, double b) { return std::isnan(a) || a >= b ? a : b; }
 
 double sum(const lab::TouchdownErrors& errors) {
   return std::accumulate(errors.integral_Ns.begin(), errors.integral_Ns.end(), 0.0);
@@ -78,7 +82,7 @@ Result<Comparison> compare(const robot::Robot& robot, const Gains& adapted, cons
     add_failures(outcome, ran.value(), name);
     errors = lab::touchdown_errors(robot, ran.value().rows, from);
     const double bump = lab::largest_bump(robot, ran.value().rows, ran.value().result.gains);
-    comparison.bump = comparison.bump >= bump ? comparison.bump : bump;
+    comparison.bump = larger(comparison.bump, bump);
     return Done{};
   };
   if (auto measured = measure("switched", adapted, comparison.on); !measured) {
@@ -140,7 +144,7 @@ int run_switching(const robot::Robot& robot, const TrotOptions& options) {
   add_comparison(figures, robot, ramped.value(), "ramped", std::nullopt);
   figures.add("trot.switching.touchdowns", std::min(stepped.value().on.touchdowns, ramped.value().on.touchdowns),
               kTouchdownsAtLeast);
-  figures.add("trot.switching.bump", std::max(stepped.value().bump, ramped.value().bump), kBumpAtMost);
+  figures.add("trot.switching.bump", larger(stepped.value().bump, ramped.value().bump), kBumpAtMost);
   const std::string head = report::page_head(robot.name + ": gains switched at touchdown", outcome);
   const auto page = report::write_page(options.out, head + report::page_foot(outcome));
   if (!page) {

@@ -60,7 +60,7 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.switching.touchdowns", "1", kAtLeast, "Touchdowns that were judged, of the leg with the fewest."},
     FigureSpec{"trot.switching.gain_updates", "1", kNone, "Gain updates of the run that adapted the gains, after its first ones."},
     FigureSpec{"trot.switching.bump", "1", kAtMost,
-               "Largest jump of the valve command at a gain switch at unchanged reference and measurement, over the valve's nominal current."},
+               "Largest jump of the valve command at a gain switch at unchanged reference and measurement, over the valve's nominal current; of the force controllers, replayed on the trace."},
     FigureSpec{"trot.<joint>.switching_stepped_ratio", "1", kNone, "trot.switching.stepped_ratio of one joint."},
     FigureSpec{"trot.<joint>.switching_ramped_ratio", "1", kNone, "trot.switching.ramped_ratio of one joint."},
     // trot --vary: stance NRMSE over all pairs of a joint and a seed
