@@ -47,11 +47,11 @@ class EstimatorApplication final : public participant::Application {
 };
 
 void EstimatorApplication::take(const signals::JointMeasurement& measurement) {
-  service_.take(measurement);
   if (measurement.joint >= newest_ticks_.size() || measurement.tick <= newest_ticks_[measurement.joint]) {
     return;  // a joint whose next sensors are late answers the last ones again
   }
   newest_ticks_[measurement.joint] = measurement.tick;
+  service_.take(measurement);
   if (robot_.estimate_due(measurement.tick)) {
     estimates_->publish(service_.estimate(measurement.joint, measurement.tick));
   }

@@ -138,9 +138,6 @@ void JointEstimator::take(const JointSample& sample) noexcept {
     sample_flags_ = (sample_flags_ & bit(EstimateFlag::kBlanked)) | bit(EstimateFlag::kSampleRefused);
     return;
   }
-  if (last_tick_ != kNoTick && sample.tick == last_tick_) {
-    return;  // a joint whose next sensors are late answers the last ones again
-  }
   const Tick since = last_tick_ == kNoTick ? 0 : sample.tick - last_tick_;
   const bool follows = since == 1;
   unsettled_ticks_ = std::max(unsettled_ticks_ - 1, 0);
