@@ -1,5 +1,6 @@
 #include "estimator_service/estimator_service.hpp"
 
+#include "control/model_rows.hpp"
 #include "robot/joint_model.hpp"
 
 namespace farrier::estimator_service {
@@ -45,17 +46,11 @@ signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick
   }
   const estimation::ModelEstimate estimate = estimators_[joint].estimate();
   signal.phase = static_cast<std::uint8_t>(estimate.phase);
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      const auto place = static_cast<std::size_t>(3 * row + column);
-      signal.a[place] = estimate.a(row, column);
-      signal.a_error[place] = estimate.a_error(row, column);
-    }
-    const auto place = static_cast<std::size_t>(row);
-    signal.b[place] = estimate.b(row);
-    signal.b_error[place] = estimate.b_error(row);
-    signal.c[place] = estimate.c(row);
-  }
+  signal.a = control::rows_of(estimate.a);
+  signal.b = control::entries_of(estimate.b);
+  signal.c = control::entries_of(estimate.c);
+  signal.a_error = control::rows_of(estimate.a_error);
+  signal.b_error = control::entries_of(estimate.b_error);
   signal.validity = estimate.validity;
   signal.excitation = estimate.excitation;
   signal.samples = estimate.samples;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "control/model_rows.hpp"
 #include "signals/fields.hpp"
 
 namespace farrier::joint_node {
@@ -70,12 +71,7 @@ control::Gains unpack_gains(const signals::JointControllerGains& signal) noexcep
   gains.delay = signal.k_delay;
   gains.delay_ticks = signal.delay_ticks;
   gains.form = signal.compliant != 0 ? control::Form::kCompliant : control::Form::kFullState;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      gains.model.a(row, column) = signal.model_a[static_cast<std::size_t>(3 * row + column)];
-    }
-    gains.model.b(row) = signal.model_b[static_cast<std::size_t>(row)];
-  }
+  gains.model = control::model_of_rows(signal.model_a, signal.model_b);
   return gains;
 }
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <vector>
 
+#include "control/model_rows.hpp"
 #include "robot/joint_model.hpp"
 #include "supervisor/joint_design.hpp"
 #include "supervisor/slot_update.hpp"
@@ -35,13 +36,9 @@ struct Case {
 signals::JointModelEstimate estimate_of(const robot::Joint& joint, const control::DiscreteModel& model) {
   signals::JointModelEstimate estimate;
   estimate.joint = joint.number;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      estimate.a[static_cast<std::size_t>(3 * row + column)] = model.a(row, column);
-    }
-    estimate.b[static_cast<std::size_t>(row)] = model.b(row);
-    estimate.b_error[static_cast<std::size_t>(row)] = kGainError * std::abs(model.b(row));
-  }
+  estimate.a = control::rows_of(model.a);
+  estimate.b = control::entries_of(model.b);
+  estimate.b_error = control::entries_of(kGainError * model.b.cwiseAbs());
   estimate.validity = kValidity;
   estimate.samples = kSamples;
   return estimate;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/closed_loop.hpp"
+#include "control/model_rows.hpp"
 #include "estimation/joint_estimator.hpp"
 #include "estimation/poles.hpp"
 
@@ -19,17 +20,6 @@ constexpr double kLargestGainError = 2.0;
 
 // A joint whose force is not what its model predicts oscillates as a rule, and shall not wait for a perfect estimate.
 constexpr double kMisfitLeniency = 0.5;
-
-control::DiscreteModel unpack(const signals::JointModelEstimate& estimate) noexcept {
-  control::DiscreteModel model;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      model.a(row, column) = estimate.a[static_cast<std::size_t>(3 * row + column)];
-    }
-    model.b(row) = estimate.b[static_cast<std::size_t>(row)];
-  }
-  return model;
-}
 
 bool is_refusal(UpdateVerdict verdict) noexcept { return verdict >= UpdateVerdict::kDesignRefused; }
 
@@ -75,7 +65,7 @@ void SlotUpdate::follow(const PoleSet& poles) noexcept {
 }
 
 signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
-  const control::DiscreteModel model = unpack(estimate);
+  const control::DiscreteModel model = control::model_of_rows(estimate.a, estimate.b);
   signals::JointUpdateDecision decision;
   decision.joint = estimate.joint;
   decision.tick = tick;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "control/model_rows.hpp"
 #include "supervisor/joint_design.hpp"
 
 namespace farrier::supervisor {
@@ -27,12 +28,8 @@ signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase pha
   signal.velocity_scale_m_s_or_rad_s = gains.normalisation.velocity;
   signal.force_scale_N_or_Nm = gains.normalisation.force;
   signal.current_scale_A = gains.normalisation.current_A;
-  for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) {
-      signal.model_a[static_cast<std::size_t>(3 * row + column)] = gains.model.a(row, column);
-    }
-    signal.model_b[static_cast<std::size_t>(row)] = gains.model.b(row);
-  }
+  signal.model_a = control::rows_of(gains.model.a);
+  signal.model_b = control::entries_of(gains.model.b);
   return signal;
 }
 

@@ -1,10 +1,7 @@
 #include "tools/report/adaptation_pictures.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 #include "config/problem.hpp"
 #include "control/spectrum.hpp"
@@ -80,15 +77,6 @@ std::string true_lines(const AdaptationPicture& input, const plant::LoadParams& 
   return lines;
 }
 
-Result<Done> write_lines(const std::string& path, const std::string& lines) {
-  std::ofstream file(path);
-  file << lines << std::flush;
-  if (!file) {
-    return Error{"cannot write the data of the report's pictures to " + path + ": " + std::strerror(errno)};
-  }
-  return Done{};
-}
-
 std::string level(double value, const char* colour) {
   return "set arrow from graph 0, first " + number(value) + " to graph 1, first " + number(value) +
          " nohead dashtype 2 lw 1 lc rgb " + colour + "\n";
@@ -146,7 +134,7 @@ Result<Done> plot_adaptation(const AdaptationPicture& input, const std::string& 
   for (const auto& [name, lines] : {std::pair("_gains_stance.dat", gain_lines(input, Phase::kStance)),
                                     std::pair("_gains_swing.dat", gain_lines(input, Phase::kSwing)),
                                     std::pair("_estimates.dat", poles)}) {
-    if (auto written = write_lines(out_dir + "/" + stem + name, lines); !written) {
+    if (auto written = write_plot_data(out_dir + "/" + stem + name, lines); !written) {
       return written;
     }
   }

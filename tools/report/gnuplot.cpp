@@ -37,6 +37,15 @@ Result<Done> make_picture_folders(const std::string& out_dir) {
   return Done{};
 }
 
+Result<Done> write_plot_data(const std::string& path, const std::string& lines) {
+  std::ofstream file(path);
+  file << lines << std::flush;
+  if (!file) {
+    return Error{"cannot write the data of the report's pictures to " + path + ": " + std::strerror(errno)};
+  }
+  return Done{};
+}
+
 Result<Done> draw(const std::string& out_dir, const std::string& script) {
   std::ofstream file(out_dir + "/" + kScript);
   file << script << std::flush;

@@ -21,6 +21,9 @@ set grid xtics ytics ls 9
 /// Makes out_dir/data and out_dir/pictures; refuses what the disk does not allow.
 Result<Done> make_picture_folders(const std::string& out_dir);
 
+/// Writes what a picture shows to `path`. Refuses what the disk does not take.
+Result<Done> write_plot_data(const std::string& path, const std::string& lines);
+
 /// Keeps `script` as out_dir/data/pictures.gp and runs it from out_dir. Refuses as run_gnuplot does.
 Result<Done> draw(const std::string& out_dir, const std::string& script);
 

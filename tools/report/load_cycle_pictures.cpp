@@ -1,12 +1,10 @@
 #include "tools/report/load_cycle_pictures.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
 
 #include "config/problem.hpp"
+#include "control/model_rows.hpp"
 #include "control/spectrum.hpp"
 #include "robot/joint_model.hpp"
 #include "supervisor/joint_design.hpp"
@@ -55,19 +53,6 @@ std::string pole_lines(const Eigen::Matrix3d& a, double time_s) {
     lines += number(poles[i].real()) + " " + number(poles[i].imag()) + " " + number(time_s) + "\n";
   }
   return lines;
-}
-
-Eigen::Matrix3d model_of(const JointControllerGains& gains) {
-  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(gains.model_a.data());
-}
-
-Result<Done> write_lines(const std::string& path, const std::string& lines) {
-  std::ofstream file(path);
-  file << lines << std::flush;
-  if (!file) {
-    return Error{"cannot write the data of the report's pictures to " + path + ": " + std::strerror(errno)};
-  }
-  return Done{};
 }
 
 std::string force_lines(const LoadCycleRun& run, double period_s) {
@@ -148,7 +133,7 @@ std::string quarter_poles(const std::vector<JointControllerGains>& gains, const 
     const bool ends = i + 1 < gains.size() && gains[i + 1].effective_tick <= plan.begin[quarter];
     if (begins && !ends) {
       const Tick since = std::max(gains[i].effective_tick, plan.begin[quarter]);
-      lines += pole_lines(model_of(gains[i]), static_cast<double>(since) * plan.robot.period_s);
+      lines += pole_lines(control::model_of_rows(gains[i].model_a, gains[i].model_b).a, static_cast<double>(since) * plan.robot.period_s);
     }
   }
   const robot::Joint& joint = plan.robot.joints.front();
@@ -167,12 +152,12 @@ Result<Done> draw_load_cycle(const std::string& out_dir, const LoadCyclePlan& pl
   for (const LoadCycleRun& run : runs) {
     const std::vector<JointControllerGains> gains = acting(run);
     const std::string stem = out_dir + "/data/" + run.name;
-    Result<Done> written = write_lines(stem + "_force.dat", force_lines(run, plan.robot.period_s));
+    Result<Done> written = write_plot_data(stem + "_force.dat", force_lines(run, plan.robot.period_s));
     if (written) {
-      written = write_lines(stem + "_gains.dat", gain_lines(gains, plan));
+      written = write_plot_data(stem + "_gains.dat", gain_lines(gains, plan));
     }
     for (std::size_t i = 0; i < kQuarters && written; ++i) {
-      written = write_lines(stem + "_poles" + std::to_string(i + 1) + ".dat", quarter_poles(gains, plan, i));
+      written = write_plot_data(stem + "_poles" + std::to_string(i + 1) + ".dat", quarter_poles(gains, plan, i));
     }
     if (!written) {
       return written.error();
