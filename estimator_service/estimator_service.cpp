@@ -1,12 +1,13 @@
 #include "estimator_service/estimator_service.hpp"
 
 #include "control/model_rows.hpp"
+#include "estimation/joint_estimator.hpp"
 #include "robot/joint_model.hpp"
 
 namespace farrier::estimator_service {
 
 Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int loop_delay_ticks) {
-  std::vector<estimation::JointEstimator> estimators;
+  std::vector<std::unique_ptr<estimation::Estimator>> estimators;
   for (const robot::Joint& joint : robot.joints) {
     const control::Normalisation& n = joint.normalisation;
     const control::DiscreteModel prior = robot::model_of(joint, joint.swing_load, robot.period_s);
@@ -22,14 +23,14 @@ Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int
     if (!estimator) {
       return Error{joint.name + ": " + estimator.error().message};
     }
-    estimators.push_back(std::move(estimator).value());
+    estimators.push_back(std::make_unique<estimation::JointEstimator>(std::move(estimator).value()));
   }
   return EstimatorService(std::move(estimators));
 }
 
 void EstimatorService::take(const signals::JointMeasurement& measurement) noexcept {
   if (measurement.joint < estimators_.size()) {
-    estimators_[measurement.joint].take({.tick = measurement.tick,
+    estimators_[measurement.joint]->take({.tick = measurement.tick,
                                          .state = {measurement.position_m_or_rad, measurement.velocity_m_s_or_rad_s,
                                                    measurement.force_N_or_Nm},
                                          .current_A = measurement.valve_current_A,
@@ -44,7 +45,7 @@ signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick
   if (joint >= estimators_.size()) {
     return signal;
   }
-  const estimation::ModelEstimate estimate = estimators_[joint].estimate();
+  const estimation::ModelEstimate estimate = estimators_[joint]->estimate();
   signal.phase = static_cast<std::uint8_t>(estimate.phase);
   signal.a = control::rows_of(estimate.a);
   signal.b = control::entries_of(estimate.b);
@@ -55,6 +56,9 @@ signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick
   signal.excitation = estimate.excitation;
   signal.samples = estimate.samples;
   signal.flags = estimate.flags;
+  signal.has_physics = estimate.has_physics ? 1 : 0;
+  signal.physics = plant::values_of(estimate.physics);
+  signal.physics_error = plant::values_of(estimate.physics_error);
   return signal;
 }
 

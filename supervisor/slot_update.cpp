@@ -5,7 +5,7 @@
 
 #include "control/closed_loop.hpp"
 #include "control/model_rows.hpp"
-#include "estimation/joint_estimator.hpp"
+#include "estimation/estimator.hpp"
 #include "estimation/poles.hpp"
 
 namespace farrier::supervisor {

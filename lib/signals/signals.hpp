@@ -112,6 +112,9 @@ struct JointModelEstimate {
   double excitation = 0;      ///< lower bound of the normalised information matrix's smallest eigenvalue, >= 0
   std::uint32_t samples = 0;  ///< informative ones behind it
   std::uint32_t flags = 0;    ///< Table F.1
+  std::uint8_t has_physics = 0;               ///< 1: the estimator knows the joint's structure
+  std::array<double, 8> physics{};            ///< plant::JointPhysics in the order of its declaration, SI
+  std::array<double, 8> physics_error{};      ///< standard errors, >= 0; 0 for what is taken as known
 };
 
 /// supervisor -> joint_node: one slot of one joint's gains, in the thesis's normalised units (Fig. 7.1).
@@ -136,6 +139,8 @@ struct JointControllerGains {
   double current_scale_A = 0;            ///< (3.53)
   std::array<double, 9> model_a{};       ///< model they were designed for, SI, row by row
   std::array<double, 3> model_b{};
+  std::uint8_t has_physics = 0;          ///< 1: physics is known, for controllers that invert the flow law
+  std::array<double, 8> physics{};       ///< plant::JointPhysics in the order of its declaration, SI
 };
 
 /// supervisor -> monitors: gains redesigned from an estimate, or a design that was refused; published when it happens.

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "estimation/joint_estimator.hpp"
+#include "estimation/estimator.hpp"
 #include "estimation/poles.hpp"
 #include "supervisor_estimates.hpp"
 
