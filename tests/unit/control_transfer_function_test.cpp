@@ -197,10 +197,11 @@ TEST(Responses, UnwrapToTheFullPhaseOfTheSystem) {
   const std::vector<double> frequencies = logarithmic_grid(0.01, 1e5, 400);
   EXPECT_EQ(frequencies.front(), 0.01);
   EXPECT_EQ(frequencies.back(), 1e5);
-  const Draw one = draw(7);
-  // Valve to position: an integrator or a slow pole, and a resonance: falls by 270 degrees in all, never by more.
-  const auto values = responses(load_pressure_system(one.actuator, one.load, one.point, Output::kPosition), frequencies);
+  // Valve to position: an integrator and a resonance, from -90 to -270 degrees.
+  const auto values = responses(load_pressure_system(plant::nominal_cylinder(), plant::nominal_load(),
+                                                     plant::nominal_point(1.0), Output::kPosition), frequencies);
   const std::vector<double> degrees = unwrapped_degrees(values);
+  EXPECT_NEAR(degrees.front(), -90.0, 1.0);
   EXPECT_NEAR(degrees.back(), -270.0, 1.0);
   for (std::size_t i = 1; i < degrees.size(); ++i) {
     EXPECT_LT(std::abs(degrees[i] - degrees[i - 1]), 180.0);
