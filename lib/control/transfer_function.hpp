@@ -45,7 +45,8 @@ std::complex<double> response(const SingleInOut<N>& system, double frequency_Hz)
 template <int N>
 std::vector<std::complex<double>> responses(const SingleInOut<N>& system, std::span<const double> frequencies_Hz);
 
-/// `count` >= 2 frequencies from `from` to `to` (both > 0; checked invariants), each the same multiple of the one before.
+/// `count` >= 2 frequencies from `from` to `to`, both > 0 (checked invariants), each the same multiple of the one
+/// before.
 std::vector<double> logarithmic_grid(double from, double to, int count);
 
 /// 20 log10 of the modulus.
