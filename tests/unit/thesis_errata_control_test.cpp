@@ -5,9 +5,12 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
 #include <vector>
 
-#include "control/closed_loop.hpp"
 #include "control/lqr.hpp"
 #include "control/riccati.hpp"
 #include "control/spectrum.hpp"
@@ -71,16 +74,17 @@ LoopMargins margins(const Matrix4& a, const Vector4& b, const Eigen::RowVector4d
 }
 
 TEST(ThesisErrata, LqrDiscreteTimeHasNoSixtyDegreeMargin) {  // 5.1, 10.1
-  for (const double mass : {0.5, 2.5, 50.0}) {
+  constexpr double kGridDeg = 0.2;  // what a step of the grid turns the loop's phase by near a crossing
+  const std::pair<double, double> expected[] = {{0.5, 52.0}, {2.5, 28.1}, {50.0, 23.5}};  // kg, degrees
+  for (const auto& [mass, phase_deg] : expected) {
     const Augmented system = augmented(control::testing::fc1d(mass));
     const auto solution = solution_of(system);
     const LoopMargins m = margins(system.a, system.b, solution.k);
-    std::printf("mass %g pm %.2f rd %.4f bound %.4f\n", mass, m.phase_deg, m.least_return_difference,
-                std::sqrt(kR / (kR + (system.b.transpose() * solution.s * system.b)(0))));
     // Return difference equality: |1 + L|^2 >= R / (R + B'SB), which is less than one.
     const double guaranteed = std::sqrt(kR / (kR + (system.b.transpose() * solution.s * system.b)(0)));
-    EXPECT_GE(m.least_return_difference, guaranteed * (1.0 - 1e-9));
-    EXPECT_LT(m.phase_deg, 60.0);
+    EXPECT_LT(guaranteed, 0.11) << mass;
+    EXPECT_GE(m.least_return_difference, guaranteed) << mass;
+    EXPECT_NEAR(m.phase_deg, phase_deg, kGridDeg) << mass;
   }
 }
 
@@ -100,9 +104,16 @@ TEST(ThesisErrata, RiccatiGainNeedsA) {  // (7.5)
   const Eigen::RowVector4d right = system.b.transpose() * solution.s * system.a / divisor;
   const Eigen::RowVector4d printed = system.b.transpose() * solution.s / divisor;
   EXPECT_LT((right - solution.k).norm(), 1e-9 * right.norm());
-  std::printf("radius right %.5f printed %.5f\n", control::spectral_radius(Matrix4(system.a - system.b * right)),
-              control::spectral_radius(Matrix4(system.a - system.b * printed)));
-  std::cout << right << "\n" << printed << "\n";
+  // The right gain lets the cost-to-go satisfy (7.4) as a Lyapunov equation of the closed loop; the printed one not.
+  const auto cost_residual = [&](const Eigen::RowVector4d& k) -> double {
+    const Matrix4 closed = system.a - system.b * k;
+    const Matrix4 cost = closed.transpose() * solution.s * closed + kQ + k.transpose() * kR * k;
+    return (cost - solution.s).norm() / solution.s.norm();
+  };
+  EXPECT_LT(cost_residual(right), 1e-9);
+  EXPECT_GT(cost_residual(printed), 1e-3);
+  EXPECT_NEAR(right(2), -4.47, 0.01);   // velocity: compensation
+  EXPECT_NEAR(printed(2), 0.01, 0.01);  // lost
 }
 
 TEST(ThesisErrata, ErrorIsFedBackWithAPlus) {  // (7.6)
@@ -111,18 +122,6 @@ TEST(ThesisErrata, ErrorIsFedBackWithAPlus) {  // (7.6)
   // With r = 0 the error is -x: u = +K e is u = -K x, and u = -K e is u = +K x.
   EXPECT_LT(control::spectral_radius(Matrix4(system.a - system.b * k)), 1.0);
   EXPECT_GT(control::spectral_radius(Matrix4(system.a + system.b * k)), 1.0);
-}
-
-TEST(ThesisErrata, IntegralFactorLeavesTheOptimum) {  // (7.11)
-  for (const double mass : {0.5, 2.5, 50.0}) {
-    const Augmented system = augmented(control::testing::fc1d(mass));
-    Eigen::RowVector4d k = solution_of(system).k;
-    const double before = margins(system.a, system.b, k).phase_deg;
-    k(0) *= 6.0;
-    const double after = margins(system.a, system.b, k).phase_deg;
-    std::printf("mass %g pm xi1 %.2f xi6 %.2f rho %.5f\n", mass, before, after, control::spectral_radius(Matrix4(system.a - system.b * k)));
-    EXPECT_LT(after, before);
-  }
 }
 
 /// Steps of (8.1) from (8.2), N = 0.
@@ -137,32 +136,32 @@ std::vector<Matrix4> iterates(const Augmented& system, const Matrix4& q, double 
 TEST(ThesisErrata, RiccatiIterationConvergesLinearly) {  // 8.2.2, Fig. 8.9: "almost quadratically"
   const Augmented system = augmented(control::testing::fc1d(2.5));
   const auto solution = solution_of(system);
-  const auto s = iterates(system, kQ, kR, 2000);
+  const auto s = iterates(system, kQ, kR, 500);
   const double rate = solution.spectral_radius * solution.spectral_radius;
-  std::printf("rho^2 %.6f\n", rate);
-  for (const int k : {100, 200, 400, 800}) {
-    const double error = (s[k] - solution.s).norm();
-    std::printf("%d rel %.3e ratio %.6f order %.3f\n", k, error / solution.s.norm(), (s[k + 1] - solution.s).norm() / error,
-      std::log((s[k + 1] - solution.s).norm() / error) / std::log(error / (s[k - 1] - solution.s).norm()));
+  const auto error = [&](int k) { return (s[static_cast<std::size_t>(k)] - solution.s).norm(); };
+  for (const int k : {100, 200, 400}) {
+    EXPECT_NEAR(error(k + 1) / error(k), rate, 1e-3) << k;
+    EXPECT_NEAR(std::log(error(k + 1) / error(k)) / std::log(error(k) / error(k - 1)), 1.0, 0.01) << k;
   }
+  EXPECT_NEAR(error(100) / solution.s.norm(), 1.0e-3, 0.1e-3);
 }
 
 TEST(ThesisErrata, StopRuleIsNotRelative) {  // (8.3), RTOL = 0.4 on the square
+  // The gain does not change when all weights are scaled. The step at which the rule stops does.
   const Augmented system = augmented(control::testing::fc1d(2.5));
-  const auto solution = solution_of(system);
-  for (const double scale : {1.0, 1e-2, 1e-4}) {
+  const Eigen::RowVector4d right = solution_of(system).k;
+  for (const double scale : {1.0, 1e-2}) {
     const Matrix4 q = scale * kQ;
     const double r = scale * kR;
-    const auto s = iterates(system, q, r, 3000);
+    const auto s = iterates(system, q, r, 500);
     std::size_t stop = 1;
     while (stop + 1 < s.size() && (s[stop] - s[stop - 1]).squaredNorm() >= 0.4) {
       ++stop;
     }
     const Eigen::RowVector4d k =
         system.b.transpose() * s[stop] * system.a / (r + (system.b.transpose() * s[stop] * system.b)(0));
-    std::printf("scale %g stop %zu gain error %.4f radius %.5f\n", scale, stop, (k - solution.k).norm() / solution.k.norm(),
-      control::spectral_radius(Matrix4(system.a - system.b * k)));
-    std::cout << k << " vs " << solution.k << "\n";
+    EXPECT_EQ(stop, scale == 1.0 ? 78u : 1u);
+    EXPECT_NEAR(k(0) / right(0), scale == 1.0 ? 0.940 : 0.023, 0.002);  // integral gain
   }
 }
 
@@ -175,22 +174,38 @@ TEST(ThesisErrata, ConditionsOfTheRiccatiEquationLackDetectability) {  // (8.5)
   EXPECT_EQ(control::riccati_residual<2>(a, b, zero, 1.0, n, zero), zero);
   EXPECT_GT(control::spectral_radius(a), 1.0);
   const auto ours = control::solve_dare<2>(a, b, zero, 1.0, n);
-  std::printf("ours: %s\n", ours.ok() ? "ok" : control::to_string(ours.error()));
+  ASSERT_FALSE(ours.ok());
+  EXPECT_EQ(ours.error(), control::RiccatiStatus::kClosedLoopUnstable);
 }
 
-TEST(ThesisErrata, PositionGainAndMass) {  // Figs 7.4 and C.3
+TEST(ThesisErrata, PositionGainFallsWithMass) {  // caption of Fig. C.3; Fig. 7.4 has it right
+  double before = 1e300;
   for (const double mass : {0.5, 1.0, 2.5, 10.0, 50.0, 127.0}) {
-    const auto k = solution_of(augmented(control::testing::fc1d(mass))).k;
-    std::cout << mass << " : " << k << "\n";
+    const double gain = solution_of(augmented(control::testing::fc1d(mass))).k(1);
+    EXPECT_GT(gain, 0.0) << mass;
+    EXPECT_LT(gain, 0.8 * before) << mass;
+    before = gain;
   }
+}
+
+TEST(ThesisErrata, GainsOfFigureSevenEightBelongToTheShortLine) {  // Table A.2
   control::testing::Rig rig = control::testing::fc1d(50.0);
+  const Eigen::RowVector3d with_short = solution_of(augmented(rig)).k.tail<3>();
   rig.line_volume_m3 = 1.0207e-5;
-  std::cout << "long " << solution_of(augmented(rig)).k << "\n";
-  for (const double d : {0.0, 100.0, 500.0, 2000.0}) for (double m : {2.5, 50.0}) {
-    auto r = control::testing::fc1d(m); r.load_damping = d;
-    std::cout << m << " d " << d << " : " << solution_of(augmented(r)).k << "\n";
-  }
-  for (const double c : {10.0, 2000.0, 21480.0, 35000.0}) std::cout << "C " << c << ": " << solution_of(augmented(control::testing::fc1d(2.5, c))).k << "\n";
+  const Eigen::RowVector3d with_long = solution_of(augmented(rig)).k.tail<3>();
+  const Eigen::RowVector3d figure(0.0, -4.0, 8.0);
+  EXPECT_LT((with_short - figure).norm(), 0.8);
+  EXPECT_GT((with_long - figure).norm(), 2.5);
+}
+
+TEST(ThesisErrata, PolesDoNotShowTheValve) {  // 5.3 (d), 8.2.1
+  const control::testing::Rig rig = control::testing::fc1d(2.5);
+  control::testing::Rig weak = rig;
+  weak.valve_gain *= 0.5;
+  const auto before = control::testing::sampled(rig);
+  const auto after = control::testing::sampled(weak);
+  EXPECT_EQ(before.a, after.a);
+  EXPECT_LT((after.b - 0.5 * before.b).norm(), 1e-12 * before.b.norm());
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include <cmath>
+
 #include "control/discretise.hpp"
 #include "control/lqr.hpp"
 #include "control_models.hpp"
@@ -46,8 +48,7 @@ TEST(ThesisErrata, HeldInputIsIntegratedOverTau) {  // (B.5)
   }
   const Eigen::Vector3d integral = sum * period / (3.0 * kParts);
   EXPECT_LT((integral - exact.b).norm(), 1e-9 * exact.b.norm());
-  std::cout << printed.transpose() << " vs " << exact.b.transpose() << "\n";
-  EXPECT_GT((printed - exact.b).norm(), 0.1 * exact.b.norm());
+  EXPECT_NEAR(printed(2) / exact.b(2), 0.60, 0.01);
 }
 
 /// H of (6.29)-(6.31) for the joint: three states, one input.
@@ -120,8 +121,9 @@ TEST(ThesisErrata, SamplingAHeldInputDoesNotAlias) {  // 6.3.1
   }
   Eigen::Matrix<double, 3, 4> truth;
   truth << model.a, model.b;
-  std::printf("nyquist response %.4f error %.3e\n", response, (rls.parameters() - truth).norm());
-  EXPECT_LT((rls.parameters() - truth).norm(), 1e-6 * truth.norm());
+  EXPECT_GT(response, 0.05);
+  // 0.85^200 is 1e-14 of the start's weight; the rest is rounding times the condition of the regressors.
+  EXPECT_LT((rls.parameters() - truth).norm(), 1e-9 * truth.norm());
 }
 
 TEST(ThesisErrata, KalmanFormNeedsItsNoisesTheOtherWayRound) {  // (B.17)

@@ -6,6 +6,10 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
 #include "plant/hydraulic_joint.hpp"
 #include "thesis_rig.hpp"
 
