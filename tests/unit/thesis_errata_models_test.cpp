@@ -1,5 +1,5 @@
-// Errata of Hubacher (2014), Chapters 2 to 4 and Appendix A: the printed form is shown to be wrong and the corrected one
-// right. docs/errata.md says which is which.
+// Errata of Hubacher (2014), Chapters 2 to 4 and Appendix A: the printed form is shown to be wrong and the corrected
+// one right. docs/errata.md says which is which.
 
 #include <gtest/gtest.h>
 
