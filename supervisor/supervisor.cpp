@@ -170,6 +170,16 @@ void Supervisor::take(const signals::JointModelEstimate& estimate, Tick tick) no
   }
 }
 
+std::uint64_t Supervisor::designs() const noexcept {
+  std::uint64_t designs = 0;
+  for (const JointSlots& joint : joints_) {
+    for (const SlotUpdate& slot : joint.slots) {
+      designs += slot.designs();
+    }
+  }
+  return designs;
+}
+
 const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
   const bool batch_due =
       next_batch_ < batches_.size() && (next_batch_ == 0 || batches_[next_batch_].tick <= tick);

@@ -51,6 +51,9 @@ class Supervisor {
   /// Looks at an estimate. Of one joint, at most one between two steps counts.
   void take(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
 
+  /// Controllers designed from estimates so far, whatever became of them.
+  std::uint64_t designs() const noexcept;
+
  private:
   struct Batch {
     Tick tick;  ///< of its issue; the first is issued at the first step

@@ -51,6 +51,8 @@ struct ModelEstimate {
   Eigen::Vector3d b_error = Eigen::Vector3d::Zero();  ///< of the force row: and what kMisfitError makes of misfit
   double validity = 0;      ///< 0..1; 0 when a flag forbids use: 1 - (larger standard error of a pole) / kUselessPoleError
   double excitation = 0;    ///< lower bound of the information matrix's smallest eigenvalue, 1 / trace(P)
+  double prediction_error = 0;  ///< RMS error of force predictions over what the sensors' noise explains; 0: no noise
+  double whiteness = 1;     ///< of these errors, PredictionErrors::whiteness(), 0..1
   std::uint32_t samples = 0;
   std::uint32_t flags = 0;  ///< EstimateFlag
   int phase = 0;
