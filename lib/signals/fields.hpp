@@ -53,7 +53,8 @@
 #define FARRIER_FIELDS_JointUpdateDecision(F) \
   F(joint) F(tick) F(phase) F(verdict) F(generation) F(estimate_samples) F(validity) F(excitation) \
   F(prediction_error) F(whiteness) F(pole_distance) F(pole_spread) F(converged_ticks) F(poles_re) F(poles_im) \
-  F(designed_poles_re) F(designed_poles_im) F(estimated_radius) F(stored_radius) F(disk_margin) F(delay_margin_s) F(dwell_ticks) F(model_a) F(model_b)
+  F(designed_poles_re) F(designed_poles_im) F(estimated_radius) F(stored_radius) F(disk_margin) F(delay_margin_s) \
+  F(dwell_ticks) F(model_a) F(model_b)
 
 #define FARRIER_FIELDS_GaitPhase(F) \
   F(leg) F(count) F(announced_tick) F(switch_tick) F(phase)
