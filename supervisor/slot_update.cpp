@@ -5,6 +5,7 @@
 
 #include "control/closed_loop.hpp"
 #include "control/model_rows.hpp"
+#include "control/switching.hpp"
 #include "estimation/estimator.hpp"
 
 namespace farrier::supervisor {
@@ -43,18 +44,20 @@ bool is_refusal(UpdateVerdict verdict) noexcept {
 
 }  // namespace
 
-SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double estimate_period_s,
+SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
                        int estimate_period_ticks, const control::Gains& first)
     : weights_(joint.weights),
       normalisation_(joint.normalisation),
       form_(joint.form),
       logic_(logic),
-      estimate_period_s_(estimate_period_s),
-      method_(make_method(logic, joint.form, estimate_period_ticks, estimate_period_s)),
+      period_s_(period_s),
+      estimate_period_s_(estimate_period_ticks * period_s),
+      method_(make_method(logic, joint.form, estimate_period_ticks, estimate_period_s_)),
       gains_(first),
       designed_poles_(poles_of(first.model, joint.form)) {}
 
-signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
+signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate& estimate, Tick tick,
+                                              const SlotPair& pair) noexcept {
   const control::DiscreteModel model = control::model_of_rows(estimate.a, estimate.b);
   signals::JointUpdateDecision decision;
   decision.joint = estimate.joint;
@@ -67,7 +70,7 @@ signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate&
   decision.whiteness = estimate.whiteness;
   decision.model_a = estimate.a;
   decision.model_b = estimate.b;
-  const UpdateVerdict verdict = judge(estimate, model, decision);
+  const UpdateVerdict verdict = judge(estimate, model, pair, decision);
   decision.verdict = static_cast<std::uint8_t>(verdict);
   is_news_ = verdict == UpdateVerdict::kAccepted || (is_refusal(verdict) && verdict != last_refusal_);
   if (verdict == UpdateVerdict::kAccepted || is_refusal(verdict)) {
@@ -77,7 +80,7 @@ signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate&
 }
 
 UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, const control::DiscreteModel& model,
-                                signals::JointUpdateDecision& decision) noexcept {
+                                const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept {
   // Zero is not an estimate at all, and a design divides by the valve's gain.
   if (!(estimate.validity > 0.0) || !model.a.allFinite() || !model.b.allFinite() || !(model.b(2) > 0.0)) {
     std::visit([](auto& method) { method.restart(); }, method_);
@@ -112,7 +115,10 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
   if (verdict != UpdateVerdict::kAccepted) {
     return verdict;
   }
-  verdict = redesign(cautious, model, decision);
+  if (pair.dwelling) {
+    return UpdateVerdict::kDwelling;
+  }
+  verdict = redesign(cautious, model, pair, decision);
   if (verdict == UpdateVerdict::kAccepted) {
     designed_poles_ = poles;
     contradicted_s_ = 0;
@@ -122,7 +128,7 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
 }
 
 UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const control::DiscreteModel& model,
-                                   signals::JointUpdateDecision& decision) noexcept {
+                                   const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept {
   ++designs_;
   const auto designed = control::design_lqr(cautious, weights_, normalisation_, form_, gains_.delay_ticks);
   design_status_ = designed ? control::DesignStatus::kSuccessful : designed.error();
@@ -148,8 +154,25 @@ UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const
     contradicted_s_ += estimate_period_s_;
     return UpdateVerdict::kUnstableOnStoredModel;
   }
-  gains_ = gains;
-  return UpdateVerdict::kAccepted;
+  const UpdateVerdict held = hold(gains, pair, decision);
+  if (held == UpdateVerdict::kAccepted) {
+    gains_ = gains;
+  }
+  return held;
+}
+
+// Margins of the loop, and of the joint that changes between its two.
+UpdateVerdict SlotUpdate::hold(const control::Gains& gains, const SlotPair& pair,
+                               signals::JointUpdateDecision& decision) const noexcept {
+  const LoopMargins margins = margins_of(gains, period_s_);
+  decision.disk_margin = margins.disk;
+  decision.delay_margin_s = margins.delay_s;
+  if (margins.disk < logic_.disk_margin_min || margins.delay_s < logic_.delay_margin_min_s) {
+    return UpdateVerdict::kMarginTooSmall;
+  }
+  const int dwell = pair.shortest_phase_ticks == control::kNoDwell ? 0 : dwell_ticks(gains, pair.other);
+  decision.dwell_ticks = static_cast<std::uint32_t>(dwell);
+  return dwell > pair.shortest_phase_ticks ? UpdateVerdict::kDwellTooLong : UpdateVerdict::kAccepted;
 }
 
 // The stored model, every entry moved towards the estimate by at most its uncertainty.

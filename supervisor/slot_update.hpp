@@ -3,12 +3,13 @@
 // Whether an estimate leads to new gains for one slot: a joint in one phase (Hubacher 2014, 8.2.1, Fig. 8.8, F.2):
 //
 //   estimate ──▶ poles ──▶ valid? ──▶ does the method ask for new gains? ──▶ LQR ──▶ does it let them act?
-//            ──▶ stable on the estimate and on the stored model within its uncertainty?
+//            ──▶ stable on the estimate and on the stored model within its uncertainty? ──▶ margins? ──▶ dwell time?
 //            ──▶ accepted: gains and model are stored
 
 #include "control/lqr.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
+#include "supervisor/slot_pair.hpp"
 #include "supervisor/update_method.hpp"
 
 namespace farrier::supervisor {
@@ -17,12 +18,13 @@ namespace farrier::supervisor {
 class SlotUpdate {
  public:
   /// `first`: the gains the slot begins with, with the model they are designed for.
-  SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double estimate_period_s,
+  SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
              int estimate_period_ticks, const control::Gains& first);
 
-  /// Looks at one estimate of the slot's phase. The decision is complete but for its generation. kAccepted: gains()
-  /// are the new ones.
-  signals::JointUpdateDecision look(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
+  /// Looks at one estimate of the slot's phase; `pair` is what new gains must fit. The decision is complete but for
+  /// its generation. kAccepted: gains() are the new ones.
+  signals::JointUpdateDecision look(const signals::JointModelEstimate& estimate, Tick tick,
+                                    const SlotPair& pair) noexcept;
 
   /// Last accepted gains, and the model they are designed for.
   const control::Gains& gains() const noexcept { return gains_; }
@@ -38,16 +40,18 @@ class SlotUpdate {
 
  private:
   signals::UpdateVerdict judge(const signals::JointModelEstimate& estimate, const control::DiscreteModel& model,
-                               signals::JointUpdateDecision& decision) noexcept;
+                               const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept;
   signals::UpdateVerdict redesign(const control::DiscreteModel& cautious, const control::DiscreteModel& model,
-                                  signals::JointUpdateDecision& decision) noexcept;
+                                  const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept;
+  signals::UpdateVerdict hold(const control::Gains& gains, const SlotPair& pair,
+                              signals::JointUpdateDecision& decision) const noexcept;
   control::DiscreteModel stored_towards(const control::DiscreteModel& model) const noexcept;
 
   control::LqrWeights weights_;
   control::Normalisation normalisation_;
   control::Form form_;
   robot::UpdateLogicParams logic_;
-  double estimate_period_s_;
+  double period_s_, estimate_period_s_;
   Method method_;
   control::Gains gains_;
   PoleSet designed_poles_;

@@ -99,6 +99,10 @@ void declare(Visitor& v, UpdateLogicSection& section) {
            "Its growth while valid, converged estimates ask for gains that it does not allow.");
   v.number("error_sigmas", u.error_sigmas, {0, 10}, Default{d.error_sigmas},
            "Standard errors of the valve's gain within which new gains must be stable.");
+  v.number("disk_margin_min", u.disk_margin_min, {0, 2}, Default{d.disk_margin_min},
+           "Least disk margin of new gains around the model they are for.");
+  v.number("delay_margin_min_s", u.delay_margin_min_s, {0, 1}, Default{d.delay_margin_min_s},
+           "Least delay that loop must bear on top of its own.");
   v.integer("gain_lead_ticks", u.gain_lead_ticks, {2, 1000}, Default{d.gain_lead_ticks},
             "Ticks from the issue of gains to their effect; covers the transport.");
   v.check(u.pole_spread_max <= u.pole_distance_min, "pole_spread_max",

@@ -37,6 +37,8 @@ struct UpdateLogicParams {
   double model_uncertainty = 0.3;   ///< relative, of the stored model's parameters, when it was stored
   double uncertainty_growth_1_s = 10.0;  ///< by which that grows while valid, converged estimates speak against it
   double error_sigmas = 2.0;        ///< standard errors of the valve's gain that new gains must survive
+  double disk_margin_min = 0.05;    ///< of new gains around the model they are for, balanced, 0..2
+  double delay_margin_min_s = 0.0;  ///< delay they must bear on top of the loop's own
   int gain_lead_ticks = 2;          ///< from the issue of gains to the tick from which they act
 };
 

@@ -59,7 +59,7 @@ TEST(UpdateMethods, GoOnDesigningForTheSameEstimateUnlessTheyAskWhetherItIsDiffe
     SlotUpdate slot = slot_for(cart(20.0), by(method));
     int accepted = 0;
     for (int look = 0; look < kLong; ++look) {
-      accepted += verdict_of(slot.look(good(), look)) == UpdateVerdict::kAccepted ? 1 : 0;
+      accepted += verdict_of(show(slot, good(), look)) == UpdateVerdict::kAccepted ? 1 : 0;
     }
     const int always = kLong - static_cast<int>(waited());
     const auto designs = static_cast<int>(slot.designs());
@@ -100,7 +100,7 @@ TEST(UpdateMethods, ByErrorBeginToWaitAnewAfterABadOne) {
   bad.prediction_error = 100.0;
   for (int look = 0; look < kLong; ++look) {
     const bool often_enough = look % static_cast<int>(waited() + 1) == 0;
-    ASSERT_NE(verdict_of(slot.look(often_enough ? bad : good(), look)), UpdateVerdict::kAccepted) << look;
+    ASSERT_NE(verdict_of(show(slot, often_enough ? bad : good(), look)), UpdateVerdict::kAccepted) << look;
   }
 }
 
@@ -133,7 +133,7 @@ TEST(UpdateMethods, ByLimitsTellOfGainsBeyondTheirBoundsOnce) {
   SlotUpdate slot = slot_for(cart(20.0), logic);
   int news = 0;
   for (int look = 0; look < kLong; ++look) {
-    slot.look(good(), look);
+    show(slot, good(), look);
     news += slot.is_news() ? 1 : 0;
   }
   EXPECT_EQ(news, 1);
@@ -147,7 +147,7 @@ TEST(UpdateMethods, ByLimitsWaitWhileGainsChangeFasterThanEachRate) {
     SlotUpdate slot = slot_for(cart(20.0), logic);
     int accepted = 0;
     for (int look = 0; look < kLong; ++look) {
-      const UpdateVerdict verdict = verdict_of(slot.look(good(look % 2 == 0 ? 45.0 : 50.0), look));
+      const UpdateVerdict verdict = verdict_of(show(slot, good(look % 2 == 0 ? 45.0 : 50.0), look));
       EXPECT_TRUE(verdict == UpdateVerdict::kAccepted || verdict == UpdateVerdict::kGainsChangeFast);
       accepted += verdict == UpdateVerdict::kAccepted ? 1 : 0;
     }
@@ -164,7 +164,7 @@ TEST(UpdateMethods, ByLimitsBeginToWaitAnewAfterADesignThatWasRefused) {
   for (int look = 0; look < kLong; ++look) {
     const bool often_enough = look % static_cast<int>(waited() + 1) == 0;
     const JointModelEstimate estimate = often_enough ? estimate_of(unstabilisable()) : good();
-    ASSERT_NE(verdict_of(slot.look(estimate, look)), UpdateVerdict::kAccepted) << look;
+    ASSERT_NE(verdict_of(show(slot, estimate, look)), UpdateVerdict::kAccepted) << look;
   }
 }
 
@@ -204,7 +204,7 @@ TEST(UpdateMethods, LookWithoutAllocationAtWhateverComesAndKeepStableGains) {
       } else if (look % 13 == 0) {
         estimate.validity = kNaN;
       }
-      accepted += verdict_of(slot.look(estimate, look)) == UpdateVerdict::kAccepted ? 1 : 0;
+      accepted += verdict_of(show(slot, estimate, look)) == UpdateVerdict::kAccepted ? 1 : 0;
       ASSERT_LT(control::closed_loop_spectral_radius(slot.gains().model, slot.gains(), kNoDelay), 1.0);
     }
     EXPECT_EQ(guard.allocations(), 0u);
