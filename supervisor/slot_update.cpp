@@ -27,10 +27,11 @@ bool is_refusal(UpdateVerdict verdict) noexcept { return verdict >= UpdateVerdic
 
 SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double estimate_period_s,
                        int estimate_period_ticks, const control::Gains& first)
-    : weights_(joint.weights),
+    : rule_(joint.design),
       normalisation_(joint.normalisation),
       form_(joint.form),
       logic_(logic),
+      period_s_(estimate_period_s / estimate_period_ticks),
       estimate_period_s_(estimate_period_s),
       estimate_period_ticks_(estimate_period_ticks),
       gains_(first),
@@ -130,7 +131,7 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
 
 UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const control::DiscreteModel& model,
                                    signals::JointUpdateDecision& decision) noexcept {
-  const auto designed = control::design_lqr(cautious, weights_, normalisation_, form_, gains_.delay_ticks);
+  const auto designed = control::design(cautious, rule_, normalisation_, form_, gains_.delay_ticks, period_s_);
   design_status_ = designed ? control::DesignStatus::kSuccessful : designed.error();
   if (!designed) {
     return UpdateVerdict::kDesignRefused;

@@ -46,10 +46,11 @@ class SlotUpdate {
                                   signals::JointUpdateDecision& decision) noexcept;
   control::DiscreteModel stored_towards(const control::DiscreteModel& model) const noexcept;
 
-  control::LqrWeights weights_;
+  control::DesignRule rule_;
   control::Normalisation normalisation_;
   control::Form form_;
   robot::UpdateLogicParams logic_;
+  double period_s_;
   double estimate_period_s_;
   int estimate_period_ticks_;
   control::Gains gains_;
