@@ -119,7 +119,7 @@ Result<RedesignBench> bench_redesign(const robot::Robot& robot, int rounds, std:
       }
       const auto between = Clock::now();
       for (const Case& each : ready) {
-        sink = control::design_lqr(each.model, each.joint->weights, each.joint->normalisation, each.joint->form,
+        sink = control::design_lqr(each.model, each.joint->design.weights, each.joint->normalisation, each.joint->form,
                                    delay_ticks)
                    .value()
                    .force;

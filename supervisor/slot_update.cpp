@@ -46,7 +46,7 @@ bool is_refusal(UpdateVerdict verdict) noexcept {
 
 SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
                        int estimate_period_ticks, const control::Gains& first)
-    : weights_(joint.weights),
+    : rule_(joint.design),
       normalisation_(joint.normalisation),
       form_(joint.form),
       logic_(logic),
@@ -130,7 +130,7 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
 UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const control::DiscreteModel& model,
                                    const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept {
   ++designs_;
-  const auto designed = control::design_lqr(cautious, weights_, normalisation_, form_, gains_.delay_ticks);
+  const auto designed = control::design(cautious, rule_, normalisation_, form_, gains_.delay_ticks, period_s_);
   design_status_ = designed ? control::DesignStatus::kSuccessful : designed.error();
   if (!designed) {
     return UpdateVerdict::kDesignRefused;

@@ -47,7 +47,7 @@ class SlotUpdate {
                               signals::JointUpdateDecision& decision) const noexcept;
   control::DiscreteModel stored_towards(const control::DiscreteModel& model) const noexcept;
 
-  control::LqrWeights weights_;
+  control::DesignRule rule_;
   control::Normalisation normalisation_;
   control::Form form_;
   robot::UpdateLogicParams logic_;

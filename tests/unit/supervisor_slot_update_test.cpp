@@ -39,7 +39,7 @@ TEST(SlotUpdate, AcceptsAConvergedEstimateWithTheGainsAnLqrForItHas) {
   EXPECT_TRUE(slot.is_news());
   const robot::Joint& joint = rig().joints[0];
   const control::Gains fresh =
-      control::design_lqr(model, joint.weights, joint.normalisation, joint.form, kNoDelay).value();
+      control::design_lqr(model, joint.design.weights, joint.normalisation, joint.form, kNoDelay).value();
   const control::Gains& gains = slot.gains();
   EXPECT_EQ(gains.position, fresh.position);
   EXPECT_EQ(gains.velocity, fresh.velocity);
