@@ -25,8 +25,8 @@ struct UpdateLogicParams {
   double gain_ratio_min = 1.2;      ///< of the valve's gain to the one they are designed for, or its inverse; > 1
   double pole_spread_max = 0.05;    ///< of the poles that count as converged, z-plane
   int converged_ticks = 20;         ///< for which they, or what another method asks for, must
-  double prediction_error_max = 1.5;  ///< small_error, white_error: of the estimate
-  double whiteness_min = 0.01;      ///< white_error: of its errors
+  double prediction_error_max = 100;  ///< small_error, white_error: of the estimate
+  double whiteness_min = 1e-24;    ///< white_error: of its errors
   double state_gain_max = 20.0;     ///< limits: norm of the normalised gains on position, velocity and force
   double integral_gain_max = 1.0;   ///< limits: normalised, without xi
   double feed_forward_max = 50.0;   ///< limits: normalised

@@ -97,7 +97,7 @@ TEST(UpdateMethods, ByWhitenessWaitUntilNothingIsLeftInTheErrors) {
 TEST(UpdateMethods, ByErrorBeginToWaitAnewAfterABadOne) {
   SlotUpdate slot = slot_for(cart(20.0), by(UpdateMethod::kSmallError));
   JointModelEstimate bad = good();
-  bad.prediction_error = 100.0;
+  bad.prediction_error = 1e6;
   for (int look = 0; look < kLong; ++look) {
     const bool often_enough = look % static_cast<int>(waited() + 1) == 0;
     ASSERT_NE(verdict_of(show(slot, often_enough ? bad : good(), look)), UpdateVerdict::kAccepted) << look;
