@@ -14,6 +14,10 @@ LoopMargins margins_of(const control::Gains& gains, double period_s) noexcept {
   return {margins.disk, std::min(margins.delay_ticks * period_s, kLongestDelay_s)};
 }
 
+bool sufficient(const LoopMargins& margins, const robot::UpdateLogicParams& logic) noexcept {
+  return margins.disk >= logic.disk_margin_min && margins.delay_s >= logic.delay_margin_min_s;
+}
+
 int dwell_ticks(const control::Gains& one, const control::Gains& other) noexcept {
   const control::SwitchingVerdict verdict =
       control::switching_verdict(control::switched_loop(one.model, one, one.delay_ticks),

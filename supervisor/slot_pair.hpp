@@ -18,6 +18,9 @@ inline constexpr double kLongestDelay_s = 1.0;
 /// Margins of gains around the model they are designed for, control::margins().
 LoopMargins margins_of(const control::Gains& gains, double period_s) noexcept;
 
+/// Whether they are at least disk_margin_min and delay_margin_min_s.
+bool sufficient(const LoopMargins& margins, const robot::UpdateLogicParams& logic) noexcept;
+
 /// Least number of ticks for which each of a joint's two loops, of its slots' gains around the models they are for,
 /// must act before the other does, so that changing between them is stable however often: 0 when the two have a
 /// common quadratic Lyapunov function, control::kNoDwell when no bound was found.

@@ -167,7 +167,7 @@ UpdateVerdict SlotUpdate::hold(const control::Gains& gains, const SlotPair& pair
   const LoopMargins margins = margins_of(gains, period_s_);
   decision.disk_margin = margins.disk;
   decision.delay_margin_s = margins.delay_s;
-  if (margins.disk < logic_.disk_margin_min || margins.delay_s < logic_.delay_margin_min_s) {
+  if (!sufficient(margins, logic_)) {
     return UpdateVerdict::kMarginTooSmall;
   }
   const int dwell = pair.shortest_phase_ticks == control::kNoDwell ? 0 : dwell_ticks(gains, pair.other);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "control/model_rows.hpp"
 #include "supervisor/joint_design.hpp"
@@ -72,13 +73,14 @@ Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>
 }
 
 /// First gains act whatever they are, but their record says where they fall short of what is asked of new ones.
+/// `outputs` ends with the joint's gains.
 void record_shortfalls(const robot::Robot& robot, std::uint16_t joint, const SlotGains& first, int dwell,
                        Supervisor::Outputs& outputs) {
+  const auto issued = std::span(outputs.gains).last(kPhases.size());
   for (const signals::Phase phase : kPhases) {
     const control::Gains& gains = first[static_cast<std::size_t>(phase)];
     const LoopMargins margins = margins_of(gains, robot.period_s);
-    const bool too_small = margins.disk < robot.update_logic.disk_margin_min ||
-                           margins.delay_s < robot.update_logic.delay_margin_min_s;
+    const bool too_small = !sufficient(margins, robot.update_logic);
     if (!too_small && dwell <= shortest_phase_ticks(robot)) {
       continue;
     }
@@ -87,7 +89,7 @@ void record_shortfalls(const robot::Robot& robot, std::uint16_t joint, const Slo
     decision.phase = static_cast<std::uint8_t>(phase);
     decision.verdict = static_cast<std::uint8_t>(too_small ? signals::UpdateVerdict::kMarginTooSmall
                                                            : signals::UpdateVerdict::kDwellTooLong);
-    decision.generation = outputs.gains[outputs.gains.size() - kPhases.size() + static_cast<std::size_t>(phase)].generation;
+    decision.generation = issued[static_cast<std::size_t>(phase)].generation;
     decision.disk_margin = margins.disk;
     decision.delay_margin_s = margins.delay_s;
     decision.dwell_ticks = static_cast<std::uint32_t>(dwell);
