@@ -77,7 +77,8 @@ void declare(Visitor& v, UpdateLogicSection& section) {
             "How long they must stay within it, or what the method asks for must hold; a multiple of "
            "estimate_period_ticks.");
   v.number("prediction_error_max", u.prediction_error_max, {0, 1000}, Default{d.prediction_error_max},
-           "Methods small_error and white_error: RMS error of force predictions over what the sensors' noise explains.");
+           "Methods small_error and white_error: RMS error of force predictions over what the sensors' noise "
+           "explains.");
   v.number("whiteness_min", u.whiteness_min, {0, 1}, Default{d.whiteness_min},
            "Method white_error: probability that white errors are at least as correlated as the estimate's.");
   v.number("state_gain_max", u.state_gain_max, {0, 1e6}, Default{d.state_gain_max},
