@@ -54,6 +54,8 @@ signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick
   signal.b_error = control::entries_of(estimate.b_error);
   signal.validity = estimate.validity;
   signal.excitation = estimate.excitation;
+  signal.prediction_error = estimate.prediction_error;
+  signal.whiteness = estimate.whiteness;
   signal.samples = estimate.samples;
   signal.flags = estimate.flags;
   signal.has_physics = estimate.has_physics ? 1 : 0;

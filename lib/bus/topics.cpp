@@ -41,7 +41,7 @@ constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(JointMeasurement, "joint/measurement", joint_measurement, "joint_node → estimator_service", "joint", 1, Route::kRobot, kStream, kTwoTicks),
     FARRIER_TOPIC(JointModelEstimate, "joint/model_estimate", joint_model_estimate, "estimator_service → supervisor", "joint", 3, Route::kRobot, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointControllerGains, "joint/controller_gains", joint_controller_gains, "supervisor → joint_node, sim_bridge", "joint, phase", 2, Route::kJoint, kAuthority, kTwoTicks),
-    FARRIER_TOPIC(JointUpdateDecision, "joint/update_decision", joint_update_decision, "supervisor → monitors", "joint", 1, Route::kRobot, announcements(kDecisions), kDecisions),
+    FARRIER_TOPIC(JointUpdateDecision, "joint/update_decision", joint_update_decision, "supervisor → monitors", "joint", 2, Route::kRobot, announcements(kDecisions), kDecisions),
     FARRIER_TOPIC(GaitPhase, "gait/phase", gait_phase, "gait source → joint_node", "leg", 1, Route::kRobot, announcements(4), 4),
     FARRIER_TOPIC(SystemHello, "system/hello", system_hello, "all → all", "participant", 1, Route::kRobot, announcements(1), 1),
     FARRIER_TOPIC(SystemHealth, "system/health", system_health, "all → monitors", "participant", 1, Route::kRobot, announcements(1), 1),

@@ -51,9 +51,14 @@ struct ModelEstimate {
   Eigen::Vector3d b_error = Eigen::Vector3d::Zero();  ///< of the force row: and what kMisfitError makes of misfit
   double validity = 0;      ///< 0..1; 0 when a flag forbids use: 1 - (larger standard error of a pole) / kUselessPoleError
   double excitation = 0;    ///< lower bound of the information matrix's smallest eigenvalue, 1 / trace(P)
+  double prediction_error = 0;  ///< RMS error of force predictions over what the sensors' noise explains; 0: no noise
+  double whiteness = 1;     ///< of these errors, PredictionErrors::whiteness(), 0..1
   std::uint32_t samples = 0;
   std::uint32_t flags = 0;  ///< EstimateFlag
   int phase = 0;
+  bool has_physics = false;              ///< the estimator knows the joint's structure: what follows is set
+  plant::JointPhysics physics{};
+  plant::JointPhysics physics_error{};   ///< standard errors; 0 for what is taken as known
 };
 
 /// Estimates one joint's dynamics from what it measures and commands. No clock, no I/O, no allocation after creation.

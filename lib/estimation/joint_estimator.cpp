@@ -22,8 +22,6 @@ constexpr double kSettlingTimeConstants = 4.0;
 
 // Normalised signals beyond this are refused: a variance that has become infinite would stay so.
 constexpr double kLargestSignal = 1e40;
-// Forgetting of the prediction errors that make the misfit: 50 ticks.
-constexpr double kMisfitMemory = 0.98;
 
 constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
 
@@ -100,7 +98,7 @@ Result<JointEstimator> JointEstimator::create(const EstimatorParams& params, con
     if (!rls) {
       return rls.error();
     }
-    return JointEstimator(params, scales, {std::move(rls).value(), Eigen::Vector3d::Zero(), 0.0});
+    return JointEstimator(params, scales, {std::move(rls).value(), Eigen::Vector3d::Zero(), {}});
   };
   switch (params.columns()) {
     case 3: return with(make_rls<3>(params, a, b));
@@ -128,6 +126,13 @@ void JointEstimator::restart(const Eigen::Vector4d& washed) noexcept {
   filtered_ = washed.head<3>();
   inputs_ = {washed(3), 0.0, 0.0};
   inputs_known_ = 1;
+  interrupt_errors();
+}
+
+void JointEstimator::interrupt_errors() noexcept {
+  for (PhaseMemory& each : memories_) {
+    each.force_errors.interrupt();
+  }
 }
 
 void JointEstimator::take(const JointSample& sample) noexcept {
@@ -159,6 +164,7 @@ void JointEstimator::take(const JointSample& sample) noexcept {
     std::visit([&](auto& rls) { update(rls, known, washed.head<3>()); }, known.rls);
   } else {
     filtered_ = washed.head<3>();
+    interrupt_errors();
   }
   inputs_ = {washed(3), inputs_[0], inputs_[1]};
   inputs_known_ = std::min(inputs_known_ + 1, 3);
@@ -186,10 +192,10 @@ void JointEstimator::update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector
     return y;
   };
   const double memory = params_.innovation_forgetting;
-  const Eigen::Vector3d innovation_squared = (measured - prediction()).array().square();
+  const Eigen::Vector3d innovation = measured - prediction();
+  const Eigen::Vector3d innovation_squared = innovation.array().square();
   known.innovation_variance = memory * known.innovation_variance + (1.0 - memory) * innovation_squared;
-  known.force_error_variance =
-      kMisfitMemory * known.force_error_variance + (1.0 - kMisfitMemory) * innovation_squared(2);
+  known.force_errors.take(innovation(2));
   // Large motion is where the joint is least linear: (h, y) / sqrt(1 + |h|^2 / h_0^2).
   const double ratio = norm / params_.full_weight_norm;
   const double weight = 1.0 / std::sqrt(1.0 + ratio * ratio);
@@ -206,7 +212,7 @@ void JointEstimator::update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector
 }
 
 template <int N>
-void JointEstimator::read(const Rls<N>& rls, double force_error_variance, ModelEstimate& out) const noexcept {
+void JointEstimator::read(const Rls<N>& rls, const PredictionErrors& force_errors, ModelEstimate& out) const noexcept {
   const Columns columns = columns_of<N>(params_.position);
   const auto theta = rls.parameters();
   const auto covariance = rls.covariance();
@@ -231,11 +237,12 @@ void JointEstimator::read(const Rls<N>& rls, double force_error_variance, ModelE
 
   // var = n_F^2 + (a_32 n_v)^2 + (a_33 n_F)^2
   const double explained = noise_variance_(2) * (1.0 + a(2, 2) * a(2, 2)) + a(2, 1) * a(2, 1) * noise_variance_(1);
-  const double misfit = explained > 0.0 ? std::sqrt(force_error_variance / explained) : 0.0;
-  if (misfit > kMisfitFree) {
+  out.prediction_error = explained > 0.0 ? std::sqrt(force_errors.variance() / explained) : 0.0;
+  out.whiteness = force_errors.whiteness();
+  if (out.prediction_error > kMisfitFree) {
     out.flags |= bit(EstimateFlag::kMisfit);
   }
-  out.b_error(2) += kMisfitError * std::max(0.0, misfit - kMisfitFree) * std::abs(b(2));
+  out.b_error(2) += kMisfitError * std::max(0.0, out.prediction_error - kMisfitFree) * std::abs(b(2));
 
   // Velocity and force are what is uncertain: the position only sums.
   Eigen::Matrix2d loop = a.bottomRightCorner<2, 2>();
@@ -278,7 +285,7 @@ ModelEstimate JointEstimator::estimate() const noexcept {
   out.phase = std::max(phase_, 0);
   out.flags = phase_ < 0 ? bit(EstimateFlag::kNotYetSet) : sample_flags_;
   const PhaseMemory& known = memory(out.phase);
-  std::visit([&](const auto& rls) { read(rls, known.force_error_variance, out); }, known.rls);
+  std::visit([&](const auto& rls) { read(rls, known.force_errors, out); }, known.rls);
   return out;
 }
 

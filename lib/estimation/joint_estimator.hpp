@@ -14,6 +14,7 @@
 #include "core/result.hpp"
 #include "estimation/estimator.hpp"
 #include "estimation/estimator_params.hpp"
+#include "estimation/prediction_errors.hpp"
 #include "estimation/rls.hpp"
 #include "estimation/stable_map.hpp"
 #include "estimation/washout.hpp"
@@ -23,7 +24,7 @@ namespace farrier::estimation {
 /// Standard error of a pole, in the z-plane, at which an estimate says nothing any more.
 inline constexpr double kUselessPoleError = 0.6;
 
-/// Misfit: RMS error of force predictions over what the sensors' noise explains. A joint that oscillates between the
+/// Misfit: the prediction error of ModelEstimate. A joint that oscillates between the
 /// valve's limits answers less than the model's valve gain says near rest; least squares then returns the gain of the
 /// oscillation, confidently, and gains designed for it keep the oscillation up. Beyond kMisfitFree the relative error of
 /// the valve's gain grows by kMisfitError for every further unit.
@@ -55,7 +56,7 @@ class JointEstimator final : public Estimator {
   struct PhaseMemory {
     Memory rls;
     Eigen::Vector3d innovation_variance;
-    double force_error_variance = 0;  ///< of force predictions, over kMisfitMemory
+    PredictionErrors force_errors;
   };
 
   JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory);
@@ -65,10 +66,11 @@ class JointEstimator final : public Estimator {
     return memories_[params_.phase_memory ? static_cast<std::size_t>(phase) : 0];
   }
   void restart(const Eigen::Vector4d& washed) noexcept;
+  void interrupt_errors() noexcept;
   template <int N>
   void update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector3d& measured) noexcept;
   template <int N>
-  void read(const Rls<N>& rls, double force_error_variance, ModelEstimate& out) const noexcept;
+  void read(const Rls<N>& rls, const PredictionErrors& force_errors, ModelEstimate& out) const noexcept;
 
   EstimatorParams params_;
   JointScales scales_;

@@ -7,6 +7,26 @@ namespace farrier::robot {
 using config::Default;
 using config::Visitor;
 
+namespace {
+
+config::Option<UpdateMethod> option(UpdateMethod method) noexcept { return {to_string(method), method}; }
+
+const config::Option<UpdateMethod> kMethods[] = {option(UpdateMethod::kLimits), option(UpdateMethod::kSmallError),
+                                                 option(UpdateMethod::kWhiteError),
+                                                 option(UpdateMethod::kDistinctPoles)};
+
+}  // namespace
+
+const char* to_string(UpdateMethod method) noexcept {
+  switch (method) {
+    case UpdateMethod::kLimits: return "limits";
+    case UpdateMethod::kSmallError: return "small_error";
+    case UpdateMethod::kWhiteError: return "white_error";
+    case UpdateMethod::kDistinctPoles: return "distinct_poles";
+  }
+  return "unknown method";
+}
+
 void declare(Visitor& v, EstimatorSection& section) {
   const EstimatorParams d;
   EstimatorParams& e = section.params;
@@ -45,6 +65,8 @@ void declare(Visitor& v, UpdateLogicSection& section) {
   const UpdateLogicParams d;
   UpdateLogicParams& u = section.params;
   v.here(section.place);
+  v.choice<UpdateMethod>("method", u.method, kMethods, Default{d.method},
+                         "What makes an estimate lead to new gains: the thesis's (a) to (d), in that order.");
   v.number("pole_distance_min", u.pole_distance_min, {0, 2}, Default{d.pole_distance_min},
            "Distance in the z-plane from the poles the acting gains are designed for that pays a redesign.");
   v.number("gain_ratio_min", u.gain_ratio_min, {1, 1000}, Default{d.gain_ratio_min},
@@ -52,7 +74,25 @@ void declare(Visitor& v, UpdateLogicSection& section) {
   v.number("pole_spread_max", u.pole_spread_max, {0, 2}, Default{d.pole_spread_max},
            "Distance in the z-plane over which the poles of a converged estimate may move.");
   v.integer("converged_ticks", u.converged_ticks, {1, 100000}, Default{d.converged_ticks},
-            "How long they must stay within it; a multiple of estimate_period_ticks.");
+            "How long they must stay within it, or what the method asks for must hold; a multiple of "
+           "estimate_period_ticks.");
+  v.number("prediction_error_max", u.prediction_error_max, {0, 1000}, Default{d.prediction_error_max},
+           "Methods small_error and white_error: RMS error of force predictions over what the sensors' noise "
+           "explains.");
+  v.number("whiteness_min", u.whiteness_min, {0, 1}, Default{d.whiteness_min},
+           "Method white_error: probability that white errors are at least as correlated as the estimate's.");
+  v.number("state_gain_max", u.state_gain_max, {0, 1e6}, Default{d.state_gain_max},
+           "Method limits: largest norm of the normalised gains on position, velocity and force.");
+  v.number("integral_gain_max", u.integral_gain_max, {0, 1e6}, Default{d.integral_gain_max},
+           "Method limits: largest normalised integral gain, without its factor.");
+  v.number("feed_forward_max", u.feed_forward_max, {0, 1e6}, Default{d.feed_forward_max},
+           "Method limits: largest normalised feed-forward.");
+  v.number("state_gain_rate_max_1_s", u.state_gain_rate_max_1_s, {0, 1e6}, Default{d.state_gain_rate_max_1_s},
+           "Method limits: relative change of those gains from one estimate to the next, over the time between.");
+  v.number("integral_gain_rate_max_1_s", u.integral_gain_rate_max_1_s, {0, 1e6}, Default{d.integral_gain_rate_max_1_s},
+           "Method limits: the same of the integral gain.");
+  v.number("feed_forward_rate_max_1_s", u.feed_forward_rate_max_1_s, {0, 1e6}, Default{d.feed_forward_rate_max_1_s},
+           "Method limits: the same of the feed-forward.");
   v.number("validity_min", u.validity_min, {0, 1}, Default{d.validity_min}, "Least validity of an estimate.");
   v.number("model_uncertainty", u.model_uncertainty, {0, 1}, Default{d.model_uncertainty},
            "Relative uncertainty of the stored model; new gains must be stable on it, moved that far to the estimate.");
@@ -60,6 +100,10 @@ void declare(Visitor& v, UpdateLogicSection& section) {
            "Its growth while valid, converged estimates ask for gains that it does not allow.");
   v.number("error_sigmas", u.error_sigmas, {0, 10}, Default{d.error_sigmas},
            "Standard errors of the valve's gain within which new gains must be stable.");
+  v.number("disk_margin_min", u.disk_margin_min, {0, 2}, Default{d.disk_margin_min},
+           "Least disk margin of new gains around the model they are for.");
+  v.number("delay_margin_min_s", u.delay_margin_min_s, {0, 1}, Default{d.delay_margin_min_s},
+           "Least delay that loop must bear on top of its own.");
   v.integer("gain_lead_ticks", u.gain_lead_ticks, {2, 1000}, Default{d.gain_lead_ticks},
             "Ticks from the issue of gains to their effect; covers the transport.");
   v.check(u.pole_spread_max <= u.pole_distance_min, "pole_spread_max",

@@ -40,7 +40,8 @@
   F(valve_current_A) F(force_reference_N_or_Nm) F(generation) F(faults) F(state) F(phase)
 
 #define FARRIER_FIELDS_JointModelEstimate(F) \
-  F(joint) F(tick) F(phase) F(a) F(b) F(c) F(a_error) F(b_error) F(validity) F(excitation) F(samples) F(flags) \
+  F(joint) F(tick) F(phase) F(a) F(b) F(c) F(a_error) F(b_error) F(validity) F(excitation) \
+  F(prediction_error) F(whiteness) F(samples) F(flags) \
   F(has_physics) F(physics) F(physics_error)
 
 #define FARRIER_FIELDS_JointControllerGains(F) \
@@ -50,9 +51,10 @@
   F(has_physics) F(physics)
 
 #define FARRIER_FIELDS_JointUpdateDecision(F) \
-  F(joint) F(tick) F(phase) F(verdict) F(generation) F(estimate_samples) F(validity) F(excitation) F(pole_distance) \
-  F(pole_spread) F(converged_ticks) F(poles_re) F(poles_im) F(designed_poles_re) F(designed_poles_im) \
-  F(estimated_radius) F(stored_radius) F(model_a) F(model_b)
+  F(joint) F(tick) F(phase) F(verdict) F(generation) F(estimate_samples) F(validity) F(excitation) \
+  F(prediction_error) F(whiteness) F(pole_distance) F(pole_spread) F(converged_ticks) F(poles_re) F(poles_im) \
+  F(designed_poles_re) F(designed_poles_im) F(estimated_radius) F(stored_radius) F(disk_margin) F(delay_margin_s) \
+  F(dwell_ticks) F(model_a) F(model_b)
 
 #define FARRIER_FIELDS_GaitPhase(F) \
   F(leg) F(count) F(announced_tick) F(switch_tick) F(phase)

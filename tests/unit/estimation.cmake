@@ -5,6 +5,7 @@ farrier_test(estimation_test unit
   ${CMAKE_CURRENT_LIST_DIR}/estimation_joint_safety_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/estimation_joint_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/estimation_poles_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/estimation_prediction_errors_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/estimation_stable_map_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/estimation_washout_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/support/allocation_guard.cpp)

@@ -38,6 +38,9 @@ inline constexpr double kLightRatioAtMost = 1.05;   ///< light quarters: adaptin
 /// RMS of reference less force over RMS of the reference over ticks [from, to); NaN without rows or reference.
 double relative_error(std::span<const record::TraceRow> rows, Tick from, Tick to) noexcept;
 
+/// relative_error() of quarter 0..3 from kJudgedAfter_s after its beginning.
+double quarter_error(const LoadCyclePlan& plan, std::span<const record::TraceRow> rows, std::size_t quarter) noexcept;
+
 /// Adds trot.fig7_8.*: a figure per run and quarter, bounded as above, ratios and the number of gain updates.
 void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const LoadCycleRun> runs);
 
