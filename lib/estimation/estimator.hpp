@@ -57,6 +57,9 @@ struct ModelEstimate {
   std::uint32_t samples = 0;
   std::uint32_t flags = 0;  ///< EstimateFlag
   int phase = 0;
+  bool has_physics = false;              ///< the estimator knows the joint's structure: what follows is set
+  plant::JointPhysics physics{};
+  plant::JointPhysics physics_error{};   ///< standard errors; 0 for what is taken as known
 };
 
 /// Estimates one joint's dynamics from what it measures and commands. No clock, no I/O, no allocation after creation.
