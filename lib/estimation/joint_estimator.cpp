@@ -210,8 +210,8 @@ template <class Engine>
 void JointEstimator::read(const Engine& engine, double force_error_variance, ModelEstimate& out) const noexcept {
   const Columns columns = columns_of(params_.position);
   const auto theta = engine.parameters();
-  const std::array<typename Engine::Covariance, 3> covariance{engine.covariance(0), engine.covariance(1),
-                                                              engine.covariance(2)};
+  // Of the rows that are estimated: velocity and force.
+  const std::array<typename Engine::Covariance, 2> covariance{engine.covariance(1), engine.covariance(2)};
   const Eigen::Vector3d residual = engine.residual_variance().cwiseMax(0.0);
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = theta.col(columns.input);
@@ -223,7 +223,7 @@ void JointEstimator::read(const Engine& engine, double force_error_variance, Mod
   a.row(0) << 1.0, kinematic_step_, 0.0;
   b(0) = 0.0;
   const auto error = [&](int row, int column) {
-    return std::sqrt(residual(row) * covariance[static_cast<std::size_t>(row)](column, column));
+    return std::sqrt(residual(row) * covariance[static_cast<std::size_t>(row - 1)](column, column));
   };
   for (int row = 1; row < 3; ++row) {
     out.a_error(row, 0) = params_.position ? error(row, 0) : 0.0;
@@ -255,7 +255,7 @@ void JointEstimator::read(const Engine& engine, double force_error_variance, Mod
   const auto block = [&](std::size_t row) -> Eigen::Matrix2d {
     return covariance[row].template block<2, 2>(columns.velocity, columns.velocity);
   };
-  const std::array<Eigen::Matrix2d, 2> blocks{block(1), block(2)};
+  const std::array<Eigen::Matrix2d, 2> blocks{block(0), block(1)};
   const auto errors = pole_standard_error<2>(loop, poles<2>(loop), residual.tail<2>(), blocks);
   const double pole_error = std::max(errors[0], errors[1]);
   if (!(b(2) > 0.0 && a(1, 2) > 0.0)) {
