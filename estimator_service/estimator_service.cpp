@@ -1,29 +1,18 @@
 #include "estimator_service/estimator_service.hpp"
 
 #include "control/model_rows.hpp"
-#include "estimation/joint_estimator.hpp"
-#include "robot/joint_model.hpp"
+#include "robot/make_estimator.hpp"
 
 namespace farrier::estimator_service {
 
 Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int loop_delay_ticks) {
   std::vector<std::unique_ptr<estimation::Estimator>> estimators;
   for (const robot::Joint& joint : robot.joints) {
-    const control::Normalisation& n = joint.normalisation;
-    const control::DiscreteModel prior = robot::model_of(joint, joint.swing_load, robot.period_s);
-    auto estimator = estimation::JointEstimator::create(
-        joint.estimator,
-        {.state = {n.position, n.velocity, n.force},
-         .current_A = n.current_A,
-         .sensor_noise = {joint.noise.position, joint.noise.velocity, joint.noise.force},
-         .home_position = joint.linkage.position(joint.home_angle_rad),
-         .period_s = robot.period_s,
-         .input_delay_ticks = loop_delay_ticks},
-        prior.a, prior.b);
+    auto estimator = robot::make_estimator(joint, robot.period_s, loop_delay_ticks);
     if (!estimator) {
-      return Error{joint.name + ": " + estimator.error().message};
+      return estimator.error();
     }
-    estimators.push_back(std::make_unique<estimation::JointEstimator>(std::move(estimator).value()));
+    estimators.push_back(std::move(estimator).value());
   }
   return EstimatorService(std::move(estimators));
 }

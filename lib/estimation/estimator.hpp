@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "core/result.hpp"
 #include "core/time.hpp"
 #include "plant/joint_physics.hpp"
 
@@ -20,6 +21,9 @@ struct JointScales {
   double period_s = 0;            ///< > 0
   int input_delay_ticks = 0;      ///< ticks from a command's sample to the plant, 0..2
 };
+
+/// Refuses scales out of range with a sentence that names them.
+Result<Done> validate(const JointScales& scales);
 
 /// One tick of one joint.
 struct JointSample {
@@ -40,6 +44,9 @@ enum class EstimateFlag : std::uint32_t {
   kBlanked = 1u << 6,               ///< a switch of phase is too recent
   kNotPhysical = 1u << 7,           ///< opening the valve would lower the force, or a force brake the load
   kMisfit = 1u << 8,                ///< force predictions err by more than kMisfitFree times what noise explains
+  kNotExciting = 1u << 9,           ///< the gate was closed: the last sample was left out (9.4), (9.5)
+  kForgettingAtLimit = 1u << 10,    ///< the covariance at its bound: the last sample was not forgotten for in full
+  kInstrumentRefused = 1u << 11,    ///< the last sample was taken with the regressor for its instrument (B.18)
 };
 
 /// x[k+1] = A x[k] + B u[k] + c of what the washout leaves, SI, position relative to home.

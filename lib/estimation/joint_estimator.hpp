@@ -2,20 +2,21 @@
 
 // One joint's estimator, from sensors and commands to a model that says how sure it is:
 //
-//   x, v, F, u ──▶ normalise ──▶ Washout ──▶ regressor of the tick before ──▶ Rls of the phase ──▶ estimate()
-//                                    └──▶ state filter: prediction against sensors ──▲
+//   x, v, F, u ──▶ normalise ──▶ Washout ──▶ regressor of the tick before ──▶ regression of the phase ──▶ estimate()
+//                                    ├──▶ state filter: prediction against sensors ──▲ ▲
+//                                    └──▶ ExcitationGate: may this tick teach? ──────────┘
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstdint>
-#include <variant>
 
 #include "core/result.hpp"
 #include "estimation/estimator.hpp"
 #include "estimation/estimator_params.hpp"
+#include "estimation/excitation_gate.hpp"
+#include "estimation/linear_regression.hpp"
 #include "estimation/prediction_errors.hpp"
-#include "estimation/rls.hpp"
 #include "estimation/stable_map.hpp"
 #include "estimation/washout.hpp"
 
@@ -31,13 +32,15 @@ inline constexpr double kUselessPoleError = 0.6;
 inline constexpr double kMisfitFree = 3.0;
 inline constexpr double kMisfitError = 0.05;
 
-/// Recursive least squares of a joint whose load changes with the phase of its leg (Hubacher 2014, 6.2, 8.1).
+/// Recursive regression of a joint whose load changes with the phase of its leg (Hubacher 2014, 6.2, 8.1), by the method
+/// the parameters name; docs/estimators.md compares them.
 ///
 /// The first row is not estimated but known: position is summed velocity. Measured states are noisy regressors, which
 /// biases least squares (Soderstrom 2007, "Errors-in-variables methods in system identification"), and here the loop
 /// feeds the noise back into the input. So the regressor holds states corrected towards their prediction, channel by
 /// channel, by 1 - (sensor variance) / (prediction error variance), the gain of a scalar Kalman filter whose innovation
-/// variance is measured: a model that predicts well is believed, one that does not leaves the sensors as they are.
+/// variance is measured: a model that predicts well is believed, one that does not leaves the sensors as they are. With
+/// instruments the regressor is the sensors' and the instrument the model's own simulation: they do what the filter does.
 class JointEstimator final : public Estimator {
  public:
   /// `prior_a`, `prior_b`: SI, where both phases start. Refuses settings out of range, naming them.
@@ -51,15 +54,18 @@ class JointEstimator final : public Estimator {
   /// What is known of the phase of the last sample.
   ModelEstimate estimate() const noexcept override;
 
+  /// What the last sample of that phase, 0 or 1, was weighed with against the next one's: lambda of the rows of position,
+  /// velocity and force, Fig. 9.3.
+  Eigen::Vector3d forgetting(int phase) const noexcept;
+
  private:
-  using Memory = std::variant<Rls<3>, Rls<4>, Rls<5>>;
   struct PhaseMemory {
-    Memory rls;
+    LinearRegression regression;
     Eigen::Vector3d innovation_variance;
     PredictionErrors force_errors;
   };
 
-  JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory);
+  JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory, ExcitationGate gate);
 
   PhaseMemory& memory(int phase) noexcept { return memories_[params_.phase_memory ? static_cast<std::size_t>(phase) : 0]; }
   const PhaseMemory& memory(int phase) const noexcept {
@@ -67,10 +73,10 @@ class JointEstimator final : public Estimator {
   }
   void restart(const Eigen::Vector4d& washed) noexcept;
   void interrupt_errors() noexcept;
-  template <int N>
-  void update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector3d& measured) noexcept;
-  template <int N>
-  void read(const Rls<N>& rls, const PredictionErrors& force_errors, ModelEstimate& out) const noexcept;
+  template <class Engine>
+  void update(Engine& engine, PhaseMemory& known, const Eigen::Vector3d& measured) noexcept;
+  template <class Engine>
+  void read(const Engine& engine, const PredictionErrors& force_errors, ModelEstimate& out) const noexcept;
 
   EstimatorParams params_;
   JointScales scales_;
@@ -78,8 +84,10 @@ class JointEstimator final : public Estimator {
   double kinematic_step_;           // normalised velocity to normalised position over a period
   Washout washout_;
   int settling_ticks_;              // what the washout takes to forget how it started
+  ExcitationGate gate_;
   std::array<PhaseMemory, 2> memories_;
   Eigen::Vector3d filtered_ = Eigen::Vector3d::Zero();  // state of the last tick
+  Eigen::Vector3d simulated_ = Eigen::Vector3d::Zero();  // the same, as the model has it without looking
   std::array<double, 3> inputs_{};                      // washed-out, newest first
   int inputs_known_ = 0;
   int unsettled_ticks_ = 0;

@@ -1,11 +1,38 @@
 #include "robot/adaptation_section.hpp"
 
+#include <optional>
 #include <string>
+
+#include "robot/method_sections.hpp"
 
 namespace farrier::robot {
 
 using config::Default;
+using config::Option;
 using config::Visitor;
+using estimation::EstimationMethod;
+using estimation::GateKind;
+
+namespace {
+
+constexpr Option<EstimationMethod> kMethods[] = {
+    {"rls", EstimationMethod::kRls}, {"aff", EstimationMethod::kAff}, {"kalman", EstimationMethod::kKalman},
+    {"iv", EstimationMethod::kIv},   {"vdf", EstimationMethod::kVdf}, {"sift", EstimationMethod::kSift}};
+constexpr Option<GateKind> kGates[] = {{"none", GateKind::kNone}, {"pe", GateKind::kPe}, {"fft", GateKind::kFft}};
+
+/// A group that belongs to one choice of `key`: there with its defaults when chosen, refused when another one is.
+template <class Group>
+void group_of(Visitor& v, const char* name, std::optional<Group>& group, bool chosen, const char* key,
+              const char* sentence) {
+  if (chosen && !group.has_value()) {
+    group.emplace();
+  }
+  v.group(name, group, sentence);
+  v.check(chosen || !group.has_value(), name,
+          std::string("is not used: give ") + key + ": " + name + ", or leave " + name + " out");
+}
+
+}  // namespace
 
 namespace {
 
@@ -31,8 +58,14 @@ void declare(Visitor& v, EstimatorSection& section) {
   const EstimatorParams d;
   EstimatorParams& e = section.params;
   v.here(section.place);
-  v.number("forgetting_factor", e.forgetting_factor, {0.5, 1}, Default{d.forgetting_factor},
-           "Weight of a sample against the next one's, lambda (6.21); 1 forgets nothing.");
+  v.choice<EstimationMethod>("method", e.method, kMethods, Default{d.method},
+                             "What learns the model: docs/estimators.md compares the methods.");
+  v.choice<GateKind>("gate", e.gate, kGates, Default{d.gate},
+                     "Which samples may teach: all, those of a window that excites (9.4), or with frequencies (9.5).");
+  if (e.forgets_evenly()) {
+    v.number("forgetting_factor", e.forgetting_factor, {0.5, 1}, Default{d.forgetting_factor},
+             "Weight of a sample against the next one's, lambda (6.21); 1 forgets nothing. Not for aff and kalman.");
+  }
   v.flag("bias", e.bias, Default{d.bias}, "A constant in the regressor, for forces that no state explains.");
   v.flag("position", e.position, Default{d.position}, "The position in the regressor; a load spring needs it.");
   v.number("operating_point_time_constant_s", e.operating_point_time_constant_s, {1e-6, 10},
@@ -46,8 +79,10 @@ void declare(Visitor& v, EstimatorSection& section) {
            "Of the variance of prediction errors, by which measured states are corrected before they are regressed on.");
   v.number("initial_covariance", e.initial_covariance, {1e-6, 1e12}, Default{d.initial_covariance},
            "Of every parameter at the start, in normalised units.");
-  v.number("covariance_limit", e.covariance_limit, {1e-6, 1e15}, Default{d.covariance_limit},
-           "Largest trace of the covariance; beyond it nothing is forgotten (6.23).");
+  if (e.limits_covariance()) {
+    v.number("covariance_limit", e.covariance_limit, {1e-6, 1e40}, Default{d.covariance_limit},
+             "Largest trace of the covariance; beyond it nothing is forgotten (6.23); 1e40: no limit. Not for vdf and sift.");
+  }
   v.number("regressor_min", e.regressor_min, {0, 10}, Default{d.regressor_min},
            "Norm of the normalised regressor below which a sample says nothing (6.24).");
   v.integer("blank_ticks", e.blank_ticks, {0, 10000}, Default{d.blank_ticks},
@@ -57,7 +92,15 @@ void declare(Visitor& v, EstimatorSection& section) {
   v.number("stability_limit", e.stability_limit, {0.01, 0.999999}, Default{d.stability_limit},
            "Modulus to which an unstable pole of an estimate is mapped (8.1.1).");
   v.flag("phase_memory", e.phase_memory, Default{d.phase_memory}, "Whether what is known of each phase is kept apart.");
-  v.check(e.covariance_limit > e.columns() * e.initial_covariance, "covariance_limit",
+  group_of(v, "aff", e.aff, e.method == EstimationMethod::kAff, "method", "Adaptive forgetting of each row (9.1)-(9.3).");
+  group_of(v, "kalman", e.kalman, e.method == EstimationMethod::kKalman, "method", "Parameters as a random walk (B.17).");
+  group_of(v, "vdf", e.vdf, e.method == EstimationMethod::kVdf, "method",
+           "Variable-direction forgetting (Goel, Bruce, Bernstein 2020).");
+  group_of(v, "sift", e.sift, e.method == EstimationMethod::kSift, "method",
+           "Forgetting in the subspace of information (Lai and Bernstein 2024).");
+  group_of(v, "pe", e.pe, e.gate == GateKind::kPe, "gate", "Persistence of excitation, (9.4) corrected.");
+  group_of(v, "fft", e.fft, e.gate == GateKind::kFft, "gate", "Frequencies of the valve current, (9.5).");
+  v.check(!e.limits_covariance() || e.covariance_limit > e.columns() * e.initial_covariance, "covariance_limit",
           "must be above the trace at the start: " + std::to_string(e.columns()) + " times initial_covariance");
 }
 
