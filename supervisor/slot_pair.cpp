@@ -20,8 +20,7 @@ bool sufficient(const LoopMargins& margins, const robot::UpdateLogicParams& logi
 
 int dwell_ticks(const control::Gains& one, const control::Gains& other) noexcept {
   const control::SwitchingVerdict verdict =
-      control::switching_verdict(control::switched_loop(one.model, one, one.delay_ticks),
-                                 control::switched_loop(other.model, other, other.delay_ticks));
+      control::switching_verdict(one.model, one, other.model, other, one.delay_ticks);
   return verdict.common ? 0 : verdict.dwell_ticks;
 }
 
