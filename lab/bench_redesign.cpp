@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "control/model_rows.hpp"
+#include "control/switching.hpp"
 #include "robot/joint_model.hpp"
 #include "supervisor/joint_design.hpp"
 #include "supervisor/slot_update.hpp"
@@ -31,12 +32,11 @@ struct Case {
   signals::JointModelEstimate estimate;
   control::DiscreteModel model;
   const robot::Joint* joint;
-  control::Gains other;      // of the joint's other slot
-  int shortest_phase_ticks;  // of the robot
 };
 
+// As on a robot that stands: no dwell time of the joint's two loops is worked out.
 std::uint8_t look(Case& one, Tick tick) {
-  return one.slot.look(one.estimate, tick, {one.other, one.shortest_phase_ticks, false}).verdict;
+  return one.slot.look(one.estimate, tick, {one.slot.gains(), control::kNoDwell, false}).verdict;
 }
 
 signals::JointModelEstimate estimate_of(const robot::Joint& joint, const control::DiscreteModel& model) {
@@ -66,7 +66,6 @@ void keep_if_accepted(Case candidate, std::vector<Case>& cases) {
 
 Result<std::vector<Case>> make_cases(const robot::Robot& robot, int delay_ticks) {
   std::vector<Case> cases;
-  const int shortest = supervisor::shortest_phase_ticks(robot);
   for (const robot::Joint& joint : robot.joints) {
     for (const plant::LoadParams& designed_for : {joint.swing_load, joint.stance_load}) {
       const auto first = supervisor::design_joint(joint, designed_for, robot.period_s, delay_ticks);
@@ -83,7 +82,7 @@ Result<std::vector<Case>> make_cases(const robot::Robot& robot, int delay_ticks)
             load.damping *= damping;
             control::DiscreteModel model = robot::model_of(joint, load, robot.period_s);
             model.b *= gain;
-            keep_if_accepted({slot, estimate_of(joint, model), model, &joint, first.value(), shortest}, cases);
+            keep_if_accepted({slot, estimate_of(joint, model), model, &joint}, cases);
           }
         }
       }

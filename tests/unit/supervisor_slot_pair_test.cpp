@@ -22,7 +22,7 @@ using signals::UpdateVerdict;
 
 constexpr std::uint64_t kSession = 31;
 constexpr int kLong = 1000;
-constexpr int kAnyPhase = 200;  // ticks
+constexpr int kAnyPhase = control::kNoDwell - 1;  // ticks: longer than any dwell time that is one
 
 /// Insists on an estimate of a heavy cart beside a slot with gains `other`.
 JointUpdateDecision decide(const robot::UpdateLogicParams& logic, const control::Gains& other, int shortest_phase_ticks,

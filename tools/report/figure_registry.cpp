@@ -141,7 +141,7 @@ constexpr std::array kSpecs{
     FigureSpec{"bench.tick.control_us", "us", kNone, "Time of the joint nodes' steps alone."},
     FigureSpec{"bench.tick.allocations", "1", kAtMost, "Allocations made by these ticks."},
     FigureSpec{"bench.redesign.us", "us", kAtMost,
-               "Time from an estimate that asks for new gains to these, every check included; for the loop delay, of lock-step and real time, that takes longer."},
+               "Time from an estimate that asks for new gains to these, every check included but the dwell time of the joint's two loops, which takes milliseconds; for the loop delay, of lock-step and real time, that takes longer."},
     FigureSpec{"bench.redesign.lqr_us", "us", kNone, "Time of the LQR design in it."},
     FigureSpec{"bench.redesign.allocations", "1", kAtMost, "Allocations made by these redesigns."},
 };
