@@ -43,14 +43,14 @@ TEST(Pid, IsProportionalIntegralAndFilteredDerivativeOfTheError) {
 TEST(Pid, HoldsAForceOnALightAndAHeavyLegWithItsDefaults) {
   constexpr double kReference_N = 500.0;
   constexpr double kSettled = 0.1;  // the load slides off at F / d: a ramp of the disturbance leaves a constant error
-  for (const plant::LoadParams& load : {plant::LoadParams{2.5, 500.0}, plant::LoadParams{50.0, 500.0}}) {
+  for (const plant::LoadParams& load : {plant::LoadParams{2.5, 2500.0}, plant::LoadParams{50.0, 2500.0}}) {
     plant::HydraulicJoint joint = plant::test::joint_at_rest(hyq_cylinder(), load);
     Pid pid({}, kNorm, kPeriod_s);
     double largest = 0.0;
-    for (int tick = 0; tick < 40; ++tick) {
+    for (int tick = 0; tick < 100; ++tick) {
       const Measurement m{joint.state().position - kMiddle_m, joint.state().velocity, joint.load_cell_force()};
       joint.step(pid.step(kReference_N, m).valve_current_A, 0.0, kPeriod_s);
-      if (tick >= 30) {
+      if (tick >= 80) {
         largest = std::max(largest, std::abs(joint.load_cell_force() - kReference_N));
       }
     }

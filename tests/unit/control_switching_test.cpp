@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "control/common_lyapunov.hpp"
+#include "control/force_controller.hpp"
 #include "control/spectrum.hpp"
 #include "control/switching.hpp"
 #include "control_models.hpp"
