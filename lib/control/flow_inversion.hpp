@@ -8,7 +8,7 @@
 namespace farrier::control {
 
 /// What the controller is tuned by, for a period of 1 ms. How the defaults were found:
-/// docs/decisions/0022-flow-inversion.md.
+/// docs/decisions/0029-flow-inversion.md.
 struct FlowInversionGains {
   double error_share = 0.9;       ///< of the force error, made up for within a tick; in (0, 1]
   double reference_share = 1.0;   ///< of the reference's last change, expected again; in [0, 1], 0 is off

@@ -5,10 +5,10 @@
 namespace farrier::control {
 
 /// Gains of a PID on the normalised force error e: current over its limit per force over Normalisation::force, so that
-/// one setting serves cylinders and rotary motors. How the defaults were found: docs/decisions/0021-pid.md.
+/// one setting serves cylinders and rotary motors. How the defaults were found: docs/decisions/0028-pid.md.
 struct PidGains {
-  double proportional = 3.0;           ///< >= 0
-  double integral_1_s = 100.0;         ///< on the integral of e; >= 0, 0 is off
+  double proportional = 0.9;           ///< >= 0
+  double integral_1_s = 450.0;         ///< on the integral of e; >= 0, 0 is off
   double derivative_s = 0.0;           ///< on the filtered derivative of e; >= 0
   double derivative_filter_Hz = 200.0; ///< corner of the first-order filter on that derivative; > 0
 };

@@ -18,7 +18,7 @@ struct PolePlacement {
 /// modes lie, the zeros of the sampled transfer from current to force, and zeros for a delay. Zeros on or outside the
 /// unit circle are mirrored into it and held at 0.9995 at most; zeros left of the imaginary axis go to the origin.
 /// As many as the form has states with integrator and delay; the rest of the array is zero.
-/// Why there: docs/decisions/0020-pole-placement.md.
+/// Why there: docs/decisions/0027-pole-placement.md.
 std::array<std::complex<double>, 6> wanted_poles(const DiscreteModel& model, const PolePlacement& poles, Form form,
                                                  double period_s) noexcept;
 

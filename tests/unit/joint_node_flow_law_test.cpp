@@ -1,4 +1,4 @@
-// A joint whose robot file says feedback_linearisation: no gains needed, everything else as ever.
+// A joint whose robot file says feedback_linearisation or pid: no gains needed, everything else as ever.
 
 #include <cmath>
 #include <limits>
@@ -61,6 +61,27 @@ TEST(JointNode, NullsTheFlowLawsValveAndStartsItAfreshWhenSensorsReturn) {
   EXPECT_EQ(back.valve.state, static_cast<std::uint8_t>(JointState::kTracking));
   EXPECT_EQ(back.valve.valve_current_A, 0.0);
   EXPECT_NE(bench.step().valve.valve_current_A, 0.0);
+}
+
+TEST(JointNode, RunsThePidOfItsFileWithoutGainsAndStartsItAfreshAfterNull) {
+  robot::Joint joint = joint_named("lf_kfe");
+  joint.kind = control::Kind::kPid;
+  joint.pid = {.proportional = 1.0, .integral_1_s = 100.0, .derivative_s = 0.0, .derivative_filter_Hz = 200.0};
+  Bench bench(joint);
+  bench.node.set_mode(mode_of(signals::Mode::kArmed, 1));
+  bench.inputs.command.torque_ff_Nm = 20.0;
+  const auto first = bench.step();
+  EXPECT_EQ(first.valve.state, static_cast<std::uint8_t>(JointState::kTracking));
+  EXPECT_EQ(first.valve.faults, 0u);
+  const double error = (first.valve.force_reference_N_or_Nm - bench.inputs.sensors.force_N_or_Nm) /
+                       joint.normalisation.force;
+  EXPECT_NEAR(first.valve.valve_current_A, joint.normalisation.current_A * error, 1e-15);
+  EXPECT_NE(bench.step().valve.valve_current_A, first.valve.valve_current_A) << "integrates";
+  bench.inputs.sensors.force_N_or_Nm = std::numeric_limits<double>::quiet_NaN();
+  expect_null(bench.step(), Fault::kSensorsStale);
+  bench.inputs.sensors.force_N_or_Nm = 0.0;
+  const auto back = bench.step_to(bench.next_tick + hyq().safety.recovery_samples - 1);
+  EXPECT_EQ(back.valve.valve_current_A, first.valve.valve_current_A);
 }
 
 TEST(JointNode, SaysWhenTheFlowLawOpensTheValveFully) {

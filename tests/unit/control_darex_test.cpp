@@ -1,0 +1,182 @@
+// DAREX, SLICOT's benchmark collection for discrete-time algebraic Riccati equations (Abels and Benner 1999, SLICOT
+// Working Note 1999-16): solved to 1e-10 or refused by name. The examples with one input and up to six states are this
+// solver's; those with more inputs or states have no solver here, and those that read a data file are left out.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "control/riccati.hpp"
+
+#if FARRIER_HAVE_SLICOT
+extern "C" void bb02ad_(const char* def, const int* nr, double* dpar, int* ipar, const int* bpar, char* chpar, int* vec,
+                        int* n, int* m, int* p, double* a, const int* lda, double* b, const int* ldb, double* c,
+                        const int* ldc, double* q, const int* ldq, double* r, const int* ldr, double* s,
+                        const int* lds, double* x, const int* ldx, double* dwork, const int* ldwork, int* info,
+                        std::size_t, std::size_t);
+#endif
+
+namespace farrier::control {
+namespace {
+
+constexpr double kResidual = 1e-10;
+
+template <int N>
+using Square = Eigen::Matrix<double, N, N>;
+template <int N>
+using Column = Eigen::Matrix<double, N, 1>;
+
+TEST(Darex, Example13HasItsPublishedSolution) {
+  Eigen::Matrix2d a, q, x;
+  a << 0.0, 1.0, 0.0, 0.0;
+  q << 1.0, 2.0, 2.0, 4.0;
+  x << 1.0, 2.0, 2.0, 2.0 + std::sqrt(5.0);
+  const auto solution = solve_dare<2>(a, Eigen::Vector2d(0.0, 1.0), q, 1.0, Eigen::Vector2d::Zero());
+  ASSERT_TRUE(solution.ok()) << to_string(solution.error());
+  EXPECT_LE(solution.value().relative_residual, kResidual);
+  EXPECT_LE((solution.value().s - x).norm(), kResidual * x.norm());
+}
+
+TEST(Darex, Example23HasItsPublishedSolutionAtEveryScale) {
+  for (const double epsilon : {1.0, 1e2, 1e4, 1e6}) {
+    Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
+    a(0, 1) = epsilon;
+    const auto solution =
+        solve_dare<2>(a, Eigen::Vector2d(0.0, 1.0), Eigen::Matrix2d::Identity(), 1.0, Eigen::Vector2d::Zero());
+    ASSERT_TRUE(solution.ok()) << epsilon << ": " << to_string(solution.error());
+    EXPECT_LE(solution.value().relative_residual, kResidual);
+    const Eigen::Matrix2d x = Eigen::Vector2d(1.0, 1.0 + epsilon * epsilon).asDiagonal();
+    EXPECT_LE((solution.value().s - x).norm(), kResidual * x.norm()) << epsilon;
+  }
+}
+
+template <int N>
+void expect_example_41() {
+  Square<N> a = Square<N>::Zero();
+  Square<N> x = Square<N>::Zero();
+  for (int i = 0; i < N; ++i) {
+    x(i, i) = i + 1.0;
+    if (i > 0) {
+      a(i - 1, i) = 1.0;
+    }
+  }
+  const auto solution = solve_dare<N>(a, Column<N>::Unit(N - 1), Square<N>::Identity(), 1.0, Column<N>::Zero());
+  ASSERT_TRUE(solution.ok()) << N << ": " << to_string(solution.error());
+  EXPECT_LE(solution.value().relative_residual, kResidual) << N;
+  EXPECT_LE((solution.value().s - x).norm(), kResidual * x.norm()) << N;
+}
+
+TEST(Darex, Example41HasItsPublishedSolutionForEverySizeServed) {
+  expect_example_41<2>();
+  expect_example_41<3>();
+  expect_example_41<4>();
+  expect_example_41<5>();
+  expect_example_41<6>();
+}
+
+TEST(Darex, Example11HasNoWeightOnItsInputAndIsRefusedByName) {
+  Eigen::Matrix2d a, q;
+  a << 2.0, -1.0, 1.0, 0.0;
+  q << 0.0, 0.0, 0.0, 1.0;
+  const auto solution = solve_dare<2>(a, Eigen::Vector2d(1.0, 0.0), q, 0.0, Eigen::Vector2d::Zero());
+  ASSERT_FALSE(solution.ok());
+  EXPECT_EQ(solution.error(), RiccatiStatus::kWeightsNotDefinite);
+}
+
+#if FARRIER_HAVE_SLICOT
+
+constexpr int kMost = 100;  // states of the largest example
+
+struct Example {
+  int n = 0, m = 0, info = 0;
+  std::vector<double> a, b, q, r, s, x;
+  bool has_solution = false;
+};
+
+Example darex(int group, int number) {
+  Example e;
+  for (std::vector<double>* matrix : {&e.a, &e.b, &e.q, &e.r, &e.s, &e.x}) {
+    matrix->resize(kMost * kMost);
+  }
+  std::vector<double> c(kMost * kMost), work(kMost * kMost);
+  const std::array<int, 2> nr{group, number};
+  std::array<double, 4> dpar{};
+  std::array<int, 3> ipar{};
+  const std::array<int, 7> bpar{1, 1, 1, 0, 1, 1, 1};  // Q, B, R and S, all in full
+  std::array<char, 255> text{};
+  std::array<int, 10> vec{};
+  const int most = kMost;
+  const int size = kMost * kMost;
+  int p = 0;
+  bb02ad_("D", nr.data(), dpar.data(), ipar.data(), bpar.data(), text.data(), vec.data(), &e.n, &e.m, &p, e.a.data(),
+          &most, e.b.data(), &most, c.data(), &most, e.q.data(), &most, e.r.data(), &most, e.s.data(), &most,
+          e.x.data(), &most, work.data(), &size, &e.info, 1, text.size());
+  e.has_solution = vec[9] != 0;
+  return e;
+}
+
+/// Status of the solver on the example; kSolved only with a residual within the bound.
+template <int N>
+RiccatiStatus solve(const Example& e) {
+  const Eigen::Stride<kMost, 1> stride;
+  using Map = Eigen::Map<const Square<N>, 0, Eigen::Stride<kMost, 1>>;
+  const Square<N> a = Map(e.a.data(), stride), q = Map(e.q.data(), stride);
+  const Column<N> b = Eigen::Map<const Column<N>>(e.b.data()), s = Eigen::Map<const Column<N>>(e.s.data());
+  const auto solution = solve_dare<N>(a, b, q, e.r[0], s);
+  if (!solution) {
+    return solution.error();
+  }
+  EXPECT_LE(solution.value().relative_residual, kResidual);
+  EXPECT_LE(riccati_residual<N>(a, b, q, e.r[0], s, solution.value().s).norm(), kResidual * solution.value().s.norm());
+  return RiccatiStatus::kSolved;
+}
+
+TEST(Darex, EveryExampleServedIsSolvedOrRefusedByName) {
+  constexpr std::array<std::pair<int, int>, 3> kGroups{{{1, 13}, {2, 5}, {4, 1}}};
+  std::map<std::string, RiccatiStatus> found;
+  std::map<std::string, std::string> left_out;
+  for (const auto& [group, examples] : kGroups) {
+    for (int number = 1; number <= examples; ++number) {
+      const std::string name = std::to_string(group) + "." + std::to_string(number);
+      const Example e = darex(group, number);
+      const std::string shape = std::to_string(e.n) + " states, " + std::to_string(e.m) + " inputs";
+      if (e.info != 0 || e.m != 1 || e.n < 2 || e.n > 6) {
+        left_out[name] = e.info == 1 ? "reads a data file" : shape;
+        continue;
+      }
+      switch (e.n) {
+        case 2: found[name] = solve<2>(e); break;
+        case 3: found[name] = solve<3>(e); break;
+        case 4: found[name] = solve<4>(e); break;
+        case 5: found[name] = solve<5>(e); break;
+        default: found[name] = solve<6>(e); break;
+      }
+    }
+  }
+  int solved = 0;
+  for (const auto& [name, status] : found) {
+    RecordProperty("darex_" + name, to_string(status));
+    std::printf("  DAREX %s: %s\n", name.c_str(), to_string(status));
+    solved += status == RiccatiStatus::kSolved ? 1 : 0;
+  }
+  for (const auto& [name, why] : left_out) {
+    std::printf("  DAREX %s left out: %s\n", name.c_str(), why.c_str());
+  }
+  EXPECT_GE(solved, 2);
+  EXPECT_EQ(found.size() + left_out.size(), 19u);
+}
+
+#else
+
+TEST(Darex, EveryExampleServedIsSolvedOrRefusedByName) { GTEST_SKIP() << "built without SLICOT"; }
+
+#endif
+
+}  // namespace
+}  // namespace farrier::control
