@@ -26,7 +26,8 @@ class UdFactors {
   };
 
   /// P = initial I, whose trace is to stay at or below `limit` (> N initial).
-  UdFactors(double initial, double limit) noexcept : initial_(initial), limit_(limit), d_min_(kSmallestShare * limit) {
+  UdFactors(double initial, double limit) noexcept
+      : initial_(initial), limit_(limit), d_min_(kSmallestShare * std::min(limit, kLargestGrowth * initial)) {
     begin_anew();
   }
 
@@ -137,9 +138,10 @@ class UdFactors {
 
  private:
   // Standard deviations further apart than 1/eps cannot be told from one another: entries of D stop at eps^2 of the
-  // largest covariance.
+  // largest covariance, which without a limit is what estimates ever need.
   static constexpr double kSmallestShare =
       std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon();
+  static constexpr double kLargestGrowth = 1e12;  // from the first covariance on
   // What a covariance put on its limit stays short of it: more than the trace's own rounding.
   static constexpr double kRoom = 1e-14;
 

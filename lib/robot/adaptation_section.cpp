@@ -15,7 +15,7 @@ using estimation::GateKind;
 
 namespace {
 
-constexpr Option<EstimationMethod> kMethods[] = {
+constexpr Option<EstimationMethod> kEstimationMethods[] = {
     {"rls", EstimationMethod::kRls}, {"aff", EstimationMethod::kAff}, {"kalman", EstimationMethod::kKalman},
     {"iv", EstimationMethod::kIv},   {"vdf", EstimationMethod::kVdf}, {"sift", EstimationMethod::kSift}};
 constexpr Option<GateKind> kGates[] = {{"none", GateKind::kNone}, {"pe", GateKind::kPe}, {"fft", GateKind::kFft}};
@@ -58,7 +58,7 @@ void declare(Visitor& v, EstimatorSection& section) {
   const EstimatorParams d;
   EstimatorParams& e = section.params;
   v.here(section.place);
-  v.choice<EstimationMethod>("method", e.method, kMethods, Default{d.method},
+  v.choice<EstimationMethod>("method", e.method, kEstimationMethods, Default{d.method},
                              "What learns the model: docs/estimators.md compares the methods.");
   v.choice<GateKind>("gate", e.gate, kGates, Default{d.gate},
                      "Which samples may teach: all, those of a window that excites (9.4), or with frequencies (9.5).");
