@@ -137,7 +137,8 @@ Point nearest(const Loop& loop, double a, double c, Point best) noexcept {
   constexpr double kGolden = 0.3819660112501051;
   for (int i = 0; i < kRefinements; ++i) {
     const bool right = c - best.angle > best.angle - a;
-    const Point trial = look(loop, right ? best.angle + kGolden * (c - best.angle) : best.angle - kGolden * (best.angle - a));
+    const double step = right ? kGolden * (c - best.angle) : -kGolden * (best.angle - a);
+    const Point trial = look(loop, best.angle + step);
     if (trial.closeness > best.closeness) {
       (right ? a : c) = best.angle;
       best = trial;
@@ -291,6 +292,8 @@ Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
   }
   if (points[last].l.real() < 0.0) {  // at half the sampling rate the loop is real
     note_gain(-1.0 / points[last].l.real(), m);
+  } else if (points[last].l.real() > 1.0) {
+    m.delay_ticks = std::min(m.delay_ticks, 1.0);  // one tick more turns it about, beyond -1
   }
   m.disk = 1.0 / worst.closeness;
   m.disk_angle_rad = worst.angle;

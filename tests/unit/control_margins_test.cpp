@@ -162,7 +162,9 @@ TEST(Margins, ShrinkAsTheVelocityFilterLags) {
 TEST(Margins, ALoopThatAFilterMakesUnstableHasNone) {
   const DiscreteModel leg = testing::sampled(testing::hyq(2.5));
   const Gains gains = design_lqr(leg, {}, kNormalisation, Form::kCompliant, 0).value();
-  const Margins m = margins(leg, gains, 0, {.position = {}, .velocity = {}, .force = low_pass(2.0)});
+  MeasurementFilter turned;
+  turned.d = -1.0;
+  const Margins m = margins(leg, gains, 0, {.position = {}, .velocity = {}, .force = turned});
   EXPECT_EQ(m.disk, 0.0);
 }
 
