@@ -17,9 +17,12 @@ Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed,
     if (!plant) {
       return Error{joint.name + ": " + plant.error().message};
     }
-    world.joints_.push_back({joint, std::move(plant).value(), NoiseStream(seed, joint.name, "position"),
-                             NoiseStream(seed, joint.name, "velocity"), NoiseStream(seed, joint.name, "force"),
-                             gait::Phase::kStance, 0.0, false});
+    auto sensors = SensorChain::create(joint, robot.period_s, seed);
+    if (!sensors) {
+      return Error{joint.name + ": " + sensors.error().message};
+    }
+    world.joints_.push_back({joint, std::move(plant).value(), std::move(sensors).value(), gait::Phase::kStance, 0.0,
+                             false});
   }
   for (const robot::LoadChange& change : load_changes) {
     if (change.joint >= world.joints_.size()) {
@@ -35,6 +38,9 @@ Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed,
   std::ranges::stable_sort(load_changes, {}, &robot::LoadChange::tick);
   world.load_changes_ = std::move(load_changes);
   world.apply_loads();
+  for (Joint& joint : world.joints_) {
+    joint.sensors.begin(truth(joint));
+  }
   return world;
 }
 
@@ -86,15 +92,20 @@ void SimWorld::apply_loads() noexcept {
   }
 }
 
+Measured SimWorld::truth(const Joint& joint) noexcept {
+  const plant::State& state = joint.plant.state();
+  return {state.position, state.velocity, joint.plant.load_cell_force()};
+}
+
 signals::JointSensors SimWorld::sample(std::size_t index) const noexcept {
   const Joint& joint = joints_[index];
-  const robot::SensorNoise& noise = joint.parameters.noise;
+  const Measured& measured = joint.sensors.sample();
   signals::JointSensors sensors;
   sensors.joint = joint.parameters.number;
   sensors.tick = tick_;
-  sensors.position_m_or_rad = joint.plant.state().position + noise.position * joint.position_noise.normal(tick_);
-  sensors.velocity_m_s_or_rad_s = joint.plant.state().velocity + noise.velocity * joint.velocity_noise.normal(tick_);
-  sensors.force_N_or_Nm = joint.plant.load_cell_force() + noise.force * joint.force_noise.normal(tick_);
+  sensors.position_m_or_rad = measured.position;
+  sensors.velocity_m_s_or_rad_s = measured.velocity;
+  sensors.force_N_or_Nm = measured.force;
   return sensors;
 }
 
@@ -113,17 +124,31 @@ void SimWorld::describe(std::size_t index, record::TraceRow& row) const noexcept
   row.actual_phase = static_cast<std::uint8_t>(joint.load_phase);
 }
 
-void SimWorld::advance(const std::vector<double>& valve_current_A) noexcept {
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const plant::StepReport report = joints_[i].plant.step(valve_current_A[i], joints_[i].external_force, plan_.period_s);
+// One period in as many parts as the sensors convert in it; the last conversion waits for the load of the next tick.
+void SimWorld::step(Joint& joint, double valve_current_A) noexcept {
+  const int parts = joint.sensors.conversions();
+  for (int part = 0; part < parts; ++part) {
+    const plant::StepReport report = joint.plant.step(valve_current_A, joint.external_force, plan_.period_s / parts);
     worst_.error_position = std::max(worst_.error_position, report.error_position);
     worst_.error_velocity = std::max(worst_.error_velocity, report.error_velocity);
     worst_.error_pressure_Pa = std::max(worst_.error_pressure_Pa, report.error_pressure_Pa);
     worst_.substeps = std::max(worst_.substeps, report.substeps);
     worst_.bound_hit = worst_.bound_hit || report.bound_hit;
+    if (part + 1 < parts) {
+      joint.sensors.convert(truth(joint), tick_ + 1, part);
+    }
+  }
+}
+
+void SimWorld::advance(const std::vector<double>& valve_current_A) noexcept {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    step(joints_[i], valve_current_A[i]);
   }
   ++tick_;
   apply_loads();
+  for (Joint& joint : joints_) {
+    joint.sensors.convert(truth(joint), tick_, joint.sensors.conversions() - 1);
+  }
 }
 
 }  // namespace farrier::sim_bridge

@@ -5,7 +5,7 @@
 //   valve currents ──▶ HydraulicJoint (2.30a/b) ◀── load of the leg's actual phase or of a load change, weight on it
 //                            │ position, velocity, load-cell force
 //                            ▼
-//   sensors ◀── + noise (seeded by joint name, addressed by tick)
+//   sensors ◀── SensorChain: noise (seeded by joint name, addressed by tick), filters
 
 #include <memory>
 #include <vector>
@@ -17,6 +17,7 @@
 #include "record/trace.hpp"
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
+#include "sim_bridge/sensor_chain.hpp"
 #include "signals/signals.hpp"
 
 namespace farrier::sim_bridge {
@@ -30,7 +31,7 @@ class SimWorld {
   static Result<SimWorld> create(const robot::Robot& robot, std::uint64_t seed,
                                  std::vector<robot::LoadChange> load_changes = {});
 
-  /// Noisy sensors of one joint at the present tick.
+  /// What the sensors of one joint give at the present tick.
   signals::JointSensors sample(std::size_t joint) const noexcept;
 
   /// Applies one current per joint over [tick, tick + 1) and moves to the next tick.
@@ -49,9 +50,7 @@ class SimWorld {
   struct Joint {
     robot::Joint parameters;
     plant::HydraulicJoint plant;
-    NoiseStream position_noise;
-    NoiseStream velocity_noise;
-    NoiseStream force_noise;
+    SensorChain sensors;
     gait::Phase load_phase;
     double external_force;
     bool load_ruled;  ///< by a load change
@@ -59,6 +58,8 @@ class SimWorld {
 
   SimWorld(const robot::Robot& robot, std::uint64_t seed);
   void apply_loads() noexcept;
+  void step(Joint& joint, double valve_current_A) noexcept;
+  static Measured truth(const Joint& joint) noexcept;
   void apply_load_changes() noexcept;
 
   gait::RobotPlan plan_;

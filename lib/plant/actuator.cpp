@@ -2,37 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <string>
+
+#include "plant/refusals.hpp"
 
 namespace farrier::plant {
 namespace {
 
-/// Collects every refused value, so that a person corrects them in one round.
-class Refusals {
- public:
-  explicit Refusals(const char* subject) : subject_(subject) {}
-
-  void require(bool holds, const char* name, double value, const char* rule) {
-    if (!holds || !std::isfinite(value)) {
-      text_ << (text_.tellp() > 0 ? "; " : "") << name << " = " << value << " must be " << rule;
+/// All refusals of a subject and its parts in one.
+Result<Done> together(std::initializer_list<Result<Done>> verdicts) {
+  std::string refused;
+  for (const Result<Done>& verdict : verdicts) {
+    if (!verdict.ok()) {
+      refused += (refused.empty() ? "" : "; ") + verdict.error().message;
     }
   }
-  void positive(const char* name, double value) { require(value > 0.0, name, value, "finite and > 0"); }
-  void not_negative(const char* name, double value) { require(value >= 0.0, name, value, "finite and >= 0"); }
-
-  Result<Done> verdict() const {
-    const std::string text = text_.str();
-    if (text.empty()) {
-      return Done{};
-    }
-    return Error{std::string(subject_) + ": " + text};
-  }
-
- private:
-  const char* subject_;
-  std::ostringstream text_;
-};
+  return refused.empty() ? Result<Done>(Done{}) : Result<Done>(Error{refused});
+}
 
 }  // namespace
 
@@ -55,7 +41,9 @@ Result<Done> validate(const ActuatorParams& actuator) {
                    actuator.stop_stiffness, "finite and >= 100 supply_pressure_Pa area / stroke");
   refusals.not_negative("stop_damping", actuator.stop_damping);
   refusals.positive("laminar_pressure_Pa", actuator.laminar_pressure_Pa);
-  return refusals.verdict();
+  return together({refusals.verdict(), validate(actuator.spool),
+                   validate_deadband(actuator.valve_deadband_A, actuator.valve_current_max_A),
+                   validate(actuator.line, actuator.line_volume_m3)});
 }
 
 Result<Done> validate(const LoadParams& load) {
@@ -64,7 +52,7 @@ Result<Done> validate(const LoadParams& load) {
   refusals.not_negative("damping", load.damping);
   refusals.not_negative("stiffness", load.stiffness);
   refusals.require(true, "equilibrium_position", load.equilibrium_position, "finite");
-  return refusals.verdict();
+  return together({refusals.verdict(), validate(load.friction)});
 }
 
 Result<Done> validate(const ActuatorParams& actuator, const State& state) {

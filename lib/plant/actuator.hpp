@@ -1,6 +1,10 @@
 #pragma once
 
 #include "core/result.hpp"
+#include "plant/effects/deadband.hpp"
+#include "plant/effects/friction.hpp"
+#include "plant/effects/lines.hpp"
+#include "plant/effects/spool.hpp"
 
 namespace farrier::plant {
 
@@ -22,14 +26,18 @@ struct ActuatorParams {
   double stop_stiffness = 0.0;      ///< of the end stops, N/m or Nm/rad; full supply may press in <= 1 % of stroke
   double stop_damping = 0.0;        ///< of the end stops, Ns/m or Nms/rad; >= 0; both engage within stroke / 1000
   double laminar_pressure_Pa = 1e5; ///< delta: below this drop an orifice is laminar; > 0 (see orifice_root)
+  SpoolParams spool{};              ///< off unless set: the spool follows its command
+  double valve_deadband_A = 0.0;    ///< half width, of the command; in [0, valve_current_max_A)
+  LineParams line{};                ///< oil inertia in each chamber's line; none unless set. Its volume is in V_pl
 };
 
-/// Load behind the load cell: m_l a = F_s - d_l v - C (x - x_eq) + F_ext.
+/// Load behind the load cell: m_l a = F_s - d_l v - F_dry - C (x - x_eq) + F_ext.
 struct LoadParams {
   double mass = 0.0;                  ///< m_l, kg or kg m^2; >= 0, and > 0 together with the piston mass
   double damping = 0.0;               ///< d_l, Ns/m or Nms/rad; >= 0
   double stiffness = 0.0;             ///< C = k_1 + k_2, N/m or Nm/rad; >= 0
   double equilibrium_position = 0.0;  ///< x_eq, m or rad, where the load spring is slack
+  FrictionParams friction{};          ///< F_dry; none unless set
 };
 
 /// State (2.29): pressures are absolute and never negative.

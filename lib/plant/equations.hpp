@@ -35,10 +35,16 @@ struct HeldInput {
   double external_force;  ///< N or Nm
 };
 
+/// Pressure of a chamber, Pa: none where it holds a void.
+inline double pressure_of(double compression_Pa) noexcept { return compression_Pa > 0.0 ? compression_Pa : 0.0; }
+
 /// Right-hand side of the nonlinear joint, Hubacher (2014) (2.30a), (2.30b) in one form, with flow both ways
 /// through every orifice, voids, end stops and an external force. Uses no function but sqrt.
 class JointEquations {
  public:
+  using State = IntegrationState;
+  using Input = HeldInput;
+
   JointEquations(const ActuatorParams& actuator, const LoadParams& load) noexcept;
 
   /// Constants of the load; the state is not touched.
@@ -46,6 +52,12 @@ class JointEquations {
 
   HeldInput hold(double valve_current_A, double external_force) const noexcept;
   IntegrationState derivative(const IntegrationState& s, const HeldInput& input) const noexcept;
+
+  /// The valve's flow into chambers, or what stands before them, at these pressures.
+  ChamberFeed valve_flow(double p_a, double p_b, const HeldInput& input) const noexcept;
+  /// Rates of motion and pressures when the chambers get `feed` and the load `load_force`.
+  IntegrationState balance(const IntegrationState& s, double p_a, double p_b, const ChamberFeed& feed,
+                           double load_force) const noexcept;
 
   /// F_h = A_p (p_a - alpha p_b), (2.8).
   double hydraulic_force(const IntegrationState& s) const noexcept;
@@ -105,22 +117,21 @@ inline double JointEquations::stop_force(const IntegrationState& s) const noexce
 }
 
 inline double JointEquations::hydraulic_force(const IntegrationState& s) const noexcept {
-  const double p_a = s.compression_a_Pa > 0.0 ? s.compression_a_Pa : 0.0;
-  const double p_b = s.compression_b_Pa > 0.0 ? s.compression_b_Pa : 0.0;
-  return actuator_.area_a * p_a - actuator_.area_b * p_b;
+  return actuator_.area_a * pressure_of(s.compression_a_Pa) - actuator_.area_b * pressure_of(s.compression_b_Pa);
 }
 
-inline IntegrationState JointEquations::derivative(const IntegrationState& s, const HeldInput& input) const noexcept {
-  const ActuatorParams& act = actuator_;
-  const double p_a = s.compression_a_Pa > 0.0 ? s.compression_a_Pa : 0.0;
-  const double p_b = s.compression_b_Pa > 0.0 ? s.compression_b_Pa : 0.0;
-
+inline ChamberFeed JointEquations::valve_flow(double p_a, double p_b, const HeldInput& input) const noexcept {
   // (2.14), (2.15): both chambers' flows counted inward, q = K_v |u| drop / root(drop); the port pressures carry
   // the sign of u.
   const double drop_a = input.port_a_Pa - p_a;
   const double drop_b = input.port_b_Pa - p_b;
-  const double root_a = orifice_divisor(drop_a, act.laminar_pressure_Pa);
-  const double root_b = orifice_divisor(drop_b, act.laminar_pressure_Pa);
+  return {input.flow_gain * drop_a, orifice_divisor(drop_a, actuator_.laminar_pressure_Pa),
+          input.flow_gain * drop_b, orifice_divisor(drop_b, actuator_.laminar_pressure_Pa)};
+}
+
+inline IntegrationState JointEquations::balance(const IntegrationState& s, double p_a, double p_b,
+                                                const ChamberFeed& feed, double load_force) const noexcept {
+  const ActuatorParams& act = actuator_;
 
   // (2.12) V_a = V_pl + A_p x, (2.13) V_b = V_pl + (L_c - x) alpha A_p
   double v_a = act.line_volume_m3 + act.area_a * s.position;
@@ -137,11 +148,16 @@ inline IntegrationState JointEquations::derivative(const IntegrationState& s, co
 
   // (2.24) (m_l + m_p) a = A_p (p_a - alpha p_b) - (d_l + d_p) v - C (x - x_eq) + F_ext + F_stop
   const double force = act.area_a * p_a - act.area_b * p_b - total_damping_ * s.velocity -
-                       load_.stiffness * (s.position - load_.equilibrium_position) + input.external_force +
-                       stop_force(s);
+                       load_.stiffness * (s.position - load_.equilibrium_position) + load_force + stop_force(s);
   return {s.velocity, force * inverse_mass_,
-          act.bulk_modulus_Pa * (input.flow_gain * drop_a - growth_a * root_a) / (v_a * root_a),
-          act.bulk_modulus_Pa * (input.flow_gain * drop_b - growth_b * root_b) / (v_b * root_b)};
+          act.bulk_modulus_Pa * (feed.flow_a - growth_a * feed.root_a) / (v_a * feed.root_a),
+          act.bulk_modulus_Pa * (feed.flow_b - growth_b * feed.root_b) / (v_b * feed.root_b)};
+}
+
+inline IntegrationState JointEquations::derivative(const IntegrationState& s, const HeldInput& input) const noexcept {
+  const double p_a = pressure_of(s.compression_a_Pa);
+  const double p_b = pressure_of(s.compression_b_Pa);
+  return balance(s, p_a, p_b, valve_flow(p_a, p_b, input), input.external_force);
 }
 
 }  // namespace farrier::plant

@@ -1,20 +1,16 @@
 #include "plant/hydraulic_joint.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <sstream>
 #include <string>
 
 #include "plant/runge_kutta.hpp"
+#include "plant/substep_control.hpp"
 
 namespace farrier::plant {
 namespace {
 
-constexpr double kSafety = 0.9;
-constexpr double kMostGrowth = 4.0;
-constexpr double kMostShrink = 0.2;
 /// Error estimates of substeps that stride over a bend count this much more: measured, see plant_integrator_test.
 constexpr double kUnseenBendFactor = 30.0;
 /// Keeps a remainder of exactly n substeps at n shares.
@@ -38,42 +34,32 @@ double fastest_rate(const ActuatorParams& actuator, const LoadParams& load) noex
   return std::max(filling, damping / mass + std::sqrt(stiffness / mass));
 }
 
+/// The actuator whose chambers lack what their lines hold behind the valve.
+ActuatorParams without_lines(ActuatorParams actuator) noexcept {
+  actuator.line_volume_m3 -= valve_side_volume_m3(actuator.line);
+  return actuator;
+}
+
+double fastest_rate_with_effects(const ActuatorParams& actuator, const LoadParams& load) noexcept {
+  const double effects = Effects(actuator, load).fastest_rate(load.mass + actuator.piston_mass);
+  return std::max(fastest_rate(without_lines(actuator), load), effects);
+}
+
 bool slow_enough(const ActuatorParams& actuator, const LoadParams& load) noexcept {
-  return fastest_rate(actuator, load) * HydraulicJoint::kShortestSubstep_s <= kStabilityInterval;
+  return fastest_rate_with_effects(actuator, load) * HydraulicJoint::kShortestSubstep_s <= kStabilityInterval;
 }
 
+bool positive(double value) noexcept { return std::isfinite(value) && value > 0.0; }
 bool not_negative(double value) noexcept { return std::isfinite(value) && value >= 0.0; }
-
-/// Step-size factor kSafety r^(-1/5) for an error ratio r of a fifth-order step. The root is read off the exponent
-/// bits (a piecewise linear logarithm, within 3 %): a step size needs no more, and no C library enters the trace.
-double substep_factor(double ratio) noexcept {
-  if (!(ratio > 1e-6)) {
-    return ratio <= 1e-6 ? kMostGrowth : kMostShrink;  // not a number: the trial left the finite numbers
-  }
-  constexpr std::uint64_t kSixFifthsOfOne = std::bit_cast<std::uint64_t>(1.0) / 5 * 6;
-  const double root = std::bit_cast<double>(kSixFifthsOfOne - std::bit_cast<std::uint64_t>(ratio) / 5);
-  return std::clamp(kSafety * root, kMostShrink, kMostGrowth);
-}
-
-/// True when a chamber's pressure strides over a place where the right-hand side bends sharply, the start of a void or
-/// the laminar range of its open port, so that a substep's few stages may miss it. The path between both ends lies
-/// within the Bezier polygon of their values and rates.
-bool strides_over_bend(double start, double start_rate, double end, double end_rate, double port, double laminar,
-                       double h) noexcept {
-  const double third = h * (1.0 / 3.0);
-  const double after = start + third * start_rate;
-  const double before = end - third * end_rate;
-  const double low = std::min(std::min(start, end), std::min(after, before));
-  const double high = std::max(std::max(start, end), std::max(after, before));
-  const bool strides = high - low > 0.5 * laminar;
-  const bool at_port = low < port + 5.0 * laminar && high > port - 5.0 * laminar;
-  const bool at_void = low < laminar && high > 0.0;
-  return strides && (at_port || at_void);
-}
 
 bool finite(const IntegrationState& s) noexcept {
   return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.compression_a_Pa) &&
          std::isfinite(s.compression_b_Pa);
+}
+
+bool finite(const EffectState& s) noexcept {
+  return finite(static_cast<const IntegrationState&>(s)) &&
+         std::ranges::all_of(s.x, [](double value) { return std::isfinite(value); });
 }
 
 }  // namespace
@@ -94,41 +80,70 @@ Result<HydraulicJoint> HydraulicJoint::create(const ActuatorParams& actuator, co
   }
   if (refusals.empty() && !slow_enough(actuator, load)) {
     std::ostringstream text;
-    text << "joint: fastest rate " << fastest_rate(actuator, load) << " 1/s exceeds "
+    text << "joint: fastest rate " << fastest_rate_with_effects(actuator, load) << " 1/s exceeds "
          << kStabilityInterval / kShortestSubstep_s
-         << " 1/s; lower stop_stiffness or stop_damping, or raise line_volume_m3, laminar_pressure_Pa or mass";
+         << " 1/s; lower stop_stiffness or stop_damping, or raise line_volume_m3, laminar_pressure_Pa, mass or the "
+            "friction's presliding";
     refusals = text.str();
   }
   if (!refusals.empty()) {
     return Error{refusals};
   }
-  return HydraulicJoint(JointEquations(actuator, load), initial, tolerance);
+  return HydraulicJoint(actuator, load, initial, tolerance);
 }
 
-HydraulicJoint::HydraulicJoint(const JointEquations& equations, const State& initial, double tolerance) noexcept
-    : equations_(equations),
-      integrated_{initial.position, initial.velocity, initial.pressure_a_Pa, initial.pressure_b_Pa},
-      input_(equations_.hold(0.0, 0.0)),
-      derivative_(equations_.derivative(integrated_, input_)),
+HydraulicJoint::HydraulicJoint(const ActuatorParams& actuator, const LoadParams& load, const State& initial,
+                               double tolerance) noexcept
+    : actuator_(actuator),
+      equations_(without_lines(actuator), load),
+      effects_(actuator, load),
+      has_effects_(effects_.active()),
+      integrated_{{initial.position, initial.velocity, initial.pressure_a_Pa, initial.pressure_b_Pa},
+                  effects_.rest({initial.pressure_a_Pa, initial.pressure_b_Pa})},
       state_(initial),
-      external_force_limit_(10.0 * equations.actuator().supply_pressure_Pa *
-                            std::max(equations.actuator().area_a, equations.actuator().area_b)),
-      inverse_tolerance_position_(1.0 / (tolerance * equations.actuator().stroke)),
-      inverse_tolerance_velocity_(1.0 / (tolerance * velocity_scale(equations.actuator()))),
-      inverse_tolerance_pressure_(1.0 / (tolerance * equations.actuator().supply_pressure_Pa)) {}
+      external_force_limit_(10.0 * actuator.supply_pressure_Pa * std::max(actuator.area_a, actuator.area_b)),
+      inverse_tolerance_position_(1.0 / (tolerance * actuator.stroke)),
+      inverse_tolerance_velocity_(1.0 / (tolerance * velocity_scale(actuator))),
+      inverse_tolerance_pressure_(1.0 / (tolerance * actuator.supply_pressure_Pa)),
+      inverse_tolerance_effects_(effects_.scale()) {
+  for (double& inverse : inverse_tolerance_effects_) {
+    inverse = 1.0 / (tolerance * inverse);
+  }
+  hold({0.0, 0.0});
+  differentiate();
+}
+
+void HydraulicJoint::hold(const CommandInput& input) noexcept {
+  command_ = input;
+  input_ = equations_.hold(input.command_A, input.external_force);
+}
+
+void HydraulicJoint::differentiate() noexcept {
+  if (has_effects_) {
+    derivative_ = with_effects().derivative(integrated_, command_);
+  } else {
+    static_cast<IntegrationState&>(derivative_) = equations_.derivative(integrated_, input_);
+  }
+}
 
 bool HydraulicJoint::set_load(const LoadParams& load) noexcept {
+  const FrictionParams& dry = load.friction;
+  const bool guided = not_negative(dry.coulomb) && not_negative(dry.breakaway) && dry.breakaway >= dry.coulomb &&
+                      (dry.coulomb > 0.0 || dry.breakaway == 0.0) && positive(dry.stribeck_velocity) &&
+                      positive(dry.presliding);
   const bool physical = not_negative(load.mass) && not_negative(load.damping) && not_negative(load.stiffness) &&
                         std::isfinite(load.equilibrium_position) && load.mass + actuator().piston_mass > 0.0;
-  if (!physical || !slow_enough(actuator(), load)) {
+  if (!physical || !guided || !slow_enough(actuator(), load)) {
     return false;
   }
   equations_.set_load(load);
-  derivative_ = equations_.derivative(integrated_, input_);
+  integrated_.x = effects_.set_load(load, integrated_.x);
+  has_effects_ = effects_.active();
+  differentiate();
   return true;
 }
 
-HeldInput HydraulicJoint::admit(double valve_current_A, double external_force, StepReport& report) const noexcept {
+CommandInput HydraulicJoint::admit(double valve_current_A, double external_force, StepReport& report) const noexcept {
   const double current_max = actuator().valve_current_max_A;
   const bool current_good = std::isfinite(valve_current_A);
   const bool force_good = std::abs(external_force) <= external_force_limit_;
@@ -137,7 +152,7 @@ HeldInput HydraulicJoint::admit(double valve_current_A, double external_force, S
   const double force = std::isfinite(external_force)
                            ? std::clamp(external_force, -external_force_limit_, external_force_limit_)
                            : 0.0;
-  return equations_.hold(current, force);
+  return {current, force};
 }
 
 double HydraulicJoint::error_ratio(const IntegrationState& error) const noexcept {
@@ -148,7 +163,15 @@ double HydraulicJoint::error_ratio(const IntegrationState& error) const noexcept
   return (position + velocity) + (pressure_a + pressure_b);
 }
 
-bool HydraulicJoint::meets_bend(const TrialStep& trial, double h) const noexcept {
+double HydraulicJoint::error_ratio(const EffectState& error) const noexcept {
+  double sum = error_ratio(static_cast<const IntegrationState&>(error));
+  for (std::size_t i = 0; i < error.x.size(); ++i) {
+    sum += std::abs(error.x[i]) * inverse_tolerance_effects_[i];
+  }
+  return sum;
+}
+
+bool HydraulicJoint::meets_bend(const TrialStep<IntegrationState>& trial, double h) const noexcept {
   const double laminar = actuator().laminar_pressure_Pa;
   return strides_over_bend(integrated_.compression_a_Pa, derivative_.compression_a_Pa, trial.state.compression_a_Pa,
                            trial.end_derivative.compression_a_Pa, input_.port_a_Pa, laminar, h) ||
@@ -156,22 +179,37 @@ bool HydraulicJoint::meets_bend(const TrialStep& trial, double h) const noexcept
                            trial.end_derivative.compression_b_Pa, input_.port_b_Pa, laminar, h);
 }
 
-StepReport HydraulicJoint::step(double valve_current_A, double external_force, double period_s) noexcept {
-  StepReport report;
-  input_ = admit(valve_current_A, external_force, report);
-  derivative_ = equations_.derivative(integrated_, input_);
-  if (!(period_s > 0.0 && period_s <= kLongestPeriod_s)) {
-    report.input_refused = true;
-    return report;
+// With lines the valve's ports meet the pressures behind it; the chambers' then only know their voids.
+bool HydraulicJoint::meets_bend(const TrialStep<EffectState>& trial, double h) const noexcept {
+  const double laminar = actuator().laminar_pressure_Pa;
+  const HeldInput valve = with_effects().valve(integrated_, command_);
+  const bool at_chambers =
+      strides_over_bend(integrated_.compression_a_Pa, derivative_.compression_a_Pa, trial.state.compression_a_Pa,
+                        trial.end_derivative.compression_a_Pa, valve.port_a_Pa, laminar, h) ||
+      strides_over_bend(integrated_.compression_b_Pa, derivative_.compression_b_Pa, trial.state.compression_b_Pa,
+                        trial.end_derivative.compression_b_Pa, valve.port_b_Pa, laminar, h);
+  if (at_chambers || !effects_.lines().active()) {
+    return at_chambers;
   }
+  constexpr std::size_t a = Effects::at<Lines>();
+  constexpr std::size_t b = a + 1;
+  return strides_over_bend(integrated_.x[a], derivative_.x[a], trial.state.x[a], trial.end_derivative.x[a],
+                           valve.port_a_Pa, laminar, h) ||
+         strides_over_bend(integrated_.x[b], derivative_.x[b], trial.state.x[b], trial.end_derivative.x[b],
+                           valve.port_b_Pa, laminar, h);
+}
 
+template <class Equations, class EquationState>
+double HydraulicJoint::integrate(const Equations& equations, const typename Equations::Input& input,
+                                 EquationState& state, EquationState& derivative, double period_s,
+                                 StepReport& report) noexcept {
   double left_s = period_s;
   double relative_error = 0.0;
   while (left_s > 0.0) {
     const int shares = 1 + static_cast<int>(kJustBelowOne * left_s / substep_s_);
     const double h = left_s / shares;
     const bool shortest = substep_s_ <= kShortestSubstep_s;
-    const TrialStep trial = dormand_prince_step(equations_, input_, integrated_, derivative_, h);
+    const TrialStep<EquationState> trial = dormand_prince_step(equations, input, state, derivative, h);
     const double ratio = error_ratio(trial.error) * (meets_bend(trial, h) ? kUnseenBendFactor : 1.0);
     const bool within = ratio <= 1.0;
     substep_s_ = std::clamp(h * substep_factor(ratio), kShortestSubstep_s, std::max(period_s, kShortestSubstep_s));
@@ -183,13 +221,28 @@ StepReport HydraulicJoint::step(double valve_current_A, double external_force, d
     ++report.substeps;
     report.bound_hit |= !within;
     if (within || finite(trial.state)) {
-      integrated_ = trial.state;
-      derivative_ = trial.end_derivative;
+      state = trial.state;
+      derivative = trial.end_derivative;
       relative_error += ratio;
     }
-    report.cavitated |= integrated_.compression_a_Pa < 0.0 || integrated_.compression_b_Pa < 0.0;
-    report.at_stop |= integrated_.position < 0.0 || integrated_.position > actuator().stroke;
+    report.cavitated |= state.compression_a_Pa < 0.0 || state.compression_b_Pa < 0.0;
+    report.at_stop |= state.position < 0.0 || state.position > actuator().stroke;
   }
+  return relative_error;
+}
+
+StepReport HydraulicJoint::step(double valve_current_A, double external_force, double period_s) noexcept {
+  StepReport report;
+  hold(admit(valve_current_A, external_force, report));
+  differentiate();
+  if (!(period_s > 0.0 && period_s <= kLongestPeriod_s)) {
+    report.input_refused = true;
+    return report;
+  }
+  const double relative_error =
+      has_effects_ ? integrate(with_effects(), command_, integrated_, derivative_, period_s, report)
+                   : integrate<JointEquations, IntegrationState>(equations_, input_, integrated_, derivative_,
+                                                                 period_s, report);
   report.error_position = relative_error / inverse_tolerance_position_;
   report.error_velocity = relative_error / inverse_tolerance_velocity_;
   report.error_pressure_Pa = relative_error / inverse_tolerance_pressure_;
@@ -208,13 +261,27 @@ double HydraulicJoint::load_cell_force() const noexcept {
 }
 
 double HydraulicJoint::void_volume_a_m3() const noexcept {
-  const double volume = actuator().line_volume_m3 + actuator().area_a * integrated_.position;
-  return std::max(0.0, -integrated_.compression_a_Pa) * volume / actuator().bulk_modulus_Pa;
+  const double volume = equations_.actuator().line_volume_m3 + actuator().area_a * integrated_.position;
+  return std::max(0.0, -integrated_.compression_a_Pa) * volume / actuator().bulk_modulus_Pa +
+         effects_.lines().void_volume_m3(integrated_.x[Effects::at<Lines>()]);
 }
 
 double HydraulicJoint::void_volume_b_m3() const noexcept {
-  const double volume = actuator().line_volume_m3 + actuator().area_b * (actuator().stroke - integrated_.position);
-  return std::max(0.0, -integrated_.compression_b_Pa) * volume / actuator().bulk_modulus_Pa;
+  const double volume =
+      equations_.actuator().line_volume_m3 + actuator().area_b * (actuator().stroke - integrated_.position);
+  return std::max(0.0, -integrated_.compression_b_Pa) * volume / actuator().bulk_modulus_Pa +
+         effects_.lines().void_volume_m3(integrated_.x[Effects::at<Lines>() + 1]);
+}
+
+EffectReadings HydraulicJoint::effects() const noexcept {
+  constexpr std::size_t line = Effects::at<Lines>();
+  const bool lines = effects_.lines().active();
+  return {.opening_A = with_effects().opening_A(integrated_, command_),
+          .line_pressure_a_Pa = lines ? pressure_of(integrated_.x[line]) : state_.pressure_a_Pa,
+          .line_pressure_b_Pa = lines ? pressure_of(integrated_.x[line + 1]) : state_.pressure_b_Pa,
+          .line_flow_a_m3_s = integrated_.x[line + 2],
+          .line_flow_b_m3_s = integrated_.x[line + 3],
+          .friction = integrated_.x[Effects::at<Friction>()]};
 }
 
 }  // namespace farrier::plant

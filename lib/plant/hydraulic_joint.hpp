@@ -2,11 +2,23 @@
 
 #include "core/result.hpp"
 #include "plant/actuator.hpp"
+#include "plant/effects/equations_with_effects.hpp"
 #include "plant/equations.hpp"
 
 namespace farrier::plant {
 
+template <class State>
 struct TrialStep;
+
+/// What the effects of a joint hold now; without them as (2.30) has it.
+struct EffectReadings {
+  double opening_A = 0.0;            ///< current the valve is open for, after spool and deadband
+  double line_pressure_a_Pa = 0.0;   ///< behind the valve; the chamber's without lines
+  double line_pressure_b_Pa = 0.0;
+  double line_flow_a_m3_s = 0.0;     ///< into the chamber through its line; 0 without lines
+  double line_flow_b_m3_s = 0.0;
+  double friction = 0.0;             ///< dry friction that holds the load back, N or Nm
+};
 
 /// What one step did. The error is that of the whole state: local errors of the fourth-order solution (the fifth is
 /// kept), relative to stroke, velocity_scale() and supply pressure, added over states and substeps, and given in each
@@ -26,8 +38,8 @@ struct StepReport {
   bool input_refused = false;      ///< an input was not finite or out of range and its substitute acted
 };
 
-/// Nonlinear hydraulic joint: four-way valve, actuator, load (Hubacher 2014, (2.30a), (2.30b)), advanced one control
-/// period at a time. Invariants: shut valve conserves fluid, damping and stops only dissipate, pressures are never
+/// Nonlinear hydraulic joint: four-way valve, actuator, load (Hubacher 2014, (2.30a), (2.30b)) and the effects of
+/// plant/effects that its parameters ask for, advanced one control period at a time. Invariants: shut valve conserves fluid, damping and stops only dissipate, pressures are never
 /// negative, every value stays finite. Results do not depend on the machine: +, -, *, / and sqrt only.
 class HydraulicJoint {
  public:
@@ -59,32 +71,48 @@ class HydraulicJoint {
   double hydraulic_force() const noexcept { return equations_.hydraulic_force(integrated_); }
   /// With the last input; m/s^2 or rad/s^2.
   double acceleration() const noexcept { return derivative_.velocity; }
-  /// Space of each chamber that holds no oil; 0 unless cavitated.
+  /// Space of each chamber with its line that holds no oil; 0 unless cavitated.
   double void_volume_a_m3() const noexcept;
   double void_volume_b_m3() const noexcept;
+  /// With the last input.
+  EffectReadings effects() const noexcept;
 
-  const ActuatorParams& actuator() const noexcept { return equations_.actuator(); }
+  const ActuatorParams& actuator() const noexcept { return actuator_; }
   const LoadParams& load() const noexcept { return equations_.load(); }
 
  private:
-  HydraulicJoint(const JointEquations& equations, const State& initial, double tolerance) noexcept;
+  HydraulicJoint(const ActuatorParams& actuator, const LoadParams& load, const State& initial,
+                 double tolerance) noexcept;
 
-  HeldInput admit(double valve_current_A, double external_force, StepReport& report) const noexcept;
+  CommandInput admit(double valve_current_A, double external_force, StepReport& report) const noexcept;
+  void hold(const CommandInput& input) noexcept;
+  EquationsWithEffects with_effects() const noexcept { return {equations_, effects_}; }
+  void differentiate() noexcept;
+  template <class Equations, class EquationState>
+  double integrate(const Equations& equations, const typename Equations::Input& input, EquationState& state,
+                   EquationState& derivative, double period_s, StepReport& report) noexcept;
   /// Errors of a trial step relative to their tolerances, added up; not <= 1 when the trial must be repeated.
   double error_ratio(const IntegrationState& error) const noexcept;
-  bool meets_bend(const TrialStep& trial, double h) const noexcept;
+  double error_ratio(const EffectState& error) const noexcept;
+  bool meets_bend(const TrialStep<IntegrationState>& trial, double h) const noexcept;
+  bool meets_bend(const TrialStep<EffectState>& trial, double h) const noexcept;
   void publish_state() noexcept;
 
-  JointEquations equations_;
-  IntegrationState integrated_;
+  ActuatorParams actuator_;
+  JointEquations equations_;  ///< of chambers without what their lines hold behind the valve
+  Effects effects_;
+  bool has_effects_;
+  EffectState integrated_;
+  CommandInput command_{0.0, 0.0};
   HeldInput input_;
-  IntegrationState derivative_;
+  EffectState derivative_;
   State state_;
   double substep_s_ = 2.5e-4;
   double external_force_limit_;
   double inverse_tolerance_position_;
   double inverse_tolerance_velocity_;
   double inverse_tolerance_pressure_;
+  Effects::X inverse_tolerance_effects_;
 };
 
 }  // namespace farrier::plant

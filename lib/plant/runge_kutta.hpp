@@ -1,56 +1,71 @@
 #pragma once
 
+#include "plant/effects/equations_with_effects.hpp"
 #include "plant/equations.hpp"
 
 namespace farrier::plant {
 
-inline IntegrationState add_scaled(const IntegrationState& s, double h, const IntegrationState& d) noexcept {
-  return {s.position + h * d.position, s.velocity + h * d.velocity, s.compression_a_Pa + h * d.compression_a_Pa,
-          s.compression_b_Pa + h * d.compression_b_Pa};
+/// A state whose every component is `sum(component)`, where component(k) reads the same place of another state.
+template <class Sum>
+IntegrationState assemble(const IntegrationState*, Sum sum) noexcept {
+  return {sum([](const IntegrationState& k) noexcept { return k.position; }),
+          sum([](const IntegrationState& k) noexcept { return k.velocity; }),
+          sum([](const IntegrationState& k) noexcept { return k.compression_a_Pa; }),
+          sum([](const IntegrationState& k) noexcept { return k.compression_b_Pa; })};
+}
+template <class Sum>
+EffectState assemble(const EffectState*, Sum sum) noexcept {
+  EffectState state;
+  static_cast<IntegrationState&>(state) = assemble(static_cast<const IntegrationState*>(nullptr), sum);
+  for (std::size_t i = 0; i < state.x.size(); ++i) {
+    state.x[i] = sum([i](const EffectState& k) noexcept { return k.x[i]; });
+  }
+  return state;
+}
+
+template <class State>
+State add_scaled(const State& s, double h, const State& d) noexcept {
+  return assemble(&s, [&](auto at) noexcept { return at(s) + h * at(d); });
 }
 
 /// One step of an embedded pair.
+template <class State>
 struct TrialStep {
-  IntegrationState state;           ///< fifth order
-  IntegrationState end_derivative;  ///< first stage of the next step (first same as last)
-  IntegrationState error;           ///< fifth minus fourth order: the local error of the fourth-order solution
+  State state;           ///< fifth order
+  State end_derivative;  ///< first stage of the next step (first same as last)
+  State error;           ///< fifth minus fourth order: the local error of the fourth-order solution
 };
 
 /// Dormand and Prince (1980), RK5(4)7M: the coefficients of their Table 2.
-inline TrialStep dormand_prince_step(const JointEquations& equations, const HeldInput& input,
-                                     const IntegrationState& s, const IntegrationState& k1, double h) noexcept {
-  const auto combine = [&s, h](auto member_sum) noexcept {
-    return IntegrationState{
-        s.position + h * member_sum(&IntegrationState::position),
-        s.velocity + h * member_sum(&IntegrationState::velocity),
-        s.compression_a_Pa + h * member_sum(&IntegrationState::compression_a_Pa),
-        s.compression_b_Pa + h * member_sum(&IntegrationState::compression_b_Pa)};
+template <class Equations, class State = typename Equations::State>
+TrialStep<State> dormand_prince_step(const Equations& equations, const typename Equations::Input& input,
+                                     const State& s, const State& k1, double h) noexcept {
+  const auto combine = [&s, h](auto slope) noexcept {
+    return assemble(&s, [&](auto at) noexcept { return at(s) + h * slope(at); });
   };
-  const auto f = [&](const IntegrationState& at) noexcept { return equations.derivative(at, input); };
+  const auto f = [&](const State& at) noexcept { return equations.derivative(at, input); };
 
-  const auto k2 = f(combine([&](auto m) noexcept { return (1.0 / 5) * k1.*m; }));
-  const auto k3 = f(combine([&](auto m) noexcept { return (3.0 / 40) * k1.*m + (9.0 / 40) * k2.*m; }));
+  const auto k2 = f(combine([&](auto at) noexcept { return (1.0 / 5) * at(k1); }));
+  const auto k3 = f(combine([&](auto at) noexcept { return (3.0 / 40) * at(k1) + (9.0 / 40) * at(k2); }));
   const auto k4 = f(combine(
-      [&](auto m) noexcept { return (44.0 / 45) * k1.*m - (56.0 / 15) * k2.*m + (32.0 / 9) * k3.*m; }));
-  const auto k5 = f(combine([&](auto m) noexcept {
-    return (19372.0 / 6561) * k1.*m - (25360.0 / 2187) * k2.*m + (64448.0 / 6561) * k3.*m - (212.0 / 729) * k4.*m;
+      [&](auto at) noexcept { return (44.0 / 45) * at(k1) - (56.0 / 15) * at(k2) + (32.0 / 9) * at(k3); }));
+  const auto k5 = f(combine([&](auto at) noexcept {
+    return (19372.0 / 6561) * at(k1) - (25360.0 / 2187) * at(k2) + (64448.0 / 6561) * at(k3) - (212.0 / 729) * at(k4);
   }));
-  const auto k6 = f(combine([&](auto m) noexcept {
-    return (9017.0 / 3168) * k1.*m - (355.0 / 33) * k2.*m + (46732.0 / 5247) * k3.*m + (49.0 / 176) * k4.*m -
-           (5103.0 / 18656) * k5.*m;
+  const auto k6 = f(combine([&](auto at) noexcept {
+    return (9017.0 / 3168) * at(k1) - (355.0 / 33) * at(k2) + (46732.0 / 5247) * at(k3) + (49.0 / 176) * at(k4) -
+           (5103.0 / 18656) * at(k5);
   }));
-  TrialStep trial;
-  trial.state = combine([&](auto m) noexcept {
-    return (35.0 / 384) * k1.*m + (500.0 / 1113) * k3.*m + (125.0 / 192) * k4.*m - (2187.0 / 6784) * k5.*m +
-           (11.0 / 84) * k6.*m;
+  TrialStep<State> trial;
+  trial.state = combine([&](auto at) noexcept {
+    return (35.0 / 384) * at(k1) + (500.0 / 1113) * at(k3) + (125.0 / 192) * at(k4) - (2187.0 / 6784) * at(k5) +
+           (11.0 / 84) * at(k6);
   });
   trial.end_derivative = f(trial.state);
-  const auto error_of = [&](auto m) noexcept {
-    return h * ((71.0 / 57600) * k1.*m - (71.0 / 16695) * k3.*m + (71.0 / 1920) * k4.*m -
-                (17253.0 / 339200) * k5.*m + (22.0 / 525) * k6.*m - (1.0 / 40) * trial.end_derivative.*m);
-  };
-  trial.error = {error_of(&IntegrationState::position), error_of(&IntegrationState::velocity),
-                 error_of(&IntegrationState::compression_a_Pa), error_of(&IntegrationState::compression_b_Pa)};
+  trial.error = assemble(&s, [&](auto at) noexcept {
+    return h * ((71.0 / 57600) * at(k1) - (71.0 / 16695) * at(k3) + (71.0 / 1920) * at(k4) -
+                (17253.0 / 339200) * at(k5) + (22.0 / 525) * at(k6) - (1.0 / 40) * at(trial.end_derivative));
+  });
   return trial;
 }
 

@@ -22,6 +22,9 @@ void declare(Visitor& v, Valve& valve) {
   v.number("gain_m3_s_AsqrtPa", valve.gain_m3_s_AsqrtPa, {1e-9, 1e-3},
            "Flow per current and root of pressure drop, K_v: Q = K_v u sqrt(dp).");
   v.number("current_max_A", valve.current_max_A, {1e-4, 1}, "Current of the full-open valve; the controller's limit.");
+  v.number("deadband_percent", valve.deadband_percent, {0, 50}, Default{0.0},
+           "Share of current_max_A on either side of 0 within which the valve stays shut.");
+  v.group("spool", valve.spool, "Dynamics of the spool; absent, it follows its command at once.");
 }
 
 void declare(Visitor& v, Stops& stops) {
@@ -46,6 +49,7 @@ void declare(Visitor& v, Cylinder& c) {
   v.number("force_norm_N", c.force_norm_N, {1, 1e6}, Default{5000.0}, "Force that counts as 1 (3.52).");
   v.group("stops", c.stops, "Contact at both ends of the stroke.");
   v.group("noise", c.noise, "Sensor noise.");
+  v.group("sensors", c.sensors, "How sensors convert and filter; absent, a sample is the truth with its noise.");
   v.check(c.rod_m < c.bore_m, "rod_m", "must be below bore_m");
 }
 
@@ -63,6 +67,7 @@ void declare(Visitor& v, Actuator& a) {
   v.here(a.place);
   v.name("valve", a.valve, kLongestName, "Its valve, by name.");
   v.number("line_volume_m3", a.line_volume_m3, {1e-9, 1e-2}, "Dead volume of each chamber with its hose, V_pl.");
+  v.group("lines", a.lines, "Oil inertia in the two hoses; absent, they are volume alone.");
   v.group("cylinder", a.cylinder, "A cylinder; or else rotary_motor.");
   v.group("rotary_motor", a.rotary_motor, "A rotary vane motor; or else cylinder.");
   v.check(a.cylinder.has_value() != a.rotary_motor.has_value(), "", "give either cylinder or rotary_motor");
@@ -94,6 +99,7 @@ void declare(Visitor& v, CylinderLoad& l) {
   v.number("stiffness_N_m", l.stiffness_N_m, {0, 1e7}, Default{0.0}, "Springs against the base, C = k_1 + k_2.");
   v.number("equilibrium_position_m", l.equilibrium_position_m, {-10, 10}, Default{0.0},
            "Piston position where those are slack.");
+  v.group("friction", l.friction, "Dry friction of the load's guide, beside the viscous one; absent: none.");
 }
 
 void declare(Visitor& v, LegLoad& l) {

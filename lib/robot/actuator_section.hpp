@@ -8,6 +8,7 @@
 #include "control/design.hpp"
 #include "control/feedback_linearisation.hpp"
 #include "control/pid.hpp"
+#include "robot/effects_section.hpp"
 
 namespace farrier::robot {
 
@@ -26,6 +27,8 @@ struct Supply {
 struct Valve {
   double gain_m3_s_AsqrtPa = 0.0;
   double current_max_A = 0.0;
+  double deadband_percent = 0.0;
+  std::optional<SpoolSection> spool;
 };
 
 /// End stops: a stiff contact.
@@ -51,6 +54,7 @@ struct Cylinder {
   double force_norm_N = 0.0;
   Stops stops;
   CylinderNoise noise;
+  std::optional<SensorSection> sensors;
 };
 
 /// A vane motor. What no data sheet gives is taken from a cylinder whose force would act on a mean lever.
@@ -66,6 +70,7 @@ struct RotaryMotor {
 struct Actuator {
   std::string valve;
   double line_volume_m3 = 0.0;
+  std::optional<LineSection> lines;
   std::optional<Cylinder> cylinder;
   std::optional<RotaryMotor> rotary_motor;
   config::Place place;
@@ -95,6 +100,7 @@ struct CylinderLoad {
   double damping_Ns_m = 0.0;
   double stiffness_N_m = 0.0;
   double equilibrium_position_m = 0.0;
+  std::optional<DryFrictionSection> friction;
 };
 
 /// The load of a rotary hip: the leg itself.

@@ -1,5 +1,6 @@
 #include "robot/cross_check.hpp"
 
+#include "control/low_pass.hpp"
 #include "robot/leg_inertia.hpp"
 
 namespace farrier::robot {
@@ -32,12 +33,37 @@ void check_varied_body(const RobotFile& file, config::Problems& problems) {
   }
 }
 
+void check_filter(const SensorSection& sensors, const char* key, double cut_off_Hz, double rate_Hz,
+                  config::Problems& problems) {
+  const double most_Hz = control::kLargestCutOffShare * rate_Hz;
+  if (cut_off_Hz > most_Hz) {
+    problems.push_back(sensors.place.problem(
+        key, "is " + config::number_text(cut_off_Hz) + ", but a filter sampled at " + config::number_text(rate_Hz) +
+                 " Hz reaches up to " + config::number_text(most_Hz) + ": give less, or 0 for none"));
+  }
+}
+
+void check_filters(const RobotFile& file, config::Problems& problems) {
+  const double rate_Hz = 1.0 / file.period_s;
+  for (const auto& [name, actuator] : file.actuators) {
+    if (!actuator.cylinder || !actuator.cylinder->sensors) {
+      continue;
+    }
+    const SensorSection& s = *actuator.cylinder->sensors;
+    check_filter(s, "position_filter_Hz", s.position_filter_Hz, rate_Hz, problems);
+    check_filter(s, "velocity_filter_Hz", s.velocity_filter_Hz, rate_Hz, problems);
+    check_filter(s, "force_filter_Hz", s.force_filter_Hz, rate_Hz, problems);
+    check_filter(s, "anti_alias_Hz", s.anti_alias_Hz, s.oversampling * rate_Hz, problems);
+  }
+}
+
 }  // namespace
 
 config::Problems check_between_sections(const RobotFile& file) {
   config::Problems problems;
   check_stance_lead(file, problems);
   check_varied_body(file, problems);
+  check_filters(file, problems);
   return problems;
 }
 

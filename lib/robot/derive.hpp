@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "core/result.hpp"
@@ -25,7 +26,7 @@ plant::ActuatorParams motor_params(const Supply& supply, const Valve& valve, con
 
 plant::LoadParams cylinder_load(const CylinderLoad& load);
 
-/// The leg as the load of a motor: its inertia, and the friction of a cylinder's load times r^2.
+/// The leg as the load of a motor: its inertia, and the viscous friction of a cylinder's load times r^2, its dry friction times r.
 plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_like, double lever_m);
 
 /// Largest force (N or Nm), the less of what the supply can do and what the actuator is made for:
@@ -38,6 +39,9 @@ ForceLimits force_limits(const plant::ActuatorParams& actuator, double rated);
 
 SensorNoise cylinder_noise(const CylinderNoise& noise);
 SensorNoise motor_noise(const CylinderNoise& noise, double lever_m);
+
+/// As seen on a lever (1 for a cylinder): its filters are those of the section, its steps smaller by the lever.
+Sensors sensors(const std::optional<SensorSection>& section, double lever);
 
 /// T = W of (3.52): half the stroke, velocity and force by the file; V of (3.53) is the full-open valve's current.
 control::Normalisation cylinder_normalisation(const Cylinder& cylinder, const plant::ActuatorParams& params);

@@ -9,8 +9,9 @@
 #include "config/problem.hpp"
 #include "control/design.hpp"
 #include "control/feedback_linearisation.hpp"
-#include "control/pid.hpp"
+#include "control/low_pass.hpp"
 #include "control/lqr.hpp"
+#include "control/pid.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "gait/gait_params.hpp"
@@ -27,6 +28,14 @@ struct SensorNoise {
   double force = 0.0;
 };
 
+/// How a joint's sensors convert and filter, actuator coordinates; default: a sample is the truth with its noise.
+struct Sensors {
+  control::LowPassParams position, velocity, force;  ///< digital, at the tick
+  control::LowPassParams anti_alias;                 ///< analog, before each conversion of every channel
+  int oversampling = 1;                              ///< conversions per tick, averaged; >= 1
+  double position_step = 0.0;                        ///< m or rad; 0: none
+};
+
 /// One joint, everything derived and in SI. "Actuator coordinates" are m and N for a cylinder, rad and Nm for a motor.
 struct Joint {
   std::string name;
@@ -38,7 +47,8 @@ struct Joint {
   plant::LoadParams swing_load, stance_load;  ///< actuator coordinates
   double angle_min_rad, angle_max_rad, home_angle_rad;  ///< of this leg, mirrored where the leg is
   double push_limit, pull_limit;     ///< largest force (N, Nm; positive) extending and retracting
-  SensorNoise noise;
+  SensorNoise noise;  ///< of one conversion
+  Sensors sensors;
   control::Kind kind;
   control::FeedbackLinearisationGains feedback_linearisation;  ///< act where the kind says so
   control::PidGains pid;                                       ///< likewise

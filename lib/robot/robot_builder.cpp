@@ -184,6 +184,7 @@ class Builder {
                 .push_limit = 0.0,
                 .pull_limit = 0.0,
                 .noise = {},
+                .sensors = {},
                 .kind = controller.kind,
                 .feedback_linearisation = controller.feedback_linearisation,
                 .pid = controller.pid,
@@ -201,6 +202,7 @@ class Builder {
       joint.swing_load = cylinder_load(*load.swing);
       joint.stance_load = cylinder_load(*load.stance);
       joint.noise = cylinder_noise(actuator.cylinder->noise);
+      joint.sensors = sensors(actuator.cylinder->sensors, 1.0);
       joint.normalisation = cylinder_normalisation(*actuator.cylinder, joint.actuator);
       rated = actuator.cylinder->rated_force_N;
     } else {
@@ -212,6 +214,7 @@ class Builder {
       joint.swing_load = leg_load(leg_inertia_kg_m2(leg), damping, lever_m);
       joint.stance_load = joint.swing_load;
       joint.noise = motor_noise(like.noise, lever_m);
+      joint.sensors = sensors(like.sensors, lever_m);
       joint.normalisation = motor_normalisation(like, joint.actuator, lever_m);
       rated = motor.rated_torque_Nm;
     }

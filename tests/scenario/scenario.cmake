@@ -4,6 +4,7 @@ farrier_test(scenario_test scenario
   ${CMAKE_CURRENT_LIST_DIR}/determinism_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/lifecycle_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/load_cycle_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/rig_effects_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rig_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/switching_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/trot_test.cpp

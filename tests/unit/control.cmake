@@ -4,6 +4,7 @@ farrier_test(control_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control_transfer_function_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_riccati_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_riccati_slicot_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_low_pass_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_lqr_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_spectrum_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_delay_test.cpp

@@ -70,7 +70,7 @@ TEST(StanceLead, TakesAnAnnouncementOfAnyTick) {
 }
 
 TEST(StanceLead, OfTheShippedRobotsIsAsLongAsTouchdownsMayBeEarly) {
-  for (const char* name : {"hyq", "fc1d"}) {
+  for (const char* name : {"hyq", "fc1d", "fc1d_real"}) {
     const robot::Robot robot = robot::load_shipped(name);
     EXPECT_EQ(robot.safety.stance_lead_s, robot.plan.gait.touchdown_jitter_s) << name;
     EXPECT_GT(robot.safety.stance_lead_s, 0.0) << name;

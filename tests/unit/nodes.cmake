@@ -14,6 +14,7 @@ target_link_libraries(joint_node_test PRIVATE farrier_joint_node_core farrier_su
 
 farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/estimator_service_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/sensor_chain_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_contact_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_load_test.cpp

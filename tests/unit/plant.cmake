@@ -4,6 +4,9 @@ farrier_test(plant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/plant_create_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_force_dynamics_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_linear_forms_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant_effects_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant_friction_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant_lines_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_linear_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_linkage_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)

@@ -117,7 +117,7 @@ TEST_P(RobotFileFuzz, NeverLoadsAKeyItDoesNotKnow) {
   EXPECT_GT(tried, 50);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, RobotFileFuzz, testing::Values("hyq", "fc1d"));
+INSTANTIATE_TEST_SUITE_P(Shipped, RobotFileFuzz, testing::Values("hyq", "fc1d", "fc1d_real"));
 
 }  // namespace
 }  // namespace farrier::robot

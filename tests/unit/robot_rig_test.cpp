@@ -46,7 +46,7 @@ TEST(Fc1d, LeadsToTheGainsTheThesisShows) {
 }
 
 TEST(Robot, LeadsToAControllerForEveryJointLoadAndClock) {
-  for (const char* name : {"hyq", "fc1d"}) {
+  for (const char* name : {"hyq", "fc1d", "fc1d_real"}) {
     const Robot robot = load_shipped(name);
     for (const Joint& joint : robot.joints) {
       for (const plant::LoadParams& load : {joint.swing_load, joint.stance_load}) {
@@ -64,7 +64,7 @@ TEST(Robot, LeadsToAControllerForEveryJointLoadAndClock) {
 
 // The rig's integral factor is its own: docs/decisions/0014.
 TEST(Robot, TakesItsWeightsFromTheThesis) {
-  for (const char* name : {"hyq", "fc1d"}) {
+  for (const char* name : {"hyq", "fc1d", "fc1d_real"}) {
     for (const Joint& joint : load_shipped(name).joints) {
       EXPECT_EQ(joint.design.weights.integral, 2.5);
       EXPECT_EQ(joint.design.weights.position, 1.0);

@@ -15,12 +15,21 @@ std::string fingerprint(const Joint& j) {
   const plant::ActuatorParams& a = j.actuator;
   for (const double x : {a.area_a, a.area_b, a.stroke, a.line_volume_m3, a.bulk_modulus_Pa, a.valve_gain,
                          a.valve_current_max_A, a.supply_pressure_Pa, a.return_pressure_Pa, a.piston_mass,
-                         a.piston_damping, a.stop_stiffness, a.stop_damping, a.laminar_pressure_Pa}) {
+                         a.piston_damping, a.stop_stiffness, a.stop_damping, a.laminar_pressure_Pa, a.valve_deadband_A,
+                         a.spool.on ? 1.0 : 0.0, a.spool.natural_frequency_rad_s, a.spool.damping, a.line.length_m,
+                         a.line.bore_m, a.line.density_kg_m3, a.line.viscosity_Pa_s, a.line.loss_coefficient}) {
     text << x << ' ';
   }
   for (const plant::LoadParams& load : {j.swing_load, j.stance_load}) {
-    text << load.mass << ' ' << load.damping << ' ' << load.stiffness << ' ' << load.equilibrium_position << ' ';
+    text << load.mass << ' ' << load.damping << ' ' << load.stiffness << ' ' << load.equilibrium_position << ' '
+         << load.friction.coulomb << ' ' << load.friction.breakaway << ' ' << load.friction.stribeck_velocity << ' '
+         << load.friction.presliding << ' ';
   }
+  for (const control::LowPassParams& f :
+       {j.sensors.position, j.sensors.velocity, j.sensors.force, j.sensors.anti_alias}) {
+    text << f.cut_off_Hz << ' ' << f.order << ' ' << f.damping << ' ';
+  }
+  text << j.sensors.oversampling << ' ' << j.sensors.position_step << ' ';
   for (const double q : {j.angle_min_rad, j.angle_max_rad, j.home_angle_rad}) {
     text << q << ' ' << j.linkage.position(q) << ' ' << j.linkage.lever(q) << ' ';
   }
@@ -61,7 +70,7 @@ TEST_P(RoundTrip, PrintedConfigurationLoadsToTheSameRobot) {
   EXPECT_EQ(again.value().estimate_period_ticks, robot.estimate_period_ticks);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, RoundTrip, testing::Values("hyq", "fc1d"));
+INSTANTIATE_TEST_SUITE_P(Shipped, RoundTrip, testing::Values("hyq", "fc1d", "fc1d_real"));
 
 TEST(ConfigurationHash, IgnoresCommentsAndOrderButNoValue) {
   const std::string text = text_of("fc1d");

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace farrier::plant {
+
+/// Inflow of both chambers, m^3/s, as fractions flow / root: an orifice's root goes into the chamber's own division.
+struct ChamberFeed {
+  double flow_a, root_a;
+  double flow_b, root_b;
+};
+
+/// What one evaluation of the joint's equations knows and effects may change, in the order of `Effects`.
+struct Instant {
+  double command_A;        ///< the held current, within the valve's limits
+  double velocity;         ///< of piston and load, m/s or rad/s
+  double chamber_a_Pa;     ///< pressures in the chambers
+  double chamber_b_Pa;
+  double opening_A;        ///< current that opens the valve: the command until effects change it
+  double valve_a_Pa;       ///< pressures behind the valve: those of the chambers until effects change them
+  double valve_b_Pa;
+  ChamberFeed feed;        ///< inflow of the chambers: the valve's until effects change it
+  double load_force;       ///< on the load, positive along +position: the external force until effects add theirs
+};
+
+/// Where the joint stands when it is created: at rest, valve shut.
+struct RestPoint {
+  double pressure_a_Pa;
+  double pressure_b_Pa;
+};
+
+/// An effect of the plant that the thesis's model leaves out. One is a class derived from this (static, no virtual
+/// call) in a file of its own and an entry of the tuple in effects.hpp; it overrides what concerns it. An effect with
+/// neutral parameters is not active, and a joint without active effects runs the equations without any.
+///
+/// `x` are its kStates states, `dx` their rates. Hooks are noexcept and use +, -, *, /, sqrt only.
+template <std::size_t States>
+struct Effect {
+  static constexpr std::size_t kStates = States;
+  using X = std::array<double, States>;
+
+  bool active() const noexcept { return false; }
+  /// Fastest rate it brings into the model, 1/s, for the shortest substep.
+  double fastest_rate(double /*mass*/) const noexcept { return 0.0; }
+  /// Unit of each state for tolerances: an error of `tolerance` times this counts as one.
+  X scale() const noexcept { return {}; }
+  X rest(const RestPoint&) const noexcept { return {}; }
+  /// Before the valve's flow is known: may change opening_A and the pressures behind the valve.
+  void before_valve(Instant&, const X&) const noexcept {}
+  /// After: may change the chambers' feed and the load's force, and gives the rates of its states.
+  void after_valve(Instant&, const X&, X&) const noexcept {}
+};
+
+}  // namespace farrier::plant

@@ -1,0 +1,74 @@
+#pragma once
+
+// What stands between a joint and its sample, per channel:
+//
+//   truth ──▶ + noise ──▶ analog low-pass ──▶ resolution ──▶ mean over the tick ──▶ digital low-pass ──▶ sample
+//             at each of the tick's conversions, the last at the tick itself         at the tick
+
+#include <array>
+
+#include "control/low_pass.hpp"
+#include "core/noise.hpp"
+#include "core/result.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::sim_bridge {
+
+/// Position, velocity and force of a joint, in actuator coordinates.
+struct Measured {
+  double position = 0.0;
+  double velocity = 0.0;
+  double force = 0.0;
+};
+
+/// One channel.
+class SensorChannel {
+ public:
+  struct Parts {
+    double noise;                             ///< standard deviation of a conversion
+    NoiseStream stream;
+    control::FilterCoefficients anti_alias;   ///< at the rate of conversions
+    control::FilterCoefficients filter;       ///< at the rate of ticks
+    double step;                              ///< resolution; 0: none
+  };
+  explicit SensorChannel(const Parts& parts) noexcept;
+
+  /// As if `truth` had stood there forever.
+  void settle(double truth) noexcept;
+  /// Conversion number `number` of the run, `index` of its tick.
+  void convert(double truth, Tick number, int index) noexcept;
+  /// The tick's sample after all its conversions.
+  double sample(int conversions) noexcept;
+
+ private:
+  Parts parts_;
+  bool has_anti_alias_, has_filter_;
+  control::LowPass anti_alias_, filter_;
+  double sum_ = 0.0;
+};
+
+/// All sensors of a joint. Noise is addressed by (seed, joint, channel, conversion): the same truth gives the same
+/// samples bit for bit. Without filters, oversampling and resolution a sample is truth + noise of the tick.
+class SensorChain {
+ public:
+  /// Refuses filters that their sampling rate does not carry.
+  static Result<SensorChain> create(const robot::Joint& joint, double period_s, std::uint64_t seed);
+
+  int conversions() const noexcept { return conversions_; }
+
+  /// The first sample: the joint has stood there forever.
+  void begin(const Measured& truth) noexcept;
+  /// Conversion `index` (0 to conversions() - 1, the last at the tick itself) of tick `tick`; the last gives the sample.
+  void convert(const Measured& truth, Tick tick, int index) noexcept;
+  const Measured& sample() const noexcept { return sample_; }
+
+ private:
+  explicit SensorChain(const std::array<SensorChannel, 3>& channels, int conversions) noexcept
+      : channels_(channels), conversions_(conversions) {}
+
+  std::array<SensorChannel, 3> channels_;
+  int conversions_;
+  Measured sample_;
+};
+
+}  // namespace farrier::sim_bridge
