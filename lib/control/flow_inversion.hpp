@@ -39,7 +39,8 @@ class FlowInversion {
   };
 
   /// `actuator` passes plant::validate; `operating_position` (m or rad, from fully retracted) is where the
-  /// measurement's position is 0, `slack_position` where the load's spring is slack; `period_s` > 0; `delay_ticks` in 0..kMaxDelayTicks.
+  /// measurement's position is 0, `slack_position` where the load's spring is slack; `period_s` > 0;
+  /// `delay_ticks` in 0..kMaxDelayTicks.
   FlowInversion(const plant::ActuatorParams& actuator, const FlowInversionGains& gains, double operating_position,
                 double slack_position, double period_s, int delay_ticks) noexcept;
 

@@ -45,8 +45,8 @@ FlowModel::FlowModel(const plant::ActuatorParams& actuator, const plant::JointPh
 double FlowModel::load_and_piston_force(const plant::State& s, const Disturbance& d) const noexcept {
   const double v = s.velocity;
   const double friction = physics_.coulomb * v / std::sqrt(v * v + friction_speed_ * friction_speed_);
-  return -(physics_.damping + actuator_.piston_damping) * v - friction - physics_.stiffness * (s.position - slack_position_) +
-         physics_.bias_force + d.load_force;
+  const double spring = physics_.stiffness * (s.position - slack_position_);
+  return -(physics_.damping + actuator_.piston_damping) * v - friction - spring + physics_.bias_force + d.load_force;
 }
 
 plant::State FlowModel::derivative(const plant::State& s, double flow_gain, double port_a, double port_b,
@@ -69,7 +69,8 @@ plant::State FlowModel::derivative(const plant::State& s, double flow_gain, doub
           stiff_b * (q_b - q_d * actuator_.area_b / actuator_.area_a + actuator_.area_b * s.velocity)};
 }
 
-plant::State FlowModel::advance(const plant::State& start, double valve_current_A, const Disturbance& d) const noexcept {
+plant::State FlowModel::advance(const plant::State& start, double valve_current_A,
+                                const Disturbance& d) const noexcept {
   const bool extends = valve_current_A > 0.0;
   const double gain = physics_.valve_gain * std::abs(valve_current_A);
   const double port_a = extends ? actuator_.supply_pressure_Pa : actuator_.return_pressure_Pa;

@@ -21,7 +21,7 @@ constexpr int kBisections = 16;
 constexpr double kWorthRefining = 0.5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// Products of finite numbers without the C library's care for infinities.
+// Without the C library's care for infinities.
 inline Complex times(Complex a, Complex b) noexcept {
   return {a.real() * b.real() - a.imag() * b.imag(), a.real() * b.imag() + a.imag() * b.real()};
 }
@@ -42,8 +42,7 @@ inline Complex polynomial(const std::array<double, N>& c, Complex z) noexcept {
 
 /// A filter as n(z) / d(z), of degree two; a straight wire costs nothing.
 struct FilterRatio {
-  explicit FilterRatio(const MeasurementFilter& f) noexcept
-      : wire(f.c.isZero(0.0) && f.d == 1.0) {
+  explicit FilterRatio(const MeasurementFilter& f) noexcept : wire(f.c.isZero(0.0) && f.d == 1.0) {
     const double trace = f.a.trace();
     const double determinant = f.a(0, 0) * f.a(1, 1) - f.a(0, 1) * f.a(1, 0);
     const double cb = f.c.dot(f.b);
@@ -199,11 +198,10 @@ bool filtered_loop_is_stable(const DiscreteModel& model, const Gains& gains, int
   const SmallMatrix loop = closed_loop_matrix(model, gains, delay_ticks);
   const int states = static_cast<int>(loop.rows());
   const int plant = gains.form == Form::kFullState ? 3 : 2;
-  // What the loop does with a measurement: its columns, the plant's own part apart.
   Gains silent = gains;
   silent.position = silent.velocity = silent.force = 0.0;
   SmallMatrix own = closed_loop_matrix(model, silent, delay_ticks);
-  own(0, plant) = 0.0;  // the sum reads the force
+  own(0, plant) = 0.0;  // what is left reads no measurement; the sum reads the force
   FilteredMatrix whole = FilteredMatrix::Zero(states + 2 * plant, states + 2 * plant);
   whole.topLeftCorner(states, states) = own;
   for (int i = 0; i < plant; ++i) {

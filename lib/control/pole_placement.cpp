@@ -134,7 +134,9 @@ Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles(
   const ControllerHessenberg<N> form = controller_hessenberg<N>(a, b);
   const double threshold = kSubdiagonalThreshold * std::sqrt(a.squaredNorm() + b.squaredNorm());
   // What each factor's row is divided by, from the last subdiagonal up to b: the row stays of the size of the poles.
-  const auto divisor = [&form](int factor) { return factor == N - 1 ? form.b_1 : form.h(N - 1 - factor, N - 2 - factor); };
+  const auto divisor = [&form](int factor) {
+    return factor == N - 1 ? form.b_1 : form.h(N - 1 - factor, N - 2 - factor);
+  };
   for (int i = 0; i < N; ++i) {
     if (!(std::abs(divisor(i)) > threshold)) {
       return std::isfinite(threshold) ? DesignStatus::kNotControllable : DesignStatus::kModelNotFinite;

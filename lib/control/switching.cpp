@@ -69,14 +69,14 @@ double single_rate(const Matrix6& loop, const Matrix6& p) noexcept { return std:
 SwitchingVerdict by_dwell(const Pair& pair) noexcept {
   const Matrix6 identity = Matrix6::Identity();
   const std::array<Matrix6, 2> own{lyapunov(pair.loop[0], identity), lyapunov(pair.loop[1], identity)};
-  if (!own[0].allFinite() || !own[1].allFinite()) {
-    return {.common = false, .dwell_ticks = kNoDwell, .rate = 1.0};
-  }
   // Functions that weigh states as the other loop does fit each other better.
   const std::array<Matrix6, 2> crossed{lyapunov(pair.loop[0], own[1]), lyapunov(pair.loop[1], own[0])};
   SwitchingVerdict best{.common = false, .dwell_ticks = kNoDwell, .rate = 1.0};
-  for (const std::array<Matrix6, 2>& p : {own, crossed, std::array{own[0], crossed[1]}, std::array{crossed[0], own[1]}}) {
-    if (!p[0].allFinite() || !p[1].allFinite()) {
+  const std::array<std::array<Matrix6, 2>, 4> choices{
+      {own, crossed, {own[0], crossed[1]}, {crossed[0], own[1]}}};
+  for (const std::array<Matrix6, 2>& p : choices) {
+    // Certified, and not what a loop that grows leaves in an overflowing sum.
+    if (!switching::is_common(p[0], {&pair.loop[0], 1}) || !switching::is_common(p[1], {&pair.loop[1], 1})) {
       continue;
     }
     const int dwell = least_dwell(pair, p);
