@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "record/force_error.hpp"
 #include "tools/report/html_page.hpp"
 #include "tools/report/html_tables.hpp"
 #include "tools/report/load_cycle_pictures.hpp"
@@ -19,8 +20,8 @@ bool heavy(std::size_t quarter) { return quarter % 2 == 1; }
 std::string quarter_name(std::size_t quarter) { return "quarter" + std::to_string(quarter + 1); }
 
 double error_of(const LoadCycleRun& run, const LoadCyclePlan& plan, std::size_t quarter) {
-  const Tick transient = std::llround(kJudgedAfter_s / plan.robot.period_s);
-  return relative_error(run.rows, plan.begin[quarter] + transient, plan.begin[quarter + 1]);
+  const Tick transient = std::llround(record::kJudgedAfter_s / plan.robot.period_s);
+  return record::relative_error(run.rows, plan.begin[quarter] + transient, plan.begin[quarter + 1]);
 }
 
 const LoadCycleRun* find(std::span<const LoadCycleRun> runs, std::string_view name) {
@@ -49,19 +50,6 @@ std::string load_table(const LoadCyclePlan& plan) {
 }
 
 }  // namespace
-
-double relative_error(std::span<const record::TraceRow> rows, Tick from, Tick to) noexcept {
-  double errors = 0.0;
-  double references = 0.0;
-  for (const record::TraceRow& row : rows) {
-    if (row.tick >= from && row.tick < to) {
-      const double error = row.force_reference_N_or_Nm - row.force_N_or_Nm;
-      errors += error * error;
-      references += row.force_reference_N_or_Nm * row.force_reference_N_or_Nm;
-    }
-  }
-  return std::sqrt(errors / references);
-}
 
 void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const LoadCycleRun> runs) {
   for (const LoadCycleRun& run : runs) {
