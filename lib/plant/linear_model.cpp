@@ -1,43 +1,31 @@
 #include "plant/linear_model.hpp"
 
-#include <algorithm>
 #include <cmath>
+
+#include "plant/equations.hpp"
 
 namespace farrier::plant {
 namespace {
 
-LinearModel linearise_for_sign(const ActuatorParams& actuator, const LoadParams& load, const OperatingPoint& point,
-                               double sign) {
+/// The model for the point's sign of the valve, or the mean of both.
+template <class Model, class Point, class ForSign>
+Model for_sign_or_mean(Point point, ForSign for_sign) {
+  if (point.valve_sign != 0.0) {
+    return for_sign(point);
+  }
+  point.valve_sign = 1.0;
+  const Model extending = for_sign(point);
+  point.valve_sign = -1.0;
+  const Model retracting = for_sign(point);
+  return {0.5 * (extending.a + retracting.a), 0.5 * (extending.b + retracting.b)};
+}
+
+LinearModel load_cell_model(const ActuatorParams& actuator, const LoadParams& load,
+                            const LoadPressureCoefficients& of) {
   const double A_p = actuator.area_a;
-  const double alpha = actuator.area_b / actuator.area_a;
-  const double alpha2 = alpha * alpha;
-  const double alpha3 = alpha2 * alpha;
-  const double beta_e = actuator.bulk_modulus_Pa;
-  const double p_s = actuator.supply_pressure_Pa;
-  const double p_t = actuator.return_pressure_Pa;
-  const double p_l = point.load_pressure_Pa;
-
-  // (3.27), (3.28)
-  const double V_a = actuator.line_volume_m3 + point.position * A_p;
-  const double V_b = actuator.line_volume_m3 + (actuator.stroke - point.position) * alpha * A_p;
-
-  // sqrt(p_s - p_l - alpha p_t) for u > 0, sqrt(alpha p_s + p_l - p_t) for u < 0
-  const double drop = sign > 0.0 ? p_s - p_l - alpha * p_t : alpha * p_s + p_l - p_t;
-  const double root = std::sqrt(std::max(drop, actuator.laminar_pressure_Pa));
-
-  const double valve = actuator.valve_gain / std::sqrt(1.0 + alpha3);
-  const double opening = valve * std::abs(point.valve_current_A);
-  const double compliance = beta_e / V_a + alpha2 * beta_e / V_b;
-  const double volume_slope = beta_e * A_p / (V_a * V_a) - alpha3 * beta_e * A_p / (V_b * V_b);
-  const double K_pl = -0.5 * opening * compliance;  // (3.29)
-  const double K_xpA = opening * volume_slope;      // (3.30)
-  const double K_xpB = A_p * volume_slope;          // (3.31)
-  const double K_vp = -A_p * compliance;            // (3.32)
-  const double K_uv = valve * compliance;           // (3.33)
-
-  const double G_Fs = K_pl / root;                                         // (3.43)
-  const double G_xp = A_p * (-sign * K_xpA * root + K_xpB * point.velocity);  // (3.44)
-  const double G_uv = A_p * K_uv * root;                                   // (3.45)
+  const double G_Fs = of.by_pressure();         // (3.43)
+  const double G_xp = A_p * of.by_position();   // (3.44)
+  const double G_uv = A_p * of.K_uv * of.root;  // (3.45)
 
   const double C = load.stiffness;
   const double d_l = load.damping;
@@ -46,21 +34,147 @@ LinearModel linearise_for_sign(const ActuatorParams& actuator, const LoadParams&
   LinearModel model;
   model.a << 0.0, 1.0, 0.0,                    //
       -C / m_l, -d_l / m_l, 1.0 / m_l,         // (3.47)
-      G_xp + d_p * C / m_l, G_Fs * d_p + d_p * d_l / m_l + A_p * K_vp, G_Fs - d_p / m_l;  // (3.48)
+      G_xp + d_p * C / m_l, G_Fs * d_p + d_p * d_l / m_l + A_p * of.K_vp, G_Fs - d_p / m_l;  // (3.48)
   model.b << 0.0, 0.0, G_uv;
   return model;
+}
+
+StateSpace<3> load_pressure_model(const ActuatorParams& actuator, const LoadParams& load,
+                                  const LoadPressureCoefficients& of) {
+  const double M = load.mass + actuator.piston_mass;        // (2.25)
+  const double B = load.damping + actuator.piston_damping;  // (2.26)
+  StateSpace<3> model;
+  // (A.23), (A.25)
+  model.a << 0.0, 1.0, 0.0,                                  //
+      -load.stiffness / M, -B / M, actuator.area_a / M,      // (2.28)
+      of.by_position(), of.by_velocity(), of.by_pressure();  // (3.22)
+  model.b << 0.0, 0.0, of.by_current();                      // (A.24), (A.26)
+  return model;
+}
+
+/// Flow through an orifice that is `gain` open and its slope over the drop.
+struct Flow {
+  double root;   ///< d q / d gain, sqrt(Pa)
+  double slope;  ///< d root / d drop, 1/sqrt(Pa); 1 / (2 sqrt(drop)) where the flow is turbulent
+};
+
+Flow flow(double drop_Pa, double laminar_pressure_Pa) {
+  // r = D (D^2 + delta^2)^(-1/4),  r' = (D^2 / 2 + delta^2) (D^2 + delta^2)^(-5/4)
+  const double square = drop_Pa * drop_Pa + laminar_pressure_Pa * laminar_pressure_Pa;
+  const double divisor = orifice_divisor(drop_Pa, laminar_pressure_Pa);
+  return {drop_Pa / divisor,
+          (0.5 * drop_Pa * drop_Pa + laminar_pressure_Pa * laminar_pressure_Pa) / (square * divisor)};
+}
+
+StateSpace<4> full_model(const ActuatorParams& actuator, const LoadParams& load, const ChamberPoint& point,
+                         Volumes volumes) {
+  const bool extends = point.valve_sign > 0.0;
+  const double A_a = actuator.area_a;
+  const double A_b = actuator.area_b;
+  const double beta_e = actuator.bulk_modulus_Pa;
+  const double x = point.state.position;
+  const double v = point.state.velocity;
+  const double V_a = actuator.line_volume_m3 + x * A_a;                      // (2.12)
+  const double V_b = actuator.line_volume_m3 + (actuator.stroke - x) * A_b;  // (2.13)
+  const double M = load.mass + actuator.piston_mass;                         // (2.25)
+  const double B = load.damping + actuator.piston_damping;                   // (2.26)
+
+  // Flows into the chambers; the ports carry the sign of u, so that both signs are one form.
+  const double port_a = extends ? actuator.supply_pressure_Pa : actuator.return_pressure_Pa;
+  const double port_b = extends ? actuator.return_pressure_Pa : actuator.supply_pressure_Pa;
+  const double gain = actuator.valve_gain * std::abs(point.valve_current_A);
+  const Flow into_a = flow(port_a - point.state.pressure_a_Pa, actuator.laminar_pressure_Pa);
+  const Flow into_b = flow(port_b - point.state.pressure_b_Pa, actuator.laminar_pressure_Pa);
+  const double sign = extends ? 1.0 : -1.0;
+
+  StateSpace<4> model;
+  model.a(0, 1) = 1.0;
+  model.a.row(1) << -load.stiffness / M, -B / M, A_a / M, -A_b / M;
+  if (volumes == Volumes::kMoving) {
+    model.a(2, 0) = -beta_e * A_a / (V_a * V_a) * (gain * into_a.root - A_a * v);  // (A.5), (A.13)
+    model.a(3, 0) = beta_e * A_b / (V_b * V_b) * (gain * into_b.root + A_b * v);   // (A.8), (A.16)
+  }
+  model.a(2, 1) = -beta_e * A_a / V_a;                  // (A.6), (A.14)
+  model.a(3, 1) = beta_e * A_b / V_b;                   // (A.9), (A.17)
+  model.a(2, 2) = -beta_e / V_a * gain * into_a.slope;  // (A.7), (A.15)
+  model.a(3, 3) = -beta_e / V_b * gain * into_b.slope;  // (A.10), (A.18)
+  // (A.11), (A.19): d|u| = sign du
+  model.b << 0.0, 0.0, sign * beta_e / V_a * actuator.valve_gain * into_a.root,
+      sign * beta_e / V_b * actuator.valve_gain * into_b.root;
+  return model;
+}
+
+/// Rows of a model in pressures; `hydraulic` reads F_h.
+template <class Row>
+Row pressure_output(Output output, const Row& hydraulic, const ActuatorParams& actuator, const LoadParams& load) {
+  const double M = load.mass + actuator.piston_mass;
+  const double B = load.damping + actuator.piston_damping;
+  const Row position = Row::Unit(0);
+  const Row velocity = Row::Unit(1);
+  const Row total = hydraulic - B * velocity - load.stiffness * position;  // M a, (2.28)
+  const Row cell = hydraulic - actuator.piston_damping * velocity;         // (3.3)
+  switch (output) {
+    case Output::kPosition:
+      return position;
+    case Output::kVelocity:
+      return velocity;
+    case Output::kLoadCellForce:
+      return cell;
+    case Output::kLoadCellForceWithInertia:
+      return cell - actuator.piston_mass / M * total;  // (2.22)
+    case Output::kHydraulicForce:
+      return hydraulic;
+    case Output::kTotalForce:
+      return total;
+  }
+  return Row::Zero();
 }
 
 }  // namespace
 
 LinearModel linearise_load_cell_force(const ActuatorParams& actuator, const LoadParams& load,
-                                      const OperatingPoint& point) {
-  if (point.valve_sign != 0.0) {
-    return linearise_for_sign(actuator, load, point, point.valve_sign > 0.0 ? 1.0 : -1.0);
+                                      const OperatingPoint& point, Volumes volumes) {
+  return for_sign_or_mean<LinearModel>(point, [&](const OperatingPoint& at) {
+    return load_cell_model(actuator, load, load_pressure_coefficients(actuator, at, volumes));
+  });
+}
+
+Eigen::RowVector3d load_cell_output(Output output, const ActuatorParams& actuator, const LoadParams& load) {
+  switch (output) {
+    case Output::kPosition:
+      return {1.0, 0.0, 0.0};
+    case Output::kVelocity:
+      return {0.0, 1.0, 0.0};
+    case Output::kLoadCellForce:
+    case Output::kLoadCellForceWithInertia:
+      return {0.0, 0.0, 1.0};
+    case Output::kHydraulicForce:
+      return {0.0, actuator.piston_damping, 1.0};  // (3.38) with m_p << m_l
+    case Output::kTotalForce:
+      return {-load.stiffness, -load.damping, 1.0};  // (3.47), m_l a
   }
-  const LinearModel extending = linearise_for_sign(actuator, load, point, 1.0);
-  const LinearModel retracting = linearise_for_sign(actuator, load, point, -1.0);
-  return {0.5 * (extending.a + retracting.a), 0.5 * (extending.b + retracting.b)};
+  return Eigen::RowVector3d::Zero();
+}
+
+StateSpace<3> linearise_load_pressure(const ActuatorParams& actuator, const LoadParams& load,
+                                      const OperatingPoint& point, Volumes volumes) {
+  return for_sign_or_mean<StateSpace<3>>(point, [&](const OperatingPoint& at) {
+    return load_pressure_model(actuator, load, load_pressure_coefficients(actuator, at, volumes));
+  });
+}
+
+Eigen::RowVector3d load_pressure_output(Output output, const ActuatorParams& actuator, const LoadParams& load) {
+  return pressure_output<Eigen::RowVector3d>(output, {0.0, 0.0, actuator.area_a}, actuator, load);
+}
+
+StateSpace<4> linearise_full(const ActuatorParams& actuator, const LoadParams& load, const ChamberPoint& point,
+                             Volumes volumes) {
+  return for_sign_or_mean<StateSpace<4>>(
+      point, [&](const ChamberPoint& at) { return full_model(actuator, load, at, volumes); });
+}
+
+Eigen::RowVector4d full_output(Output output, const ActuatorParams& actuator, const LoadParams& load) {
+  return pressure_output<Eigen::RowVector4d>(output, {0.0, 0.0, actuator.area_a, -actuator.area_b}, actuator, load);
 }
 
 }  // namespace farrier::plant

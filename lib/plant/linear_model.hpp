@@ -3,28 +3,55 @@
 #include <Eigen/Core>
 
 #include "plant/actuator.hpp"
+#include "plant/load_pressure.hpp"
+#include "plant/state_space.hpp"
 
 namespace farrier::plant {
 
-/// Continuous linear model around an operating point, deviations in SI:
-/// states (position m|rad, velocity m/s|rad/s, load-cell force N|Nm), input valve current A.
-struct LinearModel {
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
+// Three linear models of the joint, each with the rows that read a quantity from its states. For the quantities of
+// Output, y = row x in deviations; none has a direct part.
+
+enum class Output {
+  kPosition,                   ///< m or rad
+  kVelocity,                   ///< m/s or rad/s
+  kLoadCellForce,              ///< F_s without the piston's inertia, Hubacher (2014) (3.3); N or Nm
+  kLoadCellForceWithInertia,   ///< F_s as the cell reads it, (2.22); N or Nm
+  kHydraulicForce,             ///< F_h (2.8); N or Nm
+  kTotalForce,                 ///< F_t = (m_l + m_p) a, (2.40); N or Nm
 };
 
-struct OperatingPoint {
-  double position = 0.0;          ///< m or rad
-  double velocity = 0.0;          ///< m/s or rad/s
-  double load_pressure_Pa = 0.0;  ///< p_l = p_a - alpha p_b
-  double valve_current_A = 0.0;   ///< only its size counts
-  double valve_sign = 0.0;        ///< +1, -1, or 0 for the mean of both signs
-};
-
-/// Model in the load-cell force, Hubacher (2014) (3.43)-(3.51), with row 2 of (3.51a) set right:
+/// Model in the load-cell force, states (x, v, F_s): Hubacher (2014) (3.43)-(3.51), with row 2 of (3.51a) set right:
 /// [-C/m_l, -d_l/m_l, 1/m_l] from (3.47). Assumes steady chamber pressures (3.19), (3.20) and m_p << m_l.
 /// Needs m_l > 0. The roots of the pressure drops are taken no smaller than at the laminar pressure.
 LinearModel linearise_load_cell_force(const ActuatorParams& actuator, const LoadParams& load,
-                                      const OperatingPoint& point);
+                                      const OperatingPoint& point, Volumes volumes = Volumes::kMoving);
+
+/// Row that reads `output` from the states of linearise_load_cell_force. With m_p << m_l both load-cell forces are its
+/// third state.
+Eigen::RowVector3d load_cell_output(Output output, const ActuatorParams& actuator, const LoadParams& load);
+
+/// Model in the load pressure, states (x, v, p_l): Hubacher (2014) (A.23)-(A.26); (3.36) at the nominal point. Assumes
+/// steady chamber pressures (3.19), (3.20). Roots as above.
+StateSpace<3> linearise_load_pressure(const ActuatorParams& actuator, const LoadParams& load,
+                                      const OperatingPoint& point, Volumes volumes = Volumes::kMoving);
+
+/// Row that reads `output` from the states of linearise_load_pressure; (A.27) for kLoadCellForce.
+Eigen::RowVector3d load_pressure_output(Output output, const ActuatorParams& actuator, const LoadParams& load);
+
+/// Operating point of the full model, whose chamber pressures are states.
+struct ChamberPoint {
+  State state;                   ///< position within the stroke, pressures > 0
+  double valve_current_A = 0.0;  ///< only its size counts
+  double valve_sign = 0.0;       ///< +1, -1, or 0 for the mean of both signs
+};
+
+/// Full model, states (x, v, p_a, p_b): Hubacher (2014) (A.4)-(A.19) with errata in (A.7), (A.13), (A.16). The exact
+/// Jacobian of the simulated joint away from end stops and voids: its orifices are laminar below the laminar pressure,
+/// where the thesis's roots have no slope.
+StateSpace<4> linearise_full(const ActuatorParams& actuator, const LoadParams& load, const ChamberPoint& point,
+                             Volumes volumes = Volumes::kMoving);
+
+/// Row that reads `output` from the states of linearise_full; (A.20) for kLoadCellForce.
+Eigen::RowVector4d full_output(Output output, const ActuatorParams& actuator, const LoadParams& load);
 
 }  // namespace farrier::plant
