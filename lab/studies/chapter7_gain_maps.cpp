@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "control/lqr.hpp"
+#include "control/model_analysis.hpp"
 #include "lab/studies/registry.hpp"
 #include "robot/joint_model.hpp"
 
 namespace farrier::studies {
 namespace {
 
+using control::LoadParameter;
 using GainVector = std::array<double, 3>;  // K: position, velocity, force
 enum Channel : std::size_t { kPosition, kVelocity, kForce };
 
@@ -19,19 +20,17 @@ enum Channel : std::size_t { kPosition, kVelocity, kForce };
 struct Axis {
   const char* label;
   std::vector<double> values;
-  void (*set)(plant::LoadParams& load, double value);
+  LoadParameter parameter;
 };
 
-Axis mass_axis() {
-  return {"mass (kg)", log_space(1.0, 127.0, 15), [](plant::LoadParams& load, double value) { load.mass = value; }};
-}
-Axis friction_axis() {
-  return {"friction (Ns/m)", linear_space(0.0, 2000.0, 15),
-          [](plant::LoadParams& load, double value) { load.damping = value; }};
-}
-Axis stiffness_axis() {
-  return {"stiffness (N/m)", linear_space(10.0, 35000.0, 15),
-          [](plant::LoadParams& load, double value) { load.stiffness = value; }};
+Axis axis_of(LoadParameter parameter) {
+  switch (parameter) {
+    case LoadParameter::kMass: return {"mass (kg)", log_space(control::kMassRange_kg.low, control::kMassRange_kg.high, 15), parameter};
+    case LoadParameter::kDamping:
+      return {"friction (Ns/m)", linear_space(control::kDampingRange_Ns_m.low, control::kDampingRange_Ns_m.high, 15), parameter};
+    case LoadParameter::kStiffness: break;
+  }
+  return {"stiffness (N/m)", linear_space(control::kStiffnessRange_N_m.low, control::kStiffnessRange_N_m.high, 15), parameter};
 }
 
 /// K of the LQR for the rig with another load, weights (7.9) to (7.11).
@@ -52,15 +51,13 @@ struct Map {
   std::vector<std::vector<GainVector>> k;
 };
 
-Result<Map> make_map(const robot::Robot& rig, Axis first, Axis second) {
-  Map map{std::move(first), std::move(second), {}};
+Result<Map> make_map(const robot::Robot& rig, LoadParameter first, LoadParameter second) {
+  Map map{axis_of(first), axis_of(second), {}};
   for (const double one : map.first.values) {
     map.k.emplace_back();
     for (const double other : map.second.values) {
-      plant::LoadParams load = rig.joints[0].swing_load;
-      map.first.set(load, one);
-      map.second.set(load, other);
-      const auto gains = gains_for(rig, load);
+      const auto gains = gains_for(rig, control::with(control::with(rig.joints[0].swing_load, map.first.parameter, one),
+                                                      map.second.parameter, other));
       if (!gains) {
         return gains.error();
       }
@@ -97,9 +94,7 @@ double rising(const Map& map, Channel channel) {
 /// Largest less smallest |K| of the channel along the first axis over the largest of the whole map; at column `j`, or
 /// the largest of all columns.
 double change(const Map& map, Channel channel, std::size_t j) {
-  double low = std::abs(map.k[0][j][channel]);
-  double high = low;
-  double top = 0.0;
+  double low = std::abs(map.k[0][j][channel]), high = low, top = 0.0;
   for (const auto& row : map.k) {
     low = std::min(low, std::abs(row[j][channel]));
     high = std::max(high, std::abs(row[j][channel]));
@@ -181,7 +176,7 @@ Result<StudyResult> run_mass_friction(const StudyContext& context) {
   if (!rig) {
     return rig.error();
   }
-  const auto made = make_map(rig.value(), mass_axis(), friction_axis());
+  const auto made = make_map(rig.value(), LoadParameter::kMass, LoadParameter::kDamping);
   plant::LoadParams heavy = rig.value().joints[0].swing_load;
   heavy.mass = 50.0;
   heavy.damping = 500.0;
@@ -191,13 +186,11 @@ Result<StudyResult> run_mass_friction(const StudyContext& context) {
   }
   const Map& by_mass = made.value();
   const Map by_friction = transposed(by_mass);
-  double highest = -1e300;
+  double highest = by_mass.k[0][0][kVelocity];
   for (const auto& row : by_mass.k) {
-    for (const GainVector& k : row) {
-      highest = std::max(highest, k[kVelocity]);
-    }
+    highest = std::max(highest, std::ranges::max(row, {}, [](const GainVector& k) { return k[kVelocity]; })[kVelocity]);
   }
-  const GainVector& k = at.value();
+  const GainVector k = at.value();
   const std::string note = "K = [" + std::to_string(k[0]) + ", " + std::to_string(k[1]) + ", " + std::to_string(k[2]) + "]";
   StudyResult result;
   result.measured = {{"7.4.position_falls_with_mass", rising(by_mass, kPosition), ""},
@@ -237,7 +230,7 @@ Result<StudyResult> run_friction_stiffness(const StudyContext& context) {
   if (!rig) {
     return rig.error();
   }
-  const auto made = make_map(rig.value(), stiffness_axis(), friction_axis());
+  const auto made = make_map(rig.value(), LoadParameter::kStiffness, LoadParameter::kDamping);
   if (!made) {
     return made.error();
   }
@@ -276,7 +269,7 @@ Result<StudyResult> run_mass_stiffness(const StudyContext& context) {
   if (!rig) {
     return rig.error();
   }
-  const auto made = make_map(rig.value(), mass_axis(), stiffness_axis());
+  const auto made = make_map(rig.value(), LoadParameter::kMass, LoadParameter::kStiffness);
   if (!made) {
     return made.error();
   }

@@ -9,7 +9,9 @@
 namespace farrier::studies {
 namespace {
 
-constexpr std::span<const Study> (*kGroups[])() = {chapter7_tracking, chapter7_gain_maps, chapter7_load_cycle, chapter8};
+constexpr std::span<const Study> (*kGroups[])() = {
+    chapter4_step,      chapter4_models,     chapter4_points,    chapter4_loads, chapter7_tracking,
+    chapter7_gain_maps, chapter7_load_cycle, chapter7_estimates, chapter8};
 
 int number_of(std::string_view text) {
   int value = 0;

@@ -9,10 +9,15 @@
 namespace farrier::studies {
 
 // One file per chapter or group of figures gives its studies here.
-std::span<const Study> chapter7_tracking();   // 7.2, 7.3
-std::span<const Study> chapter7_gain_maps();  // 7.4, 7.5, C.3
-std::span<const Study> chapter7_load_cycle(); // 7.6 to 7.8
-std::span<const Study> chapter8();            // 8.9, 8.11
+std::span<const Study> chapter4_step();        // 4.1
+std::span<const Study> chapter4_models();      // 4.2 to 4.5
+std::span<const Study> chapter4_points();      // 4.6, 4.7
+std::span<const Study> chapter4_loads();       // 4.8 to 4.10, A.2
+std::span<const Study> chapter7_tracking();    // 7.2, 7.3
+std::span<const Study> chapter7_gain_maps();   // 7.4, 7.5, C.3
+std::span<const Study> chapter7_load_cycle();  // 7.6 to 7.8
+std::span<const Study> chapter7_estimates();   // 7.9, C.4
+std::span<const Study> chapter8();             // 8.9, 8.11
 
 /// Every study, in the order of the text: chapters, then appendices, by number within each.
 std::vector<Study> all_studies();
