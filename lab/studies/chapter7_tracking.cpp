@@ -13,7 +13,9 @@
 namespace farrier::studies {
 namespace {
 
-constexpr double kAmplitude_N = 160.0;  // of the multisine of 7.5; Fig. 7.2 names none
+// Fig. 7.2 names no amplitude: that of one sine of the multisine of 7.5, three of which make 160 N. With 160 N each the
+// valve is full open most of the time.
+constexpr double kAmplitude_N = 160.0 / 3.0;
 constexpr double kLength_s = 1.0;
 constexpr double kStep_s = 0.02;
 constexpr double kJudged_s = 0.2;       // from here on responses are settled
