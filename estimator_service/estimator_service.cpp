@@ -1,26 +1,16 @@
 #include "estimator_service/estimator_service.hpp"
 
 #include "control/model_rows.hpp"
-#include "robot/joint_model.hpp"
+#include "robot/make_estimator.hpp"
 
 namespace farrier::estimator_service {
 
 Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int loop_delay_ticks) {
-  std::vector<estimation::JointEstimator> estimators;
+  std::vector<std::unique_ptr<estimation::Estimator>> estimators;
   for (const robot::Joint& joint : robot.joints) {
-    const control::Normalisation& n = joint.normalisation;
-    const control::DiscreteModel prior = robot::model_of(joint, joint.swing_load, robot.period_s);
-    auto estimator = estimation::JointEstimator::create(
-        joint.estimator,
-        {.state = {n.position, n.velocity, n.force},
-         .current_A = n.current_A,
-         .sensor_noise = {joint.noise.position, joint.noise.velocity, joint.noise.force},
-         .home_position = joint.linkage.position(joint.home_angle_rad),
-         .period_s = robot.period_s,
-         .input_delay_ticks = loop_delay_ticks},
-        prior.a, prior.b);
+    auto estimator = robot::make_estimator(joint, robot.period_s, loop_delay_ticks);
     if (!estimator) {
-      return Error{joint.name + ": " + estimator.error().message};
+      return estimator.error();
     }
     estimators.push_back(std::move(estimator).value());
   }
@@ -29,7 +19,7 @@ Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int
 
 void EstimatorService::take(const signals::JointMeasurement& measurement) noexcept {
   if (measurement.joint < estimators_.size()) {
-    estimators_[measurement.joint].take({.tick = measurement.tick,
+    estimators_[measurement.joint]->take({.tick = measurement.tick,
                                          .state = {measurement.position_m_or_rad, measurement.velocity_m_s_or_rad_s,
                                                    measurement.force_N_or_Nm},
                                          .current_A = measurement.valve_current_A,
@@ -44,7 +34,7 @@ signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick
   if (joint >= estimators_.size()) {
     return signal;
   }
-  const estimation::ModelEstimate estimate = estimators_[joint].estimate();
+  const estimation::ModelEstimate estimate = estimators_[joint]->estimate();
   signal.phase = static_cast<std::uint8_t>(estimate.phase);
   signal.a = control::rows_of(estimate.a);
   signal.b = control::entries_of(estimate.b);
@@ -53,8 +43,13 @@ signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick
   signal.b_error = control::entries_of(estimate.b_error);
   signal.validity = estimate.validity;
   signal.excitation = estimate.excitation;
+  signal.prediction_error = estimate.prediction_error;
+  signal.whiteness = estimate.whiteness;
   signal.samples = estimate.samples;
   signal.flags = estimate.flags;
+  signal.has_physics = estimate.has_physics ? 1 : 0;
+  signal.physics = plant::values_of(estimate.physics);
+  signal.physics_error = plant::values_of(estimate.physics_error);
   return signal;
 }
 

@@ -2,11 +2,12 @@
 
 // One estimator per leg joint:
 //
-//   joint/measurement ──▶ JointEstimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
+//   joint/measurement ──▶ Estimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
 
+#include <memory>
 #include <vector>
 
-#include "estimation/joint_estimator.hpp"
+#include "estimation/estimator.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
 
@@ -26,9 +27,9 @@ class EstimatorService {
   signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick) const noexcept;
 
  private:
-  explicit EstimatorService(std::vector<estimation::JointEstimator> estimators) : estimators_(std::move(estimators)) {}
+  explicit EstimatorService(std::vector<std::unique_ptr<estimation::Estimator>> estimators) : estimators_(std::move(estimators)) {}
 
-  std::vector<estimation::JointEstimator> estimators_;  // by joint number
+  std::vector<std::unique_ptr<estimation::Estimator>> estimators_;  // by joint number
 };
 
 }  // namespace farrier::estimator_service

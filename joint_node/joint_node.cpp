@@ -34,6 +34,7 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
       dither_amplitude_A_(kPercent * joint.dither_percent * joint.actuator.valve_current_max_A),
       dither_sign_(kDitherSeed, joint.name, "dither"),
       flow_law_(joint.actuator, joint.feedback_linearisation, home_position_, period_s),
+      pid_(joint.pid, joint.normalisation, period_s),
       good_samples_(safety.recovery_samples) {
   faults_.set(Fault::kDisarmed);
   faults_.set(Fault::kNoGains);
@@ -120,7 +121,7 @@ void JointNode::assess(const Inputs& inputs) noexcept {
     faults_.set(Fault::kTripped);
     tripped_epoch_ = mode_.epoch;
   }
-  // The flow law brings its own.
+  // Flow law and PID bring their own.
   const bool needs_gains = joint_.kind == control::Kind::kLqr;
   faults_.set(Fault::kNoGains, needs_gains && acting_[static_cast<std::size_t>(phase_)].generation == 0);
 }
@@ -167,18 +168,23 @@ double JointNode::dither_A(Tick tick) const noexcept {
 double JointNode::valve_current(double reference, const control::Measurement& measured, double probe_A) noexcept {
   switch (joint_.kind) {
     case control::Kind::kLqr: return valve_current_by_gains(reference, measured, probe_A);
-    case control::Kind::kFeedbackLinearisation: return valve_current_by_flow_law(reference, measured, probe_A);
+    case control::Kind::kFeedbackLinearisation: {
+      const control::FeedbackLinearisation::Output output = flow_law_.step(reference, measured);
+      return probed(output.valve_current_A, output.saturated, probe_A);
+    }
+    case control::Kind::kPid: {
+      const control::Pid::Output output = pid_.step(reference, measured);
+      return probed(output.valve_current_A, output.saturated, probe_A);
+    }
   }
   return 0.0;
 }
 
-double JointNode::valve_current_by_flow_law(double reference, const control::Measurement& measured,
-                                            double probe_A) noexcept {
-  const control::FeedbackLinearisation::Output output = flow_law_.step(reference, measured);
+double JointNode::probed(double asked_A, bool saturated, double probe_A) noexcept {
   const double limit_A = joint_.actuator.valve_current_max_A;
-  const double wanted_A = output.valve_current_A + probe_A;
+  const double wanted_A = asked_A + probe_A;
   const double current_A = std::clamp(wanted_A, -limit_A, limit_A);
-  faults_.set(Fault::kValveSaturated, output.saturated || current_A != wanted_A);
+  faults_.set(Fault::kValveSaturated, saturated || current_A != wanted_A);
   return current_A;
 }
 
@@ -208,6 +214,7 @@ double JointNode::valve_current_by_gains(double reference, const control::Measur
 void JointNode::reset_controller() noexcept {
   controller_.reset();
   flow_law_.reset();
+  pid_.reset();
   controller_generation_ = 0;
   last_measured_ = {};
   last_reference_ = 0.0;

@@ -7,13 +7,15 @@
 //                                                          dither while tracking, added to what the controller asks for ──▲
 //   controller_gains ──▶ slot per phase, acts from its effective tick      gait/phase ──▶ which slot acts, stance a little early
 //
-// A joint whose kind is feedback_linearisation has the nominal flow law in place of LQR-I, and needs no gains.
+// A joint whose kind is feedback_linearisation or pid has the nominal flow law or a PID in place of LQR-I, and needs no
+// gains.
 // What it does when something is missing is the table in docs/architecture.md.
 
 #include <array>
 
 #include "control/feedback_linearisation.hpp"
 #include "control/force_controller.hpp"
+#include "control/pid.hpp"
 #include "core/fault.hpp"
 #include "core/noise.hpp"
 #include "joint_node/upcoming.hpp"
@@ -82,7 +84,8 @@ class JointNode {
   double dither_A(Tick tick) const noexcept;
   double valve_current(double reference, const control::Measurement& measured, double probe_A) noexcept;
   double valve_current_by_gains(double reference, const control::Measurement& measured, double probe_A) noexcept;
-  double valve_current_by_flow_law(double reference, const control::Measurement& measured, double probe_A) noexcept;
+  /// What a controller without gains asks for, with the probe and within the valve's limits.
+  double probed(double asked_A, bool saturated, double probe_A) noexcept;
   void reset_controller() noexcept;
 
   robot::Joint joint_;
@@ -96,6 +99,7 @@ class JointNode {
   control::Measurement last_measured_{};  ///< of the controller's last step
   double last_reference_ = 0.0;           ///< of the controller's last step, N or Nm
   control::FeedbackLinearisation flow_law_;
+  control::Pid pid_;
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::generation, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
   std::array<Refusal, signals::kPhaseCount> refused_{};

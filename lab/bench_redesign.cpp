@@ -31,7 +31,13 @@ struct Case {
   signals::JointModelEstimate estimate;
   control::DiscreteModel model;
   const robot::Joint* joint;
+  control::Gains other;      // of the joint's other slot
+  int shortest_phase_ticks;  // of the robot
 };
+
+std::uint8_t look(Case& one, Tick tick) {
+  return one.slot.look(one.estimate, tick, {one.other, one.shortest_phase_ticks, false}).verdict;
+}
 
 signals::JointModelEstimate estimate_of(const robot::Joint& joint, const control::DiscreteModel& model) {
   signals::JointModelEstimate estimate;
@@ -48,7 +54,7 @@ signals::JointModelEstimate estimate_of(const robot::Joint& joint, const control
 void keep_if_accepted(Case candidate, std::vector<Case>& cases) {
   for (int i = 0; i < kMaxLooks; ++i) {
     const Case before = candidate;
-    const std::uint8_t verdict = candidate.slot.look(candidate.estimate, i).verdict;
+    const std::uint8_t verdict = look(candidate, i);
     if (verdict == kAccepted) {
       cases.push_back(before);
     }
@@ -60,14 +66,15 @@ void keep_if_accepted(Case candidate, std::vector<Case>& cases) {
 
 Result<std::vector<Case>> make_cases(const robot::Robot& robot, int delay_ticks) {
   std::vector<Case> cases;
+  const int shortest = supervisor::shortest_phase_ticks(robot);
   for (const robot::Joint& joint : robot.joints) {
     for (const plant::LoadParams& designed_for : {joint.swing_load, joint.stance_load}) {
       const auto first = supervisor::design_joint(joint, designed_for, robot.period_s, delay_ticks);
       if (!first) {
         return first.error();
       }
-      const supervisor::SlotUpdate slot(joint, robot.update_logic, robot.estimate_period_ticks * robot.period_s,
-                                        robot.estimate_period_ticks, first.value());
+      const supervisor::SlotUpdate slot(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks,
+                                        first.value());
       for (const double mass : kMassFactors) {
         for (const double damping : kDampingFactors) {
           for (const double gain : kGainFactors) {
@@ -76,7 +83,7 @@ Result<std::vector<Case>> make_cases(const robot::Robot& robot, int delay_ticks)
             load.damping *= damping;
             control::DiscreteModel model = robot::model_of(joint, load, robot.period_s);
             model.b *= gain;
-            keep_if_accepted({slot, estimate_of(joint, model), model, &joint}, cases);
+            keep_if_accepted({slot, estimate_of(joint, model), model, &joint, first.value(), shortest}, cases);
           }
         }
       }
@@ -108,11 +115,11 @@ Result<RedesignBench> bench_redesign(const robot::Robot& robot, int rounds, std:
       const std::int64_t before = allocations_so_far != nullptr ? allocations_so_far() : 0;
       const auto start = Clock::now();
       for (Case& each : ready) {
-        accepted += each.slot.look(each.estimate, kMaxLooks).verdict == kAccepted ? 1 : 0;
+        accepted += look(each, kMaxLooks) == kAccepted ? 1 : 0;
       }
       const auto between = Clock::now();
       for (const Case& each : ready) {
-        sink = control::design_lqr(each.model, each.joint->weights, each.joint->normalisation, each.joint->form,
+        sink = control::design_lqr(each.model, each.joint->design.weights, each.joint->normalisation, each.joint->form,
                                    delay_ticks)
                    .value()
                    .force;

@@ -75,6 +75,19 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   if (!monitor) {
     return monitor.error();
   }
+  auto estimates = bus::Subscription<signals::JointModelEstimate>::create(
+      *gait.bus, participant::endpoint_of(gait.participant->identity(), bus::TopicId::kJointModelEstimate));
+  if (!estimates) {
+    return estimates.error();
+  }
+  const auto listen = [&] {
+    monitor.value().poll();
+    estimates.value().drain([&](const signals::JointModelEstimate& estimate) {
+      if (run.estimates && estimate.tick != kNoTick) {  // else a probe of the greeting
+        run.estimates(estimate);
+      }
+    });
+  };
   InprocResult result;
   const auto& source = static_cast<const GaitSource&>(*gait.application);
   int idle_polls = 0;
@@ -86,7 +99,7 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     }
     idle_polls = source.tick() == last ? idle_polls + 1 : 0;
     if (source.tick() != last) {
-      monitor.value().poll();
+      listen();
     }
     if (idle_polls > kStandstill) {
       return Error{"the run stands still: " + seats[participant::kSimBridge].application->waits_for()};
@@ -96,7 +109,7 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     }
     last = source.tick();
   }
-  monitor.value().poll();
+  listen();
   result.hellos = gait.participant->hellos();
   result.healths = monitor.value().healths();
   result.events = monitor.value().events();

@@ -6,8 +6,8 @@ namespace farrier::supervisor {
 
 Result<control::Gains> design_joint(const robot::Joint& joint, const plant::LoadParams& load, double period_s,
                                     int delay_ticks) {
-  const auto gains = control::design_lqr(robot::model_of(joint, load, period_s), joint.weights, joint.normalisation,
-                                         joint.form, delay_ticks);
+  const auto gains = control::design(robot::model_of(joint, load, period_s), joint.design, joint.normalisation,
+                                     joint.form, delay_ticks, period_s);
   if (!gains) {
     return Error{joint.name + ": no controller for a load of " + std::to_string(load.mass) +
                  (joint.form == control::Form::kFullState && gains.error() == control::DesignStatus::kNotStabilisable

@@ -5,8 +5,8 @@
 
 #include "control/closed_loop.hpp"
 #include "control/model_rows.hpp"
-#include "estimation/joint_estimator.hpp"
-#include "estimation/poles.hpp"
+#include "control/switching.hpp"
+#include "estimation/estimator.hpp"
 
 namespace farrier::supervisor {
 namespace {
@@ -21,50 +21,43 @@ constexpr double kLargestGainError = 2.0;
 // A joint whose force is not what its model predicts oscillates as a rule, and shall not wait for a perfect estimate.
 constexpr double kMisfitLeniency = 0.5;
 
-bool is_refusal(UpdateVerdict verdict) noexcept { return verdict >= UpdateVerdict::kDesignRefused; }
+// Of a design, not of an estimate.
+bool is_refusal(UpdateVerdict verdict) noexcept {
+  switch (verdict) {
+    case UpdateVerdict::kDesignRefused:
+    case UpdateVerdict::kUnstableOnEstimate:
+    case UpdateVerdict::kUnstableOnStoredModel:
+    case UpdateVerdict::kGainsTooLarge:
+    case UpdateVerdict::kMarginTooSmall:
+    case UpdateVerdict::kDwellTooLong: return true;
+    case UpdateVerdict::kAccepted:
+    case UpdateVerdict::kNotDifferentEnough:
+    case UpdateVerdict::kNotConverged:
+    case UpdateVerdict::kNotValid:
+    case UpdateVerdict::kGainsChangeFast:
+    case UpdateVerdict::kErrorTooLarge:
+    case UpdateVerdict::kErrorNotWhite:
+    case UpdateVerdict::kDwelling: break;
+  }
+  return false;
+}
 
 }  // namespace
 
-SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double estimate_period_s,
+SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
                        int estimate_period_ticks, const control::Gains& first)
-    : weights_(joint.weights),
+    : rule_(joint.design),
       normalisation_(joint.normalisation),
       form_(joint.form),
       logic_(logic),
-      estimate_period_s_(estimate_period_s),
-      estimate_period_ticks_(estimate_period_ticks),
+      period_s_(period_s),
+      estimate_period_s_(estimate_period_ticks * period_s),
+      method_(make_method(logic, joint.form, estimate_period_ticks, estimate_period_s_)),
       gains_(first),
-      designed_poles_(poles_of(first.model)) {}
+      designed_poles_(poles_of(first.model, joint.form)) {}
 
-SlotUpdate::PoleSet SlotUpdate::poles_of(const control::DiscreteModel& model) const noexcept {
-  if (form_ == control::Form::kFullState) {
-    return estimation::poles<3>(model.a);
-  }
-  const Eigen::Matrix2d loop = model.a.bottomRightCorner<2, 2>();
-  const estimation::Poles<2> z = estimation::poles<2>(loop);
-  return {z[0], z[1], 0.0};
-}
-
-double SlotUpdate::distance(const PoleSet& a, const PoleSet& b) const noexcept {
-  if (form_ == control::Form::kFullState) {
-    return estimation::pole_distance<3>(a, b);
-  }
-  return estimation::pole_distance<2>({a[0], a[1]}, {b[0], b[1]});
-}
-
-void SlotUpdate::follow(const PoleSet& poles) noexcept {
-  const double moved = still_ticks_ < 0 ? INFINITY : distance(poles, anchor_);
-  if (moved <= logic_.pole_spread_max) {
-    still_ticks_ += estimate_period_ticks_;
-    spread_ = std::max(spread_, moved);
-  } else {
-    anchor_ = poles;
-    still_ticks_ = 0;
-    spread_ = 0;
-  }
-}
-
-signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
+signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate& estimate, Tick tick,
+                                              const SlotPair& pair) noexcept {
   const control::DiscreteModel model = control::model_of_rows(estimate.a, estimate.b);
   signals::JointUpdateDecision decision;
   decision.joint = estimate.joint;
@@ -73,9 +66,11 @@ signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate&
   decision.estimate_samples = estimate.samples;
   decision.validity = estimate.validity;
   decision.excitation = estimate.excitation;
+  decision.prediction_error = estimate.prediction_error;
+  decision.whiteness = estimate.whiteness;
   decision.model_a = estimate.a;
   decision.model_b = estimate.b;
-  const UpdateVerdict verdict = judge(estimate, model, decision);
+  const UpdateVerdict verdict = judge(estimate, model, pair, decision);
   decision.verdict = static_cast<std::uint8_t>(verdict);
   is_news_ = verdict == UpdateVerdict::kAccepted || (is_refusal(verdict) && verdict != last_refusal_);
   if (verdict == UpdateVerdict::kAccepted || is_refusal(verdict)) {
@@ -85,17 +80,14 @@ signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate&
 }
 
 UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, const control::DiscreteModel& model,
-                                signals::JointUpdateDecision& decision) noexcept {
+                                const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept {
   // Zero is not an estimate at all, and a design divides by the valve's gain.
   if (!(estimate.validity > 0.0) || !model.a.allFinite() || !model.b.allFinite() || !(model.b(2) > 0.0)) {
-    still_ticks_ = -1;
+    std::visit([](auto& method) { method.restart(); }, method_);
     return UpdateVerdict::kNotValid;
   }
-  const PoleSet poles = poles_of(model);
-  follow(poles);
-  decision.pole_distance = distance(poles, designed_poles_);
-  decision.pole_spread = spread_;
-  decision.converged_ticks = static_cast<std::uint32_t>(std::max(still_ticks_, 0));
+  const PoleSet poles = poles_of(model, form_);
+  decision.pole_distance = distance(poles, designed_poles_, form_);
   for (std::size_t i = 0; i < poles.size(); ++i) {
     decision.poles_re[i] = poles[i].real();
     decision.poles_im[i] = poles[i].imag();
@@ -106,31 +98,39 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
   const double gain_error = std::min(kLargestGainError, logic_.error_sigmas * estimate.b_error[2] / model.b(2));
   control::DiscreteModel cautious = model;
   cautious.b *= 1.0 + gain_error;
-  const double gain_ratio = cautious.b(2) / gains_.model.b(2);
-  if (decision.pole_distance <= logic_.pole_distance_min &&
-      std::max(gain_ratio, 1.0 / gain_ratio) <= logic_.gain_ratio_min) {
-    contradicted_s_ = 0;
-    return UpdateVerdict::kNotDifferentEnough;
-  }
-  if (still_ticks_ < logic_.converged_ticks) {
-    return UpdateVerdict::kNotConverged;
-  }
   const bool misfit = (estimate.flags & static_cast<std::uint32_t>(estimation::EstimateFlag::kMisfit)) != 0;
-  if (estimate.validity < (misfit ? kMisfitLeniency : 1.0) * logic_.validity_min) {
-    return UpdateVerdict::kNotValid;
+  const Evidence evidence{.prediction_error = estimate.prediction_error,
+                          .whiteness = estimate.whiteness,
+                          .valid = !(estimate.validity < (misfit ? kMisfitLeniency : 1.0) * logic_.validity_min),
+                          .poles = poles,
+                          .pole_distance = decision.pole_distance,
+                          .gain_ratio = cautious.b(2) / gains_.model.b(2)};
+  UpdateVerdict verdict = std::visit([&](auto& method) { return method.before_design(evidence); }, method_);
+  decision.pole_spread = std::visit([](const auto& method) { return method.spread(); }, method_);
+  decision.converged_ticks =
+      static_cast<std::uint32_t>(std::max(std::visit([](const auto& m) { return m.held_ticks(); }, method_), 0));
+  if (verdict == UpdateVerdict::kNotDifferentEnough) {
+    contradicted_s_ = 0;
   }
-  const UpdateVerdict verdict = redesign(cautious, model, decision);
+  if (verdict != UpdateVerdict::kAccepted) {
+    return verdict;
+  }
+  if (pair.dwelling) {
+    return UpdateVerdict::kDwelling;
+  }
+  verdict = redesign(cautious, model, pair, decision);
   if (verdict == UpdateVerdict::kAccepted) {
     designed_poles_ = poles;
-    still_ticks_ = -1;
     contradicted_s_ = 0;
+    std::visit([](auto& method) { method.accepted(); }, method_);
   }
   return verdict;
 }
 
 UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const control::DiscreteModel& model,
-                                   signals::JointUpdateDecision& decision) noexcept {
-  const auto designed = control::design_lqr(cautious, weights_, normalisation_, form_, gains_.delay_ticks);
+                                   const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept {
+  ++designs_;
+  const auto designed = control::design(cautious, rule_, normalisation_, form_, gains_.delay_ticks, period_s_);
   design_status_ = designed ? control::DesignStatus::kSuccessful : designed.error();
   if (!designed) {
     return UpdateVerdict::kDesignRefused;
@@ -141,6 +141,10 @@ UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const
     design_status_ = control::DesignStatus::kClosedLoopNotStable;
     return UpdateVerdict::kDesignRefused;
   }
+  const UpdateVerdict judged = std::visit([&](auto& method) { return method.after_design(gains); }, method_);
+  if (judged != UpdateVerdict::kAccepted) {
+    return judged;
+  }
   decision.estimated_radius = control::closed_loop_spectral_radius(model, gains, gains.delay_ticks);
   if (!(decision.estimated_radius < 1.0)) {
     return UpdateVerdict::kUnstableOnEstimate;
@@ -150,8 +154,25 @@ UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const
     contradicted_s_ += estimate_period_s_;
     return UpdateVerdict::kUnstableOnStoredModel;
   }
-  gains_ = gains;
-  return UpdateVerdict::kAccepted;
+  const UpdateVerdict held = hold(gains, pair, decision);
+  if (held == UpdateVerdict::kAccepted) {
+    gains_ = gains;
+  }
+  return held;
+}
+
+// Margins of the loop, and of the joint that changes between its two.
+UpdateVerdict SlotUpdate::hold(const control::Gains& gains, const SlotPair& pair,
+                               signals::JointUpdateDecision& decision) const noexcept {
+  const LoopMargins margins = margins_of(gains, period_s_);
+  decision.disk_margin = margins.disk;
+  decision.delay_margin_s = margins.delay_s;
+  if (!sufficient(margins, logic_)) {
+    return UpdateVerdict::kMarginTooSmall;
+  }
+  const int dwell = pair.shortest_phase_ticks == control::kNoDwell ? 0 : dwell_ticks(gains, pair.other);
+  decision.dwell_ticks = static_cast<std::uint32_t>(dwell);
+  return dwell > pair.shortest_phase_ticks ? UpdateVerdict::kDwellTooLong : UpdateVerdict::kAccepted;
 }
 
 // The stored model, every entry moved towards the estimate by at most its uncertainty.

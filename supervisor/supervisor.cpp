@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "control/model_rows.hpp"
 #include "supervisor/joint_design.hpp"
@@ -71,6 +72,34 @@ Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>
   return Done{};
 }
 
+/// First gains act whatever they are, but their record says where they fall short of what is asked of new ones.
+/// `outputs` ends with the joint's gains.
+void record_shortfalls(const robot::Robot& robot, std::uint16_t joint, const SlotGains& first, int dwell,
+                       Supervisor::Outputs& outputs) {
+  const auto issued = std::span(outputs.gains).last(kPhases.size());
+  for (const signals::Phase phase : kPhases) {
+    const control::Gains& gains = first[static_cast<std::size_t>(phase)];
+    const LoopMargins margins = margins_of(gains, robot.period_s);
+    const bool too_small = !sufficient(margins, robot.update_logic);
+    if (!too_small && dwell <= shortest_phase_ticks(robot)) {
+      continue;
+    }
+    signals::JointUpdateDecision decision;
+    decision.joint = joint;
+    decision.phase = static_cast<std::uint8_t>(phase);
+    decision.verdict = static_cast<std::uint8_t>(too_small ? signals::UpdateVerdict::kMarginTooSmall
+                                                           : signals::UpdateVerdict::kDwellTooLong);
+    decision.generation = issued[static_cast<std::size_t>(phase)].generation;
+    decision.disk_margin = margins.disk;
+    decision.delay_margin_s = margins.delay_s;
+    decision.dwell_ticks = static_cast<std::uint32_t>(dwell);
+    decision.model_a = control::rows_of(gains.model.a);
+    decision.model_b = control::entries_of(gains.model.b);
+    outputs.decisions.push_back(decision);
+    outputs.design_statuses.push_back(control::DesignStatus::kSuccessful);
+  }
+}
+
 }  // namespace
 
 Design parse_design(std::string_view name) noexcept {
@@ -102,12 +131,17 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
       batches[0].outputs.gains.push_back(pack_gains(joint.number, phase, kFirstEpoch, ++generations[joint.number],
                                                     first.value()[static_cast<std::size_t>(phase)]));
     }
+    const bool changes_slots = robot.plan.gait.pattern != gait::Pattern::kStand;
+    const int dwell = changes_slots ? dwell_ticks(first.value()[0], first.value()[1]) : 0;
+    record_shortfalls(robot, joint.number, first.value(), dwell, batches[0].outputs);
     if (design == Design::kAdaptive) {
       const auto slot = [&](const control::Gains& gains) {
-        return SlotUpdate(joint, robot.update_logic, robot.estimate_period_ticks * robot.period_s,
-                          robot.estimate_period_ticks, gains);
+        return SlotUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, gains);
       };
-      slots.push_back({{slot(first.value()[0]), slot(first.value()[1])}, {1, 2}, 2});
+      slots.push_back({.slots = {slot(first.value()[0]), slot(first.value()[1])},
+                       .generations = {1, 2},
+                       .newest_generation = 2,
+                       .dwell_ticks = dwell});
     }
   }
   signals::SystemMode armed;
@@ -134,11 +168,16 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
           pack_gains(known.joint, phase, kFirstEpoch, ++generations[known.joint], gains.value()));
     }
   }
-  return Supervisor(std::move(batches), std::move(slots), robot.update_logic.gain_lead_ticks);
+  return Supervisor(std::move(batches), std::move(slots), robot.update_logic.gain_lead_ticks,
+                    shortest_phase_ticks(robot));
 }
 
-Supervisor::Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks)
-    : batches_(std::move(batches)), joints_(std::move(joints)), lead_ticks_(lead_ticks) {
+Supervisor::Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks,
+                       int shortest_phase_ticks)
+    : batches_(std::move(batches)),
+      joints_(std::move(joints)),
+      lead_ticks_(lead_ticks),
+      shortest_phase_ticks_(shortest_phase_ticks) {
   for (Outputs* outputs : {&pending_, &issued_}) {
     outputs->gains.reserve(joints_.size());
     outputs->decisions.reserve(joints_.size());
@@ -156,10 +195,15 @@ void Supervisor::take(const signals::JointModelEstimate& estimate, Tick tick) no
   }
   joint.looked = true;
   SlotUpdate& slot = joint.slots[estimate.phase];
-  signals::JointUpdateDecision decision = slot.look(estimate, tick);
+  const SlotPair pair{.other = joint.slots[1 - estimate.phase].gains(),
+                      .shortest_phase_ticks = shortest_phase_ticks_,
+                      .dwelling = tick - joint.last_issue < std::min(joint.dwell_ticks, shortest_phase_ticks_)};
+  signals::JointUpdateDecision decision = slot.look(estimate, tick, pair);
   std::uint32_t& generation = joint.generations[estimate.phase];
   if (decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted)) {
     generation = ++joint.newest_generation;
+    joint.last_issue = tick;
+    joint.dwell_ticks = static_cast<int>(decision.dwell_ticks);
     pending_.gains.push_back(pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), kFirstEpoch,
                                         generation, slot.gains()));
   }
@@ -168,6 +212,16 @@ void Supervisor::take(const signals::JointModelEstimate& estimate, Tick tick) no
     pending_.decisions.push_back(decision);
     pending_.design_statuses.push_back(slot.design_status());
   }
+}
+
+std::uint64_t Supervisor::designs() const noexcept {
+  std::uint64_t designs = 0;
+  for (const JointSlots& joint : joints_) {
+    for (const SlotUpdate& slot : joint.slots) {
+      designs += slot.designs();
+    }
+  }
+  return designs;
 }
 
 const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
@@ -182,6 +236,9 @@ const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
     pending_.gains.clear();
     pending_.decisions.clear();
     pending_.design_statuses.clear();
+  }
+  for (signals::JointUpdateDecision& decision : due.decisions) {
+    decision.tick = batch_due ? tick : decision.tick;
   }
   for (signals::JointControllerGains& gains : due.gains) {
     gains.effective_tick = tick + lead_ticks_;

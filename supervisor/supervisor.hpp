@@ -40,7 +40,8 @@ class Supervisor {
   struct Outputs {
     std::vector<signals::JointControllerGains> gains;
     std::vector<signals::SystemMode> modes;
-    std::vector<signals::JointUpdateDecision> decisions;  ///< gains accepted, and designs refused for a new reason
+    /// Gains accepted, and designs refused for a new reason; with the first gains, what these fall short of.
+    std::vector<signals::JointUpdateDecision> decisions;
     std::vector<control::DesignStatus> design_statuses;   ///< of the decisions, in their order
   };
 
@@ -51,6 +52,9 @@ class Supervisor {
   /// Looks at an estimate. Of one joint, at most one between two steps counts.
   void take(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
 
+  /// Controllers designed from estimates so far, whatever became of them.
+  std::uint64_t designs() const noexcept;
+
  private:
   struct Batch {
     Tick tick;  ///< of its issue; the first is issued at the first step
@@ -60,15 +64,18 @@ class Supervisor {
     std::array<SlotUpdate, signals::kPhaseCount> slots;  // by phase
     std::array<std::uint32_t, signals::kPhaseCount> generations;
     std::uint32_t newest_generation;
+    int dwell_ticks;             // of the pair of slots
+    Tick last_issue = 0;
     bool looked = false;  // at an estimate since the last step
   };
 
-  Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks);
+  Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks, int shortest_phase_ticks);
 
   std::vector<Batch> batches_;  // in the order of their ticks
   std::size_t next_batch_ = 0;
   std::vector<JointSlots> joints_;  // by number; empty unless adaptive
   Tick lead_ticks_;
+  int shortest_phase_ticks_;
   Outputs pending_;  // what came of estimates
   Outputs issued_;
 };

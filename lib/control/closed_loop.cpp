@@ -13,7 +13,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 enum State { kIntegral, kPosition, kVelocity, kForce, kLastInput, kSecondLastInput };
 
 /// Transition of (sum of force errors, x, v, F, u[k-1], u[k-2]) at zero reference, normalised.
-Matrix6 closed_loop_matrix(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
+Matrix6 whole_loop(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
   if (delay_ticks < 0 || delay_ticks > kMaxDelayTicks) {
     return Matrix6::Constant(std::numeric_limits<double>::quiet_NaN());
   }
@@ -44,7 +44,7 @@ int past_inputs(const Gains& gains, int delay_ticks) noexcept {
 }  // namespace
 
 ClosedLoopPoles closed_loop_poles(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
-  const SmallSpectrum z = eigenvalues(closed_loop_matrix(model, gains, delay_ticks));
+  const SmallSpectrum z = eigenvalues(whole_loop(model, gains, delay_ticks));
   ClosedLoopPoles poles;
   for (std::size_t i = 0; i < poles.size(); ++i) {
     poles[i] = z(static_cast<Eigen::Index>(i));
@@ -52,11 +52,11 @@ ClosedLoopPoles closed_loop_poles(const DiscreteModel& model, const Gains& gains
   return poles;
 }
 
-double closed_loop_spectral_radius(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
-  const Matrix6 loop = closed_loop_matrix(model, gains, delay_ticks);
+SmallMatrix closed_loop_matrix(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
+  const Matrix6 loop = whole_loop(model, gains, delay_ticks);
   const int past = past_inputs(gains, delay_ticks);
   if (gains.form == Form::kFullState) {
-    return spectral_radius(loop.topLeftCorner(kLastInput + past, kLastInput + past));
+    return loop.topLeftCorner(kLastInput + past, kLastInput + past);
   }
   constexpr std::array kForceLoop{kIntegral, kVelocity, kForce, kLastInput, kSecondLastInput};
   const int states = 3 + past;
@@ -66,7 +66,11 @@ double closed_loop_spectral_radius(const DiscreteModel& model, const Gains& gain
       force_loop(i, j) = loop(kForceLoop[static_cast<std::size_t>(i)], kForceLoop[static_cast<std::size_t>(j)]);
     }
   }
-  return spectral_radius(force_loop);
+  return force_loop;
+}
+
+double closed_loop_spectral_radius(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
+  return spectral_radius(closed_loop_matrix(model, gains, delay_ticks));
 }
 
 }  // namespace farrier::control

@@ -9,6 +9,7 @@ namespace farrier::control {
 enum class Kind {
   kLqr,                    ///< ForceController with gains that come over the bus
   kFeedbackLinearisation,  ///< FeedbackLinearisation with gains from the robot file
+  kPid,                    ///< Pid with gains from the robot file
 };
 
 /// What the controller is tuned by. The defaults are for 1 kHz without delay; how they were found:

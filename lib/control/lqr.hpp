@@ -55,7 +55,7 @@ struct Gains {
   double spectral_radius;  ///< of the closed loop of that model, with that delay and xi
 };
 
-/// Outcome of a design: the flags of Table F.2 that concern it, and those a delay adds.
+/// Outcome of a design: the flags of Table F.2 that concern it, and those a delay and pole placement add.
 enum class DesignStatus {
   kSuccessful,
   kModelNotFinite,
@@ -66,6 +66,9 @@ enum class DesignStatus {
   kDelayOutOfBounds,
   kWeightsNotPositiveDefinite,
   kNotStabilisable,
+  kNotControllable,   ///< pole placement: a mode the input cannot move
+  kPolesOutOfBounds,  ///< pole placement: bandwidth or damping
+  kPolesNotPlaced,    ///< pole placement: rounding left the poles elsewhere
   kRiccatiNotConverging,
   kClosedLoopNotStable,
 };

@@ -9,20 +9,25 @@
 #include <numbers>
 
 #include "control/balance.hpp"
+#include "core/ensure.hpp"
 
 namespace farrier::control {
 namespace {
 
 using Complex = std::complex<double>;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMarkovRoundings = 64.0;
 constexpr double kDegree = 180.0 / std::numbers::pi;
 
-/// The same system in states scaled by powers of two, in which rounding is of like size everywhere.
+/// The same system in states scaled by powers of two, in which rounding is of like size everywhere. NaN throughout for
+/// entries that are not finite.
 template <int N>
 SingleInOut<N> balanced(const SingleInOut<N>& system) noexcept {
   SingleInOut<N> of = system;
-  if (!of.a.allFinite()) {
+  if (!system.a.allFinite() || !system.b.allFinite() || !system.c.allFinite() || !std::isfinite(system.d)) {
+    of.a.setConstant(kNaN);
+    of.d = kNaN;
     return of;
   }
   const Eigen::Matrix<double, N, 1> scale = balance<false>(of.a);
@@ -40,6 +45,9 @@ template <int N>
 Complex response_at(const SingleInOut<N>& system, Complex s) noexcept {
   Eigen::Matrix<Complex, N, N> resolvent = -system.a.template cast<Complex>();
   resolvent.diagonal().array() += s;
+  if (!std::isfinite(std::abs(s)) || std::isnan(system.d)) {
+    return {kNaN, kNaN};
+  }
   const Eigen::Matrix<Complex, N, 1> x = resolvent.partialPivLu().solve(system.b.template cast<Complex>());
   return (system.c.template cast<Complex>() * x)(0) + system.d;
 }
@@ -112,6 +120,7 @@ std::vector<Complex> responses(const SingleInOut<N>& system, std::span<const dou
 }
 
 std::vector<double> logarithmic_grid(double from, double to, int count) {
+  FARRIER_ENSURE(from > 0.0 && to > 0.0 && count >= 2, "a logarithmic grid needs two ends above zero and two points");
   std::vector<double> grid(static_cast<std::size_t>(count));
   const double step = std::log(to / from) / (count - 1);
   for (int i = 0; i < count; ++i) {
@@ -144,7 +153,7 @@ template <int N>
 SmallSpectrum zeros(const SingleInOut<N>& system) noexcept {
   using Row = Eigen::Matrix<double, 1, N>;
   const SingleInOut<N> of = balanced(system);
-  if (of.d != 0.0) {
+  if (of.d != 0.0) {  // of a NaN too
     return sorted_eigenvalues(of.a - of.b * of.c / of.d);
   }
   // Rows c, c a, ... until one of them meets b; beside each the sum of moduli that its rounding goes with.
@@ -166,7 +175,7 @@ SmallSpectrum zeros(const SingleInOut<N>& system) noexcept {
   if (markov == 0.0 || degree == N) {
     return SmallSpectrum(0);
   }
-  // a - b c a^r / (c a^(r-1) b) leaves the kernel of the r rows invariant: its eigenvalues there, in an orthonormal base.
+  // a - b c a^r / (c a^(r-1) b) leaves the kernel of the r rows invariant: its eigenvalues there, orthonormal base.
   const SmallMatrix kept = of.a - of.b * (row * of.a) / markov;
   const Eigen::HouseholderQR<SmallMatrix> qr(across.leftCols(degree));
   const SmallMatrix base = qr.householderQ() * SmallMatrix::Identity(N, N);
@@ -179,6 +188,7 @@ std::optional<Resonance> resonance(const SingleInOut<N>& system, double from_Hz,
   constexpr double kGridRatio = 1.005;
   constexpr double kGoldenSection = 0.6180339887498949;
   constexpr double kToleranceRatio = 1e-7;
+  FARRIER_ENSURE(from_Hz > 0.0 && to_Hz > from_Hz, "a resonance is sought between two rising frequencies above zero");
   const SingleInOut<N> of = balanced(system);
   const auto modulus = [&](double f) { return std::abs(response_at(of, point(f, system.period_s))); };
 

@@ -37,15 +37,16 @@ struct Rational {
 template <int N>
 Rational<N> transfer_function(const SingleInOut<N>& system) noexcept;
 
-/// c (s I - a)^-1 b + d at s = 2 pi i f, or at z = exp(2 pi i f T). Not finite at a pole on that circle or line, and for
-/// entries or frequencies that are not finite.
+/// c (s I - a)^-1 b + d at s = 2 pi i f, or at z = exp(2 pi i f T). Not finite at a pole on that line or circle, NaN
+/// for entries or frequencies that are not finite.
 template <int N>
 std::complex<double> response(const SingleInOut<N>& system, double frequency_Hz) noexcept;
 
 template <int N>
 std::vector<std::complex<double>> responses(const SingleInOut<N>& system, std::span<const double> frequencies_Hz);
 
-/// `count` >= 2 frequencies from `from` to `to` (both > 0), each the same multiple of the one before.
+/// `count` >= 2 frequencies from `from` to `to`, both > 0 (checked invariants), each the same multiple of the one
+/// before.
 std::vector<double> logarithmic_grid(double from, double to, int count);
 
 /// 20 log10 of the modulus.
@@ -60,8 +61,8 @@ template <int N>
 SmallSpectrum poles(const SingleInOut<N>& system) noexcept;
 
 /// Transmission zeros, in the order of poles(): the eigenvalues of the motion that keeps y at zero (Isidori 1995, 4.3;
-/// for d = 0 of a - b c a^r / (c a^(r-1) b) on the kernel of c, ..., c a^(r-1), r the relative degree). N - r of them. A
-/// Markov parameter c a^k b within 64 roundings of zero counts as zero. Empty where the output does not answer the
+/// for d = 0 of a - b c a^r / (c a^(r-1) b) on the kernel of c, ..., c a^(r-1), r the relative degree). N - r of them.
+/// A Markov parameter c a^k b within 64 roundings of zero counts as zero. Empty where the output does not answer the
 /// input; NaN when they cannot be computed.
 template <int N>
 SmallSpectrum zeros(const SingleInOut<N>& system) noexcept;
@@ -71,8 +72,9 @@ struct Resonance {
   double magnitude;  ///< modulus of the response there
 };
 
-/// The highest maximum of the modulus inside (from_Hz, to_Hz), both > 0, to 1e-6 of its frequency; nothing where the
-/// modulus has no maximum but at the ends. Maxima nearer than 1 % in frequency count as one.
+/// The highest maximum of the modulus inside (from_Hz, to_Hz), 0 < from_Hz < to_Hz (checked invariant), to 1e-6 of its
+/// frequency; nothing where the modulus has no maximum but at the ends. Maxima nearer than 1 % in frequency count as
+/// one.
 template <int N>
 std::optional<Resonance> resonance(const SingleInOut<N>& system, double from_Hz, double to_Hz);
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <variant>
 
 #include "estimation/poles.hpp"
 
@@ -22,49 +24,18 @@ constexpr double kSettlingTimeConstants = 4.0;
 
 // Normalised signals beyond this are refused: a variance that has become infinite would stay so.
 constexpr double kLargestSignal = 1e40;
-// Forgetting of the prediction errors that make the misfit: 50 ticks.
-constexpr double kMisfitMemory = 0.98;
 
 constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
 
-// Places in the regressor [x] v F u [1].
-struct Columns {
-  int velocity, force, input, bias;
-};
-
-template <int N>
-Columns columns_of(bool position) noexcept {
-  const int first = position ? 1 : 0;
-  return {first, first + 1, first + 2, first + 3};
-}
-
 std::uint32_t flags_of(RlsStatus status) noexcept {
   switch (status) {
-    case RlsStatus::kRegressorTooSmall:
-    case RlsStatus::kInputTooSmall: return bit(EstimateFlag::kRegressorTooSmall);
+    case RlsStatus::kRegressorTooSmall: return bit(EstimateFlag::kRegressorTooSmall);
     case RlsStatus::kCovarianceNotPositiveDefinite: return bit(EstimateFlag::kCovarianceRepaired);
     case RlsStatus::kNotFinite: return bit(EstimateFlag::kSampleRefused);
     case RlsStatus::kNotYetSet:
     case RlsStatus::kOk: break;
   }
   return 0;
-}
-
-template <int N>
-Result<Rls<N>> make_rls(const EstimatorParams& params, const Eigen::Matrix3d& a, const Eigen::Vector3d& b) {
-  typename Rls<N>::Parameters theta = Rls<N>::Parameters::Zero();
-  const Columns columns = columns_of<N>(params.position);
-  if (params.position) {
-    theta.col(0) = a.col(0);
-  }
-  theta.col(columns.velocity) = a.col(1);
-  theta.col(columns.force) = a.col(2);
-  theta.col(columns.input) = b;
-  return Rls<N>::create({.forgetting_factor = params.forgetting_factor,
-                         .initial_covariance = params.initial_covariance,
-                         .covariance_limit = params.covariance_limit,
-                         .regressor_min = 0.0},
-                        theta);
 }
 
 }  // namespace
@@ -82,34 +53,31 @@ Result<JointEstimator> JointEstimator::create(const EstimatorParams& params, con
       !(params.stability_limit > 0.0 && params.stability_limit < 1.0)) {
     return Error{"innovation_forgetting must be in [0, 1), stability_limit in (0, 1)"};
   }
-  if (!(params.regressor_min >= 0.0 && std::isfinite(params.regressor_min))) {
-    return Error{"regressor_min must not be negative"};
+  if (!(params.regressor_min >= 0.0 && std::isfinite(params.regressor_min)) || params.blank_ticks < 0 ||
+      params.min_samples < 1) {
+    return Error{"regressor_min and blank_ticks must not be negative, min_samples at least 1"};
   }
-  if (params.blank_ticks < 0 || params.min_samples < 1) {
-    return Error{"blank_ticks must not be negative, min_samples at least 1"};
-  }
-  if (!scales.state.allFinite() || !scales.sensor_noise.allFinite() || !std::isfinite(scales.home_position) ||
-      !std::isfinite(scales.current_A) || !std::isfinite(scales.period_s) || !(scales.state.array() > 0).all() || !(scales.current_A > 0) || !(scales.period_s > 0) ||
-      !(scales.sensor_noise.array() >= 0).all() || scales.input_delay_ticks < 0 || scales.input_delay_ticks > 2) {
-    return Error{"scales and period must be positive, sensor noise not negative, all finite, the input delay 0 to 2 ticks"};
+  if (auto valid = validate(scales); !valid) {
+    return valid.error();
   }
   // T^-1 A T, T^-1 B V
   const Eigen::Matrix3d a = scales.state.cwiseInverse().asDiagonal() * prior_a * scales.state.asDiagonal();
   const Eigen::Vector3d b = scales.current_A * prior_b.cwiseQuotient(scales.state);
-  const auto with = [&](auto rls) -> Result<JointEstimator> {
-    if (!rls) {
-      return rls.error();
-    }
-    return JointEstimator(params, scales, {std::move(rls).value(), Eigen::Vector3d::Zero(), 0.0});
-  };
-  switch (params.columns()) {
-    case 3: return with(make_rls<3>(params, a, b));
-    case 4: return with(make_rls<4>(params, a, b));
-    default: return with(make_rls<5>(params, a, b));
+  const Eigen::Vector3d noise_variance = scales.sensor_noise.cwiseQuotient(scales.state).array().square();
+  auto regression = make_regression(params, noise_variance, a, b);
+  if (!regression) {
+    return regression.error();
   }
+  auto gate = ExcitationGate::create(params);
+  if (!gate) {
+    return gate.error();
+  }
+  return JointEstimator(params, scales, {std::move(regression).value(), Eigen::Vector3d::Zero(), {}},
+                        std::move(gate).value());
 }
 
-JointEstimator::JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory)
+JointEstimator::JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory,
+                               ExcitationGate gate)
     : params_(params),
       scales_(scales),
       noise_variance_(scales.sensor_noise.cwiseQuotient(scales.state).array().square()),
@@ -118,6 +86,7 @@ JointEstimator::JointEstimator(const EstimatorParams& params, const JointScales&
                params.operating_point_order),
       settling_ticks_(static_cast<int>(std::ceil(kSettlingTimeConstants * params.operating_point_order *
                                                  params.operating_point_time_constant_s / scales.period_s))),
+      gate_(std::move(gate)),
       memories_{memory, memory} {
   for (PhaseMemory& each : memories_) {
     each.innovation_variance = kFirstInnovation * noise_variance_;
@@ -126,8 +95,17 @@ JointEstimator::JointEstimator(const EstimatorParams& params, const JointScales&
 
 void JointEstimator::restart(const Eigen::Vector4d& washed) noexcept {
   filtered_ = washed.head<3>();
+  simulated_ = filtered_;
   inputs_ = {washed(3), 0.0, 0.0};
   inputs_known_ = 1;
+  gate_.reset();
+  interrupt_errors();
+}
+
+void JointEstimator::interrupt_errors() noexcept {
+  for (PhaseMemory& each : memories_) {
+    each.force_errors.interrupt();
+  }
 }
 
 void JointEstimator::take(const JointSample& sample) noexcept {
@@ -154,63 +132,89 @@ void JointEstimator::take(const JointSample& sample) noexcept {
     restart(washed);
     return;
   }
+  gate_.observe(washed);
   if (sample_flags_ == 0 && unsettled_ticks_ == 0 && inputs_known_ > scales_.input_delay_ticks) {
     PhaseMemory& known = memory(phase_);
-    std::visit([&](auto& rls) { update(rls, known, washed.head<3>()); }, known.rls);
+    std::visit([&](auto& engine) { update(engine, known, washed.head<3>()); }, known.regression);
   } else {
     filtered_ = washed.head<3>();
+    simulated_ = filtered_;
+    interrupt_errors();
   }
   inputs_ = {washed(3), inputs_[0], inputs_[1]};
   inputs_known_ = std::min(inputs_known_ + 1, 3);
 }
 
-template <int N>
-void JointEstimator::update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector3d& measured) noexcept {
-  const Columns columns = columns_of<N>(params_.position);
-  typename Rls<N>::Regressor h;
-  if (params_.position) {
-    h(0) = filtered_(0);
-  }
-  h(columns.velocity) = filtered_(1);
-  h(columns.force) = filtered_(2);
-  h(columns.input) = inputs_[static_cast<std::size_t>(scales_.input_delay_ticks)];
+template <class Engine>
+void JointEstimator::update(Engine& engine, PhaseMemory& known, const Eigen::Vector3d& measured) noexcept {
+  using Regressor = typename Engine::Regressor;
+  const Columns columns = columns_of(params_.position);
+  const auto regressor = [&](const Eigen::Vector3d& state) {
+    Regressor h;
+    if (params_.position) {
+      h(0) = state(0);
+    }
+    h(columns.velocity) = state(1);
+    h(columns.force) = state(2);
+    h(columns.input) = inputs_[static_cast<std::size_t>(scales_.input_delay_ticks)];
+    if (params_.bias) {
+      h(columns.bias) = kBiasEntry;
+    }
+    return h;
+  };
+  const Regressor h = regressor(filtered_);
   const double norm = h.head(columns.bias).norm();
-  if (params_.bias) {
-    h(columns.bias) = kBiasEntry;
-  }
-  const auto prediction = [&] {
-    Eigen::Vector3d y = rls.parameters() * h;
+  const auto prediction = [&](const Regressor& from) {
+    Eigen::Vector3d y = engine.parameters() * from;
     if (!params_.position) {
       y(0) = measured(0);
     }
     return y;
   };
   const double memory = params_.innovation_forgetting;
-  const Eigen::Vector3d innovation_squared = (measured - prediction()).array().square();
+  const Eigen::Vector3d innovation = measured - prediction(h);
+  const Eigen::Vector3d innovation_squared = innovation.array().square();
   known.innovation_variance = memory * known.innovation_variance + (1.0 - memory) * innovation_squared;
-  known.force_error_variance =
-      kMisfitMemory * known.force_error_variance + (1.0 - kMisfitMemory) * innovation_squared(2);
+  known.force_errors.take(innovation(2));
   // Large motion is where the joint is least linear: (h, y) / sqrt(1 + |h|^2 / h_0^2).
   const double ratio = norm / params_.full_weight_norm;
   const double weight = 1.0 / std::sqrt(1.0 + ratio * ratio);
+  const Regressor instrument = kTakesInstrument<Engine> ? regressor(simulated_) : h;
   // (6.24) of what moves: the constant says nothing.
-  sample_flags_ |= norm < params_.regressor_min ? bit(EstimateFlag::kRegressorTooSmall)
-                                                : flags_of(rls.update(weight * h, weight * measured));
+  if (norm < params_.regressor_min) {
+    sample_flags_ |= bit(EstimateFlag::kRegressorTooSmall);
+  } else if (!gate_.open()) {
+    sample_flags_ |= bit(EstimateFlag::kNotExciting);
+  } else {
+    const RlsStatus status = teach(engine, weight, h, measured, instrument);
+    const bool limited = status == RlsStatus::kOk && engine.forgetting_limited();
+    sample_flags_ |= flags_of(status) | (limited ? bit(EstimateFlag::kForgettingAtLimit) : 0);
+  }
 
-  const Eigen::Vector3d predicted = prediction();
-  // L = 1 - R / S, scalar by channel
-  const Eigen::Vector3d correction = (1.0 - noise_variance_.array() / known.innovation_variance.array().max(1e-300))
-                                         .max(kLeastCorrection)
-                                         .min(1.0);
-  filtered_ = predicted + correction.cwiseProduct(measured - predicted);
+  if constexpr (kTakesInstrument<Engine>) {
+    filtered_ = measured;
+    simulated_ = prediction(instrument);
+    if (engine.instrument_refused() || !(simulated_.array().abs() <= kLargestSignal).all()) {
+      sample_flags_ |= bit(EstimateFlag::kInstrumentRefused);
+      simulated_ = measured;
+    }
+  } else {
+    const Eigen::Vector3d predicted = prediction(h);
+    // L = 1 - R / S, scalar by channel
+    const Eigen::Vector3d correction = (1.0 - noise_variance_.array() / known.innovation_variance.array().max(1e-300))
+                                           .max(kLeastCorrection)
+                                           .min(1.0);
+    filtered_ = predicted + correction.cwiseProduct(measured - predicted);
+  }
 }
 
-template <int N>
-void JointEstimator::read(const Rls<N>& rls, double force_error_variance, ModelEstimate& out) const noexcept {
-  const Columns columns = columns_of<N>(params_.position);
-  const auto theta = rls.parameters();
-  const auto covariance = rls.covariance();
-  const Eigen::Vector3d residual = rls.residual_variance().cwiseMax(0.0);
+template <class Engine>
+void JointEstimator::read(const Engine& engine, const PredictionErrors& force_errors, ModelEstimate& out) const noexcept {
+  const Columns columns = columns_of(params_.position);
+  const auto theta = engine.parameters();
+  // Of the rows that are estimated: velocity and force.
+  const std::array<typename Engine::Covariance, 2> covariance{engine.covariance(1), engine.covariance(2)};
+  const Eigen::Vector3d residual = engine.residual_variance().cwiseMax(0.0);
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = theta.col(columns.input);
   a.col(1) = theta.col(columns.velocity);
@@ -220,7 +224,9 @@ void JointEstimator::read(const Rls<N>& rls, double force_error_variance, ModelE
   }
   a.row(0) << 1.0, kinematic_step_, 0.0;
   b(0) = 0.0;
-  const auto error = [&](int row, int column) { return std::sqrt(residual(row) * covariance(column, column)); };
+  const auto error = [&](int row, int column) {
+    return std::sqrt(residual(row) * covariance[static_cast<std::size_t>(row - 1)](column, column));
+  };
   for (int row = 1; row < 3; ++row) {
     out.a_error(row, 0) = params_.position ? error(row, 0) : 0.0;
     out.a_error(row, 1) = error(row, columns.velocity);
@@ -231,11 +237,12 @@ void JointEstimator::read(const Rls<N>& rls, double force_error_variance, ModelE
 
   // var = n_F^2 + (a_32 n_v)^2 + (a_33 n_F)^2
   const double explained = noise_variance_(2) * (1.0 + a(2, 2) * a(2, 2)) + a(2, 1) * a(2, 1) * noise_variance_(1);
-  const double misfit = explained > 0.0 ? std::sqrt(force_error_variance / explained) : 0.0;
-  if (misfit > kMisfitFree) {
+  out.prediction_error = explained > 0.0 ? std::sqrt(force_errors.variance() / explained) : 0.0;
+  out.whiteness = force_errors.whiteness();
+  if (out.prediction_error > kMisfitFree) {
     out.flags |= bit(EstimateFlag::kMisfit);
   }
-  out.b_error(2) += kMisfitError * std::max(0.0, misfit - kMisfitFree) * std::abs(b(2));
+  out.b_error(2) += kMisfitError * std::max(0.0, out.prediction_error - kMisfitFree) * std::abs(b(2));
 
   // Velocity and force are what is uncertain: the position only sums.
   Eigen::Matrix2d loop = a.bottomRightCorner<2, 2>();
@@ -248,20 +255,23 @@ void JointEstimator::read(const Rls<N>& rls, double force_error_variance, ModelE
     case StabilityStatus::kNotYetSet:
     case StabilityStatus::kStable: break;
   }
-  const Eigen::Matrix2d block = covariance.template block<2, 2>(columns.velocity, columns.velocity);
-  const auto errors = pole_standard_error<2>(loop, poles<2>(loop), residual.tail<2>(), block);
+  const auto block = [&](std::size_t row) -> Eigen::Matrix2d {
+    return covariance[row].template block<2, 2>(columns.velocity, columns.velocity);
+  };
+  const std::array<Eigen::Matrix2d, 2> blocks{block(0), block(1)};
+  const auto errors = pole_standard_error<2>(loop, poles<2>(loop), residual.tail<2>(), blocks);
   const double pole_error = std::max(errors[0], errors[1]);
   if (!(b(2) > 0.0 && a(1, 2) > 0.0)) {
     out.flags |= bit(EstimateFlag::kNotPhysical);
   }
-  out.samples = static_cast<std::uint32_t>(std::min<std::int64_t>(rls.samples(), UINT32_MAX));
-  if (rls.samples() < params_.min_samples) {
+  out.samples = static_cast<std::uint32_t>(std::min<std::int64_t>(engine.samples(), UINT32_MAX));
+  if (engine.samples() < params_.min_samples) {
     out.flags |= bit(EstimateFlag::kNotYetSet);
   }
   constexpr std::uint32_t kForbidding = bit(EstimateFlag::kNotPhysical) | bit(EstimateFlag::kNotYetSet) |
                                         bit(EstimateFlag::kBlanked) | bit(EstimateFlag::kEigenvalueError);
   out.validity = (out.flags & kForbidding) != 0 ? 0.0 : std::clamp(1.0 - pole_error / kUselessPoleError, 0.0, 1.0);
-  out.excitation = 1.0 / rls.covariance_trace();
+  out.excitation = 1.0 / engine.covariance_trace();
 
   // Back to SI: T A T^-1, T B V^-1.
   const auto to_si = scales_.state.asDiagonal();
@@ -278,8 +288,12 @@ ModelEstimate JointEstimator::estimate() const noexcept {
   out.phase = std::max(phase_, 0);
   out.flags = phase_ < 0 ? bit(EstimateFlag::kNotYetSet) : sample_flags_;
   const PhaseMemory& known = memory(out.phase);
-  std::visit([&](const auto& rls) { read(rls, known.force_error_variance, out); }, known.rls);
+  std::visit([&](const auto& engine) { read(engine, known.force_errors, out); }, known.regression);
   return out;
+}
+
+Eigen::Vector3d JointEstimator::forgetting(int phase) const noexcept {
+  return std::visit([](const auto& engine) -> Eigen::Vector3d { return engine.forgetting(); }, memory(phase).regression);
 }
 
 }  // namespace farrier::estimation

@@ -2,87 +2,46 @@
 
 // One joint's estimator, from sensors and commands to a model that says how sure it is:
 //
-//   x, v, F, u ──▶ normalise ──▶ Washout ──▶ regressor of the tick before ──▶ Rls of the phase ──▶ estimate()
-//                                    └──▶ state filter: prediction against sensors ──▲
+//   x, v, F, u ──▶ normalise ──▶ Washout ──▶ regressor of the tick before ──▶ regression of the phase ──▶ estimate()
+//                                    ├──▶ state filter: prediction against sensors ──▲ ▲
+//                                    └──▶ ExcitationGate: may this tick teach? ──────────┘
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstdint>
-#include <variant>
 
 #include "core/result.hpp"
-#include "core/time.hpp"
+#include "estimation/estimator.hpp"
 #include "estimation/estimator_params.hpp"
-#include "estimation/rls.hpp"
+#include "estimation/excitation_gate.hpp"
+#include "estimation/linear_regression.hpp"
+#include "estimation/prediction_errors.hpp"
 #include "estimation/stable_map.hpp"
 #include "estimation/washout.hpp"
 
 namespace farrier::estimation {
 
-/// Divisors of (3.52), (3.53), and what is known of the joint beforehand. Position relative to home.
-struct JointScales {
-  Eigen::Vector3d state;          ///< position, velocity, force: m, m/s, N or rad, rad/s, Nm; > 0
-  double current_A = 0;           ///< > 0
-  Eigen::Vector3d sensor_noise;   ///< standard deviations, in the units of `state`; >= 0
-  double home_position = 0;       ///< m or rad
-  double period_s = 0;            ///< > 0
-  int input_delay_ticks = 0;      ///< ticks from a command's sample to the plant, 0..2
-};
-
-/// One tick of one joint.
-struct JointSample {
-  Tick tick = kNoTick;
-  Eigen::Vector3d state;  ///< position, velocity, force as measured
-  double current_A = 0;   ///< commanded, acts from this tick on
-  int phase = 0;          ///< 0 or 1: whose gains acted
-};
-
-/// Why an estimate is what it is; bits of JointModelEstimate::flags. Hubacher (2014), Table F.1 shares the names.
-enum class EstimateFlag : std::uint32_t {
-  kNotYetSet = 1u << 0,             ///< too few samples of this phase so far
-  kRegressorTooSmall = 1u << 1,     ///< the last sample was left out (6.24)
-  kCovarianceRepaired = 1u << 2,    ///< the covariance was beyond repair and begun anew
-  kSampleRefused = 1u << 3,         ///< the last sample was not finite, or beyond 1e40 normalised
-  kMappedToStable = 1u << 4,        ///< a pole beyond the limit was put on it
-  kEigenvalueError = 1u << 5,       ///< the poles could not be mapped
-  kBlanked = 1u << 6,               ///< a switch of phase is too recent
-  kNotPhysical = 1u << 7,           ///< opening the valve would lower the force, or a force brake the load
-  kMisfit = 1u << 8,                ///< force predictions err by more than kMisfitFree times what noise explains
-};
-
-/// x[k+1] = A x[k] + B u[k] + c of what the washout leaves, SI, position relative to home.
-struct ModelEstimate {
-  Eigen::Matrix3d a = Eigen::Matrix3d::Identity();
-  Eigen::Vector3d b = Eigen::Vector3d::Zero();
-  Eigen::Vector3d c = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d a_error = Eigen::Matrix3d::Zero();  ///< standard errors
-  Eigen::Vector3d b_error = Eigen::Vector3d::Zero();  ///< of the force row: and what kMisfitError makes of misfit
-  double validity = 0;      ///< 0..1; 0 when a flag forbids use: 1 - (larger standard error of a pole) / kUselessPoleError
-  double excitation = 0;    ///< lower bound of the information matrix's smallest eigenvalue, 1 / trace(P)
-  std::uint32_t samples = 0;
-  std::uint32_t flags = 0;  ///< EstimateFlag
-  int phase = 0;
-};
-
 /// Standard error of a pole, in the z-plane, at which an estimate says nothing any more.
 inline constexpr double kUselessPoleError = 0.6;
 
-/// Misfit: RMS error of force predictions over what the sensors' noise explains. A joint that oscillates between the
+/// Misfit: the prediction error of ModelEstimate. A joint that oscillates between the
 /// valve's limits answers less than the model's valve gain says near rest; least squares then returns the gain of the
 /// oscillation, confidently, and gains designed for it keep the oscillation up. Beyond kMisfitFree the relative error of
 /// the valve's gain grows by kMisfitError for every further unit.
 inline constexpr double kMisfitFree = 3.0;
 inline constexpr double kMisfitError = 0.05;
 
-/// Recursive least squares of a joint whose load changes with the phase of its leg (Hubacher 2014, 6.2, 8.1).
+/// Recursive regression of a joint whose load changes with the phase of its leg (Hubacher 2014, 6.2, 8.1), by the method
+/// the parameters name; docs/estimators.md compares them.
 ///
 /// The first row is not estimated but known: position is summed velocity. Measured states are noisy regressors, which
 /// biases least squares (Soderstrom 2007, "Errors-in-variables methods in system identification"), and here the loop
 /// feeds the noise back into the input. So the regressor holds states corrected towards their prediction, channel by
 /// channel, by 1 - (sensor variance) / (prediction error variance), the gain of a scalar Kalman filter whose innovation
-/// variance is measured: a model that predicts well is believed, one that does not leaves the sensors as they are.
-class JointEstimator {
+/// variance is measured: a model that predicts well is believed, one that does not leaves the sensors as they are. With
+/// instruments the regressor is the sensors' and the instrument the model's own simulation: they do what the filter does.
+class JointEstimator final : public Estimator {
  public:
   /// `prior_a`, `prior_b`: SI, where both phases start. Refuses settings out of range, naming them.
   static Result<JointEstimator> create(const EstimatorParams& params, const JointScales& scales,
@@ -90,30 +49,34 @@ class JointEstimator {
 
   /// Takes one tick. A gap of more than a tick or two, in which samples that are not finite count as missing, starts
   /// the filters anew: no samples until they have settled. Estimates stay.
-  void take(const JointSample& sample) noexcept;
+  void take(const JointSample& sample) noexcept override;
 
   /// What is known of the phase of the last sample.
-  ModelEstimate estimate() const noexcept;
+  ModelEstimate estimate() const noexcept override;
+
+  /// What the last sample of that phase, 0 or 1, was weighed with against the next one's: lambda of the rows of position,
+  /// velocity and force, Fig. 9.3.
+  Eigen::Vector3d forgetting(int phase) const noexcept;
 
  private:
-  using Memory = std::variant<Rls<3>, Rls<4>, Rls<5>>;
   struct PhaseMemory {
-    Memory rls;
+    LinearRegression regression;
     Eigen::Vector3d innovation_variance;
-    double force_error_variance = 0;  ///< of force predictions, over kMisfitMemory
+    PredictionErrors force_errors;
   };
 
-  JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory);
+  JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory, ExcitationGate gate);
 
   PhaseMemory& memory(int phase) noexcept { return memories_[params_.phase_memory ? static_cast<std::size_t>(phase) : 0]; }
   const PhaseMemory& memory(int phase) const noexcept {
     return memories_[params_.phase_memory ? static_cast<std::size_t>(phase) : 0];
   }
   void restart(const Eigen::Vector4d& washed) noexcept;
-  template <int N>
-  void update(Rls<N>& rls, PhaseMemory& known, const Eigen::Vector3d& measured) noexcept;
-  template <int N>
-  void read(const Rls<N>& rls, double force_error_variance, ModelEstimate& out) const noexcept;
+  void interrupt_errors() noexcept;
+  template <class Engine>
+  void update(Engine& engine, PhaseMemory& known, const Eigen::Vector3d& measured) noexcept;
+  template <class Engine>
+  void read(const Engine& engine, const PredictionErrors& force_errors, ModelEstimate& out) const noexcept;
 
   EstimatorParams params_;
   JointScales scales_;
@@ -121,8 +84,10 @@ class JointEstimator {
   double kinematic_step_;           // normalised velocity to normalised position over a period
   Washout washout_;
   int settling_ticks_;              // what the washout takes to forget how it started
+  ExcitationGate gate_;
   std::array<PhaseMemory, 2> memories_;
   Eigen::Vector3d filtered_ = Eigen::Vector3d::Zero();  // state of the last tick
+  Eigen::Vector3d simulated_ = Eigen::Vector3d::Zero();  // the same, as the model has it without looking
   std::array<double, 3> inputs_{};                      // washed-out, newest first
   int inputs_known_ = 0;
   int unsettled_ticks_ = 0;

@@ -185,7 +185,7 @@ double pole_distance(const Poles<N>& a, const Poles<N>& b) noexcept {
 template <int N>
 std::array<double, N> pole_standard_error(const Eigen::Matrix<double, N, N>& a, const Poles<N>& z,
                                           const Eigen::Matrix<double, N, 1>& residual_variance,
-                                          const Eigen::Matrix<double, N, N>& covariance) noexcept {
+                                          const std::array<Eigen::Matrix<double, N, N>, N>& covariance) noexcept {
   std::array<double, N> errors;
   const double centre = a.trace() / N;
   Eigen::Matrix<double, N, N> b = a;
@@ -202,7 +202,7 @@ std::array<double, N> pole_standard_error(const Eigen::Matrix<double, N, N>& a, 
     for (int r = 0; r < N; ++r) {
       const Eigen::Matrix<double, N, 1> x = adj.real.col(r);
       const Eigen::Matrix<double, N, 1> y = adj.imaginary.col(r);
-      sum += residual_variance(r) * (x.dot(covariance * x) + y.dot(covariance * y));
+      sum += residual_variance(r) * (x.dot(covariance[r] * x) + y.dot(covariance[r] * y));
     }
     const double variance = sum / (real * real + imaginary * imaginary);
     errors[i] = variance >= 0.0 && variance < 1.0 ? std::sqrt(variance) : 1.0;
@@ -216,9 +216,9 @@ template double pole_distance<2>(const Poles<2>&, const Poles<2>&) noexcept;
 template double pole_distance<3>(const Poles<3>&, const Poles<3>&) noexcept;
 template std::array<double, 2> pole_standard_error<2>(const Eigen::Matrix<double, 2, 2>&, const Poles<2>&,
                                                    const Eigen::Matrix<double, 2, 1>&,
-                                                   const Eigen::Matrix<double, 2, 2>&) noexcept;
+                                                   const std::array<Eigen::Matrix<double, 2, 2>, 2>&) noexcept;
 template std::array<double, 3> pole_standard_error<3>(const Eigen::Matrix<double, 3, 3>&, const Poles<3>&,
                                                    const Eigen::Matrix<double, 3, 1>&,
-                                                   const Eigen::Matrix<double, 3, 3>&) noexcept;
+                                                   const std::array<Eigen::Matrix<double, 3, 3>, 3>&) noexcept;
 
 }  // namespace farrier::estimation

@@ -34,6 +34,16 @@ double pole_distance(const Poles<N>& a, const Poles<N>& b) noexcept;
 template <int N>
 std::array<double, N> pole_standard_error(const Eigen::Matrix<double, N, N>& a, const Poles<N>& z,
                                           const Eigen::Matrix<double, N, 1>& residual_variance,
-                                          const Eigen::Matrix<double, N, N>& covariance) noexcept;
+                                          const std::array<Eigen::Matrix<double, N, N>, N>& covariance) noexcept;
+
+/// The same where all rows share one covariance.
+template <int N>
+std::array<double, N> pole_standard_error(const Eigen::Matrix<double, N, N>& a, const Poles<N>& z,
+                                          const Eigen::Matrix<double, N, 1>& residual_variance,
+                                          const Eigen::Matrix<double, N, N>& covariance) noexcept {
+  std::array<Eigen::Matrix<double, N, N>, N> rows;
+  rows.fill(covariance);
+  return pole_standard_error<N>(a, z, residual_variance, rows);
+}
 
 }  // namespace farrier::estimation

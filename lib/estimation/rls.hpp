@@ -6,27 +6,16 @@
 #include <cstdint>
 
 #include "core/result.hpp"
+#include "estimation/regression.hpp"
+#include "estimation/ud_factors.hpp"
 
 namespace farrier::estimation {
-
-/// What one sample did: Hubacher (2014), Table F.1, "Estimator Subclass", in its order and with its numbers.
-enum class RlsStatus : std::uint8_t {
-  kNotYetSet = 1,                      ///< no sample yet
-  kOk = 2,                             ///< the sample was taken
-  kRegressorTooSmall = 3,              ///< left out: the regressor tells too little (wind-up, 6.1.3)
-  kCovarianceNotPositiveDefinite = 4,  ///< taken; the covariance was beyond repair and is the initial one again
-  kInputTooSmall = 5,                  ///< left out by the owner, who knows which regressor is the input
-  kNotFinite = 6,                      ///< refused: not finite, or regressor or measurement beyond 1e40
-};
-
-/// Name of a status, for people.
-const char* to_string(RlsStatus status) noexcept;
 
 /// Settings of an estimator. Unit: that of the normalised signals, 1.
 struct RlsParams {
   double forgetting_factor = 0.9;    ///< lambda of (6.7), (0, 1]; remembers 1/(1 - lambda) samples (6.22)
   double initial_covariance = 1e3;   ///< diagonal of the first P, [1e-40, 1e40]
-  double covariance_limit = 1e6;     ///< largest trace of P, [N * initial_covariance, 1e40]
+  double covariance_limit = 1e6;     ///< largest trace of P, [N * initial_covariance, 1e40]; 1e40: none
   double regressor_min = 0.0;        ///< norm below which a regressor is left out, [0, 1e40)
 };
 
@@ -35,12 +24,11 @@ struct RlsParams {
 /// and input of the tick before, and Theta is [A, B].
 ///
 /// The three rows share one N x N covariance P, which is the textbook's 3N x 3N one without its zeros and copies
-/// (docs/derivations/shared-covariance.md). P is kept as U D U' with U unit upper triangular and D diagonal (Bierman
-/// 1977, "Factorization methods for discrete sequential estimation", V.3), D > 0, so P is symmetric and positive
-/// definite. N = 3..6.
+/// (docs/derivations/shared-covariance.md), kept in factors. N = 3..5.
 template <int N>
 class Rls {
  public:
+  static constexpr int kSize = N;
   using Regressor = Eigen::Matrix<double, N, 1>;
   using Parameters = Eigen::Matrix<double, 3, N>;
   using Covariance = Eigen::Matrix<double, N, N>;
@@ -55,17 +43,13 @@ class Rls {
   /// As after create() with this theta0; entries that are not finite become zero.
   void reset(const Parameters& theta0) noexcept;
 
-  /// Multiplies P by `factor` >= 1, at most up to the covariance limit: the plant is known to have changed. Any other
-  /// factor changes nothing.
-  void inflate(double factor) noexcept;
-
   /// Theta, one row per measurement.
   Parameters parameters() const noexcept;
 
-  /// P, N x N, symmetric.
-  Covariance covariance() const noexcept;
+  /// P, N x N, symmetric; the same for every row.
+  Covariance covariance(int row = 0) const noexcept;
 
-  double covariance_trace() const noexcept { return trace_; }
+  double covariance_trace() const noexcept { return p_.trace(); }
 
   /// Variance of the noise of each measurement: weighted sum of the products of prediction errors before and after
   /// each sample, (1 / weight) sum_k lambda^(n-k) e[k|k-1] e[k|k]; once weight() has settled that is
@@ -87,26 +71,26 @@ class Rls {
   /// What the last update() returned.
   RlsStatus status() const noexcept { return status_; }
 
- private:
-  Rls() = default;
-  void set_covariance(double diagonal) noexcept;
-  void scale_covariance(double factor) noexcept;
-  double trace_of_factors() const noexcept;
-  bool repair_covariance() noexcept;
+  /// What the last sample taken was weighed with, by row: lambda, or 1 while the covariance is at its limit.
+  Eigen::Vector3d forgetting() const noexcept { return Eigen::Vector3d::Constant(limited_ ? 1.0 : params_.forgetting_factor); }
 
-  RlsParams params_{};
+  /// Whether the last sample taken was not forgotten for, because the covariance is at its limit.
+  bool forgetting_limited() const noexcept { return limited_; }
+
+ private:
+  explicit Rls(const RlsParams& params) noexcept;
+
+  RlsParams params_;
   double forget_below_ = 0.0;              // trace up to which a sample is taken with forgetting
   double inverse_forgetting_ = 1.0;
   double regressor_min_squared_ = 0.0;
-  double d_min_ = 0.0;
   std::array<Eigen::Array4d, N> theta_{};  // column of Theta, and a zero that fills the vector register
   Eigen::Array4d residual_sum_ = Eigen::Array4d::Zero();
-  double u_[N][N] = {};                    // [column][row], row < column; the rest is not read
-  double d_[N] = {};
-  double trace_ = 0.0;
+  UdFactors<N> p_;
   double weight_ = 0.0;
   std::int64_t samples_ = 0;
   RlsStatus status_ = RlsStatus::kNotYetSet;
+  bool limited_ = false;
 };
 
 }  // namespace farrier::estimation

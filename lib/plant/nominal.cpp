@@ -10,7 +10,7 @@ ActuatorParams nominal_cylinder() {
   cylinder.line_volume_m3 = 3.4023e-6;
   cylinder.bulk_modulus_Pa = 1.3e9;
   cylinder.valve_gain = 6.6815e-6;
-  cylinder.valve_current_max_A = 0.01;
+  cylinder.valve_current_max_A = kNominalCurrent_A;
   cylinder.supply_pressure_Pa = 250e5;
   cylinder.return_pressure_Pa = 0.0;
   cylinder.piston_mass = 0.3141;
@@ -21,6 +21,10 @@ ActuatorParams nominal_cylinder() {
 }
 
 LoadParams nominal_load() { return {10.0, 700.0, 2.0 * 10740.0, 0.04}; }
+
+Eigen::Vector4d nominal_state_divisors(const ActuatorParams& actuator) {
+  return {0.5 * actuator.stroke, kNominalVelocity_m_s, actuator.supply_pressure_Pa, actuator.supply_pressure_Pa};
+}
 
 OperatingPoint nominal_point(double valve_sign) { return {0.04, 0.0, 0.0, 0.0, valve_sign}; }
 

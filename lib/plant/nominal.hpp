@@ -13,6 +13,13 @@ ActuatorParams nominal_cylinder();
 /// 10 kg, 700 Ns/m, both springs (21480 N/m), slack in the middle of the stroke (2.23).
 LoadParams nominal_load();
 
+/// Divisors of the full model's states (3.9), of the valve current (3.11) and of the load-cell force (3.10); the
+/// velocity's is an empirical one.
+Eigen::Vector4d nominal_state_divisors(const ActuatorParams& actuator);
+inline constexpr double kNominalVelocity_m_s = 1.2;
+inline constexpr double kNominalCurrent_A = 0.01;
+inline constexpr double kNominalForce_N = 5000.0;
+
 /// Middle of the stroke at rest, no load pressure, valve shut (3.36), with the given sign of the valve (0: mean).
 OperatingPoint nominal_point(double valve_sign);
 

@@ -5,6 +5,7 @@
 namespace farrier::robot {
 
 using config::Default;
+using config::Defaults;
 using config::Option;
 using config::Visitor;
 
@@ -111,17 +112,37 @@ void declare(Visitor& v, Load& l) {
           "give either swing and stance, or leg_about_haa");
 }
 
+void declare(Visitor& v, PidSection& p) {
+  const control::PidGains standard;
+  v.number("proportional", p.proportional, {0, 1e3}, Default{standard.proportional},
+           "Share of the full-open valve per force error over the force that counts as 1.");
+  v.number("integral_1_s", p.integral_1_s, {0, 1e6}, Default{standard.integral_1_s},
+           "Likewise on the integral of that error; 0 is off.");
+  v.number("derivative_s", p.derivative_s, {0, 10}, Default{standard.derivative_s},
+           "Likewise on its filtered derivative; 0 is off.");
+  v.number("derivative_filter_Hz", p.derivative_filter_Hz, {1, 1e4}, Default{standard.derivative_filter_Hz},
+           "Corner of the filter on the derivative.");
+}
+
 void declare(Visitor& v, Controller& c) {
   constexpr std::array kForms = {Option<control::Form>{"full_state", control::Form::kFullState},
                                  Option<control::Form>{"compliant", control::Form::kCompliant}};
   constexpr std::array kKinds = {
       Option<control::Kind>{"lqr", control::Kind::kLqr},
-      Option<control::Kind>{"feedback_linearisation", control::Kind::kFeedbackLinearisation}};
-  control::LqrWeights& w = c.weights;
+      Option<control::Kind>{"feedback_linearisation", control::Kind::kFeedbackLinearisation},
+      Option<control::Kind>{"pid", control::Kind::kPid}};
+  constexpr std::array kMethods = {
+      Option<control::DesignMethod>{"lqr", control::DesignMethod::kLqr},
+      Option<control::DesignMethod>{"pole_placement", control::DesignMethod::kPolePlacement}};
+  control::LqrWeights& w = c.design.weights;
+  control::PolePlacement& p = c.design.poles;
   control::FeedbackLinearisationGains& f = c.feedback_linearisation;
   v.choice<control::Kind>("kind", c.kind, kKinds, Default{control::Kind::kLqr},
                           "lqr runs the designs that come over the bus; feedback_linearisation inverts the flow law, "
-                          "as HyQ ran it (9.2.5), with the last three of these and neither form nor weights.");
+                          "as HyQ ran it (9.2.5), and takes the last three numbers of this section; pid runs the gains "
+                          "of that group. Those two need neither form nor weights.");
+  v.choice<control::DesignMethod>("design", c.design.method, kMethods, Default{control::DesignMethod::kLqr},
+                                  "How the gains of kind lqr are found: by the weights, or by placing the poles.");
   v.choice<control::Form>("form", c.form, kForms,
                           "full_state needs a load spring; compliant leaves the position out of the design (9.2.4).");
   v.number("integral_weight", w.integral, {0, 1e6}, "On the summed force error (7.9).");
@@ -132,6 +153,10 @@ void declare(Visitor& v, Controller& c) {
   v.number("integral_factor", w.integral_factor, {1e-3, 50}, "Multiplies the integral gain at run time, xi (7.11).");
   v.number("feed_forward_factor", w.feed_forward_factor, {0, 2}, Default{1.0},
            "Multiplies the feed-forward; 0 is off.");
+  v.number("pole_bandwidth_rad_s", p.bandwidth_rad_s, {1, 3e3}, Default{p.bandwidth_rad_s},
+           "pole_placement: natural frequency of the pair that force and integral share; below pi over the period.");
+  v.number("pole_damping", p.damping, {0.1, 5}, Default{p.damping}, "pole_placement: damping of that pair.");
+  v.group("pid", c.pid, Defaults{}, "pid: fixed gains.");
   v.number("force_rate_1_s", f.force_1_s, {0, 1e5}, Default{f.force_1_s},
            "feedback_linearisation: rate at which a force error is to vanish.");
   v.number("integral_rate_1_s2", f.integral_1_s2, {0, 1e8}, Default{f.integral_1_s2},

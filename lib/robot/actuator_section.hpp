@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "config/visitor.hpp"
+#include "control/design.hpp"
 #include "control/feedback_linearisation.hpp"
-#include "control/lqr.hpp"
+#include "control/pid.hpp"
 
 namespace farrier::robot {
 
@@ -109,11 +110,15 @@ struct Load {
   config::Place place;
 };
 
+/// As a group of its own in the file.
+struct PidSection : control::PidGains {};
+
 struct Controller {
   control::Kind kind = control::Kind::kLqr;
   control::Form form = control::Form::kCompliant;
-  control::LqrWeights weights;
+  control::DesignRule design;
   control::FeedbackLinearisationGains feedback_linearisation;
+  PidSection pid;
 };
 
 void declare(config::Visitor& v, Supply& supply);
@@ -129,6 +134,7 @@ void declare(config::Visitor& v, LinkageSection& linkage);
 void declare(config::Visitor& v, CylinderLoad& load);
 void declare(config::Visitor& v, LegLoad& load);
 void declare(config::Visitor& v, Load& load);
+void declare(config::Visitor& v, PidSection& pid);
 void declare(config::Visitor& v, Controller& controller);
 
 }  // namespace farrier::robot

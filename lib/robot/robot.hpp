@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "config/problem.hpp"
+#include "control/design.hpp"
 #include "control/feedback_linearisation.hpp"
+#include "control/pid.hpp"
 #include "control/lqr.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
@@ -39,8 +41,9 @@ struct Joint {
   SensorNoise noise;
   control::Kind kind;
   control::FeedbackLinearisationGains feedback_linearisation;  ///< act where the kind says so
+  control::PidGains pid;                                       ///< likewise
   control::Form form;
-  control::LqrWeights weights;
+  control::DesignRule design;
   control::Normalisation normalisation;
   EstimatorParams estimator;
   double stiffness_Nm_rad, damping_Nms_rad;

@@ -40,17 +40,21 @@
   F(valve_current_A) F(force_reference_N_or_Nm) F(generation) F(faults) F(state) F(phase)
 
 #define FARRIER_FIELDS_JointModelEstimate(F) \
-  F(joint) F(tick) F(phase) F(a) F(b) F(c) F(a_error) F(b_error) F(validity) F(excitation) F(samples) F(flags)
+  F(joint) F(tick) F(phase) F(a) F(b) F(c) F(a_error) F(b_error) F(validity) F(excitation) \
+  F(prediction_error) F(whiteness) F(samples) F(flags) \
+  F(has_physics) F(physics) F(physics_error)
 
 #define FARRIER_FIELDS_JointControllerGains(F) \
   F(joint) F(phase) F(epoch) F(generation) F(effective_tick) F(k_position) F(k_velocity) F(k_force) F(k_integral) \
   F(feed_forward) F(integral_factor) F(k_delay) F(delay_ticks) F(compliant) F(position_scale_m_or_rad) \
-  F(velocity_scale_m_s_or_rad_s) F(force_scale_N_or_Nm) F(current_scale_A) F(model_a) F(model_b)
+  F(velocity_scale_m_s_or_rad_s) F(force_scale_N_or_Nm) F(current_scale_A) F(model_a) F(model_b) \
+  F(has_physics) F(physics)
 
 #define FARRIER_FIELDS_JointUpdateDecision(F) \
-  F(joint) F(tick) F(phase) F(verdict) F(generation) F(estimate_samples) F(validity) F(excitation) F(pole_distance) \
-  F(pole_spread) F(converged_ticks) F(poles_re) F(poles_im) F(designed_poles_re) F(designed_poles_im) \
-  F(estimated_radius) F(stored_radius) F(model_a) F(model_b)
+  F(joint) F(tick) F(phase) F(verdict) F(generation) F(estimate_samples) F(validity) F(excitation) \
+  F(prediction_error) F(whiteness) F(pole_distance) F(pole_spread) F(converged_ticks) F(poles_re) F(poles_im) \
+  F(designed_poles_re) F(designed_poles_im) F(estimated_radius) F(stored_radius) F(disk_margin) F(delay_margin_s) \
+  F(dwell_ticks) F(model_a) F(model_b)
 
 #define FARRIER_FIELDS_GaitPhase(F) \
   F(leg) F(count) F(announced_tick) F(switch_tick) F(phase)

@@ -54,6 +54,13 @@ const char* to_string(UpdateVerdict verdict) noexcept {
     case UpdateVerdict::kDesignRefused: return "design refused";
     case UpdateVerdict::kUnstableOnEstimate: return "unstable on the estimate";
     case UpdateVerdict::kUnstableOnStoredModel: return "unstable on the stored model";
+    case UpdateVerdict::kGainsTooLarge: return "gains too large";
+    case UpdateVerdict::kGainsChangeFast: return "gains change fast";
+    case UpdateVerdict::kErrorTooLarge: return "prediction error too large";
+    case UpdateVerdict::kErrorNotWhite: return "prediction error not white";
+    case UpdateVerdict::kMarginTooSmall: return "margin too small";
+    case UpdateVerdict::kDwellTooLong: return "dwell time too long";
+    case UpdateVerdict::kDwelling: return "dwelling";
   }
   return "unknown verdict";
 }

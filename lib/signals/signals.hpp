@@ -26,7 +26,7 @@ enum class JointState : std::uint8_t { kNull = 0, kDamping = 1, kTracking = 2 };
 
 enum class Severity : std::uint8_t { kInfo = 0, kWarning = 1, kError = 2 };
 
-/// What the update logic made of an estimate (Hubacher 2014, Fig. 8.8, Table F.2), in the order in which it asks.
+/// What the update logic made of an estimate (Hubacher 2014, Section 5.3, Fig. 8.8, Table F.2).
 enum class UpdateVerdict : std::uint8_t {
   kAccepted = 0,              ///< new gains are issued
   kNotDifferentEnough = 1,    ///< poles too near those the acting gains are designed for
@@ -35,6 +35,13 @@ enum class UpdateVerdict : std::uint8_t {
   kDesignRefused = 4,         ///< no controller exists for the estimate
   kUnstableOnEstimate = 5,    ///< the new closed loop is not stable on the estimate within its errors
   kUnstableOnStoredModel = 6, ///< nor on the stored model within its stated uncertainty
+  kGainsTooLarge = 7,         ///< new gains beyond their bounds
+  kGainsChangeFast = 8,       ///< new gains not yet at rest from estimate to estimate
+  kErrorTooLarge = 9,         ///< predictions too far off
+  kErrorNotWhite = 10,        ///< prediction errors still hold something to be learnt
+  kMarginTooSmall = 11,       ///< the new loop's disk or delay margin below its bound
+  kDwellTooLong = 12,         ///< the joint's two loops would need to stay longer than a phase lasts
+  kDwelling = 13,             ///< the joint's last gains have not acted as long as they must
 };
 
 /// Number of topics a health report can count; larger than the registry, checked there.
@@ -110,8 +117,13 @@ struct JointModelEstimate {
   std::array<double, 3> b_error{};  ///< of b
   double validity = 0;        ///< 0: not an estimate; 1: certain
   double excitation = 0;      ///< lower bound of the normalised information matrix's smallest eigenvalue, >= 0
+  double prediction_error = 0;  ///< RMS error of force predictions over what the sensors' noise explains, >= 0
+  double whiteness = 0;       ///< probability that white errors are at least as correlated as those, 0..1
   std::uint32_t samples = 0;  ///< informative ones behind it
   std::uint32_t flags = 0;    ///< Table F.1
+  std::uint8_t has_physics = 0;               ///< 1: the estimator knows the joint's structure
+  std::array<double, 8> physics{};            ///< plant::JointPhysics in the order of its declaration, SI
+  std::array<double, 8> physics_error{};      ///< standard errors, >= 0; 0 for what is taken as known
 };
 
 /// supervisor -> joint_node: one slot of one joint's gains, in the thesis's normalised units (Fig. 7.1).
@@ -136,6 +148,8 @@ struct JointControllerGains {
   double current_scale_A = 0;            ///< (3.53)
   std::array<double, 9> model_a{};       ///< model they were designed for, SI, row by row
   std::array<double, 3> model_b{};
+  std::uint8_t has_physics = 0;          ///< 1: physics is known, for controllers that invert the flow law
+  std::array<double, 8> physics{};       ///< plant::JointPhysics in the order of its declaration, SI
 };
 
 /// supervisor -> monitors: gains redesigned from an estimate, or a design that was refused; published when it happens.
@@ -148,15 +162,20 @@ struct JointUpdateDecision {
   std::uint32_t estimate_samples = 0;   ///< JointModelEstimate::samples
   double validity = 0;                  ///< of the estimate, 0..1
   double excitation = 0;                ///< of the estimate, >= 0
+  double prediction_error = 0;          ///< of the estimate, >= 0
+  double whiteness = 0;                 ///< of the estimate, 0..1
   double pole_distance = 0;             ///< of the estimate's poles from those the acting gains are designed for, >= 0
   double pole_spread = 0;               ///< of the estimates' poles over the convergence window, >= 0
-  std::uint32_t converged_ticks = 0;    ///< for how long they have stayed within the spread
+  std::uint32_t converged_ticks = 0;    ///< for how long what the method waits for has held
   std::array<double, 3> poles_re{};     ///< of the estimate, z-plane, unit circle is 1
   std::array<double, 3> poles_im{};
   std::array<double, 3> designed_poles_re{};  ///< of the model the acting gains are designed for
   std::array<double, 3> designed_poles_im{};
   double estimated_radius = 0;          ///< spectral radius of the new gains' loop on the estimate; 0: not worked out
   double stored_radius = 0;             ///< on the stored model, worst corner of its uncertainty; 0: not worked out
+  double disk_margin = 0;               ///< of the new gains' loop on the estimate, 0..2; 0: not worked out
+  double delay_margin_s = 0;            ///< delay it bears on top of its own, >= 0; 0: not worked out
+  std::uint32_t dwell_ticks = 0;        ///< least time in a phase with the joint's two slots; 0: none, or not worked out
   std::array<double, 9> model_a{};      ///< the estimate, SI, row by row
   std::array<double, 3> model_b{};
 };

@@ -1,5 +1,7 @@
 farrier_test(control_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control_discretise_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_model_analysis_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_transfer_function_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_riccati_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_riccati_slicot_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_lqr_test.cpp

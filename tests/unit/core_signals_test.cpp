@@ -80,7 +80,7 @@ TEST(Signals, NameEveryValueOfTheirEnums) {
 
 TEST(Signals, NameEveryVerdictOfTheUpdateLogicDifferently) {
   std::set<std::string> names;
-  constexpr int kVerdicts = static_cast<int>(UpdateVerdict::kUnstableOnStoredModel) + 1;
+  constexpr int kVerdicts = static_cast<int>(UpdateVerdict::kDwelling) + 1;
   for (int verdict = 0; verdict < kVerdicts; ++verdict) {
     names.insert(to_string(static_cast<UpdateVerdict>(verdict)));
   }

@@ -21,8 +21,10 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_first_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_known_loads_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_news_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_pair_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_update_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/supervisor_update_method_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(nodes_test PRIVATE farrier_estimator_service_core farrier_sim_bridge_core
   farrier_supervisor_core farrier_joint_node_core)

@@ -2,6 +2,8 @@ farrier_test(plant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/plant_joint_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_integrator_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_create_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant_force_dynamics_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant_linear_forms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_linear_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_linkage_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)

@@ -6,6 +6,7 @@ farrier_test(report_test unit
   ${CMAKE_CURRENT_LIST_DIR}/report_outcome_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_page_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_tracking_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/report_update_logic_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_vary_test.cpp)
 target_link_libraries(report_test PRIVATE farrier_report farrier_supervisor_core nlohmann_json::nlohmann_json)
 target_compile_definitions(report_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")

@@ -100,6 +100,11 @@ TEST(Decisions, AreInTheJsonAndTheConsoleCountsThem) {
   Outcome outcome{.command = "trot", .figures = {}, .run = run_info(robot, 1), .failures = {}, .warnings = {"odd"}};
   JointUpdateDecision update = decision(robot.joints[1], 812);
   update.pole_distance = 0.25;
+  update.disk_margin = 0.5;
+  update.delay_margin_s = 0.002;
+  update.dwell_ticks = 12;
+  update.prediction_error = 1.5;
+  update.whiteness = 0.75;
   update.poles_re = {0.9, 0.5, 0.5};
   update.poles_im = {0.0, 0.1, -0.1};
   outcome.run.decisions = decision_infos(robot, std::vector{update});
@@ -113,6 +118,11 @@ TEST(Decisions, AreInTheJsonAndTheConsoleCountsThem) {
   EXPECT_EQ(listed["phase"], "stance");
   EXPECT_EQ(listed["verdict"], signals::to_string(UpdateVerdict::kAccepted));
   EXPECT_EQ(listed["pole_distance"], 0.25);
+  EXPECT_EQ(listed["disk_margin"], 0.5);
+  EXPECT_EQ(listed["delay_margin_s"], 0.002);
+  EXPECT_EQ(listed["dwell_ticks"], 12);
+  EXPECT_EQ(listed["prediction_error"], 1.5);
+  EXPECT_EQ(listed["whiteness"], 0.75);
   EXPECT_EQ(listed["poles"], nlohmann::json::parse("[[0.9, 0.0], [0.5, 0.1], [0.5, -0.1]]"));
   const std::string text = console_text(outcome, false);
   EXPECT_NE(text.find("joint   updates  stance NRMSE"), std::string::npos) << text;

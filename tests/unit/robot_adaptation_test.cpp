@@ -96,6 +96,17 @@ TEST(Adaptation, AsksForAnEstimateOncePerPeriod) {
   EXPECT_EQ(due, (std::vector<Tick>{0, 4, 8}));
 }
 
+TEST(Adaptation, NamesTheUpdateLogicAndKeepsTheThesisOneWhereAFileDoesNot) {
+  EXPECT_EQ(load_shipped("hyq").update_logic.method, UpdateMethod::kDistinctPoles);
+  for (const UpdateMethod method : {UpdateMethod::kLimits, UpdateMethod::kSmallError, UpdateMethod::kWhiteError,
+                                    UpdateMethod::kDistinctPoles}) {
+    const Robot robot = loaded(replaced(text_of("hyq"), "  pole_distance_min: 0.1",
+                                        std::string("  method: ") + to_string(method) + "\n  pole_distance_min: 0.1"));
+    EXPECT_EQ(robot.update_logic.method, method) << to_string(method);
+    EXPECT_EQ(loaded(print_config(robot)).update_logic.method, method) << to_string(method);
+  }
+}
+
 struct Mistake {
   const char* from;
   const char* to;
@@ -132,6 +143,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"pole_spread_max: 0.05", "pole_spread_max: 0.11",
                 "update_logic.pole_spread_max: must not be above pole_distance_min: what counts as still must not "
                 "count as moved"},
+        Mistake{"  pole_distance_min: 0.1", "  method: poles\n  pole_distance_min: 0.1",
+                "update_logic.method: poles is not one of limits, small_error, white_error, distinct_poles"},
         Mistake{"gain_lead_ticks: 2", "gain_lead_ticks: 1",
                 "update_logic.gain_lead_ticks: 1 is out of range: give 2 to 1000"},
         Mistake{"gain_ratio_min: 1.2", "gain_ratio_min: 0.9",

@@ -37,7 +37,7 @@ TEST(Fc1d, LeadsToTheGainsTheThesisShows) {
   const Joint& joint = rig.joints.at(0);
   const plant::LinearModel model =
       plant::linearise_load_cell_force(joint.actuator, joint.stance_load, {.position = 0.04, .valve_sign = 1.0});
-  const auto gains = control::design_lqr(model.a, model.b, rig.period_s, joint.weights, joint.normalisation, joint.form,
+  const auto gains = control::design_lqr(model.a, model.b, rig.period_s, joint.design.weights, joint.normalisation, joint.form,
                                          rig.loop_delay_lockstep);
   ASSERT_TRUE(gains.ok()) << control::to_string(gains.error());
   EXPECT_NEAR(gains.value().position, 0.065, 0.5e-3);  // half of the last digit given
@@ -53,7 +53,7 @@ TEST(Robot, LeadsToAControllerForEveryJointLoadAndClock) {
         for (const int delay : {robot.loop_delay_lockstep, robot.loop_delay_realtime}) {
           const plant::LinearModel model = plant::linearise_load_cell_force(
               joint.actuator, load, {.position = joint.linkage.position(joint.home_angle_rad)});
-          const auto gains = control::design_lqr(model.a, model.b, robot.period_s, joint.weights, joint.normalisation,
+          const auto gains = control::design_lqr(model.a, model.b, robot.period_s, joint.design.weights, joint.normalisation,
                                                  joint.form, delay);
           EXPECT_TRUE(gains.ok()) << joint.name << ", " << load.mass << " kg, delay " << delay;
         }
@@ -66,12 +66,12 @@ TEST(Robot, LeadsToAControllerForEveryJointLoadAndClock) {
 TEST(Robot, TakesItsWeightsFromTheThesis) {
   for (const char* name : {"hyq", "fc1d"}) {
     for (const Joint& joint : load_shipped(name).joints) {
-      EXPECT_EQ(joint.weights.integral, 2.5);
-      EXPECT_EQ(joint.weights.position, 1.0);
-      EXPECT_EQ(joint.weights.velocity, 1.0);
-      EXPECT_EQ(joint.weights.force, 5000.0);
-      EXPECT_EQ(joint.weights.input, 0.1);
-      EXPECT_EQ(joint.weights.integral_factor, joint.name == "fc1d" ? 14.0 : 6.0);
+      EXPECT_EQ(joint.design.weights.integral, 2.5);
+      EXPECT_EQ(joint.design.weights.position, 1.0);
+      EXPECT_EQ(joint.design.weights.velocity, 1.0);
+      EXPECT_EQ(joint.design.weights.force, 5000.0);
+      EXPECT_EQ(joint.design.weights.input, 0.1);
+      EXPECT_EQ(joint.design.weights.integral_factor, joint.name == "fc1d" ? 14.0 : 6.0);
     }
   }
 }

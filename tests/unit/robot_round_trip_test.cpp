@@ -24,7 +24,7 @@ std::string fingerprint(const Joint& j) {
   for (const double q : {j.angle_min_rad, j.angle_max_rad, j.home_angle_rad}) {
     text << q << ' ' << j.linkage.position(q) << ' ' << j.linkage.lever(q) << ' ';
   }
-  const control::LqrWeights& w = j.weights;
+  const control::LqrWeights& w = j.design.weights;
   const control::Normalisation& n = j.normalisation;
   for (const double x : {j.push_limit, j.pull_limit, j.noise.position, j.noise.velocity, j.noise.force, w.integral,
                          w.position, w.velocity, w.force, w.input, w.integral_factor, w.feed_forward_factor,

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "control/switching.hpp"
 #include "robot/joint_model.hpp"
 #include "supervisor/joint_design.hpp"
 #include "supervisor/slot_update.hpp"
@@ -76,7 +77,12 @@ inline control::Gains gains_for(const plant::LoadParams& load) {
 inline SlotUpdate slot_for(const plant::LoadParams& load,
                            const robot::UpdateLogicParams& logic = rig().update_logic) {
   const int period = rig().estimate_period_ticks;
-  return SlotUpdate(rig().joints[0], logic, period * rig().period_s, period, gains_for(load));
+  return SlotUpdate(rig().joints[0], logic, rig().period_s, period, gains_for(load));
+}
+
+/// Lets a slot of a robot that stands look at an estimate.
+inline signals::JointUpdateDecision show(SlotUpdate& slot, const signals::JointModelEstimate& estimate, Tick tick) {
+  return slot.look(estimate, tick, {slot.gains(), control::kNoDwell, false});
 }
 
 inline signals::UpdateVerdict verdict_of(const signals::JointUpdateDecision& decision) {
@@ -88,7 +94,7 @@ inline std::vector<signals::JointUpdateDecision> insist(SlotUpdate& slot, const 
                                                         int looks) {
   std::vector<signals::JointUpdateDecision> decisions;
   for (int look = 0; look < looks; ++look) {
-    decisions.push_back(slot.look(estimate, look * rig().estimate_period_ticks));
+    decisions.push_back(show(slot, estimate, look * rig().estimate_period_ticks));
     if (verdict_of(decisions.back()) == signals::UpdateVerdict::kAccepted) {
       break;
     }

@@ -20,7 +20,7 @@ TEST(SlotUpdate, IsNewsOncePerReasonOfARefusal) {
   SlotUpdate slot = slot_for(cart(20.0), credulous());
   int news = 0;
   for (int look = 0; look < 100; ++look) {
-    slot.look(estimate_of(unstabilisable()), look);
+    show(slot, estimate_of(unstabilisable()), look);
     news += slot.is_news() ? 1 : 0;
   }
   EXPECT_EQ(news, 1);
@@ -34,7 +34,7 @@ TEST(SlotUpdate, IsNewsAgainAfterSomethingElseWasAccepted) {
   EXPECT_TRUE(slot.is_news());
   int news = 0;
   for (int look = 0; look < 10; ++look) {
-    slot.look(estimate_of(unstabilisable()), look);
+    show(slot, estimate_of(unstabilisable()), look);
     news += slot.is_news() ? 1 : 0;
   }
   EXPECT_EQ(news, 1);
@@ -48,7 +48,7 @@ TEST(SlotUpdate, LooksWithoutAllocationEvenWhenItRedesigns) {
   const test::AllocationGuard guard;
   for (int look = 0; look < 60; ++look) {
     const JointModelEstimate& estimate = look < 20 ? heavy : look < 40 ? light : refused;
-    accepted += slot.look(estimate, look).verdict == static_cast<int>(UpdateVerdict::kAccepted) ? 1 : 0;
+    accepted += show(slot, estimate, look).verdict == static_cast<int>(UpdateVerdict::kAccepted) ? 1 : 0;
   }
   EXPECT_EQ(guard.allocations(), 0u);
   EXPECT_GE(accepted, 1);
@@ -70,7 +70,7 @@ TEST(SlotUpdate, OnlyEverHasGainsThatAreStableOnTheirModel) {
     }
     JointModelEstimate estimate = estimate_of(model);
     estimate.b_error[2] = look % 11 == 0 ? std::numeric_limits<double>::infinity() : estimate.b_error[2];
-    const auto decision = slot.look(estimate, look);
+    const auto decision = show(slot, estimate, look);
     accepted += verdict_of(decision) == UpdateVerdict::kAccepted ? 1 : 0;
     const control::Gains& gains = slot.gains();
     ASSERT_LT(control::closed_loop_spectral_radius(gains.model, gains, gains.delay_ticks), 1.0) << look;

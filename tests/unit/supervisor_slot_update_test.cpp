@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "estimation/joint_estimator.hpp"
+#include "estimation/estimator.hpp"
 #include "estimation/poles.hpp"
 #include "supervisor_estimates.hpp"
 
@@ -39,7 +39,7 @@ TEST(SlotUpdate, AcceptsAConvergedEstimateWithTheGainsAnLqrForItHas) {
   EXPECT_TRUE(slot.is_news());
   const robot::Joint& joint = rig().joints[0];
   const control::Gains fresh =
-      control::design_lqr(model, joint.weights, joint.normalisation, joint.form, kNoDelay).value();
+      control::design_lqr(model, joint.design.weights, joint.normalisation, joint.form, kNoDelay).value();
   const control::Gains& gains = slot.gains();
   EXPECT_EQ(gains.position, fresh.position);
   EXPECT_EQ(gains.velocity, fresh.velocity);
@@ -48,7 +48,7 @@ TEST(SlotUpdate, AcceptsAConvergedEstimateWithTheGainsAnLqrForItHas) {
   EXPECT_EQ(gains.feed_forward, fresh.feed_forward);
   EXPECT_EQ(gains.model.a, model.a);
   EXPECT_EQ(gains.spectral_radius, fresh.spectral_radius);
-  EXPECT_EQ(slot.look(estimate_of(model), 0).verdict, static_cast<int>(UpdateVerdict::kNotDifferentEnough))
+  EXPECT_EQ(show(slot, estimate_of(model), 0).verdict, static_cast<int>(UpdateVerdict::kNotDifferentEnough))
       << "it is what the gains are designed for now";
 }
 
@@ -67,7 +67,7 @@ TEST(SlotUpdate, NeverAcceptsPolesThatKeepMoving) {
   SlotUpdate slot = slot_for(cart(20.0), credulous());
   for (int look = 0; look < kLong; ++look) {
     const double mass = look % 2 == 0 ? kLight_kg : kHeavy_kg;
-    const JointUpdateDecision decision = slot.look(estimate_of(model_of(cart(mass))), look);
+    const JointUpdateDecision decision = show(slot, estimate_of(model_of(cart(mass))), look);
     ASSERT_EQ(verdict_of(decision), UpdateVerdict::kNotConverged) << look;
     ASSERT_EQ(decision.converged_ticks, 0u);
   }
@@ -119,11 +119,11 @@ TEST(SlotUpdate, ComparesPolesAsSets) {
   other.a.bottomRightCorner<2, 2>() << 0.79, 0.0, 0.0, 0.80;
   control::Gains gains = gains_for(cart(20.0));
   gains.model = one;
-  SlotUpdate slot(joint, rig().update_logic, 0.01, 10, gains);
-  EXPECT_NEAR(slot.look(estimate_of(other), 0).pole_distance, 0.0, 1e-12);
+  SlotUpdate slot(joint, rig().update_logic, rig().period_s, 10, gains);
+  EXPECT_NEAR(show(slot, estimate_of(other), 0).pole_distance, 0.0, 1e-12);
   control::DiscreteModel mirrored = one;
   mirrored.a.bottomRightCorner<2, 2>() << -0.80, 0.0, 0.0, -0.79;
-  EXPECT_NEAR(slot.look(estimate_of(mirrored), 10).pole_distance, 1.59, 1e-12);
+  EXPECT_NEAR(show(slot, estimate_of(mirrored), 10).pole_distance, 1.59, 1e-12);
 }
 
 TEST(SlotUpdate, RedesignsForAValveGainThatHasChangedBetweenTheSamePoles) {

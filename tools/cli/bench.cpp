@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "lab/bench_control.hpp"
+#include "lab/bench_estimators.hpp"
 #include "lab/bench_plant.hpp"
 #include "lab/bench_redesign.hpp"
 #include "lab/bench_riccati.hpp"
@@ -36,7 +37,7 @@ constexpr double kTickUs = 50.0;
 constexpr double kRedesignUs = 10.0;
 
 struct BenchOptions {
-  std::vector<std::string> only{"lockstep", "plant", "riccati", "control", "rls", "tick"};
+  std::vector<std::string> only{"lockstep", "plant", "riccati", "control", "rls", "estimators", "tick"};
   std::string robot_path;
   Tick ticks = 4000;
   std::string out = "out/bench";
@@ -117,6 +118,17 @@ void bench_rls(report::Figures& figures) {
   figures.add("bench.rls.allocations", static_cast<double>(bench.allocations), 0.0);
 }
 
+void bench_estimators(report::Figures& figures) {
+  std::fputs("estimators: one joint's tick by every method, and what the gates add\n", stderr);
+  const lab::EstimatorsBench bench = lab::bench_estimators(4000, allocation_count);
+  for (const auto& method : bench.methods) {
+    figures.add(std::string("bench.estimator.") + method.name + "_ns", 1e9 * method.take_s);
+  }
+  figures.add("bench.estimator.pe_gate_ns", 1e9 * bench.pe_s);
+  figures.add("bench.estimator.fft_gate_ns", 1e9 * bench.fft_s);
+  figures.add("bench.estimator.allocations", static_cast<double>(bench.allocations), 0.0);
+}
+
 Result<Done> bench_tick(const robot::Robot& robot, report::Figures& figures) {
   std::fputs("tick: every joint's control, estimation and update logic on one core, and a redesign\n", stderr);
   const auto tick = lab::bench_tick(robot, 20, allocation_count);
@@ -181,6 +193,9 @@ int bench(BenchOptions o) {
   if (wanted("rls")) {
     bench_rls(outcome.figures);
   }
+  if (wanted("estimators")) {
+    bench_estimators(outcome.figures);
+  }
   if (wanted("tick")) {
     if (const auto done = bench_tick(robot.value(), outcome.figures); !done) {
       std::fprintf(stderr, "farrier bench: %s\n", done.error().message.c_str());
@@ -201,9 +216,9 @@ int bench(BenchOptions o) {
 std::function<int()> declare_bench(CLI::App& app) {
   auto o = std::make_shared<BenchOptions>();
   o->robot_path = shipped_robot("hyq.yaml");
-  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control, rls, tick")
+  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control, rls, estimators, tick")
       ->delimiter(',')
-      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls", "tick"}).description(""))
+      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls", "estimators", "tick"}).description(""))
       ->type_name("<names>")
       ->default_str("all");
   app.add_option("--robot", o->robot_path, "robot file of the lock-step runs and of the tick")

@@ -23,6 +23,10 @@ int run_load_cycle(const robot::Robot& rig, const TrotOptions& options);
 /// weight that step at touchdown, and with the load transfer of the robot file.
 int run_switching(const robot::Robot& robot, const TrotOptions& options);
 
+/// farrier trot --experiment update-logic: the four update logics of Hubacher (2014), Section 5.3.1, each with the
+/// parameters of its robot file, on the load cycle of the shipped rig and on an adaptive trot of `robot`.
+int run_update_logic(const robot::Robot& robot, const TrotOptions& options);
+
 /// A run in process, with what it wrote.
 struct ExperimentRun {
   std::vector<record::TraceRow> rows;

@@ -141,8 +141,11 @@ int trot(TrotOptions o) {
   if (o.vary) {
     return vary(robot, o, rows_path);
   }
-  if (o.experiment != Experiment::kNone) {
-    return o.experiment == Experiment::kLoadCycle ? run_load_cycle(robot, o) : run_switching(robot, o);
+  switch (o.experiment) {
+    case Experiment::kLoadCycle: return run_load_cycle(robot, o);
+    case Experiment::kSwitching: return run_switching(robot, o);
+    case Experiment::kUpdateLogic: return run_update_logic(robot, o);
+    case Experiment::kNone: break;
   }
   auto ran = run_once(robot, o);
   if (!ran) {

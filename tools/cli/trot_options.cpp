@@ -18,7 +18,8 @@ const std::map<std::string, lab::Grouping> kNodes{{"per-leg", lab::Grouping::kPe
                                                   {"one", lab::Grouping::kOne}};
 const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "stand"}};
 const std::map<std::string, Experiment> kExperiments{{"fig7.8", Experiment::kLoadCycle},
-                                                     {"switching", Experiment::kSwitching}};
+                                                     {"switching", Experiment::kSwitching},
+                                                     {"update-logic", Experiment::kUpdateLogic}};
 
 const std::map<std::string, std::string> kDesigns{
     {"adaptive", "adaptive"}, {"stance", "stance"}, {"swing", "swing"}, {"phases", "phases"}};
@@ -57,9 +58,9 @@ void declare(CLI::App& app, TrotOptions& o) {
   CLI::Option* const trace = app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
   app.add_option("--json", o.json_path, "where the figures go")->type_name("<file>")->default_str("figures.json in --out");
   CLI::Option* const experiment =
-      add_choice(app, "--experiment", o.experiment, kExperiments, "fig7.8|switching",
+      add_choice(app, "--experiment", o.experiment, kExperiments, "fig7.8|switching|update-logic",
                  "instead of one run, in process: fig7.8, a rig (fc1d.yaml) whose load changes unannounced; switching, "
-                 "what it is worth that gains change at touchdown");
+                 "what it is worth that gains change at touchdown; update-logic, the four of the thesis on both");
   experiment->excludes(design);
   CLI::Option* const dither_cost =
       app.add_flag("--dither-cost", o.dither_cost,

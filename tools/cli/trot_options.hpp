@@ -8,7 +8,7 @@
 namespace farrier::cli {
 
 /// Runs of their own that `farrier trot` makes instead of one of the gait.
-enum class Experiment { kNone, kLoadCycle, kSwitching };
+enum class Experiment { kNone, kLoadCycle, kSwitching, kUpdateLogic };
 
 /// What the command line of `farrier trot` says.
 struct TrotOptions {

@@ -94,7 +94,8 @@ std::string decisions_html(const RunInfo& run) {
       "<h2>Decisions about gains</h2>\n<details><summary>All of them: " + std::to_string(run.decisions.size()) +
       "</summary>\n<table><thead><tr><th>tick</th><th>joint</th><th>phase</th><th>verdict</th>"
       "<th>generation</th><th>pole distance</th><th>pole spread</th><th>validity</th><th>excitation</th>"
-      "<th>radius on the estimate</th><th>on the stored model</th></tr></thead>\n<tbody>\n";
+      "<th>radius on the estimate</th><th>on the stored model</th><th>disk margin</th><th>delay margin, s</th>"
+      "<th>dwell ticks</th></tr></thead>\n<tbody>\n";
   for (const DecisionInfo& info : run.decisions) {
     const signals::JointUpdateDecision& decision = info.decision;
     const auto number = [](double value) { return cell(short_number(value), "number"); };
@@ -103,7 +104,8 @@ std::string decisions_html(const RunInfo& run) {
             cell(signals::to_string(static_cast<signals::UpdateVerdict>(decision.verdict))) +
             cell(std::to_string(decision.generation), "number") + number(decision.pole_distance) +
             number(decision.pole_spread) + number(decision.validity) + number(decision.excitation) +
-            number(decision.estimated_radius) + number(decision.stored_radius) + "</tr>\n";
+            number(decision.estimated_radius) + number(decision.stored_radius) + number(decision.disk_margin) +
+            number(decision.delay_margin_s) + cell(std::to_string(decision.dwell_ticks), "number") + "</tr>\n";
   }
   return html + "</tbody></table>\n</details>\n";
 }

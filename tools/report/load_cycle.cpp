@@ -19,11 +19,6 @@ bool heavy(std::size_t quarter) { return quarter % 2 == 1; }
 
 std::string quarter_name(std::size_t quarter) { return "quarter" + std::to_string(quarter + 1); }
 
-double error_of(const LoadCycleRun& run, const LoadCyclePlan& plan, std::size_t quarter) {
-  const Tick transient = std::llround(record::kJudgedAfter_s / plan.robot.period_s);
-  return record::relative_error(run.rows, plan.begin[quarter] + transient, plan.begin[quarter + 1]);
-}
-
 const LoadCycleRun* find(std::span<const LoadCycleRun> runs, std::string_view name) {
   const auto found = std::ranges::find(runs, name, &LoadCycleRun::name);
   return found == runs.end() ? nullptr : &*found;
@@ -51,6 +46,11 @@ std::string load_table(const LoadCyclePlan& plan) {
 
 }  // namespace
 
+double quarter_error(const LoadCyclePlan& plan, std::span<const record::TraceRow> rows, std::size_t quarter) noexcept {
+  const Tick transient = std::llround(record::kJudgedAfter_s / plan.robot.period_s);
+  return record::relative_error(rows, plan.begin[quarter] + transient, plan.begin[quarter + 1]);
+}
+
 void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const LoadCycleRun> runs) {
   for (const LoadCycleRun& run : runs) {
     for (std::size_t i = 0; i < kQuarters; ++i) {
@@ -58,7 +58,8 @@ void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const
       if (heavy(i) && (run.name == "fixed" || run.name == "adaptive")) {
         bound = run.name == "fixed" ? kFixedAtLeast : kAdaptiveAtMost;
       }
-      figures.add("trot.fig7_8." + run.name + "." + quarter_name(i) + "_nrmse", error_of(run, plan, i), bound);
+      figures.add("trot.fig7_8." + run.name + "." + quarter_name(i) + "_nrmse", quarter_error(plan, run.rows, i),
+                  bound);
     }
   }
   const LoadCycleRun* adaptive = find(runs, "adaptive");
@@ -69,10 +70,11 @@ void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const
   }
   for (std::size_t i = 0; i < kQuarters; ++i) {
     if (!heavy(i)) {
-      const double error = error_of(*adaptive, plan, i);
-      figures.add("trot.fig7_8.light_ratio_" + quarter_name(i), error / error_of(*true_load, plan, i),
+      const double error = quarter_error(plan, adaptive->rows, i);
+      figures.add("trot.fig7_8.light_ratio_" + quarter_name(i), error / quarter_error(plan, true_load->rows, i),
                   kLightRatioAtMost);
-      figures.add("trot.fig7_8.dithered_light_ratio_" + quarter_name(i), error / error_of(*dithered, plan, i));
+      figures.add("trot.fig7_8.dithered_light_ratio_" + quarter_name(i),
+                  error / quarter_error(plan, dithered->rows, i));
     }
   }
   figures.add("trot.fig7_8.gain_updates", static_cast<double>(updates_of(*adaptive)));

@@ -34,6 +34,9 @@ inline constexpr double kFixedAtLeast = 1.0;        ///< heavy quarters: the lig
 inline constexpr double kAdaptiveAtMost = 0.08;     ///< heavy quarters
 inline constexpr double kLightRatioAtMost = 1.05;   ///< light quarters: adapting must not cost what it need not
 
+/// record::relative_error() of quarter 0..3 from record::kJudgedAfter_s after its beginning.
+double quarter_error(const LoadCyclePlan& plan, std::span<const record::TraceRow> rows, std::size_t quarter) noexcept;
+
 /// Adds trot.fig7_8.*: a figure per run and quarter, bounded as above from record::kJudgedAfter_s on, ratios and the number of gain updates.
 void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const LoadCycleRun> runs);
 

@@ -71,12 +71,17 @@ Json json_of(const DecisionInfo& info) {
           {"generation", decision.generation},
           {"validity", decision.validity},
           {"excitation", decision.excitation},
+          {"prediction_error", decision.prediction_error},
+          {"whiteness", decision.whiteness},
           {"pole_distance", decision.pole_distance},
           {"pole_spread", decision.pole_spread},
           {"poles", poles_of(decision.poles_re, decision.poles_im)},
           {"designed_poles", poles_of(decision.designed_poles_re, decision.designed_poles_im)},
           {"estimated_radius", decision.estimated_radius},
-          {"stored_radius", decision.stored_radius}};
+          {"stored_radius", decision.stored_radius},
+          {"disk_margin", decision.disk_margin},
+          {"delay_margin_s", decision.delay_margin_s},
+          {"dwell_ticks", decision.dwell_ticks}};
 }
 
 Json json_of(const RunInfo& run) {

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+
+#include "control/flow_model.hpp"
+#include "control/force_controller.hpp"
+
+namespace farrier::control {
+
+/// What the controller is tuned by, for a period of 1 ms. How the defaults were found:
+/// docs/decisions/0022-flow-inversion.md.
+struct FlowInversionGains {
+  double error_share = 0.9;       ///< of the force error, made up for within a tick; in (0, 1]
+  double reference_share = 1.0;   ///< of the reference's last change, expected again; in [0, 1], 0 is off
+  // Shares of what was measured beyond what was predicted, in [0, 1]; the first two above zero:
+  double force_share = 0.7;       ///< into the predicted force
+  double velocity_share = 0.3;    ///< into the predicted velocity
+  double flow_share = 0.3;        ///< of the force, into a rate of force nobody asked for (integral action)
+  double load_share = 0.03;       ///< of the velocity, into a force on the load
+};
+
+/// Force controller that inverts the flow law over one tick. It carries FlowModel along with the currents it sent,
+/// corrects state and two disturbances by what is measured (a fixed-gain observer of position, velocity, both chamber
+/// pressures, flow and load), predicts over the loop's delay, and looks for the current at whose end
+///   F = F_ref + (1 - error_share) (F - F_ref)
+/// stands, the reference one tick further on being what it would be if it changed as it did last:
+/// feed-forward from its derivative. What the piston's motion takes is inside the prediction, and so is what the load
+/// makes of the force within the tick. The disturbance of flow is the integral action; saturation does not wind it up,
+/// as the model knows what was sent. Derivation and measurements: docs/derivations/flow-inversion.md.
+///
+/// Allocation-free, bounded (at most 7 + delay_ticks runs of FlowModel::advance), cannot fail. One call of step per
+/// period. Null current before set_physics. A non-finite reference or measurement gives null current for that tick,
+/// of which the model knows; what cannot be predicted any more starts it afresh.
+class FlowInversion {
+ public:
+  struct Output {
+    double valve_current_A;  ///< within +-valve_current_max_A, the probe included
+    bool saturated;
+  };
+
+  /// `actuator` passes plant::validate; `operating_position` (m or rad, from fully retracted) is where the
+  /// measurement's position is 0, `slack_position` where the load's spring is slack; `period_s` > 0; `delay_ticks` in 0..kMaxDelayTicks.
+  FlowInversion(const plant::ActuatorParams& actuator, const FlowInversionGains& gains, double operating_position,
+                double slack_position, double period_s, int delay_ticks) noexcept;
+
+  /// Physics from the next step on. Bumpless: the force in the model stays. False, and the old physics kept, for values
+  /// that are not finite or out of the ranges of JointPhysics, and for a load without mass.
+  bool set_physics(const plant::JointPhysics& physics) noexcept;
+
+  /// Force in N or Nm, as the measurement's. probe_A is added to the current before it is limited.
+  Output step(double force_reference, const Measurement& measurement, double probe_A = 0.0) noexcept;
+
+  /// Forgets state, disturbances and past currents; physics stays.
+  void reset() noexcept;
+
+  const FlowModel::Disturbance& disturbance() const noexcept { return disturbance_; }
+
+ private:
+  void begin(double force_reference, const Measurement& measurement) noexcept;
+  void correct(const Measurement& measurement) noexcept;
+  double current_for(const plant::State& state, double force) const noexcept;
+  Output send(double wanted_A) noexcept;
+
+  plant::ActuatorParams actuator_;
+  FlowInversionGains gains_;
+  double operating_position_;
+  double slack_position_;
+  double period_s_;
+  std::size_t delay_ticks_;
+  double most_force_;
+  FlowModel model_;
+  bool has_physics_ = false;
+  bool has_run_ = false;
+  plant::State state_{};  ///< of the last tick, then of this one
+  FlowModel::Disturbance disturbance_{};
+  double last_reference_ = 0.0;
+  std::array<double, kMaxDelayTicks + 1> sent_A_{};  ///< newest first
+};
+
+}  // namespace farrier::control

@@ -1,0 +1,83 @@
+#pragma once
+
+// Whether what a joint does now is worth learning from (Hubacher 2014, 9.1.2). For any estimator.
+
+#include <Eigen/Core>
+
+#include <variant>
+#include <vector>
+
+#include "core/result.hpp"
+#include "estimation/estimator_params.hpp"
+#include "estimation/sliding_dft.hpp"
+
+namespace farrier::estimation {
+
+/// Persistence of excitation: alpha I <= G <= beta I, G = sum h h' over the window (Hubacher 2014, (9.4), corrected: the
+/// printed h'h is not the Gram matrix of the parameters). Closed until the window is full.
+class PersistenceGate {
+ public:
+  /// `columns` of a signal, the last ones, are the regressor: 3, or 4 with the position.
+  PersistenceGate(const PersistenceParams& params, int columns);
+
+  void observe(const Eigen::Vector4d& signal) noexcept;
+  void reset() noexcept;
+
+  /// By two Cholesky factorisations, of G - alpha I and beta I - G: no singular value is worked out.
+  bool open() const noexcept;
+
+  /// Smallest and largest singular value of G, Fig. 9.6.
+  Eigen::Vector2d singular_values() const noexcept;
+
+ private:
+  PersistenceParams params_;
+  int columns_;
+  std::vector<Eigen::Vector4d> window_;  // zero where no column of the regressor is
+  Eigen::Matrix4d gram_ = Eigen::Matrix4d::Zero();
+  Eigen::Matrix4d fresh_ = Eigen::Matrix4d::Zero();  // of the samples since the window began at its first place
+  std::size_t next_ = 0;
+  bool full_ = false;
+};
+
+/// Frequencies of the valve current: open while the amplitude of more than f_min of them is above M_min (Hubacher 2014,
+/// (9.5); the sum over the window that stands there only counts the same window over and over). Closed until the window
+/// is full.
+class SpectrumGate {
+ public:
+  explicit SpectrumGate(const SpectrumParams& params);
+
+  void observe(const Eigen::Vector4d& signal) noexcept { dft_.take(signal(3)); }
+  void reset() noexcept { dft_.reset(); }
+  bool open() const noexcept { return dft_.full() && frequencies() > params_.frequencies_min; }
+
+  /// How many of the N/2 - 1 frequencies have an amplitude above M_min, Fig. 9.7.
+  int frequencies() const noexcept;
+
+ private:
+  SpectrumParams params_;
+  SlidingDft dft_;
+};
+
+/// The gate of the parameters, or none, which is always open.
+class ExcitationGate {
+ public:
+  /// Refuses settings out of range by name.
+  static Result<ExcitationGate> create(const EstimatorParams& params);
+
+  /// One tick's position, velocity, force and current, normalised, as the estimator sees them; |signal| <= 1e40. Ticks
+  /// follow one another: after a gap, reset() first.
+  void observe(const Eigen::Vector4d& signal) noexcept;
+
+  void reset() noexcept;
+
+  /// Whether the last tick may teach.
+  bool open() const noexcept;
+
+ private:
+  using Kind = std::variant<std::monostate, PersistenceGate, SpectrumGate>;
+  explicit ExcitationGate(Kind kind) : kind_(std::move(kind)) {}
+
+  Kind kind_;
+};
+
+}  // namespace farrier::estimation

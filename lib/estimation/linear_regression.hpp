@@ -1,0 +1,59 @@
+#pragma once
+
+// The recursive estimators a joint may be given, behind one variant, and where its signals stand in the regressor.
+
+#include <Eigen/Core>
+
+#include <type_traits>
+#include <variant>
+
+#include "core/result.hpp"
+#include "estimation/adaptive_forgetting.hpp"
+#include "estimation/directional_forgetting.hpp"
+#include "estimation/estimator_params.hpp"
+#include "estimation/instrumental_variable.hpp"
+#include "estimation/random_walk.hpp"
+#include "estimation/rls.hpp"
+
+namespace farrier::estimation {
+
+/// A joint's regression by any method, with 3 to 5 regressors.
+using LinearRegression =
+    std::variant<Rls<3>, Rls<4>, Rls<5>, AdaptiveForgetting<3>, AdaptiveForgetting<4>, AdaptiveForgetting<5>,
+                 RandomWalk<3>, RandomWalk<4>, RandomWalk<5>, InstrumentalVariable<3>, InstrumentalVariable<4>,
+                 InstrumentalVariable<5>, VariableDirection<3>, VariableDirection<4>, VariableDirection<5>,
+                 SubspaceOfInformation<3>, SubspaceOfInformation<4>, SubspaceOfInformation<5>>;
+
+/// Places in the regressor [x] v F u [1].
+struct Columns {
+  int velocity, force, input, bias;
+};
+
+inline Columns columns_of(bool position) noexcept {
+  const int first = position ? 1 : 0;
+  return {first, first + 1, first + 2, first + 3};
+}
+
+/// The regression of `params.method`, from [A, B] = `a`, `b`; `noise_variance` is the sensors'. All normalised. Refuses
+/// settings out of range by name.
+Result<LinearRegression> make_regression(const EstimatorParams& params, const Eigen::Vector3d& noise_variance,
+                                         const Eigen::Matrix3d& a, const Eigen::Vector3d& b);
+
+/// Whether a regression wants the regressor as measured, and an instrument beside it.
+template <class Engine>
+inline constexpr bool kTakesInstrument = std::is_same_v<Engine, InstrumentalVariable<Engine::kSize>>;
+
+/// One sample, multiplied by `weight`, to a regression; `instrument` is left where it takes none.
+template <class Engine>
+RlsStatus teach(Engine& engine, double weight, const typename Engine::Regressor& h, const Eigen::Vector3d& y,
+                const typename Engine::Regressor& instrument) noexcept {
+  if constexpr (kTakesInstrument<Engine>) {
+    return engine.update(weight * h, weight * y, weight * instrument);
+  } else if constexpr (std::is_same_v<Engine, AdaptiveForgetting<Engine::kSize>>) {
+    return engine.update(weight * h, weight * y, weight);
+  } else {
+    return engine.update(weight * h, weight * y);
+  }
+}
+
+}  // namespace farrier::estimation

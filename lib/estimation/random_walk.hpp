@@ -1,0 +1,41 @@
+#pragma once
+
+#include "core/result.hpp"
+#include "estimation/estimator_params.hpp"
+#include "estimation/regression.hpp"
+
+namespace farrier::estimation {
+
+/// The parameters as a random walk and a Kalman filter that follows it (Hubacher 2014, B.3.1, (B.16), (B.17)). Divided by
+/// the variance of the measurement's noise: P and the drift are in units of it, as P is in Rls, so that the three rows
+/// share P and what the sensors do not explain is measured, residual_variance(), rather than assumed. N = 3..5.
+template <int N>
+class RandomWalk : public Regression<N> {
+ public:
+  using typename Regression<N>::Regressor;
+  using typename Regression<N>::Parameters;
+  using typename Regression<N>::Covariance;
+
+  /// Covariance as in RlsParams. Refuses settings out of range by name.
+  static Result<RandomWalk> create(const RandomWalkParams& params, double initial_covariance, double covariance_limit,
+                                   const Parameters& theta0 = Parameters::Zero());
+
+  /// Takes one sample. The parameters drift only while trace(P) stays within the covariance limit.
+  RlsStatus update(const Regressor& h, const Eigen::Vector3d& y) noexcept;
+
+  /// P, the same for every row.
+  const Covariance& covariance(int = 0) const noexcept { return p_; }
+
+  double covariance_trace() const noexcept { return p_.trace(); }
+
+ private:
+  RandomWalk(const RandomWalkParams& params, double initial_covariance, double covariance_limit,
+             const Parameters& theta0) noexcept;
+
+  double drift_;
+  double initial_covariance_;
+  double covariance_limit_;
+  Covariance p_;
+};
+
+}  // namespace farrier::estimation

@@ -1,0 +1,54 @@
+#include "robot/make_estimator.hpp"
+
+#include <utility>
+
+#include "estimation/joint_estimator.hpp"
+#include "robot/joint_model.hpp"
+
+namespace farrier::robot {
+namespace {
+
+using Made = Result<std::unique_ptr<estimation::Estimator>>;
+
+Made refused(const Joint& joint, const std::string& why) { return Error{joint.name + ": " + why}; }
+
+estimation::JointScales scales_of(const Joint& joint, double period_s, int loop_delay_ticks) {
+  const control::Normalisation& n = joint.normalisation;
+  return {.state = {n.position, n.velocity, n.force},
+          .current_A = n.current_A,
+          .sensor_noise = {joint.noise.position, joint.noise.velocity, joint.noise.force},
+          .home_position = joint.linkage.position(joint.home_angle_rad),
+          .period_s = period_s,
+          .input_delay_ticks = loop_delay_ticks};
+}
+
+/// A regression on what is measured: every method but one that knows the joint's structure.
+Made make_regression_estimator(const Joint& joint, const estimation::JointScales& scales) {
+  const bool spring = joint.swing_load.stiffness != 0.0 || joint.stance_load.stiffness != 0.0;
+  if (spring && !joint.estimator.position) {
+    return refused(joint, "its load has a spring, which a regressor without position cannot show: give position: true");
+  }
+  const control::DiscreteModel prior = model_of(joint, joint.swing_load, scales.period_s);
+  auto estimator = estimation::JointEstimator::create(joint.estimator, scales, prior.a, prior.b);
+  if (!estimator) {
+    return refused(joint, estimator.error().message);
+  }
+  return Made(std::make_unique<estimation::JointEstimator>(std::move(estimator).value()));
+}
+
+}  // namespace
+
+Made make_estimator(const Joint& joint, double period_s, int loop_delay_ticks) {
+  const estimation::JointScales scales = scales_of(joint, period_s, loop_delay_ticks);
+  switch (joint.estimator.method) {
+    case estimation::EstimationMethod::kRls:
+    case estimation::EstimationMethod::kAff:
+    case estimation::EstimationMethod::kKalman:
+    case estimation::EstimationMethod::kIv:
+    case estimation::EstimationMethod::kVdf:
+    case estimation::EstimationMethod::kSift: return make_regression_estimator(joint, scales);
+  }
+  return refused(joint, "estimator.method has no such value");
+}
+
+}  // namespace farrier::robot

@@ -1,0 +1,57 @@
+#include "robot/method_sections.hpp"
+
+namespace farrier::estimation {
+
+using config::Default;
+using config::Visitor;
+
+void declare(Visitor& v, AdaptiveForgettingParams& aff) {
+  const AdaptiveForgettingParams d;
+  v.number("forgetting_min", aff.forgetting_min, {0.5, 1}, Default{d.forgetting_min}, "Least lambda of a row (9.3).");
+  v.number("noise_factor", aff.noise_factor, {0, 1e6}, Default{d.noise_factor},
+           "Variances of the sensor's noise that an error may have without being forgotten for, c_1 (9.1), (9.3).");
+  v.number("error_memory", aff.error_memory, {0, 0.9999}, Default{d.error_memory},
+           "Weight of an error's power against the next one's, beta (9.2).");
+}
+
+void declare(Visitor& v, RandomWalkParams& kalman) {
+  const RandomWalkParams d;
+  v.number("parameter_drift", kalman.parameter_drift, {0, 1e12}, Default{d.parameter_drift},
+           "Variance of a parameter's step from tick to tick over that of the noise, normalised (B.16).");
+}
+
+void declare(Visitor& v, VariableDirectionParams& vdf) {
+  const VariableDirectionParams d;
+  v.number("excitation_min", vdf.excitation_min, {1e-12, 1e6}, Default{d.excitation_min},
+           "Share of the regressor along an eigenvector of the information above which that is forgotten, normalised.");
+}
+
+void declare(Visitor& v, SubspaceParams& sift) {
+  const SubspaceParams d;
+  v.number("excitation_min", sift.excitation_min, {1e-12, 1e6}, Default{d.excitation_min},
+           "Norm of the weighted regressor below which a sample is left out, normalised.");
+}
+
+void declare(Visitor& v, PersistenceParams& pe) {
+  const PersistenceParams d;
+  v.integer("window_ticks", pe.window_ticks, {8, 4096}, Default{d.window_ticks}, "N of (9.4).");
+  v.number("information_min", pe.information_min, {0, 1e12}, Default{d.information_min},
+           "Least singular value of the sum of h h' over the window, alpha (9.4), normalised.");
+  v.number("information_max", pe.information_max, {0, 1e12}, Default{d.information_max},
+           "Largest singular value, beta (9.4), normalised.");
+  v.check(pe.information_min < pe.information_max, "information_max", "must be above information_min");
+}
+
+void declare(Visitor& v, SpectrumParams& fft) {
+  const SpectrumParams d;
+  v.integer("window_ticks", fft.window_ticks, {8, 1024}, Default{d.window_ticks}, "N of (9.5); even.");
+  v.number("magnitude_min", fft.magnitude_min, {1e-12, 1e6}, Default{d.magnitude_min},
+           "Amplitude of a frequency, over the valve's nominal current, above which it counts, M_min (9.5).");
+  v.integer("frequencies_min", fft.frequencies_min, {0, 510}, Default{d.frequencies_min},
+            "More than this many of the window_ticks / 2 - 1 frequencies must count, f_min (9.5).");
+  v.check(fft.window_ticks % 2 == 0, "window_ticks", "must be even");
+  v.check(fft.frequencies_min < fft.window_ticks / 2 - 1, "frequencies_min",
+          "must be below the number of frequencies, window_ticks / 2 - 1");
+}
+
+}  // namespace farrier::estimation

@@ -1,0 +1,39 @@
+#include "supervisor/slot_pair.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/margins.hpp"
+#include "control/switching.hpp"
+#include "gait/schedule.hpp"
+
+namespace farrier::supervisor {
+
+LoopMargins margins_of(const control::Gains& gains, double period_s) noexcept {
+  const control::Margins margins = control::margins(gains.model, gains, gains.delay_ticks);
+  return {margins.disk, std::min(margins.delay_ticks * period_s, kLongestDelay_s)};
+}
+
+bool sufficient(const LoopMargins& margins, const robot::UpdateLogicParams& logic) noexcept {
+  return margins.disk >= logic.disk_margin_min && margins.delay_s >= logic.delay_margin_min_s;
+}
+
+int dwell_ticks(const control::Gains& one, const control::Gains& other) noexcept {
+  const control::SwitchingVerdict verdict =
+      control::switching_verdict(control::switched_loop(one.model, one, one.delay_ticks),
+                                 control::switched_loop(other.model, other, other.delay_ticks));
+  return verdict.common ? 0 : verdict.dwell_ticks;
+}
+
+// Lift-offs are as planned; touchdowns, at which the load changes, lie within the jitter. Gains change at the plan's.
+int shortest_phase_ticks(const robot::Robot& robot) noexcept {
+  if (robot.plan.gait.pattern == gait::Pattern::kStand) {
+    return control::kNoDwell;
+  }
+  const gait::PhaseTicks ticks = gait::phase_ticks(robot.plan);
+  const Tick lead = std::llround(robot.safety.stance_lead_s / robot.period_s);
+  const Tick swing = ticks.stride - ticks.stance - lead;
+  return static_cast<int>(std::max<Tick>(std::min(ticks.stance, swing) - ticks.jitter, 0));
+}
+
+}  // namespace farrier::supervisor
