@@ -27,7 +27,7 @@ Result<StudyResult> quick(const StudyContext& context) {
                        .series = {{"line", {0.0, 1.0, 2.0}, {1.0, 0.0 / 0.0, 3.0}},
                                   {"", {0.0, 1.0}, {1.0, 2.0}, studies::Style::kPoints, 0, {0.0, 1.0}},
                                   {"empty", {}, {}}}};
-  return StudyResult{{{"9.98.value", 0.5, ""}}, {{"one", 2, {panel, {.title = "z", .unit_circle = true}}}}};
+  return StudyResult{{{"9.98.value", 0.5, ""}}, {{"one", 2, {panel, {.title = "z", .x_label = "x", .y_label = "y", .unit_circle = true}}}}};
 }
 
 const std::vector<studies::Study> kStudies{{"9.98", "first", kClaims, quick}, {"9.97", "second", kClaims, quick}, {"9.96", "third", kClaims, quick}};
