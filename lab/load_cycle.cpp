@@ -33,4 +33,24 @@ Result<LoadCycle> make_load_cycle(const robot::Robot& rig, double quarter_s) {
   return cycle;
 }
 
+robot::Robot robot_of(const LoadCycle& cycle, const LoadCycleCase& one) {
+  constexpr double kDither_percent = 0.1;
+  robot::Robot robot = cycle.robot;
+  double& percent = robot.joints[0].dither_percent;
+  percent = one.dithers ? (percent > 0.0 ? percent : kDither_percent) : 0.0;
+  return robot;
+}
+
+InprocRun run_of(const LoadCycle& cycle, const LoadCycleCase& one, std::uint64_t seed) {
+  InprocRun run;
+  run.ticks = cycle.begin.back();
+  run.seed = seed;
+  run.design = one.design;
+  run.load_changes = cycle.changes;
+  if (one.knows_loads) {
+    run.known_loads = cycle.changes;
+  }
+  return run;
+}
+
 }  // namespace farrier::lab

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "lab/inproc_run.hpp"
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
 
@@ -28,5 +29,30 @@ struct LoadCycle {
 
 /// The cycle on a robot with one joint. Refuses other robots, and a rig that cannot be built with these loads.
 Result<LoadCycle> make_load_cycle(const robot::Robot& rig, double quarter_s = kQuarter_s);
+
+/// A run through the cycle: what its gains are and whether the valve is probed.
+struct LoadCycleCase {
+  const char* name;   ///< "fixed"
+  const char* title;  ///< for people
+  supervisor::Design design;
+  bool knows_loads;
+  bool dithers;
+};
+
+inline constexpr LoadCycleCase kFixedCase{"fixed", "Gains fixed, designed for the light load", supervisor::Design::kSwing,
+                                          false, false};
+inline constexpr LoadCycleCase kAdaptiveCase{"adaptive", "Gains adaptive", supervisor::Design::kAdaptive, false, true};
+inline constexpr LoadCycleCase kTrueLoadCase{"true_load", "Gains for the true load, switched exactly",
+                                             supervisor::Design::kSwing, true, false};
+inline constexpr LoadCycleCase kTrueLoadDitheredCase{"true_load_dithered",
+                                                     "Gains for the true load, switched exactly, dithered",
+                                                     supervisor::Design::kSwing, true, true};
+
+/// The robot of the case: with its dither, of its own or 0.1 % of the valve's nominal current, or without. The cycle's
+/// reference alone excites nothing above 10 Hz.
+robot::Robot robot_of(const LoadCycle& cycle, const LoadCycleCase& one);
+
+/// Settings of the case's run; the trace's path and progress are the caller's.
+InprocRun run_of(const LoadCycle& cycle, const LoadCycleCase& one, std::uint64_t seed);
 
 }  // namespace farrier::lab

@@ -1,4 +1,5 @@
 #include "lab/load_cycle.hpp"
+#include "record/force_error.hpp"
 #include "scenario_run.hpp"
 #include "tools/report/load_cycle.hpp"
 
@@ -20,8 +21,8 @@ lab::InprocRun settings(const lab::LoadCycle& cycle) {
 }
 
 double quarter_error(const Outcome& outcome, const lab::LoadCycle& cycle, std::size_t quarter) {
-  const Tick transient = lab::ticks_of(report::kJudgedAfter_s, cycle.robot);
-  return report::relative_error(outcome.rows, cycle.begin[quarter] + transient, cycle.begin[quarter + 1]);
+  const Tick transient = lab::ticks_of(record::kJudgedAfter_s, cycle.robot);
+  return record::relative_error(outcome.rows, cycle.begin[quarter] + transient, cycle.begin[quarter + 1]);
 }
 
 TEST(LoadCycle, IsThatOfFigure7_6) {

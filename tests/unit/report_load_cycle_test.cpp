@@ -10,6 +10,7 @@
 
 #include <unistd.h>
 
+#include "record/force_error.hpp"
 #include "supervisor/joint_design.hpp"
 #include "supervisor/supervisor.hpp"
 #include "tests/unit/report_run.hpp"
@@ -72,9 +73,9 @@ Figures figures_with(double fixed, double adaptive, double true_load) {
 
 TEST(RelativeError, IsThatOfTheTicksItIsAskedFor) {
   const LoadCycleRun run = run_with("fixed", 0.25);
-  EXPECT_NEAR(relative_error(run.rows, 300, 500), 0.25, kRounding);
-  EXPECT_NEAR(relative_error(run.rows, 100, 300), 4.0, kRounding);
-  EXPECT_TRUE(std::isnan(relative_error(run.rows, 5, 5)));
+  EXPECT_NEAR(record::relative_error(run.rows, 300, 500), 0.25, kRounding);
+  EXPECT_NEAR(record::relative_error(run.rows, 100, 300), 4.0, kRounding);
+  EXPECT_TRUE(std::isnan(record::relative_error(run.rows, 5, 5)));
 }
 
 TEST(LoadCycleFigures, JudgeHeavyQuartersAfterTheTransientOfTheChange) {

@@ -8,33 +8,6 @@
 #include "tools/report/load_cycle.hpp"
 
 namespace farrier::cli {
-namespace {
-
-/// Of the valve's nominal current, where the robot file asks for none: the cycle's reference alone excites nothing
-/// above 10 Hz.
-constexpr double kDither_percent = 0.1;
-
-struct Case {
-  const char* name;
-  const char* title;
-  supervisor::Design design;
-  bool knows_loads;
-  bool dithers;
-};
-constexpr Case kCases[] = {
-    {"fixed", "Gains fixed, designed for the light load", supervisor::Design::kSwing, false, false},
-    {"adaptive", "Gains adaptive", supervisor::Design::kAdaptive, false, true},
-    {"true_load", "Gains for the true load, switched exactly", supervisor::Design::kSwing, true, false},
-    {"true_load_dithered", "Gains for the true load, switched exactly, dithered", supervisor::Design::kSwing, true,
-     true}};
-
-robot::Robot with_dither(robot::Robot robot, bool dithers) {
-  double& percent = robot.joints[0].dither_percent;
-  percent = dithers ? (percent > 0.0 ? percent : kDither_percent) : 0.0;
-  return robot;
-}
-
-}  // namespace
 
 int run_load_cycle(const robot::Robot& rig, const TrotOptions& options) {
   const auto made = lab::make_load_cycle(rig);
@@ -47,16 +20,9 @@ int run_load_cycle(const robot::Robot& rig, const TrotOptions& options) {
   outcome.command = "trot";
   outcome.run = report::run_info(cycle.robot, options.seed);
   std::vector<report::LoadCycleRun> runs;
-  for (const Case& one : kCases) {
-    lab::InprocRun settings;
-    settings.ticks = cycle.begin.back();
-    settings.seed = options.seed;
-    settings.design = one.design;
-    settings.load_changes = cycle.changes;
-    if (one.knows_loads) {
-      settings.known_loads = cycle.changes;
-    }
-    auto ran = run_experiment(with_dither(cycle.robot, one.dithers), settings,
+  for (const lab::LoadCycleCase& one :
+       {lab::kFixedCase, lab::kAdaptiveCase, lab::kTrueLoadCase, lab::kTrueLoadDitheredCase}) {
+    auto ran = run_experiment(lab::robot_of(cycle, one), lab::run_of(cycle, one, options.seed),
                               options.out + "/trace_" + one.name + ".csv", std::string("fig7.8 ") + one.name);
     if (!ran) {
       return fail_experiment(ran.error());
@@ -74,7 +40,7 @@ int run_load_cycle(const robot::Robot& rig, const TrotOptions& options) {
               cycle.loads[0].mass, cycle.loads[1].mass, cycle.loads[2].mass, cycle.loads[3].mass,
               cycle.loads[0].damping, cycle.loads[1].damping, cycle.loads[2].damping, cycle.loads[3].damping,
               lab::kQuarter_s, cycle.robot.plan.gait.lead_in_s,
-              with_dither(cycle.robot, true).joints[0].dither_percent);
+              lab::robot_of(cycle, lab::kAdaptiveCase).joints[0].dither_percent);
   return finish_experiment(outcome, options, page.value());
 }
 

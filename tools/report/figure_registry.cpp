@@ -144,6 +144,8 @@ constexpr std::array kSpecs{
                "Time from an estimate that asks for new gains to these, every check included but the dwell time of the joint's two loops, which takes milliseconds; for the loop delay, of lock-step and real time, that takes longer."},
     FigureSpec{"bench.redesign.lqr_us", "us", kNone, "Time of the LQR design in it."},
     FigureSpec{"bench.redesign.allocations", "1", kAtMost, "Allocations made by these redesigns."},
+    FigureSpec{"reproduce.<chapter>.<number>.<claim>", "its own", kNone,
+               "What was measured for a claim of Hubacher (2014) about its figure of that number; farrier reproduce --list names every claim with its unit, relation and bound."},
 };
 // clang-format on
 

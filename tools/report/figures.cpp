@@ -36,10 +36,20 @@ bool Figure::holds() const noexcept {
 void Figures::add(std::string name, double value, std::optional<double> bound) {
   const FigureSpec* spec = find_spec(name);
   FARRIER_ENSURE(spec != nullptr, ("figure " + name + " is not declared in figure_registry.cpp").c_str());
-  FARRIER_ENSURE(find(name) == nullptr, ("figure " + name + " was added twice").c_str());
-  FARRIER_ENSURE(!bound || (spec->relation != Relation::kNone && std::isfinite(*bound)),
-                 ("figure " + name + " cannot have this bound").c_str());
-  figures_.push_back({std::move(name), value, bound, spec});
+  push({std::move(name), value, bound, spec});
+}
+
+void Figures::add(const FigureSpec& spec, double value, std::optional<double> bound) {
+  FARRIER_ENSURE(find_spec(spec.pattern) != nullptr,
+                 (std::string("figure ") + spec.pattern + " falls under no pattern of figure_registry.cpp").c_str());
+  push({spec.pattern, value, bound, &spec});
+}
+
+void Figures::push(Figure figure) {
+  FARRIER_ENSURE(find(figure.name) == nullptr, ("figure " + figure.name + " was added twice").c_str());
+  FARRIER_ENSURE(!figure.bound || (figure.spec->relation != Relation::kNone && std::isfinite(*figure.bound)),
+                 ("figure " + figure.name + " cannot have this bound").c_str());
+  figures_.push_back(std::move(figure));
 }
 
 const Figure* Figures::find(std::string_view name) const noexcept {

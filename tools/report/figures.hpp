@@ -58,6 +58,9 @@ class Figures {
   /// Adding an undeclared name, a name twice, or a bound that is not finite or whose figure declares no relation
   /// is a bug and aborts.
   void add(std::string name, double value, std::optional<double> bound = std::nullopt);
+  /// A figure whose declaration the registry leaves to a table elsewhere: `spec.pattern` is its name, must fall under a
+  /// pattern of the registry, and outlives this object.
+  void add(const FigureSpec& spec, double value, std::optional<double> bound = std::nullopt);
 
   std::span<const Figure> all() const noexcept { return figures_; }
   /// Null for none of that name.
@@ -65,6 +68,8 @@ class Figures {
   bool all_hold() const noexcept;
 
  private:
+  void push(Figure figure);
+
   std::vector<Figure> figures_;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "record/force_error.hpp"
 #include "tools/report/html_page.hpp"
 #include "tools/report/html_tables.hpp"
 #include "tools/report/load_cycle_pictures.hpp"
@@ -45,22 +46,9 @@ std::string load_table(const LoadCyclePlan& plan) {
 
 }  // namespace
 
-double relative_error(std::span<const record::TraceRow> rows, Tick from, Tick to) noexcept {
-  double errors = 0.0;
-  double references = 0.0;
-  for (const record::TraceRow& row : rows) {
-    if (row.tick >= from && row.tick < to) {
-      const double error = row.force_reference_N_or_Nm - row.force_N_or_Nm;
-      errors += error * error;
-      references += row.force_reference_N_or_Nm * row.force_reference_N_or_Nm;
-    }
-  }
-  return std::sqrt(errors / references);
-}
-
 double quarter_error(const LoadCyclePlan& plan, std::span<const record::TraceRow> rows, std::size_t quarter) noexcept {
-  const Tick transient = std::llround(kJudgedAfter_s / plan.robot.period_s);
-  return relative_error(rows, plan.begin[quarter] + transient, plan.begin[quarter + 1]);
+  const Tick transient = std::llround(record::kJudgedAfter_s / plan.robot.period_s);
+  return record::relative_error(rows, plan.begin[quarter] + transient, plan.begin[quarter + 1]);
 }
 
 void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const LoadCycleRun> runs) {

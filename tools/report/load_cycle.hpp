@@ -30,18 +30,14 @@ struct LoadCycleRun {
   std::vector<signals::JointControllerGains> gains;  ///< every update issued
 };
 
-inline constexpr double kJudgedAfter_s = 0.2;       ///< a change of load: what comes before is its transient
 inline constexpr double kFixedAtLeast = 1.0;        ///< heavy quarters: the light design does not hold the load
 inline constexpr double kAdaptiveAtMost = 0.08;     ///< heavy quarters
 inline constexpr double kLightRatioAtMost = 1.05;   ///< light quarters: adapting must not cost what it need not
 
-/// RMS of reference less force over RMS of the reference over ticks [from, to); NaN without rows or reference.
-double relative_error(std::span<const record::TraceRow> rows, Tick from, Tick to) noexcept;
-
-/// relative_error() of quarter 0..3 from kJudgedAfter_s after its beginning.
+/// record::relative_error() of quarter 0..3 from record::kJudgedAfter_s after its beginning.
 double quarter_error(const LoadCyclePlan& plan, std::span<const record::TraceRow> rows, std::size_t quarter) noexcept;
 
-/// Adds trot.fig7_8.*: a figure per run and quarter, bounded as above, ratios and the number of gain updates.
+/// Adds trot.fig7_8.*: a figure per run and quarter, bounded as above from record::kJudgedAfter_s on, ratios and the number of gain updates.
 void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const LoadCycleRun> runs);
 
 /// Draws every run's force and gains over time and the poles of its gains' models by quarter (Figs 7.7 to 7.9), writes

@@ -24,6 +24,22 @@ Json json_of(const Figure& figure) {
   return json;
 }
 
+Json json_of(const Claim& claim) {
+  return {{"id", claim.id},
+          {"figure", claim.figure},
+          {"section", claim.section},
+          {"sentence", claim.sentence},
+          {"claim", claim.claim},
+          {"measured",
+           {{"name", claim.name},
+            {"value", std::isfinite(claim.value) ? Json(claim.value) : Json(nullptr)},
+            {"unit", claim.unit},
+            {"relation", to_string(claim.relation)},
+            {"bound", claim.bound}}},
+          {"verdict", claim.verdict},
+          {"reason", claim.reason}};
+}
+
 Json json_of(const ProcessInfo& process) {
   Json topics = Json::array();
   for (const TopicCount& topic : process.topics) {
@@ -104,6 +120,9 @@ std::string to_json(const Outcome& outcome) {
   json["figures"] = Json::array();
   for (const Figure& figure : outcome.figures.all()) {
     json["figures"].push_back(json_of(figure));
+  }
+  for (const Claim& claim : outcome.claims) {
+    json["claims"].push_back(json_of(claim));
   }
   json["run"] = json_of(outcome.run);
   constexpr int kIndent = 2;

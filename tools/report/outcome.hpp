@@ -9,6 +9,22 @@
 
 namespace farrier::report {
 
+/// A statement of a text, measured. Its figure stands among the outcome's too.
+struct Claim {
+  std::string id;        ///< "7.8.quarter_2"
+  std::string figure;    ///< of the text: "7.8"
+  std::string section;   ///< of the text: "7.5"
+  std::string sentence;  ///< its own words
+  std::string claim;     ///< what was measured for it
+  std::string name;      ///< of the figure: "reproduce.7.8.quarter_2"
+  double value;
+  std::string unit;
+  Relation relation;
+  double bound;
+  std::string verdict;   ///< "holds", "refuted", "fails"
+  std::string reason;    ///< why it is refuted or fails; empty when it holds
+};
+
 /// What a command that measures ends with.
 struct Outcome {
   std::string command;  ///< "trot", "bench", ...
@@ -16,13 +32,16 @@ struct Outcome {
   RunInfo run;
   std::vector<std::string> failures;  ///< what went wrong besides figures: "joint_node_lf ended with status 1"
   std::vector<std::string> warnings = {};  ///< what went wrong and fails nothing
+  std::vector<Claim> claims = {};          ///< of a command that checks a text's
 
   /// Every figure holds and nothing else failed.
   bool passes() const noexcept { return failures.empty() && figures.all_hold(); }
 };
 
 /// {"command", "verdict": "pass"|"fail", "failures", "warnings" (only when there are any), "figures": [{"name", "value", "unit"},
-/// with a bound also "relation", "bound", "holds"], "run": {...}}. Values that are not finite are null.
+/// with a bound also "relation", "bound", "holds"], "claims" (only when there are any): [{"id", "figure", "section",
+/// "sentence", "claim", "measured": {"name", "value", "unit", "relation", "bound"}, "verdict", "reason"}],
+/// "run": {...}}. Values that are not finite are null.
 std::string to_json(const Outcome& outcome);
 
 /// Writes to_json() to `path`; refuses what the disk does not take.

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lab/studies/study.hpp"
+
+namespace farrier::studies {
+
+// One file per chapter or group of figures gives its studies here.
+std::span<const Study> chapter4_step();        // 4.1
+std::span<const Study> chapter4_models();      // 4.2 to 4.5
+std::span<const Study> chapter4_points();      // 4.6, 4.7
+std::span<const Study> chapter4_loads();       // 4.8 to 4.10, A.2
+std::span<const Study> chapter7_tracking();    // 7.2, 7.3
+std::span<const Study> chapter7_gain_maps();   // 7.4, 7.5, C.3
+std::span<const Study> chapter7_load_cycle();  // 7.6 to 7.8
+std::span<const Study> chapter7_estimates();   // 7.9, C.4
+std::span<const Study> chapter8();             // 8.9, 8.11
+
+/// Every study, in the order of the text: chapters, then appendices, by number within each.
+std::vector<Study> all_studies();
+
+/// The study of that number; null for none.
+const Study* find_study(std::span<const Study> studies, std::string_view number) noexcept;
+
+/// Numbers a reader may have meant by an unknown one: those of its chapter, or the nearest; at most eight.
+std::vector<std::string> near_numbers(std::span<const Study> studies, const std::string& unknown);
+
+}  // namespace farrier::studies

@@ -1,0 +1,5 @@
+farrier_test(studies_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/reproduce_claims_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/reproduce_run_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/studies_registry_test.cpp)
+target_link_libraries(studies_test PRIVATE farrier_reproduce nlohmann_json::nlohmann_json)

@@ -1,0 +1,149 @@
+// farrier reproduce: studies of Hubacher (2014), each claim of the text with what was measured and a verdict.
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "lab/studies/registry.hpp"
+#include "participant/loop.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/help.hpp"
+#include "tools/cli/output_file.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/cli/trot_options.hpp"
+#include "tools/reproduce/run_studies.hpp"
+#include "tools/reproduce/study_page.hpp"
+#include "tools/reproduce/study_pictures.hpp"
+
+namespace farrier::cli {
+namespace {
+
+struct ReproduceOptions {
+  std::vector<std::string> numbers;
+  bool list = false;
+  std::string out = "out/reproduce";
+  std::string json_path;
+  std::uint64_t seed = 1;
+  int threads = 2;
+};
+
+int refuse(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier reproduce: %s\n", message.c_str());
+  return status;
+}
+
+/// The studies asked for, in the order of the text; refuses numbers there are none of.
+Result<std::vector<studies::Study>> chosen(const std::vector<studies::Study>& all,
+                                           const std::vector<std::string>& numbers) {
+  std::vector<studies::Study> some;
+  for (const std::string& number : numbers) {
+    if (number != "all" && studies::find_study(all, number) == nullptr) {
+      std::string near;
+      for (const std::string& one : studies::near_numbers(all, number)) {
+        near += (near.empty() ? "; near it: " : ", ") + one;
+      }
+      return Error{"there is no study '" + number + "'" + near + "; see 'farrier reproduce --list'"};
+    }
+  }
+  for (const studies::Study& study : all) {
+    const bool asked = std::ranges::any_of(
+        numbers, [&](const std::string& number) { return number == "all" || number == study.number; });
+    if (asked) {
+      some.push_back(study);
+    }
+  }
+  return some;
+}
+
+std::vector<reproduce::StudyRun> run_with_bar(const std::vector<studies::Study>& some, const ReproduceOptions& o) {
+  constexpr Tick kSteps = 1000;
+  participant::install_signal_handlers();
+  const studies::StudyContext context{
+      std::filesystem::path(shipped_robot("fc1d.yaml")).parent_path().string(), o.seed, {}};
+  Progress bar("reproduce", kSteps);
+  return reproduce::run_studies(some, context, o.threads, [&](double share) {
+    bar.update(static_cast<Tick>(share * static_cast<double>(kSteps)));
+    return !participant::stop_requested();
+  });
+}
+
+void print(const report::Outcome& outcome) {
+  int counts[3] = {};
+  for (const report::Claim& claim : outcome.claims) {
+    std::fputs(reproduce::claim_text(claim).c_str(), stdout);
+    ++counts[claim.verdict == "holds" ? 0 : claim.verdict == "refuted" ? 1 : 2];
+  }
+  std::printf("%d claims hold, %d are refuted, %d fail\n", counts[0], counts[1], counts[2]);
+}
+
+int reproduce_studies(const ReproduceOptions& o) {
+  const std::vector<studies::Study> all = studies::all_studies();
+  if (o.list) {
+    for (const studies::Study& study : all) {
+      std::fputs(reproduce::listing(study).c_str(), stdout);
+    }
+    return kPassed;
+  }
+  if (o.numbers.empty()) {
+    return refuse("name a figure such as 8.9, or all; see 'farrier reproduce --list'", kBadInput);
+  }
+  const auto some = chosen(all, o.numbers);
+  if (!some) {
+    return refuse(some.error().message, kBadInput);
+  }
+  const auto directory = OutputDirectory::claim(o.out);
+  if (!directory) {
+    return refuse(directory.error().message, kBadInput);
+  }
+  const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  for (const std::string& path : {json_path, o.out + "/index.html"}) {
+    if (const auto free = make_way(path); !free) {
+      return refuse(free.error().message, kBadInput);
+    }
+  }
+  const auto runs = run_with_bar(some.value(), o);
+  if (participant::stop_requested()) {
+    return refuse("stopped; nothing was written", participant::stop_status());
+  }
+  report::Outcome outcome;
+  outcome.command = "reproduce";
+  outcome.run = report::run_info(o.seed);
+  for (const reproduce::StudyRun& run : runs) {
+    reproduce::add_claims(outcome, reproduce::claims_of(run));
+  }
+  if (const auto drawn = reproduce::draw_studies(o.out, runs); !drawn) {
+    return refuse(drawn.error().message, kFailed);
+  }
+  const auto page = reproduce::write_study_page(o.out, outcome, runs);
+  if (!page) {
+    return refuse(page.error().message, kFailed);
+  }
+  if (const auto written = report::write_json(json_path, outcome); !written) {
+    return refuse(written.error().message, kFailed);
+  }
+  print(outcome);
+  std::printf("report: %s\nfigures: %s\n", page.value().c_str(), json_path.c_str());
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace
+
+std::function<int()> declare_reproduce(CLI::App& app) {
+  auto o = std::make_shared<ReproduceOptions>();
+  app.add_option("studies", o->numbers, "figures and tables by their number, such as 7.8, or all")->type_name("<number>...");
+  app.add_flag("--list", o->list, "name every study and what it must show")->type_name("");
+  app.add_option("--out", o->out, "directory for the page and its pictures")->type_name("<dir>")->capture_default_str();
+  app.add_option("--json", o->json_path, "where the claims go")->type_name("<file>")->default_str("figures.json in --out");
+  app.add_option("--seed", o->seed, "seed of whatever is drawn")
+      ->check(between(0.0, 18446744073709551615.0))
+      ->type_name("<n>")
+      ->capture_default_str();
+  app.add_option("--threads", o->threads, "studies at a time")
+      ->check(between(1, 64))
+      ->type_name("<n>")
+      ->capture_default_str();
+  return [o] { return reproduce_studies(*o); };
+}
+
+}  // namespace farrier::cli
