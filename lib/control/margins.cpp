@@ -7,7 +7,6 @@
 
 #include "control/closed_loop.hpp"
 #include "control/plant_polynomials.hpp"
-#include "control/spectrum.hpp"
 
 namespace farrier::control {
 namespace {
