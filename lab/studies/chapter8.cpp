@@ -53,7 +53,7 @@ Equation equation_of(const robot::Joint& joint, double period_s) {
   equation.a(0, 3) = -1.0;
   equation.a.bottomRightCorner<3, 3>() = model.a;
   equation.b.tail<3>() = model.b;
-  const control::LqrWeights& w = joint.weights;
+  const control::LqrWeights& w = joint.design.weights;
   equation.q = Column4(w.integral, w.position, w.velocity, w.force).asDiagonal();
   equation.r = w.input;
   return equation;
