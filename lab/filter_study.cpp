@@ -68,8 +68,8 @@ Result<FilterRow> run_case(const robot::Robot& rig, const FilterCase& filter, bo
   const auto coefficients = control::design_low_pass(joint.sensors.velocity, 1.0 / rig.period_s);
   if (!coefficients) {
     return Error{"a velocity filter of order " + std::to_string(filter.order) + " with cut-off " +
-                 config::number_text(filter.velocity_cut_off_Hz) + " Hz: give order 1 or 2 and a cut-off of 0 or within " +
-                 config::number_text(control::kLargestCutOffShare / rig.period_s) + " Hz"};
+                 config::number_text(filter.velocity_cut_off_Hz) +
+                 " Hz: give order 1 or 2 and a cut-off of 0 or within " + config::number_text(control::kLargestCutOffShare / rig.period_s) + " Hz"};
   }
   FilterRow row{.filter = filter, .velocity_filter = *coefficients, .gains = {}};
   row.load_mass_kg = heavy ? joint.stance_load.mass : joint.swing_load.mass;

@@ -38,8 +38,8 @@ struct ForceStepSample {
   double friction_N;
 };
 
-/// Runs the step with gains by the robot's own rule, plant, effects and sensors. Refuses robots with more than one joint,
-/// a joint that cannot be simulated, no stable design for it, and times out of range, with the reason.
+/// Runs the step with gains by the robot's own rule, plant, effects and sensors. Refuses robots with more than one
+/// joint, a joint that cannot be simulated, no stable design for it, and times out of range, with the reason.
 Result<std::vector<ForceStepSample>> run_force_step(const robot::Robot& rig, const ForceStep& step);
 
 /// What a quick oscillation of the load pressure looks like.

@@ -58,7 +58,8 @@ class SensorChain {
 
   /// The first sample: the joint has stood there forever.
   void begin(const Measured& truth) noexcept;
-  /// Conversion `index` (0 to conversions() - 1, the last at the tick itself) of tick `tick`; the last gives the sample.
+  /// Conversion `index` (0 to conversions() - 1, the last at the tick itself) of tick `tick`; with the last comes the
+  /// sample.
   void convert(const Measured& truth, Tick tick, int index) noexcept;
   const Measured& sample() const noexcept { return sample_; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lab/filter_study.hpp"
 #include "lab/force_step.hpp"
@@ -113,7 +114,8 @@ TEST(LoadPressureOscillation, FindsFrequencyAndDecayOfATone) {
     const double t = static_cast<double>(i) * kSample_s;
     tone[i].time_s = t;
     tone[i].load_pressure_Pa =
-        t < 0.05 ? 20e5 : 20e5 + 1e5 * std::exp(-(t - 0.05) / 0.01) * std::sin(2.0 * 3.14159265358979 * 300.0 * (t - 0.05));
+        20e5 + (t < 0.05 ? 0.0
+                         : 1e5 * std::exp(-(t - 0.05) / 0.01) * std::sin(2.0 * std::numbers::pi * 300.0 * (t - 0.05)));
   }
   const Oscillation found = load_pressure_oscillation(tone, 0.02, 0.18);
   EXPECT_NEAR(found.frequency_Hz, 300.0, 10.0);

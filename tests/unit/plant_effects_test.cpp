@@ -79,7 +79,8 @@ TEST(Spool, FollowsAStepAsItsTransferFunctionDoes) {
     stated += report.error_position / actuator.stroke;  // relative to each state's own scale, the spool's 10 mA
     const double t = i * kSample_s;
     const double expected =
-        kStep_A * (1.0 - std::exp(-D * omega * t) * (std::cos(damped * t) + D / std::sqrt(1 - D * D) * std::sin(damped * t)));
+        kStep_A * (1.0 - std::exp(-D * omega * t) *
+                             (std::cos(damped * t) + D / std::sqrt(1 - D * D) * std::sin(damped * t)));
     ASSERT_NEAR(joint.effects().opening_A, expected, 8.0 * stated * actuator.valve_current_max_A) << "at " << t << " s";
   }
   EXPECT_LT(stated, 1e-5);

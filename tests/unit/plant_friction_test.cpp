@@ -124,7 +124,8 @@ TEST(Friction, StopsASpringAndLosesEnergyInEveryStep) {
     const StepReport report = joint.step(0.0, 0.0, kPeriod_s);
     const State& s = joint.state();
     // The oil's 160 N/m swing with it; dE = M v dv + C x dx at the errors the step stated.
-    const double tolerance_J = 160.0 / kStiffness * first_J + mass * (std::abs(s.velocity) + 0.3) * report.error_velocity +
+    const double tolerance_J = 160.0 / kStiffness * first_J +
+                               mass * (std::abs(s.velocity) + 0.3) * report.error_velocity +
                                kStiffness * 0.01 * report.error_position;
     ASSERT_LE(energy_J(), previous_J + tolerance_J) << "tick " << tick;
     previous_J = energy_J();

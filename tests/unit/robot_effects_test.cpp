@@ -43,7 +43,8 @@ TEST(RobotEffects, OfTheRealRigAreThoseOfItsExperiments) {
     EXPECT_EQ(load.friction.coulomb, 40.0);
     EXPECT_EQ(load.friction.breakaway, 60.0);
     EXPECT_EQ(load.friction.stribeck_velocity, 0.01);
-    EXPECT_TRUE(plant::HydraulicJoint::create(joint.actuator, load, plant::equilibrium(joint.actuator, load, 0.04, 0.0)));
+    const plant::State rest = plant::equilibrium(joint.actuator, load, 0.04, 0.0);
+    EXPECT_TRUE(plant::HydraulicJoint::create(joint.actuator, load, rest));
   }
   EXPECT_EQ(joint.sensors.velocity.cut_off_Hz, 100.0);
   EXPECT_EQ(joint.sensors.velocity.order, 2);
