@@ -40,7 +40,7 @@ TEST(Forgetting, WithoutExcitationExponentialBlowsUpAndDirectionalStaysInsideIts
   auto variable = VariableDirection<4>::create(kParams).value();
   auto subspace = SubspaceOfInformation<4>::create(kParams).value();
   const Eigen::Vector4d h(0.3, 0.6, -0.3, 0.15);  // the same for ever: one direction of four is excited
-  constexpr int kSamples = 700;
+  constexpr int kSamples = 240;  // beyond 1e16 the rounding of P is as large as what h says, and P is noise
   for (int k = 0; k < kSamples; ++k) {
     const Eigen::Vector3d y = truth<4>() * h;
     exponential.update(h, y);
