@@ -32,10 +32,6 @@ void group_of(Visitor& v, const char* name, std::optional<Group>& group, bool ch
           std::string("is not used: give ") + key + ": " + name + ", or leave " + name + " out");
 }
 
-}  // namespace
-
-namespace {
-
 config::Option<UpdateMethod> option(UpdateMethod method) noexcept { return {to_string(method), method}; }
 
 const config::Option<UpdateMethod> kMethods[] = {option(UpdateMethod::kLimits), option(UpdateMethod::kSmallError),

@@ -40,7 +40,7 @@ TEST(Forgetting, WithoutExcitationExponentialBlowsUpAndDirectionalStaysInsideIts
   auto variable = VariableDirection<4>::create(kParams).value();
   auto subspace = SubspaceOfInformation<4>::create(kParams).value();
   const Eigen::Vector4d h(0.3, 0.6, -0.3, 0.15);  // the same for ever: one direction of four is excited
-  constexpr int kSamples = 700;
+  constexpr int kSamples = 240;  // beyond 1e16 the rounding of P is as large as what h says, and P is noise
   for (int k = 0; k < kSamples; ++k) {
     const Eigen::Vector3d y = truth<4>() * h;
     exponential.update(h, y);
@@ -51,7 +51,9 @@ TEST(Forgetting, WithoutExcitationExponentialBlowsUpAndDirectionalStaysInsideIts
     ASSERT_LE(extremes(subspace)(1), (1.0 + kRounding) * subspace.information_ceiling(h.squaredNorm())) << k;
   }
   // Three directions grow by 1 / lambda a sample.
-  EXPECT_GT(exponential.covariance_trace(), 0.5 * 3.0 * kStart * std::pow(1.0 / kLambda, kSamples));
+  const double blown_up = 3.0 * kStart * std::pow(1.0 / kLambda, kSamples);
+  EXPECT_GT(blown_up, 1e14);
+  EXPECT_NEAR(exponential.covariance_trace(), blown_up, 0.1 * blown_up);
   EXPECT_LE(variable.covariance_trace(), 4.0 / variable.information_floor());
   EXPECT_LT(subspace.covariance_trace(), (1.0 + kRounding) * 4.0 * kStart);
 }
