@@ -57,6 +57,20 @@ TEST(EstimatorMethod, IsMadeByItsNameAndPrintsAndLoadsAgain) {
   }
 }
 
+TEST(EstimatorMethod, GreyBoxHasItsOwnParametersAndNoneOfARegression) {
+  const std::string text = method("greybox", "    grey_box: {flow_error: 0.05, bias_drift: 0.1}\n");
+  ASSERT_EQ(problems_of(text), "");
+  const Robot robot = load_robot_text(text, "robot.yaml").value();
+  ASSERT_TRUE(robot.joints[0].estimator.grey_box.has_value());
+  EXPECT_EQ(robot.joints[0].estimator.grey_box->flow_error, 0.05);
+  const auto made = make_estimator(robot.joints[0], robot.period_s, 1);
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EXPECT_TRUE(made.value()->estimate().has_physics);
+  EXPECT_NE(problems_of(method("greybox", "    bias: true\n")), "");
+  EXPECT_NE(problems_of(method("greybox", "    gate: pe\n")).find("gate: none"), std::string::npos);
+  EXPECT_NE(problems_of(method("rls", "    grey_box: {flow_error: 0.05}\n")).find("method: greybox"), std::string::npos);
+}
+
 TEST(EstimatorMethod, TakesItsOwnParameters) {
   const Robot robot = load_robot_text(method("aff", "    aff: {forgetting_min: 0.7, noise_factor: 9}\n    gate: pe\n"
                                                     "    pe: {window_ticks: 50}\n"), "robot.yaml").value();
