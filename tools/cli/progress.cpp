@@ -14,8 +14,8 @@ constexpr int kWidth = 30;
 
 }  // namespace
 
-Progress::Progress(std::string title, Tick total)
-    : title_(std::move(title)), total_(std::max<Tick>(total, 1)), terminal_(::isatty(STDERR_FILENO) == 1) {}
+Progress::Progress(std::string title, Tick total, const char* unit)
+    : title_(std::move(title)), total_(std::max<Tick>(total, 1)), unit_(unit), terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 Progress::~Progress() {
   if (terminal_) {
@@ -23,12 +23,15 @@ Progress::~Progress() {
   }
 }
 
+std::string Progress::count() const {
+  return std::string(unit_) + ' ' + std::to_string(done_) + " of " + std::to_string(total_);
+}
+
 void Progress::draw(const std::string& tail) {
   const int filled = static_cast<int>(kWidth * done_ / total_);
   const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +
                           std::string(static_cast<std::size_t>(kWidth - filled), '.');
-  std::fprintf(stderr, "\r\033[K%s [%s] tick %lld of %lld%s", title_.c_str(), bar.c_str(),
-               static_cast<long long>(done_), static_cast<long long>(total_), tail.c_str());
+  std::fprintf(stderr, "\r\033[K%s [%s] %s%s", title_.c_str(), bar.c_str(), count().c_str(), tail.c_str());
   std::fflush(stderr);
 }
 
@@ -43,8 +46,7 @@ void Progress::update(Tick done) {
   const int tenth = static_cast<int>(10 * done_ / total_);
   if (!terminal_ && tenth > last_tenth_) {
     last_tenth_ = tenth;
-    std::fprintf(stderr, "%s: tick %lld of %lld\n", title_.c_str(), static_cast<long long>(done_),
-                 static_cast<long long>(total_));
+    std::fprintf(stderr, "%s: %s\n", title_.c_str(), count().c_str());
   }
 }
 

@@ -10,7 +10,8 @@ namespace farrier::cli {
 /// Progress of long work on standard error: a bar that redraws itself on a terminal, a line every tenth elsewhere.
 class Progress {
  public:
-  Progress(std::string title, Tick total);
+  /// `unit`: what is counted.
+  Progress(std::string title, Tick total, const char* unit = "tick");
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -22,8 +23,11 @@ class Progress {
  private:
   void draw(const std::string& tail);
 
+  std::string count() const;
+
   std::string title_;
   Tick total_;
+  const char* unit_;
   Tick done_ = 0;
   bool terminal_;
   int last_tenth_ = -1;

@@ -57,11 +57,11 @@ Result<std::vector<studies::Study>> chosen(const std::vector<studies::Study>& al
 }
 
 std::vector<reproduce::StudyRun> run_with_bar(const std::vector<studies::Study>& some, const ReproduceOptions& o) {
-  constexpr Tick kSteps = 1000;
+  constexpr Tick kSteps = 100;
   participant::install_signal_handlers();
   const studies::StudyContext context{
       std::filesystem::path(shipped_robot("fc1d.yaml")).parent_path().string(), o.seed, {}};
-  Progress bar("reproduce", kSteps);
+  Progress bar("reproduce", kSteps, "percent");
   return reproduce::run_studies(some, context, o.threads, [&](double share) {
     bar.update(static_cast<Tick>(share * static_cast<double>(kSteps)));
     return !participant::stop_requested();
