@@ -18,6 +18,7 @@ std::span<const Study> chapter7_gain_maps();   // 7.4, 7.5, C.3
 std::span<const Study> chapter7_load_cycle();  // 7.6 to 7.8
 std::span<const Study> chapter7_estimates();   // 7.9, C.4
 std::span<const Study> chapter8();             // 8.9, 8.11
+std::span<const Study> chapter10();            // 10.2
 
 /// Every study, in the order of the text: chapters, then appendices, by number within each.
 std::vector<Study> all_studies();

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include "control/low_pass.hpp"
 #include "control/lqr.hpp"
 
 namespace farrier::control {
@@ -17,6 +18,16 @@ struct MeasurementFilter {
   Eigen::RowVector2d c = Eigen::RowVector2d::Zero();
   double d = 1.0;
 };
+
+/// A low-pass in this form (transposed direct form II, as LowPass runs it).
+inline MeasurementFilter measurement_filter(const FilterCoefficients& f) noexcept {
+  MeasurementFilter states;
+  states.a << -f.a[0], 1.0, -f.a[1], 0.0;
+  states.b << f.b[1] - f.a[0] * f.b[0], f.b[2] - f.a[1] * f.b[0];
+  states.c << 1.0, 0.0;
+  states.d = f.b[0];
+  return states;
+}
 
 struct MeasurementFilters {
   MeasurementFilter position;

@@ -1,5 +1,6 @@
 // Gains by placed poles: what is asked for is what the closed loop has.
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 // Common Lyapunov functions and dwell times, against products of the matrices themselves.
 
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
