@@ -13,7 +13,7 @@ namespace farrier::estimation {
 namespace {
 
 // Sensors are never taken for better than these shares of their scales: the tick is integrated to about as much.
-const Eigen::Vector3d kBestSensors(1e-5, 1e-4, 1e-4);
+const Eigen::Vector3d kBestSensors(2.5e-5, 5e-4, 2e-4);
 // Coulomb friction turns over within this share of the velocity's scale.
 constexpr double kSlip = 0.004;
 // On end stops and voids: what a tick may do to velocity and to pressure, shares of scale and supply.
@@ -22,6 +22,7 @@ constexpr double kBentPressure = 0.02;
 constexpr double kLargestSignal = 1e40;  // in units of the scales; beyond it a square would not be finite
 constexpr double kMisfitMemory = 0.98;   // 50 ticks
 constexpr double kExpectedSurprise = 3.0;
+constexpr double kMostMisfit = 100.0;    // of one tick: an outlier alone is no misfit
 
 constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
 
@@ -178,8 +179,8 @@ void GreyBoxEstimator::take(const JointSample& sample) noexcept {
         break;
     }
     if (!blanked) {
-      const double surprise = std::min(filter_.surprise() / kExpectedSurprise, 1e6);
-      misfit_ = kMisfitMemory * misfit_ + (1.0 - kMisfitMemory) * (std::isfinite(surprise) ? surprise : 1e6);
+      const double surprise = filter_.surprise() / kExpectedSurprise;
+      misfit_ = kMisfitMemory * misfit_ + (1.0 - kMisfitMemory) * (surprise < kMostMisfit ? surprise : kMostMisfit);
     }
   }
   currents_ = {sample.current_A, currents_[0], currents_[1]};

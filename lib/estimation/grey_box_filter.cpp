@@ -224,9 +224,11 @@ GreyBoxFilter::Outcome GreyBoxFilter::step(const Eigen::Vector3d& measured, doub
         surplus_ = std::max(0.0, surplus_ + surprise_ - kSurpriseAllowed);
       }
       if (surplus_ > restart_.threshold) {
+        // This tick began under the old load and may have ended under the new one: it teaches neither.
         load_changed();
-        about = unknowns_;
+        about = unknowns = unknowns_;
         outcome = Outcome::kChanged;
+        learn = false;
         continue;
       }
     }
