@@ -50,15 +50,7 @@ std::string out_of_range(const GreyBoxParams& p) {
   within("flow_error", p.flow_error, 0.0, 1.0);
   within("force_error", p.force_error, 0.0, 1.0);
   within("change_threshold", p.change_threshold, 5.0, 1e12);
-  within("blank_ticks", p.blank_ticks, 0, 1e9);
-  within("min_samples", p.min_samples, 1, 1e9);
   return text;
-}
-
-bool usable(const JointScales& s) noexcept {
-  return s.state.allFinite() && (s.state.array() > 0).all() && std::isfinite(s.current_A) && s.current_A > 0 &&
-         s.sensor_noise.allFinite() && (s.sensor_noise.array() >= 0).all() && std::isfinite(s.home_position) &&
-         std::isfinite(s.period_s) && s.period_s > 0 && s.input_delay_ticks >= 0 && s.input_delay_ticks <= 2;
 }
 
 GreyBoxNoise noise_of(const GreyBoxParams& p, const JointScales& s, const plant::ActuatorParams& act) noexcept {
@@ -86,14 +78,21 @@ Unknowns variance_of(const GreyBoxParams& p, const JointScales& s, const plant::
 
 }  // namespace
 
-Result<GreyBoxEstimator> GreyBoxEstimator::create(const GreyBoxParams& params, const JointScales& scales,
+Result<GreyBoxEstimator> GreyBoxEstimator::create(const EstimatorParams& shared, const JointScales& scales,
                                                   const plant::ActuatorParams& actuator,
                                                   const std::array<plant::LoadParams, 2>& prior) {
+  const GreyBoxParams params = shared.grey_box.value_or(GreyBoxParams{});
   if (const std::string wrong = out_of_range(params); !wrong.empty()) {
     return Error{"grey_box: " + wrong};
   }
-  if (!usable(scales)) {
-    return Error{"grey_box: scales and period must be positive, sensor noise not negative, all finite, the input delay 0 to 2 ticks"};
+  if (shared.blank_ticks < 0 || shared.min_samples < 1) {
+    return Error{"blank_ticks must not be negative, min_samples at least 1"};
+  }
+  if (shared.gate != GateKind::kNone) {
+    return Error{"a gate chooses what a regression learns from: greybox needs gate: none"};
+  }
+  if (auto sound = validate(scales); !sound) {
+    return sound.error();
   }
   if (auto sound = plant::validate(actuator); !sound) {
     return sound.error();
@@ -123,10 +122,10 @@ Result<GreyBoxEstimator> GreyBoxEstimator::create(const GreyBoxParams& params, c
                                .threshold = params.change_threshold};
   const GreyBoxFilter filter(model, noise_of(params, scales, actuator), restart, first[0],
                              variance_of(params, scales, actuator, prior[0].stiffness), scales.period_s);
-  return GreyBoxEstimator(params, scales, model, filter, loads);
+  return GreyBoxEstimator(shared, scales, model, filter, loads);
 }
 
-GreyBoxEstimator::GreyBoxEstimator(const GreyBoxParams& params, const JointScales& scales, const GreyBoxModel& model,
+GreyBoxEstimator::GreyBoxEstimator(const EstimatorParams& params, const JointScales& scales, const GreyBoxModel& model,
                                    const GreyBoxFilter& filter,
                                    const std::array<GreyBoxFilter::Load, 2>& loads) noexcept
     : params_(params), scales_(scales), model_(model), filter_(filter), memories_{{{loads[0]}, {loads[1]}}} {}

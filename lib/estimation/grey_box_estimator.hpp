@@ -11,8 +11,8 @@
 
 #include "core/result.hpp"
 #include "estimation/estimator.hpp"
+#include "estimation/estimator_params.hpp"
 #include "estimation/grey_box_filter.hpp"
-#include "estimation/grey_box_params.hpp"
 
 namespace farrier::estimation {
 
@@ -25,10 +25,11 @@ namespace farrier::estimation {
 /// covariance leads to. c is 0: a bias force is in the physics.
 class GreyBoxEstimator final : public Estimator {
  public:
+  /// Of `params`: grey_box (absent: its defaults), blank_ticks, min_samples, phase_memory; a gate is refused.
   /// `actuator`: nominal. `prior`: the load of either phase before anything was measured; a change of load begins at
   /// the geometric mean of both. Refuses settings out of range, actuators and loads no machine has, and loads without
   /// mass, naming each.
-  static Result<GreyBoxEstimator> create(const GreyBoxParams& params, const JointScales& scales,
+  static Result<GreyBoxEstimator> create(const EstimatorParams& params, const JointScales& scales,
                                          const plant::ActuatorParams& actuator,
                                          const std::array<plant::LoadParams, 2>& prior);
 
@@ -44,13 +45,13 @@ class GreyBoxEstimator final : public Estimator {
     std::uint32_t samples = 0;
   };
 
-  GreyBoxEstimator(const GreyBoxParams& params, const JointScales& scales, const GreyBoxModel& model,
+  GreyBoxEstimator(const EstimatorParams& params, const JointScales& scales, const GreyBoxModel& model,
                    const GreyBoxFilter& filter, const std::array<GreyBoxFilter::Load, 2>& loads) noexcept;
 
   void change_phase(int phase) noexcept;
   void linearise(const Unknowns& unknowns, Eigen::Matrix3d& a, Eigen::Vector3d& b) const noexcept;
 
-  GreyBoxParams params_;
+  EstimatorParams params_;
   JointScales scales_;
   GreyBoxModel model_;
   GreyBoxFilter filter_;

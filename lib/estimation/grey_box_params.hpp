@@ -3,6 +3,7 @@
 namespace farrier::estimation {
 
 /// How the grey-box estimator learns. What is 0 among the uncertainties is taken as known and not estimated.
+/// What it shares with other methods (blank_ticks, min_samples, phase_memory) is in EstimatorParams.
 /// Uncertainties of positive quantities are of their natural logarithm, so that 0.1 is about 10 %.
 struct GreyBoxParams {
   double mass_uncertainty = 2.0;          ///< of ln m_l, at the start and after a change of load; (0, 5]
@@ -19,9 +20,6 @@ struct GreyBoxParams {
   double flow_error = 0.005;      ///< of the flow law, share of the valve's flow at supply pressure; [0, 1]
   double force_error = 2e-4;      ///< force on the load that no term has, share of the force's scale; [0, 1]
   double change_threshold = 30.0; ///< surplus of squared, normalised prediction errors that is a change of load; >= 5
-  int blank_ticks = 22;           ///< nothing is learnt this long after a switch of phase; >= 0
-  int min_samples = 20;           ///< ticks after the start or a change of load before an estimate counts; >= 1
-  bool phase_memory = true;       ///< what is known of each phase's load is kept apart
 };
 
 }  // namespace farrier::estimation
