@@ -2,10 +2,12 @@
 
 #include <optional>
 
+#include "estimation/grey_box_params.hpp"
+
 namespace farrier::estimation {
 
 /// What learns the model. docs/estimators.md says which does what, and when to choose it.
-enum class EstimationMethod { kRls, kAff, kKalman, kIv, kVdf, kSift };
+enum class EstimationMethod { kRls, kAff, kKalman, kIv, kVdf, kSift, kGreyBox };
 
 /// Whether a sample may teach.
 enum class GateKind { kNone, kPe, kFft };
@@ -68,18 +70,25 @@ struct EstimatorParams {
   std::optional<RandomWalkParams> kalman;
   std::optional<VariableDirectionParams> vdf;
   std::optional<SubspaceParams> sift;
+  std::optional<GreyBoxParams> grey_box;
   std::optional<PersistenceParams> pe;
   std::optional<SpectrumParams> fft;
 
   /// Length of the regressor, 3 to 5.
   int columns() const noexcept { return 3 + (position ? 1 : 0) + (bias ? 1 : 0); }
 
+  /// Whether the method regresses on what is measured; if not, it uses only blank_ticks, min_samples, phase_memory and
+  /// its own group.
+  bool regresses() const noexcept { return method != EstimationMethod::kGreyBox; }
+
   /// Whether the method has one lambda, forgetting_factor.
-  bool forgets_evenly() const noexcept { return method != EstimationMethod::kAff && method != EstimationMethod::kKalman; }
+  bool forgets_evenly() const noexcept {
+    return regresses() && method != EstimationMethod::kAff && method != EstimationMethod::kKalman;
+  }
 
   /// Whether covariance_limit is what bounds the covariance.
   bool limits_covariance() const noexcept {
-    return method != EstimationMethod::kVdf && method != EstimationMethod::kSift;
+    return regresses() && method != EstimationMethod::kVdf && method != EstimationMethod::kSift;
   }
 };
 

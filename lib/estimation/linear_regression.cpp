@@ -39,6 +39,7 @@ Result<LinearRegression> make(const EstimatorParams& params, const Eigen::Vector
   };
   switch (params.method) {
     case EstimationMethod::kRls: break;
+    case EstimationMethod::kGreyBox: return Error{"greybox is no regression: GreyBoxEstimator is it"};
     case EstimationMethod::kAff:
       return any(AdaptiveForgetting<N>::create(params.aff.value_or(AdaptiveForgettingParams{}),
                                                params.initial_covariance, params.covariance_limit, noise_variance,

@@ -17,19 +17,20 @@ namespace {
 
 constexpr Option<EstimationMethod> kEstimationMethods[] = {
     {"rls", EstimationMethod::kRls}, {"aff", EstimationMethod::kAff}, {"kalman", EstimationMethod::kKalman},
-    {"iv", EstimationMethod::kIv},   {"vdf", EstimationMethod::kVdf}, {"sift", EstimationMethod::kSift}};
+    {"iv", EstimationMethod::kIv},   {"vdf", EstimationMethod::kVdf}, {"sift", EstimationMethod::kSift},
+    {"greybox", EstimationMethod::kGreyBox}};
 constexpr Option<GateKind> kGates[] = {{"none", GateKind::kNone}, {"pe", GateKind::kPe}, {"fft", GateKind::kFft}};
 
-/// A group that belongs to one choice of `key`: there with its defaults when chosen, refused when another one is.
+/// A group that belongs to one choice of `key`, which is called `choice` or as the group is: there with its defaults when chosen, refused when another one is.
 template <class Group>
 void group_of(Visitor& v, const char* name, std::optional<Group>& group, bool chosen, const char* key,
-              const char* sentence) {
+              const char* sentence, const char* choice = nullptr) {
   if (chosen && !group.has_value()) {
     group.emplace();
   }
   v.group(name, group, sentence);
   v.check(chosen || !group.has_value(), name,
-          std::string("is not used: give ") + key + ": " + name + ", or leave " + name + " out");
+          std::string("is not used: give ") + key + ": " + (choice != nullptr ? choice : name) + ", or leave " + name + " out");
 }
 
 config::Option<UpdateMethod> option(UpdateMethod method) noexcept { return {to_string(method), method}; }
@@ -62,31 +63,35 @@ void declare(Visitor& v, EstimatorSection& section) {
     v.number("forgetting_factor", e.forgetting_factor, {0.5, 1}, Default{d.forgetting_factor},
              "Weight of a sample against the next one's, lambda (6.21); 1 forgets nothing. Not for aff and kalman.");
   }
-  v.flag("bias", e.bias, Default{d.bias}, "A constant in the regressor, for forces that no state explains.");
-  v.flag("position", e.position, Default{d.position}, "The position in the regressor; a load spring needs it.");
-  v.number("operating_point_time_constant_s", e.operating_point_time_constant_s, {1e-6, 10},
-           Default{d.operating_point_time_constant_s},
-           "Of the moving mean of states and input that is subtracted.");
-  v.integer("operating_point_order", e.operating_point_order, {0, 4}, Default{d.operating_point_order},
-            "How often the moving mean is subtracted; 0 subtracts the home pose once and for all.");
-  v.number("full_weight_norm", e.full_weight_norm, {1e-9, 1e6}, Default{d.full_weight_norm},
-           "Norm of the normalised regressor up to which a sample has full weight; larger ones are scaled down to it.");
-  v.number("innovation_forgetting", e.innovation_forgetting, {0, 0.9999}, Default{d.innovation_forgetting},
-           "Of the variance of prediction errors, by which measured states are corrected before they are regressed on.");
-  v.number("initial_covariance", e.initial_covariance, {1e-6, 1e12}, Default{d.initial_covariance},
-           "Of every parameter at the start, in normalised units.");
-  if (e.limits_covariance()) {
-    v.number("covariance_limit", e.covariance_limit, {1e-6, 1e40}, Default{d.covariance_limit},
-             "Largest trace of the covariance; beyond it nothing is forgotten (6.23); 1e40: no limit. Not for vdf and sift.");
+  if (e.regresses()) {
+    v.flag("bias", e.bias, Default{d.bias}, "A constant in the regressor, for forces that no state explains.");
+    v.flag("position", e.position, Default{d.position}, "The position in the regressor; a load spring needs it.");
+    v.number("operating_point_time_constant_s", e.operating_point_time_constant_s, {1e-6, 10},
+             Default{d.operating_point_time_constant_s},
+             "Of the moving mean of states and input that is subtracted.");
+    v.integer("operating_point_order", e.operating_point_order, {0, 4}, Default{d.operating_point_order},
+              "How often the moving mean is subtracted; 0 subtracts the home pose once and for all.");
+    v.number("full_weight_norm", e.full_weight_norm, {1e-9, 1e6}, Default{d.full_weight_norm},
+             "Norm of the normalised regressor up to which a sample has full weight; larger ones are scaled down to it.");
+    v.number("innovation_forgetting", e.innovation_forgetting, {0, 0.9999}, Default{d.innovation_forgetting},
+             "Of the variance of prediction errors, by which measured states are corrected before they are regressed on.");
+    v.number("initial_covariance", e.initial_covariance, {1e-6, 1e12}, Default{d.initial_covariance},
+             "Of every parameter at the start, in normalised units.");
+    if (e.limits_covariance()) {
+      v.number("covariance_limit", e.covariance_limit, {1e-6, 1e40}, Default{d.covariance_limit},
+               "Largest trace of the covariance; beyond it nothing is forgotten (6.23); 1e40: no limit. Not for vdf and sift.");
+    }
+    v.number("regressor_min", e.regressor_min, {0, 10}, Default{d.regressor_min},
+             "Norm of the normalised regressor below which a sample says nothing (6.24).");
   }
-  v.number("regressor_min", e.regressor_min, {0, 10}, Default{d.regressor_min},
-           "Norm of the normalised regressor below which a sample says nothing (6.24).");
   v.integer("blank_ticks", e.blank_ticks, {0, 10000}, Default{d.blank_ticks},
             "No samples are taken this long after a joint's switch of phase.");
   v.integer("min_samples", e.min_samples, {1, 1000000}, Default{d.min_samples},
             "Samples of a phase before its first estimate.");
-  v.number("stability_limit", e.stability_limit, {0.01, 0.999999}, Default{d.stability_limit},
-           "Modulus to which an unstable pole of an estimate is mapped (8.1.1).");
+  if (e.regresses()) {
+    v.number("stability_limit", e.stability_limit, {0.01, 0.999999}, Default{d.stability_limit},
+             "Modulus to which an unstable pole of an estimate is mapped (8.1.1). Not for greybox.");
+  }
   v.flag("phase_memory", e.phase_memory, Default{d.phase_memory}, "Whether what is known of each phase is kept apart.");
   group_of(v, "aff", e.aff, e.method == EstimationMethod::kAff, "method", "Adaptive forgetting of each row (9.1)-(9.3).");
   group_of(v, "kalman", e.kalman, e.method == EstimationMethod::kKalman, "method", "Parameters as a random walk (B.17).");
@@ -94,6 +99,9 @@ void declare(Visitor& v, EstimatorSection& section) {
            "Variable-direction forgetting (Goel, Bruce, Bernstein 2020).");
   group_of(v, "sift", e.sift, e.method == EstimationMethod::kSift, "method",
            "Forgetting in the subspace of information (Lai and Bernstein 2024).");
+  group_of(v, "grey_box", e.grey_box, e.method == EstimationMethod::kGreyBox, "method",
+           "What the joint's own equations are fitted with; not used by other methods.", "greybox");
+  v.check(e.regresses() || e.gate == GateKind::kNone, "gate", "is for regressions: greybox needs gate: none");
   group_of(v, "pe", e.pe, e.gate == GateKind::kPe, "gate", "Persistence of excitation, (9.4) corrected.");
   group_of(v, "fft", e.fft, e.gate == GateKind::kFft, "gate", "Frequencies of the valve current, (9.5).");
   v.check(!e.limits_covariance() || e.covariance_limit > e.columns() * e.initial_covariance, "covariance_limit",

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "estimation/grey_box_estimator.hpp"
 #include "estimation/joint_estimator.hpp"
 #include "robot/joint_model.hpp"
 
@@ -36,6 +37,16 @@ Made make_regression_estimator(const Joint& joint, const estimation::JointScales
   return Made(std::make_unique<estimation::JointEstimator>(std::move(estimator).value()));
 }
 
+/// Knows the joint's structure, so it needs the actuator and both loads.
+Made make_grey_box_estimator(const Joint& joint, const estimation::JointScales& scales) {
+  auto estimator = estimation::GreyBoxEstimator::create(joint.estimator, scales, joint.actuator,
+                                                        {joint.swing_load, joint.stance_load});
+  if (!estimator) {
+    return refused(joint, estimator.error().message);
+  }
+  return Made(std::make_unique<estimation::GreyBoxEstimator>(std::move(estimator).value()));
+}
+
 }  // namespace
 
 Made make_estimator(const Joint& joint, double period_s, int loop_delay_ticks) {
@@ -47,6 +58,7 @@ Made make_estimator(const Joint& joint, double period_s, int loop_delay_ticks) {
     case estimation::EstimationMethod::kIv:
     case estimation::EstimationMethod::kVdf:
     case estimation::EstimationMethod::kSift: return make_regression_estimator(joint, scales);
+    case estimation::EstimationMethod::kGreyBox: return make_grey_box_estimator(joint, scales);
   }
   return refused(joint, "estimator.method has no such value");
 }

@@ -32,6 +32,36 @@ void declare(Visitor& v, SubspaceParams& sift) {
            "Norm of the weighted regressor below which a sample is left out, normalised.");
 }
 
+void declare(Visitor& v, GreyBoxParams& g) {
+  const GreyBoxParams d;
+  v.number("mass_uncertainty", g.mass_uncertainty, {1e-3, 5}, Default{d.mass_uncertainty},
+           "Standard deviation of the load mass's logarithm at the start and after a change of load.");
+  v.number("damping_uncertainty", g.damping_uncertainty, {0, 5}, Default{d.damping_uncertainty},
+           "Standard deviation of the load friction's logarithm at the start and after a change of load; 0: known.");
+  v.number("coulomb_uncertainty", g.coulomb_uncertainty, {0, 1}, Default{d.coulomb_uncertainty},
+           "Of Coulomb friction, share of the force's scale; 0: there is none.");
+  v.number("stiffness_uncertainty", g.stiffness_uncertainty, {0, 10}, Default{d.stiffness_uncertainty},
+           "Of the load spring's stiffness, share of it; 0: known.");
+  v.number("bias_uncertainty", g.bias_uncertainty, {0, 1}, Default{d.bias_uncertainty},
+           "Of a constant force on the load, share of the force's scale; 0: there is none.");
+  v.number("valve_gain_uncertainty", g.valve_gain_uncertainty, {0, 2}, Default{d.valve_gain_uncertainty},
+           "Standard deviation of the valve gain's logarithm; 0: known.");
+  v.number("bulk_modulus_uncertainty", g.bulk_modulus_uncertainty, {0, 2}, Default{d.bulk_modulus_uncertainty},
+           "Standard deviation of the bulk modulus's logarithm; 0: known.");
+  v.number("leakage_uncertainty", g.leakage_uncertainty, {0, 1}, Default{d.leakage_uncertainty},
+           "Of the leakage at supply pressure, share of the open valve's flow; 0: there is none.");
+  v.number("load_drift", g.load_drift, {0, 100}, Default{d.load_drift},
+           "Growth of what is uncertain of the logarithms of load mass and friction, per root of a second.");
+  v.number("bias_drift", g.bias_drift, {0, 100}, Default{d.bias_drift},
+           "Growth of what is uncertain of the constant force, share of the force's scale per root of a second.");
+  v.number("flow_error", g.flow_error, {0, 1}, Default{d.flow_error},
+           "Error of the flow law from tick to tick, share of the valve's flow at supply pressure.");
+  v.number("force_error", g.force_error, {0, 1}, Default{d.force_error},
+           "Force on the load that no term has, share of the force's scale.");
+  v.number("change_threshold", g.change_threshold, {5, 1e12}, Default{d.change_threshold},
+           "Surplus of squared, normalised prediction errors that counts as a change of load.");
+}
+
 void declare(Visitor& v, PersistenceParams& pe) {
   const PersistenceParams d;
   v.integer("window_ticks", pe.window_ticks, {8, 4096}, Default{d.window_ticks}, "N of (9.4).");

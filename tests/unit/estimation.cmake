@@ -14,3 +14,9 @@ farrier_test(estimation_test unit
   ${CMAKE_CURRENT_LIST_DIR}/estimation_washout_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/support/allocation_guard.cpp)
 target_link_libraries(estimation_test PRIVATE farrier_estimation)
+
+farrier_test(estimation_grey_box_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/estimation_grey_box_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/estimation_grey_box_safety_test.cpp
+  ${PROJECT_SOURCE_DIR}/tests/support/allocation_guard.cpp)
+target_link_libraries(estimation_grey_box_test PRIVATE farrier_estimation)

@@ -39,7 +39,7 @@ TEST(EstimatorMethod, IsLeastSquaresWithoutAGateWhereAFileSaysNothing) {
 TEST(EstimatorMethod, IsMadeByItsNameAndPrintsAndLoadsAgain) {
   const std::pair<const char*, EstimationMethod> methods[] = {
       {"rls", EstimationMethod::kRls}, {"aff", EstimationMethod::kAff}, {"kalman", EstimationMethod::kKalman},
-      {"iv", EstimationMethod::kIv},   {"vdf", EstimationMethod::kVdf}, {"sift", EstimationMethod::kSift}};
+      {"iv", EstimationMethod::kIv},   {"vdf", EstimationMethod::kVdf}, {"sift", EstimationMethod::kSift}};  // greybox has no gates, and a test of its own
   for (const auto& [name, kind] : methods) {
     for (const std::string gate : {"none", "pe", "fft"}) {
       const std::string text = method(name, "    gate: " + gate + "\n");

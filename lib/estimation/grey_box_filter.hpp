@@ -1,0 +1,85 @@
+#pragma once
+
+// Iterated extended Kalman filter of motion and unknowns together:
+//
+//   x, v, F_s, i_v ──▶ GreyBoxModel::pass ──▶ prediction errors ──▶ a change of load? ──▶ correct, again until at rest
+
+#include <Eigen/Core>
+
+#include "estimation/grey_box_model.hpp"
+
+namespace farrier::estimation {
+
+using GreyBoxCovariance = Eigen::Matrix<double, kGreyBoxStates, kGreyBoxStates>;
+
+/// What the filter takes for granted. Variances per tick.
+struct GreyBoxNoise {
+  Eigen::Vector3d sensor_variance;  ///< of position, velocity, force; > 0
+  double force_variance = 0.0;      ///< of force on the load that no term has
+  double flow_error = 0.0;          ///< share of the valve's flow at supply pressure
+  Unknowns drift_variance = Unknowns::Zero();
+  double bent_velocity_variance = 0.0;  ///< on end stops and voids, and while nothing is learnt
+  double bent_pressure_variance = 0.0;
+};
+
+/// Where the filter begins anew when the load has changed.
+struct GreyBoxRestart {
+  Unknowns unknowns;             ///< of which mass and damping are taken
+  double mass_variance = 0.0;    ///< of its logarithm
+  double damping_variance = 0.0;
+  double threshold = 0.0;        ///< GreyBoxParams::change_threshold
+};
+
+class GreyBoxFilter {
+ public:
+  enum class Outcome { kTaken, kChanged, kRepaired };
+
+  GreyBoxFilter(const GreyBoxModel& model, const GreyBoxNoise& noise, const GreyBoxRestart& restart,
+                const Unknowns& unknowns, const Unknowns& variance, double period_s) noexcept;
+
+  /// Begins at what was measured; what is known of the unknowns stays.
+  void anchor(const Eigen::Vector3d& measured) noexcept;
+
+  /// A tick: `current_A` acted since the last, `measured` is position, velocity, force now. With `learn` false the
+  /// motion follows and the unknowns stay. All finite. At most kMostPasses predictions.
+  Outcome step(const Eigen::Vector3d& measured, double current_A, bool learn) noexcept;
+
+  const Unknowns& unknowns() const noexcept { return unknowns_; }
+  Eigen::Matrix<double, kUnknowns, kUnknowns> covariance() const noexcept {
+    return covariance_.bottomRightCorner<kUnknowns, kUnknowns>();
+  }
+  /// Squared, normalised prediction error of the last step: 3 on average when the model and the noise are right.
+  double surprise() const noexcept { return surprise_; }
+
+  /// What is known of the load alone (the first five unknowns), taken out and put in when the phase of a leg changes.
+  struct Load {
+    Eigen::Matrix<double, 5, 1> unknowns;
+    Eigen::Matrix<double, 5, 5> covariance;
+  };
+  Load load() const noexcept;
+  void set_load(const Load& load) noexcept;
+
+  static constexpr int kMostPasses = 10;
+
+ private:
+  struct Prediction;
+  Prediction predict(const Unknowns& about, double current_A, bool learn) const noexcept;
+  double surprise_of(const Prediction& prediction, const Eigen::Vector3d& error) const noexcept;
+  void load_changed() noexcept;
+  void keep_within_bounds() noexcept;
+  void begin_anew(const Eigen::Vector3d& measured) noexcept;
+
+  GreyBoxModel model_;
+  GreyBoxNoise noise_;
+  GreyBoxRestart restart_;
+  Unknowns first_unknowns_, first_variance_;
+  double period_s_;
+  Motion motion_ = Motion::Zero();
+  Unknowns unknowns_;
+  GreyBoxCovariance covariance_;
+  double surplus_ = 0.0;  // of surprise over what noise explains, summed
+  double surprise_ = 0.0;
+  int ticks_since_change_ = 0;
+};
+
+}  // namespace farrier::estimation
