@@ -17,6 +17,12 @@ Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int
   return EstimatorService(std::move(estimators));
 }
 
+EstimatorService::EstimatorService(const EstimatorService& other) {
+  for (const auto& estimator : other.estimators_) {
+    estimators_.push_back(estimator->clone());
+  }
+}
+
 void EstimatorService::take(const signals::JointMeasurement& measurement) noexcept {
   if (measurement.joint < estimators_.size()) {
     estimators_[measurement.joint]->take({.tick = measurement.tick,

@@ -20,6 +20,13 @@ class EstimatorService {
   /// `loop_delay_ticks` after the sample it answers. Refuses estimator settings out of range, naming the joint.
   static Result<EstimatorService> create(const robot::Robot& robot, int loop_delay_ticks);
 
+  /// A copy knows what this one does, and learns by itself.
+  EstimatorService(const EstimatorService& other);
+  EstimatorService& operator=(const EstimatorService& other) { return *this = EstimatorService(other); }
+  EstimatorService(EstimatorService&&) noexcept = default;
+  EstimatorService& operator=(EstimatorService&&) noexcept = default;
+  ~EstimatorService() = default;
+
   /// Takes one joint's measurement. Measurements of joints the robot does not have are left out.
   void take(const signals::JointMeasurement& measurement) noexcept;
 
@@ -27,7 +34,8 @@ class EstimatorService {
   signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick) const noexcept;
 
  private:
-  explicit EstimatorService(std::vector<std::unique_ptr<estimation::Estimator>> estimators) : estimators_(std::move(estimators)) {}
+  explicit EstimatorService(std::vector<std::unique_ptr<estimation::Estimator>> estimators)
+      : estimators_(std::move(estimators)) {}
 
   std::vector<std::unique_ptr<estimation::Estimator>> estimators_;  // by joint number
 };

@@ -6,6 +6,7 @@
 #include <complex>
 
 #include "control/model_rows.hpp"
+#include "control/transfer_function.hpp"
 #include "estimation/poles.hpp"
 #include "lab/studies/bode.hpp"
 #include "lab/studies/load_cycle_run.hpp"

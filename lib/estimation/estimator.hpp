@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 
 #include "core/result.hpp"
 #include "core/time.hpp"
@@ -78,6 +79,9 @@ class Estimator {
 
   /// What is known of the phase of the last sample.
   virtual ModelEstimate estimate() const noexcept = 0;
+
+  /// Another one that knows what this one does, and learns by itself from now on.
+  virtual std::unique_ptr<Estimator> clone() const = 0;
 };
 
 }  // namespace farrier::estimation

@@ -39,6 +39,8 @@ class GreyBoxEstimator final : public Estimator {
   /// What is known of the phase of the last sample.
   ModelEstimate estimate() const noexcept override;
 
+  std::unique_ptr<Estimator> clone() const override { return std::make_unique<GreyBoxEstimator>(*this); }
+
  private:
   struct PhaseMemory {
     GreyBoxFilter::Load load;

@@ -54,6 +54,8 @@ class JointEstimator final : public Estimator {
   /// What is known of the phase of the last sample.
   ModelEstimate estimate() const noexcept override;
 
+  std::unique_ptr<Estimator> clone() const override { return std::make_unique<JointEstimator>(*this); }
+
   /// What the last sample of that phase, 0 or 1, was weighed with against the next one's: lambda of the rows of position,
   /// velocity and force, Fig. 9.3.
   Eigen::Vector3d forgetting(int phase) const noexcept;

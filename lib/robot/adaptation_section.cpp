@@ -21,7 +21,8 @@ constexpr Option<EstimationMethod> kEstimationMethods[] = {
     {"greybox", EstimationMethod::kGreyBox}};
 constexpr Option<GateKind> kGates[] = {{"none", GateKind::kNone}, {"pe", GateKind::kPe}, {"fft", GateKind::kFft}};
 
-/// A group that belongs to one choice of `key`, which is called `choice` or as the group is: there with its defaults when chosen, refused when another one is.
+/// A group that belongs to one choice of `key`, which is called `choice` or as the group is: there with its defaults when
+/// chosen, refused when another one is.
 template <class Group>
 void group_of(Visitor& v, const char* name, std::optional<Group>& group, bool chosen, const char* key,
               const char* sentence, const char* choice = nullptr) {
@@ -30,7 +31,8 @@ void group_of(Visitor& v, const char* name, std::optional<Group>& group, bool ch
   }
   v.group(name, group, sentence);
   v.check(chosen || !group.has_value(), name,
-          std::string("is not used: give ") + key + ": " + (choice != nullptr ? choice : name) + ", or leave " + name + " out");
+          std::string("is not used: give ") + key + ": " + (choice != nullptr ? choice : name) + ", or leave " + name +
+              " out");
 }
 
 config::Option<UpdateMethod> option(UpdateMethod method) noexcept { return {to_string(method), method}; }

@@ -27,6 +27,11 @@ std::string method(const std::string& name, const std::string& more = "") {
   if (name == "vdf" || name == "sift") {
     text = replaced(text, "    covariance_limit: 1e6\n", "");
   }
+  if (name == "greybox") {
+    const std::size_t first = text.find("    bias: true\n    position:");
+    const std::size_t after = text.find("    blank_ticks:", first);
+    text.erase(first, after - first);
+  }
   return text;
 }
 
@@ -55,6 +60,20 @@ TEST(EstimatorMethod, IsMadeByItsNameAndPrintsAndLoadsAgain) {
       EXPECT_EQ(print_config(again.value()), printed);
     }
   }
+}
+
+TEST(EstimatorMethod, GreyBoxHasItsOwnParametersAndNoneOfARegression) {
+  const std::string text = method("greybox", "    grey_box: {flow_error: 0.05, bias_drift: 0.1}\n");
+  ASSERT_EQ(problems_of(text), "");
+  const Robot robot = load_robot_text(text, "robot.yaml").value();
+  ASSERT_TRUE(robot.joints[0].estimator.grey_box.has_value());
+  EXPECT_EQ(robot.joints[0].estimator.grey_box->flow_error, 0.05);
+  const auto made = make_estimator(robot.joints[0], robot.period_s, 1);
+  ASSERT_TRUE(made.ok()) << made.error().message;
+  EXPECT_TRUE(made.value()->estimate().has_physics);
+  EXPECT_NE(problems_of(method("greybox", "    initial_covariance: 1e5\n")).find("initial_covariance"), std::string::npos);
+  EXPECT_NE(problems_of(method("greybox", "    gate: pe\n")).find("gate: none"), std::string::npos);
+  EXPECT_NE(problems_of(method("rls", "    grey_box: {flow_error: 0.05}\n")).find("method: greybox"), std::string::npos);
 }
 
 TEST(EstimatorMethod, TakesItsOwnParameters) {

@@ -8,6 +8,7 @@
 
 #include "lab/bench_control.hpp"
 #include "lab/bench_estimators.hpp"
+#include "lab/bench_grey_box.hpp"
 #include "lab/bench_plant.hpp"
 #include "lab/bench_redesign.hpp"
 #include "lab/bench_riccati.hpp"
@@ -33,11 +34,12 @@ constexpr double kRiccatiSpeedup = 3.0;
 constexpr double kRiccatiResidual = 1e-12;
 constexpr double kRlsSpeedup = 20.0;
 constexpr double kRlsDifference = 1e-12;
+constexpr double kGreyBoxUs = 15.0;
 constexpr double kTickUs = 50.0;
 constexpr double kRedesignUs = 10.0;
 
 struct BenchOptions {
-  std::vector<std::string> only{"lockstep", "plant", "riccati", "control", "rls", "estimators", "tick"};
+  std::vector<std::string> only{"lockstep", "plant", "riccati", "control", "rls", "estimators", "greybox", "tick"};
   std::string robot_path;
   Tick ticks = 4000;
   std::string out = "out/bench";
@@ -129,6 +131,15 @@ void bench_estimators(report::Figures& figures) {
   figures.add("bench.estimator.allocations", static_cast<double>(bench.allocations), 0.0);
 }
 
+void bench_grey_box(report::Figures& figures) {
+  std::fputs("greybox: one joint's tick of the grey-box estimator, and one estimate\n", stderr);
+  const lab::GreyBoxBench bench = lab::bench_grey_box(4000, allocation_count);
+  figures.add("bench.greybox.tick_us", 1e6 * bench.take_s, kGreyBoxUs);
+  figures.add("bench.greybox.slowest_tick_us", 1e6 * bench.take_slowest_s);
+  figures.add("bench.greybox.estimate_us", 1e6 * bench.estimate_s);
+  figures.add("bench.greybox.allocations", static_cast<double>(bench.allocations), 0.0);
+}
+
 Result<Done> bench_tick(const robot::Robot& robot, report::Figures& figures) {
   std::fputs("tick: every joint's control, estimation and update logic on one core, and a redesign\n", stderr);
   const auto tick = lab::bench_tick(robot, 20, allocation_count);
@@ -196,6 +207,9 @@ int bench(BenchOptions o) {
   if (wanted("estimators")) {
     bench_estimators(outcome.figures);
   }
+  if (wanted("greybox")) {
+    bench_grey_box(outcome.figures);
+  }
   if (wanted("tick")) {
     if (const auto done = bench_tick(robot.value(), outcome.figures); !done) {
       std::fprintf(stderr, "farrier bench: %s\n", done.error().message.c_str());
@@ -216,9 +230,9 @@ int bench(BenchOptions o) {
 std::function<int()> declare_bench(CLI::App& app) {
   auto o = std::make_shared<BenchOptions>();
   o->robot_path = shipped_robot("hyq.yaml");
-  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control, rls, estimators, tick")
+  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control, rls, estimators, greybox, tick")
       ->delimiter(',')
-      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls", "estimators", "tick"}).description(""))
+      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls", "estimators", "greybox", "tick"}).description(""))
       ->type_name("<names>")
       ->default_str("all");
   app.add_option("--robot", o->robot_path, "robot file of the lock-step runs and of the tick")

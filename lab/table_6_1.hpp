@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/result.hpp"
+#include "estimation/estimator_params.hpp"
+
+namespace farrier::lab {
+
+/// Hubacher (2014), Table 6.1: how an estimator does for each combination of the valve signal's frequencies and
+/// amplitude, on the changes of load of Fig. 6.1. The figure has no numbers that survive; what the text says of it fixes
+/// these: sections of 0.25 s with 10.5 kg (6.3.3), 105 kg (6.3.3: ten times), 1.05 kg ("low again", still within the
+/// 1 to 127 kg of 4.3.2), and 2.1 kg with five times the friction ("increased only little, but the friction greatly").
+struct Table61Cell {
+  const char* method;  ///< "rls", "aff" or "greybox"
+  bool rich;           ///< white noise; else 5 and 10 Hz (C.1)
+  bool high;           ///< 100 % of the nominal valve opening; else 5 %
+  bool noisy;          ///< with the sensors of fc1d.yaml
+  /// 60 ms after each of the three changes. Of the discrete transfer function i_v -> F_s, 0.5 to 100 Hz, against the
+  /// true linearisation at home, mean of both signs of the valve; infinite where there is none.
+  std::array<double, 3> gain_error_dB;
+  std::array<double, 3> phase_error_deg;
+  std::array<double, 3> mass_error;  ///< relative; of linear models as 6.3.1 extracts it, infinite where that fails
+};
+
+/// All cells of all methods: 24 of them. The linear methods as in 6.3: lambda 0.85 (aff: its own), the home pose
+/// subtracted, no bias, normalised; the grey-box estimator with its defaults. Refuses nothing but a bug.
+Result<std::vector<Table61Cell>> table_6_1(std::uint64_t seed);
+
+}  // namespace farrier::lab
