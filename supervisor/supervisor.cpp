@@ -44,47 +44,6 @@ signals::JointControllerGains with_physics(signals::JointControllerGains gains,
 namespace {
 
 constexpr std::uint32_t kFirstEpoch = 1;
-constexpr std::array kPhases{signals::Phase::kSwing, signals::Phase::kStance};
-
-Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double period_s, int delay_ticks) {
-  SlotGains slots;
-  for (const signals::Phase phase : kPhases) {
-    const bool for_stance =
-        design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
-    const auto gains = design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, period_s, delay_ticks);
-    if (!gains) {
-      return gains.error();
-    }
-    slots[static_cast<std::size_t>(phase)] = gains.value();
-  }
-  return slots;
-}
-
-/// Physics of the load that a slot's gains are for, except that adaptation begins with each phase's own.
-plant::JointPhysics first_physics(const robot::Joint& joint, Design design, signals::Phase phase) noexcept {
-  const bool stance = phase == signals::Phase::kStance;
-  const bool for_stance = design == Design::kStance || (stance && design != Design::kSwing);
-  return plant::nominal_physics(joint.actuator, for_stance ? joint.stance_load : joint.swing_load);
-}
-
-Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>& first_gains, int delay_ticks) {
-  if (first_gains.empty()) {
-    return Done{};
-  }
-  if (first_gains.size() != robot.joints.size()) {
-    return Error{"first gains of " + std::to_string(first_gains.size()) + " joints, but " + robot.name + " has " +
-                 std::to_string(robot.joints.size()) + ": give every joint's"};
-  }
-  for (const robot::Joint& joint : robot.joints) {
-    for (const control::Gains& gains : first_gains[joint.number]) {
-      if (gains.delay_ticks != delay_ticks) {
-        return Error{joint.name + ": first gains for a delay of " + std::to_string(gains.delay_ticks) +
-                     " ticks in a loop with " + std::to_string(delay_ticks) + ": give gains designed for that"};
-      }
-    }
-  }
-  return Done{};
-}
 
 /// First gains act whatever they are, but their record says where they fall short of what is asked of new ones.
 /// `outputs` ends with the joint's gains.
@@ -116,16 +75,6 @@ void record_shortfalls(const robot::Robot& robot, std::uint16_t joint, const Slo
 
 }  // namespace
 
-Design parse_design(std::string_view name) noexcept {
-  if (name == "swing") {
-    return Design::kSwing;
-  }
-  if (name == "adaptive") {
-    return Design::kAdaptive;
-  }
-  return name == "phases" ? Design::kPhases : Design::kStance;
-}
-
 Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, int loop_delay_ticks,
                                       std::uint64_t session, std::vector<robot::LoadChange> known_loads,
                                       const std::vector<SlotGains>& first_gains) {
@@ -149,7 +98,9 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     }
     const bool changes_slots = robot.plan.gait.pattern != gait::Pattern::kStand;
     const int dwell = changes_slots ? dwell_ticks(first.value()[0], first.value()[1]) : 0;
-    record_shortfalls(robot, joint.number, first.value(), dwell, batches[0].outputs);
+    if (joint.kind != control::Kind::kFlowInversion) {  // there they do not act
+      record_shortfalls(robot, joint.number, first.value(), dwell, batches[0].outputs);
+    }
     if (design == Design::kAdaptive) {
       const auto slot = [&](const control::Gains& gains) {
         return SlotUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, gains);

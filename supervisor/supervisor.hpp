@@ -7,27 +7,16 @@
 
 #include <array>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
+#include "supervisor/first_gains.hpp"
 #include "supervisor/physics_update.hpp"
 #include "supervisor/slot_update.hpp"
 
 namespace farrier::supervisor {
-
-/// Which bench load the published gains are designed for: one load for both slots of a joint, or each slot its own.
-/// kAdaptive begins with the swing load in both, and redesigns each when its estimate says that it pays; physics for
-/// flow_inversion begin with each phase's own load, as the estimator does.
-enum class Design { kStance, kSwing, kPhases, kAdaptive };
-
-/// "stance", "swing", "phases", "adaptive"; anything else counts as "stance".
-Design parse_design(std::string_view name) noexcept;
-
-/// Gains of a joint's slots, by phase.
-using SlotGains = std::array<control::Gains, signals::kPhaseCount>;
 
 /// The supervisor's core. No clock, no I/O; nothing is allocated after construction.
 class Supervisor {
