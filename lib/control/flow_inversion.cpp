@@ -35,10 +35,12 @@ bool FlowInversion::set_physics(const plant::JointPhysics& physics) noexcept {
   }
   const double force = model_.load_cell_force(state_, disturbance_);
   model_ = FlowModel(actuator_, physics, slack_position_, period_s_);
-  has_physics_ = true;
   if (has_run_) {
+    disturbance_.load_force += bias_force_ - physics.bias_force;
     model_.set_force(state_, force, disturbance_);
   }
+  bias_force_ = physics.bias_force;
+  has_physics_ = true;
   return true;
 }
 

@@ -56,7 +56,8 @@ class FlowInversion {
   FlowInversion(const plant::ActuatorParams& actuator, const FlowInversionGains& gains, double operating_position,
                 double slack_position, double period_s, int delay_ticks) noexcept;
 
-  /// Physics from the next step on. Bumpless: the force in the model stays. False, and the old physics kept, for values
+  /// Physics from the next step on. Bumpless: the force in the model stays, and so does the sum of bias force and what was
+  /// found beside it, which the observer knows better than an estimate that follows. False, and the old physics kept, for values
   /// that are not finite or out of the ranges of JointPhysics, and for a load without mass.
   bool set_physics(const plant::JointPhysics& physics) noexcept;
 
@@ -90,6 +91,7 @@ class FlowInversion {
   std::size_t delay_ticks_;
   double most_force_;
   FlowModel model_;
+  double bias_force_ = 0.0;  ///< of the physics
   bool has_physics_ = false;
   bool has_run_ = false;
   bool has_last_ = false;

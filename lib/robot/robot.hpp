@@ -89,8 +89,8 @@ struct Overrides {
   std::optional<gait::Pattern> pattern;
   std::optional<double> frequency_Hz;
   bool without_dither = false;  ///< dither_percent of every joint is 0
-  std::optional<std::string> estimator;     ///< section of the file that every joint uses
-  std::optional<control::Kind> controller;  ///< kind of every controller
+  std::optional<std::string> estimator = std::nullopt;     ///< section of the file that every joint uses
+  std::optional<control::Kind> controller = std::nullopt;  ///< kind of every controller
 };
 
 /// Loads and checks a robot file. Refuses with every mistake in it, each with its line and remedy; checks that need

@@ -78,7 +78,7 @@ void add_controllers(Figures& figures, std::string_view test, std::span<const Va
 }
 
 std::string controllers_text(std::string_view test, std::span<const VaryRow> rows) {
-  constexpr std::size_t kName = 24, kNumber = 11;
+  static constexpr std::size_t kName = 24, kNumber = 11;
   const auto left = [](std::string text) { return text + std::string(kName - std::min(kName, text.size()), ' '); };
   const auto right = [](const std::string& text) {
     return std::string(kNumber - std::min(kNumber, text.size()), ' ') + text;
