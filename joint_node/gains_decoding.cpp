@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "control/model_rows.hpp"
+#include "plant/joint_physics.hpp"
 #include "signals/fields.hpp"
 
 namespace farrier::joint_node {
@@ -25,9 +26,19 @@ struct FiniteCheck {
   }
 };
 
+Result<Done> check_physics(const signals::JointControllerGains& signal) {
+  if (signal.has_physics == 0) {
+    return Error{"no physics, which flow_inversion needs: give has_physics and physics"};
+  }
+  if (const char* bad = plant::first_unphysical(plant::physics_of(signal.physics))) {
+    return Error{std::string("physics: ") + bad + " is not finite or out of its range"};
+  }
+  return Done{};
+}
+
 }  // namespace
 
-Result<Done> check_gains(const signals::JointControllerGains& signal) {
+Result<Done> check_gains(const signals::JointControllerGains& signal, control::Kind kind) {
   FiniteCheck check;
   signals::visit_fields(signal, check);
   if (check.first_bad != nullptr) {
@@ -38,6 +49,9 @@ Result<Done> check_gains(const signals::JointControllerGains& signal) {
   }
   if (signal.phase >= signals::kPhaseCount) {
     return Error{"phase is " + std::to_string(signal.phase) + ": give 0 (swing) or 1 (stance)"};
+  }
+  if (kind == control::Kind::kFlowInversion) {
+    return check_physics(signal);
   }
   const control::Gains gains = unpack_gains(signal);
   const control::Normalisation& n = gains.normalisation;

@@ -3,15 +3,18 @@
 #include <string>
 
 #include "control/closed_loop.hpp"
+#include "control/feedback_linearisation.hpp"
 #include "core/result.hpp"
 #include "signals/signals.hpp"
 
 namespace farrier::joint_node {
 
-/// Decides whether gains that came over the wire may act: every number finite, a delay the controller can hold,
+/// Decides whether gains that came over the wire may act on a joint whose controller is of this kind. All but
+/// flow_inversion: every number finite, a delay the controller can hold,
 /// scales and integral action positive, no position gain in the compliant form, and the closed loop stable for the
-/// model they came with. Refuses with the reason.
-Result<Done> check_gains(const signals::JointControllerGains& signal);
+/// model they came with. Flow_inversion takes the physics alone: there, and in the ranges of plant::JointPhysics.
+/// Refuses with the reason.
+Result<Done> check_gains(const signals::JointControllerGains& signal, control::Kind kind);
 
 /// Checked gains as the controller takes them; their spectral radius is left to check_gains.
 control::Gains unpack_gains(const signals::JointControllerGains& signal) noexcept;

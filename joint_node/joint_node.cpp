@@ -25,7 +25,8 @@ bool finite(const signals::JointCommand& c) noexcept {
 
 }  // namespace
 
-JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, double period_s, std::uint64_t session)
+JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, double period_s, int loop_delay_ticks,
+                     std::uint64_t session)
     : joint_(joint),
       safety_(safety),
       session_(session),
@@ -35,6 +36,8 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
       dither_sign_(kDitherSeed, joint.name, "dither"),
       flow_law_(joint.actuator, joint.feedback_linearisation, home_position_, period_s),
       pid_(joint.pid, joint.normalisation, period_s),
+      flow_inversion_(joint.actuator, joint.flow_inversion, home_position_, joint.stance_load.equilibrium_position,
+                      period_s, loop_delay_ticks),
       good_samples_(safety.recovery_samples) {
   faults_.set(Fault::kDisarmed);
   faults_.set(Fault::kNoGains);
@@ -45,7 +48,7 @@ bool JointNode::store_gains(const signals::JointControllerGains& signal, const c
   if (signal.generation <= upcoming.newest()) {
     return false;
   }
-  upcoming.put({gains, signal.generation, signal.effective_tick});
+  upcoming.put({gains, plant::physics_of(signal.physics), signal.generation, signal.effective_tick});
   return true;
 }
 
@@ -122,7 +125,7 @@ void JointNode::assess(const Inputs& inputs) noexcept {
     tripped_epoch_ = mode_.epoch;
   }
   // Flow law and PID bring their own.
-  const bool needs_gains = joint_.kind == control::Kind::kLqr;
+  const bool needs_gains = joint_.kind == control::Kind::kLqr || joint_.kind == control::Kind::kFlowInversion;
   faults_.set(Fault::kNoGains, needs_gains && acting_[static_cast<std::size_t>(phase_)].generation == 0);
 }
 
@@ -134,16 +137,20 @@ JointState JointNode::state() const noexcept {
   return faults_.has(Fault::kCommandStale) ? JointState::kDamping : JointState::kTracking;
 }
 
-double JointNode::force_reference(const Inputs& inputs, JointState state) noexcept {
+control::ForceReference JointNode::force_reference(const Inputs& inputs, JointState state) noexcept {
   const double q = joint_.linkage.angle(inputs.sensors.position_m_or_rad);
   const double q_dot = joint_.linkage.angular_velocity(q, inputs.sensors.velocity_m_s_or_rad_s);
   double torque = 0;
+  double stiffness = 0;
+  double damping = safety_.damping_gain_Nms_rad;
   bool clamped = false;
   if (state == JointState::kTracking) {
     const signals::JointCommand& command = inputs.command;
     const double q_ref = std::clamp(command.position_rad, joint_.angle_min_rad, joint_.angle_max_rad);
     clamped = q_ref != command.position_rad;
     // tau_ref = tau_ff + k_p (q_ref - q) + k_d (q̇_ref - q̇)   (Hubacher 2014, Fig. 1.3)
+    stiffness = command.stiffness_Nm_rad;
+    damping = command.damping_Nms_rad;
     torque = command.torque_ff_Nm + command.stiffness_Nm_rad * (q_ref - q) +
              command.damping_Nms_rad * (command.velocity_rad_s - q_dot);
   } else {
@@ -153,7 +160,13 @@ double JointNode::force_reference(const Inputs& inputs, JointState state) noexce
   // Numbers too large to add up (inf - inf) ask for nothing.
   const double reference = std::isnan(wanted) ? 0.0 : std::clamp(wanted, -joint_.pull_limit, joint_.push_limit);
   faults_.set(Fault::kReferenceClamped, clamped || reference != wanted);
-  return reference;
+  if (reference != wanted) {
+    return reference;  // moves no more
+  }
+  // F = tau / r and dq = dx / r with the lever r: gains of the angle are r^-2 as large for the actuator. The change of
+  // lever under a force is left out.
+  const double lever = joint_.linkage.lever(q);
+  return {reference, stiffness / (lever * lever), damping / (lever * lever)};
 }
 
 double JointNode::dither_A(Tick tick) const noexcept {
@@ -165,17 +178,18 @@ double JointNode::dither_A(Tick tick) const noexcept {
   return positive ? dither_amplitude_A_ : -dither_amplitude_A_;
 }
 
-double JointNode::valve_current(double reference, const control::Measurement& measured, double probe_A) noexcept {
+double JointNode::valve_current(const control::ForceReference& reference, const control::Measurement& measured, double probe_A) noexcept {
   switch (joint_.kind) {
-    case control::Kind::kLqr: return valve_current_by_gains(reference, measured, probe_A);
+    case control::Kind::kLqr: return valve_current_by_gains(reference.force, measured, probe_A);
     case control::Kind::kFeedbackLinearisation: {
-      const control::FeedbackLinearisation::Output output = flow_law_.step(reference, measured);
+      const control::FeedbackLinearisation::Output output = flow_law_.step(reference.force, measured);
       return probed(output.valve_current_A, output.saturated, probe_A);
     }
     case control::Kind::kPid: {
-      const control::Pid::Output output = pid_.step(reference, measured);
+      const control::Pid::Output output = pid_.step(reference.force, measured);
       return probed(output.valve_current_A, output.saturated, probe_A);
     }
+    case control::Kind::kFlowInversion: return valve_current_by_physics(reference, measured, probe_A);
   }
   return 0.0;
 }
@@ -211,10 +225,27 @@ double JointNode::valve_current_by_gains(double reference, const control::Measur
   return current_A;
 }
 
+double JointNode::valve_current_by_physics(const control::ForceReference& reference,
+                                           const control::Measurement& measured, double probe_A) noexcept {
+  const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
+  const bool changed = slot.generation != controller_generation_ || phase_ != controller_phase_;
+  if (changed && flow_inversion_.set_physics(slot.physics)) {
+    controller_generation_ = slot.generation;
+    controller_phase_ = phase_;
+  }
+  if (controller_generation_ == 0) {
+    return 0.0;  // physics that cannot be used; those are refused on arrival
+  }
+  const control::FlowInversion::Output output = flow_inversion_.step(reference, measured, probe_A);
+  faults_.set(Fault::kValveSaturated, output.saturated);
+  return output.valve_current_A;
+}
+
 void JointNode::reset_controller() noexcept {
   controller_.reset();
   flow_law_.reset();
   pid_.reset();
+  flow_inversion_.reset();
   controller_generation_ = 0;
   last_measured_ = {};
   last_reference_ = 0.0;
@@ -227,7 +258,7 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   assess(inputs);
   const JointState now = state();
 
-  double reference = 0;
+  control::ForceReference reference = 0.0;
   double current_A = 0;
   if (now == JointState::kNull) {
     reset_controller();
@@ -246,7 +277,7 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   valve.tick = inputs.sensors.tick;
   valve.sample_time_ns = inputs.sensors.sample_time_ns;
   valve.valve_current_A = current_A;
-  valve.force_reference_N_or_Nm = reference;
+  valve.force_reference_N_or_Nm = reference.force;
   valve.generation = now == JointState::kNull ? 0 : controller_generation_;
   valve.faults = faults_.bits();
   valve.state = static_cast<std::uint8_t>(now);
@@ -260,7 +291,7 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   measurement.velocity_m_s_or_rad_s = inputs.sensors.velocity_m_s_or_rad_s;
   measurement.force_N_or_Nm = inputs.sensors.force_N_or_Nm;
   measurement.valve_current_A = current_A;
-  measurement.force_reference_N_or_Nm = reference;
+  measurement.force_reference_N_or_Nm = reference.force;
   measurement.generation = valve.generation;
   measurement.faults = valve.faults;
   measurement.state = valve.state;

@@ -8,12 +8,13 @@
 //   controller_gains ──▶ slot per phase, acts from its effective tick      gait/phase ──▶ which slot acts, stance a little early
 //
 // A joint whose kind is feedback_linearisation or pid has the nominal flow law or a PID in place of LQR-I, and needs no
-// gains.
+// gains. One of kind flow_inversion has FlowInversion there, with the physics that come with the gains.
 // What it does when something is missing is the table in docs/architecture.md.
 
 #include <array>
 
 #include "control/feedback_linearisation.hpp"
+#include "control/flow_inversion.hpp"
 #include "control/force_controller.hpp"
 #include "control/pid.hpp"
 #include "core/fault.hpp"
@@ -27,8 +28,10 @@ namespace farrier::joint_node {
 /// One joint of a joint_node process. No clock, no I/O, no allocation after construction.
 class JointNode {
  public:
-  /// `session`: only a mode of this session arms the joint.
-  JointNode(const robot::Joint& joint, const robot::Safety& safety, double period_s, std::uint64_t session);
+  /// `loop_delay_ticks`: from a sample to the first valve command that knows it. `session`: only a mode of this session
+  /// arms the joint.
+  JointNode(const robot::Joint& joint, const robot::Safety& safety, double period_s, int loop_delay_ticks,
+            std::uint64_t session);
 
   /// Puts checked gains (check_gains) into the slot of their phase; they act from effective_tick on.
   /// False, and the slot keeps what it has, when the generation is not newer than the slot's.
@@ -68,6 +71,7 @@ class JointNode {
  private:
   struct Slot {
     control::Gains gains{};
+    plant::JointPhysics physics{};
     std::uint32_t generation = 0;  ///< 0: empty
     Tick effective_tick = kNoTick;
   };
@@ -80,10 +84,12 @@ class JointNode {
   void apply_due(Tick tick) noexcept;
   void assess(const Inputs& inputs) noexcept;
   signals::JointState state() const noexcept;
-  double force_reference(const Inputs& inputs, signals::JointState state) noexcept;
+  control::ForceReference force_reference(const Inputs& inputs, signals::JointState state) noexcept;
   double dither_A(Tick tick) const noexcept;
-  double valve_current(double reference, const control::Measurement& measured, double probe_A) noexcept;
+  double valve_current(const control::ForceReference& reference, const control::Measurement& measured, double probe_A) noexcept;
   double valve_current_by_gains(double reference, const control::Measurement& measured, double probe_A) noexcept;
+  double valve_current_by_physics(const control::ForceReference& reference, const control::Measurement& measured,
+                                  double probe_A) noexcept;
   /// What a controller without gains asks for, with the probe and within the valve's limits.
   double probed(double asked_A, bool saturated, double probe_A) noexcept;
   void reset_controller() noexcept;
@@ -100,6 +106,7 @@ class JointNode {
   double last_reference_ = 0.0;           ///< of the controller's last step, N or Nm
   control::FeedbackLinearisation flow_law_;
   control::Pid pid_;
+  control::FlowInversion flow_inversion_;
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::generation, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
   std::array<Refusal, signals::kPhaseCount> refused_{};

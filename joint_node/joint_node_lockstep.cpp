@@ -74,7 +74,7 @@ void JointNodeLockstep::offer_gains(const signals::JointControllerGains& signal)
     if (joint.number != signal.joint) {
       continue;
     }
-    if (const auto checked = check_gains(signal); !checked) {
+    if (const auto checked = check_gains(signal, joint.kind); !checked) {
       joint.node.refuse_gains(signal);
       participant_.event(signals::Severity::kWarning, tick_, joint.number, "gains refused: " + checked.error().message);
     } else {
@@ -155,7 +155,7 @@ Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::R
                                                                   const std::vector<std::string>& joints,
                                                                   participant::Participant& participant,
                                                                   Tick ticks) {
-  auto hosted = host_joints(robot, joints, participant.identity().session);
+  auto hosted = host_joints(robot, joints, robot.loop_delay_lockstep, participant.identity().session);
   if (!hosted) {
     return hosted.error();
   }

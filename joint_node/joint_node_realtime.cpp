@@ -1,5 +1,6 @@
 #include "joint_node/joint_node_realtime.hpp"
 
+#include <algorithm>
 #include <limits>
 
 #include "core/latest_value.hpp"
@@ -98,7 +99,11 @@ bool JointNodeRealtime::receive(SteadyTime now) {
     with_mail_of(command.joint, [&](Mailbox& mail) { mail.command.store({command, now}); });
   });
   ports_.gains->drain([&](const signals::JointControllerGains& gains) {
-    const auto checked = check_gains(gains);
+    const auto joint = std::ranges::find(joints_, gains.joint, &HostedJoint::number);
+    if (joint == joints_.end()) {
+      return;
+    }
+    const auto checked = check_gains(gains, joint->kind);
     if (!checked) {
       participant_.event(signals::Severity::kWarning, last_tick_, gains.joint,
                          "gains refused: " + checked.error().message);
@@ -188,7 +193,7 @@ void JointNodeRealtime::send() {
 Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const robot::Robot& robot,
                                                                           const std::vector<std::string>& joints,
                                                                           participant::Participant& participant) {
-  auto hosted = host_joints(robot, joints, participant.identity().session);
+  auto hosted = host_joints(robot, joints, robot.loop_delay_realtime, participant.identity().session);
   if (!hosted) {
     return hosted.error();
   }

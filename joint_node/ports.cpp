@@ -5,11 +5,11 @@
 namespace farrier::joint_node {
 
 Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const std::vector<std::string>& names,
-                                             std::uint64_t session) {
+                                             int loop_delay_ticks, std::uint64_t session) {
   std::vector<HostedJoint> hosted;
   const auto host = [&](const robot::Joint& joint) {
-    hosted.push_back({JointNode(joint, robot.safety, robot.period_s, session), {}, joint.number,
-                      static_cast<std::uint16_t>(joint.leg), joint.name});
+    hosted.push_back({JointNode(joint, robot.safety, robot.period_s, loop_delay_ticks, session), {}, joint.number,
+                      static_cast<std::uint16_t>(joint.leg), joint.kind, joint.name});
   };
   for (const std::string& name : names) {
     const robot::Joint* joint = robot.find(name);

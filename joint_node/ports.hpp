@@ -15,12 +15,13 @@ struct HostedJoint {
   FaultEvents fault_events;
   std::uint16_t number;
   std::uint16_t leg;
+  control::Kind kind;
   std::string name;
 };
 
-/// Picks the named joints of the robot, all of them for an empty list. Refuses a name the robot does not have.
+/// Picks the named joints of the robot, all of them for an empty list. `loop_delay_ticks`: of the clock. Refuses a name the robot does not have.
 Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const std::vector<std::string>& names,
-                                             std::uint64_t session);
+                                             int loop_delay_ticks, std::uint64_t session);
 
 /// Says in an event what has changed in a joint's faults, if anything has.
 void report_faults(HostedJoint& joint, const signals::JointValveCommand& answered,

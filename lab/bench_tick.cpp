@@ -60,7 +60,7 @@ Result<Cores> make_cores(const robot::Robot& robot) {
   }
   Cores cores{{}, std::move(service).value(), std::move(supervisor).value()};
   for (const robot::Joint& joint : robot.joints) {
-    cores.nodes.emplace_back(joint, robot.safety, robot.period_s, kSession);
+    cores.nodes.emplace_back(joint, robot.safety, robot.period_s, robot.loop_delay_lockstep, kSession);
   }
   const supervisor::Supervisor::Outputs& first = cores.supervisor.step(0);
   for (const signals::JointControllerGains& gains : first.gains) {

@@ -1,5 +1,6 @@
 #include "lab/load_cycle.hpp"
 
+#include "lab/grey_box.hpp"
 #include "lab/run_plan.hpp"
 #include "robot/robot_builder.hpp"
 
@@ -35,9 +36,12 @@ Result<LoadCycle> make_load_cycle(const robot::Robot& rig, double quarter_s) {
 
 robot::Robot robot_of(const LoadCycle& cycle, const LoadCycleCase& one) {
   constexpr double kDither_percent = 0.1;
-  robot::Robot robot = cycle.robot;
+  robot::Robot robot = one.grey_box ? with_grey_box(cycle.robot) : cycle.robot;
   double& percent = robot.joints[0].dither_percent;
   percent = one.dithers ? (percent > 0.0 ? percent : kDither_percent) : 0.0;
+  if (one.noiseless) {
+    robot.joints[0].noise = {};
+  }
   return robot;
 }
 

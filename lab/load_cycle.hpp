@@ -37,6 +37,8 @@ struct LoadCycleCase {
   supervisor::Design design;
   bool knows_loads;
   bool dithers;
+  bool grey_box = false;     ///< with_grey_box() instead of linear gains
+  bool noiseless = false;    ///< sensors without noise, and everybody knows it
 };
 
 inline constexpr LoadCycleCase kFixedCase{"fixed", "Gains fixed, designed for the light load", supervisor::Design::kSwing,
@@ -47,6 +49,20 @@ inline constexpr LoadCycleCase kTrueLoadCase{"true_load", "Gains for the true lo
 inline constexpr LoadCycleCase kTrueLoadDitheredCase{"true_load_dithered",
                                                      "Gains for the true load, switched exactly, dithered",
                                                      supervisor::Design::kSwing, true, true};
+
+inline constexpr LoadCycleCase kGreyBoxCase{.name = "greybox",
+                                            .title = "Physics estimated, flow law inverted",
+                                            .design = supervisor::Design::kAdaptive,
+                                            .knows_loads = false,
+                                            .dithers = false,
+                                            .grey_box = true};
+inline constexpr LoadCycleCase kGreyBoxNoiselessCase{.name = "greybox_noiseless",
+                                                     .title = "Physics estimated, flow law inverted, no sensor noise",
+                                                     .design = supervisor::Design::kAdaptive,
+                                                     .knows_loads = false,
+                                                     .dithers = false,
+                                                     .grey_box = true,
+                                                     .noiseless = true};
 
 /// The robot of the case: with its dither, of its own or 0.1 % of the valve's nominal current, or without. The cycle's
 /// reference alone excites nothing above 10 Hz.

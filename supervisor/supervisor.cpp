@@ -34,43 +34,16 @@ signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase pha
   return signal;
 }
 
+signals::JointControllerGains with_physics(signals::JointControllerGains gains,
+                                           const plant::JointPhysics& physics) noexcept {
+  gains.has_physics = 1;
+  gains.physics = plant::values_of(physics);
+  return gains;
+}
+
 namespace {
 
 constexpr std::uint32_t kFirstEpoch = 1;
-constexpr std::array kPhases{signals::Phase::kSwing, signals::Phase::kStance};
-
-Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double period_s, int delay_ticks) {
-  SlotGains slots;
-  for (const signals::Phase phase : kPhases) {
-    const bool for_stance =
-        design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
-    const auto gains = design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, period_s, delay_ticks);
-    if (!gains) {
-      return gains.error();
-    }
-    slots[static_cast<std::size_t>(phase)] = gains.value();
-  }
-  return slots;
-}
-
-Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>& first_gains, int delay_ticks) {
-  if (first_gains.empty()) {
-    return Done{};
-  }
-  if (first_gains.size() != robot.joints.size()) {
-    return Error{"first gains of " + std::to_string(first_gains.size()) + " joints, but " + robot.name + " has " +
-                 std::to_string(robot.joints.size()) + ": give every joint's"};
-  }
-  for (const robot::Joint& joint : robot.joints) {
-    for (const control::Gains& gains : first_gains[joint.number]) {
-      if (gains.delay_ticks != delay_ticks) {
-        return Error{joint.name + ": first gains for a delay of " + std::to_string(gains.delay_ticks) +
-                     " ticks in a loop with " + std::to_string(delay_ticks) + ": give gains designed for that"};
-      }
-    }
-  }
-  return Done{};
-}
 
 /// First gains act whatever they are, but their record says where they fall short of what is asked of new ones.
 /// `outputs` ends with the joint's gains.
@@ -102,16 +75,6 @@ void record_shortfalls(const robot::Robot& robot, std::uint16_t joint, const Slo
 
 }  // namespace
 
-Design parse_design(std::string_view name) noexcept {
-  if (name == "swing") {
-    return Design::kSwing;
-  }
-  if (name == "adaptive") {
-    return Design::kAdaptive;
-  }
-  return name == "phases" ? Design::kPhases : Design::kStance;
-}
-
 Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, int loop_delay_ticks,
                                       std::uint64_t session, std::vector<robot::LoadChange> known_loads,
                                       const std::vector<SlotGains>& first_gains) {
@@ -128,18 +91,32 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
       return first.error();
     }
     for (const signals::Phase phase : kPhases) {
-      batches[0].outputs.gains.push_back(pack_gains(joint.number, phase, kFirstEpoch, ++generations[joint.number],
-                                                    first.value()[static_cast<std::size_t>(phase)]));
+      batches[0].outputs.gains.push_back(
+          with_physics(pack_gains(joint.number, phase, kFirstEpoch, ++generations[joint.number],
+                                  first.value()[static_cast<std::size_t>(phase)]),
+                       first_physics(joint, design, phase)));
     }
     const bool changes_slots = robot.plan.gait.pattern != gait::Pattern::kStand;
     const int dwell = changes_slots ? dwell_ticks(first.value()[0], first.value()[1]) : 0;
-    record_shortfalls(robot, joint.number, first.value(), dwell, batches[0].outputs);
+    if (joint.kind != control::Kind::kFlowInversion) {  // there they do not act
+      record_shortfalls(robot, joint.number, first.value(), dwell, batches[0].outputs);
+    }
     if (design == Design::kAdaptive) {
       const auto slot = [&](const control::Gains& gains) {
         return SlotUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, gains);
       };
+      const auto physics = [&](signals::Phase phase) {
+        return PhysicsUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, loop_delay_ticks,
+                             first_physics(joint, design, phase));
+      };
       slots.push_back({.slots = {slot(first.value()[0]), slot(first.value()[1])},
+                       .physics = joint.kind == control::Kind::kFlowInversion
+                                      ? std::optional(std::array{physics(signals::Phase::kSwing),
+                                                                 physics(signals::Phase::kStance)})
+                                      : std::nullopt,
                        .generations = {1, 2},
+                       .first_physics = {first_physics(joint, design, signals::Phase::kSwing),
+                                         first_physics(joint, design, signals::Phase::kStance)},
                        .newest_generation = 2,
                        .dwell_ticks = dwell});
     }
@@ -165,7 +142,8 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     }
     for (const signals::Phase phase : kPhases) {
       batches.back().outputs.gains.push_back(
-          pack_gains(known.joint, phase, kFirstEpoch, ++generations[known.joint], gains.value()));
+          with_physics(pack_gains(known.joint, phase, kFirstEpoch, ++generations[known.joint], gains.value()),
+                       plant::nominal_physics(robot.joints[known.joint].actuator, known.load)));
     }
   }
   return Supervisor(std::move(batches), std::move(slots), robot.update_logic.gain_lead_ticks,
@@ -194,24 +172,58 @@ void Supervisor::take(const signals::JointModelEstimate& estimate, Tick tick) no
     return;
   }
   joint.looked = true;
+  if (joint.physics) {
+    take_physics(joint, estimate, tick);
+  } else {
+    take_gains(joint, estimate, tick);
+  }
+}
+
+void Supervisor::take_gains(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept {
   SlotUpdate& slot = joint.slots[estimate.phase];
   const SlotPair pair{.other = joint.slots[1 - estimate.phase].gains(),
                       .shortest_phase_ticks = shortest_phase_ticks_,
                       .dwelling = tick - joint.last_issue < std::min(joint.dwell_ticks, shortest_phase_ticks_)};
-  signals::JointUpdateDecision decision = slot.look(estimate, tick, pair);
-  std::uint32_t& generation = joint.generations[estimate.phase];
+  const signals::JointUpdateDecision decision = slot.look(estimate, tick, pair);
   if (decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted)) {
-    generation = ++joint.newest_generation;
     joint.last_issue = tick;
     joint.dwell_ticks = static_cast<int>(decision.dwell_ticks);
-    pending_.gains.push_back(pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), kFirstEpoch,
-                                        generation, slot.gains()));
+    issue(joint, with_physics(pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), kFirstEpoch, 0,
+                                         slot.gains()),
+                              estimate.has_physics != 0 ? plant::physics_of(estimate.physics)
+                                                        : joint.first_physics[estimate.phase]));
   }
   if (slot.is_news()) {
-    decision.generation = generation;
-    pending_.decisions.push_back(decision);
-    pending_.design_statuses.push_back(slot.design_status());
+    tell(joint, decision, slot.design_status());
   }
+}
+
+void Supervisor::take_physics(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept {
+  PhysicsUpdate& slot = (*joint.physics)[estimate.phase];
+  const signals::JointUpdateDecision decision = slot.look(estimate, tick);
+  if (decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted)) {
+    // The gains do not act; they go on as they were, with the model that came with the physics.
+    control::Gains gains = joint.slots[estimate.phase].gains();
+    gains.model = slot.model();
+    issue(joint, with_physics(pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), kFirstEpoch, 0,
+                                         gains),
+                              slot.physics()));
+  }
+  if (slot.is_news()) {
+    tell(joint, decision, control::DesignStatus::kSuccessful);
+  }
+}
+
+void Supervisor::issue(JointSlots& joint, signals::JointControllerGains gains) noexcept {
+  gains.generation = joint.generations[gains.phase] = ++joint.newest_generation;
+  pending_.gains.push_back(gains);
+}
+
+void Supervisor::tell(const JointSlots& joint, signals::JointUpdateDecision decision,
+                      control::DesignStatus status) noexcept {
+  decision.generation = joint.generations[decision.phase];
+  pending_.decisions.push_back(decision);
+  pending_.design_statuses.push_back(status);
 }
 
 std::uint64_t Supervisor::designs() const noexcept {

@@ -3,28 +3,20 @@
 // What the robot may do, and with which gains:
 //
 //   tick ──▶ arm, publish the first gains ──▶ system/mode, joint/controller_gains
-//   joint/model_estimate ──▶ SlotUpdate of the joint's phase ──▶ joint/controller_gains, joint/update_decision
+//   joint/model_estimate ──▶ SlotUpdate or PhysicsUpdate of the joint's phase ──▶ joint/controller_gains, joint/update_decision
 
 #include <array>
-#include <string_view>
+#include <optional>
 #include <vector>
 
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
+#include "supervisor/first_gains.hpp"
+#include "supervisor/physics_update.hpp"
 #include "supervisor/slot_update.hpp"
 
 namespace farrier::supervisor {
-
-/// Which bench load the published gains are designed for: one load for both slots of a joint, or each slot its own.
-/// kAdaptive begins with the swing load in both, and redesigns each when its estimate says that it pays.
-enum class Design { kStance, kSwing, kPhases, kAdaptive };
-
-/// "stance", "swing", "phases", "adaptive"; anything else counts as "stance".
-Design parse_design(std::string_view name) noexcept;
-
-/// Gains of a joint's slots, by phase.
-using SlotGains = std::array<control::Gains, signals::kPhaseCount>;
 
 /// The supervisor's core. No clock, no I/O; nothing is allocated after construction.
 class Supervisor {
@@ -62,7 +54,9 @@ class Supervisor {
   };
   struct JointSlots {
     std::array<SlotUpdate, signals::kPhaseCount> slots;  // by phase
+    std::optional<std::array<PhysicsUpdate, signals::kPhaseCount>> physics;  // decides in their place where there
     std::array<std::uint32_t, signals::kPhaseCount> generations;
+    std::array<plant::JointPhysics, signals::kPhaseCount> first_physics;
     std::uint32_t newest_generation;
     int dwell_ticks;             // of the pair of slots
     Tick last_issue = 0;
@@ -70,6 +64,11 @@ class Supervisor {
   };
 
   Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks, int shortest_phase_ticks);
+
+  void take_gains(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept;
+  void take_physics(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept;
+  void issue(JointSlots& joint, signals::JointControllerGains gains) noexcept;
+  void tell(const JointSlots& joint, signals::JointUpdateDecision decision, control::DesignStatus status) noexcept;
 
   std::vector<Batch> batches_;  // in the order of their ticks
   std::size_t next_batch_ = 0;
@@ -83,5 +82,9 @@ class Supervisor {
 /// Gains as they travel. `generation` >= 1.
 signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase phase, std::uint32_t epoch,
                                          std::uint32_t generation, const control::Gains& gains) noexcept;
+
+/// The same gains with physics to invert the flow law by.
+signals::JointControllerGains with_physics(signals::JointControllerGains gains,
+                                           const plant::JointPhysics& physics) noexcept;
 
 }  // namespace farrier::supervisor

@@ -10,6 +10,7 @@ enum class Kind {
   kLqr,                    ///< ForceController with gains that come over the bus
   kFeedbackLinearisation,  ///< FeedbackLinearisation with gains from the robot file
   kPid,                    ///< Pid with gains from the robot file
+  kFlowInversion,          ///< FlowInversion with physics from the bus
 };
 
 /// What the controller is tuned by. The defaults are for 1 kHz without delay; how they were found:

@@ -15,13 +15,6 @@ plant::JointPhysics unit_physics(const plant::ActuatorParams& actuator) noexcept
   return plant::nominal_physics(actuator, {.mass = 1.0});
 }
 
-bool is_usable(const plant::JointPhysics& p) noexcept {
-  const double sum = p.load_mass + p.damping + p.coulomb + p.stiffness + p.bias_force + p.valve_gain + p.bulk_modulus +
-                     p.leakage;
-  return std::isfinite(sum) && p.load_mass > 0.0 && p.damping >= 0.0 && p.coulomb >= 0.0 && p.stiffness >= 0.0 &&
-         p.valve_gain > 0.0 && p.bulk_modulus > 0.0 && p.leakage >= 0.0;
-}
-
 }  // namespace
 
 FlowInversion::FlowInversion(const plant::ActuatorParams& actuator, const FlowInversionGains& gains,
@@ -37,26 +30,27 @@ FlowInversion::FlowInversion(const plant::ActuatorParams& actuator, const FlowIn
       model_(actuator, unit_physics(actuator), slack_position, period_s) {}
 
 bool FlowInversion::set_physics(const plant::JointPhysics& physics) noexcept {
-  if (!is_usable(physics)) {
+  if (plant::first_unphysical(physics) != nullptr) {
     return false;
   }
   const double force = model_.load_cell_force(state_, disturbance_);
   model_ = FlowModel(actuator_, physics, slack_position_, period_s_);
-  has_physics_ = true;
   if (has_run_) {
+    disturbance_.load_force += bias_force_ - physics.bias_force;
     model_.set_force(state_, force, disturbance_);
   }
+  bias_force_ = physics.bias_force;
+  has_physics_ = true;
   return true;
 }
 
-void FlowInversion::begin(double force_reference, const Measurement& m) noexcept {
+void FlowInversion::begin(const Measurement& m) noexcept {
   // Chamber pressures: the mean of (3.19) and (3.20) over both signs of the valve, under the force measured.
   state_ = plant::equilibrium(actuator_, {.mass = 1.0}, operating_position_ + m.position,
                               -std::clamp(m.force, -most_force_, most_force_));
   state_.velocity = m.velocity;
   disturbance_ = {};
   model_.set_force(state_, m.force, disturbance_);
-  last_reference_ = force_reference;
   sent_A_ = {};
   has_run_ = true;
 }
@@ -77,18 +71,19 @@ void FlowInversion::correct(const Measurement& m) noexcept {
   model_.set_force(state_, predicted + gains_.force_share * force_beyond, disturbance_);
 }
 
-double FlowInversion::current_for(const plant::State& state, double force) const noexcept {
-  const auto force_after = [&](double current_A) {
-    return model_.load_cell_force(model_.advance(state, current_A, disturbance_), disturbance_);
+double FlowInversion::current_for(const plant::State& state, const Line& wanted) const noexcept {
+  const auto beyond = [&](double current_A) {
+    const plant::State end = model_.advance(state, current_A, disturbance_);
+    return model_.load_cell_force(end, disturbance_) - wanted.at(end);
   };
-  // The force at the end grows with the current, almost in proportion on either side of null: secants from there.
+  // The force at the end, and what moves the wanted one towards it, grows with the current, almost in proportion on either side of null: secants from there.
   const double limit_A = actuator_.valve_current_max_A;
   double before_A = 0.0;
-  double before = force_after(before_A);
-  const double sign = force > before ? 1.0 : -1.0;
+  double before = beyond(before_A);
+  const double sign = before < 0.0 ? 1.0 : -1.0;
   double current_A = sign * kFirstShare * limit_A;
   for (int i = 0; i < kMaxSecants; ++i) {
-    const double reached = force_after(current_A);
+    const double reached = beyond(current_A);
     const double slope = (reached - before) / (current_A - before_A);
     if (!(slope > 0.0)) {
       break;  // both ends of a range in which the chambers hold no more: what is asked for is beyond it
@@ -96,7 +91,7 @@ double FlowInversion::current_for(const plant::State& state, double force) const
     before_A = current_A;
     before = reached;
     // Stays on the side on which it must lie.
-    current_A = sign * std::clamp(sign * (current_A + (force - reached) / slope), 0.0, 2.0 * limit_A);
+    current_A = sign * std::clamp(sign * (current_A - reached / slope), 0.0, 2.0 * limit_A);
     if (!(std::abs(current_A - before_A) > kEnoughShare * limit_A) || std::abs(before_A) > limit_A) {
       break;
     }
@@ -114,15 +109,16 @@ FlowInversion::Output FlowInversion::send(double wanted_A) noexcept {
   return {current_A, current_A != wanted_A};
 }
 
-FlowInversion::Output FlowInversion::step(double force_reference, const Measurement& measurement,
+FlowInversion::Output FlowInversion::step(const ForceReference& reference, const Measurement& measurement,
                                           double probe_A) noexcept {
-  const bool finite = std::isfinite(force_reference) && std::isfinite(probe_A) && std::isfinite(measurement.position) &&
+  const bool finite = std::isfinite(reference.force) && std::isfinite(reference.stiffness) &&
+                      std::isfinite(reference.damping) && std::isfinite(probe_A) && std::isfinite(measurement.position) &&
                       std::isfinite(measurement.velocity) && std::isfinite(measurement.force);
   if (!has_physics_ || (!finite && !has_run_)) {
     return {0.0, false};
   }
   if (!has_run_) {
-    begin(force_reference, measurement);
+    begin(measurement);
   } else {
     state_ = model_.advance(state_, sent_A_[delay_ticks_], disturbance_);
   }
@@ -134,11 +130,17 @@ FlowInversion::Output FlowInversion::step(double force_reference, const Measurem
   for (std::size_t i = delay_ticks_; i > 0; --i) {
     acting = model_.advance(acting, sent_A_[i - 1], disturbance_);
   }
-  const double change = gains_.reference_share * (force_reference - last_reference_);
-  const double reference = force_reference + static_cast<double>(delay_ticks_) * change;
-  const double error = reference - model_.load_cell_force(acting, disturbance_);
-  const double wanted_A = current_for(acting, reference + change - (1.0 - gains_.error_share) * error) + probe_A;
-  last_reference_ = force_reference;
+  const Line now{reference.force, reference.stiffness, reference.damping, state_.position, measurement.velocity};
+  // By how much the force wanted at the place and velocity of now has changed since the last tick.
+  const plant::State measured{.position = now.position, .velocity = now.velocity};
+  const double change = has_last_ ? gains_.reference_share * (now.force - last_.at(measured)) : 0.0;
+  Line wanted = now;
+  wanted.force += static_cast<double>(delay_ticks_) * change;
+  const double error = wanted.at(acting) - model_.load_cell_force(acting, disturbance_);
+  wanted.force += change - (1.0 - gains_.error_share) * error;
+  const double wanted_A = current_for(acting, wanted) + probe_A;
+  last_ = now;
+  has_last_ = true;
   if (!std::isfinite(wanted_A)) {
     reset();
     return {0.0, false};
@@ -148,6 +150,7 @@ FlowInversion::Output FlowInversion::step(double force_reference, const Measurem
 
 void FlowInversion::reset() noexcept {
   has_run_ = false;
+  has_last_ = false;
   state_ = {};
   disturbance_ = {};
   sent_A_ = {};

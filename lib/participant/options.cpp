@@ -43,6 +43,9 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--gait", o.gait, "trot or stand, instead of the robot file's")->check(CLI::IsMember({"trot", "stand"}));
   app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's")
       ->check(CLI::Range(0.1, 10.0));
+  app.add_option("--estimator", o.estimator, "Estimator section of the robot file that every joint uses");
+  app.add_option("--controller", o.controller, "Kind of every controller, instead of the robot file's")
+      ->check(CLI::IsMember({"lqr", "feedback_linearisation", "pid", "flow_inversion"}));
   app.add_flag("--no-dither", o.no_dither, "Valves are not probed, whatever the robot file says");
 }
 
@@ -122,6 +125,8 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
     std::snprintf(exact, sizeof exact, "%.17g", o.frequency_Hz);  // it shapes the trace
     append("--frequency", exact);
   }
+  append("--estimator", o.estimator);
+  append("--controller", o.controller);
   if (o.no_dither) {
     arguments.push_back("--no-dither");
   }

@@ -27,6 +27,8 @@ struct ProcessOptions {
   std::string design = "stance";    ///< supervisor: "stance", "swing", "phases" or "adaptive"
   std::string gait;                 ///< overrides of the robot file, or empty
   double frequency_Hz = 0;
+  std::string estimator;            ///< section of the robot file for every joint, or empty
+  std::string controller;           ///< kind of every controller, as in a robot file, or empty
   bool no_dither = false;           ///< joint_node: valves are not probed, whatever the robot file says
 };
 

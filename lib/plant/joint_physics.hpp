@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 #include "plant/actuator.hpp"
@@ -22,6 +23,7 @@ struct JointPhysics {
 };
 
 inline constexpr std::size_t kPhysicsCount = 8;
+inline constexpr std::size_t kBiasForce = 4;  ///< place of the only one that has a sign
 
 /// In the order of the declaration: how physics travels.
 inline std::array<double, kPhysicsCount> values_of(const JointPhysics& p) noexcept {
@@ -30,6 +32,21 @@ inline std::array<double, kPhysicsCount> values_of(const JointPhysics& p) noexce
 
 inline JointPhysics physics_of(const std::array<double, kPhysicsCount>& v) noexcept {
   return {v[0], v[1], v[2], v[3], v[4], v[5], v[6], v[7]};
+}
+
+/// Name of the first that is not finite or out of its range, a load without mass included; null for none.
+inline const char* first_unphysical(const JointPhysics& p) noexcept {
+  const std::array<double, kPhysicsCount> values = values_of(p);
+  constexpr std::array kNames{"load_mass",  "damping",    "coulomb",      "stiffness",
+                              "bias_force", "valve_gain", "bulk_modulus", "leakage"};
+  constexpr std::array kAboveZero{true, false, false, false, false, true, true, false};
+  for (std::size_t i = 0; i < kPhysicsCount; ++i) {
+    const bool signed_value = i == kBiasForce;
+    if (!std::isfinite(values[i]) || (!signed_value && values[i] < 0.0) || (kAboveZero[i] && values[i] == 0.0)) {
+      return kNames[i];
+    }
+  }
+  return nullptr;
 }
 
 /// Nominal physics: no Coulomb friction, no leakage, no bias force.

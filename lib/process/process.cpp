@@ -25,6 +25,14 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
     overrides.frequency_Hz = options.frequency_Hz;
   }
   overrides.without_dither = options.no_dither;
+  if (!options.estimator.empty()) {
+    overrides.estimator = options.estimator;
+  }
+  for (const auto& kind : robot::kControllerKinds) {
+    if (options.controller == kind.name) {
+      overrides.controller = kind.value;
+    }
+  }
   return robot::load_robot(options.robot_path, overrides);
 }
 

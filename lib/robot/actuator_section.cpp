@@ -130,23 +130,36 @@ void declare(Visitor& v, PidSection& p) {
            "Corner of the filter on the derivative.");
 }
 
+void declare(Visitor& v, FlowInversionSection& f) {
+  const control::FlowInversionGains standard;
+  v.number("error_share", f.error_share, {1e-3, 1}, Default{standard.error_share},
+           "Share of the force error that is made up for within a tick.");
+  v.number("reference_share", f.reference_share, {0, 1}, Default{standard.reference_share},
+           "Share of the reference's last change that is expected again in the next tick; 0 is off.");
+  v.number("force_share", f.force_share, {1e-3, 1}, Default{standard.force_share},
+           "Share of what was measured beyond the predicted force that is believed.");
+  v.number("velocity_share", f.velocity_share, {1e-3, 1}, Default{standard.velocity_share},
+           "Likewise of the velocity.");
+  v.number("flow_share", f.flow_share, {0, 1}, Default{standard.flow_share},
+           "Share of that force that counts as a flow nobody asked for: the integral action.");
+  v.number("load_share", f.load_share, {0, 1}, Default{standard.load_share},
+           "Share of that velocity that counts as a force on the load.");
+}
+
 void declare(Visitor& v, Controller& c) {
   constexpr std::array kForms = {Option<control::Form>{"full_state", control::Form::kFullState},
                                  Option<control::Form>{"compliant", control::Form::kCompliant}};
-  constexpr std::array kKinds = {
-      Option<control::Kind>{"lqr", control::Kind::kLqr},
-      Option<control::Kind>{"feedback_linearisation", control::Kind::kFeedbackLinearisation},
-      Option<control::Kind>{"pid", control::Kind::kPid}};
   constexpr std::array kMethods = {
       Option<control::DesignMethod>{"lqr", control::DesignMethod::kLqr},
       Option<control::DesignMethod>{"pole_placement", control::DesignMethod::kPolePlacement}};
   control::LqrWeights& w = c.design.weights;
   control::PolePlacement& p = c.design.poles;
   control::FeedbackLinearisationGains& f = c.feedback_linearisation;
-  v.choice<control::Kind>("kind", c.kind, kKinds, Default{control::Kind::kLqr},
+  v.choice<control::Kind>("kind", c.kind, kControllerKinds, Default{control::Kind::kLqr},
                           "lqr runs the designs that come over the bus; feedback_linearisation inverts the flow law, "
                           "as HyQ ran it (9.2.5), and takes the last three numbers of this section; pid runs the gains "
-                          "of that group. Those two need neither form nor weights.");
+                          "of that group; flow_inversion inverts it with the physics that come over the bus. Those "
+                          "three use neither form nor weights.");
   v.choice<control::DesignMethod>("design", c.design.method, kMethods, Default{control::DesignMethod::kLqr},
                                   "How the gains of kind lqr are found: by the weights, or by placing the poles.");
   v.choice<control::Form>("form", c.form, kForms,
@@ -163,6 +176,7 @@ void declare(Visitor& v, Controller& c) {
            "pole_placement: natural frequency of the pair that force and integral share; below pi over the period.");
   v.number("pole_damping", p.damping, {0.1, 5}, Default{p.damping}, "pole_placement: damping of that pair.");
   v.group("pid", c.pid, Defaults{}, "pid: fixed gains.");
+  v.group("flow_inversion", c.flow_inversion, Defaults{}, "flow_inversion: what its observer and its law are tuned by.");
   v.number("force_rate_1_s", f.force_1_s, {0, 1e5}, Default{f.force_1_s},
            "feedback_linearisation: rate at which a force error is to vanish.");
   v.number("integral_rate_1_s2", f.integral_1_s2, {0, 1e8}, Default{f.integral_1_s2},

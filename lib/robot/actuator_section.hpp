@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -7,6 +8,7 @@
 #include "config/visitor.hpp"
 #include "control/design.hpp"
 #include "control/feedback_linearisation.hpp"
+#include "control/flow_inversion.hpp"
 #include "control/pid.hpp"
 #include "robot/effects_section.hpp"
 
@@ -119,12 +121,23 @@ struct Load {
 /// As a group of its own in the file.
 struct PidSection : control::PidGains {};
 
+/// As a group of its own in the file.
+struct FlowInversionSection : control::FlowInversionGains {};
+
+/// As in a robot file.
+inline constexpr std::array kControllerKinds = {
+    config::Option<control::Kind>{"lqr", control::Kind::kLqr},
+    config::Option<control::Kind>{"feedback_linearisation", control::Kind::kFeedbackLinearisation},
+    config::Option<control::Kind>{"pid", control::Kind::kPid},
+    config::Option<control::Kind>{"flow_inversion", control::Kind::kFlowInversion}};
+
 struct Controller {
   control::Kind kind = control::Kind::kLqr;
   control::Form form = control::Form::kCompliant;
   control::DesignRule design;
   control::FeedbackLinearisationGains feedback_linearisation;
   PidSection pid;
+  FlowInversionSection flow_inversion;
 };
 
 void declare(config::Visitor& v, Supply& supply);
@@ -141,6 +154,7 @@ void declare(config::Visitor& v, CylinderLoad& load);
 void declare(config::Visitor& v, LegLoad& load);
 void declare(config::Visitor& v, Load& load);
 void declare(config::Visitor& v, PidSection& pid);
+void declare(config::Visitor& v, FlowInversionSection& shares);
 void declare(config::Visitor& v, Controller& controller);
 
 }  // namespace farrier::robot

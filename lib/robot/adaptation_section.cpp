@@ -153,6 +153,8 @@ void declare(Visitor& v, UpdateLogicSection& section) {
            "Least disk margin of new gains around the model they are for.");
   v.number("delay_margin_min_s", u.delay_margin_min_s, {0, 1}, Default{d.delay_margin_min_s},
            "Least delay that loop must bear on top of its own.");
+  v.number("physics_change_min", u.physics_change_min, {0, 1}, Default{d.physics_change_min},
+           "Controllers of kind flow_inversion: share of any of the joint's physics by which an estimate must differ.");
   v.integer("gain_lead_ticks", u.gain_lead_ticks, {2, 1000}, Default{d.gain_lead_ticks},
             "Ticks from the issue of gains to their effect; covers the transport.");
   v.check(u.pole_spread_max <= u.pole_distance_min, "pole_spread_max",

@@ -39,6 +39,7 @@ struct UpdateLogicParams {
   double error_sigmas = 2.0;        ///< standard errors of the valve's gain that new gains must survive
   double disk_margin_min = 0.05;    ///< of new gains around the model they are for, balanced, 0..2
   double delay_margin_min_s = 0.0;  ///< delay they must bear on top of the loop's own
+  double physics_change_min = 0.03; ///< relative, of any of a joint's physics, for controllers that invert the flow law
   int gain_lead_ticks = 2;          ///< from the issue of gains to the tick from which they act
 };
 

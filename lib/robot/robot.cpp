@@ -29,6 +29,10 @@ Result<Robot, config::Problems> build(Result<RobotFile, config::Problems> read, 
   RobotFile file = std::move(read).value();
   for (auto& [name, joint] : file.joints) {
     joint.dither_percent = overrides.without_dither ? 0.0 : joint.dither_percent;
+    joint.estimator = overrides.estimator.value_or(joint.estimator);
+  }
+  for (auto& [name, controller] : file.controllers) {
+    controller.kind = overrides.controller.value_or(controller.kind);
   }
   return build_robot(std::move(file));
 }

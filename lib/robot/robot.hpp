@@ -11,6 +11,7 @@
 #include "control/feedback_linearisation.hpp"
 #include "control/low_pass.hpp"
 #include "control/lqr.hpp"
+#include "control/flow_inversion.hpp"
 #include "control/pid.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
@@ -52,6 +53,7 @@ struct Joint {
   control::Kind kind;
   control::FeedbackLinearisationGains feedback_linearisation;  ///< act where the kind says so
   control::PidGains pid;                                       ///< likewise
+  control::FlowInversionGains flow_inversion;                  ///< likewise
   control::Form form;
   control::DesignRule design;
   control::Normalisation normalisation;
@@ -87,6 +89,8 @@ struct Overrides {
   std::optional<gait::Pattern> pattern;
   std::optional<double> frequency_Hz;
   bool without_dither = false;  ///< dither_percent of every joint is 0
+  std::optional<std::string> estimator = std::nullopt;     ///< section of the file that every joint uses
+  std::optional<control::Kind> controller = std::nullopt;  ///< kind of every controller
 };
 
 /// Loads and checks a robot file. Refuses with every mistake in it, each with its line and remedy; checks that need

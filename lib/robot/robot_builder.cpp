@@ -188,6 +188,7 @@ class Builder {
                 .kind = controller.kind,
                 .feedback_linearisation = controller.feedback_linearisation,
                 .pid = controller.pid,
+                .flow_inversion = controller.flow_inversion,
                 .form = controller.form,
                 .design = controller.design,
                 .normalisation = {},

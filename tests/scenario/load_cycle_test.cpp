@@ -78,5 +78,23 @@ TEST(LoadCycle, IsLostWithGainsForTheLightLoadAndHeldWithGainsForTheTrueOne) {
   }
 }
 
+// Every quarter, light ones included, from 0.2 s after each change of a load that nothing announces.
+TEST(LoadCycle, IsHeldByTheGreyBoxInEveryQuarterWithSensorNoiseAndWithout) {
+  const lab::LoadCycle of_rig = cycle(lab::kQuarter_s);
+  constexpr std::uint64_t kSeed = 1;
+  for (const lab::LoadCycleCase& one : {lab::kGreyBoxCase, lab::kGreyBoxNoiselessCase}) {
+    const Outcome outcome = run(lab::robot_of(of_rig, one), lab::run_of(of_rig, one, kSeed));
+    for (std::size_t quarter = 0; quarter < lab::kQuarters; ++quarter) {
+      EXPECT_LE(quarter_error(outcome, of_rig, quarter),
+                one.noiseless ? report::kNoiselessAtMost : report::kGreyBoxAtMost)
+          << one.name << ", quarter " << quarter + 1;
+    }
+    EXPECT_GT(outcome.result.gains.size(), 2u) << "physics went out";
+    for (const record::TraceRow& row : outcome.rows) {
+      ASSERT_TRUE(row.tick < 10 || row.state == static_cast<std::uint8_t>(signals::JointState::kTracking)) << row.tick;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace farrier::scenario

@@ -5,6 +5,7 @@
 
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
+#include "lab/grey_box.hpp"
 #include "lab/vary.hpp"
 #include "tests/scenario/scenario_run.hpp"
 #include "tools/report/tracking.hpp"
@@ -186,6 +187,44 @@ TEST(Trot, TracksTorqueInStanceAndSwingByTheNominalFlowLaw) {
     EXPECT_LE(of_joint.swing.nrmse, hyq.bounds.stance_nrmse) << joint.name;
     EXPECT_EQ(of_joint.not_tracking_ticks, 0u) << joint.name;
   }
+}
+
+/// Stance NRMSE of every joint of two varied robots, whose nodes are `believed`.
+std::vector<double> stance_errors_of_two_seeds(const robot::Robot& believed, supervisor::Design design) {
+  std::vector<double> errors;
+  for (const std::uint64_t seed : {1u, 2u}) {
+    const robot::Robot world = lab::varied(believed, lab::draw_variation(believed, seed));
+    lab::InprocRun settings;
+    settings.grouping = lab::Grouping::kOne;
+    settings.ticks = kTicks;
+    settings.seed = seed;
+    settings.design = design;
+    settings.world = &world;
+    const report::Tracking tracking =
+        report::track(believed, gait::Schedule(believed.plan, seed), run(believed, settings).rows, 0);
+    for (const report::JointTracking& joint : tracking.joints) {
+      EXPECT_EQ(joint.not_tracking_ticks, 0u);
+      errors.push_back(joint.stance.nrmse);
+    }
+  }
+  std::ranges::sort(errors);
+  return errors;
+}
+
+// What farrier trot --experiment controllers judges on more robots, on two.
+TEST(Controllers, TheGreyBoxWithFlowInversionIsAsGoodAsTheNominalFlowLawOnVariedRobotsAndLosesNone) {
+  constexpr double kRatioAtMost = 1.05;
+  constexpr double kFailed = 0.3;
+  const robot::Robot hyq = lab::with_varied_body(load("hyq"));
+  robot::Robot nominal = hyq;
+  for (robot::Joint& joint : nominal.joints) {
+    joint.kind = control::Kind::kFeedbackLinearisation;
+    joint.dither_percent = 0.0;
+  }
+  const auto grey = stance_errors_of_two_seeds(lab::with_grey_box(hyq), supervisor::Design::kAdaptive);
+  const auto flow_law = stance_errors_of_two_seeds(nominal, supervisor::Design::kStance);
+  EXPECT_LE(grey[grey.size() / 2], kRatioAtMost * flow_law[flow_law.size() / 2]);
+  EXPECT_LT(grey.back(), kFailed);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using signals::Phase;
 JointControllerGains good() { return gains_of(joint_named("lf_kfe"), Phase::kStance, 1); }
 
 std::string refusal(const JointControllerGains& signal) {
-  const auto checked = check_gains(signal);
+  const auto checked = check_gains(signal, control::Kind::kLqr);
   return checked ? "accepted" : checked.error().message;
 }
 

@@ -54,7 +54,7 @@ class Bench {
 
   /// `of` must live as long as the bench.
   explicit Bench(const robot::Joint& of, const robot::Safety& safety = hyq().safety)
-      : joint(of), node(joint, safety, hyq().period_s, kSession) {
+      : joint(of), node(joint, safety, hyq().period_s, kNoDelay, kSession) {
     inputs.sensors.joint = inputs.command.joint = joint.number;
     inputs.sensors.position_m_or_rad = joint.linkage.position(joint.home_angle_rad);
     inputs.command.position_rad = joint.home_angle_rad;
@@ -74,7 +74,7 @@ class Bench {
 
   /// Takes gains as a joint_node process does.
   void offer(const signals::JointControllerGains& signal) {
-    if (check_gains(signal)) {
+    if (check_gains(signal, joint.kind)) {
       node.store_gains(signal, unpack_gains(signal));
     } else {
       node.refuse_gains(signal);

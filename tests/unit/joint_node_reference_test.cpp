@@ -94,7 +94,7 @@ TEST(JointNode, StaysWithinTheValvesCurrentWhateverScaleTheGainsCameWith) {
   for (double& row : signal.model_b) {
     row /= 100;  // keeps the loop it came with as stable as it was
   }
-  ASSERT_TRUE(check_gains(signal)) << check_gains(signal).error().message;
+  ASSERT_TRUE(check_gains(signal, control::Kind::kLqr)) << check_gains(signal, control::Kind::kLqr).error().message;
   bench.offer(signal);
   bench.inputs.command.torque_ff_Nm = 150;
   const auto outputs = bench.step();

@@ -4,6 +4,7 @@ farrier_test(joint_node_test unit
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_dither_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_fault_events_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_flow_law_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_flow_inversion_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_missing_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_reference_test.cpp
@@ -21,6 +22,7 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_adaptive_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_first_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_known_loads_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/supervisor_physics_update_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_news_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_pair_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_update_test.cpp

@@ -136,6 +136,8 @@ TEST(ProcessOptions, SurviveTheCommandLine) {
   options.gait = "stand";
   options.frequency_Hz = 4.0 / 3.0;
   options.no_dither = true;
+  options.estimator = "greybox";
+  options.controller = "flow_inversion";
   const ProcessOptions back = parsed(to_arguments(options));
   EXPECT_EQ(back.name, options.name);
   EXPECT_EQ(back.robot_path, options.robot_path);
@@ -155,6 +157,8 @@ TEST(ProcessOptions, SurviveTheCommandLine) {
   EXPECT_EQ(back.gait, options.gait);
   EXPECT_EQ(back.frequency_Hz, options.frequency_Hz) << "to the last bit: it shapes the trace";
   EXPECT_TRUE(back.no_dither);
+  EXPECT_EQ(back.estimator, options.estimator);
+  EXPECT_EQ(back.controller, options.controller);
 }
 
 TEST(ProcessOptions, TakeEveryDesignOfTheSupervisorAndLeaveDitherOnUnlessTold) {

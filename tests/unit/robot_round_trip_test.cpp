@@ -112,6 +112,20 @@ TEST(Overrides, TakeTheDitherFromEveryJointAndNothingElse) {
   EXPECT_EQ(print_config(quiet), print_config(probed));
 }
 
+TEST(Overrides, GiveEveryJointAnotherEstimatorAndEveryControllerAnotherKind) {
+  Overrides overrides;
+  overrides.estimator = "greybox";
+  overrides.controller = control::Kind::kFlowInversion;
+  for (const char* name : {"hyq", "fc1d"}) {
+    for (const Joint& joint : load_shipped(name, overrides).joints) {
+      EXPECT_EQ(joint.estimator.method, estimation::EstimationMethod::kGreyBox) << joint.name;
+      EXPECT_EQ(joint.kind, control::Kind::kFlowInversion) << joint.name;
+    }
+  }
+  overrides.estimator = "crystal_ball";
+  EXPECT_FALSE(load_robot(shipped("hyq"), overrides).ok());
+}
+
 TEST(ParameterTable, CoversTheWholeRobotFile) {
   const std::string table = parameter_table();
   for (const char* path : {"`period_s`", "`supply.supply_pressure_Pa`", "`actuators.<name>.cylinder.bore_m`",

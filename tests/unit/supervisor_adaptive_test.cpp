@@ -84,7 +84,7 @@ TEST(AdaptiveSupervisor, RedesignsTheSlotThatTheEstimateIsAbout) {
   EXPECT_EQ(gains.phase, kStance);
   const robot::Joint& knee = hyq().joints[kKnee];
   EXPECT_EQ(gains.k_force, design_joint(knee, knee.stance_load, hyq().period_s, kNoDelay).value().force);
-  EXPECT_TRUE(joint_node::check_gains(gains)) << "a joint takes them";
+  EXPECT_TRUE(joint_node::check_gains(gains, control::Kind::kLqr)) << "a joint takes them";
   EXPECT_EQ(issued.modes, 0u);
 }
 

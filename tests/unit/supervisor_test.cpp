@@ -80,7 +80,7 @@ TEST(Supervisor, IssuesOnlyGainsThatAJointAccepts) {
       for (const int delay_ticks : {0, 1, 2}) {
         Supervisor supervisor = supervisor_of(shipped(name), design, delay_ticks);
         for (const JointControllerGains& gains : supervisor.step(0).gains) {
-          const auto checked = joint_node::check_gains(gains);
+          const auto checked = joint_node::check_gains(gains, control::Kind::kLqr);
           EXPECT_TRUE(checked) << name << " joint " << gains.joint << ": " << checked.error().message;
           EXPECT_EQ(gains.delay_ticks, delay_ticks);
         }

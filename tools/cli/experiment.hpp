@@ -12,7 +12,7 @@ namespace farrier::cli {
 /// farrier trot --experiment fig7.8: Hubacher (2014), Section 7.5. A rig stands under a multisine while its load
 /// changes from 0.5 to 50 kg and back, a quarter of the run each, and nothing says so. Four runs in process with one
 /// seed: the first gains kept, adaptive gains, gains for the true load of each quarter without and with the adaptive
-/// run's dither.
+/// run's dither; and a grey box with flow inversion, with the sensors' noise and without.
 int run_load_cycle(const robot::Robot& rig, const TrotOptions& options);
 
 /// farrier trot --experiment switching: what changing gains with the phase is worth right after touchdown. An adaptive
@@ -26,6 +26,11 @@ int run_switching(const robot::Robot& robot, const TrotOptions& options);
 /// farrier trot --experiment update-logic: the four update logics of Hubacher (2014), Section 5.3.1, each with the
 /// parameters of its robot file, on the load cycle of the shipped rig and on an adaptive trot of `robot`.
 int run_update_logic(const robot::Robot& robot, const TrotOptions& options);
+
+/// farrier trot --experiment controllers: one linear design, feedback linearisation, PID, adaptive linear gains and the
+/// grey box with flow inversion, on the robots of --vary and on the load cycle of the shipped rig; `options.seeds` of
+/// each.
+int run_controllers(const robot::Robot& robot, const TrotOptions& options);
 
 /// A run in process, with what it wrote.
 struct ExperimentRun {

@@ -21,7 +21,8 @@ int run_load_cycle(const robot::Robot& rig, const TrotOptions& options) {
   outcome.run = report::run_info(cycle.robot, options.seed);
   std::vector<report::LoadCycleRun> runs;
   for (const lab::LoadCycleCase& one :
-       {lab::kFixedCase, lab::kAdaptiveCase, lab::kTrueLoadCase, lab::kTrueLoadDitheredCase}) {
+       {lab::kFixedCase, lab::kAdaptiveCase, lab::kTrueLoadCase, lab::kTrueLoadDitheredCase,
+        lab::kGreyBoxCase, lab::kGreyBoxNoiselessCase}) {
     auto ran = run_experiment(lab::robot_of(cycle, one), lab::run_of(cycle, one, options.seed),
                               options.out + "/trace_" + one.name + ".csv", std::string("fig7.8 ") + one.name);
     if (!ran) {

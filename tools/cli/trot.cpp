@@ -41,6 +41,8 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
   common.gait = o.gait;
   common.frequency_Hz = o.frequency_Hz;
   common.design = o.design;
+  common.estimator = o.estimator;
+  common.controller = o.controller;
   // Varied robots and experiments say themselves who probes.
   common.no_dither = !o.vary && o.experiment == Experiment::kNone && o.design != "adaptive";
   return common;
@@ -109,6 +111,12 @@ int trot(TrotOptions o) {
     std::fputs(robot::print_config(robot).c_str(), stdout);
     return kPassed;
   }
+  if (o.seeds != 0 && !o.vary && o.experiment != Experiment::kControllers) {
+    std::fputs("farrier trot: --seeds is for --vary and --experiment controllers: give one of them, or leave it out\n",
+               stderr);
+    return kBadInput;
+  }
+  o.seeds = o.seeds == 0 ? kSeeds : o.seeds;
   if (o.vary && o.clock == bus::ClockKind::kRealtime) {
     std::fputs("farrier trot: --vary runs on the lock-step clock only: leave --clock realtime out\n", stderr);
     return kBadInput;
@@ -145,6 +153,7 @@ int trot(TrotOptions o) {
     case Experiment::kLoadCycle: return run_load_cycle(robot, o);
     case Experiment::kSwitching: return run_switching(robot, o);
     case Experiment::kUpdateLogic: return run_update_logic(robot, o);
+    case Experiment::kControllers: return run_controllers(robot, o);
     case Experiment::kNone: break;
   }
   auto ran = run_once(robot, o);

@@ -19,10 +19,16 @@ const std::map<std::string, lab::Grouping> kNodes{{"per-leg", lab::Grouping::kPe
 const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "stand"}};
 const std::map<std::string, Experiment> kExperiments{{"fig7.8", Experiment::kLoadCycle},
                                                      {"switching", Experiment::kSwitching},
-                                                     {"update-logic", Experiment::kUpdateLogic}};
+                                                     {"update-logic", Experiment::kUpdateLogic},
+                                                     {"controllers", Experiment::kControllers}};
 
 const std::map<std::string, std::string> kDesigns{
     {"adaptive", "adaptive"}, {"stance", "stance"}, {"swing", "swing"}, {"phases", "phases"}};
+
+const std::map<std::string, std::string> kControllers{{"lqr", "lqr"},
+                                                     {"feedback_linearisation", "feedback_linearisation"},
+                                                     {"pid", "pid"},
+                                                     {"flow_inversion", "flow_inversion"}};
 
 }  // namespace
 
@@ -51,6 +57,10 @@ void declare(CLI::App& app, TrotOptions& o) {
   app.add_option("--frequency", o.frequency_Hz, "strides per second, instead of the robot file's")
       ->check(between(0.1, 10.0))
       ->type_name("<Hz>");
+  app.add_option("--estimator", o.estimator, "section of the robot file's estimators that every joint uses")
+      ->type_name("<name>");
+  add_choice(app, "--controller", o.controller, kControllers, "lqr|feedback_linearisation|pid|flow_inversion",
+             "kind of every controller, instead of the robot file's");
   app.add_option("--seed", o.seed, "seed of sensor noise and touchdown times")
       ->check(between(0.0, 18446744073709551615.0))
       ->type_name("<n>")->capture_default_str();
@@ -58,9 +68,10 @@ void declare(CLI::App& app, TrotOptions& o) {
   CLI::Option* const trace = app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
   app.add_option("--json", o.json_path, "where the figures go")->type_name("<file>")->default_str("figures.json in --out");
   CLI::Option* const experiment =
-      add_choice(app, "--experiment", o.experiment, kExperiments, "fig7.8|switching|update-logic",
+      add_choice(app, "--experiment", o.experiment, kExperiments, "fig7.8|switching|update-logic|controllers",
                  "instead of one run, in process: fig7.8, a rig (fc1d.yaml) whose load changes unannounced; switching, "
-                 "what it is worth that gains change at touchdown; update-logic, the four of the thesis on both");
+                 "what it is worth that gains change at touchdown; update-logic, the four of the thesis on both; "
+                 "controllers, every kind of them on varied robots and on the rig");
   experiment->excludes(design);
   CLI::Option* const dither_cost =
       app.add_flag("--dither-cost", o.dither_cost,
@@ -68,8 +79,7 @@ void declare(CLI::App& app, TrotOptions& o) {
                    "without: figure trot.dither_cost_ratio")
           ->type_name("")
           ->excludes(experiment);
-  CLI::Option* const vary =
-      app.add_flag("--vary", o.vary,
+  app.add_flag("--vary", o.vary,
                    "run robots whose loads, supply, friction and valves are drawn and known to no controller: the "
                    "adaptive one against perfect knowledge and fixed ones; in process, whatever --dds says, for "
                    "lock-step traces do not depend on it")
@@ -78,11 +88,10 @@ void declare(CLI::App& app, TrotOptions& o) {
           ->excludes(design)
           ->excludes(dither_cost)
           ->excludes(experiment);
-  app.add_option("--seeds", o.seeds, "robots that --vary draws, from --seed on")
+  app.add_option("--seeds", o.seeds, "robots that --vary and --experiment controllers draw, from --seed on")
       ->check(between(1, 10000))
       ->type_name("<n>")
-      ->capture_default_str()
-      ->needs(vary);
+      ->default_str(std::to_string(kSeeds));
   app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
 }
 

@@ -8,7 +8,7 @@
 namespace farrier::cli {
 
 /// Runs of their own that `farrier trot` makes instead of one of the gait.
-enum class Experiment { kNone, kLoadCycle, kSwitching, kUpdateLogic };
+enum class Experiment { kNone, kLoadCycle, kSwitching, kUpdateLogic, kControllers };
 
 /// What the command line of `farrier trot` says.
 struct TrotOptions {
@@ -26,10 +26,14 @@ struct TrotOptions {
   std::string json_path;    ///< empty: figures.json in `out`
   bool print_config = false;
   Experiment experiment = Experiment::kNone;
+  std::string estimator;    ///< section of the robot file for every joint; empty: its own
+  std::string controller;   ///< kind of every controller; empty: the robot file's
   bool dither_cost = false; ///< two more runs: what the robot file's dither costs
   bool vary = false;        ///< varied robots under every controller instead of one run
-  int seeds = 5;            ///< of `vary`, from `seed` on
+  int seeds = 0;            ///< of `vary` and the controllers, from `seed` on; 0: not given, which is kSeeds
 };
+
+inline constexpr int kSeeds = 5;
 
 /// What a run that has no judged tick fails with.
 inline constexpr const char* kTooShort =

@@ -48,6 +48,9 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.fig7_8.true_load.<quarter>_nrmse", "1", kNone,
                "The same with gains designed for the true load of each quarter, switched exactly."},
     FigureSpec{"trot.fig7_8.true_load_dithered.<quarter>_nrmse", "1", kNone, "The same with the dither that the adaptive run has."},
+    FigureSpec{"trot.fig7_8.greybox.<quarter>_nrmse", "1", kAtMost,
+               "The same with the physics a grey box estimates and the flow law inverted, no dither."},
+    FigureSpec{"trot.fig7_8.greybox_noiseless.<quarter>_nrmse", "1", kAtMost, "The same without sensor noise."},
     FigureSpec{"trot.fig7_8.light_ratio_<quarter>", "1", kAtMost, "Adaptive over true load, light quarters: the dither's cost is in it."},
     FigureSpec{"trot.fig7_8.dithered_light_ratio_<quarter>", "1", kNone, "Adaptive over true load with the same dither, light quarters."},
     FigureSpec{"trot.fig7_8.gain_updates", "1", kNone, "Gain updates of the adaptive run after its first gains."},
@@ -79,6 +82,18 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.update_logic.<method>.designs", "1", kNone, "Controllers it designed in the trot."},
     FigureSpec{"trot.update_logic.<method>.looks", "1", kNone, "Estimates it looked at in the trot."},
     FigureSpec{"trot.update_logic.<method>.look_us", "us", kNone, "Mean time of a look, its design included."},
+    // trot --experiment controllers: tests are varied_trot, joints and seeds of --vary, and load_steps, the cycle of
+    // Fig. 7.8 with the worse heavy quarter as stance and the worse light quarter as swing
+    FigureSpec{"trot.controllers.<controller>.<test>.stance_nrmse_median", "1", kNone, "Median stance NRMSE."},
+    FigureSpec{"trot.controllers.<controller>.<test>.stance_nrmse_worst", "1", kNone, "Largest stance NRMSE."},
+    FigureSpec{"trot.controllers.<controller>.<test>.swing_nrmse_median", "1", kNone, "Median swing NRMSE."},
+    FigureSpec{"trot.controllers.<controller>.<test>.swing_nrmse_worst", "1", kNone, "Largest swing NRMSE."},
+    FigureSpec{"trot.controllers.<controller>.<test>.ratio_to_best", "1", kAtMost,
+               "Median stance NRMSE over that of the best controller of the test."},
+    FigureSpec{"trot.controllers.<controller>.<test>.diverged", "1", kAtMost,
+               "Joints and seeds that left tracking or had a stance NRMSE above 1."},
+    FigureSpec{"trot.controllers.<controller>.<test>.seeds_failed", "1", kAtMost,
+               "Seeds in which any joint diverged or had a stance NRMSE above 0.3."},
     // trot --vary: stance NRMSE over all pairs of a joint and a seed
     FigureSpec{"trot.vary.seeds", "1", kNone, "Robots drawn."},
     FigureSpec{"trot.vary.adaptive_stance_nrmse_median", "1", kNone, "Median stance NRMSE of adaptation over joints and seeds."},

@@ -17,6 +17,19 @@ constexpr std::size_t kQuarters = 4;
 
 bool heavy(std::size_t quarter) { return quarter % 2 == 1; }
 
+std::optional<double> bound_of(std::string_view run, std::size_t quarter) {
+  if (run == "greybox") {
+    return kGreyBoxAtMost;
+  }
+  if (run == "greybox_noiseless") {
+    return kNoiselessAtMost;
+  }
+  if (heavy(quarter) && (run == "fixed" || run == "adaptive")) {
+    return run == "fixed" ? kFixedAtLeast : kAdaptiveAtMost;
+  }
+  return std::nullopt;
+}
+
 std::string quarter_name(std::size_t quarter) { return "quarter" + std::to_string(quarter + 1); }
 
 const LoadCycleRun* find(std::span<const LoadCycleRun> runs, std::string_view name) {
@@ -54,12 +67,8 @@ double quarter_error(const LoadCyclePlan& plan, std::span<const record::TraceRow
 void add_load_cycle(Figures& figures, const LoadCyclePlan& plan, std::span<const LoadCycleRun> runs) {
   for (const LoadCycleRun& run : runs) {
     for (std::size_t i = 0; i < kQuarters; ++i) {
-      std::optional<double> bound;
-      if (heavy(i) && (run.name == "fixed" || run.name == "adaptive")) {
-        bound = run.name == "fixed" ? kFixedAtLeast : kAdaptiveAtMost;
-      }
       figures.add("trot.fig7_8." + run.name + "." + quarter_name(i) + "_nrmse", quarter_error(plan, run.rows, i),
-                  bound);
+                  bound_of(run.name, i));
     }
   }
   const LoadCycleRun* adaptive = find(runs, "adaptive");

@@ -24,7 +24,8 @@ struct LoadCyclePlan {
 
 /// One run through the cycle.
 struct LoadCycleRun {
-  std::string name;    ///< as in the figures: "fixed", "adaptive", "true_load", "true_load_dithered"
+  std::string name;    ///< as in the figures: "fixed", "adaptive", "true_load", "true_load_dithered",
+                       ///< "greybox", "greybox_noiseless"
   std::string title;   ///< for people
   std::vector<record::TraceRow> rows;
   std::vector<signals::JointControllerGains> gains;  ///< every update issued
@@ -32,6 +33,8 @@ struct LoadCycleRun {
 
 inline constexpr double kFixedAtLeast = 1.0;        ///< heavy quarters: the light design does not hold the load
 inline constexpr double kAdaptiveAtMost = 0.08;     ///< heavy quarters
+inline constexpr double kGreyBoxAtMost = 0.08;      ///< every quarter, with the sensors' noise
+inline constexpr double kNoiselessAtMost = 0.05;    ///< every quarter, without
 inline constexpr double kLightRatioAtMost = 1.05;   ///< light quarters: adapting must not cost what it need not
 
 /// record::relative_error() of quarter 0..3 from record::kJudgedAfter_s after its beginning.

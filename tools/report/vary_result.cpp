@@ -109,6 +109,8 @@ const char* to_string(Contender contender) noexcept {
     case Contender::kStance: return "stance";
     case Contender::kSwing: return "swing";
     case Contender::kFeedbackLinearisation: return "feedback_linearisation";
+    case Contender::kPid: return "pid";
+    case Contender::kGreyBox: return "greybox";
   }
   return "unknown";
 }

@@ -20,11 +20,14 @@ enum class Contender {
   kStance,                 ///< one design for the nominal stance load
   kSwing,                  ///< one design for the nominal swing load
   kFeedbackLinearisation,  ///< inverts the nominal flow law
+  kPid,                    ///< the gains of the robot file
+  kGreyBox,                ///< inverts the flow law with the physics it estimates
 };
+/// Those of --vary.
 inline constexpr std::array kContenders{Contender::kAdaptive, Contender::kPerfect, Contender::kStance,
                                         Contender::kSwing, Contender::kFeedbackLinearisation};
 
-/// As in figures and files: "adaptive", "perfect", "stance", "swing", "feedback_linearisation".
+/// As in figures and files: "adaptive", "perfect", "stance", "swing", "feedback_linearisation", "pid", "greybox".
 const char* to_string(Contender contender) noexcept;
 
 inline constexpr double kFailedNrmse = 0.3;

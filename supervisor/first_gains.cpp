@@ -1,0 +1,56 @@
+#include "supervisor/first_gains.hpp"
+
+#include "supervisor/joint_design.hpp"
+
+namespace farrier::supervisor {
+
+Design parse_design(std::string_view name) noexcept {
+  if (name == "swing") {
+    return Design::kSwing;
+  }
+  if (name == "adaptive") {
+    return Design::kAdaptive;
+  }
+  return name == "phases" ? Design::kPhases : Design::kStance;
+}
+
+Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double period_s, int delay_ticks) {
+  SlotGains slots;
+  for (const signals::Phase phase : kPhases) {
+    const bool for_stance =
+        design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
+    const auto gains = design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, period_s, delay_ticks);
+    if (!gains) {
+      return gains.error();
+    }
+    slots[static_cast<std::size_t>(phase)] = gains.value();
+  }
+  return slots;
+}
+
+plant::JointPhysics first_physics(const robot::Joint& joint, Design design, signals::Phase phase) noexcept {
+  const bool stance = phase == signals::Phase::kStance;
+  const bool for_stance = design == Design::kStance || (stance && design != Design::kSwing);
+  return plant::nominal_physics(joint.actuator, for_stance ? joint.stance_load : joint.swing_load);
+}
+
+Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>& first_gains, int delay_ticks) {
+  if (first_gains.empty()) {
+    return Done{};
+  }
+  if (first_gains.size() != robot.joints.size()) {
+    return Error{"first gains of " + std::to_string(first_gains.size()) + " joints, but " + robot.name + " has " +
+                 std::to_string(robot.joints.size()) + ": give every joint's"};
+  }
+  for (const robot::Joint& joint : robot.joints) {
+    for (const control::Gains& gains : first_gains[joint.number]) {
+      if (gains.delay_ticks != delay_ticks) {
+        return Error{joint.name + ": first gains for a delay of " + std::to_string(gains.delay_ticks) +
+                     " ticks in a loop with " + std::to_string(delay_ticks) + ": give gains designed for that"};
+      }
+    }
+  }
+  return Done{};
+}
+
+}  // namespace farrier::supervisor

@@ -1,0 +1,38 @@
+#pragma once
+
+// What the slots of a joint begin with.
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "control/closed_loop.hpp"
+#include "plant/joint_physics.hpp"
+#include "robot/robot.hpp"
+#include "signals/signals.hpp"
+
+namespace farrier::supervisor {
+
+/// Which bench load the published gains are designed for: one load for both slots of a joint, or each slot its own.
+/// kAdaptive begins with the swing load in both, and redesigns each when its estimate says that it pays; physics for
+/// flow_inversion begin with each phase's own load, as the estimator does.
+enum class Design { kStance, kSwing, kPhases, kAdaptive };
+
+/// "stance", "swing", "phases", "adaptive"; anything else counts as "stance".
+Design parse_design(std::string_view name) noexcept;
+
+/// Gains of a joint's slots, by phase.
+using SlotGains = std::array<control::Gains, signals::kPhaseCount>;
+
+inline constexpr std::array kPhases{signals::Phase::kSwing, signals::Phase::kStance};
+
+/// Gains of both slots of a joint. Refuses as design_joint does.
+Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double period_s, int delay_ticks);
+
+/// Physics of the load that a slot's gains are for, except that adaptation begins with each phase's own.
+plant::JointPhysics first_physics(const robot::Joint& joint, Design design, signals::Phase phase) noexcept;
+
+/// Whether given first gains, empty for none, are for the joints of the robot and this delay.
+Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>& first_gains, int delay_ticks);
+
+}  // namespace farrier::supervisor

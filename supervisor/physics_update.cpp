@@ -1,0 +1,133 @@
+#include "supervisor/physics_update.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/model_rows.hpp"
+
+namespace farrier::supervisor {
+namespace {
+
+using signals::UpdateVerdict;
+
+constexpr double kStepShare = 0.01;      // of the force that counts as 1: well within the valve's range
+constexpr double kSettledAtMost = 0.5;   // of the step: an oscillating loop is beyond the whole of it
+
+bool is_refusal(UpdateVerdict verdict) noexcept {
+  return verdict == UpdateVerdict::kUnstableOnEstimate || verdict == UpdateVerdict::kUnstableOnStoredModel;
+}
+
+/// What a share of a quantity is of when the quantity itself may be zero.
+std::array<double, plant::kPhysicsCount> least_scales(const robot::Joint& joint) noexcept {
+  const control::Normalisation& n = joint.normalisation;
+  const plant::ActuatorParams& a = joint.actuator;
+  return plant::values_of({.load_mass = 0.0,
+                           .damping = 0.0,
+                           .coulomb = n.force,
+                           .stiffness = n.force / n.position,
+                           .bias_force = n.force,
+                           .valve_gain = 0.0,
+                           .bulk_modulus = 0.0,
+                           .leakage = a.valve_gain * a.valve_current_max_A / std::sqrt(a.supply_pressure_Pa)});
+}
+
+}  // namespace
+
+PhysicsUpdate::PhysicsUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
+                             int estimate_period_ticks, int loop_delay_ticks, const plant::JointPhysics& first)
+    : logic_(logic),
+      actuator_(joint.actuator),
+      gains_(joint.flow_inversion),
+      least_scale_(least_scales(joint)),
+      home_position_(joint.linkage.position(joint.home_angle_rad)),
+      slack_position_(joint.stance_load.equilibrium_position),
+      force_step_(kStepShare * joint.normalisation.force),
+      period_s_(period_s),
+      estimate_period_s_(estimate_period_ticks * period_s),
+      loop_delay_ticks_(loop_delay_ticks),
+      physics_(first) {}
+
+signals::JointUpdateDecision PhysicsUpdate::look(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
+  signals::JointUpdateDecision decision;
+  decision.joint = estimate.joint;
+  decision.tick = tick;
+  decision.phase = estimate.phase;
+  decision.estimate_samples = estimate.samples;
+  decision.validity = estimate.validity;
+  decision.excitation = estimate.excitation;
+  decision.prediction_error = estimate.prediction_error;
+  decision.whiteness = estimate.whiteness;
+  decision.model_a = estimate.a;
+  decision.model_b = estimate.b;
+  const UpdateVerdict verdict = judge(estimate);
+  decision.verdict = static_cast<std::uint8_t>(verdict);
+  is_news_ = verdict == UpdateVerdict::kAccepted || (is_refusal(verdict) && verdict != last_refusal_);
+  if (verdict == UpdateVerdict::kAccepted || is_refusal(verdict)) {
+    last_refusal_ = verdict;
+  }
+  return decision;
+}
+
+UpdateVerdict PhysicsUpdate::judge(const signals::JointModelEstimate& estimate) noexcept {
+  const plant::JointPhysics estimated = plant::physics_of(estimate.physics);
+  const control::DiscreteModel model = control::model_of_rows(estimate.a, estimate.b);
+  if (!(estimate.validity > 0.0) || estimate.validity < logic_.validity_min || estimate.has_physics == 0 ||
+      plant::first_unphysical(estimated) != nullptr || !model.a.allFinite() || !model.b.allFinite()) {
+    return UpdateVerdict::kNotValid;
+  }
+  if (!differs(estimate)) {
+    contradicted_s_ = 0.0;
+    return UpdateVerdict::kNotDifferentEnough;
+  }
+  if (!settles(estimated, estimated)) {
+    return UpdateVerdict::kUnstableOnEstimate;
+  }
+  if (!settles(estimated, stored_towards(estimated))) {
+    contradicted_s_ += estimate_period_s_;
+    return UpdateVerdict::kUnstableOnStoredModel;
+  }
+  physics_ = estimated;
+  model_ = model;
+  contradicted_s_ = 0.0;
+  return UpdateVerdict::kAccepted;
+}
+
+double PhysicsUpdate::scale(std::size_t i) const noexcept {
+  return std::max(std::abs(plant::values_of(physics_)[i]), least_scale_[i]);
+}
+
+bool PhysicsUpdate::differs(const signals::JointModelEstimate& estimate) const noexcept {
+  const std::array<double, plant::kPhysicsCount> stored = plant::values_of(physics_);
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    const double change = std::abs(estimate.physics[i] - stored[i]);
+    if (change > logic_.physics_change_min * scale(i) && change > estimate.physics_error[i]) {
+      return true;
+    }
+  }
+  return false;
+}
+
+// The stored physics, every value moved towards the estimate by at most its uncertainty.
+plant::JointPhysics PhysicsUpdate::stored_towards(const plant::JointPhysics& estimated) const noexcept {
+  const double uncertainty = logic_.model_uncertainty + logic_.uncertainty_growth_1_s * contradicted_s_;
+  std::array<double, plant::kPhysicsCount> moved = plant::values_of(physics_);
+  const std::array<double, plant::kPhysicsCount> wanted = plant::values_of(estimated);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const double reach = uncertainty * scale(i);
+    moved[i] += std::clamp(wanted[i] - moved[i], -reach, reach);
+  }
+  return plant::physics_of(moved);
+}
+
+bool PhysicsUpdate::settles(const plant::JointPhysics& told, const plant::JointPhysics& actual) const noexcept {
+  const control::FlowInversionTrial trial{.actuator = actuator_,
+                                          .gains = gains_,
+                                          .position = home_position_,
+                                          .slack_position = slack_position_,
+                                          .force_step = force_step_,
+                                          .period_s = period_s_,
+                                          .delay_ticks = loop_delay_ticks_};
+  return control::trial_error(trial, told, actual) < kSettledAtMost;
+}
+
+}  // namespace farrier::supervisor

@@ -1,0 +1,58 @@
+#pragma once
+
+// Whether an estimate leads to new physics for one slot of a joint whose controller inverts the flow law:
+//
+//   estimate ──▶ valid? ──▶ physics far enough from the acting ones, beyond its errors? ──▶ does a short step settle on
+//   the estimate and on the acting physics within their uncertainty? ──▶ accepted: physics and model are stored
+
+#include "control/discretise.hpp"
+#include "control/flow_inversion_trial.hpp"
+#include "plant/joint_physics.hpp"
+#include "robot/robot.hpp"
+#include "signals/signals.hpp"
+
+namespace farrier::supervisor {
+
+/// The update logic of one slot of such a joint. No convergence and no dwell time is asked for: what is issued is what
+/// is known of the joint, and the controller that takes it keeps its force through the change
+/// (docs/decisions/0031-physics-updates.md). No clock, no I/O, no allocation.
+class PhysicsUpdate {
+ public:
+  /// `first`: the physics the slot begins with.
+  PhysicsUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
+                int estimate_period_ticks, int loop_delay_ticks, const plant::JointPhysics& first);
+
+  /// Looks at one estimate of the slot's phase. The decision is complete but for its generation; without poles or
+  /// margins, of which nothing here depends. kAccepted: physics() and model() are the new ones.
+  signals::JointUpdateDecision look(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
+
+  const plant::JointPhysics& physics() const noexcept { return physics_; }
+
+  /// Linear model of the last accepted estimate, SI; unit model before the first.
+  const control::DiscreteModel& model() const noexcept { return model_; }
+
+  /// True when the last decision is news: accepted, or refused for another reason than the one before.
+  bool is_news() const noexcept { return is_news_; }
+
+ private:
+  signals::UpdateVerdict judge(const signals::JointModelEstimate& estimate) noexcept;
+  bool differs(const signals::JointModelEstimate& estimate) const noexcept;
+  plant::JointPhysics stored_towards(const plant::JointPhysics& estimated) const noexcept;
+  double scale(std::size_t i) const noexcept;
+  bool settles(const plant::JointPhysics& told, const plant::JointPhysics& actual) const noexcept;
+
+  robot::UpdateLogicParams logic_;
+  plant::ActuatorParams actuator_;
+  control::FlowInversionGains gains_;
+  std::array<double, plant::kPhysicsCount> least_scale_;  ///< of what may be zero
+  double home_position_, slack_position_, force_step_;
+  double period_s_, estimate_period_s_;
+  int loop_delay_ticks_;
+  plant::JointPhysics physics_;
+  control::DiscreteModel model_{};
+  double contradicted_s_ = 0;  // for how long estimates have asked for what the stored physics forbid
+  signals::UpdateVerdict last_refusal_ = signals::UpdateVerdict::kAccepted;
+  bool is_news_ = false;
+};
+
+}  // namespace farrier::supervisor
