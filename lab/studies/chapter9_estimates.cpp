@@ -27,7 +27,7 @@ std::string text_of(const char* format, double value) {
 /// A run for each amplitude.
 Result<std::vector<ChirpEstimates>> run_amplitudes(const StudyContext& context, EstimationMethod method, double from,
                                                    double to) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -160,7 +160,7 @@ constexpr ClaimSpec kForgettingClaims[] = {
      "Least of the mean lambdas of the rows from 0.1 to 0.3 s: 0.9.", "1", Relation::kAtLeast, 0.9}};
 
 Result<StudyResult> run_forgetting(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }

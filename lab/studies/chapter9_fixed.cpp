@@ -42,7 +42,7 @@ constexpr ClaimSpec kExampleClaims[] = {
      "RMS error with 20 kg added over that without: 1.1 or more.", "1", Relation::kAtLeast, 1.1}};
 
 Result<StudyResult> run_example(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -81,7 +81,7 @@ constexpr ClaimSpec kComparisonClaims[] = {
      "Largest RMS error over RMS reference of both under all three references: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_comparison(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -152,7 +152,7 @@ constexpr ClaimSpec kFastWeightClaims[] = {
      Relation::kAtLeast, kUnstable}};
 
 Result<StudyResult> run_weights(const StudyContext& context, double frequency_Hz, const char* figure) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -213,7 +213,7 @@ constexpr ClaimSpec kStepClaims[] = {
     {"G.10.400", "9.2.6", kDeteriorates, "The same, 400 N.", "1", Relation::kAtLeast, 1.1}};
 
 Result<StudyResult> run_references(const StudyContext& context, double rise_s, const char* figure) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }

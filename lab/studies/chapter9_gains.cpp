@@ -22,7 +22,7 @@ std::string text_of(const char* format, double value) {
 }
 
 Result<ChirpEstimates> run_case(const StudyContext& context, double added_kg, GateKind gate) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -35,7 +35,7 @@ struct GainTrack {
 };
 
 Result<GainTrack> gains_of(const StudyContext& context, const ChirpEstimates& run) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }

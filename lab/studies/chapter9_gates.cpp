@@ -24,7 +24,7 @@ std::string text_of(const char* format, double value) {
 }
 
 Result<ChirpEstimates> run_gate(const StudyContext& context, GateKind gate) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }

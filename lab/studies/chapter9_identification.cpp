@@ -73,7 +73,7 @@ constexpr ClaimSpec kFrictionClaims[] = {
      "proof of 9.19.viscous asks for.", "1", Relation::kAtMost, 0.1}};
 
 Result<StudyResult> run_friction(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -145,7 +145,7 @@ Result<double> stiffness_at(const robot::Robot& rig, double sign, std::uint64_t 
 }
 
 Result<StudyResult> run_springs(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -198,7 +198,7 @@ constexpr ClaimSpec kThresholdClaims[] = {
      "Distance of both from the middle of that range, the larger: 0.25.", "%", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_threshold(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }

@@ -56,7 +56,7 @@ constexpr ClaimSpec kDeadbandClaims[] = {
      "References that rise more slowly than the one before and have a shorter delay.", "1", Relation::kAtMost, 0.0}};
 
 Result<StudyResult> run_deadband(const StudyContext& context) {
-  auto loaded = load(context, "fc1d_real.yaml");
+  auto loaded = load_rig(context);
   if (!loaded) {
     return loaded.error();
   }

@@ -71,7 +71,7 @@ constexpr ClaimSpec kFrequencyClaims[] = {
      "RMS error over RMS reference at 3.5 Hz: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_frequencies(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -95,7 +95,7 @@ constexpr ClaimSpec kAmplitudeClaims[] = {
      "Largest of the three RMS errors over RMS reference: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_amplitudes(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -146,7 +146,7 @@ constexpr ClaimSpec kFormClaims[] = {
      "Lag of the compliant form: 15 degrees.", "deg", Relation::kAtMost, 15.0}};
 
 Result<StudyResult> run_forms(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -188,7 +188,7 @@ double sticking(const RigTrace& run, double frequency_Hz) {
 }
 
 Result<StudyResult> run_compliant(const StudyContext& context, std::span<const Sine> sines, const char* figure) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }

@@ -139,7 +139,7 @@ constexpr ClaimSpec kStepClaims[] = {
      "Share of the chirp to 5 Hz in which the piston stands less that of the chirp to 3 Hz: below 0.", "1", Relation::kBelow, 0.0}};
 
 Result<StudyResult> run_steps(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }
@@ -211,7 +211,7 @@ constexpr ClaimSpec kFormClaims[] = {
      "Mean error of the compliant form at its end, over the step.", "1", Relation::kAtMost, 0.02}};
 
 Result<StudyResult> run_forms(const StudyContext& context) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }

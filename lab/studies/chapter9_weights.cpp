@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "control/transfer_function.hpp"
 #include "lab/studies/bode.hpp"
 #include "lab/studies/registry.hpp"
 #include "lab/studies/rig_estimates.hpp"
@@ -24,7 +25,7 @@ std::string text_of(const char* format, double value) {
 }
 
 Result<ChirpEstimates> run_case(const StudyContext& context, double added_kg, GateKind gate) {
-  const auto rig = load(context, "fc1d_real.yaml");
+  const auto rig = load_rig(context);
   if (!rig) {
     return rig.error();
   }

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "control/model_analysis.hpp"
+#include "control/transfer_function.hpp"
 #include "estimation/excitation_gate.hpp"
 #include "estimation/linear_regression.hpp"
 #include "lab/studies/bode.hpp"

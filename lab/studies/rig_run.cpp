@@ -97,6 +97,14 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
+Result<robot::Robot> load_rig(const StudyContext& context) {
+  auto rig = load(context, "fc1d_real.yaml");
+  if (rig) {
+    rig.value().joints[0].actuator.line = {};
+  }
+  return rig;
+}
+
 Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std::uint64_t seed) {
   const robot::Joint& joint = robot.joints[0];
   plant::LoadParams load = joint.swing_load;
@@ -119,6 +127,7 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
   trace.period_s = robot.period_s;
   const auto ticks = static_cast<Tick>(std::llround(tracking.duration_s / robot.period_s));
   std::size_t weight = 0;
+  std::vector<double> late(static_cast<std::size_t>(tracking.delay_ticks), 0.0);  // every current, after those of before
   while (rig.tick < ticks) {
     while (weight < tracking.added.size() && rig.time_s() >= tracking.added[weight].at_s) {
       load.mass = joint.swing_load.mass + tracking.added[weight++].total_kg;
@@ -132,7 +141,8 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
       out = lqr.step(reference, rig.measured());
     }
     note(trace, rig, reference, out);
-    rig.advance(out.valve_current_A);
+    late.push_back(out.valve_current_A);
+    rig.advance(late[late.size() - 1 - static_cast<std::size_t>(tracking.delay_ticks)]);
   }
   return trace;
 }

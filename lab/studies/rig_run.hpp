@@ -13,6 +13,11 @@ namespace farrier::studies {
 
 using Signal = std::function<double(double)>;  ///< of the time in s
 
+/// deploy/robots/fc1d_real.yaml without the oil's inertia in its lines. With it every controller of 9.2 swings between the
+/// valve's limits under a slow reference, 2.5 kg on the cart (9.11.lines): the rig of the text did not, so its hoses
+/// damp more than the laminar flow of a rigid line does. Fig. 9.23 alone is about them.
+Result<robot::Robot> load_rig(const StudyContext& context);
+
 /// A run, a value a tick, SI. Forces and motion are the truth; what the controller saw is measured_*.
 struct RigTrace {
   double period_s = 0.0;
@@ -39,6 +44,7 @@ struct Tracking {
   control::Form form = control::Form::kCompliant;
   double feed_forward_factor = 1.0;
   std::vector<AddedWeight> added = {};       ///< in order of time
+  int delay_ticks = 0;                       ///< by which a current acts late, 0 to 8; the gains do not know it
 };
 
 /// Runs `tracking` with weights (7.9) to (7.11), which are the defaults of LqrWeights. Refuses joints that cannot be
