@@ -11,7 +11,9 @@ namespace {
 
 constexpr std::span<const Study> (*kGroups[])() = {
     chapter4_step,      chapter4_models,     chapter4_points,    chapter4_loads, chapter7_tracking,
-    chapter7_gain_maps, chapter7_load_cycle, chapter7_estimates, chapter8, chapter10};
+    chapter7_gain_maps, chapter7_load_cycle, chapter7_estimates, chapter8,
+    chapter9_estimates, chapter9_gates,      chapter9_weights,   chapter9_gains,     chapter9_sines, chapter9_steps,
+    chapter9_fixed,     chapter9_identification, chapter9_pressure, chapter10};
 
 int number_of(std::string_view text) {
   int value = 0;

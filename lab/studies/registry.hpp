@@ -18,6 +18,15 @@ std::span<const Study> chapter7_gain_maps();   // 7.4, 7.5, C.3
 std::span<const Study> chapter7_load_cycle();  // 7.6 to 7.8
 std::span<const Study> chapter7_estimates();   // 7.9, C.4
 std::span<const Study> chapter8();             // 8.9, 8.11
+std::span<const Study> chapter9_estimates();       // 9.1 to 9.3
+std::span<const Study> chapter9_gates();           // 9.4 to 9.7, G.1, G.2
+std::span<const Study> chapter9_weights();         // 9.8, 9.9, G.3, G.4
+std::span<const Study> chapter9_gains();           // 9.10, G.5, G.6
+std::span<const Study> chapter9_sines();           // 9.11, 9.12, 9.14, G.7, G.8
+std::span<const Study> chapter9_steps();           // 9.13, 9.15
+std::span<const Study> chapter9_fixed();           // 1.2, 9.16 to 9.18, G.9, G.10
+std::span<const Study> chapter9_identification();  // 9.19 to 9.21
+std::span<const Study> chapter9_pressure();        // 9.22, 9.23
 std::span<const Study> chapter10();            // 10.2
 
 /// Every study, in the order of the text: chapters, then appendices, by number within each.
