@@ -10,9 +10,7 @@
 namespace farrier::lab {
 
 /// Hubacher (2014), Table 6.1: how an estimator does for each combination of the valve signal's frequencies and
-/// amplitude, on the changes of load of Fig. 6.1. The figure has no numbers that survive; what the text says of it fixes
-/// these: sections of 0.25 s with 10.5 kg (6.3.3), 105 kg (6.3.3: ten times), 1.05 kg ("low again", still within the
-/// 1 to 127 kg of 4.3.2), and 2.1 kg with five times the friction ("increased only little, but the friction greatly").
+/// amplitude, on the changes of load of Fig. 6.1 (walking_cycle.hpp).
 struct Table61Cell {
   const char* method;  ///< "rls", "aff" or "greybox"
   bool rich;           ///< white noise; else 5 and 10 Hz (C.1)
