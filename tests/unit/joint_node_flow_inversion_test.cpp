@@ -112,17 +112,22 @@ struct Loop {
   plant::HydraulicJoint plant;
 };
 
-TEST(JointNodeFlowInversion, ReachesTheForceItIsAskedForWithinATenthOfASecond) {
+// The leg gives way, so the reference falls from 440 N; once there, the force follows it to a hundredth of that.
+TEST(JointNodeFlowInversion, FollowsTheForceItIsAskedForFromTwentyMillisecondsOn) {
   Loop loop(tracking());
   loop.bench.inputs.command.torque_ff_Nm = 20.0;
-  JointNode::Outputs outputs;
+  double largest = 0.0;
   for (int tick = 0; tick < 100; ++tick) {
-    outputs = loop.step();
+    const double force = loop.plant.load_cell_force();
+    const auto outputs = loop.step();
+    const double reference = outputs.valve.force_reference_N_or_Nm;
+    largest = std::max(largest, std::abs(reference));
+    if (tick >= 20) {
+      EXPECT_NEAR(force, reference, 0.01 * largest) << tick;
+      EXPECT_EQ(outputs.valve.faults, 0u);
+      EXPECT_EQ(outputs.valve.generation, 2u);
+    }
   }
-  EXPECT_EQ(outputs.valve.faults, 0u);
-  EXPECT_EQ(outputs.valve.generation, 2u);
-  EXPECT_NEAR(loop.plant.load_cell_force(), outputs.valve.force_reference_N_or_Nm,
-              0.01 * std::abs(outputs.valve.force_reference_N_or_Nm));
 }
 
 // The outer loop's stiffness and damping are k / r^2 on the piston, with the lever r, and reach it in a tick: their
