@@ -17,6 +17,8 @@
 namespace farrier::lab {
 namespace {
 
+constexpr double kFirstCovariance = 0.14;
+
 const Eigen::Vector3d& divisors() {
   static const Eigen::Vector3d of_states(0.5 * plant::nominal_cylinder().stroke, plant::kNominalVelocity_m_s,
                                          plant::kNominalForce_N);
@@ -89,7 +91,7 @@ std::vector<control::DiscreteModel> identify(std::span<const CycleSample> sample
   Eigen::Matrix<double, 3, 4> theta;  // (3.52), (3.53)
   theta << unit.inverse() * start.a * unit, unit.inverse() * start.b * plant::kNominalCurrent_A;
   auto made = estimation::Rls<4>::create({.forgetting_factor = forgetting_factor,
-                                          .initial_covariance = 1.0,
+                                          .initial_covariance = kFirstCovariance,
                                           .covariance_limit = 1e40,
                                           .regressor_min = 0.0}, theta);
   FARRIER_ENSURE(made.ok(), "a forgetting factor in (0, 1]");

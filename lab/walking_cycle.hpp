@@ -54,8 +54,9 @@ std::vector<CycleSample> drive(std::span<const plant::LoadParams> loads, bool ri
 /// Least squares (6.21) as 6.3 runs it: the operating point subtracted, normalised, nothing filtered, from the model of
 /// kStartLoad_kg. The model after each sample, SI. `forgetting_factor` in (0, 1].
 ///
-/// The text does not say what the first covariance is. It is the identity here: with it the mass converges as Fig. 6.7
-/// shows, within 50 ms for lambda 0.8 and 90 ms for 0.9 and late for 0.98, while with 1e3 every lambda takes 20 ms.
+/// The text does not say what the first covariance is, and how long the start is remembered depends on it. It is 0.14 I
+/// here, so that the mass of Fig. 6.7 takes the 90 ms of lambda 0.9; what that figure says of the other lambdas, and
+/// the sections after the first, do not follow from it.
 std::vector<control::DiscreteModel> identify(std::span<const CycleSample> samples, double forgetting_factor);
 
 }  // namespace farrier::lab

@@ -80,7 +80,7 @@ constexpr ClaimSpec kIdealClaims[] = {
     {"6.2.section_1", "6.3.1", "When the system is not changing (column one), the estimates do not diverge from the truth and their variance is very low.",
      "Largest median error of the magnitude over the first section.", "dB", Relation::kAtMost, kConverged_dB},
     {"6.2.section_2", "6.3.1", "... converged within 50 ms.",
-     "When the median error over 1 to 450 Hz of the magnitude falls below 1 dB for the rest of the second section.", "ms", Relation::kAtMost, 50.0},
+     "When the median error over 1 to 450 Hz of the magnitude falls below 2.15 dB, what the signs of the valve differ by, for the rest of the second section.", "ms", Relation::kAtMost, 50.0},
     {"6.2.section_3", "6.3.1", "The estimates of column three are converged after 60 ms ...", "The same, third section.", "ms", Relation::kAtMost, 60.0},
     {"6.2.section_4", "6.3.1", "... and those of column four after just 25 ms.", "The same, fourth section.", "ms", Relation::kAtMost, 25.0},
     {"6.2.aliasing", "6.3.1", "... the magnitude of the transfer function at the Nyquist frequency has not yet decayed.",
@@ -111,7 +111,7 @@ constexpr ClaimSpec kPoleClaims[] = {
     {"6.3.closer", "6.3.1", "... the poles are pushed closer to the stability boundary for increased mass ...",
      "That distance over the first section's.", "1", Relation::kBelow, 1.0},
     {"6.3.unstable", "6.3.1", "Thus, it can happen that the estimator returns a system with poles just slightly outside the stability boundary ...",
-     "Models of the second section with a pole outside, over 15 runs.", "1", Relation::kAtLeast, 1.0},
+     "Models of the second section with the pair outside, over 15 runs.", "1", Relation::kAtLeast, 1.0},
     {"6.3.third", "6.3.1", "Column three reveals more clearly that the estimator was not able to exactly estimate the poles ...",
      "Third section's last distance of the poles over the second section's.", "1", Relation::kAtLeast, 1.0}};
 
@@ -126,7 +126,7 @@ Result<StudyResult> run_poles(const StudyContext& context) {
   for (std::uint64_t run = 0; run < kRuns; ++run) {
     const CycleEstimates one = estimates_of(context, lab::kSmallOpening, run);
     for (const control::DiscreteModel& model : one.models(1)) {
-      outside += std::abs(estimation::poles<3>(model.a)[0]) > 1.0 ? 1.0 : 0.0;
+      outside += std::abs(complex_pole(model.a)) > 1.0 ? 1.0 : 0.0;
     }
     const auto off = [&](std::size_t section) {
       return estimation::pole_distance<3>(estimation::poles<3>(one.models(section).back().a), estimation::poles<3>(one.truth(section).a));
@@ -158,7 +158,7 @@ constexpr ClaimSpec kMassClaims[] = {
     {"6.4.superior", "6.3.1", "The estimation appears to be superior in case the system mass is increased, rather than decreased.",
      "Length of the mass's way over the distance it has to go, in the 60 ms after 0.25 s, over the same after 0.5 s.", "1", Relation::kBelow, 1.0},
     {"6.4.same_speed", "6.3.1", "... the convergence speed of the estimated mass compared to the convergence speed of the transfer function seems to be about the same.",
-     "Largest difference over sections two to four of when the mass is within a twentieth and when the transfer function is within 1 dB.", "ms", Relation::kAtMost, 25.0}};
+     "Largest difference over sections two to four of when the mass is within a twentieth and when the transfer function is within 2.15 dB.", "ms", Relation::kAtMost, 25.0}};
 
 Result<StudyResult> run_mass(const StudyContext& context) {
   const auto over = [&](const auto& value) { return over_runs(context, lab::kSmallOpening, value); };

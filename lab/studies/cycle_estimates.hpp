@@ -13,8 +13,10 @@
 
 namespace farrier::studies {
 
-// When an estimate has converged; the text has pictures and no numbers.
-inline constexpr double kConverged_dB = 1.0;
+// When an estimate has converged; the text has pictures and no numbers. An open valve's gain differs between its signs by
+// the roots of (3.26), 10 log10(1 / alpha) = 2.15 dB, and which sign the few samples of the memory had is chance: the
+// truth itself is no narrower.
+inline constexpr double kConverged_dB = 2.15;
 inline constexpr double kConvergedMass = 0.05;
 
 /// The middle value; NaN for none.
