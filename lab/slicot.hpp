@@ -4,8 +4,10 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 
 extern "C" void sb02od_(const char* dico, const char* jobb, const char* fact, const char* uplo, const char* jobl,
                         const char* sort, const int* n, const int* m, const int* p, const double* a, const int* lda,
@@ -18,36 +20,50 @@ extern "C" void sb02od_(const char* dico, const char* jobb, const char* fact, co
 
 namespace farrier::lab {
 
-/// Stabilising solution of the discrete algebraic Riccati equation by SLICOT's SB02OD (Van Dooren 1981: generalised
-/// Schur form of the extended pencil), one input, no cross weight. False when SLICOT reports a failure.
-template <int N>
-bool solve_dare_by_slicot(const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b,
-                          const Eigen::Matrix<double, N, N>& q, double r, Eigen::Matrix<double, N, N>& solution) {
-  constexpr int kPencil = 2 * N + 1;
-  constexpr int kWork = 7 * kPencil + 16 > 16 * N ? 7 * kPencil + 16 : 16 * N;
-  const int n = N;
-  const int m = 1;
-  const int two_n = 2 * N;
-  const int work = kWork;
-  const int pencil = kPencil;
+/// Workspace of SB02OD for n states and m inputs.
+constexpr std::size_t slicot_doubles(std::size_t n, std::size_t m) {
+  const std::size_t pencil = 2 * n + m;
+  return 6 * n + 2 * pencil * pencil + 4 * n * n + std::max({7 * (2 * n + 1) + 16, 16 * n, 3 * m});
+}
+constexpr std::size_t slicot_integers(std::size_t n, std::size_t m) { return 4 * n + m; }
+
+/// Stabilising solution of the discrete algebraic Riccati equation (7.4) by SLICOT's SB02OD (Van Dooren 1981:
+/// generalised Schur form of the extended pencil, which needs no inverse of R) into n x n `solution`; matrices by
+/// column, the cross weight `l` n x m, or null for none. False when SLICOT reports a failure.
+inline bool solve_dare_by_slicot(int n, int m, const double* a, const double* b, const double* q, const double* r,
+                                 const double* l, double* solution, std::span<double> doubles,
+                                 std::span<int> integers) {
+  const int two_n = 2 * n;
+  const int pencil = two_n + m;
   const double tolerance = 0.0;  // SLICOT's own: the machine precision
   double rcond = 0.0;
   int info = 0;
-  std::array<double, 2 * N> alpha_real;
-  std::array<double, 2 * N> alpha_imaginary;
-  std::array<double, 2 * N> beta;
-  std::array<double, kPencil * kPencil> s;
-  std::array<double, kPencil * kPencil> t;
-  std::array<double, 4 * N * N> u;
-  std::array<double, kWork> dwork;
-  std::array<int, 2 * N> iwork;
-  std::array<int, 2 * N> bwork;
-  const double l = 0.0;
-  sb02od_("D", "B", "N", "U", "Z", "S", &n, &m, &n, a.data(), &n, b.data(), &n, q.data(), &n, &r, &m, &l, &n, &rcond,
-          solution.data(), &n, alpha_real.data(), alpha_imaginary.data(), beta.data(), s.data(), &pencil, t.data(),
-          &pencil, u.data(), &two_n, &tolerance, iwork.data(), dwork.data(), &work, bwork.data(), &info, 1, 1, 1, 1, 1,
-          1);
+  double* next = doubles.data();
+  const auto take = [&next](int count) {
+    double* taken = next;
+    next += count;
+    return taken;
+  };
+  double* alpha_real = take(two_n);
+  double* alpha_imaginary = take(two_n);
+  double* beta = take(two_n);
+  double* s = take(pencil * pencil);
+  double* t = take(pencil * pencil);
+  double* u = take(two_n * two_n);
+  const int work = static_cast<int>(doubles.data() + doubles.size() - next);
+  sb02od_("D", "B", "N", "U", l != nullptr ? "N" : "Z", "S", &n, &m, &n, a, &n, b, &n, q, &n, r, &m,
+          l != nullptr ? l : a, &n, &rcond, solution, &n, alpha_real, alpha_imaginary, beta, s, &pencil, t, &pencil, u,
+          &two_n, &tolerance, integers.data(), next, &work, integers.data() + two_n + m, &info, 1, 1, 1, 1, 1, 1);
   return info == 0;
+}
+
+/// Of one input, without a cross weight; allocates nothing.
+template <int N>
+bool solve_dare_by_slicot(const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b,
+                          const Eigen::Matrix<double, N, N>& q, double r, Eigen::Matrix<double, N, N>& solution) {
+  std::array<double, slicot_doubles(N, 1)> doubles;
+  std::array<int, slicot_integers(N, 1)> integers;
+  return solve_dare_by_slicot(N, 1, a.data(), b.data(), q.data(), &r, nullptr, solution.data(), doubles, integers);
 }
 
 }  // namespace farrier::lab

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include <type_traits>
+
 #include "core/result.hpp"
 
 namespace farrier::control {
@@ -18,34 +20,40 @@ enum class RiccatiStatus {
 
 const char* to_string(RiccatiStatus status) noexcept;
 
-/// Solution of (7.4) for one input and N states.
-template <int N>
+/// R: positive, of M inputs; a number for one input.
+template <int M>
+using InputWeight = std::conditional_t<M == 1, double, Eigen::Matrix<double, M, M>>;
+
+/// Solution of (7.4) for N states and M inputs.
+template <int N, int M = 1>
 struct RiccatiSolution {
   Eigen::Matrix<double, N, N> s;  ///< Riccati matrix, symmetric, positive semi-definite
-  Eigen::Matrix<double, 1, N> k;  ///< gain of u = -k x: (B'SB + R)^-1 (B'SA + N'), (7.5) corrected
+  Eigen::Matrix<double, M, N> k;  ///< gain of u = -k x: (B'SB + R)^-1 (B'SA + N'), (7.5) corrected
   int iterations;                 ///< of the algorithm that was used
   double relative_residual;       ///< Frobenius norm of the left side of (7.4) over that of S
   double spectral_radius;         ///< of A - B k, below one, to 1e-6
 };
 
 /// Left side of (7.4): A'SA - S - (A'SB + N)(B'SB + R)^-1 (B'SA + N') + Q. Zero for a solution.
-template <int N>
+template <int N, int M = 1>
 Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& a,
-                                             const Eigen::Matrix<double, N, 1>& b,
-                                             const Eigen::Matrix<double, N, N>& q, double r,
-                                             const Eigen::Matrix<double, N, 1>& n,
+                                             const Eigen::Matrix<double, N, M>& b,
+                                             const Eigen::Matrix<double, N, N>& q, const InputWeight<M>& r,
+                                             const Eigen::Matrix<double, N, M>& n,
                                              const Eigen::Matrix<double, N, N>& s) noexcept;
 
 /// Stabilising solution of the discrete-time algebraic Riccati equation (7.4) by the structured doubling algorithm
 /// (Anderson 1978; Chu, Fan, Lin and Wang 2004, "Structure-preserving algorithms for periodic discrete-time
 /// algebraic Riccati equations", eq. 2.6): step k stands for 2^k steps of (8.1), so convergence is quadratic.
 /// At most 40 doublings and two Newton corrections (Hewer 1971). Units are the caller's; normalise first.
-/// N = 2..6. Refuses by name; allocates nothing.
-template <int N>
-Result<RiccatiSolution<N>, RiccatiStatus> solve_dare(const Eigen::Matrix<double, N, N>& a,
-                                                     const Eigen::Matrix<double, N, 1>& b,
-                                                     const Eigen::Matrix<double, N, N>& q, double r,
-                                                     const Eigen::Matrix<double, N, 1>& n) noexcept;
+/// Refuses by name. For loops: N = 2..6 with one input, which allocates nothing. For analysis: N and M both
+/// Eigen::Dynamic, any number of states and inputs, on the heap; sizes that do not fit each other are a bug.
+template <int N, int M = 1>
+Result<RiccatiSolution<N, M>, RiccatiStatus> solve_dare(const Eigen::Matrix<double, N, N>& a,
+                                                        const Eigen::Matrix<double, N, M>& b,
+                                                        const Eigen::Matrix<double, N, N>& q,
+                                                        const InputWeight<M>& r,
+                                                        const Eigen::Matrix<double, N, M>& n) noexcept;
 
 /// The thesis's solver: (8.1) from (8.2) until the step of S, which is the residual, falls to relative_tolerance of
 /// S (the thesis uses an absolute 0.4 on its square), or max_iterations. Linear convergence with the square of the

@@ -27,6 +27,12 @@ inline constexpr double kStabilisabilityThreshold = 1e-8;
 /// test; Eising 1984). NaN when the eigenvalues cannot be computed.
 double stabilisability(const SmallMatrix& a, const SmallColumn& b) noexcept;
 
+/// The same of any number of states and inputs, for analysis: on the heap.
+namespace any_size {
+double spectral_radius(const Eigen::MatrixXd& m);
+double stabilisability(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
+}  // namespace any_size
+
 /// stabilisability(a, b) >= kStabilisabilityThreshold for N = 3..6 states, most often told from a lower bound of the
 /// singular values in a fraction of the time. False when the eigenvalues cannot be computed.
 template <int N>
