@@ -160,13 +160,10 @@ control::ForceReference JointNode::force_reference(const Inputs& inputs, JointSt
   // Numbers too large to add up (inf - inf) ask for nothing.
   const double reference = std::isnan(wanted) ? 0.0 : std::clamp(wanted, -joint_.pull_limit, joint_.push_limit);
   faults_.set(Fault::kReferenceClamped, clamped || reference != wanted);
-  if (reference != wanted) {
-    return reference;  // moves no more
-  }
-  // F = tau / r and dq = dx / r with the lever r: gains of the angle are r^-2 as large for the actuator. The change of
-  // lever under a force is left out.
+  // F = tau / r, dx = r dq with the lever r, whose own change under a force is left out. At its limit it does not move.
   const double lever = joint_.linkage.lever(q);
-  return {reference, stiffness / (lever * lever), damping / (lever * lever)};
+  const double moves = reference == wanted ? 1.0 / (lever * lever) : 0.0;
+  return {reference, stiffness * moves, damping * moves};
 }
 
 double JointNode::dither_A(Tick tick) const noexcept {
@@ -178,7 +175,8 @@ double JointNode::dither_A(Tick tick) const noexcept {
   return positive ? dither_amplitude_A_ : -dither_amplitude_A_;
 }
 
-double JointNode::valve_current(const control::ForceReference& reference, const control::Measurement& measured, double probe_A) noexcept {
+double JointNode::valve_current(const control::ForceReference& reference, const control::Measurement& measured,
+                                double probe_A) noexcept {
   switch (joint_.kind) {
     case control::Kind::kLqr: return valve_current_by_gains(reference.force, measured, probe_A);
     case control::Kind::kFeedbackLinearisation: {

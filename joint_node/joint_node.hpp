@@ -86,7 +86,8 @@ class JointNode {
   signals::JointState state() const noexcept;
   control::ForceReference force_reference(const Inputs& inputs, signals::JointState state) noexcept;
   double dither_A(Tick tick) const noexcept;
-  double valve_current(const control::ForceReference& reference, const control::Measurement& measured, double probe_A) noexcept;
+  double valve_current(const control::ForceReference& reference, const control::Measurement& measured,
+                       double probe_A) noexcept;
   double valve_current_by_gains(double reference, const control::Measurement& measured, double probe_A) noexcept;
   double valve_current_by_physics(const control::ForceReference& reference, const control::Measurement& measured,
                                   double probe_A) noexcept;

@@ -19,7 +19,8 @@ struct HostedJoint {
   std::string name;
 };
 
-/// Picks the named joints of the robot, all of them for an empty list. `loop_delay_ticks`: of the clock. Refuses a name the robot does not have.
+/// Picks the named joints of the robot, all of them for an empty list. `loop_delay_ticks`: of the clock. Refuses a
+/// name the robot does not have.
 Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const std::vector<std::string>& names,
                                              int loop_delay_ticks, std::uint64_t session);
 

@@ -76,7 +76,8 @@ double FlowInversion::current_for(const plant::State& state, const Line& wanted)
     const plant::State end = model_.advance(state, current_A, disturbance_);
     return model_.load_cell_force(end, disturbance_) - wanted.at(end);
   };
-  // The force at the end, and what moves the wanted one towards it, grows with the current, almost in proportion on either side of null: secants from there.
+  // The force at the end, and what moves the wanted one towards it, grows with the current, almost in proportion on
+  // either side of null: secants from there.
   const double limit_A = actuator_.valve_current_max_A;
   double before_A = 0.0;
   double before = beyond(before_A);
@@ -112,7 +113,8 @@ FlowInversion::Output FlowInversion::send(double wanted_A) noexcept {
 FlowInversion::Output FlowInversion::step(const ForceReference& reference, const Measurement& measurement,
                                           double probe_A) noexcept {
   const bool finite = std::isfinite(reference.force) && std::isfinite(reference.stiffness) &&
-                      std::isfinite(reference.damping) && std::isfinite(probe_A) && std::isfinite(measurement.position) &&
+                      std::isfinite(reference.damping) && std::isfinite(probe_A) &&
+                      std::isfinite(measurement.position) &&
                       std::isfinite(measurement.velocity) && std::isfinite(measurement.force);
   if (!has_physics_ || (!finite && !has_run_)) {
     return {0.0, false};

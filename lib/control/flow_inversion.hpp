@@ -36,7 +36,8 @@ struct ForceReference {
 /// pressures, flow and load), predicts over the loop's delay, and looks for the current at whose end
 ///   F = F_ref(x, v) + (1 - error_share) (F - F_ref)
 /// stands, F_ref being affine in position and velocity at that end, and what commands add to it what they would if they
-/// changed as they did last: feed-forward from their derivative, without the motion's noise in it. What the piston's motion takes is inside the prediction, and so is what the load
+/// changed as they did last: feed-forward from their derivative, without the motion's noise in it. What the piston's
+/// motion takes is inside the prediction, and so is what the load
 /// makes of the force within the tick. The disturbance of flow is the integral action; saturation does not wind it up,
 /// as the model knows what was sent. Derivation and measurements: docs/derivations/flow-inversion.md.
 ///
@@ -56,8 +57,10 @@ class FlowInversion {
   FlowInversion(const plant::ActuatorParams& actuator, const FlowInversionGains& gains, double operating_position,
                 double slack_position, double period_s, int delay_ticks) noexcept;
 
-  /// Physics from the next step on. Bumpless: the force in the model stays, and so does the sum of bias force and what was
-  /// found beside it, which the observer knows better than an estimate that follows. False, and the old physics kept, for values
+  /// Physics from the next step on. Bumpless: the force in the model stays, and so does the sum of bias force and
+  /// what was
+  /// found beside it, which the observer knows better than an estimate that follows. False, and the old physics
+  /// kept, for values
   /// that are not finite or out of the ranges of JointPhysics, and for a load without mass.
   bool set_physics(const plant::JointPhysics& physics) noexcept;
 

@@ -79,7 +79,8 @@ void VaryStudy::judge(report::Contender contender, std::uint64_t seed, const lab
   }
 }
 
-/// Largest judged reference of each joint in stance over p_s A_a - p_t A_b where it pushes, p_s A_b - p_t A_a where it pulls.
+/// Largest judged reference of each joint in stance over p_s A_a - p_t A_b where it pushes, p_s A_b - p_t A_a where
+/// it pulls.
 std::vector<double> VaryStudy::peak_demands(const robot::Robot& world, const gait::Schedule& schedule) const {
   std::vector<Tick> first;
   for (const robot::Joint& joint : nominal_.joints) {
