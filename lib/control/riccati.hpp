@@ -35,12 +35,22 @@ struct RiccatiSolution {
 };
 
 /// Left side of (7.4): A'SA - S - (A'SB + N)(B'SB + R)^-1 (B'SA + N') + Q. Zero for a solution.
-template <int N, int M = 1>
+template <int N, int M>
 Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& a,
                                              const Eigen::Matrix<double, N, M>& b,
                                              const Eigen::Matrix<double, N, N>& q, const InputWeight<M>& r,
                                              const Eigen::Matrix<double, N, M>& n,
                                              const Eigen::Matrix<double, N, N>& s) noexcept;
+
+/// The same for one input.
+template <int N>
+Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& a,
+                                             const Eigen::Matrix<double, N, 1>& b,
+                                             const Eigen::Matrix<double, N, N>& q, double r,
+                                             const Eigen::Matrix<double, N, 1>& n,
+                                             const Eigen::Matrix<double, N, N>& s) noexcept {
+  return riccati_residual<N, 1>(a, b, q, r, n, s);
+}
 
 /// Stabilising solution of the discrete-time algebraic Riccati equation (7.4) by the structured doubling algorithm
 /// (Anderson 1978; Chu, Fan, Lin and Wang 2004, "Structure-preserving algorithms for periodic discrete-time
@@ -48,12 +58,21 @@ Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& 
 /// At most 40 doublings and two Newton corrections (Hewer 1971). Units are the caller's; normalise first.
 /// Refuses by name. For loops: N = 2..6 with one input, which allocates nothing. For analysis: N and M both
 /// Eigen::Dynamic, any number of states and inputs, on the heap; sizes that do not fit each other are a bug.
-template <int N, int M = 1>
+template <int N, int M>
 Result<RiccatiSolution<N, M>, RiccatiStatus> solve_dare(const Eigen::Matrix<double, N, N>& a,
                                                         const Eigen::Matrix<double, N, M>& b,
                                                         const Eigen::Matrix<double, N, N>& q,
                                                         const InputWeight<M>& r,
                                                         const Eigen::Matrix<double, N, M>& n) noexcept;
+
+/// The same for one input.
+template <int N>
+Result<RiccatiSolution<N>, RiccatiStatus> solve_dare(const Eigen::Matrix<double, N, N>& a,
+                                                     const Eigen::Matrix<double, N, 1>& b,
+                                                     const Eigen::Matrix<double, N, N>& q, double r,
+                                                     const Eigen::Matrix<double, N, 1>& n) noexcept {
+  return solve_dare<N, 1>(a, b, q, r, n);
+}
 
 /// The thesis's solver: (8.1) from (8.2) until the step of S, which is the residual, falls to relative_tolerance of
 /// S (the thesis uses an absolute 0.4 on its square), or max_iterations. Linear convergence with the square of the
