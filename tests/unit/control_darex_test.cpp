@@ -118,7 +118,8 @@ Example darex(int group, int number) {
           &most, e.b.data(), &most, c.data(), &most, e.q.data(), &most, e.r.data(), &most, e.s.data(), &most,
           e.x.data(), &most, work.data(), &size, &e.info, 1, text.size());
   e.has_solution = vec[9] != 0;
-  const std::array<std::pair<int, int>, 6> shapes{{{e.n, e.n}, {e.n, e.m}, {e.n, e.n}, {e.m, e.m}, {e.n, e.m}, {e.n, e.n}}};
+  const std::array<std::pair<int, int>, 6> shapes{
+      {{e.n, e.n}, {e.n, e.m}, {e.n, e.n}, {e.m, e.m}, {e.n, e.m}, {e.n, e.n}}};
   for (std::size_t i = 0; i < all.size(); ++i) {
     *all[i] = all[i]->topLeftCorner(shapes[i].first, shapes[i].second).eval();
   }
