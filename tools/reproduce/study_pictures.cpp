@@ -67,7 +67,8 @@ bool keyed(const Panel& panel) {
 }
 
 std::string panel_script(const Panel& panel, const std::string& data) {
-  std::string script = "reset\nset style line 9 lc rgb '#d8dde1' lw 0.5\nset grid xtics ytics ls 9\nset border 3 lc rgb '#667078'\nset tics nomirror out scale 0.5\n"
+  std::string script = "reset\nset style line 9 lc rgb '#d8dde1' lw 0.5\n"
+                       "set grid xtics ytics ls 9\nset border 3 lc rgb '#667078'\nset tics nomirror out scale 0.5\n"
                        "unset colorbox\nset cbrange [0:1]\nset palette defined (0 '#000000', 1 '#e69f00')\n";
   script += "set title " + quoted(panel.title) + "\nset xlabel " + quoted(panel.x_label) + "\nset ylabel " +
             quoted(panel.y_label) + "\n";
