@@ -32,14 +32,14 @@ std::string quoted(const std::string& text) {
   return safe + "\"";
 }
 
-/// A block of lines "x y shade"; points that are not finite leave a gap.
+/// A block of lines "x y shade"; points that are not finite leave a gap: one blank line, as two would begin a new block.
 std::string block_of(const Series& series) {
   FARRIER_ENSURE(series.x.size() == series.y.size() && (series.shade.empty() || series.shade.size() == series.x.size()),
                  "a series needs as many x as y and shades");
   std::string lines;
   for (std::size_t i = 0; i < series.x.size(); ++i) {
     if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) {
-      lines += "\n";
+      lines += lines.empty() || lines.ends_with("\n\n") ? "" : "\n";
       continue;
     }
     lines += config::number_text(series.x[i]) + " " + config::number_text(series.y[i]) + " " +
@@ -67,9 +67,9 @@ bool keyed(const Panel& panel) {
 }
 
 std::string panel_script(const Panel& panel, const std::string& data) {
-  std::string script = "reset\nset grid xtics ytics ls 9\nset border 3 lc rgb '#667078'\nset tics nomirror out scale 0.5\n"
+  std::string script = "reset\nset style line 9 lc rgb '#d8dde1' lw 0.5\n"
+                       "set grid xtics ytics ls 9\nset border 3 lc rgb '#667078'\nset tics nomirror out scale 0.5\n"
                        "unset colorbox\nset cbrange [0:1]\nset palette defined (0 '#000000', 1 '#e69f00')\n";
-  script += "set style line 9 lc rgb '#d8dde1' lw 0.5\n";
   script += "set title " + quoted(panel.title) + "\nset xlabel " + quoted(panel.x_label) + "\nset ylabel " +
             quoted(panel.y_label) + "\n";
   script += panel.log_x ? "set logscale x\n" : "";
