@@ -118,6 +118,9 @@ Result<StudyResult> run_fixed(const StudyContext& context) {
 
 constexpr const char* kSignificantly = "... the force tracking has improved significantly for high mass and/or high damping situations ...";
 constexpr const char* kVeryGood = "The force tracking is very good with minimal overshoot and no phase delay.";
+constexpr const char* kByNoise =
+    "the rig's sensors are noisy, those of the text's simulation perfect; without noise the same run comes within 0.73 "
+    "(velocity) and 0.15 (force)";
 constexpr const char* kSecondGains = "... \"online\" calculated gains within the second quarter, which are K ~ [0, -4, 8].";
 
 constexpr ClaimSpec kAdaptiveClaims[] = {
@@ -135,11 +138,17 @@ constexpr ClaimSpec kAdaptiveClaims[] = {
      "Time of the first new gains after the run's start.", "s", Relation::kAtMost, 0.45},
     {"7.8.quarter_2_settled", "7.5", "During the first 80 ms, the gains are updated several times ... After this phase ... the proper controller gains are calculated ...",
      "Time after the second change of load from which on velocity and force gain stay within a quarter of those for the true load.",
-     "s", Relation::kAtMost, 0.08},
+     "s", Relation::kAtMost, 0.08,
+     Refutation{"the estimator's washout forgets the old load after 4 x 3 x 8 ms and poles must then stand still for 20 ms: "
+                "0.116 s, which the text's estimator need not wait for", 0.09, 0.13}},
     {"7.8.quarter_2_position", "7.5", kSecondGains, "Distance of the position gain at the second quarter's end from 0: half a unit.", "1",
-     Relation::kAtMost, 0.5},
-    {"7.8.quarter_2_velocity", "7.5", kSecondGains, "Distance of the velocity gain from -4: a unit.", "1", Relation::kAtMost, 1.0},
-    {"7.8.quarter_2_force", "7.5", kSecondGains, "Distance of the force gain from 8: a unit.", "1", Relation::kAtMost, 1.0},
+     Relation::kAtMost, 0.5,
+     Refutation{"the estimator washes slow positions out, on which the position gain rests; the map reads 0.2 where the "
+                "text's own run has 0", 0.5, 0.9}},
+    {"7.8.quarter_2_velocity", "7.5", kSecondGains, "Distance of the velocity gain from -4: a unit.", "1", Relation::kAtMost, 1.0,
+     Refutation{kByNoise, 1.0, 1.6}},
+    {"7.8.quarter_2_force", "7.5", kSecondGains, "Distance of the force gain from 8: a unit.", "1", Relation::kAtMost, 1.0,
+     Refutation{kByNoise, 1.0, 2.5}},
     {"7.8.quarter_4_force", "7.5", "The gains are a little higher since the friction is increased by a factor of 5.",
      "Force gain for the fourth quarter's true load less that for the second's.", "1", Relation::kAtLeast, 0.0,
      Refutation{"more friction lowers the velocity and the force gain, as 7.4 says and its map shows", -8.0, 0.0}},

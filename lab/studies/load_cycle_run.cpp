@@ -11,7 +11,12 @@ namespace farrier::studies {
 
 using signals::JointControllerGains;
 
-Result<CycleRun> run_cycle(const StudyContext& context, const lab::LoadCycleCase& one, double from, double to) {
+namespace {
+
+using Change = void (*)(robot::Robot&);
+
+Result<CycleRun> run_changed(const StudyContext& context, const lab::LoadCycleCase& one, double from, double to,
+                             Change change) {
   const auto rig = load(context, "fc1d.yaml");
   if (!rig) {
     return rig.error();
@@ -28,7 +33,9 @@ Result<CycleRun> run_cycle(const StudyContext& context, const lab::LoadCycleCase
     stop = !keep_going(context, from + (to - from) * static_cast<double>(tick) / static_cast<double>(settings.ticks));
     return !stop;
   };
-  const auto ran = lab::run_inproc(lab::robot_of(run.cycle, one), settings);
+  robot::Robot robot = lab::robot_of(run.cycle, one);
+  change(robot);
+  const auto ran = lab::run_inproc(robot, settings);
   if (!ran) {
     return stop ? stopped() : ran.error();
   }
@@ -42,6 +49,26 @@ Result<CycleRun> run_cycle(const StudyContext& context, const lab::LoadCycleCase
   }
   std::ranges::stable_sort(run.gains, {}, &JointControllerGains::effective_tick);
   return run;
+}
+
+}  // namespace
+
+Result<CycleRun> run_cycle(const StudyContext& context, const lab::LoadCycleCase& one, double from, double to) {
+  return run_changed(context, one, from, to, [](robot::Robot&) {});
+}
+
+Result<CycleRun> run_cycle_as_printed(const StudyContext& context) {
+  return run_changed(context, lab::kAdaptiveCase, 0.0, 1.0, [](robot::Robot& robot) {
+    robot::Joint& joint = robot.joints[0];
+    joint.noise = {};
+    joint.estimator.forgetting_factor = 0.9;
+    joint.estimator.bias = false;
+    joint.estimator.operating_point_order = 0;
+    joint.estimator.full_weight_norm = 1e6;
+    joint.design.weights.integral_factor = 6.0;
+    robot.update_logic.validity_min = 0.05;
+    robot.update_logic.model_uncertainty = 1.0;
+  });
 }
 
 double quarter_error(const CycleRun& run, std::size_t quarter) {
