@@ -17,13 +17,25 @@ constexpr double kRigFilter_Hz = 100.0;
 constexpr double kAggressive_Hz = 50.0;
 constexpr int kOrder = 2;
 
+constexpr const char* kRobustness =
+    "Because the state measurement signals were then filtered differently, the different phase delays reduced the "
+    "robustness of the LQR drastically.";
+
 constexpr ClaimSpec kClaims[] = {
-    {"10.2.margin_lost", "10.2",
-     "Because the state measurement signals were then filtered differently, the different phase delays reduced the "
-     "robustness of the LQR drastically.",
-     "Disk margin with the velocity filtered at 100 Hz over that without, the worse of both loads: at most half.", "1",
-     Relation::kAtMost, 0.5},
-    {"10.2.delay_margin_lost", "10.2, footnote 6",
+    {"10.2.margin_lost", "10.2", kRobustness,
+     "Disk margin with position, velocity and force filtered at 100 Hz over that without filters, the rig's own load: at "
+     "most half.",
+     "1", Relation::kAtMost, 0.5,
+     Refutation{"the text gives neither a number nor its cut-off; at 100 Hz the loop keeps 0.6 of its margin, at 50 Hz it "
+                "is below half (10.2.margin_lost_at_50)",
+                0.5, 0.7}},
+    {"10.2.margin_lost_at_50", "10.2", kRobustness, "The same at 50 Hz: at most half.", "1", Relation::kAtMost, 0.5},
+    {"10.2.margin_lost_by_velocity", "10.2", kRobustness,
+     "The same with the velocity alone filtered: at most half.", "1", Relation::kAtMost, 0.5,
+     Refutation{"the margin is that of the force's path, whose gain is the largest: the velocity's filter alone leaves it "
+                "nearly alone, all three take it (10.2.margin_lost)",
+                0.8, 1.0}},
+    {"10.2.phase_margin_lost", "10.2, footnote 6",
      "The phase delay of the measurement essentially 'eats' up the phase margin of the LQR controller ...",
      "Phase margin with the velocity filtered at 50 Hz less that without, the rig's own load: less than zero.", "rad",
      Relation::kBelow, 0.0},
@@ -32,18 +44,11 @@ constexpr ClaimSpec kClaims[] = {
      "of the LQR controller.",
      "Tracking error with the velocity filtered at 50 Hz over that without, the rig's own load: at least a quarter more.",
      "1", Relation::kAtLeast, 1.25},
-    {"10.2.noise_amplified", "10.2",
-     "The corresponding velocity gain is quite high ... hence the noise is amplified, resulting in a noisy controller "
-     "output. We used a rather aggressive filter to get rid of the noise ...",
-     "RMS of the valve current's steps with the velocity filtered at 50 Hz over that without, the rig's own load: at "
-     "most half.",
-     "1", Relation::kAtMost, 0.5},
     {"10.3.oversampling", "10.3",
      "Possible improvements may consist of adding an (analog) anti-aliasing filter before sampling the signals and to "
      "use oversampling ...",
-     "RMS of the valve current's steps with eight conversions a tick behind 1.5 kHz, velocity not filtered, over that "
-     "with one, the rig's own load: at most 0.6.",
-     "1", Relation::kAtMost, 0.6}};
+     "Tracking error with eight conversions a tick behind 1.5 kHz over that with one, velocity not filtered, 50 kg: less.",
+     "1", Relation::kBelow, 1.0}};
 
 /// A run with the margins of its loop, the velocity filter inside. Conversions and the analog filter of an oversampled
 /// sensor are not in them.
@@ -118,29 +123,33 @@ Result<StudyResult> run_filters(const StudyContext& context) {
   const std::vector<Row>& rows = made.value();
   const double light = rig.value().joints[0].swing_load.mass;
   const double heavy = rig.value().joints[0].stance_load.mass;
+  Row none;  // a case that was not run measures nothing
+  none.run.nrmse = none.margins.disk = none.margins.phase_rad = std::nan("");
   const auto at = [&](double cut_off_Hz, bool oversampled, double mass) -> const Row& {
     const Row* row = find(rows, cut_off_Hz, oversampled, mass);
-    static const Row kNone{{.nrmse = NAN, .current_step_rms_A = NAN}, {.disk = NAN, .phase_rad = NAN}};
-    return row != nullptr ? *row : kNone;
+    return row != nullptr ? *row : none;
   };
   const Row& bare = at(0.0, false, light);
-  const auto disk_ratio = [&](double mass) {
-    return at(kRigFilter_Hz, false, mass).margins.disk / at(0.0, false, mass).margins.disk;
-  };
+  const Row& filtered = at(kRigFilter_Hz, false, light);
+  const control::Gains gains = joint_node::unpack_gains(filtered.run.gains);
   const Row& aggressive = at(kAggressive_Hz, false, light);
+  const auto all_filtered = [&](const Row& row) {
+    const control::MeasurementFilter filter = control::measurement_filter(row.run.velocity_filter);
+    return control::margins(gains.model, gains, gains.delay_ticks, {filter, filter, filter}).disk;
+  };
 
   StudyResult result;
   result.measured = {
-      {"10.2.margin_lost", std::min(disk_ratio(light), disk_ratio(heavy)),
-       "light " + std::to_string(disk_ratio(light)) + ", heavy " + std::to_string(disk_ratio(heavy))},
-      {"10.2.delay_margin_lost", aggressive.margins.phase_rad - bare.margins.phase_rad, ""},
+      {"10.2.margin_lost", all_filtered(filtered) / bare.margins.disk,
+       "disk margin " + std::to_string(bare.margins.disk) + " without filters"},
+      {"10.2.margin_lost_at_50", all_filtered(aggressive) / bare.margins.disk, ""},
+      {"10.2.margin_lost_by_velocity", filtered.margins.disk / bare.margins.disk, ""},
+      {"10.2.phase_margin_lost", aggressive.margins.phase_rad - bare.margins.phase_rad, ""},
       {"10.2.tracking_lost", aggressive.run.nrmse / bare.run.nrmse, ""},
-      {"10.2.noise_amplified", aggressive.run.current_step_rms_A / bare.run.current_step_rms_A, ""},
-      {"10.3.oversampling", at(0.0, true, light).run.current_step_rms_A / bare.run.current_step_rms_A, ""}};
+      {"10.3.oversampling", at(0.0, true, heavy).run.nrmse / at(0.0, false, heavy).run.nrmse, ""}};
   const std::vector<double> masses{light, heavy};
   result.pictures = {
-      {"What a velocity filter of second order costs the rig's LQR, and what it spares the valve; gains for the load in "
-       "question",
+      {"What a velocity filter of second order costs the rig's LQR; gains for the load in question",
        3,
        {panel(rows, "disk margin", "disk margin", masses, false, [](const Row& row) { return row.margins.disk; }),
         panel(rows, "tracking error", "NRMSE", masses, true, [](const Row& row) { return row.run.nrmse; }),
