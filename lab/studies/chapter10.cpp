@@ -89,7 +89,7 @@ Result<std::vector<Row>> rows_of(const StudyContext& context, const robot::Robot
 
 Panel panel(const std::vector<Row>& rows, const std::string& title, const std::string& y_label,
             const std::vector<double>& masses, bool both, double (*value)(const Row&)) {
-  Panel panel{title, "cut-off of the velocity filter (Hz); 1000: none", y_label, true, false, false, {}};
+  Panel panel{title, "cut-off (Hz); 1000: none", y_label, true, false, false, {}};
   int colour = 1;
   for (const double mass : masses) {
     for (const bool oversampled : {false, true}) {
