@@ -125,7 +125,7 @@ TEST_P(AdaptationMistake, IsReportedWithItsLineAndRemedy) {
 INSTANTIATE_TEST_SUITE_P(
     All, AdaptationMistake,
     testing::Values(
-        Mistake{"blank_ticks: 22", "blank_ticks: 9",
+        Mistake{"blank_ticks: 22           #", "blank_ticks: 9           #",
                 "estimators.rls.blank_ticks: is 9, but jitter of the touchdowns reaches into the samples: give at "
                 "least 10, which is gait.touchdown_jitter_s, or more"},
         Mistake{"covariance_limit: 1e6", "covariance_limit: 4e5",
@@ -144,7 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "update_logic.pole_spread_max: must not be above pole_distance_min: what counts as still must not "
                 "count as moved"},
         Mistake{"  pole_distance_min: 0.1", "  method: poles\n  pole_distance_min: 0.1",
-                "update_logic.method: poles is not one of limits, small_error, white_error, distinct_poles"},
+                "update_logic.method: poles is not known: give limits, small_error, white_error or "
+                "distinct_poles"},
         Mistake{"gain_lead_ticks: 2", "gain_lead_ticks: 1",
                 "update_logic.gain_lead_ticks: 1 is out of range: give 2 to 1000"},
         Mistake{"gain_ratio_min: 1.2", "gain_ratio_min: 0.9",
@@ -153,7 +154,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(AdaptationMistakes, IncludeAnEstimatorNobodyDeclared) {
   const std::string text = replaced(text_of("fc1d"), "    estimator: rls", "    estimator: rsl");
   EXPECT_EQ(problems_of(text), at(text, "    estimator: rsl") +
-                                   "joints.piston.estimator: rsl is not one of estimators: rls, default\n");
+                                   "joints.piston.estimator: rsl is not one of estimators: rls, greybox, default\n");
 }
 
 TEST(AdaptationMistakes, IncludeAnEstimatePeriodThatDoesNotDivideTheDefaultConvergence) {
