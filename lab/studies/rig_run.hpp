@@ -13,8 +13,8 @@ namespace farrier::studies {
 
 using Signal = std::function<double(double)>;  ///< of the time in s
 
-/// deploy/robots/fc1d_real.yaml without the oil's inertia in its lines. With it every controller of 9.2 swings at the
-/// lines' resonance under a slow reference, 2.5 kg on the cart (9.11.lines); the rig of the text did not
+/// deploy/robots/fc1d_real.yaml without the oil's inertia in its lines. With it the controllers of 9.2 swing without
+/// end under a slow reference, 2.5 kg on the cart (9.11.lines); the rig of the text did not
 /// (docs/decisions/0033-rig-without-line-inertia.md). Fig. 9.23 alone is about them.
 Result<robot::Robot> load_rig(const StudyContext& context);
 
