@@ -13,8 +13,8 @@ constexpr std::span<const Study> (*kGroups[])() = {
     chapter4_step,      chapter4_models,        chapter4_points,     chapter4_loads,      chapter6_signals,
     chapter6_forgetting, chapter6_table,        chapter7_tracking,   chapter7_gain_maps,  chapter7_load_cycle,
     chapter7_estimates, chapter8,               chapter9_estimates,  chapter9_gates,      chapter9_weights,
-    chapter9_gains,     chapter9_sines,         chapter9_steps,      chapter9_fixed,      chapter9_identification,
-    chapter9_pressure,  chapter10};
+    chapter9_gains,     chapter9_sines,         chapter9_steps,      chapter9_fixed,      chapter9_ramps,
+    chapter9_identification, chapter9_pressure, chapter10};
 
 int number_of(std::string_view text) {
   int value = 0;

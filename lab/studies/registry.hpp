@@ -27,7 +27,8 @@ std::span<const Study> chapter9_weights();         // 9.8, 9.9, G.3, G.4
 std::span<const Study> chapter9_gains();           // 9.10, G.5, G.6
 std::span<const Study> chapter9_sines();           // 9.11, 9.12, 9.14, G.7, G.8
 std::span<const Study> chapter9_steps();           // 9.13, 9.15
-std::span<const Study> chapter9_fixed();           // 1.2, 9.16 to 9.18, G.9, G.10
+std::span<const Study> chapter9_fixed();           // 1.2, 9.16 to 9.18
+std::span<const Study> chapter9_ramps();           // G.9, G.10
 std::span<const Study> chapter9_identification();  // 9.19 to 9.21
 std::span<const Study> chapter9_pressure();        // 9.22, 9.23
 std::span<const Study> chapter10();            // 10.2

@@ -105,6 +105,11 @@ Result<robot::Robot> load_rig(const StudyContext& context) {
   return rig;
 }
 
+robot::Robot unfiltered(robot::Robot rig) {
+  rig.joints[0].sensors = {};
+  return rig;
+}
+
 Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std::uint64_t seed) {
   const robot::Joint& joint = robot.joints[0];
   plant::LoadParams load = joint.swing_load;
@@ -115,6 +120,7 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
   Rig rig = std::move(made).value();
   control::LqrWeights weights;
   weights.feed_forward_factor = tracking.feed_forward_factor;
+  weights.integral_factor = tracking.integral_factor;
   const auto gains = control::design_lqr(robot::model_of(joint, load, robot.period_s), weights, joint.normalisation,
                                          tracking.form, 0);
   if (!gains) {
@@ -183,6 +189,14 @@ double rms(const RigTrace& run, const std::vector<double>& values, double from_s
     sum += values[i] * values[i];
   }
   return range.end > range.begin ? std::sqrt(sum / static_cast<double>(range.end - range.begin)) : kNothing;
+}
+
+double share_full_open(const RigTrace& run, double nominal_A, double from_s, double to_s) {
+  const Range range = range_of(run, from_s, to_s);
+  const auto full = std::count_if(run.current_A.begin() + static_cast<std::ptrdiff_t>(range.begin),
+                                  run.current_A.begin() + static_cast<std::ptrdiff_t>(range.end),
+                                  [=](double current) { return std::abs(current) >= 0.999 * nominal_A; });
+  return range.end > range.begin ? static_cast<double>(full) / static_cast<double>(range.end - range.begin) : kNothing;
 }
 
 double tracking_error(const RigTrace& run, double from_s, double to_s) {

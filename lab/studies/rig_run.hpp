@@ -13,10 +13,14 @@ namespace farrier::studies {
 
 using Signal = std::function<double(double)>;  ///< of the time in s
 
-/// deploy/robots/fc1d_real.yaml without the oil's inertia in its lines. With it every controller of 9.2 swings between the
-/// valve's limits under a slow reference, 2.5 kg on the cart (9.11.lines): the rig of the text did not, so its hoses
-/// damp more than the laminar flow of a rigid line does. Fig. 9.23 alone is about them.
+/// deploy/robots/fc1d_real.yaml without the oil's inertia in its lines. With it the controllers of 9.2 swing without
+/// end under a slow reference, 2.5 kg on the cart (9.11.lines); the rig of the text did not
+/// (docs/decisions/0033-rig-without-line-inertia.md). Fig. 9.23 alone is about them.
 Result<robot::Robot> load_rig(const StudyContext& context);
+
+/// Table A.2 fits a quarter of the data sheet's valve gain to the rig, "no physical meaning": by how much a study opens the
+/// valve to see what that quarter costs.
+inline constexpr double kDataSheetOverRig = 4.0;
 
 /// A run, a value a tick, SI. Forces and motion are the truth; what the controller saw is measured_*.
 struct RigTrace {
@@ -43,9 +47,15 @@ struct Tracking {
   control::Kind kind = control::Kind::kLqr;  ///< kLqr, or kFeedbackLinearisation with the robot file's gains
   control::Form form = control::Form::kCompliant;
   double feed_forward_factor = 1.0;
+  double integral_factor = 6.0;              ///< xi (7.11)
   std::vector<AddedWeight> added = {};       ///< in order of time
   int delay_ticks = 0;                       ///< by which a current acts late, 0 to 8; the gains do not know it
 };
+
+/// What filters, valve and lines delayed the text's rig by is not known. Two ticks in the place of our filters are the
+/// delay with which fixed gains for 2.5 kg hold 2.5 kg and lose 20 kg (9.17.late, 9.17.late_nominal).
+inline constexpr int kLate_ticks = 2;
+robot::Robot unfiltered(robot::Robot rig);
 
 /// Runs `tracking` with weights (7.9) to (7.11), which are the defaults of LqrWeights. Refuses joints that cannot be
 /// simulated and loads without a design, with the reason.
@@ -67,6 +77,8 @@ Signal sine(double amplitude, double frequency_Hz);
 // What can be said of a run between two times. A range without ticks gives NaN.
 
 double rms(const RigTrace& run, const std::vector<double>& values, double from_s, double to_s);
+/// Share of the ticks in which the current asks for the full open valve.
+double share_full_open(const RigTrace& run, double nominal_A, double from_s, double to_s);
 /// RMS(F_ref - F) / RMS(F_ref).
 double tracking_error(const RigTrace& run, double from_s, double to_s);
 /// Lag of the force behind a sine reference of that frequency, degrees, over whole periods from from_s on.
