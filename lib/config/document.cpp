@@ -101,6 +101,25 @@ class Converter {
   int nodes_ = 0;
 };
 
+
+/// Line of the marker that begins another document after one with content; 0 for none.
+int second_document(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  bool has_content = false;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    if (line.starts_with("---")) {
+      if (has_content) {
+        return number;
+      }
+      has_content = line.find_first_not_of("- \t\r") != std::string::npos;
+    } else if (const auto first = line.find_first_not_of(" \t\r"); first != std::string::npos && line[first] != '#') {
+      has_content = true;
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
 Result<Value, Problem> parse_yaml(const std::string& text, const std::string& file) {
@@ -108,14 +127,15 @@ Result<Value, Problem> parse_yaml(const std::string& text, const std::string& fi
     return Problem{file, 0, "", "is larger than 4 MB: this is not a configuration"};
   }
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.empty() || documents.front().IsNull()) {
+    // Not LoadAll: yaml-cpp 0.7 finds documents without end in some broken text.
+    const YAML::Node document = YAML::Load(text);
+    if (!document.IsDefined() || document.IsNull()) {
       return Problem{file, 0, "", "is empty"};
     }
-    if (documents.size() > 1) {
-      return Problem{file, line_of(documents[1]), "", "starts a second document: give one"};
+    if (const int line = second_document(text); line > 0) {
+      return Problem{file, line, "", "starts a second document: give one"};
     }
-    return Converter().convert(documents.front(), 0);
+    return Converter().convert(document, 0);
   } catch (const Refusal& refusal) {
     return Problem{file, refusal.line, "", refusal.message};
   } catch (const YAML::Exception& error) {
