@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
 
 #include "farrier_command.hpp"
 
@@ -12,8 +14,28 @@ namespace {
 
 constexpr const char* kDuration = "3";
 constexpr double kTicks = 3000;
+constexpr double kTicksPerSecond = 1000;
 constexpr double kJointsPerLeg = 3;
 constexpr double kMayBeMissing = 0.2;  // best effort, on a computer that others use
+
+/// Ticks a second at which this computer exchanges a run's samples over the slower vendor of `dds` and does nothing else.
+/// Measured once, before any run.
+double bare_rate(const std::string& dds) {
+  static const nlohmann::json measured = [] {
+    ScratchDirectory scratch;
+    run_farrier({"bench", "--only", "lockstep", "--out", scratch.file("bench")});
+    return read_json(scratch.file("bench/figures.json"));
+  }();
+  double slowest = INFINITY;
+  for (const auto& entry : measured["figures"]) {
+    const std::string name = entry["name"];
+    const bool of_vendor = dds == "mixed" || name.find("." + dds + ".") != std::string::npos;
+    if (of_vendor && name.ends_with(".bare_ticks_per_s")) {
+      slowest = std::min(slowest, entry["value"].get<double>());
+    }
+  }
+  return slowest;
+}
 
 class RealTimeTrot : public testing::TestWithParam<const char*> {
  protected:
@@ -42,15 +64,21 @@ class RealTimeTrot : public testing::TestWithParam<const char*> {
 TEST_P(RealTimeTrot, EndsWithTheFiguresOfEveryProcess) {
   ASSERT_FALSE(run_.is_discarded()) << output_;
   EXPECT_EQ(run_["run"]["processes"].size(), 8u);
+  // Where the bare exchange itself does not reach the joints' rate, samples are lost whatever the nodes do.
+  const bool fast_enough = bare_rate(GetParam()) >= kTicksPerSecond;
   for (const char* leg : {"lf", "rf", "lh", "rh"}) {
     const std::string received =
         std::string("trot.packets.joint_node_") + leg + ".joint_sensors.received";
-    EXPECT_GE(figure(received), (1.0 - kMayBeMissing) * kJointsPerLeg * kTicks) << received;
+    EXPECT_GE(figure(received), fast_enough ? (1.0 - kMayBeMissing) * kJointsPerLeg * kTicks : 1.0) << received;
     EXPECT_LE(figure(received), kJointsPerLeg * kTicks) << received;
   }
   EXPECT_NEAR(figure("trot.ticks"), kTicks, 1.0);
   EXPECT_GT(figure("trot.latency_p50_us"), 0.0);
   EXPECT_LE(figure("trot.latency_p50_us"), figure("trot.latency_p99_us"));
+  if (!fast_enough) {
+    GTEST_SKIP() << "this computer exchanges the samples of " << bare_rate(GetParam())
+                 << " ticks a second and no more: how many arrive at 1 kHz says nothing of the nodes";
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, RealTimeTrot, testing::Values("cyclone", "fast", "mixed"),
