@@ -101,20 +101,29 @@ class Converter {
   int nodes_ = 0;
 };
 
+bool is_marker(const std::string& line, const char* marker) {
+  constexpr std::size_t kLength = 3;
+  return line.starts_with(marker) && (line.size() == kLength || line.find_first_of(" \t\r", kLength) == kLength);
+}
 
-/// Line of the marker that begins another document after one with content; 0 for none.
+/// Line with which another document begins after one with content (YAML 1.2, 9.1: --- begins one, ... ends one); 0 for
+/// none.
 int second_document(const std::string& text) {
+  constexpr const char* kBlank = " \t\r";
   std::istringstream lines(text);
   std::string line;
   bool has_content = false;
+  bool has_ended = false;
   for (int number = 1; std::getline(lines, line); ++number) {
-    if (line.starts_with("---")) {
-      if (has_content) {
-        return number;
-      }
-      has_content = line.find_first_not_of("- \t\r") != std::string::npos;
-    } else if (const auto first = line.find_first_not_of(" \t\r"); first != std::string::npos && line[first] != '#') {
-      has_content = true;
+    const bool begins = is_marker(line, "---");
+    const auto first = line.find_first_not_of(kBlank, begins ? 3 : 0);
+    const bool says = first != std::string::npos && line[first] != '#';
+    if (is_marker(line, "...")) {
+      has_ended = has_content;
+    } else if ((begins && has_content) || (says && has_ended)) {
+      return number;
+    } else {
+      has_content = has_content || says;
     }
   }
   return 0;

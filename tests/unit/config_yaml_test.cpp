@@ -38,6 +38,7 @@ TEST(ConfigYaml, TakesExactlyOneDocument) {
   EXPECT_EQ(refusal(""), "f.yaml: is empty");
   EXPECT_EQ(refusal("# nothing\n"), "f.yaml: is empty");
   EXPECT_EQ(refusal("a: 1\n---\nb: 2\n"), "f.yaml:2: starts a second document: give one");
+  EXPECT_EQ(refusal("a: 1\n...\n# said\nb: 2\n"), "f.yaml:4: starts a second document: give one");
 }
 
 TEST(ConfigYaml, RefusesADocumentThatIsNoMap) {
