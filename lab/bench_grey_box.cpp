@@ -9,6 +9,7 @@
 #include "core/noise.hpp"
 #include "estimation/grey_box_estimator.hpp"
 #include "plant/hydraulic_joint.hpp"
+#include "plant/nominal.hpp"
 
 namespace farrier::lab {
 namespace {
@@ -19,24 +20,6 @@ constexpr int kRounds = 10;
 constexpr double kHome_m = 0.04;
 constexpr double kLoads_kg[] = {10.0, 100.0, 1.0, 2.0};
 
-/// Hubacher (2014), Table A.1.
-plant::ActuatorParams cylinder() {
-  plant::ActuatorParams act;
-  act.area_a = 2.0106e-4;
-  act.area_b = 1.2252e-4;
-  act.stroke = 0.08;
-  act.line_volume_m3 = 3.4023e-6;
-  act.bulk_modulus_Pa = 1.3e9;
-  act.valve_gain = 6.6815e-6;
-  act.valve_current_max_A = 0.01;
-  act.supply_pressure_Pa = 250e5;
-  act.piston_mass = 0.3141;
-  act.piston_damping = 700;
-  act.stop_stiffness = 2e7;
-  act.stop_damping = 1e4;
-  return act;
-}
-
 plant::LoadParams load(double mass_kg) {
   return {.mass = mass_kg, .damping = 700, .stiffness = 21480, .equilibrium_position = kHome_m};
 }
@@ -44,7 +27,7 @@ plant::LoadParams load(double mass_kg) {
 std::vector<estimation::JointSample> make_samples(int ticks) {
   const plant::LoadParams first = load(kLoads_kg[0]);
   plant::HydraulicJoint joint =
-      plant::HydraulicJoint::create(cylinder(), first, plant::equilibrium(cylinder(), first, kHome_m, 0.0)).value();
+      plant::HydraulicJoint::create(plant::nominal_cylinder(), first, plant::equilibrium(plant::nominal_cylinder(), first, kHome_m, 0.0)).value();
   const NoiseStream valve(1, "valve", "");
   std::vector<estimation::JointSample> samples;
   for (Tick k = 0; k < ticks; ++k) {
@@ -73,7 +56,7 @@ GreyBoxBench bench_grey_box(int ticks, std::int64_t (*allocations_so_far)()) {
                                        .period_s = 1e-3,
                                        .input_delay_ticks = 0};
   const estimation::GreyBoxEstimator fresh =
-      estimation::GreyBoxEstimator::create({}, scales, cylinder(), {load(1.0), load(100.0)}).value();
+      estimation::GreyBoxEstimator::create({}, scales, plant::nominal_cylinder(), {load(1.0), load(100.0)}).value();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   GreyBoxBench bench{kInfinity, kInfinity, kInfinity, 0};
   for (int round = 0; round < kRounds; ++round) {

@@ -35,7 +35,7 @@ Result<std::unique_ptr<Estimator>> make(EstimationMethod method, const estimatio
   estimation::EstimatorParams params;
   params.method = method;
   if (method == EstimationMethod::kGreyBox) {
-    auto made = estimation::GreyBoxEstimator::create(params, scales, cycle_cylinder(),
+    auto made = estimation::GreyBoxEstimator::create(params, scales, plant::nominal_cylinder(),
                                                     {walking_cycle()[2], walking_cycle()[1]});
     if (!made) {
       return made.error();
@@ -46,7 +46,7 @@ Result<std::unique_ptr<Estimator>> make(EstimationMethod method, const estimatio
   params.bias = false;
   params.operating_point_order = 0;
   params.full_weight_norm = 1e6;
-  const control::DiscreteModel prior = model_of(cycle_cylinder(), walking_cycle()[0]);
+  const control::DiscreteModel prior = model_of(plant::nominal_cylinder(), walking_cycle()[0]);
   auto made = estimation::JointEstimator::create(params, scales, prior.a, prior.b);
   if (!made) {
     return made.error();
@@ -60,7 +60,7 @@ void judge(const estimation::ModelEstimate& estimate, const plant::LoadParams& t
   double mass = 0.0;
   if (estimate.has_physics) {
     // At the point and signs where the truth is linearised.
-    plant::ActuatorParams actuator = cycle_cylinder();
+    plant::ActuatorParams actuator = plant::nominal_cylinder();
     actuator.valve_gain = estimate.physics.valve_gain;
     actuator.bulk_modulus_Pa = estimate.physics.bulk_modulus;
     plant::LoadParams known = cycle_load(estimate.physics.load_mass, estimate.physics.damping);
@@ -70,7 +70,7 @@ void judge(const estimation::ModelEstimate& estimate, const plant::LoadParams& t
   } else {
     mass = load_mass_kg(estimate.a);
   }
-  const control::DiscreteModel true_model = model_of(cycle_cylinder(), truth);
+  const control::DiscreteModel true_model = model_of(plant::nominal_cylinder(), truth);
   double gain = 0.0, phase = 0.0;
   for (double f = 0.5; f <= 100.0; f *= 1.05) {
     const Complex ratio = force_response(model, f) / force_response(true_model, f);

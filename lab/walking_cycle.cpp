@@ -27,12 +27,6 @@ const Eigen::Vector3d& divisors() {
 
 }  // namespace
 
-plant::ActuatorParams cycle_cylinder() {
-  plant::ActuatorParams cylinder = plant::nominal_cylinder();
-  cylinder.stop_stiffness = 2e7;
-  return cylinder;
-}
-
 plant::LoadParams cycle_load(double mass_kg, double damping_Ns_m) {
   plant::LoadParams load = plant::nominal_load();
   load.mass = mass_kg;
@@ -73,7 +67,7 @@ double load_mass_kg(const Eigen::Matrix3d& a) {
 }
 
 std::vector<CycleSample> drive(std::span<const plant::LoadParams> loads, bool rich, double opening, std::uint64_t seed) {
-  const plant::ActuatorParams cylinder = cycle_cylinder();
+  const plant::ActuatorParams cylinder = plant::nominal_cylinder();
   FARRIER_ENSURE(!loads.empty(), "a cycle needs a load");
   auto joint = plant::HydraulicJoint::create(cylinder, loads.front(),
                                              plant::equilibrium(cylinder, loads.front(), kCycleHome_m, 0.0));
@@ -93,7 +87,7 @@ std::vector<CycleSample> drive(std::span<const plant::LoadParams> loads, bool ri
 
 std::vector<control::DiscreteModel> identify(std::span<const CycleSample> samples, double forgetting_factor) {
   const Eigen::DiagonalMatrix<double, 3> unit(divisors());
-  const control::DiscreteModel start = model_of(cycle_cylinder(), cycle_load(kStartLoad_kg));
+  const control::DiscreteModel start = model_of(plant::nominal_cylinder(), cycle_load(kStartLoad_kg));
   Eigen::Matrix<double, 3, 4> theta;  // (3.52), (3.53)
   theta << unit.inverse() * start.a * unit, unit.inverse() * start.b * plant::kNominalCurrent_A;
   auto made = estimation::Rls<4>::create({.forgetting_factor = forgetting_factor,

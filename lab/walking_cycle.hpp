@@ -23,9 +23,6 @@ inline constexpr double kFullOpening = 1.0;
 inline constexpr double kHeavyLoad_kg = 105.0;
 inline constexpr double kStartLoad_kg = 10.5;
 
-/// Table A.1, its end stops as fc1d.yaml has them.
-plant::ActuatorParams cycle_cylinder();
-
 /// The nominal load with another mass and friction.
 plant::LoadParams cycle_load(double mass_kg, double damping_Ns_m = 700.0);
 

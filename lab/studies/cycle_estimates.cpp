@@ -6,6 +6,7 @@
 
 #include "control/transfer_function.hpp"
 #include "estimation/poles.hpp"
+#include "plant/nominal.hpp"
 
 namespace farrier::studies {
 namespace {
@@ -65,7 +66,7 @@ std::span<const control::DiscreteModel> CycleEstimates::models(std::size_t secti
 }
 
 control::DiscreteModel CycleEstimates::truth(std::size_t section) const {
-  return lab::model_of(lab::cycle_cylinder(), loads_[section]);
+  return lab::model_of(plant::nominal_cylinder(), loads_[section]);
 }
 
 Response CycleEstimates::true_response(std::size_t section, std::span<const double> grid) const {

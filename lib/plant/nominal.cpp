@@ -15,7 +15,7 @@ ActuatorParams nominal_cylinder() {
   cylinder.return_pressure_Pa = 0.0;
   cylinder.piston_mass = 0.3141;
   cylinder.piston_damping = 700.0;
-  cylinder.stop_stiffness = 1e8;
+  cylinder.stop_stiffness = 2e7;
   cylinder.stop_damping = 1e4;
   return cylinder;
 }

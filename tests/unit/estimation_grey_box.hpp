@@ -11,28 +11,12 @@
 #include "core/noise.hpp"
 #include "estimation/grey_box_estimator.hpp"
 #include "plant/hydraulic_joint.hpp"
+#include "plant/nominal.hpp"
 
 namespace farrier::estimation::testing {
 
 inline const Eigen::Vector3d kRigNoise(2e-6, 1.5e-3, 1.0);  // fc1d.yaml: m, m/s, N
 inline constexpr double kHomePosition = 0.04;
-
-inline plant::ActuatorParams thesis_cylinder() {
-  plant::ActuatorParams act;
-  act.area_a = 2.0106e-4;
-  act.area_b = 1.2252e-4;
-  act.stroke = 0.08;
-  act.line_volume_m3 = 3.4023e-6;
-  act.bulk_modulus_Pa = 1.3e9;
-  act.valve_gain = 6.6815e-6;
-  act.valve_current_max_A = 0.01;
-  act.supply_pressure_Pa = 250e5;
-  act.piston_mass = 0.3141;
-  act.piston_damping = 700;
-  act.stop_stiffness = 2e7;
-  act.stop_damping = 1e4;
-  return act;
-}
 
 inline plant::LoadParams cart(double mass_kg, double damping_Ns_m = 700.0) {
   return {.mass = mass_kg, .damping = damping_Ns_m, .stiffness = 21480, .equilibrium_position = kHomePosition};
@@ -97,7 +81,7 @@ class Rig {
 
 inline GreyBoxEstimator grey_box(const Eigen::Vector3d& noise, double light_kg = 1.0, double heavy_kg = 100.0,
                                  const EstimatorParams& params = {}, int delay_ticks = 0) {
-  return GreyBoxEstimator::create(params, rig_scales(noise, delay_ticks), thesis_cylinder(),
+  return GreyBoxEstimator::create(params, rig_scales(noise, delay_ticks), plant::nominal_cylinder(),
                                   {cart(light_kg), cart(heavy_kg)}).value();
 }
 

@@ -16,10 +16,10 @@ using namespace testing;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-GreyBoxModel model() { return {thesis_cylinder(), kHomePosition, 0.005}; }
+GreyBoxModel model() { return {plant::nominal_cylinder(), kHomePosition, 0.005}; }
 
 Unknowns some_unknowns() {
-  plant::JointPhysics physics = plant::nominal_physics(thesis_cylinder(), cart(7.0));
+  plant::JointPhysics physics = plant::nominal_physics(plant::nominal_cylinder(), cart(7.0));
   physics.coulomb = 30.0;
   physics.bias_force = -50.0;
   physics.leakage = 1e-13;
@@ -27,8 +27,8 @@ Unknowns some_unknowns() {
 }
 
 TEST(GreyBoxModel, HasThePlantsRightHandSide) {
-  const plant::JointEquations equations(thesis_cylinder(), cart(7.0));
-  const plant::JointPhysics physics = plant::nominal_physics(thesis_cylinder(), cart(7.0));
+  const plant::JointEquations equations(plant::nominal_cylinder(), cart(7.0));
+  const plant::JointPhysics physics = plant::nominal_physics(plant::nominal_cylinder(), cart(7.0));
   for (const Motion& at : {Motion(0.03, 0.2, 9e6, 12e6), Motion(0.05, -0.4, -2e5, 24e6), Motion(0.0801, 0.3, 3e6, -1e5),
                            Motion(-0.0001, -0.3, 3e6, 2e6)}) {
     for (const double current : {-0.004, 0.0, 0.01}) {
@@ -71,7 +71,7 @@ TEST(GreyBoxModel, KnowsHowATicksEndDependsOnItsBeginningAndTheUnknowns) {
 
 TEST(GreyBox, RefusesSettingsOutOfRangeByName) {
   const auto refusal = [](const EstimatorParams& params, const JointScales& scales, const plant::LoadParams& load) {
-    const auto made = GreyBoxEstimator::create(params, scales, thesis_cylinder(), {load, load});
+    const auto made = GreyBoxEstimator::create(params, scales, plant::nominal_cylinder(), {load, load});
     return made ? std::string() : made.error().message;
   };
   const JointScales scales = rig_scales(kRigNoise);
@@ -92,7 +92,7 @@ TEST(GreyBox, RefusesSettingsOutOfRangeByName) {
 TEST(GreyBox, LeavesItsEstimateAloneForSamplesThatAreNotFinite) {
   for (const double nonsense : {kNaN, kInfinity, -kInfinity, 1e300}) {
     for (int place = 0; place < 5; ++place) {
-      Rig rig(thesis_cylinder(), cart(20.0), kRigNoise);
+      Rig rig(plant::nominal_cylinder(), cart(20.0), kRigNoise);
       GreyBoxEstimator estimator = grey_box(kRigNoise);
       for (Tick k = 0; k < 60; ++k) {
         estimator.take(rig.next(Rig::rich(1, k, 5e-4)));
@@ -138,7 +138,7 @@ TEST(GreyBox, StaysFiniteWhateverFiniteSamplesSay) {
 }
 
 TEST(GreyBox, AllocatesNothing) {
-  Rig rig(thesis_cylinder(), cart(20.0), kRigNoise);
+  Rig rig(plant::nominal_cylinder(), cart(20.0), kRigNoise);
   GreyBoxEstimator estimator = grey_box(kRigNoise);
   std::size_t allocations = 0;
   for (Tick k = 0; k < 300; ++k) {

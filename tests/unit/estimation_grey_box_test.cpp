@@ -20,7 +20,7 @@ double relative(double estimate, double truth) { return std::abs(estimate / trut
 /// five times as large in the last section), relative.
 double largest_mass_error(bool is_rich, double amplitude_A, const Eigen::Vector3d& noise, std::uint64_t seed) {
   const plant::LoadParams sections[] = {cart(10.5), cart(105.0), cart(1.05), cart(2.1, 3500.0)};
-  Rig rig(thesis_cylinder(), sections[0], noise, seed);
+  Rig rig(plant::nominal_cylinder(), sections[0], noise, seed);
   GreyBoxEstimator estimator = grey_box(noise);
   double largest = 0.0;
   for (Tick k = 0; k < 1000; ++k) {
@@ -37,7 +37,7 @@ double largest_mass_error(bool is_rich, double amplitude_A, const Eigen::Vector3
 }
 
 TEST(GreyBox, FindsMassAndFrictionOfALoadItWasNotToldOf) {
-  Rig rig(thesis_cylinder(), cart(30.0, 1100.0), kNoNoise);
+  Rig rig(plant::nominal_cylinder(), cart(30.0, 1100.0), kNoNoise);
   GreyBoxEstimator estimator = grey_box(kNoNoise);
   for (Tick k = 0; k < 200; ++k) {
     estimator.take(rig.next(Rig::rich(1, k, 0.05 * kNominal_A)));
@@ -77,7 +77,7 @@ TEST(GreyBox, SaysHowSureItIs) {
   double sum = 0.0;
   constexpr int kRuns = 10;
   for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
-    Rig rig(thesis_cylinder(), cart(20.0), kRigNoise, seed);
+    Rig rig(plant::nominal_cylinder(), cart(20.0), kRigNoise, seed);
     GreyBoxEstimator estimator = grey_box(kRigNoise);
     for (Tick k = 0; k < 150; ++k) {
       estimator.take(rig.next(Rig::rich(seed, k, 0.05 * kNominal_A)));
@@ -90,7 +90,7 @@ TEST(GreyBox, SaysHowSureItIs) {
 }
 
 TEST(GreyBox, FindsAValveGainThatIsNotTheNominalOne) {
-  plant::ActuatorParams stronger = thesis_cylinder();
+  plant::ActuatorParams stronger = plant::nominal_cylinder();
   stronger.valve_gain *= 1.2;
   EstimatorParams params;
   params.grey_box = GreyBoxParams{.valve_gain_uncertainty = 0.2};
@@ -103,7 +103,7 @@ TEST(GreyBox, FindsAValveGainThatIsNotTheNominalOne) {
 }
 
 TEST(GreyBox, HoldsWhatItKnowsWithoutExcitation) {
-  Rig rig(thesis_cylinder(), cart(20.0), kRigNoise);
+  Rig rig(plant::nominal_cylinder(), cart(20.0), kRigNoise);
   GreyBoxEstimator estimator = grey_box(kRigNoise);
   for (Tick k = 0; k < 200; ++k) {
     estimator.take(rig.next(Rig::rich(1, k, 0.05 * kNominal_A)));
@@ -118,7 +118,7 @@ TEST(GreyBox, HoldsWhatItKnowsWithoutExcitation) {
 }
 
 TEST(GreyBox, KeepsEachPhasesLoadApart) {
-  Rig rig(thesis_cylinder(), cart(2.0), kRigNoise);
+  Rig rig(plant::nominal_cylinder(), cart(2.0), kRigNoise);
   GreyBoxEstimator estimator = grey_box(kRigNoise, 1.0, 100.0);
   for (Tick k = 0; k < 1200; ++k) {
     const int phase = static_cast<int>(k / 300 % 2);
@@ -134,7 +134,7 @@ TEST(GreyBox, KeepsEachPhasesLoadApart) {
 }
 
 TEST(GreyBox, AllowsForCommandsThatComeLate) {
-  Rig rig(thesis_cylinder(), cart(20.0), kNoNoise, 1, 2);
+  Rig rig(plant::nominal_cylinder(), cart(20.0), kNoNoise, 1, 2);
   GreyBoxEstimator estimator = grey_box(kNoNoise, 1.0, 100.0, {}, 2);
   for (Tick k = 0; k < 200; ++k) {
     estimator.take(rig.next(Rig::rich(1, k, 0.05 * kNominal_A)));
