@@ -13,10 +13,6 @@ using signals::UpdateVerdict;
 constexpr double kStepShare = 0.01;      // of the force that counts as 1: well within the valve's range
 constexpr double kSettledAtMost = 0.5;   // of the step: an oscillating loop is beyond the whole of it
 
-bool is_refusal(UpdateVerdict verdict) noexcept {
-  return verdict == UpdateVerdict::kUnstableOnEstimate || verdict == UpdateVerdict::kUnstableOnStoredModel;
-}
-
 /// What a share of a quantity is of when the quantity itself may be zero.
 std::array<double, plant::kPhysicsCount> least_scales(const robot::Joint& joint) noexcept {
   const control::Normalisation& n = joint.normalisation;
@@ -48,23 +44,10 @@ PhysicsUpdate::PhysicsUpdate(const robot::Joint& joint, const robot::UpdateLogic
       physics_(first) {}
 
 signals::JointUpdateDecision PhysicsUpdate::look(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
-  signals::JointUpdateDecision decision;
-  decision.joint = estimate.joint;
-  decision.tick = tick;
-  decision.phase = estimate.phase;
-  decision.estimate_samples = estimate.samples;
-  decision.validity = estimate.validity;
-  decision.excitation = estimate.excitation;
-  decision.prediction_error = estimate.prediction_error;
-  decision.whiteness = estimate.whiteness;
-  decision.model_a = estimate.a;
-  decision.model_b = estimate.b;
+  signals::JointUpdateDecision decision = record_of(estimate, tick);
   const UpdateVerdict verdict = judge(estimate);
   decision.verdict = static_cast<std::uint8_t>(verdict);
-  is_news_ = verdict == UpdateVerdict::kAccepted || (is_refusal(verdict) && verdict != last_refusal_);
-  if (verdict == UpdateVerdict::kAccepted || is_refusal(verdict)) {
-    last_refusal_ = verdict;
-  }
+  news_.take(verdict);
   return decision;
 }
 

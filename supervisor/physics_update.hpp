@@ -10,6 +10,7 @@
 #include "plant/joint_physics.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
+#include "supervisor/update_record.hpp"
 
 namespace farrier::supervisor {
 
@@ -32,7 +33,7 @@ class PhysicsUpdate {
   const control::DiscreteModel& model() const noexcept { return model_; }
 
   /// True when the last decision is news: accepted, or refused for another reason than the one before.
-  bool is_news() const noexcept { return is_news_; }
+  bool is_news() const noexcept { return news_.is_news(); }
 
  private:
   signals::UpdateVerdict judge(const signals::JointModelEstimate& estimate) noexcept;
@@ -51,8 +52,7 @@ class PhysicsUpdate {
   plant::JointPhysics physics_;
   control::DiscreteModel model_{};
   double contradicted_s_ = 0;  // for how long estimates have asked for what the stored physics forbid
-  signals::UpdateVerdict last_refusal_ = signals::UpdateVerdict::kAccepted;
-  bool is_news_ = false;
+  UpdateNews news_;
 };
 
 }  // namespace farrier::supervisor

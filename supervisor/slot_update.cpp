@@ -21,27 +21,6 @@ constexpr double kLargestGainError = 2.0;
 // A joint whose force is not what its model predicts oscillates as a rule, and shall not wait for a perfect estimate.
 constexpr double kMisfitLeniency = 0.5;
 
-// Of a design, not of an estimate.
-bool is_refusal(UpdateVerdict verdict) noexcept {
-  switch (verdict) {
-    case UpdateVerdict::kDesignRefused:
-    case UpdateVerdict::kUnstableOnEstimate:
-    case UpdateVerdict::kUnstableOnStoredModel:
-    case UpdateVerdict::kGainsTooLarge:
-    case UpdateVerdict::kMarginTooSmall:
-    case UpdateVerdict::kDwellTooLong: return true;
-    case UpdateVerdict::kAccepted:
-    case UpdateVerdict::kNotDifferentEnough:
-    case UpdateVerdict::kNotConverged:
-    case UpdateVerdict::kNotValid:
-    case UpdateVerdict::kGainsChangeFast:
-    case UpdateVerdict::kErrorTooLarge:
-    case UpdateVerdict::kErrorNotWhite:
-    case UpdateVerdict::kDwelling: break;
-  }
-  return false;
-}
-
 }  // namespace
 
 SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
@@ -59,23 +38,10 @@ SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams
 signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate& estimate, Tick tick,
                                               const SlotPair& pair) noexcept {
   const control::DiscreteModel model = control::model_of_rows(estimate.a, estimate.b);
-  signals::JointUpdateDecision decision;
-  decision.joint = estimate.joint;
-  decision.tick = tick;
-  decision.phase = estimate.phase;
-  decision.estimate_samples = estimate.samples;
-  decision.validity = estimate.validity;
-  decision.excitation = estimate.excitation;
-  decision.prediction_error = estimate.prediction_error;
-  decision.whiteness = estimate.whiteness;
-  decision.model_a = estimate.a;
-  decision.model_b = estimate.b;
+  signals::JointUpdateDecision decision = record_of(estimate, tick);
   const UpdateVerdict verdict = judge(estimate, model, pair, decision);
   decision.verdict = static_cast<std::uint8_t>(verdict);
-  is_news_ = verdict == UpdateVerdict::kAccepted || (is_refusal(verdict) && verdict != last_refusal_);
-  if (verdict == UpdateVerdict::kAccepted || is_refusal(verdict)) {
-    last_refusal_ = verdict;
-  }
+  news_.take(verdict);
   return decision;
 }
 

@@ -9,6 +9,7 @@
 #include "control/lqr.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
+#include "supervisor/update_record.hpp"
 #include "supervisor/slot_pair.hpp"
 #include "supervisor/update_method.hpp"
 
@@ -36,7 +37,7 @@ class SlotUpdate {
   control::DesignStatus design_status() const noexcept { return design_status_; }
 
   /// True when the last decision is news: accepted, or refused for another reason than the one before.
-  bool is_news() const noexcept { return is_news_; }
+  bool is_news() const noexcept { return news_.is_news(); }
 
  private:
   signals::UpdateVerdict judge(const signals::JointModelEstimate& estimate, const control::DiscreteModel& model,
@@ -58,8 +59,7 @@ class SlotUpdate {
   double contradicted_s_ = 0;    // for how long estimates have asked for what the stored model forbids
   std::uint64_t designs_ = 0;
   control::DesignStatus design_status_ = control::DesignStatus::kSuccessful;
-  signals::UpdateVerdict last_refusal_ = signals::UpdateVerdict::kAccepted;
-  bool is_news_ = false;
+  UpdateNews news_;
 };
 
 }  // namespace farrier::supervisor
