@@ -42,8 +42,8 @@ struct PersistenceParams {
 /// fft: Hubacher (2014), (9.5).
 struct SpectrumParams {
   int window_ticks = 64;          ///< N, 8..1024, even
-  double magnitude_min = 1e-4;    ///< M_min, of a current's amplitude over the nominal current, > 0
-  int frequencies_min = 6;        ///< f_min: how many of the N/2 - 1 frequencies must be above it
+  double magnitude_min = 1e-3;    ///< M_min, of an amplitude of a normalised signal, > 0
+  int frequencies_min = 6;        ///< f_min: how many of the N/2 - 1 frequencies of all signals must be above it
 };
 
 /// How one joint's dynamics are estimated: recursively (Hubacher 2014, 6.1-6.2) on normalised states and input, (3.52),

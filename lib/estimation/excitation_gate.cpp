@@ -11,6 +11,7 @@ namespace {
 constexpr int kShortestWindow = 8;
 constexpr int kLongestPersistence = 4096;
 constexpr int kLongestSpectrum = 1024;  // a tick works on every frequency
+constexpr int kLeastColumns = 3;
 
 bool positive_definite(const Eigen::Matrix4d& m) noexcept {
   return m.allFinite() && Eigen::LLT<Eigen::Matrix4d>(m).info() == Eigen::Success;
@@ -65,14 +66,30 @@ Eigen::Vector2d PersistenceGate::singular_values() const noexcept {
   return {std::abs(solver.eigenvalues()(4 - columns_)), std::abs(solver.eigenvalues()(3))};
 }
 
-SpectrumGate::SpectrumGate(const SpectrumParams& params) : params_(params), dft_(params.window_ticks) {}
+SpectrumGate::SpectrumGate(const SpectrumParams& params, int columns)
+    : params_(params), dfts_(static_cast<std::size_t>(columns), SlidingDft(params.window_ticks)) {}
+
+void SpectrumGate::observe(const Eigen::Vector4d& signal) noexcept {
+  auto column = signal.size() - static_cast<Eigen::Index>(dfts_.size());
+  for (SlidingDft& dft : dfts_) {
+    dft.take(signal(column++));
+  }
+}
+
+void SpectrumGate::reset() noexcept {
+  for (SlidingDft& dft : dfts_) {
+    dft.reset();
+  }
+}
 
 // A sine of amplitude M on a bin has |S_k| = M N / 2.
 int SpectrumGate::frequencies() const noexcept {
   const double least = 0.5 * params_.magnitude_min * params_.window_ticks;
   int count = 0;
-  for (int k = 1; k <= dft_.bins(); ++k) {
-    count += dft_.power(k) > least * least ? 1 : 0;
+  for (const SlidingDft& dft : dfts_) {
+    for (int k = 1; k <= dft.bins(); ++k) {
+      count += dft.power(k) > least * least ? 1 : 0;
+    }
   }
   return count;
 }
@@ -88,7 +105,7 @@ Result<ExcitationGate> ExcitationGate::create(const EstimatorParams& params) {
       if (!(pe.information_min >= 0.0 && pe.information_min < pe.information_max && std::isfinite(pe.information_max))) {
         return Error{"pe.information_min must not be negative, pe.information_max above it and finite"};
       }
-      return ExcitationGate(PersistenceGate(pe, params.position ? 4 : 3));
+      return ExcitationGate(PersistenceGate(pe, params.position ? 4 : kLeastColumns));
     }
     case GateKind::kFft: {
       const SpectrumParams fft = params.fft.value_or(SpectrumParams{});
@@ -98,10 +115,10 @@ Result<ExcitationGate> ExcitationGate::create(const EstimatorParams& params) {
       if (!(fft.magnitude_min > 0.0 && std::isfinite(fft.magnitude_min))) {
         return Error{"fft.magnitude_min must be positive"};
       }
-      if (fft.frequencies_min < 0 || fft.frequencies_min >= fft.window_ticks / 2 - 1) {
-        return Error{"fft.frequencies_min must be below the number of frequencies, fft.window_ticks / 2 - 1"};
+      if (fft.frequencies_min < 0 || fft.frequencies_min >= kLeastColumns * (fft.window_ticks / 2 - 1)) {
+        return Error{"fft.frequencies_min must be below the number of frequencies, 3 (fft.window_ticks / 2 - 1)"};
       }
-      return ExcitationGate(SpectrumGate(fft));
+      return ExcitationGate(SpectrumGate(fft, params.position ? 4 : kLeastColumns));
     }
   }
   return ExcitationGate(std::monostate{});

@@ -39,23 +39,24 @@ class PersistenceGate {
   bool full_ = false;
 };
 
-/// Frequencies of the valve current: open while the amplitude of more than f_min of them is above M_min (Hubacher 2014,
-/// (9.5); the sum over the window that stands there only counts the same window over and over). Closed until the window
-/// is full.
+/// Frequencies of the signals: open while more than f_min of them, counted over all signals, have an amplitude above M_min
+/// (Hubacher 2014, (9.5), whose Y is the "input measurement vector"; the sum over the window that stands there only counts
+/// the same window over and over). Closed until the window is full.
 class SpectrumGate {
  public:
-  explicit SpectrumGate(const SpectrumParams& params);
+  /// `columns` of a signal, the last ones: 3, or 4 with the position.
+  SpectrumGate(const SpectrumParams& params, int columns);
 
-  void observe(const Eigen::Vector4d& signal) noexcept { dft_.take(signal(3)); }
-  void reset() noexcept { dft_.reset(); }
-  bool open() const noexcept { return dft_.full() && frequencies() > params_.frequencies_min; }
+  void observe(const Eigen::Vector4d& signal) noexcept;
+  void reset() noexcept;
+  bool open() const noexcept { return dfts_.front().full() && frequencies() > params_.frequencies_min; }
 
-  /// How many of the N/2 - 1 frequencies have an amplitude above M_min, Fig. 9.7.
+  /// How many of the N/2 - 1 frequencies of each signal have an amplitude above M_min, Fig. 9.7.
   int frequencies() const noexcept;
 
  private:
   SpectrumParams params_;
-  SlidingDft dft_;
+  std::vector<SlidingDft> dfts_;
 };
 
 /// The gate of the parameters, or none, which is always open.

@@ -105,7 +105,7 @@ void declare(Visitor& v, EstimatorSection& section) {
            "What the joint's own equations are fitted with; not used by other methods.", "greybox");
   v.check(e.regresses() || e.gate == GateKind::kNone, "gate", "is for regressions: greybox needs gate: none");
   group_of(v, "pe", e.pe, e.gate == GateKind::kPe, "gate", "Persistence of excitation, (9.4) corrected.");
-  group_of(v, "fft", e.fft, e.gate == GateKind::kFft, "gate", "Frequencies of the valve current, (9.5).");
+  group_of(v, "fft", e.fft, e.gate == GateKind::kFft, "gate", "Frequencies of the signals, (9.5).");
   v.check(!e.limits_covariance() || e.covariance_limit > e.columns() * e.initial_covariance, "covariance_limit",
           "must be above the trace at the start: " + std::to_string(e.columns()) + " times initial_covariance");
 }

@@ -76,12 +76,12 @@ void declare(Visitor& v, SpectrumParams& fft) {
   const SpectrumParams d;
   v.integer("window_ticks", fft.window_ticks, {8, 1024}, Default{d.window_ticks}, "N of (9.5); even.");
   v.number("magnitude_min", fft.magnitude_min, {1e-12, 1e6}, Default{d.magnitude_min},
-           "Amplitude of a frequency, over the valve's nominal current, above which it counts, M_min (9.5).");
-  v.integer("frequencies_min", fft.frequencies_min, {0, 510}, Default{d.frequencies_min},
-            "More than this many of the window_ticks / 2 - 1 frequencies must count, f_min (9.5).");
+           "Amplitude of a frequency of a normalised signal above which it counts, M_min (9.5).");
+  v.integer("frequencies_min", fft.frequencies_min, {0, 1532}, Default{d.frequencies_min},
+            "More than this many of the window_ticks / 2 - 1 frequencies of all signals must count, f_min (9.5).");
   v.check(fft.window_ticks % 2 == 0, "window_ticks", "must be even");
-  v.check(fft.frequencies_min < fft.window_ticks / 2 - 1, "frequencies_min",
-          "must be below the number of frequencies, window_ticks / 2 - 1");
+  v.check(fft.frequencies_min < 3 * (fft.window_ticks / 2 - 1), "frequencies_min",
+          "must be below the number of frequencies, 3 (window_ticks / 2 - 1)");
 }
 
 }  // namespace farrier::estimation

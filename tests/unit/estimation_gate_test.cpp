@@ -70,17 +70,15 @@ TEST(SlidingDft, ForgetsRoundingAndAHugeSample) {
   }
 }
 
-Eigen::Vector4d current(double u) { return {0.0, 0.0, 0.0, u}; }
-
 TEST(SpectrumGate, CountsTheFrequenciesThatAreThere) {
-  SpectrumGate gate({.window_ticks = kWindow, .magnitude_min = 0.1, .frequencies_min = 2});
+  SpectrumGate gate({.window_ticks = kWindow, .magnitude_min = 0.1, .frequencies_min = 2}, 4);
   const auto sines = [&](int count, double amplitude) {
     for (int n = 0; n < 2 * kWindow; ++n) {
-      double u = 0.0;
+      Eigen::Vector4d signal = Eigen::Vector4d::Zero();
       for (int k = 1; k <= count; ++k) {
-        u += amplitude * std::sin(2.0 * std::numbers::pi * 3 * k * n / kWindow);
+        signal(k % 4) += amplitude * std::sin(2.0 * std::numbers::pi * 3 * k * n / kWindow);
       }
-      gate.observe(current(u));
+      gate.observe(signal);
     }
   };
   for (int count = 0; count <= 5; ++count) {
@@ -91,6 +89,15 @@ TEST(SpectrumGate, CountsTheFrequenciesThatAreThere) {
     EXPECT_EQ(gate.frequencies(), 0);
     EXPECT_FALSE(gate.open());
   }
+}
+
+TEST(SpectrumGate, LeavesOutThePositionOfARegressorWithoutIt) {
+  SpectrumGate gate({.window_ticks = kWindow, .magnitude_min = 0.1, .frequencies_min = 2}, 3);
+  for (int n = 0; n < kWindow; ++n) {
+    const double sine = std::sin(2.0 * std::numbers::pi * 3 * n / kWindow);
+    gate.observe({sine, sine, 0.0, 0.0});
+  }
+  EXPECT_EQ(gate.frequencies(), 1);
 }
 
 TEST(PersistenceGate, HasTheSingularValuesOfTheLastRegressors) {
@@ -182,7 +189,7 @@ TEST(ExcitationGate, RefusesSettingsOutOfRangeByName) {
   EXPECT_NE(pe({.information_min = 2.0, .information_max = 1.0}).find("pe.information_max"), std::string::npos);
   EXPECT_NE(fft({.window_ticks = 63}).find("fft.window_ticks"), std::string::npos);
   EXPECT_NE(fft({.magnitude_min = kNaN}).find("fft.magnitude_min"), std::string::npos);
-  EXPECT_NE(fft({.window_ticks = 16, .frequencies_min = 7}).find("fft.frequencies_min"), std::string::npos);
+  EXPECT_NE(fft({.window_ticks = 16, .frequencies_min = 21}).find("fft.frequencies_min"), std::string::npos);
 }
 
 }  // namespace
