@@ -74,6 +74,20 @@ std::string beside(const std::vector<Table61Cell>& cells, const Table61Cell& cel
   return note;
 }
 
+/// Every method in every cell, the largest error of the three changes.
+std::vector<StudyFigure> every_cell(const std::vector<Table61Cell>& cells) {
+  std::vector<StudyFigure> figures;
+  for (const Table61Cell& cell : cells) {
+    const std::string id =
+        std::string("6.1.") + cell.method + "." + cell_name(cell) + (cell.noisy ? ".noisy." : ".clean.");
+    figures.push_back({id + "gain_dB", largest(cell.gain_error_dB), "dB",
+                       "Largest error of the gain over 0.5 to 100 Hz, 60 ms after any change of load."});
+    figures.push_back({id + "phase_deg", largest(cell.phase_error_deg), "deg", "The same, of the phase."});
+    figures.push_back({id + "mass", largest(cell.mass_error), "1", "The same, of the mass over the mass."});
+  }
+  return figures;
+}
+
 Panel panel_of(const std::vector<Table61Cell>& cells, bool noisy, const char* title, const char* y_label, Errors Table61Cell::* errors,
                double bound) {
   Panel panel{.title = title, .x_label = "1 poor, low   2 poor, high   3 rich, low   4 rich, high", .y_label = y_label, .log_y = true};
@@ -118,6 +132,7 @@ Result<StudyResult> run_table(const StudyContext& context) {
       result.measured.push_back({id + "noisy_mass_error", largest(cell.mass_error), beside(cells, cell, &Table61Cell::mass_error)});
     }
   }
+  result.figures = every_cell(cells);
   result.pictures = {{"Errors 60 ms after each of three changes of load; what is beyond 10000, or none, is drawn there", 2,
                       {panel_of(cells, false, "gain, perfect sensors", "largest error (dB)", &Table61Cell::gain_error_dB, 2.0),
                        panel_of(cells, true, "gain, rig's sensors", "largest error (dB)", &Table61Cell::gain_error_dB, 2.0),

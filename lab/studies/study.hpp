@@ -58,6 +58,14 @@ struct Measured {
   std::string note;  ///< what it was made of, for people; may be empty
 };
 
+/// What a study measures and no claim judges.
+struct StudyFigure {
+  std::string id;      ///< as a claim's; "reproduce." before it names the figure
+  double value;        ///< not finite: there is none
+  const char* unit;
+  const char* meaning; ///< what was measured, as a sentence
+};
+
 // Pictures as data; tools/reproduce draws them.
 
 enum class Style { kLine, kDashed, kPoints, kCrosses };
@@ -87,6 +95,7 @@ struct Picture {
 struct StudyResult {
   std::vector<Measured> measured;
   std::vector<Picture> pictures;
+  std::vector<StudyFigure> figures = {};
 };
 
 struct StudyContext {
@@ -111,6 +120,9 @@ bool keep_going(const StudyContext& context, double share);
 
 /// The robot of a shipped file, such as "fc1d.yaml".
 Result<robot::Robot> load(const StudyContext& context, const std::string& file);
+
+/// One number as a note says it, at most 95 characters; `format` takes a double.
+std::string text_of(const char* format, double value);
 
 /// `count` >= 2 values from low to high; both > 0 for the logarithmic one.
 std::vector<double> linear_space(double low, double high, std::size_t count);

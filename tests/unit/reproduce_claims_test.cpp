@@ -88,6 +88,21 @@ TEST(Claims, StandInTheJsonWithWhatWasMeasured) {
   EXPECT_EQ(second["verdict"], "fails");
 }
 
+TEST(Figures, NoClaimJudgesStandBesideTheClaims) {
+  StudyRun run = mixed();
+  studies::StudyResult result = run.result.value();
+  result.figures = {{"9.99.besides", 2.5, "dB", "What stands beside."}};
+  run.result = result;
+  report::Outcome outcome;
+  add_figures(outcome, run);
+  const report::Figure* figure = outcome.figures.find("reproduce.9.99.besides");
+  ASSERT_NE(figure, nullptr);
+  EXPECT_EQ(figure->value, 2.5);
+  EXPECT_FALSE(figure->bound.has_value());
+  EXPECT_TRUE(outcome.passes());
+  EXPECT_EQ(figure_text(result.figures[0]), "9.99.besides  2.5 dB\n");
+}
+
 TEST(Claims, AreListedWithTheirBounds) {
   const std::string text = listing(mixed().study);
   EXPECT_TRUE(text.starts_with("9.99  title\n"));

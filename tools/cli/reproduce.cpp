@@ -24,6 +24,7 @@ struct ReproduceOptions {
   bool list = false;
   std::string out = "out/reproduce";
   std::string json_path;
+  bool json_to_stdout = false;  ///< the claims in place of the text, besides figures.json
   std::uint64_t seed = 1;
   int threads = 2;
 };
@@ -68,11 +69,18 @@ std::vector<reproduce::StudyRun> run_with_bar(const std::vector<studies::Study>&
   });
 }
 
-void print(const report::Outcome& outcome) {
+void print(const report::Outcome& outcome, const std::vector<reproduce::StudyRun>& runs) {
   int counts[3] = {};
   for (const report::Claim& claim : outcome.claims) {
     std::fputs(reproduce::claim_text(claim).c_str(), stdout);
     ++counts[claim.verdict == "holds" ? 0 : claim.verdict == "refuted" ? 1 : 2];
+  }
+  for (const reproduce::StudyRun& run : runs) {
+    if (run.result.ok()) {
+      for (const studies::StudyFigure& figure : run.result.value().figures) {
+        std::fputs(reproduce::figure_text(figure).c_str(), stdout);
+      }
+    }
   }
   std::printf("%d claims hold, %d are refuted, %d fail\n", counts[0], counts[1], counts[2]);
 }
@@ -111,6 +119,7 @@ int reproduce_studies(const ReproduceOptions& o) {
   outcome.run = report::run_info(o.seed);
   for (const reproduce::StudyRun& run : runs) {
     reproduce::add_claims(outcome, reproduce::claims_of(run));
+    reproduce::add_figures(outcome, run);
   }
   if (const auto drawn = reproduce::draw_studies(o.out, runs); !drawn) {
     return refuse(drawn.error().message, kFailed);
@@ -122,7 +131,11 @@ int reproduce_studies(const ReproduceOptions& o) {
   if (const auto written = report::write_json(json_path, outcome); !written) {
     return refuse(written.error().message, kFailed);
   }
-  print(outcome);
+  if (o.json_to_stdout) {
+    std::printf("%s", report::to_json(outcome).c_str());
+    return outcome.passes() ? kPassed : kFailed;
+  }
+  print(outcome, runs);
   std::printf("report: %s\nfigures: %s\n", page.value().c_str(), json_path.c_str());
   return outcome.passes() ? kPassed : kFailed;
 }
@@ -134,7 +147,11 @@ std::function<int()> declare_reproduce(CLI::App& app) {
   app.add_option("studies", o->numbers, "figures and tables by their number, such as 7.8, or all")->type_name("<number>...");
   app.add_flag("--list", o->list, "name every study and what it must show")->type_name("");
   app.add_option("--out", o->out, "directory for the page and its pictures")->type_name("<dir>")->capture_default_str();
-  app.add_option("--json", o->json_path, "where the claims go")->type_name("<file>")->default_str("figures.json in --out");
+  const CLI::Option* json =
+      app.add_option("--json", o->json_path,
+                     "where the claims go (figures.json in --out unless told); without <file>, standard output in place of the text")
+          ->expected(0, 1)
+          ->type_name("[<file>]");
   app.add_option("--seed", o->seed, "seed of whatever is drawn")
       ->check(between(0.0, 18446744073709551615.0))
       ->type_name("<n>")
@@ -143,7 +160,10 @@ std::function<int()> declare_reproduce(CLI::App& app) {
       ->check(between(1, 64))
       ->type_name("<n>")
       ->capture_default_str();
-  return [o] { return reproduce_studies(*o); };
+  return [o, json] {
+    o->json_to_stdout = json->count() > 0 && o->json_path.empty();
+    return reproduce_studies(*o);
+  };
 }
 
 }  // namespace farrier::cli

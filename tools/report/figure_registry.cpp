@@ -165,6 +165,8 @@ constexpr std::array kSpecs{
     FigureSpec{"bench.redesign.allocations", "1", kAtMost, "Allocations made by these redesigns."},
     FigureSpec{"reproduce.<chapter>.<number>.<claim>", "its own", kNone,
                "What was measured for a claim of Hubacher (2014) about its figure of that number; farrier reproduce --list names every claim with its unit, relation and bound."},
+    FigureSpec{"reproduce.<chapter>.<number>.<method>.<signal>.<sensors>.<figure>", "its own", kNone,
+               "Table 6.1: largest error after any of the three changes of load, of that method in that cell, by perfect sensors (clean) or those of fc1d.yaml (noisy): gain_dB and phase_deg of the load-cell transfer function over 0.5 to 100 Hz, mass over the mass."},
     FigureSpec{"reproduce.<chapter>.<number>.<method>.<signal>.<claim>", "its own", kNone,
                "The same about a cell of a table: the method it is about and the valve's signal."},
 };

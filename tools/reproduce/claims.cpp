@@ -46,21 +46,22 @@ std::string reason_of(const ClaimSpec& spec, studies::Verdict verdict, const Mea
   return measured->note.empty() ? reason : reason + " (" + measured->note + ")";
 }
 
-/// Declarations of claims' figures. They live as long as the program, as those of the registry do.
-const report::FigureSpec& declare(const report::Claim& claim) {
+/// Declarations of studies' figures. They live as long as the program, as those of the registry do.
+const report::FigureSpec& declare(const std::string& name, const std::string& unit, report::Relation relation,
+                                  const std::string& meaning) {
   struct Declared {
-    std::string name, unit, sentence;
+    std::string name, unit, meaning;
     report::FigureSpec spec;
   };
   static std::deque<Declared> declared;
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
-  const auto known = std::ranges::find(declared, claim.name, &Declared::name);
+  const auto known = std::ranges::find(declared, name, &Declared::name);
   if (known != declared.end()) {
     return known->spec;
   }
-  Declared& one = declared.emplace_back(Declared{claim.name, claim.unit, claim.claim, {}});
-  one.spec = {one.name.c_str(), one.unit.c_str(), claim.relation, one.sentence.c_str()};
+  Declared& one = declared.emplace_back(Declared{name, unit, meaning, {}});
+  one.spec = {one.name.c_str(), one.unit.c_str(), relation, one.meaning.c_str()};
   return one.spec;
 }
 
@@ -99,9 +100,23 @@ std::vector<report::Claim> claims_of(const StudyRun& run) {
 void add_claims(report::Outcome& outcome, const std::vector<report::Claim>& claims) {
   for (const report::Claim& claim : claims) {
     const bool bounds = claim.verdict != to_string(studies::Verdict::kRefuted);
-    outcome.figures.add(declare(claim), claim.value, bounds ? std::optional(claim.bound) : std::nullopt);
+    outcome.figures.add(declare(claim.name, claim.unit, claim.relation, claim.claim), claim.value, bounds ? std::optional(claim.bound) : std::nullopt);
     outcome.claims.push_back(claim);
   }
+}
+
+void add_figures(report::Outcome& outcome, const StudyRun& run) {
+  if (!run.result.ok()) {
+    return;
+  }
+  for (const studies::StudyFigure& figure : run.result.value().figures) {
+    outcome.figures.add(declare("reproduce." + figure.id, figure.unit, report::Relation::kNone, figure.meaning),
+                        figure.value);
+  }
+}
+
+std::string figure_text(const studies::StudyFigure& figure) {
+  return figure.id + "  " + with_unit(figure.value, figure.unit) + "\n";
 }
 
 std::string claim_text(const report::Claim& claim) {

@@ -22,8 +22,13 @@ std::vector<report::Claim> claims_of(const StudyRun& run);
 /// does not, for it is the text that is wrong.
 void add_claims(report::Outcome& outcome, const std::vector<report::Claim>& claims);
 
+/// Adds the figures of a study that no claim judges.
+void add_figures(report::Outcome& outcome, const StudyRun& run);
+
 /// "8.9.order  0.998 >= 1.5  refuted", with sentence and reason, for a terminal.
 std::string claim_text(const report::Claim& claim);
+/// "6.1.aff.rich_low.clean.gain_dB  1.2 dB"
+std::string figure_text(const studies::StudyFigure& figure);
 
 /// "8.9  Iterative solution ..." and each claim with the sentence it comes from and what must hold.
 std::string listing(const studies::Study& study);

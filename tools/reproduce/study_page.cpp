@@ -37,6 +37,18 @@ std::string claim_rows(const report::Outcome& outcome, const char* number) {
   return html;
 }
 
+std::string figures_html(const StudyRun& run) {
+  if (!run.result.ok() || run.result.value().figures.empty()) {
+    return "";
+  }
+  std::string html = "<table><thead><tr><th>figure</th><th>what was measured besides</th><th>value</th></tr></thead>\n<tbody>\n";
+  for (const studies::StudyFigure& figure : run.result.value().figures) {
+    html += "<tr><td>" + escape_html(figure.id) + "</td><td>" + escape_html(figure.meaning) +
+            "</td><td class=\"number\">" + number_html(figure.value, figure.unit) + "</td></tr>\n";
+  }
+  return html + "</tbody></table>\n";
+}
+
 std::string study_html(const report::Outcome& outcome, const StudyRun& run) {
   const std::string number = escape_html(run.study.number);
   std::string html = "<h2 id=\"s" + number + "\">" + number + " " + escape_html(run.study.title) + "</h2>\n";
@@ -50,7 +62,7 @@ std::string study_html(const report::Outcome& outcome, const StudyRun& run) {
   return html +
          "<table><thead><tr><th>verdict</th><th>the text</th><th>what was measured</th><th>value</th><th>claimed</th>"
          "</tr></thead>\n<tbody>\n" +
-         claim_rows(outcome, run.study.number) + "</tbody></table>\n";
+         claim_rows(outcome, run.study.number) + "</tbody></table>\n" + figures_html(run);
 }
 
 std::string summary_html(const report::Outcome& outcome, std::span<const StudyRun> runs) {
