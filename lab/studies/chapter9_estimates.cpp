@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "lab/studies/bode.hpp"
+#include "lab/studies/chirp_figures.hpp"
 #include "lab/studies/registry.hpp"
-#include "lab/studies/rig_estimates.hpp"
 
 namespace farrier::studies {
 namespace {
@@ -18,22 +17,12 @@ constexpr double kAmplitudes[] = {0.05, 0.1, 0.2};
 constexpr double kEarly_s = 2.0;  // up to 7.5 Hz
 constexpr double kLate_s = 4.0;   // from 15 Hz on
 
-std::string text_of(const char* format, double value) {
-  char text[96];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 /// A run for each amplitude.
-Result<std::vector<ChirpEstimates>> run_amplitudes(const StudyContext& context, EstimationMethod method, double from,
-                                                   double to) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
+Result<std::vector<ChirpEstimates>> run_amplitudes(const StudyContext& context, const robot::Robot& rig,
+                                                   EstimationMethod method, double from, double to) {
   std::vector<ChirpEstimates> runs;
   for (const double amplitude : kAmplitudes) {
-    auto run = estimate_chirp(rig.value(), {.amplitude = amplitude, .method = method}, context.seed);
+    auto run = estimate_chirp(rig, {.amplitude = amplitude, .method = method}, context.seed);
     if (!run) {
       return run.error();
     }
@@ -72,11 +61,22 @@ std::string shares_text(const std::vector<ChirpEstimates>& runs, double from_s, 
 constexpr const char* kDisappear = "As soon as the chirp signal excites the system enough, these resonance peaks disappear ...";
 constexpr const char* kAmplitude = "... the amplitude of the chirp input directly affects the degree of excitation. The performance of the estimator increases with better excited systems.";
 
+constexpr const char* kPeaks =
+    "... the system is not fully excited, hence the estimated transfer functions contain fictive resonance peaks at low frequencies.";
+constexpr const char* kNeedsAggressiveFilter =
+    "behind filters of 100 Hz there are hardly any such peaks at any time; they come from the filters' own dynamics with the "
+    "\"rather aggressive filter\" of 10.2, which has no number: low passes of 20 Hz show them (9.1.peaks_aggressive, 9.1.disappear_aggressive)";
+
 constexpr ClaimSpec kConstantClaims[] = {
-    {"9.1.peaks", "9.1", "... the system is not fully excited, hence the estimated transfer functions contain fictive resonance peaks at low frequencies.",
+    {"9.1.peaks", "9.1", kPeaks,
      "Share of the first 2 s of estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes: a tenth or more.", "1",
-     Relation::kAtLeast, 0.1},
-    {"9.1.disappear", "9.1", kDisappear, "The same share from 4 s on over that of the first 2 s: a half.", "1", Relation::kAtMost, 0.5},
+     Relation::kAtLeast, 0.1, Refutation{kNeedsAggressiveFilter, 0.0, 0.1}},
+    {"9.1.peaks_aggressive", "9.1", kPeaks, "The same behind filters of 20 Hz.", "1", Relation::kAtLeast, 0.1},
+    {"9.1.disappear", "9.1", kDisappear, "The share from 4 s on over that of the first 2 s: a half.", "1", Relation::kAtMost, 0.5,
+     Refutation{kNeedsAggressiveFilter, 0.5, 1e3}},
+    {"9.1.later", "9.1", kDisappear, "The share from 4 s on: a tenth.", "1", Relation::kAtMost, 0.1},
+    {"9.1.disappear_aggressive", "9.1", kDisappear,
+     "The share from 4 s on over that of the first 2 s, behind filters of 20 Hz: a half.", "1", Relation::kAtMost, 0.5},
     {"9.1.amplitude", "9.1", kAmplitude,
      "RMS distance from the nominal response, 1 to 100 Hz, last second, at 5 % less that at 20 %: above 0.", "dB", Relation::kAtLeast, 0.0},
     {"9.1.rough", "9.1", "Even towards the end of the chirp signal, the estimator is only able to give a rough approximation ...",
@@ -85,21 +85,35 @@ constexpr ClaimSpec kConstantClaims[] = {
      "The distance at 20 %, over that of the first guess: a half.", "1", Relation::kAtMost, 0.5}};
 
 Result<StudyResult> run_constant(const StudyContext& context) {
-  const auto made = run_amplitudes(context, EstimationMethod::kRls, 0.0, 1.0);
-  if (!made) {
-    return made.error();
+  const auto rig = load_estimation_rig(context);
+  if (!rig) {
+    return rig.error();
+  }
+  const auto made = run_amplitudes(context, rig.value(), EstimationMethod::kRls, 0.0, 0.5);
+  const auto filtered =
+      made ? run_amplitudes(context, aggressively_filtered(rig.value()), EstimationMethod::kRls, 0.5, 1.0) : made;
+  if (!filtered) {
+    return filtered.error();
   }
   const std::vector<ChirpEstimates>& runs = made.value();
-  const double early = mean_share(runs, 0.0, kEarly_s);
+  const std::vector<ChirpEstimates>& slow = filtered.value();
+  const double early = mean_share(slow, 0.0, kEarly_s);
+  const double later = mean_share(runs, kLate_s, kChirp_s);
   const double weak = distance_dB(runs.front(), kChirp_s - 1.0, kChirp_s);
   const double strong = distance_dB(runs.back(), kChirp_s - 1.0, kChirp_s);
   StudyResult result;
-  result.measured = {{"9.1.peaks", early, shares_text(runs, 0.0, kEarly_s)},
-                     {"9.1.disappear", mean_share(runs, kLate_s, kChirp_s) / early, shares_text(runs, kLate_s, kChirp_s)},
+  result.measured = {{"9.1.peaks", mean_share(runs, 0.0, kEarly_s), shares_text(runs, 0.0, kEarly_s)},
+                     {"9.1.peaks_aggressive", early, shares_text(slow, 0.0, kEarly_s)},
+                     {"9.1.disappear", later / mean_share(runs, 0.0, kEarly_s), ""},
+                     {"9.1.later", later, shares_text(runs, kLate_s, kChirp_s)},
+                     {"9.1.disappear_aggressive", mean_share(slow, kLate_s, kChirp_s) / early,
+                      shares_text(slow, kLate_s, kChirp_s)},
                      {"9.1.amplitude", weak - strong, text_of("%.1f dB, ", weak) + text_of("%.1f dB", strong)},
                      {"9.1.rough", strong, ""},
                      {"9.1.approximation", strong / first_distance_dB(runs.back()), ""}};
-  result.pictures = {picture_of("Estimates with a forgetting factor of 0.92, black to yellow over the chirp", runs)};
+  result.pictures = {
+      picture_of("Estimates with a forgetting factor of 0.92, black to yellow over the chirp", runs),
+      picture_of("The same behind filters of 20 Hz, black to yellow over the chirp", slow)};
   return result;
 }
 
@@ -113,8 +127,13 @@ constexpr ClaimSpec kAdaptiveClaims[] = {
      "RMS distance from the nominal response, 30 to 150 Hz, last second, at 5 % less that at 20 %: above 0.", "dB", Relation::kAtLeast, 0.0}};
 
 Result<StudyResult> run_adaptive(const StudyContext& context) {
-  const auto adaptive = run_amplitudes(context, EstimationMethod::kAff, 0.0, 0.5);
-  const auto constant = adaptive ? run_amplitudes(context, EstimationMethod::kRls, 0.5, 1.0) : adaptive;
+  const auto rig = load_estimation_rig(context);
+  if (!rig) {
+    return rig.error();
+  }
+  const auto adaptive = run_amplitudes(context, rig.value(), EstimationMethod::kAff, 0.0, 0.5);
+  const auto constant =
+      adaptive ? run_amplitudes(context, rig.value(), EstimationMethod::kRls, 0.5, 1.0) : adaptive;
   if (!constant) {
     return constant.error();
   }
@@ -160,7 +179,7 @@ constexpr ClaimSpec kForgettingClaims[] = {
      "Least of the mean lambdas of the rows from 0.1 to 0.3 s: 0.9.", "1", Relation::kAtLeast, 0.9}};
 
 Result<StudyResult> run_forgetting(const StudyContext& context) {
-  const auto rig = load_rig(context);
+  const auto rig = load_estimation_rig(context);
   if (!rig) {
     return rig.error();
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "lab/studies/registry.hpp"
 #include "lab/studies/rig_run.hpp"
@@ -16,12 +15,6 @@ double mean(const std::vector<double>& values, std::size_t begin, std::size_t en
     sum += values[i];
   }
   return sum / static_cast<double>(end - begin);
-}
-
-std::string text_of(const char* format, double value) {
-  char text[96];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 // 9.19

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "lab/force_step.hpp"
 #include "lab/studies/registry.hpp"
@@ -10,12 +9,6 @@
 
 namespace farrier::studies {
 namespace {
-
-std::string text_of(const char* format, double value) {
-  char text[96];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 // 9.22
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "lab/studies/registry.hpp"
 #include "lab/studies/rig_run.hpp"
@@ -13,12 +12,6 @@ namespace {
 using control::Form;
 
 constexpr double kSettled_s = 1.0, kRun_s = 5.0;
-
-std::string text_of(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 struct Sine { double amplitude_N, frequency_Hz; };
 

@@ -1,6 +1,7 @@
 #include "lab/studies/study.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include "config/problem.hpp"
 
@@ -50,6 +51,12 @@ Result<robot::Robot> load(const StudyContext& context, const std::string& file) 
     return Error{config::to_string(loaded.error())};
   }
   return std::move(loaded).value();
+}
+
+std::string text_of(const char* format, double value) {
+  char text[96];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
 }
 
 std::vector<double> linear_space(double low, double high, std::size_t count) {

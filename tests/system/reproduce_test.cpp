@@ -1,0 +1,43 @@
+// Every study of the thesis, as a user runs them.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "farrier_command.hpp"
+
+namespace farrier::test {
+namespace {
+
+TEST(ReproduceAll, PrintsEveryClaimWithItsVerdictAndNoneFails) {
+  const ScratchDirectory scratch;
+  FarrierCommand command({"reproduce", "all", "--out", scratch.file("out"), "--json"});
+  const int status = command.wait(std::chrono::seconds(600));
+  const std::string output = command.output();
+  ASSERT_NE(output.find('{'), std::string::npos) << output;
+  // Progress stands before it, for both outputs are in one file.
+  const auto run = nlohmann::json::parse(output.substr(output.find('{')), nullptr, false);
+  ASSERT_FALSE(run.is_discarded()) << output;
+  std::set<std::string> verdicts, studies;
+  for (const auto& claim : run["claims"]) {
+    verdicts.insert(claim["verdict"]);
+    studies.insert(claim["figure"]);
+    EXPECT_NE(claim["verdict"], "fails") << claim;
+    EXPECT_TRUE(claim["measured"]["value"].is_number()) << claim;
+  }
+  EXPECT_EQ(verdicts, (std::set<std::string>{"holds", "refuted"}));
+  EXPECT_EQ(run["verdict"], "pass");
+  EXPECT_EQ(status, 0);
+  std::string list;
+  ASSERT_EQ(run_farrier({"reproduce", "--list"}, &list), 0);
+  for (const std::string& study : studies) {
+    EXPECT_NE(list.find(study + "  "), std::string::npos) << study;
+  }
+  EXPECT_GE(studies.size(), 50u);
+  EXPECT_EQ(read_json(scratch.file("out/figures.json"))["claims"], run["claims"]);
+  EXPECT_TRUE(std::filesystem::exists(scratch.file("out/index.html")));
+}
+
+}  // namespace
+}  // namespace farrier::test
