@@ -65,7 +65,9 @@ TEST(Figures, JudgeEveryJointInStanceWithTheSwingDesignBeside) {
 
 TEST(Figures, ShowThatAProcessReceivesOnlyTheJointsItHosts) {
   EXPECT_EQ(figure("trot.packets.joint_node_lf.joint_sensors.received"), kJointsPerLeg * kTicks);
-  EXPECT_EQ(figure("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * kTicks);
+  // The gait source works a tick ahead, and a node may take that tick's commands before it ends.
+  EXPECT_GE(figure("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * kTicks);
+  EXPECT_LE(figure("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * (kTicks + 1));
   EXPECT_EQ(figure("trot.packets.sim_bridge.joint_sensors.sent"), 4 * kJointsPerLeg * kTicks);
   EXPECT_EQ(figure("trot.packets.estimator_service.joint_measurement.received"), 4 * kJointsPerLeg * kTicks);
 }

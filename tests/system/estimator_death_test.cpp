@@ -14,11 +14,11 @@ namespace farrier::test {
 namespace {
 
 constexpr long kTicks = 4000;
-// A busy computer makes joints miss ticks, before the death as after it: that is no joint that has lost its torque. One
-// that has never tracks again.
-constexpr double kShareOfBefore = 0.5;
-constexpr long kStartTicks = 500;  // the first ones are the robot's start
-constexpr long kEndTicks = 200;
+// A busy computer loses samples, and a joint damps for some ticks after each: that is no joint that has lost its torque,
+// which would never track again. A twentieth of the run's samples may all be a tenth of those after the death.
+constexpr double kMayBeLost = 0.05;
+constexpr double kMayNotTrack = 0.25;
+constexpr double kJoints = 12;
 // What the supervisor has received it may still work on, and the launcher looks for the dead every 20 ms.
 constexpr long kOnTheWayTicks = 100;
 
@@ -37,7 +37,7 @@ struct Tracked {
 class EstimatorDeath : public testing::TestWithParam<const char*> {
  protected:
   EstimatorDeath()
-      : trot_({"trot", "--clock", "realtime", "--design", GetParam(), "--duration", "4", "--out",
+      : trot_({"trot", "--clock", "realtime", "--nodes", "one", "--design", GetParam(), "--duration", "4", "--out",
                scratch_.file("out")}) {
     estimator_ = trot_.process("estimator_service");
     if (estimator_ != 0 && trot_.says("trot: tick 2")) {
@@ -55,6 +55,16 @@ class EstimatorDeath : public testing::TestWithParam<const char*> {
     return place == std::string::npos ? -1 : std::stol(warning.substr(place + before.size()));
   }
 
+  double lost_samples() const {
+    for (const auto& figure : run_["figures"]) {
+      if (figure["name"] == "trot.lost_samples") {
+        return figure["value"];
+      }
+    }
+    ADD_FAILURE() << "no figure trot.lost_samples";
+    return 0.0;
+  }
+
   ScratchDirectory scratch_;
   FarrierCommand trot_;
   pid_t estimator_ = 0;
@@ -64,16 +74,19 @@ class EstimatorDeath : public testing::TestWithParam<const char*> {
 
 TEST_P(EstimatorDeath, StopsUpdatesAndNothingElse) {
   ASSERT_NE(estimator_, 0);
-  EXPECT_EQ(status_, 0) << trot_.output();
   ASSERT_FALSE(run_.is_discarded()) << trot_.output();
   EXPECT_NE(trot_.output().find("estimator_service (pid " + std::to_string(estimator_) +
                                 ") ended with exit status 137, killed by Killed"),
             std::string::npos)
       << trot_.output();
+  if (const double lost = lost_samples(); lost > kMayBeLost * static_cast<double>(kTicks) * kJoints) {
+    GTEST_SKIP() << "this computer lost " << lost << " samples on their way: that joints then miss ticks or trip says "
+                 << "nothing of the estimator's death";
+  }
+  EXPECT_EQ(status_, 0) << trot_.output();
   const long death = tick_of_death();
   ASSERT_GT(death, 0);
   ASSERT_LT(death, kTicks - 1000) << "it died too late to see what comes after";
-
   for (const auto& decision : run_["run"]["decisions"]) {
     EXPECT_LE(decision["tick"].get<long>(), death + kOnTheWayTicks) << decision;
   }
@@ -86,23 +99,18 @@ TEST_P(EstimatorDeath, StopsUpdatesAndNothingElse) {
   }
   const auto rows = record::read_trace(scratch_.file("out/trace.csv"), joints);
   ASSERT_TRUE(rows) << rows.error().message;
-  std::map<int, Tracked> before, after, at_the_end;
+  std::map<int, Tracked> after;
   Tick last = 0;
   for (const record::TraceRow& row : rows.value()) {
     last = std::max(last, row.tick);
-    if (row.tick > kStartTicks) {
-      (row.tick > death ? after : before)[row.joint].count(row);
-    }
-    if (row.tick > kTicks - kEndTicks) {
-      at_the_end[row.joint].count(row);
+    if (row.tick > death) {
+      after[row.joint].count(row);
     }
   }
   EXPECT_NEAR(static_cast<double>(last), static_cast<double>(kTicks), 2.0);
   ASSERT_EQ(after.size(), joints.size());
   for (const auto& [joint, tracked] : after) {
-    const std::string& name = joints[static_cast<std::size_t>(joint)];
-    EXPECT_GE(tracked.share(), kShareOfBefore * before[joint].share()) << name;
-    EXPECT_GT(at_the_end[joint].tracking, 0) << name;
+    EXPECT_GE(tracked.share(), 1.0 - kMayNotTrack) << joints[static_cast<std::size_t>(joint)];
   }
 }
 
