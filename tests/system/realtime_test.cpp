@@ -15,6 +15,7 @@ namespace {
 constexpr const char* kDuration = "3";
 constexpr double kTicks = 3000;
 constexpr double kTicksPerSecond = 1000;
+constexpr double kReserve = 1.25;  // the rate of a computer that others use changes from run to run
 constexpr double kJointsPerLeg = 3;
 constexpr double kMayBeMissing = 0.2;  // best effort, on a computer that others use
 
@@ -64,8 +65,8 @@ class RealTimeTrot : public testing::TestWithParam<const char*> {
 TEST_P(RealTimeTrot, EndsWithTheFiguresOfEveryProcess) {
   ASSERT_FALSE(run_.is_discarded()) << output_;
   EXPECT_EQ(run_["run"]["processes"].size(), 8u);
-  // Where the bare exchange itself does not reach the joints' rate, samples are lost whatever the nodes do.
-  const bool fast_enough = bare_rate(GetParam()) >= kTicksPerSecond;
+  // Where the bare exchange itself hardly reaches the joints' rate, samples are lost whatever the nodes do.
+  const bool fast_enough = bare_rate(GetParam()) >= kReserve * kTicksPerSecond;
   for (const char* leg : {"lf", "rf", "lh", "rh"}) {
     const std::string received =
         std::string("trot.packets.joint_node_") + leg + ".joint_sensors.received";
