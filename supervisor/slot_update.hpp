@@ -9,9 +9,9 @@
 #include "control/lqr.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
-#include "supervisor/update_record.hpp"
 #include "supervisor/slot_pair.hpp"
 #include "supervisor/update_method.hpp"
+#include "supervisor/update_record.hpp"
 
 namespace farrier::supervisor {
 

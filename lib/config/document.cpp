@@ -117,7 +117,8 @@ int second_document(const std::string& text) {
   for (int number = 1; std::getline(lines, line); ++number) {
     const bool begins = is_marker(line, "---");
     const auto first = line.find_first_not_of(kBlank, begins ? 3 : 0);
-    const bool says = first != std::string::npos && line[first] != '#';
+    const bool is_directive = line.starts_with('%') && !has_content;
+    const bool says = first != std::string::npos && line[first] != '#' && !is_directive;
     if (is_marker(line, "...")) {
       has_ended = has_content;
     } else if ((begins && has_content) || (says && has_ended)) {

@@ -37,6 +37,7 @@ TEST(ConfigYaml, NamesTheLineOfASyntaxError) {
 TEST(ConfigYaml, TakesExactlyOneDocument) {
   EXPECT_EQ(refusal(""), "f.yaml: is empty");
   EXPECT_EQ(refusal("# nothing\n"), "f.yaml: is empty");
+  EXPECT_EQ(refusal("%YAML 1.2\n---\na: 1\n").find("second"), std::string::npos) << "a directive is no document";
   EXPECT_EQ(refusal("a: 1\n---\nb: 2\n"), "f.yaml:2: starts a second document: give one");
   EXPECT_EQ(refusal("a: 1\n...\n# said\nb: 2\n"), "f.yaml:4: starts a second document: give one");
 }
