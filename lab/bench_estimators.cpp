@@ -38,6 +38,7 @@ estimation::JointEstimator estimator(EstimationMethod method, GateKind gate) {
   estimation::EstimatorParams params;
   params.method = method;
   params.gate = gate;
+  params.fft = estimation::SpectrumParams{.magnitude_min = 1e-6};  // open for signals as small as make_samples' are
   params.position = false;
   Eigen::Matrix3d a = Eigen::Matrix3d::Identity();
   a(0, 1) = 1e-3;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "lab/bench_estimators.hpp"
 #include "lab/bench_redesign.hpp"
 #include "lab/bench_tick.hpp"
 #include "tests/unit/robot_test_files.hpp"
@@ -14,6 +15,14 @@ TEST(TickBench, TimesHyQsJointsInATrotWithoutARedesign) {
   EXPECT_GT(bench.value().estimation_s, 0.0);
   EXPECT_GT(bench.value().update_logic_s, 0.0);
   EXPECT_EQ(bench.value().allocations, -1) << "not counted";
+}
+
+TEST(EstimatorsBench, TimesEveryMethodAndOpenGates) {
+  const EstimatorsBench bench = bench_estimators(400, nullptr);
+  for (const auto& method : bench.methods) {
+    EXPECT_GT(method.take_s, 0.0) << method.name;
+  }
+  EXPECT_EQ(bench.allocations, -1) << "not counted";
 }
 
 TEST(RedesignBench, TimesAtLeastAsManyAcceptedRedesignsAsThereAreJoints) {

@@ -35,7 +35,7 @@ inline constexpr double kFixedAtLeast = 1.0;        ///< heavy quarters: the lig
 inline constexpr double kAdaptiveAtMost = 0.08;     ///< heavy quarters
 inline constexpr double kGreyBoxAtMost = 0.08;      ///< every quarter, with the sensors' noise
 inline constexpr double kNoiselessAtMost = 0.05;    ///< every quarter, without
-inline constexpr double kLightRatioAtMost = 1.05;   ///< light quarters: adapting must not cost what it need not
+inline constexpr double kLightRatioAtMost = 1.05;   ///< light quarters, LQR and least squares: adapting must not cost what it need not
 
 /// record::relative_error() of quarter 0..3 from record::kJudgedAfter_s after its beginning.
 double quarter_error(const LoadCyclePlan& plan, std::span<const record::TraceRow> rows, std::size_t quarter) noexcept;
