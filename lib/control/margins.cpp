@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "control/closed_loop.hpp"
+#include "control/filtered_loop.hpp"
 #include "control/plant_polynomials.hpp"
 
 namespace farrier::control {
@@ -13,10 +14,11 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr int kGrid = 48;
+constexpr int kGrid = 32;
 constexpr double kFirstAngle = 1e-3;
-constexpr int kRefinements = 14;  // golden section: a bracket of two grid steps to a thousandth
-constexpr int kBisections = 16;
+constexpr int kRefinements = 6;      // parabolas through three points of a smooth peak
+constexpr int kCrossingSteps = 12;
+constexpr double kAngleShare = 1e-6;  // of an angle: a crossing is known well enough
 constexpr double kWorthRefining = 0.5;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -72,8 +74,8 @@ class Loop {
     wires_ = position_.wire && velocity_.wire && force_.wire;
   }
 
-  Complex at(double angle) const noexcept {
-    const Complex z(std::cos(angle), std::sin(angle));
+  /// `z` on the unit circle.
+  Complex at(Complex z) const noexcept {
     const Complex back = std::conj(z);
     const Complex force = times(polynomial(plant_.force, z), wires_ ? Complex(1.0) : force_.at(z));
     Complex numerator = wires_ ? polynomial(proportional_, z)
@@ -107,44 +109,62 @@ struct Point {
   double closeness;  // |(S - T) / 2|, S - T = (1 - L) / (1 + L)
 };
 
-Point look(const Loop& loop, double angle) noexcept {
-  const Complex l = loop.at(angle);
+Point look(const Loop& loop, double angle, Complex z) noexcept {
+  const Complex l = loop.at(z);
   return {angle, l, 0.5 * std::sqrt(std::norm(1.0 - l) / std::norm(1.0 + l))};
 }
 
-/// Angle between a and b where f changes sign.
+Point look(const Loop& loop, double angle) noexcept { return look(loop, angle, {std::cos(angle), std::sin(angle)}); }
+
+/// Angle between a and b where f changes sign, by false position with halved weights (Dowell and Jarratt 1971,
+/// "Illinois").
 template <class F>
 Point crossing(const Loop& loop, Point a, Point b, const F& f) noexcept {
   double f_a = f(a);
+  double f_b = f(b);
   Point middle = a;
-  for (int i = 0; i < kBisections; ++i) {
-    middle = look(loop, 0.5 * (a.angle + b.angle));
+  for (int i = 0; i < kCrossingSteps && b.angle - a.angle > kAngleShare * b.angle; ++i) {
+    const double share = f_a / (f_a - f_b);
+    const double before = middle.angle;
+    middle = look(loop, a.angle + share * (b.angle - a.angle));
     const double f_m = f(middle);
     if ((f_m < 0.0) == (f_a < 0.0)) {
+      f_b *= a.angle == before ? 0.5 : 1.0;
       a = middle;
       f_a = f_m;
     } else {
+      f_a *= b.angle == before ? 0.5 : 1.0;
       b = middle;
+      f_b = f_m;
+    }
+    if (std::abs(middle.angle - before) <= kAngleShare * middle.angle) {
+      break;
     }
   }
   return middle;
 }
 
-/// Largest closeness between a and c by golden section (Kiefer 1953).
-Point nearest(const Loop& loop, double a, double c, Point best) noexcept {
-  constexpr double kGolden = 0.3819660112501051;
+/// Largest closeness between a and c, of which b is nearer than either: tops of the parabola through the three.
+Point nearest(const Loop& loop, Point a, Point b, Point c) noexcept {
   for (int i = 0; i < kRefinements; ++i) {
-    const bool right = c - best.angle > best.angle - a;
-    const double step = right ? kGolden * (c - best.angle) : -kGolden * (best.angle - a);
-    const Point trial = look(loop, best.angle + step);
-    if (trial.closeness > best.closeness) {
-      (right ? a : c) = best.angle;
-      best = trial;
+    const double left = (b.angle - a.angle) * (b.closeness - c.closeness);
+    const double right = (c.angle - b.angle) * (b.closeness - a.closeness);
+    const double top = b.angle + 0.5 * ((c.angle - b.angle) * right - (b.angle - a.angle) * left) / (left + right);
+    // The three in a line, or the top where b is: half the longer side instead.
+    const bool inside = top > a.angle && top < c.angle && std::abs(top - b.angle) > kAngleShare * b.angle;
+    const double aim = inside ? top
+                       : c.angle - b.angle > b.angle - a.angle ? 0.5 * (b.angle + c.angle)
+                                                               : 0.5 * (a.angle + b.angle);
+    const Point trial = look(loop, aim);
+    Point& side = trial.angle > b.angle ? c : a;
+    if (trial.closeness > b.closeness) {
+      (trial.angle > b.angle ? a : c) = b;
+      b = trial;
     } else {
-      (right ? c : a) = trial.angle;
+      side = trial;
     }
   }
-  return best;
+  return b;
 }
 
 void note_gain(double factor, Margins& m) noexcept {
@@ -174,73 +194,37 @@ void note_crossings(const Loop& loop, const Point& a, const Point& b, Margins& m
   }
 }
 
-/// The closed loop with filters: states of closed_loop_matrix(), then two of each filter.
-constexpr int kMaxFilteredStates = kMaxStates + 6;
-using FilteredMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxFilteredStates, kMaxFilteredStates>;
-
-/// Whether powers of `m` vanish: squares it until its norm is small or large. A radius within 1e-6 of one is neither,
-/// and counts as unstable.
-bool vanishes(FilteredMatrix m) noexcept {
-  constexpr int kSquarings = 24;
-  for (int i = 0; i < kSquarings; ++i) {
-    const double norm = m.norm();
-    if (!(norm > 1e-2 && norm < 1e50)) {
-      return norm <= 1e-2;
-    }
-    m = (m * m).eval();
-  }
-  return false;
-}
-
-bool filtered_loop_is_stable(const DiscreteModel& model, const Gains& gains, int delay_ticks,
-                             const MeasurementFilters& filters) noexcept {
-  const SmallMatrix loop = closed_loop_matrix(model, gains, delay_ticks);
-  const int states = static_cast<int>(loop.rows());
-  const int plant = gains.form == Form::kFullState ? 3 : 2;
-  Gains silent = gains;
-  silent.position = silent.velocity = silent.force = 0.0;
-  SmallMatrix own = closed_loop_matrix(model, silent, delay_ticks);
-  own(0, plant) = 0.0;  // what is left reads no measurement; the sum reads the force
-  FilteredMatrix whole = FilteredMatrix::Zero(states + 2 * plant, states + 2 * plant);
-  whole.topLeftCorner(states, states) = own;
-  for (int i = 0; i < plant; ++i) {
-    const int channel = i + 3 - plant;
-    const MeasurementFilter& f = channel == 0 ? filters.position : (channel == 1 ? filters.velocity : filters.force);
-    const SmallColumn read = loop.col(1 + i) - own.col(1 + i);
-    whole.block(0, 1 + i, states, 1) += read * f.d;
-    whole.block(0, states + 2 * i, states, 2) += read * f.c;
-    whole.block<2, 2>(states + 2 * i, states + 2 * i) = f.a;
-    whole.block<2, 1>(states + 2 * i, 1 + i) = f.b;
-  }
-  return whole.allFinite() && vanishes(whole);
-}
-
-/// Angles to look at, ascending: the grid and those of the loop's poles.
+/// Where to look, ascending: the grid and the angles of the loop's poles, each with its place on the unit circle.
+struct Angle {
+  double value;
+  Complex z;
+};
 struct Angles {
-  std::array<double, kGrid + kMaxStates> value;
+  std::array<Angle, kGrid + kMaxStates> of;
   std::size_t count = 0;
 };
 
 Angles angles_for(const SmallSpectrum& poles) noexcept {
-  static const std::array<double, kGrid> grid = [] {
-    std::array<double, kGrid> angles;
+  static const std::array<Angle, kGrid> grid = [] {
+    std::array<Angle, kGrid> angles;
     for (int i = 0; i < kGrid; ++i) {
-      angles[static_cast<std::size_t>(i)] =
-          kFirstAngle * std::pow(std::numbers::pi / kFirstAngle, i / static_cast<double>(kGrid - 1));
+      const double angle = kFirstAngle * std::pow(std::numbers::pi / kFirstAngle, i / static_cast<double>(kGrid - 1));
+      angles[static_cast<std::size_t>(i)] = {angle, std::polar(1.0, angle)};
     }
     return angles;
   }();
   Angles angles;
-  for (const double angle : grid) {
-    angles.value[angles.count++] = angle;
+  for (const Angle& angle : grid) {
+    angles.of[angles.count++] = angle;
   }
   for (const Complex& pole : poles) {
     const double angle = std::arg(pole);
     if (angle > kFirstAngle && angle < std::numbers::pi) {
-      angles.value[angles.count++] = angle;
+      angles.of[angles.count++] = {angle, pole / std::abs(pole)};
     }
   }
-  std::sort(angles.value.begin(), angles.value.begin() + static_cast<std::ptrdiff_t>(angles.count));
+  std::sort(angles.of.begin(), angles.of.begin() + static_cast<std::ptrdiff_t>(angles.count),
+            [](const Angle& a, const Angle& b) { return a.value < b.value; });
   return angles;
 }
 
@@ -252,7 +236,7 @@ bool is_wire(const MeasurementFilters& f) noexcept {
 
 Complex loop_gain(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters,
                   double angle_rad) noexcept {
-  return Loop(model, gains, delay_ticks, filters).at(angle_rad);
+  return Loop(model, gains, delay_ticks, filters).at(std::polar(1.0, angle_rad));
 }
 
 Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
@@ -267,7 +251,7 @@ Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
   const Angles angles = angles_for(poles);
   std::array<Point, kGrid + kMaxStates> points;
   for (std::size_t i = 0; i < angles.count; ++i) {
-    points[i] = look(loop, angles.value[i]);
+    points[i] = look(loop, angles.of[i].value, angles.of[i].z);
   }
   Margins m{.disk = 0.0,
             .disk_angle_rad = 0.0,
@@ -283,7 +267,7 @@ Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
                       points[i].closeness >= points[i + 1].closeness;
     // A peak that is far below the worst so far does not become it between two points of the grid.
     if (peak && points[i].closeness > kWorthRefining * worst.closeness) {
-      const Point refined = nearest(loop, points[i - 1].angle, points[i + 1].angle, points[i]);
+      const Point refined = nearest(loop, points[i - 1], points[i], points[i + 1]);
       worst = refined.closeness > worst.closeness ? refined : worst;
     }
   }
