@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "control/closed_loop.hpp"
 #include "lab/studies/registry.hpp"
@@ -16,12 +15,6 @@ namespace {
 using control::Kind;
 
 constexpr double kSettled_s = 1.0;
-
-std::string kg_text(double added_kg) {
-  char text[32];
-  std::snprintf(text, sizeof text, "+%g kg", added_kg);
-  return text;
-}
 
 /// RMS of what is quicker than 20 ms in the force, over the RMS of the reference: an oscillation that nobody asked for.
 /// A sine of 3.5 Hz itself leaves 0.008 of it.
@@ -119,8 +112,7 @@ Result<StudyResult> run_comparison(const StudyContext& context) {
     const double error_lqr = tracking_error(lqr.value(), 0.4, kLength_s);
     const double error_fl = tracking_error(fl.value(), 0.4, kLength_s);
     worst = std::max({worst, error_lqr, error_fl});
-    char note[64];
-    std::snprintf(note, sizeof note, "errors: LQR %.3f, FL %.3f", error_lqr, error_fl);
+    const std::string note = text_of("errors: LQR %.3f, ", error_lqr) + text_of("FL %.3f", error_fl);
     result.measured.push_back({reference.id, rms(fl.value(), difference, 0.4, kLength_s) /
                                                  rms(fl.value(), fl.value().reference_N, 0.4, kLength_s), note});
     Panel panel = force_panel(reference.title, lqr.value());
@@ -206,9 +198,7 @@ Result<StudyResult> run_weights(const StudyContext& context, double frequency_Hz
   const auto text = [](const std::vector<double>& values) {
     std::string all = "by weight:";
     for (std::size_t i = 0; i < values.size(); ++i) {
-      char one[48];
-      std::snprintf(one, sizeof one, " %s %.3f", kg_text(staircase()[i].total_kg).c_str(), values[i]);
-      all += one;
+      all += text_of(" +%g kg", staircase()[i].total_kg) + text_of(" %.3f", values[i]);
     }
     return all;
   };

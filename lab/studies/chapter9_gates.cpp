@@ -16,20 +16,15 @@ using estimation::GateKind;
 constexpr double kAmplitude = 0.1;
 constexpr std::size_t kShortest = 50;  // ticks; a gate that opens for less has been brushed, not opened
 
-Result<ChirpEstimates> run_gate(const StudyContext& context, GateKind gate) {
-  const auto rig = load_estimation_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  return estimate_chirp(rig.value(), {.amplitude = kAmplitude, .gate = gate}, context.seed);
-}
+enum class Filters { kRig, kAggressive };
 
-Result<ChirpEstimates> run_aggressively_filtered(const StudyContext& context, GateKind gate) {
+Result<ChirpEstimates> run_gate(const StudyContext& context, GateKind gate, Filters filters = Filters::kRig) {
   const auto rig = load_estimation_rig(context);
   if (!rig) {
     return rig.error();
   }
-  return estimate_chirp(aggressively_filtered(rig.value()), {.amplitude = kAmplitude, .gate = gate}, context.seed);
+  return estimate_chirp(filters == Filters::kRig ? rig.value() : aggressively_filtered(rig.value()),
+                        {.amplitude = kAmplitude, .gate = gate}, context.seed);
 }
 
 std::string spans_text(const std::vector<Span>& spans) {
@@ -92,8 +87,8 @@ Result<StudyResult> run_methods(const StudyContext& context) {
   const double alone = open_share(runs[0]);
   const double pe = open_share(runs[1]);
   const double fft = open_share(runs[2]);
-  const auto slow_alone = run_aggressively_filtered(context, GateKind::kNone);
-  const auto slow_pe = slow_alone ? run_aggressively_filtered(context, GateKind::kPe) : slow_alone;
+  const auto slow_alone = run_gate(context, GateKind::kNone, Filters::kAggressive);
+  const auto slow_pe = slow_alone ? run_gate(context, GateKind::kPe, Filters::kAggressive) : slow_alone;
   if (!slow_pe) {
     return slow_pe.error();
   }
@@ -132,7 +127,7 @@ constexpr ClaimSpec kSingularClaims[] = {
 
 Result<StudyResult> run_pe_forgetting(const StudyContext& context) {
   const auto made = run_gate(context, GateKind::kPe);
-  const auto filtered = made ? run_aggressively_filtered(context, GateKind::kPe) : made;
+  const auto filtered = made ? run_gate(context, GateKind::kPe, Filters::kAggressive) : made;
   if (!filtered) {
     return filtered.error();
   }
@@ -212,7 +207,8 @@ Result<StudyResult> run_frequencies(const StudyContext& context) {
   const auto count = [&](std::size_t i) { return static_cast<double>(run.frequencies[i]); };
   const double quiet = mean(1000, 3000, count);
   const double late = mean(6000, run.frequencies.size(), count);
-  const int window = params_of({.amplitude = kAmplitude}).fft->window_ticks;
+  const estimation::SpectrumParams gate = *params_of({.amplitude = kAmplitude}).fft;
+  const int window = gate.window_ticks;
   const int burst = *std::max_element(run.frequencies.begin() + window, run.frequencies.begin() + 600);
   std::vector<Span> spans = open_spans(run, kShortest);
   const std::string note = spans_text(spans);
@@ -223,7 +219,7 @@ Result<StudyResult> run_frequencies(const StudyContext& context) {
                      {"9.7.not_in_the_middle", static_cast<double>(spans.size()), note}};
   Series series{"frequencies", {run.tick_s.begin() + window, run.tick_s.end()}, {}, Style::kLine, 1};
   series.y.assign(run.frequencies.begin() + window, run.frequencies.end());
-  const double limit = params_of({.amplitude = kAmplitude}).fft->frequencies_min;
+  const double limit = gate.frequencies_min;
   result.pictures = {{"Frequencies of the signals above the threshold", 1,
                       {{.title = "", .x_label = "time (s)", .y_label = "count",
                         .series = {std::move(series), {"more are needed", {0.0, kChirp_s}, {limit, limit}, Style::kDashed, 2}}},

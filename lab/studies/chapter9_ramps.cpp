@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "lab/studies/registry.hpp"
 #include "lab/studies/rig_run.hpp"
@@ -10,16 +9,8 @@
 namespace farrier::studies {
 namespace {
 
-std::string kg_text(double added_kg) {
-  char text[32];
-  std::snprintf(text, sizeof text, "+%g kg", added_kg);
-  return text;
-}
-
 std::string pair_text(double without, double with_20) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.3f, with 20 kg %.3f", without, with_20);
-  return text;
+  return text_of("%.3f, with ", without) + text_of("20 kg %.3f", with_20);
 }
 
 constexpr double kBegin_s = 0.5;
@@ -68,12 +59,9 @@ Result<StudyResult> run_references(const StudyContext& context, double rise_s, c
       errors.push_back(tracking_error(run.value(), kBegin_s, kReferenceRun_s));
       late_errors.push_back(tracking_error(late.value(), kBegin_s, kReferenceRun_s));
       peaks.push_back(std::ranges::max(run.value().force_N) / to_N - 1.0);
-      char title[48];
-      std::snprintf(title, sizeof title, "%g N, %s", to_N, kg_text(added_kg).c_str());
-      picture.panels.push_back(force_panel(title, run.value()));
+      picture.panels.push_back(force_panel(text_of("%g N, ", to_N) + text_of("+%g kg", added_kg), run.value()));
     }
-    char id[32];
-    std::snprintf(id, sizeof id, "%s.%g", figure, to_N);
+    const std::string id = figure + text_of(".%g", to_N);
     const std::string note = "RMS error " + pair_text(errors[0], errors[1]) + "; overshoot " + pair_text(peaks[0], peaks[1]);
     result.measured.push_back({id, rise_s > 0.0 ? errors[1] / errors[0] : peaks[1] / peaks[0], note});
     late_ratio = std::min(late_ratio, late_errors[1] / late_errors[0]);
