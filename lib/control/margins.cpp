@@ -74,6 +74,9 @@ class Loop {
     wires_ = position_.wire && velocity_.wire && force_.wire;
   }
 
+  /// Whether every filter is a straight wire.
+  bool is_wired() const noexcept { return wires_; }
+
   /// `z` on the unit circle.
   Complex at(Complex z) const noexcept {
     const Complex back = std::conj(z);
@@ -156,12 +159,12 @@ Point nearest(const Loop& loop, Point a, Point b, Point c) noexcept {
                        : c.angle - b.angle > b.angle - a.angle ? 0.5 * (b.angle + c.angle)
                                                                : 0.5 * (a.angle + b.angle);
     const Point trial = look(loop, aim);
-    Point& side = trial.angle > b.angle ? c : a;
+    const bool beyond = trial.angle > b.angle;
     if (trial.closeness > b.closeness) {
-      (trial.angle > b.angle ? a : c) = b;
+      (beyond ? a : c) = b;
       b = trial;
     } else {
-      side = trial;
+      (beyond ? c : a) = trial;
     }
   }
   return b;
@@ -228,10 +231,6 @@ Angles angles_for(const SmallSpectrum& poles) noexcept {
   return angles;
 }
 
-bool is_wire(const MeasurementFilters& f) noexcept {
-  return FilterRatio(f.position).wire && FilterRatio(f.velocity).wire && FilterRatio(f.force).wire;
-}
-
 }  // namespace
 
 Complex loop_gain(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters,
@@ -241,13 +240,13 @@ Complex loop_gain(const DiscreteModel& model, const Gains& gains, int delay_tick
 
 Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
                 const MeasurementFilters& filters) noexcept {
+  const Loop loop(model, gains, delay_ticks, filters);
   const SmallSpectrum poles = eigenvalues(closed_loop_matrix(model, gains, delay_ticks));
-  const bool stable = is_wire(filters) ? poles.cwiseAbs().maxCoeff() < 1.0
-                                       : filtered_loop_is_stable(model, gains, delay_ticks, filters);
+  const bool stable = loop.is_wired() ? poles.cwiseAbs().maxCoeff() < 1.0
+                                      : filtered_loop_is_stable(model, gains, delay_ticks, filters);
   if (!stable || !poles.allFinite()) {
     return {};
   }
-  const Loop loop(model, gains, delay_ticks, filters);
   const Angles angles = angles_for(poles);
   std::array<Point, kGrid + kMaxStates> points;
   for (std::size_t i = 0; i < angles.count; ++i) {

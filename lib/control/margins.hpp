@@ -59,7 +59,7 @@ struct Margins {
 std::complex<double> loop_gain(const DiscreteModel& model, const Gains& gains, int delay_ticks,
                                const MeasurementFilters& filters, double angle_rad) noexcept;
 
-/// Margins of that loop over 0.001 rad per tick to pi: a grid of 48 angles, evenly in their logarithm, with
+/// Margins of that loop over 0.001 rad per tick to pi: a grid of 32 angles, evenly in their logarithm, with
 /// refinement around the lows of the disk margin and at every crossing. The disk margin is within 1 % of a grid of
 /// 20000 on the loops of shipped robots (control_margins_test); a resonance narrower than the grid can hide, so the
 /// angles of the closed loop's poles are looked at as well.
