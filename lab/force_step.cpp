@@ -40,7 +40,8 @@ struct Bench {
                    " N within the stroke: give a smaller first force"};
     }
     auto plant = plant::HydraulicJoint::create(joint.actuator, load,
-                                               plant::equilibrium(joint.actuator, load, stand, 0.0));
+                                               plant::equilibrium(joint.actuator, load, stand, 0.0),
+                                               plant::HydraulicJoint::kDefaultTolerance, joint.effects);
     if (!plant) {
       return Error{joint.name + ": " + plant.error().message};
     }

@@ -5,6 +5,7 @@
 #include "bus/inproc/inproc_bus.hpp"
 #include "estimator_service/ports.hpp"
 #include "joint_node/joint_node_lockstep.hpp"
+#include "lab/recorder.hpp"
 #include "lab/run_monitor.hpp"
 #include "robot/keys.hpp"
 #include "supervisor/ports.hpp"
@@ -80,6 +81,14 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   if (!estimates) {
     return estimates.error();
   }
+  std::optional<Recorder> recorder;
+  if (!run.record_directory.empty()) {
+    auto made = Recorder::create(robot, *gait.participant, run.record_directory);
+    if (!made) {
+      return made.error();
+    }
+    recorder = std::move(made).value();
+  }
   const auto listen = [&] {
     monitor.value().poll();
     estimates.value().drain([&](const signals::JointModelEstimate& estimate) {
@@ -94,6 +103,9 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   Tick last = kNoTick;
   while (!std::all_of(seats.begin(), seats.end(), [](const Seat& seat) { return seat.application->finished(); })) {
     now += 1ms;
+    if (recorder) {
+      recorder->poll();
+    }
     for (Seat& seat : seats) {
       seat.application->poll(now);
     }
@@ -110,6 +122,12 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     last = source.tick();
   }
   listen();
+  if (recorder) {
+    recorder->poll();
+    if (auto recorded = recorder->finish(run.ticks); !recorded) {
+      return recorded.error();
+    }
+  }
   result.hellos = gait.participant->hellos();
   result.healths = monitor.value().healths();
   result.events = monitor.value().events();

@@ -25,6 +25,7 @@ struct InprocRun {
   const robot::Robot* world = nullptr;       ///< what sim_bridge simulates; null: the robot
   const robot::Robot* designer = nullptr;    ///< what the supervisor designs for; null: the robot
   std::string trace_path;                    ///< empty: none
+  std::string record_directory;              ///< recordings of all joints go there; empty: none
   sim_bridge::RowSink sink;                  ///< gets every row a trace would hold; empty: none
   std::function<void(const signals::JointModelEstimate&)> estimates;  ///< gets every estimate; empty: none
   std::function<bool(Tick)> progress;        ///< called now and then; false ends the run early

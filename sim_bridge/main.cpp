@@ -1,8 +1,19 @@
 // sim_bridge: valve_command ──▶ simulated hydraulic joints and bench loads ──▶ joint/sensors; drives the clock
 
+#include "lab/hide.hpp"
 #include "process/process.hpp"
 #include "sim_bridge/sim_bridge_lockstep.hpp"
 #include "sim_bridge/sim_bridge_realtime.hpp"
+
+namespace {
+
+/// What is simulated: the robot, or with --hide a secret one.
+farrier::robot::Robot world_of(const farrier::robot::Robot& robot, const farrier::participant::ProcessOptions& o) {
+  farrier::lab::HiddenEffect unsaid;
+  return o.hide ? farrier::lab::hide_effect(robot, *o.hide, unsaid) : robot;
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace farrier;
@@ -10,9 +21,9 @@ int main(int argc, char** argv) {
   return process::run(
       o,
       [&](auto& member, const auto& robot) {
-        return sim_bridge::create_lockstep(robot, o.seed, o.trace_path, member, o.ticks);
+        return sim_bridge::create_lockstep(world_of(robot, o), o.seed, o.trace_path, member, o.ticks);
       },
       [&](auto& member, const auto& robot) {
-        return sim_bridge::create_realtime(robot, o.seed, o.trace_path, member, o.ticks);
+        return sim_bridge::create_realtime(world_of(robot, o), o.seed, o.trace_path, member, o.ticks);
       });
 }

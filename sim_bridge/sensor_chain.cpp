@@ -41,6 +41,26 @@ double SensorChannel::sample(int conversions) noexcept {
   return has_filter_ ? filter_.take(mean) : mean;
 }
 
+SensorEffects::SensorEffects(const robot::Joint& joint, double period_s) noexcept {
+  const plant::Scales scales(joint.actuator, joint.swing_load);
+  for (const plant::ActiveEffect& effect : joint.effects) {
+    const plant::Side side = effect.info().side;
+    if (side == plant::Side::kForceSensor || side == plant::Side::kVelocitySensor) {
+      add_to(terms_, effect, scales, period_s);
+      any_ = true;
+    }
+  }
+}
+
+Measured SensorEffects::read(const Measured& truth) noexcept {
+  if (!any_) {
+    return truth;
+  }
+  plant::ForceMoment<double> cell{truth.force};
+  terms_.on_force(cell);
+  return {truth.position, terms_.on_velocity(truth.velocity), cell.force};
+}
+
 Result<SensorChain> SensorChain::create(const robot::Joint& joint, double period_s, std::uint64_t seed) {
   const robot::Sensors& s = joint.sensors;
   if (s.oversampling < 1 || !(period_s > 0.0)) {
@@ -60,13 +80,14 @@ Result<SensorChain> SensorChain::create(const robot::Joint& joint, double period
   return SensorChain({channel(joint.noise.position, "position", *position, s.position_step),
                       channel(joint.noise.velocity, "velocity", *velocity, 0.0),
                       channel(joint.noise.force, "force", *force, 0.0)},
-                     s.oversampling);
+                     SensorEffects(joint, period_s / s.oversampling), s.oversampling);
 }
 
 void SensorChain::begin(const Measured& truth) noexcept {
-  channels_[0].settle(truth.position);
-  channels_[1].settle(truth.velocity);
-  channels_[2].settle(truth.force);
+  const Measured read = effects_.read(truth);
+  channels_[0].settle(read.position);
+  channels_[1].settle(read.velocity);
+  channels_[2].settle(read.force);
   for (int i = 0; i < conversions_; ++i) {
     convert(truth, 0, i);
   }
@@ -74,9 +95,10 @@ void SensorChain::begin(const Measured& truth) noexcept {
 
 void SensorChain::convert(const Measured& truth, Tick tick, int index) noexcept {
   const Tick number = tick * conversions_ + index;
-  channels_[0].convert(truth.position, number, index);
-  channels_[1].convert(truth.velocity, number, index);
-  channels_[2].convert(truth.force, number, index);
+  const Measured read = effects_.read(truth);
+  channels_[0].convert(read.position, number, index);
+  channels_[1].convert(read.velocity, number, index);
+  channels_[2].convert(read.force, number, index);
   if (index == conversions_ - 1) {
     sample_ = {channels_[0].sample(conversions_), channels_[1].sample(conversions_), channels_[2].sample(conversions_)};
   }

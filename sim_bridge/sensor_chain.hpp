@@ -2,14 +2,17 @@
 
 // What stands between a joint and its sample, per channel:
 //
-//   truth ──▶ + noise ──▶ analog low-pass ──▶ resolution ──▶ mean over the tick ──▶ digital low-pass ──▶ sample
-//             at each of the tick's conversions, the last at the tick itself         at the tick
+//   truth ──▶ effects ──▶ + noise ──▶ analog low-pass ──▶ resolution ──▶ mean of tick ──▶ digital low-pass ──▶ sample
+//             at each of the tick's conversions, the last at the tick itself               at the tick
+//
+// Effects are those of the joint that lie in its load cell (lag, gain, offset) and its velocity sensor (lag).
 
 #include <array>
 
 #include "control/low_pass.hpp"
 #include "core/noise.hpp"
 #include "core/result.hpp"
+#include "plant/terms/active_effect.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::sim_bridge {
@@ -47,6 +50,20 @@ class SensorChannel {
   double sum_ = 0.0;
 };
 
+/// Effects of sensors, by the code of their terms: the same that a diagnosis fits.
+class SensorEffects {
+ public:
+  /// Takes those of the joint's effects that lie in sensors; read() is called every `period_s`.
+  SensorEffects(const robot::Joint& joint, double period_s) noexcept;
+
+  /// What the sensors make of the truth, without noise.
+  Measured read(const Measured& truth) noexcept;
+
+ private:
+  plant::TermSet<double> terms_;
+  bool any_ = false;
+};
+
 /// All sensors of a joint. Noise is addressed by (seed, joint, channel, conversion): the same truth gives the same
 /// samples bit for bit. Without filters, oversampling and resolution a sample is truth + noise of the tick.
 class SensorChain {
@@ -64,10 +81,11 @@ class SensorChain {
   const Measured& sample() const noexcept { return sample_; }
 
  private:
-  explicit SensorChain(const std::array<SensorChannel, 3>& channels, int conversions) noexcept
-      : channels_(channels), conversions_(conversions) {}
+  SensorChain(const std::array<SensorChannel, 3>& channels, const SensorEffects& effects, int conversions) noexcept
+      : channels_(channels), effects_(effects), conversions_(conversions) {}
 
   std::array<SensorChannel, 3> channels_;
+  SensorEffects effects_;
   int conversions_;
   Measured sample_;
 };

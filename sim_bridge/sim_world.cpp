@@ -13,7 +13,8 @@ Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed,
   for (const robot::Joint& joint : robot.joints) {
     const double home = joint.linkage.position(joint.home_angle_rad);
     const plant::State rest = plant::equilibrium(joint.actuator, joint.stance_load, home, 0.0);
-    auto plant = plant::HydraulicJoint::create(joint.actuator, joint.stance_load, rest);
+    auto plant = plant::HydraulicJoint::create(joint.actuator, joint.stance_load, rest,
+                                               plant::HydraulicJoint::kDefaultTolerance, joint.effects);
     if (!plant) {
       return Error{joint.name + ": " + plant.error().message};
     }

@@ -3,9 +3,10 @@
 // The simulated robot: one hydraulic joint and bench load per joint of the robot file.
 //
 //   valve currents ──▶ HydraulicJoint (2.30a/b) ◀── load of the leg's actual phase or of a load change, weight on it
+//                            │ and its effects
 //                            │ position, velocity, load-cell force
 //                            ▼
-//   sensors ◀── SensorChain: noise (seeded by joint name, addressed by tick), filters
+//   sensors ◀── SensorChain: effects of sensors, noise (seeded by joint name, addressed by tick), filters
 
 #include <memory>
 #include <vector>

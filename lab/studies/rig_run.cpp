@@ -27,7 +27,8 @@ struct Rig {
     const robot::Joint& joint = robot.joints[0];
     const double middle = joint.linkage.position(joint.home_angle_rad);
     auto plant = plant::HydraulicJoint::create(
-        joint.actuator, load, plant::equilibrium(joint.actuator, load, middle + position_m, 0.0));
+        joint.actuator, load, plant::equilibrium(joint.actuator, load, middle + position_m, 0.0),
+        plant::HydraulicJoint::kDefaultTolerance, joint.effects);
     if (!plant) {
       return Error{joint.name + ": " + plant.error().message};
     }

@@ -1,5 +1,6 @@
 #include "config/printer.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace farrier::config {
@@ -27,7 +28,9 @@ class Printer final : public Visitor {
   }
 
   void visit_number(const Entry& entry, double& value, Range, std::optional<double>) override {
-    line(entry.name, number_text(value));
+    if (!std::isnan(value)) {
+      line(entry.name, number_text(value));
+    }
   }
   void visit_integer(const Entry& entry, int& value, Range, std::optional<int>) override {
     line(entry.name, std::to_string(value));

@@ -1,5 +1,6 @@
 #include "config/reference_table.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "config/suggest.hpp"
@@ -19,10 +20,15 @@ class TableWriter final : public Visitor {
     text_ += std::string(entry.sentence) + " |\n";
   }
 
-  static std::string range_text(Range range) { return number_text(range.min) + " to " + number_text(range.max); }
+  static std::string range_text(Range range) {
+    return std::isinf(range.max) ? "by joint" : number_text(range.min) + " to " + number_text(range.max);
+  }
+  static std::string fallback_text(std::optional<double> fallback) {
+    return !fallback ? kRequired : std::isnan(*fallback) ? "see meaning" : number_text(*fallback);
+  }
 
   void visit_number(const Entry& entry, double&, Range range, std::optional<double> fallback) override {
-    row(entry, unit_of(entry.name), range_text(range), fallback ? number_text(*fallback) : kRequired);
+    row(entry, unit_of(entry.name), range_text(range), fallback_text(fallback));
   }
   void visit_integer(const Entry& entry, int&, Range range, std::optional<int> fallback) override {
     row(entry, unit_of(entry.name), "whole, " + range_text(range), fallback ? std::to_string(*fallback) : kRequired);

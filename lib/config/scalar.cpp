@@ -49,7 +49,9 @@ std::string number_text(double value) {
   return std::string(text.data(), result.ptr);
 }
 
-std::string range_remedy(Range range) { return "give " + number_text(range.min) + " to " + number_text(range.max); }
+std::string range_remedy(Range range) {
+  return std::isinf(range.max) ? "give a number" : "give " + number_text(range.min) + " to " + number_text(range.max);
+}
 
 std::string choice_remedy(std::span<const char* const> names) {
   std::string text = "give";

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -11,7 +13,7 @@
 
 namespace farrier::config {
 
-/// Inclusive bounds of a parameter, in its own unit.
+/// Inclusive bounds of a parameter, in its own unit; infinite where they depend on other parameters.
 struct Range {
   double min;
   double max;
@@ -85,6 +87,13 @@ class Visitor {
   void number(const char* name, double& value, Range range, Default<double> fallback, const char* sentence) {
     visit_number({name, sentence}, value, range, fallback.value);
   }
+  /// A number that has no value where the file gives none.
+  void number(const char* name, std::optional<double>& value, Range range, const char* sentence) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    double number = value.value_or(kNone);
+    visit_number({name, sentence}, number, range, kNone);
+    value = std::isnan(number) ? std::nullopt : std::optional(number);
+  }
   void integer(const char* name, int& value, Range range, const char* sentence) {
     visit_integer({name, sentence}, value, range, std::nullopt);
   }
@@ -140,9 +149,14 @@ class Visitor {
   /// A group that may be absent; present in the file, it becomes present in the struct.
   template <class T>
   void group(const char* name, std::optional<T>& value, const char* sentence) {
+    group(name, value, T{}, sentence);
+  }
+  /// The same, beginning as `fresh`.
+  template <class T>
+  void group(const char* name, std::optional<T>& value, const T& fresh, const char* sentence) {
     if (enter_group({name, sentence}, false, value.has_value())) {
       if (!value.has_value()) {
-        value.emplace();
+        value = fresh;
       }
       declare(*this, *value);
       leave();
@@ -169,6 +183,7 @@ class Visitor {
   virtual void check(bool, const char* /*key*/, const std::string& /*message*/) {}
 
  protected:
+  /// A fallback that is no number: the value may be absent, and is no number then.
   virtual void visit_number(const Entry&, double&, Range, std::optional<double> fallback) = 0;
   virtual void visit_integer(const Entry&, int&, Range, std::optional<int> fallback) = 0;
   virtual void visit_flag(const Entry&, bool&, std::optional<bool> fallback) = 0;

@@ -46,6 +46,9 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--estimator", o.estimator, "Estimator section of the robot file that every joint uses");
   app.add_option("--controller", o.controller, "Kind of every controller, instead of the robot file's")
       ->check(CLI::IsMember({"lqr", "feedback_linearisation", "pid", "flow_inversion"}));
+  if (o.name == "sim_bridge") {
+    app.add_option("--hide", o.hide, "Seed of an effect that one simulated joint has and nobody else is told of");
+  }
   app.add_flag("--no-dither", o.no_dither, "Valves are not probed, whatever the robot file says");
 }
 
@@ -124,6 +127,9 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
     char exact[32];
     std::snprintf(exact, sizeof exact, "%.17g", o.frequency_Hz);  // it shapes the trace
     append("--frequency", exact);
+  }
+  if (o.hide && o.number == kSimBridge) {
+    append("--hide", std::to_string(*o.hide));
   }
   append("--estimator", o.estimator);
   append("--controller", o.controller);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct ProcessOptions {
   double frequency_Hz = 0;
   std::string estimator;            ///< section of the robot file for every joint, or empty
   std::string controller;           ///< kind of every controller, as in a robot file, or empty
+  std::optional<std::uint64_t> hide;  ///< sim_bridge: seed of an effect that only the simulated robot has
   bool no_dither = false;           ///< joint_node: valves are not probed, whatever the robot file says
 };
 

@@ -35,6 +35,10 @@ struct HeldInput {
   double external_force;  ///< N or Nm
 };
 
+struct ChamberVolumes {
+  double a_m3, b_m3;
+};
+
 /// Pressure of a chamber, Pa: none where it holds a void.
 inline double pressure_of(double compression_Pa) noexcept { return compression_Pa > 0.0 ? compression_Pa : 0.0; }
 
@@ -59,6 +63,8 @@ class JointEquations {
   IntegrationState balance(const IntegrationState& s, double p_a, double p_b, const ChamberFeed& feed,
                            double load_force) const noexcept;
 
+  /// With the parts of their lines that belong to them; a quarter of the dead volume at least.
+  ChamberVolumes volumes(double position) const noexcept;
   /// F_h = A_p (p_a - alpha p_b), (2.8).
   double hydraulic_force(const IntegrationState& s) const noexcept;
   /// Force of the end stops on the piston: only pushes inward, never returns more than it took.
@@ -120,6 +126,13 @@ inline double JointEquations::hydraulic_force(const IntegrationState& s) const n
   return actuator_.area_a * pressure_of(s.compression_a_Pa) - actuator_.area_b * pressure_of(s.compression_b_Pa);
 }
 
+inline ChamberVolumes JointEquations::volumes(double position) const noexcept {
+  // (2.12) V_a = V_pl + A_p x, (2.13) V_b = V_pl + (L_c - x) alpha A_p
+  const double v_a = actuator_.line_volume_m3 + actuator_.area_a * position;
+  const double v_b = actuator_.line_volume_m3 + actuator_.area_b * (actuator_.stroke - position);
+  return {v_a > smallest_volume_m3_ ? v_a : smallest_volume_m3_, v_b > smallest_volume_m3_ ? v_b : smallest_volume_m3_};
+}
+
 inline ChamberFeed JointEquations::valve_flow(double p_a, double p_b, const HeldInput& input) const noexcept {
   // (2.14), (2.15): both chambers' flows counted inward, q = K_v |u| drop / root(drop); the port pressures carry
   // the sign of u.
@@ -132,12 +145,7 @@ inline ChamberFeed JointEquations::valve_flow(double p_a, double p_b, const Held
 inline IntegrationState JointEquations::balance(const IntegrationState& s, double p_a, double p_b,
                                                 const ChamberFeed& feed, double load_force) const noexcept {
   const ActuatorParams& act = actuator_;
-
-  // (2.12) V_a = V_pl + A_p x, (2.13) V_b = V_pl + (L_c - x) alpha A_p
-  double v_a = act.line_volume_m3 + act.area_a * s.position;
-  double v_b = act.line_volume_m3 + act.area_b * (act.stroke - s.position);
-  v_a = v_a > smallest_volume_m3_ ? v_a : smallest_volume_m3_;
-  v_b = v_b > smallest_volume_m3_ ? v_b : smallest_volume_m3_;
+  const auto [v_a, v_b] = volumes(s.position);
 
   // (2.10), (2.11): c' = beta_e / V (q - V'). With a void W = -c V / beta_e the same balance W' = V' - q
   // asks for c' = beta_e / V (q - V' (1 + c / beta_e)).

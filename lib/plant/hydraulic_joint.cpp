@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "plant/fastest_rate.hpp"
 #include "plant/runge_kutta.hpp"
 #include "plant/substep_control.hpp"
 
@@ -18,39 +19,14 @@ constexpr double kJustBelowOne = 1.0 - 1e-9;
 /// Real stability interval of RK5(4)7M is 3.3; substeps at the bound must lie inside it.
 constexpr double kStabilityInterval = 3.3;
 
-/// Upper estimate of the fastest rate of the model, 1/s: a chamber filling through the laminar full-open valve,
-/// and the piston on its stop with both oil columns, springs and dampers acting.
-double fastest_rate(const ActuatorParams& actuator, const LoadParams& load) noexcept {
-  const double oil = actuator.bulk_modulus_Pa / actuator.line_volume_m3;
-  const double filling =
-      oil * actuator.valve_gain * actuator.valve_current_max_A / std::sqrt(actuator.laminar_pressure_Pa);
-  const double mass = load.mass + actuator.piston_mass;
-  // Slope of an engaging stop: k (s + s' depth) <= 1.7 k, and d v s' <= 1.5 d v / ramp at the valve's full speed.
-  const double stop =
-      1.7 * actuator.stop_stiffness + 1500.0 * actuator.stop_damping * velocity_scale(actuator) / actuator.stroke;
-  const double stiffness = load.stiffness + stop +
-                           oil * (actuator.area_a * actuator.area_a + actuator.area_b * actuator.area_b);
-  const double damping = load.damping + actuator.piston_damping + actuator.stop_damping;
-  return std::max(filling, damping / mass + std::sqrt(stiffness / mass));
+bool slow_enough(double fastest_rate) noexcept {
+  return fastest_rate * HydraulicJoint::kShortestSubstep_s <= kStabilityInterval;
 }
 
-/// The actuator whose chambers lack what their lines hold behind the valve.
-ActuatorParams without_lines(ActuatorParams actuator) noexcept {
-  actuator.line_volume_m3 -= valve_side_volume_m3(actuator.line);
-  return actuator;
+DelayLine delay_of(std::span<const ActiveEffect> effects) {
+  const ActiveEffect* delay = find(effects, effect_id<InputDelay>());
+  return DelayLine(delay != nullptr ? *parameter_value(*delay, "delay_s") : 0.0);
 }
-
-double fastest_rate_with_effects(const ActuatorParams& actuator, const LoadParams& load) noexcept {
-  const double effects = Effects(actuator, load).fastest_rate(load.mass + actuator.piston_mass);
-  return std::max(fastest_rate(without_lines(actuator), load), effects);
-}
-
-bool slow_enough(const ActuatorParams& actuator, const LoadParams& load) noexcept {
-  return fastest_rate_with_effects(actuator, load) * HydraulicJoint::kShortestSubstep_s <= kStabilityInterval;
-}
-
-bool positive(double value) noexcept { return std::isfinite(value) && value > 0.0; }
-bool not_negative(double value) noexcept { return std::isfinite(value) && value >= 0.0; }
 
 bool finite(const IntegrationState& s) noexcept {
   return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.compression_a_Pa) &&
@@ -64,40 +40,48 @@ bool finite(const EffectState& s) noexcept {
 
 }  // namespace
 
-Result<HydraulicJoint> HydraulicJoint::create(const ActuatorParams& actuator, const LoadParams& load,
-                                              const State& initial, double tolerance) {
+Result<HydraulicJoint> HydraulicJoint::create(const ActuatorParams& nominal, const LoadParams& nominal_load,
+                                              const State& initial, double tolerance,
+                                              std::span<const ActiveEffect> effects) {
   std::string refusals;
+  const auto refuse = [&](const std::string& why) { refusals += (refusals.empty() ? "" : "; ") + why; };
+  if (const auto verdict = validate(effects); !verdict.ok()) {
+    return verdict.error();  // before they are put into the parameters
+  }
+  const ActuatorParams actuator = plant::with_effects(nominal, effects);
+  const LoadParams load = plant::with_effects(nominal_load, nominal, effects);
   for (const auto& verdict : {validate(actuator), validate(load), validate(actuator, initial)}) {
     if (!verdict.ok()) {
-      refusals += (refusals.empty() ? "" : "; ") + verdict.error().message;
+      refuse(verdict.error().message);
     }
   }
   if (!(tolerance >= 1e-14 && tolerance <= 1e-2)) {
-    refusals += (refusals.empty() ? "" : "; ") + std::string("tolerance must be within [1e-14, 1e-2]");
+    refuse("tolerance must be within [1e-14, 1e-2]");
   }
   if (refusals.empty() && !(load.mass + actuator.piston_mass > 0.0)) {
-    refusals = "load: mass and piston_mass must not both be 0";
-  }
-  if (refusals.empty() && !slow_enough(actuator, load)) {
-    std::ostringstream text;
-    text << "joint: fastest rate " << fastest_rate_with_effects(actuator, load) << " 1/s exceeds "
-         << kStabilityInterval / kShortestSubstep_s
-         << " 1/s; lower stop_stiffness or stop_damping, or raise line_volume_m3, laminar_pressure_Pa, mass or the "
-            "friction's presliding";
-    refusals = text.str();
+    refuse("load: mass and piston_mass must not both be 0");
   }
   if (!refusals.empty()) {
     return Error{refusals};
   }
-  return HydraulicJoint(actuator, load, initial, tolerance);
+  HydraulicJoint joint(actuator, load, initial, tolerance, effects);
+  if (const double fastest = fastest_rate(actuator, load, joint.effects_); !slow_enough(fastest)) {
+    std::ostringstream text;
+    text << "joint: fastest rate " << fastest << " 1/s exceeds " << kStabilityInterval / kShortestSubstep_s
+         << " 1/s; lower stop_stiffness or stop_damping, or raise line_volume_m3, laminar_pressure_Pa, mass or the "
+            "friction's presliding";
+    return Error{text.str()};
+  }
+  return joint;
 }
 
 HydraulicJoint::HydraulicJoint(const ActuatorParams& actuator, const LoadParams& load, const State& initial,
-                               double tolerance) noexcept
+                               double tolerance, std::span<const ActiveEffect> effects)
     : actuator_(actuator),
       equations_(without_lines(actuator), load),
-      effects_(actuator, load),
+      effects_(actuator, load, effects),
       has_effects_(effects_.active()),
+      delay_(delay_of(effects)),
       integrated_{{initial.position, initial.velocity, initial.pressure_a_Pa, initial.pressure_b_Pa},
                   effects_.rest({initial.pressure_a_Pa, initial.pressure_b_Pa})},
       state_(initial),
@@ -106,6 +90,9 @@ HydraulicJoint::HydraulicJoint(const ActuatorParams& actuator, const LoadParams&
       inverse_tolerance_velocity_(1.0 / (tolerance * velocity_scale(actuator))),
       inverse_tolerance_pressure_(1.0 / (tolerance * actuator.supply_pressure_Pa)),
       inverse_tolerance_effects_(effects_.scale()) {
+  if (find(effects, effect_id<LoadFriction>()) != nullptr) {
+    guide_ = load.friction;
+  }
   for (double& inverse : inverse_tolerance_effects_) {
     inverse = 1.0 / (tolerance * inverse);
   }
@@ -126,18 +113,20 @@ void HydraulicJoint::differentiate() noexcept {
   }
 }
 
-bool HydraulicJoint::set_load(const LoadParams& load) noexcept {
-  const FrictionParams& dry = load.friction;
-  const bool guided = not_negative(dry.coulomb) && not_negative(dry.breakaway) && dry.breakaway >= dry.coulomb &&
-                      (dry.coulomb > 0.0 || dry.breakaway == 0.0) && positive(dry.stribeck_velocity) &&
-                      positive(dry.presliding);
-  const bool physical = not_negative(load.mass) && not_negative(load.damping) && not_negative(load.stiffness) &&
-                        std::isfinite(load.equilibrium_position) && load.mass + actuator().piston_mass > 0.0;
-  if (!physical || !guided || !slow_enough(actuator(), load)) {
+bool HydraulicJoint::set_load(const LoadParams& given) noexcept {
+  LoadParams load = given;
+  load.friction = guide_.value_or(given.friction);
+  if (!is_physical(load, actuator().piston_mass)) {
+    return false;
+  }
+  Effects effects = effects_;
+  const Effects::X carried = effects.set_load(load, integrated_.x);
+  if (!slow_enough(fastest_rate(actuator(), load, effects))) {
     return false;
   }
   equations_.set_load(load);
-  integrated_.x = effects_.set_load(load, integrated_.x);
+  effects_ = effects;
+  integrated_.x = carried;
   has_effects_ = effects_.active();
   differentiate();
   return true;
@@ -231,6 +220,26 @@ double HydraulicJoint::integrate(const Equations& equations, const typename Equa
   return relative_error;
 }
 
+double HydraulicJoint::advance(double period_s, StepReport& report) noexcept {
+  return has_effects_ ? integrate(with_effects(), command_, integrated_, derivative_, period_s, report)
+                      : integrate<JointEquations, IntegrationState>(equations_, input_, integrated_, derivative_,
+                                                                    period_s, report);
+}
+
+double HydraulicJoint::advance_delayed(double period_s, StepReport& report) noexcept {
+  const CommandInput given = command_;
+  delay_.push(given.command_A, period_s);
+  double relative_error = 0.0;
+  for (double left_s = period_s; left_s > DelayLine::kNoTime_s;) {
+    const DelayLine::Stretch stretch = delay_.take(left_s);
+    hold({stretch.current_A, given.external_force});
+    differentiate();
+    relative_error += advance(stretch.length_s, report);
+    left_s -= stretch.length_s;
+  }
+  return relative_error;
+}
+
 StepReport HydraulicJoint::step(double valve_current_A, double external_force, double period_s) noexcept {
   StepReport report;
   hold(admit(valve_current_A, external_force, report));
@@ -239,10 +248,7 @@ StepReport HydraulicJoint::step(double valve_current_A, double external_force, d
     report.input_refused = true;
     return report;
   }
-  const double relative_error =
-      has_effects_ ? integrate(with_effects(), command_, integrated_, derivative_, period_s, report)
-                   : integrate<JointEquations, IntegrationState>(equations_, input_, integrated_, derivative_,
-                                                                 period_s, report);
+  const double relative_error = delay_.active() ? advance_delayed(period_s, report) : advance(period_s, report);
   report.error_position = relative_error / inverse_tolerance_position_;
   report.error_velocity = relative_error / inverse_tolerance_velocity_;
   report.error_pressure_Pa = relative_error / inverse_tolerance_pressure_;
@@ -256,8 +262,9 @@ void HydraulicJoint::publish_state() noexcept {
 }
 
 double HydraulicJoint::load_cell_force() const noexcept {
-  return hydraulic_force() + equations_.stop_force(integrated_) - actuator().piston_damping * integrated_.velocity -
-         actuator().piston_mass * acceleration();
+  const double read = hydraulic_force() + equations_.stop_force(integrated_) -
+                      actuator().piston_damping * integrated_.velocity - actuator().piston_mass * acceleration();
+  return has_effects_ ? read + with_effects().piston_force(integrated_, command_) : read;
 }
 
 double HydraulicJoint::void_volume_a_m3() const noexcept {
@@ -281,7 +288,8 @@ EffectReadings HydraulicJoint::effects() const noexcept {
           .line_pressure_b_Pa = lines ? pressure_of(integrated_.x[line + 1]) : state_.pressure_b_Pa,
           .line_flow_a_m3_s = integrated_.x[line + 2],
           .line_flow_b_m3_s = integrated_.x[line + 3],
-          .friction = integrated_.x[Effects::at<Friction>()]};
+          .friction = integrated_.x[Effects::at<Friction>()],
+          .piston_force = has_effects_ ? with_effects().piston_force(integrated_, command_) : 0.0};
 }
 
 }  // namespace farrier::plant

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "core/result.hpp"
 #include "plant/actuator.hpp"
+#include "plant/effects/delay_line.hpp"
 #include "plant/effects/equations_with_effects.hpp"
 #include "plant/equations.hpp"
 
@@ -18,6 +22,7 @@ struct EffectReadings {
   double line_flow_a_m3_s = 0.0;     ///< into the chamber through its line; 0 without lines
   double line_flow_b_m3_s = 0.0;
   double friction = 0.0;             ///< dry friction that holds the load back, N or Nm
+  double piston_force = 0.0;         ///< of effects left of the load cell, on the piston; N or Nm
 };
 
 /// What one step did. The error is that of the whole state: local errors of the fourth-order solution (the fifth is
@@ -39,8 +44,9 @@ struct StepReport {
 };
 
 /// Nonlinear hydraulic joint: four-way valve, actuator, load (Hubacher 2014, (2.30a), (2.30b)) and the effects of
-/// plant/effects that its parameters ask for, advanced one control period at a time. Invariants: shut valve conserves fluid, damping and stops only dissipate, pressures are never
-/// negative, every value stays finite. Results do not depend on the machine: +, -, *, / and sqrt only.
+/// plant/effects that its parameters ask for or that it is created with, advanced one control period at a time.
+/// Invariants: shut valve conserves fluid, damping and stops only dissipate, pressures are never negative, every value
+/// stays finite. Results do not depend on the machine: +, -, *, / and sqrt only.
 class HydraulicJoint {
  public:
   /// Local error a substep may make: sum over the states, relative to stroke, velocity_scale(), supply pressure.
@@ -51,12 +57,14 @@ class HydraulicJoint {
   static constexpr double kLongestPeriod_s = 0.1;
 
   /// Refuses non-physical values, naming each, and models with a rate too fast for kShortestSubstep_s.
-  /// `tolerance` in [1e-14, 1e-2].
+  /// `tolerance` in [1e-14, 1e-2]. Of `effects` it has those left and right of the load cell, but for what
+  /// is_in_load(): loads_with_effects() puts that into loads. Effects of sensors are the sensors'.
   static Result<HydraulicJoint> create(const ActuatorParams& actuator, const LoadParams& load, const State& initial,
-                                       double tolerance = kDefaultTolerance);
+                                       double tolerance = kDefaultTolerance,
+                                       std::span<const ActiveEffect> effects = {});
 
-  /// Another load from now on: position, velocity and pressures are continuous. False, and the old load kept, for
-  /// values create() would refuse.
+  /// Another load from now on: position, velocity and pressures are continuous, and the friction stays where it is an
+  /// effect. False, and the old load kept, for values create() would refuse.
   bool set_load(const LoadParams& load) noexcept;
 
   /// Advances by `period_s` with both inputs held. The current acts within +-valve_current_max_A, the external force
@@ -65,7 +73,7 @@ class HydraulicJoint {
   StepReport step(double valve_current_A, double external_force, double period_s) noexcept;
 
   const State& state() const noexcept { return state_; }
-  /// F_s = F_h + F_stop - d_p v - m_p a, (2.22) left side, with the last input; N or Nm.
+  /// F_s = F_h + F_stop - d_p v - m_p a, (2.22) left side, and effects on the piston, with the last input; N or Nm.
   double load_cell_force() const noexcept;
   /// F_h = A_p (p_a - alpha p_b), (2.8); N or Nm.
   double hydraulic_force() const noexcept { return equations_.hydraulic_force(integrated_); }
@@ -81,13 +89,16 @@ class HydraulicJoint {
   const LoadParams& load() const noexcept { return equations_.load(); }
 
  private:
-  HydraulicJoint(const ActuatorParams& actuator, const LoadParams& load, const State& initial,
-                 double tolerance) noexcept;
+  HydraulicJoint(const ActuatorParams& actuator, const LoadParams& load, const State& initial, double tolerance,
+                 std::span<const ActiveEffect> effects);
 
   CommandInput admit(double valve_current_A, double external_force, StepReport& report) const noexcept;
   void hold(const CommandInput& input) noexcept;
   EquationsWithEffects with_effects() const noexcept { return {equations_, effects_}; }
   void differentiate() noexcept;
+  /// Advance by a period with the held input, or with the currents that leave the delay in it; relative error.
+  double advance(double period_s, StepReport& report) noexcept;
+  double advance_delayed(double period_s, StepReport& report) noexcept;
   template <class Equations, class EquationState>
   double integrate(const Equations& equations, const typename Equations::Input& input, EquationState& state,
                    EquationState& derivative, double period_s, StepReport& report) noexcept;
@@ -102,6 +113,8 @@ class HydraulicJoint {
   JointEquations equations_;  ///< of chambers without what their lines hold behind the valve
   Effects effects_;
   bool has_effects_;
+  DelayLine delay_;
+  std::optional<FrictionParams> guide_;  ///< of an effect: rules over the load's own
   EffectState integrated_;
   CommandInput command_{0.0, 0.0};
   HeldInput input_;

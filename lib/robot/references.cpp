@@ -2,6 +2,9 @@
 
 #include <map>
 #include <utility>
+#include <vector>
+
+#include "config/suggest.hpp"
 
 namespace farrier::robot {
 namespace {
@@ -24,6 +27,9 @@ class ReferenceCheck {
     }
     for (const auto& [name, leg] : file_.legs) {
       check_leg(name, leg);
+    }
+    for (const auto& [name, effects] : file_.effects) {
+      check_effects(name, effects);
     }
     if (joints_.size() > kMostJoints) {
       problems_.push_back(file_.place.problem("legs", "have more than 64 joints together"));
@@ -121,6 +127,21 @@ class ReferenceCheck {
             leg.joints_place.problem(name, "has the whole leg as its load: only the first of three joints can"));
       }
     }
+  }
+
+  void check_effects(const std::string& joint, const JointEffectsSection& effects) {
+    if (joints_.contains(joint)) {
+      return;
+    }
+    std::vector<std::string> known;
+    std::string all;
+    for (const auto& [name, leg] : joints_) {
+      known.push_back(name);
+      all += (all.empty() ? " " : ", ") + name;
+    }
+    const std::string meant = config::suggest(joint, known).name;
+    problems_.push_back(effects.place.problem(
+        "", "is not a joint of a leg" + (meant.empty() ? ": known are" + all : ": did you mean " + meant + "?")));
   }
 
   const RobotFile& file_;

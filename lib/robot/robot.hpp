@@ -18,6 +18,7 @@
 #include "gait/gait_params.hpp"
 #include "plant/actuator.hpp"
 #include "plant/linkage.hpp"
+#include "plant/terms/active_effect.hpp"
 #include "robot/robot_file.hpp"
 
 namespace farrier::robot {
@@ -43,6 +44,7 @@ struct Joint {
   std::uint16_t number;              ///< its place in Robot::joints and its key on the bus
   int leg;                           ///< its place in Robot::plan.legs
   int index_in_leg;
+  bool rotary;                       ///< a motor: rad and Nm
   plant::ActuatorParams actuator;
   plant::Linkage linkage;
   plant::LoadParams swing_load, stance_load;  ///< actuator coordinates
@@ -61,6 +63,7 @@ struct Joint {
   double stiffness_Nm_rad, damping_Nms_rad;
   double dither_percent;  ///< probing current, plus or minus, of the valve's nominal current; 0: none
   int dither_hold_ticks;  ///< ticks for which it keeps its sign, >= 1
+  std::vector<plant::ActiveEffect> effects;  ///< beside the model; those that are other loads are in the loads above
 };
 
 struct Robot {

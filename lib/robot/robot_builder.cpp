@@ -8,6 +8,7 @@
 #include "robot/adaptation_check.hpp"
 #include "robot/cross_check.hpp"
 #include "robot/derive.hpp"
+#include "robot/joint_effects.hpp"
 #include "robot/leg_inertia.hpp"
 #include "robot/references.hpp"
 
@@ -143,7 +144,7 @@ class Builder {
     return instance(*config::find(file_.joints, leg.joints[index].second), leg).home_angle_rad;
   }
 
-  void add_leg(const std::string& name, const Leg& leg, Robot& robot) const {
+  void add_leg(const std::string& name, const Leg& leg, Robot& robot) {
     gait::LegPlan plan{.name = name, .geometry = {}, .joints = {}, .phase_offset = leg.phase_offset};
     plan.geometry.left = leg.left;
     plan.geometry.front = leg.front;
@@ -154,6 +155,12 @@ class Builder {
     }
     for (const auto& [joint_name, template_name] : leg.joints) {
       Joint joint = make_joint(joint_name, *config::find(file_.joints, template_name), leg);
+      for (auto& [named, effects] : file_.effects) {
+        if (named == joint_name) {
+          const config::Problems misfits = add_effects(effects, joint);
+          problems_.insert(problems_.end(), misfits.begin(), misfits.end());
+        }
+      }
       joint.number = static_cast<std::uint16_t>(robot.joints.size());
       joint.leg = static_cast<int>(robot.plan.legs.size());
       joint.index_in_leg = static_cast<int>(plan.joints.size());
@@ -174,6 +181,7 @@ class Builder {
                 .number = 0,
                 .leg = 0,
                 .index_in_leg = 0,
+                .rotary = actuator.rotary_motor.has_value(),
                 .actuator = {},
                 .linkage = here.linkage,
                 .swing_load = {},
@@ -196,7 +204,8 @@ class Builder {
                 .stiffness_Nm_rad = from.stiffness_Nm_rad,
                 .damping_Nms_rad = from.damping_Nms_rad,
                 .dither_percent = from.dither_percent,
-                .dither_hold_ticks = from.dither_hold_ticks};
+                .dither_hold_ticks = from.dither_hold_ticks,
+                .effects = {}};
     double rated = 0.0;
     if (actuator.cylinder) {
       joint.actuator = cylinder_params(file_.supply, valve, actuator);

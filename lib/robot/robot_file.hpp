@@ -9,6 +9,7 @@
 #include "robot/actuator_section.hpp"
 #include "robot/adaptation_section.hpp"
 #include "robot/body_section.hpp"
+#include "robot/joint_effects_section.hpp"
 #include "robot/variation_section.hpp"
 
 namespace farrier::robot {
@@ -92,6 +93,7 @@ struct RobotFile {
   SafetySection safety;
   Bounds bounds;
   VariationSection variation;
+  config::Named<JointEffectsSection> effects;  ///< by joint, none of which is named twice
   config::Place place;
 };
 

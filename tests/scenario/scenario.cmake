@@ -4,11 +4,12 @@ farrier_test(scenario_test scenario
   ${CMAKE_CURRENT_LIST_DIR}/determinism_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/lifecycle_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/load_cycle_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/recorded_trot_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rig_effects_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rig_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/switching_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/trot_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/update_logic_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/vary_test.cpp)
-target_link_libraries(scenario_test PRIVATE farrier_lab farrier_report)
+target_link_libraries(scenario_test PRIVATE farrier_diagnosis farrier_lab farrier_report)
 target_compile_definitions(scenario_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

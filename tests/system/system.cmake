@@ -14,6 +14,7 @@ farrier_system_test(long_trace_identity_test long 12 ${CMAKE_CURRENT_LIST_DIR}/t
 farrier_system_test(process_failure_test system 0 ${CMAKE_CURRENT_LIST_DIR}/process_failure_test.cpp)
 farrier_system_test(command_line_test system 0 ${CMAKE_CURRENT_LIST_DIR}/command_line_test.cpp)
 farrier_system_test(reproduce_test system 0 ${CMAKE_CURRENT_LIST_DIR}/reproduce_test.cpp)
+farrier_system_test(diagnose_test system 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_test.cpp)
 farrier_system_test(process_end_test system 0 ${CMAKE_CURRENT_LIST_DIR}/process_end_test.cpp)
 farrier_system_test(surroundings_test system 0 ${CMAKE_CURRENT_LIST_DIR}/surroundings_test.cpp)
 farrier_system_test(traffic_test system 0 ${CMAKE_CURRENT_LIST_DIR}/traffic_test.cpp)

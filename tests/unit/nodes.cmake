@@ -15,7 +15,9 @@ target_link_libraries(joint_node_test PRIVATE farrier_joint_node_core farrier_su
 
 farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/estimator_service_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/lab_hide_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sensor_chain_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/sensor_effects_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_contact_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_load_test.cpp
@@ -30,17 +32,21 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_update_method_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(nodes_test PRIVATE farrier_estimator_service_core farrier_sim_bridge_core
-  farrier_supervisor_core farrier_joint_node_core)
+  farrier_supervisor_core farrier_joint_node_core farrier_hide)
 
 farrier_test(participant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/participant_greeting_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/participant_ports_test.cpp)
 target_link_libraries(participant_test PRIVATE farrier_participant)
 
+farrier_test(recorder_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/lab_recorder_test.cpp)
+target_link_libraries(recorder_test PRIVATE farrier_lab farrier_diagnosis)
+
 farrier_test(bench_test unit
   ${CMAKE_CURRENT_LIST_DIR}/bench_tick_test.cpp)
 target_link_libraries(bench_test PRIVATE farrier_bench)
 
-foreach(test IN ITEMS joint_node_test nodes_test bench_test)
+foreach(test IN ITEMS joint_node_test nodes_test recorder_test bench_test)
   target_compile_definitions(${test} PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 endforeach()

@@ -107,13 +107,13 @@ TEST(TickInbox, IgnoresAKeyThatIsNotItsOwn) {
   EXPECT_EQ(inbox.missing(0), 1);
 }
 
-ProcessOptions parsed(std::vector<std::string> arguments) {
-  arguments.insert(arguments.begin(), "process");
+ProcessOptions parsed(std::vector<std::string> arguments, const char* process = "process") {
+  arguments.insert(arguments.begin(), process);
   std::vector<char*> argv;
   for (std::string& argument : arguments) {
     argv.push_back(argument.data());
   }
-  return parse_options("process", "", static_cast<int>(argv.size()), argv.data());
+  return parse_options(process, "", static_cast<int>(argv.size()), argv.data());
 }
 
 TEST(ProcessOptions, SurviveTheCommandLine) {
@@ -167,6 +167,17 @@ TEST(ProcessOptions, TakeEveryDesignOfTheSupervisorAndLeaveDitherOnUnlessTold) {
     EXPECT_EQ(options.design, design);
     EXPECT_FALSE(options.no_dither);
   }
+}
+
+TEST(ProcessOptions, TellSimBridgeAloneWhatIsHidden) {
+  ProcessOptions options;
+  options.name = "sim_bridge";
+  options.participants = 8;
+  options.number = kSimBridge;
+  options.hide = 0xffff'ffff'ffff'fff0ull;
+  EXPECT_EQ(parsed(to_arguments(options), "sim_bridge").hide, options.hide);
+  options.number = kFirstJointNode;
+  EXPECT_EQ(parsed(to_arguments(options)).hide, std::nullopt);
 }
 
 TEST(ProcessOptions, RefuseANumberBeyondTheParticipants) {

@@ -9,5 +9,7 @@ farrier_test(plant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/plant_lines_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_linear_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant_linkage_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant_terms_steady_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant_terms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(plant_test PRIVATE farrier_plant)

@@ -7,3 +7,7 @@ farrier_test(studies_test unit
   ${CMAKE_CURRENT_LIST_DIR}/studies_rig_run_test.cpp)
 target_link_libraries(studies_test PRIVATE farrier_reproduce nlohmann_json::nlohmann_json)
 target_compile_definitions(studies_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
+
+farrier_test(truth_test unit ${CMAKE_CURRENT_LIST_DIR}/truth_test.cpp)
+target_link_libraries(truth_test PRIVATE farrier_truth)
+target_compile_definitions(truth_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")

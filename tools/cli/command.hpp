@@ -12,6 +12,7 @@ inline constexpr int kFailed = 1;       ///< ran, and did not meet its bounds, o
 inline constexpr int kBadInput = 2;     ///< refused before anything moved; interrupted: 130 or 143
 
 std::function<int()> declare_bench(CLI::App& app);
+std::function<int()> declare_diagnose(CLI::App& app);
 std::function<int()> declare_reproduce(CLI::App& app);
 std::function<int()> declare_tables(CLI::App& app);
 std::function<int()> declare_trot(CLI::App& app);

@@ -1,11 +1,13 @@
 #include "tools/cli/dds_run.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 #include "bus_factory/bus_factory.hpp"
 #include "lab/bare_exchange.hpp"
 #include "lab/gait_source.hpp"
+#include "lab/recorder.hpp"
 #include "lab/run_monitor.hpp"
 #include "participant/loop.hpp"
 #include "robot/keys.hpp"
@@ -21,6 +23,8 @@ using namespace std::chrono_literals;
 
 constexpr auto kHousekeeping = 20ms;
 constexpr auto kSilenceWorthSaying = 3s;
+/// After everybody else has ended: for samples that are still on their way to the recorder.
+constexpr auto kLastSamples = 2s;
 
 SteadyTime now() { return std::chrono::steady_clock::now(); }
 
@@ -56,6 +60,7 @@ struct Seat {
   std::unique_ptr<bus::Bus> bus;
   std::unique_ptr<participant::Participant> participant;
   std::unique_ptr<lab::GaitSource> gait;
+  std::optional<lab::Recorder> recorder;
 };
 
 Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const participant::ProcessOptions& common,
@@ -82,6 +87,13 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
     return gait.error();
   }
   seat.gait = std::move(gait).value();
+  if (!run.record_directory.empty()) {
+    auto recorder = lab::Recorder::create(robot, *seat.participant, run.record_directory);
+    if (!recorder) {
+      return recorder.error();
+    }
+    seat.recorder = std::move(recorder).value();
+  }
   return seat;
 }
 
@@ -120,13 +132,16 @@ Result<Done> bury(std::vector<ChildProcess>& children, const std::string& estima
 
 /// Plays the gait until the run is over. Refuses as bury does, and when the user interrupts.
 Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children, Progress& progress,
-                    bool realtime, RunOutcome& outcome) {
+                    bool realtime, Tick ticks, RunOutcome& outcome) {
   SteadyTime next_housekeeping{};
   SteadyTime first_tick{};
   SteadyTime moved = now();
   Tick last = 0;
   for (;;) {
     const std::uint64_t before = seat.bus->arrivals();
+    if (seat.recorder) {
+      seat.recorder->poll();
+    }
     seat.gait->poll(now());
     if (seat.gait->tick() != last) {
       first_tick = last == 0 ? now() : first_tick;
@@ -147,7 +162,8 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
         return Error{seat.participant->refusal()};
       }
       monitor.poll();
-      if (realtime ? monitor.healths()[participant::kSimBridge].final_report != 0 : monitor.all_final()) {
+      const bool over = realtime ? monitor.healths()[participant::kSimBridge].final_report != 0 : monitor.all_final();
+      if (over && (!seat.recorder || seat.recorder->has(ticks) || now() - moved > kLastSamples)) {
         return std::chrono::duration<double>(moved - first_tick).count();
       }
       progress.update(last);
@@ -208,13 +224,18 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   }
   Progress progress(run.title, common.ticks);
   auto played = play(seat.value(), monitor.value(), children.value(), progress,
-                     common.clock == bus::ClockKind::kRealtime, outcome);
+                     common.clock == bus::ClockKind::kRealtime, common.ticks, outcome);
   const std::string hard_ends = end_all(children.value());
   if (!played) {
     return played.error();
   }
   if (!hard_ends.empty()) {
     return Error{hard_ends};
+  }
+  if (seat.value().recorder) {
+    if (auto recorded = seat.value().recorder->finish(common.ticks); !recorded) {
+      return recorded.error();
+    }
   }
   outcome.wall_s = played.value();
   outcome.hellos = seat.value().participant->hellos();

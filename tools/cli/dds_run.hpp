@@ -20,6 +20,7 @@ struct DdsRun {
   participant::ProcessOptions common;
   std::string executables;  ///< directory of the node executables
   std::string log_directory;
+  std::string record_directory;  ///< recordings of all joints go there, lock-step only; empty: none
   std::string title;
   bool bare = false;  ///< exchange the same samples with nothing computed: the yardstick of farrier bench
 };

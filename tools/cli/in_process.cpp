@@ -32,7 +32,7 @@ double median(std::vector<double> values) {
 }  // namespace
 
 Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& o, supervisor::Design design,
-                                  const std::string& trace_path, const std::string& title) {
+                                  const std::string& trace_path, const std::string& title, const Extras& extras) {
   participant::install_signal_handlers();
   lab::InprocRun run;
   run.grouping = o.nodes;
@@ -40,6 +40,8 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
   run.seed = o.seed;
   run.design = design;
   run.trace_path = trace_path;
+  run.world = extras.world;
+  run.record_directory = extras.record_directory;
   Progress progress(title, run.ticks);
   run.progress = [&](Tick tick) {
     progress.update(tick);

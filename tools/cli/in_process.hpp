@@ -10,10 +10,16 @@
 
 namespace farrier::cli {
 
+/// What a run may have besides.
+struct Extras {
+  const robot::Robot* world = nullptr;  ///< what sim_bridge simulates; null: the robot
+  std::string record_directory;         ///< recordings of all joints go there; empty: none
+};
+
 /// A trot in this process, in lock-step, with a bar called `title`; the trace goes to `trace_path`. Refuses what
 /// lab::run_inproc does, and when the user interrupts.
 Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& options, supervisor::Design design,
-                                  const std::string& trace_path, const std::string& title);
+                                  const std::string& trace_path, const std::string& title, const Extras& extras = {});
 
 /// The same robot that does not probe its valves: what a run with fixed gains needs.
 robot::Robot without_dither(robot::Robot robot);

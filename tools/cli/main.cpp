@@ -18,6 +18,7 @@ struct Subcommand {
 constexpr Subcommand kSubcommands[] = {
     {"trot", "Run a robot's gait through all processes, judge it and report", farrier::cli::declare_trot},
     {"bench", "Measure speed as ratios against what a user would pick instead", farrier::cli::declare_bench},
+    {"diagnose", "Find what a joint's model lacks from what was recorded of the joint", farrier::cli::declare_diagnose},
     {"reproduce", "Run the studies of the thesis anew and judge its claims", farrier::cli::declare_reproduce},
     {"tables", "Print the generated tables of the documentation", farrier::cli::declare_tables},
 };

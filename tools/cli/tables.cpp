@@ -7,6 +7,7 @@
 #include "robot/robot.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/help.hpp"
+#include "tools/report/effects_table.hpp"
 #include "tools/report/figures.hpp"
 
 namespace farrier::cli {
@@ -14,6 +15,7 @@ namespace {
 
 using Table = std::string (*)();
 const std::map<std::string, Table> kTables{{"topics", bus::topics_table_markdown},
+                                           {"effects", report::effects_table_markdown},
                                            {"figures", report::figures_table_markdown},
                                            {"parameters", robot::parameter_table}};
 
@@ -21,8 +23,9 @@ const std::map<std::string, Table> kTables{{"topics", bus::topics_table_markdown
 
 std::function<int()> declare_tables(CLI::App& app) {
   auto table = std::make_shared<Table>(nullptr);
-  add_choice(app, "table", *table, kTables, "topics|figures|parameters",
-             "topics (idl/README.md), figures (docs/figures.md) or parameters (docs/parameters.md)")
+  add_choice(app, "table", *table, kTables, "topics|effects|figures|parameters",
+             "topics (idl/README.md), effects (docs/effects.md), figures (docs/figures.md) or parameters "
+             "(docs/parameters.md)")
       ->required();
   return [table] {
     std::fputs((*table)().c_str(), stdout);

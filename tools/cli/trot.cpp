@@ -10,10 +10,12 @@
 #include "supervisor/joint_design.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/experiment.hpp"
+#include "tools/cli/hide.hpp"
 #include "tools/cli/in_process.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/run_events.hpp"
 #include "tools/cli/trot_options.hpp"
+#include "tools/cli/trot_run.hpp"
 #include "tools/cli/vary.hpp"
 #include "tools/report/adaptation.hpp"
 #include "tools/report/console.hpp"
@@ -29,38 +31,6 @@ namespace fs = std::filesystem;
 int fail(const Error& error) {
   std::fprintf(stderr, "farrier trot: %s\n", error.message.c_str());
   return participant::stop_requested() ? participant::stop_status() : kFailed;
-}
-
-participant::ProcessOptions common_options(const TrotOptions& o) {
-  participant::ProcessOptions common;
-  common.robot_path = o.robot_path;
-  common.clock = o.clock;
-  common.seed = o.seed;
-  common.session = static_cast<std::uint64_t>(::getpid());
-  common.trace_path = o.trace_path;
-  common.gait = o.gait;
-  common.frequency_Hz = o.frequency_Hz;
-  common.design = o.design;
-  common.estimator = o.estimator;
-  common.controller = o.controller;
-  // Varied robots and experiments say themselves who probes.
-  common.no_dither = !o.vary && o.experiment == Experiment::kNone && o.design != "adaptive";
-  return common;
-}
-
-Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o) {
-  if (o.dds == DdsChoice::kInproc) {
-    return run_in_process(robot, o, supervisor::parse_design(o.design), o.trace_path, "trot");
-  }
-  DdsRun run;
-  run.dds = o.dds;
-  run.grouping = o.nodes;
-  run.common = common_options(o);
-  run.common.ticks = lab::ticks_of(o.duration_s, robot);
-  run.executables = build_directory();
-  run.log_directory = o.out + "/log";
-  run.title = "trot";
-  return run_over_dds(robot, run);
 }
 
 /// Joints of the robot file no controller can be designed for, a line each; empty when there are none.
@@ -111,12 +81,19 @@ int trot(TrotOptions o) {
     std::fputs(robot::print_config(robot).c_str(), stdout);
     return kPassed;
   }
-  if (o.seeds != 0 && !o.vary && o.experiment != Experiment::kControllers) {
-    std::fputs("farrier trot: --seeds is for --vary and --experiment controllers: give one of them, or leave it out\n",
+  if (o.seeds != 0 && !o.vary && !o.hide && o.experiment != Experiment::kControllers) {
+    std::fputs("farrier trot: --seeds is for --vary, --hide and --experiment controllers: give one of them, or leave "
+               "it out\n",
                stderr);
     return kBadInput;
   }
-  o.seeds = o.seeds == 0 ? kSeeds : o.seeds;
+  o.seeds = o.seeds != 0 ? o.seeds : o.hide ? 1 : kSeeds;
+  if ((o.hide || !o.record_directory.empty()) && o.clock == bus::ClockKind::kRealtime) {
+    std::fputs("farrier trot: --hide and --record run on the lock-step clock only, where no sample is lost: leave "
+               "--clock realtime out\n",
+               stderr);
+    return kBadInput;
+  }
   if (o.vary && o.clock == bus::ClockKind::kRealtime) {
     std::fputs("farrier trot: --vary runs on the lock-step clock only: leave --clock realtime out\n", stderr);
     return kBadInput;
@@ -146,8 +123,15 @@ int trot(TrotOptions o) {
     }
   }
 
+  if (o.hide && o.record_directory.empty()) {
+    o.record_directory = o.out + "/recordings";
+  }
+
   if (o.vary) {
     return vary(robot, o, rows_path);
+  }
+  if (o.hide) {
+    return hide(robot, o);
   }
   switch (o.experiment) {
     case Experiment::kLoadCycle: return run_load_cycle(robot, o);
@@ -156,7 +140,7 @@ int trot(TrotOptions o) {
     case Experiment::kControllers: return run_controllers(robot, o);
     case Experiment::kNone: break;
   }
-  auto ran = run_once(robot, o);
+  auto ran = run_once(robot, o, "trot");
   if (!ran) {
     return fail(ran.error());
   }

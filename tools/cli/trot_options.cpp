@@ -79,7 +79,7 @@ void declare(CLI::App& app, TrotOptions& o) {
                    "without: figure trot.dither_cost_ratio")
           ->type_name("")
           ->excludes(experiment);
-  app.add_flag("--vary", o.vary,
+  CLI::Option* const vary = app.add_flag("--vary", o.vary,
                    "run robots whose loads, supply, friction and valves are drawn and known to no controller: the "
                    "adaptive one against perfect knowledge and fixed ones; in process, whatever --dds says, for "
                    "lock-step traces do not depend on it")
@@ -88,10 +88,28 @@ void declare(CLI::App& app, TrotOptions& o) {
           ->excludes(design)
           ->excludes(dither_cost)
           ->excludes(experiment);
-  app.add_option("--seeds", o.seeds, "robots that --vary and --experiment controllers draw, from --seed on")
+  CLI::Option* const record =
+      app.add_option("--record", o.record_directory,
+                     "directory for a recording of every joint as it crossed the bus, <joint>.csv as farrier diagnose "
+                     "reads it; lock-step only")
+          ->type_name("<dir>")
+          ->default_str("none; with --hide recordings in --out")
+          ->excludes(experiment);
+  app.add_option("--hide", o.hide,
+                 "give one joint of the simulated robot, drawn by this seed, an effect that nobody else is told of; "
+                 "the recordings of the run are diagnosed, and what is found goes into everybody's model")
+      ->check(between(0.0, 18446744073709551615.0))
+      ->type_name("<seed>")
+      ->excludes(experiment)
+      ->excludes(dither_cost)
+      ->excludes(vary);
+  vary->excludes(record);
+  app.add_option("--seeds", o.seeds,
+                 "robots that --vary and --experiment controllers draw, from --seed on; effects that --hide draws, "
+                 "from its seed on, in process where they are several")
       ->check(between(1, 10000))
       ->type_name("<n>")
-      ->default_str(std::to_string(kSeeds));
+      ->default_str(std::to_string(kSeeds) + "; with --hide 1");
   app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
 }
 

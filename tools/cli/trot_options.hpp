@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "tools/cli/dds_run.hpp"
@@ -30,7 +31,9 @@ struct TrotOptions {
   std::string controller;   ///< kind of every controller; empty: the robot file's
   bool dither_cost = false; ///< two more runs: what the robot file's dither costs
   bool vary = false;        ///< varied robots under every controller instead of one run
-  int seeds = 0;            ///< of `vary` and the controllers, from `seed` on; 0: not given, which is kSeeds
+  int seeds = 0;            ///< of `vary` and the controllers, from `seed` on; 0: not given, which is kSeeds; of `hide`
+  std::optional<std::uint64_t> hide;  ///< of an effect of one simulated joint that nobody else knows
+  std::string record_directory;       ///< recordings of all joints go there; empty: none, with `hide` into `out`
 };
 
 inline constexpr int kSeeds = 5;

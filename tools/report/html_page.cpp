@@ -36,12 +36,12 @@ a { color: #005a8c; } figure { margin: 0; } figcaption { color: #56616a; font-si
 }  // namespace
 
 std::string page_head(const std::string& plain_title, const Outcome& outcome) {
-  const char* verdict = outcome.passes() ? "pass" : "fail";
+  const char* colour = outcome.passes() ? "pass" : "fail";
   const std::string title = escape_html(plain_title);
   std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
                      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
                      title + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
-  html += "<h1>" + title + " <span class=\"verdict " + verdict + "\">" + verdict + "</span></h1>\n";
+  html += "<h1>" + title + " <span class=\"verdict " + colour + "\">" + escape_html(outcome.verdict()) + "</span></h1>\n";
   html += "<p class=\"where\">Farrier " + escape_html(outcome.run.version) + ", revision " +
           escape_html(outcome.run.git_revision) + ", seed " + std::to_string(outcome.run.seed) + "</p>\n";
   const std::vector<std::string> reasons = reasons_to_fail(outcome.figures, outcome.failures);

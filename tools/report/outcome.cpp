@@ -110,7 +110,7 @@ Json json_of(const RunInfo& run) {
 }  // namespace
 
 std::string to_json(const Outcome& outcome) {
-  Json json{{"command", outcome.command}, {"verdict", outcome.passes() ? "pass" : "fail"}};
+  Json json{{"command", outcome.command}, {"verdict", outcome.verdict()}};
   if (!outcome.failures.empty()) {
     json["failures"] = outcome.failures;
   }

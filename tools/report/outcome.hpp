@@ -33,12 +33,14 @@ struct Outcome {
   std::vector<std::string> failures;  ///< what went wrong besides figures: "joint_node_lf ended with status 1"
   std::vector<std::string> warnings = {};  ///< what went wrong and fails nothing
   std::vector<Claim> claims = {};          ///< of a command that checks a text's
+  std::string finding = {};                ///< the verdict in one word of a command that finds out; empty: pass or fail
 
   /// Every figure holds and nothing else failed.
   bool passes() const noexcept { return failures.empty() && figures.all_hold(); }
+  std::string verdict() const { return !finding.empty() ? finding : passes() ? "pass" : "fail"; }
 };
 
-/// {"command", "verdict": "pass"|"fail", "failures", "warnings" (only when there are any), "figures": [{"name", "value", "unit"},
+/// {"command", "verdict": "pass"|"fail" or the finding, "failures", "warnings" (only when there are any), "figures": [{"name", "value", "unit"},
 /// with a bound also "relation", "bound", "holds"], "claims" (only when there are any): [{"id", "figure", "section",
 /// "sentence", "claim", "measured": {"name", "value", "unit", "relation", "bound"}, "verdict", "reason"}],
 /// "run": {...}}. Values that are not finite are null.

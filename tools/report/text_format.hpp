@@ -28,4 +28,7 @@ std::vector<std::string> reasons_to_fail(const Figures& figures, const std::vect
 /// "joint/sensors 24000 out", "joint/sensors 24000 in", "joint/sensors 24000 in (3 lost)".
 std::vector<std::string> topic_texts(const ProcessInfo& process);
 
+/// Rows of cells in columns as wide as their longest cell, all flush left, two spaces apart, each line behind `indent`.
+std::string aligned(const std::vector<std::vector<std::string>>& rows, const std::string& indent = "");
+
 }  // namespace farrier::report

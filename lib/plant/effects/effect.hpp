@@ -23,6 +23,14 @@ struct Instant {
   double valve_b_Pa;
   ChamberFeed feed;        ///< inflow of the chambers: the valve's until effects change it
   double load_force;       ///< on the load, positive along +position: the external force until effects add theirs
+  double position = 0.0;   ///< of piston and load, m or rad
+  double flow_factor = 1.0;        ///< on the valve gain
+  double supply_fall_Pa = 0.0;     ///< by which the valve's supply is below the nominal one
+  double leakage_m3_s = 0.0;       ///< from chamber a to b
+  double softness_a = 0.0;         ///< 1/beta beyond the oil's own, 1/Pa
+  double softness_b = 0.0;
+  double play_slope = 0.0;         ///< d(piston - load) / d(force), m/N or rad/Nm
+  double piston_force = 0.0;       ///< on the piston, left of the load cell, positive along +position
 };
 
 /// Where the joint stands when it is created: at rest, valve shut.
@@ -32,7 +40,8 @@ struct RestPoint {
 };
 
 /// An effect of the plant that the thesis's model leaves out. One is a class derived from this (static, no virtual
-/// call) in a file of its own and an entry of the tuple in effects.hpp; it overrides what concerns it. An effect with
+/// call) in a file of its own and an entry of the tuple in effects.hpp; it overrides what concerns it. One without
+/// states may be a term of plant/terms instead, and nothing here: see StatelessTerms. An effect with
 /// neutral parameters is not active, and a joint without active effects runs the equations without any.
 ///
 /// `x` are its kStates states, `dx` their rates. Hooks are noexcept and use +, -, *, /, sqrt only.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace farrier::plant {
 namespace {
@@ -14,18 +15,89 @@ Lines make_lines(const ActuatorParams& actuator) noexcept {
           full_open(actuator) / std::sqrt(actuator.laminar_pressure_Pa)};
 }
 
+double full_push(const ActuatorParams& actuator) noexcept {
+  return actuator.supply_pressure_Pa * std::max(actuator.area_a, actuator.area_b);
+}
+
+bool any_stateless(std::span<const ActiveEffect> effects) noexcept {
+  return std::ranges::any_of(effects, [](const ActiveEffect& effect) { return is_stateless(effect.id); });
+}
+
+/// The contact of a friction effect; none for null. It bends as the term's does, or further where sliding at the full
+/// speed would be too fast for the shortest substep.
+FrictionParams contact(const ActuatorParams& actuator, const ActiveEffect* effect) noexcept {
+  if (effect == nullptr) {
+    return {};
+  }
+  constexpr double kFastestContact_1_s = 3e5;
+  const double coulomb = *parameter_value(*effect, "coulomb_N");
+  const double ratio = *parameter_value(*effect, "breakaway_ratio");
+  return {coulomb, ratio * coulomb, *parameter_value(*effect, "stribeck_velocity_m_s"),
+          std::max(kPreslidingShare * actuator.stroke, ratio * velocity_scale(actuator) / kFastestContact_1_s)};
+}
+
 }  // namespace
 
-Effects::Effects(const ActuatorParams& actuator, const LoadParams& load) noexcept
-    : terms_(Spool(actuator.spool, actuator.valve_current_max_A), Deadband(actuator.valve_deadband_A),
-             make_lines(actuator),
-             Friction(load.friction, actuator.supply_pressure_Pa * std::max(actuator.area_a, actuator.area_b),
-                      velocity_scale(actuator))) {}
+ActuatorParams with_effects(const ActuatorParams& actuator, std::span<const ActiveEffect> effects) noexcept {
+  ActuatorParams changed = actuator;
+  if (const ActiveEffect* spool = find(effects, effect_id<ValveDynamics>())) {
+    changed.spool = {true, *parameter_value(*spool, "natural_frequency_rad_s"), *parameter_value(*spool, "damping")};
+  }
+  return changed;
+}
+
+LoadParams with_effects(const LoadParams& load, const ActuatorParams& actuator,
+                        std::span<const ActiveEffect> effects) noexcept {
+  LoadParams changed = load;
+  if (const ActiveEffect* friction = find(effects, effect_id<LoadFriction>())) {
+    changed.friction = contact(actuator, friction);
+  }
+  return changed;
+}
+
+Result<Done> validate(std::span<const ActiveEffect> effects) {
+  std::string refused;
+  const auto refuse = [&](const std::string& why) { refused += (refused.empty() ? "" : "; ") + why; };
+  for (const ActiveEffect& effect : effects) {
+    if (effect.id >= kEffectCount) {
+      refuse("effects: number " + std::to_string(effect.id) + " is none");
+      continue;
+    }
+    if (find(effects, effect.id) != &effect) {
+      refuse("effects: " + std::string(effect.info().name) + " is there twice");
+    }
+    Refusals refusals(effect.info().name);
+    for (std::size_t i = 0; i < effect.info().parameters.size(); ++i) {
+      const Parameter& parameter = effect.info().parameters[i];
+      const double value = effect.values[i];
+      if (parameter.reciprocal) {
+        refusals.positive(parameter.name, value);
+      } else if (parameter.low >= 0.0) {
+        refusals.not_negative(parameter.name, value);
+      } else {
+        refusals.require(true, parameter.name, value, "finite");
+      }
+    }
+    if (const auto verdict = refusals.verdict(); !verdict) {
+      refuse(verdict.error().message);
+    }
+  }
+  return refused.empty() ? Result<Done>(Done{}) : Result<Done>(Error{refused});
+}
+
+Effects::Effects(const ActuatorParams& actuator, const LoadParams& load, std::span<const ActiveEffect> effects) noexcept
+    : terms_(Spool(actuator.spool, actuator.valve_current_max_A),
+             Deadband(any_stateless(effects) ? 0.0 : actuator.valve_deadband_A), make_lines(actuator),
+             Friction(load.friction, full_push(actuator), velocity_scale(actuator)),
+             SealFriction(contact(actuator, find(effects, effect_id<PistonFriction>())), full_push(actuator),
+                          velocity_scale(actuator)),
+             StatelessTerms(actuator, load, effects)) {}
 
 Effects::X Effects::set_load(const LoadParams& load, const X& x) noexcept {
   X carried = x;
   auto& friction = std::get<Friction>(terms_);
   friction.set(load.friction);
+  std::get<StatelessTerms>(terms_).set(load);
   carried[at<Friction>()] = friction.carried_over({x[at<Friction>()]})[0];
   return carried;
 }

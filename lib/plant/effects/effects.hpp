@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <tuple>
 #include <type_traits>
 #include <utility>
 
 #include "plant/actuator.hpp"
 #include "plant/effects/effect.hpp"
+#include "plant/effects/stateless_terms.hpp"
 
 namespace farrier::plant {
 
@@ -26,11 +28,20 @@ struct EffectList {
   }
 };
 
+/// What of `effects` the parameters of a joint can say is put into them: valve_dynamics is the spool, in place of one
+/// that is there, load_friction the friction of the load.
+ActuatorParams with_effects(const ActuatorParams& actuator, std::span<const ActiveEffect> effects) noexcept;
+LoadParams with_effects(const LoadParams& load, const ActuatorParams& actuator,
+                        std::span<const ActiveEffect> effects) noexcept;
+
+/// Refuses numbers that are not finite, that lie on the wrong side of 0, and an effect that is there twice.
+Result<Done> validate(std::span<const ActiveEffect> effects);
+
 /// Every effect of a joint, in the order in which they act: on the way from the command to the valve's opening, then
 /// from the valve to the chambers, then on the load. Their states stand one behind the other.
 class Effects {
  public:
-  using List = EffectList<Spool, Deadband, Lines, Friction>;
+  using List = EffectList<Spool, Deadband, Lines, Friction, SealFriction, StatelessTerms>;
   using X = std::array<double, List::kStates>;
 
   template <class Term>
@@ -38,7 +49,8 @@ class Effects {
     return List::offset<Term>();
   }
 
-  Effects(const ActuatorParams& actuator, const LoadParams& load) noexcept;
+  /// What the parameters ask for and, of `effects`, those that are not in the parameters.
+  Effects(const ActuatorParams& actuator, const LoadParams& load, std::span<const ActiveEffect> effects) noexcept;
 
   /// Another load from now on, and what becomes of the states.
   X set_load(const LoadParams& load, const X& x) noexcept;

@@ -26,21 +26,27 @@ class EquationsWithEffects {
       : joint_(joint), effects_(effects) {}
 
   EffectState derivative(const EffectState& s, const CommandInput& input) const noexcept {
-    Instant now = before_valve(s, input);
-    now.feed = joint_.valve_flow(now.valve_a_Pa, now.valve_b_Pa, joint_.hold(now.opening_A, 0.0));
     EffectState rate;
-    rate.x = effects_.after_valve(now, s.x);
+    const Instant now = instant(s, input, rate.x);
     static_cast<IntegrationState&>(rate) =
-        joint_.balance(s, now.chamber_a_Pa, now.chamber_b_Pa, now.feed, now.load_force);
+        joint_.balance(s, now.chamber_a_Pa, now.chamber_b_Pa, now.feed, now.load_force + now.piston_force);
+    if (now.softness_a > 0.0 || now.softness_b > 0.0 || now.play_slope > 0.0) {
+      soften(s, now, rate);
+    }
     return rate;
   }
 
   /// The valve as it stands now, for the pressures at its ports.
   HeldInput valve(const EffectState& s, const CommandInput& input) const noexcept {
-    return joint_.hold(before_valve(s, input).opening_A, input.external_force);
+    return valve(before_valve(s, input));
   }
   double opening_A(const EffectState& s, const CommandInput& input) const noexcept {
     return before_valve(s, input).opening_A;
+  }
+  /// Of effects on the piston, which the load cell does not read; N or Nm, positive along +position.
+  double piston_force(const EffectState& s, const CommandInput& input) const noexcept {
+    Effects::X rates;
+    return instant(s, input, rates).piston_force;
   }
 
  private:
@@ -55,9 +61,50 @@ class EquationsWithEffects {
                 .valve_a_Pa = p_a,
                 .valve_b_Pa = p_b,
                 .feed = {0.0, 1.0, 0.0, 1.0},
-                .load_force = input.external_force};
+                .load_force = input.external_force,
+                .position = s.position};
     effects_.before_valve(now, s.x);
     return now;
+  }
+
+  HeldInput valve(const Instant& now) const noexcept {
+    HeldInput held = joint_.hold(now.opening_A, now.load_force);
+    held.flow_gain *= now.flow_factor;
+    (now.opening_A > 0.0 ? held.port_a_Pa : held.port_b_Pa) -= now.supply_fall_Pa;
+    return held;
+  }
+
+  /// All that effects change, and the rates of their states.
+  Instant instant(const EffectState& s, const CommandInput& input, Effects::X& rates) const noexcept {
+    Instant now = before_valve(s, input);
+    now.feed = joint_.valve_flow(now.valve_a_Pa, now.valve_b_Pa, valve(now));
+    rates = effects_.after_valve(now, s.x);
+    return now;
+  }
+
+  /// Rates of the pressures with 1/beta_e + softness for 1/beta_e where no void is, and where the piston gains
+  /// w = slope F_h' on the load: F_h' = F_0' - S w, F_0' that without the gain, S the stiffness of the oil that has
+  /// pressure.
+  void soften(const EffectState& s, const Instant& now, IntegrationState& rate) const noexcept {
+    const ActuatorParams& act = joint_.actuator();
+    const ChamberVolumes volume = joint_.volumes(s.position);
+    const bool full_a = s.compression_a_Pa > 0.0;
+    const bool full_b = s.compression_b_Pa > 0.0;
+    const double share_a = full_a ? 1.0 / (1.0 + act.bulk_modulus_Pa * now.softness_a) : 1.0;
+    const double share_b = full_b ? 1.0 / (1.0 + act.bulk_modulus_Pa * now.softness_b) : 1.0;
+    rate.compression_a_Pa *= share_a;
+    rate.compression_b_Pa *= share_b;
+    if (!(now.play_slope > 0.0)) {
+      return;
+    }
+    const double by_a = act.area_a * act.bulk_modulus_Pa * share_a / volume.a_m3;  // -dp_a'/dw, dp_b'/dw below
+    const double by_b = act.area_b * act.bulk_modulus_Pa * share_b / volume.b_m3;
+    const double stiffness = (full_a ? act.area_a * by_a : 0.0) + (full_b ? act.area_b * by_b : 0.0);
+    const double force_rate = (full_a ? act.area_a * rate.compression_a_Pa : 0.0) -
+                              (full_b ? act.area_b * rate.compression_b_Pa : 0.0);
+    const double gained = now.play_slope * force_rate / (1.0 + stiffness * now.play_slope);
+    rate.compression_a_Pa -= by_a * gained;
+    rate.compression_b_Pa += by_b * gained;
   }
 
   const JointEquations& joint_;

@@ -62,10 +62,14 @@ class Friction : public Effect<1> {
   }
   X scale() const noexcept { return {force_scale_}; }
   void after_valve(Instant& now, const X& x, X& dx) const noexcept {
-    const double v = now.velocity;
+    now.load_force -= x[0];
+    bend(now.velocity, x, dx);
+  }
+
+ protected:
+  void bend(double v, const X& x, X& dx) const noexcept {
     const double ratio = v * inverse_stribeck_;
     const double g = params_.coulomb + drop_ * exponential_decay(ratio * ratio);
-    now.load_force -= x[0];
     dx[0] = stiffness_ * (v - std::abs(v) * x[0] / g);
   }
 
@@ -76,6 +80,17 @@ class Friction : public Effect<1> {
   double stiffness_ = 0.0;
   double drop_ = 0.0;
   double inverse_stribeck_ = 0.0;
+};
+
+/// The same between the piston's seals and the cylinder, left of the load cell, which does not read it.
+class SealFriction : public Friction {
+ public:
+  using Friction::Friction;
+
+  void after_valve(Instant& now, const X& x, X& dx) const noexcept {
+    now.piston_force -= x[0];
+    bend(now.velocity, x, dx);
+  }
 };
 
 }  // namespace farrier::plant

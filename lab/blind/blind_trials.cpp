@@ -1,0 +1,130 @@
+#include "lab/blind/blind_trials.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+#include "lab/blind/score.hpp"
+
+namespace farrier::blind {
+namespace {
+
+constexpr double kPeriod_s = 0.001;
+constexpr int kNone = 60;
+constexpr int kPairs = 30;
+constexpr int kOutside = 36;
+
+diagnosis::Recording recording_of(const truth::Samples& samples) {
+  diagnosis::Recording recording;
+  recording.period_s = samples.period_s;
+  recording.valve_current_A = samples.valve_current_A;
+  recording.position = samples.position;
+  recording.velocity = samples.velocity;
+  recording.force = samples.force;
+  return recording;
+}
+
+/// Held-out rms by channel of the nominal model with its constants fitted.
+std::array<double, diagnosis::kChannels> base_error(const truth::Samples& samples, const robot::Joint& joint) {
+  const diagnosis::JointModel model(joint.actuator, joint.swing_load);
+  const auto data = diagnosis::prepare(recording_of(samples), joint.actuator, joint.noise.position);
+  const diagnosis::Bench bench(model, data, {true, true, true}, {});
+  const diagnosis::Hypothesis base = bench.base();
+  return {std::sqrt(base.total(0)), std::sqrt(base.total(1)), std::sqrt(base.total(2))};
+}
+
+}  // namespace
+
+std::vector<TrialPlan> all_trials(std::size_t subjects, std::uint64_t seed) {
+  std::vector<TrialPlan> plans;
+  const auto add = [&](Kind kind, std::vector<truth::Hidden> hidden, int excitation) {
+    plans.push_back({kind, plans.size() % subjects,
+                     {seed + plans.size(), static_cast<truth::Excitation>(excitation), std::move(hidden)}});
+  };
+  const std::vector<std::string> known = truth::known_effects();
+  const std::vector<std::string> outside = truth::outside_effects();
+  for (const std::string& name : known) {
+    for (int magnitude = 0; magnitude < 3; ++magnitude) {
+      for (int excitation = 0; excitation < 3; ++excitation) {
+        add(Kind::kEffect, {{name, magnitude}}, excitation);
+      }
+    }
+  }
+  for (int i = 0; i < kNone; ++i) {
+    add(Kind::kNone, {}, i % 3);
+  }
+  for (int i = 0; i < kPairs; ++i) {
+    const auto first = static_cast<std::size_t>(i * 7) % known.size();
+    const std::size_t second = (first + 5 + static_cast<std::size_t>(i) % 9) % known.size();
+    add(Kind::kPair, {{known[first], 1 + i % 2}, {known[second], 1 + (i / 2) % 2}}, i % 3);
+  }
+  for (int i = 0; i < kOutside; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    add(Kind::kOutside, {{outside[n % outside.size()], 1 + (i / static_cast<int>(outside.size())) % 2}}, i % 3);
+  }
+  return plans;
+}
+
+Outcome run_trial(const TrialPlan& plan, const std::vector<Subject>& subjects) {
+  Outcome outcome;
+  outcome.plan = plan;
+  const Subject& subject = subjects[plan.robot];
+  const auto trial = truth::generate(*subject.joint, kPeriod_s, plan.plan);
+  truth::Plan without = plan.plan;
+  without.hidden.clear();
+  const auto twin = truth::generate(*subject.joint, kPeriod_s, without);
+  if (!trial || !twin) {
+    outcome.refused = trial ? twin.error().message : trial.error().message;
+    return outcome;
+  }
+  outcome.answers = trial.value().answers;
+  const auto with_effect = base_error(trial.value().samples, *subject.joint);
+  const auto with_none = base_error(twin.value().samples, *subject.joint);
+  for (std::size_t c = 0; c < with_none.size(); ++c) {
+    outcome.detectable = std::max(outcome.detectable, with_effect[c] / with_none[c] - 1.0);
+  }
+  diagnosis::DiagnosisOptions options;
+  options.threads = 1;
+  const diagnosis::Recording recording = recording_of(trial.value().samples);
+  const diagnosis::Diagnosis found = diagnosis::diagnose(recording, *subject.robot, *subject.joint, options);
+  outcome.verdict = found.judgement.verdict;
+  outcome.error_before = found.nrmse_before;
+  outcome.error_after = found.nrmse_after;
+  const plant::Scales scales(subject.joint->actuator, subject.joint->swing_load);
+  for (const diagnosis::NamedEffect& effect : found.judgement.effects) {
+    const plant::EffectInfo& info = plant::effect_info(effect.id);
+    outcome.named.push_back({info.name, scales.value(info.parameters[0], effect.fitted[0]), effect.confidence});
+  }
+  for (const auto& [one, other] : found.judgement.alternatives) {
+    outcome.alternatives.emplace_back(plant::effect_info(one).name, plant::effect_info(other).name);
+  }
+  outcome.parameter_error = parameter_error(outcome, scales);
+  return outcome;
+}
+
+std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<Subject>& subjects, int threads,
+                                const std::function<bool(std::size_t)>& progress) {
+  std::vector<Outcome> outcomes(plans.size());
+  std::atomic<std::size_t> next{0};
+  std::atomic<bool> goes_on{true};
+  std::mutex telling;
+  std::size_t done = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < plans.size() && goes_on; i = next++) {
+      outcomes[i] = run_trial(plans[i], subjects);
+      const std::lock_guard lock(telling);
+      goes_on = progress(++done) && goes_on;
+    }
+  };
+  std::vector<std::jthread> others;
+  for (int i = 1; i < threads; ++i) {
+    others.emplace_back(work);
+  }
+  work();
+  others.clear();
+  return outcomes;
+}
+
+}  // namespace farrier::blind

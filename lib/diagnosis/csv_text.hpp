@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace farrier::diagnosis {
+
+/// The lines of a file, one at a time; a line of more than 64 KiB ends them, for a file of no lines must not fill the
+/// memory.
+class CsvLines {
+ public:
+  explicit CsvLines(const std::string& path);
+
+  /// Goes to the next line that is neither empty nor a comment ("#"); false at the end.
+  bool next();
+
+  /// Without its line end and, on the first line, without a UTF-8 byte order mark. Valid until next().
+  std::string_view text() const { return text_; }
+  std::size_t number() const { return number_; }  ///< 1-based; 0 before the first
+  bool too_long() const { return too_long_; }     ///< the line after this one is
+  bool cut_off() const { return file_.eof(); }    ///< the file ends within this line
+
+ private:
+  bool next_of_any_kind();
+
+  std::ifstream file_;
+  std::vector<char> buffer_;
+  std::string_view text_;
+  std::size_t number_ = 0;
+  bool too_long_ = false;
+};
+
+/// The cells of a line, at least one, without white space and quotes around them.
+void split(std::string_view line, std::vector<std::string>& cells);
+
+/// What a cell holds.
+enum class Cell { kNumber, kEmpty, kText, kNotFinite };
+
+/// Reads a decimal number in the notation of C, whatever the locale; `value` changes unless the cell is empty or text.
+Cell parse_cell(const std::string& cell, double& value);
+
+/// Whether a line has no control characters but white space.
+bool is_text(std::string_view line);
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,271 @@
+#include "diagnosis/hypothesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/noise.hpp"
+
+namespace farrier::diagnosis {
+namespace {
+
+constexpr double kBlock_s = 0.1;
+constexpr int kResamplings = 400;
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const double value : values) {
+    sum += value * value;
+    count += value != 0.0 ? 1 : 0;
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
+
+}  // namespace
+
+double Hypothesis::total(std::size_t channel) const noexcept {
+  return std::accumulate(squares[channel].begin(), squares[channel].end(), 0.0);
+}
+
+Bench::Bench(const JointModel& joint, const JointData& data, const ChannelMask& judged, const FitOptions& options)
+    : joint_(joint), data_(data), options_(options), fit_data_{&data, judged, {1.0, 1.0, 1.0}} {
+  const auto [low, high] = std::ranges::minmax_element(data.position);
+  least_position_ = *low;
+  most_position_ = *high;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (judged[c]) {
+      const auto error =
+          residuals(joint, data, {0, data.size()}, Model::nominal(), static_cast<Channel>(c), options_);
+      fit_data_.weight[c] = std::max(root_mean_square(error), 1e-12);
+    }
+  }
+}
+
+std::array<Span, 2> Bench::halves() const noexcept {
+  return {Span{0, data_.size() / 2}, Span{data_.size() / 2, data_.size()}};
+}
+
+ChannelMask Bench::closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept {
+  for (int pass = 0; pass < 2; ++pass) {
+    for (const Model::Effect& effect : effects) {
+      const ChannelMask mine = channels_of(plant::effect_info(effect.id).side);
+      if ((mask[0] && mine[0]) || (mask[1] && mine[1]) || (mask[2] && mine[2])) {
+        for (std::size_t c = 0; c < kChannels; ++c) {
+          mask[c] = mask[c] || mine[c];
+        }
+      }
+    }
+  }
+  return mask;
+}
+
+std::vector<double> Bench::block_squares(const Model& model, std::size_t half, std::size_t channel) const {
+  const auto block = static_cast<std::size_t>(kBlock_s / data_.period_s);
+  const auto error = residuals(joint_, data_, halves()[half], model, static_cast<Channel>(channel), options_);
+  std::vector<double> squares;
+  for (std::size_t from = 0; from + block <= error.size(); from += block) {
+    double sum = 0.0;
+    for (std::size_t i = from; i < from + block; ++i) {
+      sum += error[i] * error[i];
+    }
+    squares.push_back(sum);
+  }
+  return squares;
+}
+
+void Bench::judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelMask& changed) const {
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (like != nullptr && !changed[c]) {
+      hypothesis.squares[c] = like->squares[c];
+      continue;
+    }
+    hypothesis.squares[c].clear();
+    for (std::size_t half = 0; fit_data_.judged[c] && half < 2; ++half) {
+      const auto squares = block_squares(hypothesis.halves[1 - half].model, half, c);
+      hypothesis.squares[c].insert(hypothesis.squares[c].end(), squares.begin(), squares.end());
+    }
+  }
+}
+
+double Bench::promise(const Hypothesis& from, const Model& model, const ChannelMask& mask) const {
+  double gain = 0.0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (mask[c] && fit_data_.judged[c]) {
+      const auto now = block_squares(model, 1, c);
+      const auto& before = from.squares[c];
+      const double was = std::accumulate(before.end() - std::ssize(now), before.end(), 1e-300);
+      gain += 0.5 * std::log(was / std::accumulate(now.begin(), now.end(), 1e-300));
+    }
+  }
+  return gain;
+}
+
+Hypothesis Bench::base() const {
+  Hypothesis base;
+  for (std::size_t half = 0; half < 2; ++half) {
+    base.halves[half] = fit(joint_, fit_data_, halves()[half], Model::nominal(), {true, true, true}, options_);
+  }
+  judge(base, nullptr, {true, true, true});
+  return base;
+}
+
+std::vector<std::vector<double>> Bench::starts(plant::EffectId effect) const {
+  const plant::EffectInfo& info = plant::effect_info(effect);
+  const plant::Scales& scales = joint_.scales();
+  if (const std::vector<double>* known = joint_.known(effect)) {
+    return {*known};
+  }
+  std::vector<std::vector<double>> all;
+  for (std::size_t s = 0; s < 2; ++s) {
+    std::vector<double> start;
+    for (const plant::Parameter& parameter : info.parameters) {
+      start.push_back(parameter.starts[s]);
+    }
+    all.push_back(start);
+    if (info.parameters[0].starts[0] == info.parameters[0].starts[1]) {
+      break;
+    }
+  }
+  const double length = scales.of(plant::Scale::kLength);
+  if (effect == plant::find_effect("end_stop")) {
+    // A stop is seen where the motion turns: just inside the outermost position.
+    const double inset = std::min(least_position_, length - most_position_);
+    all[0][0] = (inset + 0.02 * (most_position_ - least_position_)) / length;
+  }
+  for (auto& start : all) {
+    for (std::size_t i = 1; i < start.size(); ++i) {
+      if (std::string_view(info.parameters[i].name) == "slack_position_m") {
+        start[i] = joint_.load().stiffness > 0.0 ? joint_.load().equilibrium_position / length
+                                                 : 0.5 * (least_position_ + most_position_) / length;
+      }
+    }
+  }
+  return all;
+}
+
+std::optional<Hypothesis> Bench::with(const Hypothesis& from, plant::EffectId effect, double least_gain) const {
+  const ChannelMask mask = closure(channels_of(plant::effect_info(effect).side), from.halves[0].model.effects);
+  FitOptions quick = options_;
+  quick.most_iterations = 6;
+  quick.tolerance = 1e-2;
+  FitResult rough;
+  for (const auto& start : starts(effect)) {
+    Model model = from.halves[0].model;
+    model.effects.push_back({effect, start});
+    FitResult found = fit(joint_, fit_data_, halves()[0], model, mask, quick);
+    if (rough.model.effects.empty() || found.cost < rough.cost) {
+      rough = std::move(found);
+    }
+  }
+  if (promise(from, rough.model, mask) < least_gain) {
+    return std::nullopt;
+  }
+  Hypothesis with;
+  with.effects = from.effects;
+  with.effects.push_back(effect);
+  with.halves[0] = fit(joint_, fit_data_, halves()[0], rough.model, mask, options_);
+  with.halves[1] = fit(joint_, fit_data_, halves()[1], with.halves[0].model, mask, options_);
+  judge(with, &from, mask);
+  return with;
+}
+
+Hypothesis Bench::without(const Hypothesis& from, plant::EffectId effect) const {
+  Hypothesis less;
+  std::ranges::copy_if(from.effects, std::back_inserter(less.effects), [effect](auto id) { return id != effect; });
+  const ChannelMask mask = closure(channels_of(plant::effect_info(effect).side), from.halves[0].model.effects);
+  for (std::size_t half = 0; half < 2; ++half) {
+    Model model = from.halves[half].model;
+    std::erase_if(model.effects, [effect](const auto& e) { return e.id == effect; });
+    less.halves[half] = fit(joint_, fit_data_, halves()[half], model, mask, options_);
+  }
+  judge(less, &from, mask);
+  return less;
+}
+
+Gain Bench::gain(const Hypothesis& before, const Hypothesis& after) const {
+  Gain gain{};
+  std::size_t blocks = 0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    blocks = std::max(blocks, before.squares[c].size());
+  }
+  const auto over = [&](auto&& index_of, std::size_t count) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      if (before.squares[c].empty()) {
+        continue;
+      }
+      double was = 1e-300;
+      double is = 1e-300;
+      for (std::size_t i = 0; i < count; ++i) {
+        was += before.squares[c][index_of(i)];
+        is += after.squares[c][index_of(i)];
+      }
+      sum += 0.5 * std::log(was / is);
+    }
+    return sum;
+  };
+  gain.log_ratio = over([](std::size_t i) { return i; }, blocks);
+  gain.by_half = {over([](std::size_t i) { return i; }, blocks / 2),
+                  over([&](std::size_t i) { return blocks / 2 + i; }, blocks - blocks / 2)};
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const double was = before.total(c);
+    gain.reduction[c] = was > 0.0 ? 1.0 - std::sqrt(after.total(c) / was) : 0.0;
+  }
+  const NoiseStream draws(1, "diagnosis", "bootstrap");
+  std::vector<double> samples;
+  for (int r = 0; r < kResamplings; ++r) {
+    const auto drawn = [&](std::size_t i) {
+      return static_cast<std::size_t>(draws.uniform(static_cast<Tick>(r) * 100000 + static_cast<Tick>(i)) *
+                                      static_cast<double>(blocks));
+    };
+    samples.push_back(over(drawn, blocks));
+  }
+  std::ranges::sort(samples);
+  gain.low = samples[kResamplings / 40];
+  gain.high = samples[kResamplings - 1 - kResamplings / 40];
+  gain.chance = static_cast<double>(std::ranges::count_if(samples, [](double s) { return s > 0.0; })) / kResamplings;
+  return gain;
+}
+
+ErrorRatio Bench::error_ratio(const Hypothesis& before, const Hypothesis& after) const {
+  std::size_t blocks = 0;
+  std::array<double, kChannels> weight{};
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    blocks = std::max(blocks, before.squares[c].size());
+    if (fit_data_.judged[c]) {
+      const std::vector<double>& values = measured(data_, static_cast<Channel>(c));
+      const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+      const double squares = std::accumulate(values.begin(), values.end(), 0.0,
+                                             [mean](double sum, double v) { return sum + (v - mean) * (v - mean); });
+      weight[c] = 1.0 / std::max(squares, 1e-300);
+    }
+  }
+  const auto error = [&](const Hypothesis& hypothesis, const std::vector<std::size_t>& drawn) {
+    double sum = 0.0;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      for (const std::size_t i : drawn) {
+        sum += i < hypothesis.squares[c].size() ? weight[c] * hypothesis.squares[c][i] : 0.0;
+      }
+    }
+    return std::sqrt(sum / static_cast<double>(std::ranges::count(fit_data_.judged, true)));
+  };
+  std::vector<std::size_t> drawn(blocks);
+  std::iota(drawn.begin(), drawn.end(), std::size_t{0});
+  ErrorRatio ratio{error(before, drawn), error(after, drawn), 1.0, 1.0};
+  const NoiseStream draws(1, "diagnosis", "ratio");
+  std::vector<double> samples;
+  for (int r = 0; r < kResamplings; ++r) {
+    for (std::size_t i = 0; i < blocks; ++i) {
+      const Tick number = static_cast<Tick>(r) * static_cast<Tick>(blocks) + static_cast<Tick>(i);
+      drawn[i] = static_cast<std::size_t>(draws.uniform(number) * static_cast<double>(blocks));
+    }
+    samples.push_back(error(before, drawn) / std::max(error(after, drawn), 1e-300));
+  }
+  std::ranges::sort(samples);
+  ratio.low = samples[kResamplings / 40];
+  ratio.high = samples[kResamplings - 1 - kResamplings / 40];
+  return ratio;
+}
+
+}  // namespace farrier::diagnosis

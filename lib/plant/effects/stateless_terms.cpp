@@ -1,0 +1,112 @@
+#include "plant/effects/stateless_terms.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace farrier::plant {
+
+// Out of the integrator's loop, which is as fast as its code is short: most joints have none of these.
+
+StatelessTerms::StatelessTerms(const ActuatorParams& actuator, const LoadParams& load,
+                               std::span<const ActiveEffect> effects) noexcept
+    : actuator_(actuator), load_(load) {
+  const Scales scales(actuator, load);
+  for (const ActiveEffect& effect : effects) {
+    if (is_stateless(effect.id)) {
+      add_to(terms_, effect, scales, 0.0);
+      active_ = true;
+    }
+  }
+  // The nominal overlap, behind a null shift and before the ports: the class Deadband then stands aside.
+  if (active_ && actuator.valve_deadband_A > 0.0 && find(effects, effect_id<ValveDeadband>()) == nullptr) {
+    add_to(terms_, {effect_id<ValveDeadband>(), {actuator.valve_deadband_A}}, scales, 0.0);
+  }
+}
+
+/// What the chambers draw where the supply falls by it: q = G sqrt(D - R q), D the drop from the full supply to the
+/// port, G = K_v |u|. Nothing flows back into a line that droops. The drop's laminar range is left out of this.
+double StatelessTerms::supply_flow_m3_s(const Instant& now) const noexcept {
+  const auto* droop = terms_.find<SupplyDroop>();
+  const double drop = actuator_.supply_pressure_Pa - (now.opening_A > 0.0 ? now.valve_a_Pa : now.valve_b_Pa);
+  const double gain = actuator_.valve_gain * now.flow_factor * std::abs(now.opening_A);
+  if (droop == nullptr || !(drop > 0.0) || gain == 0.0) {
+    return 0.0;
+  }
+  const double by_drop = gain * gain * drop;
+  const double half = 0.5 * gain * gain * droop->resistance_Pa_s_m3();
+  return by_drop / (half + std::sqrt(half * half + by_drop));
+}
+
+void StatelessTerms::before_valve(Instant& now, const X&) const noexcept {
+  ValveMoment<double> valve{now.opening_A, 1.0};
+  terms_.on_valve(valve);
+  now.opening_A = valve.opening_A;
+  now.flow_factor = valve.flow_factor;
+  const double force = actuator_.area_a * now.chamber_a_Pa - actuator_.area_b * now.chamber_b_Pa;
+  OilMoment<double> oil{now.chamber_a_Pa, now.chamber_b_Pa, supply_flow_m3_s(now), force, actuator_.bulk_modulus_Pa,
+                        actuator_.supply_pressure_Pa, 0.0, 0.0, 0.0, 0.0};
+  terms_.on_oil(oil);
+  now.supply_fall_Pa = actuator_.supply_pressure_Pa - oil.supply_pressure_Pa;
+  now.leakage_m3_s = oil.leakage_m3_s;
+  now.softness_a = oil.softness_a;
+  now.softness_b = oil.softness_b;
+  now.play_slope = oil.play_slope;
+}
+
+void StatelessTerms::after_valve(Instant& now, const X&, X&) const noexcept {
+  now.feed.flow_a -= now.leakage_m3_s * now.feed.root_a;
+  now.feed.flow_b += now.leakage_m3_s * now.feed.root_b;
+  PistonMoment<double> piston{now.position, now.velocity, 0.0, 0.0};
+  terms_.on_piston(piston);
+  now.piston_force += piston.force;
+  LoadMoment<double> load{now.position,
+                          now.velocity,
+                          load_.mass,
+                          load_.damping,
+                          load_.stiffness,
+                          load_.equilibrium_position,
+                          0.0,
+                          0.0,
+                          0.0};
+  terms_.on_load(load);
+  now.load_force += load.external_force - load.hold - load.slope * now.velocity;
+}
+
+double StatelessTerms::force_at(double position, double velocity) const noexcept {
+  Instant now{};
+  X none{};
+  now.position = position;
+  now.velocity = velocity;
+  after_valve(now, {}, none);
+  return now.load_force + now.piston_force;
+}
+
+double StatelessTerms::fastest_rate(double mass) const noexcept {
+  constexpr int kPlaces = 100;
+  const double step = 1.02 * actuator_.stroke / kPlaces;
+  const double slow = 1e-6 * velocity_scale(actuator_);
+  double stiffness = 0.0;
+  double damping = 0.0;
+  double before = force_at(-0.01 * actuator_.stroke, 0.0);
+  for (int i = 1; i <= kPlaces; ++i) {
+    const double position = i * step - 0.01 * actuator_.stroke;
+    const double force = force_at(position, 0.0);
+    stiffness = std::max(stiffness, std::abs(force - before) / step);
+    damping = std::max(damping, std::abs(force_at(position, slow) - force) / slow);
+    before = force;
+  }
+  const double oil = actuator_.bulk_modulus_Pa / (actuator_.line_volume_m3 - valve_side_volume_m3(actuator_.line));
+  OilMoment<double> leak{1.0, 0.0, 0.0, 0.0, actuator_.bulk_modulus_Pa, actuator_.supply_pressure_Pa,
+                         0.0, 0.0, 0.0, 0.0};
+  terms_.on_oil(leak);
+  double filling = 0.0;
+  for (const double sign : {-1.0, 1.0}) {
+    ValveMoment<double> valve{sign * actuator_.valve_current_max_A, 1.0};
+    terms_.on_valve(valve);
+    filling = std::max(filling, valve.flow_factor * std::abs(valve.opening_A));
+  }
+  filling *= actuator_.valve_gain / std::sqrt(actuator_.laminar_pressure_Pa);
+  return std::max(damping / mass + std::sqrt(stiffness / mass), oil * (filling + 2.0 * std::abs(leak.leakage_m3_s)));
+}
+
+}  // namespace farrier::plant

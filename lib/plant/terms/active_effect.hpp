@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "plant/terms/terms.hpp"
+
+namespace farrier::plant {
+
+/// Most parameters that an effect has.
+inline constexpr std::size_t kMostParameters =
+    std::ranges::max(AllTerms<double>::kInfos, {}, [](const EffectInfo* info) { return info->parameters.size(); })
+        ->parameters.size();
+
+/// An effect that a joint has, with numbers as a robot file has them.
+struct ActiveEffect {
+  EffectId id = kEffectCount;
+  std::array<double, kMostParameters> values{};  ///< SI, actuator coordinates, in the order of EffectInfo::parameters
+
+  const EffectInfo& info() const noexcept { return effect_info(id); }
+  friend bool operator==(const ActiveEffect&, const ActiveEffect&) = default;
+};
+
+/// Place of a term in AllTerms.
+template <template <class> class Term>
+constexpr EffectId effect_id() {
+  EffectId id = 0;
+  while (AllTerms<double>::kInfos[id] != &Term<double>::kInfo) {
+    ++id;
+  }
+  return id;
+}
+
+/// Place of the parameter that has this name on a cylinder or on a motor; parameters.size() for none.
+constexpr std::size_t find_parameter(const EffectInfo& info, std::string_view name) {
+  std::size_t place = 0;
+  while (place < info.parameters.size() && name != info.parameters[place].name &&
+         name != info.parameters[place].rotary_name) {
+    ++place;
+  }
+  return place;
+}
+
+/// The effect of that kind, null for none.
+inline const ActiveEffect* find(std::span<const ActiveEffect> effects, EffectId id) noexcept {
+  const auto found = std::ranges::find(effects, id, &ActiveEffect::id);
+  return found == effects.end() ? nullptr : &*found;
+}
+
+/// Value of a parameter by one of its names; none where the effect has none of that name.
+inline std::optional<double> parameter_value(const ActiveEffect& effect, std::string_view name) noexcept {
+  const std::size_t place = find_parameter(effect.info(), name);
+  return place < effect.info().parameters.size() ? std::optional(effect.values[place]) : std::nullopt;
+}
+
+/// What the parameters are fitted by, for other numbers of the same effect, and back.
+inline std::array<double, kMostParameters> fitted_of(const ActiveEffect& effect, const Scales& scales) noexcept {
+  std::array<double, kMostParameters> fitted{};
+  for (std::size_t i = 0; i < effect.info().parameters.size(); ++i) {
+    fitted[i] = scales.fitted(effect.info().parameters[i], effect.values[i]);
+  }
+  return fitted;
+}
+/// `fitted` has a number for each parameter.
+inline ActiveEffect active_effect(EffectId id, std::span<const double> fitted, const Scales& scales) noexcept {
+  ActiveEffect effect{id, {}};
+  for (std::size_t i = 0; i < effect.info().parameters.size(); ++i) {
+    effect.values[i] = scales.value(effect.info().parameters[i], fitted[i]);
+  }
+  return effect;
+}
+
+/// What a parameter may be, in the unit of the file.
+struct ParameterRange {
+  double low, high;
+};
+inline ParameterRange range_of(const Parameter& parameter, const Scales& scales) noexcept {
+  const double at_low = scales.value(parameter, parameter.low);
+  const double at_high = scales.value(parameter, parameter.high);
+  return {std::min(at_low, at_high), std::max(at_low, at_high)};
+}
+
+/// What a parameter is that is not given: where its fit begins. Slack of a spring: the nominal load's, or mid-stroke of
+/// a load without a spring.
+inline double default_value(const Parameter& parameter, const Scales& scales, const ActuatorParams& actuator,
+                            const LoadParams& load) noexcept {
+  if (std::string_view(parameter.name).starts_with("slack_position")) {
+    return load.stiffness > 0.0 ? load.equilibrium_position : 0.5 * actuator.stroke;
+  }
+  return scales.value(parameter, parameter.starts[0]);
+}
+
+/// Puts an effect into a set whose hooks are called every `step_s`.
+inline void add_to(TermSet<double>& terms, const ActiveEffect& effect, const Scales& scales, double step_s) noexcept {
+  terms.add(effect.id, fitted_of(effect, scales).data(), scales, step_s);
+}
+
+}  // namespace farrier::plant

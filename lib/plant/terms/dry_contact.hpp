@@ -1,0 +1,38 @@
+#pragma once
+
+#include "plant/terms/term.hpp"
+
+namespace farrier::plant {
+
+/// Bristles in a dry contact, for effects of friction: Canudas de Wit, Olsson, Astrom and Lischinsky (1995), (1) to
+/// (3), written in their force f as plant/effects/friction.hpp has it: f' = s (v - |v| f / g(v)). Over a step at
+/// constant speed that is f e^-a + s h phi(a) v, a = s |v| h / g, phi(a) = (1 - e^-a) / a.
+template <class T>
+struct DryContact {
+  /// Steady friction at a speed: Stribeck's curve g.
+  T steady(const T& speed) const noexcept {
+    using std::exp;
+    const T ratio = speed / stribeck_velocity;
+    return coulomb * (1.0 + (breakaway_ratio - 1.0) * exp(-ratio * ratio));
+  }
+  /// What is left of f after a step, and what comes per speed: f+ = keep f + give v.
+  struct Step {
+    T keep, give;
+  };
+  Step over(const T& speed, double step_s) const noexcept {
+    using std::abs, std::exp;
+    const T stiffness = coulomb * breakaway_ratio / presliding;
+    const T a = stiffness * abs(speed) * step_s / steady(speed);
+    const T keep = exp(-a);
+    const T phi = a > 1e-6 ? T((1.0 - keep) / a) : T(1.0 - 0.5 * a);
+    return {keep, stiffness * step_s * phi};
+  }
+
+  T coulomb, breakaway_ratio, stribeck_velocity;
+  double presliding;  ///< way over which the contact bends before it slides, m or rad
+};
+
+/// Share of the stroke over which contacts bend: 10 um of 80 mm.
+inline constexpr double kPreslidingShare = 1.25e-4;
+
+}  // namespace farrier::plant

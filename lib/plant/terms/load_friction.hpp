@@ -1,0 +1,42 @@
+#pragma once
+
+#include "plant/terms/dry_contact.hpp"
+#include "plant/terms/term.hpp"
+
+namespace farrier::plant {
+
+/// Coulomb and Stribeck friction between load and frame, Hubacher (2014), 9.3.1, by a contact that sticks. Neutral at
+/// 0.
+template <class T>
+class LoadFriction {
+ public:
+  static constexpr std::array kParameters{
+      Parameter{"coulomb_N", "coulomb_Nm", "N", "Nm", Scale::kForce, false, 1e-6, 0.5, {0.01, 0.05},
+                "Friction in motion."},
+      Parameter{"breakaway_ratio", "breakaway_ratio", "1", "1", Scale::kOne, false, 1.0, 2.5, {1.3, 1.3},
+                "Friction that holds at rest, over that in motion."},
+      Parameter{"stribeck_velocity_m_s", "stribeck_velocity_rad_s", "m/s", "rad/s", Scale::kSpeed, false, 0.001, 0.1,
+                {0.01, 0.01}, "Speed over which the one falls to the other."}};
+  static constexpr EffectInfo kInfo{"load_friction", Side::kLoad, false, false, kParameters};
+
+  LoadFriction(const T* fitted, const Scales& scales, double step_s) noexcept
+      : contact_{fitted[0] * scales.of(Scale::kForce), fitted[1], fitted[2] * scales.of(Scale::kSpeed),
+                 kPreslidingShare * scales.of(Scale::kLength)},
+        step_s_(step_s) {}
+
+  // The mean of the contact's force over the step: half of what it was and half of what it will be.
+  void on_load(LoadMoment<T>& now) noexcept {
+    step_ = contact_.over(now.velocity, step_s_);
+    now.hold += 0.5 * (1.0 + step_.keep) * force_;
+    now.slope += 0.5 * step_.give;
+  }
+  void after_load(const T& mean_velocity) noexcept { force_ = step_.keep * force_ + step_.give * mean_velocity; }
+
+ private:
+  DryContact<T> contact_;
+  double step_s_;
+  typename DryContact<T>::Step step_{};
+  T force_ = T(0.0);
+};
+
+}  // namespace farrier::plant

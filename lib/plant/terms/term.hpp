@@ -1,0 +1,167 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "plant/actuator.hpp"
+
+namespace farrier::plant {
+
+/// Where an effect sits, as the load cell splits a joint, Hubacher (2014) (2.22).
+enum class Side {
+  kValveAndOil,     ///< left of the cell: from current and motion to force
+  kLoad,            ///< right of it: from force to motion
+  kForceSensor,     ///< the cell itself: shows on both sides
+  kVelocitySensor,  ///< shows between position and velocity
+};
+
+/// What a parameter of an effect is measured in: fitted numbers are multiples of it and of order one.
+enum class Scale {
+  kOne,
+  kCurrent,    ///< valve_current_max_A
+  kForce,      ///< supply pressure times the larger area, N or Nm
+  kLength,     ///< stroke, m or rad
+  kSpeed,      ///< velocity_scale(), m/s or rad/s
+  kSecond,
+  kRate,       ///< 1/s
+  kLeakage,    ///< full flow of the valve at supply pressure, per supply pressure, m^3/s/Pa
+  kDroop,      ///< its inverse, Pa s/m^3
+  kMass,       ///< of the nominal load
+  kDamping,    ///< of the nominal load
+  kStiffness,  ///< of the nominal load, or a fifth of kForce over kLength where it has none
+  kCubic,      ///< kStiffness over kLength squared
+};
+
+/// One number of an effect. Its value in a robot file, a report and JSON is `scale` times the fitted number, or over it
+/// where `reciprocal`; the file's name carries the unit.
+struct Parameter {
+  const char* name;         ///< with the unit of a cylinder
+  const char* rotary_name;  ///< with that of a motor
+  const char* unit;
+  const char* rotary_unit;
+  Scale scale;
+  bool reciprocal;
+  double low, high;              ///< range of the fitted number
+  std::array<double, 2> starts;  ///< where a fit begins; alike: once
+  const char* meaning;
+};
+
+/// What there is to know of an effect. The first parameter is the one that says how large it is.
+struct EffectInfo {
+  const char* name;
+  Side side;
+  bool nominal;   ///< its neutral value is a parameter of the nominal joint, so that 3 % beside it is no effect
+  bool either_sign;
+  std::span<const Parameter> parameters;
+};
+
+/// Sizes that make the parameters of a joint's effects comparable.
+class Scales {
+ public:
+  Scales(const ActuatorParams& actuator, const LoadParams& load) noexcept : load_(load) {
+    const double full_flow =
+        actuator.valve_gain * actuator.valve_current_max_A * std::sqrt(actuator.supply_pressure_Pa);
+    const double area = actuator.area_a > actuator.area_b ? actuator.area_a : actuator.area_b;
+    const double force = actuator.supply_pressure_Pa * area;
+    const double stiffness = load.stiffness > 0.0 ? load.stiffness : 0.2 * force / actuator.stroke;
+    sizes_ = {1.0,
+              actuator.valve_current_max_A,
+              force,
+              actuator.stroke,
+              velocity_scale(actuator),
+              1.0,
+              1.0,
+              full_flow / actuator.supply_pressure_Pa,
+              actuator.supply_pressure_Pa / full_flow,
+              load.mass,
+              load.damping > 0.0 ? load.damping : 0.01 * force / velocity_scale(actuator),
+              stiffness,
+              stiffness / (actuator.stroke * actuator.stroke)};
+  }
+
+  double of(Scale scale) const noexcept { return sizes_[static_cast<std::size_t>(scale)]; }
+  /// Fitted number at which a parameter changes nothing.
+  double neutral(const Parameter& parameter) const noexcept {
+    switch (parameter.scale) {
+      case Scale::kMass:
+        return 1.0;
+      case Scale::kDamping:
+        return load_.damping / of(Scale::kDamping);
+      case Scale::kStiffness:
+        return load_.stiffness / of(Scale::kStiffness);
+      default:
+        return parameter.scale == Scale::kOne && parameter.low > 0.0 ? 1.0 : 0.0;
+    }
+  }
+  double value(const Parameter& parameter, double fitted) const noexcept {
+    return parameter.reciprocal ? of(parameter.scale) / fitted : of(parameter.scale) * fitted;
+  }
+  double fitted(const Parameter& parameter, double value) const noexcept {
+    return parameter.reciprocal ? of(parameter.scale) / value : value / of(parameter.scale);
+  }
+
+ private:
+  LoadParams load_;
+  std::array<double, 13> sizes_;
+};
+
+// What the terms of a joint read and change. T is double, or a number that carries derivatives; all values in SI,
+// actuator coordinates. A term is a class template with one constructor (the fitted numbers of its parameters, scales,
+// step) and those of the hooks below that concern it; it holds its own state.
+
+/// on_valve: the way of the current to the ports, over one substep.
+template <class T>
+struct ValveMoment {
+  T opening_A;     ///< the command's mean, then what opens the ports
+  T flow_factor;   ///< on the valve gain
+};
+
+/// on_oil: at the beginning of a substep.
+template <class T>
+struct OilMoment {
+  T pressure_a_Pa, pressure_b_Pa;
+  T supply_flow_m3_s;       ///< drawn from the supply a substep earlier
+  double hydraulic_force;   ///< N or Nm
+  double bulk_modulus_Pa;
+  T supply_pressure_Pa;
+  T leakage_m3_s;           ///< from a to b
+  T softness_a, softness_b; ///< 1/beta beyond the oil's own, 1/Pa
+  T play_slope;             ///< d(piston - load)/d(force), m/N
+};
+
+/// on_play: the piston beside the load over one substep.
+template <class T>
+struct PlayMoment {
+  T drive;      ///< what would reach the load if the piston stood still on it
+  T damping;    ///< of the piston
+  T stiffness;  ///< of the oil
+  double step_s;
+  T moved;      ///< by how much the piston goes further than the load
+};
+
+/// on_piston: what of the hydraulic force does not reach the load cell, at a sample.
+template <class T>
+struct PistonMoment {
+  double position, velocity;
+  double period_s;
+  T force;  ///< N or Nm, on the piston, positive along +position
+};
+
+/// on_load: what acts on the load over one substep, written in its mean velocity w: hold + slope w holds it back.
+template <class T>
+struct LoadMoment {
+  T position, velocity;  ///< of the load: middle of the substep, beginning of it
+  T mass, damping, stiffness, slack_position;
+  T external_force;
+  T hold, slope;
+};
+
+/// on_force: the load cell's reading of a force, at a sample.
+template <class T>
+struct ForceMoment {
+  T force;  ///< true, then read
+};
+
+}  // namespace farrier::plant

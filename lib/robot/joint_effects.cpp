@@ -1,0 +1,98 @@
+#include "robot/joint_effects.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "plant/terms/load_effects.hpp"
+
+namespace farrier::robot {
+namespace {
+
+using config::number_text;
+
+/// Values that another program wrote may lie on an end of their range but for the last digits.
+constexpr double kRounding = 1e-9;
+
+std::string give(const plant::ParameterRange& range) {
+  return "give " + number_text(range.low) + " to " + number_text(range.high);
+}
+
+class EffectReader {
+ public:
+  explicit EffectReader(const Joint& joint) : joint_(joint) {}
+
+  plant::ActiveEffect read(EffectSection& section) {
+    plant::ActiveEffect effect{section.id, {}};
+    for (std::size_t i = 0; i < effect.info().parameters.size(); ++i) {
+      effect.values[i] = read(section, effect.info().parameters[i], i);
+    }
+    return effect;
+  }
+
+  config::Problems take_problems() && { return std::move(problems_); }
+
+ private:
+  double read(EffectSection& section, const plant::Parameter& parameter, std::size_t i) {
+    const bool one_name = std::string_view(parameter.name) == parameter.rotary_name;
+    const bool by_rotary_name = joint_.rotary && !one_name;
+    std::optional<double>& value = by_rotary_name ? section.rotary_values[i] : section.values[i];
+    const std::optional<double>& other = by_rotary_name ? section.values[i] : section.rotary_values[i];
+    const char* const name = joint_.rotary ? parameter.rotary_name : parameter.name;
+    const plant::ParameterRange range = plant::range_of(parameter, scales_);
+    if (other) {
+      problems_.push_back(section.place.problem(
+          joint_.rotary ? parameter.name : parameter.rotary_name,
+          std::string("is for a ") + (joint_.rotary ? "cylinder" : "rotary motor") + ": of this joint it is " + name));
+    } else if (!value && i == 0) {
+      problems_.push_back(
+          section.place.problem(name, "is missing: " + give(range) + " (" + std::string(parameter.meaning) + ")"));
+    } else if (!value) {
+      value = plant::default_value(parameter, scales_, joint_.actuator, joint_.swing_load);
+    } else if (const double slack = kRounding * std::max(std::abs(range.low), std::abs(range.high));
+               !(*value >= range.low - slack && *value <= range.high + slack)) {
+      problems_.push_back(
+          section.place.problem(name, number_text(*value) + " is out of this joint's range: " + give(range)));
+    }
+    return value.value_or(0.0);
+  }
+
+  const Joint& joint_;
+  plant::Scales scales_{joint_.actuator, joint_.swing_load};
+  config::Problems problems_;
+};
+
+}  // namespace
+
+config::Problems add_effects(JointEffectsSection& section, Joint& joint) {
+  EffectReader reader(joint);
+  for (std::optional<EffectSection>& effect : section.effects) {
+    if (effect) {
+      joint.effects.push_back(reader.read(*effect));
+    }
+  }
+  config::Problems problems = std::move(reader).take_problems();
+  if (joint.effects.empty()) {
+    problems.push_back(section.place.problem("", "is empty: name an effect, or leave the joint out"));
+  }
+  if (!problems.empty()) {
+    return problems;
+  }
+  const plant::Loads loads =
+      plant::loads_with_effects({joint.swing_load, joint.stance_load}, joint.actuator, joint.effects);
+  for (const plant::LoadParams& load : {loads.swing, loads.stance}) {
+    if (const auto good = plant::validate(load); !good) {
+      problems.push_back(section.place.problem(
+          "", "leave no load in swing or stance: " + good.error().message + "; the stance load changes as the swing "
+              "load does"));
+    }
+  }
+  if (problems.empty()) {
+    joint.swing_load = loads.swing;
+    joint.stance_load = loads.stance;
+  }
+  return problems;
+}
+
+}  // namespace farrier::robot

@@ -1,0 +1,168 @@
+// farrier diagnose, as a user runs it: on what the simulation records, and on what it must refuse.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "farrier_command.hpp"
+
+namespace farrier::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string robot_file(const std::string& name) { return std::string(FARRIER_ROBOTS) + "/" + name; }
+
+/// Two seconds of a joint that moves a little, in the columns of a recording; `row` has its say about every line.
+template <class Row>
+void write_recording(const std::string& path, Row row) {
+  std::ofstream file(path);
+  file << "time_s,valve_current_A,position_m,velocity_m_s,force_N\n";
+  for (int i = 0; i < 2000; ++i) {
+    const double t = 1e-3 * i;
+    std::ostringstream line;
+    line << t << "," << 0.003 * std::cos(10.0 * t) << "," << 0.04 + 0.01 * std::sin(10.0 * t) << ","
+         << 0.1 * std::cos(10.0 * t) << "," << 50.0 * std::cos(10.0 * t);
+    file << row(i, line.str()) << "\n";
+  }
+}
+
+/// Trace of the rig in simulation, of a robot file.
+std::string record(const ScratchDirectory& scratch, const std::string& robot, const char* duration) {
+  const std::string trace = scratch.file("trace.csv");
+  std::string output;
+  const int status = run_farrier({"trot", "--robot", robot, "--dds", "inproc", "--design", "swing", "--duration",
+                                  duration, "--out", scratch.file("trot"), "--trace", trace},
+                                 &output);
+  EXPECT_TRUE(status == 0 || status == 1) << output;
+  return trace;
+}
+
+TEST(Diagnose, OfTheSimulationByItsOwnModelFindsNothingMissing) {
+  const ScratchDirectory scratch;
+  const std::string trace = record(scratch, robot_file("fc1d.yaml"), "8");
+  std::string output;
+  const int status = run_farrier({"diagnose", trace, "--model", robot_file("fc1d.yaml"), "--out", scratch.file("out")},
+                                 &output);
+  EXPECT_EQ(status, 0) << output;
+  EXPECT_NE(output.find("diagnose: none"), std::string::npos) << output;
+  const auto json = read_json(scratch.file("out/figures.json"));
+  EXPECT_EQ(json["command"], "diagnose");
+  EXPECT_EQ(json["verdict"], "none") << json["effects"];
+  EXPECT_TRUE(json["extended_model"].is_null());
+  EXPECT_GE(json["channels"].size(), 2u);
+  EXPECT_TRUE(fs::exists(scratch.file("out/index.html")));
+}
+
+TEST(Diagnose, NamesADeadbandThatTheModelLacksAndTheExtendedModelLoads) {
+  const ScratchDirectory scratch;
+  const std::string model = robot_file("fc1d.yaml");
+  const std::string machine = scratch.file("machine.yaml");
+  std::ofstream(machine) << read_file(model) << "\neffects:\n  fc1d:\n    valve_deadband: {half_width_A: 0.0005}\n";
+  const std::string trace = record(scratch, machine, "8");
+  const std::string before = read_file(model);
+  std::string output;
+  ASSERT_EQ(run_farrier({"diagnose", trace, "--model", model, "--joint", "fc1d", "--out", scratch.file("out"), "--json",
+                         scratch.file("found.json")},
+                        &output),
+            0)
+      << output;
+  const auto json = read_json(scratch.file("found.json"));
+  ASSERT_FALSE(json["effects"].empty()) << output;
+  EXPECT_EQ(json["effects"][0]["name"], "valve_deadband") << output;
+  EXPECT_EQ(json["effects"][0]["parameter"], "half_width_A");
+  EXPECT_NEAR(json["effects"][0]["value"].get<double>(), 0.0005, 0.0001) << output;
+  EXPECT_LT(json["held_out"]["nrmse_after"].get<double>(), json["held_out"]["nrmse_before"].get<double>());
+  const std::string extended = scratch.file("out/fc1d_fc1d_extended.yaml");
+  EXPECT_EQ(json["extended_model"], extended);
+  std::string printed;
+  EXPECT_EQ(run_farrier({"trot", "--robot", extended, "--print-config"}, &printed), 0) << printed;
+  EXPECT_NE(printed.find("valve_deadband"), std::string::npos);
+  EXPECT_EQ(read_file(model), before) << "the user's file";
+  EXPECT_FALSE(fs::exists(scratch.file("out/figures.json"))) << "--json said where";
+}
+
+TEST(Diagnose, RefusesBadDataWithItsRowsAndStillWritesThem) {
+  const ScratchDirectory scratch;
+  write_recording(scratch.file("run.csv"), [](int i, const std::string& line) {
+    return i == 700 ? line.substr(0, line.rfind(',')) + ",nan" : line;
+  });
+  std::string output;
+  EXPECT_EQ(run_farrier({"diagnose", scratch.file("run.csv"), "--model", robot_file("fc1d.yaml"), "--json",
+                         scratch.file("found.json")},
+                        &output),
+            2);
+  EXPECT_NE(output.find("run.csv:702:"), std::string::npos) << output;
+  const auto json = read_json(scratch.file("found.json"));
+  EXPECT_EQ(json["verdict"], "bad_data");
+  ASSERT_FALSE(json["findings"].empty());
+  EXPECT_EQ(json["findings"][0]["what"], "nan");
+  EXPECT_EQ(json["findings"][0]["row"], 702);
+}
+
+TEST(Diagnose, RefusesAFileThatIsNotThere) {
+  const ScratchDirectory scratch;
+  std::string output;
+  EXPECT_EQ(run_farrier({"diagnose", scratch.file("no.csv"), "--model", robot_file("fc1d.yaml"), "--json",
+                         scratch.file("found.json")},
+                        &output),
+            2);
+  EXPECT_NE(output.find("no.csv"), std::string::npos) << output;
+  EXPECT_EQ(read_json(scratch.file("found.json"))["findings"][0]["what"], "unreadable");
+}
+
+TEST(Diagnose, RefusesJointsThatTheRobotDoesNotHaveAndNamesThoseItHas) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"diagnose", "run.csv", "--model", robot_file("hyq.yaml"), "--joint", "elbow"}, &output), 2);
+  EXPECT_NE(output.find("no joint 'elbow'"), std::string::npos) << output;
+  EXPECT_NE(output.find("lf_kfe"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"diagnose", "run.csv", "--model", robot_file("hyq.yaml")}, &output), 2);
+  EXPECT_NE(output.find("give --joint"), std::string::npos) << output;
+}
+
+TEST(Diagnose, RefusesToGoWithoutRecordingOrModel) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"diagnose"}, &output), 2);
+  EXPECT_NE(output.find("name a recording"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"diagnose", "run.csv"}, &output), 2);
+  EXPECT_NE(output.find("--model"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"diagnose", "run.csv", "--model", "nowhere.yaml"}, &output), 2);
+  EXPECT_NE(output.find("nowhere.yaml"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"diagnose", "run.csv", "--colour"}, &output), 2);
+  EXPECT_NE(output.find("farrier diagnose --help"), std::string::npos) << output;
+}
+
+TEST(Diagnose, NeverWritesOverWhatItReads) {
+  const ScratchDirectory scratch;
+  const std::string model = scratch.file("fc1d_fc1d_extended.yaml");
+  fs::copy_file(robot_file("fc1d.yaml"), model);
+  const std::string before = read_file(model);
+  write_recording(scratch.file("run.csv"), [](int, const std::string& line) { return line; });
+  const std::string recorded = read_file(scratch.file("run.csv"));
+  std::string output;
+  EXPECT_EQ(run_farrier({"diagnose", scratch.file("run.csv"), "--model", model, "--out", scratch.file("")}, &output), 2);
+  EXPECT_NE(output.find("is what is read"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"diagnose", scratch.file("run.csv"), "--model", model, "--json", scratch.file("run.csv")},
+                        &output),
+            2);
+  EXPECT_EQ(read_file(model), before);
+  EXPECT_EQ(read_file(scratch.file("run.csv")), recorded);
+}
+
+TEST(Diagnose, LeavesNoFilesWhenItIsInterrupted) {
+  const ScratchDirectory scratch;
+  const std::string trace = record(scratch, robot_file("fc1d.yaml"), "30");
+  FarrierCommand command({"diagnose", trace, "--model", robot_file("fc1d.yaml"), "--out", scratch.file("out")});
+  ASSERT_TRUE(command.says("diagnose: percent")) << command.output();
+  command.signal(SIGINT);
+  EXPECT_EQ(command.wait(std::chrono::seconds(20)), 130) << command.output();
+  EXPECT_NE(command.output().find("nothing was written"), std::string::npos) << command.output();
+  EXPECT_TRUE(fs::is_empty(scratch.file("out")));
+}
+
+}  // namespace
+}  // namespace farrier::test

@@ -1,0 +1,250 @@
+// farrier diagnose: what a recording says is missing in the model of a joint.
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/recording_check.hpp"
+#include "diagnosis/trace_recording.hpp"
+#include "participant/loop.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/diagnose_benchmark.hpp"
+#include "tools/cli/diagnose_options.hpp"
+#include "tools/cli/output_file.hpp"
+#include "tools/cli/progress.hpp"
+#include "tools/report/diagnosis_json.hpp"
+#include "tools/report/diagnosis_page.hpp"
+#include "tools/report/diagnosis_text.hpp"
+#include "tools/report/extended_model.hpp"
+
+namespace farrier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using diagnosis::Diagnosis;
+using diagnosis::Recording;
+
+int refuse(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier diagnose: %s\n", message.c_str());
+  return participant::stop_requested() ? participant::stop_status() : status;
+}
+
+/// The joint that was asked for, or the robot's only one.
+Result<const robot::Joint*> joint_of(const robot::Robot& robot, const std::string& name) {
+  std::string names;
+  for (const robot::Joint& joint : robot.joints) {
+    names += (names.empty() ? "" : ", ") + joint.name;
+  }
+  if (name.empty()) {
+    return robot.joints.size() == 1 ? Result<const robot::Joint*>(&robot.joints.front())
+                                    : Error{robot.name + " has several joints: give --joint, one of " + names};
+  }
+  const robot::Joint* const joint = robot.find(name);
+  return joint != nullptr ? Result<const robot::Joint*>(joint)
+                          : Error{"--joint: " + robot.name + " has no joint '" + name + "'; it has " + names};
+}
+
+/// A recording, or what is wrong with it.
+Result<Recording, diagnosis::RecordingProblems> read(const DiagnoseOptions& o, const robot::Robot& robot,
+                                                     const robot::Joint& joint) {
+  auto recording = diagnosis::is_trace(o.recording) ? diagnosis::recording_of_trace(o.recording, robot, joint)
+                                                    : diagnosis::read_recording(o.recording);
+  if (recording) {
+    if (auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
+      return diagnosis::RecordingProblems{std::move(findings)};
+    }
+  }
+  return recording;
+}
+
+/// Files the command writes; empty for none.
+struct Outputs {
+  std::string json, page, model;
+};
+
+Outputs outputs_of(const DiagnoseOptions& o, const robot::Robot& robot, const robot::Joint& joint) {
+  const auto in_out = [&](const std::string& name) { return o.out.empty() ? "" : (fs::path(o.out) / name).string(); };
+  return {.json = o.json_path.empty() ? in_out("figures.json") : o.json_path,
+          .page = in_out("index.html"),
+          .model = in_out(robot.name + "_" + joint.name + "_extended.yaml")};
+}
+
+/// Refuses outputs that would replace what is read, and those that cannot be written; removes an earlier run's.
+Result<Done> make_way_for(const Outputs& outputs, const DiagnoseOptions& o) {
+  for (const std::string* output : {&outputs.json, &outputs.page, &outputs.model}) {
+    for (const std::string* input : {&o.recording, &o.model_path}) {
+      std::error_code unknown;
+      if (!output->empty() && fs::equivalent(*output, *input, unknown)) {
+        return Error{*output + " is what is read: give another --out or --json"};
+      }
+    }
+  }
+  for (const std::string* output : {&outputs.json, &outputs.page, &outputs.model}) {
+    if (auto free = output->empty() ? Result<Done>(Done{}) : make_way(*output); !free) {
+      return free;
+    }
+  }
+  return Done{};
+}
+
+/// Diagnoses on a thread beside, which nothing can stop but the end of the process: an interrupt ends it here, when
+/// nothing is written yet.
+Diagnosis diagnose_with_bar(const Recording& recording, const robot::Robot& robot, const robot::Joint& joint,
+                            int threads) {
+  using namespace std::chrono_literals;
+  constexpr double kSteps = 100.0;
+  std::optional<Diagnosis> found;
+  std::atomic<double> share = 0.0;
+  std::atomic<bool> done = false;
+  diagnosis::DiagnosisOptions options;
+  options.threads = threads;
+  options.progress = [&share](double now) { share = now; };
+  std::thread work([&] {
+    found = diagnosis::diagnose(recording, robot, joint, options);
+    done = true;
+  });
+  {
+    Progress bar("diagnose", static_cast<Tick>(kSteps), "percent");
+    while (!done && !participant::stop_requested()) {
+      bar.update(static_cast<Tick>(kSteps * share));
+      std::this_thread::sleep_for(20ms);
+    }
+  }
+  if (!done) {
+    std::_Exit(refuse("stopped; nothing was written", participant::stop_status()));
+  }
+  work.join();
+  return std::move(*found);
+}
+
+/// The effects found, into the file of the extended model, which is loaded again; its path, empty where there are none.
+Result<std::string> write_model(const std::string& path, const robot::Robot& robot, const robot::Joint& joint,
+                                const Diagnosis& found) {
+  const std::vector<plant::ActiveEffect> effects = diagnosis::found_effects(found, joint);
+  if (effects.empty()) {
+    return std::string();
+  }
+  const auto model = report::extended_model(robot, joint, effects);
+  if (!model) {
+    return model.error();
+  }
+  if (path.empty()) {
+    return std::string();
+  }
+  const std::string head = "# " + robot.name + " with the effects that farrier diagnose found at joint " + joint.name +
+                           ".\n";
+  if (auto written = report::replace_file(path, head + model.value()); !written) {
+    return written.error();
+  }
+  if (const auto loaded = robot::load_robot(path); !loaded) {
+    return Error{"the extended model does not load: " + config::to_string(loaded.error())};
+  }
+  return path;
+}
+
+int finish(const report::DiagnosisResult& result, const Outputs& outputs, const DiagnoseOptions& o) {
+  const bool bad = result.diagnosis.judgement.verdict == diagnosis::Verdict::kBadData;
+  report::Outcome outcome;
+  outcome.command = "diagnose";
+  outcome.run = report::run_info(result.robot, 0);
+  outcome.finding = diagnosis::to_string(result.diagnosis.judgement.verdict);
+  report::add_diagnosis(outcome.figures, result.diagnosis);
+  if (bad) {
+    outcome.failures.push_back("the recording cannot be judged");
+  }
+  if (!outputs.json.empty()) {
+    if (auto written = report::write_diagnosis_json(outputs.json, result, outcome); !written) {
+      return refuse(written.error().message, kFailed);
+    }
+  }
+  if (bad) {
+    std::fputs(diagnosis::to_string(result.findings, o.recording).c_str(), stderr);
+  } else {
+    std::fputs(report::diagnosis_console(result).c_str(), stdout);
+  }
+  if (!o.out.empty()) {
+    const auto page = report::write_diagnosis_page(o.out, result, outcome);
+    if (!page) {
+      return refuse(page.error().message, kFailed);
+    }
+    std::printf("report: %s\n", page.value().c_str());
+  }
+  if (!outputs.json.empty()) {
+    std::printf("figures: %s\n", outputs.json.c_str());
+  }
+  return bad ? kBadInput : kPassed;
+}
+
+int diagnose(const DiagnoseOptions& o) {
+  if (o.benchmark) {
+    return o.recording.empty() ? run_diagnose_benchmark(
+                                     {o.json_path, o.confusion_path, o.seed, o.trials, o.threads}, FARRIER_ROBOTS)
+                               : refuse("--benchmark makes its recordings: name none", kBadInput);
+  }
+  if (o.recording.empty() || o.model_path.empty()) {
+    return refuse(o.recording.empty() ? "name a recording; see 'farrier diagnose --help'"
+                                      : "give --model, the robot file of the machine that was recorded",
+                  kBadInput);
+  }
+  const auto loaded = robot::load_robot(o.model_path);
+  if (!loaded) {
+    std::fputs(config::to_string(loaded.error()).c_str(), stderr);
+    return kBadInput;
+  }
+  const robot::Robot& robot = loaded.value();
+  const auto joint = joint_of(robot, o.joint);
+  if (!joint) {
+    return refuse(joint.error().message, kBadInput);
+  }
+  std::optional<OutputDirectory> directory;
+  if (!o.out.empty()) {
+    auto claimed = OutputDirectory::claim(o.out);
+    if (!claimed) {
+      return refuse(claimed.error().message, kBadInput);
+    }
+    directory.emplace(std::move(claimed).value());
+  }
+  const Outputs outputs = outputs_of(o, robot, *joint.value());
+  if (const auto free = make_way_for(outputs, o); !free) {
+    return refuse(free.error().message, kBadInput);
+  }
+  const auto recording = read(o, robot, *joint.value());
+  if (!recording) {
+    Diagnosis none{};
+    none.judgement.verdict = diagnosis::Verdict::kBadData;
+    return finish({.diagnosis = none,
+                   .robot = robot,
+                   .joint = *joint.value(),
+                   .recording = o.recording,
+                   .findings = recording.error().findings},
+                  outputs, o);
+  }
+  participant::install_signal_handlers();
+  const Diagnosis found = diagnose_with_bar(recording.value(), robot, *joint.value(), o.threads);
+  const auto model = write_model(outputs.model, robot, *joint.value(), found);
+  if (!model) {
+    return refuse(model.error().message, kFailed);
+  }
+  return finish({.diagnosis = found,
+                 .robot = robot,
+                 .joint = *joint.value(),
+                 .recording = o.recording,
+                 .period_s = recording.value().period_s,
+                 .extended_model = model.value()},
+                outputs, o);
+}
+
+}  // namespace
+
+std::function<int()> declare_diagnose(CLI::App& app) {
+  auto options = std::make_shared<DiagnoseOptions>();
+  declare(app, *options);
+  return [options] { return diagnose(*options); };
+}
+
+}  // namespace farrier::cli

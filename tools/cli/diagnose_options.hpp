@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <cstdint>
+#include <string>
+
+namespace farrier::cli {
+
+/// What the command line of `farrier diagnose` says.
+struct DiagnoseOptions {
+  std::string recording;
+  std::string model_path;
+  std::string joint;      ///< empty: the robot's only one
+  std::string out;        ///< empty: no files but `json_path`
+  std::string json_path;  ///< empty: figures.json in `out`, or none
+  int threads = 2;
+  bool benchmark = false;      ///< run blind trials in place of a recording
+  std::string confusion_path;  ///< of those: what was taken for what; empty: none
+  std::uint64_t seed = 1;
+  int trials = 0;              ///< 0: all
+};
+
+void declare(CLI::App& app, DiagnoseOptions& options);
+
+}  // namespace farrier::cli

@@ -1,0 +1,47 @@
+#include "tools/cli/trot_run.hpp"
+
+#include <unistd.h>
+
+#include "lab/hide.hpp"
+#include "tools/cli/in_process.hpp"
+
+namespace farrier::cli {
+
+participant::ProcessOptions common_options(const TrotOptions& o) {
+  participant::ProcessOptions common;
+  common.robot_path = o.robot_path;
+  common.clock = o.clock;
+  common.seed = o.seed;
+  common.session = static_cast<std::uint64_t>(::getpid());
+  common.trace_path = o.trace_path;
+  common.gait = o.gait;
+  common.frequency_Hz = o.frequency_Hz;
+  common.design = o.design;
+  common.estimator = o.estimator;
+  common.controller = o.controller;
+  common.hide = o.hide;
+  // Varied robots and experiments say themselves who probes.
+  common.no_dither = !o.vary && o.experiment == Experiment::kNone && o.design != "adaptive";
+  return common;
+}
+
+Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, const std::string& title) {
+  if (o.dds == DdsChoice::kInproc) {
+    lab::HiddenEffect unsaid;
+    const robot::Robot world = o.hide ? lab::hide_effect(robot, *o.hide, unsaid) : robot;
+    return run_in_process(robot, o, supervisor::parse_design(o.design), o.trace_path, title,
+                          {.world = &world, .record_directory = o.record_directory});
+  }
+  DdsRun run;
+  run.dds = o.dds;
+  run.grouping = o.nodes;
+  run.common = common_options(o);
+  run.common.ticks = lab::ticks_of(o.duration_s, robot);
+  run.executables = build_directory();
+  run.log_directory = o.out + "/log";
+  run.record_directory = o.record_directory;
+  run.title = title;
+  return run_over_dds(robot, run);
+}
+
+}  // namespace farrier::cli

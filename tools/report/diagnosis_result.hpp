@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/diagnosis.hpp"
+#include "robot/robot.hpp"
+#include "tools/report/figures.hpp"
+
+namespace farrier::report {
+
+/// What force control gains when it knows an effect.
+struct ControlGain {
+  std::string effect;
+  double old_nrmse, new_nrmse;  ///< of the force, with controllers for the model as given and for the extended one
+};
+
+/// A diagnosis and what it is about. Refers to what it is made of; lives no longer than a call.
+struct DiagnosisResult {
+  const diagnosis::Diagnosis& diagnosis;
+  const robot::Robot& robot;
+  const robot::Joint& joint;
+  std::string recording;       ///< the file's path, for people
+  double period_s = 0.0;       ///< of the recording; 0 for data that could not be read
+  std::vector<diagnosis::Finding> findings = {};  ///< what is wrong with bad data
+  std::string extended_model = {};  ///< path of the file; empty: none was written
+  std::optional<ControlGain> control = {};
+};
+
+/// An effect in the units of its joint's file.
+struct ShownEffect {
+  const plant::EffectInfo* info;
+  struct Number {
+    const char* name;
+    const char* unit;
+    double value;
+  };
+  std::vector<Number> numbers;  ///< its parameters, the one that says how large it is first
+  double low, high;             ///< 95 % interval of the first, within what the parameter may be
+  double share, confidence;     ///< as in diagnosis::NamedEffect
+};
+ShownEffect shown(const diagnosis::NamedEffect& effect, const robot::Joint& joint);
+
+/// Unit of a channel's residual: "N", "m/s" or those of a rotary joint.
+const char* unit_of(diagnosis::Channel channel, const robot::Joint& joint) noexcept;
+
+/// Adds diagnose.*; nothing for data that could not be judged.
+void add_diagnosis(Figures& figures, const diagnosis::Diagnosis& diagnosis);
+
+}  // namespace farrier::report
