@@ -205,7 +205,7 @@ Judgement judge(const Bench& bench, const SensorNoiseLevels& noise, const Rules&
   bool structured = false;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const Remainder& left = judgement.left[c];
-    structured = structured || (left.rms > rules.structure_ratio * left.expected &&
+    structured = structured || (left.nrmse > rules.least_nrmse && left.rms > rules.structure_ratio * left.expected &&
                                 left.rms > rules.unexplained * before[c].rms);
   }
   for (NamedEffect& effect : judgement.effects) {

@@ -23,6 +23,7 @@ struct Rules {
   double structure_ratio = 1.6;      ///< rms over that of a twin, from which what is left has a structure
   double open_ratio = 1.15;          ///< rms over that of a twin with its sensors' noise, from which there is more
   double unexplained = 0.2;          ///< of a channel's rms before any effect, above which what is left is no detail
+  double least_nrmse = 0.02;         ///< below which a simulation is as good as its form allows
   double confidence_if_unknown = 0.5;  ///< factor on the confidence of effects that leave a structure behind
   double tie_chance = 0.025;         ///< chance of being better above which a rival is not told apart
 };
@@ -59,8 +60,8 @@ struct Judgement {
   std::vector<plant::EffectId> not_judged;                               ///< that it could not show
   std::vector<std::vector<Candidate>> rounds;                            ///< of forward selection
   Hypothesis base, chosen;
-  Gain gain;                                                             ///< from base to chosen
-  std::array<Remainder, kChannels> left;                                 ///< after `chosen`
+  Gain gain{};                                                           ///< from base to chosen
+  std::array<Remainder, kChannels> left{};                               ///< after `chosen`
 };
 
 /// Runs `count` pieces of work, perhaps at once.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "diagnosis/diagnosis.hpp"
+#include "gait/schedule.hpp"
 #include "lab/hide.hpp"
 #include "lab/recorder.hpp"
 #include "tests/scenario/scenario_run.hpp"

@@ -144,7 +144,8 @@ TEST(Diagnose, NeverWritesOverWhatItReads) {
   write_recording(scratch.file("run.csv"), [](int, const std::string& line) { return line; });
   const std::string recorded = read_file(scratch.file("run.csv"));
   std::string output;
-  EXPECT_EQ(run_farrier({"diagnose", scratch.file("run.csv"), "--model", model, "--out", scratch.file("")}, &output), 2);
+  EXPECT_EQ(run_farrier({"diagnose", scratch.file("run.csv"), "--model", model, "--out", scratch.file("")}, &output),
+            2);
   EXPECT_NE(output.find("is what is read"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"diagnose", scratch.file("run.csv"), "--model", model, "--json", scratch.file("run.csv")},
                         &output),

@@ -50,13 +50,13 @@ double relative_error(const std::vector<double>& measured, const std::vector<dou
   return std::sqrt(error / power);
 }
 
-TEST(SideModels, RunFreelyTheyFollowTheWholeJointsForceAndMotion) {
+TEST(SideModels, TheyFollowTheWholeJointsForceAndMotion) {
   const JointData data = prepare(recorded(3.0), rig().actuator, rig().noise.position);
   const JointModel model(rig().actuator, rig().swing_load);
-  constexpr Observer kFree{1e9, 1e9};
+  const Observer observer;
   const Span all{0, data.size()};
-  const auto force = model.simulate(data, all, Model::nominal(), Channel::kForce, kFree);
-  const auto motion = model.simulate(data, all, Model::nominal(), Channel::kMotion, kFree);
+  const auto force = model.simulate(data, all, Model::nominal(), Channel::kForce, observer);
+  const auto motion = model.simulate(data, all, Model::nominal(), Channel::kMotion, observer);
   // Two substeps per period and a smoothed motion against an integrator of 1e-6.
   EXPECT_LT(relative_error(data.force, force, 300), 0.05);
   EXPECT_LT(relative_error(data.motion, motion, 300), 0.001);
@@ -94,7 +94,7 @@ TEST(SideModels, DerivativesAreThoseOfFiniteDifferences) {
     }
     std::vector<double> jacobian;
     const auto value = model.simulate_lanes(data, all, middle, channel, observer, {kNominals}, jacobian);
-    EXPECT_EQ(value, model.simulate(data, all, middle, channel, observer)) << info.name;
+    EXPECT_LT(relative_error(model.simulate(data, all, middle, channel, observer), value, 0), 1e-9) << info.name;
     const double step = 1e-4 * std::abs(info.parameters[0].starts[0]);
     Model above = middle;
     Model below = middle;

@@ -2,6 +2,7 @@ farrier_test(report_test unit
   ${CMAKE_CURRENT_LIST_DIR}/report_adaptation_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_controllers_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_diagnosis_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/report_extended_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_figures_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_hide_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_joint_poles_test.cpp

@@ -11,14 +11,12 @@
 #include "tools/report/diagnosis_pictures.hpp"
 #include "tools/report/diagnosis_text.hpp"
 #include "tools/report/effects_table.hpp"
-#include "tools/report/extended_model.hpp"
 
 namespace farrier::report {
 namespace {
 
 using diagnosis::Diagnosis;
 using diagnosis::Verdict;
-using testing::active;
 using testing::diagnosis_of;
 using testing::id_of;
 
@@ -85,8 +83,8 @@ TEST_F(DiagnosisReport, JsonHasTheCommonFormAndTheVerdictInItsPlace) {
   for (const char* part : {"figures", "run"}) {
     EXPECT_TRUE(j.contains(part)) << part;
   }
-  EXPECT_EQ(j["figures"][0], nlohmann::json::parse(
-                                 R"({"name": "diagnose.valve_and_oil.one_step_nrmse_before", "value": 0.02, "unit": "1"})"));
+  EXPECT_EQ(j["figures"][0], nlohmann::json::parse(R"({"name": "diagnose.valve_and_oil.one_step_nrmse_before",
+                                                       "value": 0.02, "unit": "1"})"));
   EXPECT_EQ(j["held_out"],
             nlohmann::json::parse(R"({"nrmse_before": 0.4, "nrmse_after": 0.1, "low": 3.5, "high": 4.5})"));
   EXPECT_EQ(j["extended_model"], "out/model.yaml");
@@ -180,7 +178,8 @@ TEST_F(DiagnosisReport, ConsoleNamesTheEffectsWithTheirNumbersAndWhereTheModelIs
   EXPECT_NE(text.find("confidence 0.99, 67 % of the gain"), std::string::npos) << text;
   EXPECT_NE(text.find("this recording could not show: valve_bias"), std::string::npos) << text;
   EXPECT_NE(text.find("extended model: out/model.yaml"), std::string::npos) << text;
-  EXPECT_NE(text.find("0.4 before, 0.1 after: the error is divided by 4 (95 %: 3.5 to 4.5)"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.4 before, 0.1 after: the error is divided by 4 (95 %: 3.5 to 4.5)"), std::string::npos)
+      << text;
   EXPECT_NE(text.find("jumps up where the sign changes of speed"), std::string::npos) << text;
   EXPECT_TRUE(text.ends_with("diagnose: effects\n")) << text;
 }
@@ -191,7 +190,8 @@ TEST_F(DiagnosisReport, ConsoleSaysOfEveryOtherVerdictWhatToDo) {
   EXPECT_EQ(none.find("extended model"), std::string::npos) << none.substr(none.find("cause"));
   EXPECT_TRUE(none.ends_with("diagnose: none\n"));
   const std::string alike = console(inseparable());
-  EXPECT_NE(alike.find("does not tell load_friction from load_damping; what would: a sine of the current of 2 mA at 3 Hz for 10 s"),
+  EXPECT_NE(alike.find("does not tell load_friction from load_damping; what would: a sine of the current of 2 mA at 3 "
+                       "Hz for 10 s"),
             std::string::npos)
       << alike;
   const std::string unknown = console(diagnosis_of(Verdict::kUnknown));
@@ -261,49 +261,6 @@ TEST_F(DiagnosisReport, PageOfBadDataOrOfEmptyChannelsHasNoPictures) {
     const auto page = write_diagnosis_page(path_, result(one), outcome(one));
     EXPECT_TRUE(page.ok()) << page.error().message;
   }
-}
-
-TEST_F(DiagnosisReport, ExtendedModelLoadsWithTheEffectsBesideThoseThatWereThere) {
-  const robot::Joint& joint = robot_.joints[0];
-  const std::vector<plant::ActiveEffect> first{active(testing::two_effects()[1], joint)};
-  const auto text = extended_model(robot_, joint, first);
-  ASSERT_TRUE(text.ok()) << text.error().message;
-  const auto loaded = robot::load_robot_text(text.value(), "first");
-  ASSERT_TRUE(loaded.ok());
-  EXPECT_EQ(loaded.value().joints[0].effects, first);
-  const auto more = extended_model(loaded.value(), loaded.value().joints[0],
-                                   std::vector{active(testing::two_effects()[0], joint)});
-  ASSERT_TRUE(more.ok()) << more.error().message;
-  EXPECT_EQ(robot::load_robot_text(more.value(), "more").value().joints[0].effects.size(), 2u);
-}
-
-TEST_F(DiagnosisReport, ExtendedModelOfARotaryJointLeavesTheOthersAlone) {
-  const robot::Robot hyq = testing::hyq();
-  const robot::Joint& hip = *hyq.find("rh_haa");
-  const auto text = extended_model(hyq, hip, std::vector{active(testing::two_effects()[0], hip)});
-  ASSERT_TRUE(text.ok()) << text.error().message;
-  const robot::Robot loaded = robot::load_robot_text(text.value(), "hyq").value();
-  for (const robot::Joint& joint : loaded.joints) {
-    EXPECT_EQ(joint.effects.size(), joint.name == "rh_haa" ? 1u : 0u) << joint.name;
-  }
-}
-
-TEST_F(DiagnosisReport, ExtendedModelRefusesWhatWouldNotLoad) {
-  plant::ActiveEffect effect = active(testing::two_effects()[0], robot_.joints[0]);
-  effect.values[0] = 1e9;
-  const auto text = extended_model(robot_, robot_.joints[0], std::vector{effect});
-  ASSERT_FALSE(text.ok());
-  EXPECT_NE(text.error().message.find("coulomb_N"), std::string::npos) << text.error().message;
-}
-
-TEST_F(DiagnosisReport, AFileIsReplacedWholeOrNotAtAll) {
-  const std::string file = path_ + "/model.yaml";
-  ASSERT_TRUE(replace_file(file, "old").ok());
-  ASSERT_TRUE(replace_file(file, "new").ok());
-  std::ifstream stream(file);
-  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(stream), {}), "new");
-  EXPECT_FALSE(std::filesystem::exists(file + ".part"));
-  EXPECT_FALSE(replace_file(path_ + "/nowhere/model.yaml", "new").ok());
 }
 
 TEST(EffectsTable, HasEveryEffectWithASentence) {

@@ -12,7 +12,8 @@ namespace farrier::report {
 /// "not_excited" | "bad_data" and beside it:
 ///
 /// "robot", "joint", "recording"; "effects": [{"name", "parameter", "value", "unit", "low", "high" (95 %),
-/// "confidence", "share", "parameters": [{"name", "value", "unit"}]}], by their share of the gain; "alternatives": [[name, name]];
+/// "confidence", "share", "parameters": [{"name", "value", "unit"}]}], by their share of the gain; "alternatives":
+/// [[name, name]];
 /// "experiment": {"one", "other", "excitation", "amplitude_A", "frequency_Hz", "duration_s", "difference", "text"} or
 /// null, of the first alternatives, and "experiments", all of them; "not_judged": [name]; "held_out":
 /// {"nrmse_before", "nrmse_after", "low", "high" (95 % of the one over the other)} or null; "control": {"effect",

@@ -150,7 +150,8 @@ std::string round_picture(Drawing& drawing, std::vector<diagnosis::Candidate> ca
                     std::to_string(90 + 22 * candidates.size()) +
                     " font \"sans-serif,11\" noenhanced background \"#ffffff\"\nset key off\nset output '" + path +
                     "'\nset yrange [-0.7:" + number(static_cast<double>(candidates.size()) - 0.3) + "]\nset ytics (" +
-                    tics + ")\nunset grid; set grid xtics ls 9\nset xzeroaxis\nset style fill solid noborder\n"
+                    tics + ")\nunset grid; set grid xtics ls 9\nset yzeroaxis lt 1 lc rgb '#667078'\n"
+                    "set style fill solid noborder\n"
                     "set xlabel 'ln of held-out error before over after, with its 95 % interval' offset 0,0.4\nplot '" +
                     data + "' using ($2/2):1:(abs($2)/2):(0.35):($5 > 0 ? 0x0072b2 : 0xb8c4cc) with boxxyerror lc rgb "
                     "variable, '' using 2:1:3:4 with xerrorbars pt 0 lc rgb '#1c2226'\n";

@@ -51,7 +51,7 @@ std::vector<std::string> remainders(const DiagnosisResult& result) {
   std::vector<std::string> lines;
   for (const ChannelReport& channel : diagnosis.channels) {
     const diagnosis::Remainder& left = diagnosis.judgement.left[static_cast<std::size_t>(channel.channel)];
-    if (!(left.rms > 0.0)) {
+    if (!(left.rms > diagnosis::Rules{}.open_ratio * left.expected)) {
       continue;
     }
     std::string line = words_of(channel.name) + ": " + short_number(left.rms) + " " +
@@ -203,7 +203,8 @@ std::string diagnosis_console(const DiagnosisResult& result) {
                       change(c.before.ahead_50ms, c.after.ahead_50ms),
                       change(c.before.free_running, c.after.free_running),
                       change(c.whiteness, c.whiteness_after),
-                      change(c.cross_correlation, c.cross_correlation_after), dependence == nullptr ? "" : shape_of(*dependence)});
+                      change(c.cross_correlation, c.cross_correlation_after),
+                      dependence == nullptr ? "" : shape_of(*dependence)});
     }
     text += "\nwhere the simulation is wrong: NRMSE, the model as given -> the extended one\n" + aligned(rows, "  ") +
             "  whiteness below " + short_number(kWhite) + " is that of noise\n";
