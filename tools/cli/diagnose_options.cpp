@@ -20,8 +20,8 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
       ->type_name("<file>")
       ->default_str("figures.json in --out");
   app.add_flag("--benchmark", o.benchmark,
-               "run blind trials in place of a recording: effects hidden in recordings by a generator that shares no code "
-               "with the diagnosis; takes up to half an hour");
+               "run blind trials in place of a recording: effects hidden in recordings by a generator that shares no "
+               "code with the diagnosis; takes up to half an hour");
   auto* const confusion = app.add_option("--confusion", o.confusion_path,
                                          "Markdown of what --benchmark hid and what it was taken for");
   auto* const seed = app.add_option("--seed", o.seed, "of the first trial of --benchmark");
