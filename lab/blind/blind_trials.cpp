@@ -37,10 +37,10 @@ std::array<double, diagnosis::kChannels> base_error(const truth::Samples& sample
 
 }  // namespace
 
-std::vector<TrialPlan> all_trials(std::size_t subjects, std::uint64_t seed) {
+std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed) {
   std::vector<TrialPlan> plans;
   const auto add = [&](Kind kind, std::vector<truth::Hidden> hidden, int excitation) {
-    plans.push_back({kind, plans.size() % subjects,
+    plans.push_back({kind, plans.size() % joints,
                      {seed + plans.size(), static_cast<truth::Excitation>(excitation), std::move(hidden)}});
   };
   const std::vector<std::string> known = truth::known_effects();
@@ -67,32 +67,32 @@ std::vector<TrialPlan> all_trials(std::size_t subjects, std::uint64_t seed) {
   return plans;
 }
 
-Outcome run_trial(const TrialPlan& plan, const std::vector<Subject>& subjects) {
+Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints) {
   Outcome outcome;
   outcome.plan = plan;
-  const Subject& subject = subjects[plan.robot];
-  const auto trial = truth::generate(*subject.joint, kPeriod_s, plan.plan);
+  const robot::Joint& joint = *joints[plan.joint];
+  const auto trial = truth::generate(joint, kPeriod_s, plan.plan);
   truth::Plan without = plan.plan;
   without.hidden.clear();
-  const auto twin = truth::generate(*subject.joint, kPeriod_s, without);
+  const auto twin = truth::generate(joint, kPeriod_s, without);
   if (!trial || !twin) {
     outcome.refused = trial ? twin.error().message : trial.error().message;
     return outcome;
   }
   outcome.answers = trial.value().answers;
-  const auto with_effect = base_error(trial.value().samples, *subject.joint);
-  const auto with_none = base_error(twin.value().samples, *subject.joint);
-  for (std::size_t c = 0; c < with_none.size(); ++c) {
-    outcome.detectable = std::max(outcome.detectable, with_effect[c] / with_none[c] - 1.0);
-  }
   diagnosis::DiagnosisOptions options;
   options.threads = 1;
   const diagnosis::Recording recording = recording_of(trial.value().samples);
-  const diagnosis::Diagnosis found = diagnosis::diagnose(recording, *subject.robot, *subject.joint, options);
+  const diagnosis::Diagnosis found = diagnosis::diagnose(recording, joint, options);
+  const auto with_none = base_error(twin.value().samples, joint);
+  for (std::size_t c = 0; c < with_none.size(); ++c) {
+    outcome.detectable =
+        std::max(outcome.detectable, std::sqrt(found.judgement.base.total(c)) / with_none[c] - 1.0);
+  }
   outcome.verdict = found.judgement.verdict;
   outcome.error_before = found.nrmse_before;
   outcome.error_after = found.nrmse_after;
-  const plant::Scales scales(subject.joint->actuator, subject.joint->swing_load);
+  const plant::Scales scales(joint.actuator, joint.swing_load);
   for (const diagnosis::NamedEffect& effect : found.judgement.effects) {
     const plant::EffectInfo& info = plant::effect_info(effect.id);
     outcome.named.push_back({info.name, scales.value(info.parameters[0], effect.fitted[0]), effect.confidence});
@@ -104,8 +104,8 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<Subject>& subjects) {
   return outcome;
 }
 
-std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<Subject>& subjects, int threads,
-                                const std::function<bool(std::size_t)>& progress) {
+std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
+                                int threads, const std::function<bool(std::size_t)>& progress) {
   std::vector<Outcome> outcomes(plans.size());
   std::atomic<std::size_t> next{0};
   std::atomic<bool> goes_on{true};
@@ -113,7 +113,7 @@ std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::
   std::size_t done = 0;
   const auto work = [&] {
     for (std::size_t i = next++; i < plans.size() && goes_on; i = next++) {
-      outcomes[i] = run_trial(plans[i], subjects);
+      outcomes[i] = run_trial(plans[i], joints);
       const std::lock_guard lock(telling);
       goes_on = progress(++done) && goes_on;
     }

@@ -17,14 +17,8 @@ enum class Kind { kNone, kEffect, kPair, kOutside };
 
 struct TrialPlan {
   Kind kind;
-  std::size_t robot;  ///< which of the robots' joints
+  std::size_t joint;  ///< which of those that trials are made of
   truth::Plan plan;
-};
-
-/// A joint that trials are made of.
-struct Subject {
-  const robot::Robot* robot;
-  const robot::Joint* joint;
 };
 
 struct Named {
@@ -47,13 +41,14 @@ struct Outcome {
 };
 
 /// Every effect of the library at three magnitudes under three excitations, 60 trials with none, 30 pairs, 36 with an
-/// effect outside the library; `subjects` in turn.
-std::vector<TrialPlan> all_trials(std::size_t subjects, std::uint64_t seed);
+/// effect outside the library; of `joints` joints in turn.
+std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
 
-Outcome run_trial(const TrialPlan& plan, const std::vector<Subject>& subjects);
+/// `joints` outlive the call; nominal ones.
+Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints);
 
 /// Runs trials on `threads` threads; `progress` gets how many are done, false ends early.
-std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<Subject>& subjects, int threads,
-                                const std::function<bool(std::size_t)>& progress);
+std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
+                                int threads, const std::function<bool(std::size_t)>& progress);
 
 }  // namespace farrier::blind

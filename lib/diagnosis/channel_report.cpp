@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+
+#include "diagnosis/sample_statistics.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -25,17 +28,6 @@ const char* name_of(Channel channel) noexcept {
   return "";
 }
 
-double deviation_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double value : values) {
-    sum += value;
-    squares += value * value;
-  }
-  const auto n = static_cast<double>(values.size());
-  return std::max(std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n))), 1e-300);
-}
-
 /// Held-out residual of a hypothesis over the whole recording: each half by the other half's fit.
 std::vector<double> held_out(const Bench& bench, const Hypothesis& hypothesis, Channel channel, double observer_s) {
   FitOptions options = bench.options();
@@ -47,16 +39,6 @@ std::vector<double> held_out(const Bench& bench, const Hypothesis& hypothesis, C
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
-}
-
-double root_mean_square(const std::vector<double>& values) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const double value : values) {
-    sum += value * value;
-    count += value != 0.0 ? 1 : 0;
-  }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
 }
 
 /// Simulations that leave the observed one every few samples and run freely for 50 ms.
@@ -80,12 +62,12 @@ double ahead_50ms(const Bench& bench, const Hypothesis& hypothesis, Channel chan
 Horizons horizons(const Bench& bench, const Hypothesis& hypothesis, Channel channel, double deviation) {
   const JointData& data = bench.data();
   if (channel == Channel::kVelocitySensor) {  // has no state that an error could grow in
-    const double error = root_mean_square(held_out(bench, hypothesis, channel, kFree_s)) / deviation;
+    const double error = judged_rms(held_out(bench, hypothesis, channel, kFree_s)) / deviation;
     return {error, error, error};
   }
-  return {root_mean_square(held_out(bench, hypothesis, channel, 0.1 * data.period_s)) / deviation,
+  return {judged_rms(held_out(bench, hypothesis, channel, 0.1 * data.period_s)) / deviation,
           ahead_50ms(bench, hypothesis, channel) / deviation,
-          root_mean_square(held_out(bench, hypothesis, channel, kFree_s)) / deviation};
+          judged_rms(held_out(bench, hypothesis, channel, kFree_s)) / deviation};
 }
 
 std::vector<double> less(const std::vector<double>& a, const std::vector<double>& b) {
@@ -104,7 +86,7 @@ std::vector<ChannelReport> report_channels(const Bench& bench, const Hypothesis&
       continue;
     }
     const std::vector<double>& truth = measured(data, channel);
-    const double deviation = deviation_of(truth);
+    const double deviation = std::max(standard_deviation(truth), 1e-300);
     const Observer& observer = bench.options().observer;
     const double observer_s = channel == Channel::kForce ? observer.oil_s : observer.load_s;
     const auto was = held_out(bench, before, channel, observer_s);

@@ -6,6 +6,8 @@
 #include <memory>
 #include <thread>
 
+#include "diagnosis/sample_statistics.hpp"
+
 namespace farrier::diagnosis {
 namespace {
 
@@ -35,17 +37,6 @@ std::vector<Model::Effect> known_effects(const robot::Joint& joint, const plant:
     }
   }
   return known;
-}
-
-double deviation_of(const std::vector<double>& values) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double value : values) {
-    sum += value;
-    squares += value * value;
-  }
-  const auto n = static_cast<double>(std::max<std::size_t>(values.size(), 1));
-  return std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
 }
 
 /// Work by several threads, each taking the next piece.
@@ -83,16 +74,14 @@ std::vector<plant::EffectId> all_effects() {
 
 }  // namespace
 
-Diagnosis diagnose(const Recording& recording, const robot::Robot& robot, const robot::Joint& joint,
-                   const DiagnosisOptions& options) {
-  static_cast<void>(robot);
+Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const DiagnosisOptions& options) {
   Diagnosis result;
   result.remarks = recording.remarks;
   const SensorNoiseLevels noise{
       joint.noise.position, recording.velocity_derived ? recording.derived_velocity_noise : joint.noise.velocity,
       joint.noise.force};
-  const bool moves = deviation_of(recording.position) > kLeastExcitation * noise.position;
-  const bool pushes = deviation_of(recording.force) > kLeastExcitation * noise.force;
+  const bool moves = standard_deviation(recording.position) > kLeastExcitation * noise.position;
+  const bool pushes = standard_deviation(recording.force) > kLeastExcitation * noise.force;
   if (!moves && !pushes) {
     result.judgement.verdict = Verdict::kNotExcited;
     result.judgement.not_judged = all_effects();

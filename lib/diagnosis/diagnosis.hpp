@@ -31,8 +31,7 @@ struct DiagnosisOptions {
 };
 
 /// Diagnoses a recording that read_recording and check_recording found nothing wrong with.
-Diagnosis diagnose(const Recording& recording, const robot::Robot& robot, const robot::Joint& joint,
-                   const DiagnosisOptions& options = {});
+Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const DiagnosisOptions& options = {});
 
 /// Effects found, as the joint's section `effects` of a robot file has them.
 std::vector<plant::ActiveEffect> found_effects(const Diagnosis& diagnosis, const robot::Joint& joint);

@@ -72,6 +72,16 @@ std::vector<double> residuals(const JointModel& joint, const JointData& data, Sp
   return out;
 }
 
+double judged_rms(const std::vector<double>& residuals) noexcept {
+  double sum = 0.0;
+  std::size_t count = 0;
+  for (const double residual : residuals) {
+    sum += residual * residual;
+    count += residual != 0.0 ? 1 : 0;
+  }
+  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
+}
+
 FitResult fit(const JointModel& joint, const FitData& data, Span span, const Model& start, const ChannelMask& mask,
               const FitOptions& options) {
   FitResult result{.model = start, .cost = 0.0, .deviation = {}};

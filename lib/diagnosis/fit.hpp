@@ -46,6 +46,9 @@ FitResult fit(const JointModel& joint, const FitData& data, Span span, const Mod
 std::vector<double> residuals(const JointModel& joint, const JointData& data, Span span, const Model& model,
                               Channel channel, const FitOptions& options);
 
+/// Root mean square of those that are judged; 0 for none.
+double judged_rms(const std::vector<double>& residuals) noexcept;
+
 /// What was measured of a channel.
 const std::vector<double>& measured(const JointData& data, Channel channel) noexcept;
 

@@ -5,22 +5,13 @@
 #include <numeric>
 
 #include "core/noise.hpp"
+#include "diagnosis/sample_statistics.hpp"
 
 namespace farrier::diagnosis {
 namespace {
 
 constexpr double kBlock_s = 0.1;
 constexpr int kResamplings = 400;
-
-double root_mean_square(const std::vector<double>& values) {
-  double sum = 0.0;
-  std::size_t count = 0;
-  for (const double value : values) {
-    sum += value * value;
-    count += value != 0.0 ? 1 : 0;
-  }
-  return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
-}
 
 }  // namespace
 
@@ -37,7 +28,7 @@ Bench::Bench(const JointModel& joint, const JointData& data, const ChannelMask& 
     if (judged[c]) {
       const auto error =
           residuals(joint, data, {0, data.size()}, Model::nominal(), static_cast<Channel>(c), options_);
-      fit_data_.weight[c] = std::max(root_mean_square(error), 1e-12);
+      fit_data_.weight[c] = std::max(judged_rms(error), 1e-12);
     }
   }
 }
@@ -235,10 +226,8 @@ ErrorRatio Bench::error_ratio(const Hypothesis& before, const Hypothesis& after)
     blocks = std::max(blocks, before.squares[c].size());
     if (fit_data_.judged[c]) {
       const std::vector<double>& values = measured(data_, static_cast<Channel>(c));
-      const double mean = std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-      const double squares = std::accumulate(values.begin(), values.end(), 0.0,
-                                             [mean](double sum, double v) { return sum + (v - mean) * (v - mean); });
-      weight[c] = 1.0 / std::max(squares, 1e-300);
+      const double deviation = standard_deviation(values);
+      weight[c] = 1.0 / std::max(deviation * deviation * static_cast<double>(values.size()), 1e-300);
     }
   }
   const auto error = [&](const Hypothesis& hypothesis, const std::vector<std::size_t>& drawn) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/sample_statistics.hpp"
 #include "diagnosis/twin.hpp"
 
 namespace farrier::diagnosis {
@@ -64,6 +65,7 @@ bool worth_it(const Hypothesis& base, const Hypothesis& before, const Hypothesis
 
 struct Tried {
   std::optional<Hypothesis> hypothesis;
+  Estimate estimate;  ///< of the effect that is tried
   Gain gain{};
   bool accepted = false;
 };
@@ -82,24 +84,14 @@ std::vector<Tried> try_all(const Bench& bench, const Hypothesis& base, const Hyp
     if (mine_tried.hypothesis) {
       const Hypothesis& with = *mine_tried.hypothesis;
       mine_tried.gain = bench.gain(from, with);
-      const Estimate estimate = pooled(with, with.effects.size() - 1);
-      mine_tried.accepted = !at_bound(id, estimate) && mine_tried.gain.low > 0.0 && mine_tried.gain.by_half[0] > 0.0 &&
-                            mine_tried.gain.by_half[1] > 0.0 && worth_it(base, from, with, rules) &&
-                            outside_neutral(bench, id, estimate, rules);
+      mine_tried.estimate = pooled(with, with.effects.size() - 1);
+      const Gain& gain = mine_tried.gain;
+      mine_tried.accepted = !at_bound(id, mine_tried.estimate) && gain.low > 0.0 && gain.by_half[0] > 0.0 &&
+                            gain.by_half[1] > 0.0 && worth_it(base, from, with, rules) &&
+                            outside_neutral(bench, id, mine_tried.estimate, rules);
     }
   });
   return tried;
-}
-
-double standard_deviation(const std::vector<double>& values) {
-  double sum = 0.0;
-  double squares = 0.0;
-  for (const double value : values) {
-    sum += value;
-    squares += value * value;
-  }
-  const auto n = static_cast<double>(values.size());
-  return std::sqrt(std::max(0.0, squares / n - sum * sum / (n * n)));
 }
 
 std::array<Remainder, kChannels> remainder(const Bench& bench, const Hypothesis& hypothesis,
@@ -154,7 +146,7 @@ Judgement judge(const Bench& bench, const SensorNoiseLevels& noise, const Rules&
       if (!tried[id].hypothesis) {
         continue;
       }
-      const Estimate estimate = pooled(*tried[id].hypothesis, judgement.chosen.effects.size());
+      const Estimate& estimate = tried[id].estimate;
       lines.push_back({id, tried[id].gain, estimate.fitted[0], estimate.deviation, tried[id].accepted});
       if (tried[id].accepted &&
           (best == plant::kEffectCount || tried[id].gain.log_ratio > tried[best].gain.log_ratio)) {

@@ -8,18 +8,16 @@
 
 #include <unsupported/Eigen/FFT>
 
+#include "diagnosis/sample_statistics.hpp"
+
 namespace farrier::diagnosis {
 namespace {
 
-double mean_of(std::span<const double> values) {
-  return values.empty() ? 0.0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 std::vector<double> centred(std::span<const double> values) {
-  const double mean = mean_of(values);
+  const double middle = mean(values);
   std::vector<double> out(values.begin(), values.end());
   for (double& value : out) {
-    value -= mean;
+    value -= middle;
   }
   return out;
 }
@@ -43,7 +41,7 @@ Dependence dependence(const char* driver, std::span<const double> values, std::s
   std::vector<std::size_t> order(values.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return values[i]; });
-  const double middle = mean_of(residual);
+  const double middle = mean(residual);
   double between = 0.0;
   double all = 1e-300;
   for (std::size_t bin = 0; bin < static_cast<std::size_t>(bins); ++bin) {

@@ -79,6 +79,8 @@ double rms(std::span<const double> values, double middle) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
+double standard_deviation(std::span<const double> values) { return rms(values, mean(values)); }
+
 std::optional<Agreement> agreement_of(std::span<const double> position, std::span<const double> velocity,
                                       double period_s) {
   std::optional<Agreement> best;

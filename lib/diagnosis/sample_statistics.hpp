@@ -18,6 +18,9 @@ double mean(std::span<const double> values);
 /// About `middle`.
 double rms(std::span<const double> values, double middle);
 
+/// rms about the mean.
+double standard_deviation(std::span<const double> values);
+
 /// A velocity against the derivative of a position.
 struct Agreement {
   double ratio;        ///< of the first to the second, by least squares

@@ -67,10 +67,10 @@ TEST_F(RecordedTrot, ShowsAHiddenLossOfTheLoadCellsGainAndNothingBesideIt) {
   settings.world = &world;
   settings.record_directory = directory_.string();
   run(hyq_, settings);
-  const diagnosis::Diagnosis found = diagnosis::diagnose(read("lf_kfe"), hyq_, knee);
+  const diagnosis::Diagnosis found = diagnosis::diagnose(read("lf_kfe"), knee);
   ASSERT_FALSE(found.judgement.effects.empty()) << to_string(found.judgement.verdict);
   EXPECT_EQ(plant::effect_info(found.judgement.effects.front().id).name, what.effect);
-  const diagnosis::Diagnosis other = diagnosis::diagnose(read("rf_kfe"), hyq_, *hyq_.find("rf_kfe"));
+  const diagnosis::Diagnosis other = diagnosis::diagnose(read("rf_kfe"), *hyq_.find("rf_kfe"));
   EXPECT_EQ(other.judgement.verdict, diagnosis::Verdict::kNone);
 }
 

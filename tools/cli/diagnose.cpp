@@ -105,7 +105,7 @@ Diagnosis diagnose_with_bar(const Recording& recording, const robot::Robot& robo
   options.threads = threads;
   options.progress = [&share](double now) { share = now; };
   std::thread work([&] {
-    found = diagnosis::diagnose(recording, robot, joint, options);
+    found = diagnosis::diagnose(recording, joint, options);
     done = true;
   });
   {

@@ -86,13 +86,12 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
   if (!rig || !legs) {
     return fail(config::to_string(!rig ? rig.error() : legs.error()), kBadInput);
   }
-  const std::vector<blind::Subject> subjects{{&rig.value(), &rig.value().joints.front()},
-                                             {&legs.value(), &legs.value().joints.front()}};
-  const auto plans = spread(blind::all_trials(subjects.size(), o.seed), o.trials);
+  const std::vector<const robot::Joint*> joints{&rig.value().joints.front(), &legs.value().joints.front()};
+  const auto plans = spread(blind::all_trials(joints.size(), o.seed), o.trials);
   std::vector<blind::Outcome> outcomes;
   {
     Progress bar("diagnose --benchmark", static_cast<Tick>(plans.size()), "trials");
-    outcomes = blind::run_trials(plans, subjects, o.threads, [&bar](std::size_t done) {
+    outcomes = blind::run_trials(plans, joints, o.threads, [&bar](std::size_t done) {
       bar.update(static_cast<Tick>(done));
       return !participant::stop_requested();
     });

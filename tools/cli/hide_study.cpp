@@ -73,7 +73,7 @@ Result<std::vector<plant::ActiveEffect>> HideStudy::diagnose_all(const TrotOptio
                                 .tied = {},
                                 .gain = 0.0});
     } else {
-      const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(recording.value(), nominal_, joint);
+      const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(recording.value(), joint);
       trial.verdicts.push_back(verdict_of(joint.name, diagnosis.judgement));
       if (trial.suspect() == &trial.verdicts.back()) {
         found = diagnosis::found_effects(diagnosis, joint);

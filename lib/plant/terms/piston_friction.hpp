@@ -9,13 +9,7 @@ namespace farrier::plant {
 template <class T>
 class PistonFriction {
  public:
-  static constexpr std::array kParameters{
-      Parameter{"coulomb_N", "coulomb_Nm", "N", "Nm", Scale::kForce, false, 1e-6, 0.5, {0.01, 0.05},
-                "Friction in motion."},
-      Parameter{"breakaway_ratio", "breakaway_ratio", "1", "1", Scale::kOne, false, 1.0, 2.5, {1.3, 1.3},
-                "Friction that holds at rest, over that in motion."},
-      Parameter{"stribeck_velocity_m_s", "stribeck_velocity_rad_s", "m/s", "rad/s", Scale::kSpeed, false, 0.001, 0.1,
-                {0.01, 0.01}, "Speed over which the one falls to the other."}};
+  static constexpr std::array kParameters = kContactParameters;
   static constexpr EffectInfo kInfo{"piston_friction", Side::kValveAndOil, false, false, kParameters};
 
   PistonFriction(const T* fitted, const Scales& scales, double) noexcept
