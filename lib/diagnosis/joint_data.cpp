@@ -100,14 +100,27 @@ std::array<double, 3> motion_at(const std::array<double, 3>& from, const std::ar
           from[2] + s * (6 * c3 + s * (12 * c4 + s * 20 * c5)) / (h * h)};
 }
 
-/// How much less than its chord the load cell's force is at a place of a motion, (2.10) to (2.13) with the valve's flow
-/// held and (2.22): S x + d_p v + m_p a, S the oil's stiffness there.
+/// Force that the motion takes from the load cell while the valve's flow is held, (2.10) to (2.13) with (2.22): the
+/// oil's stiffness over the way that was made, d_p v and m_p a. Its zero is anywhere: only differences mean something.
 double oil_pull(const plant::ActuatorParams& actuator, const std::array<double, 3>& motion) {
   const double v_a = actuator.line_volume_m3 + actuator.area_a * std::max(motion[0], 0.0);
   const double v_b = actuator.line_volume_m3 + actuator.area_b * std::max(actuator.stroke - motion[0], 0.0);
-  const double stiffness = actuator.bulk_modulus_Pa * (actuator.area_a * actuator.area_a / v_a +
-                                                       actuator.area_b * actuator.area_b / v_b);
-  return stiffness * motion[0] + actuator.piston_damping * motion[1] + actuator.piston_mass * motion[2];
+  const double compressed =
+      actuator.bulk_modulus_Pa * (actuator.area_a * std::log(v_a) - actuator.area_b * std::log(v_b));
+  return compressed + actuator.piston_damping * motion[1] + actuator.piston_mass * motion[2];
+}
+
+/// Samples at which the load is known and the smoothed motion is its own: a load that begins to swing changes its
+/// acceleration at once, and the smoother smears that over some of its time.
+std::vector<std::uint8_t> settled_swing(std::vector<std::uint8_t> swing, double period_s) {
+  constexpr double kSmeared_s = 0.02;
+  const auto smeared = static_cast<std::size_t>(kSmeared_s / period_s);
+  for (std::size_t i = swing.size(); i-- > 1;) {
+    for (std::size_t back = 1; swing[i] != 0 && back <= std::min(smeared, i); ++back) {
+      swing[i] = swing[i - back] != 0 ? swing[i] : std::uint8_t{0};
+    }
+  }
+  return swing;
 }
 
 }  // namespace
@@ -141,7 +154,7 @@ JointData prepare(const Recording& recording, const plant::ActuatorParams& actua
                  .measured_velocity = recording.velocity,
                  .force = recording.force,
                  .middle_force = {},
-                 .swing = recording.swing,
+                 .swing = settled_swing(recording.swing, h),
                  .smoother = MotionSmoother(h, density / kJerkMargin, position_noise)};
   for (const double current : data.current_A) {
     data.current_integral.push_back(data.current_integral.back() + current * h);

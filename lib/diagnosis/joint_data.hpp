@@ -53,7 +53,7 @@ struct JointData {
   std::vector<double> measured_position, measured_velocity;
   std::vector<double> force;
   std::vector<double> middle_force;      ///< mean over each of the load's substeps
-  std::vector<std::uint8_t> swing;       ///< as in the recording
+  std::vector<std::uint8_t> swing;       ///< 1 where the load is the one the model knows; empty: everywhere
   MotionSmoother smoother;
 
   double step_s() const noexcept { return period_s / kSubsteps; }

@@ -89,9 +89,18 @@ std::vector<T> JointModel::run(const JointData& data, Span span, const std::arra
       // that in position, where a constant force shows.
       simulate_load(data, span, c, terms, observer.load_s,
                     [&](std::size_t k, const T& position) { out.push_back(data.measured_position[k] - position); });
-      const auto error = data.smoother.smooth<T>(out, {out[0], T(0.0), T(0.0)});
-      for (std::size_t i = 0; i < out.size(); ++i) {
-        out[i] = data.motion[span.begin + i] - (error[i][1] + error[i][0] / JointData::kMotionTime_s);
+      for (std::size_t from = 0; from < out.size();) {
+        std::size_t to = from + 1;
+        while (to < out.size() && knows_load(data, span.begin + to) == knows_load(data, span.begin + from)) {
+          ++to;
+        }
+        const std::vector<T> stretch(out.begin() + std::ptrdiff_t(from), out.begin() + std::ptrdiff_t(to));
+        const auto error = data.smoother.smooth<T>(stretch, {stretch[0], T(0.0), T(0.0)});
+        for (std::size_t i = from; i < to; ++i) {
+          const std::array<T, 3>& e = error[i - from];
+          out[i] = data.motion[span.begin + i] - (e[1] + e[0] / JointData::kMotionTime_s);
+        }
+        from = to;
       }
       break;
     }

@@ -33,11 +33,17 @@ Estimate pooled(const Hypothesis& hypothesis, std::size_t index) {
   return estimate;
 }
 
-bool outside_neutral(const Bench& bench, plant::EffectId id, const Estimate& estimate, const Rules& rules) {
+/// Whether an effect is there: more than its neutral value's band, and a force more than the load cell's noise, whose
+/// mean the simulations themselves do not hold any closer.
+bool outside_neutral(const Bench& bench, plant::EffectId id, const Estimate& estimate, const SensorNoiseLevels& noise,
+                     const Rules& rules) {
   const plant::EffectInfo& info = plant::effect_info(id);
   const std::vector<double>* known = bench.joint().known(id);
   const double neutral = known != nullptr ? (*known)[0] : bench.joint().scales().neutral(info.parameters[0]);
-  const double band = info.nominal || known != nullptr ? kNominalBand * std::abs(neutral) : 0.0;
+  const double least =
+      info.parameters[0].scale == plant::Scale::kForce ? noise.force / bench.joint().scales().of(plant::Scale::kForce)
+                                                       : 0.0;
+  const double band = std::max(info.nominal || known != nullptr ? kNominalBand * std::abs(neutral) : 0.0, least);
   return std::abs(estimate.fitted[0] - neutral) > band + rules.neutral_deviations * estimate.deviation;
 }
 
@@ -71,7 +77,7 @@ struct Tried {
 };
 
 std::vector<Tried> try_all(const Bench& bench, const Hypothesis& base, const Hypothesis& from, const ChannelMask& open,
-                           const Rules& rules, const ForEach& for_each) {
+                           const SensorNoiseLevels& noise, const Rules& rules, const ForEach& for_each) {
   std::vector<Tried> tried(plant::kEffectCount);
   for_each(plant::kEffectCount, [&](std::size_t id) {
     const ChannelMask mine = channels_of(plant::effect_info(id).side);
@@ -88,7 +94,7 @@ std::vector<Tried> try_all(const Bench& bench, const Hypothesis& base, const Hyp
       const Gain& gain = mine_tried.gain;
       mine_tried.accepted = !at_bound(id, mine_tried.estimate) && gain.low > 0.0 && gain.by_half[0] > 0.0 &&
                             gain.by_half[1] > 0.0 && worth_it(base, from, with, rules) &&
-                            outside_neutral(bench, id, mine_tried.estimate, rules);
+                            outside_neutral(bench, id, mine_tried.estimate, noise, rules);
     }
   });
   return tried;
@@ -139,7 +145,7 @@ Judgement judge(const Bench& bench, const SensorNoiseLevels& noise, const Rules&
   ChannelMask open = bench.fit_data().judged;
   std::vector<double> confidences;
   for (std::size_t round = 0; round < rules.most_effects; ++round) {
-    std::vector<Tried> tried = try_all(bench, judgement.base, judgement.chosen, open, rules, for_each);
+    std::vector<Tried> tried = try_all(bench, judgement.base, judgement.chosen, open, noise, rules, for_each);
     std::vector<Candidate> lines;
     plant::EffectId best = plant::kEffectCount;
     for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
