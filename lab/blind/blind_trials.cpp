@@ -30,7 +30,8 @@ diagnosis::Recording recording_of(const truth::Samples& samples) {
 std::array<double, diagnosis::kChannels> base_error(const truth::Samples& samples, const robot::Joint& joint) {
   const diagnosis::JointModel model(joint.actuator, joint.swing_load);
   const auto data = diagnosis::prepare(recording_of(samples), joint.actuator, joint.noise.position);
-  const diagnosis::Bench bench(model, data, {true, true, true}, {});
+  const diagnosis::JointSimulator simulator(model, data);
+  const diagnosis::Bench bench(simulator, {true, true, true}, {});
   const diagnosis::Hypothesis base = bench.base();
   return {std::sqrt(base.total(0)), std::sqrt(base.total(1)), std::sqrt(base.total(2))};
 }

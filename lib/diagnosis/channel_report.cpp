@@ -34,7 +34,7 @@ std::vector<double> held_out(const Bench& bench, const Hypothesis& hypothesis, C
   options.observer = {observer_s, observer_s};
   std::vector<double> all;
   for (std::size_t half = 0; half < 2; ++half) {
-    const auto part = residuals(bench.joint(), bench.data(), bench.halves()[half],
+    const auto part = residuals(bench.simulator(), bench.halves()[half],
                                 hypothesis.halves[1 - half].model, channel, options);
     all.insert(all.end(), part.begin(), part.end());
   }
@@ -42,15 +42,15 @@ std::vector<double> held_out(const Bench& bench, const Hypothesis& hypothesis, C
 }
 
 /// Simulations that leave the observed one every few samples and run freely for 50 ms.
-double ahead_50ms(const Bench& bench, const Hypothesis& hypothesis, Channel channel) {
-  const auto steps = static_cast<std::size_t>(0.05 / bench.data().period_s);
+double ahead_50ms(const Bench& bench, const JointSimulator& joint, const Hypothesis& hypothesis, Channel channel) {
+  const auto steps = static_cast<std::size_t>(0.05 / joint.data().period_s);
   double sum = 0.0;
   std::size_t count = 0;
   for (std::size_t half = 0; half < 2; ++half) {
     const Span span = bench.halves()[half];
-    const auto errors = bench.joint().errors_ahead(bench.data(), span, hypothesis.halves[1 - half].model, channel,
+    const auto errors = joint.model().errors_ahead(joint.data(), span, hypothesis.halves[1 - half].model, channel,
                                                    bench.options().observer, steps, kAheadEvery);
-    const auto warm = static_cast<std::size_t>(bench.options().warm_up_s / bench.data().period_s) / kAheadEvery;
+    const auto warm = static_cast<std::size_t>(bench.options().warm_up_s / joint.data().period_s) / kAheadEvery;
     for (std::size_t i = warm; i < errors.size(); ++i) {
       sum += errors[i] * errors[i];
       ++count;
@@ -59,14 +59,15 @@ double ahead_50ms(const Bench& bench, const Hypothesis& hypothesis, Channel chan
   return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
 }
 
-Horizons horizons(const Bench& bench, const Hypothesis& hypothesis, Channel channel, double deviation) {
-  const JointData& data = bench.data();
+Horizons horizons(const Bench& bench, const JointSimulator& joint, const Hypothesis& hypothesis, Channel channel,
+                  double deviation) {
+  const JointData& data = joint.data();
   if (channel == Channel::kVelocitySensor) {  // has no state that an error could grow in
     const double error = judged_rms(held_out(bench, hypothesis, channel, kFree_s)) / deviation;
     return {error, error, error};
   }
   return {judged_rms(held_out(bench, hypothesis, channel, 0.1 * data.period_s)) / deviation,
-          ahead_50ms(bench, hypothesis, channel) / deviation,
+          ahead_50ms(bench, joint, hypothesis, channel) / deviation,
           judged_rms(held_out(bench, hypothesis, channel, kFree_s)) / deviation};
 }
 
@@ -78,14 +79,15 @@ std::vector<double> less(const std::vector<double>& a, const std::vector<double>
 
 }  // namespace
 
-std::vector<ChannelReport> report_channels(const Bench& bench, const Hypothesis& before, const Hypothesis& after) {
+std::vector<ChannelReport> report_channels(const Bench& bench, const JointSimulator& joint, const Hypothesis& before,
+                                           const Hypothesis& after) {
   std::vector<ChannelReport> reports;
-  const JointData& data = bench.data();
+  const JointData& data = joint.data();
   for (const Channel channel : {Channel::kForce, Channel::kMotion, Channel::kVelocitySensor}) {
     if (!bench.fit_data().judged[static_cast<std::size_t>(channel)]) {
       continue;
     }
-    const std::vector<double>& truth = measured(data, channel);
+    const std::vector<double>& truth = joint.measured(channel);
     const double deviation = std::max(standard_deviation(truth), 1e-300);
     const Observer& observer = bench.options().observer;
     const double observer_s = channel == Channel::kForce ? observer.oil_s : observer.load_s;
@@ -95,8 +97,8 @@ std::vector<ChannelReport> report_channels(const Bench& bench, const Hypothesis&
         channel == Channel::kForce ? data.current_A : channel == Channel::kMotion ? data.force : data.velocity;
     ChannelReport report{.channel = channel,
                          .name = name_of(channel),
-                         .before = horizons(bench, before, channel, deviation),
-                         .after = horizons(bench, after, channel, deviation),
+                         .before = horizons(bench, joint, before, channel, deviation),
+                         .after = horizons(bench, joint, after, channel, deviation),
                          .whiteness = whiteness(was, kLags),
                          .cross_correlation = cross_correlation(was, input, kLags / 2),
                          .whiteness_after = whiteness(is, kLags),

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "diagnosis/hypothesis.hpp"
+#include "diagnosis/joint_simulator.hpp"
 #include "diagnosis/residual_statistics.hpp"
 
 namespace farrier::diagnosis {
@@ -26,7 +27,8 @@ struct ChannelReport {
   std::vector<double> measured, simulated_before, simulated_after;        ///< over the recording, for pictures
 };
 
-/// One report per judged channel.
-std::vector<ChannelReport> report_channels(const Bench& bench, const Hypothesis& before, const Hypothesis& after);
+/// One report per judged channel. `bench` judges hypotheses by `joint`.
+std::vector<ChannelReport> report_channels(const Bench& bench, const JointSimulator& joint, const Hypothesis& before,
+                                           const Hypothesis& after);
 
 }  // namespace farrier::diagnosis

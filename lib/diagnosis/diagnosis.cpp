@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "diagnosis/sample_statistics.hpp"
+#include "diagnosis/twin.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -93,11 +94,15 @@ Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const 
   const JointModel model(joint.actuator, joint.swing_load, known_effects(joint, scales));
   const JointData data = prepare(recording, joint.actuator, joint.noise.position);
   const ChannelMask judged{!recording.valve_current_A.empty(), true, !recording.velocity_derived};
-  const Bench bench(model, data, judged, options.fit);
-  result.judgement = judge(bench, noise, options.rules,
+  const JointSimulator simulator(model, data, noise.force);
+  const Bench bench(simulator, judged, options.fit);
+  const auto expected = [&](const Hypothesis& hypothesis) {
+    return expected_residuals(bench, simulator, hypothesis, noise);
+  };
+  result.judgement = judge(bench, expected, options.rules,
                            by_threads(options.threads, options.progress, options.rules.most_effects));
   const Judgement& judgement = result.judgement;
-  result.channels = report_channels(bench, judgement.base, judgement.chosen);
+  result.channels = report_channels(bench, simulator, judgement.base, judgement.chosen);
   for (std::size_t i = 0; i < judgement.alternatives.size(); ++i) {
     Hypothesis chosen = judgement.rivals[i];
     chosen.effects.back() = judgement.alternatives[i].first;

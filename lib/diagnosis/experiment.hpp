@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "diagnosis/judgement.hpp"
+#include "diagnosis/twin.hpp"
 
 namespace farrier::diagnosis {
 

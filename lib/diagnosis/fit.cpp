@@ -41,32 +41,13 @@ Eigen::VectorXd deviations(ceres::Problem& problem, const std::vector<FreeNumber
 
 }  // namespace
 
-ChannelMask channels_of(plant::Side side) noexcept {
-  switch (side) {
-    case plant::Side::kValveAndOil:
-      return {true, false, false};
-    case plant::Side::kLoad:
-      return {false, true, false};
-    case plant::Side::kForceSensor:
-      return {true, true, false};
-    case plant::Side::kVelocitySensor:
-      return {false, false, true};
-  }
-  return {};
-}
-
-const std::vector<double>& measured(const JointData& data, Channel channel) noexcept {
-  return channel == Channel::kForce ? data.force : channel == Channel::kMotion ? data.motion : data.measured_velocity;
-}
-
-std::vector<double> residuals(const JointModel& joint, const JointData& data, Span span, const Model& model,
-                              Channel channel, const FitOptions& options) {
-  std::vector<double> out = joint.simulate(data, span, model, channel, options.observer);
-  const std::vector<double>& truth = measured(data, channel);
-  const auto skip = static_cast<std::size_t>(options.warm_up_s / data.period_s);
+std::vector<double> residuals(const Simulator& simulator, Span span, const Model& model, Channel channel,
+                              const FitOptions& options) {
+  std::vector<double> out = simulator.simulate(span, model, channel, options.observer);
+  const std::vector<double>& truth = simulator.measured(channel);
+  const auto skip = static_cast<std::size_t>(options.warm_up_s / simulator.period_s());
   for (std::size_t i = 0; i < out.size(); ++i) {
-    const bool judged =
-        i >= skip && (channel != Channel::kMotion || knows_load(data, span.begin + i));
+    const bool judged = i >= skip && simulator.explains(channel, span.begin + i);
     out[i] = judged ? truth[span.begin + i] - out[i] : 0.0;
   }
   return out;
@@ -82,10 +63,9 @@ double judged_rms(const std::vector<double>& residuals) noexcept {
   return count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0.0;
 }
 
-FitResult fit(const JointModel& joint, const FitData& data, Span span, const Model& start, const ChannelMask& mask,
-              const FitOptions& options) {
+FitResult fit(const FitData& data, Span span, const Model& start, const ChannelMask& mask, const FitOptions& options) {
   FitResult result{.model = start, .cost = 0.0, .deviation = {}};
-  const std::vector<FreeNumber> free = free_numbers(joint, start, mask, options);
+  const std::vector<FreeNumber> free = data.simulator->free_numbers(start, mask, options.nominal_spread);
   if (free.empty()) {
     return result;
   }
@@ -97,7 +77,7 @@ FitResult fit(const JointModel& joint, const FitData& data, Span span, const Mod
   for (std::size_t c = 0; c < kChannels; ++c) {
     const bool moves = std::ranges::any_of(free, [c](const FreeNumber& f) { return f.channels[c]; });
     if (mask[c] && data.judged[c] && moves) {
-      problem.AddResidualBlock(side_cost(joint, data, span, static_cast<Channel>(c), start, free, options), nullptr,
+      problem.AddResidualBlock(side_cost(data, span, static_cast<Channel>(c), start, free, options), nullptr,
                                values.data());
     }
   }
@@ -131,7 +111,8 @@ FitResult fit(const JointModel& joint, const FitData& data, Span span, const Mod
   for (std::size_t i = 0; i < free.size(); ++i) {
     number_at(result.model, free[i].place) = values[i];
   }
-  const Eigen::VectorXd deviation = deviations(problem, free, static_cast<std::size_t>(0.1 / data.data->period_s));
+  const Eigen::VectorXd deviation =
+      deviations(problem, free, static_cast<std::size_t>(options.block_s / data.simulator->period_s()));
   std::size_t place = kNominals;
   for (const Model::Effect& effect : result.model.effects) {
     for (std::size_t i = 0; i < effect.fitted.size(); ++i, ++place) {

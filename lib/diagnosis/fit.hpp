@@ -3,28 +3,23 @@
 #include <array>
 #include <vector>
 
-#include "diagnosis/joint_model.hpp"
+#include "diagnosis/simulator.hpp"
 
 namespace farrier::diagnosis {
-
-/// Which channels a fit looks at.
-using ChannelMask = std::array<bool, kChannels>;
-
-/// Channels on which an effect on that side shows.
-ChannelMask channels_of(plant::Side side) noexcept;
 
 struct FitOptions {
   Observer observer;
   double warm_up_s = 0.3;        ///< from a span's beginning that is not judged
+  double block_s = 0.1;          ///< within which residuals may say one thing
   int most_iterations = 15;
   double tolerance = 1e-4;       ///< relative change of cost that ends a fit
   double samples_per_fact = 10;  ///< neighbouring residuals that say one thing: how much the data weigh against priors
   double nominal_spread = 0.02;  ///< prior standard deviation of a nominal factor
 };
 
-/// Joint data with the channels that can be judged.
+/// A recording with the channels that can be judged.
 struct FitData {
-  const JointData* data;
+  const Simulator* simulator;
   ChannelMask judged;
   std::array<double, kChannels> weight;  ///< standard deviation that a residual counts as one
 };
@@ -39,17 +34,13 @@ struct FitResult {
 /// Fits the factors and effects of `start` to a span: simulation error of the channels in `mask` with Ceres (Agarwal,
 /// Mierle et al.), derivatives through the simulation, factors within kNominalBand, effects within their ranges.
 /// Numbers of `start` that concern no such channel stay.
-FitResult fit(const JointModel& joint, const FitData& data, Span span, const Model& start, const ChannelMask& mask,
-              const FitOptions& options);
+FitResult fit(const FitData& data, Span span, const Model& start, const ChannelMask& mask, const FitOptions& options);
 
 /// Residuals of a channel over a span, measured less simulated; 0 where they are not judged.
-std::vector<double> residuals(const JointModel& joint, const JointData& data, Span span, const Model& model,
-                              Channel channel, const FitOptions& options);
+std::vector<double> residuals(const Simulator& simulator, Span span, const Model& model, Channel channel,
+                              const FitOptions& options);
 
 /// Root mean square of those that are judged; 0 for none.
 double judged_rms(const std::vector<double>& residuals) noexcept;
-
-/// What was measured of a channel.
-const std::vector<double>& measured(const JointData& data, Channel channel) noexcept;
 
 }  // namespace farrier::diagnosis

@@ -7,35 +7,12 @@
 namespace farrier::diagnosis {
 namespace {
 
-constexpr std::size_t kOilNominals = 8;
-
-bool overlap(const ChannelMask& a, const ChannelMask& b) noexcept {
-  return (a[0] && b[0]) || (a[1] && b[1]) || (a[2] && b[2]);
-}
-
-/// Places of the nominal factor that an effect replaces, kNominals for none.
-std::size_t replaced(plant::EffectId id) noexcept {
-  using plant::Scale;
-  const plant::EffectInfo& info = plant::effect_info(id);
-  if (!info.nominal || info.side != plant::Side::kLoad) {
-    return kNominals;
-  }
-  switch (info.parameters[0].scale) {
-    case Scale::kMass:
-      return static_cast<std::size_t>(Nominal::kMass);
-    case Scale::kDamping:
-      return static_cast<std::size_t>(Nominal::kDamping);
-    default:
-      return static_cast<std::size_t>(Nominal::kStiffness);
-  }
-}
-
 class SideCost : public ceres::CostFunction {
  public:
-  SideCost(const JointModel& joint, const FitData& data, Span span, Channel channel, const Model& model,
-           const std::vector<FreeNumber>& free, const FitOptions& options)
-      : joint_(joint), data_(data), span_(span), channel_(channel), model_(model), free_(free), options_(options) {
-    skip_ = std::min(span.size(), static_cast<std::size_t>(options.warm_up_s / data.data->period_s));
+  SideCost(const FitData& data, Span span, Channel channel, const Model& model, const std::vector<FreeNumber>& free,
+           const FitOptions& options)
+      : simulator_(*data.simulator), span_(span), channel_(channel), model_(model), free_(free), options_(options) {
+    skip_ = std::min(span.size(), static_cast<std::size_t>(options.warm_up_s / simulator_.period_s()));
     scale_ = 1.0 / (data.weight[static_cast<std::size_t>(channel)] * std::sqrt(options.samples_per_fact));
     set_num_residuals(static_cast<int>(span.size()));
     mutable_parameter_block_sizes()->push_back(static_cast<int>(free.size()));
@@ -46,15 +23,14 @@ class SideCost : public ceres::CostFunction {
     for (std::size_t i = 0; i < free_.size(); ++i) {
       number_at(model, free_[i].place) = parameters[0][i];
     }
-    const JointData& data = *data_.data;
-    const std::vector<double>& truth = measured(data, channel_);
+    const std::vector<double>& truth = simulator_.measured(channel_);
     const auto put = [&](const std::vector<double>& simulated) {
       for (std::size_t i = 0; i < span_.size(); ++i) {
         residual[i] = judged(i) ? scale_ * (truth[span_.begin + i] - simulated[i]) : 0.0;
       }
     };
     if (jacobians == nullptr || jacobians[0] == nullptr) {
-      put(joint_.simulate(data, span_, model, channel_, options_.observer));
+      put(simulator_.simulate(span_, model, channel_, options_.observer));
       return finite(residual);
     }
     const std::size_t columns = free_.size();
@@ -66,13 +42,13 @@ class SideCost : public ceres::CostFunction {
       }
     }
     bool first = true;
-    for (std::size_t from = 0; from < mine.size() || first; from += JointModel::kLanes) {
+    for (std::size_t from = 0; from < mine.size() || first; from += Simulator::kLanes) {
       std::vector<std::size_t> lanes;
-      for (std::size_t i = from; i < std::min(from + JointModel::kLanes, mine.size()); ++i) {
+      for (std::size_t i = from; i < std::min(from + Simulator::kLanes, mine.size()); ++i) {
         lanes.push_back(free_[mine[i]].place);
       }
       std::vector<double> jacobian;
-      const auto simulated = joint_.simulate_lanes(data, span_, model, channel_, options_.observer, lanes, jacobian);
+      const auto simulated = simulator_.simulate_lanes(span_, model, channel_, options_.observer, lanes, jacobian);
       if (first) {
         put(simulated);
       }
@@ -89,15 +65,13 @@ class SideCost : public ceres::CostFunction {
 
  private:
   bool judged(std::size_t i) const noexcept {
-    const JointData& data = *data_.data;
-    return i >= skip_ && (channel_ != Channel::kMotion || knows_load(data, span_.begin + i));
+    return i >= skip_ && simulator_.explains(channel_, span_.begin + i);
   }
   bool finite(const double* residual) const {
     return std::all_of(residual, residual + span_.size(), [](double r) { return std::isfinite(r); });
   }
 
-  const JointModel& joint_;
-  const FitData& data_;
+  const Simulator& simulator_;
   Span span_;
   Channel channel_;
   const Model& model_;
@@ -149,38 +123,9 @@ double& number_at(Model& model, std::size_t place) {
   std::abort();
 }
 
-std::vector<FreeNumber> free_numbers(const JointModel& joint, const Model& model, const ChannelMask& mask,
-                               const FitOptions& options) {
-  std::vector<FreeNumber> free;
-  for (std::size_t i = 0; i < kNominals; ++i) {
-    const ChannelMask mine =
-        i < kOilNominals ? ChannelMask{true, false, false} : ChannelMask{false, true, false};
-    const bool taken = std::ranges::any_of(model.effects, [i](const auto& e) { return replaced(e.id) == i; });
-    const bool absent = (i == static_cast<std::size_t>(Nominal::kStiffness) && joint.load().stiffness == 0.0) ||
-                        (i == static_cast<std::size_t>(Nominal::kPistonMass) && joint.actuator().piston_mass == 0.0);
-    if (overlap(mine, mask) && !taken && !absent) {
-      free.push_back({i, mine, 1.0 - kNominalBand, 1.0 + kNominalBand, 1.0, options.nominal_spread});
-    }
-  }
-  std::size_t place = kNominals;
-  for (const Model::Effect& effect : model.effects) {
-    const plant::EffectInfo& info = plant::effect_info(effect.id);
-    const ChannelMask mine = channels_of(info.side);
-    for (std::size_t i = 0; i < effect.fitted.size(); ++i, ++place) {
-      const plant::Parameter& p = info.parameters[i];
-      const bool known_slack = p.scale == plant::Scale::kLength && info.side == plant::Side::kLoad && i > 0 &&
-                               joint.load().stiffness > 0.0;
-      if (overlap(mine, mask) && !known_slack) {
-        free.push_back({place, mine, p.low, p.high, 0.0, 0.0});
-      }
-    }
-  }
-  return free;
-}
-
-ceres::CostFunction* side_cost(const JointModel& joint, const FitData& data, Span span, Channel channel,
-                               const Model& model, const std::vector<FreeNumber>& free, const FitOptions& options) {
-  return new SideCost(joint, data, span, channel, model, free, options);
+ceres::CostFunction* side_cost(const FitData& data, Span span, Channel channel, const Model& model,
+                               const std::vector<FreeNumber>& free, const FitOptions& options) {
+  return new SideCost(data, span, channel, model, free, options);
 }
 
 ceres::CostFunction* prior_cost(const std::vector<FreeNumber>& free) { return new PriorCost(free); }

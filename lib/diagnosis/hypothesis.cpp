@@ -10,7 +10,6 @@
 namespace farrier::diagnosis {
 namespace {
 
-constexpr double kBlock_s = 0.1;
 constexpr int kResamplings = 400;
 
 }  // namespace
@@ -19,22 +18,19 @@ double Hypothesis::total(std::size_t channel) const noexcept {
   return std::accumulate(squares[channel].begin(), squares[channel].end(), 0.0);
 }
 
-Bench::Bench(const JointModel& joint, const JointData& data, const ChannelMask& judged, const FitOptions& options)
-    : joint_(joint), data_(data), options_(options), fit_data_{&data, judged, {1.0, 1.0, 1.0}} {
-  const auto [low, high] = std::ranges::minmax_element(data.position);
-  least_position_ = *low;
-  most_position_ = *high;
+Bench::Bench(const Simulator& simulator, const ChannelMask& judged, const FitOptions& options)
+    : simulator_(simulator), options_(options), fit_data_{&simulator, judged, {1.0, 1.0, 1.0}} {
   for (std::size_t c = 0; c < kChannels; ++c) {
     if (judged[c]) {
-      const auto error =
-          residuals(joint, data, {0, data.size()}, Model::nominal(), static_cast<Channel>(c), options_);
+      const auto error = residuals(simulator, {0, simulator.size()}, simulator.nominal(), static_cast<Channel>(c),
+                                   options_);
       fit_data_.weight[c] = std::max(judged_rms(error), 1e-12);
     }
   }
 }
 
 std::array<Span, 2> Bench::halves() const noexcept {
-  return {Span{0, data_.size() / 2}, Span{data_.size() / 2, data_.size()}};
+  return {Span{0, simulator_.size() / 2}, Span{simulator_.size() / 2, simulator_.size()}};
 }
 
 ChannelMask Bench::closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept {
@@ -52,8 +48,8 @@ ChannelMask Bench::closure(ChannelMask mask, const std::vector<Model::Effect>& e
 }
 
 std::vector<double> Bench::block_squares(const Model& model, std::size_t half, std::size_t channel) const {
-  const auto block = static_cast<std::size_t>(kBlock_s / data_.period_s);
-  const auto error = residuals(joint_, data_, halves()[half], model, static_cast<Channel>(channel), options_);
+  const auto block = static_cast<std::size_t>(options_.block_s / simulator_.period_s());
+  const auto error = residuals(simulator_, halves()[half], model, static_cast<Channel>(channel), options_);
   std::vector<double> squares;
   for (std::size_t from = 0; from + block <= error.size(); from += block) {
     double sum = 0.0;
@@ -95,44 +91,10 @@ double Bench::promise(const Hypothesis& from, const Model& model, const ChannelM
 Hypothesis Bench::base() const {
   Hypothesis base;
   for (std::size_t half = 0; half < 2; ++half) {
-    base.halves[half] = fit(joint_, fit_data_, halves()[half], Model::nominal(), {true, true, true}, options_);
+    base.halves[half] = fit(fit_data_, halves()[half], simulator_.nominal(), {true, true, true}, options_);
   }
   judge(base, nullptr, {true, true, true});
   return base;
-}
-
-std::vector<std::vector<double>> Bench::starts(plant::EffectId effect) const {
-  const plant::EffectInfo& info = plant::effect_info(effect);
-  const plant::Scales& scales = joint_.scales();
-  if (const std::vector<double>* known = joint_.known(effect)) {
-    return {*known};
-  }
-  std::vector<std::vector<double>> all;
-  for (std::size_t s = 0; s < 2; ++s) {
-    std::vector<double> start;
-    for (const plant::Parameter& parameter : info.parameters) {
-      start.push_back(parameter.starts[s]);
-    }
-    all.push_back(start);
-    if (info.parameters[0].starts[0] == info.parameters[0].starts[1]) {
-      break;
-    }
-  }
-  const double length = scales.of(plant::Scale::kLength);
-  if (effect == plant::find_effect("end_stop")) {
-    // A stop is seen where the motion turns: just inside the outermost position.
-    const double inset = std::min(least_position_, length - most_position_);
-    all[0][0] = (inset + 0.02 * (most_position_ - least_position_)) / length;
-  }
-  for (auto& start : all) {
-    for (std::size_t i = 1; i < start.size(); ++i) {
-      if (std::string_view(info.parameters[i].name) == "slack_position_m") {
-        start[i] = joint_.load().stiffness > 0.0 ? joint_.load().equilibrium_position / length
-                                                 : 0.5 * (least_position_ + most_position_) / length;
-      }
-    }
-  }
-  return all;
 }
 
 std::optional<Hypothesis> Bench::with(const Hypothesis& from, plant::EffectId effect, double least_gain) const {
@@ -141,22 +103,22 @@ std::optional<Hypothesis> Bench::with(const Hypothesis& from, plant::EffectId ef
   quick.most_iterations = 6;
   quick.tolerance = 1e-2;
   FitResult rough;
-  for (const auto& start : starts(effect)) {
+  for (const auto& start : simulator_.starts(effect)) {
     Model model = from.halves[0].model;
     model.effects.push_back({effect, start});
-    FitResult found = fit(joint_, fit_data_, halves()[0], model, mask, quick);
+    FitResult found = fit(fit_data_, halves()[0], model, mask, quick);
     if (rough.model.effects.empty() || found.cost < rough.cost) {
       rough = std::move(found);
     }
   }
-  if (promise(from, rough.model, mask) < least_gain) {
+  if (rough.model.effects.empty() || promise(from, rough.model, mask) < least_gain) {
     return std::nullopt;
   }
   Hypothesis with;
   with.effects = from.effects;
   with.effects.push_back(effect);
-  with.halves[0] = fit(joint_, fit_data_, halves()[0], rough.model, mask, options_);
-  with.halves[1] = fit(joint_, fit_data_, halves()[1], with.halves[0].model, mask, options_);
+  with.halves[0] = fit(fit_data_, halves()[0], rough.model, mask, options_);
+  with.halves[1] = fit(fit_data_, halves()[1], with.halves[0].model, mask, options_);
   judge(with, &from, mask);
   return with;
 }
@@ -168,7 +130,7 @@ Hypothesis Bench::without(const Hypothesis& from, plant::EffectId effect) const 
   for (std::size_t half = 0; half < 2; ++half) {
     Model model = from.halves[half].model;
     std::erase_if(model.effects, [effect](const auto& e) { return e.id == effect; });
-    less.halves[half] = fit(joint_, fit_data_, halves()[half], model, mask, options_);
+    less.halves[half] = fit(fit_data_, halves()[half], model, mask, options_);
   }
   judge(less, &from, mask);
   return less;
@@ -225,7 +187,7 @@ ErrorRatio Bench::error_ratio(const Hypothesis& before, const Hypothesis& after)
   for (std::size_t c = 0; c < kChannels; ++c) {
     blocks = std::max(blocks, before.squares[c].size());
     if (fit_data_.judged[c]) {
-      const std::vector<double>& values = measured(data_, static_cast<Channel>(c));
+      const std::vector<double>& values = simulator_.measured(static_cast<Channel>(c));
       const double deviation = standard_deviation(values);
       weight[c] = 1.0 / std::max(deviation * deviation * static_cast<double>(values.size()), 1e-300);
     }

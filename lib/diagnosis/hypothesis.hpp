@@ -37,12 +37,13 @@ struct ErrorRatio {
 /// Everything needed to judge hypotheses about one recording.
 class Bench {
  public:
-  Bench(const JointModel& joint, const JointData& data, const ChannelMask& judged, const FitOptions& options);
+  /// `simulator` outlives this.
+  Bench(const Simulator& simulator, const ChannelMask& judged, const FitOptions& options);
 
-  /// The nominal joint, its constants fitted within their band.
+  /// The nominal model, its constants fitted within their band.
   Hypothesis base() const;
   /// `from` with one effect more, the best of its starts; nothing when a short fit to the first half brings the second
-  /// less than `least_gain` of log ratio.
+  /// less than `least_gain` of log ratio, and for an effect that the recording cannot show.
   std::optional<Hypothesis> with(const Hypothesis& from, plant::EffectId effect, double least_gain) const;
   /// `from` with one effect less.
   Hypothesis without(const Hypothesis& from, plant::EffectId effect) const;
@@ -50,8 +51,7 @@ class Bench {
   Gain gain(const Hypothesis& before, const Hypothesis& after) const;
   ErrorRatio error_ratio(const Hypothesis& before, const Hypothesis& after) const;
 
-  const JointModel& joint() const noexcept { return joint_; }
-  const JointData& data() const noexcept { return data_; }
+  const Simulator& simulator() const noexcept { return simulator_; }
   const FitData& fit_data() const noexcept { return fit_data_; }
   const FitOptions& options() const noexcept { return options_; }
   std::array<Span, 2> halves() const noexcept;
@@ -61,13 +61,10 @@ class Bench {
   std::vector<double> block_squares(const Model& model, std::size_t half, std::size_t channel) const;
   double promise(const Hypothesis& from, const Model& model, const ChannelMask& mask) const;
   ChannelMask closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept;
-  std::vector<std::vector<double>> starts(plant::EffectId effect) const;
 
-  const JointModel& joint_;
-  const JointData& data_;
+  const Simulator& simulator_;
   FitOptions options_;
   FitData fit_data_;
-  double least_position_, most_position_;
 };
 
 }  // namespace farrier::diagnosis

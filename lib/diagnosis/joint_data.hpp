@@ -9,12 +9,6 @@
 
 namespace farrier::diagnosis {
 
-/// Samples begin to end - 1 of a recording.
-struct Span {
-  std::size_t begin, end;
-  std::size_t size() const noexcept { return end - begin; }
-};
-
 /// The motion that fits measured positions best under a white jerk, with the steady gains of Rauch, Tung and Striebel
 /// (1965): position, velocity and acceleration that belong together. Linear: what it makes of a difference of positions
 /// is the difference of what it makes of them.

@@ -4,6 +4,8 @@
 
 #include <ceres/jet.h>
 
+#include "diagnosis/simulator.hpp"
+
 namespace farrier::diagnosis {
 
 namespace {
@@ -23,10 +25,6 @@ double step_of(plant::Side side, const JointData& data) noexcept {
 }
 
 }  // namespace
-
-bool Model::has(plant::EffectId id) const noexcept {
-  return std::ranges::any_of(effects, [id](const Effect& effect) { return effect.id == id; });
-}
 
 JointModel::JointModel(const plant::ActuatorParams& actuator, const plant::LoadParams& load,
                        std::vector<Model::Effect> known)
@@ -169,7 +167,7 @@ std::vector<double> JointModel::errors_ahead(const JointData& data, Span span, c
 std::vector<double> JointModel::simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,
                                                const Observer& observer, const std::vector<std::size_t>& lanes,
                                                std::vector<double>& jacobian) const {
-  using Jet = ceres::Jet<double, static_cast<int>(kLanes)>;
+  using Jet = ceres::Jet<double, static_cast<int>(Simulator::kLanes)>;
   const auto number = [&](std::size_t place, double value) {
     Jet jet(value);
     for (std::size_t lane = 0; lane < lanes.size(); ++lane) {

@@ -6,55 +6,15 @@
 
 #include "core/result.hpp"
 #include "diagnosis/joint_data.hpp"
+#include "diagnosis/model.hpp"
 #include "diagnosis/side_models.hpp"
 #include "plant/terms/terms.hpp"
 
 namespace farrier::diagnosis {
 
-/// What residuals are taken of.
-enum class Channel { kForce, kMotion, kVelocitySensor };
-inline constexpr std::size_t kChannels = 3;
-
-/// Nominal constants that a fit may move within kNominalBand, each a factor; the first eight are left of the load cell.
-enum class Nominal {
-  kAreaA,
-  kAreaB,
-  kLineVolume,
-  kBulkModulus,
-  kValveGain,
-  kSupply,
-  kPistonMass,
-  kPistonDamping,
-  kMass,
-  kDamping,
-  kStiffness
-};
-inline constexpr std::size_t kNominals = 11;
-inline constexpr double kNominalBand = 0.03;
-
-/// A model: factors of the nominal constants and the effects that it has.
-struct Model {
-  std::array<double, kNominals> factors;
-  struct Effect {
-    plant::EffectId id;
-    std::vector<double> fitted;  ///< numbers of its parameters
-  };
-  std::vector<Effect> effects;
-
-  static Model nominal() {
-    Model model;
-    model.factors.fill(1.0);
-    return model;
-  }
-  bool has(plant::EffectId id) const noexcept;
-};
-
 /// A joint as its file has it, for simulations of its sides.
 class JointModel {
  public:
-  /// Derivatives that one simulation carries.
-  static constexpr std::size_t kLanes = 12;
-
   /// `known` effects are in every simulation, unless the model has its own of that kind.
   JointModel(const plant::ActuatorParams& actuator, const plant::LoadParams& load,
              std::vector<Model::Effect> known = {});
@@ -79,8 +39,7 @@ class JointModel {
   std::vector<double> errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
                                    const Observer& observer, std::size_t steps, std::size_t every) const;
 
-  /// simulate() with derivatives by up to kLanes of the model's numbers. `lanes` name them: below kNominals a factor,
-  /// from there on the numbers of the effects in their order. `jacobian` gets rows of lanes.size() numbers.
+  /// simulate() with derivatives as Simulator::simulate_lanes has them.
   std::vector<double> simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,
                                      const Observer& observer, const std::vector<std::size_t>& lanes,
                                      std::vector<double>& jacobian) const;

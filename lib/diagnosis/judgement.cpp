@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "diagnosis/sample_statistics.hpp"
-#include "diagnosis/twin.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -33,17 +32,12 @@ Estimate pooled(const Hypothesis& hypothesis, std::size_t index) {
   return estimate;
 }
 
-/// Whether an effect is there: more than its neutral value's band, and a force more than the load cell's noise, whose
-/// mean the simulations themselves do not hold any closer.
-bool outside_neutral(const Bench& bench, plant::EffectId id, const Estimate& estimate, const SensorNoiseLevels& noise,
-                     const Rules& rules) {
+bool outside_neutral(const Bench& bench, plant::EffectId id, const Estimate& estimate, const Rules& rules) {
   const plant::EffectInfo& info = plant::effect_info(id);
-  const std::vector<double>* known = bench.joint().known(id);
-  const double neutral = known != nullptr ? (*known)[0] : bench.joint().scales().neutral(info.parameters[0]);
-  const double least =
-      info.parameters[0].scale == plant::Scale::kForce ? noise.force / bench.joint().scales().of(plant::Scale::kForce)
-                                                       : 0.0;
-  const double band = std::max(info.nominal || known != nullptr ? kNominalBand * std::abs(neutral) : 0.0, least);
+  const std::vector<double>* known = bench.simulator().known(id);
+  const double neutral = known != nullptr ? (*known)[0] : bench.simulator().scales().neutral(info.parameters[0]);
+  const double nominal = info.nominal || known != nullptr ? kNominalBand * std::abs(neutral) : 0.0;
+  const double band = std::max(nominal, bench.simulator().least(id));
   return std::abs(estimate.fitted[0] - neutral) > band + rules.neutral_deviations * estimate.deviation;
 }
 
@@ -77,7 +71,7 @@ struct Tried {
 };
 
 std::vector<Tried> try_all(const Bench& bench, const Hypothesis& base, const Hypothesis& from, const ChannelMask& open,
-                           const SensorNoiseLevels& noise, const Rules& rules, const ForEach& for_each) {
+                           const Rules& rules, const ForEach& for_each) {
   std::vector<Tried> tried(plant::kEffectCount);
   for_each(plant::kEffectCount, [&](std::size_t id) {
     const ChannelMask mine = channels_of(plant::effect_info(id).side);
@@ -94,23 +88,23 @@ std::vector<Tried> try_all(const Bench& bench, const Hypothesis& base, const Hyp
       const Gain& gain = mine_tried.gain;
       mine_tried.accepted = !at_bound(id, mine_tried.estimate) && gain.low > 0.0 && gain.by_half[0] > 0.0 &&
                             gain.by_half[1] > 0.0 && worth_it(base, from, with, rules) &&
-                            outside_neutral(bench, id, mine_tried.estimate, noise, rules);
+                            outside_neutral(bench, id, mine_tried.estimate, rules);
     }
   });
   return tried;
 }
 
 std::array<Remainder, kChannels> remainder(const Bench& bench, const Hypothesis& hypothesis,
-                                           const SensorNoiseLevels& noise) {
+                                           const ExpectedResiduals& expected_residuals) {
   std::array<Remainder, kChannels> left{};
-  const auto expected = expected_residuals(bench, hypothesis, noise);
-  const double warm = 2.0 * bench.options().warm_up_s / bench.data().period_s;
+  const auto expected = expected_residuals(hypothesis);
+  const double warm = 2.0 * bench.options().warm_up_s / bench.simulator().period_s();
   for (std::size_t c = 0; c < kChannels; ++c) {
     if (bench.fit_data().judged[c]) {
-      const double count = static_cast<double>(bench.data().size()) - warm;
+      const double count = static_cast<double>(bench.simulator().size()) - warm;
       left[c].rms = std::sqrt(hypothesis.total(c) / count);
       left[c].expected = expected[c];
-      left[c].nrmse = left[c].rms / standard_deviation(measured(bench.data(), static_cast<Channel>(c)));
+      left[c].nrmse = left[c].rms / standard_deviation(bench.simulator().measured(static_cast<Channel>(c)));
     }
   }
   return left;
@@ -136,16 +130,16 @@ const char* to_string(Verdict verdict) noexcept {
   return "";
 }
 
-Judgement judge(const Bench& bench, const SensorNoiseLevels& noise, const Rules& rules, const ForEach& for_each) {
+Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each) {
   Judgement judgement;
   judgement.base = bench.base();
   judgement.chosen = judgement.base;
-  const auto before = remainder(bench, judgement.base, noise);
+  const auto before = remainder(bench, judgement.base, expected);
   judgement.left = before;
   ChannelMask open = bench.fit_data().judged;
   std::vector<double> confidences;
   for (std::size_t round = 0; round < rules.most_effects; ++round) {
-    std::vector<Tried> tried = try_all(bench, judgement.base, judgement.chosen, open, noise, rules, for_each);
+    std::vector<Tried> tried = try_all(bench, judgement.base, judgement.chosen, open, rules, for_each);
     std::vector<Candidate> lines;
     plant::EffectId best = plant::kEffectCount;
     for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
@@ -176,7 +170,7 @@ Judgement judge(const Bench& bench, const SensorNoiseLevels& noise, const Rules&
     }
     confidences.push_back(confidence);
     judgement.chosen = std::move(*tried[best].hypothesis);
-    judgement.left = remainder(bench, judgement.chosen, noise);
+    judgement.left = remainder(bench, judgement.chosen, expected);
     bool any = false;
     for (std::size_t c = 0; c < kChannels; ++c) {
       const Remainder& left = judgement.left[c];

@@ -67,11 +67,9 @@ struct Judgement {
 /// Runs `count` pieces of work, perhaps at once.
 using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>&)>;
 
-/// `noise` of the sensors by channel's measurement: position, velocity, force.
-struct SensorNoiseLevels {
-  double position, velocity, force;
-};
+/// Root mean square by channel of what a hypothesis's residuals would be if it were right.
+using ExpectedResiduals = std::function<std::array<double, kChannels>(const Hypothesis& hypothesis)>;
 
-Judgement judge(const Bench& bench, const SensorNoiseLevels& noise, const Rules& rules, const ForEach& for_each);
+Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each);
 
 }  // namespace farrier::diagnosis

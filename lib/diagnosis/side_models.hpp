@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "diagnosis/joint_data.hpp"
+#include "diagnosis/model.hpp"
 #include "plant/terms/terms.hpp"
 
 namespace farrier::diagnosis {
@@ -20,13 +21,6 @@ struct Constants {
   T area_a, area_b, line_volume_m3, bulk_modulus_Pa, valve_gain, supply_pressure_Pa, piston_mass, piston_damping;
   T mass, damping, stiffness;
   double slack_position, stroke, return_pressure_Pa, laminar_pressure_Pa, current_max_A;
-};
-
-/// How a simulation is held to the measurement: its state is drawn towards what was measured with this time constant.
-/// Infinite: it runs freely.
-struct Observer {
-  double oil_s = 0.05;
-  double load_s = 0.1;
 };
 
 /// Flow through one port and how it falls with the pressure behind it.

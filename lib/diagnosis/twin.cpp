@@ -26,9 +26,9 @@ std::vector<double> sum_of(std::vector<double> signal, const std::vector<double>
 
 }  // namespace
 
-std::array<double, kChannels> expected_residuals(const Bench& bench, const Hypothesis& hypothesis,
-                                                 const SensorNoiseLevels& noise) {
-  const JointData& data = bench.data();
+std::array<double, kChannels> expected_residuals(const Bench& bench, const JointSimulator& joint,
+                                                 const Hypothesis& hypothesis, const SensorNoiseLevels& noise) {
+  const JointData& data = joint.data();
   const Span all{0, data.size()};
   const Model& model = hypothesis.halves[0].model;
   const FitOptions& options = bench.options();
@@ -44,10 +44,10 @@ std::array<double, kChannels> expected_residuals(const Bench& bench, const Hypot
   const bool oil = bench.fit_data().judged[0];
   constexpr double kFree_s = 1e9;
   const std::vector<double> force =
-      oil ? bench.joint().simulate(data, all, model, Channel::kForce, {kFree_s, kFree_s}) : data.force;
+      oil ? joint.model().simulate(data, all, model, Channel::kForce, {kFree_s, kFree_s}) : data.force;
   twin.force = sum_of(force, force_noise);
   twin.swing = data.swing;
-  const JointData observed = prepare(twin, bench.joint().actuator(), noise.position);
+  const JointData observed = prepare(twin, joint.model().actuator(), noise.position);
   std::array<double, kChannels> rms{};
   for (std::size_t c = 0; c < kChannels; ++c) {
     if (!bench.fit_data().judged[c]) {
@@ -57,7 +57,7 @@ std::array<double, kChannels> expected_residuals(const Bench& bench, const Hypot
     std::vector<double> error;
     switch (channel) {
       case Channel::kForce:
-        error = residuals(bench.joint(), observed, all, model, channel, options);
+        error = residuals(JointSimulator(joint.model(), observed), all, model, channel, options);
         break;
       case Channel::kMotion: {
         // The load is driven by the measured force: what the noise of that moves, and what the position's makes of it.
@@ -65,8 +65,8 @@ std::array<double, kChannels> expected_residuals(const Bench& bench, const Hypot
         for (std::size_t i = 0; i < noisy.middle_force.size(); ++i) {
           noisy.middle_force[i] += force_noise[i / JointData::kLoadSubsteps];
         }
-        const auto clean = bench.joint().simulate(data, all, model, channel, options.observer);
-        const auto moved = bench.joint().simulate(noisy, all, model, channel, options.observer);
+        const auto clean = joint.model().simulate(data, all, model, channel, options.observer);
+        const auto moved = joint.model().simulate(noisy, all, model, channel, options.observer);
         const auto read = data.smoother.smooth<double>(position_noise, {0.0, 0.0, 0.0});
         for (std::size_t i = 0; i < clean.size(); ++i) {
           error.push_back(clean[i] - moved[i] + read[i][1] + read[i][0] / JointData::kMotionTime_s);

@@ -7,6 +7,7 @@
 
 #include "core/noise.hpp"
 #include "diagnosis/fit.hpp"
+#include "diagnosis/joint_simulator.hpp"
 #include "plant/hydraulic_joint.hpp"
 #include "robot/robot.hpp"
 
@@ -66,10 +67,11 @@ TEST(SideModels, TheMassOfALoadThatRingsWithTheOilIsFoundWithoutBias) {
   for (const double factor : {1.0, 1.4}) {
     const JointData data = prepare(recorded(4.0, factor), rig().actuator, rig().noise.position);
     const JointModel model(rig().actuator, rig().swing_load);
-    FitData fitted{&data, {false, true, false}, {1.0, 1e-3, 1.0}};
+    const JointSimulator simulator(model, data);
+    FitData fitted{&simulator, {false, true, false}, {1.0, 1e-3, 1.0}};
     Model start = Model::nominal();
     start.effects = {{plant::find_effect("load_mass"), {1.1}}};
-    const FitResult result = fit(model, fitted, {0, data.size()}, start, {false, true, false}, {});
+    const FitResult result = fit(fitted, {0, data.size()}, start, {false, true, false}, {});
     EXPECT_NEAR(result.model.effects[0].fitted[0], factor, 0.02 * factor);
   }
 }
@@ -138,10 +140,11 @@ TEST(Fit, KeepsNominalConstantsWithinTheirBandAndFindsTheHiddenCurrentOffset) {
   }
   const JointData data = prepare(recording, rig().actuator, rig().noise.position);
   const JointModel model(rig().actuator, rig().swing_load);
-  const FitData fitted{&data, {true, false, false}, {10.0, 1.0, 1.0}};
+  const JointSimulator simulator(model, data);
+  const FitData fitted{&simulator, {true, false, false}, {10.0, 1.0, 1.0}};
   Model start = Model::nominal();
   start.effects = {{plant::find_effect("valve_bias"), {0.002}}};
-  const FitResult result = fit(model, fitted, {0, data.size()}, start, {true, false, false}, {});
+  const FitResult result = fit(fitted, {0, data.size()}, start, {true, false, false}, {});
   const auto& bias = plant::effect_info(start.effects[0].id).parameters[0];
   EXPECT_NEAR(model.scales().value(bias, result.model.effects[0].fitted[0]), kBias_A, 0.02 * kBias_A);
   for (const double factor : result.model.factors) {
@@ -152,11 +155,12 @@ TEST(Fit, KeepsNominalConstantsWithinTheirBandAndFindsTheHiddenCurrentOffset) {
 TEST(Fit, AStartThatMakesNoFiniteSimulationIsAnAnswerAndNoCrash) {
   const JointData data = prepare(recorded(1.0), rig().actuator, rig().noise.position);
   const JointModel model(rig().actuator, rig().swing_load);
-  const FitData fitted{&data, {true, false, false}, {1.0, 1.0, 1.0}};
+  const JointSimulator simulator(model, data);
+  const FitData fitted{&simulator, {true, false, false}, {1.0, 1.0, 1.0}};
   Model start = Model::nominal();
   start.factors.fill(std::nan(""));
   start.effects = {{plant::find_effect("valve_bias"), {std::nan("")}}};
-  const FitResult result = fit(model, fitted, {0, data.size()}, start, {true, false, false}, {});
+  const FitResult result = fit(fitted, {0, data.size()}, start, {true, false, false}, {});
   EXPECT_FALSE(std::isfinite(result.cost));
 }
 

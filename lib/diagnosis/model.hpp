@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "plant/terms/terms.hpp"
+
+namespace farrier::diagnosis {
+
+/// Samples begin to end - 1 of a recording.
+struct Span {
+  std::size_t begin, end;
+  std::size_t size() const noexcept { return end - begin; }
+};
+
+/// What residuals are taken of.
+enum class Channel { kForce, kMotion, kVelocitySensor };
+inline constexpr std::size_t kChannels = 3;
+
+/// Which channels a fit looks at.
+using ChannelMask = std::array<bool, kChannels>;
+
+/// Channels on which an effect on that side shows.
+ChannelMask channels_of(plant::Side side) noexcept;
+
+/// How a simulation is held to the measurement: its state is drawn towards what was measured with this time constant.
+/// Infinite: it runs freely.
+struct Observer {
+  double oil_s = 0.05;
+  double load_s = 0.1;
+};
+
+/// Nominal constants of a joint that a fit may move within kNominalBand, each a factor; the first eight are left of the
+/// load cell.
+enum class Nominal {
+  kAreaA,
+  kAreaB,
+  kLineVolume,
+  kBulkModulus,
+  kValveGain,
+  kSupply,
+  kPistonMass,
+  kPistonDamping,
+  kMass,
+  kDamping,
+  kStiffness
+};
+inline constexpr std::size_t kNominals = 11;
+inline constexpr double kNominalBand = 0.03;
+
+/// A model: factors of the nominal constants and the effects that it has.
+struct Model {
+  std::array<double, kNominals> factors;
+  struct Effect {
+    plant::EffectId id;
+    std::vector<double> fitted;  ///< numbers of its parameters
+  };
+  std::vector<Effect> effects;
+
+  static Model nominal() {
+    Model model;
+    model.factors.fill(1.0);
+    return model;
+  }
+  bool has(plant::EffectId id) const noexcept;
+};
+
+}  // namespace farrier::diagnosis
