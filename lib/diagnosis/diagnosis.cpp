@@ -6,6 +6,7 @@
 #include <memory>
 #include <thread>
 
+#include "diagnosis/not_judged.hpp"
 #include "diagnosis/sample_statistics.hpp"
 #include "diagnosis/twin.hpp"
 
@@ -101,6 +102,8 @@ Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const 
   };
   result.judgement = judge(bench, expected, options.rules,
                            by_threads(options.threads, options.progress, options.rules.most_effects));
+  result.judgement.not_judged = not_judged(bench, result.judgement.chosen.halves[0].model, result.judgement.left,
+                                           options.rules.least_reduction);
   const Judgement& judgement = result.judgement;
   result.channels = report_channels(bench, simulator, judgement.base, judgement.chosen);
   for (std::size_t i = 0; i < judgement.alternatives.size(); ++i) {

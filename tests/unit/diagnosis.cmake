@@ -1,6 +1,7 @@
 farrier_test(diagnosis_test unit
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis_derive_velocity_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis_fit_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_not_judged_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_check_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_fuzz_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_test.cpp

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "core/noise.hpp"
 #include "diagnosis/fit.hpp"
@@ -130,6 +132,44 @@ TEST(MotionSmoother, IsLinear) {
   for (std::size_t i = 0; i < sum.size(); ++i) {
     EXPECT_NEAR(c[i][1], a[i][1] + b[i][1], 1e-9);
   }
+}
+
+TEST(SideModels, AFastWaySmoothlyMadeLooksLikeNoForceOnTheLoad) {
+  // Between samples the oil is compressed over the way, not by stiffness times position: at 0.3 m/s that is 1 N.
+  auto joint = plant::HydraulicJoint::create(rig().actuator, rig().swing_load,
+                                             plant::equilibrium(rig().actuator, rig().swing_load, 0.02, 0.0))
+                   .value();
+  Recording recording;
+  recording.period_s = 0.001;
+  for (int k = 0; k < 2000; ++k) {
+    const double current = 8e-3 * std::sin(25.0 * k * 1e-3);
+    recording.valve_current_A.push_back(current);
+    recording.position.push_back(joint.state().position);
+    recording.velocity.push_back(joint.state().velocity);
+    recording.force.push_back(joint.load_cell_force());
+    joint.step(current, 0.0, recording.period_s);
+  }
+  ASSERT_GT(*std::ranges::max_element(recording.velocity), 0.2);
+  const JointData data = prepare(recording, rig().actuator, rig().noise.position);
+  const JointModel model(rig().actuator, rig().swing_load);
+  const JointSimulator simulator(model, data);
+  const auto error = residuals(simulator, {0, data.size()}, Model::nominal(), Channel::kMotion, {});
+  const double force = rig().swing_load.damping * std::accumulate(error.begin(), error.end(), 0.0) /
+                       static_cast<double>(error.size());
+  EXPECT_LT(std::abs(force), 0.1);
+  EXPECT_LT(rig().swing_load.damping * judged_rms(error), 0.3);
+}
+
+TEST(JointData, TheLoadIsJudgedFromWhereItsSwingHasSettled) {
+  Recording recording = recorded(1.0);
+  recording.swing.assign(recording.position.size(), 1);
+  std::fill(recording.swing.begin() + 400, recording.swing.begin() + 500, std::uint8_t{0});
+  const JointData data = prepare(recording, rig().actuator, rig().noise.position);
+  EXPECT_EQ(data.swing[0], 1);
+  EXPECT_EQ(data.swing[399], 1);
+  EXPECT_EQ(data.swing[400], 0);
+  EXPECT_EQ(data.swing[519], 0);
+  EXPECT_EQ(data.swing[520], 1);
 }
 
 TEST(Fit, KeepsNominalConstantsWithinTheirBandAndFindsTheHiddenCurrentOffset) {

@@ -10,7 +10,7 @@ template <class T>
 class FlowSaturation {
  public:
   static constexpr std::array kParameters{
-      Parameter{"saturation_current_A", "saturation_current_A", "A", "A", Scale::kCurrent, true, 1e-4, 40.0,
+      Parameter{"saturation_current_A", "saturation_current_A", "A", "A", Scale::kCurrent, true, 1e-4, 200.0,
                 {1.0, 4.0}, "Current at which valve and orifice are alike, u_s."}};
   static constexpr EffectInfo kInfo{"flow_saturation", Side::kValveAndOil, false, false, kParameters};
 
