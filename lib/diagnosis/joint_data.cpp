@@ -153,7 +153,7 @@ JointData prepare(const Recording& recording, const plant::ActuatorParams& actua
                  .measured_position = x,
                  .measured_velocity = recording.velocity,
                  .force = recording.force,
-                 .middle_force = {},
+                 .bend = {},
                  .swing = settled_swing(recording.swing, h),
                  .smoother = MotionSmoother(h, density / kJerkMargin, position_noise)};
   for (const double current : data.current_A) {
@@ -179,11 +179,9 @@ JointData prepare(const Recording& recording, const plant::ActuatorParams& actua
     }
     const double here = oil_pull(actuator, motion[i]);
     const double there = oil_pull(actuator, next);
-    const double next_force = data.force[std::min(i + 1, motion.size() - 1)];
     for (std::size_t j = 0; j < JointData::kLoadSubsteps; ++j) {
       const double share = (static_cast<double>(j) + 0.5) / JointData::kLoadSubsteps;
-      const double bend = here + share * (there - here) - oil_pull(actuator, at(j, 0.5, JointData::kLoadSubsteps));
-      data.middle_force.push_back(data.force[i] + share * (next_force - data.force[i]) + bend);
+      data.bend.push_back(here + share * (there - here) - oil_pull(actuator, at(j, 0.5, JointData::kLoadSubsteps)));
     }
   }
   return data;

@@ -46,7 +46,7 @@ struct JointData {
   std::vector<double> middle_velocity;   ///< mean over each substep
   std::vector<double> measured_position, measured_velocity;
   std::vector<double> force;
-  std::vector<double> middle_force;      ///< mean over each of the load's substeps
+  std::vector<double> bend;              ///< of the force beyond its chord, mean over each of the load's substeps
   std::vector<std::uint8_t> swing;       ///< 1 where the load is the one the model knows; empty: everywhere
   MotionSmoother smoother;
 

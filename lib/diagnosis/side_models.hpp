@@ -10,18 +10,11 @@
 #include <cmath>
 
 #include "diagnosis/joint_data.hpp"
+#include "diagnosis/load_simulation.hpp"
 #include "diagnosis/model.hpp"
 #include "plant/terms/terms.hpp"
 
 namespace farrier::diagnosis {
-
-/// Constants of a joint that a fit may move within 3 %; SI, actuator coordinates, as in plant::ActuatorParams.
-template <class T>
-struct Constants {
-  T area_a, area_b, line_volume_m3, bulk_modulus_Pa, valve_gain, supply_pressure_Pa, piston_mass, piston_damping;
-  T mass, damping, stiffness;
-  double slack_position, stroke, return_pressure_Pa, laminar_pressure_Pa, current_max_A;
-};
 
 /// Flow through one port and how it falls with the pressure behind it.
 template <class T>
@@ -38,15 +31,6 @@ PortFlow<T> port_flow(const T& conductance, const T& drop_Pa, double laminar_Pa)
   return {by_root * drop_Pa, by_root * (1.0 - 0.5 * drop_Pa * drop_Pa / square)};
 }
 
-template <class T>
-double value_of(const T& number) noexcept {
-  if constexpr (requires { number.a; }) {
-    return number.a;
-  } else {
-    return number;
-  }
-}
-
 /// (1 - e^-x) / x: how far a decaying state goes in a step.
 inline double decaying_share(double x) noexcept { return x > 1e-6 ? (1.0 - std::exp(-x)) / x : 1.0 - 0.5 * x; }
 
@@ -57,7 +41,7 @@ class OilSimulation {
   /// At rest's pressures for the force that is measured there. `data` and `constants` outlive this.
   OilSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
                 std::size_t begin)
-      : data_(&data), c_(&constants), terms_(terms), begin_(begin) {
+      : data_(&data), c_(&constants), terms_(terms), current_(data, terms, begin) {
     if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
       sensor_gain_ = gain->gain();
     }
@@ -97,33 +81,13 @@ class OilSimulation {
   }
 
  private:
-  /// Mean current over substep `sub`, late by the delay.
-  T current(std::size_t k, std::size_t sub) const {
-    const auto* delay = terms_.template find<plant::InputDelay>();
-    if (delay == nullptr) {
-      return T(data_->current_A[k]);
-    }
-    const double h = data_->step_s();
-    const T from = static_cast<double>(sub) * h - delay->delay_s();
-    return (charge(from + h) - charge(from)) / h;
-  }
-
-  /// Integral of the current; before the first sample it was what it is there.
-  T charge(const T& at_s) const {
-    const double place = value_of(at_s) / data_->period_s;
-    const std::size_t i = place <= static_cast<double>(begin_)
-                              ? begin_
-                              : std::min(static_cast<std::size_t>(place), data_->size() - 1);
-    return data_->current_integral[i] + (at_s - static_cast<double>(i) * data_->period_s) * data_->current_A[i];
-  }
-
   void substep(std::size_t k, std::size_t sub) {
     using std::abs;
     const JointData& data = *data_;
     const Constants<T>& c = *c_;
     const double h = data.step_s();
     const double speed = data.middle_velocity[sub];
-    plant::ValveMoment<T> valve{current(k, sub), T(1.0)};
+    plant::ValveMoment<T> valve{current_.mean(k, sub), T(1.0)};
     terms_.on_valve(valve);
     const bool extends = valve.opening_A > 0.0;
     const T conductance = c.valve_gain * valve.flow_factor * abs(valve.opening_A);
@@ -163,71 +127,10 @@ class OilSimulation {
   const JointData* data_;
   const Constants<T>* c_;
   plant::TermSet<T> terms_;
-  std::size_t begin_;
+  DelayedCurrent<T> current_;
   T sensor_gain_ = T(1.0);
   T p_a_, p_b_;
   T supply_flow_ = T(0.0);
-};
-
-/// The load, from a sample on. A copy goes on from where the original stands.
-template <class T>
-class LoadSimulation {
- public:
-  /// In the measured motion. `data` and `constants` outlive this.
-  LoadSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
-                 std::size_t begin)
-      : data_(&data), c_(&constants), terms_(terms) {
-    if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
-      sensor_gain_ = gain->gain();
-    }
-    if (const auto* offset = terms_.template find<plant::ForceSensorOffset>()) {
-      sensor_offset_ = offset->offset();
-    }
-    if (const auto* lag = terms_.template find<plant::ForceSensorLag>()) {
-      lag_s_ = lag->lag_s();
-    }
-    settle(begin);
-  }
-
-  /// The measured motion of sample k.
-  void settle(std::size_t k) {
-    x_ = T(data_->position[k]);
-    v_ = T(data_->velocity[k]);
-  }
-
-  /// Position at the sample where this stands: what a lagging cell reads drives the load early by its lag.
-  T read() const { return x_ + lag_s_ * v_; }
-
-  /// On to sample k + 1, drawn to the measured motion by `pull` of the error.
-  void advance(std::size_t k, double pull) {
-    const JointData& data = *data_;
-    const double h = data.load_step_s();
-    x_ += pull * (data.position[k] - x_);
-    v_ += pull * (data.velocity[k] - v_);
-    for (std::size_t j = 0; j < JointData::kLoadSubsteps; ++j) {
-      const T force = (data.middle_force[k * JointData::kLoadSubsteps + j] - sensor_offset_) / sensor_gain_;
-      plant::LoadMoment<T> load{x_ + 0.5 * h * v_, v_,      c_->mass, c_->damping, c_->stiffness,
-                                T(c_->slack_position), T(0.0), T(0.0), T(0.0)};
-      terms_.on_load(load);
-      // (2.24) over a step in its mean velocity w:
-      // m (2 w - 2 v) / h = F - d w - C (x + h w / 2 - x_eq) - hold - slope w
-      const T along = load.damping + load.slope + 0.5 * h * load.stiffness;
-      const T push = force + load.external_force - load.stiffness * (x_ - load.slack_position) - load.hold;
-      const T mean = (2.0 / h * load.mass * v_ + push) / (2.0 / h * load.mass + along);
-      terms_.after_load(mean);
-      x_ += h * mean;
-      v_ += 2.0 * (mean - v_);
-    }
-  }
-
- private:
-  const JointData* data_;
-  const Constants<T>* c_;
-  plant::TermSet<T> terms_;
-  T x_, v_;
-  T sensor_gain_ = T(1.0);
-  T sensor_offset_ = T(0.0);
-  T lag_s_ = T(0.0);
 };
 
 /// Share of an error that a period takes away from a simulation drawn with this time constant.

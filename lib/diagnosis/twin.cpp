@@ -62,9 +62,7 @@ std::array<double, kChannels> expected_residuals(const Bench& bench, const Joint
       case Channel::kMotion: {
         // The load is driven by the measured force: what the noise of that moves, and what the position's makes of it.
         JointData noisy = data;
-        for (std::size_t i = 0; i < noisy.middle_force.size(); ++i) {
-          noisy.middle_force[i] += force_noise[i / JointData::kLoadSubsteps];
-        }
+        noisy.force = sum_of(data.force, force_noise);
         const auto clean = joint.model().simulate(data, all, model, channel, options.observer);
         const auto moved = joint.model().simulate(noisy, all, model, channel, options.observer);
         const auto read = data.smoother.smooth<double>(position_noise, {0.0, 0.0, 0.0});
