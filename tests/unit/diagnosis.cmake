@@ -6,6 +6,8 @@ farrier_test(diagnosis_test unit
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_fuzz_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_times_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_scaled_recording_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_scaled_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis_trace_recording_test.cpp)
 target_link_libraries(diagnosis_test PRIVATE farrier_diagnosis)
 target_compile_definitions(diagnosis_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

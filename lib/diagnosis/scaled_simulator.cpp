@@ -1,0 +1,165 @@
+#include "diagnosis/scaled_simulator.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <ceres/jet.h>
+
+#include "diagnosis/sample_statistics.hpp"
+#include "diagnosis/side_models.hpp"
+#include "plant/terms/active_effect.hpp"
+
+namespace farrier::diagnosis {
+namespace {
+
+constexpr std::size_t kGain = 0;
+constexpr std::size_t kDrift = 1;
+
+constexpr std::array kEffects{
+    plant::effect_id<plant::InputDelay>(), plant::effect_id<plant::ValveDynamics>(),
+    plant::effect_id<plant::ValveDeadband>(), plant::effect_id<plant::ValveAsymmetry>(),
+    plant::effect_id<plant::FlowSaturation>()};
+
+/// Of a valve that is full open at the largest opening of the recording; nothing else of a joint is known.
+plant::Scales scales_of(const ScaledRecording& recording) {
+  const plant::ActuatorParams unit{.area_a = 1.0,
+                                   .area_b = 1.0,
+                                   .stroke = 1.0,
+                                   .line_volume_m3 = 1.0,
+                                   .bulk_modulus_Pa = 1.0,
+                                   .valve_gain = 1.0,
+                                   .valve_current_max_A = magnitude(recording.valve, 1.0),
+                                   .supply_pressure_Pa = 1.0};
+  return {unit, plant::LoadParams{}};
+}
+
+/// Least squares of the position's steps over valve and one.
+Model fit_of_steps(const ScaledRecording& recording) {
+  const std::size_t count = recording.position.size() - 1;
+  const double middle = mean(std::span(recording.valve).first(count));
+  const double step = (recording.position[count] - recording.position[0]) / static_cast<double>(count);
+  double together = 0.0;
+  double alone = std::numeric_limits<double>::min();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double valve = recording.valve[i] - middle;
+    together += valve * (recording.position[i + 1] - recording.position[i] - step);
+    alone += valve * valve;
+  }
+  Model model = Model::nominal();
+  model.factors[kGain] = together / alone;
+  model.factors[kDrift] = step - model.factors[kGain] * middle;
+  return model;
+}
+
+}  // namespace
+
+ScaledSimulator::ScaledSimulator(const ScaledRecording& recording)
+    : recording_(recording), valve_integral_{0.0}, scales_(scales_of(recording)), nominal_(fit_of_steps(recording)) {
+  for (const double valve : recording.valve) {
+    valve_integral_.push_back(valve_integral_.back() + kSample_s * valve);
+  }
+}
+
+std::vector<std::vector<double>> ScaledSimulator::starts(plant::EffectId effect) const {
+  if (std::ranges::find(kEffects, effect) == kEffects.end()) {
+    return {};
+  }
+  std::vector<std::vector<double>> all(2);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    for (const plant::Parameter& parameter : plant::effect_info(effect).parameters) {
+      all[i].push_back(parameter.starts[i]);
+    }
+  }
+  return all;
+}
+
+std::vector<FreeNumber> ScaledSimulator::free_numbers(const Model& model, const ChannelMask& mask, double) const {
+  constexpr ChannelMask kMine{true, false, false};
+  constexpr double kAny = std::numeric_limits<double>::max();
+  if (!mask[static_cast<std::size_t>(kChannel)]) {
+    return {};
+  }
+  std::vector<FreeNumber> free{{kGain, kMine, -kAny, kAny, 0.0, 0.0}, {kDrift, kMine, -kAny, kAny, 0.0, 0.0}};
+  std::size_t place = kNominals;
+  for (const Model::Effect& effect : model.effects) {
+    for (const plant::Parameter& parameter : plant::effect_info(effect.id).parameters) {
+      free.push_back({place++, kMine, parameter.low, parameter.high, 0.0, 0.0});
+    }
+  }
+  return free;
+}
+
+template <class T>
+T ScaledSimulator::opening(std::size_t sample, const plant::TermSet<T>& terms) const {
+  const auto* delay = terms.template find<plant::InputDelay>();
+  if (delay == nullptr) {
+    return T(recording_.valve[sample]);
+  }
+  // Mean over the period, late by the delay; before the first sample the valve was what it is there.
+  const auto integral = [&](const T& at_s) -> T {
+    const double place = std::floor(value_of(at_s) / kSample_s);
+    const std::size_t i = place <= 0.0 ? 0 : std::min(static_cast<std::size_t>(place), size() - 1);
+    return valve_integral_[i] + (at_s - static_cast<double>(i) * kSample_s) * recording_.valve[i];
+  };
+  const T from = static_cast<double>(sample) * kSample_s - delay->delay_s();
+  return (integral(from + kSample_s) - integral(from)) / kSample_s;
+}
+
+template <class T>
+std::vector<T> ScaledSimulator::run(Span span, const T& gain, const T& drift, plant::TermSet<T>& terms) const {
+  std::vector<T> positions;
+  positions.reserve(span.size());
+  T position(recording_.position[span.begin]);
+  for (std::size_t k = span.begin; k < span.end; ++k) {
+    positions.push_back(position);
+    plant::ValveMoment<T> valve{opening(k, terms), T(1.0)};
+    terms.on_valve(valve);
+    position += gain * valve.flow_factor * valve.opening_A + drift;
+  }
+  return positions;
+}
+
+std::vector<double> ScaledSimulator::simulate(Span span, const Model& model, Channel, const Observer&) const {
+  plant::TermSet<double> terms;
+  for (const Model::Effect& effect : model.effects) {
+    terms.add(effect.id, effect.fitted.data(), scales_, kSample_s);
+  }
+  return run<double>(span, model.factors[kGain], model.factors[kDrift], terms);
+}
+
+std::vector<double> ScaledSimulator::simulate_lanes(Span span, const Model& model, Channel, const Observer&,
+                                                    const std::vector<std::size_t>& lanes,
+                                                    std::vector<double>& jacobian) const {
+  using Jet = ceres::Jet<double, static_cast<int>(kLanes)>;
+  const auto number = [&](std::size_t place, double value) {
+    Jet jet(value);
+    if (const auto lane = std::ranges::find(lanes, place); lane != lanes.end()) {
+      jet.v[lane - lanes.begin()] = 1.0;
+    }
+    return jet;
+  };
+  plant::TermSet<Jet> terms;
+  std::size_t place = kNominals;
+  for (const Model::Effect& effect : model.effects) {
+    std::vector<Jet> fitted;
+    for (const double value : effect.fitted) {
+      fitted.push_back(number(place++, value));
+    }
+    terms.add(effect.id, fitted.data(), scales_, kSample_s);
+  }
+  const std::vector<Jet> jets =
+      run<Jet>(span, number(kGain, model.factors[kGain]), number(kDrift, model.factors[kDrift]), terms);
+  std::vector<double> positions;
+  jacobian.assign(jets.size() * lanes.size(), 0.0);
+  for (std::size_t i = 0; i < jets.size(); ++i) {
+    positions.push_back(jets[i].a);
+    for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+      jacobian[i * lanes.size() + lane] = jets[i].v[static_cast<Eigen::Index>(lane)];
+    }
+  }
+  return positions;
+}
+
+}  // namespace farrier::diagnosis
