@@ -30,12 +30,16 @@ std::vector<EffectAlone> try_alone(const Bench& bench, const Judgement& judgemen
     if (!with) {
       continue;
     }
+    const plant::EffectInfo& info = plant::effect_info(id);
     const bool accepted = std::ranges::any_of(judgement.rounds.front(), [id](const Candidate& candidate) {
       return candidate.id == id && candidate.accepted;
     });
     const FitResult& first = with->halves[0];
-    alone.push_back({id, first.model.effects[0].fitted, first.deviation[0],
-                     fit_percent(measured, held_out(bench, *with)), accepted});
+    const std::vector<double>& fitted = first.model.effects[0].fitted;
+    // Where a size ends at 0 the solver leaves gain and drift beside their best: what fits best is the linear model.
+    const bool neutral = std::abs(fitted[0] - bench.simulator().scales().neutral(info.parameters[0])) <= 0.0;
+    alone.push_back({id, fitted, first.deviation[0],
+                     fit_percent(measured, held_out(bench, neutral ? judgement.base : *with)), accepted});
   }
   return alone;
 }

@@ -15,6 +15,8 @@ farrier_system_test(process_failure_test system 0 ${CMAKE_CURRENT_LIST_DIR}/proc
 farrier_system_test(command_line_test system 0 ${CMAKE_CURRENT_LIST_DIR}/command_line_test.cpp)
 farrier_system_test(reproduce_test system 0 ${CMAKE_CURRENT_LIST_DIR}/reproduce_test.cpp)
 farrier_system_test(diagnose_test system 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_test.cpp)
+farrier_system_test(diagnose_scaled_test system 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_scaled_test.cpp)
+target_compile_definitions(diagnose_scaled_test PRIVATE FARRIER_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
 farrier_system_test(process_end_test system 0 ${CMAKE_CURRENT_LIST_DIR}/process_end_test.cpp)
 farrier_system_test(surroundings_test system 0 ${CMAKE_CURRENT_LIST_DIR}/surroundings_test.cpp)
 farrier_system_test(traffic_test system 0 ${CMAKE_CURRENT_LIST_DIR}/traffic_test.cpp)

@@ -119,8 +119,8 @@ TEST_F(DiagnosisReport, RotaryJointsHaveTheirOwnNamesAndUnits) {
   const robot::Joint& hip = *hyq.find("lf_haa");
   ASSERT_TRUE(hip.rotary);
   const ShownEffect effect = shown(testing::two_effects()[0], hip);
-  EXPECT_STREQ(effect.numbers[0].name, "coulomb_Nm");
-  EXPECT_STREQ(effect.numbers[0].unit, "Nm");
+  EXPECT_EQ(effect.numbers[0].name, "coulomb_Nm");
+  EXPECT_EQ(effect.numbers[0].unit, "Nm");
   EXPECT_NEAR(effect.numbers[0].value,
               0.02 * plant::Scales(hip.actuator, hip.swing_load).of(plant::Scale::kForce), 1e-9);
 }

@@ -15,6 +15,7 @@
 #include "tools/cli/command.hpp"
 #include "tools/cli/diagnose_benchmark.hpp"
 #include "tools/cli/diagnose_options.hpp"
+#include "tools/cli/diagnose_scaled.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/report/diagnosis_json.hpp"
@@ -72,24 +73,6 @@ Outputs outputs_of(const DiagnoseOptions& o, const robot::Robot& robot, const ro
   return {.json = o.json_path.empty() ? in_out("figures.json") : o.json_path,
           .page = in_out("index.html"),
           .model = in_out(robot.name + "_" + joint.name + "_extended.yaml")};
-}
-
-/// Refuses outputs that would replace what is read, and those that cannot be written; removes an earlier run's.
-Result<Done> make_way_for(const Outputs& outputs, const DiagnoseOptions& o) {
-  for (const std::string* output : {&outputs.json, &outputs.page, &outputs.model}) {
-    for (const std::string* input : {&o.recording, &o.model_path}) {
-      std::error_code unknown;
-      if (!output->empty() && fs::equivalent(*output, *input, unknown)) {
-        return Error{*output + " is what is read: give another --out or --json"};
-      }
-    }
-  }
-  for (const std::string* output : {&outputs.json, &outputs.page, &outputs.model}) {
-    if (auto free = output->empty() ? Result<Done>(Done{}) : make_way(*output); !free) {
-      return free;
-    }
-  }
-  return Done{};
 }
 
 /// Diagnoses on a thread beside, which nothing can stop but the end of the process: an interrupt ends it here, when
@@ -181,6 +164,9 @@ int finish(const report::DiagnosisResult& result, const Outputs& outputs, const 
 }
 
 int diagnose(const DiagnoseOptions& o) {
+  if (o.units == Units::kScaled) {
+    return diagnose_scaled(o);
+  }
   if (o.benchmark) {
     return o.recording.empty() ? run_diagnose_benchmark(
                                      {o.json_path, o.confusion_path, o.seed, o.trials, o.threads}, FARRIER_ROBOTS)
@@ -210,7 +196,7 @@ int diagnose(const DiagnoseOptions& o) {
     directory.emplace(std::move(claimed).value());
   }
   const Outputs outputs = outputs_of(o, robot, *joint.value());
-  if (const auto free = make_way_for(outputs, o); !free) {
+  if (const auto free = make_way({outputs.json, outputs.page, outputs.model}, {o.recording, o.model_path}); !free) {
     return refuse(free.error().message, kBadInput);
   }
   const auto recording = read(o, robot, *joint.value());

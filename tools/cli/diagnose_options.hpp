@@ -6,9 +6,13 @@
 
 namespace farrier::cli {
 
+/// In what a recording was written.
+enum class Units { kSi, kScaled };
+
 /// What the command line of `farrier diagnose` says.
 struct DiagnoseOptions {
   std::string recording;
+  Units units = Units::kSi;
   std::string model_path;
   std::string joint;      ///< empty: the robot's only one
   std::string out;        ///< empty: no files but `json_path`

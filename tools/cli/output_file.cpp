@@ -52,4 +52,21 @@ Result<Done> make_way(const std::string& path) {
   return Done{};
 }
 
+Result<Done> make_way(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs) {
+  for (const std::string& output : outputs) {
+    for (const std::string& input : inputs) {
+      std::error_code unknown;
+      if (!output.empty() && fs::equivalent(output, input, unknown)) {
+        return Error{output + " is what is read: give another --out or --json"};
+      }
+    }
+  }
+  for (const std::string& output : outputs) {
+    if (auto free = output.empty() ? Result<Done>(Done{}) : make_way(output); !free) {
+      return free;
+    }
+  }
+  return Done{};
+}
+
 }  // namespace farrier::cli

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/result.hpp"
 
@@ -23,5 +24,8 @@ class OutputDirectory {
 /// Refuses a path that cannot be written, before the work whose result is to go there, and removes the file an
 /// earlier run left, which must not pass for this run's. Devices and pipes are left alone.
 Result<Done> make_way(const std::string& path);
+
+/// The same for all of a command's outputs, those without a path left out. Refuses first any that is one of `inputs`.
+Result<Done> make_way(const std::vector<std::string>& outputs, const std::vector<std::string>& inputs);
 
 }  // namespace farrier::cli

@@ -1,37 +1,14 @@
 #include "tools/report/diagnosis_json.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
-#include <nlohmann/json.hpp>
-
 #include "tools/report/diagnosis_text.hpp"
+#include "tools/report/judgement_json.hpp"
 
 namespace farrier::report {
 namespace {
 
-using Json = nlohmann::ordered_json;
 using diagnosis::Diagnosis;
 
 const char* name_of(plant::EffectId id) { return plant::effect_info(id).name; }
-
-Json json_of(const ShownEffect& effect) {
-  Json parameters = Json::array();
-  for (const ShownEffect::Number& number : effect.numbers) {
-    parameters.push_back({{"name", number.name}, {"value", number.value}, {"unit", number.unit}});
-  }
-  const ShownEffect::Number& first = effect.numbers[0];
-  return {{"name", effect.info->name},
-          {"parameter", first.name},
-          {"value", first.value},
-          {"unit", first.unit},
-          {"low", effect.low},
-          {"high", effect.high},
-          {"confidence", effect.confidence},
-          {"share", effect.share},
-          {"parameters", std::move(parameters)}};
-}
 
 Json json_of(const diagnosis::Experiment& experiment) {
   return {{"one", name_of(experiment.one)},
@@ -76,26 +53,16 @@ std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome
   for (const char* list : {"effects", "alternatives", "experiment", "experiments", "not_judged"}) {
     json[list] = Json::array();
   }
+  std::vector<ShownEffect> effects;
   for (const diagnosis::NamedEffect& effect : judgement.effects) {
-    json["effects"].push_back(json_of(shown(effect, result.joint)));
+    effects.push_back(shown(effect, result.joint));
   }
-  for (const auto& [one, other] : judgement.alternatives) {
-    json["alternatives"].push_back(Json::array({name_of(one), name_of(other)}));
-  }
+  add_judgement(json, judgement, effects);
   for (const diagnosis::Experiment& experiment : d.experiments) {
     json["experiments"].push_back(json_of(experiment));
   }
   json["experiment"] = d.experiments.empty() ? Json(nullptr) : json_of(d.experiments.front());
-  for (const plant::EffectId id : judgement.not_judged) {
-    json["not_judged"].push_back(name_of(id));
-  }
-  json["held_out"] = nullptr;
-  if (!d.channels.empty() && !bad) {
-    json["held_out"] = {{"nrmse_before", d.nrmse_before},
-                        {"nrmse_after", d.nrmse_after},
-                        {"low", d.ratio_low},
-                        {"high", d.ratio_high}};
-  }
+  json["held_out"] = d.channels.empty() || bad ? Json(nullptr) : json_of(error_of(d));
   json["control"] = nullptr;
   if (result.control) {
     json["control"] = {{"effect", result.control->effect},
@@ -109,25 +76,15 @@ std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome
   }
   json["remarks"] = d.remarks;
   if (bad) {
-    json["findings"] = Json::array();
-    for (const diagnosis::Finding& finding : result.findings) {
-      json["findings"].push_back({{"what", finding.what}, {"row", finding.row}, {"text", finding.text}});
-    }
+    json["findings"] = json_of(result.findings);
   }
   json["figures"] = std::move(common["figures"]);
   json["run"] = std::move(common["run"]);
-  constexpr int kIndent = 2;
-  // Names of files may be no UTF-8: replaced rather than thrown about. Numbers that are not finite become null.
-  return json.dump(kIndent, ' ', false, Json::error_handler_t::replace) + "\n";
+  return text_of(json);
 }
 
 Result<Done> write_diagnosis_json(const std::string& path, const DiagnosisResult& result, const Outcome& outcome) {
-  std::ofstream file(path);
-  file << diagnosis_json(result, outcome) << std::flush;
-  if (!file) {
-    return Error{"cannot write the diagnosis to " + path + ": " + std::strerror(errno)};
-  }
-  return Done{};
+  return write_diagnosis_text(path, diagnosis_json(result, outcome));
 }
 
 }  // namespace farrier::report

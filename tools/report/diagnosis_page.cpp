@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "tools/report/diagnosis_html.hpp"
 #include "tools/report/diagnosis_pictures.hpp"
 #include "tools/report/diagnosis_text.hpp"
-#include "tools/report/effects_table.hpp"
 #include "tools/report/html_page.hpp"
 #include "tools/report/html_tables.hpp"
 #include "tools/report/text_format.hpp"
@@ -14,24 +14,6 @@ namespace {
 
 using diagnosis::ChannelReport;
 using diagnosis::Diagnosis;
-
-std::string paragraph(const std::string& text) { return "<p>" + escape_html(text) + "</p>\n"; }
-
-std::string list(const std::vector<std::string>& items) {
-  std::string html;
-  for (const std::string& item : items) {
-    html += "<li>" + escape_html(item) + "</li>\n";
-  }
-  return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
-}
-
-std::string picture(const std::string& path, const std::string& what) {
-  return path.empty() ? ""
-                      : "<figure><img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(what) +
-                            "\"><figcaption>" + escape_html(what) + "</figcaption></figure>\n";
-}
-
-std::string number_cell(const std::string& text) { return "<td class=\"number\">" + escape_html(text) + "</td>"; }
 
 std::string channels_table(const Diagnosis& d) {
   std::string html = "<table><thead><tr><th>channel</th><th>one step</th><th>50 ms ahead</th><th>free running</th>"
@@ -70,33 +52,15 @@ std::string where_html(const Diagnosis& d, const DiagnosisPictures& pictures) {
   return html;
 }
 
-std::string effects_html(const DiagnosisResult& result) {
-  std::string html;
-  for (const diagnosis::NamedEffect& named : result.diagnosis.judgement.effects) {
-    const ShownEffect effect = shown(named, result.joint);
-    for (const ShownEffect::Number& number : effect.numbers) {
-      const bool first = &number == effect.numbers.data();
-      const std::string unit = std::string_view(number.unit) == "1" ? "" : std::string(" ") + number.unit;
-      html += "<tr><td>" + (first ? escape_html(effect.info->name) : std::string()) + "</td><td>" +
-              escape_html(number.name) + "</td>" + number_cell(short_number(number.value) + unit) +
-              number_cell(first ? short_number(effect.low) + " to " + short_number(effect.high) : "") +
-              number_cell(first ? short_number(effect.confidence) : "") +
-              number_cell(first ? short_number(effect.share) : "") + "<td class=\"meaning\">" +
-              (first ? escape_html(meaning_of(named.id)) : std::string()) + "</td></tr>\n";
-    }
-  }
-  return html.empty() ? ""
-                      : "<table><thead><tr><th>effect</th><th>parameter</th><th>value</th><th>95 % interval</th>"
-                        "<th>confidence</th><th>share of the gain</th><th></th></tr></thead>\n<tbody>\n" +
-                            html + "</tbody></table>\n";
-}
-
 std::string cause_html(const DiagnosisResult& result, const DiagnosisPictures& pictures) {
-  std::string html = "<h2>The cause</h2>\n" + paragraph(verdict_sentence(result)) + effects_html(result) +
-                     list(verdict_details(result));
+  std::vector<ShownEffect> effects;
+  for (const diagnosis::NamedEffect& effect : result.diagnosis.judgement.effects) {
+    effects.push_back(shown(effect, result.joint));
+  }
+  std::string html = "<h2>The cause</h2>\n" + paragraph(verdict_sentence(result.diagnosis.judgement)) +
+                     effects_html(effects) + list(verdict_details(result));
   for (std::size_t i = 0; i < pictures.rounds.size(); ++i) {
-    html += picture(pictures.rounds[i], "round " + std::to_string(i + 1) +
-                                            ": what each effect would bring beside those found before; dark: accepted");
+    html += picture(pictures.rounds[i], round_caption(i));
   }
   return html;
 }
@@ -111,7 +75,7 @@ std::string gain_html(const DiagnosisResult& result) {
             " in its section <code>effects</code>. It was loaded again.</p>\n";
   }
   if (!d.judgement.effects.empty()) {
-    html += "<h2>The gain</h2>\n" + paragraph("Held-out NRMSE: " + gain_text(d));
+    html += "<h2>The gain</h2>\n" + paragraph("Held-out NRMSE: " + gain_text(error_of(d)));
   }
   const std::string control = control_text(result);
   return html + (control.empty() ? "" : paragraph(control));

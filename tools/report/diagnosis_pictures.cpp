@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "config/problem.hpp"
+#include "config/visitor.hpp"
 #include "tools/report/diagnosis_text.hpp"
+#include "tools/report/drawing.hpp"
 #include "tools/report/gnuplot.hpp"
 
 namespace farrier::report {
@@ -23,36 +24,6 @@ set key right top samplen 2 noautotitle
 set logscale xy; set format y "%.0e"
 set xlabel "frequency / Hz" offset 0,0.4
 )";
-
-std::string number(double value) { return config::number_text(value); }
-
-/// One line of a data file; gnuplot leaves out what is not a number.
-std::string line_of(const std::vector<double>& values) {
-  std::string line;
-  for (const double value : values) {
-    line += (line.empty() ? "" : " ") + (std::isfinite(value) ? number(value) : "nan");
-  }
-  return line + "\n";
-}
-
-bool has_points(const std::vector<double>& values) {
-  return std::ranges::count_if(values, [](double value) { return std::isfinite(value); }) >= 2;
-}
-
-struct Drawing {
-  std::string out_dir;
-  std::string script = {};
-  Result<Done> kept = Done{};  ///< the first refusal
-
-  /// Data for the script, by a path that it may name.
-  std::string data(const std::string& name, const std::string& lines) {
-    const std::string path = "data/" + name + ".dat";
-    if (kept) {
-      kept = write_plot_data(out_dir + "/" + path, lines);
-    }
-    return path;
-  }
-};
 
 std::string time_picture(Drawing& drawing, const ChannelReport& c, const char* unit, double period_s) {
   const std::size_t count = std::min({c.measured.size(), c.simulated_before.size(), c.simulated_after.size()});
@@ -91,7 +62,7 @@ std::string dependence_picture(Drawing& drawing, const ChannelReport& c, const c
     if (has_points(one.mean)) {
       const std::string data = drawing.data(std::string(c.name) + "_over_" + one.driver, lines);
       plots.push_back("set xlabel '" + std::string(one.driver) + "' offset 0,0.4\nset title 'explains " +
-                      number(std::round(100.0 * one.explained)) + " %'\nplot '" + data +
+                      config::number_text(std::round(100.0 * one.explained)) + " %'\nplot '" + data +
                       "' using 1:2:3 with yerrorbars pt 7 ps 0.3 lc rgb '#9aa5ad', '' using 1:2 with linespoints pt 7 "
                       "ps 0.4 lc rgb '#d55e00'\n");
     }
@@ -130,31 +101,6 @@ std::string spectrum_picture(Drawing& drawing, const ChannelReport& c, const cha
                     "'\nset ylabel 'power density of the error / (" + unit + ")^2/Hz'\nplot '" + data +
                     "' using 1:2 with lines ls 3 title 'model as given', '' using 1:3 with lines ls 2 title "
                     "'extended model'\n";
-  return path;
-}
-
-std::string round_picture(Drawing& drawing, std::vector<diagnosis::Candidate> candidates, std::size_t round) {
-  std::ranges::sort(candidates, {}, [](const diagnosis::Candidate& one) { return one.gain.log_ratio; });
-  std::string lines;
-  std::string tics;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const diagnosis::Candidate& one = candidates[i];
-    lines += line_of({static_cast<double>(i), one.gain.log_ratio, one.gain.low, one.gain.high,
-                      one.accepted ? 1.0 : 0.0});
-    tics += (i == 0 ? "'" : ", '") + std::string(plant::effect_info(one.id).name) + "' " + std::to_string(i);
-  }
-  const std::string name = "round_" + std::to_string(round + 1);
-  const std::string data = drawing.data(name, lines);
-  const std::string path = "pictures/" + name + ".svg";
-  drawing.script += std::string(kPictureStart) + "set terminal svg size 720," +
-                    std::to_string(90 + 22 * candidates.size()) +
-                    " font \"sans-serif,11\" noenhanced background \"#ffffff\"\nset key off\nset output '" + path +
-                    "'\nset yrange [-0.7:" + number(static_cast<double>(candidates.size()) - 0.3) + "]\nset ytics (" +
-                    tics + ")\nunset grid; set grid xtics ls 9\nset yzeroaxis lt 1 lc rgb '#667078'\n"
-                    "set style fill solid noborder\n"
-                    "set xlabel 'ln of held-out error before over after, with its 95 % interval' offset 0,0.4\nplot '" +
-                    data + "' using ($2/2):1:(abs($2)/2):(0.35):($5 > 0 ? 0x0072b2 : 0xb8c4cc) with boxxyerror lc rgb "
-                    "variable, '' using 2:1:3:4 with xerrorbars pt 0 lc rgb '#1c2226'\n";
   return path;
 }
 

@@ -1,13 +1,18 @@
 #include "tools/report/diagnosis_result.hpp"
 
 #include <algorithm>
+#include <string_view>
 
-#include "plant/terms/active_effect.hpp"
+#include "diagnosis/scaled_simulator.hpp"
 
 namespace farrier::report {
 namespace {
 
 constexpr double kDeviationsOf95 = 1.96;
+
+std::string without_unit(std::string_view name, std::string_view unit) {
+  return std::string(name.ends_with(unit) ? name.substr(0, name.size() - unit.size()) : name);
+}
 
 }  // namespace
 
@@ -22,28 +27,53 @@ const char* unit_of(diagnosis::Channel channel, const robot::Joint& joint) noexc
   return "";
 }
 
-ShownEffect shown(const diagnosis::NamedEffect& effect, const robot::Joint& joint) {
-  const plant::Scales scales(joint.actuator, joint.swing_load);
-  const plant::ActiveEffect values = plant::active_effect(effect.id, effect.fitted, scales);
-  ShownEffect show{.info = &values.info(),
+diagnosis::ErrorRatio error_of(const diagnosis::Diagnosis& d) noexcept {
+  return {d.nrmse_before, d.nrmse_after, d.ratio_low, d.ratio_high};
+}
+
+ShownEffect::Number shown(const plant::Parameter& parameter, double fitted, const plant::Scales& scales,
+                          Units units) {
+  const double value = scales.value(parameter, fitted);
+  if (units == Units::kScaled) {
+    switch (parameter.scale) {
+      case plant::Scale::kOne:
+        return {parameter.name, "1", value};
+      case plant::Scale::kSecond:
+        return {without_unit(parameter.name, "_s"), "samples", value / diagnosis::ScaledSimulator::kSample_s};
+      case plant::Scale::kRate:
+        return {without_unit(parameter.name, "_rad_s"), "rad/sample", value * diagnosis::ScaledSimulator::kSample_s};
+      default:  // of the valve: no other scale is judged without units
+        return {without_unit(parameter.name, "_A"), "of the valve's unit", value};
+    }
+  }
+  const bool rotary = units == Units::kRotary;
+  return {rotary ? parameter.rotary_name : parameter.name, rotary ? parameter.rotary_unit : parameter.unit, value};
+}
+
+ShownEffect shown(const diagnosis::NamedEffect& effect, const plant::Scales& scales, Units units) {
+  ShownEffect show{.info = &plant::effect_info(effect.id),
                    .numbers = {},
                    .low = 0.0,
                    .high = 0.0,
                    .share = effect.share,
                    .confidence = effect.confidence};
   for (std::size_t i = 0; i < show.info->parameters.size(); ++i) {
-    const plant::Parameter& p = show.info->parameters[i];
-    show.numbers.push_back(
-        {joint.rotary ? p.rotary_name : p.name, joint.rotary ? p.rotary_unit : p.unit, values.values[i]});
+    show.numbers.push_back(shown(show.info->parameters[i], effect.fitted[i], scales, units));
   }
   const plant::Parameter& first = show.info->parameters[0];
   const auto end = [&](double deviations) {
-    return scales.value(first, std::clamp(effect.fitted[0] + deviations * effect.deviation, first.low, first.high));
+    const double fitted = std::clamp(effect.fitted[0] + deviations * effect.deviation, first.low, first.high);
+    return shown(first, fitted, scales, units).value;
   };
   const auto [low, high] = std::minmax({end(-kDeviationsOf95), end(kDeviationsOf95)});
   show.low = low;
   show.high = high;
   return show;
+}
+
+ShownEffect shown(const diagnosis::NamedEffect& effect, const robot::Joint& joint) {
+  return shown(effect, plant::Scales(joint.actuator, joint.swing_load),
+               joint.rotary ? Units::kRotary : Units::kLinear);
 }
 
 void add_diagnosis(Figures& figures, const diagnosis::Diagnosis& diagnosis) {

@@ -28,12 +28,16 @@ struct DiagnosisResult {
   std::optional<ControlGain> control = {};
 };
 
-/// An effect in the units of its joint's file.
+/// In what the numbers of an effect are shown: the units of a cylinder's file, of a rotary motor's, or those of a
+/// recording without any, whose times are counted in samples.
+enum class Units { kLinear, kRotary, kScaled };
+
+/// An effect for people.
 struct ShownEffect {
   const plant::EffectInfo* info;
   struct Number {
-    const char* name;
-    const char* unit;
+    std::string name;
+    std::string unit;  ///< "1" for ratios
     double value;
   };
   std::vector<Number> numbers;  ///< its parameters, the one that says how large it is first
@@ -41,6 +45,13 @@ struct ShownEffect {
   double share, confidence;     ///< as in diagnosis::NamedEffect
 };
 ShownEffect shown(const diagnosis::NamedEffect& effect, const robot::Joint& joint);
+ShownEffect shown(const diagnosis::NamedEffect& effect, const plant::Scales& scales, Units units);
+
+/// One of its parameters, for a fitted number.
+ShownEffect::Number shown(const plant::Parameter& parameter, double fitted, const plant::Scales& scales, Units units);
+
+/// Held-out errors of a diagnosis.
+diagnosis::ErrorRatio error_of(const diagnosis::Diagnosis& diagnosis) noexcept;
 
 /// Unit of a channel's residual: "N", "m/s" or those of a rotary joint.
 const char* unit_of(diagnosis::Channel channel, const robot::Joint& joint) noexcept;

@@ -72,19 +72,6 @@ std::vector<std::string> remainders(const DiagnosisResult& result) {
   return lines;
 }
 
-std::vector<std::string> alike(const Diagnosis& diagnosis) {
-  std::vector<std::string> lines;
-  for (const auto& [one, other] : diagnosis.judgement.alternatives) {
-    const auto found = std::ranges::find_if(diagnosis.experiments, [&](const diagnosis::Experiment& experiment) {
-      return (experiment.one == one && experiment.other == other) ||
-             (experiment.one == other && experiment.other == one);
-    });
-    lines.push_back(std::string("this recording does not tell ") + name_of(one) + " from " + name_of(other) +
-                    (found == diagnosis.experiments.end() ? "" : "; what would: " + experiment_text(*found)));
-  }
-  return lines;
-}
-
 }  // namespace
 
 std::string experiment_text(const diagnosis::Experiment& experiment) {
@@ -103,8 +90,7 @@ std::string words_of(const char* name) {
   return words;
 }
 
-std::string verdict_sentence(const DiagnosisResult& result) {
-  const diagnosis::Judgement& judgement = result.diagnosis.judgement;
+std::string verdict_sentence(const diagnosis::Judgement& judgement) {
   const std::string found =
       listed(judgement.effects, [](const diagnosis::NamedEffect& effect) { return name_of(effect.id); });
   switch (judgement.verdict) {
@@ -130,6 +116,33 @@ std::string verdict_sentence(const DiagnosisResult& result) {
   return "";
 }
 
+std::vector<std::string> alternatives_text(const diagnosis::Judgement& judgement,
+                                           std::span<const diagnosis::Experiment> experiments) {
+  std::vector<std::string> lines;
+  for (const auto& [one, other] : judgement.alternatives) {
+    const auto found = std::ranges::find_if(experiments, [&](const diagnosis::Experiment& experiment) {
+      return (experiment.one == one && experiment.other == other) ||
+             (experiment.one == other && experiment.other == one);
+    });
+    lines.push_back(std::string("this recording does not tell ") + name_of(one) + " from " + name_of(other) +
+                    (found == experiments.end() ? "" : "; what would: " + experiment_text(*found)));
+  }
+  return lines;
+}
+
+std::vector<std::string> findings_text(std::span<const diagnosis::Finding> findings) {
+  std::vector<std::string> lines;
+  for (const diagnosis::Finding& finding : findings) {
+    lines.push_back((finding.row == 0 ? "" : "row " + std::to_string(finding.row) + ": ") + finding.text + " (" +
+                    finding.what + ")");
+  }
+  return lines;
+}
+
+std::string not_judged_text(const diagnosis::Judgement& judgement) {
+  return judgement.not_judged.empty() ? "" : "this recording could not show: " + listed(judgement.not_judged, name_of);
+}
+
 std::vector<std::string> verdict_details(const DiagnosisResult& result) {
   const Diagnosis& d = result.diagnosis;
   std::vector<std::string> lines;
@@ -141,28 +154,24 @@ std::vector<std::string> verdict_details(const DiagnosisResult& result) {
       lines.emplace_back("record again with the whole stroke, both directions and frequencies up to a few tens of Hz");
       break;
     case Verdict::kCannotSeparate:
-      lines = alike(d);
+      lines = alternatives_text(d.judgement, d.experiments);
       break;
     case Verdict::kUnknown:
       lines = remainders(result);
       break;
     case Verdict::kBadData:
-      for (const diagnosis::Finding& finding : result.findings) {
-        lines.push_back((finding.row == 0 ? "" : "row " + std::to_string(finding.row) + ": ") + finding.text + " (" +
-                        finding.what + ")");
-      }
+      lines = findings_text(result.findings);
       break;
   }
-  if (!d.judgement.not_judged.empty()) {
-    lines.push_back("this recording could not show: " + listed(d.judgement.not_judged, name_of));
+  if (const std::string text = not_judged_text(d.judgement); !text.empty()) {
+    lines.push_back(text);
   }
   return lines;
 }
 
 std::string effect_text(const ShownEffect& effect) {
   const auto with_unit = [](const ShownEffect::Number& number) {
-    return std::string(number.name) + " " + short_number(number.value) +
-           (std::string_view(number.unit) == "1" ? "" : std::string(" ") + number.unit);
+    return number.name + " " + short_number(number.value) + (number.unit == "1" ? "" : " " + number.unit);
   };
   std::string text = std::string(effect.info->name) + ": " + with_unit(effect.numbers[0]) + " (95 %: " +
                      short_number(effect.low) + " to " + short_number(effect.high) + ")";
@@ -173,10 +182,10 @@ std::string effect_text(const ShownEffect& effect) {
          short_number(std::round(100.0 * effect.share)) + " % of the gain";
 }
 
-std::string gain_text(const Diagnosis& d) {
-  return short_number(d.nrmse_before) + " before, " + short_number(d.nrmse_after) + " after: the error is divided by " +
-         short_number(d.nrmse_before / d.nrmse_after) + " (95 %: " + short_number(d.ratio_low) + " to " +
-         short_number(d.ratio_high) + ")";
+std::string gain_text(const diagnosis::ErrorRatio& error) {
+  return short_number(error.before) + " before, " + short_number(error.after) + " after: the error is divided by " +
+         short_number(error.before / error.after) + " (95 %: " + short_number(error.low) + " to " +
+         short_number(error.high) + ")";
 }
 
 std::string control_text(const DiagnosisResult& result) {
@@ -209,7 +218,7 @@ std::string diagnosis_console(const DiagnosisResult& result) {
     text += "\nwhere the simulation is wrong: NRMSE, the model as given -> the extended one\n" + aligned(rows, "  ") +
             "  whiteness below " + short_number(kWhite) + " is that of noise\n";
   }
-  text += "\ncause: " + verdict_sentence(result) + "\n";
+  text += "\ncause: " + verdict_sentence(d.judgement) + "\n";
   for (const diagnosis::NamedEffect& effect : d.judgement.effects) {
     text += "  " + effect_text(shown(effect, result.joint)) + "\n      " + meaning_of(effect.id) + "\n";
   }
@@ -220,7 +229,7 @@ std::string diagnosis_console(const DiagnosisResult& result) {
     text += "\nextended model: " +
             (result.extended_model.empty() ? "not written: give --out" : result.extended_model + ", which loads") +
             "\n";
-    text += "held-out NRMSE: " + gain_text(d) + "\n";
+    text += "held-out NRMSE: " + gain_text(error_of(d)) + "\n";
   }
   if (const std::string control = control_text(result); !control.empty()) {
     text += control + "\n";

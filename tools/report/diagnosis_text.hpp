@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,17 @@ std::string experiment_text(const diagnosis::Experiment& experiment);
 std::string words_of(const char* name);
 
 /// The verdict in one sentence.
-std::string verdict_sentence(const DiagnosisResult& result);
+std::string verdict_sentence(const diagnosis::Judgement& judgement);
+
+/// What is not told apart, a sentence each, with the experiment that would where there is one of that pair.
+std::vector<std::string> alternatives_text(const diagnosis::Judgement& judgement,
+                                           std::span<const diagnosis::Experiment> experiments);
+
+/// What is wrong with bad data, a sentence each, with its row.
+std::vector<std::string> findings_text(std::span<const diagnosis::Finding> findings);
+
+/// "this recording could not show: ..."; empty where it could show everything.
+std::string not_judged_text(const diagnosis::Judgement& judgement);
 
 /// What goes with it: for effects none, for candidates that are alike the experiment, for an unknown cause the shape of
 /// what is left, for too little excitation what was not judged, for bad data its rows. A sentence each.
@@ -37,7 +48,7 @@ std::vector<std::string> verdict_details(const DiagnosisResult& result);
 std::string effect_text(const ShownEffect& effect);
 
 /// "0.12 before, 0.03 after: 4.1 times less (95 %: 3.6 to 4.5)".
-std::string gain_text(const diagnosis::Diagnosis& diagnosis);
+std::string gain_text(const diagnosis::ErrorRatio& error);
 
 /// "force control that knows load_friction: NRMSE 0.1 before, 0.05 after"; empty where it was not measured.
 std::string control_text(const DiagnosisResult& result);

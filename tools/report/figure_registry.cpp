@@ -198,6 +198,10 @@ constexpr std::array kSpecs{
     FigureSpec{"diagnose.held_out_nrmse_after", "1", kNone, "The same of the extended model."},
     FigureSpec{"diagnose.held_out_ratio", "1", kNone, "The first over the second."},
     FigureSpec{"diagnose.effects", "1", kNone, "Effects that were named."},
+    FigureSpec{"diagnose.fit_before_percent", "%", kNone,
+               "--units scaled: 100 (1 - |y - s| / |y - mean y|) of the second half's positions y and their free-running simulation s by the linear model fitted to the first."},
+    FigureSpec{"diagnose.fit_after_percent", "%", kNone, "The same of the model with the effects found."},
+    FigureSpec{"diagnose.<effect>.fit_percent", "%", kNone, "The same of the linear model with this effect alone, whether it was accepted or not."},
     // diagnose --benchmark: shares are of trials whose hidden effects change the held-out error by more than 10 %
     FigureSpec{"diagnose.benchmark.trials", "1", kNone, "Blind trials that were run."},
     FigureSpec{"diagnose.benchmark.counted", "1", kNone, "Those that hide one effect of the library and count."},
