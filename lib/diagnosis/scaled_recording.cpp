@@ -8,12 +8,16 @@
 
 #include "diagnosis/csv_columns.hpp"
 #include "diagnosis/finding_text.hpp"
+#include "diagnosis/sample_statistics.hpp"
 
 namespace farrier::diagnosis {
 namespace {
 
 /// Columns, in the order of kNames.
 enum Column : std::size_t { kSample, kValve, kPosition };
+
+constexpr double kLeastSpan = 1e-6;
+constexpr double kMostMagnitude = 1e6;
 
 const std::vector<std::string> kNames = {"sample", "valve", "position"};
 
@@ -61,12 +65,30 @@ void check_numbers(std::span<const double> sample, std::span<const std::size_t> 
           "; keep the longest part without a gap, or record without loss");
 }
 
-void check_constant(const std::string& name, std::span<const double> values, std::vector<Finding>& findings) {
-  const bool refused = std::ranges::any_of(values, [](double value) { return !std::isfinite(value); });
-  if (!values.empty() && !refused && std::ranges::max(values) <= std::ranges::min(values)) {
-    findings.push_back({"constant", 0,
-                        "column " + name + " is " + rounded(values.front()) +
-                            " throughout; record an arm that moves, with the valve to either side"});
+/// Each half is fitted and judged for itself: in neither may a column stand still.
+void check_values(const std::string& name, std::span<const double> values, std::span<const std::size_t> line,
+                  std::vector<Finding>& findings) {
+  if (values.size() < kFewestSamples || std::ranges::any_of(values, [](double v) { return !std::isfinite(v); })) {
+    return;
+  }
+  const std::size_t middle = values.size() / 2;
+  const auto span_of = [](std::span<const double> part) { return std::ranges::max(part) - std::ranges::min(part); };
+  const double all = span_of(values);
+  if (all <= 0.0) {
+    findings.push_back({"constant", 0, "column " + name + " is " + rounded(values.front()) +
+                                           " throughout; record an arm that moves, with the valve to either side"});
+  } else if (all < kLeastSpan || magnitude(values, 1.0) > kMostMagnitude) {
+    findings.push_back({"out_of_range", 0,
+                        "column " + name + " spans " + rounded(all) + " about " + rounded(values.front()) +
+                            "; scale it so that its values are of the order of one"});
+  } else {
+    for (const std::size_t begin : {std::size_t{0}, middle}) {
+      if (span_of(values.subspan(begin, begin == 0 ? middle : values.size() - middle)) <= 0.0) {
+        findings.push_back({"constant", line[begin],
+                            "line " + std::to_string(line[begin]) + ", column " + name + " is constant over the " +
+                                (begin == 0 ? "first" : "second") + " half; keep a part that moves throughout"});
+      }
+    }
   }
 }
 
@@ -80,7 +102,7 @@ Result<ScaledRecording, RecordingProblems> read_scaled_recording(const std::stri
       check_numbers(csv.columns[kSample], csv.line, csv.findings);
     }
     for (const Column column : {kValve, kPosition}) {
-      check_constant(kNames[column], csv.columns[column], csv.findings);
+      check_values(kNames[column], csv.columns[column], csv.line, csv.findings);
     }
     if (csv.line.size() < kFewestSamples) {
       csv.findings.push_back({"too_short", 0, "the file holds " + counted(csv.line.size(), "sample") +

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -27,11 +28,11 @@ fs::path arm_data() {
 
 /// An arm whose valve's flow saturates at 0.4, in a file; `row` has its say about every line.
 template <class Row>
-void write_arm(const std::string& path, Row row) {
+void write_arm(const std::string& path, int samples, Row row) {
   std::ofstream file(path);
   file << "sample,valve,position\n";
   double position = 0.0;
-  for (int k = 0; k < 1000; ++k) {
+  for (int k = 0; k < samples; ++k) {
     const double valve = 0.9 * std::sin(0.05 * k) * (1.0 + 0.6 * std::sin(0.0113 * k));
     file << row(k, std::to_string(k) + "," + std::to_string(valve) + "," + std::to_string(position)) << "\n";
     position += 0.05 * valve / std::hypot(1.0, valve / 0.4) + 0.001;
@@ -79,7 +80,7 @@ TEST(DiagnoseScaled, AMeasuredHydraulicArmHasAFlowThatSaturatesAndNoDeadband) {
 
 TEST(DiagnoseScaled, NamesASaturationWhateverTheThreads) {
   const ScratchDirectory scratch;
-  write_arm(scratch.file("arm.csv"), as_it_is);
+  write_arm(scratch.file("arm.csv"), 1000, as_it_is);
   nlohmann::json first;
   for (const char* threads : {"1", "3"}) {
     std::string output;
@@ -100,7 +101,7 @@ TEST(DiagnoseScaled, NamesASaturationWhateverTheThreads) {
 
 TEST(DiagnoseScaled, RefusesBadDataWithItsRowsAndStillWritesThem) {
   const ScratchDirectory scratch;
-  write_arm(scratch.file("arm.csv"),
+  write_arm(scratch.file("arm.csv"), 1000,
             [](int k, const std::string& line) { return k == 300 ? std::string("300,0.1,nan") : line; });
   std::string output;
   EXPECT_EQ(run_farrier({"diagnose", scratch.file("arm.csv"), "--units", "scaled", "--out", scratch.file("out")},
@@ -115,7 +116,7 @@ TEST(DiagnoseScaled, RefusesBadDataWithItsRowsAndStillWritesThem) {
 
 TEST(DiagnoseScaled, RefusesWhatDataWithoutUnitsCannotHave) {
   const ScratchDirectory scratch;
-  write_arm(scratch.file("arm.csv"), as_it_is);
+  write_arm(scratch.file("arm.csv"), 1000, as_it_is);
   const auto refused = [&](std::vector<std::string> more, const std::string& word) {
     std::vector<std::string> arguments{"diagnose", scratch.file("arm.csv"), "--units", "scaled"};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -135,9 +136,21 @@ TEST(DiagnoseScaled, RefusesWhatDataWithoutUnitsCannotHave) {
   EXPECT_NE(output.find("--model"), std::string::npos) << output;
 }
 
+TEST(DiagnoseScaled, LeavesNoFilesWhenItIsInterrupted) {
+  const ScratchDirectory scratch;
+  write_arm(scratch.file("arm.csv"), 400'000, as_it_is);
+  FarrierCommand command(
+      {"diagnose", scratch.file("arm.csv"), "--units", "scaled", "--out", scratch.file("out")});
+  ASSERT_TRUE(command.says("diagnose: percent")) << command.output();
+  command.signal(SIGINT);
+  EXPECT_EQ(command.wait(std::chrono::seconds(20)), 130) << command.output();
+  EXPECT_NE(command.output().find("nothing was written"), std::string::npos) << command.output();
+  EXPECT_TRUE(fs::is_empty(scratch.file("out")));
+}
+
 TEST(DiagnoseScaled, NeverWritesOverWhatItReads) {
   const ScratchDirectory scratch;
-  write_arm(scratch.file("figures.json"), as_it_is);
+  write_arm(scratch.file("figures.json"), 1000, as_it_is);
   const std::string before = read_file(scratch.file("figures.json"));
   std::string output;
   EXPECT_EQ(run_farrier({"diagnose", scratch.file("figures.json"), "--units", "scaled", "--out", scratch.file("")},

@@ -102,6 +102,20 @@ TEST_F(ScaledRecordingFile, IsRefusedForAValveThatNeverMoves) {
   EXPECT_NE(finding.text.find("column valve is 0.25"), std::string::npos) << finding.text;
 }
 
+TEST_F(ScaledRecordingFile, IsRefusedForAPositionThatRestsInOneHalf) {
+  std::fill(recording_.position.begin() + 512, recording_.position.end(), 0.25);
+  const auto read = this->read([](std::size_t, const std::string& line) { return line; });
+  ASSERT_FALSE(read.ok());
+  EXPECT_EQ(read.error().findings[0].what, "constant");
+  EXPECT_EQ(read.error().findings[0].row, 514u);
+  EXPECT_NE(read.error().findings[0].text.find("position is constant over the second half"), std::string::npos);
+}
+
+TEST_F(ScaledRecordingFile, IsRefusedForValuesFarFromTheOrderOfOne) {
+  EXPECT_EQ(refused(10, "10,0.1,-1e7,0.1").what, "out_of_range");
+  EXPECT_EQ(refused(10, "10,1e300,0.5,0.1").what, "out_of_range");
+}
+
 TEST_F(ScaledRecordingFile, IsRefusedWhenItIsTooShort) {
   const auto read = this->read([](std::size_t k, const std::string& line) { return k < 400 ? line : std::string(); });
   ASSERT_FALSE(read.ok());

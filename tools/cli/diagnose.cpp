@@ -1,12 +1,8 @@
 // farrier diagnose: what a recording says is missing in the model of a joint.
 
-#include <atomic>
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <filesystem>
 #include <optional>
-#include <thread>
 
 #include "diagnosis/diagnosis.hpp"
 #include "diagnosis/recording_check.hpp"
@@ -17,7 +13,7 @@
 #include "tools/cli/diagnose_options.hpp"
 #include "tools/cli/diagnose_scaled.hpp"
 #include "tools/cli/output_file.hpp"
-#include "tools/cli/progress.hpp"
+#include "tools/cli/with_bar.hpp"
 #include "tools/report/diagnosis_json.hpp"
 #include "tools/report/diagnosis_page.hpp"
 #include "tools/report/diagnosis_text.hpp"
@@ -75,33 +71,15 @@ Outputs outputs_of(const DiagnoseOptions& o, const robot::Robot& robot, const ro
           .model = in_out(robot.name + "_" + joint.name + "_extended.yaml")};
 }
 
-/// Diagnoses on a thread beside, which nothing can stop but the end of the process: an interrupt ends it here, when
-/// nothing is written yet.
 Diagnosis diagnose_with_bar(const Recording& recording, const robot::Robot& robot, const robot::Joint& joint,
                             int threads) {
-  using namespace std::chrono_literals;
-  constexpr double kSteps = 100.0;
   std::optional<Diagnosis> found;
-  std::atomic<double> share = 0.0;
-  std::atomic<bool> done = false;
-  diagnosis::DiagnosisOptions options;
-  options.threads = threads;
-  options.progress = [&share](double now) { share = now; };
-  std::thread work([&] {
+  with_bar("diagnose", [&](const auto& progress) {
+    diagnosis::DiagnosisOptions options;
+    options.threads = threads;
+    options.progress = progress;
     found = diagnosis::diagnose(recording, joint, options);
-    done = true;
   });
-  {
-    Progress bar("diagnose", static_cast<Tick>(kSteps), "percent");
-    while (!done && !participant::stop_requested()) {
-      bar.update(static_cast<Tick>(kSteps * share));
-      std::this_thread::sleep_for(20ms);
-    }
-  }
-  if (!done) {
-    std::_Exit(refuse("stopped; nothing was written", participant::stop_status()));
-  }
-  work.join();
   return std::move(*found);
 }
 
@@ -210,7 +188,6 @@ int diagnose(const DiagnoseOptions& o) {
                    .findings = recording.error().findings},
                   outputs, o);
   }
-  participant::install_signal_handlers();
   const Diagnosis found = diagnose_with_bar(recording.value(), robot, *joint.value(), o.threads);
   const auto model = write_model(outputs.model, robot, *joint.value(), found);
   if (!model) {

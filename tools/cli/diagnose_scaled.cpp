@@ -7,6 +7,7 @@
 #include "diagnosis/scaled_diagnosis.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/output_file.hpp"
+#include "tools/cli/with_bar.hpp"
 #include "tools/report/scaled_json.hpp"
 #include "tools/report/scaled_page.hpp"
 #include "tools/report/scaled_text.hpp"
@@ -89,10 +90,14 @@ int diagnose_scaled(const DiagnoseOptions& o) {
     return finish({.diagnosis = nullptr, .recording = o.recording, .findings = recording.error().findings}, json,
                   o.out);
   }
-  diagnosis::DiagnosisOptions options;
-  options.threads = o.threads;
-  const diagnosis::ScaledDiagnosis found = diagnosis::diagnose_scaled(recording.value(), options);
-  return finish({.diagnosis = &found, .recording = o.recording}, json, o.out);
+  std::optional<diagnosis::ScaledDiagnosis> found;
+  with_bar("diagnose", [&](const auto& progress) {
+    diagnosis::DiagnosisOptions options;
+    options.threads = o.threads;
+    options.progress = progress;
+    found = diagnosis::diagnose_scaled(recording.value(), options);
+  });
+  return finish({.diagnosis = &*found, .recording = o.recording}, json, o.out);
 }
 
 }  // namespace farrier::cli
