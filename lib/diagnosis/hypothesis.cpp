@@ -138,6 +138,28 @@ Hypothesis Bench::without(const Hypothesis& from, plant::EffectId effect) const 
   return less;
 }
 
+Hypothesis Bench::exchanged(const Hypothesis& from, plant::EffectId effect, plant::EffectId other,
+                            const std::array<std::vector<double>, 2>& fitted) const {
+  Hypothesis changed;
+  std::ranges::copy_if(from.effects, std::back_inserter(changed.effects), [effect](auto id) { return id != effect; });
+  changed.effects.push_back(other);
+  const auto& effects = from.halves[0].model.effects;
+  const ChannelMask was = channels_of(plant::effect_info(effect).side);
+  ChannelMask mask = channels_of(plant::effect_info(other).side);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    mask[c] = mask[c] || was[c];
+  }
+  mask = closure(mask, effects);
+  for (std::size_t half = 0; half < 2; ++half) {
+    Model model = from.halves[half].model;
+    std::erase_if(model.effects, [effect](const auto& e) { return e.id == effect; });
+    model.effects.push_back({other, fitted[half]});
+    changed.halves[half] = fit(fit_data_, halves()[half], model, mask, options_);
+  }
+  judge(changed, &from, mask);
+  return changed;
+}
+
 Gain Bench::gain(const Hypothesis& before, const Hypothesis& after) const {
   Gain gain{};
   std::size_t blocks = 0;

@@ -47,6 +47,9 @@ class Bench {
   std::optional<Hypothesis> with(const Hypothesis& from, plant::EffectId effect, double least_gain) const;
   /// `from` with one effect less.
   Hypothesis without(const Hypothesis& from, plant::EffectId effect) const;
+  /// `from` with `other` in place of `effect`, its fits beginning at `fitted` by half; it stands last.
+  Hypothesis exchanged(const Hypothesis& from, plant::EffectId effect, plant::EffectId other,
+                       const std::array<std::vector<double>, 2>& fitted) const;
 
   Gain gain(const Hypothesis& before, const Hypothesis& after) const;
   ErrorRatio error_ratio(const Hypothesis& before, const Hypothesis& after) const;

@@ -104,8 +104,9 @@ class LoadSimulation {
     }
     const double x = data_->position[k];
     const T flow_per_A = c_->valve_gain * std::sqrt(0.5 * value_of(c_->supply_pressure_Pa));
-    const T stiffness_per_area = c_->bulk_modulus_Pa * (c_->area_a / (c_->line_volume_m3 + c_->area_a * x) +
-                                                        c_->area_b / (c_->line_volume_m3 + c_->area_b * (c_->stroke - x)));
+    const T v_a = c_->line_volume_m3 + c_->area_a * x;
+    const T v_b = c_->line_volume_m3 + c_->area_b * (c_->stroke - x);
+    const T stiffness_per_area = c_->bulk_modulus_Pa * (c_->area_a / v_a + c_->area_b / v_b);
     const T peak = 0.25 * data_->period_s * flow_per_A * stiffness_per_area * (opening_A[0] - opening_A[1]);
     return {0.25 * peak, 0.75 * peak, 0.75 * peak, 0.25 * peak};
   }

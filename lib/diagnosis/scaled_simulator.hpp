@@ -12,8 +12,8 @@ namespace farrier::diagnosis {
 ///
 /// The flow q of the valve is its opening, or what effects make of it: oil that a valve meters moves a piston at a
 /// speed, Merritt (1967), 6.1, and a load that is not seen here lets it sink or creep. Runs freely from the first
-/// position of a span, for there is no sensor in between that an observer could use. Factors 0 and 1 of a Model are gain
-/// and drift.
+/// position of a span, for there is no sensor in between that an observer could use. Factors 0 and 1 of a Model are
+/// gain and drift.
 class ScaledSimulator final : public Simulator {
  public:
   /// The one channel: what valve and oil make, which is the position here.

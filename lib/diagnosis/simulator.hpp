@@ -32,7 +32,7 @@ class Simulator {
   virtual const plant::Scales& scales() const noexcept = 0;
   /// Numbers of an effect that every simulation has unless the model has its own of that kind, null for none.
   virtual const std::vector<double>* known(plant::EffectId id) const noexcept = 0;
-  /// Fitted number of an effect's first parameter, beside its neutral one, that these simulations do not hold any closer.
+  /// By how much these simulations may be off in the fitted number of an effect's first parameter.
   virtual double least(plant::EffectId) const noexcept { return 0.0; }
 
   /// The model without effects.

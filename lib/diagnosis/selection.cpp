@@ -1,0 +1,171 @@
+#include "diagnosis/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace farrier::diagnosis {
+namespace {
+
+/// Whether a fit ended where a parameter may go no further: then it is not what the effect is for.
+bool at_bound(plant::EffectId id, const Estimate& estimate) {
+  const plant::Parameter& first = plant::effect_info(id).parameters[0];
+  const double margin = 0.01 * (first.high - first.low);
+  return estimate.fitted[0] > first.high - margin || (first.low < 0.0 && estimate.fitted[0] < first.low + margin);
+}
+
+/// Whether two effects show on one channel: only then may one stand for the other.
+bool meet(plant::EffectId one, plant::EffectId other) {
+  const ChannelMask a = channels_of(plant::effect_info(one).side);
+  const ChannelMask b = channels_of(plant::effect_info(other).side);
+  return (a[0] && b[0]) || (a[1] && b[1]) || (a[2] && b[2]);
+}
+
+bool has(const Hypothesis& hypothesis, plant::EffectId id) {
+  return std::ranges::find(hypothesis.effects, id) != hypothesis.effects.end();
+}
+
+}  // namespace
+
+Estimate pooled(const Hypothesis& hypothesis, std::size_t index) {
+  const auto number = [&](std::size_t half) -> const std::vector<double>& {
+    return hypothesis.halves[half].model.effects[index].fitted;
+  };
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < index; ++i) {
+    place += hypothesis.halves[0].model.effects[i].fitted.size();
+  }
+  Estimate estimate{number(0), 0.0};
+  for (std::size_t i = 0; i < estimate.fitted.size(); ++i) {
+    estimate.fitted[i] = 0.5 * (number(0)[i] + number(1)[i]);
+  }
+  const double a = hypothesis.halves[0].deviation[place];
+  const double b = hypothesis.halves[1].deviation[place];
+  estimate.deviation = std::max(0.5 * std::sqrt(a * a + b * b), 0.5 * std::abs(number(0)[0] - number(1)[0]));
+  return estimate;
+}
+
+Selection::Selection(const Bench& bench, const Rules& rules, const ForEach& for_each)
+    : bench_(bench), rules_(rules), for_each_(for_each), base_(bench.base()), chosen_(base_) {
+  confidence_.fill(1.0);
+}
+
+bool Selection::outside_neutral(plant::EffectId id, const Estimate& estimate) const {
+  const Simulator& simulator = bench_.simulator();
+  const plant::EffectInfo& info = plant::effect_info(id);
+  const std::vector<double>* known = simulator.known(id);
+  const double neutral = known != nullptr ? (*known)[0] : simulator.scales().neutral(info.parameters[0]);
+  const double nominal = info.nominal || known != nullptr ? kNominalBand * std::abs(neutral) : 0.0;
+  const double band = std::max(nominal, simulator.least(id));
+  return std::abs(estimate.fitted[0] - neutral) > band + rules_.neutral_deviations * estimate.deviation;
+}
+
+/// Whether a hypothesis takes away enough of some channel of what the chosen one leaves.
+bool Selection::worth_it(const Hypothesis& after) const {
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const double was = chosen_.total(c);
+    const double is = after.total(c);
+    const double share = chosen_.effects.empty() ? rules_.least_step : rules_.further_step;
+    const double step = share * share * base_.total(c);
+    const double ratio = 1.0 - rules_.least_reduction;
+    if (was > 0.0 && is < ratio * ratio * was && was - is > step) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Selection::Tried> Selection::try_all(const ChannelMask& open) const {
+  std::vector<Tried> tried(plant::kEffectCount);
+  for_each_(plant::kEffectCount, [&](std::size_t id) {
+    const ChannelMask mine = channels_of(plant::effect_info(id).side);
+    const bool seen = (mine[0] && open[0]) || (mine[1] && open[1]) || (mine[2] && open[2]);
+    if (!seen || has(chosen_, id)) {
+      return;
+    }
+    Tried& one = tried[id];
+    one.hypothesis = bench_.with(chosen_, id, 0.5 * rules_.least_reduction);
+    if (one.hypothesis) {
+      const Hypothesis& with = *one.hypothesis;
+      one.gain = bench_.gain(chosen_, with);
+      one.estimate = pooled(with, with.effects.size() - 1);
+      one.accepted = !at_bound(id, one.estimate) && one.gain.low > 0.0 && one.gain.by_half[0] > 0.0 &&
+                     one.gain.by_half[1] > 0.0 && worth_it(with) && outside_neutral(id, one.estimate);
+    }
+  });
+  return tried;
+}
+
+bool Selection::add(const ChannelMask& open) {
+  std::vector<Tried> tried = try_all(open);
+  std::vector<Candidate> lines;
+  plant::EffectId best = plant::kEffectCount;
+  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+    const Tried& one = tried[id];
+    if (!one.hypothesis) {
+      continue;
+    }
+    lines.push_back({id, one.gain, one.estimate.fitted[0], one.estimate.deviation, one.accepted});
+    if (one.accepted && (best == plant::kEffectCount || one.gain.log_ratio > tried[best].gain.log_ratio)) {
+      best = id;
+    }
+  }
+  rounds_.push_back(std::move(lines));
+  if (best == plant::kEffectCount) {
+    return false;
+  }
+  note_rivals(tried, best);
+  chosen_ = std::move(*tried[best].hypothesis);
+  return true;
+}
+
+void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId best) {
+  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+    if (id == best || !tried[id].accepted || !meet(id, best)) {
+      continue;
+    }
+    const double chance = bench_.gain(*tried[id].hypothesis, *tried[best].hypothesis).chance;
+    if (1.0 - chance > rules_.tie_chance) {
+      const auto& halves = tried[id].hypothesis->halves;
+      rivals_.push_back(
+          {best, id, {halves[0].model.effects.back().fitted, halves[1].model.effects.back().fitted}});
+    } else {
+      confidence_[best] = std::min(confidence_[best], chance);
+    }
+  }
+}
+
+void Selection::prune() {
+  for (std::size_t i = 0; chosen_.effects.size() > 1 && i < chosen_.effects.size();) {
+    const plant::EffectId id = chosen_.effects[i];
+    Hypothesis less = bench_.without(chosen_, id);
+    if (outside_neutral(id, pooled(chosen_, i)) && bench_.gain(less, chosen_).low > 0.0) {
+      ++i;
+    } else {
+      chosen_ = std::move(less);
+      i = 0;
+    }
+  }
+}
+
+void Selection::compare_rivals() {
+  for (const Rival& pair : rivals_) {
+    if (!has(chosen_, pair.chosen) || has(chosen_, pair.rival)) {
+      continue;
+    }
+    Hypothesis with_rival = bench_.exchanged(chosen_, pair.chosen, pair.rival, pair.fitted);
+    Tie tie{pair.chosen, pair.rival, std::move(with_rival)};
+    double chance = bench_.gain(tie.with_rival, chosen_).chance;
+    if (chance < 0.5) {
+      std::swap(chosen_, tie.with_rival);
+      std::swap(tie.chosen, tie.rival);
+      std::erase_if(ties_, [&](const Tie& earlier) { return earlier.chosen == tie.rival; });
+      chance = 1.0 - chance;
+    }
+    confidence_[tie.chosen] = std::min(confidence_[tie.chosen], chance);
+    if (1.0 - chance > rules_.tie_chance) {
+      ties_.push_back(std::move(tie));
+    }
+  }
+}
+
+}  // namespace farrier::diagnosis
