@@ -90,6 +90,21 @@ double Bench::promise(const Hypothesis& from, const Model& model, const ChannelM
   return gain;
 }
 
+double Bench::fitted_gain(const Hypothesis& from, const Hypothesis& with, const ChannelMask& mask) const {
+  std::array<double, 2> gain{};
+  for (std::size_t half = 0; half < 2; ++half) {
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      if (mask[c] && fit_data_.judged[c]) {
+        const auto was = block_squares(from.halves[half].model, half, c);
+        const auto is = block_squares(with.halves[half].model, half, c);
+        gain[half] += 0.5 * std::log(std::accumulate(was.begin(), was.end(), 1e-300) /
+                                     std::accumulate(is.begin(), is.end(), 1e-300));
+      }
+    }
+  }
+  return std::min(gain[0], gain[1]);
+}
+
 Hypothesis Bench::base() const {
   Hypothesis base;
   for (std::size_t half = 0; half < 2; ++half) {
@@ -121,6 +136,9 @@ std::optional<Hypothesis> Bench::with(const Hypothesis& from, plant::EffectId ef
   with.effects.push_back(effect);
   with.halves[0] = fit(fit_data_, halves()[0], rough.model, mask, options_);
   with.halves[1] = fit(fit_data_, halves()[1], with.halves[0].model, mask, options_);
+  if (fitted_gain(from, with, mask) < least_gain) {
+    return std::nullopt;
+  }
   judge(with, &from, mask);
   return with;
 }

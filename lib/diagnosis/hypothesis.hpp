@@ -43,7 +43,7 @@ class Bench {
   /// The nominal model, its constants fitted within their band.
   Hypothesis base() const;
   /// `from` with one effect more, the best of its starts; nothing when a short fit to the first half brings the second
-  /// less than `least_gain` of log ratio, and for an effect that the recording cannot show.
+  /// less than `least_gain` of log ratio, or a fit its own half, and for an effect that the recording cannot show.
   std::optional<Hypothesis> with(const Hypothesis& from, plant::EffectId effect, double least_gain) const;
   /// `from` with one effect less.
   Hypothesis without(const Hypothesis& from, plant::EffectId effect) const;
@@ -62,6 +62,7 @@ class Bench {
  private:
   void judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelMask& changed) const;
   std::vector<double> block_squares(const Model& model, std::size_t half, std::size_t channel) const;
+  double fitted_gain(const Hypothesis& from, const Hypothesis& with, const ChannelMask& mask) const;
   double promise(const Hypothesis& from, const Model& model, const ChannelMask& mask) const;
   ChannelMask closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept;
 
