@@ -39,6 +39,22 @@ Eigen::VectorXd deviations(ceres::Problem& problem, const std::vector<FreeNumber
   return (inverse * meat * inverse).diagonal().cwiseMax(0.0).cwiseSqrt();
 }
 
+/// A projected step that ends at a bound leaves the other numbers short of their best: solves for them alone.
+void solve_for_the_rest(const ceres::Solver::Options& solver, ceres::Problem& problem, std::vector<double>& values,
+                        const std::vector<FreeNumber>& free, ceres::Solver::Summary& summary) {
+  std::vector<int> held;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    if (values[i] <= free[i].low || values[i] >= free[i].high) {
+      held.push_back(static_cast<int>(i));
+    }
+  }
+  if (!held.empty() && held.size() < free.size()) {
+    problem.SetManifold(values.data(), new ceres::SubsetManifold(static_cast<int>(free.size()), held));
+    ceres::Solve(solver, &problem, &summary);
+    problem.SetManifold(values.data(), nullptr);
+  }
+}
+
 }  // namespace
 
 std::vector<double> residuals(const Simulator& simulator, Span span, const Model& model, Channel channel,
@@ -98,6 +114,9 @@ FitResult fit(const FitData& data, Span span, const Model& start, const ChannelM
   solver.num_threads = 1;
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &problem, &summary);
+  if (options.again_at_bounds && summary.IsSolutionUsable()) {
+    solve_for_the_rest(solver, problem, values, free, summary);
+  }
   std::size_t numbers = 0;
   for (const Model::Effect& effect : start.effects) {
     numbers += effect.fitted.size();

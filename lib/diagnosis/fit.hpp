@@ -11,6 +11,7 @@ struct FitOptions {
   Observer observer;
   double warm_up_s = 0.3;        ///< from a span's beginning that is not judged
   double block_s = 0.1;          ///< within which residuals may say one thing
+  bool again_at_bounds = false;  ///< what ends at a bound is held there, and the rest is fitted again
   int most_iterations = 15;
   double tolerance = 1e-4;       ///< relative change of cost that ends a fit
   double samples_per_fact = 10;  ///< neighbouring residuals that say one thing: how much the data weigh against priors

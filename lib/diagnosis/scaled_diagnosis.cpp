@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "diagnosis/derive_velocity.hpp"
 #include "diagnosis/parallel.hpp"
 #include "diagnosis/sample_statistics.hpp"
 #include "diagnosis/scaled_simulator.hpp"
+#include "plant/terms/active_effect.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -18,6 +18,14 @@ constexpr double kBlocks = 16.0;
 
 constexpr ChannelMask kJudged{true, false, false};
 
+constexpr plant::EffectId kBias = plant::effect_id<plant::ValveBias>();
+
+/// Whether an effect bends what goes through the valve, so that an offset before it is no drift behind it.
+bool bends(plant::EffectId id) {
+  return id == plant::effect_id<plant::ValveDeadband>() || id == plant::effect_id<plant::ValveAsymmetry>() ||
+         id == plant::effect_id<plant::FlowSaturation>();
+}
+
 /// Positions of the second half by the fit to the first.
 std::vector<double> held_out(const Bench& bench, const Hypothesis& hypothesis) {
   return bench.simulator().simulate(bench.halves()[1], hypothesis.halves[0].model, ScaledSimulator::kChannel, {});
@@ -26,20 +34,18 @@ std::vector<double> held_out(const Bench& bench, const Hypothesis& hypothesis) {
 std::vector<EffectAlone> try_alone(const Bench& bench, const Judgement& judgement, std::span<const double> measured) {
   std::vector<EffectAlone> alone;
   for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
-    const auto with = bench.with(judgement.base, id, -std::numeric_limits<double>::infinity());
+    const auto with = id == kBias ? std::nullopt
+                                  : bench.with(judgement.base, id, -std::numeric_limits<double>::infinity());
     if (!with) {
       continue;
     }
-    const plant::EffectInfo& info = plant::effect_info(id);
-    const bool accepted = std::ranges::any_of(judgement.rounds.front(), [id](const Candidate& candidate) {
-      return candidate.id == id && candidate.accepted;
-    });
+    const bool accepted = !judgement.rounds.empty() &&
+                          std::ranges::any_of(judgement.rounds.front(), [id](const Candidate& candidate) {
+                            return candidate.id == id && candidate.accepted;
+                          });
     const FitResult& first = with->halves[0];
     const std::vector<double>& fitted = first.model.effects[0].fitted;
-    // Where a size ends at 0 the solver leaves gain and drift beside their best: what fits best is the linear model.
-    const bool neutral = std::abs(fitted[0] - bench.simulator().scales().neutral(info.parameters[0])) <= 0.0;
-    alone.push_back({id, fitted, first.deviation[0],
-                     fit_percent(measured, held_out(bench, neutral ? judgement.base : *with)), accepted});
+    alone.push_back({id, fitted, first.deviation[0], fit_percent(measured, held_out(bench, *with)), accepted});
   }
   return alone;
 }
@@ -63,15 +69,21 @@ ScaledDiagnosis diagnose_scaled(const ScaledRecording& recording, const Diagnosi
   fit.warm_up_s = 0.0;
   fit.most_iterations = 50;
   fit.tolerance = 1e-8;
+  fit.again_at_bounds = true;
   fit.block_s = ScaledSimulator::kSample_s * std::floor(static_cast<double>(recording.position.size()) / kBlocks);
   const Bench bench(simulator, kJudged, fit);
-  // Noise of a position at its sample, and at the first, where the simulation begins.
-  const double expected = std::numbers::sqrt2 * white_noise(recording.position);
+  // Noise of a position at its sample, and of the mean where the simulation begins.
+  const double expected = white_noise(recording.position) * std::sqrt(1.0 + 1.0 / ScaledSimulator::kFirst);
+  Rules rules = options.rules;
+  if (std::sqrt(bench.base().total(0) / static_cast<double>(simulator.size())) < rules.open_ratio * expected) {
+    rules.most_effects = 0;  // nothing is left that an effect could explain
+  }
   Judgement judgement = judge(
       bench, [expected](const Hypothesis&) { return std::array<double, kChannels>{expected, 0.0, 0.0}; },
-      options.rules, by_threads(options.threads, options.progress, options.rules.most_effects));
+      rules, by_threads(options.threads, options.progress, rules.most_effects));
   for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
-    if (simulator.starts(id).empty()) {
+    const bool drift = id == kBias && std::ranges::none_of(judgement.chosen.effects, bends);
+    if (drift || simulator.starts(id).empty()) {
       judgement.not_judged.push_back(id);
     }
   }

@@ -6,7 +6,8 @@
 
 namespace farrier::diagnosis {
 
-/// An effect beside the linear model, alone, fitted to the first half.
+/// An effect beside the linear model, alone, fitted to the first half. An offset of a linear valve is a drift and not
+/// tried so.
 struct EffectAlone {
   plant::EffectId id;
   std::vector<double> fitted;  ///< numbers of its parameters
@@ -16,7 +17,7 @@ struct EffectAlone {
 };
 
 /// What a recording in scaled units says of its valve. Fits are 100 (1 - |y - s| / |y - mean y|) % of positions y and
-/// free-running simulations s from the first position of the second half on, with models fitted to the first half.
+/// simulations s that run freely over the second half, of models fitted to the first (ScaledSimulator).
 struct ScaledDiagnosis {
   Judgement judgement;
   plant::Scales scales;                           ///< of the effects' numbers; times in ScaledSimulator::kSample_s

@@ -14,13 +14,16 @@
 namespace farrier::diagnosis {
 namespace {
 
+/// Samples in which the slowest spool settles to a thousandth.
+constexpr std::size_t kSettling = 200;
+
 constexpr std::size_t kGain = 0;
 constexpr std::size_t kDrift = 1;
 
 constexpr std::array kEffects{
-    plant::effect_id<plant::InputDelay>(), plant::effect_id<plant::ValveDynamics>(),
-    plant::effect_id<plant::ValveDeadband>(), plant::effect_id<plant::ValveAsymmetry>(),
-    plant::effect_id<plant::FlowSaturation>()};
+    plant::effect_id<plant::InputDelay>(),    plant::effect_id<plant::ValveBias>(),
+    plant::effect_id<plant::ValveDynamics>(), plant::effect_id<plant::ValveDeadband>(),
+    plant::effect_id<plant::ValveAsymmetry>(), plant::effect_id<plant::FlowSaturation>()};
 
 /// Of a valve that is full open at the largest opening of the recording; nothing else of a joint is known.
 plant::Scales scales_of(const ScaledRecording& recording) {
@@ -111,12 +114,26 @@ template <class T>
 std::vector<T> ScaledSimulator::run(Span span, const T& gain, const T& drift, plant::TermSet<T>& terms) const {
   std::vector<T> positions;
   positions.reserve(span.size());
+  // The valve is where its commands before the span have brought it; before the first it was where that one holds it.
+  for (std::size_t i = kSettling; i > 0; --i) {
+    plant::ValveMoment<T> valve{opening(span.begin > i ? span.begin - i : 0, terms), T(1.0)};
+    terms.on_valve(valve);
+  }
   T position(recording_.position[span.begin]);
   for (std::size_t k = span.begin; k < span.end; ++k) {
     positions.push_back(position);
     plant::ValveMoment<T> valve{opening(k, terms), T(1.0)};
     terms.on_valve(valve);
     position += gain * valve.flow_factor * valve.opening_A + drift;
+  }
+  const std::size_t first = std::min(kFirst, span.size());
+  T error(0.0);
+  for (std::size_t i = 0; i < first; ++i) {
+    error += recording_.position[span.begin + i] - positions[i];
+  }
+  error /= static_cast<double>(first);
+  for (T& one : positions) {
+    one += error;
   }
   return positions;
 }

@@ -11,15 +11,16 @@ namespace farrier::diagnosis {
 ///   position+ = position + gain q(valve) + drift
 ///
 /// The flow q of the valve is its opening, or what effects make of it: oil that a valve meters moves a piston at a
-/// speed, Merritt (1967), 6.1, and a load that is not seen here lets it sink or creep. Runs freely from the first
-/// position of a span, for there is no sensor in between that an observer could use. Factors 0 and 1 of a Model are
-/// gain and drift.
+/// speed, Merritt (1967), 6.1, and a load that is not seen here lets it sink or creep. Runs freely, for there is no
+/// sensor in between that an observer could use; it begins where the mean of a span's first kFirst positions is met,
+/// for one alone would move the whole span by its noise. Factors 0 and 1 of a Model are gain and drift.
 class ScaledSimulator final : public Simulator {
  public:
   /// The one channel: what valve and oil make, which is the position here.
   static constexpr Channel kChannel = Channel::kForce;
   /// What a sample counts as, s. The effects' ranges of time are those of joints that are sampled at 1 kHz.
   static constexpr double kSample_s = 1e-3;
+  static constexpr std::size_t kFirst = 8;
 
   /// `recording` outlives this.
   explicit ScaledSimulator(const ScaledRecording& recording);
@@ -32,8 +33,7 @@ class ScaledSimulator final : public Simulator {
   const std::vector<double>* known(plant::EffectId) const noexcept override { return nullptr; }
   /// Gain and drift that fit the steps of the position best.
   Model nominal() const override { return nominal_; }
-  /// Of effects on the way of the command to the flow. An offset of the valve is a drift as long as the valve is
-  /// linear, and not told from it.
+  /// Of effects on the way of the command to the flow.
   std::vector<std::vector<double>> starts(plant::EffectId effect) const override;
   std::vector<FreeNumber> free_numbers(const Model& model, const ChannelMask& mask,
                                        double nominal_spread) const override;

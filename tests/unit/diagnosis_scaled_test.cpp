@@ -33,11 +33,36 @@ TEST(ScaledDiagnosis, ALinearArmLacksNothing) {
   EXPECT_GT(d.fit_before_percent, 98.0);
 }
 
+TEST(ScaledDiagnosis, NoiseIsNoEffectAndHidesNone) {
+  constexpr double kNoise = 0.003;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const ScaledDiagnosis linear = diagnose_scaled(arm([](double opening) { return opening; }, seed, kNoise));
+    EXPECT_EQ(linear.judgement.verdict, Verdict::kNone) << seed;
+    const ScaledDiagnosis bent =
+        diagnose_scaled(arm([](double opening) { return testing::saturated(opening, 0.5); }, seed, kNoise));
+    ASSERT_EQ(bent.judgement.verdict, Verdict::kEffects) << seed;
+    EXPECT_EQ(bent.judgement.effects[0].id, id_of("flow_saturation")) << seed;
+    EXPECT_NEAR(value_of_first(bent, bent.judgement.effects[0]), 0.5, 0.02) << seed;
+  }
+}
+
 TEST(ScaledDiagnosis, AnOffsetOfALinearValveIsADriftAndNoEffect) {
   const ScaledDiagnosis d = diagnose_scaled(arm([](double opening) { return opening + 0.1; }));
   EXPECT_EQ(d.judgement.verdict, Verdict::kNone);
   EXPECT_NEAR(d.drift_before, kDrift + 0.1 * kGain, 0.01 * std::abs(kDrift));
   EXPECT_NE(std::ranges::find(d.judgement.not_judged, id_of("valve_bias")), d.judgement.not_judged.end());
+}
+
+TEST(ScaledDiagnosis, AnOffsetBeforeAFlowThatSaturatesIsNamedBesideIt) {
+  constexpr double kOffset = 0.1;
+  const ScaledDiagnosis d =
+      diagnose_scaled(arm([](double opening) { return testing::saturated(opening + kOffset, 0.45); }));
+  ASSERT_EQ(d.judgement.verdict, Verdict::kEffects);
+  ASSERT_EQ(d.judgement.effects.size(), 2u);
+  const auto bias = std::ranges::find(d.judgement.effects, id_of("valve_bias"), &NamedEffect::id);
+  ASSERT_NE(bias, d.judgement.effects.end());
+  EXPECT_NEAR(value_of_first(d, *bias), kOffset, 0.1 * kOffset);
+  EXPECT_EQ(std::ranges::find(d.judgement.not_judged, id_of("valve_bias")), d.judgement.not_judged.end());
 }
 
 TEST(ScaledDiagnosis, AFlowThatSaturatesIsNamedWithItsSize) {

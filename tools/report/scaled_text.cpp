@@ -1,6 +1,7 @@
 #include "tools/report/scaled_text.hpp"
 
 #include <cmath>
+#include <cstdio>
 
 #include "tools/report/diagnosis_text.hpp"
 #include "tools/report/effects_table.hpp"
@@ -12,7 +13,11 @@ namespace {
 using diagnosis::ScaledDiagnosis;
 using diagnosis::Verdict;
 
-std::string percent(double value) { return short_number(std::round(10.0 * value) / 10.0) + " %"; }
+std::string percent(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f %%", value);
+  return text;
+}
 
 std::string signed_term(double value) { return (value < 0.0 ? " - " : " + ") + short_number(std::abs(value)); }
 
