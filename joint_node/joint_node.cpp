@@ -11,6 +11,7 @@ using signals::Mode;
 using signals::Phase;
 
 constexpr double kPercent = 0.01;
+constexpr double kUniform = 0.28867513459481287;  // standard deviation of what is even over 1
 constexpr std::uint64_t kDitherSeed = 0;  // the controller's own: what it adds does not depend on the world's draws
 
 bool finite(const signals::JointSensors& s) noexcept {
@@ -34,10 +35,14 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
       home_position_(joint.linkage.position(joint.home_angle_rad)),
       dither_amplitude_A_(kPercent * joint.dither_percent * joint.actuator.valve_current_max_A),
       dither_sign_(kDitherSeed, joint.name, "dither"),
+      compensation_(joint.effects, joint.actuator,
+                    {period_s, std::hypot(joint.noise.position, kUniform * joint.sensors.position_step),
+                     joint.noise.velocity}),
+      predictor_(compensation_.delay_s(), period_s, loop_delay_ticks),
       flow_law_(joint.actuator, joint.feedback_linearisation, home_position_, period_s),
       pid_(joint.pid, joint.normalisation, period_s),
       flow_inversion_(joint.actuator, joint.flow_inversion, home_position_, joint.stance_load.equilibrium_position,
-                      period_s, loop_delay_ticks),
+                      period_s, loop_delay_ticks + static_cast<int>(std::lround(compensation_.delay_s() / period_s))),
       good_samples_(safety.recovery_samples) {
   faults_.set(Fault::kDisarmed);
   faults_.set(Fault::kNoGains);
@@ -137,15 +142,15 @@ JointState JointNode::state() const noexcept {
   return faults_.has(Fault::kCommandStale) ? JointState::kDamping : JointState::kTracking;
 }
 
-control::ForceReference JointNode::force_reference(const Inputs& inputs, JointState state) noexcept {
-  const double q = joint_.linkage.angle(inputs.sensors.position_m_or_rad);
-  const double q_dot = joint_.linkage.angular_velocity(q, inputs.sensors.velocity_m_s_or_rad_s);
+control::ForceReference JointNode::force_reference(const control::Measurement& measured,
+                                                   const signals::JointCommand& command, JointState state) noexcept {
+  const double q = joint_.linkage.angle(measured.position);
+  const double q_dot = joint_.linkage.angular_velocity(q, measured.velocity);
   double torque = 0;
   double stiffness = 0;
   double damping = safety_.damping_gain_Nms_rad;
   bool clamped = false;
   if (state == JointState::kTracking) {
-    const signals::JointCommand& command = inputs.command;
     const double q_ref = std::clamp(command.position_rad, joint_.angle_min_rad, joint_.angle_max_rad);
     clamped = q_ref != command.position_rad;
     // tau_ref = tau_ff + k_p (q_ref - q) + k_d (q̇_ref - q̇)   (Hubacher 2014, Fig. 1.3)
@@ -175,82 +180,6 @@ double JointNode::dither_A(Tick tick) const noexcept {
   return positive ? dither_amplitude_A_ : -dither_amplitude_A_;
 }
 
-double JointNode::valve_current(const control::ForceReference& reference, const control::Measurement& measured,
-                                double probe_A) noexcept {
-  switch (joint_.kind) {
-    case control::Kind::kLqr: return valve_current_by_gains(reference.force, measured, probe_A);
-    case control::Kind::kFeedbackLinearisation: {
-      const control::FeedbackLinearisation::Output output = flow_law_.step(reference.force, measured);
-      return probed(output.valve_current_A, output.saturated, probe_A);
-    }
-    case control::Kind::kPid: {
-      const control::Pid::Output output = pid_.step(reference.force, measured);
-      return probed(output.valve_current_A, output.saturated, probe_A);
-    }
-    case control::Kind::kFlowInversion: return valve_current_by_physics(reference, measured, probe_A);
-  }
-  return 0.0;
-}
-
-double JointNode::probed(double asked_A, bool saturated, double probe_A) noexcept {
-  const double limit_A = joint_.actuator.valve_current_max_A;
-  const double wanted_A = asked_A + probe_A;
-  const double current_A = std::clamp(wanted_A, -limit_A, limit_A);
-  faults_.set(Fault::kValveSaturated, saturated || current_A != wanted_A);
-  return current_A;
-}
-
-// A change of gains is bumpless at what the last step saw, so that a reference that steps with the phase steps the
-// valve through the gains of the new phase.
-double JointNode::valve_current_by_gains(double reference, const control::Measurement& measured,
-                                         double probe_A) noexcept {
-  const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
-  const bool changed = slot.generation != controller_generation_ || phase_ != controller_phase_;
-  if (changed && controller_.set_gains(slot.gains, last_measured_, last_reference_)) {
-    controller_generation_ = slot.generation;
-    controller_phase_ = phase_;
-  }
-  if (controller_generation_ == 0) {
-    return 0.0;  // gains that cannot be used; those are refused on arrival
-  }
-  const control::ForceController::Output output = controller_.step(reference, measured, probe_A);
-  last_measured_ = measured;
-  last_reference_ = reference;
-  // The controller limits to the scale its gains came with; the valve has the last word.
-  const double limit_A = joint_.actuator.valve_current_max_A;
-  const double current_A = std::clamp(output.valve_current_A, -limit_A, limit_A);
-  faults_.set(Fault::kValveSaturated, output.saturated || current_A != output.valve_current_A);
-  return current_A;
-}
-
-double JointNode::valve_current_by_physics(const control::ForceReference& reference,
-                                           const control::Measurement& measured, double probe_A) noexcept {
-  const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
-  const bool changed = slot.generation != controller_generation_ || phase_ != controller_phase_;
-  if (changed && flow_inversion_.set_physics(slot.physics)) {
-    controller_generation_ = slot.generation;
-    controller_phase_ = phase_;
-  }
-  if (controller_generation_ == 0) {
-    return 0.0;  // physics that cannot be used; those are refused on arrival
-  }
-  const control::FlowInversion::Output output = flow_inversion_.step(reference, measured, probe_A);
-  faults_.set(Fault::kValveSaturated, output.saturated);
-  return output.valve_current_A;
-}
-
-void JointNode::reset_controller() noexcept {
-  controller_.reset();
-  flow_law_.reset();
-  pid_.reset();
-  flow_inversion_.reset();
-  controller_generation_ = 0;
-  last_measured_ = {};
-  last_reference_ = 0.0;
-  faults_.set(Fault::kReferenceClamped, false);
-  faults_.set(Fault::kValveSaturated, false);
-}
-
 JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   apply_due(inputs.tick);
   assess(inputs);
@@ -261,12 +190,14 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   if (now == JointState::kNull) {
     reset_controller();
   } else {
+    control::Measurement measured = compensation_.corrected({inputs.sensors.position_m_or_rad,
+                                                             inputs.sensors.velocity_m_s_or_rad_s,
+                                                             inputs.sensors.force_N_or_Nm});
+    reference = force_reference(measured, inputs.command, now);
     // Designs are linearised at the home pose; the controller sees the deviation from there.
-    const control::Measurement measured{inputs.sensors.position_m_or_rad - home_position_,
-                                        inputs.sensors.velocity_m_s_or_rad_s, inputs.sensors.force_N_or_Nm};
-    reference = force_reference(inputs, now);
+    measured.position -= home_position_;
     const double probe_A = now == JointState::kTracking ? dither_A(inputs.tick) : 0.0;
-    current_A = valve_current(reference, measured, probe_A);
+    current_A = compensation_.current_A(valve_current(reference, measured, probe_A), measured);
   }
 
   Outputs out;

@@ -9,10 +9,14 @@
 //
 // A joint whose kind is feedback_linearisation or pid has the nominal flow law or a PID in place of LQR-I, and needs no
 // gains. One of kind flow_inversion has FlowInversion there, with the physics that come with the gains.
+// Effects that the joint's file has stand between: sensors are corrected before anything reads them, and the current
+// goes through their inverse (control/effect_compensation.hpp).
 // What it does when something is missing is the table in docs/architecture.md.
 
 #include <array>
 
+#include "control/delay_predictor.hpp"
+#include "control/effect_compensation.hpp"
 #include "control/feedback_linearisation.hpp"
 #include "control/flow_inversion.hpp"
 #include "control/force_controller.hpp"
@@ -84,7 +88,8 @@ class JointNode {
   void apply_due(Tick tick) noexcept;
   void assess(const Inputs& inputs) noexcept;
   signals::JointState state() const noexcept;
-  control::ForceReference force_reference(const Inputs& inputs, signals::JointState state) noexcept;
+  control::ForceReference force_reference(const control::Measurement& measured, const signals::JointCommand& command,
+                                          signals::JointState state) noexcept;
   double dither_A(Tick tick) const noexcept;
   double valve_current(const control::ForceReference& reference, const control::Measurement& measured,
                        double probe_A) noexcept;
@@ -102,6 +107,8 @@ class JointNode {
   double home_position_;  ///< m or rad
   double dither_amplitude_A_;
   NoiseStream dither_sign_;  ///< by tick / hold
+  control::EffectCompensation compensation_;
+  control::DelayPredictor predictor_;
   control::ForceController controller_;
   control::Measurement last_measured_{};  ///< of the controller's last step
   double last_reference_ = 0.0;           ///< of the controller's last step, N or Nm

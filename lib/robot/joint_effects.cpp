@@ -63,6 +63,20 @@ class EffectReader {
   config::Problems problems_;
 };
 
+/// Those of `effects` that are other loads.
+Result<Done> put_into_loads(Joint& joint, std::span<const plant::ActiveEffect> effects) {
+  const plant::Loads loads = plant::loads_with_effects({joint.swing_load, joint.stance_load}, joint.actuator, effects);
+  for (const plant::LoadParams& load : {loads.swing, loads.stance}) {
+    if (const auto good = plant::validate(load); !good) {
+      return Error{"leave no load in swing or stance: " + good.error().message +
+                   "; the stance load changes as the swing load does"};
+    }
+  }
+  joint.swing_load = loads.swing;
+  joint.stance_load = loads.stance;
+  return Done{};
+}
+
 }  // namespace
 
 config::Problems add_effects(JointEffectsSection& section, Joint& joint) {
@@ -79,20 +93,26 @@ config::Problems add_effects(JointEffectsSection& section, Joint& joint) {
   if (!problems.empty()) {
     return problems;
   }
-  const plant::Loads loads =
-      plant::loads_with_effects({joint.swing_load, joint.stance_load}, joint.actuator, joint.effects);
-  for (const plant::LoadParams& load : {loads.swing, loads.stance}) {
-    if (const auto good = plant::validate(load); !good) {
-      problems.push_back(section.place.problem(
-          "", "leave no load in swing or stance: " + good.error().message + "; the stance load changes as the swing "
-              "load does"));
-    }
-  }
-  if (problems.empty()) {
-    joint.swing_load = loads.swing;
-    joint.stance_load = loads.stance;
+  if (const auto put = put_into_loads(joint, joint.effects); !put) {
+    problems.push_back(section.place.problem("", put.error().message));
   }
   return problems;
+}
+
+Result<Joint> with_effects(const Joint& joint, std::span<const plant::ActiveEffect> effects) {
+  Joint extended = joint;
+  for (const plant::ActiveEffect& effect : effects) {
+    const auto old = std::ranges::find(extended.effects, effect.id, &plant::ActiveEffect::id);
+    if (old != extended.effects.end()) {
+      *old = effect;
+    } else {
+      extended.effects.push_back(effect);
+    }
+  }
+  if (const auto put = put_into_loads(extended, effects); !put) {
+    return Error{joint.name + ": its effects " + put.error().message};
+  }
+  return extended;
 }
 
 }  // namespace farrier::robot

@@ -26,6 +26,9 @@ farrier_test(control_design_test unit
 target_link_libraries(control_design_test PRIVATE farrier_control)
 
 farrier_test(control_laws_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/control_delay_predictor_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_effect_compensation_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/control_effect_inverses_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_pid_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_flow_inversion_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)

@@ -2,6 +2,7 @@ farrier_test(joint_node_test unit
   ${CMAKE_CURRENT_LIST_DIR}/gains_decoding_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_arming_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_dither_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_effects_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_fault_events_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_flow_law_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_flow_inversion_test.cpp

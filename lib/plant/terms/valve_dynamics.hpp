@@ -38,6 +38,9 @@ class ValveDynamics {
     now.opening_A = 0.5 * (opening_A_ + opening);
     opening_A_ = opening;
   }
+  /// What a step makes of an opening beside the current and of the rate u_v' / w: opening beside it, rate.
+  const std::array<T, 2>& by_error() const noexcept { return by_error_; }
+  const std::array<T, 2>& by_rate() const noexcept { return by_rate_; }
 
  private:
   std::array<T, 2> by_error_, by_rate_;
