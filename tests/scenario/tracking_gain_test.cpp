@@ -1,0 +1,112 @@
+// What force control gains by knowing an effect: JointNode on the plant and sensors that have it, on a simulated clock.
+// Factors are those measured on these seeds, less a tenth to a third.
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "lab/tracking_gain.hpp"
+#include "robot/joint_effects.hpp"
+
+namespace farrier::lab {
+namespace {
+
+using plant::effect_id;
+
+const robot::Joint& rig() {
+  static const robot::Robot robot = robot::load_robot(std::string(FARRIER_ROBOTS) + "fc1d.yaml").value();
+  return robot.joints.front();
+}
+const robot::Joint& hip() {
+  static const robot::Robot robot = robot::load_robot(std::string(FARRIER_ROBOTS) + "hyq.yaml").value();
+  return *robot.find("lf_haa");
+}
+
+double ratio(const robot::Joint& joint, plant::ActiveEffect effect) {
+  const robot::Joint with = robot::with_effects(joint, std::vector{effect}).value();
+  const auto gain = tracking_gain(with, joint, with);
+  EXPECT_TRUE(gain.ok()) << (gain ? "" : gain.error().message);
+  return gain ? gain.value().old_nrmse / gain.value().new_nrmse : 0.0;
+}
+
+TEST(TrackingGain, OfANominalJointIsNone) {
+  for (const robot::Joint* joint : {&rig(), &hip()}) {
+    const auto gain = tracking_gain(*joint, *joint, *joint);
+    ASSERT_TRUE(gain.ok()) << gain.error().message;
+    EXPECT_EQ(gain.value().old_nrmse, gain.value().new_nrmse);
+    EXPECT_LT(gain.value().new_nrmse, 0.12);
+  }
+}
+
+TEST(TrackingGain, OfAnOverlapGrowsWithIt) {
+  EXPECT_GT(ratio(rig(), {effect_id<plant::ValveDeadband>(), {2.7e-4}}), 1.3);
+  EXPECT_GT(ratio(rig(), {effect_id<plant::ValveDeadband>(), {5.4e-4}}), 1.7);
+  EXPECT_GT(ratio(hip(), {effect_id<plant::ValveDeadband>(), {1.3e-4}}), 2.0);
+}
+
+TEST(TrackingGain, OfPortsOfUnlikeSizeAndANarrowPort) {
+  EXPECT_GT(ratio(rig(), {effect_id<plant::ValveAsymmetry>(), {0.27}}), 1.8);
+  EXPECT_GT(ratio(hip(), {effect_id<plant::FlowSaturation>(), {8.4e-4}}), 1.35);
+}
+
+TEST(TrackingGain, OfALoadCellThatReadsWrong) {
+  EXPECT_GT(ratio(rig(), {effect_id<plant::ForceSensorGain>(), {0.83}}), 2.2);
+  EXPECT_GT(ratio(rig(), {effect_id<plant::ForceSensorOffset>(), {13.0}}), 2.2);
+  EXPECT_GT(ratio(hip(), {effect_id<plant::ForceSensorLag>(), {0.0044}}), 2.5);
+}
+
+TEST(TrackingGain, OfAVelocityThatIsReadLate) {
+  EXPECT_GT(ratio(rig(), {effect_id<plant::VelocityFilterLag>(), {0.0057}}), 1.5);
+  EXPECT_GT(ratio(hip(), {effect_id<plant::VelocityFilterLag>(), {0.0115}}), 1.7);
+}
+
+TEST(TrackingGain, OfASupplyThatFalls) {
+  EXPECT_GT(ratio(rig(), {effect_id<plant::SupplyDroop>(), {1.8e11}}), 1.3);
+  EXPECT_GT(ratio(hip(), {effect_id<plant::SupplyDroop>(), {3.35e11}}), 1.35);
+}
+
+// The hip's nominal loop does not bear a tick of delay: it swings between the valve's limits.
+TEST(TrackingGain, OfADelayAndASlowSpoolIsALoopThatStaysStable) {
+  for (const double delay_s : {0.0014, 0.003, 0.006}) {
+    const plant::ActiveEffect delay{effect_id<plant::InputDelay>(), {delay_s}};
+    const robot::Joint with = robot::with_effects(hip(), std::vector{delay}).value();
+    const auto gain = tracking_gain(with, hip(), with);
+    ASSERT_TRUE(gain.ok());
+    EXPECT_GT(gain.value().old_nrmse, 3.0) << delay_s;
+    EXPECT_LT(gain.value().new_nrmse, 0.25) << delay_s;
+  }
+  EXPECT_GT(ratio(rig(), {effect_id<plant::InputDelay>(), {0.0033}}), 1.4);
+  EXPECT_GT(ratio(rig(), {effect_id<plant::ValveDynamics>(), {386.0, 0.7}}), 1.4);
+}
+
+// Integral action has found a steady null shift before anything is judged.
+TEST(TrackingGain, OfANullShiftIsNone) {
+  EXPECT_NEAR(ratio(rig(), {effect_id<plant::ValveBias>(), {2.7e-4}}), 1.0, 0.01);
+}
+
+// What was found is never quite what is there.
+TEST(TrackingGain, BearsNumbersThatAreAFifthOff) {
+  for (const plant::ActiveEffect& effect : std::vector<plant::ActiveEffect>{
+           {effect_id<plant::InputDelay>(), {0.006}},
+           {effect_id<plant::ValveDynamics>(), {190.0, 0.7}},
+           {effect_id<plant::ValveDeadband>(), {1.3e-4}},
+           {effect_id<plant::ForceSensorLag>(), {0.01}}}) {
+    const robot::Joint world = robot::with_effects(hip(), std::vector{effect}).value();
+    for (const double off : {0.83, 1.2}) {
+      plant::ActiveEffect found = effect;
+      found.values[0] *= off;
+      const auto gain = tracking_gain(world, hip(), robot::with_effects(hip(), std::vector{found}).value());
+      ASSERT_TRUE(gain.ok());
+      EXPECT_LT(gain.value().new_nrmse, 0.8 * gain.value().old_nrmse) << effect.info().name << " times " << off;
+    }
+  }
+}
+
+TEST(TrackingGain, RefusesAJointThatCannotBe) {
+  robot::Joint broken = rig();
+  broken.actuator.supply_pressure_Pa = -1.0;
+  EXPECT_FALSE(tracking_gain(broken, rig(), rig()));
+}
+
+}  // namespace
+}  // namespace farrier::lab
