@@ -49,7 +49,7 @@ double full_opening(const robot::Joint& joint) {
   double least = 1.0;
   for (const double sign : {-1.0, 1.0}) {
     plant::ValveMoment<double> valve{sign * joint.actuator.valve_current_max_A, 1.0};
-    terms.on_valve(valve);
+    terms.on_valve(valve);  // a spool gets half-way in the mean of its first step
     terms.on_valve(valve = {sign * joint.actuator.valve_current_max_A, 1.0});
     least = std::min(least, std::abs(valve.opening_A) * valve.flow_factor / joint.actuator.valve_current_max_A);
   }
@@ -166,9 +166,9 @@ Result<double> tracking_nrmse(const robot::Joint& world, const robot::Joint& bel
   if (auto armed = arm(node, quiet, run.period_s); !armed) {
     return armed.error();
   }
-  // Reference and centring are those of the joint as it is believed to be without effects of its load's size.
   const ReferenceForce reference(world, run.seed);
   const Centring centring = centring_of(load, world.actuator);
+  const double lever = world.linkage.lever(world.home_angle_rad);
   const auto ticks = static_cast<Tick>(std::llround((run.settle_s + run.duration_s) / run.period_s));
   const auto judged = static_cast<Tick>(std::llround(run.settle_s / run.period_s));
   const int conversions = sensors.conversions();
@@ -176,7 +176,6 @@ Result<double> tracking_nrmse(const robot::Joint& world, const robot::Joint& bel
   for (Tick tick = 0; tick < ticks; ++tick) {
     const sim_bridge::Measured& read = sensors.sample();
     const double q = world.linkage.angle(read.position);
-    const double lever = world.linkage.lever(world.home_angle_rad);
     joint_node::JointNode::Inputs in;
     in.tick = in.sensors.tick = in.command.tick = tick;
     in.sensors.position_m_or_rad = read.position;

@@ -16,12 +16,13 @@ struct ForceTracking {
   std::uint64_t seed = 1;    ///< of phases, levels and the sensors' noise
 };
 
-/// RMS of the true load-cell force less its reference, over the reference's standard deviation. The reference has what
-/// a trot asks of a joint: sines of 2, 5 and 10 Hz (Hubacher 2014, Fig. 7.2), and a level that changes each 0.25 s
-/// within 20 ms, as where a foot lands or lifts. Its size is the largest with which the load keeps to a fifth of the
-/// stroke and of the valve's speed and the force to a quarter of what the joint may ask. A load without a spring is led
-/// home by one, which is part of the reference. Refuses a joint that cannot be simulated, and a belief for which there
-/// are no gains, with the reason.
+/// RMS of the true load-cell force less its reference, over the reference's standard deviation; 1 and more is a loop
+/// that swings. The reference has what a trot asks of a joint: sines of 2, 5 and 10 Hz (Hubacher 2014, Fig. 7.2), and
+/// a level that changes each 0.25 s within 20 ms, as where a foot lands or lifts. By linear theory, and were all its
+/// parts at their largest at once, it moves the load by a quarter of the stroke and at half the speed that the
+/// world's valve gives, and asks for a quarter of the force that the joint may; the least of the three sets its size.
+/// A load without a spring is led home by one, which is part of the reference. Refuses a joint that cannot be
+/// simulated, and a belief for which there are no gains, with the reason.
 ///
 /// Depends on nothing but its arguments. `world` and `believed` are the same joint but for effects and loads.
 Result<double> tracking_nrmse(const robot::Joint& world, const robot::Joint& believed, const ForceTracking& run = {});

@@ -6,7 +6,9 @@
 #include <mutex>
 #include <thread>
 
+#include "control/effect_compensation.hpp"
 #include "lab/blind/score.hpp"
+#include "robot/joint_effects.hpp"
 
 namespace farrier::blind {
 namespace {
@@ -34,6 +36,43 @@ std::array<double, diagnosis::kChannels> base_error(const truth::Samples& sample
   const diagnosis::Bench bench(simulator, {true, true, true}, {});
   const diagnosis::Hypothesis base = bench.base();
   return {std::sqrt(base.total(0)), std::sqrt(base.total(1)), std::sqrt(base.total(2))};
+}
+
+/// What is hidden, as a joint's effects; none where some of it is outside the library.
+std::vector<plant::ActiveEffect> hidden_effects(const std::vector<truth::Answer>& answers, const robot::Joint& joint,
+                                                const std::vector<plant::ActiveEffect>& found) {
+  const plant::Scales scales(joint.actuator, joint.swing_load);
+  std::vector<plant::ActiveEffect> hidden;
+  for (const truth::Answer& answer : answers) {
+    plant::ActiveEffect effect{plant::find_effect(answer.name), {}};
+    if (effect.id == plant::kEffectCount) {
+      return {};
+    }
+    const plant::ActiveEffect* const like = plant::find(found, effect.id);
+    for (std::size_t i = 0; i < effect.info().parameters.size(); ++i) {
+      effect.values[i] = like != nullptr ? like->values[i]
+                                         : plant::default_value(effect.info().parameters[i], scales, joint.actuator,
+                                                                joint.swing_load);
+    }
+    effect.values[0] = answer.value;
+    hidden.push_back(effect);
+  }
+  return hidden;
+}
+
+std::optional<lab::TrackingGain> control_gain(const std::vector<truth::Answer>& answers, const robot::Joint& joint,
+                                              const std::vector<plant::ActiveEffect>& found) {
+  const std::vector<plant::ActiveEffect> hidden = hidden_effects(answers, joint, found);
+  if (hidden.empty() || std::ranges::none_of(found, control::is_compensated, &plant::ActiveEffect::id)) {
+    return std::nullopt;
+  }
+  const auto world = robot::with_effects(joint, hidden);
+  const auto known = robot::with_effects(joint, found);
+  if (!world || !known) {
+    return std::nullopt;
+  }
+  const auto gain = lab::tracking_gain(world.value(), joint, known.value(), {.period_s = kPeriod_s});
+  return gain ? std::optional(gain.value()) : std::nullopt;
 }
 
 }  // namespace
@@ -102,6 +141,7 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
     outcome.alternatives.emplace_back(plant::effect_info(one).name, plant::effect_info(other).name);
   }
   outcome.parameter_error = parameter_error(outcome, scales);
+  outcome.control = control_gain(outcome.answers, joint, diagnosis::found_effects(found, joint));
   return outcome;
 }
 

@@ -4,10 +4,12 @@
 // shares no equation with what is judged; the diagnosis gets the recording and the nominal joint and nothing else.
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "diagnosis/diagnosis.hpp"
+#include "lab/tracking_gain.hpp"
 #include "lab/truth/truth.hpp"
 
 namespace farrier::blind {
@@ -37,6 +39,10 @@ struct Outcome {
   std::vector<std::pair<std::string, std::string>> alternatives;
   double parameter_error = 0.0;  ///< of the first named, when it is the hidden one: of its distance from neutral
   double error_before = 0.0, error_after = 0.0;
+  /// What a controller gains that knows what was named, where it can use any of that (control::is_compensated) and what
+  /// is hidden is of the library. The joint that both control is the nominal one with what is hidden: its headline
+  /// parameter as the answer has it, others as they were found, or else as plant::default_value has them.
+  std::optional<lab::TrackingGain> control;
   std::string refused;           ///< why the trial could not be made; empty: it was
 };
 

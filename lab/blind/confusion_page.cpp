@@ -79,12 +79,15 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
   page += "\n## Effects of the library\n\n"
           "Of the trials in which the effect changes the held-out error by more than 10 %: named (first, or in a pair\n"
           "that the recording does not tell apart), first and alone, and of those the parameter within 15 % of its\n"
-          "distance from neutral.\n\n"
-          "| effect | counted | named | first alone | parameter | error before / after |\n|---|---|---|---|---|---|\n";
+          "distance from neutral. Control: force tracking error of a controller for the nominal joint over that of one\n"
+          "which knows what was named, where it can use it, on the joint with what is hidden; median, trials.\n\n"
+          "| effect | counted | named | first alone | parameter | error before / after | control |\n"
+          "|---|---|---|---|---|---|---|\n";
   for (const auto& [name, s] : score_by_effect(outcomes)) {
     page += "| " + name + " | " + std::to_string(s.counted) + " | " + text("%.0f %%", 100 * s.named) + " | " +
             text("%.0f %%", 100 * s.first_alone) + " | " + text("%.0f %%", 100 * s.within_tolerance) + " | " +
-            text("%.1f", s.median_gain) + " |\n";
+            text("%.1f", s.median_gain) + " | " +
+            (s.controlled > 0 ? text("%.2f", s.control_gain) + ", " + std::to_string(s.controlled) : "") + " |\n";
   }
   page += "\n## Trials that went wrong\n\n| hidden | size | excitation | seed | change of the error | answer |\n"
           "|---|---|---|---|---|---|\n";

@@ -28,6 +28,16 @@ bool counts(const Outcome& outcome) {
   return outcome.plan.kind == Kind::kEffect && outcome.detectable > kDetectable;
 }
 
+/// Not a number of none.
+double median(std::vector<double> values) {
+  if (values.empty()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
 }  // namespace
 
 double parameter_error(const Outcome& outcome, const plant::Scales& scales) {
@@ -107,11 +117,15 @@ Score score(const std::vector<Outcome>& outcomes) {
       gains.push_back(outcome.error_before / outcome.error_after);
     }
   }
-  if (!gains.empty()) {
-    const auto middle = gains.begin() + std::ssize(gains) / 2;
-    std::ranges::nth_element(gains, middle);
-    s.median_gain = *middle;
+  s.median_gain = gains.empty() ? 0.0 : median(std::move(gains));
+  std::vector<double> control;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.control) {
+      control.push_back(outcome.control->old_nrmse / outcome.control->new_nrmse);
+    }
   }
+  s.controlled = control.size();
+  s.control_gain = median(std::move(control));
   return s;
 }
 

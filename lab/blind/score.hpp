@@ -34,6 +34,8 @@ struct Score {
   double outside_admitted = 0.0;         ///< unknown or cannot_separate, of detectable trials with an outside effect
   double pairs_named = 0.0;              ///< both names, of pairs of which each changes the error
   double confidently_wrong = 0.0;        ///< of all trials
+  std::size_t controlled = 0;            ///< trials in which something was named that a controller can use
+  double control_gain = 0.0;             ///< of those: tracking error without that knowledge over that with it, median
   double median_gain = 0.0;              ///< held-out error before over after, of detectable trials with an effect
 };
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lab/blind/score.hpp"
 
 namespace farrier::blind {
@@ -44,6 +46,20 @@ TEST(BlindScore, ASetOfTwoNamesTheEffectAndIsNotAlone) {
   EXPECT_FALSE(first_alone(o));
   o.alternatives.emplace_back("valve_asymmetry", "supply_droop");
   EXPECT_FALSE(named_or_in_pair(o));
+}
+
+TEST(BlindScore, TheGainInControlIsTheMedianOfTrialsThatHaveOne) {
+  Outcome none = outcome(Kind::kEffect, "load_friction", "load_friction", 1.0);
+  Outcome less = outcome(Kind::kEffect, "valve_bias", "valve_bias", 1.0);
+  Outcome more = outcome(Kind::kEffect, "valve_deadband", "valve_deadband", 1.0);
+  less.control = {0.1, 0.1};
+  more.control = {0.3, 0.1};
+  EXPECT_EQ(score({none}).controlled, 0u);
+  EXPECT_TRUE(std::isnan(score({none}).control_gain));
+  const Score s = score({none, less, more, more});
+  EXPECT_EQ(s.controlled, 3u);
+  EXPECT_DOUBLE_EQ(s.control_gain, 3.0);
+  EXPECT_DOUBLE_EQ(score_by_effect({none, less, more})["valve_bias"].control_gain, 1.0);
 }
 
 TEST(BlindScore, FalseAlarmsAreOfTrialsThatHideNothing) {

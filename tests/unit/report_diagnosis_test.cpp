@@ -38,7 +38,7 @@ class DiagnosisReport : public testing::OwnFolder {
   Outcome outcome(const Diagnosis& d) const {
     Outcome made{.command = "diagnose", .figures = {}, .run = run_info(robot_, 0), .failures = {}};
     made.finding = to_string(d.judgement.verdict);
-    add_diagnosis(made.figures, d);
+    add_diagnosis(made.figures, result(d));
     return made;
   }
   nlohmann::json json(const Diagnosis& d) const {
@@ -155,7 +155,14 @@ TEST_F(DiagnosisReport, JsonHasTheGainOfControlWhereItWasMeasured) {
   const Diagnosis d = with_effects();
   DiagnosisResult measured = result(d);
   measured.control = ControlGain{"load_friction", 0.1, 0.05};
-  const auto j = nlohmann::json::parse(diagnosis_json(measured, outcome(d)));
+  Outcome with = outcome(d);
+  with.figures = {};
+  add_diagnosis(with.figures, measured);
+  EXPECT_EQ(outcome(d).figures.find("diagnose.control.ratio"), nullptr);
+  EXPECT_EQ(with.figures.find("diagnose.control.old_nrmse")->value, 0.1);
+  EXPECT_EQ(with.figures.find("diagnose.control.new_nrmse")->value, 0.05);
+  EXPECT_EQ(with.figures.find("diagnose.control.ratio")->value, 2.0);
+  const auto j = nlohmann::json::parse(diagnosis_json(measured, with));
   EXPECT_EQ(j["control"],
             nlohmann::json::parse(R"({"effect": "load_friction", "old_nrmse": 0.1, "new_nrmse": 0.05})"));
   EXPECT_NE(diagnosis_console(measured).find("force control that knows load_friction: NRMSE 0.1 before, 0.05 after"),

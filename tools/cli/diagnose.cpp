@@ -10,6 +10,7 @@
 #include "participant/loop.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/diagnose_benchmark.hpp"
+#include "tools/cli/diagnose_control.hpp"
 #include "tools/cli/diagnose_options.hpp"
 #include "tools/cli/diagnose_scaled.hpp"
 #include "tools/cli/output_file.hpp"
@@ -114,7 +115,7 @@ int finish(const report::DiagnosisResult& result, const Outputs& outputs, const 
   outcome.command = "diagnose";
   outcome.run = report::run_info(result.robot, 0);
   outcome.finding = diagnosis::to_string(result.diagnosis.judgement.verdict);
-  report::add_diagnosis(outcome.figures, result.diagnosis);
+  report::add_diagnosis(outcome.figures, result);
   if (bad) {
     outcome.failures.push_back("the recording cannot be judged");
   }
@@ -198,7 +199,8 @@ int diagnose(const DiagnoseOptions& o) {
                  .joint = *joint.value(),
                  .recording = o.recording,
                  .period_s = recording.value().period_s,
-                 .extended_model = model.value()},
+                 .extended_model = model.value(),
+                 .control = control_gain(robot, *joint.value(), found)},
                 outputs, o);
 }
 

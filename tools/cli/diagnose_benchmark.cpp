@@ -27,6 +27,7 @@ constexpr double kOutsideAdmitted = 0.90;
 constexpr double kPairsNamed = 0.80;
 constexpr double kConfidentlyWrong = 0.01;
 constexpr double kMedianGain = 3.0;
+constexpr double kControlGain = 1.3;
 
 int fail(const std::string& message, int status) {
   std::fprintf(stderr, "farrier diagnose --benchmark: %s\n", message.c_str());
@@ -62,11 +63,14 @@ void add_figures(report::Figures& figures, const std::vector<blind::Outcome>& ou
   add("diagnose.benchmark.pairs_named", s.pairs_named, kPairsNamed);
   add("diagnose.benchmark.confidently_wrong", s.confidently_wrong, kConfidentlyWrong);
   add("diagnose.benchmark.median_gain", s.median_gain, kMedianGain);
+  add("diagnose.benchmark.controlled", static_cast<double>(s.controlled));
+  add("diagnose.benchmark.control_gain", s.control_gain, kControlGain);
   for (const auto& [name, mine] : blind::score_by_effect(outcomes)) {
     add("diagnose.benchmark.effect." + name + ".counted", static_cast<double>(mine.counted));
     add("diagnose.benchmark.effect." + name + ".named", mine.named);
     add("diagnose.benchmark.effect." + name + ".first_alone", mine.first_alone);
     add("diagnose.benchmark.effect." + name + ".within_tolerance", mine.within_tolerance);
+    add("diagnose.benchmark.effect." + name + ".control_gain", mine.control_gain);
   }
 }
 

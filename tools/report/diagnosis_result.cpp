@@ -76,7 +76,8 @@ ShownEffect shown(const diagnosis::NamedEffect& effect, const robot::Joint& join
                joint.rotary ? Units::kRotary : Units::kLinear);
 }
 
-void add_diagnosis(Figures& figures, const diagnosis::Diagnosis& diagnosis) {
+void add_diagnosis(Figures& figures, const DiagnosisResult& result) {
+  const diagnosis::Diagnosis& diagnosis = result.diagnosis;
   if (diagnosis.channels.empty()) {
     return;
   }
@@ -96,6 +97,11 @@ void add_diagnosis(Figures& figures, const diagnosis::Diagnosis& diagnosis) {
   figures.add("diagnose.held_out_nrmse_after", diagnosis.nrmse_after);
   figures.add("diagnose.held_out_ratio", diagnosis.nrmse_before / diagnosis.nrmse_after);
   figures.add("diagnose.effects", static_cast<double>(diagnosis.judgement.effects.size()));
+  if (result.control) {
+    figures.add("diagnose.control.old_nrmse", result.control->old_nrmse);
+    figures.add("diagnose.control.new_nrmse", result.control->new_nrmse);
+    figures.add("diagnose.control.ratio", result.control->old_nrmse / result.control->new_nrmse);
+  }
 }
 
 }  // namespace farrier::report

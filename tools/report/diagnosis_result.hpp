@@ -10,9 +10,9 @@
 
 namespace farrier::report {
 
-/// What force control gains when it knows an effect.
+/// What force control gains when it knows what was found.
 struct ControlGain {
-  std::string effect;
+  std::string effect;           ///< those it can use, separated by commas
   double old_nrmse, new_nrmse;  ///< of the force, with controllers for the model as given and for the extended one
 };
 
@@ -57,6 +57,6 @@ diagnosis::ErrorRatio error_of(const diagnosis::Diagnosis& diagnosis) noexcept;
 const char* unit_of(diagnosis::Channel channel, const robot::Joint& joint) noexcept;
 
 /// Adds diagnose.*; nothing for data that could not be judged.
-void add_diagnosis(Figures& figures, const diagnosis::Diagnosis& diagnosis);
+void add_diagnosis(Figures& figures, const DiagnosisResult& result);
 
 }  // namespace farrier::report
