@@ -199,11 +199,9 @@ constexpr std::array kSpecs{
     FigureSpec{"diagnose.held_out_ratio", "1", kNone, "The first over the second."},
     FigureSpec{"diagnose.effects", "1", kNone, "Effects that were named."},
     FigureSpec{"diagnose.fit_before_percent", "%", kNone,
-               "--units scaled: 100 (1 - |y - s| / |y - mean y|) of the second half's positions y and their free-running "
-               "simulation s by the linear model fitted to the first."},
+               "--units scaled: 100 (1 - |y - s| / |y - mean y|), linear model s fitted to half, free on the other y."},
     FigureSpec{"diagnose.fit_after_percent", "%", kNone, "The same of the model with the effects found."},
-    FigureSpec{"diagnose.<effect>.fit_percent", "%", kNone,
-               "The same of the linear model with this effect alone, whether it was accepted or not."},
+    FigureSpec{"diagnose.<effect>.fit_percent", "%", kNone, "The same with this effect alone, accepted or not."},
     FigureSpec{"diagnose.control.old_nrmse", "1", kNone,
                "RMS of force's error over reference's deviation on the extended model, controller for the given one."},
     FigureSpec{"diagnose.control.new_nrmse", "1", kNone, "The same, controller that knows the effects."},
