@@ -25,7 +25,8 @@ struct Rules {
   double unexplained = 0.2;          ///< of a channel's rms before any effect, above which what is left is no detail
   double least_nrmse = 0.02;         ///< below which a simulation is as good as its form allows
   double confidence_if_unknown = 0.5;  ///< factor on the confidence of effects that leave a structure behind
-  double tie_chance = 0.025;         ///< chance of being better above which a rival is not told apart
+  double tie_chance = 0.025;         ///< chance of being right above which a rival is not told apart
+  double clear_lead = 0.05;          ///< of a channel's held-out rms, from which a lead over a rival counts in full
 };
 
 /// One effect that was named.

@@ -20,6 +20,10 @@ bool meet(plant::EffectId one, plant::EffectId other) {
   return (a[0] && b[0]) || (a[1] && b[1]) || (a[2] && b[2]);
 }
 
+std::ptrdiff_t channel_count(plant::EffectId id) {
+  return std::ranges::count(channels_of(plant::effect_info(id).side), true);
+}
+
 bool has(const Hypothesis& hypothesis, plant::EffectId id) {
   return std::ranges::find(hypothesis.effects, id) != hypothesis.effects.end();
 }
@@ -118,12 +122,21 @@ bool Selection::add(const ChannelMask& open) {
   return true;
 }
 
+double Selection::chance_of(const Hypothesis& one, const Hypothesis& other) const {
+  const Gain lead = bench_.gain(other, one);
+  double clearest = 0.0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    clearest = std::max(clearest, std::abs(lead.reduction[c]));
+  }
+  return 0.5 + (lead.chance - 0.5) * std::min(1.0, clearest / rules_.clear_lead);
+}
+
 void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId best) {
   for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
     if (id == best || !tried[id].accepted || !meet(id, best)) {
       continue;
     }
-    const double chance = bench_.gain(*tried[id].hypothesis, *tried[best].hypothesis).chance;
+    const double chance = chance_of(*tried[best].hypothesis, *tried[id].hypothesis);
     if (1.0 - chance > rules_.tie_chance) {
       const auto& halves = tried[id].hypothesis->halves;
       rivals_.push_back(
@@ -154,12 +167,13 @@ void Selection::compare_rivals() {
     }
     Hypothesis with_rival = bench_.exchanged(chosen_, pair.chosen, pair.rival, pair.fitted);
     Tie tie{pair.chosen, pair.rival, std::move(with_rival)};
-    double chance = bench_.gain(tie.with_rival, chosen_).chance;
-    if (chance < 0.5) {
+    double chance = chance_of(chosen_, tie.with_rival);
+    const bool simpler = channel_count(pair.rival) < channel_count(pair.chosen);
+    if (chance < 0.5 || (simpler && 1.0 - chance > rules_.tie_chance)) {
       std::swap(chosen_, tie.with_rival);
       std::swap(tie.chosen, tie.rival);
       std::erase_if(ties_, [&](const Tie& earlier) { return earlier.chosen == tie.rival; });
-      chance = 1.0 - chance;
+      chance = std::max(chance, 1.0 - chance);
     }
     confidence_[tie.chosen] = std::min(confidence_[tie.chosen], chance);
     if (1.0 - chance > rules_.tie_chance) {

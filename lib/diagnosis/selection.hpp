@@ -27,8 +27,8 @@ class Selection {
   bool add(const ChannelMask& open);
   /// Leaves out what turned out to be nothing beside effects that came later.
   void prune();
-  /// Puts every rival, fitted anew, in the place of what it was tried beside: the better one stays, and a rival that is
-  /// better in more than tie_chance of the resamplings is not told apart.
+  /// Puts every rival, fitted anew, in the place of what it was tried beside: the better one stays. A rival that may be
+  /// right by more than tie_chance is not told apart; of these two the one that shows on fewer channels stays.
   void compare_rivals();
 
   const Hypothesis& base() const noexcept { return base_; }
@@ -59,6 +59,9 @@ class Selection {
   std::vector<Tried> try_all(const ChannelMask& open) const;
   bool worth_it(const Hypothesis& after) const;
   bool outside_neutral(plant::EffectId id, const Estimate& estimate) const;
+  /// Chance that `one` is right and not `other`, which explains the same: how often it is better under resampled
+  /// blocks, the less the smaller its lead, for small leads come from details that neither has.
+  double chance_of(const Hypothesis& one, const Hypothesis& other) const;
   void note_rivals(const std::vector<Tried>& tried, plant::EffectId best);
 
   const Bench& bench_;
