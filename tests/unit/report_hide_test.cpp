@@ -70,6 +70,30 @@ TEST(HideResult, AsksForElevenOfTwelve) {
   EXPECT_EQ(least_named(24), 22.0);
 }
 
+TEST(HideResult, AFoundModelMustBringBackHalfOfTheTracking) {
+  std::vector<HideTrial> trials(12, trial(kSilentHip, kKnee));  // 0.02, 0.06 with the effect, 0.03 with the model
+  Figures good;
+  add_hide(good, trials);
+  EXPECT_NEAR(*good.find("hide.nrmse_known")->bound, 0.04, 1e-12);
+  EXPECT_TRUE(good.all_hold());
+  for (HideTrial& each : trials) {
+    each.nrmse_known = 0.05;
+  }
+  Figures bad;
+  add_hide(bad, trials);
+  EXPECT_FALSE(bad.all_hold());
+  trials.resize(11);
+  Figures few;
+  add_hide(few, trials);
+  EXPECT_FALSE(few.find("hide.nrmse_known")->bound.has_value());
+}
+
+TEST(HideResult, AllowsOneSuspectedJointInTwelveTrials) {
+  EXPECT_EQ(most_false_joints(1), 0.0);
+  EXPECT_EQ(most_false_joints(12), 1.0);
+  EXPECT_EQ(most_false_joints(24), 2.0);
+}
+
 TEST(HideResult, GivesFiguresOverTheSeeds) {
   std::vector<HideTrial> trials(12, trial(kSilentHip, kKnee));
   trials[4].verdicts[1].verdict = "unknown";

@@ -46,6 +46,10 @@ struct HideTrial {
 
 /// Of twelve trials eleven are to be named.
 double least_named(std::size_t trials);
+/// Untouched joints that may be suspected: one in twelve trials.
+double most_false_joints(std::size_t trials);
+/// From so many trials on the model that was found must bring back half of the tracking that the effects took.
+inline constexpr std::size_t kSeedsForTracking = 12;
 
 /// Adds hide.*; at least one trial.
 void add_hide(Figures& figures, std::span<const HideTrial> trials);
