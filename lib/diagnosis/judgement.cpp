@@ -25,6 +25,18 @@ std::array<Remainder, kChannels> remainder(const Bench& bench, const Hypothesis&
   return left;
 }
 
+/// Whether an effect beside a larger one shows where something is left that is no noise: then it may be a part of what
+/// the larger one's model lacks.
+bool may_be_a_detail(plant::EffectId id, const std::array<Remainder, kChannels>& left, const Rules& rules) {
+  const ChannelMask mine = channels_of(plant::effect_info(id).side);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (mine[c] && left[c].nrmse > rules.least_nrmse && left[c].rms > rules.structure_ratio * left[c].expected) {
+      return true;
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 const char* to_string(Verdict verdict) noexcept {
@@ -91,6 +103,10 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
     const Remainder& left = judgement.left[c];
     structured = structured || (left.nrmse > rules.least_nrmse && left.rms > rules.structure_ratio * left.expected &&
                                 left.rms > rules.unexplained * before[c].rms);
+  }
+  for (std::size_t i = 1; i < judgement.effects.size(); ++i) {
+    NamedEffect& further = judgement.effects[i];
+    further.confidence *= may_be_a_detail(further.id, judgement.left, rules) ? rules.confidence_if_unknown : 1.0;
   }
   for (NamedEffect& effect : judgement.effects) {
     effect.confidence *= structured ? rules.confidence_if_unknown : 1.0;
