@@ -4,9 +4,9 @@
 #include <atomic>
 #include <cmath>
 #include <mutex>
-#include <thread>
 
 #include "control/effect_compensation.hpp"
+#include "diagnosis/parallel.hpp"
 #include "lab/blind/score.hpp"
 #include "robot/joint_effects.hpp"
 
@@ -148,23 +148,16 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
 std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
                                 int threads, const std::function<bool(std::size_t)>& progress) {
   std::vector<Outcome> outcomes(plans.size());
-  std::atomic<std::size_t> next{0};
   std::atomic<bool> goes_on{true};
   std::mutex telling;
   std::size_t done = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < plans.size() && goes_on; i = next++) {
+  diagnosis::by_threads(threads, [](double) {}, 1)(plans.size(), [&](std::size_t i) {
+    if (goes_on) {
       outcomes[i] = run_trial(plans[i], joints);
       const std::lock_guard lock(telling);
       goes_on = progress(++done) && goes_on;
     }
-  };
-  std::vector<std::jthread> others;
-  for (int i = 1; i < threads; ++i) {
-    others.emplace_back(work);
-  }
-  work();
-  others.clear();
+  });
   return outcomes;
 }
 

@@ -13,6 +13,11 @@
 namespace farrier::diagnosis {
 namespace {
 
+/// A fit that fails is an answer, not news for the terminal.
+void quieten_ceres() {
+  [[maybe_unused]] static const int level = FLAGS_minloglevel = google::GLOG_FATAL;
+}
+
 /// Standard deviations by the sandwich of blocks (Liang and Zeger 1986): residuals of a block may say the same thing.
 Eigen::VectorXd deviations(ceres::Problem& problem, const std::vector<FreeNumber>& free, std::size_t block) {
   ceres::CRSMatrix sparse;
@@ -89,6 +94,7 @@ FitResult fit(const FitData& data, Span span, const Model& start, const ChannelM
   for (const FreeNumber& f : free) {
     values.push_back(std::clamp(number_at(result.model, f.place), f.low, f.high));
   }
+  quieten_ceres();
   ceres::Problem problem;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const bool moves = std::ranges::any_of(free, [c](const FreeNumber& f) { return f.channels[c]; });
@@ -105,7 +111,6 @@ FitResult fit(const FitData& data, Span span, const Model& start, const ChannelM
     problem.SetParameterLowerBound(values.data(), static_cast<int>(i), free[i].low);
     problem.SetParameterUpperBound(values.data(), static_cast<int>(i), free[i].high);
   }
-  FLAGS_minloglevel = google::GLOG_FATAL;  // a fit that fails is an answer, not news for the terminal
   ceres::Solver::Options solver;
   solver.linear_solver_type = ceres::DENSE_NORMAL_CHOLESKY;
   solver.max_num_iterations = options.most_iterations;

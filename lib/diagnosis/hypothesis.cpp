@@ -36,8 +36,8 @@ std::array<Span, 2> Bench::halves() const noexcept {
 ChannelMask Bench::closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept {
   for (int pass = 0; pass < 2; ++pass) {
     for (const Model::Effect& effect : effects) {
-      const ChannelMask mine = channels_of(plant::effect_info(effect.id).side);
-      if ((mask[0] && mine[0]) || (mask[1] && mine[1]) || (mask[2] && mine[2])) {
+      const ChannelMask mine = channels_of(effect.id);
+      if (meet(mask, mine)) {
         for (std::size_t c = 0; c < kChannels; ++c) {
           mask[c] = mask[c] || mine[c];
         }
@@ -67,12 +67,15 @@ void Bench::judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelM
     const bool moved = changed[c] || (c == static_cast<std::size_t>(Channel::kMotion) && changed[0]);
     if (like != nullptr && !moved) {
       hypothesis.squares[c] = like->squares[c];
+      hypothesis.fitted_squares[c] = like->fitted_squares[c];
       continue;
     }
     hypothesis.squares[c].clear();
     for (std::size_t half = 0; fit_data_.judged[c] && half < 2; ++half) {
       const auto squares = block_squares(hypothesis.halves[1 - half].model, half, c);
       hypothesis.squares[c].insert(hypothesis.squares[c].end(), squares.begin(), squares.end());
+      const auto fitted = block_squares(hypothesis.halves[half].model, half, c);
+      hypothesis.fitted_squares[c][half] = std::accumulate(fitted.begin(), fitted.end(), 1e-300);
     }
   }
 }
@@ -95,10 +98,7 @@ double Bench::fitted_gain(const Hypothesis& from, const Hypothesis& with, const 
   for (std::size_t half = 0; half < 2; ++half) {
     for (std::size_t c = 0; c < kChannels; ++c) {
       if (mask[c] && fit_data_.judged[c]) {
-        const auto was = block_squares(from.halves[half].model, half, c);
-        const auto is = block_squares(with.halves[half].model, half, c);
-        gain[half] += 0.5 * std::log(std::accumulate(was.begin(), was.end(), 1e-300) /
-                                     std::accumulate(is.begin(), is.end(), 1e-300));
+        gain[half] += 0.5 * std::log(from.fitted_squares[c][half] / with.fitted_squares[c][half]);
       }
     }
   }
@@ -115,7 +115,7 @@ Hypothesis Bench::base() const {
 }
 
 std::optional<Hypothesis> Bench::with(const Hypothesis& from, plant::EffectId effect, double least_gain) const {
-  const ChannelMask mask = closure(channels_of(plant::effect_info(effect).side), from.halves[0].model.effects);
+  const ChannelMask mask = closure(channels_of(effect), from.halves[0].model.effects);
   FitOptions quick = options_;
   quick.most_iterations = 6;
   quick.tolerance = 1e-2;
@@ -136,17 +136,14 @@ std::optional<Hypothesis> Bench::with(const Hypothesis& from, plant::EffectId ef
   with.effects.push_back(effect);
   with.halves[0] = fit(fit_data_, halves()[0], rough.model, mask, options_);
   with.halves[1] = fit(fit_data_, halves()[1], with.halves[0].model, mask, options_);
-  if (fitted_gain(from, with, mask) < least_gain) {
-    return std::nullopt;
-  }
   judge(with, &from, mask);
-  return with;
+  return fitted_gain(from, with, mask) < least_gain ? std::nullopt : std::optional(std::move(with));
 }
 
 Hypothesis Bench::without(const Hypothesis& from, plant::EffectId effect) const {
   Hypothesis less;
   std::ranges::copy_if(from.effects, std::back_inserter(less.effects), [effect](auto id) { return id != effect; });
-  const ChannelMask mask = closure(channels_of(plant::effect_info(effect).side), from.halves[0].model.effects);
+  const ChannelMask mask = closure(channels_of(effect), from.halves[0].model.effects);
   for (std::size_t half = 0; half < 2; ++half) {
     Model model = from.halves[half].model;
     std::erase_if(model.effects, [effect](const auto& e) { return e.id == effect; });
@@ -162,8 +159,8 @@ Hypothesis Bench::exchanged(const Hypothesis& from, plant::EffectId effect, plan
   std::ranges::copy_if(from.effects, std::back_inserter(changed.effects), [effect](auto id) { return id != effect; });
   changed.effects.push_back(other);
   const auto& effects = from.halves[0].model.effects;
-  const ChannelMask was = channels_of(plant::effect_info(effect).side);
-  ChannelMask mask = channels_of(plant::effect_info(other).side);
+  const ChannelMask was = channels_of(effect);
+  ChannelMask mask = channels_of(other);
   for (std::size_t c = 0; c < kChannels; ++c) {
     mask[c] = mask[c] || was[c];
   }

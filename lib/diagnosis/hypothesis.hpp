@@ -15,6 +15,8 @@ struct Hypothesis {
   std::array<FitResult, 2> halves;
   /// Sum of squared residuals of each block of the recording, by channel; a block is judged by the other half's fit.
   std::array<std::vector<double>, kChannels> squares;
+  /// Sum of squared residuals of each half by its own fit, by channel.
+  std::array<std::array<double, 2>, kChannels> fitted_squares{};
 
   double total(std::size_t channel) const noexcept;
 };

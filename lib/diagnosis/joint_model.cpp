@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include <ceres/jet.h>
-
-#include "diagnosis/simulator.hpp"
+#include "diagnosis/jets.hpp"
 
 namespace farrier::diagnosis {
 
@@ -57,8 +55,7 @@ Constants<T> JointModel::constants(const std::array<T, kNominals>& f) const {
 }
 
 template <class T>
-plant::TermSet<T> JointModel::terms(const JointData& data,
-                                    const std::vector<std::pair<plant::EffectId, std::vector<T>>>& effects) const {
+plant::TermSet<T> JointModel::terms(const JointData& data, const EffectNumbers<T>& effects) const {
   plant::TermSet<T> set;
   for (const Model::Effect& effect : known_) {
     const std::vector<T> fitted(effect.fitted.begin(), effect.fitted.end());
@@ -72,8 +69,7 @@ plant::TermSet<T> JointModel::terms(const JointData& data,
 
 template <class T>
 std::vector<T> JointModel::run(const JointData& data, Span span, const std::array<T, kNominals>& factors,
-                               const std::vector<std::pair<plant::EffectId, std::vector<T>>>& effects,
-                               Channel channel, const Observer& observer) const {
+                               const EffectNumbers<T>& effects, Channel channel, const Observer& observer) const {
   plant::TermSet<T> terms = this->terms(data, effects);
   const Constants<T> c = constants(factors);
   std::vector<T> out;
@@ -113,8 +109,8 @@ std::vector<T> JointModel::run(const JointData& data, Span span, const std::arra
 
 namespace {
 
-std::vector<std::pair<plant::EffectId, std::vector<double>>> numbers(const Model& model) {
-  std::vector<std::pair<plant::EffectId, std::vector<double>>> effects;
+EffectNumbers<double> numbers(const Model& model) {
+  EffectNumbers<double> effects;
   for (const Model::Effect& effect : model.effects) {
     effects.emplace_back(effect.id, effect.fitted);
   }
@@ -167,38 +163,12 @@ std::vector<double> JointModel::errors_ahead(const JointData& data, Span span, c
 std::vector<double> JointModel::simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,
                                                const Observer& observer, const std::vector<std::size_t>& lanes,
                                                std::vector<double>& jacobian) const {
-  using Jet = ceres::Jet<double, static_cast<int>(Simulator::kLanes)>;
-  const auto number = [&](std::size_t place, double value) {
-    Jet jet(value);
-    for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-      jet.v[static_cast<Eigen::Index>(lane)] = lanes[lane] == place ? 1.0 : 0.0;
-    }
-    return jet;
-  };
   std::array<Jet, kNominals> factors;
   for (std::size_t i = 0; i < kNominals; ++i) {
-    factors[i] = number(i, model.factors[i]);
+    factors[i] = jet_at(i, model.factors[i], lanes);
   }
-  std::vector<std::pair<plant::EffectId, std::vector<Jet>>> effects;
-  std::size_t place = kNominals;
-  for (const Model::Effect& effect : model.effects) {
-    std::vector<Jet> fitted;
-    for (const double value : effect.fitted) {
-      fitted.push_back(number(place++, value));
-    }
-    effects.emplace_back(effect.id, std::move(fitted));
-  }
-  const std::vector<Jet> jets = run<Jet>(data, span, factors, effects, channel, observer);
-  std::vector<double> out;
-  out.reserve(jets.size());
-  jacobian.resize(jets.size() * lanes.size());
-  for (std::size_t i = 0; i < jets.size(); ++i) {
-    out.push_back(jets[i].a);
-    for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-      jacobian[i * lanes.size() + lane] = jets[i].v[static_cast<Eigen::Index>(lane)];
-    }
-  }
-  return out;
+  const auto jets = run<Jet>(data, span, factors, effect_jets(model, lanes), channel, observer);
+  return values_and_jacobian(jets, lanes.size(), jacobian);
 }
 
 }  // namespace farrier::diagnosis

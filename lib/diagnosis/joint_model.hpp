@@ -47,12 +47,10 @@ class JointModel {
  private:
   template <class T>
   std::vector<T> run(const JointData& data, Span span, const std::array<T, kNominals>& factors,
-                     const std::vector<std::pair<plant::EffectId, std::vector<T>>>& effects, Channel channel,
-                     const Observer& observer) const;
+                     const EffectNumbers<T>& effects, Channel channel, const Observer& observer) const;
 
   template <class T>
-  plant::TermSet<T> terms(const JointData& data,
-                          const std::vector<std::pair<plant::EffectId, std::vector<T>>>& effects) const;
+  plant::TermSet<T> terms(const JointData& data, const EffectNumbers<T>& effects) const;
 
   plant::ActuatorParams actuator_;
   plant::LoadParams load_;

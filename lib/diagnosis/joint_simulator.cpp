@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::size_t kOilNominals = 8;
 
-bool overlap(const ChannelMask& a, const ChannelMask& b) noexcept {
-  return (a[0] && b[0]) || (a[1] && b[1]) || (a[2] && b[2]);
-}
-
 /// Places of the nominal factor that an effect replaces, kNominals for none.
 std::size_t replaced(plant::EffectId id) noexcept {
   using plant::Scale;
@@ -60,17 +56,7 @@ std::vector<std::vector<double>> JointSimulator::starts(plant::EffectId effect) 
   if (const std::vector<double>* known = model_.known(effect)) {
     return {*known};
   }
-  std::vector<std::vector<double>> all;
-  for (std::size_t s = 0; s < 2; ++s) {
-    std::vector<double> start;
-    for (const plant::Parameter& parameter : info.parameters) {
-      start.push_back(parameter.starts[s]);
-    }
-    all.push_back(start);
-    if (info.parameters[0].starts[0] == info.parameters[0].starts[1]) {
-      break;
-    }
-  }
+  std::vector<std::vector<double>> all = starts_of(info);
   const double length = scales.of(plant::Scale::kLength);
   if (effect == plant::find_effect("end_stop")) {
     // A stop is seen where the motion turns: just inside the outermost position.
@@ -97,7 +83,7 @@ std::vector<FreeNumber> JointSimulator::free_numbers(const Model& model, const C
     const bool taken = std::ranges::any_of(model.effects, [i](const auto& e) { return replaced(e.id) == i; });
     const bool absent = (i == static_cast<std::size_t>(Nominal::kStiffness) && model_.load().stiffness == 0.0) ||
                         (i == static_cast<std::size_t>(Nominal::kPistonMass) && model_.actuator().piston_mass == 0.0);
-    if (overlap(mine, mask) && !taken && !absent) {
+    if (meet(mine, mask) && !taken && !absent) {
       free.push_back({i, mine, 1.0 - kNominalBand, 1.0 + kNominalBand, 1.0, nominal_spread});
     }
   }
@@ -109,7 +95,7 @@ std::vector<FreeNumber> JointSimulator::free_numbers(const Model& model, const C
       const plant::Parameter& p = info.parameters[i];
       const bool known_slack = p.scale == plant::Scale::kLength && info.side == plant::Side::kLoad && i > 0 &&
                                model_.load().stiffness > 0.0;
-      if (overlap(mine, mask) && !known_slack) {
+      if (meet(mine, mask) && !known_slack) {
         free.push_back({place, mine, p.low, p.high, 0.0, 0.0});
       }
     }

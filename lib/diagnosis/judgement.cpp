@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "diagnosis/sample_statistics.hpp"
 #include "diagnosis/selection.hpp"
@@ -25,16 +26,17 @@ std::array<Remainder, kChannels> remainder(const Bench& bench, const Hypothesis&
   return left;
 }
 
+/// Whether what is left of a channel is more than its sensors' noise.
+bool is_structured(const Remainder& left, const Rules& rules) {
+  return left.nrmse > rules.least_nrmse && left.rms > rules.structure_ratio * left.expected;
+}
+
 /// Whether an effect beside a larger one shows where something is left that is no noise: then it may be a part of what
 /// the larger one's model lacks.
 bool may_be_a_detail(plant::EffectId id, const std::array<Remainder, kChannels>& left, const Rules& rules) {
-  const ChannelMask mine = channels_of(plant::effect_info(id).side);
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    if (mine[c] && left[c].nrmse > rules.least_nrmse && left[c].rms > rules.structure_ratio * left[c].expected) {
-      return true;
-    }
-  }
-  return false;
+  ChannelMask structured{};
+  std::ranges::transform(left, structured.begin(), [&](const Remainder& one) { return is_structured(one, rules); });
+  return meet(channels_of(id), structured);
 }
 
 }  // namespace
@@ -62,18 +64,14 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   Judgement judgement;
   judgement.base = selection.base();
   const auto before = remainder(bench, judgement.base, expected);
-  judgement.left = before;
   ChannelMask open = bench.fit_data().judged;
   for (std::size_t round = 0; round < rules.most_effects && selection.add(open); ++round) {
-    judgement.left = remainder(bench, selection.chosen(), expected);
-    bool any = false;
+    const auto left = remainder(bench, selection.chosen(), expected);
     for (std::size_t c = 0; c < kChannels; ++c) {
-      const Remainder& left = judgement.left[c];
-      open[c] = bench.fit_data().judged[c] && left.rms > rules.open_ratio * left.expected &&
-                left.rms > rules.further_step * before[c].rms;
-      any = any || open[c];
+      open[c] = bench.fit_data().judged[c] && left[c].rms > rules.open_ratio * left[c].expected &&
+                left[c].rms > rules.further_step * before[c].rms;
     }
-    if (!any) {
+    if (std::ranges::none_of(open, std::identity{})) {
       break;
     }
   }
@@ -90,19 +88,14 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   for (std::size_t i = 0; i < judgement.chosen.effects.size(); ++i) {
     const plant::EffectId id = judgement.chosen.effects[i];
     const Estimate estimate = pooled(judgement.chosen, i);
-    double share = 1.0;
-    if (judgement.chosen.effects.size() > 1) {
-      const Hypothesis less = bench.without(judgement.chosen, id);
-      share = bench.gain(less, judgement.chosen).log_ratio / std::max(judgement.gain.log_ratio, 1e-12);
-    }
-    judgement.effects.push_back({id, estimate.fitted, estimate.deviation, share, selection.confidence(id)});
+    judgement.effects.push_back(
+        {id, estimate.fitted, estimate.deviation, selection.share_of(id), selection.confidence(id)});
   }
   std::ranges::stable_sort(judgement.effects, std::greater{}, &NamedEffect::share);
   bool structured = false;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const Remainder& left = judgement.left[c];
-    structured = structured || (left.nrmse > rules.least_nrmse && left.rms > rules.structure_ratio * left.expected &&
-                                left.rms > rules.unexplained * before[c].rms);
+    structured = structured || (is_structured(left, rules) && left.rms > rules.unexplained * before[c].rms);
   }
   for (std::size_t i = 1; i < judgement.effects.size(); ++i) {
     NamedEffect& further = judgement.effects[i];

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "diagnosis/constants.hpp"
-#include "diagnosis/delayed_current.hpp"
+#include "diagnosis/delayed_command.hpp"
 #include "diagnosis/joint_data.hpp"
 #include "plant/terms/terms.hpp"
 
@@ -18,7 +18,8 @@ class LoadSimulation {
   /// In the measured motion. `data` and `constants` outlive this.
   LoadSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
                  std::size_t begin)
-      : data_(&data), c_(&constants), terms_(terms), current_(data, terms, begin) {
+      : data_(&data), c_(&constants), terms_(terms),
+        current_({data.current_A, data.current_integral, data.period_s}, terms, begin) {
     if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
       sensor_gain_ = gain->gain();
     }
@@ -98,7 +99,7 @@ class LoadSimulation {
     static_assert(JointData::kSubsteps == 2 && kParts == 4);
     std::array<T, 2> opening_A;
     for (std::size_t half = 0; half < 2; ++half) {
-      plant::ValveMoment<T> valve{current_.mean(k, 2 * k + half), T(1.0)};
+      plant::ValveMoment<T> valve{current_.mean(k, half, 2), T(1.0)};
       terms_.on_valve(valve);
       opening_A[half] = valve.opening_A;
     }
@@ -114,7 +115,7 @@ class LoadSimulation {
   const JointData* data_;
   const Constants<T>* c_;
   plant::TermSet<T> terms_;
-  DelayedCurrent<T> current_;
+  DelayedCommand<T> current_;
   bool valve_moves_ = false;
   T x_, v_;
   T sensor_gain_ = T(1.0);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "plant/terms/terms.hpp"
@@ -23,6 +24,12 @@ using ChannelMask = std::array<bool, kChannels>;
 
 /// Channels on which an effect on that side shows.
 ChannelMask channels_of(plant::Side side) noexcept;
+inline ChannelMask channels_of(plant::EffectId effect) noexcept { return channels_of(plant::effect_info(effect).side); }
+/// Whether two masks have a channel in common.
+bool meet(const ChannelMask& a, const ChannelMask& b) noexcept;
+
+/// Numbers of an effect's parameters from which its fits begin, as the library has them; alike ones once.
+std::vector<std::vector<double>> starts_of(const plant::EffectInfo& info);
 
 /// How a simulation is held to the measurement: its state is drawn towards what was measured with this time constant.
 /// Infinite: it runs freely.
@@ -65,5 +72,9 @@ struct Model {
   }
   bool has(plant::EffectId id) const noexcept;
 };
+
+/// Numbers of a model's effects, as a simulation has them.
+template <class T>
+using EffectNumbers = std::vector<std::pair<plant::EffectId, std::vector<T>>>;
 
 }  // namespace farrier::diagnosis

@@ -51,7 +51,7 @@ std::vector<plant::EffectId> not_judged(const Bench& bench, const Model& model,
     }
     Model with = model;
     with.effects.push_back({id, usual_size(simulator, id)});
-    const ChannelMask mine = channels_of(plant::effect_info(id).side);
+    const ChannelMask mine = channels_of(id);
     bool shows = false;
     for (std::size_t c = 0; c < kChannels && !shows && !with.effects.back().fitted.empty(); ++c) {
       shows = mine[c] && bench.fit_data().judged[c] &&

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include <ceres/jet.h>
-
+#include "diagnosis/delayed_command.hpp"
+#include "diagnosis/jets.hpp"
 #include "diagnosis/sample_statistics.hpp"
 #include "diagnosis/side_models.hpp"
 #include "plant/terms/active_effect.hpp"
@@ -69,13 +69,7 @@ std::vector<std::vector<double>> ScaledSimulator::starts(plant::EffectId effect)
   if (std::ranges::find(kEffects, effect) == kEffects.end()) {
     return {};
   }
-  std::vector<std::vector<double>> all(2);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    for (const plant::Parameter& parameter : plant::effect_info(effect).parameters) {
-      all[i].push_back(parameter.starts[i]);
-    }
-  }
-  return all;
+  return starts_of(plant::effect_info(effect));
 }
 
 std::vector<FreeNumber> ScaledSimulator::free_numbers(const Model& model, const ChannelMask& mask, double) const {
@@ -95,34 +89,19 @@ std::vector<FreeNumber> ScaledSimulator::free_numbers(const Model& model, const 
 }
 
 template <class T>
-T ScaledSimulator::opening(std::size_t sample, const plant::TermSet<T>& terms) const {
-  const auto* delay = terms.template find<plant::InputDelay>();
-  if (delay == nullptr) {
-    return T(recording_.valve[sample]);
-  }
-  // Mean over the period, late by the delay; before the first sample the valve was what it is there.
-  const auto integral = [&](const T& at_s) -> T {
-    const double place = std::floor(value_of(at_s) / kSample_s);
-    const std::size_t i = place <= 0.0 ? 0 : std::min(static_cast<std::size_t>(place), size() - 1);
-    return valve_integral_[i] + (at_s - static_cast<double>(i) * kSample_s) * recording_.valve[i];
-  };
-  const T from = static_cast<double>(sample) * kSample_s - delay->delay_s();
-  return (integral(from + kSample_s) - integral(from)) / kSample_s;
-}
-
-template <class T>
 std::vector<T> ScaledSimulator::run(Span span, const T& gain, const T& drift, plant::TermSet<T>& terms) const {
   std::vector<T> positions;
   positions.reserve(span.size());
+  const DelayedCommand<T> command({recording_.valve, valve_integral_, kSample_s}, terms, 0);
   // The valve is where its commands before the span have brought it; before the first it was where that one holds it.
   for (std::size_t i = kSettling; i > 0; --i) {
-    plant::ValveMoment<T> valve{opening(span.begin > i ? span.begin - i : 0, terms), T(1.0)};
+    plant::ValveMoment<T> valve{command.mean(span.begin > i ? span.begin - i : 0), T(1.0)};
     terms.on_valve(valve);
   }
   T position(recording_.position[span.begin]);
   for (std::size_t k = span.begin; k < span.end; ++k) {
     positions.push_back(position);
-    plant::ValveMoment<T> valve{opening(k, terms), T(1.0)};
+    plant::ValveMoment<T> valve{command.mean(k), T(1.0)};
     terms.on_valve(valve);
     position += gain * valve.flow_factor * valve.opening_A + drift;
   }
@@ -149,34 +128,13 @@ std::vector<double> ScaledSimulator::simulate(Span span, const Model& model, Cha
 std::vector<double> ScaledSimulator::simulate_lanes(Span span, const Model& model, Channel, const Observer&,
                                                     const std::vector<std::size_t>& lanes,
                                                     std::vector<double>& jacobian) const {
-  using Jet = ceres::Jet<double, static_cast<int>(kLanes)>;
-  const auto number = [&](std::size_t place, double value) {
-    Jet jet(value);
-    if (const auto lane = std::ranges::find(lanes, place); lane != lanes.end()) {
-      jet.v[lane - lanes.begin()] = 1.0;
-    }
-    return jet;
-  };
   plant::TermSet<Jet> terms;
-  std::size_t place = kNominals;
-  for (const Model::Effect& effect : model.effects) {
-    std::vector<Jet> fitted;
-    for (const double value : effect.fitted) {
-      fitted.push_back(number(place++, value));
-    }
-    terms.add(effect.id, fitted.data(), scales_, kSample_s);
+  for (const auto& [id, fitted] : effect_jets(model, lanes)) {
+    terms.add(id, fitted.data(), scales_, kSample_s);
   }
-  const std::vector<Jet> jets =
-      run<Jet>(span, number(kGain, model.factors[kGain]), number(kDrift, model.factors[kDrift]), terms);
-  std::vector<double> positions;
-  jacobian.assign(jets.size() * lanes.size(), 0.0);
-  for (std::size_t i = 0; i < jets.size(); ++i) {
-    positions.push_back(jets[i].a);
-    for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-      jacobian[i * lanes.size() + lane] = jets[i].v[static_cast<Eigen::Index>(lane)];
-    }
-  }
-  return positions;
+  const auto jets = run<Jet>(span, jet_at(kGain, model.factors[kGain], lanes),
+                             jet_at(kDrift, model.factors[kDrift], lanes), terms);
+  return values_and_jacobian(jets, lanes.size(), jacobian);
 }
 
 }  // namespace farrier::diagnosis

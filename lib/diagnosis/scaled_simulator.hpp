@@ -46,8 +46,6 @@ class ScaledSimulator final : public Simulator {
  private:
   template <class T>
   std::vector<T> run(Span span, const T& gain, const T& drift, plant::TermSet<T>& terms) const;
-  template <class T>
-  T opening(std::size_t sample, const plant::TermSet<T>& terms) const;
 
   const ScaledRecording& recording_;
   std::vector<double> valve_integral_;  ///< valve summed over time up to a sample, s; one more than samples

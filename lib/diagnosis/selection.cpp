@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace farrier::diagnosis {
 namespace {
@@ -14,15 +15,9 @@ bool at_bound(plant::EffectId id, const Estimate& estimate) {
 }
 
 /// Whether two effects show on one channel: only then may one stand for the other.
-bool meet(plant::EffectId one, plant::EffectId other) {
-  const ChannelMask a = channels_of(plant::effect_info(one).side);
-  const ChannelMask b = channels_of(plant::effect_info(other).side);
-  return (a[0] && b[0]) || (a[1] && b[1]) || (a[2] && b[2]);
-}
+bool may_be_rivals(plant::EffectId one, plant::EffectId other) { return meet(channels_of(one), channels_of(other)); }
 
-std::ptrdiff_t channel_count(plant::EffectId id) {
-  return std::ranges::count(channels_of(plant::effect_info(id).side), true);
-}
+std::ptrdiff_t channel_count(plant::EffectId id) { return std::ranges::count(channels_of(id), true); }
 
 bool has(const Hypothesis& hypothesis, plant::EffectId id) {
   return std::ranges::find(hypothesis.effects, id) != hypothesis.effects.end();
@@ -81,9 +76,7 @@ bool Selection::worth_it(const Hypothesis& after) const {
 std::vector<Selection::Tried> Selection::try_all(const ChannelMask& open) const {
   std::vector<Tried> tried(plant::kEffectCount);
   for_each_(plant::kEffectCount, [&](std::size_t id) {
-    const ChannelMask mine = channels_of(plant::effect_info(id).side);
-    const bool seen = (mine[0] && open[0]) || (mine[1] && open[1]) || (mine[2] && open[2]);
-    if (!seen || has(chosen_, id)) {
+    if (!meet(channels_of(id), open) || has(chosen_, id)) {
       return;
     }
     Tried& one = tried[id];
@@ -118,7 +111,7 @@ bool Selection::add(const ChannelMask& open) {
     return false;
   }
   note_rivals(tried, best);
-  chosen_ = std::move(*tried[best].hypothesis);
+  choose(std::move(*tried[best].hypothesis));
   return true;
 }
 
@@ -133,7 +126,7 @@ double Selection::chance_of(const Hypothesis& one, const Hypothesis& other) cons
 
 void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId best) {
   for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
-    if (id == best || !tried[id].accepted || !meet(id, best)) {
+    if (id == best || !tried[id].accepted || !may_be_rivals(id, best)) {
       continue;
     }
     const double chance = chance_of(*tried[best].hypothesis, *tried[id].hypothesis);
@@ -147,17 +140,33 @@ void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId bes
   }
 }
 
+const Hypothesis& Selection::without(plant::EffectId effect) {
+  const auto known = without_.find(effect);
+  return known != without_.end() ? known->second : without_.emplace(effect, bench_.without(chosen_, effect)).first->second;
+}
+
+void Selection::choose(Hypothesis hypothesis) {
+  chosen_ = std::move(hypothesis);
+  without_.clear();
+}
+
 void Selection::prune() {
   for (std::size_t i = 0; chosen_.effects.size() > 1 && i < chosen_.effects.size();) {
     const plant::EffectId id = chosen_.effects[i];
-    Hypothesis less = bench_.without(chosen_, id);
-    if (outside_neutral(id, pooled(chosen_, i)) && bench_.gain(less, chosen_).low > 0.0) {
+    if (outside_neutral(id, pooled(chosen_, i)) && bench_.gain(without(id), chosen_).low > 0.0) {
       ++i;
     } else {
-      chosen_ = std::move(less);
+      choose(Hypothesis(without(id)));
       i = 0;
     }
   }
+}
+
+double Selection::share_of(plant::EffectId effect) {
+  if (chosen_.effects.size() < 2) {
+    return 1.0;
+  }
+  return bench_.gain(without(effect), chosen_).log_ratio / std::max(bench_.gain(base_, chosen_).log_ratio, 1e-12);
 }
 
 void Selection::compare_rivals() {
@@ -170,7 +179,8 @@ void Selection::compare_rivals() {
     double chance = chance_of(chosen_, tie.with_rival);
     const bool simpler = channel_count(pair.rival) < channel_count(pair.chosen);
     if (chance < 0.5 || (simpler && 1.0 - chance > rules_.tie_chance)) {
-      std::swap(chosen_, tie.with_rival);
+      Hypothesis better = std::exchange(tie.with_rival, chosen_);
+      choose(std::move(better));
       std::swap(tie.chosen, tie.rival);
       std::erase_if(ties_, [&](const Tie& earlier) { return earlier.chosen == tie.rival; });
       chance = std::max(chance, 1.0 - chance);

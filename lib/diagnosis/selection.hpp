@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "diagnosis/judgement.hpp"
@@ -41,6 +42,8 @@ class Selection {
     Hypothesis with_rival;  ///< the chosen hypothesis with the rival, at its end, in place of the effect
   };
   const std::vector<Tie>& ties() const noexcept { return ties_; }
+  /// Share of a chosen effect in the log gain of all: what is lost without it.
+  double share_of(plant::EffectId effect);
   /// Chance that the effect and none of its rivals is there.
   double confidence(plant::EffectId effect) const noexcept { return confidence_[effect]; }
 
@@ -56,6 +59,9 @@ class Selection {
     std::array<std::vector<double>, 2> fitted;  ///< of the rival, by half
   };
 
+  /// The chosen hypothesis without one of its effects, fitted once.
+  const Hypothesis& without(plant::EffectId effect);
+  void choose(Hypothesis hypothesis);
   std::vector<Tried> try_all(const ChannelMask& open) const;
   bool worth_it(const Hypothesis& after) const;
   bool outside_neutral(plant::EffectId id, const Estimate& estimate) const;
@@ -68,6 +74,7 @@ class Selection {
   const Rules& rules_;
   const ForEach& for_each_;
   Hypothesis base_, chosen_;
+  std::map<plant::EffectId, Hypothesis> without_;  ///< by effect, of the chosen hypothesis as it is
   std::vector<std::vector<Candidate>> rounds_;
   std::vector<Rival> rivals_;
   std::vector<Tie> ties_;

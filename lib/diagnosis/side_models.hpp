@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/delayed_command.hpp"
 #include "diagnosis/joint_data.hpp"
 #include "diagnosis/load_simulation.hpp"
 #include "diagnosis/model.hpp"
@@ -41,7 +42,8 @@ class OilSimulation {
   /// At rest's pressures for the force that is measured there. `data` and `constants` outlive this.
   OilSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
                 std::size_t begin)
-      : data_(&data), c_(&constants), terms_(terms), current_(data, terms, begin) {
+      : data_(&data), c_(&constants), terms_(terms),
+        current_({data.current_A, data.current_integral, data.period_s}, terms, begin) {
     if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
       sensor_gain_ = gain->gain();
     }
@@ -72,7 +74,7 @@ class OilSimulation {
     const T areas = c_->area_a * c_->area_a + c_->area_b * c_->area_b;
     const T drawn = error / sensor_gain_ / areas * (pull / JointData::kSubsteps);
     for (std::size_t j = 0; j < JointData::kSubsteps; ++j) {
-      substep(k, k * JointData::kSubsteps + j);
+      substep(k, j);
       p_a_ += drawn * c_->area_a;
       p_b_ -= drawn * c_->area_b;
       p_a_ = p_a_ > 0.0 ? p_a_ : T(0.0);
@@ -81,13 +83,14 @@ class OilSimulation {
   }
 
  private:
-  void substep(std::size_t k, std::size_t sub) {
+  void substep(std::size_t k, std::size_t part) {
     using std::abs;
     const JointData& data = *data_;
+    const std::size_t sub = k * JointData::kSubsteps + part;
     const Constants<T>& c = *c_;
     const double h = data.step_s();
     const double speed = data.middle_velocity[sub];
-    plant::ValveMoment<T> valve{current_.mean(k, sub), T(1.0)};
+    plant::ValveMoment<T> valve{current_.mean(k, part, JointData::kSubsteps), T(1.0)};
     terms_.on_valve(valve);
     const bool extends = valve.opening_A > 0.0;
     const T conductance = c.valve_gain * valve.flow_factor * abs(valve.opening_A);
@@ -127,7 +130,7 @@ class OilSimulation {
   const JointData* data_;
   const Constants<T>* c_;
   plant::TermSet<T> terms_;
-  DelayedCurrent<T> current_;
+  DelayedCommand<T> current_;
   T sensor_gain_ = T(1.0);
   T p_a_, p_b_;
   T supply_flow_ = T(0.0);

@@ -57,11 +57,6 @@ std::string text_of(Scale scale) {
   return "";
 }
 
-/// In multiples of the scale, in the direction of the file's value.
-Range multiples(const Parameter& p) {
-  return p.reciprocal ? Range{1.0 / p.high, 1.0 / p.low} : Range{p.low, p.high};
-}
-
 std::string fallback_text(const Parameter& p, bool first, const std::string& scale) {
   if (first) {
     return " Required.";
@@ -82,14 +77,14 @@ void declare(Visitor& v, EffectSection& effect) {
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     const Parameter& p = info.parameters[i];
     const std::string scale = text_of(p.scale);
-    const Range allowed = multiples(p);
+    const plant::ParameterRange allowed = p.multiples();
     std::string sentence = p.meaning;
     if (!scale.empty()) {
-      sentence += " From " + config::number_text(allowed.min) + " to " + config::number_text(allowed.max) + " times " +
+      sentence += " From " + config::number_text(allowed.low) + " to " + config::number_text(allowed.high) + " times " +
                   scale + ".";
     }
     sentence += fallback_text(p, i == 0, scale);
-    const Range range = scale.empty() ? allowed : Range{-kAny, kAny};
+    const Range range = scale.empty() ? Range{allowed.low, allowed.high} : Range{-kAny, kAny};
     v.number(p.name, effect.values[i], range, sentence.c_str());
     if (std::string_view(p.name) != p.rotary_name) {
       v.number(p.rotary_name, effect.rotary_values[i], range, "The same of a rotary motor.");

@@ -20,9 +20,13 @@ constexpr const char* kDuration = FARRIER_TRACE_DURATION;
 /// Trace of a run; empty when it has left none.
 std::string trace_of(const std::string& dds, const std::string& nodes) {
   const ScratchDirectory scratch;
+  std::string output;
   run_farrier({"trot", "--dds", dds, "--nodes", nodes, "--duration", kDuration, "--out", scratch.file("out"), "--trace",
-               scratch.file("trace.csv")});
-  return read_file(scratch.file("trace.csv"));
+               scratch.file("trace.csv")},
+              &output);
+  const std::string trace = read_file(scratch.file("trace.csv"));
+  EXPECT_FALSE(trace.empty()) << output;
+  return trace;
 }
 
 const std::string& reference_trace() {
@@ -32,10 +36,11 @@ const std::string& reference_trace() {
 
 TEST(TraceIdentity, IsThatOfRunsInWhichGainsWereUpdated) {
   const ScratchDirectory scratch;
-  run_farrier({"trot", "--dds", "mixed", "--duration", kDuration, "--out", scratch.file("out")});
+  std::string output;
+  run_farrier({"trot", "--dds", "mixed", "--duration", kDuration, "--out", scratch.file("out")}, &output);
   const nlohmann::json figures = read_json(scratch.file("out/figures.json"))["figures"];
   const auto updates = std::ranges::find_if(figures, [](const auto& figure) { return figure["name"] == "trot.updates"; });
-  ASSERT_NE(updates, figures.end());
+  ASSERT_NE(updates, figures.end()) << output;
   EXPECT_GE((*updates)["value"].get<double>(), 1.0);
 }
 

@@ -7,53 +7,23 @@
 #include <vector>
 
 #include "control/effect_compensation.hpp"
-#include "plant/nominal.hpp"
 #include "tests/support/allocation_guard.hpp"
+#include "tests/unit/control_effects.hpp"
 
 namespace farrier::control {
 namespace {
 
-using plant::ActiveEffect;
-using plant::effect_id;
-
-constexpr double kPeriod_s = 1e-3;
-constexpr double kMost_A = 0.01;
 constexpr CompensationParams kParams{kPeriod_s, 2e-6, 1.5e-3};
 constexpr Measurement kAtRest{0.0, 0.0, 0.0};
-const plant::ActuatorParams kActuator = plant::nominal_cylinder();
 
 const ActiveEffect kOverlap{effect_id<plant::ValveDeadband>(), {4e-4}};
 const ActiveEffect kPorts{effect_id<plant::ValveAsymmetry>(), {-0.3}};
 const ActiveEffect kPort{effect_id<plant::FlowSaturation>(), {0.006}};
 const ActiveEffect kBias{effect_id<plant::ValveBias>(), {-3e-4}};
-const ActiveEffect kSpool{effect_id<plant::ValveDynamics>(), {300.0, 0.7}};
 const ActiveEffect kDelay{effect_id<plant::InputDelay>(), {0.0035}};
-const ActiveEffect kCellLag{effect_id<plant::ForceSensorLag>(), {0.004}};
 const ActiveEffect kCellGain{effect_id<plant::ForceSensorGain>(), {1.2}};
 const ActiveEffect kCellOffset{effect_id<plant::ForceSensorOffset>(), {-35.0}};
 const ActiveEffect kVelocityLag{effect_id<plant::VelocityFilterLag>(), {0.006}};
-
-/// Scales that leave SI values as they are, but for reciprocal ones.
-plant::Scales unit_scales() {
-  plant::ActuatorParams unit;
-  unit.area_a = unit.area_b = unit.stroke = unit.valve_gain = unit.valve_current_max_A = unit.supply_pressure_Pa = 1.0;
-  return {unit, {}};
-}
-
-plant::TermSet<double> terms_of(const std::vector<ActiveEffect>& effects) {
-  plant::TermSet<double> terms;
-  for (const ActiveEffect& effect : effects) {
-    add_to(terms, effect, unit_scales(), kPeriod_s);
-  }
-  return terms;
-}
-
-/// What opens the plant's ports at a current, as an ideal valve's current.
-double opening_A(plant::TermSet<double>& terms, double current_A) {
-  plant::ValveMoment<double> valve{current_A, 1.0};
-  terms.on_valve(valve);
-  return valve.flow_factor * valve.opening_A;
-}
 
 TEST(EffectCompensation, WithoutEffectsGivesBackWhatItGetsBitForBit) {
   const std::vector<ActiveEffect> others{{effect_id<plant::LoadFriction>(), {20.0, 1.3, 0.01}},

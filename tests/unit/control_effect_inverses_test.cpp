@@ -11,42 +11,10 @@
 #include "control/lag_lead.hpp"
 #include "control/spool_lead.hpp"
 #include "plant/hydraulic_joint.hpp"
-#include "plant/nominal.hpp"
+#include "tests/unit/control_effects.hpp"
 
 namespace farrier::control {
 namespace {
-
-using plant::ActiveEffect;
-using plant::effect_id;
-
-constexpr double kPeriod_s = 1e-3;
-constexpr double kMost_A = 0.01;
-const plant::ActuatorParams kActuator = plant::nominal_cylinder();
-
-const ActiveEffect kSpool{effect_id<plant::ValveDynamics>(), {300.0, 0.7}};
-const ActiveEffect kCellLag{effect_id<plant::ForceSensorLag>(), {0.004}};
-
-/// Scales that leave SI values as they are, but for reciprocal ones.
-plant::Scales unit_scales() {
-  plant::ActuatorParams unit;
-  unit.area_a = unit.area_b = unit.stroke = unit.valve_gain = unit.valve_current_max_A = unit.supply_pressure_Pa = 1.0;
-  return {unit, {}};
-}
-
-plant::TermSet<double> terms_of(const std::vector<ActiveEffect>& effects) {
-  plant::TermSet<double> terms;
-  for (const ActiveEffect& effect : effects) {
-    add_to(terms, effect, unit_scales(), kPeriod_s);
-  }
-  return terms;
-}
-
-/// What opens the plant's ports at a current, as an ideal valve's current.
-double opening_A(plant::TermSet<double>& terms, double current_A) {
-  plant::ValveMoment<double> valve{current_A, 1.0};
-  terms.on_valve(valve);
-  return valve.flow_factor * valve.opening_A;
-}
 
 /// Ticks by which a spool's mean opening stays behind a step, with the currents of `next`.
 template <class Next>

@@ -10,37 +10,19 @@
 #include "core/noise.hpp"
 #include "diagnosis/fit.hpp"
 #include "diagnosis/joint_simulator.hpp"
-#include "plant/hydraulic_joint.hpp"
-#include "robot/robot.hpp"
+#include "tests/unit/diagnosis_rig.hpp"
 
 namespace farrier::diagnosis {
 namespace {
 
-const robot::Joint& rig() {
-  static const robot::Robot robot = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
-  return robot.joints.front();
-}
-
-/// The rig under random steps of the current, as its sensors would read it without noise.
+/// The rig under random steps of the current.
 Recording recorded(double duration_s, double mass_factor = 1.0) {
   plant::LoadParams load = rig().swing_load;
   load.mass *= mass_factor;
-  auto joint = plant::HydraulicJoint::create(rig().actuator, load,
-                                             plant::equilibrium(rig().actuator, load, 0.04, 0.0))
-                   .value();
   const NoiseStream draw(7, "diagnosis_fit_test", "current");
-  Recording recording;
-  recording.period_s = 0.001;
-  for (int k = 0; k < static_cast<int>(duration_s * 1000); ++k) {
-    const double level = (2.0 * draw.uniform(k / 60) - 1.0) * ((k / 1000) % 2 == 0 ? 0.5e-3 : 2e-3);
-    const double current = level - 0.05 * (joint.state().position - 0.04);
-    recording.valve_current_A.push_back(current);
-    recording.position.push_back(joint.state().position);
-    recording.velocity.push_back(joint.state().velocity);
-    recording.force.push_back(joint.load_cell_force());
-    joint.step(current, 0.0, recording.period_s);
-  }
-  return recording;
+  return recorded_rig(static_cast<int>(duration_s * 1000), load, [&](int k) {
+    return (2.0 * draw.uniform(k / 60) - 1.0) * ((k / 1000) % 2 == 0 ? 0.5e-3 : 2e-3);
+  });
 }
 
 double relative_error(const std::vector<double>& measured, const std::vector<double>& simulated, std::size_t from) {

@@ -6,33 +6,14 @@
 #include <cmath>
 
 #include "diagnosis/diagnosis.hpp"
-#include "plant/hydraulic_joint.hpp"
-#include "robot/robot.hpp"
+#include "tests/unit/diagnosis_rig.hpp"
 
 namespace farrier::diagnosis {
 namespace {
 
-const robot::Joint& rig() {
-  static const robot::Robot robot = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
-  return robot.joints.front();
-}
-
-/// The rig under a slow sine of the current, without noise.
+/// The rig under a slow sine of the current.
 Recording slow_sine(double amplitude_A) {
-  auto joint = plant::HydraulicJoint::create(rig().actuator, rig().swing_load,
-                                             plant::equilibrium(rig().actuator, rig().swing_load, 0.04, 0.0))
-                   .value();
-  Recording recording;
-  recording.period_s = 0.001;
-  for (int k = 0; k < 3000; ++k) {
-    const double current = amplitude_A * std::sin(2.0 * k * 1e-3) - 0.05 * (joint.state().position - 0.04);
-    recording.valve_current_A.push_back(current);
-    recording.position.push_back(joint.state().position);
-    recording.velocity.push_back(joint.state().velocity);
-    recording.force.push_back(joint.load_cell_force());
-    joint.step(current, 0.0, recording.period_s);
-  }
-  return recording;
+  return recorded_rig(3000, rig().swing_load, [amplitude_A](int k) { return amplitude_A * std::sin(2.0 * k * 1e-3); });
 }
 
 std::vector<std::string> not_judged_in(const Recording& recording) {

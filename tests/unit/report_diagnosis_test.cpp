@@ -274,7 +274,7 @@ TEST(EffectsTable, HasEveryEffectWithASentence) {
   const std::string table = effects_table_markdown();
   for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
     EXPECT_NE(table.find("| `" + std::string(plant::effect_info(id).name) + "` |"), std::string::npos);
-    EXPECT_STRNE(meaning_of(id), "") << plant::effect_info(id).name;
+    EXPECT_STRNE(plant::effect_info(id).meaning, "") << plant::effect_info(id).name;
   }
 }
 

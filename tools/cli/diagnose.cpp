@@ -72,8 +72,7 @@ Outputs outputs_of(const DiagnoseOptions& o, const robot::Robot& robot, const ro
           .model = in_out(robot.name + "_" + joint.name + "_extended.yaml")};
 }
 
-Diagnosis diagnose_with_bar(const Recording& recording, const robot::Robot& robot, const robot::Joint& joint,
-                            int threads) {
+Diagnosis diagnose_with_bar(const Recording& recording, const robot::Joint& joint, int threads) {
   std::optional<Diagnosis> found;
   with_bar("diagnose", [&](const auto& progress) {
     diagnosis::DiagnosisOptions options;
@@ -189,7 +188,7 @@ int diagnose(const DiagnoseOptions& o) {
                    .findings = recording.error().findings},
                   outputs, o);
   }
-  const Diagnosis found = diagnose_with_bar(recording.value(), robot, *joint.value(), o.threads);
+  const Diagnosis found = diagnose_with_bar(recording.value(), *joint.value(), o.threads);
   const auto model = write_model(outputs.model, robot, *joint.value(), found);
   if (!model) {
     return refuse(model.error().message, kFailed);

@@ -108,7 +108,6 @@ Result<Done> HideStudy::run(std::uint64_t seed, const std::vector<double>& nomin
   TrotOptions recorded = o_;
   recorded.hide = seed;
   if (o_.seeds > 1) {
-    recorded.dds = DdsChoice::kInproc;
     recorded.record_directory += "/seed_" + std::to_string(seed);
   }
   if (auto ran = run_once(nominal_, recorded, at); !ran) {

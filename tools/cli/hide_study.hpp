@@ -15,7 +15,7 @@ namespace farrier::cli {
 /// most suspected joint in everybody's model.
 class HideStudy {
  public:
-  /// `nominal` outlives the study. Of one seed the recorded run is as `o` says; of several all are in process.
+  /// `nominal` outlives the study. Recorded runs are as `o` says, those that they are compared with in process.
   /// `o` names its trace and its directory for recordings, and outlives the study as well.
   HideStudy(const robot::Robot& nominal, const TrotOptions& o) : nominal_(nominal), o_(o) {}
 

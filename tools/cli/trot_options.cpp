@@ -106,7 +106,7 @@ void declare(CLI::App& app, TrotOptions& o) {
   vary->excludes(record);
   app.add_option("--seeds", o.seeds,
                  "robots that --vary and --experiment controllers draw, from --seed on; effects that --hide draws, "
-                 "from its seed on, in process where they are several")
+                 "from its seed on")
       ->check(between(1, 10000))
       ->type_name("<n>")
       ->default_str(std::to_string(kSeeds) + "; with --hide 1");

@@ -35,7 +35,7 @@ std::string effects_html(std::span<const ShownEffect> effects) {
               number_cell(first ? short_number(effect.low) + " to " + short_number(effect.high) : "") +
               number_cell(first ? short_number(effect.confidence) : "") +
               number_cell(first ? short_number(effect.share) : "") + "<td class=\"meaning\">" +
-              (first ? escape_html(meaning_of(plant::find_effect(effect.info->name))) : std::string()) + "</td></tr>\n";
+              (first ? escape_html(effect.info->meaning) : std::string()) + "</td></tr>\n";
     }
   }
   return html.empty() ? ""

@@ -220,7 +220,7 @@ std::string diagnosis_console(const DiagnosisResult& result) {
   }
   text += "\ncause: " + verdict_sentence(d.judgement) + "\n";
   for (const diagnosis::NamedEffect& effect : d.judgement.effects) {
-    text += "  " + effect_text(shown(effect, result.joint)) + "\n      " + meaning_of(effect.id) + "\n";
+    text += "  " + effect_text(shown(effect, result.joint)) + "\n      " + plant::effect_info(effect.id).meaning + "\n";
   }
   for (const std::string& line : verdict_details(result)) {
     text += "  " + line + "\n";

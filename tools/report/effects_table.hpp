@@ -6,9 +6,6 @@
 
 namespace farrier::report {
 
-/// What an effect is, in one sentence for people.
-const char* meaning_of(plant::EffectId id) noexcept;
-
 /// Where it sits: "valve and oil", "load", "force sensor", "velocity sensor".
 const char* place_of(plant::Side side) noexcept;
 

@@ -72,7 +72,7 @@ std::string scaled_console(const ScaledResult& result) {
           "\n\nfit of the second half, simulated freely, by what was fitted to the first: an effect alone\n" +
           aligned(fits_table(d), "  ") + "\ncause: " + verdict_sentence(d.judgement) + "\n";
   for (const diagnosis::NamedEffect& effect : d.judgement.effects) {
-    text += "  " + effect_text(shown(effect, d.scales, Units::kScaled)) + "\n      " + meaning_of(effect.id) + "\n";
+    text += "  " + effect_text(shown(effect, d.scales, Units::kScaled)) + "\n      " + plant::effect_info(effect.id).meaning + "\n";
   }
   for (const std::string& line : scaled_details(result)) {
     text += "  " + line + "\n";

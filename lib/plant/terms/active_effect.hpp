@@ -74,13 +74,9 @@ inline ActiveEffect active_effect(EffectId id, std::span<const double> fitted, c
 }
 
 /// What a parameter may be, in the unit of the file.
-struct ParameterRange {
-  double low, high;
-};
 inline ParameterRange range_of(const Parameter& parameter, const Scales& scales) noexcept {
-  const double at_low = scales.value(parameter, parameter.low);
-  const double at_high = scales.value(parameter, parameter.high);
-  return {std::min(at_low, at_high), std::max(at_low, at_high)};
+  const ParameterRange multiples = parameter.multiples();
+  return {multiples.low * scales.of(parameter.scale), multiples.high * scales.of(parameter.scale)};
 }
 
 /// What a parameter is that is not given: where its fit begins. Slack of a spring: the nominal load's, or mid-stroke of

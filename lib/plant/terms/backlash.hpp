@@ -15,7 +15,8 @@ class Backlash {
   static constexpr std::array kParameters{
       Parameter{"play_m", "play_rad", "m", "rad", Scale::kLength, false, 0.0, 0.2, {0.003, 0.02},
                 "Whole width of the play, b."}};
-  static constexpr EffectInfo kInfo{"backlash", Side::kValveAndOil, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"backlash", Side::kValveAndOil, false, false, kParameters,
+                                    "There is play between piston and load."};
 
   Backlash(const T* fitted, const Scales& scales, double) noexcept
       : half_play_(0.5 * fitted[0] * scales.of(Scale::kLength)), inverse_force_(200.0 / scales.of(Scale::kForce)) {}

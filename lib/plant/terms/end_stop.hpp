@@ -16,7 +16,8 @@ class EndStop {
                 {500.0, 500.0}, "Their stiffness."},
       Parameter{"relaxation_s", "relaxation_s", "s", "s", Scale::kSecond, false, 0.0, 0.02, {0.0005, 0.0005},
                 "Their damping over their stiffness."}};
-  static constexpr EffectInfo kInfo{"end_stop", Side::kValveAndOil, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"end_stop", Side::kValveAndOil, false, false, kParameters,
+                                    "The piston meets end stops before the stroke ends."};
 
   EndStop(const T* fitted, const Scales& scales, double) noexcept
       : low_(fitted[0] * scales.of(Scale::kLength)),

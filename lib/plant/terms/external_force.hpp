@@ -10,7 +10,8 @@ class ExternalForce {
  public:
   static constexpr std::array kParameters{
       Parameter{"force_N", "torque_Nm", "N", "Nm", Scale::kForce, false, -1.0, 1.0, {0.01, 0.01}, "The force."}};
-  static constexpr EffectInfo kInfo{"external_force", Side::kLoad, false, true, kParameters};
+  static constexpr EffectInfo kInfo{"external_force", Side::kLoad, false, true, kParameters,
+                                    "A constant force acts on the load."};
 
   ExternalForce(const T* fitted, const Scales& scales, double) noexcept
       : force_(fitted[0] * scales.of(Scale::kForce)) {}

@@ -12,7 +12,8 @@ class FlowSaturation {
   static constexpr std::array kParameters{
       Parameter{"saturation_current_A", "saturation_current_A", "A", "A", Scale::kCurrent, true, 1e-4, 200.0,
                 {1.0, 4.0}, "Current at which valve and orifice are alike, u_s."}};
-  static constexpr EffectInfo kInfo{"flow_saturation", Side::kValveAndOil, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"flow_saturation", Side::kValveAndOil, false, false, kParameters,
+                                    "An orifice before the valve keeps its flow from growing with the current."};
 
   FlowSaturation(const T* fitted, const Scales& scales, double) noexcept
       : inverse_(fitted[0] / scales.of(Scale::kCurrent)) {}

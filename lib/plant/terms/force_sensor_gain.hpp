@@ -10,7 +10,8 @@ class ForceSensorGain {
  public:
   static constexpr std::array kParameters{
       Parameter{"gain", "gain", "1", "1", Scale::kOne, false, 0.1, 5.0, {1.05, 1.05}, "Gain, g."}};
-  static constexpr EffectInfo kInfo{"force_sensor_gain", Side::kForceSensor, true, true, kParameters};
+  static constexpr EffectInfo kInfo{"force_sensor_gain", Side::kForceSensor, true, true, kParameters,
+                                    "The load cell reads a multiple of the force."};
 
   ForceSensorGain(const T* fitted, const Scales&, double) noexcept : gain_(fitted[0]) {}
 

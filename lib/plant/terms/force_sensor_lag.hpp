@@ -12,7 +12,8 @@ class ForceSensorLag {
   static constexpr std::array kParameters{
       Parameter{"time_constant_s", "time_constant_s", "s", "s", Scale::kSecond, false, 1e-5, 0.05, {0.0005, 0.004},
                 "Time constant."}};
-  static constexpr EffectInfo kInfo{"force_sensor_lag", Side::kForceSensor, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"force_sensor_lag", Side::kForceSensor, false, false, kParameters,
+                                    "The load cell reads late."};
 
   ForceSensorLag(const T* fitted, const Scales&, double period_s) noexcept
       : lag_(fitted[0], period_s), time_constant_s_(fitted[0]) {}

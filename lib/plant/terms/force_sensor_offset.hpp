@@ -10,7 +10,8 @@ class ForceSensorOffset {
  public:
   static constexpr std::array kParameters{
       Parameter{"offset_N", "offset_Nm", "N", "Nm", Scale::kForce, false, -1.0, 1.0, {0.01, 0.01}, "What it adds."}};
-  static constexpr EffectInfo kInfo{"force_sensor_offset", Side::kForceSensor, false, true, kParameters};
+  static constexpr EffectInfo kInfo{"force_sensor_offset", Side::kForceSensor, false, true, kParameters,
+                                    "The load cell reads a constant beside the force."};
 
   ForceSensorOffset(const T* fitted, const Scales& scales, double) noexcept
       : offset_(fitted[0] * scales.of(Scale::kForce)) {}

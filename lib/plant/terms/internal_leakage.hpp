@@ -11,7 +11,8 @@ class InternalLeakage {
   static constexpr std::array kParameters{
       Parameter{"coefficient_m3_s_Pa", "coefficient_m3_s_Pa", "m^3/s/Pa", "m^3/s/Pa", Scale::kLeakage, false, 0.0,
                 0.5, {0.005, 0.03}, "Flow per difference of pressure, c."}};
-  static constexpr EffectInfo kInfo{"internal_leakage", Side::kValveAndOil, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"internal_leakage", Side::kValveAndOil, false, false, kParameters,
+                                    "Oil leaks past the piston from one chamber to the other."};
 
   InternalLeakage(const T* fitted, const Scales& scales, double) noexcept
       : coefficient_(fitted[0] * scales.of(Scale::kLeakage)) {}

@@ -11,7 +11,8 @@ template <class T>
 class LoadFriction {
  public:
   static constexpr std::array kParameters = kContactParameters;
-  static constexpr EffectInfo kInfo{"load_friction", Side::kLoad, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"load_friction", Side::kLoad, false, false, kParameters,
+                                    "The load sticks and slips on its guides."};
 
   LoadFriction(const T* fitted, const Scales& scales, double step_s) noexcept
       : contact_{fitted[0] * scales.of(Scale::kForce), fitted[1], fitted[2] * scales.of(Scale::kSpeed),

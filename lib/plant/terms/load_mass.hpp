@@ -11,7 +11,8 @@ class LoadMass {
   static constexpr std::array kParameters{
       Parameter{"mass_kg", "inertia_kg_m2", "kg", "kg m^2", Scale::kMass, false, 0.02, 20.0, {1.05, 1.05},
                 "Another mass behind the load cell."}};
-  static constexpr EffectInfo kInfo{"load_mass", Side::kLoad, true, true, kParameters};
+  static constexpr EffectInfo kInfo{"load_mass", Side::kLoad, true, true, kParameters,
+                                    "The load has another mass or inertia than the model."};
 
   LoadMass(const T* fitted, const Scales& scales, double) noexcept : mass_(fitted[0] * scales.of(Scale::kMass)) {}
 

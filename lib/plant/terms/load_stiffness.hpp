@@ -14,7 +14,8 @@ class LoadStiffness {
                 {1.05, 0.05}, "Stiffness, C."},
       Parameter{"slack_position_m", "slack_position_rad", "m", "rad", Scale::kLength, false, -0.5, 1.5, {0.5, 0.5},
                 "Where the spring is slack, x_eq."}};
-  static constexpr EffectInfo kInfo{"load_stiffness", Side::kLoad, true, true, kParameters};
+  static constexpr EffectInfo kInfo{"load_stiffness", Side::kLoad, true, true, kParameters,
+                                    "The load is held by another spring than the model's."};
 
   LoadStiffness(const T* fitted, const Scales& scales, double) noexcept
       : stiffness_(fitted[0] * scales.of(Scale::kStiffness)), slack_position_(fitted[1] * scales.of(Scale::kLength)) {}

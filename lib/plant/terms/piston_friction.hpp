@@ -10,7 +10,8 @@ template <class T>
 class PistonFriction {
  public:
   static constexpr std::array kParameters = kContactParameters;
-  static constexpr EffectInfo kInfo{"piston_friction", Side::kValveAndOil, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"piston_friction", Side::kValveAndOil, false, false, kParameters,
+                                    "The piston's seals stick and slip."};
 
   PistonFriction(const T* fitted, const Scales& scales, double) noexcept
       : contact_{fitted[0] * scales.of(Scale::kForce), fitted[1], fitted[2] * scales.of(Scale::kSpeed),

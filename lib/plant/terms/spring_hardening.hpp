@@ -14,7 +14,8 @@ class SpringHardening {
                 {1.0, 60.0}, "Cubic stiffness, k."},
       Parameter{"slack_position_m", "slack_position_rad", "m", "rad", Scale::kLength, false, -0.5, 1.5, {0.5, 0.5},
                 "Where the spring is slack, x_eq."}};
-  static constexpr EffectInfo kInfo{"spring_hardening", Side::kLoad, false, true, kParameters};
+  static constexpr EffectInfo kInfo{"spring_hardening", Side::kLoad, false, true, kParameters,
+                                    "The load's spring is stiffer, or softer, the further it is bent."};
 
   SpringHardening(const T* fitted, const Scales& scales, double) noexcept
       : cubic_(fitted[0] * scales.of(Scale::kCubic)), slack_position_(fitted[1] * scales.of(Scale::kLength)) {}

@@ -12,7 +12,8 @@ class SupplyDroop {
   static constexpr std::array kParameters{
       Parameter{"resistance_Pa_s_m3", "resistance_Pa_s_m3", "Pa s/m^3", "Pa s/m^3", Scale::kDroop, false, 0.0, 5.0,
                 {0.1, 0.8}, "Fall of the supply pressure per flow, R."}};
-  static constexpr EffectInfo kInfo{"supply_droop", Side::kValveAndOil, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"supply_droop", Side::kValveAndOil, false, false, kParameters,
+                                    "The supply pressure falls with the flow that is drawn."};
 
   SupplyDroop(const T* fitted, const Scales& scales, double) noexcept
       : resistance_(fitted[0] * scales.of(Scale::kDroop)) {}

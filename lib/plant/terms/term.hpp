@@ -34,6 +34,11 @@ enum class Scale {
   kCubic,      ///< kStiffness over kLength squared
 };
 
+/// What a parameter may be.
+struct ParameterRange {
+  double low, high;
+};
+
 /// One number of an effect. Its value in a robot file, a report and JSON is `scale` times the fitted number, or over it
 /// where `reciprocal`; the file's name carries the unit.
 struct Parameter {
@@ -46,6 +51,11 @@ struct Parameter {
   double low, high;              ///< range of the fitted number
   std::array<double, 2> starts;  ///< where a fit begins; alike: once
   const char* meaning;
+
+  /// Range of its value in multiples of the scale.
+  constexpr ParameterRange multiples() const noexcept {
+    return reciprocal ? ParameterRange{1.0 / high, 1.0 / low} : ParameterRange{low, high};
+  }
 };
 
 /// What there is to know of an effect. The first parameter is the one that says how large it is.
@@ -55,6 +65,7 @@ struct EffectInfo {
   bool nominal;   ///< its neutral value is a parameter of the nominal joint, so that 3 % beside it is no effect
   bool either_sign;
   std::span<const Parameter> parameters;
+  const char* meaning;  ///< a sentence, for reports
 };
 
 /// Sizes that make the parameters of a joint's effects comparable.

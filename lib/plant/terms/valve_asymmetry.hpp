@@ -12,7 +12,8 @@ class ValveAsymmetry {
   static constexpr std::array kParameters{
       Parameter{"ratio", "ratio", "1", "1", Scale::kOne, false, -0.7, 0.7, {0.02, 0.02},
                 "Share r by which the gain differs."}};
-  static constexpr EffectInfo kInfo{"valve_asymmetry", Side::kValveAndOil, false, true, kParameters};
+  static constexpr EffectInfo kInfo{"valve_asymmetry", Side::kValveAndOil, false, true, kParameters,
+                                    "The ports that extend are larger than those that retract, or smaller."};
 
   ValveAsymmetry(const T* fitted, const Scales&, double) noexcept : ratio_(fitted[0]) {}
 

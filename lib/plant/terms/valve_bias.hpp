@@ -11,7 +11,8 @@ class ValveBias {
   static constexpr std::array kParameters{
       Parameter{"current_A", "current_A", "A", "A", Scale::kCurrent, false, -0.3, 0.3, {0.002, 0.002},
                 "Added to the current."}};
-  static constexpr EffectInfo kInfo{"valve_bias", Side::kValveAndOil, false, true, kParameters};
+  static constexpr EffectInfo kInfo{"valve_bias", Side::kValveAndOil, false, true, kParameters,
+                                    "The valve is shut at another current than 0."};
 
   ValveBias(const T* fitted, const Scales& scales, double) noexcept
       : current_A_(fitted[0] * scales.of(Scale::kCurrent)) {}

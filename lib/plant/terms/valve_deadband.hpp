@@ -12,7 +12,8 @@ class ValveDeadband {
   static constexpr std::array kParameters{
       Parameter{"half_width_A", "half_width_A", "A", "A", Scale::kCurrent, false, 0.0, 0.4, {0.01, 0.05},
                 "Current that moves the spool over its overlap."}};
-  static constexpr EffectInfo kInfo{"valve_deadband", Side::kValveAndOil, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"valve_deadband", Side::kValveAndOil, false, false, kParameters,
+                                    "The spool overlaps its ports: small currents open nothing."};
 
   ValveDeadband(const T* fitted, const Scales& scales, double) noexcept
       : half_width_A_(fitted[0] * scales.of(Scale::kCurrent)) {}

@@ -12,7 +12,8 @@ class VelocityFilterLag {
   static constexpr std::array kParameters{
       Parameter{"time_constant_s", "time_constant_s", "s", "s", Scale::kSecond, false, 1e-5, 0.05, {0.0005, 0.004},
                 "Time constant."}};
-  static constexpr EffectInfo kInfo{"velocity_filter_lag", Side::kVelocitySensor, false, false, kParameters};
+  static constexpr EffectInfo kInfo{"velocity_filter_lag", Side::kVelocitySensor, false, false, kParameters,
+                                    "The velocity is read late."};
 
   VelocityFilterLag(const T* fitted, const Scales&, double period_s) noexcept : lag_(fitted[0], period_s) {}
 
