@@ -18,6 +18,11 @@ bool finite(const signals::JointSensors& s) noexcept {
   return std::isfinite(s.position_m_or_rad) && std::isfinite(s.velocity_m_s_or_rad_s) && std::isfinite(s.force_N_or_Nm);
 }
 
+bool alike(const signals::JointSensors& a, const signals::JointSensors& b) noexcept {
+  return a.position_m_or_rad == b.position_m_or_rad && a.velocity_m_s_or_rad_s == b.velocity_m_s_or_rad_s &&
+         a.force_N_or_Nm == b.force_N_or_Nm;
+}
+
 bool finite(const signals::JointCommand& c) noexcept {
   return std::isfinite(c.position_rad) && std::isfinite(c.velocity_rad_s) && std::isfinite(c.torque_ff_Nm) &&
          std::isfinite(c.stiffness_Nm_rad) && std::isfinite(c.damping_Nms_rad) && c.stiffness_Nm_rad >= 0 &&
@@ -116,9 +121,11 @@ void JointNode::assess(const Inputs& inputs) noexcept {
   if (faults_.has(Fault::kTripped) && armed && mode_.epoch > tripped_epoch_) {
     faults_.set(Fault::kTripped, false);
   }
-  const bool sensors_good = inputs.sensors_age_s <= safety_.sensors_stale_s && finite(inputs.sensors);
-  const int new_samples = inputs.sensors.tick != last_sensors_tick_ ? 1 : 0;
-  last_sensors_tick_ = inputs.sensors.tick;
+  const int new_samples = inputs.sensors.tick != last_sensors_.tick ? 1 : 0;
+  alike_samples_ = alike(inputs.sensors, last_sensors_) ? alike_samples_ + new_samples : 0;
+  last_sensors_ = inputs.sensors;
+  const bool frozen = safety_.frozen_samples > 0 && alike_samples_ >= safety_.frozen_samples;
+  const bool sensors_good = inputs.sensors_age_s <= safety_.sensors_stale_s && finite(inputs.sensors) && !frozen;
   good_samples_ = sensors_good ? std::min(good_samples_ + new_samples, safety_.recovery_samples) : 0;
   faults_.set(Fault::kSensorsStale, good_samples_ < safety_.recovery_samples);
 

@@ -129,7 +129,8 @@ class JointNode {
   FaultSet faults_;
   std::uint32_t tripped_epoch_ = 0;
   int good_samples_ = 0;
-  Tick last_sensors_tick_ = kNoTick;
+  int alike_samples_ = 0;  ///< in a row, alike in every number
+  signals::JointSensors last_sensors_;
 };
 
 }  // namespace farrier::joint_node

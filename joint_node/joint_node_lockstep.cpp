@@ -107,6 +107,8 @@ void JointNodeLockstep::step() {
     ports_.measurements->publish(outputs.measurement);
     report_faults(joints_[i], outputs.valve, participant_);
   }
+  ports_.valves->flush();
+  ports_.measurements->flush();
   participant_.tick_done(tick_);
   ++tick_;
   if (tick_ == ticks_) {

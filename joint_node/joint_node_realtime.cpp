@@ -6,6 +6,7 @@
 #include "core/latest_value.hpp"
 #include "core/spsc_ring.hpp"
 #include "joint_node/gains_decoding.hpp"
+#include "participant/arrival.hpp"
 
 namespace farrier::joint_node {
 namespace {
@@ -15,7 +16,7 @@ using namespace std::chrono_literals;
 template <class Signal>
 struct Stamped {
   Signal signal{};
-  SteadyTime received{};
+  SteadyTime received{};  ///< when it would have come had nothing held it up
 };
 
 struct GainsUpdate {
@@ -33,6 +34,7 @@ struct Mailbox {
   SpscRing<JointNode::Outputs, 16> outputs;
   LatestValue<signals::JointValveCommand> answered;  ///< for the bus thread, which makes events of its faults
 
+  participant::Arrival sensors_arrival, command_arrival;  ///< bus thread
   Tick newest_sensors = kNoTick;               ///< bus thread
   Stamped<signals::JointSensors> last_sensors; ///< control thread
   Stamped<signals::JointCommand> last_command; ///< control thread
@@ -50,7 +52,7 @@ class JointNodeRealtime final : public participant::RealtimeApplication {
       : joints_(std::move(joints)), mail_(joints_.size()), ports_(ports), participant_(participant), period_(period) {}
 
   bool receive(SteadyTime now) override;
-  void step(SteadyTime now, std::uint64_t missed) noexcept override;
+  void step(const participant::Wake& wake) noexcept override;
   void send() override;
   bool finished() const override { return false; }
   Nanoseconds period() const override { return period_; }
@@ -75,6 +77,7 @@ class JointNodeRealtime final : public participant::RealtimeApplication {
   Nanoseconds period_;
   Tick stepped_for_ = kNoTick;  ///< bus thread: newest tick for which the control thread was woken
   SteadyTime next_health_{};
+  std::atomic<std::uint64_t> periods_{0};
   std::atomic<std::uint64_t> missed_{0};
   std::atomic<Tick> last_tick_{kNoTick};
 };
@@ -91,12 +94,18 @@ bool JointNodeRealtime::all_fresh() const noexcept {
 bool JointNodeRealtime::receive(SteadyTime now) {
   ports_.sensors->drain([&](const signals::JointSensors& sensors) {
     with_mail_of(sensors.joint, [&](Mailbox& mail) {
-      mail.sensors.store({sensors, now});
-      mail.newest_sensors = sensors.tick;
+      if (const auto came = mail.sensors_arrival.take(sensors.tick, sensors.sample_time_ns, now)) {
+        mail.sensors.store({sensors, *came});
+        mail.newest_sensors = sensors.tick;
+      }
     });
   });
   ports_.commands->drain([&](const signals::JointCommand& command) {
-    with_mail_of(command.joint, [&](Mailbox& mail) { mail.command.store({command, now}); });
+    with_mail_of(command.joint, [&](Mailbox& mail) {
+      if (const auto came = mail.command_arrival.take(command.tick, command.sample_time_ns, now)) {
+        mail.command.store({command, *came});
+      }
+    });
   });
   ports_.gains->drain([&](const signals::JointControllerGains& gains) {
     const auto joint = std::ranges::find(joints_, gains.joint, &HostedJoint::number);
@@ -140,14 +149,16 @@ bool JointNodeRealtime::receive(SteadyTime now) {
   if (now >= next_health_) {
     next_health_ = now + 100ms;
     signals::SystemHealth health;
-    health.missed_deadlines = missed_;
+    health.periods = periods_;
+    health.missed_periods = missed_;
     participant_.report_health(last_tick_, false, health);
   }
   return true;
 }
 
-void JointNodeRealtime::step(SteadyTime now, std::uint64_t missed) noexcept {
-  missed_.fetch_add(missed, std::memory_order_relaxed);
+void JointNodeRealtime::step(const participant::Wake& wake) noexcept {
+  periods_.fetch_add(1, std::memory_order_relaxed);
+  missed_.fetch_add(wake.missed, std::memory_order_relaxed);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     Mailbox& mail = mail_[i];
     JointNode& node = joints_[i].node;
@@ -169,9 +180,9 @@ void JointNodeRealtime::step(SteadyTime now, std::uint64_t missed) noexcept {
     JointNode::Inputs inputs;
     inputs.tick = mail.last_sensors.signal.tick;
     inputs.sensors = mail.last_sensors.signal;
-    inputs.sensors_age_s = age_s(mail.last_sensors.received, now);
+    inputs.sensors_age_s = age_s(mail.last_sensors.received, wake.now);
     inputs.command = mail.last_command.signal;
-    inputs.command_age_s = age_s(mail.last_command.received, now);
+    inputs.command_age_s = age_s(mail.last_command.received, wake.now);
     const JointNode::Outputs outputs = node.step(inputs);
     mail.outputs.push(outputs);
     mail.answered.store(outputs.valve);
@@ -186,6 +197,8 @@ void JointNodeRealtime::send() {
       ports_.measurements->publish(outputs.measurement);
     }
   }
+  ports_.valves->flush();
+  ports_.measurements->flush();
 }
 
 }  // namespace

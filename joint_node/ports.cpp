@@ -41,14 +41,14 @@ void report_faults(HostedJoint& joint, const signals::JointValveCommand& answere
 Result<Ports> Ports::open(participant::Participant& participant, const std::vector<HostedJoint>& joints,
                           const robot::Robot& robot) {
   std::vector<std::uint16_t> numbers;
-  std::vector<std::string> names;
+  std::vector<std::string> legs;
   for (const HostedJoint& joint : joints) {
     numbers.push_back(joint.number);
-    names.push_back(joint.name);
+    legs.push_back(robot.plan.legs[joint.leg].name);
   }
-  const auto sensors = participant.subscribe<signals::JointSensors>(numbers, names);
-  const auto commands = participant.subscribe<signals::JointCommand>(numbers, names);
-  const auto gains = participant.subscribe<signals::JointControllerGains>(numbers, names);
+  const auto sensors = participant.subscribe<signals::JointSensors>(numbers, legs);
+  const auto commands = participant.subscribe<signals::JointCommand>(numbers, legs);
+  const auto gains = participant.subscribe<signals::JointControllerGains>(numbers, legs);
   const auto phases = participant.subscribe<signals::GaitPhase>(robot::leg_numbers(robot));
   const auto modes = participant.subscribe<signals::SystemMode>({0});
   const auto valves = participant.publish<signals::JointValveCommand>(numbers);

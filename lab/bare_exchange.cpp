@@ -1,6 +1,6 @@
 #include "lab/bare_exchange.hpp"
 
-#include <algorithm>
+#include "lab/bare_ports.hpp"
 
 namespace farrier::lab {
 namespace {
@@ -8,16 +8,6 @@ namespace {
 using namespace signals;
 using participant::In;
 using participant::Out;
-
-std::vector<std::uint16_t> numbers_of(const robot::Robot& robot, const std::vector<std::string>& names) {
-  std::vector<std::uint16_t> numbers;
-  for (const robot::Joint& joint : robot.joints) {
-    if (names.empty() || std::find(names.begin(), names.end(), joint.name) != names.end()) {
-      numbers.push_back(joint.number);
-    }
-  }
-  return numbers;
-}
 
 /// Counts what arrives on one port. A process may go on when each of its counters has seen all of a tick.
 template <class Signal>
@@ -50,36 +40,23 @@ void send_all(Out<Signal>* port, const std::vector<std::uint16_t>& keys, Tick ti
     signal.tick = tick;
     port->publish(signal);
   }
+  if (port != nullptr) {
+    port->flush();
+  }
 }
-
-/// Ports of whichever member this is; null where it has none.
-struct BarePorts {
-  In<JointSensors>* sensors = nullptr;
-  In<JointCommand>* commands = nullptr;
-  In<JointValveCommand>* valves = nullptr;
-  In<JointMeasurement>* measurements = nullptr;
-  In<ClockTick>* clock = nullptr;
-  In<ClockTickDone>* done = nullptr;
-  Out<JointSensors>* sensors_out = nullptr;
-  Out<JointCommand>* commands_out = nullptr;
-  Out<JointValveCommand>* valves_out = nullptr;
-  Out<JointMeasurement>* measurements_out = nullptr;
-  Out<ClockTick>* clock_out = nullptr;
-};
 
 class BareMember final : public GaitSource {
  public:
-  BareMember(BarePorts ports, std::vector<std::uint16_t> joints, participant::Participant& member, Tick ticks)
-      : ports_(ports),
-        joints_(std::move(joints)),
+  BareMember(BarePorts ports, participant::Participant& member, Tick ticks)
+      : ports_(std::move(ports)),
         member_(member),
         ticks_(ticks),
-        sensors_(ports.sensors, joints_.size()),
-        commands_(ports.commands, joints_.size()),
-        valves_(ports.valves, joints_.size()),
-        measurements_(ports.measurements, joints_.size()),
-        clock_(ports.clock, 1),
-        done_(ports.done, member.identity().participants - 1u) {}
+        sensors_(ports_.sensors, ports_.joints.size()),
+        commands_(ports_.commands, ports_.joints.size()),
+        valves_(ports_.valves, ports_.joints.size()),
+        measurements_(ports_.measurements, ports_.joints.size()),
+        clock_(ports_.clock, 1),
+        done_(ports_.done, member.identity().participants - 1u) {}
 
   void poll(SteadyTime now) override;
   bool finished() const override { return tick_ >= ticks_; }
@@ -93,7 +70,6 @@ class BareMember final : public GaitSource {
   void send(Tick tick);
 
   BarePorts ports_;
-  std::vector<std::uint16_t> joints_;
   participant::Participant& member_;
   Tick ticks_;
   Tick tick_ = 0;
@@ -112,10 +88,10 @@ bool BareMember::complete() const noexcept {
 }
 
 void BareMember::send(Tick tick) {
-  send_all(ports_.sensors_out, joints_, tick);
-  send_all(ports_.commands_out, joints_, tick + 1);
-  send_all(ports_.valves_out, joints_, tick);
-  send_all(ports_.measurements_out, joints_, tick);
+  send_all(ports_.sensors_out, ports_.joints, tick);
+  send_all(ports_.commands_out, ports_.joints, tick + 1);
+  send_all(ports_.valves_out, ports_.joints, tick);
+  send_all(ports_.measurements_out, ports_.joints, tick);
   if (ports_.clock_out != nullptr) {
     ports_.clock_out->publish({0, tick});
   }
@@ -136,7 +112,7 @@ void BareMember::poll(SteadyTime now) {
   }
   if (!primed_) {
     // The commands of tick 0 and, from the leader, tick 0 itself.
-    send_all(ports_.commands_out, joints_, 0);
+    send_all(ports_.commands_out, ports_.joints, 0);
     if (leads()) {
       send(0);
     }
@@ -158,50 +134,11 @@ void BareMember::poll(SteadyTime now) {
 
 Result<std::unique_ptr<GaitSource>> create(const robot::Robot& robot, const std::vector<std::string>& joints,
                                            participant::Participant& member, Tick ticks) {
-  const std::vector<std::uint16_t> numbers = numbers_of(robot, joints);
-  std::vector<std::string> names;
-  for (const std::uint16_t number : numbers) {
-    names.push_back(robot.joints[number].name);
+  auto ports = BarePorts::open(robot, joints, member);
+  if (!ports) {
+    return ports.error();
   }
-  BarePorts ports;
-  Result<Done> opened = Done{};
-  const auto take = [&](auto*& port, auto made) {
-    if (made) {
-      port = made.value();
-    } else {
-      opened = made.error();
-    }
-  };
-  switch (member.identity().number) {
-    case participant::kSimBridge: {
-      std::vector<std::uint16_t> others;
-      for (std::uint16_t number = 1; number < member.identity().participants; ++number) {
-        others.push_back(number);
-      }
-      take(ports.valves, member.subscribe<JointValveCommand>(numbers));
-      take(ports.done, member.subscribe<ClockTickDone>(others));
-      take(ports.sensors_out, member.publish<JointSensors>(numbers, names));
-      take(ports.clock_out, member.publish<ClockTick>({0}));
-      break;
-    }
-    case participant::kEstimatorService:
-      take(ports.measurements, member.subscribe<JointMeasurement>(numbers));
-      break;
-    case participant::kSupervisor: take(ports.clock, member.subscribe<ClockTick>({0})); break;
-    case participant::kGaitSource:
-      take(ports.clock, member.subscribe<ClockTick>({0}));
-      take(ports.commands_out, member.publish<JointCommand>(numbers, names));
-      break;
-    default:
-      take(ports.sensors, member.subscribe<JointSensors>(numbers, names));
-      take(ports.commands, member.subscribe<JointCommand>(numbers, names));
-      take(ports.valves_out, member.publish<JointValveCommand>(numbers));
-      take(ports.measurements_out, member.publish<JointMeasurement>(numbers));
-  }
-  if (!opened) {
-    return opened.error();
-  }
-  return std::unique_ptr<GaitSource>(std::make_unique<BareMember>(ports, numbers, member, ticks));
+  return std::unique_ptr<GaitSource>(std::make_unique<BareMember>(std::move(ports).value(), member, ticks));
 }
 
 }  // namespace

@@ -89,6 +89,7 @@ void PlannedGait::command(Tick tick) {
     command.announced_phases = announced_[static_cast<std::size_t>(joint.leg)];
     ports_.commands->publish(command);
   }
+  ports_.commands->flush();
 }
 
 // In real time ticks may be skipped: the announcements of all of them are made, the command is for the newest.
@@ -130,12 +131,11 @@ Result<std::unique_ptr<GaitSource>> GaitSource::create(const robot::Robot& robot
                                                        participant::Participant& participant, Tick ticks,
                                                        Announce announce) {
   const std::vector<std::uint16_t> numbers = robot::joint_numbers(robot);
-  const std::vector<std::string> names = robot::joint_names(robot);
   auto clock = participant.subscribe<signals::ClockTick>({0});
   if (!clock) {
     return clock.error();
   }
-  auto commands = participant.publish<signals::JointCommand>(numbers, names);
+  auto commands = participant.publish<signals::JointCommand>(numbers, robot::legs_of_joints(robot));
   if (!commands) {
     return commands.error();
   }

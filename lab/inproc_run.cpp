@@ -72,7 +72,7 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     seat.application = std::move(application).value();
   }
   Seat& gait = seats[participant::kGaitSource];
-  auto monitor = RunMonitor::create(*gait.bus, gait.participant->identity(), robot::joint_names(robot));
+  auto monitor = RunMonitor::create(*gait.bus, gait.participant->identity(), robot::legs_of_joints(robot));
   if (!monitor) {
     return monitor.error();
   }

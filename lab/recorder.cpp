@@ -145,7 +145,7 @@ Result<Recorder> Recorder::create(const robot::Robot& robot, participant::Partic
     recorder.joints_.push_back(std::move(recording).value());
   }
   const auto sensors =
-      participant.subscribe<signals::JointSensors>(robot::joint_numbers(robot), robot::joint_names(robot));
+      participant.subscribe<signals::JointSensors>(robot::joint_numbers(robot), robot::legs_of_joints(robot));
   if (!sensors) {
     return sensors.error();
   }

@@ -5,7 +5,7 @@
 namespace farrier::lab {
 
 Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity& identity,
-                                      const std::vector<std::string>& joints) {
+                                      const std::vector<std::string>& legs) {
   auto health = bus::Subscription<signals::SystemHealth>::create(
       bus, participant::endpoint_of(identity, bus::TopicId::kSystemHealth));
   if (!health) {
@@ -23,9 +23,9 @@ Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity
   }
   RunMonitor monitor(std::move(health).value(), std::move(events).value(), std::move(decisions).value(),
                      identity.participants);
-  if (!joints.empty()) {
+  if (!legs.empty()) {
     auto gains = bus::Subscription<signals::JointControllerGains>::create(
-        bus, participant::endpoint_of(identity, bus::TopicId::kJointControllerGains, joints));
+        bus, participant::endpoint_of(identity, bus::TopicId::kJointControllerGains, legs));
     if (!gains) {
       return gains.error();
     }

@@ -12,9 +12,9 @@ namespace farrier::lab {
 /// Listens to the health, the events, the gains and the decisions about gains of a run. Only adds readers.
 class RunMonitor {
  public:
-  /// `joints`: names of those whose gains it collects; none: no gains.
+  /// `legs`: names of those of whose joints it collects gains; none: no gains.
   static Result<RunMonitor> create(bus::Bus& bus, const participant::Identity& identity,
-                                   const std::vector<std::string>& joints = {});
+                                   const std::vector<std::string>& legs = {});
 
   /// Takes what has come.
   void poll();

@@ -6,7 +6,7 @@ namespace farrier::sim_bridge {
 
 Result<Ports> Ports::open(participant::Participant& participant, const robot::Robot& robot) {
   const auto numbers = robot::joint_numbers(robot);
-  const auto names = robot::joint_names(robot);
+  const auto legs = robot::legs_of_joints(robot);
   Ports ports{};
   const auto take = [](auto*& port, auto made) -> Result<Done> {
     if (!made) {
@@ -18,7 +18,7 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
   if (auto r = take(ports.valves, participant.subscribe<signals::JointValveCommand>(numbers)); !r) {
     return r.error();
   }
-  if (auto r = take(ports.sensors, participant.publish<signals::JointSensors>(numbers, names)); !r) {
+  if (auto r = take(ports.sensors, participant.publish<signals::JointSensors>(numbers, legs)); !r) {
     return r.error();
   }
   if (auto r = take(ports.clock, participant.publish<signals::ClockTick>({0})); !r) {
@@ -34,7 +34,7 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
   if (auto r = take(ports.done, participant.subscribe<signals::ClockTickDone>(others)); !r) {
     return r.error();
   }
-  if (auto r = take(ports.gains, participant.subscribe<signals::JointControllerGains>(numbers, names)); !r) {
+  if (auto r = take(ports.gains, participant.subscribe<signals::JointControllerGains>(numbers, legs)); !r) {
     return r.error();
   }
   if (auto r = take(ports.modes, participant.subscribe<signals::SystemMode>({0})); !r) {

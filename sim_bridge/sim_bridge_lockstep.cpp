@@ -107,6 +107,7 @@ void SimBridgeLockstep::begin_tick() {
     sensors.sample_time_ns = to_ns(std::chrono::steady_clock::now());
     ports_.sensors->publish(sensors);
   }
+  ports_.sensors->flush();
   ports_.clock->publish({0, world_.tick()});
   begun_ = true;
 }
@@ -146,8 +147,7 @@ void SimBridgeLockstep::end_tick() {
 
 void SimBridgeLockstep::report(bool final_report) {
   signals::SystemHealth health;
-  health.latency_p50_s = latency_.quantile_s(0.50);
-  health.latency_p99_s = latency_.quantile_s(0.99);
+  health.latency_s = latency_.summary_s();
   participant_.report_health(world_.tick(), final_report, health);
 }
 

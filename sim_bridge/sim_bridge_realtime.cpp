@@ -1,11 +1,13 @@
 #include "sim_bridge/sim_bridge_realtime.hpp"
 
 #include <atomic>
+#include <cmath>
 #include <optional>
 
 #include "core/fault.hpp"
 #include "core/latest_value.hpp"
 #include "core/spsc_ring.hpp"
+#include "participant/arrival.hpp"
 #include "record/trace.hpp"
 #include "robot/keys.hpp"
 #include "runtime/latency_histogram.hpp"
@@ -27,6 +29,7 @@ struct Mailbox {
   LatestValue<ReceivedValve> valve;
   SpscRing<signals::JointSensors, 16> sensors;
   SpscRing<record::TraceRow, 64> rows;
+  participant::Arrival arrival;  ///< bus thread
   ReceivedValve last_valve;  ///< control thread
 };
 
@@ -46,7 +49,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
         valve_current_A_(numbers_.size(), 0.0) {}
 
   bool receive(SteadyTime now) override;
-  void step(SteadyTime now, std::uint64_t missed) noexcept override;
+  void step(const participant::Wake& wake) noexcept override;
   void send() override;
   bool finished() const override { return ticks_ > 0 && tick_.load(std::memory_order_relaxed) >= ticks_; }
   Nanoseconds period() const override { return period_; }
@@ -68,8 +71,12 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   std::vector<Mailbox> mail_;
   std::vector<double> valve_current_A_;
   runtime::LatencyHistogram latency_;  ///< bus thread
+  runtime::LatencyHistogram wake_up_;  ///< bus thread
+  SpscRing<Nanoseconds, 256> wake_ups_;
   SteadyTime next_health_{};
   std::atomic<Tick> tick_{0};
+  std::atomic<Tick> sensed_tick_{kNoTick};  ///< newest whose sensors are on their way
+  Tick told_tick_ = kNoTick;                ///< sender thread: newest that the clock has told
   std::atomic<Tick> sent_tick_{kNoTick};  ///< all before this tick is sent and recorded
   std::atomic<bool> trace_complete_{true};
   std::atomic<std::uint64_t> missed_{0};
@@ -80,7 +87,7 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
   ports_.valves->drain([&](const signals::JointValveCommand& valve) {
     latency_.add(now.time_since_epoch() - Nanoseconds(valve.sample_time_ns));
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
-      if (numbers_[i] == valve.joint) {
+      if (numbers_[i] == valve.joint && std::isfinite(valve.valve_current_A) && mail_[i].arrival.take(valve.tick, valve.sample_time_ns, now)) {
         mail_[i].valve.store({valve, now});
       }
     }
@@ -103,9 +110,13 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
 
 void SimBridgeRealtime::report(bool final_report) {
   signals::SystemHealth health;
-  health.missed_deadlines = missed_.load(std::memory_order_relaxed);
-  health.latency_p50_s = latency_.quantile_s(0.50);
-  health.latency_p99_s = latency_.quantile_s(0.99);
+  for (Nanoseconds wake_up; wake_ups_.pop(wake_up);) {
+    wake_up_.add(wake_up);
+  }
+  health.periods = static_cast<std::uint64_t>(tick_.load(std::memory_order_relaxed));
+  health.missed_periods = missed_.load(std::memory_order_relaxed);
+  health.latency_s = latency_.summary_s();
+  health.wake_up_s = wake_up_.summary_s();
   participant_.report_health(tick_.load(std::memory_order_relaxed), final_report, health);
 }
 
@@ -132,27 +143,35 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
   mail.rows.push(row);
 }
 
-void SimBridgeRealtime::step(SteadyTime now, std::uint64_t missed) noexcept {
-  missed_.fetch_add(missed, std::memory_order_relaxed);
-  const auto sampled = std::chrono::duration_cast<Nanoseconds>(now.time_since_epoch()).count();
+void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
+  missed_.fetch_add(wake.missed, std::memory_order_relaxed);
+  wake_ups_.push(wake.now - wake.due);
+  const auto sampled = std::chrono::duration_cast<Nanoseconds>(wake.now.time_since_epoch()).count();
   for (std::size_t i = 0; i < mail_.size(); ++i) {
     signals::JointSensors sensors = world_.sample(i);
     sensors.sample_time_ns = sampled;
     mail_[i].sensors.push(sensors);
-    apply_valve(i, now);
+    apply_valve(i, wake.now);
   }
+  sensed_tick_.store(world_.tick(), std::memory_order_release);
+  outputs_waiting.post();  // sensors need not wait for the world
   world_.advance(valve_current_A_);
   tick_.store(world_.tick(), std::memory_order_release);
 }
 
 void SimBridgeRealtime::send() {
   const Tick now = tick_.load(std::memory_order_acquire);
+  const Tick sensed = sensed_tick_.load(std::memory_order_acquire);
   for (Mailbox& mail : mail_) {
     for (signals::JointSensors sensors; mail.sensors.pop(sensors);) {
       ports_.sensors->publish(sensors);
     }
   }
-  ports_.clock->publish({0, now - 1});  // the tick whose sensors have just gone out
+  ports_.sensors->flush();
+  if (sensed != told_tick_) {
+    told_tick_ = sensed;
+    ports_.clock->publish({0, sensed});
+  }
   for (bool any = true; any && trace_;) {
     any = false;
     for (Mailbox& mail : mail_) {

@@ -15,6 +15,7 @@ constexpr auto kAssertionPeriod = 5ms;
 struct Ports {
   participant::In<signals::ClockTick>* clock;
   participant::In<signals::JointModelEstimate>* estimates;
+  participant::In<signals::SystemRequest>* requests;
   participant::Out<signals::JointControllerGains>* gains;
   participant::Out<signals::SystemMode>* modes;
   participant::Out<signals::JointUpdateDecision>* decisions;
@@ -110,6 +111,12 @@ void SupervisorApplication::poll(SteadyTime now) {
       supervisor_.take(estimate, estimate.tick);
     }
   });
+  ports_.requests->drain([&](const signals::SystemRequest& request) {
+    supervisor_.take(request);
+    participant_.event(signals::Severity::kWarning, begun_, 0xffff,
+                       std::string("an operator's request: ") +
+                           signals::to_string(static_cast<signals::Request>(request.request)));
+  });
   if (!participant_.started(now)) {
     return;
   }
@@ -153,7 +160,6 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
     return supervisor.error();
   }
   const std::vector<std::uint16_t> numbers = robot::joint_numbers(robot);
-  const std::vector<std::string> names = robot::joint_names(robot);
   auto clock = participant.subscribe<signals::ClockTick>({0});
   if (!clock) {
     return clock.error();
@@ -162,7 +168,11 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
   if (!estimates) {
     return estimates.error();
   }
-  auto gains = participant.publish<signals::JointControllerGains>(numbers, names);
+  auto requests = participant.subscribe<signals::SystemRequest>({});  // an operator may come, or never
+  if (!requests) {
+    return requests.error();
+  }
+  auto gains = participant.publish<signals::JointControllerGains>(numbers, robot::legs_of_joints(robot));
   if (!gains) {
     return gains.error();
   }
@@ -176,8 +186,8 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
   }
   return std::unique_ptr<participant::Application>(std::make_unique<SupervisorApplication>(
       robot, std::move(supervisor).value(),
-      Ports{clock.value(), estimates.value(), gains.value(), modes.value(), decisions.value()}, numbers, participant,
-      ticks));
+      Ports{clock.value(), estimates.value(), requests.value(), gains.value(), modes.value(), decisions.value()}, numbers,
+      participant, ticks));
 }
 
 }  // namespace farrier::supervisor

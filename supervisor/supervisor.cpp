@@ -147,20 +147,35 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     }
   }
   return Supervisor(std::move(batches), std::move(slots), robot.update_logic.gain_lead_ticks,
-                    shortest_phase_ticks(robot));
+                    shortest_phase_ticks(robot), session);
 }
 
 Supervisor::Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks,
-                       int shortest_phase_ticks)
+                       int shortest_phase_ticks, std::uint64_t session)
     : batches_(std::move(batches)),
       joints_(std::move(joints)),
       lead_ticks_(lead_ticks),
-      shortest_phase_ticks_(shortest_phase_ticks) {
+      shortest_phase_ticks_(shortest_phase_ticks),
+      session_(session),
+      epoch_(kFirstEpoch) {
   for (Outputs* outputs : {&pending_, &issued_}) {
+    outputs->modes.reserve(1);
     outputs->gains.reserve(joints_.size());
     outputs->decisions.reserve(joints_.size());
     outputs->design_statuses.reserve(joints_.size());
   }
+}
+
+void Supervisor::take(const signals::SystemRequest& request) noexcept {
+  if (request.session != session_) {
+    return;
+  }
+  const bool arms = request.request == static_cast<std::uint8_t>(signals::Request::kArm);
+  signals::SystemMode mode;
+  mode.epoch = ++epoch_;
+  mode.session = session_;
+  mode.mode = static_cast<std::uint8_t>(arms ? signals::Mode::kArmed : signals::Mode::kStopped);
+  pending_.modes.assign(1, mode);  // of several requests the last counts
 }
 
 void Supervisor::take(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
@@ -246,6 +261,7 @@ const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
     }
     std::swap(issued_, pending_);
     pending_.gains.clear();
+    pending_.modes.clear();
     pending_.decisions.clear();
     pending_.design_statuses.clear();
   }

@@ -44,6 +44,9 @@ class Supervisor {
   /// Looks at an estimate. Of one joint, at most one between two steps counts.
   void take(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
 
+  /// Arms or stops the robot as an operator asks, with the next step's mode; requests of other sessions are ignored.
+  void take(const signals::SystemRequest& request) noexcept;
+
   /// Controllers designed from estimates so far, whatever became of them.
   std::uint64_t designs() const noexcept;
 
@@ -63,7 +66,8 @@ class Supervisor {
     bool looked = false;  // at an estimate since the last step
   };
 
-  Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks, int shortest_phase_ticks);
+  Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks, int shortest_phase_ticks,
+             std::uint64_t session);
 
   void take_gains(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept;
   void take_physics(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept;
@@ -75,7 +79,9 @@ class Supervisor {
   std::vector<JointSlots> joints_;  // by number; empty unless adaptive
   Tick lead_ticks_;
   int shortest_phase_ticks_;
-  Outputs pending_;  // what came of estimates
+  std::uint64_t session_;
+  std::uint32_t epoch_;  // of the newest mode
+  Outputs pending_;  // what came of estimates and requests
   Outputs issued_;
 };
 

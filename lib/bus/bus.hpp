@@ -42,8 +42,11 @@ struct ReaderStatus {
 class RawWriter {
  public:
   virtual ~RawWriter() = default;
-  /// Publishes one signal. False when the transport refused it. Not for the 1 kHz thread of the real-time clock.
+  /// Publishes one signal, at once or with the next flush as its topic says. False when the transport refused it. Not for
+  /// the 1 kHz thread of the real-time clock.
   virtual bool write(const void* signal) noexcept = 0;
+  /// Sends what was written of a topic whose samples go together (Sending::kTogether) and has not gone yet.
+  virtual void flush() noexcept {}
   /// Says that this writer lives although it has nothing to write: for MANUAL_BY_TOPIC liveliness.
   virtual void assert_liveliness() noexcept = 0;
   virtual int matched_readers() const noexcept = 0;
@@ -74,8 +77,13 @@ class Bus {
     notifier_->wait_for_arrivals(target, timeout);
   }
   void wake() noexcept { notifier_->wake(); }
+  /// What counts arrivals, for a bus that stands before another.
+  const std::shared_ptr<Notifier>& notifier() const noexcept { return notifier_; }
 
  protected:
+  Bus() = default;
+  explicit Bus(std::shared_ptr<Notifier> notifier) : notifier_(std::move(notifier)) {}
+
   std::shared_ptr<Notifier> notifier_ = std::make_shared<Notifier>();
 };
 
@@ -92,9 +100,16 @@ class Publisher {
   }
 
   bool publish(const Signal& signal) noexcept {
+    const bool written = queue(signal);
+    flush();
+    return written;
+  }
+  /// Of a topic whose samples go together: it goes with the next flush.
+  bool queue(const Signal& signal) noexcept {
     ++sent_;
     return writer_->write(&signal);
   }
+  void flush() noexcept { writer_->flush(); }
   void assert_liveliness() noexcept { writer_->assert_liveliness(); }
   std::uint64_t sent() const noexcept { return sent_; }
   int matched_readers() const noexcept { return writer_->matched_readers(); }

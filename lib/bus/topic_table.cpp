@@ -27,7 +27,7 @@ std::string topics_table_markdown() {
   for (const TopicSpec& topic : topics()) {
     table += std::string("| `") + topic.name + "` | [" + topic.idl + "](" + topic.idl + ") | " + topic.flow + " | " +
              topic.key + " | " + std::to_string(topic.version) + " | " +
-             (topic.route == Route::kRobot ? "the robot" : "the joint's hosts") + " | " + describe(topic.realtime) +
+             (topic.route == Route::kRobot ? "the robot" : "the leg's hosts") + " | " + describe(topic.realtime) +
              " | " + describe(qos_for(topic, ClockKind::kLockstep)) + " |\n";
   }
   return table;

@@ -21,8 +21,11 @@ enum class TopicId : std::uint8_t {
 #undef FARRIER_TOPIC_ID
 };
 
-/// Who gets a sample: everybody of the robot, or only the processes that host the sample's joint.
-enum class Route : std::uint8_t { kRobot, kJoint };
+/// Who gets a sample: everybody of the robot, or only the processes that host joints of the sample's leg.
+enum class Route : std::uint8_t { kRobot, kLeg };
+
+/// When a sample goes out: as it is written, or with others of its writer when that is flushed.
+enum class Sending : std::uint8_t { kAtOnce, kTogether };
 
 enum class ClockKind : std::uint8_t { kLockstep, kRealtime };
 
@@ -35,6 +38,7 @@ struct TopicSpec {
   const char* key;         ///< key fields, for people
   std::uint32_t version;   ///< raised with every change of the fields or of their meaning
   Route route;
+  Sending sending;
   std::size_t signal_size; ///< sizeof of our struct
   Qos realtime;            ///< QoS on the real-time clock
   int lockstep_depth;      ///< history in lock-step, where every topic is reliable and nothing ever expires
@@ -53,9 +57,9 @@ std::uint64_t contract_hash();
 /// Markdown table of the registry with its QoS on both clocks, for idl/README.md.
 std::string topics_table_markdown();
 
-/// DDS partition of a robot's topics that go to everybody, and of one joint's.
+/// DDS partition of a robot's topics that go to everybody, and of one leg's.
 std::string partition(const std::string& robot);
-std::string partition(const std::string& robot, const std::string& joint);
+std::string partition(const std::string& robot, const std::string& leg);
 
 /// TopicId of a signal type.
 template <class Signal>

@@ -40,7 +40,9 @@ std::string cyclone_config(const bus::NetworkOptions& options) {
                                 element("Peers", peers) + element("SPDPInterval", kAnnouncementPeriod) +
                                 element("LeaseDuration", std::to_string(options.lease.count()) + " s");
   // One receive thread: with unicast alone there is nothing for a second one to do but to switch contexts.
-  const std::string internal = element("MultipleReceiveThreads", "false") + kReliableTiming + kSockets;
+  // Writers hold samples until they are flushed: those of one tick share a datagram.
+  const std::string internal = element("MultipleReceiveThreads", "false") + element("WriteBatch", "true") +
+                               kReliableTiming + kSockets;
   return element("CycloneDDS", "<Domain Id=\"any\">" + element("General", general) + element("Discovery", discovery) +
                                    element("Internal", internal) + "</Domain>");
 }

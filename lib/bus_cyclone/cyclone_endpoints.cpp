@@ -10,14 +10,20 @@ namespace {
 template <class Signal>
 class CycloneWriter final : public bus::RawWriter {
  public:
-  explicit CycloneWriter(dds_entity_t writer) : writer_(writer) {}
+  CycloneWriter(dds_entity_t writer, bus::Sending sending) : writer_(writer), sending_(sending) {}
   ~CycloneWriter() override { dds_delete(writer_); }
 
   bool write(const void* signal) noexcept override {
     typename Wire<Signal>::Type sample;
     Wire<Signal>::copy(sample, *static_cast<const Signal*>(signal));
-    return dds_write(writer_, &sample) == DDS_RETCODE_OK;
+    const bool written = dds_write(writer_, &sample) == DDS_RETCODE_OK;
+    if (sending_ == bus::Sending::kAtOnce) {
+      flush();
+    }
+    return written;
   }
+
+  void flush() noexcept override { dds_write_flush(writer_); }
 
   void assert_liveliness() noexcept override { dds_assert_liveliness(writer_); }
 
@@ -29,6 +35,7 @@ class CycloneWriter final : public bus::RawWriter {
 
  private:
   dds_entity_t writer_;
+  bus::Sending sending_;
 };
 
 /// What the listener callbacks of a reader write, on Cyclone's receive and event threads.
@@ -123,8 +130,8 @@ class CycloneReader final : public bus::RawReader {
 };
 
 template <class Signal>
-std::unique_ptr<bus::RawWriter> wrap_typed_writer(dds_entity_t writer) {
-  return std::make_unique<CycloneWriter<Signal>>(writer);
+std::unique_ptr<bus::RawWriter> wrap_typed_writer(dds_entity_t writer, bus::Sending sending) {
+  return std::make_unique<CycloneWriter<Signal>>(writer, sending);
 }
 
 template <class Signal>
@@ -159,7 +166,7 @@ const TopicFactory& factory(bus::TopicId topic) { return kFactories[static_cast<
 const dds_topic_descriptor_t& topic_descriptor(bus::TopicId topic) { return factory(topic).descriptor(); }
 
 std::unique_ptr<bus::RawWriter> wrap_writer(bus::TopicId topic, dds_entity_t writer) {
-  return factory(topic).writer(writer);
+  return factory(topic).writer(writer, bus::spec(topic).sending);
 }
 
 Result<std::unique_ptr<bus::RawReader>> make_reader(bus::TopicId topic, dds_entity_t subscriber,

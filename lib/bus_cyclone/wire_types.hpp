@@ -16,6 +16,7 @@
 #include <system_health.h>
 #include <system_hello.h>
 #include <system_mode.h>
+#include <system_request.h>
 
 #include <algorithm>
 #include <array>

@@ -131,6 +131,8 @@ dds::SubscriberQos subscriber_qos(const std::vector<std::string>& partitions) {
 dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint) {
   dds::DataWriterQos qos;
   set_common(qos, endpoint);
+  // Asynchronous writers would put the samples of one tick into one datagram. Their thread tries the writer's lock again
+  // and again without sleeping: with a real-time priority it keeps the owner of the lock from the core for ever.
   qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
   qos.ownership_strength().value = static_cast<std::uint32_t>(std::max(0, endpoint.ownership_strength));
   qos.writer_data_lifecycle().autodispose_unregistered_instances = false;

@@ -18,6 +18,7 @@
 #include <system_healthPubSubTypes.h>
 #include <system_helloPubSubTypes.h>
 #include <system_modePubSubTypes.h>
+#include <system_requestPubSubTypes.h>
 
 #include <array>
 #include <cstring>

@@ -27,6 +27,8 @@ void install_signal_handlers() {
 
 bool stop_requested() noexcept { return stop_signal != 0; }
 
+SteadyTime steady_now() { return std::chrono::steady_clock::now(); }
+
 int stop_status() noexcept { return stop_signal == 0 ? 0 : 128 + stop_signal; }
 
 int run(Application& application, bus::Bus& bus, const char* name) {

@@ -11,11 +11,14 @@ void install_signal_handlers();
 /// True once SIGTERM or SIGINT came.
 bool stop_requested() noexcept;
 
+/// The steady clock of this process.
+SteadyTime steady_now();
+
 /// Exit status of a program that they ended, as shells count: 130 after SIGINT, 143 after SIGTERM; 0 before.
 int stop_status() noexcept;
 
-/// Drives an application by one thread that polls it whenever samples arrive, until SIGTERM; returns the process's exit status. When nothing moves for a
-/// while it says on standard error what it waits for.
+/// Drives an application by one thread that polls it whenever samples arrive, until SIGTERM; returns the process's exit
+/// status. When nothing moves for a while it says on standard error what it waits for.
 int run(Application& application, bus::Bus& bus, const char* name);
 
 }  // namespace farrier::participant

@@ -49,6 +49,19 @@ void declare(CLI::App& app, ProcessOptions& o) {
   if (o.name == "sim_bridge") {
     app.add_option("--hide", o.hide, "Seed of an effect that one simulated joint has and nobody else is told of");
   }
+  app.add_option_function<std::vector<std::string>>(
+         "--fault",
+         [&o](const std::vector<std::string>& texts) {
+           for (const std::string& text : texts) {
+             const auto fault = bus_faults::parse_arrow_fault(text);
+             if (!fault) {
+               throw CLI::ValidationError("--fault", fault.error().message);
+             }
+             o.faults.push_back(fault.value());
+           }
+         },
+         "What goes wrong with samples on their way into this process, as TOPIC:KIND[=VALUE][@FROM..UNTIL][#KEY]")
+      ->allow_extra_args(false);
   app.add_flag("--no-dither", o.no_dither, "Valves are not probed, whatever the robot file says");
 }
 
@@ -84,6 +97,11 @@ ProcessOptions parse_options(const std::string& process, const std::string& purp
                                    : process == "joint_node" && options.number < kFirstJointNode) {
     std::fprintf(stderr, "%s: --number %u is another participant's: sim_bridge is 0, estimator_service 1, supervisor 2, "
                  "the gait source 3, joint nodes 4 and up\n", process.c_str(), options.number);
+    std::exit(2);
+  }
+  if (!options.faults.empty() && options.clock == bus::ClockKind::kLockstep) {
+    std::fprintf(stderr, "%s: --fault is for the real-time clock: in lock-step a lost sample holds the run up for ever\n",
+                 process.c_str());
     std::exit(2);
   }
   if (options.session == 0) {
@@ -133,6 +151,9 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
   }
   append("--estimator", o.estimator);
   append("--controller", o.controller);
+  for (const bus_faults::ArrowFault& fault : o.faults) {
+    append("--fault", bus_faults::to_string(fault));
+  }
   if (o.no_dither) {
     arguments.push_back("--no-dither");
   }

@@ -7,6 +7,7 @@
 
 #include "bus/bus.hpp"
 #include "bus/network.hpp"
+#include "bus_faults/arrow_fault.hpp"
 #include "participant/participant.hpp"
 
 namespace farrier::participant {
@@ -31,6 +32,7 @@ struct ProcessOptions {
   std::string estimator;            ///< section of the robot file for every joint, or empty
   std::string controller;           ///< kind of every controller, as in a robot file, or empty
   std::optional<std::uint64_t> hide;  ///< sim_bridge: seed of an effect that only the simulated robot has
+  std::vector<bus_faults::ArrowFault> faults;  ///< on the way of samples into this process, real time only
   bool no_dither = false;           ///< joint_node: valves are not probed, whatever the robot file says
 };
 

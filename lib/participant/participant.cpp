@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+
 namespace farrier::participant {
 namespace {
 
@@ -12,13 +14,16 @@ constexpr auto kGreetingPeriod = 20ms;
 
 }  // namespace
 
-bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& joints) {
+bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& legs) {
   bus::EndpointSpec endpoint{topic, bus::qos_for(bus::spec(topic), identity.clock), {}, 0};
   if (bus::spec(topic).route == bus::Route::kRobot) {
     endpoint.partitions = {bus::partition(identity.robot)};
   } else {
-    for (const std::string& joint : joints) {
-      endpoint.partitions.push_back(bus::partition(identity.robot, joint));
+    for (const std::string& leg : legs) {
+      const std::string partition = bus::partition(identity.robot, leg);
+      if (std::ranges::find(endpoint.partitions, partition) == endpoint.partitions.end()) {
+        endpoint.partitions.push_back(partition);
+      }
     }
   }
   return endpoint;

@@ -28,9 +28,9 @@ struct Identity {
   bus::ClockKind clock = bus::ClockKind::kLockstep;
 };
 
-/// How a process of this identity opens a topic: QoS by its clock, partitions by the topic's route. `joints` names
-/// those of a topic routed by joint.
-bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& joints = {});
+/// How a process of this identity opens a topic: QoS by its clock, partitions by the topic's route. `legs` names those of
+/// a topic routed by leg; one may stand there several times.
+bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& legs = {});
 
 /// One process's place in a run. Owned by the bus
 /// thread; on the real-time clock the sender thread publishes on ports, whose counters allow it.
@@ -38,11 +38,11 @@ class Participant {
  public:
   static Result<std::unique_ptr<Participant>> join(bus::Bus& bus, Identity identity);
 
-  /// Opens a receiving port and expects each of `keys` to be heard on it before the run starts.
-  /// `partitions`: names of joints for topics routed by joint, empty otherwise.
+  /// Opens a receiving port and expects each of `keys` to be heard on it before the run starts. `legs`: by key, names for
+  /// topics routed by leg, of which samples of other keys are left out; empty otherwise.
   template <class Signal>
-  Result<In<Signal>*> subscribe(std::vector<std::uint16_t> keys, const std::vector<std::string>& joints = {}) {
-    auto made = bus::Subscription<Signal>::create(bus_, endpoint_of(identity_, bus::TopicOf<Signal>::id, joints));
+  Result<In<Signal>*> subscribe(std::vector<std::uint16_t> keys, const std::vector<std::string>& legs = {}) {
+    auto made = bus::Subscription<Signal>::create(bus_, endpoint_of(identity_, bus::TopicOf<Signal>::id, legs));
     if (!made) {
       return made.error();
     }
@@ -52,21 +52,31 @@ class Participant {
     return raw;
   }
 
-  /// Opens a sending port that speaks for `keys`, with one writer per joint where the topic is routed by joint.
+  /// Opens a sending port that speaks for `keys`. `legs`: by key, names for topics routed by leg, each of which gets a
+  /// writer; empty otherwise.
   template <class Signal>
-  Result<Out<Signal>*> publish(std::vector<std::uint16_t> keys, const std::vector<std::string>& joints = {}) {
+  Result<Out<Signal>*> publish(std::vector<std::uint16_t> keys, const std::vector<std::string>& legs = {}) {
     const bus::TopicId topic = bus::TopicOf<Signal>::id;
-    const bool by_joint = bus::spec(topic).route == bus::Route::kJoint;
     std::vector<bus::Publisher<Signal>> publishers;
-    for (std::size_t i = 0; i < (by_joint ? joints.size() : 1); ++i) {
-      auto made = bus::Publisher<Signal>::create(
-          bus_, endpoint_of(identity_, topic, by_joint ? std::vector<std::string>{joints[i]} : std::vector<std::string>{}));
+    std::vector<std::size_t> publisher_of_key(keys.size(), 0);
+    std::vector<std::string> opened;
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, legs.size()); ++i) {
+      const std::vector<std::string> leg = legs.empty() ? legs : std::vector{legs[i]};
+      const auto known = legs.empty() ? opened.end() : std::ranges::find(opened, legs[i]);
+      if (i < keys.size()) {
+        publisher_of_key[i] = legs.empty() ? 0 : static_cast<std::size_t>(known - opened.begin());
+      }
+      if (known != opened.end()) {
+        continue;
+      }
+      auto made = bus::Publisher<Signal>::create(bus_, endpoint_of(identity_, topic, leg));
       if (!made) {
         return made.error();
       }
       publishers.push_back(std::move(made).value());
+      opened.push_back(legs.empty() ? "" : legs[i]);
     }
-    auto port = std::make_unique<Out<Signal>>(std::move(publishers), std::move(keys));
+    auto port = std::make_unique<Out<Signal>>(std::move(publishers), std::move(keys), std::move(publisher_of_key));
     Out<Signal>* raw = port.get();
     ports_.push_back(std::move(port));
     return raw;

@@ -11,25 +11,20 @@
 #include <vector>
 
 #include "bus/bus.hpp"
+#include "signals/tick_of.hpp"
 
 namespace farrier::participant {
 
-/// The key and the tick of a signal. A sample without a tick is a probe.
+/// The key of a signal. A sample without a tick is a probe.
 inline std::uint16_t& key_of(signals::GaitPhase& s) { return s.leg; }
 inline std::uint16_t& key_of(signals::SystemMode& s) { return s.robot; }
+inline std::uint16_t& key_of(signals::SystemRequest& s) { return s.robot; }
 inline std::uint16_t& key_of(signals::ClockTick& s) { return s.clock; }
 template <class Signal>
   requires requires(Signal s) { s.joint; s.tick; }
 std::uint16_t& key_of(Signal& s) { return s.joint; }
 inline std::uint16_t& key_of(signals::JointControllerGains& s) { return s.joint; }
 inline std::uint16_t& key_of(signals::ClockTickDone& s) { return s.participant; }
-
-inline Tick tick_of(const signals::GaitPhase& s) { return s.announced_tick; }
-inline Tick tick_of(const signals::SystemMode& s) { return s.effective_tick; }
-inline Tick tick_of(const signals::JointControllerGains& s) { return s.effective_tick; }
-template <class Signal>
-  requires requires(Signal s) { s.tick; }
-Tick tick_of(const Signal& s) { return s.tick; }
 
 template <class Signal>
 std::uint16_t key_of(const Signal& s) {
@@ -60,6 +55,9 @@ class In final : public Port {
   template <class Consume>
   std::size_t drain(Consume&& consume) {
     return subscription_.drain([&](const Signal& signal) {
+      if (bus::spec(kTopic).route == bus::Route::kLeg && !is_mine(key_of(signal))) {
+        return;
+      }
       if (unheard_left_) {
         mark(key_of(signal));
       }
@@ -91,6 +89,8 @@ class In final : public Port {
 
  private:
   static constexpr bus::TopicId kTopic = bus::TopicOf<Signal>::id;
+
+  bool is_mine(std::uint16_t key) const noexcept { return std::find(keys_.begin(), keys_.end(), key) != keys_.end(); }
 
   void forget_lost_probes() noexcept { lost_before_ = subscription_.status().lost; }
 
@@ -126,18 +126,26 @@ class In final : public Port {
   std::uint64_t lost_before_ = 0;  ///< probes lost while endpoints found each other
 };
 
-/// Sending port: the keys it speaks for, with one writer per key where the topic is routed by joint.
+/// Sending port: the keys it speaks for, with one writer per leg where the topic is routed by leg.
 template <class Signal>
 class Out final : public Port {
  public:
-  Out(std::vector<bus::Publisher<Signal>> publishers, std::vector<std::uint16_t> keys)
-      : publishers_(std::move(publishers)), keys_(std::move(keys)) {}
+  /// `publisher_of_key`: the place in `publishers` of each key's.
+  Out(std::vector<bus::Publisher<Signal>> publishers, std::vector<std::uint16_t> keys,
+      std::vector<std::size_t> publisher_of_key)
+      : publishers_(std::move(publishers)), keys_(std::move(keys)), publisher_of_key_(std::move(publisher_of_key)) {}
 
-  /// A sample the transport refuses counts as lost.
+  /// A sample the transport refuses counts as lost. One of a topic whose samples go together goes with the next flush.
   void publish(const Signal& signal) noexcept {
     sent_.fetch_add(1, std::memory_order_relaxed);
-    if (!publisher_of(key_of(signal)).publish(signal)) {
+    if (!publisher_of(key_of(signal)).queue(signal)) {
       refused_.fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+  /// Sends what was published of a topic whose samples go together.
+  void flush() noexcept {
+    for (bus::Publisher<Signal>& publisher : publishers_) {
+      publisher.flush();
     }
   }
   /// Keeps the authority of a topic whose writer seldom writes.
@@ -152,6 +160,7 @@ class Out final : public Port {
       key_of(signal) = key;
       publisher_of(key).publish(signal);
     }
+    flush();
   }
   std::uint64_t sent() const noexcept { return sent_.load(std::memory_order_relaxed); }
   void count(signals::SystemHealth& health) const noexcept override {
@@ -165,11 +174,12 @@ class Out final : public Port {
       return publishers_.front();
     }
     const auto place = std::find(keys_.begin(), keys_.end(), key);
-    return publishers_[static_cast<std::size_t>(place - keys_.begin())];
+    return publishers_[publisher_of_key_[static_cast<std::size_t>(place - keys_.begin())]];
   }
 
   std::vector<bus::Publisher<Signal>> publishers_;
   std::vector<std::uint16_t> keys_;
+  std::vector<std::size_t> publisher_of_key_;
   std::atomic<std::uint64_t> sent_{0};  ///< the sender thread counts, the bus thread reports
   std::atomic<std::uint64_t> refused_{0};
 };

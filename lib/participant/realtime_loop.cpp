@@ -39,7 +39,7 @@ void control(RealtimeApplication& application, const char* name, const std::atom
       previous = deadline.next;
     }
     if (!application.finished()) {
-      application.step(now(), deadline.missed);
+      application.step({now(), deadline.next, deadline.missed});
       application.outputs_waiting.post();
     }
   }

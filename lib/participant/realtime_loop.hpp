@@ -12,6 +12,13 @@
 
 namespace farrier::participant {
 
+/// A control thread's wake-up for one period.
+struct Wake {
+  SteadyTime now;
+  SteadyTime due;            ///< the deadline; of a loop that steps on arrival: the latest time to step
+  std::uint64_t missed = 0;  ///< whole periods skipped since the last one
+};
+
 class RealtimeApplication {
  public:
   enum class Trigger {
@@ -23,8 +30,8 @@ class RealtimeApplication {
 
   /// Bus thread: takes what has arrived, greets, reports health. True once the run has started.
   virtual bool receive(SteadyTime now) = 0;
-  /// Control thread: one period. `missed`: whole periods skipped since the last one.
-  virtual void step(SteadyTime now, std::uint64_t missed) noexcept = 0;
+  /// Control thread: one period.
+  virtual void step(const Wake& wake) noexcept = 0;
   /// Sender thread: publishes what the control thread has left.
   virtual void send() = 0;
   virtual bool finished() const = 0;

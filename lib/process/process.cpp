@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "bus_factory/bus_factory.hpp"
+#include "bus_faults/faulty_bus.hpp"
 #include "participant/loop.hpp"
 #include "runtime/realtime_thread.hpp"
 
@@ -59,13 +60,20 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
     return 2;
   }
   if (options.clock == bus::ClockKind::kRealtime) {
-    if (const std::string lacking = runtime::set_priority(runtime::kBusPriority); !lacking.empty()) {
+    const bool service = options.number == participant::kEstimatorService || options.number == participant::kSupervisor;
+    const int priority = service ? runtime::kServicePriority : runtime::kBusPriority;
+    if (const std::string lacking = runtime::set_priority(priority); !lacking.empty()) {
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());
     }
   }
   auto bus = bus_factory::create_bus(options.vendor, participant::network_of(options));
   if (!bus) {
     return refuse(name, bus.error());
+  }
+  if (!options.faults.empty()) {
+    std::fprintf(stderr, "%s: runs with %zu faults on purpose\n", name, options.faults.size());
+    bus = bus_faults::with_faults(std::move(bus).value(), options.faults, options.seed, options.name,
+                                  participant::steady_now);
   }
   auto member = participant::Participant::join(*bus.value(), identity_of(options, robot.value()));
   if (!member) {

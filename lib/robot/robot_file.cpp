@@ -22,6 +22,8 @@ void declare(Visitor& v, SafetySection& section) {
             "Good sensor samples that end a stale spell.");
   v.number("damping_gain_Nms_rad", s.damping_gain_Nms_rad, {0, 1e4}, Default{20.0},
            "Joint torque against the joint's velocity while its command is late (Ns/m on a rig).");
+  v.integer("frozen_samples", s.frozen_samples, {0, 10000}, Default{0},
+            "Samples that are alike in every number, as noise never is, after which sensors count as stale; 0: never.");
   v.number("stance_lead_s", s.stance_lead_s, {0, 0.1}, Default{0.0},
            "Stance gains act this long before the announced touchdown, for one that comes early.");
   v.check(s.command_damping_s < s.command_trip_s, "command_trip_s", "must be longer than command_damping_s");

@@ -24,6 +24,7 @@ struct Safety {
   double command_trip_s = 0.050;         ///< command older than this: valve to null, latched
   double valve_silent_s = 0.005;         ///< no valve command for this long: spool to null
   int recovery_samples = 10;             ///< good sensor samples that end a stale spell
+  int frozen_samples = 0;                ///< samples alike in every number that make sensors stale; 0: never
   double damping_gain_Nms_rad = 20.0;    ///< of the joint while its command is late: tau = -gain qdot
   double stance_lead_s = 0.0;            ///< stance gains act this long before the announced touchdown
 };

@@ -10,6 +10,7 @@ void LatencyHistogram::add(Nanoseconds latency) noexcept {
   const auto bin = static_cast<int>(std::log2(microseconds) * kBinsPerOctave);
   ++bins_[static_cast<std::size_t>(std::clamp(bin, 0, kBinsPerOctave * kOctaves - 1))];
   ++count_;
+  largest_ = std::max(largest_, latency);
 }
 
 double LatencyHistogram::quantile_s(double quantile) const noexcept {
@@ -22,6 +23,10 @@ double LatencyHistogram::quantile_s(double quantile) const noexcept {
     }
   }
   return 0;
+}
+
+std::array<double, 4> LatencyHistogram::summary_s() const noexcept {
+  return {quantile_s(0.5), quantile_s(0.99), quantile_s(0.999), std::chrono::duration<double>(largest_).count()};
 }
 
 }  // namespace farrier::runtime

@@ -15,6 +15,9 @@ class LatencyHistogram {
   /// Latency in s that the fraction `quantile` (0..1) of the samples does not exceed; 0 without samples.
   double quantile_s(double quantile) const noexcept;
 
+  /// Quantiles 0.5, 0.99 and 0.999, and the largest latency exactly, in s.
+  std::array<double, 4> summary_s() const noexcept;
+
   std::uint64_t count() const noexcept { return count_; }
 
  private:
@@ -23,6 +26,7 @@ class LatencyHistogram {
 
   std::array<std::uint64_t, kBinsPerOctave * kOctaves> bins_{};
   std::uint64_t count_ = 0;
+  Nanoseconds largest_{0};
 };
 
 }  // namespace farrier::runtime

@@ -5,9 +5,11 @@
 namespace farrier::runtime {
 
 /// SCHED_FIFO priorities of a process on the real-time clock: the control loop comes before the thread that talks to
-/// the bus, whose priority the vendor's threads inherit when it creates them.
+/// the bus, whose priority the vendor's threads inherit when it creates them. Processes that are not on the way from
+/// sensor to valve come after both: FIFO threads of one priority do not take turns.
 inline constexpr int kControlPriority = 80;
 inline constexpr int kBusPriority = 60;
+inline constexpr int kServicePriority = 40;
 
 /// Gives the calling thread, and threads it creates from now on, a SCHED_FIFO priority. Where the system's limits
 /// forbid it the thread runs on without; returns what could not be had, empty when all could.

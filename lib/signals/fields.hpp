@@ -20,6 +20,7 @@
   X(SystemHealth, system_health)                      \
   X(SystemEvent, system_event)                        \
   X(SystemMode, system_mode)                          \
+  X(SystemRequest, system_request)                    \
   X(ClockTick, clock_tick)                            \
   X(ClockTickDone, clock_tick_done)
 
@@ -63,7 +64,7 @@
   F(participant) F(session) F(contract) F(pid) F(vendor) F(routes_expected) F(routes_heard) F(name)
 
 #define FARRIER_FIELDS_SystemHealth(F) \
-  F(participant) F(tick) F(final_report) F(missed_deadlines) F(latency_p50_s) F(latency_p99_s) F(sent) F(received) \
+  F(participant) F(tick) F(final_report) F(periods) F(missed_periods) F(latency_s) F(wake_up_s) F(sent) F(received) \
   F(lost)
 
 #define FARRIER_FIELDS_SystemEvent(F) \
@@ -71,6 +72,9 @@
 
 #define FARRIER_FIELDS_SystemMode(F) \
   F(robot) F(epoch) F(session) F(effective_tick) F(mode)
+
+#define FARRIER_FIELDS_SystemRequest(F) \
+  F(robot) F(session) F(tick) F(count) F(request)
 
 #define FARRIER_FIELDS_ClockTick(F) \
   F(clock) F(tick)

@@ -27,6 +27,14 @@ const char* to_string(Mode mode) noexcept {
   return "unknown mode";
 }
 
+const char* to_string(Request request) noexcept {
+  switch (request) {
+    case Request::kArm: return "arm";
+    case Request::kStop: return "stop";
+  }
+  return "unknown request";
+}
+
 const char* to_string(JointState state) noexcept {
   switch (state) {
     case JointState::kNull: return "null";

@@ -21,6 +21,9 @@ inline constexpr int kPhaseCount = 2;
 /// What the whole robot may do; the supervisor publishes it.
 enum class Mode : std::uint8_t { kIdle = 0, kArmed = 1, kStopped = 2 };
 
+/// What an operator may ask for.
+enum class Request : std::uint8_t { kArm = 0, kStop = 1 };
+
 /// What one joint does (precedence from the bottom of the table in docs/architecture.md).
 enum class JointState : std::uint8_t { kNull = 0, kDamping = 1, kTracking = 2 };
 
@@ -206,9 +209,10 @@ struct SystemHealth {
   std::uint16_t participant = 0;  ///< key
   Tick tick = kNoTick;
   std::uint8_t final_report = 0;  ///< 1: the last of this run
-  std::uint64_t missed_deadlines = 0;
-  double latency_p50_s = 0;  ///< sensor sample to valve command; sim_bridge only, 0 elsewhere
-  double latency_p99_s = 0;
+  std::uint64_t periods = 0;         ///< of the control loop that were stepped
+  std::uint64_t missed_periods = 0;  ///< that passed without a step
+  std::array<double, 4> latency_s{};  ///< sensor sample to valve command, p50, p99, p99.9, largest; sim_bridge only, 0 elsewhere
+  std::array<double, 4> wake_up_s{};  ///< control loop awake after its deadline, likewise; 0 where it has none
   std::array<std::uint64_t, kMaxTopics> sent{};      ///< samples by topic number
   std::array<std::uint64_t, kMaxTopics> received{};  ///< samples by topic number
   std::array<std::uint64_t, kMaxTopics> lost{};      ///< samples known lost by topic number
@@ -231,6 +235,15 @@ struct SystemMode {
   std::uint64_t session = 0;   ///< a joint arms only for the session it was started in
   Tick effective_tick = kNoTick;
   std::uint8_t mode = 0;
+};
+
+/// Operator -> supervisor: asks for another mode.
+struct SystemRequest {
+  std::uint16_t robot = 0;    ///< key
+  std::uint64_t session = 0;  ///< of the run it is meant for; others are ignored
+  Tick tick = kNoTick;        ///< newest tick that the sender knows of
+  std::uint32_t count = 0;    ///< requests of this sender so far, this one included
+  std::uint8_t request = 0;   ///< Request
 };
 
 /// sim_bridge -> gait source, supervisor: tick k has begun (sensors of tick k are published).
@@ -261,6 +274,7 @@ std::string_view text_of(const std::array<char, kSize>& from) noexcept {
 
 const char* to_string(Phase phase) noexcept;
 const char* to_string(Mode mode) noexcept;
+const char* to_string(Request request) noexcept;
 const char* to_string(JointState state) noexcept;
 const char* to_string(Severity severity) noexcept;
 const char* to_string(UpdateVerdict verdict) noexcept;

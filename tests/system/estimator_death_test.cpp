@@ -39,8 +39,8 @@ class EstimatorDeath : public testing::TestWithParam<const char*> {
   EstimatorDeath()
       : trot_({"trot", "--clock", "realtime", "--nodes", "one", "--design", GetParam(), "--duration", "4", "--out",
                scratch_.file("out")}) {
-    estimator_ = trot_.process("estimator_service");
-    if (estimator_ != 0 && trot_.says("trot: tick 2")) {
+    if (trot_.says("trot: tick 2")) {  // before, the bare exchange had members of the same names
+      estimator_ = trot_.process("estimator_service");
       ::kill(estimator_, SIGKILL);
     }
     status_ = trot_.wait();
@@ -55,13 +55,13 @@ class EstimatorDeath : public testing::TestWithParam<const char*> {
     return place == std::string::npos ? -1 : std::stol(warning.substr(place + before.size()));
   }
 
-  double lost_samples() const {
+  double figure(const std::string& name) const {
     for (const auto& figure : run_["figures"]) {
-      if (figure["name"] == "trot.lost_samples") {
+      if (figure["name"] == name) {
         return figure["value"];
       }
     }
-    ADD_FAILURE() << "no figure trot.lost_samples";
+    ADD_FAILURE() << "no figure " << name;
     return 0.0;
   }
 
@@ -79,11 +79,12 @@ TEST_P(EstimatorDeath, StopsUpdatesAndNothingElse) {
                                 ") ended with exit status 137, killed by Killed"),
             std::string::npos)
       << trot_.output();
-  if (const double lost = lost_samples(); lost > kMayBeLost * static_cast<double>(kTicks) * kJoints) {
+  if (const double lost = figure("trot.lost_samples"); lost > kMayBeLost * static_cast<double>(kTicks) * kJoints) {
     GTEST_SKIP() << "this computer lost " << lost << " samples on their way: that joints then miss ticks or trip says "
                  << "nothing of the estimator's death";
   }
-  EXPECT_EQ(status_, 0) << trot_.output();
+  EXPECT_LE(status_, 1) << trot_.output();  // 1: this computer does not keep up
+  EXPECT_EQ(figure("trot.tripped_joints"), 0.0);
   const long death = tick_of_death();
   ASSERT_GT(death, 0);
   ASSERT_LT(death, kTicks - 1000) << "it died too late to see what comes after";

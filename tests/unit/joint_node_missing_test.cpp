@@ -50,6 +50,35 @@ TEST(JointNode, NullsValveWhenASensorIsNotFinite) {
   }
 }
 
+TEST(JointNode, NullsValveWhenSensorsAreFrozen) {
+  robot::Safety safety = hyq().safety;
+  safety.frozen_samples = 5;
+  Bench bench = Bench::tracking(joint_named("lf_kfe"), safety);
+  for (int alike = 0; alike < 5; ++alike) {
+    EXPECT_EQ(bench.state(), JointState::kTracking) << alike;
+  }
+  expect_null(bench.step(), Fault::kSensorsStale);
+  for (int good = 1; good < safety.recovery_samples; ++good) {
+    bench.inputs.sensors.force_N_or_Nm += 0.5;
+    expect_null(bench.step(), Fault::kSensorsStale);
+  }
+  bench.inputs.sensors.force_N_or_Nm += 0.5;
+  EXPECT_EQ(bench.state(), JointState::kTracking);
+}
+
+TEST(JointNode, SaysNothingOfFrozenSensorsWhileNoneCome) {
+  robot::Safety safety = hyq().safety;
+  safety.frozen_samples = 3;
+  Bench bench = Bench::tracking(joint_named("lf_kfe"), safety);
+  bench.step();
+  const Tick newest = bench.inputs.sensors.tick;
+  for (int period = 0; period < 10; ++period) {
+    ++bench.inputs.tick;
+    bench.inputs.sensors.tick = newest;
+    EXPECT_EQ(static_cast<JointState>(bench.node.step(bench.inputs).valve.state), JointState::kTracking);
+  }
+}
+
 TEST(JointNode, RecoversAfterTenGoodSamples) {
   ASSERT_EQ(hyq().safety.recovery_samples, 10);
   Bench bench = Bench::tracking();

@@ -165,7 +165,7 @@ TEST_F(RecorderTest, TakesEveryJointOffTheBus) {
   constexpr Tick kTicks = 3;
   participant::testing::TestRun run(1);
   const auto member = run.join(0, "gait_source");
-  const auto sensors_out = member->publish<signals::JointSensors>(robot::joint_numbers(robot_), robot::joint_names(robot_));
+  const auto sensors_out = member->publish<signals::JointSensors>(robot::joint_numbers(robot_), robot::legs_of_joints(robot_));
   const auto valves_out = member->publish<signals::JointValveCommand>(robot::joint_numbers(robot_));
   auto recorder = Recorder::create(robot_, *member.participant, path("all"));
   ASSERT_TRUE(recorder.ok()) << recorder.error().message;

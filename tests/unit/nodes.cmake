@@ -14,6 +14,9 @@ farrier_test(joint_node_test unit
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(joint_node_test PRIVATE farrier_joint_node_core farrier_supervisor_core)
 
+farrier_test(bus_faults_test unit ${CMAKE_CURRENT_LIST_DIR}/bus_faults_test.cpp)
+target_link_libraries(bus_faults_test PRIVATE farrier_bus_faults)
+
 farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/estimator_service_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/lab_hide_test.cpp
@@ -36,6 +39,7 @@ target_link_libraries(nodes_test PRIVATE farrier_estimator_service_core farrier_
   farrier_supervisor_core farrier_joint_node_core farrier_hide)
 
 farrier_test(participant_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/participant_arrival_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/participant_greeting_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/participant_ports_test.cpp)
 target_link_libraries(participant_test PRIVATE farrier_participant)
@@ -51,3 +55,7 @@ target_link_libraries(bench_test PRIVATE farrier_bench)
 foreach(test IN ITEMS joint_node_test nodes_test recorder_test bench_test)
   target_compile_definitions(${test} PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 endforeach()
+
+farrier_test(faults_test unit ${CMAKE_CURRENT_LIST_DIR}/faults_test.cpp)
+target_link_libraries(faults_test PRIVATE farrier_faults)
+target_compile_definitions(faults_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

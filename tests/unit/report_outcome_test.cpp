@@ -20,8 +20,7 @@ ProcessInfo sim_bridge() {
   hello.vendor = 1;
   signals::assign(hello.name, "sim_bridge");
   signals::SystemHealth health;
-  health.latency_p50_s = 120e-6;
-  health.latency_p99_s = 310e-6;
+  health.latency_s = {120e-6, 310e-6, 500e-6, 900e-6};
   health.sent[0] = 24000;      // joint/sensors
   health.received[2] = 23990;  // joint/valve_command
   health.lost[2] = 10;

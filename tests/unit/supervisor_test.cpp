@@ -64,6 +64,27 @@ TEST(Supervisor, ArmsTheRobotForItsSessionOnce) {
   EXPECT_TRUE(supervisor.step(1).modes.empty());
 }
 
+TEST(Supervisor, ArmsAndStopsAsAnOperatorOfItsSessionAsks) {
+  Supervisor supervisor = supervisor_of(shipped("hyq"), Design::kStance);
+  supervisor.step(0);
+  const auto asked = [&](signals::Request request, std::uint64_t session) {
+    supervisor.take(signals::SystemRequest{.session = session, .request = static_cast<std::uint8_t>(request)});
+    return supervisor.step(1).modes;
+  };
+  EXPECT_TRUE(asked(signals::Request::kStop, kSession + 1).empty());
+  const auto stopped = asked(signals::Request::kStop, kSession);
+  ASSERT_EQ(stopped.size(), 1u);
+  EXPECT_EQ(stopped[0].mode, static_cast<std::uint8_t>(signals::Mode::kStopped));
+  EXPECT_EQ(stopped[0].epoch, 2u);
+  EXPECT_EQ(stopped[0].session, kSession);
+  EXPECT_EQ(stopped[0].effective_tick, 1 + shipped("hyq").update_logic.gain_lead_ticks);
+  EXPECT_TRUE(supervisor.step(2).modes.empty());
+  const auto armed = asked(signals::Request::kArm, kSession);
+  ASSERT_EQ(armed.size(), 1u);
+  EXPECT_EQ(armed[0].mode, static_cast<std::uint8_t>(signals::Mode::kArmed));
+  EXPECT_EQ(armed[0].epoch, 3u);
+}
+
 TEST(Supervisor, LeavesTimeForWhatItIssuesToArrive) {
   Supervisor supervisor = supervisor_of(shipped("hyq"), Design::kStance);
   const auto& outputs = supervisor.step(1000);

@@ -13,7 +13,9 @@ inline constexpr int kBadInput = 2;     ///< refused before anything moved; inte
 
 std::function<int()> declare_bench(CLI::App& app);
 std::function<int()> declare_diagnose(CLI::App& app);
+std::function<int()> declare_faults(CLI::App& app);
 std::function<int()> declare_reproduce(CLI::App& app);
+std::function<int()> declare_request(CLI::App& app);
 std::function<int()> declare_tables(CLI::App& app);
 std::function<int()> declare_trot(CLI::App& app);
 

@@ -5,7 +5,9 @@
 #include <thread>
 
 #include "bus_factory/bus_factory.hpp"
+#include "bus_faults/faulty_bus.hpp"
 #include "lab/bare_exchange.hpp"
+#include "lab/bare_realtime.hpp"
 #include "lab/gait_source.hpp"
 #include "lab/recorder.hpp"
 #include "lab/run_monitor.hpp"
@@ -43,6 +45,9 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
     if (member.number != participant::kSimBridge) {
       options.trace_path.clear();
     }
+    if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
+      options.faults = faults->second;
+    }
     const std::string name = run.bare ? "bare_exchange" : member.executable;
     const std::string executable = run.executables + (run.bare ? "/tools/" : "/") + name + "/" + name;
     auto child = ChildProcess::start(member.name, executable, participant::to_arguments(options),
@@ -61,6 +66,7 @@ struct Seat {
   std::unique_ptr<participant::Participant> participant;
   std::unique_ptr<lab::GaitSource> gait;
   std::optional<lab::Recorder> recorder;
+  std::optional<RunActs> acts;
 };
 
 Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const participant::ProcessOptions& common,
@@ -75,18 +81,28 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
     return bus.error();
   }
   seat.bus = std::move(bus).value();
+  if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
+    seat.bus = bus_faults::with_faults(std::move(seat.bus), faults->second, common.seed, member.name, now);
+  }
   auto participant = participant::Participant::join(
       *seat.bus, {member.name, robot.name, member.number, common.participants, common.session, common.clock});
   if (!participant) {
     return participant.error();
   }
   seat.participant = std::move(participant).value();
-  auto gait = run.bare ? lab::create_bare_gait(robot, *seat.participant, common.ticks)
-                       : lab::GaitSource::create(robot, common.seed, *seat.participant, common.ticks);
+  const bool realtime = common.clock == bus::ClockKind::kRealtime;
+  auto gait = !run.bare  ? lab::GaitSource::create(robot, common.seed, *seat.participant, common.ticks)
+              : realtime ? lab::create_bare_answering_gait(robot, *seat.participant)
+                         : lab::create_bare_gait(robot, *seat.participant, common.ticks);
   if (!gait) {
     return gait.error();
   }
   seat.gait = std::move(gait).value();
+  auto acts = RunActs::create(run.acts, *seat.participant);
+  if (!acts) {
+    return acts.error();
+  }
+  seat.acts = std::move(acts).value();
   if (!run.record_directory.empty()) {
     auto recorder = lab::Recorder::create(robot, *seat.participant, run.record_directory);
     if (!recorder) {
@@ -113,18 +129,23 @@ std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProce
 }
 
 /// Takes the dead out of `children`. Refuses when the run cannot do without one: in real time, once it has begun, it
-/// can without `estimator`; in lock-step everybody waits for everybody.
-Result<Done> bury(std::vector<ChildProcess>& children, const std::string& estimator, bool realtime, Tick tick,
-                  std::vector<std::string>& warnings) {
+/// can without the estimator, or without any but sim_bridge if `run` says so; in lock-step everybody waits for everybody.
+Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
+                  Tick tick, std::vector<std::string>& warnings) {
+  const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
+  const auto dispensable = [&](const std::string& name) {
+    return name == members[participant::kEstimatorService].name ||
+           (run.goes_on_without_the_dead && name != members[participant::kSimBridge].name);
+  };
   for (auto child = children.begin(); child != children.end();) {
     if (child->running()) {
       ++child;
       continue;
     }
-    if (child->name() != estimator || !realtime || tick <= 0) {
+    if (!dispensable(child->name()) || !realtime || tick <= 0) {
       return Error{child->epitaph() + (realtime ? "" : "\nIn lock-step every process waits for every other, so the run ends.")};
     }
-    warnings.push_back("no update of gains after tick " + std::to_string(tick) + ": " + child->epitaph());
+    warnings.push_back("without " + child->name() + " after tick " + std::to_string(tick) + ": " + child->epitaph());
     child = children.erase(child);
   }
   return Done{};
@@ -132,7 +153,8 @@ Result<Done> bury(std::vector<ChildProcess>& children, const std::string& estima
 
 /// Plays the gait until the run is over. Refuses as bury does, and when the user interrupts.
 Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children, Progress& progress,
-                    bool realtime, Tick ticks, RunOutcome& outcome) {
+                    const DdsRun& run, Tick ticks, RunOutcome& outcome) {
+  const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   SteadyTime next_housekeeping{};
   SteadyTime first_tick{};
   SteadyTime moved = now();
@@ -143,6 +165,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       seat.recorder->poll();
     }
     seat.gait->poll(now());
+    seat.acts->perform(seat.gait->tick(), children);
     if (seat.gait->tick() != last) {
       first_tick = last == 0 ? now() : first_tick;
       last = seat.gait->tick();
@@ -153,9 +176,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       if (participant::stop_requested()) {
         return Error{"interrupted"};
       }
-      if (auto buried = bury(children, outcome.members[participant::kEstimatorService].name, realtime, last,
-                             outcome.warnings);
-          !buried) {
+      if (auto buried = bury(children, run, outcome.members, last, outcome.warnings); !buried) {
         return buried.error();
       }
       if (!seat.participant->refusal().empty()) {
@@ -218,13 +239,13 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     return seat.error();
   }
   auto monitor = lab::RunMonitor::create(*seat.value().bus, seat.value().participant->identity(),
-                                         robot::joint_names(robot));
+                                         robot::legs_of_joints(robot));
   if (!monitor) {
     return monitor.error();
   }
   Progress progress(run.title, common.ticks);
   auto played = play(seat.value(), monitor.value(), children.value(), progress,
-                     common.clock == bus::ClockKind::kRealtime, common.ticks, outcome);
+                     run, common.ticks, outcome);
   const std::string hard_ends = end_all(children.value());
   if (!played) {
     return played.error();
@@ -238,6 +259,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     }
   }
   outcome.wall_s = played.value();
+  outcome.acted = seat.value().acts->performed();
   outcome.hellos = seat.value().participant->hellos();
   outcome.healths = monitor.value().healths();
   outcome.events = monitor.value().events();

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "lab/run_plan.hpp"
 #include "participant/options.hpp"
+#include "tools/cli/run_acts.hpp"
 
 namespace farrier::cli {
 
@@ -22,6 +24,9 @@ struct DdsRun {
   std::string log_directory;
   std::string record_directory;  ///< recordings of all joints go there, lock-step only; empty: none
   std::string title;
+  std::map<std::string, std::vector<bus_faults::ArrowFault>> faults;  ///< by member, real time only
+  std::vector<Act> acts;                                              ///< in the order of their ticks
+  bool goes_on_without_the_dead = false;  ///< real time: the death of any member but sim_bridge is a warning
   bool bare = false;  ///< exchange the same samples with nothing computed: the yardstick of farrier bench
 };
 
@@ -32,13 +37,15 @@ struct RunOutcome {
   std::vector<signals::SystemEvent> events;
   std::vector<signals::JointUpdateDecision> decisions;
   std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued
+  std::vector<Tick> acted;            ///< when acts were done, in their order
   std::vector<std::string> warnings;  ///< what went wrong and did not end the run
   double wall_s = 0;  ///< from the first tick to the last
 };
 
 /// Starts every process, plays the gait from this one, shows progress, ends every process. Refuses when a process
 /// dies (with its name, exit status and last lines) or the user interrupts; no process is left behind either way. In
-/// real time a run goes on without estimator_service, with a warning: gains then stay as they are.
+/// real time a run goes on without estimator_service, with a warning: gains then stay as they are; and without others as
+/// `run` says.
 Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run);
 
 }  // namespace farrier::cli

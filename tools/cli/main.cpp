@@ -19,7 +19,9 @@ constexpr Subcommand kSubcommands[] = {
     {"trot", "Run a robot's gait through all processes, judge it and report", farrier::cli::declare_trot},
     {"bench", "Measure speed as ratios against what a user would pick instead", farrier::cli::declare_bench},
     {"diagnose", "Find what a joint's model lacks from what was recorded of the joint", farrier::cli::declare_diagnose},
+    {"faults", "Make faults happen to a trot of real processes and judge what each process does", farrier::cli::declare_faults},
     {"reproduce", "Run the studies of the thesis anew and judge its claims", farrier::cli::declare_reproduce},
+    {"request", "Ask a running robot's supervisor to arm or to stop it", farrier::cli::declare_request},
     {"tables", "Print the generated tables of the documentation", farrier::cli::declare_tables},
 };
 

@@ -13,6 +13,7 @@
 #include "tools/cli/hide.hpp"
 #include "tools/cli/in_process.hpp"
 #include "tools/cli/output_file.hpp"
+#include "tools/cli/realtime.hpp"
 #include "tools/cli/run_events.hpp"
 #include "tools/cli/trot_options.hpp"
 #include "tools/cli/trot_run.hpp"
@@ -140,11 +141,19 @@ int trot(TrotOptions o) {
     case Experiment::kControllers: return run_controllers(robot, o);
     case Experiment::kNone: break;
   }
+  const bool lockstep = o.clock == bus::ClockKind::kLockstep;
+  Yardstick yardstick;
+  if (!lockstep) {
+    auto measured = measure_yardstick(robot, o);
+    if (!measured) {
+      return fail(measured.error());
+    }
+    yardstick = std::move(measured).value();
+  }
   auto ran = run_once(robot, o, "trot");
   if (!ran) {
     return fail(ran.error());
   }
-  const bool lockstep = o.clock == bus::ClockKind::kLockstep;
   const int loop_delay = lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime;
   report::Outcome outcome;
   outcome.command = "trot";
@@ -176,6 +185,11 @@ int trot(TrotOptions o) {
   }
   outcome.figures.add("trot.ticks_per_s", static_cast<double>(tracking.value().ticks) / ran.value().wall_s);
   report::add_transport(outcome.figures, outcome.run, lockstep);
+  if (!lockstep) {
+    if (auto added = add_realtime(outcome.figures, robot, o, yardstick, tracking.value()); !added) {
+      return fail(added.error());
+    }
+  }
   if (!report::long_enough(robot, tracking.value())) {
     outcome.failures.emplace_back(kTooShort);
   }

@@ -25,13 +25,7 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
   return common;
 }
 
-Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, const std::string& title) {
-  if (o.dds == DdsChoice::kInproc) {
-    lab::HiddenEffect unsaid;
-    const robot::Robot world = o.hide ? lab::hide_effect(robot, *o.hide, unsaid) : robot;
-    return run_in_process(robot, o, supervisor::parse_design(o.design), o.trace_path, title,
-                          {.world = &world, .record_directory = o.record_directory});
-  }
+DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::string& title) {
   DdsRun run;
   run.dds = o.dds;
   run.grouping = o.nodes;
@@ -41,7 +35,17 @@ Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, con
   run.log_directory = o.out + "/log";
   run.record_directory = o.record_directory;
   run.title = title;
-  return run_over_dds(robot, run);
+  return run;
+}
+
+Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, const std::string& title) {
+  if (o.dds == DdsChoice::kInproc) {
+    lab::HiddenEffect unsaid;
+    const robot::Robot world = o.hide ? lab::hide_effect(robot, *o.hide, unsaid) : robot;
+    return run_in_process(robot, o, supervisor::parse_design(o.design), o.trace_path, title,
+                          {.world = &world, .record_directory = o.record_directory});
+  }
+  return run_over_dds(robot, dds_run(robot, o, title));
 }
 
 }  // namespace farrier::cli

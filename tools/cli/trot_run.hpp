@@ -10,6 +10,9 @@ namespace farrier::cli {
 /// What the command line says to every process.
 participant::ProcessOptions common_options(const TrotOptions& options);
 
+/// A run over DDS as the options say, with a bar called `title`.
+DdsRun dds_run(const robot::Robot& robot, const TrotOptions& options, const std::string& title);
+
 /// One run of the gait as the options say, over DDS or in process, with a bar called `title`: trace, recordings, and
 /// with `hide` a secret world. Refuses what run_over_dds and run_in_process do.
 Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& options, const std::string& title);

@@ -168,8 +168,8 @@ void add_processes(Paper& paper, const RunInfo& run) {
                              padded(std::to_string(process.pid), pid_width) + "  " +
                              padded(process.vendor, vendor_width) + "  ";
     std::vector<std::string> items = topic_texts(process);
-    if (process.missed_deadlines > 0) {
-      items.insert(items.begin(), std::to_string(process.missed_deadlines) + " missed deadlines");
+    if (process.missed_periods > 0) {
+      items.insert(items.begin(), std::to_string(process.missed_periods) + " missed periods");
     }
     paper.wrapped(head, items);
   }

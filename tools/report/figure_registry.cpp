@@ -35,8 +35,21 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.strides", "1", kNone, "Strides that every leg completed."},
     FigureSpec{"trot.ticks", "1", kNone, "Ticks of the run."},
     FigureSpec{"trot.ticks_per_s", "1/s", kNone, "Ticks per second of wall time."},
-    FigureSpec{"trot.latency_p50_us", "us", kNone, "Median time from a sensor sample to the valve command that answers it."},
-    FigureSpec{"trot.latency_p99_us", "us", kNone, "The same time that 99 % of the samples do not exceed."},
+    FigureSpec{"trot.latency_<quantile>_us", "us", kNone,
+               "Time from a sensor sample to the valve command that answers it: p50, p99, p999 and max."},
+    FigureSpec{"trot.missed_periods", "1", kAtMost,
+               "On the real-time clock: share of the periods of all control loops that passed without a step."},
+    FigureSpec{"trot.wake_up_<quantile>_us", "us", kNone, "Time from sim_bridge's deadline to its control loop's step."},
+    FigureSpec{"trot.bare_timer.wake_up_<quantile>_us", "us", kNone,
+               "The same of a timer loop that does nothing else, alone on this computer before the run."},
+    FigureSpec{"trot.bare_timer.missed_periods", "1", kNone, "Share of the periods that it missed."},
+    FigureSpec{"trot.bare_exchange.latency_<quantile>_us", "us", kNone,
+               "trot.latency_* of the same samples between as many processes with nothing computed, before the run."},
+    FigureSpec{"trot.bare_exchange.wake_up_<quantile>_us", "us", kNone, "trot.wake_up_* of that exchange."},
+    FigureSpec{"trot.bare_exchange.missed_periods", "1", kNone, "Share of the periods that its clock missed."},
+    FigureSpec{"trot.latency_p99_ratio", "1", kAtMost, "trot.latency_p99_us over that of the bare exchange."},
+    FigureSpec{"trot.realtime_nrmse_ratio", "1", kAtMost,
+               "Median over joints of stance NRMSE over that of a lock-step run of the same gait with the same loop delay."},
     FigureSpec{"trot.packets.<process>.<topic>.sent", "1", kNone, "Samples of a topic that a process published."},
     FigureSpec{"trot.packets.<process>.<topic>.received", "1", kNone, "Samples of a topic that a process received."},
     FigureSpec{"trot.lost_samples", "1", kAtMost, "Samples that any process knows it lost, all topics."},
@@ -180,6 +193,18 @@ constexpr std::array kSpecs{
                "Table 6.1: largest error after any of the three changes of load, of that method in that cell, by perfect sensors (clean) or those of fc1d.yaml (noisy): gain_dB and phase_deg of the load-cell transfer function over 0.5 to 100 Hz, mass over the mass."},
     FigureSpec{"reproduce.<chapter>.<number>.<method>.<signal>.<claim>", "its own", kNone,
                "The same about a cell of a table: the method it is about and the valve's signal."},
+    // faults: the longest over phases, vendors and seeds
+    FigureSpec{"faults.cells", "1", kNone, "Rows times phases, vendors and seeds that were run."},
+    FigureSpec{"faults.held", "1", kAtLeast, "Cells in which everything that their row asks for held."},
+    FigureSpec{"faults.<row>.reaction_ms", "ms", kAtMost,
+               "From a fault's beginning until the joints that it hits do what their row says."},
+    FigureSpec{"faults.<row>.left_ms", "ms", kAtMost, "How long they did something else before the fault's end."},
+    FigureSpec{"faults.<row>.recovery_ms", "ms", kAtMost,
+               "From its end, or from the request to arm, until they track again for good."},
+    FigureSpec{"faults.<row>.others_ms", "ms", kAtMost, "How long any other joint did not track."},
+    FigureSpec{"faults.<row>.tripped_ms", "ms", kAtMost, "How long joints were tripped, summed over joints."},
+    FigureSpec{"faults.<row>.unseen_ms", "ms", kAtMost, "0 when an operator saw the event of the row in every cell."},
+
     // diagnose: a recording against the model of a joint; channels are valve_and_oil, load and velocity_sensor
     FigureSpec{"diagnose.<channel>.one_step_nrmse_before", "1", kNone,
                "RMS error of the simulation one sample ahead over the standard deviation of what was measured, on time no fit has seen: the model as given, its constants fitted within 3 %."},
@@ -234,67 +259,8 @@ constexpr std::array kSpecs{
 };
 // clang-format on
 
-// Cuts the first dotted part off `rest`.
-std::string_view next_part(std::string_view& rest) noexcept {
-  const std::size_t dot = rest.find('.');
-  const std::string_view part = rest.substr(0, dot);
-  rest = dot == std::string_view::npos ? std::string_view{} : rest.substr(dot + 1);
-  return part;
-}
-
-// What the angle brackets stand for in one part: <joint>, light_<quarter>, <quarter>_nrmse; never nothing.
-std::optional<std::string_view> placeholder(std::string_view wanted, std::string_view given) noexcept {
-  const std::size_t open = wanted.find('<');
-  const std::size_t close = wanted.find('>');
-  if (open == std::string_view::npos || close == std::string_view::npos) {
-    return std::nullopt;
-  }
-  const std::string_view before = wanted.substr(0, open);
-  const std::string_view after = wanted.substr(close + 1);
-  if (given.size() <= before.size() + after.size() || !given.starts_with(before) || !given.ends_with(after)) {
-    return std::nullopt;
-  }
-  return given.substr(before.size(), given.size() - before.size() - after.size());
-}
-
 }  // namespace
 
 std::span<const FigureSpec> figure_specs() noexcept { return kSpecs; }
-
-std::optional<std::vector<std::string_view>> match(std::string_view pattern, std::string_view name) {
-  std::vector<std::string_view> names;
-  while (!pattern.empty() && !name.empty()) {
-    const std::string_view wanted = next_part(pattern);
-    const std::string_view given = next_part(name);
-    if (const auto stands_for = placeholder(wanted, given)) {
-      names.push_back(*stands_for);
-    } else if (wanted != given) {
-      return std::nullopt;
-    }
-  }
-  if (!pattern.empty() || !name.empty()) {
-    return std::nullopt;
-  }
-  return names;
-}
-
-const FigureSpec* find_spec(std::string_view name) noexcept {
-  for (const FigureSpec& spec : kSpecs) {
-    if (match(spec.pattern, name)) {
-      return &spec;
-    }
-  }
-  return nullptr;
-}
-
-std::string figures_table_markdown() {
-  std::string table = "| figure | unit | bound | meaning |\n|---|---|---|---|\n";
-  for (const FigureSpec& spec : kSpecs) {
-    table += "| `" + std::string(spec.pattern) + "` | " + spec.unit + " | " +
-             (spec.relation == kNone ? "" : "`" + std::string(to_string(spec.relation)) + "`") + " | " + spec.sentence +
-             " |\n";
-  }
-  return table;
-}
 
 }  // namespace farrier::report

@@ -112,7 +112,7 @@ std::string decisions_html(const RunInfo& run) {
 
 std::string processes_table_html(const RunInfo& run) {
   std::string html =
-      "<table><thead><tr><th>process</th><th>pid</th><th>DDS</th><th>missed deadlines</th><th>samples</th></tr>"
+      "<table><thead><tr><th>process</th><th>pid</th><th>DDS</th><th>missed periods</th><th>samples</th></tr>"
       "</thead>\n<tbody>\n";
   for (const ProcessInfo& process : run.processes) {
     std::string samples;
@@ -120,7 +120,7 @@ std::string processes_table_html(const RunInfo& run) {
       samples += (samples.empty() ? "" : "<br>") + escape_html(text);
     }
     html += "<tr><th>" + escape_html(process.name) + "</th>" + cell(std::to_string(process.pid), "number") +
-            cell(escape_html(process.vendor)) + cell(std::to_string(process.missed_deadlines), "number") +
+            cell(escape_html(process.vendor)) + cell(std::to_string(process.missed_periods), "number") +
             cell(samples) + "</tr>\n";
   }
   return html + "</tbody></table>\n";

@@ -50,7 +50,7 @@ Json json_of(const ProcessInfo& process) {
           {"number", process.number},
           {"pid", process.pid},
           {"vendor", process.vendor},
-          {"missed_deadlines", process.missed_deadlines},
+          {"missed_periods", process.missed_periods},
           {"topics", std::move(topics)}};
 }
 

@@ -13,6 +13,9 @@
 namespace farrier::report {
 namespace {
 
+/// Share of a control loop's periods that a computer which keeps up may miss.
+constexpr double kMissedPeriods = 0.005;
+
 std::string cpu_model() {
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);) {
@@ -86,9 +89,10 @@ ProcessInfo process_info(const signals::SystemHello& hello, const signals::Syste
                       .number = hello.participant,
                       .pid = hello.pid,
                       .vendor = vendor_name(hello.vendor),
-                      .missed_deadlines = health.missed_deadlines,
-                      .latency_p50_s = health.latency_p50_s,
-                      .latency_p99_s = health.latency_p99_s,
+                      .periods = health.periods,
+                      .missed_periods = health.missed_periods,
+                      .latency_s = health.latency_s,
+                      .wake_up_s = health.wake_up_s,
                       .topics = {}};
   for (const bus::TopicSpec& topic : bus::topics()) {
     const auto i = static_cast<std::size_t>(topic.id);
@@ -114,11 +118,27 @@ void add_transport(Figures& figures, const RunInfo& run, bool judge_losses) {
     }
   }
   figures.add("trot.lost_samples", static_cast<double>(lost), judge_losses ? std::optional(0.0) : std::nullopt);
-  const auto measured =
-      std::ranges::find_if(run.processes, [](const ProcessInfo& process) { return process.latency_p99_s > 0.0; });
-  if (measured != run.processes.end()) {
-    figures.add("trot.latency_p50_us", measured->latency_p50_s * 1e6);
-    figures.add("trot.latency_p99_us", measured->latency_p99_s * 1e6);
+  add_latencies(figures, "trot", run.processes, kMissedPeriods);
+}
+
+void add_latencies(Figures& figures, const std::string& prefix, const std::vector<ProcessInfo>& processes,
+                   std::optional<double> missed_bound) {
+  constexpr std::array kNames{"p50", "p99", "p999", "max"};
+  std::uint64_t periods = 0;
+  std::uint64_t missed = 0;
+  for (const ProcessInfo& process : processes) {
+    periods += process.periods;
+    missed += process.periods > 0 ? process.missed_periods : 0;
+    for (std::size_t i = 0; i < kNames.size() && process.latency_s.back() > 0.0; ++i) {
+      figures.add(prefix + ".latency_" + kNames[i] + "_us", process.latency_s[i] * 1e6);
+    }
+    for (std::size_t i = 0; i < kNames.size() && process.wake_up_s.back() > 0.0; ++i) {
+      figures.add(prefix + ".wake_up_" + kNames[i] + "_us", process.wake_up_s[i] * 1e6);
+    }
+  }
+  if (periods > 0) {
+    figures.add(prefix + ".missed_periods", static_cast<double>(missed) / static_cast<double>(periods + missed),
+                missed_bound);
   }
 }
 

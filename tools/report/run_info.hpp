@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -25,9 +27,10 @@ struct ProcessInfo {
   std::uint16_t number = 0;
   std::uint32_t pid = 0;
   std::string vendor;  ///< of its DDS
-  std::uint64_t missed_deadlines = 0;
-  double latency_p50_s = 0.0;  ///< sensor sample to valve command; 0 where not measured
-  double latency_p99_s = 0.0;
+  std::uint64_t periods = 0;  ///< of its control loop; 0 where it has none
+  std::uint64_t missed_periods = 0;
+  std::array<double, 4> latency_s{};  ///< as signals::SystemHealth has them; 0 where not measured
+  std::array<double, 4> wake_up_s{};
   std::vector<TopicCount> topics;  ///< those it sent, received or lost samples of
 };
 
@@ -76,5 +79,10 @@ ProcessInfo process_info(const signals::SystemHello& hello, const signals::Syste
 /// Adds trot.packets.* and trot.lost_samples, which must be 0 where losses are judged (best effort on the real-time
 /// clock may lose some), and trot.latency_* where a process measured it.
 void add_transport(Figures& figures, const RunInfo& run, bool judge_losses);
+
+/// Adds what a run's control loops waited and missed: <prefix>.latency_*, .wake_up_* and .missed_periods, held to
+/// `missed_bound`.
+void add_latencies(Figures& figures, const std::string& prefix, const std::vector<ProcessInfo>& processes,
+                   std::optional<double> missed_bound = std::nullopt);
 
 }  // namespace farrier::report

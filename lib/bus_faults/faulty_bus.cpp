@@ -1,0 +1,63 @@
+#include "bus_faults/faulty_bus.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+#include "bus_faults/faulty_reader.hpp"
+
+namespace farrier::bus_faults {
+namespace {
+
+class FaultyBus final : public bus::Bus {
+ public:
+  FaultyBus(std::unique_ptr<bus::Bus> inner, std::vector<ArrowFault> faults, std::uint64_t seed, std::string name,
+            Clock clock)
+      : bus::Bus(inner->notifier()),
+        inner_(std::move(inner)),
+        faults_(std::move(faults)),
+        seed_(seed),
+        name_(std::move(name)),
+        clock_(std::move(clock)),
+        due_(notifier()) {}
+
+  bus::Vendor vendor() const noexcept override { return inner_->vendor(); }
+
+  Result<std::unique_ptr<bus::RawWriter>> create_writer(const bus::EndpointSpec& endpoint) override {
+    return inner_->create_writer(endpoint);
+  }
+
+  Result<std::unique_ptr<bus::RawReader>> create_reader(const bus::EndpointSpec& endpoint) override {
+    std::vector<ArrowFault> mine;
+    std::ranges::copy_if(faults_, std::back_inserter(mine), [&](const auto& f) { return f.topic == endpoint.topic; });
+    auto reader = inner_->create_reader(endpoint);
+    if (!reader || mine.empty()) {
+      return reader;
+    }
+    switch (endpoint.topic) {
+#define FARRIER_CASE(Signal, file)                                                             \
+  case bus::TopicId::k##Signal:                                                                \
+    return std::unique_ptr<bus::RawReader>(std::make_unique<FaultyReader<signals::Signal>>(    \
+        std::move(reader).value(), mine, seed_, name_, clock_, due_));
+      FARRIER_SIGNALS(FARRIER_CASE)
+#undef FARRIER_CASE
+    }
+    return reader;
+  }
+
+ private:
+  std::unique_ptr<bus::Bus> inner_;
+  std::vector<ArrowFault> faults_;
+  std::uint64_t seed_;
+  std::string name_;
+  Clock clock_;
+  DueTimes due_;
+};
+
+}  // namespace
+
+std::unique_ptr<bus::Bus> with_faults(std::unique_ptr<bus::Bus> inner, std::vector<ArrowFault> faults,
+                                      std::uint64_t seed, const std::string& name, Clock clock) {
+  return std::make_unique<FaultyBus>(std::move(inner), std::move(faults), seed, name, std::move(clock));
+}
+
+}  // namespace farrier::bus_faults

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "signals/signals.hpp"
+
+namespace farrier::signals {
+
+/// Tick that a sample belongs to. kNoTick: a probe of the greeting, which nobody acts on, or a hello, which has none.
+inline Tick tick_of(const GaitPhase& s) noexcept { return s.announced_tick; }
+inline Tick tick_of(const SystemMode& s) noexcept { return s.effective_tick; }
+inline Tick tick_of(const JointControllerGains& s) noexcept { return s.effective_tick; }
+template <class Signal>
+Tick tick_of(const Signal& s) noexcept {
+  if constexpr (requires { s.tick; }) {
+    return s.tick;
+  }
+  return kNoTick;
+}
+
+}  // namespace farrier::signals

@@ -1,0 +1,70 @@
+// When a sample would have come: the receiver's clock alone, whatever the sender's says.
+
+#include <gtest/gtest.h>
+
+#include "participant/arrival.hpp"
+
+namespace farrier::participant {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr SteadyTime kStart{std::chrono::hours(5)};
+constexpr std::int64_t kSendersStart_ns = 17'000'000;  // its clock began long after ours
+
+/// Sends tick `tick` at its time and has it come `way` later.
+class Sender {
+ public:
+  explicit Sender(Arrival& arrival) : arrival_(arrival) {}
+
+  /// How late it is held to be; nothing when it is not taken.
+  std::optional<Nanoseconds> late(Tick tick, Nanoseconds way, Nanoseconds drift = 0ns) {
+    const SteadyTime came = kStart + tick * 1ms + way;
+    const auto at = arrival_.take(tick, kSendersStart_ns + (tick * 1ms + drift).count(), came);
+    return at ? std::optional(came - *at) : std::nullopt;
+  }
+
+ private:
+  Arrival& arrival_;
+};
+
+TEST(Arrival, HoldsTheQuickestWayForTheOneThatNothingHeldUp) {
+  Arrival arrival;
+  Sender sender(arrival);
+  EXPECT_EQ(sender.late(0, 300us), 0us);
+  EXPECT_EQ(sender.late(1, 200us), 0us);
+  EXPECT_EQ(sender.late(2, 6200us), 6000us - 100ns * 7);  // the drift that 7 ms allow
+  EXPECT_LE(*sender.late(7, 1200us), 1000us);
+}
+
+TEST(Arrival, TakesNoSampleThatIsNotNewer) {
+  Arrival arrival;
+  Sender sender(arrival);
+  EXPECT_TRUE(sender.late(5, 100us));
+  EXPECT_FALSE(sender.late(5, 200us));
+  EXPECT_FALSE(sender.late(4, 1300us));
+  EXPECT_TRUE(sender.late(6, 100us));
+}
+
+TEST(Arrival, TakesASenderThatBeganAnewAfterASilence) {
+  Arrival arrival;
+  Sender sender(arrival);
+  EXPECT_TRUE(sender.late(5000, 100us));
+  // Tick 0 of the new one, 101 ms after the last.
+  EXPECT_EQ(arrival.take(0, 123, kStart + 5101ms + 100us), kStart + 5101ms + 100us);
+  EXPECT_TRUE(arrival.take(1, 1'000'123, kStart + 5102ms + 100us));
+}
+
+TEST(Arrival, FollowsAClockThatDriftsAway) {
+  Arrival arrival;
+  Sender sender(arrival);
+  Nanoseconds latest{};
+  for (Tick tick = 0; tick < 600'000; ++tick) {
+    const Nanoseconds slower = -50ns * tick;  // 50 ppm: 30 ms in ten minutes
+    latest = std::max(latest, *sender.late(tick, 150us, slower));
+  }
+  EXPECT_LT(latest, 1us);
+}
+
+}  // namespace
+}  // namespace farrier::participant

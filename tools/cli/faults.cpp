@@ -1,0 +1,242 @@
+// farrier faults: every row of the table of faults made to happen to a trot of real processes, and judged.
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+
+#include "gait/schedule.hpp"
+#include "participant/loop.hpp"
+#include "process/process.hpp"
+#include "record/trace.hpp"
+#include "robot/keys.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/dds_run.hpp"
+#include "tools/cli/output_file.hpp"
+#include "tools/cli/trot_options.hpp"
+#include "tools/faults/fault_page.hpp"
+#include "tools/report/console.hpp"
+#include "tools/report/extended_model.hpp"
+#include "tools/report/outcome.hpp"
+#include "tools/report/run_info.hpp"
+
+namespace farrier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// From a request's fault to the request, and from everything to the end of the run.
+constexpr double kUntilArmed_s = 0.1;
+constexpr double kAfterwards_s = 0.4;
+
+const std::vector<std::pair<std::string, DdsChoice>> kVendors{
+    {"cyclone", DdsChoice::kCyclone}, {"fast", DdsChoice::kFast}, {"mixed", DdsChoice::kMixed}};
+
+struct FaultsOptions {
+  std::string robot_path = shipped_robot("hyq.yaml");
+  std::vector<std::string> rows;
+  std::vector<std::string> vendors{"cyclone", "fast"};
+  int seeds = 3;
+  std::string out = "out/faults";
+  std::string json_path, page_path;
+};
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier faults: %s\n", message.c_str());
+  return participant::stop_requested() ? participant::stop_status() : status;
+}
+
+/// The member that a row means: its own name, or the one that hosts the joint.
+std::string member_of(const robot::Robot& robot, const std::vector<lab::Member>& members, const std::string& name) {
+  const std::string& joint = faults::hit_joint(robot).name;
+  for (const lab::Member& member : members) {
+    const bool hosts = std::ranges::find(member.joints, joint) != member.joints.end();
+    if (member.name == name || (name == "joint_node" && member.executable == name && hosts)) {
+      return member.name;
+    }
+  }
+  return name;
+}
+
+/// One cell, judged. Refuses when the user interrupts.
+Result<faults::Cell> run_cell(const robot::Robot& robot, const FaultsOptions& o, const faults::Row& row,
+                              gait::Phase phase, const std::pair<std::string, DdsChoice>& vendor, std::uint64_t seed,
+                              const std::string& title) {
+  const auto ticks = [&](double time_s) { return static_cast<Tick>(std::llround(time_s / robot.period_s)); };
+  const faults::TickSpan span = faults::place_of(robot, gait::Schedule(robot.plan, seed), row, phase);
+  faults::Cell cell{.row = row.name,
+                    .phase = phase == gait::Phase::kStance ? "stance" : "swing",
+                    .vendor = vendor.first,
+                    .seed = seed,
+                    .error = {},
+                    .checks = {}};
+  DdsRun run;
+  run.dds = vendor.second;
+  run.common.robot_path = o.robot_path;
+  run.common.clock = bus::ClockKind::kRealtime;
+  run.common.seed = seed;
+  run.common.session = static_cast<std::uint64_t>(::getpid());
+  run.common.design = "phases";
+  run.common.no_dither = true;
+  run.common.trace_path = o.out + "/trace.csv";
+  run.executables = build_directory();
+  run.log_directory = o.out + "/log";
+  run.title = title;
+  run.goes_on_without_the_dead = true;
+  const auto members = lab::plan_members(robot, run.grouping);
+  if (row.member != nullptr) {
+    run.faults[member_of(robot, members, row.member)] = faults::arrow_faults(robot, row, span);
+  }
+  for (const faults::ProcessAct& act : row.acts) {
+    run.acts.push_back({.at = span.begin + ticks(act.at_s), .member = member_of(robot, members, act.member),
+                        .signal = act.signal});
+  }
+  if (row.expected.latches) {
+    run.acts.push_back({.at = span.end + ticks(kUntilArmed_s), .member = {}});
+  }
+  const Tick last = run.acts.empty() ? span.end : std::max(span.end, run.acts.back().at);
+  run.common.ticks = last + ticks(kAfterwards_s);
+  const auto ran = run_over_dds(robot, run);
+  if (participant::stop_requested()) {
+    return Error{"interrupted"};
+  }
+  const auto trace = record::read_trace(run.common.trace_path, robot::joint_names(robot));
+  if (!ran || !trace) {
+    cell.error = !ran ? ran.error().message : trace.error().message;
+    return cell;
+  }
+  faults::Moments moments{span, last};
+  if (!row.acts.empty()) {
+    moments.fault.begin = ran.value().acted.front();
+    moments.fault.end = row.acts.size() > 1 ? ran.value().acted.back() : moments.fault.begin + ticks(row.lasts_s);
+  }
+  if (row.expected.latches) {
+    moments.armed = ran.value().acted.back();
+  }
+  std::vector<std::string> events;
+  for (const signals::SystemEvent& event : ran.value().events) {
+    events.emplace_back(signals::text_of(event.text));
+  }
+  cell.checks = faults::judge(robot, row, moments, trace.value(), events);
+  return cell;
+}
+
+report::Outcome outcome_of(const robot::Robot& robot, const std::vector<faults::Cell>& cells) {
+  report::Outcome outcome;
+  outcome.command = "faults";
+  outcome.run = report::run_info(robot, 1);
+  const auto count = static_cast<double>(cells.size());
+  outcome.figures.add("faults.cells", count);
+  outcome.figures.add("faults.held", static_cast<double>(std::ranges::count_if(cells, &faults::Cell::holds)), count);
+  for (const faults::Row& row : faults::rows()) {
+    for (const faults::Check& check : faults::worst_checks(cells, row.name)) {
+      outcome.figures.add("faults." + std::string(row.name) + "." + check.key + "_ms", check.measured_s * 1e3,
+                          check.asked_s * 1e3);
+    }
+  }
+  for (const faults::Cell& cell : cells) {
+    if (!cell.error.empty()) {
+      outcome.failures.push_back(cell.row + ", " + cell.phase + ", " + cell.vendor + ", seed " +
+                                 std::to_string(cell.seed) + ": " + cell.error);
+    }
+  }
+  return outcome;
+}
+
+Result<std::vector<faults::Cell>> run_all(const robot::Robot& robot, const FaultsOptions& o) {
+  std::vector<faults::Row> chosen;
+  std::ranges::copy_if(faults::rows(), std::back_inserter(chosen), [&](const faults::Row& row) {
+    return o.rows.empty() || std::ranges::find(o.rows, row.name) != o.rows.end();
+  });
+  const std::size_t count = chosen.size() * 2 * o.vendors.size() * static_cast<std::size_t>(o.seeds);
+  std::vector<faults::Cell> cells;
+  for (const faults::Row& row : chosen) {
+    for (const auto& vendor : kVendors) {
+      for (const gait::Phase phase : {gait::Phase::kStance, gait::Phase::kSwing}) {
+        for (int seed = 1; seed <= o.seeds && std::ranges::find(o.vendors, vendor.first) != o.vendors.end(); ++seed) {
+          const std::string title = "faults, " + std::to_string(cells.size() + 1) + " of " + std::to_string(count) +
+                                    ", " + row.name;
+          auto cell = run_cell(robot, o, row, phase, vendor, static_cast<std::uint64_t>(seed), title);
+          if (!cell) {
+            return cell.error();
+          }
+          cells.push_back(std::move(cell).value());
+        }
+      }
+    }
+  }
+  return cells;
+}
+
+int run_faults(FaultsOptions o) {
+  for (const std::string& row : o.rows) {
+    if (faults::find_row(row) == nullptr) {
+      std::string names;
+      for (const faults::Row& known : faults::rows()) {
+        names += (names.empty() ? "" : ", ") + std::string(known.name);
+      }
+      return fail("--rows: no row is called '" + row + "': " + names, kBadInput);
+    }
+  }
+  participant::ProcessOptions file;
+  file.robot_path = o.robot_path;
+  file.no_dither = true;
+  const auto robot = process::load_robot(file);
+  if (!robot) {
+    std::fputs(config::to_string(robot.error()).c_str(), stderr);
+    return kBadInput;
+  }
+  const auto directory = OutputDirectory::claim(o.out);
+  if (!directory) {
+    return fail(directory.error().message, kBadInput);
+  }
+  o.out = fs::absolute(o.out).lexically_normal().string();
+  o.json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  if (auto way = make_way({o.json_path, o.page_path}, {o.robot_path}); !way) {
+    return fail(way.error().message, kBadInput);
+  }
+  const auto cells = run_all(robot.value(), o);
+  if (!cells) {
+    return fail(cells.error().message, kFailed);
+  }
+  const report::Outcome outcome = outcome_of(robot.value(), cells.value());
+  if (auto written = report::write_json(o.json_path, outcome); !written) {
+    return fail(written.error().message, kFailed);
+  }
+  const std::string page = faults::fault_page_markdown(cells.value());
+  if (!o.page_path.empty()) {
+    if (auto written = report::replace_file(o.page_path, page); !written) {
+      return fail(written.error().message, kFailed);
+    }
+  }
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  std::printf("figures: %s\n", o.json_path.c_str());
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace
+
+std::function<int()> declare_faults(CLI::App& app) {
+  auto o = std::make_shared<FaultsOptions>();
+  app.add_option("--robot", o->robot_path, "robot file")->type_name("<file>")->capture_default_str();
+  app.add_option("--rows", o->rows, "rows of docs/faults.md; all unless told")->delimiter(',')->type_name("<name>,...");
+  app.add_option("--dds", o->vendors, "vendors, of cyclone, fast and mixed")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"cyclone", "fast", "mixed"}))
+      ->type_name("<vendor>,...")
+      ->default_str("cyclone,fast");
+  app.add_option("--seeds", o->seeds, "seeds, from 1 on")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("<n>")
+      ->capture_default_str();
+  app.add_option("--out", o->out, "directory of logs and the last trace")->type_name("<dir>")->capture_default_str();
+  app.add_option("--json", o->json_path, "figures; figures.json in --out unless told")->type_name("<file>");
+  app.add_option("--page", o->page_path, "writes the table with what was measured, as docs/faults.md")
+      ->type_name("<file>");
+  return [o] { return run_faults(*o); };
+}
+
+}  // namespace farrier::cli

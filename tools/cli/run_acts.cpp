@@ -1,0 +1,39 @@
+#include "tools/cli/run_acts.hpp"
+
+#include <csignal>
+
+#include <algorithm>
+
+namespace farrier::cli {
+
+Result<RunActs> RunActs::create(std::vector<Act> acts, participant::Participant& participant) {
+  RunActs run(std::move(acts), participant.identity().session);
+  if (std::ranges::any_of(run.acts_, [](const Act& act) { return act.member.empty(); })) {
+    auto requests = bus::Publisher<signals::SystemRequest>::create(
+        participant.bus(), participant::endpoint_of(participant.identity(), bus::TopicId::kSystemRequest));
+    if (!requests) {
+      return requests.error();
+    }
+    run.requests_.emplace(std::move(requests).value());
+  }
+  return run;
+}
+
+void RunActs::perform(Tick tick, std::vector<ChildProcess>& children) {
+  while (performed_.size() < acts_.size() && acts_[performed_.size()].at <= tick) {
+    const Act& act = acts_[performed_.size()];
+    if (act.member.empty()) {
+      signals::SystemRequest request;
+      request.session = session_;
+      request.tick = tick;
+      request.count = ++asked_;
+      request.request = static_cast<std::uint8_t>(act.request);
+      requests_->publish(request);
+    } else if (const auto child = std::ranges::find(children, act.member, &ChildProcess::name); child != children.end()) {
+      ::kill(child->pid(), act.signal);
+    }
+    performed_.push_back(tick);
+  }
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,181 @@
+#include "tools/faults/fault_cell.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/ensure.hpp"
+#include "core/fault.hpp"
+
+namespace farrier::faults {
+namespace {
+
+using signals::JointState;
+
+/// Before the fault from which on the others are looked at.
+constexpr Tick kBefore = 50;
+/// At the end of a run in which the processes may already be ending.
+constexpr Tick kAfter = 20;
+
+/// What every joint did, by joint and tick.
+class Course {
+ public:
+  Course(const robot::Robot& robot, const std::vector<record::TraceRow>& trace)
+      : ticks_(trace.empty() ? 0 : trace.back().tick + 1), period_s_(robot.period_s), rows_(robot.joints.size()) {
+    for (auto& joint : rows_) {
+      joint.resize(static_cast<std::size_t>(ticks_));
+    }
+    for (const record::TraceRow& row : trace) {
+      rows_[row.joint][static_cast<std::size_t>(row.tick)] = {static_cast<JointState>(row.state), FaultSet(row.faults)};
+    }
+  }
+
+  Tick end() const noexcept { return std::max<Tick>(0, ticks_ - kAfter); }
+  JointState state(std::size_t joint, Tick tick) const { return rows_[joint][static_cast<std::size_t>(tick)].state; }
+  bool tripped(std::size_t joint, Tick tick) const {
+    return rows_[joint][static_cast<std::size_t>(tick)].faults.has(Fault::kTripped);
+  }
+  double seconds(Tick ticks) const noexcept { return static_cast<double>(ticks) * period_s_; }
+
+  /// From `begin` on until all of `joints` are in `state`; infinite: never.
+  double until(const std::vector<std::size_t>& joints, JointState wanted, Tick begin) const {
+    for (Tick tick = begin; tick < end(); ++tick) {
+      if (std::ranges::all_of(joints, [&](std::size_t joint) { return state(joint, tick) == wanted; })) {
+        return seconds(tick - begin);
+      }
+    }
+    return std::numeric_limits<double>::infinity();
+  }
+
+  /// Of a span, how long some of `joints` were in another state.
+  double elsewhere(const std::vector<std::size_t>& joints, JointState wanted, TickSpan span) const {
+    Tick ticks = 0;
+    for (Tick tick = span.begin; tick < std::min(span.end, end()); ++tick) {
+      ticks += std::ranges::all_of(joints, [&](std::size_t joint) { return state(joint, tick) == wanted; }) ? 0 : 1;
+    }
+    return seconds(ticks);
+  }
+
+  /// From `begin` on until all of `joints` track and go on tracking; infinite: not at the end.
+  double until_for_good(const std::vector<std::size_t>& joints, Tick begin) const {
+    Tick last = begin - 1;
+    for (Tick tick = begin; tick < end(); ++tick) {
+      for (const std::size_t joint : joints) {
+        last = state(joint, tick) == JointState::kTracking ? last : tick;
+      }
+    }
+    return last + 1 >= end() ? std::numeric_limits<double>::infinity() : seconds(last + 1 - begin);
+  }
+
+  double tripped_time(Tick begin) const {
+    Tick ticks = 0;
+    for (std::size_t joint = 0; joint < rows_.size(); ++joint) {
+      for (Tick tick = begin; tick < end(); ++tick) {
+        ticks += tripped(joint, tick) ? 1 : 0;
+      }
+    }
+    return seconds(ticks);
+  }
+
+ private:
+  struct Row {
+    JointState state = JointState::kNull;
+    FaultSet faults;
+  };
+
+  Tick ticks_;
+  double period_s_;
+  std::vector<std::vector<Row>> rows_;
+};
+
+bool is_hit(const robot::Robot& robot, const Row& row, const robot::Joint& joint) {
+  const robot::Joint& hit = hit_joint(robot);
+  return row.hit == Hit::kAll || (row.hit == Hit::kLeg && joint.leg == hit.leg) || joint.number == hit.number;
+}
+
+}  // namespace
+
+const robot::Joint& hit_joint(const robot::Robot& robot) {
+  const auto last = std::ranges::find_if(robot.joints.rbegin(), robot.joints.rend(),
+                                         [](const robot::Joint& joint) { return joint.leg == 0; });
+  FARRIER_ENSURE(last != robot.joints.rend(), "a robot has a first leg with joints");
+  return *last;
+}
+
+TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, const Row& row, gait::Phase phase) {
+  constexpr Tick kShortlyAfter = 20;
+  const int leg = hit_joint(robot).leg;
+  Tick begin = schedule.lead_in_ticks() + schedule.stride_ticks();
+  while (schedule.phase(leg, begin) == phase) {
+    ++begin;
+  }
+  while (schedule.phase(leg, begin) != phase) {
+    ++begin;
+  }
+  const Tick length = phase == gait::Phase::kStance ? schedule.stance_ticks()
+                                                    : schedule.stride_ticks() - schedule.stance_ticks();
+  const Tick lasts = std::llround(row.lasts_s / robot.period_s);
+  begin += std::max(kShortlyAfter, (length - lasts) / 2);
+  return {begin, begin + lasts};
+}
+
+std::vector<bus_faults::ArrowFault> arrow_faults(const robot::Robot& robot, const Row& row, const TickSpan& span) {
+  std::vector<bus_faults::ArrowFault> faults;
+  for (const char* arrow : row.arrows) {
+    bus_faults::ArrowFault fault = bus_faults::parse_arrow_fault(arrow).value();
+    fault.from = span.begin;
+    fault.until = span.end;
+    if (row.hit == Hit::kJoint) {
+      fault.key = hit_joint(robot).number;
+    }
+    faults.push_back(std::move(fault));
+  }
+  return faults;
+}
+
+bool Cell::holds() const noexcept { return error.empty() && std::ranges::all_of(checks, &Check::holds); }
+
+std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,
+                         const std::vector<record::TraceRow>& trace, const std::vector<std::string>& events) {
+  const Course course(robot, trace);
+  const Expectation& expected = row.expected;
+  std::vector<std::size_t> hit, others;
+  for (const robot::Joint& joint : robot.joints) {
+    const bool spared = !is_hit(robot, row, joint) ||
+                        (expected.reaction == JointState::kTracking && !expected.may_stutter);
+    (spared ? others : hit).push_back(joint.number);
+  }
+  std::vector<Check> checks;
+  const TickSpan& fault = moments.fault;
+  if (expected.reaction != JointState::kTracking) {
+    const double reached = course.until(hit, expected.reaction, fault.begin);
+    checks.push_back({"reaction", std::string(signals::to_string(expected.reaction)) + " after", expected.within_s, reached});
+    if (std::isfinite(reached)) {
+      const Tick then = fault.begin + std::llround(reached / robot.period_s);
+      const Tick until = expected.latches ? moments.armed : fault.end;
+      checks.push_back({"left", std::string("not ") + signals::to_string(expected.reaction) + " until its end", 0.0,
+                        course.elsewhere(hit, expected.reaction, {then, until})});
+    }
+  }
+  if (expected.recovers_s > 0.0) {
+    const Tick end = expected.latches ? moments.armed : fault.end;
+    checks.push_back({"recovery", "tracking again after", expected.recovers_s, course.until_for_good(hit, end)});
+  }
+  if (!others.empty()) {
+    checks.push_back({"others", "others not tracking", 0.0,
+                      course.elsewhere(others, JointState::kTracking, {fault.begin - kBefore, course.end()})});
+  }
+  if (!expected.latches) {
+    checks.push_back({"tripped", "tripped", 0.0, course.tripped_time(fault.begin)});
+  }
+  if (expected.event != nullptr) {
+    const bool seen = std::ranges::any_of(events, [&](const std::string& text) {
+      return text.find(expected.event) != std::string::npos;
+    });
+    checks.push_back({"unseen", std::string("no event '") + expected.event + "'", 0.0,
+                      seen ? 0.0 : std::numeric_limits<double>::infinity()});
+  }
+  return checks;
+}
+
+}  // namespace farrier::faults

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "bus_faults/arrow_fault.hpp"
+#include "gait/schedule.hpp"
+#include "record/trace.hpp"
+#include "robot/robot.hpp"
+#include "tools/faults/fault_rows.hpp"
+
+namespace farrier::faults {
+
+/// Ticks begin to end - 1.
+struct TickSpan {
+  Tick begin, end;
+};
+
+/// The joint that rows of Hit::kJoint are about: the last of the first leg.
+const robot::Joint& hit_joint(const robot::Robot& robot);
+
+/// When a row's fault is there, in `phase` of the hit joint's leg: in the middle of the phase where it is short enough,
+/// else from shortly after its beginning on. In the first stride in which joints are judged.
+TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, const Row& row, gait::Phase phase);
+
+/// The row's faults of samples at that time.
+std::vector<bus_faults::ArrowFault> arrow_faults(const robot::Robot& robot, const Row& row, const TickSpan& span);
+
+/// One thing that a cell must show.
+struct Check {
+  const char* key;     ///< in figures
+  std::string what;    ///< for people
+  double asked_s;     ///< 0: never
+  double measured_s;  ///< infinite: not at all
+  bool holds() const noexcept { return measured_s <= asked_s; }
+};
+
+/// One cell of the table: what happened in it.
+struct Cell {
+  std::string row, phase, vendor;
+  std::uint64_t seed = 0;
+  std::string error;  ///< why the run ended early; empty: it did not
+  std::vector<Check> checks;
+  bool holds() const noexcept;
+};
+
+/// When things happened in a run: the fault, and the request to arm, `end` where there was none.
+struct Moments {
+  TickSpan fault;
+  Tick armed;
+};
+
+/// What a run that left this trace and these events shows of the row.
+std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,
+                         const std::vector<record::TraceRow>& trace, const std::vector<std::string>& events);
+
+}  // namespace farrier::faults

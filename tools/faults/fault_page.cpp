@@ -1,0 +1,72 @@
+#include "tools/faults/fault_page.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "tools/report/text_format.hpp"
+
+namespace farrier::faults {
+namespace {
+
+std::string milliseconds(double time_s) {
+  return std::isfinite(time_s) ? report::short_number(time_s * 1e3) + " ms" : "never";
+}
+
+std::string checks_text(const std::vector<Check>& checks) {
+  std::string text;
+  for (const Check& check : checks) {
+    text += (text.empty() ? "" : "<br>") + check.what + " " + milliseconds(check.measured_s) + " of " +
+            milliseconds(check.asked_s) + (check.holds() ? "" : " **not held**");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<Check> worst_checks(const std::vector<Cell>& cells, const std::string& row) {
+  std::vector<Check> worst;
+  for (const Cell& cell : cells) {
+    for (const Check& check : cell.checks) {
+      const auto known = std::ranges::find(worst, check.what, &Check::what);
+      if (cell.row != row) {
+        continue;
+      }
+      if (known == worst.end()) {
+        worst.push_back(check);
+      } else {
+        known->measured_s = std::max(known->measured_s, check.measured_s);
+      }
+    }
+  }
+  return worst;
+}
+
+std::string fault_page_markdown(const std::vector<Cell>& cells) {
+  const auto held = std::ranges::count_if(cells, &Cell::holds);
+  std::string page =
+      "# Faults\n\nWritten by `farrier faults --page`, which makes each of these happen to a trot of real processes on "
+      "the real-time\nclock: every row in stance and in swing, over each vendor, by each seed. Times are the longest of a "
+      "row's cells, in control\nperiods of `sim_bridge`, beside what is asked.\n\n" +
+      std::to_string(held) + " of " + std::to_string(cells.size()) + " cells held.\n\n" +
+      "| row | what happens | what each process does | what an operator sees | measured |\n|---|---|---|---|---|\n";
+  for (const Row& row : rows()) {
+    const auto worst = worst_checks(cells, row.name);
+    if (!worst.empty()) {
+      page += "| `" + std::string(row.name) + "` | " + row.fault + " | " + row.does + " | " +
+              (row.expected.event == nullptr ? "" : "an event `" + std::string(row.expected.event) + "`") + " | " +
+              checks_text(worst) + " |\n";
+    }
+  }
+  std::string failures;
+  for (const Cell& cell : cells) {
+    if (!cell.holds()) {
+      std::vector<Check> wrong;
+      std::ranges::copy_if(cell.checks, std::back_inserter(wrong), [](const Check& check) { return !check.holds(); });
+      failures += "| `" + cell.row + "` | " + cell.phase + " | " + cell.vendor + " | " + std::to_string(cell.seed) + " | " +
+                  (cell.error.empty() ? checks_text(wrong) : cell.error) + " |\n";
+    }
+  }
+  return page + (failures.empty() ? "" : "\n## Cells that did not hold\n\n| row | phase | vendor | seed | why |\n|---|---|---|---|---|\n" + failures);
+}
+
+}  // namespace farrier::faults

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tools/faults/fault_cell.hpp"
+
+namespace farrier::faults {
+
+/// The longest that a check took over cells of a row, by its words; with the bound it has.
+std::vector<Check> worst_checks(const std::vector<Cell>& cells, const std::string& row);
+
+/// docs/faults.md: every row with what happened in its cells, and the cells that did not hold.
+std::string fault_page_markdown(const std::vector<Cell>& cells);
+
+}  // namespace farrier::faults

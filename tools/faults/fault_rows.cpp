@@ -1,0 +1,114 @@
+#include "tools/faults/fault_rows.hpp"
+
+#include <algorithm>
+#include <csignal>
+
+namespace farrier::faults {
+namespace {
+
+using enum signals::JointState;
+
+// What a robot file leaves at its defaults: sensors stale after 3 ms and good again after 10 samples, commands damped
+// after 5 ms and tripped after 50 ms, a silent valve command after 5 ms. On top come a control period of each of the
+// two loops, one and a half of the joint's where nothing arrives, and the way between them.
+constexpr double kReach_s = 0.004;
+constexpr double kStale_s = 0.003 + kReach_s;
+constexpr double kDamped_s = 0.005 + kReach_s;
+constexpr double kTripped_s = 0.050 + kReach_s;
+constexpr double kSilent_s = 0.005 + kReach_s;
+constexpr double kAtOnce_s = kReach_s;
+constexpr double kGoodAgain_s = 0.010 + kReach_s;
+constexpr double kArmed_s = 0.020 + kReach_s;  // a request's way over two processes, and gain_lead_ticks
+constexpr double kAfterStop_s = kGoodAgain_s + 0.006;  // a process that was stopped first takes what has come meanwhile
+
+constexpr const char* kJointNode = "joint_node";
+constexpr const char* kSimBridge = "sim_bridge";
+
+}  // namespace
+
+const std::vector<Row>& rows() {
+  static const std::vector<Row> all{
+      {"sensors_cut", "A joint's sensors stop.", "joint_node puts its valve to null; by itself back after 10 good samples.",
+       Hit::kJoint, kJointNode, {"joint/sensors:cut"}, 0.1, {},
+       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
+      {"sensors_nan", "A joint's load cell reads no number.", "joint_node puts its valve to null; by itself back.",
+       Hit::kJoint, kJointNode, {"joint/sensors:nan=force_N_or_Nm"}, 0.1, {},
+       {.reaction = kNull, .within_s = kAtOnce_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
+      {"sensors_frozen", "A joint's readings stay what they are while samples go on coming.",
+       "joint_node takes 10 samples alike for stale ones: valve to null; by itself back.", Hit::kJoint, kJointNode,
+       {"joint/sensors:frozen"}, 0.1, {},
+       {.reaction = kNull, .within_s = 0.010 + kReach_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
+      {"sensors_late", "A joint's sensors come 6 ms late.",
+       "joint_node measures how much longer than ever their way is: valve to null; by itself back.", Hit::kJoint,
+       kJointNode, {"joint/sensors:delay=6"}, 0.1, {},
+       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kGoodAgain_s + 0.006, .event = "sensors stale"}},
+      {"sensors_jitter", "A joint's sensors come 1 to 5 ms late, each by its own.",
+       "joint_node puts the valve to null while they are more than 3 ms old.", Hit::kJoint, kJointNode,
+       {"joint/sensors:delay=1..5"}, 0.1, {}, {.recovers_s = kGoodAgain_s + 0.006, .may_stutter = true}},
+      {"sensors_noisy", "A joint's load cell has noise of 20 N more.", "Everybody goes on.", Hit::kJoint, kJointNode,
+       {"joint/sensors:noise=force_N_or_Nm+20"}, 0.1, {}, {}},
+      {"sensors_offset", "A joint's load cell reads 50 N too much.", "Everybody goes on.", Hit::kJoint, kJointNode,
+       {"joint/sensors:offset=force_N_or_Nm+50"}, 0.1, {}, {}},
+      {"command_cut_short", "A joint's commands stop for 20 ms.", "joint_node damps; by itself back.", Hit::kJoint,
+       kJointNode, {"joint/command:cut"}, 0.02, {},
+       {.reaction = kDamping, .within_s = kDamped_s, .recovers_s = kReach_s, .event = "command stale"}},
+      {"command_cut_long", "A joint's commands stop for 0.1 s.",
+       "joint_node damps, then trips: valve to null until an operator arms it again.", Hit::kJoint, kJointNode,
+       {"joint/command:cut"}, 0.1, {},
+       {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+      {"command_nan", "A joint's commands are no numbers.", "joint_node damps; by itself back.", Hit::kJoint, kJointNode,
+       {"joint/command:nan=torque_ff_Nm"}, 0.02, {},
+       {.reaction = kDamping, .within_s = kAtOnce_s, .recovers_s = kReach_s, .event = "command stale"}},
+      {"valve_cut", "A joint's valve commands do not reach the valve.", "sim_bridge puts the spool to null; by itself back.",
+       Hit::kJoint, kSimBridge, {"joint/valve_command:cut"}, 0.1, {},
+       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kReach_s}},
+      {"valve_nan", "A joint's valve commands are no numbers.", "sim_bridge takes none: as when they do not come.",
+       Hit::kJoint, kSimBridge, {"joint/valve_command:nan=valve_current_A"}, 0.1, {},
+       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kReach_s}},
+      {"loss_1", "1 % of a leg's sensors and commands are lost.", "joint_node goes on with the last ones.", Hit::kLeg,
+       kJointNode, {"joint/sensors:loss=0.01", "joint/command:loss=0.01"}, 0.2, {},
+       {.recovers_s = kGoodAgain_s, .may_stutter = true}},
+      {"loss_5", "5 % of a leg's sensors and commands are lost.", "joint_node goes on with the last ones.", Hit::kLeg,
+       kJointNode, {"joint/sensors:loss=0.05", "joint/command:loss=0.05"}, 0.2, {},
+       {.recovers_s = kGoodAgain_s, .may_stutter = true}},
+      {"loss_20", "20 % of a leg's sensors and commands are lost.",
+       "joint_node goes on with the last ones; four lost in a row are stale sensors.", Hit::kLeg, kJointNode,
+       {"joint/sensors:loss=0.2", "joint/command:loss=0.2"}, 0.2, {},
+       {.recovers_s = kGoodAgain_s, .may_stutter = true}},
+      {"bursts", "A leg's sensors and commands are lost in rows of 8.", "As when they are cut for 8 ms.", Hit::kLeg,
+       kJointNode, {"joint/sensors:burst=0.01x8", "joint/command:burst=0.01x8"}, 0.2, {},
+       {.recovers_s = kGoodAgain_s, .may_stutter = true}},
+      {"duplicates", "Half of a leg's sensors and commands come twice.", "joint_node takes the first.", Hit::kLeg,
+       kJointNode, {"joint/sensors:duplicate=0.5", "joint/command:duplicate=0.5"}, 0.1, {}, {}},
+      {"reordered", "A third of a leg's sensors and commands come after their successors.",
+       "joint_node takes none that is older than what it has.", Hit::kLeg, kJointNode,
+       {"joint/sensors:reorder=0.33", "joint/command:reorder=0.33"}, 0.1, {},
+       {.recovers_s = kGoodAgain_s, .may_stutter = true}},
+      {"measurement_cut", "The estimator hears no joint.", "Gains stay as they are.", Hit::kAll, "estimator_service",
+       {"joint/measurement:cut"}, 0.2, {}, {}},
+      {"estimate_cut", "The supervisor hears no estimate.", "Gains stay as they are.", Hit::kAll, "supervisor",
+       {"joint/model_estimate:cut"}, 0.2, {}, {}},
+      {"joint_node_killed", "joint_node of a leg dies (kill -9).", "sim_bridge puts its three spools to null.", Hit::kLeg,
+       nullptr, {}, 0.1, {{kJointNode, SIGKILL, 0.0}}, {.reaction = kNull, .within_s = kSilent_s}},
+      {"joint_node_stopped", "joint_node of a leg stands still for 0.1 s (SIGSTOP).",
+       "sim_bridge puts its three spools to null; by itself back.", Hit::kLeg, nullptr, {}, 0.1,
+       {{kJointNode, SIGSTOP, 0.0}, {kJointNode, SIGCONT, 0.1}},
+       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kAfterStop_s}},
+      {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
+       {{"estimator_service", SIGKILL, 0.0}}, {}},
+      {"estimator_stopped", "estimator_service stands still for 0.2 s (SIGSTOP).", "Gains stay as they are.", Hit::kAll,
+       nullptr, {}, 0.2, {{"estimator_service", SIGSTOP, 0.0}, {"estimator_service", SIGCONT, 0.2}}, {}},
+      {"supervisor_killed", "supervisor dies (kill -9).", "Gains and mode stay as they are.", Hit::kAll, nullptr, {}, 0.2,
+       {{"supervisor", SIGKILL, 0.0}}, {}},
+      {"supervisor_stopped", "supervisor stands still for 0.2 s (SIGSTOP).", "Gains and mode stay as they are.", Hit::kAll,
+       nullptr, {}, 0.2, {{"supervisor", SIGSTOP, 0.0}, {"supervisor", SIGCONT, 0.2}}, {}},
+  };
+  return all;
+}
+
+const Row* find_row(std::string_view name) {
+  const auto found = std::ranges::find(rows(), name, [](const Row& row) { return std::string_view(row.name); });
+  return found == rows().end() ? nullptr : &*found;
+}
+
+}  // namespace farrier::faults

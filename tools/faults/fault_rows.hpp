@@ -1,0 +1,54 @@
+#pragma once
+
+// What may go wrong on a robot, what each process must then do, and within what time. docs/faults.md is made from here.
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "signals/signals.hpp"
+
+namespace farrier::faults {
+
+/// Which joints a fault is about.
+enum class Hit { kJoint, kLeg, kAll };
+
+/// Members are named as in lab::plan_members; "joint_node" is the one that hosts the joint.
+
+/// A signal to a process, `at_s` after the fault begins.
+struct ProcessAct {
+  const char* member;
+  int signal;
+  double at_s;
+};
+
+/// What a cell of the table must show of the joints that are hit. All others track throughout.
+struct Expectation {
+  /// What they do instead of tracking; kTracking: nothing else than before.
+  signals::JointState reaction = signals::JointState::kTracking;
+  double within_s = 0.0;        ///< of the beginning
+  double recovers_s = 0.0;      ///< tracking again, of the fault's end or of the request to arm; 0: they never do
+  bool may_stutter = false;     ///< they may leave tracking for short and come back by themselves, in any state
+  bool latches = false;         ///< they trip, and track again only after a request to arm
+  const char* event = nullptr;  ///< part of an event that an operator sees; null: none is asked for
+};
+
+struct Row {
+  const char* name;
+  const char* fault;  ///< what happens, for people
+  const char* does;   ///< what each process does, for people
+  Hit hit;
+  const char* member;               ///< into which samples come spoilt; null: none
+  std::vector<const char*> arrows;  ///< bus_faults::parse_arrow_fault without span and key
+  double lasts_s;                   ///< from its beginning to its end
+  std::vector<ProcessAct> acts;
+  Expectation expected;
+};
+
+const std::vector<Row>& rows();
+
+/// Null for none of that name.
+const Row* find_row(std::string_view name);
+
+}  // namespace farrier::faults
