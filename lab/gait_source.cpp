@@ -4,6 +4,7 @@
 
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
+#include "participant/clock.hpp"
 #include "robot/keys.hpp"
 
 namespace farrier::lab {
@@ -74,7 +75,7 @@ void PlannedGait::announce(Tick tick) {
 
 void PlannedGait::command(Tick tick) {
   const auto sample_time =
-      std::chrono::duration_cast<Nanoseconds>(std::chrono::steady_clock::now().time_since_epoch()).count();
+      std::chrono::duration_cast<Nanoseconds>(participant::steady_now().time_since_epoch()).count();
   for (const robot::Joint& joint : robot_.joints) {
     const gait::JointReference reference = reference_.at(joint.leg, joint.index_in_leg, tick);
     signals::JointCommand command;

@@ -2,8 +2,8 @@
 
 namespace farrier::bus_faults {
 
-DueTimes::DueTimes(std::shared_ptr<bus::Notifier> notifier)
-    : notifier_(std::move(notifier)), thread_([this] { run(); }) {}
+DueTimes::DueTimes(std::shared_ptr<bus::Notifier> notifier, Clock clock)
+    : notifier_(std::move(notifier)), clock_(std::move(clock)), thread_([this] { run(); }) {}
 
 DueTimes::~DueTimes() {
   {
@@ -27,11 +27,11 @@ void DueTimes::run() {
   while (!ends_) {
     if (times_.empty()) {
       changed_.wait(lock);
-    } else if (const SteadyTime next = times_.top(); changed_.wait_until(lock, next) == std::cv_status::timeout) {
-      while (!times_.empty() && times_.top() <= next) {
-        times_.pop();
-        notifier_->arrived();
-      }
+    } else if (const Nanoseconds left = times_.top() - clock_.now(); left > Nanoseconds(0)) {
+      changed_.wait_for(lock, left * clock_.slow);
+    } else {
+      times_.pop();
+      notifier_->arrived();
     }
   }
 }

@@ -13,12 +13,16 @@
 
 namespace farrier::bus_faults {
 
-using Clock = std::function<SteadyTime()>;
+/// The clock that times of samples are by, which may be slower than the machine's.
+struct Clock {
+  std::function<SteadyTime()> now;
+  int slow = 1;
+};
 
 /// Tells a bus's sleeper of samples that were held back, when they are due. Any thread may add.
 class DueTimes {
  public:
-  explicit DueTimes(std::shared_ptr<bus::Notifier> notifier);
+  DueTimes(std::shared_ptr<bus::Notifier> notifier, Clock clock);
   ~DueTimes();
   DueTimes(const DueTimes&) = delete;
   DueTimes& operator=(const DueTimes&) = delete;
@@ -29,6 +33,7 @@ class DueTimes {
   void run();
 
   std::shared_ptr<bus::Notifier> notifier_;
+  Clock clock_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::priority_queue<SteadyTime, std::vector<SteadyTime>, std::greater<>> times_;

@@ -18,7 +18,7 @@ class FaultyBus final : public bus::Bus {
         seed_(seed),
         name_(std::move(name)),
         clock_(std::move(clock)),
-        due_(notifier()) {}
+        due_(notifier(), clock_) {}
 
   bus::Vendor vendor() const noexcept override { return inner_->vendor(); }
 

@@ -32,7 +32,7 @@ class FaultyReader final : public bus::RawReader {
   }
 
   std::size_t take(void* signals, std::size_t capacity) noexcept override {
-    const SteadyTime now = clock_();
+    const SteadyTime now = clock_.now();
     std::array<Signal, 8> batch;
     for (std::size_t count = batch.size(); count == batch.size();) {
       count = inner_->take(batch.data(), batch.size());

@@ -3,6 +3,8 @@
 #include <csignal>
 #include <cstdio>
 
+#include "participant/clock.hpp"
+
 namespace farrier::participant {
 namespace {
 
@@ -27,19 +29,17 @@ void install_signal_handlers() {
 
 bool stop_requested() noexcept { return stop_signal != 0; }
 
-SteadyTime steady_now() { return std::chrono::steady_clock::now(); }
-
 int stop_status() noexcept { return stop_signal == 0 ? 0 : 128 + stop_signal; }
 
 int run(Application& application, bus::Bus& bus, const char* name) {
   std::string waited_for;
-  SteadyTime since = std::chrono::steady_clock::now();
+  SteadyTime since = steady_now();
   while (!stop_requested()) {
     const std::uint64_t before = bus.arrivals();
-    application.poll(std::chrono::steady_clock::now());
+    application.poll(steady_now());
     bus.wait_for_arrivals(before + static_cast<std::uint64_t>(application.missing()),
                           application.finished() ? Nanoseconds(20ms) : Nanoseconds(kLongestSleep));
-    const SteadyTime now = std::chrono::steady_clock::now();
+    const SteadyTime now = steady_now();
     if (bus.arrivals() != before || application.finished()) {
       since = now;
     } else if (now - since > kSilenceWorthReporting) {

@@ -11,9 +11,6 @@ void install_signal_handlers();
 /// True once SIGTERM or SIGINT came.
 bool stop_requested() noexcept;
 
-/// The steady clock of this process.
-SteadyTime steady_now();
-
 /// Exit status of a program that they ended, as shells count: 130 after SIGINT, 143 after SIGTERM; 0 before.
 int stop_status() noexcept;
 

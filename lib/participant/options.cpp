@@ -62,6 +62,9 @@ void declare(CLI::App& app, ProcessOptions& o) {
          },
          "What goes wrong with samples on their way into this process, as TOPIC:KIND[=VALUE][@FROM..UNTIL][#KEY]")
       ->allow_extra_args(false);
+  app.add_option("--slow", o.slow, "Slow motion: the clock goes slower than the machine's by this factor")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
   app.add_flag("--no-dither", o.no_dither, "Valves are not probed, whatever the robot file says");
 }
 
@@ -151,6 +154,9 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
   }
   append("--estimator", o.estimator);
   append("--controller", o.controller);
+  if (o.slow != 1) {
+    append("--slow", std::to_string(o.slow));
+  }
   for (const bus_faults::ArrowFault& fault : o.faults) {
     append("--fault", bus_faults::to_string(fault));
   }

@@ -16,6 +16,9 @@ constexpr auto kGreetingPeriod = 20ms;
 
 bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& legs) {
   bus::EndpointSpec endpoint{topic, bus::qos_for(bus::spec(topic), identity.clock), {}, 0};
+  for (Nanoseconds* time : {&endpoint.qos.deadline, &endpoint.qos.lease}) {
+    *time = *time == bus::kInfinite ? *time : *time * identity.slow;
+  }
   if (bus::spec(topic).route == bus::Route::kRobot) {
     endpoint.partitions = {bus::partition(identity.robot)};
   } else {

@@ -26,6 +26,7 @@ struct Identity {
   std::uint16_t participants = 1; ///< of the run, numbered 0..participants-1
   std::uint64_t session = 0;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
+  int slow = 1;                   ///< slow motion: what DDS holds times by is stretched by it
 };
 
 /// How a process of this identity opens a topic: QoS by its clock, partitions by the topic's route. `legs` names those of

@@ -18,7 +18,7 @@ class WakeUp {
 
   void post() noexcept { sem_post(&semaphore_); }
 
-  /// True when posted, false at the deadline. Several posts wake once.
+  /// True when posted, false at the deadline, which is the machine's time. Several posts wake once.
   bool wait_until(SteadyTime deadline) noexcept {
     const auto since_epoch = std::chrono::duration_cast<Nanoseconds>(deadline.time_since_epoch()).count();
     timespec until{};

@@ -4,6 +4,7 @@
 
 #include "bus_factory/bus_factory.hpp"
 #include "bus_faults/faulty_bus.hpp"
+#include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "runtime/realtime_thread.hpp"
 
@@ -38,7 +39,8 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
 }
 
 participant::Identity identity_of(const participant::ProcessOptions& options, const robot::Robot& robot) {
-  return {options.name, robot.name, options.number, options.participants, options.session, options.clock};
+  return {options.name, robot.name, options.number, options.participants, options.session, options.clock,
+          options.slow};
 }
 
 int run(const participant::ProcessOptions& options, const Factory<participant::Application>& polled, const Factory<participant::RealtimeApplication>& threaded) {
@@ -60,6 +62,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
     return 2;
   }
   if (options.clock == bus::ClockKind::kRealtime) {
+    participant::set_slow_motion(options.slow);
     const bool service = options.number == participant::kEstimatorService || options.number == participant::kSupervisor;
     const int priority = service ? runtime::kServicePriority : runtime::kBusPriority;
     if (const std::string lacking = runtime::set_priority(priority); !lacking.empty()) {
@@ -73,7 +76,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   if (!options.faults.empty()) {
     std::fprintf(stderr, "%s: runs with %zu faults on purpose\n", name, options.faults.size());
     bus = bus_faults::with_faults(std::move(bus).value(), options.faults, options.seed, options.name,
-                                  participant::steady_now);
+                                  {participant::steady_now, options.slow});
   }
   auto member = participant::Participant::join(*bus.value(), identity_of(options, robot.value()));
   if (!member) {

@@ -30,7 +30,7 @@ class Faulty {
     }
     there_ = bus::create_inproc_bus(domain_);
     here_ = with_faults(bus::create_inproc_bus(domain_), parsed, seed, "joint_node_lf",
-                        [] { return std::chrono::steady_clock::now(); });
+                        {[] { return std::chrono::steady_clock::now(); }});
     const bus::Qos qos{.history_depth = 4096};
     writer_.emplace(bus::Publisher<JointSensors>::create(*there_, {bus::TopicId::kJointSensors, qos, {}}).value());
     reader_.emplace(bus::Subscription<JointSensors>::create(*here_, {bus::TopicId::kJointSensors, qos, {}}).value());

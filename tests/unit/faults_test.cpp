@@ -152,7 +152,13 @@ TEST(FaultJudge, LetsAJointStutterThatMay) {
 }
 
 TEST(FaultPage, HasTheWorstOfEveryRowAndTheCellsThatDidNotHold) {
-  Cell good{.row = "sensors_cut", .phase = "stance", .vendor = "fast", .seed = 1, .error = {}, .checks = {}};
+  Cell good{.row = "sensors_cut",
+            .phase = "stance",
+            .vendor = "fast",
+            .seed = 1,
+            .repeats = 0,
+            .error = {},
+            .checks = {}};
   good.checks.push_back({"reaction", "null after", 0.007, 0.004});
   Cell bad = good;
   bad.seed = 2;

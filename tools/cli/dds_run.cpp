@@ -11,6 +11,7 @@
 #include "lab/gait_source.hpp"
 #include "lab/recorder.hpp"
 #include "lab/run_monitor.hpp"
+#include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "robot/keys.hpp"
 #include "runtime/realtime_thread.hpp"
@@ -28,7 +29,7 @@ constexpr auto kSilenceWorthSaying = 3s;
 /// After everybody else has ended: for samples that are still on their way to the recorder.
 constexpr auto kLastSamples = 2s;
 
-SteadyTime now() { return std::chrono::steady_clock::now(); }
+using participant::steady_now;
 
 Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,
                                                  const std::vector<lab::Member>& members) {
@@ -74,6 +75,7 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   Seat seat;
   if (common.clock == bus::ClockKind::kRealtime) {
     // Where the limits forbid it the gait is played without: the node processes say so in their logs.
+    participant::set_slow_motion(common.slow);
     static_cast<void>(runtime::set_priority(runtime::kBusPriority));
   }
   auto bus = bus_factory::create_bus(vendor_of(run.dds, member), participant::network_of(common));
@@ -82,10 +84,12 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   }
   seat.bus = std::move(bus).value();
   if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
-    seat.bus = bus_faults::with_faults(std::move(seat.bus), faults->second, common.seed, member.name, now);
+    seat.bus = bus_faults::with_faults(std::move(seat.bus), faults->second, common.seed, member.name,
+                                       {steady_now, common.slow});
   }
   auto participant = participant::Participant::join(
-      *seat.bus, {member.name, robot.name, member.number, common.participants, common.session, common.clock});
+      *seat.bus, {member.name, robot.name, member.number, common.participants, common.session, common.clock,
+                  common.slow});
   if (!participant) {
     return participant.error();
   }
@@ -157,22 +161,25 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   SteadyTime next_housekeeping{};
   SteadyTime first_tick{};
-  SteadyTime moved = now();
+  SteadyTime moved = steady_now();
   Tick last = 0;
   for (;;) {
     const std::uint64_t before = seat.bus->arrivals();
     if (seat.recorder) {
       seat.recorder->poll();
     }
-    seat.gait->poll(now());
+    seat.gait->poll(steady_now());
     seat.acts->perform(seat.gait->tick(), children);
-    if (seat.gait->tick() != last) {
-      first_tick = last == 0 ? now() : first_tick;
-      last = seat.gait->tick();
-      moved = now();
+    if (run.looks_on) {
+      run.looks_on(seat.gait->tick());
     }
-    if (now() >= next_housekeeping) {
-      next_housekeeping = now() + kHousekeeping;
+    if (seat.gait->tick() != last) {
+      first_tick = last == 0 ? steady_now() : first_tick;
+      last = seat.gait->tick();
+      moved = steady_now();
+    }
+    if (steady_now() >= next_housekeeping) {
+      next_housekeeping = steady_now() + kHousekeeping;
       if (participant::stop_requested()) {
         return Error{"interrupted"};
       }
@@ -184,13 +191,13 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       }
       monitor.poll();
       const bool over = realtime ? monitor.healths()[participant::kSimBridge].final_report != 0 : monitor.all_final();
-      if (over && (!seat.recorder || seat.recorder->has(ticks) || now() - moved > kLastSamples)) {
+      if (over && (!seat.recorder || seat.recorder->has(ticks) || steady_now() - moved > kLastSamples)) {
         return std::chrono::duration<double>(moved - first_tick).count();
       }
       progress.update(last);
-      if (now() - moved > kSilenceWorthSaying) {
+      if (steady_now() - moved > kSilenceWorthSaying) {
         progress.note(standstill(*seat.gait, children));
-        moved = now();
+        moved = steady_now();
       }
     }
     seat.bus->wait_for_arrivals(before + 1, 2ms);

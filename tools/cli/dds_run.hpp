@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -26,6 +27,7 @@ struct DdsRun {
   std::string title;
   std::map<std::string, std::vector<bus_faults::ArrowFault>> faults;  ///< by member, real time only
   std::vector<Act> acts;                                              ///< in the order of their ticks
+  std::function<void(Tick)> looks_on;  ///< called now and then with the newest tick the clock has begun; may be empty
   bool goes_on_without_the_dead = false;  ///< real time: the death of any member but sim_bridge is a warning
   bool bare = false;  ///< exchange the same samples with nothing computed: the yardstick of farrier bench
 };

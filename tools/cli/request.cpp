@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bus_factory/bus_factory.hpp"
+#include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "participant/participant.hpp"
 #include "process/process.hpp"

@@ -12,8 +12,6 @@ namespace {
 
 using signals::JointState;
 
-/// Before the fault from which on the others are looked at.
-constexpr Tick kBefore = 50;
 /// At the end of a run in which the processes may already be ending.
 constexpr Tick kAfter = 20;
 

@@ -40,6 +40,7 @@ struct Check {
 struct Cell {
   std::string row, phase, vendor;
   std::uint64_t seed = 0;
+  int repeats = 0;    ///< runs before in which the computer itself stood still
   std::string error;  ///< why the run ended early; empty: it did not
   std::vector<Check> checks;
   bool holds() const noexcept;
@@ -50,6 +51,9 @@ struct Moments {
   TickSpan fault;
   Tick armed;
 };
+
+/// Before a fault's beginning from which on the joints that it does not hit are looked at.
+inline constexpr Tick kBefore = 50;
 
 /// What a run that left this trace and these events shows of the row.
 std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,

@@ -195,6 +195,8 @@ constexpr std::array kSpecs{
                "The same about a cell of a table: the method it is about and the valve's signal."},
     // faults: the longest over phases, vendors and seeds
     FigureSpec{"faults.cells", "1", kNone, "Rows times phases, vendors and seeds that were run."},
+    FigureSpec{"faults.repeats", "1", kNone,
+               "Runs of cells that did not hold while the computer itself stood still for more than a period, and were run again."},
     FigureSpec{"faults.held", "1", kAtLeast, "Cells in which everything that their row asks for held."},
     FigureSpec{"faults.<row>.reaction_ms", "ms", kAtMost,
                "From a fault's beginning until the joints that it hits do what their row says."},

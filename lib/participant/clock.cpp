@@ -1,0 +1,22 @@
+#include "participant/clock.hpp"
+
+#include <atomic>
+
+namespace farrier::participant {
+namespace {
+
+std::atomic<int> slow_factor{1};
+
+}  // namespace
+
+void set_slow_motion(int slow) noexcept { slow_factor = slow; }
+
+int slow_motion() noexcept { return slow_factor; }
+
+SteadyTime steady_now() noexcept {
+  return SteadyTime(std::chrono::steady_clock::now().time_since_epoch() / slow_motion());
+}
+
+SteadyTime machine_time(SteadyTime time) noexcept { return SteadyTime(time.time_since_epoch() * slow_motion()); }
+
+}  // namespace farrier::participant

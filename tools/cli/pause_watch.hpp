@@ -1,0 +1,29 @@
+#pragma once
+
+#include <atomic>
+#include <thread>
+
+#include "core/time.hpp"
+
+namespace farrier::cli {
+
+/// Watches whether this computer stands still: a thread above all others of a run that sleeps a millisecond again and
+/// again. Where the limits forbid its priority it takes for a pause what is none.
+class PauseWatch {
+ public:
+  PauseWatch();
+  ~PauseWatch();
+  PauseWatch(const PauseWatch&) = delete;
+  PauseWatch& operator=(const PauseWatch&) = delete;
+
+  void forget() noexcept { longest_ns_ = 0; }
+  /// The longest that it woke up late since it was told to forget.
+  Nanoseconds longest() const noexcept { return Nanoseconds(longest_ns_.load()); }
+
+ private:
+  std::atomic<std::int64_t> longest_ns_{0};
+  std::atomic<bool> ends_{false};
+  std::thread thread_;
+};
+
+}  // namespace farrier::cli
