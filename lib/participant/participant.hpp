@@ -59,23 +59,20 @@ class Participant {
   Result<Out<Signal>*> publish(std::vector<std::uint16_t> keys, const std::vector<std::string>& legs = {}) {
     const bus::TopicId topic = bus::TopicOf<Signal>::id;
     std::vector<bus::Publisher<Signal>> publishers;
-    std::vector<std::size_t> publisher_of_key(keys.size(), 0);
-    std::vector<std::string> opened;
-    for (std::size_t i = 0; i < std::max<std::size_t>(1, legs.size()); ++i) {
+    std::vector<std::size_t> publisher_of_key;
+    std::vector<std::string> opened;  // legs, or one without a name
+    for (std::size_t i = 0; i < keys.size(); ++i) {
       const std::vector<std::string> leg = legs.empty() ? legs : std::vector{legs[i]};
-      const auto known = legs.empty() ? opened.end() : std::ranges::find(opened, legs[i]);
-      if (i < keys.size()) {
-        publisher_of_key[i] = legs.empty() ? 0 : static_cast<std::size_t>(known - opened.begin());
+      const auto place = std::ranges::find(opened, legs.empty() ? std::string() : legs[i]);
+      publisher_of_key.push_back(static_cast<std::size_t>(place - opened.begin()));
+      if (place == opened.end()) {
+        auto made = bus::Publisher<Signal>::create(bus_, endpoint_of(identity_, topic, leg));
+        if (!made) {
+          return made.error();
+        }
+        publishers.push_back(std::move(made).value());
+        opened.push_back(legs.empty() ? std::string() : legs[i]);
       }
-      if (known != opened.end()) {
-        continue;
-      }
-      auto made = bus::Publisher<Signal>::create(bus_, endpoint_of(identity_, topic, leg));
-      if (!made) {
-        return made.error();
-      }
-      publishers.push_back(std::move(made).value());
-      opened.push_back(legs.empty() ? "" : legs[i]);
     }
     auto port = std::make_unique<Out<Signal>>(std::move(publishers), std::move(keys), std::move(publisher_of_key));
     Out<Signal>* raw = port.get();

@@ -26,7 +26,8 @@ farrier_system_test(diagnose_benchmark_test long 0 ${CMAKE_CURRENT_LIST_DIR}/dia
 target_compile_definitions(diagnose_benchmark_test PRIVATE FARRIER_DOCS="${PROJECT_SOURCE_DIR}/docs")
 set_tests_properties(long/diagnose_benchmark_test PROPERTIES TIMEOUT 3600 RUN_SERIAL TRUE)
 farrier_system_test(realtime_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/realtime_test.cpp)
+farrier_system_test(faults_command_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/faults_command_test.cpp)
 farrier_system_test(estimator_death_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/estimator_death_test.cpp)
 target_link_libraries(estimator_death_test PRIVATE farrier_record farrier_signals)
 # Real time is for a computer that has nothing else to do.
-set_tests_properties(realtime/realtime_test realtime/estimator_death_test PROPERTIES RUN_SERIAL TRUE)
+set_tests_properties(realtime/realtime_test realtime/estimator_death_test realtime/faults_command_test PROPERTIES RUN_SERIAL TRUE)

@@ -147,7 +147,8 @@ std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moment
   const TickSpan& fault = moments.fault;
   if (expected.reaction != JointState::kTracking) {
     const double reached = course.until(hit, expected.reaction, fault.begin);
-    checks.push_back({"reaction", std::string(signals::to_string(expected.reaction)) + " after", expected.within_s, reached});
+    checks.push_back(
+        {"reaction", std::string(signals::to_string(expected.reaction)) + " after", expected.within_s, reached});
     if (std::isfinite(reached)) {
       const Tick then = fault.begin + std::llround(reached / robot.period_s);
       const Tick until = expected.latches ? moments.armed : fault.end;

@@ -12,6 +12,21 @@ std::string milliseconds(double time_s) {
   return std::isfinite(time_s) ? report::short_number(time_s * 1e3) + " ms" : "never";
 }
 
+/// What there is among the cells, once each, in their order.
+template <class Of>
+std::string listed(const std::vector<Cell>& cells, Of&& of) {
+  std::vector<std::string> names;
+  std::string text;
+  for (const Cell& cell : cells) {
+    const std::string name = of(cell);
+    if (std::ranges::find(names, name) == names.end()) {
+      text += (names.empty() ? "" : ", ") + name;
+      names.push_back(name);
+    }
+  }
+  return text;
+}
+
 std::string checks_text(const std::vector<Check>& checks) {
   std::string text;
   for (const Check& check : checks) {
@@ -45,9 +60,11 @@ std::string fault_page_markdown(const std::vector<Cell>& cells) {
   const auto held = std::ranges::count_if(cells, &Cell::holds);
   std::string page =
       "# Faults\n\nWritten by `farrier faults --page`, which makes each of these happen to a trot of real processes on "
-      "the real-time\nclock: every row in stance and in swing, over each vendor, by each seed. Times are the longest of a "
-      "row's cells, in control\nperiods of `sim_bridge`, beside what is asked.\n\n" +
-      std::to_string(held) + " of " + std::to_string(cells.size()) + " cells held.\n\n" +
+      "the real-time\nclock, in slow motion: every row in stance and in swing, over each vendor, by each seed. Times "
+      "are the longest of a\nrow's cells, in control periods of `sim_bridge`, beside what is asked.\n\n" +
+      std::to_string(held) + " of " + std::to_string(cells.size()) + " cells held. Vendors: " +
+      listed(cells, [](const Cell& cell) { return cell.vendor; }) + ". Seeds: " +
+      listed(cells, [](const Cell& cell) { return std::to_string(cell.seed); }) + ".\n\n" +
       "| row | what happens | what each process does | what an operator sees | measured |\n|---|---|---|---|---|\n";
   for (const Row& row : rows()) {
     const auto worst = worst_checks(cells, row.name);
@@ -62,11 +79,15 @@ std::string fault_page_markdown(const std::vector<Cell>& cells) {
     if (!cell.holds()) {
       std::vector<Check> wrong;
       std::ranges::copy_if(cell.checks, std::back_inserter(wrong), [](const Check& check) { return !check.holds(); });
-      failures += "| `" + cell.row + "` | " + cell.phase + " | " + cell.vendor + " | " + std::to_string(cell.seed) + " | " +
-                  (cell.error.empty() ? checks_text(wrong) : cell.error) + " |\n";
+      failures += "| `" + cell.row + "` | " + cell.phase + " | " + cell.vendor + " | " + std::to_string(cell.seed) +
+                  " | " + (cell.error.empty() ? checks_text(wrong) : cell.error) + " |\n";
     }
   }
-  return page + (failures.empty() ? "" : "\n## Cells that did not hold\n\n| row | phase | vendor | seed | why |\n|---|---|---|---|---|\n" + failures);
+  if (failures.empty()) {
+    return page;
+  }
+  return page + "\n## Cells that did not hold\n\n| row | phase | vendor | seed | why |\n|---|---|---|---|---|\n" +
+         failures;
 }
 
 }  // namespace farrier::faults

@@ -1,0 +1,91 @@
+// farrier faults and what it stands on, started as a user would.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+
+#include "farrier_command.hpp"
+
+namespace farrier::test {
+namespace {
+
+double figure(const nlohmann::json& run, const std::string& name) {
+  for (const auto& entry : run["figures"]) {
+    if (entry["name"] == name && entry["value"].is_number()) {
+      return entry["value"];
+    }
+  }
+  return NAN;
+}
+
+TEST(Faults, CutAJointsCommandsAndSeeItDampAndCatchItself) {
+  const ScratchDirectory scratch;
+  std::string output;
+  run_farrier({"faults", "--rows", "command_cut_short", "--dds", "cyclone", "--seeds", "1", "--out", scratch.file("out"),
+               "--page", scratch.file("page.md")},
+              &output);
+  const nlohmann::json run = read_json(scratch.file("out/figures.json"));
+  ASSERT_FALSE(run.is_discarded()) << output;
+  EXPECT_EQ(figure(run, "faults.cells"), 2.0);
+  // Whether all else stands still meanwhile is the computer's matter as much as the stack's.
+  EXPECT_GE(figure(run, "faults.command_cut_short.reaction_ms"), 4.0) << output;
+  EXPECT_LE(figure(run, "faults.command_cut_short.reaction_ms"), 9.0) << output;
+  EXPECT_EQ(figure(run, "faults.command_cut_short.unseen_ms"), 0.0) << output;
+  EXPECT_EQ(figure(run, "faults.command_cut_short.tripped_ms"), 0.0) << output;
+  EXPECT_NE(read_file(scratch.file("page.md")).find("| `command_cut_short` |"), std::string::npos);
+}
+
+TEST(Faults, AreRefusedByNamesThatAreNone) {
+  const ScratchDirectory scratch;
+  std::string output;
+  EXPECT_EQ(run_farrier({"faults", "--rows", "sensors_gone", "--out", scratch.file("out")}, &output), 2);
+  EXPECT_NE(output.find("no row is called 'sensors_gone': sensors_cut, "), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"faults", "--dds", "inproc", "--out", scratch.file("out")}, &output), 2);
+}
+
+TEST(Faults, OfAProcessAreRefusedInLockstepAndWhereTheyCannotBeRead) {
+  std::string output;
+  const std::vector<std::string> node{"--number", "4", "--participants", "8"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), node.begin(), node.end());
+    return run_farrier(more, &output, {FARRIER_JOINT_NODE, {}});
+  };
+  EXPECT_EQ(with({"--fault", "joint/sensors:cut"}), 2);
+  EXPECT_NE(output.find("in lock-step a lost sample holds the run up"), std::string::npos) << output;
+  EXPECT_EQ(with({"--clock", "realtime", "--fault", "joint/sensor:cut"}), 2);
+  EXPECT_NE(output.find("'joint/sensor' is no topic"), std::string::npos) << output;
+}
+
+TEST(Request, SaysWhereNobodyAnswers) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"request", "arm", "--session", "7", "--domain", "231"}, &output), 1);
+  EXPECT_NE(output.find("no supervisor of hyq, session 7, domain 231 answers"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"request", "dance", "--session", "7"}, &output), 2);
+}
+
+TEST(Request, StopsARobotAndArmsItAgain) {
+  const ScratchDirectory scratch;
+  FarrierCommand trot({"trot", "--clock", "realtime", "--nodes", "one", "--duration", "600",
+                       "--out", scratch.file("out")});
+  ASSERT_TRUE(trot.says("trot: tick 0 of")) << trot.output();
+  const pid_t supervisor = trot.process("supervisor");
+  ASSERT_NE(supervisor, 0);
+  std::string line = read_file("/proc/" + std::to_string(supervisor) + "/cmdline");
+  std::replace(line.begin(), line.end(), '\0', ' ');
+  const std::size_t place = line.find("--domain ") + std::string("--domain ").size();
+  const std::string domain = line.substr(place, line.find(' ', place) - place);
+  const std::string session = std::to_string(trot.pid());
+  std::string output;
+  EXPECT_EQ(run_farrier({"request", "stop", "--session", session, "--domain", domain}, &output), 0) << output;
+  EXPECT_NE(output.find("hyq is stopped"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"request", "arm", "--session", session, "--domain", domain, "--dds", "fast"}, &output), 0)
+      << output;
+  EXPECT_NE(output.find("hyq is armed"), std::string::npos) << output;
+  trot.signal(SIGINT);
+  EXPECT_EQ(trot.wait(std::chrono::seconds(20)), 130);
+}
+
+}  // namespace
+}  // namespace farrier::test
