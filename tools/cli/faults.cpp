@@ -120,13 +120,18 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const FaultsOption
     cell.error = !ran ? ran.error().message : trace.error().message;
     return cell;
   }
+  const std::vector<Tick>& acted = ran.value().acted;
+  if (acted.size() < run.acts.size()) {
+    cell.error = "the run ended before all was done to it";
+    return cell;
+  }
   faults::Moments moments{span, last};
   if (!row.acts.empty()) {
-    moments.fault.begin = ran.value().acted.front();
-    moments.fault.end = row.acts.size() > 1 ? ran.value().acted[row.acts.size() - 1] : moments.fault.begin + ticks(row.lasts_s);
+    moments.fault.begin = acted.front();
+    moments.fault.end = row.acts.size() > 1 ? acted[row.acts.size() - 1] : acted.front() + ticks(row.lasts_s);
   }
   if (row.expected.latches) {
-    moments.armed = ran.value().acted.back();
+    moments.armed = acted.back();
   }
   std::vector<std::string> events;
   for (const signals::SystemEvent& event : ran.value().events) {
