@@ -146,6 +146,20 @@ TEST_P(Conformance, BurstOfReliableSamplesArrivesWhole) {
   EXPECT_EQ(reader.status().received, kBurst);
 }
 
+TEST_P(Conformance, WriterThatStillKeepsSamplesEnds) {
+  constexpr std::uint32_t kKept = 2000;
+  for (int i = 0; i < 10; ++i) {
+    auto writer = publisher<SystemEvent>(reliable(kKept));
+    auto reader = subscription<SystemEvent>(reliable(kKept));
+    ASSERT_TRUE(matched(writer, reader));
+    for (SystemEvent event; event.count < kKept; ++event.count) {
+      ASSERT_TRUE(writer.publish(event));
+    }
+    EXPECT_EQ(receive(reader, kKept).size(), kKept);
+    use_another_robot();
+  }
+}
+
 // Of a reader that is polled while samples come in, Fast DDS may count some of them more than once.
 TEST_P(Conformance, ArrivalsCountEverySampleOnceUntilItIsTaken) {
   constexpr std::uint64_t kSamples = 500;
