@@ -3,8 +3,8 @@
 #include <atomic>
 #include <thread>
 
-#include "core/spsc_ring.hpp"
 #include "lab/bare_ports.hpp"
+#include "participant/loop_statistics.hpp"
 #include "runtime/deadline.hpp"
 #include "runtime/latency_histogram.hpp"
 #include "runtime/realtime_thread.hpp"
@@ -13,9 +13,6 @@ namespace farrier::lab {
 namespace {
 
 using namespace std::chrono_literals;
-using participant::In;
-using participant::Out;
-
 constexpr auto kHealthPeriod = 100ms;
 
 class BareClock final : public participant::RealtimeApplication {
@@ -42,16 +39,14 @@ class BareClock final : public participant::RealtimeApplication {
   Nanoseconds period_;
   Tick ticks_;
   std::atomic<Tick> tick_{0};
-  std::atomic<std::uint64_t> missed_{0};
-  SpscRing<Nanoseconds, 256> wake_ups_;
-  runtime::LatencyHistogram latency_, wake_up_;  ///< bus thread
+  participant::LoopStatistics statistics_;
   SteadyTime next_health_{};
   bool over_ = false;
 };
 
 bool BareClock::receive(SteadyTime now) {
   ports_.valves->drain([&](const signals::JointValveCommand& valve) {
-    latency_.add(now.time_since_epoch() - Nanoseconds(valve.sample_time_ns));
+    statistics_.answered(valve.sample_time_ns, now);
   });
   if (!member_.started(now)) {
     return false;
@@ -65,20 +60,13 @@ bool BareClock::receive(SteadyTime now) {
 }
 
 void BareClock::report(bool final_report) {
-  for (Nanoseconds wake_up; wake_ups_.pop(wake_up);) {
-    wake_up_.add(wake_up);
-  }
   signals::SystemHealth health;
-  health.periods = static_cast<std::uint64_t>(tick_.load());
-  health.missed_periods = missed_;
-  health.latency_s = latency_.summary_s();
-  health.wake_up_s = wake_up_.summary_s();
+  statistics_.fill(health);
   member_.report_health(tick_, final_report, health);
 }
 
 void BareClock::step(const participant::Wake& wake) noexcept {
-  missed_ += wake.missed;
-  wake_ups_.push(wake.now - wake.due);
+  statistics_.stepped(wake);
   signals::JointSensors sensors;
   sensors.tick = tick_;
   sensors.sample_time_ns = std::chrono::duration_cast<Nanoseconds>(wake.now.time_since_epoch()).count();

@@ -8,9 +8,9 @@
 #include "core/latest_value.hpp"
 #include "core/spsc_ring.hpp"
 #include "participant/arrival.hpp"
+#include "participant/loop_statistics.hpp"
 #include "record/trace.hpp"
 #include "robot/keys.hpp"
-#include "runtime/latency_histogram.hpp"
 #include "sim_bridge/ports.hpp"
 #include "sim_bridge/sim_world.hpp"
 
@@ -70,22 +70,19 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   std::vector<std::uint16_t> numbers_;
   std::vector<Mailbox> mail_;
   std::vector<double> valve_current_A_;
-  runtime::LatencyHistogram latency_;  ///< bus thread
-  runtime::LatencyHistogram wake_up_;  ///< bus thread
-  SpscRing<Nanoseconds, 256> wake_ups_;
+  participant::LoopStatistics statistics_;
   SteadyTime next_health_{};
   std::atomic<Tick> tick_{0};
   std::atomic<Tick> sensed_tick_{kNoTick};  ///< newest whose sensors are on their way
   Tick told_tick_ = kNoTick;                ///< sender thread: newest that the clock has told
   std::atomic<Tick> sent_tick_{kNoTick};  ///< all before this tick is sent and recorded
   std::atomic<bool> trace_complete_{true};
-  std::atomic<std::uint64_t> missed_{0};
   bool reported_final_ = false;
 };
 
 bool SimBridgeRealtime::receive(SteadyTime now) {
   ports_.valves->drain([&](const signals::JointValveCommand& valve) {
-    latency_.add(now.time_since_epoch() - Nanoseconds(valve.sample_time_ns));
+    statistics_.answered(valve.sample_time_ns, now);
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
       if (numbers_[i] == valve.joint && std::isfinite(valve.valve_current_A) && mail_[i].arrival.take(valve.tick, valve.sample_time_ns, now)) {
         mail_[i].valve.store({valve, now});
@@ -110,13 +107,7 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
 
 void SimBridgeRealtime::report(bool final_report) {
   signals::SystemHealth health;
-  for (Nanoseconds wake_up; wake_ups_.pop(wake_up);) {
-    wake_up_.add(wake_up);
-  }
-  health.periods = static_cast<std::uint64_t>(tick_.load(std::memory_order_relaxed));
-  health.missed_periods = missed_.load(std::memory_order_relaxed);
-  health.latency_s = latency_.summary_s();
-  health.wake_up_s = wake_up_.summary_s();
+  statistics_.fill(health);
   participant_.report_health(tick_.load(std::memory_order_relaxed), final_report, health);
 }
 
@@ -144,8 +135,7 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
 }
 
 void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
-  missed_.fetch_add(wake.missed, std::memory_order_relaxed);
-  wake_ups_.push(wake.now - wake.due);
+  statistics_.stepped(wake);
   const auto sampled = std::chrono::duration_cast<Nanoseconds>(wake.now.time_since_epoch()).count();
   for (std::size_t i = 0; i < mail_.size(); ++i) {
     signals::JointSensors sensors = world_.sample(i);

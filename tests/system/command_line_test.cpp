@@ -28,15 +28,7 @@ const nlohmann::json& figures_of_a_run() {
   return figures;
 }
 
-double figure(const std::string& name) {
-  for (const auto& entry : figures_of_a_run()["figures"]) {
-    if (entry["name"] == name) {
-      return entry["value"].is_null() ? NAN : entry["value"].get<double>();
-    }
-  }
-  ADD_FAILURE() << "no figure " << name;
-  return NAN;
-}
+double figure_of_a_run(const std::string& name) { return figure(figures_of_a_run(), name); }
 
 TEST(Figures, HaveTheCommonFormAndPass) {
   const nlohmann::json& run = figures_of_a_run();
@@ -57,19 +49,19 @@ TEST(Figures, JudgeEveryJointInStanceWithTheSwingDesignBeside) {
   for (const char* leg : {"lf", "rf", "lh", "rh"}) {
     for (const char* joint : {"haa", "hfe", "kfe"}) {
       const std::string name = std::string("trot.") + leg + "_" + joint;
-      EXPECT_LE(figure(name + ".stance_nrmse"), 0.10) << name;
-      EXPECT_GT(figure(name + ".swing_design_stance_nrmse"), 0.0) << name;
+      EXPECT_LE(figure_of_a_run(name + ".stance_nrmse"), 0.10) << name;
+      EXPECT_GT(figure_of_a_run(name + ".swing_design_stance_nrmse"), 0.0) << name;
     }
   }
 }
 
 TEST(Figures, ShowThatAProcessReceivesOnlyTheJointsItHosts) {
-  EXPECT_EQ(figure("trot.packets.joint_node_lf.joint_sensors.received"), kJointsPerLeg * kTicks);
+  EXPECT_EQ(figure_of_a_run("trot.packets.joint_node_lf.joint_sensors.received"), kJointsPerLeg * kTicks);
   // The gait source works a tick ahead, and a node may take that tick's commands before it ends.
-  EXPECT_GE(figure("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * kTicks);
-  EXPECT_LE(figure("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * (kTicks + 1));
-  EXPECT_EQ(figure("trot.packets.sim_bridge.joint_sensors.sent"), 4 * kJointsPerLeg * kTicks);
-  EXPECT_EQ(figure("trot.packets.estimator_service.joint_measurement.received"), 4 * kJointsPerLeg * kTicks);
+  EXPECT_GE(figure_of_a_run("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * kTicks);
+  EXPECT_LE(figure_of_a_run("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * (kTicks + 1));
+  EXPECT_EQ(figure_of_a_run("trot.packets.sim_bridge.joint_sensors.sent"), 4 * kJointsPerLeg * kTicks);
+  EXPECT_EQ(figure_of_a_run("trot.packets.estimator_service.joint_measurement.received"), 4 * kJointsPerLeg * kTicks);
 }
 
 TEST(Figures, NameEveryProcessWithItsPidAndTheVendorItWasAskedFor) {
@@ -83,8 +75,8 @@ TEST(Figures, NameEveryProcessWithItsPidAndTheVendorItWasAskedFor) {
 }
 
 TEST(Figures, HoldTheLatencyFromSensorToValve) {
-  EXPECT_GT(figure("trot.latency_p50_us"), 0.0);
-  EXPECT_LE(figure("trot.latency_p50_us"), figure("trot.latency_p99_us"));
+  EXPECT_GT(figure_of_a_run("trot.latency_p50_us"), 0.0);
+  EXPECT_LE(figure_of_a_run("trot.latency_p50_us"), figure_of_a_run("trot.latency_p99_us"));
 }
 
 /// A robot file with these replacements, in a scratch directory.

@@ -41,15 +41,6 @@ void write_arm(const std::string& path, int samples, Row row) {
 
 std::string as_it_is(int, const std::string& line) { return line; }
 
-double figure(const nlohmann::json& json, const std::string& name) {
-  for (const auto& one : json["figures"]) {
-    if (one["name"] == name) {
-      return one["value"].get<double>();
-    }
-  }
-  return std::nan("");
-}
-
 nlohmann::json candidate(const nlohmann::json& json, const std::string& name) {
   const auto found = std::ranges::find_if(json["candidates"], [&](const auto& one) { return one["name"] == name; });
   return found == json["candidates"].end() ? nlohmann::json() : *found;

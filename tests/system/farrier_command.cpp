@@ -1,10 +1,12 @@
 #include "farrier_command.hpp"
 
 #include <fcntl.h>
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -154,5 +156,15 @@ std::string read_file(const std::string& path) {
 }
 
 nlohmann::json read_json(const std::string& path) { return nlohmann::json::parse(read_file(path), nullptr, false); }
+
+double figure(const nlohmann::json& run, const std::string& name) {
+  for (const auto& entry : run["figures"]) {
+    if (entry["name"] == name) {
+      return entry["value"].is_null() ? NAN : entry["value"].get<double>();
+    }
+  }
+  ADD_FAILURE() << "no figure " << name;
+  return NAN;
+}
 
 }  // namespace farrier::test

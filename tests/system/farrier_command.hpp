@@ -68,4 +68,7 @@ int run_farrier(const std::vector<std::string>& arguments, std::string* output =
 std::string read_file(const std::string& path);
 nlohmann::json read_json(const std::string& path);
 
+/// Value of a figure of a run; not a number where it is null. One that is not there fails the test.
+double figure(const nlohmann::json& run, const std::string& name);
+
 }  // namespace farrier::test

@@ -3,22 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <csignal>
 
 #include "farrier_command.hpp"
 
 namespace farrier::test {
 namespace {
-
-double figure(const nlohmann::json& run, const std::string& name) {
-  for (const auto& entry : run["figures"]) {
-    if (entry["name"] == name && entry["value"].is_number()) {
-      return entry["value"];
-    }
-  }
-  return NAN;
-}
 
 TEST(Faults, CutAJointsCommandsAndSeeItDampAndCatchItself) {
   const ScratchDirectory scratch;

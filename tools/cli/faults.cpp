@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "gait/schedule.hpp"
@@ -18,6 +17,7 @@
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/pause_watch.hpp"
 #include "tools/cli/trot_options.hpp"
+#include "tools/cli/trot_run.hpp"
 #include "tools/faults/fault_page.hpp"
 #include "tools/report/console.hpp"
 #include "tools/report/extended_model.hpp"
@@ -68,8 +68,8 @@ std::string member_of(const robot::Robot& robot, const std::vector<lab::Member>&
 
 /// One run of a cell, judged. Refuses when the user interrupts.
 Result<faults::Cell> run_cell_once(const robot::Robot& robot, const FaultsOptions& o, const faults::Row& row,
-                              gait::Phase phase, const std::pair<std::string, DdsChoice>& vendor, std::uint64_t seed,
-                              const std::string& title, PauseWatch& pauses) {
+                                   gait::Phase phase, const std::pair<std::string, DdsChoice>& vendor,
+                                   std::uint64_t seed, const std::string& title, PauseWatch& pauses) {
   const auto ticks = [&](double time_s) { return static_cast<Tick>(std::llround(time_s / robot.period_s)); };
   const faults::TickSpan span = faults::place_of(robot, gait::Schedule(robot.plan, seed), row, phase);
   faults::Cell cell{.row = row.name,
@@ -79,19 +79,16 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const FaultsOption
                     .repeats = 0,
                     .error = {},
                     .checks = {}};
-  DdsRun run;
-  run.dds = vendor.second;
-  run.common.robot_path = o.robot_path;
-  run.common.clock = bus::ClockKind::kRealtime;
-  run.common.seed = seed;
-  run.common.session = static_cast<std::uint64_t>(::getpid());
-  run.common.design = "phases";
-  run.common.no_dither = true;
+  TrotOptions trot;
+  trot.robot_path = o.robot_path;
+  trot.dds = vendor.second;
+  trot.clock = bus::ClockKind::kRealtime;
+  trot.design = "phases";
+  trot.seed = seed;
+  trot.out = o.out;
+  trot.trace_path = o.out + "/trace.csv";
+  DdsRun run = dds_run(robot, trot, title);
   run.common.slow = o.slow;
-  run.common.trace_path = o.out + "/trace.csv";
-  run.executables = build_directory();
-  run.log_directory = o.out + "/log";
-  run.title = title;
   run.goes_on_without_the_dead = true;
   run.looks_on = [&](Tick tick) {
     if (tick < span.begin - faults::kBefore) {

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "tools/cli/in_process.hpp"
-#include "tools/cli/progress.hpp"
 #include "tools/cli/trot_run.hpp"
 #include "tools/report/run_info.hpp"
 
@@ -56,11 +55,8 @@ Result<Done> add_realtime(report::Figures& figures, const robot::Robot& robot, c
   alone.missed_periods = timer.missed;
   alone.wake_up_s = timer.wake_up_s;
   report::add_latencies(figures, "trot.bare_timer", {alone});
-  std::vector<report::ProcessInfo> bare;
-  for (std::size_t i = 0; i < yardstick.exchange.hellos.size(); ++i) {
-    bare.push_back(report::process_info(yardstick.exchange.hellos[i], yardstick.exchange.healths[i]));
-  }
-  report::add_latencies(figures, "trot.bare_exchange", bare);
+  const RunOutcome& exchange = yardstick.exchange;
+  report::add_latencies(figures, "trot.bare_exchange", report::process_infos(exchange.hellos, exchange.healths));
   const report::Figure* latency = figures.find("trot.latency_p99_us");
   const report::Figure* bare_latency = figures.find("trot.bare_exchange.latency_p99_us");
   if (latency == nullptr || bare_latency == nullptr) {

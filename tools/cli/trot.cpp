@@ -158,9 +158,7 @@ int trot(TrotOptions o) {
   report::Outcome outcome;
   outcome.command = "trot";
   outcome.run = report::run_info(robot, o.seed);
-  for (std::size_t i = 0; i < ran.value().hellos.size(); ++i) {
-    outcome.run.processes.push_back(report::process_info(ran.value().hellos[i], ran.value().healths[i]));
-  }
+  outcome.run.processes = report::process_infos(ran.value().hellos, ran.value().healths);
   outcome.run.decisions = report::decision_infos(robot, ran.value().decisions);
   outcome.warnings = ran.value().warnings;
   for (const signals::SystemEvent& event : ran.value().events) {

@@ -103,6 +103,15 @@ ProcessInfo process_info(const signals::SystemHello& hello, const signals::Syste
   return process;
 }
 
+std::vector<ProcessInfo> process_infos(const std::vector<signals::SystemHello>& hellos,
+                                       const std::vector<signals::SystemHealth>& healths) {
+  std::vector<ProcessInfo> processes;
+  for (std::size_t i = 0; i < hellos.size(); ++i) {
+    processes.push_back(process_info(hellos[i], healths[i]));
+  }
+  return processes;
+}
+
 void add_transport(Figures& figures, const RunInfo& run, bool judge_losses) {
   std::uint64_t lost = 0;
   for (const ProcessInfo& process : run.processes) {

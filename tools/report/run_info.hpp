@@ -76,6 +76,10 @@ std::vector<DecisionInfo> decision_infos(const robot::Robot& robot,
 /// What a process told about itself.
 ProcessInfo process_info(const signals::SystemHello& hello, const signals::SystemHealth& health);
 
+/// Of every participant; both by number.
+std::vector<ProcessInfo> process_infos(const std::vector<signals::SystemHello>& hellos,
+                                       const std::vector<signals::SystemHealth>& healths);
+
 /// Adds trot.packets.* and trot.lost_samples, which must be 0 where losses are judged (best effort on the real-time
 /// clock may lose some), and trot.latency_* where a process measured it.
 void add_transport(Figures& figures, const RunInfo& run, bool judge_losses);
