@@ -44,6 +44,7 @@ class EstimatorApplication final : public participant::Application {
   std::vector<Tick> newest_ticks_;  ///< of measurements, by joint
   participant::TickInbox<signals::JointMeasurement> inbox_;
   SteadyTime next_health_{};
+  bool said_ = false;  ///< that it has started; real time only
 };
 
 void EstimatorApplication::take(const signals::JointMeasurement& measurement) {
@@ -84,7 +85,13 @@ void EstimatorApplication::poll(SteadyTime now) {
   }
   if (lockstep_) {
     step_lockstep();
-  } else if (now >= next_health_) {
+    return;
+  }
+  if (!said_) {
+    said_ = true;
+    participant_.event(signals::Severity::kInfo, tick_, 0xffff, "estimates from now on");
+  }
+  if (now >= next_health_) {
     next_health_ = now + 100ms;
     participant_.report_health(tick_, false);
   }

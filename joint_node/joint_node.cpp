@@ -55,16 +55,16 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
 
 bool JointNode::store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept {
   auto& upcoming = upcoming_gains_[signal.phase];
-  if (signal.generation <= upcoming.newest()) {
+  if (issue_of(signal) <= upcoming.newest()) {
     return false;
   }
-  upcoming.put({gains, plant::physics_of(signal.physics), signal.generation, signal.effective_tick});
+  upcoming.put({gains, plant::physics_of(signal.physics), issue_of(signal), signal.effective_tick});
   return true;
 }
 
 void JointNode::refuse_gains(const signals::JointControllerGains& signal) noexcept {
   const std::size_t phase = signal.phase < signals::kPhaseCount ? signal.phase : 0;
-  upcoming_refusals_[phase].put({signal.generation, signal.effective_tick});
+  upcoming_refusals_[phase].put({issue_of(signal), signal.effective_tick});
 }
 
 void JointNode::set_mode(const signals::SystemMode& mode) noexcept {
@@ -86,12 +86,22 @@ void JointNode::announce_phase(const signals::GaitPhase& phase) noexcept {
   upcoming_phases_.put(acting);
 }
 
+bool JointNode::same(const Slot& one, const Slot& other) noexcept {
+  const control::Gains& a = one.gains;
+  const control::Gains& b = other.gains;
+  return generation_of(one.issue) == generation_of(other.issue) && a.position == b.position &&
+         a.velocity == b.velocity && a.force == b.force && a.integral == b.integral &&
+         a.feed_forward == b.feed_forward && a.integral_factor == b.integral_factor && a.delay == b.delay &&
+         a.delay_ticks == b.delay_ticks && a.form == b.form &&
+         plant::values_of(one.physics) == plant::values_of(other.physics);
+}
+
 std::uint32_t JointNode::newest_generation() const noexcept {
-  std::uint32_t newest = 0;
+  Issue newest = 0;
   for (std::size_t phase = 0; phase < acting_.size(); ++phase) {
     newest = std::max({newest, upcoming_gains_[phase].newest(), upcoming_refusals_[phase].newest()});
   }
-  return newest;
+  return generation_of(newest);
 }
 
 void JointNode::apply_due(Tick tick) noexcept {
@@ -101,12 +111,16 @@ void JointNode::apply_due(Tick tick) noexcept {
   bool last_was_refused = false;
   for (std::size_t phase = 0; phase < acting_.size(); ++phase) {
     if (const auto slot = upcoming_gains_[phase].take_due(tick)) {
+      // The same gains of the next supervisor: the controller goes on with them as it stands.
+      if (controller_issue_ == acting_[phase].issue && same(*slot, acting_[phase])) {
+        controller_issue_ = slot->issue;
+      }
       acting_[phase] = *slot;
     }
     if (const auto refusal = upcoming_refusals_[phase].take_due(tick)) {
       refused_[phase] = *refusal;
     }
-    last_was_refused = last_was_refused || refused_[phase].generation > acting_[phase].generation;
+    last_was_refused = last_was_refused || refused_[phase].issue > acting_[phase].issue;
   }
   faults_.set(Fault::kGainsRefused, last_was_refused);
   if (const auto phase = upcoming_phases_.take_due(tick)) {
@@ -138,7 +152,7 @@ void JointNode::assess(const Inputs& inputs) noexcept {
   }
   // Flow law and PID bring their own.
   const bool needs_gains = joint_.kind == control::Kind::kLqr || joint_.kind == control::Kind::kFlowInversion;
-  faults_.set(Fault::kNoGains, needs_gains && acting_[static_cast<std::size_t>(phase_)].generation == 0);
+  faults_.set(Fault::kNoGains, needs_gains && acting_[static_cast<std::size_t>(phase_)].issue == 0);
 }
 
 JointState JointNode::state() const noexcept {
@@ -214,7 +228,7 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   valve.sample_time_ns = inputs.sensors.sample_time_ns;
   valve.valve_current_A = current_A;
   valve.force_reference_N_or_Nm = reference.force;
-  valve.generation = now == JointState::kNull ? 0 : controller_generation_;
+  valve.generation = now == JointState::kNull ? 0 : generation_of(controller_issue_);
   valve.faults = faults_.bits();
   valve.state = static_cast<std::uint8_t>(now);
   valve.phase = static_cast<std::uint8_t>(phase_);

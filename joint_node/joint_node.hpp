@@ -38,7 +38,8 @@ class JointNode {
             std::uint64_t session);
 
   /// Puts checked gains (check_gains) into the slot of their phase; they act from effective_tick on.
-  /// False, and the slot keeps what it has, when the generation is not newer than the slot's.
+  /// False, and the slot keeps what it has, when they are not newer than the slot's: of a later supervisor,
+  /// or of the same and a later generation.
   bool store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept;
 
   /// A gain update failed its check: from its effective tick the joint says so, until the next good one acts; the last
@@ -73,18 +74,27 @@ class JointNode {
   std::uint32_t newest_generation() const noexcept;
 
  private:
+  /// Order of the gains of a joint: by the authority of who issued them, then by generation; 0: none.
+  using Issue = std::uint64_t;
+  static Issue issue_of(const signals::JointControllerGains& signal) noexcept {
+    return (static_cast<Issue>(signal.authority) << 32) | signal.generation;
+  }
+  static std::uint32_t generation_of(Issue issue) noexcept { return static_cast<std::uint32_t>(issue); }
+
   struct Slot {
     control::Gains gains{};
     plant::JointPhysics physics{};
-    std::uint32_t generation = 0;  ///< 0: empty
+    Issue issue = 0;
     Tick effective_tick = kNoTick;
   };
   /// A gain update that failed its check.
   struct Refusal {
-    std::uint32_t generation = 0;
+    Issue issue = 0;
     Tick effective_tick = kNoTick;
   };
 
+  /// Whether they are of one generation and act alike.
+  static bool same(const Slot& one, const Slot& other) noexcept;
   void apply_due(Tick tick) noexcept;
   void assess(const Inputs& inputs) noexcept;
   signals::JointState state() const noexcept;
@@ -116,15 +126,15 @@ class JointNode {
   control::Pid pid_;
   control::FlowInversion flow_inversion_;
   std::array<Slot, signals::kPhaseCount> acting_{};
-  std::array<Upcoming<Slot, &Slot::generation, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
+  std::array<Upcoming<Slot, &Slot::issue, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
   std::array<Refusal, signals::kPhaseCount> refused_{};
-  std::array<Upcoming<Refusal, &Refusal::generation, &Refusal::effective_tick>, signals::kPhaseCount>
+  std::array<Upcoming<Refusal, &Refusal::issue, &Refusal::effective_tick>, signals::kPhaseCount>
       upcoming_refusals_{};
   signals::SystemMode mode_{};
   Upcoming<signals::SystemMode, &signals::SystemMode::epoch, &signals::SystemMode::effective_tick> upcoming_modes_;
   Upcoming<signals::GaitPhase, &signals::GaitPhase::count, &signals::GaitPhase::switch_tick> upcoming_phases_;
   signals::Phase phase_ = signals::Phase::kStance;
-  std::uint32_t controller_generation_ = 0;  ///< generation the controller runs with; 0: none
+  Issue controller_issue_ = 0;  ///< of the gains the controller runs with; 0: none
   signals::Phase controller_phase_ = signals::Phase::kStance;
   FaultSet faults_;
   std::uint32_t tripped_epoch_ = 0;

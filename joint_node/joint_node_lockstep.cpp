@@ -1,6 +1,7 @@
 #include "joint_node/joint_node_lockstep.hpp"
 
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
 namespace {
@@ -78,7 +79,7 @@ void JointNodeLockstep::offer_gains(const signals::JointControllerGains& signal)
       joint.node.refuse_gains(signal);
       participant_.event(signals::Severity::kWarning, tick_, joint.number, "gains refused: " + checked.error().message);
     } else {
-      joint.node.store_gains(signal, unpack_gains(signal));
+      joint.node.store_gains(signal, wire_gains::unpack_gains(signal));
     }
   }
 }

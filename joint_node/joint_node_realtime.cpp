@@ -5,8 +5,9 @@
 
 #include "core/latest_value.hpp"
 #include "core/spsc_ring.hpp"
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
 #include "participant/arrival.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
 namespace {
@@ -109,7 +110,7 @@ bool JointNodeRealtime::receive(SteadyTime now) {
   });
   ports_.gains->drain([&](const signals::JointControllerGains& gains) {
     const auto joint = std::ranges::find(joints_, gains.joint, &HostedJoint::number);
-    if (joint == joints_.end()) {
+    if (joint == joints_.end() || !participant_.obey({.authority = gains.authority}, last_tick_)) {
       return;
     }
     const auto checked = check_gains(gains, joint->kind);
@@ -127,6 +128,9 @@ bool JointNodeRealtime::receive(SteadyTime now) {
     }
   });
   ports_.modes->drain([&](const signals::SystemMode& mode) {
+    if (!participant_.obey({mode.authority, mode.epoch}, last_tick_)) {
+      return;
+    }
     for (Mailbox& mail : mail_) {
       mail.mode.store(mode);
     }
@@ -171,7 +175,7 @@ void JointNodeRealtime::step(const participant::Wake& wake) noexcept {
       if (update.refused) {
         node.refuse_gains(update.signal);
       } else {
-        node.store_gains(update.signal, unpack_gains(update.signal));
+        node.store_gains(update.signal, wire_gains::unpack_gains(update.signal));
       }
     }
     for (signals::GaitPhase phase; mail.phases.pop(phase);) {

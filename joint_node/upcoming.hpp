@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
+#include <utility>
 
 #include "core/time.hpp"
 
@@ -12,9 +14,11 @@ namespace farrier::joint_node {
 /// What was announced ahead and is not due yet: the next few items, each with a number that rises by one with every
 /// issue (0 is never issued) and the tick from which it holds. Whatever the order of arrival, the newest item that is
 /// due holds; so an item that comes early never takes the place of one that is due before it.
-template <class Item, std::uint32_t Item::*kNumber, Tick Item::*kTick>
+template <class Item, auto kNumber, Tick Item::*kTick>
 class Upcoming {
  public:
+  using Number = std::remove_cvref_t<decltype(std::declval<Item>().*kNumber)>;
+
   /// Puts an item to wait. When more wait than there are places, the oldest number goes.
   void put(const Item& item) noexcept {
     Item& oldest = *std::min_element(waiting_.begin(), waiting_.end(), older);
@@ -41,7 +45,7 @@ class Upcoming {
   }
 
   /// Largest number seen, taken or waiting; 0 without any.
-  std::uint32_t newest() const noexcept {
+  Number newest() const noexcept {
     return std::max(taken_, std::max_element(waiting_.begin(), waiting_.end(), older)->*kNumber);
   }
 
@@ -49,7 +53,7 @@ class Upcoming {
   static bool older(const Item& one, const Item& other) noexcept { return one.*kNumber < other.*kNumber; }
 
   std::array<Item, 4> waiting_{};
-  std::uint32_t taken_ = 0;
+  Number taken_ = 0;
 };
 
 }  // namespace farrier::joint_node

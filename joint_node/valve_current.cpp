@@ -36,12 +36,12 @@ double JointNode::probed(double asked_A, bool saturated, double probe_A) noexcep
 double JointNode::valve_current_by_gains(double reference, const control::Measurement& measured,
                                          double probe_A) noexcept {
   const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
-  const bool changed = slot.generation != controller_generation_ || phase_ != controller_phase_;
+  const bool changed = slot.issue != controller_issue_ || phase_ != controller_phase_;
   if (changed && controller_.set_gains(slot.gains, last_measured_, last_reference_)) {
-    controller_generation_ = slot.generation;
+    controller_issue_ = slot.issue;
     controller_phase_ = phase_;
   }
-  if (controller_generation_ == 0) {
+  if (controller_issue_ == 0) {
     return 0.0;  // gains that cannot be used; those are refused on arrival
   }
   last_measured_ = predictor_.predict(slot.gains.model, measured);
@@ -58,12 +58,12 @@ double JointNode::valve_current_by_gains(double reference, const control::Measur
 double JointNode::valve_current_by_physics(const control::ForceReference& reference,
                                            const control::Measurement& measured, double probe_A) noexcept {
   const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
-  const bool changed = slot.generation != controller_generation_ || phase_ != controller_phase_;
+  const bool changed = slot.issue != controller_issue_ || phase_ != controller_phase_;
   if (changed && flow_inversion_.set_physics(slot.physics)) {
-    controller_generation_ = slot.generation;
+    controller_issue_ = slot.issue;
     controller_phase_ = phase_;
   }
-  if (controller_generation_ == 0) {
+  if (controller_issue_ == 0) {
     return 0.0;  // physics that cannot be used; those are refused on arrival
   }
   const control::FlowInversion::Output output = flow_inversion_.step(reference, measured, probe_A);
@@ -78,7 +78,7 @@ void JointNode::reset_controller() noexcept {
   flow_law_.reset();
   pid_.reset();
   flow_inversion_.reset();
-  controller_generation_ = 0;
+  controller_issue_ = 0;
   last_measured_ = {};
   last_reference_ = 0.0;
   faults_.set(Fault::kReferenceClamped, false);

@@ -7,10 +7,11 @@
 #include "estimator_service/estimator_service.hpp"
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
 #include "joint_node/joint_node.hpp"
 #include "sim_bridge/sim_world.hpp"
 #include "supervisor/supervisor.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::lab {
 namespace {
@@ -64,7 +65,7 @@ Result<Cores> make_cores(const robot::Robot& robot) {
   }
   const supervisor::Supervisor::Outputs& first = cores.supervisor.step(0);
   for (const signals::JointControllerGains& gains : first.gains) {
-    cores.nodes[gains.joint].store_gains(gains, joint_node::unpack_gains(gains));
+    cores.nodes[gains.joint].store_gains(gains, wire_gains::unpack_gains(gains));
   }
   for (joint_node::JointNode& node : cores.nodes) {
     node.set_mode(first.modes.at(0));

@@ -36,7 +36,7 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
     case participant::kEstimatorService: return estimator_service::create_application(robot, participant, run.ticks);
     case participant::kSupervisor:
       return supervisor::create_application(run.designer != nullptr ? *run.designer : robot, run.design, participant,
-                                            run.ticks, run.known_loads, run.first_gains);
+                                            run.ticks, false, run.known_loads, run.first_gains);
     case participant::kGaitSource: {
       auto gait = GaitSource::create(robot, run.seed, participant, run.ticks, run.announce);
       if (!gait) {

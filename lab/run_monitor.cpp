@@ -34,13 +34,16 @@ Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity
   return monitor;
 }
 
-void RunMonitor::poll() {
+void RunMonitor::poll(Tick now) {
   health_in_.drain([&](const signals::SystemHealth& health) {
     if (health.participant < healths_.size()) {
       healths_[health.participant] = health;
     }
   });
-  event_in_.drain([&](const signals::SystemEvent& event) { events_.push_back(event); });
+  event_in_.drain([&](const signals::SystemEvent& event) {
+    events_.push_back(event);
+    heard_.push_back(now);
+  });
   decision_in_.drain([&](const signals::JointUpdateDecision& decision) {
     if (decision.tick != kNoTick) {  // else a probe of the greeting
       decisions_.push_back(decision);

@@ -16,14 +16,16 @@ class RunMonitor {
   static Result<RunMonitor> create(bus::Bus& bus, const participant::Identity& identity,
                                    const std::vector<std::string>& legs = {});
 
-  /// Takes what has come.
-  void poll();
+  /// Takes what has come. `now`: newest tick that the caller knows of.
+  void poll(Tick now = kNoTick);
 
   /// Newest health of every participant, by number; tick kNoTick: none yet.
   const std::vector<signals::SystemHealth>& healths() const noexcept { return healths_; }
   /// True when every participant has sent its final report.
   bool all_final() const noexcept;
   const std::vector<signals::SystemEvent>& events() const noexcept { return events_; }
+  /// `now` of the polls in which they came.
+  const std::vector<Tick>& heard() const noexcept { return heard_; }
   /// In the order in which they came: of one joint in that of their ticks.
   const std::vector<signals::JointUpdateDecision>& decisions() const noexcept { return decisions_; }
   /// Every update that was issued, in the order in which they came; between two polls only the newest of a slot.
@@ -43,6 +45,7 @@ class RunMonitor {
   std::optional<bus::Subscription<signals::JointControllerGains>> gains_in_;
   std::vector<signals::SystemHealth> healths_;
   std::vector<signals::SystemEvent> events_;
+  std::vector<Tick> heard_;  ///< by event
   std::vector<signals::JointUpdateDecision> decisions_;
   std::vector<signals::JointControllerGains> gains_;
 };

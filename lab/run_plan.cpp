@@ -4,11 +4,11 @@
 
 namespace farrier::lab {
 
-std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping) {
-  std::vector<Member> members{{"sim_bridge", "sim_bridge", participant::kSimBridge, {}},
-                              {"estimator_service", "estimator_service", participant::kEstimatorService, {}},
-                              {"supervisor", "supervisor", participant::kSupervisor, {}},
-                              {"gait_source", "", participant::kGaitSource, {}}};
+std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, bool standby) {
+  std::vector<Member> members{{"sim_bridge", "sim_bridge", participant::kSimBridge, {}, false},
+                              {"estimator_service", "estimator_service", participant::kEstimatorService, {}, false},
+                              {"supervisor", "supervisor", participant::kSupervisor, {}, false},
+                              {"gait_source", "", participant::kGaitSource, {}, false}};
   std::uint16_t next = participant::kFirstJointNode;
   const auto group_of = [&](const robot::Joint& joint) {
     switch (grouping) {
@@ -21,9 +21,12 @@ std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping) {
   for (const robot::Joint& joint : robot.joints) {
     const std::string name = "joint_node_" + group_of(joint);
     if (members.back().name != name) {
-      members.push_back({name, "joint_node", next++, {}});
+      members.push_back({name, "joint_node", next++, {}, false});
     }
     members.back().joints.push_back(joint.name);
+  }
+  if (standby) {
+    members.push_back({"supervisor_standby", "supervisor", next, {}, true});
   }
   return members;
 }

@@ -17,10 +17,11 @@ struct Member {
   std::string executable;           ///< of its process; empty: the launcher itself
   std::uint16_t number = 0;
   std::vector<std::string> joints;  ///< joint nodes: those they host
+  bool stands_by = false;           ///< a supervisor that leads when the other has fallen silent
 };
 
-/// Everybody who takes part, in the order of their numbers.
-std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping);
+/// Everybody who takes part, in the order of their numbers; with `standby`, a second supervisor as the last.
+std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, bool standby = false);
 
 /// Length of a run in ticks.
 Tick ticks_of(double duration_s, const robot::Robot& robot);

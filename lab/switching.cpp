@@ -6,7 +6,8 @@
 
 #include "control/force_controller.hpp"
 #include "core/ensure.hpp"
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::lab {
 namespace {
@@ -65,7 +66,7 @@ double largest_bump(const robot::Joint& joint, const JointRows& rows,
       if (update == nullptr) {
         return std::numeric_limits<double>::quiet_NaN();
       }
-      controller.set_gains(joint_node::unpack_gains(*update), measured, reference);
+      controller.set_gains(wire_gains::unpack_gains(*update), measured, reference);
       if (generation != 0) {
         control::ForceController unmoved = controller;
         largest_A = std::max(largest_A, std::abs(unmoved.step(reference, measured).valve_current_A - command_A));
@@ -109,7 +110,7 @@ std::vector<supervisor::SlotGains> last_gains(const robot::Robot& robot,
   std::vector<std::array<bool, signals::kPhaseCount>> given(robot.joints.size(), {false, false});
   for (const signals::JointControllerGains& update : gains) {
     FARRIER_ENSURE(update.joint < last.size() && update.phase < signals::kPhaseCount, "gains of a slot that is none");
-    last[update.joint][update.phase] = joint_node::unpack_gains(update);
+    last[update.joint][update.phase] = wire_gains::unpack_gains(update);
     given[update.joint][update.phase] = true;
   }
   FARRIER_ENSURE(std::ranges::all_of(given, [](const auto& slots) { return slots[0] && slots[1]; }),

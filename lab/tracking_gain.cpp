@@ -128,7 +128,7 @@ Result<Done> arm(joint_node::JointNode& node, const robot::Joint& believed, doub
   signals::JointControllerGains signal;
   signal.joint = believed.number;
   signal.phase = static_cast<std::uint8_t>(signals::Phase::kStance);  // the phase a node begins in
-  signal.epoch = kFirst;
+  signal.authority = kFirst;
   signal.generation = kFirst;
   signal.effective_tick = 0;
   signal.has_physics = 1;

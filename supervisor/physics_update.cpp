@@ -43,6 +43,13 @@ PhysicsUpdate::PhysicsUpdate(const robot::Joint& joint, const robot::UpdateLogic
       loop_delay_ticks_(loop_delay_ticks),
       physics_(first) {}
 
+void PhysicsUpdate::adopt(const plant::JointPhysics& physics, const control::DiscreteModel& model) noexcept {
+  physics_ = physics;
+  model_ = model;
+  doubted_ = false;
+  contradicted_s_ = 0.0;
+}
+
 signals::JointUpdateDecision PhysicsUpdate::look(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
   signals::JointUpdateDecision decision = record_of(estimate, tick);
   const UpdateVerdict verdict = judge(estimate);
@@ -58,7 +65,7 @@ UpdateVerdict PhysicsUpdate::judge(const signals::JointModelEstimate& estimate) 
       plant::first_unphysical(estimated) != nullptr || !model.a.allFinite() || !model.b.allFinite()) {
     return UpdateVerdict::kNotValid;
   }
-  if (!differs(estimate)) {
+  if (!doubted_ && !differs(estimate)) {
     contradicted_s_ = 0.0;
     return UpdateVerdict::kNotDifferentEnough;
   }
@@ -69,9 +76,7 @@ UpdateVerdict PhysicsUpdate::judge(const signals::JointModelEstimate& estimate) 
     contradicted_s_ += estimate_period_s_;
     return UpdateVerdict::kUnstableOnStoredModel;
   }
-  physics_ = estimated;
-  model_ = model;
-  contradicted_s_ = 0.0;
+  adopt(estimated, model);
   return UpdateVerdict::kAccepted;
 }
 

@@ -27,6 +27,12 @@ class PhysicsUpdate {
   /// margins, of which nothing here depends. kAccepted: physics() and model() are the new ones.
   signals::JointUpdateDecision look(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
 
+  /// Takes another supervisor's physics, which act, for its own.
+  void adopt(const plant::JointPhysics& physics, const control::DiscreteModel& model) noexcept;
+
+  /// The physics that act are not known: the next valid estimate is far from them, however near it is.
+  void doubt() noexcept { doubted_ = true; }
+
   const plant::JointPhysics& physics() const noexcept { return physics_; }
 
   /// Linear model of the last accepted estimate, SI; unit model before the first.
@@ -51,6 +57,7 @@ class PhysicsUpdate {
   int loop_delay_ticks_;
   plant::JointPhysics physics_;
   control::DiscreteModel model_{};
+  bool doubted_ = false;
   double contradicted_s_ = 0;  // for how long estimates have asked for what the stored physics forbid
   UpdateNews news_;
 };

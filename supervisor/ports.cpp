@@ -3,19 +3,22 @@
 #include <algorithm>
 
 #include "robot/keys.hpp"
+#include "supervisor/succession.hpp"
 
 namespace farrier::supervisor {
 namespace {
 
 using namespace std::chrono_literals;
 
-// A quarter of the lease of the topics that carry authority.
-constexpr auto kAssertionPeriod = 5ms;
+// A quarter of the lease of the topics that carry authority, and of the silence after which another takes over.
+constexpr auto kModePeriod = 5ms;
 
 struct Ports {
   participant::In<signals::ClockTick>* clock;
   participant::In<signals::JointModelEstimate>* estimates;
   participant::In<signals::SystemRequest>* requests;
+  participant::In<signals::JointControllerGains>* led_gains;  ///< of whoever leads; real time only
+  participant::In<signals::SystemMode>* led_modes;            ///< of whoever leads; real time only
   participant::Out<signals::JointControllerGains>* gains;
   participant::Out<signals::SystemMode>* modes;
   participant::Out<signals::JointUpdateDecision>* decisions;
@@ -24,13 +27,15 @@ struct Ports {
 class SupervisorApplication final : public participant::Application {
  public:
   SupervisorApplication(const robot::Robot& robot, Supervisor supervisor, Ports ports,
-                        std::vector<std::uint16_t> joints, participant::Participant& participant, Tick ticks)
+                        std::vector<std::uint16_t> joints, participant::Participant& participant, Tick ticks,
+                        bool stands_by)
       : robot_(robot),
         supervisor_(std::move(supervisor)),
         ports_(ports),
         participant_(participant),
         lockstep_(participant.identity().clock == bus::ClockKind::kLockstep),
         ticks_(ticks),
+        succession_(stands_by),
         estimates_(std::move(joints)) {}
 
   void poll(SteadyTime now) override;
@@ -41,6 +46,10 @@ class SupervisorApplication final : public participant::Application {
  private:
   bool estimates_due() const { return tick_ > 0 && robot_.estimate_due(tick_ - 1); }
   void step_lockstep();
+  void step_realtime(SteadyTime now);
+  void follow(SteadyTime now);
+  void succeed(SteadyTime now);
+  void write(const Supervisor::Outputs& outputs);
   void issue(Tick tick);
   void tell(const signals::JointUpdateDecision& decision, control::DesignStatus status);
 
@@ -50,11 +59,13 @@ class SupervisorApplication final : public participant::Application {
   participant::Participant& participant_;
   bool lockstep_;
   Tick ticks_;
+  Succession succession_;
+  signals::SystemMode mode_;  ///< last written; epoch 0: none
   Tick tick_ = 0;             ///< next to be worked on
   Tick begun_ = kNoTick;      ///< newest the clock has begun
   participant::TickInbox<signals::JointModelEstimate> estimates_;
   SteadyTime next_health_{};
-  SteadyTime next_assertion_{};
+  SteadyTime next_mode_{};
 };
 
 // A refused design is an event with its reason; an accepted one is told by its decision.
@@ -71,14 +82,19 @@ void SupervisorApplication::tell(const signals::JointUpdateDecision& decision, c
   participant_.event(signals::Severity::kInfo, decision.tick, decision.joint, text);
 }
 
-void SupervisorApplication::issue(Tick tick) {
-  const Supervisor::Outputs& outputs = supervisor_.step(tick);
+void SupervisorApplication::write(const Supervisor::Outputs& outputs) {
   for (const signals::JointControllerGains& gains : outputs.gains) {
     ports_.gains->publish(gains);
   }
   for (const signals::SystemMode& mode : outputs.modes) {
     ports_.modes->publish(mode);
+    mode_ = mode;
   }
+}
+
+void SupervisorApplication::issue(Tick tick) {
+  const Supervisor::Outputs& outputs = supervisor_.step(tick);
+  write(outputs);
   for (std::size_t i = 0; i < outputs.decisions.size(); ++i) {
     ports_.decisions->publish(outputs.decisions[i]);
     tell(outputs.decisions[i], outputs.design_statuses[i]);
@@ -102,16 +118,80 @@ void SupervisorApplication::step_lockstep() {
   }
 }
 
+// What the one that leads writes. Own samples come back too: they are not followed.
+void SupervisorApplication::follow(SteadyTime now) {
+  ports_.led_gains->drain([&](const signals::JointControllerGains& gains) {
+    if (!succession_.leads() && gains.authority >= succession_.authority()) {
+      supervisor_.mirror(gains);
+    }
+  });
+  ports_.led_modes->drain([&](const signals::SystemMode& mode) {
+    succession_.heard(mode.authority, now);
+    if (!succession_.leads() && mode.authority >= succession_.authority()) {
+      supervisor_.mirror(mode);
+    }
+  });
+}
+
+void SupervisorApplication::succeed(SteadyTime now) {
+  participant_.hear_hellos();
+  const participant::Orders newest = participant_.newest_orders();
+  const Duty duty = succession_.step(newest.authority, now);
+  const std::uint32_t authority = succession_.authority();
+  switch (duty) {
+    case Duty::kNone: break;
+    case Duty::kTakeOver:
+      supervisor_.take_over(authority, newest.mode_epoch, begun_);
+      participant_.obey({authority, newest.mode_epoch}, begun_);
+      participant_.event(signals::Severity::kWarning, begun_, 0xffff,
+                         "leads with authority " + std::to_string(authority));
+      write(supervisor_.orders());
+      break;
+    case Duty::kRewrite: write(supervisor_.orders()); break;
+    case Duty::kStandDown:
+      supervisor_.stand_down();
+      mode_ = {};
+      participant_.event(signals::Severity::kWarning, begun_, 0xffff,
+                         "stands by: another supervisor leads with authority " + std::to_string(authority));
+      break;
+  }
+}
+
+void SupervisorApplication::step_realtime(SteadyTime now) {
+  succeed(now);
+  if (!succession_.leads()) {
+    return;
+  }
+  if (begun_ != kNoTick) {
+    issue(begun_);
+  }
+  if (now >= next_mode_) {
+    next_mode_ = now + kModePeriod;
+    ports_.gains->assert_liveliness();
+    if (mode_.epoch != 0) {
+      ports_.modes->publish(mode_);  // those who stand by listen for it
+    } else {
+      ports_.modes->assert_liveliness();
+    }
+  }
+}
+
 void SupervisorApplication::poll(SteadyTime now) {
   ports_.clock->drain([&](const signals::ClockTick& clock) { begun_ = std::max(begun_, clock.tick); });
   ports_.estimates->drain([&](const signals::JointModelEstimate& estimate) {
     if (lockstep_) {
       estimates_.put(estimate);
-    } else {
+    } else if (succession_.leads()) {
       supervisor_.take(estimate, estimate.tick);
     }
   });
+  if (!lockstep_) {
+    follow(now);
+  }
   ports_.requests->drain([&](const signals::SystemRequest& request) {
+    if (!lockstep_ && !succession_.leads()) {
+      return;  // whoever leads answers
+    }
     supervisor_.take(request);
     participant_.event(signals::Severity::kWarning, begun_, 0xffff,
                        std::string("an operator's request: ") +
@@ -124,14 +204,7 @@ void SupervisorApplication::poll(SteadyTime now) {
     step_lockstep();
     return;
   }
-  if (begun_ != kNoTick) {
-    issue(begun_);
-  }
-  if (now >= next_assertion_) {
-    next_assertion_ = now + kAssertionPeriod;
-    ports_.gains->assert_liveliness();
-    ports_.modes->assert_liveliness();
-  }
+  step_realtime(now);
   if (now >= next_health_) {
     next_health_ = now + 100ms;
     participant_.report_health(begun_, false);
@@ -150,7 +223,7 @@ std::string SupervisorApplication::waits_for() const {
 
 Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot, Design design,
                                                                      participant::Participant& participant,
-                                                                     Tick ticks,
+                                                                     Tick ticks, bool stands_by,
                                                                      std::vector<robot::LoadChange> known_loads,
                                                                      const std::vector<SlotGains>& first_gains) {
   const bool lockstep = participant.identity().clock == bus::ClockKind::kLockstep;
@@ -172,6 +245,20 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
   if (!requests) {
     return requests.error();
   }
+  participant::In<signals::JointControllerGains>* led_gains = nullptr;
+  participant::In<signals::SystemMode>* led_modes = nullptr;
+  if (!lockstep) {
+    auto led = participant.subscribe<signals::JointControllerGains>(numbers, robot::legs_of_joints(robot));
+    if (!led) {
+      return led.error();
+    }
+    led_gains = led.value();
+    auto modes_led = participant.subscribe<signals::SystemMode>({0});
+    if (!modes_led) {
+      return modes_led.error();
+    }
+    led_modes = modes_led.value();
+  }
   auto gains = participant.publish<signals::JointControllerGains>(numbers, robot::legs_of_joints(robot));
   if (!gains) {
     return gains.error();
@@ -186,8 +273,9 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
   }
   return std::unique_ptr<participant::Application>(std::make_unique<SupervisorApplication>(
       robot, std::move(supervisor).value(),
-      Ports{clock.value(), estimates.value(), requests.value(), gains.value(), modes.value(), decisions.value()}, numbers,
-      participant, ticks));
+      Ports{clock.value(), estimates.value(), requests.value(), led_gains, led_modes, gains.value(), modes.value(),
+            decisions.value()},
+      numbers, participant, ticks, stands_by));
 }
 
 }  // namespace farrier::supervisor

@@ -10,10 +10,10 @@
 namespace farrier::supervisor {
 
 /// The supervisor on its ports, on either clock. In lock-step it works on the estimates of tick k - 1 in tick k.
-/// `ticks` 0: until told to stop. `known_loads` and `first_gains` as Supervisor::create takes them.
+/// `ticks` 0: until told to stop. `stands_by`: real time only, leads once the supervisor that leads has fallen silent. `known_loads` and `first_gains` as Supervisor::create takes them.
 Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot, Design design,
                                                                      participant::Participant& participant,
-                                                                     Tick ticks,
+                                                                     Tick ticks, bool stands_by = false,
                                                                      std::vector<robot::LoadChange> known_loads = {},
                                                                      const std::vector<SlotGains>& first_gains = {});
 

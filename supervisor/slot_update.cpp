@@ -15,6 +15,8 @@ using signals::UpdateVerdict;
 
 // Entries of a normalised model smaller than this have the uncertainty of one of this size.
 constexpr double kSmallestEntry = 0.05;
+// Of poles from those of gains that are not known: farther than any two on the unit disk.
+constexpr double kUnknownDistance = 10.0;
 // The valve's gain is taken for at most this share larger than its estimate.
 constexpr double kLargestGainError = 2.0;
 
@@ -35,6 +37,14 @@ SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams
       gains_(first),
       designed_poles_(poles_of(first.model, joint.form)) {}
 
+void SlotUpdate::adopt(const control::Gains& gains) noexcept {
+  gains_ = gains;
+  designed_poles_ = poles_of(gains.model, form_);
+  doubted_ = false;
+  contradicted_s_ = 0;
+  std::visit([](auto& method) { method.restart(); }, method_);
+}
+
 signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate& estimate, Tick tick,
                                               const SlotPair& pair) noexcept {
   const control::DiscreteModel model = control::model_of_rows(estimate.a, estimate.b);
@@ -53,7 +63,7 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
     return UpdateVerdict::kNotValid;
   }
   const PoleSet poles = poles_of(model, form_);
-  decision.pole_distance = distance(poles, designed_poles_, form_);
+  decision.pole_distance = doubted_ ? kUnknownDistance : distance(poles, designed_poles_, form_);
   for (std::size_t i = 0; i < poles.size(); ++i) {
     decision.poles_re[i] = poles[i].real();
     decision.poles_im[i] = poles[i].imag();
@@ -87,6 +97,7 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
   verdict = redesign(cautious, model, pair, decision);
   if (verdict == UpdateVerdict::kAccepted) {
     designed_poles_ = poles;
+    doubted_ = false;
     contradicted_s_ = 0;
     std::visit([](auto& method) { method.accepted(); }, method_);
   }

@@ -27,6 +27,12 @@ class SlotUpdate {
   signals::JointUpdateDecision look(const signals::JointModelEstimate& estimate, Tick tick,
                                     const SlotPair& pair) noexcept;
 
+  /// Takes another supervisor's gains, which act, for its own.
+  void adopt(const control::Gains& gains) noexcept;
+
+  /// The gains that act are not known: the next estimate that is good enough leads to new ones, however near it is.
+  void doubt() noexcept { doubted_ = true; }
+
   /// Last accepted gains, and the model they are designed for.
   const control::Gains& gains() const noexcept { return gains_; }
 
@@ -56,6 +62,7 @@ class SlotUpdate {
   Method method_;
   control::Gains gains_;
   PoleSet designed_poles_;
+  bool doubted_ = false;
   double contradicted_s_ = 0;    // for how long estimates have asked for what the stored model forbids
   std::uint64_t designs_ = 0;
   control::DesignStatus design_status_ = control::DesignStatus::kSuccessful;

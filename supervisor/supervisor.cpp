@@ -6,43 +6,13 @@
 
 #include "control/model_rows.hpp"
 #include "supervisor/joint_design.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::supervisor {
 
-signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase phase, std::uint32_t epoch,
-                                         std::uint32_t generation, const control::Gains& gains) noexcept {
-  signals::JointControllerGains signal;
-  signal.joint = joint;
-  signal.phase = static_cast<std::uint8_t>(phase);
-  signal.epoch = epoch;
-  signal.generation = generation;
-  signal.k_position = gains.position;
-  signal.k_velocity = gains.velocity;
-  signal.k_force = gains.force;
-  signal.k_integral = gains.integral;
-  signal.feed_forward = gains.feed_forward;
-  signal.integral_factor = gains.integral_factor;
-  signal.k_delay = gains.delay;
-  signal.delay_ticks = static_cast<std::uint8_t>(gains.delay_ticks);
-  signal.compliant = gains.form == control::Form::kCompliant ? 1 : 0;
-  signal.position_scale_m_or_rad = gains.normalisation.position;
-  signal.velocity_scale_m_s_or_rad_s = gains.normalisation.velocity;
-  signal.force_scale_N_or_Nm = gains.normalisation.force;
-  signal.current_scale_A = gains.normalisation.current_A;
-  signal.model_a = control::rows_of(gains.model.a);
-  signal.model_b = control::entries_of(gains.model.b);
-  return signal;
-}
-
-signals::JointControllerGains with_physics(signals::JointControllerGains gains,
-                                           const plant::JointPhysics& physics) noexcept {
-  gains.has_physics = 1;
-  gains.physics = plant::values_of(physics);
-  return gains;
-}
-
 namespace {
 
+constexpr std::uint32_t kFirstAuthority = 1;
 constexpr std::uint32_t kFirstEpoch = 1;
 
 /// First gains act whatever they are, but their record says where they fall short of what is asked of new ones.
@@ -92,9 +62,9 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     }
     for (const signals::Phase phase : kPhases) {
       batches[0].outputs.gains.push_back(
-          with_physics(pack_gains(joint.number, phase, kFirstEpoch, ++generations[joint.number],
-                                  first.value()[static_cast<std::size_t>(phase)]),
-                       first_physics(joint, design, phase)));
+          wire_gains::with_physics(wire_gains::pack_gains(joint.number, phase, kFirstAuthority, ++generations[joint.number],
+                                                          first.value()[static_cast<std::size_t>(phase)]),
+                                   first_physics(joint, design, phase)));
     }
     const bool changes_slots = robot.plan.gait.pattern != gait::Pattern::kStand;
     const int dwell = changes_slots ? dwell_ticks(first.value()[0], first.value()[1]) : 0;
@@ -122,6 +92,7 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     }
   }
   signals::SystemMode armed;
+  armed.authority = kFirstAuthority;
   armed.epoch = kFirstEpoch;
   armed.session = session;
   armed.mode = static_cast<std::uint8_t>(signals::Mode::kArmed);
@@ -142,25 +113,28 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     }
     for (const signals::Phase phase : kPhases) {
       batches.back().outputs.gains.push_back(
-          with_physics(pack_gains(known.joint, phase, kFirstEpoch, ++generations[known.joint], gains.value()),
-                       plant::nominal_physics(robot.joints[known.joint].actuator, known.load)));
+          wire_gains::with_physics(wire_gains::pack_gains(known.joint, phase, kFirstAuthority, ++generations[known.joint],
+                                                          gains.value()),
+                                   plant::nominal_physics(robot.joints[known.joint].actuator, known.load)));
     }
   }
-  return Supervisor(std::move(batches), std::move(slots), robot.update_logic.gain_lead_ticks,
+  return Supervisor(std::move(batches), std::move(slots), robot.joints.size(), robot.update_logic.gain_lead_ticks,
                     shortest_phase_ticks(robot), session);
 }
 
-Supervisor::Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks,
-                       int shortest_phase_ticks, std::uint64_t session)
+Supervisor::Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, std::size_t joint_count,
+                       int lead_ticks, int shortest_phase_ticks, std::uint64_t session)
     : batches_(std::move(batches)),
       joints_(std::move(joints)),
       lead_ticks_(lead_ticks),
       shortest_phase_ticks_(shortest_phase_ticks),
       session_(session),
-      epoch_(kFirstEpoch) {
-  for (Outputs* outputs : {&pending_, &issued_}) {
+      authority_(kFirstAuthority),
+      epoch_(kFirstEpoch),
+      known_gains_(joint_count * kPhases.size()) {
+  for (Outputs* outputs : {&pending_, &issued_, &orders_}) {
     outputs->modes.reserve(1);
-    outputs->gains.reserve(joints_.size());
+    outputs->gains.reserve(known_gains_.size());
     outputs->decisions.reserve(joints_.size());
     outputs->design_statuses.reserve(joints_.size());
   }
@@ -172,6 +146,7 @@ void Supervisor::take(const signals::SystemRequest& request) noexcept {
   }
   const bool arms = request.request == static_cast<std::uint8_t>(signals::Request::kArm);
   signals::SystemMode mode;
+  mode.authority = authority_;
   mode.epoch = ++epoch_;
   mode.session = session_;
   mode.mode = static_cast<std::uint8_t>(arms ? signals::Mode::kArmed : signals::Mode::kStopped);
@@ -203,10 +178,11 @@ void Supervisor::take_gains(JointSlots& joint, const signals::JointModelEstimate
   if (decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted)) {
     joint.last_issue = tick;
     joint.dwell_ticks = static_cast<int>(decision.dwell_ticks);
-    issue(joint, with_physics(pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), kFirstEpoch, 0,
-                                         slot.gains()),
-                              estimate.has_physics != 0 ? plant::physics_of(estimate.physics)
-                                                        : joint.first_physics[estimate.phase]));
+    issue(joint, wire_gains::with_physics(
+                     wire_gains::pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), authority_, 0,
+                                            slot.gains()),
+                     estimate.has_physics != 0 ? plant::physics_of(estimate.physics)
+                                               : joint.first_physics[estimate.phase]));
   }
   if (slot.is_news()) {
     tell(joint, decision, slot.design_status());
@@ -220,9 +196,10 @@ void Supervisor::take_physics(JointSlots& joint, const signals::JointModelEstima
     // The gains do not act; they go on as they were, with the model that came with the physics.
     control::Gains gains = joint.slots[estimate.phase].gains();
     gains.model = slot.model();
-    issue(joint, with_physics(pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), kFirstEpoch, 0,
-                                         gains),
-                              slot.physics()));
+    issue(joint, wire_gains::with_physics(
+                     wire_gains::pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), authority_, 0,
+                                            gains),
+                     slot.physics()));
   }
   if (slot.is_news()) {
     tell(joint, decision, control::DesignStatus::kSuccessful);
@@ -274,6 +251,7 @@ const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
   for (signals::SystemMode& mode : due.modes) {
     mode.effective_tick = tick + lead_ticks_;
   }
+  remember(due);
   return due;
 }
 

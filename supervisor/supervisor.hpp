@@ -47,6 +47,20 @@ class Supervisor {
   /// Arms or stops the robot as an operator asks, with the next step's mode; requests of other sessions are ignored.
   void take(const signals::SystemRequest& request) noexcept;
 
+  /// Takes the orders of the supervisor that leads for its own, to go on from them.
+  void mirror(const signals::JointControllerGains& gains) noexcept;
+  void mirror(const signals::SystemMode& mode) noexcept;
+
+  /// Leads from now on under `authority`, with modes after `mode_epoch`. Nothing is issued for the change: what acts
+  /// goes on acting, and of a slot whose gains are not known the next good estimate makes new ones.
+  void take_over(std::uint32_t authority, std::uint32_t mode_epoch, Tick tick) noexcept;
+
+  /// Leads no longer, and knows of no order that acts until it is mirrored.
+  void stand_down() noexcept;
+
+  /// Every order known to act: gains of all slots and the mode, under this supervisor's authority.
+  const Outputs& orders() noexcept;
+
   /// Controllers designed from estimates so far, whatever became of them.
   std::uint64_t designs() const noexcept;
 
@@ -66,11 +80,12 @@ class Supervisor {
     bool looked = false;  // at an estimate since the last step
   };
 
-  Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, int lead_ticks, int shortest_phase_ticks,
-             std::uint64_t session);
+  Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, std::size_t joint_count, int lead_ticks,
+             int shortest_phase_ticks, std::uint64_t session);
 
   void take_gains(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept;
   void take_physics(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept;
+  void remember(const Outputs& issued) noexcept;
   void issue(JointSlots& joint, signals::JointControllerGains gains) noexcept;
   void tell(const JointSlots& joint, signals::JointUpdateDecision decision, control::DesignStatus status) noexcept;
 
@@ -80,17 +95,13 @@ class Supervisor {
   Tick lead_ticks_;
   int shortest_phase_ticks_;
   std::uint64_t session_;
+  std::uint32_t authority_;
   std::uint32_t epoch_;  // of the newest mode
+  std::vector<signals::JointControllerGains> known_gains_;  // that act, joint by joint and phase by phase; generation 0: not known
+  signals::SystemMode known_mode_;                          // epoch 0: not known
+  Outputs orders_;
   Outputs pending_;  // what came of estimates and requests
   Outputs issued_;
 };
-
-/// Gains as they travel. `generation` >= 1.
-signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase phase, std::uint32_t epoch,
-                                         std::uint32_t generation, const control::Gains& gains) noexcept;
-
-/// The same gains with physics to invert the flow law by.
-signals::JointControllerGains with_physics(signals::JointControllerGains gains,
-                                           const plant::JointPhysics& physics) noexcept;
 
 }  // namespace farrier::supervisor

@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "control/margins.hpp"
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
 #include "lab/filter_study.hpp"
 #include "lab/studies/registry.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::studies {
 namespace {
@@ -78,7 +79,7 @@ Result<std::vector<Row>> rows_of(const StudyContext& context, const robot::Robot
       return ran.error();
     }
     for (const lab::FilterRow& run : ran.value()) {
-      const control::Gains gains = joint_node::unpack_gains(run.gains);
+      const control::Gains gains = wire_gains::unpack_gains(run.gains);
       control::MeasurementFilters filters;
       filters.velocity = control::measurement_filter(run.velocity_filter);
       rows.push_back({run, control::margins(gains.model, gains, gains.delay_ticks, filters)});
@@ -131,7 +132,7 @@ Result<StudyResult> run_filters(const StudyContext& context) {
   };
   const Row& bare = at(0.0, false, light);
   const Row& filtered = at(kRigFilter_Hz, false, light);
-  const control::Gains gains = joint_node::unpack_gains(filtered.run.gains);
+  const control::Gains gains = wire_gains::unpack_gains(filtered.run.gains);
   const Row& aggressive = at(kAggressive_Hz, false, light);
   const auto all_filtered = [&](const Row& row) {
     const control::MeasurementFilter filter = control::measurement_filter(row.run.velocity_filter);

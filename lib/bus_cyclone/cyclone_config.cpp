@@ -11,6 +11,10 @@ constexpr const char* kReliableTiming =
     "<AckDelay>10 ms</AckDelay>"
     "<PreEmptiveAckDelay>5 ms</PreEmptiveAckDelay>";
 
+// A process that ends waits for readers to acknowledge its last samples, for each of its writers by itself: readers of a
+// process that has died never do, and those that live take a heartbeat.
+constexpr const char* kLinger = "<WriterLingerDuration>100 ms</WriterLingerDuration>";
+
 // A tick's worth of samples from every process fits many times over. The kernel may grant less (net.core.rmem_max).
 constexpr const char* kSockets = "<SocketReceiveBufferSize max=\"4 MiB\"/>";
 
@@ -42,7 +46,7 @@ std::string cyclone_config(const bus::NetworkOptions& options) {
   // One receive thread: with unicast alone there is nothing for a second one to do but to switch contexts.
   // Writers hold samples until they are flushed: those of one tick share a datagram.
   const std::string internal = element("MultipleReceiveThreads", "false") + element("WriteBatch", "true") +
-                               kReliableTiming + kSockets;
+                               kReliableTiming + kLinger + kSockets;
   return element("CycloneDDS", "<Domain Id=\"any\">" + element("General", general) + element("Discovery", discovery) +
                                    element("Internal", internal) + "</Domain>");
 }

@@ -31,10 +31,19 @@ bool stop_requested() noexcept { return stop_signal != 0; }
 
 int stop_status() noexcept { return stop_signal == 0 ? 0 : 128 + stop_signal; }
 
-int run(Application& application, bus::Bus& bus, const char* name) {
+int end_status(const Participant& participant) {
+  if (participant.refusal().empty()) {
+    return 0;
+  }
+  std::fprintf(stderr, "%s: %s\n", participant.identity().name.c_str(), participant.refusal().c_str());
+  return 1;
+}
+
+int run(Application& application, Participant& participant) {
+  bus::Bus& bus = participant.bus();
   std::string waited_for;
   SteadyTime since = steady_now();
-  while (!stop_requested()) {
+  while (!stop_requested() && participant.refusal().empty()) {
     const std::uint64_t before = bus.arrivals();
     application.poll(steady_now());
     bus.wait_for_arrivals(before + static_cast<std::uint64_t>(application.missing()),
@@ -43,11 +52,11 @@ int run(Application& application, bus::Bus& bus, const char* name) {
     if (bus.arrivals() != before || application.finished()) {
       since = now;
     } else if (now - since > kSilenceWorthReporting) {
-      std::fprintf(stderr, "%s: waiting for %s\n", name, application.waits_for().c_str());
+      std::fprintf(stderr, "%s: waiting for %s\n", participant.identity().name.c_str(), application.waits_for().c_str());
       since = now;
     }
   }
-  return 0;
+  return end_status(participant);
 }
 
 }  // namespace farrier::participant

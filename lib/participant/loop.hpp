@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bus/bus.hpp"
 #include "participant/application.hpp"
+#include "participant/participant.hpp"
 
 namespace farrier::participant {
 
@@ -14,8 +14,12 @@ bool stop_requested() noexcept;
 /// Exit status of a program that they ended, as shells count: 130 after SIGINT, 143 after SIGTERM; 0 before.
 int stop_status() noexcept;
 
-/// Drives an application by one thread that polls it whenever samples arrive, until SIGTERM; returns the process's exit
-/// status. When nothing moves for a while it says on standard error what it waits for.
-int run(Application& application, bus::Bus& bus, const char* name);
+/// Of a process whose run is over: 0, or 1 and the reason on standard error when it could not take part.
+int end_status(const Participant& participant);
+
+/// Drives an application by one thread that polls it whenever samples arrive, until SIGTERM or until the participant
+/// cannot take part; returns the process's exit status, 0 or 1. When nothing moves for a while it says on standard error
+/// what it waits for.
+int run(Application& application, Participant& participant);
 
 }  // namespace farrier::participant

@@ -65,6 +65,9 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--slow", o.slow, "Slow motion: the clock goes slower than the machine's by this factor")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  if (o.name == "supervisor") {
+    app.add_flag("--standby", o.standby, "Leads only when the supervisor that leads has fallen silent");
+  }
   app.add_flag("--no-dither", o.no_dither, "Valves are not probed, whatever the robot file says");
 }
 
@@ -96,14 +99,20 @@ ProcessOptions parse_options(const std::string& process, const std::string& purp
     std::exit(2);
   }
   if (const auto fixed = kFixedNumbers.find(process);
-      fixed != kFixedNumbers.end() ? options.number != fixed->second
-                                   : process == "joint_node" && options.number < kFirstJointNode) {
+      fixed != kFixedNumbers.end() && !options.standby ? options.number != fixed->second
+                                                       : (process == "joint_node" || options.standby) &&
+                                                             options.number < kFirstJointNode) {
     std::fprintf(stderr, "%s: --number %u is another participant's: sim_bridge is 0, estimator_service 1, supervisor 2, "
-                 "the gait source 3, joint nodes 4 and up\n", process.c_str(), options.number);
+                 "the gait source 3, joint nodes and a standby 4 and up\n", process.c_str(), options.number);
     std::exit(2);
   }
   if (!options.faults.empty() && options.clock == bus::ClockKind::kLockstep) {
     std::fprintf(stderr, "%s: --fault is for the real-time clock: in lock-step a lost sample holds the run up for ever\n",
+                 process.c_str());
+    std::exit(2);
+  }
+  if (options.standby && options.clock == bus::ClockKind::kLockstep) {
+    std::fprintf(stderr, "%s: --standby is for the real-time clock: in lock-step a run waits for a supervisor that is silent\n",
                  process.c_str());
     std::exit(2);
   }
@@ -159,6 +168,9 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
   }
   for (const bus_faults::ArrowFault& fault : o.faults) {
     append("--fault", bus_faults::to_string(fault));
+  }
+  if (o.standby) {
+    arguments.push_back("--standby");
   }
   if (o.no_dither) {
     arguments.push_back("--no-dither");

@@ -34,6 +34,7 @@ struct ProcessOptions {
   std::optional<std::uint64_t> hide;  ///< sim_bridge: seed of an effect that only the simulated robot has
   std::vector<bus_faults::ArrowFault> faults;  ///< on the way of samples into this process, real time only
   int slow = 1;                     ///< slow motion by this factor, real time only
+  bool standby = false;             ///< supervisor: takes over when the one that leads falls silent, real time only
   bool no_dither = false;           ///< joint_node: valves are not probed, whatever the robot file says
 };
 

@@ -15,7 +15,7 @@ constexpr auto kGreetingPeriod = 20ms;
 }  // namespace
 
 bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& legs) {
-  bus::EndpointSpec endpoint{topic, bus::qos_for(bus::spec(topic), identity.clock), {}, 0};
+  bus::EndpointSpec endpoint{topic, bus::qos_for(bus::spec(topic), identity.clock), {}, identity.strength};
   for (Nanoseconds* time : {&endpoint.qos.deadline, &endpoint.qos.lease}) {
     *time = *time == bus::kInfinite ? *time : *time * identity.slow;
   }
@@ -93,6 +93,8 @@ void Participant::say_hello() noexcept {
     hello.routes_expected = static_cast<std::uint16_t>(hello.routes_expected + port->routes_expected());
     hello.routes_heard = static_cast<std::uint16_t>(hello.routes_heard + port->routes_heard());
   }
+  hello.authority = obeyed_.authority;
+  hello.mode_epoch = obeyed_.mode_epoch;
   signals::assign(hello.name, identity_.name);
   hellos_[identity_.number] = hello;
   hello_out_->publish(hello);
@@ -105,6 +107,13 @@ void Participant::hear_hellos() {
     }
     if (hello.contract != bus::contract_hash()) {
       refusal_ = std::string(signals::text_of(hello.name)) + " speaks another version of the topics: rebuild both";
+      return;
+    }
+    const auto own_pid = static_cast<std::uint32_t>(::getpid());
+    if (hello.participant == identity_.number && hello.pid != own_pid && !started_) {
+      refusal_ = "process " + std::to_string(hello.pid) + " (" + std::string(signals::text_of(hello.name)) +
+                 ") is participant " + std::to_string(identity_.number) + " of this run already: end it first";
+      event(signals::Severity::kError, kNoTick, 0xffff, refusal_);
       return;
     }
     hellos_[hello.participant] = hello;
@@ -154,6 +163,32 @@ std::string Participant::greeting_lacks() const {
     }
   }
   return {};
+}
+
+bool Participant::obey(Orders orders, Tick tick) noexcept {
+  if (orders.authority < obeyed_.authority) {
+    if (orders.authority > refused_authority_) {
+      refused_authority_ = orders.authority;
+      event(signals::Severity::kWarning, tick, 0xffff,
+            "orders of a supervisor that has been replaced are refused: authority " + std::to_string(orders.authority) +
+                " after " + std::to_string(obeyed_.authority));
+    }
+    return false;
+  }
+  if (orders.authority > obeyed_.authority || orders.mode_epoch > obeyed_.mode_epoch) {
+    obeyed_ = {orders.authority, std::max(orders.mode_epoch, obeyed_.mode_epoch)};
+    say_hello();
+  }
+  return true;
+}
+
+Orders Participant::newest_orders() const noexcept {
+  Orders newest = obeyed_;
+  for (const SystemHello& hello : hellos_) {
+    newest.authority = std::max(newest.authority, hello.authority);
+    newest.mode_epoch = std::max(newest.mode_epoch, hello.mode_epoch);
+  }
+  return newest;
 }
 
 void Participant::tick_done(Tick tick, const signals::ClockTickDone& issued) noexcept {

@@ -27,6 +27,13 @@ struct Identity {
   std::uint64_t session = 0;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
   int slow = 1;                   ///< slow motion: what DDS holds times by is stretched by it
+  int strength = 0;               ///< of its writers of topics that carry authority
+};
+
+/// What a process knows of who leads the robot.
+struct Orders {
+  std::uint32_t authority = 0;   ///< newest supervisor's; 0: of none yet
+  std::uint32_t mode_epoch = 0;  ///< of the newest mode; 0: of none yet
 };
 
 /// How a process of this identity opens a topic: QoS by its clock, partitions by the topic's route. `legs` names those of
@@ -87,8 +94,18 @@ class Participant {
   /// What the greeting still lacks, for people; empty when complete.
   std::string greeting_lacks() const;
 
-  /// A participant that belongs to another contract or version, or empty.
+  /// Why this process cannot take part: another version of the topics, or another process in its place. Or empty.
   const std::string& refusal() const noexcept { return refusal_; }
+
+  /// Whether orders of this authority count: not once newer ones have come, which is an event. `mode_epoch`: of a mode,
+  /// 0 otherwise. What is new is told to everybody in the hello.
+  bool obey(Orders orders, Tick tick) noexcept;
+
+  /// The newest that any process of the run has told of, this one included.
+  Orders newest_orders() const noexcept;
+
+  /// Takes in hellos; started() does so too until the run has started.
+  void hear_hellos();
 
   void tick_done(Tick tick, const signals::ClockTickDone& issued = {}) noexcept;
   void report_health(Tick tick, bool final_report, const signals::SystemHealth& measured = {}) noexcept;
@@ -102,7 +119,6 @@ class Participant {
   Participant(bus::Bus& bus, Identity identity);
   Result<Done> open();
   void say_hello() noexcept;
-  void hear_hellos();
 
   bus::Bus& bus_;
   Identity identity_;
@@ -114,6 +130,8 @@ class Participant {
   Out<signals::ClockTickDone>* tick_done_out_ = nullptr;
   std::vector<signals::SystemHello> hellos_;
   std::string refusal_;
+  Orders obeyed_;
+  std::uint32_t refused_authority_ = 0;  ///< newest of those refused
   std::uint32_t events_ = 0;
   SteadyTime next_greeting_{};
   bool started_ = false;

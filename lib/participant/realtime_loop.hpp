@@ -6,8 +6,8 @@
 #include <atomic>
 #include <string>
 
-#include "bus/bus.hpp"
 #include "core/time.hpp"
+#include "participant/participant.hpp"
 #include "participant/wake_up.hpp"
 
 namespace farrier::participant {
@@ -43,7 +43,8 @@ class RealtimeApplication {
   WakeUp outputs_waiting;  ///< posted by the control thread
 };
 
-/// Drives an application on the real-time clock until SIGTERM; returns the process's exit status.
-int run_realtime(RealtimeApplication& application, bus::Bus& bus, const char* name);
+/// Drives an application on the real-time clock until SIGTERM, or until the participant cannot take part; returns the
+/// process's exit status, as run does.
+int run_realtime(RealtimeApplication& application, Participant& participant);
 
 }  // namespace farrier::participant

@@ -40,7 +40,7 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
 
 participant::Identity identity_of(const participant::ProcessOptions& options, const robot::Robot& robot) {
   return {options.name, robot.name, options.number, options.participants, options.session, options.clock,
-          options.slow};
+          options.slow, options.standby ? 0 : 1};
 }
 
 int run(const participant::ProcessOptions& options, const Factory<participant::Application>& polled, const Factory<participant::RealtimeApplication>& threaded) {
@@ -63,7 +63,8 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   }
   if (options.clock == bus::ClockKind::kRealtime) {
     participant::set_slow_motion(options.slow);
-    const bool service = options.number == participant::kEstimatorService || options.number == participant::kSupervisor;
+    const bool service = options.number == participant::kEstimatorService || options.number == participant::kSupervisor ||
+                         options.standby;
     const int priority = service ? runtime::kServicePriority : runtime::kBusPriority;
     if (const std::string lacking = runtime::set_priority(priority); !lacking.empty()) {
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());
@@ -84,11 +85,11 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   }
   if (options.clock == bus::ClockKind::kRealtime && threaded) {
     auto application = threaded(*member.value(), robot.value());
-    return application ? participant::run_realtime(*application.value(), *bus.value(), name)
+    return application ? participant::run_realtime(*application.value(), *member.value())
                        : refuse(name, application.error());
   }
   auto application = polled(*member.value(), robot.value());
-  return application ? participant::run(*application.value(), *bus.value(), name)
+  return application ? participant::run(*application.value(), *member.value())
                      : refuse(name, application.error());
 }
 

@@ -46,7 +46,7 @@
   F(has_physics) F(physics) F(physics_error)
 
 #define FARRIER_FIELDS_JointControllerGains(F) \
-  F(joint) F(phase) F(epoch) F(generation) F(effective_tick) F(k_position) F(k_velocity) F(k_force) F(k_integral) \
+  F(joint) F(phase) F(authority) F(generation) F(effective_tick) F(k_position) F(k_velocity) F(k_force) F(k_integral) \
   F(feed_forward) F(integral_factor) F(k_delay) F(delay_ticks) F(compliant) F(position_scale_m_or_rad) \
   F(velocity_scale_m_s_or_rad_s) F(force_scale_N_or_Nm) F(current_scale_A) F(model_a) F(model_b) \
   F(has_physics) F(physics)
@@ -61,7 +61,8 @@
   F(leg) F(count) F(announced_tick) F(switch_tick) F(phase)
 
 #define FARRIER_FIELDS_SystemHello(F) \
-  F(participant) F(session) F(contract) F(pid) F(vendor) F(routes_expected) F(routes_heard) F(name)
+  F(participant) F(session) F(contract) F(pid) F(vendor) F(routes_expected) F(routes_heard) \
+  F(authority) F(mode_epoch) F(name)
 
 #define FARRIER_FIELDS_SystemHealth(F) \
   F(participant) F(tick) F(final_report) F(periods) F(missed_periods) F(latency_s) F(wake_up_s) F(sent) F(received) \
@@ -71,7 +72,7 @@
   F(participant) F(count) F(tick) F(severity) F(joint) F(text)
 
 #define FARRIER_FIELDS_SystemMode(F) \
-  F(robot) F(epoch) F(session) F(effective_tick) F(mode)
+  F(robot) F(authority) F(epoch) F(session) F(effective_tick) F(mode)
 
 #define FARRIER_FIELDS_SystemRequest(F) \
   F(robot) F(session) F(tick) F(count) F(request)

@@ -133,7 +133,7 @@ struct JointModelEstimate {
 struct JointControllerGains {
   std::uint16_t joint = 0;      ///< key
   std::uint8_t phase = 0;       ///< key: Phase the gains are for
-  std::uint32_t epoch = 0;      ///< of the supervisor that issued them
+  std::uint32_t authority = 0;  ///< of the supervisor that issued them: a joint obeys the highest it has heard of
   std::uint32_t generation = 0; ///< rises by one with every issue to this joint; 0 is never issued
   Tick effective_tick = kNoTick;
   double k_position = 0;
@@ -201,6 +201,8 @@ struct SystemHello {
   std::uint8_t vendor = 0;          ///< bus::Vendor
   std::uint16_t routes_expected = 0;  ///< (reader, key) pairs this process must hear before it starts
   std::uint16_t routes_heard = 0;
+  std::uint32_t authority = 0;      ///< newest supervisor's this process has heard of; 0: none
+  std::uint32_t mode_epoch = 0;     ///< of the newest mode it has heard of; 0: none
   Name name{};
 };
 
@@ -231,6 +233,7 @@ struct SystemEvent {
 /// supervisor -> all: what the robot may do.
 struct SystemMode {
   std::uint16_t robot = 0;     ///< key
+  std::uint32_t authority = 0; ///< of the supervisor that issued it, from 1 on; rises when another takes over
   std::uint32_t epoch = 0;     ///< rises by one with every change; 0 is never issued
   std::uint64_t session = 0;   ///< a joint arms only for the session it was started in
   Tick effective_tick = kNoTick;

@@ -43,6 +43,14 @@ TEST(FaultRows, HappenInThePhaseOfTheHitJointsLeg) {
   }
 }
 
+std::vector<Heard> told_at(Tick tick, const std::vector<std::string>& texts) {
+  std::vector<Heard> events;
+  for (const std::string& text : texts) {
+    events.push_back({text, tick});
+  }
+  return events;
+}
+
 /// A trace in which every joint tracks, to be changed.
 class Trace {
  public:
@@ -71,8 +79,10 @@ class Trace {
   }
 
   std::vector<Check> judged(const char* row, const std::vector<std::string>& events = {}, Tick armed = 600) const {
-    return judge(hyq(), *find_row(row), {{400, 500}, armed}, rows_, events);
+    return judge(hyq(), *find_row(row), {{400, 500}, armed}, rows_, told_at(410, events));
   }
+
+  const std::vector<record::TraceRow>& rows() const { return rows_; }
 
  private:
   std::vector<record::TraceRow> rows_;
@@ -110,7 +120,7 @@ TEST(FaultJudge, RefusesWhatIsLateLeavesOrStays) {
             Keys{"left"});
   EXPECT_EQ(wrong(Trace().joint_is(hit, JointState::kNull, 405, 540).judged("sensors_cut", kStale)), Keys{"recovery"});
   EXPECT_EQ(wrong(Trace().joint_is(hit, JointState::kNull, 405, 1000).judged("sensors_cut", kStale)), Keys{"recovery"});
-  EXPECT_EQ(wrong(Trace().joint_is(hit, JointState::kNull, 405, 510).judged("sensors_cut")), Keys{"unseen"});
+  EXPECT_EQ(wrong(Trace().joint_is(hit, JointState::kNull, 405, 510).judged("sensors_cut")), Keys{"event"});
 }
 
 TEST(FaultJudge, RefusesOthersThatLeaveTrackingAndTrips) {
@@ -126,6 +136,16 @@ TEST(FaultJudge, RefusesOthersThatLeaveTrackingAndTrips) {
   EXPECT_EQ(wrong(Trace().joint_is(hit, JointState::kNull, 405, 510, tripped).judged("sensors_cut", kStale)),
             Keys{"tripped"});
   EXPECT_EQ(wrong(Trace().joint_is(other, JointState::kDamping, 700, 701).judged("estimator_killed")), Keys{"others"});
+}
+
+TEST(FaultJudge, WantsTheEventInTimeAndNotOneOfBefore) {
+  const std::string event = "leads with authority 2";
+  const auto judged_with = [&](Tick tick) {
+    return wrong(judge(hyq(), *find_row("supervisor_replaced"), {{400, 500}, 600}, Trace().rows(), told_at(tick, {event})));
+  };
+  EXPECT_EQ(judged_with(445), Keys{});
+  EXPECT_EQ(judged_with(455), Keys{"event"});
+  EXPECT_EQ(judged_with(300), Keys{"event"});
 }
 
 TEST(FaultJudge, WantsALatchedJointToStayUntilItIsArmed) {

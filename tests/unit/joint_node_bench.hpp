@@ -4,11 +4,12 @@
 
 #include <gtest/gtest.h>
 
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
 #include "joint_node/joint_node.hpp"
 #include "supervisor/joint_design.hpp"
 #include "supervisor/supervisor.hpp"
 #include "tests/unit/robot_test_files.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node::testing {
 
@@ -38,7 +39,7 @@ inline control::Gains design(const robot::Joint& joint, const plant::LoadParams&
 /// The stance design of a joint as it travels.
 inline signals::JointControllerGains gains_of(const robot::Joint& joint, signals::Phase phase, std::uint32_t generation,
                                               Tick effective_tick = 0) {
-  auto signal = supervisor::pack_gains(joint.number, phase, 1, generation, design(joint, joint.stance_load));
+  auto signal = wire_gains::pack_gains(joint.number, phase, 1, generation, design(joint, joint.stance_load));
   signal.effective_tick = effective_tick;
   return signal;
 }
@@ -76,7 +77,7 @@ class Bench {
   /// Takes gains as a joint_node process does.
   void offer(const signals::JointControllerGains& signal) {
     if (check_gains(signal, joint.kind)) {
-      node.store_gains(signal, unpack_gains(signal));
+      node.store_gains(signal, wire_gains::unpack_gains(signal));
     } else {
       node.refuse_gains(signal);
     }

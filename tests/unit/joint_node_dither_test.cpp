@@ -2,6 +2,7 @@
 
 #include "tests/support/allocation_guard.hpp"
 #include "tests/unit/joint_node_bench.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
 namespace {
@@ -106,7 +107,7 @@ TEST(JointNode, LetsAReferenceThatStepsWithThePhaseThroughTheNewGains) {
   constexpr double kStep_Nm = 5.0;
   Bench bench = Bench::tracking();
   const control::Gains own = design(bench.joint, bench.joint.swing_load);
-  auto swing = supervisor::pack_gains(bench.joint.number, Phase::kSwing, 1, 3, own);
+  auto swing = wire_gains::pack_gains(bench.joint.number, Phase::kSwing, 1, 3, own);
   bench.offer(swing);
   bench.announce(Phase::kSwing, 1, kSwitch);
   const auto before = bench.step_to(kSwitch - 1).valve;

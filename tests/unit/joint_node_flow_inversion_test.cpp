@@ -6,6 +6,7 @@
 #include "plant/hydraulic_joint.hpp"
 #include "tests/support/allocation_guard.hpp"
 #include "tests/unit/joint_node_bench.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
 namespace {
@@ -28,7 +29,7 @@ const robot::Joint& inverting() {
 
 JointControllerGains physics_of(const plant::LoadParams& load, Phase phase, std::uint32_t generation,
                                 Tick effective_tick = 0) {
-  return supervisor::with_physics(gains_of(inverting(), phase, generation, effective_tick),
+  return wire_gains::with_physics(gains_of(inverting(), phase, generation, effective_tick),
                                   plant::nominal_physics(inverting().actuator, load));
 }
 
@@ -197,7 +198,7 @@ TEST(JointNodeFlowInversion, StepDoesNotAllocate) {
   Bench bench = tracking();
   bench.step();
   JointControllerGains update = physics_of(inverting().stance_load, Phase::kStance, 3, 5);
-  const control::Gains gains = unpack_gains(update);
+  const control::Gains gains = wire_gains::unpack_gains(update);
   const farrier::test::AllocationGuard guard;
   bench.node.store_gains(update, gains);
   for (int tick = 0; tick < 20; ++tick) {

@@ -2,6 +2,7 @@
 #include <limits>
 
 #include "tests/unit/joint_node_bench.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
 namespace {
@@ -16,7 +17,7 @@ constexpr auto kStance = static_cast<std::uint8_t>(Phase::kStance);
 signals::JointControllerGains swing_design(const Bench& bench, Phase phase, std::uint32_t generation,
                                            Tick effective_tick) {
   auto signal =
-      supervisor::pack_gains(bench.joint.number, phase, 1, generation, design(bench.joint, bench.joint.swing_load));
+      wire_gains::pack_gains(bench.joint.number, phase, 1, generation, design(bench.joint, bench.joint.swing_load));
   signal.effective_tick = effective_tick;
   return signal;
 }
@@ -39,12 +40,40 @@ TEST(JointNode, TellsWhichGenerationActedInBothOutputs) {
 TEST(JointNode, KeepsItsGainsWhenAnOlderGenerationComes) {
   Bench bench = Bench::tracking();
   const auto newer = swing_design(bench, Phase::kStance, 7, 0);
-  EXPECT_TRUE(bench.node.store_gains(newer, unpack_gains(newer)));
+  EXPECT_TRUE(bench.node.store_gains(newer, wire_gains::unpack_gains(newer)));
   for (const std::uint32_t generation : {7u, 6u, 1u}) {
     const auto older = gains_of(bench.joint, Phase::kStance, generation);
-    EXPECT_FALSE(bench.node.store_gains(older, unpack_gains(older)));
+    EXPECT_FALSE(bench.node.store_gains(older, wire_gains::unpack_gains(older)));
   }
   EXPECT_EQ(bench.step().valve.generation, 7u);
+}
+
+TEST(JointNode, TakesGainsOfALaterSupervisorWhateverTheirGeneration) {
+  Bench bench = Bench::tracking();
+  bench.offer(gains_of(bench.joint, Phase::kStance, 9));
+  EXPECT_EQ(bench.step().valve.generation, 9u);
+  auto later = swing_design(bench, Phase::kStance, 3, 0);
+  later.authority = 2;
+  bench.offer(later);
+  EXPECT_EQ(bench.step().valve.generation, 3u) << "the new supervisor never heard of 9";
+  bench.offer(gains_of(bench.joint, Phase::kStance, 10));
+  EXPECT_EQ(bench.step().valve.generation, 3u) << "of a supervisor that was replaced";
+}
+
+TEST(JointNode, GoesOnUnmovedWhenALaterSupervisorWritesTheSameGainsAgain) {
+  Bench once = Bench::tracking();
+  Bench again = Bench::tracking();
+  for (Bench* bench : {&once, &again}) {
+    bench->inputs.sensors.force_N_or_Nm = 40.0;
+    bench->step_to(20);
+  }
+  auto rewritten = gains_of(again.joint, Phase::kStance, 2);
+  rewritten.authority = 2;
+  again.offer(rewritten);
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_NEAR(again.step().valve.valve_current_A, once.step().valve.valve_current_A,
+                1e-12 * once.joint.actuator.valve_current_max_A);
+  }
 }
 
 TEST(JointNode, KeepsGainsThatAreNotYetInEffectWhenAnOlderGenerationComes) {

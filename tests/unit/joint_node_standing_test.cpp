@@ -7,6 +7,7 @@
 
 #include "tests/support/allocation_guard.hpp"
 #include "tests/unit/joint_node_bench.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
 namespace {
@@ -58,7 +59,7 @@ void shake(JointNode::Inputs& inputs, Numbers& numbers, bool extreme) {
 TEST(JointNode, StepDoesNotAllocate) {
   Bench bench = Bench::tracking();
   const auto update = gains_of(bench.joint, Phase::kStance, 3, 30);
-  const control::Gains gains = unpack_gains(update);
+  const control::Gains gains = wire_gains::unpack_gains(update);
   Numbers numbers(1);
   const test::AllocationGuard guard;
   bench.node.store_gains(update, gains);

@@ -1,5 +1,5 @@
 farrier_test(joint_node_test unit
-  ${CMAKE_CURRENT_LIST_DIR}/gains_decoding_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/gains_check_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_arming_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_dither_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_effects_test.cpp
@@ -28,10 +28,12 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_adaptive_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_first_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_known_loads_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/supervisor_orders_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_physics_update_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_news_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_pair_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_slot_update_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/supervisor_succession_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_update_method_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)

@@ -14,6 +14,7 @@
 #include "supervisor/joint_design.hpp"
 #include "supervisor/supervisor.hpp"
 #include "tests/unit/report_run.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::report {
 namespace {
@@ -40,7 +41,7 @@ LoadCyclePlan plan() {
 
 signals::JointControllerGains gains_at(Tick tick, std::uint32_t generation) {
   const robot::Joint& joint = rig().joints[0];
-  auto signal = supervisor::pack_gains(
+  auto signal = wire_gains::pack_gains(
       0, signals::Phase::kStance, 1, generation,
       supervisor::design_joint(joint, joint.swing_load, rig().period_s, 0).value());
   signal.effective_tick = tick;

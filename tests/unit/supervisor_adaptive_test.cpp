@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <map>
 
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
 #include "supervisor/supervisor.hpp"
 #include "supervisor_estimates.hpp"
 #include "tests/support/allocation_guard.hpp"

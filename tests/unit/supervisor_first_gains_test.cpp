@@ -4,6 +4,7 @@
 
 #include "supervisor/supervisor.hpp"
 #include "supervisor_estimates.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::supervisor {
 namespace {
@@ -67,7 +68,7 @@ TEST(SupervisorFirstGains, AreIssuedInTheirSlotsAsTheyAre) {
   for (std::size_t i = 0; i < issued.size(); ++i) {
     const auto phase = static_cast<Phase>(issued[i].phase);
     const control::Gains& gains = first.at(issued[i].joint).at(issued[i].phase);
-    const JointControllerGains expected = pack_gains(issued[i].joint, phase, 1, issued[i].phase + 1u, gains);
+    const JointControllerGains expected = wire_gains::pack_gains(issued[i].joint, phase, 1, issued[i].phase + 1u, gains);
     EXPECT_EQ(issued[i].joint, i / signals::kPhaseCount);
     EXPECT_EQ(issued[i].phase, i % signals::kPhaseCount);
     EXPECT_EQ(issued[i].generation, expected.generation);

@@ -5,10 +5,11 @@
 #include <map>
 #include <set>
 
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
 #include "supervisor/joint_design.hpp"
 #include "tests/support/allocation_guard.hpp"
 #include "tests/unit/robot_test_files.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::supervisor {
 namespace {
@@ -176,12 +177,12 @@ TEST(PackGains, LosesNothingOnTheWire) {
   for (const char* name : {"hyq", "fc1d"}) {
     for (const robot::Joint& joint : shipped(name).joints) {
       const control::Gains sent = design_joint(joint, joint.stance_load, 0.001, 2).value();
-      const JointControllerGains signal = pack_gains(joint.number, Phase::kSwing, 3, 4, sent);
+      const JointControllerGains signal = wire_gains::pack_gains(joint.number, Phase::kSwing, 3, 4, sent);
       EXPECT_EQ(signal.joint, joint.number);
       EXPECT_EQ(signal.phase, static_cast<std::uint8_t>(Phase::kSwing));
-      EXPECT_EQ(signal.epoch, 3u);
+      EXPECT_EQ(signal.authority, 3u);
       EXPECT_EQ(signal.generation, 4u);
-      const control::Gains got = joint_node::unpack_gains(signal);
+      const control::Gains got = wire_gains::unpack_gains(signal);
       EXPECT_EQ(got.position, sent.position);
       EXPECT_EQ(got.velocity, sent.velocity);
       EXPECT_EQ(got.force, sent.force);

@@ -31,6 +31,27 @@ constexpr auto kLastSamples = 2s;
 
 using participant::steady_now;
 
+Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOptions& common,
+                                 const lab::Member& member, const std::string& name,
+                                 const std::string& log_name) {
+  participant::ProcessOptions options = common;
+  options.vendor = vendor_of(run.dds, member);
+  options.name = member.name;
+  options.number = member.number;
+  options.joints = member.joints;
+  options.standby = member.stands_by;
+  if (member.number != participant::kSimBridge) {
+    options.trace_path.clear();
+  }
+  if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
+    options.faults = faults->second;
+  }
+  const std::string program = run.bare ? "bare_exchange" : member.executable;
+  const std::string executable = run.executables + (run.bare ? "/tools/" : "/") + program + "/" + program;
+  return ChildProcess::start(name, executable, participant::to_arguments(options),
+                             run.log_directory + "/" + log_name + ".log");
+}
+
 Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,
                                                  const std::vector<lab::Member>& members) {
   std::vector<ChildProcess> children;
@@ -38,21 +59,7 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
     if (member.executable.empty()) {
       continue;
     }
-    participant::ProcessOptions options = common;
-    options.vendor = vendor_of(run.dds, member);
-    options.name = member.name;
-    options.number = member.number;
-    options.joints = member.joints;
-    if (member.number != participant::kSimBridge) {
-      options.trace_path.clear();
-    }
-    if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
-      options.faults = faults->second;
-    }
-    const std::string name = run.bare ? "bare_exchange" : member.executable;
-    const std::string executable = run.executables + (run.bare ? "/tools/" : "/") + name + "/" + name;
-    auto child = ChildProcess::start(member.name, executable, participant::to_arguments(options),
-                                     run.log_directory + "/" + member.name + ".log");
+    auto child = start_child(run, common, member, member.name, member.name);
     if (!child) {
       return child.error();
     }
@@ -133,12 +140,13 @@ std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProce
 }
 
 /// Takes the dead out of `children`. Refuses when the run cannot do without one: in real time, once it has begun, it
-/// can without the estimator, or without any but sim_bridge if `run` says so; in lock-step everybody waits for everybody.
+/// can without estimator and supervisors, or without any but sim_bridge if `run` says so; in lock-step everybody waits for everybody.
 Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
                   Tick tick, std::vector<std::string>& warnings) {
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   const auto dispensable = [&](const std::string& name) {
-    return name == members[participant::kEstimatorService].name ||
+    return name == members[participant::kEstimatorService].name || name == members[participant::kSupervisor].name ||
+           (run.standby && name == members.back().name) ||
            (run.goes_on_without_the_dead && name != members[participant::kSimBridge].name);
   };
   for (auto child = children.begin(); child != children.end();) {
@@ -156,8 +164,9 @@ Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const 
 }
 
 /// Plays the gait until the run is over. Refuses as bury does, and when the user interrupts.
-Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children, Progress& progress,
-                    const DdsRun& run, Tick ticks, RunOutcome& outcome) {
+Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children,
+                    const RunActs::Start& start, Progress& progress, const DdsRun& run, Tick ticks,
+                    RunOutcome& outcome) {
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   SteadyTime next_housekeeping{};
   SteadyTime first_tick{};
@@ -169,9 +178,12 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       seat.recorder->poll();
     }
     seat.gait->poll(steady_now());
-    seat.acts->perform(seat.gait->tick(), children);
+    if (auto acted = seat.acts->perform(seat.gait->tick(), children, start); !acted) {
+      return acted.error();
+    }
     if (run.looks_on) {
       run.looks_on(seat.gait->tick());
+      monitor.poll(seat.gait->tick());
     }
     if (seat.gait->tick() != last) {
       first_tick = last == 0 ? steady_now() : first_tick;
@@ -189,7 +201,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       if (!seat.participant->refusal().empty()) {
         return Error{seat.participant->refusal()};
       }
-      monitor.poll();
+      monitor.poll(last);
       const bool over = realtime ? monitor.healths()[participant::kSimBridge].final_report != 0 : monitor.all_final();
       if (over && (!seat.recorder || seat.recorder->has(ticks) || steady_now() - moved > kLastSamples)) {
         return std::chrono::duration<double>(moved - first_tick).count();
@@ -211,7 +223,8 @@ bus::Vendor vendor_of(DdsChoice choice, const lab::Member& member) noexcept {
     case DdsChoice::kCyclone: return bus::Vendor::kCyclone;
     case DdsChoice::kFast: return bus::Vendor::kFast;
     case DdsChoice::kMixed:
-      return member.number == participant::kSimBridge || member.number == participant::kEstimatorService
+      return member.number == participant::kSimBridge || member.number == participant::kEstimatorService ||
+                     member.stands_by
                  ? bus::Vendor::kCyclone
                  : bus::Vendor::kFast;
     case DdsChoice::kInproc: break;
@@ -226,7 +239,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     return lock.error();
   }
   RunOutcome outcome;
-  outcome.members = lab::plan_members(robot, run.grouping);
+  outcome.members = lab::plan_members(robot, run.grouping, run.standby);
   participant::ProcessOptions common = run.common;
   common.network.domain = lock.value().domain();
   common.participants = static_cast<std::uint16_t>(outcome.members.size());
@@ -251,8 +264,11 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     return monitor.error();
   }
   Progress progress(run.title, common.ticks);
-  auto played = play(seat.value(), monitor.value(), children.value(), progress,
-                     run, common.ticks, outcome);
+  const RunActs::Start start_anew = [&](const std::string& member, const std::string& name) {
+    return start_child(run, common, *std::ranges::find(outcome.members, member, &lab::Member::name), name,
+                       name + "_anew");
+  };
+  auto played = play(seat.value(), monitor.value(), children.value(), start_anew, progress, run, common.ticks, outcome);
   const std::string hard_ends = end_all(children.value());
   if (!played) {
     return played.error();
@@ -270,6 +286,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   outcome.hellos = seat.value().participant->hellos();
   outcome.healths = monitor.value().healths();
   outcome.events = monitor.value().events();
+  outcome.events_heard = monitor.value().heard();
   outcome.decisions = monitor.value().decisions();
   outcome.gains = monitor.value().gains();
   return outcome;

@@ -27,7 +27,8 @@ struct DdsRun {
   std::string title;
   std::map<std::string, std::vector<bus_faults::ArrowFault>> faults;  ///< by member, real time only
   std::vector<Act> acts;                                              ///< in the order of their ticks
-  std::function<void(Tick)> looks_on;  ///< called now and then with the newest tick the clock has begun; may be empty
+  std::function<void(Tick)> looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
+  bool standby = false;                   ///< a second supervisor stands by, real time only
   bool goes_on_without_the_dead = false;  ///< real time: the death of any member but sim_bridge is a warning
   bool bare = false;  ///< exchange the same samples with nothing computed: the yardstick of farrier bench
 };
@@ -37,6 +38,7 @@ struct RunOutcome {
   std::vector<signals::SystemHello> hellos;    ///< by participant
   std::vector<signals::SystemHealth> healths;  ///< by participant
   std::vector<signals::SystemEvent> events;
+  std::vector<Tick> events_heard;  ///< newest tick of the clock then; by event
   std::vector<signals::JointUpdateDecision> decisions;
   std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued
   std::vector<Tick> acted;            ///< when acts were done, in their order
@@ -46,8 +48,8 @@ struct RunOutcome {
 
 /// Starts every process, plays the gait from this one, shows progress, ends every process. Refuses when a process
 /// dies (with its name, exit status and last lines) or the user interrupts; no process is left behind either way. In
-/// real time a run goes on without estimator_service, with a warning: gains then stay as they are; and without others as
-/// `run` says.
+/// real time a run goes on without estimator_service and supervisors, with a warning: gains and mode then stay as they
+/// are; and without others as `run` says.
 Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run);
 
 }  // namespace farrier::cli

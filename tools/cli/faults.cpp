@@ -84,6 +84,7 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const FaultsOption
   trot.dds = vendor.second;
   trot.clock = bus::ClockKind::kRealtime;
   trot.design = "phases";
+  trot.standby = row.standby;
   trot.seed = seed;
   trot.out = o.out;
   trot.trace_path = o.out + "/trace.csv";
@@ -95,7 +96,7 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const FaultsOption
       pauses.forget();
     }
   };
-  const auto members = lab::plan_members(robot, run.grouping);
+  const auto members = lab::plan_members(robot, run.grouping, run.standby);
   if (row.member != nullptr) {
     run.faults[member_of(robot, members, row.member)] = faults::arrow_faults(robot, row, span);
   }
@@ -130,11 +131,11 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const FaultsOption
   if (row.expected.latches) {
     moments.armed = acted.back();
   }
-  std::vector<std::string> events;
-  for (const signals::SystemEvent& event : ran.value().events) {
-    events.emplace_back(signals::text_of(event.text));
+  std::vector<faults::Heard> heard;
+  for (std::size_t i = 0; i < ran.value().events.size(); ++i) {
+    heard.push_back({std::string(signals::text_of(ran.value().events[i].text)), ran.value().events_heard[i]});
   }
-  cell.checks = faults::judge(robot, row, moments, trace.value(), events);
+  cell.checks = faults::judge(robot, row, moments, trace.value(), heard);
   return cell;
 }
 

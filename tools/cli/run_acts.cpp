@@ -19,7 +19,7 @@ Result<RunActs> RunActs::create(std::vector<Act> acts, participant::Participant&
   return run;
 }
 
-void RunActs::perform(Tick tick, std::vector<ChildProcess>& children) {
+Result<Done> RunActs::perform(Tick tick, std::vector<ChildProcess>& children, const Start& start) {
   while (performed_.size() < acts_.size() && acts_[performed_.size()].at <= tick) {
     const Act& act = acts_[performed_.size()];
     if (act.member.empty()) {
@@ -29,11 +29,19 @@ void RunActs::perform(Tick tick, std::vector<ChildProcess>& children) {
       request.count = ++asked_;
       request.request = static_cast<std::uint8_t>(act.request);
       requests_->publish(request);
+    } else if (act.signal == faults::kStart || act.signal == faults::kStartTwin) {
+      auto started = start(act.member, act.signal == faults::kStart ? act.member : act.member + "_twin");
+      if (!started) {
+        return started.error();
+      }
+      std::erase_if(children, [&](const ChildProcess& child) { return child.name() == started.value().name(); });
+      children.push_back(std::move(started).value());
     } else if (const auto child = std::ranges::find(children, act.member, &ChildProcess::name); child != children.end()) {
       ::kill(child->pid(), act.signal);
     }
     performed_.push_back(tick);
   }
+  return Done{};
 }
 
 }  // namespace farrier::cli

@@ -1,20 +1,22 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "participant/participant.hpp"
 #include "tools/cli/child_process.hpp"
+#include "tools/faults/fault_rows.hpp"
 
 namespace farrier::cli {
 
-/// What is done to a run while it goes, once its clock has begun tick `at`: a signal to a member's process, or what an
-/// operator asks for.
+/// What is done to a run while it goes, once its clock has begun tick `at`: a signal to a member's process, a start of
+/// it, or what an operator asks for.
 struct Act {
   Tick at = 0;
   std::string member;  ///< empty: an operator's request
-  int signal = 0;
+  int signal = 0;      ///< or faults::kStart, faults::kStartTwin
   signals::Request request = signals::Request::kArm;
 };
 
@@ -24,8 +26,11 @@ class RunActs {
   /// `acts` in the order of their ticks. An operator's ear at the supervisor is opened when one of them is a request.
   static Result<RunActs> create(std::vector<Act> acts, participant::Participant& participant);
 
-  /// Does what is due at `tick`, the newest the clock has begun.
-  void perform(Tick tick, std::vector<ChildProcess>& children);
+  /// Starts the process of a member; `name`: of this start, for its log and the list of children.
+  using Start = std::function<Result<ChildProcess>(const std::string& member, const std::string& name)>;
+
+  /// Does what is due at `tick`, the newest the clock has begun. Refuses when a process does not start.
+  Result<Done> perform(Tick tick, std::vector<ChildProcess>& children, const Start& start);
 
   /// Ticks at which they were done, in their order.
   const std::vector<Tick>& performed() const noexcept { return performed_; }

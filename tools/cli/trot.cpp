@@ -95,6 +95,11 @@ int trot(TrotOptions o) {
                stderr);
     return kBadInput;
   }
+  if (o.standby && o.clock != bus::ClockKind::kRealtime) {
+    std::fputs("farrier trot: --standby is for the real-time clock, in lock-step a run waits for a silent supervisor: add "
+               "--clock realtime\n", stderr);
+    return kBadInput;
+  }
   if (o.vary && o.clock == bus::ClockKind::kRealtime) {
     std::fputs("farrier trot: --vary runs on the lock-step clock only: leave --clock realtime out\n", stderr);
     return kBadInput;

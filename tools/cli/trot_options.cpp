@@ -110,6 +110,9 @@ void declare(CLI::App& app, TrotOptions& o) {
       ->check(between(1, 10000))
       ->type_name("<n>")
       ->default_str(std::to_string(kSeeds) + "; with --hide 1");
+  app.add_flag("--standby", o.standby,
+               "a second supervisor stands by and leads when the first falls silent; real time only")
+      ->type_name("");
   app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
 }
 

@@ -31,6 +31,7 @@ struct TrotOptions {
   std::string controller;   ///< kind of every controller; empty: the robot file's
   bool dither_cost = false; ///< two more runs: what the robot file's dither costs
   bool vary = false;        ///< varied robots under every controller instead of one run
+  bool standby = false;     ///< a second supervisor stands by, real time only
   int seeds = 0;            ///< of `vary` and the controllers, from `seed` on; 0: not given, which is kSeeds; of `hide`
   std::optional<std::uint64_t> hide;  ///< of an effect of one simulated joint that nobody else knows
   std::string record_directory;       ///< recordings of all joints go there; empty: none, with `hide` into `out`

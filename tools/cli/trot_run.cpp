@@ -35,6 +35,7 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
   run.log_directory = o.out + "/log";
   run.record_directory = o.record_directory;
   run.title = title;
+  run.standby = o.standby;
   return run;
 }
 

@@ -134,7 +134,7 @@ std::vector<bus_faults::ArrowFault> arrow_faults(const robot::Robot& robot, cons
 bool Cell::holds() const noexcept { return error.empty() && std::ranges::all_of(checks, &Check::holds); }
 
 std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,
-                         const std::vector<record::TraceRow>& trace, const std::vector<std::string>& events) {
+                         const std::vector<record::TraceRow>& trace, const std::vector<Heard>& events) {
   const Course course(robot, trace);
   const Expectation& expected = row.expected;
   std::vector<std::size_t> hit, others;
@@ -168,11 +168,12 @@ std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moment
     checks.push_back({"tripped", "tripped", 0.0, course.tripped_time(fault.begin)});
   }
   if (expected.event != nullptr) {
-    const bool seen = std::ranges::any_of(events, [&](const std::string& text) {
-      return text.find(expected.event) != std::string::npos;
+    const auto seen = std::ranges::find_if(events, [&](const Heard& event) {
+      return event.tick >= fault.begin && event.text.find(expected.event) != std::string::npos;
     });
-    checks.push_back({"unseen", std::string("no event '") + expected.event + "'", 0.0,
-                      seen ? 0.0 : std::numeric_limits<double>::infinity()});
+    checks.push_back({"event", std::string("event '") + expected.event + "' after", expected.event_within_s,
+                      seen == events.end() ? std::numeric_limits<double>::infinity()
+                                           : course.seconds(seen->tick - fault.begin)});
   }
   return checks;
 }

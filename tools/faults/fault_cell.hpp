@@ -52,11 +52,17 @@ struct Moments {
   Tick armed;
 };
 
+/// What an operator heard, and the newest tick of the clock then.
+struct Heard {
+  std::string text;
+  Tick tick;
+};
+
 /// Before a fault's beginning from which on the joints that it does not hit are looked at.
 inline constexpr Tick kBefore = 50;
 
 /// What a run that left this trace and these events shows of the row.
 std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,
-                         const std::vector<record::TraceRow>& trace, const std::vector<std::string>& events);
+                         const std::vector<record::TraceRow>& trace, const std::vector<Heard>& events);
 
 }  // namespace farrier::faults

@@ -19,10 +19,15 @@ constexpr double kSilent_s = 0.005 + kReach_s;
 constexpr double kAtOnce_s = kReach_s;
 constexpr double kGoodAgain_s = 0.010 + kReach_s;
 constexpr double kArmed_s = 0.020 + kReach_s;  // a request's way over two processes, and gain_lead_ticks
+constexpr double kTakenOver_s = 0.050;
+constexpr double kStartAgain_s = 0.050;
+constexpr double kGreeted_s = 1.0;  // a process starts, finds the others and hears every route
 constexpr double kAfterStop_s = kGoodAgain_s + 0.006;  // a process that was stopped first takes what has come meanwhile
 
 constexpr const char* kJointNode = "joint_node";
 constexpr const char* kSimBridge = "sim_bridge";
+constexpr const char* kEstimator = "estimator_service";
+constexpr const char* kSupervisor = "supervisor";
 
 }  // namespace
 
@@ -87,9 +92,9 @@ const std::vector<Row>& rows() {
        "joint_node takes none that is older than what it has.", Hit::kLeg, kJointNode,
        {"joint/sensors:reorder=0.33", "joint/command:reorder=0.33"}, 0.1, {},
        {.recovers_s = kGoodAgain_s, .may_stutter = true}},
-      {"measurement_cut", "The estimator hears no joint.", "Gains stay as they are.", Hit::kAll, "estimator_service",
+      {"measurement_cut", "The estimator hears no joint.", "Gains stay as they are.", Hit::kAll, kEstimator,
        {"joint/measurement:cut"}, 0.2, {}, {}},
-      {"estimate_cut", "The supervisor hears no estimate.", "Gains stay as they are.", Hit::kAll, "supervisor",
+      {"estimate_cut", "The supervisor hears no estimate.", "Gains stay as they are.", Hit::kAll, kSupervisor,
        {"joint/model_estimate:cut"}, 0.2, {}, {}},
       {"joint_node_killed", "joint_node of a leg dies (kill -9).",
        "sim_bridge puts its three spools to null.", Hit::kLeg,
@@ -104,14 +109,32 @@ const std::vector<Row>& rows() {
        Hit::kLeg, nullptr, {}, 0.1, {{kJointNode, SIGSTOP, 0.0}, {kJointNode, SIGCONT, 0.1}},
        {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
       {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
-       {{"estimator_service", SIGKILL, 0.0}}, {}},
+       {{kEstimator, SIGKILL, 0.0}}, {}},
+      {"estimator_restarted", "estimator_service dies (kill -9) and is started again.",
+       "Gains stay as they are; it greets the others and estimates anew.", Hit::kAll, nullptr, {}, 1.2,
+       {{kEstimator, SIGKILL, 0.0}, {kEstimator, kStart, kStartAgain_s}},
+       {.event = "estimates from now on", .event_within_s = kStartAgain_s + kGreeted_s}},
       {"estimator_stopped", "estimator_service stands still for 0.2 s (SIGSTOP).", "Gains stay as they are.", Hit::kAll,
-       nullptr, {}, 0.2, {{"estimator_service", SIGSTOP, 0.0}, {"estimator_service", SIGCONT, 0.2}}, {}},
+       nullptr, {}, 0.2, {{kEstimator, SIGSTOP, 0.0}, {kEstimator, SIGCONT, 0.2}}, {}},
       {"supervisor_killed", "supervisor dies (kill -9).",
        "Gains and mode stay as they are.", Hit::kAll, nullptr, {}, 0.2,
-       {{"supervisor", SIGKILL, 0.0}}, {}},
+       {{kSupervisor, SIGKILL, 0.0}}, {}},
       {"supervisor_stopped", "supervisor stands still for 0.2 s (SIGSTOP).", "Gains and mode stay as they are.", Hit::kAll,
-       nullptr, {}, 0.2, {{"supervisor", SIGSTOP, 0.0}, {"supervisor", SIGCONT, 0.2}}, {}},
+       nullptr, {}, 0.2, {{kSupervisor, SIGSTOP, 0.0}, {kSupervisor, SIGCONT, 0.2}}, {}},
+      {"supervisor_restarted", "supervisor dies (kill -9) and is started again.",
+       "Gains and mode stay as they are; it leads under the next authority and issues what estimates ask for.",
+       Hit::kAll, nullptr, {}, 1.2, {{kSupervisor, SIGKILL, 0.0}, {kSupervisor, kStart, kStartAgain_s}},
+       {.event = "leads with authority 2", .event_within_s = kStartAgain_s + kGreeted_s}},
+      {"supervisor_replaced", "supervisor dies (kill -9) while another stands by.",
+       "The other leads under the next authority and writes every gain and the mode again.", Hit::kAll, nullptr, {}, 0.2,
+       {{kSupervisor, SIGKILL, 0.0}}, {.event = "leads with authority 2", .event_within_s = kTakenOver_s}, true},
+      {"two_joint_nodes", "A second joint_node claims the joints of a leg.",
+       "It finds its place taken, says so and ends with status 1.", Hit::kAll, nullptr, {}, 0.5,
+       {{kJointNode, kStartTwin, 0.0}}, {.event = "of this run already", .event_within_s = 0.5}},
+      {"supervisor_stale", "supervisor stands still for 0.1 s (SIGSTOP) while another stands by.",
+       "The other leads; the first finds that it was replaced and stands by; joints refuse what it still writes.",
+       Hit::kAll, nullptr, {}, 0.1, {{kSupervisor, SIGSTOP, 0.0}, {kSupervisor, SIGCONT, 0.1}},
+       {.event = "stands by: another supervisor leads", .event_within_s = 0.1 + kTakenOver_s}, true},
   };
   return all;
 }

@@ -16,10 +16,14 @@ enum class Hit { kJoint, kLeg, kAll };
 
 /// Members are named as in lab::plan_members; "joint_node" is the one that hosts the joint.
 
-/// A signal to a process, `at_s` after the fault begins.
+/// In place of a signal: the process is started anew, or a second time while it runs.
+inline constexpr int kStart = 0;
+inline constexpr int kStartTwin = -1;
+
+/// What is done to a process, `at_s` after the fault begins.
 struct ProcessAct {
   const char* member;
-  int signal;
+  int signal;  ///< or kStart, kStartTwin
   double at_s;
 };
 
@@ -32,6 +36,7 @@ struct Expectation {
   bool may_stutter = false;     ///< they may leave tracking for short and come back by themselves, in any state
   bool latches = false;         ///< they trip, and track again only after a request to arm
   const char* event = nullptr;  ///< part of an event that an operator sees; null: none is asked for
+  double event_within_s = 0.2;  ///< of the beginning
 };
 
 struct Row {
@@ -44,6 +49,7 @@ struct Row {
   double lasts_s;                   ///< from its beginning to its end
   std::vector<ProcessAct> acts;
   Expectation expected;
+  bool standby = false;  ///< a second supervisor stands by
 };
 
 const std::vector<Row>& rows();

@@ -205,7 +205,7 @@ constexpr std::array kSpecs{
                "From its end, or from the request to arm, until they track again for good."},
     FigureSpec{"faults.<row>.others_ms", "ms", kAtMost, "How long any other joint did not track."},
     FigureSpec{"faults.<row>.tripped_ms", "ms", kAtMost, "How long joints were tripped, summed over joints."},
-    FigureSpec{"faults.<row>.unseen_ms", "ms", kAtMost, "0 when an operator saw the event of the row in every cell."},
+    FigureSpec{"faults.<row>.event_ms", "ms", kAtMost, "From a fault's beginning until an operator hears the event of its row."},
 
     // diagnose: a recording against the model of a joint; channels are valve_and_oil, load and velocity_sensor
     FigureSpec{"diagnose.<channel>.one_step_nrmse_before", "1", kNone,

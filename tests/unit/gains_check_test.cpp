@@ -2,6 +2,7 @@
 
 #include "signals/fields.hpp"
 #include "tests/unit/joint_node_bench.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
 namespace {
@@ -20,7 +21,7 @@ std::string refusal(const JointControllerGains& signal) {
 TEST(CheckGains, AcceptsTheDesignOfEveryJointForBothLoads) {
   for (const robot::Joint& joint : hyq().joints) {
     for (const plant::LoadParams& load : {joint.swing_load, joint.stance_load}) {
-      EXPECT_EQ(refusal(supervisor::pack_gains(joint.number, Phase::kStance, 1, 1, design(joint, load))), "accepted")
+      EXPECT_EQ(refusal(wire_gains::pack_gains(joint.number, Phase::kStance, 1, 1, design(joint, load))), "accepted")
           << joint.name;
     }
   }

@@ -16,7 +16,4 @@ namespace farrier::joint_node {
 /// Refuses with the reason.
 Result<Done> check_gains(const signals::JointControllerGains& signal, control::Kind kind);
 
-/// Checked gains as the controller takes them; their spectral radius is left to check_gains.
-control::Gains unpack_gains(const signals::JointControllerGains& signal) noexcept;
-
 }  // namespace farrier::joint_node

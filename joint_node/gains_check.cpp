@@ -1,10 +1,11 @@
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
 
 #include <cmath>
 
 #include "control/model_rows.hpp"
 #include "plant/joint_physics.hpp"
 #include "signals/fields.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
 namespace {
@@ -53,7 +54,7 @@ Result<Done> check_gains(const signals::JointControllerGains& signal, control::K
   if (kind == control::Kind::kFlowInversion) {
     return check_physics(signal);
   }
-  const control::Gains gains = unpack_gains(signal);
+  const control::Gains gains = wire_gains::unpack_gains(signal);
   const control::Normalisation& n = gains.normalisation;
   if (!(n.position > 0 && n.velocity > 0 && n.force > 0 && n.current_A > 0)) {
     return Error{"a scale is not positive"};
@@ -70,23 +71,6 @@ Result<Done> check_gains(const signals::JointControllerGains& signal, control::K
     return Error{"closed loop unstable for the model they came with: spectral radius " + std::to_string(radius)};
   }
   return Done{};
-}
-
-control::Gains unpack_gains(const signals::JointControllerGains& signal) noexcept {
-  control::Gains gains{};
-  gains.normalisation = {signal.position_scale_m_or_rad, signal.velocity_scale_m_s_or_rad_s,
-                         signal.force_scale_N_or_Nm, signal.current_scale_A};
-  gains.position = signal.k_position;
-  gains.velocity = signal.k_velocity;
-  gains.force = signal.k_force;
-  gains.integral = signal.k_integral;
-  gains.feed_forward = signal.feed_forward;
-  gains.integral_factor = signal.integral_factor;
-  gains.delay = signal.k_delay;
-  gains.delay_ticks = signal.delay_ticks;
-  gains.form = signal.compliant != 0 ? control::Form::kCompliant : control::Form::kFullState;
-  gains.model = control::model_of_rows(signal.model_a, signal.model_b);
-  return gains;
 }
 
 }  // namespace farrier::joint_node
