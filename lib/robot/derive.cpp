@@ -35,6 +35,35 @@ plant::FrictionParams dry_friction(const CylinderLoad& load, double lever) {
   return {dry.coulomb_N * lever, dry.static_N * lever, dry.stribeck_velocity_m_s / lever, dry.presliding_m / lever};
 }
 
+plant::ElectricParams electric_params(const ElectricActuator& a) {
+  return {.torque_constant_Nm_A = a.torque_constant_Nm_A,
+          .winding_resistance_Ohm = a.winding_resistance_Ohm,
+          .winding_inductance_H = a.winding_inductance_H,
+          .supply_voltage_V = a.supply_voltage_V,
+          .rotor_inertia_kg_m2 = a.rotor_inertia_kg_m2,
+          .gear_ratio = a.gear_ratio,
+          .damping = a.damping_Nms_rad,
+          .coulomb = a.coulomb_Nm,
+          .slip_velocity = a.slip_velocity_rad_s,
+          .spring_stiffness = a.spring_stiffness_Nm_rad,
+          .spring_damping = a.spring_damping_Nms_rad,
+          .travel = a.travel_rad,
+          .stop_stiffness = a.stops.stiffness_Nm_rad,
+          .stop_damping = a.stops.damping_Nms_rad};
+}
+
+/// What code that serves both kinds of joint reads of a hydraulic one: travel and largest current. The rest is 0.
+plant::ActuatorParams limits_of_electric(const plant::ElectricParams& electric) {
+  plant::ActuatorParams limits;
+  limits.stroke = electric.travel;
+  limits.valve_current_max_A = plant::current_max_A(electric);
+  return limits;
+}
+
+plant::LoadParams rotary_load(const RotaryLoad& load) {
+  return {load.inertia_kg_m2, load.damping_Nms_rad, load.stiffness_Nm_rad, load.equilibrium_position_rad, {}};
+}
+
 }  // namespace
 
 Result<plant::Linkage> make_linkage(const LinkageSection& section, bool mirrored) {
@@ -88,34 +117,6 @@ plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_lik
           dry_friction(damping_like, lever_m)};
 }
 
-plant::ElectricParams electric_params(const ElectricActuator& a) {
-  return {.torque_constant_Nm_A = a.torque_constant_Nm_A,
-          .winding_resistance_Ohm = a.winding_resistance_Ohm,
-          .winding_inductance_H = a.winding_inductance_H,
-          .supply_voltage_V = a.supply_voltage_V,
-          .rotor_inertia_kg_m2 = a.rotor_inertia_kg_m2,
-          .gear_ratio = a.gear_ratio,
-          .damping = a.damping_Nms_rad,
-          .coulomb = a.coulomb_Nm,
-          .slip_velocity = a.slip_velocity_rad_s,
-          .spring_stiffness = a.spring_stiffness_Nm_rad,
-          .spring_damping = a.spring_damping_Nms_rad,
-          .travel = a.travel_rad,
-          .stop_stiffness = a.stops.stiffness_Nm_rad,
-          .stop_damping = a.stops.damping_Nms_rad};
-}
-
-plant::ActuatorParams limits_of_electric(const plant::ElectricParams& electric) {
-  plant::ActuatorParams limits;
-  limits.stroke = electric.travel;
-  limits.valve_current_max_A = plant::current_max_A(electric);
-  return limits;
-}
-
-plant::LoadParams rotary_load(const RotaryLoad& load) {
-  return {load.inertia_kg_m2, load.damping_Nms_rad, load.stiffness_Nm_rad, load.equilibrium_position_rad, {}};
-}
-
 ForceLimits force_limits(const plant::ActuatorParams& a, double rated) {
   return {std::min(rated, a.supply_pressure_Pa * a.area_a - a.return_pressure_Pa * a.area_b),
           std::min(rated, a.supply_pressure_Pa * a.area_b - a.return_pressure_Pa * a.area_a)};
@@ -126,8 +127,6 @@ SensorNoise cylinder_noise(const CylinderNoise& noise) { return {noise.position_
 SensorNoise motor_noise(const CylinderNoise& noise, double lever_m) {
   return {noise.position_m / lever_m, noise.velocity_m_s / lever_m, noise.force_N * lever_m};
 }
-
-SensorNoise rotary_noise(const RotaryNoise& noise) { return {noise.position_rad, noise.velocity_rad_s, noise.torque_Nm}; }
 
 Sensors sensors(const std::optional<SensorSection>& section, double lever) {
   if (!section) {
@@ -153,8 +152,17 @@ control::Normalisation motor_normalisation(const Cylinder& like, const plant::Ac
           params.valve_current_max_A};
 }
 
-control::Normalisation electric_normalisation(const ElectricActuator& actuator, const plant::ElectricParams& params) {
-  return {0.5 * params.travel, actuator.velocity_norm_rad_s, actuator.torque_norm_Nm, plant::current_max_A(params)};
+void drive_electrically(Joint& joint, const ElectricActuator& actuator, const RotaryLoads& loads) {
+  const plant::ElectricParams params = electric_params(actuator);
+  joint.rotary = true;
+  joint.electric = params;
+  joint.actuator = limits_of_electric(params);
+  joint.swing_load = rotary_load(loads.swing);
+  joint.stance_load = rotary_load(loads.stance);
+  joint.noise = {actuator.noise.position_rad, actuator.noise.velocity_rad_s, actuator.noise.torque_Nm};
+  joint.normalisation = {0.5 * params.travel, actuator.velocity_norm_rad_s, actuator.torque_norm_Nm,
+                         plant::current_max_A(params)};
+  joint.push_limit = joint.pull_limit = std::min(actuator.rated_torque_Nm, plant::stall_torque(params));
 }
 
 }  // namespace farrier::robot

@@ -29,13 +29,6 @@ plant::LoadParams cylinder_load(const CylinderLoad& load);
 /// The leg as the load of a motor: its inertia, and the viscous friction of a cylinder's load times r^2, its dry friction times r.
 plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_like, double lever_m);
 
-plant::ElectricParams electric_params(const ElectricActuator& actuator);
-
-/// What code that serves both kinds of joint reads of a hydraulic one: travel and largest current. The rest is 0.
-plant::ActuatorParams limits_of_electric(const plant::ElectricParams& electric);
-
-plant::LoadParams rotary_load(const RotaryLoad& load);
-
 /// Largest force (N or Nm), the less of what the supply can do and what the actuator is made for:
 /// push p_s A_a - p_t A_b, pull p_s A_b - p_t A_a.
 struct ForceLimits {
@@ -46,7 +39,6 @@ ForceLimits force_limits(const plant::ActuatorParams& actuator, double rated);
 
 SensorNoise cylinder_noise(const CylinderNoise& noise);
 SensorNoise motor_noise(const CylinderNoise& noise, double lever_m);
-SensorNoise rotary_noise(const RotaryNoise& noise);
 
 /// As seen on a lever (1 for a cylinder): its filters are those of the section, its steps smaller by the lever.
 Sensors sensors(const std::optional<SensorSection>& section, double lever);
@@ -58,7 +50,8 @@ control::Normalisation cylinder_normalisation(const Cylinder& cylinder, const pl
 /// weights asks the same of a hip and a knee: equal power, equal stiffness of the loop at the leg.
 control::Normalisation motor_normalisation(const Cylinder& like, const plant::ActuatorParams& params, double lever_m);
 
-/// Half the travel, velocity and torque by the file, the largest current the drive can be asked for.
-control::Normalisation electric_normalisation(const ElectricActuator& actuator, const plant::ElectricParams& params);
+/// All that an electric actuator and its loads say of a joint. T = W of (3.52): half the travel, velocity and torque by
+/// the file; V of (3.53) is the largest current its drive can be asked for. Torques up to the rated or stall torque.
+void drive_electrically(Joint& joint, const ElectricActuator& actuator, const RotaryLoads& loads);
 
 }  // namespace farrier::robot

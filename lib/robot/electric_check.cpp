@@ -53,6 +53,14 @@ const ElectricActuator* electric_actuator_of(const RobotFile& file, const JointT
   return config::find(file.electric_actuators, joint.actuator);
 }
 
+double stroke_of(const RobotFile& file, const JointTemplate& joint) {
+  if (const ElectricActuator* electric = electric_actuator_of(file, joint)) {
+    return electric->travel_rad;
+  }
+  const Actuator& actuator = *config::find(file.actuators, joint.actuator);
+  return actuator.cylinder ? actuator.cylinder->stroke_m : actuator.rotary_motor->travel_rad;
+}
+
 config::Problems check_electric(const RobotFile& file) {
   config::Problems problems;
   if (!file.actuators.empty() && !file.supply) {

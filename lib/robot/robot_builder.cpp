@@ -1,6 +1,5 @@
 #include "robot/robot_builder.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -73,14 +72,6 @@ class Builder {
     return *config::find(file_.actuators, joint.actuator);
   }
 
-  double stroke_of(const JointTemplate& joint) const {
-    if (const ElectricActuator* electric = electric_actuator_of(file_, joint)) {
-      return electric->travel_rad;
-    }
-    const Actuator& actuator = actuator_of(joint);
-    return actuator.cylinder ? actuator.cylinder->stroke_m : actuator.rotary_motor->travel_rad;
-  }
-
   // Linkages must be triangles, and joint limits must stay within reach and stroke.
   void check_geometry() {
     for (const auto& [name, section] : file_.linkages) {
@@ -99,7 +90,7 @@ class Builder {
   void check_limit(const JointTemplate& joint, const char* key, double angle_rad) {
     constexpr double kRounding = 1e-9;  // of the stroke: a limit may lie exactly on an end
     const LinkageSection& section = *config::find(file_.linkages, joint.linkage);
-    const double stroke = stroke_of(joint);
+    const double stroke = stroke_of(file_, joint);
     if (section.triangle) {
       const double enclosed =
           section.triangle->angle_at_zero_rad + (section.triangle->opens_with_angle ? angle_rad : -angle_rad);
@@ -220,17 +211,6 @@ class Builder {
       drive_hydraulically(joint, actuator_of(from), load, leg);
     }
     return joint;
-  }
-
-  static void drive_electrically(Joint& joint, const ElectricActuator& actuator, const RotaryLoads& loads) {
-    joint.rotary = true;
-    joint.electric = electric_params(actuator);
-    joint.actuator = limits_of_electric(*joint.electric);
-    joint.swing_load = rotary_load(loads.swing);
-    joint.stance_load = rotary_load(loads.stance);
-    joint.noise = rotary_noise(actuator.noise);
-    joint.normalisation = electric_normalisation(actuator, *joint.electric);
-    joint.push_limit = joint.pull_limit = std::min(actuator.rated_torque_Nm, plant::stall_torque(*joint.electric));
   }
 
   void drive_hydraulically(Joint& joint, const Actuator& actuator, const Load& load, const Leg& leg) const {

@@ -14,7 +14,7 @@ namespace {
 
 // Every leg's third stride, from which a run is judged, is over here.
 constexpr Tick kTicks = 4000;
-constexpr Tick kShort = 1500;
+constexpr Tick kShort = 1000;
 constexpr std::size_t kJointsOfALeg = 3;
 
 lab::InprocRun adaptive(Tick ticks) {
@@ -109,6 +109,27 @@ TEST(Hexapod, WalksInAWaveWhenItsOffsetsSaySo) {
   for (const robot::Joint& joint : hexapod.joints) {
     EXPECT_FALSE(tracking.joints.at(joint.number).tripped) << joint.name;
   }
+}
+
+// What the leg stands under grows fourfold in mid-run, and nothing says so.
+double knee_error_under_a_growing_load(const robot::Robot& leg, supervisor::Design design) {
+  constexpr double kGrowth = 4.0;
+  constexpr Tick kGrows = 3500;
+  const robot::Joint& knee = leg.joints.at(kJointsOfALeg - 1);
+  lab::InprocRun settings = adaptive(2 * kGrows);
+  settings.design = design;
+  plant::LoadParams heavier = knee.stance_load;
+  heavier.mass *= kGrowth;
+  settings.load_changes.push_back({kGrows, knee.number, heavier});
+  const Outcome outcome = run(leg, settings);
+  const report::Tracking tracking = report::track(leg, gait::Schedule(leg.plan, settings.seed), outcome.rows, 0);
+  return tracking.joints.at(knee.number).stance.nrmse;
+}
+
+TEST(ElectricLeg, HoldsItsKneeUnderAGrowingLoadOnlyWithGainsThatAdapt) {
+  const robot::Robot leg = load("electric_leg");
+  EXPECT_LE(knee_error_under_a_growing_load(leg, supervisor::Design::kAdaptive), leg.bounds.stance_nrmse);
+  EXPECT_GT(knee_error_under_a_growing_load(leg, supervisor::Design::kSwing), leg.bounds.stance_nrmse);
 }
 
 TEST(ElectricLeg, LeavesNoPressuresInItsTraceAndNoPhysicsInItsGains) {

@@ -225,8 +225,8 @@ TEST(ElectricModel, IsTheJacobianOfTheEquations) {
       // Central difference: step^2 / 6 of the third derivative of phi, at most 3 / w_s^3, and rounding.
       const double curved = step * step / 6.0 * 3.0 * drive().coulomb / std::pow(drive().slip_velocity, 3) /
                             output_inertia(drive());
-      EXPECT_LE((slope - model.a.col(i)).cwiseAbs().maxCoeff(), curved + 1e-7 * model.a.col(i).cwiseAbs().maxCoeff() + 1e-9)
-          << "state " << i << " at " << rotor;
+      const double rounding = 1e-7 * model.a.col(i).cwiseAbs().maxCoeff() + 1e-9;
+      EXPECT_LE((slope - model.a.col(i)).cwiseAbs().maxCoeff(), curved + rounding) << "state " << i << " at " << rotor;
     }
     const Eigen::Matrix<double, 5, 1> by_command = values(equations.derivative(state(at), {6.0, 3.0})) -
                                                    values(equations.derivative(state(at), {5.0, 3.0}));

@@ -73,11 +73,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Mistake{"gear_ratio: 50", "gear_ratio: 0.5",
                 "electric_actuators.drive.gear_ratio: 0.5 is out of range: give 1 to 1000"},
-        Mistake{"travel_rad: 2.6", "travel_rad: 2.2",
-                "joints.hfe.angle_max_rad: 0.8 puts actuator drive at 2.5, outside its stroke: 0 to 2.2"},
-        Mistake{"      stance: {inertia_kg_m2: 0.6,", "      stance: {mass_kg: 0.6,",
-                "loads.kfe.rotary.stance.mass_kg: is not a known parameter here; known are inertia_kg_m2, "
-                "damping_Nms_rad, stiffness_Nm_rad, equilibrium_position_rad"}));
+        Mistake{"    angle_max_rad: 0.8", "    angle_max_rad: 1.2",
+                "joints.hfe.angle_max_rad: 1.2 puts actuator drive at 2.9, outside its stroke: 0 to 2.6"},
+        Mistake{"stance: {inertia_kg_m2: 0.6,", "stance: {inertia_kg_m2: -1,",
+                "loads.kfe.rotary.stance.inertia_kg_m2: -1 is out of range: give 1e-05 to 1000"}));
 
 std::string problem_of(const std::string& text) {
   const auto robot = load_robot_text(text, "leg.yaml");
@@ -121,7 +120,8 @@ TEST(ElectricFileMistakes, IncludeHydraulicActuatorsWithoutASupply) {
   std::string text = text_of("hyq");
   const auto from = text.find("supply:\n");
   text.erase(from, text.find("\n\n", from) - from);
-  EXPECT_EQ(problem_of(text), "leg.yaml:1: supply: is missing: hydraulic actuators need it\n");
+  EXPECT_NE(problem_of(text).find("supply: is missing: hydraulic actuators need it"), std::string::npos)
+      << problem_of(text);
 }
 
 TEST(ElectricFileMistakes, IncludeARobotWithoutActuators) {
@@ -132,12 +132,12 @@ TEST(ElectricFileMistakes, IncludeARobotWithoutActuators) {
 }
 
 TEST(HydraulicFileMistakes, IncludeTheLoadOfAnElectricJoint) {
+  const std::string load = "{inertia_kg_m2: 1, damping_Nms_rad: 1}";
   const std::string text = replaced(text_of("hyq"), "loads:\n",
-                                    "loads:\n  turned:\n    rotary:\n      swing: {inertia_kg_m2: 1, damping_Nms_rad: 1}\n"
-                                    "      stance: {inertia_kg_m2: 1, damping_Nms_rad: 1}\n");
-  EXPECT_EQ(problem_of(replaced(text, "    load: leg", "    load: turned")).find("joints.haa.load: turned is for an "
-                                                                                  "electric joint") == std::string::npos,
-            false);
+                                    "loads:\n  turned: {rotary: {swing: " + load + ", stance: " + load + "}}\n");
+  const std::string told = problem_of(replaced(text, "    load: leg", "    load: turned"));
+  EXPECT_NE(told.find("joints.haa.load: turned is for an electric joint: a hydraulic one takes one with leg_about_haa"),
+            std::string::npos) << told;
 }
 
 }  // namespace
