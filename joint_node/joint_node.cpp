@@ -44,11 +44,16 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
                     {period_s, std::hypot(joint.noise.position, kUniform * joint.sensors.position_step),
                      joint.noise.velocity}),
       predictor_(compensation_.delay_s(), period_s, loop_delay_ticks),
-      flow_law_(joint.actuator, joint.feedback_linearisation, home_position_, period_s),
       pid_(joint.pid, joint.normalisation, period_s),
-      flow_inversion_(joint.actuator, joint.flow_inversion, home_position_, joint.stance_load.equilibrium_position,
-                      period_s, loop_delay_ticks + static_cast<int>(std::lround(compensation_.delay_s() / period_s))),
       good_samples_(safety.recovery_samples) {
+  if (joint.kind == control::Kind::kFeedbackLinearisation) {
+    flow_law_.emplace(joint.actuator, joint.feedback_linearisation, home_position_, period_s);
+  }
+  if (joint.kind == control::Kind::kFlowInversion) {
+    flow_inversion_.emplace(joint.actuator, joint.flow_inversion, home_position_,
+                            joint.stance_load.equilibrium_position, period_s,
+                            loop_delay_ticks + static_cast<int>(std::lround(compensation_.delay_s() / period_s)));
+  }
   faults_.set(Fault::kDisarmed);
   faults_.set(Fault::kNoGains);
 }

@@ -14,6 +14,7 @@
 // What it does when something is missing is the table in docs/architecture.md.
 
 #include <array>
+#include <optional>
 
 #include "control/delay_predictor.hpp"
 #include "control/effect_compensation.hpp"
@@ -122,9 +123,9 @@ class JointNode {
   control::ForceController controller_;
   control::Measurement last_measured_{};  ///< of the controller's last step
   double last_reference_ = 0.0;           ///< of the controller's last step, N or Nm
-  control::FeedbackLinearisation flow_law_;
+  std::optional<control::FeedbackLinearisation> flow_law_;  ///< where the joint is of that kind
   control::Pid pid_;
-  control::FlowInversion flow_inversion_;
+  std::optional<control::FlowInversion> flow_inversion_;    ///< likewise
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::issue, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
   std::array<Refusal, signals::kPhaseCount> refused_{};

@@ -11,7 +11,7 @@ double JointNode::valve_current(const control::ForceReference& reference, const 
   switch (joint_.kind) {
     case control::Kind::kLqr: return valve_current_by_gains(reference.force, measured, probe_A);
     case control::Kind::kFeedbackLinearisation: {
-      const control::FeedbackLinearisation::Output output = flow_law_.step(reference.force, measured);
+      const control::FeedbackLinearisation::Output output = flow_law_->step(reference.force, measured);
       return probed(output.valve_current_A, output.saturated, probe_A);
     }
     case control::Kind::kPid: {
@@ -59,14 +59,14 @@ double JointNode::valve_current_by_physics(const control::ForceReference& refere
                                            const control::Measurement& measured, double probe_A) noexcept {
   const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
   const bool changed = slot.issue != controller_issue_ || phase_ != controller_phase_;
-  if (changed && flow_inversion_.set_physics(slot.physics)) {
+  if (changed && flow_inversion_->set_physics(slot.physics)) {
     controller_issue_ = slot.issue;
     controller_phase_ = phase_;
   }
   if (controller_issue_ == 0) {
     return 0.0;  // physics that cannot be used; those are refused on arrival
   }
-  const control::FlowInversion::Output output = flow_inversion_.step(reference, measured, probe_A);
+  const control::FlowInversion::Output output = flow_inversion_->step(reference, measured, probe_A);
   faults_.set(Fault::kValveSaturated, output.saturated);
   return output.valve_current_A;
 }
@@ -75,9 +75,13 @@ void JointNode::reset_controller() noexcept {
   compensation_.reset();
   predictor_.reset();
   controller_.reset();
-  flow_law_.reset();
   pid_.reset();
-  flow_inversion_.reset();
+  if (flow_law_) {
+    flow_law_->reset();
+  }
+  if (flow_inversion_) {
+    flow_inversion_->reset();
+  }
   controller_issue_ = 0;
   last_measured_ = {};
   last_reference_ = 0.0;

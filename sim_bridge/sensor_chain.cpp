@@ -42,6 +42,9 @@ double SensorChannel::sample(int conversions) noexcept {
 }
 
 SensorEffects::SensorEffects(const robot::Joint& joint, double period_s) noexcept {
+  if (joint.effects.empty()) {
+    return;  // an electric joint has no scales
+  }
   const plant::Scales scales(joint.actuator, joint.swing_load);
   for (const plant::ActiveEffect& effect : joint.effects) {
     const plant::Side side = effect.info().side;

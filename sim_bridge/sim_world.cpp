@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "robot/joint_plant.hpp"
+
 namespace farrier::sim_bridge {
 
 SimWorld::SimWorld(const robot::Robot& robot, std::uint64_t seed)
@@ -11,10 +13,7 @@ Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed,
                                   std::vector<robot::LoadChange> load_changes) {
   SimWorld world(robot, seed);
   for (const robot::Joint& joint : robot.joints) {
-    const double home = joint.linkage.position(joint.home_angle_rad);
-    const plant::State rest = plant::equilibrium(joint.actuator, joint.stance_load, home, 0.0);
-    auto plant = plant::HydraulicJoint::create(joint.actuator, joint.stance_load, rest,
-                                               plant::HydraulicJoint::kDefaultTolerance, joint.effects);
+    auto plant = robot::make_plant(joint, joint.stance_load);
     if (!plant) {
       return Error{joint.name + ": " + plant.error().message};
     }
@@ -30,7 +29,7 @@ Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed,
       return Error{"a load change of joint " + std::to_string(change.joint) + ": " + robot.name + " has " +
                    std::to_string(world.joints_.size()) + " joints"};
     }
-    plant::HydraulicJoint trial = world.joints_[change.joint].plant;
+    plant::Joint trial = world.joints_[change.joint].plant;
     if (!trial.set_load(change.load)) {
       return Error{robot.joints[change.joint].name + ": cannot carry a load of " + std::to_string(change.load.mass) +
                    " from tick " + std::to_string(change.tick) + " on"};
@@ -79,7 +78,7 @@ void SimWorld::apply_loads() noexcept {
     Eigen::Vector3d angles = Eigen::Vector3d::Zero();
     for (const Joint& joint : joints_) {
       if (joint.parameters.leg == number) {
-        angles[joint.parameters.index_in_leg] = joint.parameters.linkage.angle(joint.plant.state().position);
+        angles[joint.parameters.index_in_leg] = joint.parameters.linkage.angle(joint.plant.readings().position);
       }
     }
     const Eigen::Vector3d torques =
@@ -94,8 +93,8 @@ void SimWorld::apply_loads() noexcept {
 }
 
 Measured SimWorld::truth(const Joint& joint) noexcept {
-  const plant::State& state = joint.plant.state();
-  return {state.position, state.velocity, joint.plant.load_cell_force()};
+  const plant::JointReadings read = joint.plant.readings();
+  return {read.position, read.velocity, read.load_cell_force};
 }
 
 signals::JointSensors SimWorld::sample(std::size_t index) const noexcept {
@@ -112,14 +111,16 @@ signals::JointSensors SimWorld::sample(std::size_t index) const noexcept {
 
 void SimWorld::describe(std::size_t index, record::TraceRow& row) const noexcept {
   const Joint& joint = joints_[index];
-  const plant::State& state = joint.plant.state();
+  const plant::JointReadings read = joint.plant.readings();
   row.tick = tick_;
   row.joint = joint.parameters.number;
-  row.position_m_or_rad = state.position;
-  row.velocity_m_s_or_rad_s = state.velocity;
-  row.force_N_or_Nm = joint.plant.load_cell_force();
-  row.pressure_a_Pa = state.pressure_a_Pa;
-  row.pressure_b_Pa = state.pressure_b_Pa;
+  row.position_m_or_rad = read.position;
+  row.velocity_m_s_or_rad_s = read.velocity;
+  row.force_N_or_Nm = read.load_cell_force;
+  if (const plant::HydraulicJoint* hydraulic = joint.plant.hydraulic()) {
+    row.pressure_a_Pa = hydraulic->state().pressure_a_Pa;
+    row.pressure_b_Pa = hydraulic->state().pressure_b_Pa;
+  }
   row.external_force_N_or_Nm = joint.external_force;
   row.load_mass_kg_or_kgm2 = joint.plant.load().mass;
   row.actual_phase = static_cast<std::uint8_t>(joint.load_phase);

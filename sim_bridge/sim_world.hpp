@@ -1,9 +1,9 @@
 #pragma once
 
-// The simulated robot: one hydraulic joint and bench load per joint of the robot file.
+// The simulated robot: one joint, hydraulic or electric, and bench load per joint of the robot file.
 //
-//   valve currents ──▶ HydraulicJoint (2.30a/b) ◀── load of the leg's actual phase or of a load change, weight on it
-//                            │ and its effects
+//   valve currents ──▶ plant::Joint ◀── load of the leg's actual phase or of a load change, weight on it
+//                            │ with its effects
 //                            │ position, velocity, load-cell force
 //                            ▼
 //   sensors ◀── SensorChain: effects of sensors, noise (seeded by joint name, addressed by tick), filters
@@ -14,7 +14,7 @@
 #include "gait/leg_kinematics.hpp"
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
-#include "plant/hydraulic_joint.hpp"
+#include "plant/joint.hpp"
 #include "record/trace.hpp"
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
@@ -50,7 +50,7 @@ class SimWorld {
  private:
   struct Joint {
     robot::Joint parameters;
-    plant::HydraulicJoint plant;
+    plant::Joint plant;
     SensorChain sensors;
     gait::Phase load_phase;
     double external_force;

@@ -55,12 +55,8 @@ bool is_trace(const std::string& path) {
   return has(header, kNames[kTick]) && has(header, kJoint) && has(header, kNames[kPosition]);
 }
 
-Coordinates coordinates_of(const robot::Robot& robot, const robot::Joint& joint) {
-  const robot::Leg& leg = robot.file.legs[static_cast<std::size_t>(joint.leg)].second;
-  const std::string& from = leg.joints[static_cast<std::size_t>(joint.index_in_leg)].second;
-  const robot::Actuator& actuator =
-      *config::find(robot.file.actuators, config::find(robot.file.joints, from)->actuator);
-  return actuator.rotary_motor ? Coordinates::kRotary : Coordinates::kLinear;
+Coordinates coordinates_of(const robot::Joint& joint) {
+  return joint.rotary ? Coordinates::kRotary : Coordinates::kLinear;
 }
 
 Result<Recording, RecordingProblems> recording_of_trace(const std::string& path, const robot::Robot& robot,
@@ -84,7 +80,7 @@ Result<Recording, RecordingProblems> recording_of_trace(const std::string& path,
   }
   Recording recording;
   recording.source = std::filesystem::path(path).filename().string();
-  recording.coordinates = coordinates_of(robot, joint);
+  recording.coordinates = coordinates_of(joint);
   recording.period_s = robot.period_s;
   recording.time_s = std::move(csv.columns[kTick]);
   recording.valve_current_A = std::move(csv.columns[kCurrent]);

@@ -11,7 +11,7 @@ namespace farrier::diagnosis {
 bool is_trace(const std::string& path);
 
 /// What moves a joint of this robot, as its file says.
-Coordinates coordinates_of(const robot::Robot& robot, const robot::Joint& joint);
+Coordinates coordinates_of(const robot::Joint& joint);
 
 /// One joint's rows of the trace of a run on `robot`, whose period it takes: true values without noise, the valve
 /// current that acts from each tick on, swing where the simulated leg is in swing. Times are ticks times the period.

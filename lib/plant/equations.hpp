@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "plant/actuator.hpp"
+#include "plant/end_stop.hpp"
 
 namespace farrier::plant {
 
@@ -107,11 +108,9 @@ inline HeldInput JointEquations::hold(double valve_current_A, double external_fo
 }
 
 inline double JointEquations::stop_push(double depth, double approach_speed) const noexcept {
-  // F = s(depth) (k depth + d depth'), s a smooth step over the first thousandth of the stroke: no kink at contact.
-  const double ramp = depth * inverse_stop_ramp_;
-  const double engaged = ramp < 1.0 ? ramp * ramp * (3.0 - 2.0 * ramp) : 1.0;
-  const double push = engaged * (actuator_.stop_stiffness * depth + actuator_.stop_damping * approach_speed);
-  return push > 0.0 ? push : 0.0;
+  // engaged over the first thousandth of the stroke
+  return plant::stop_push(depth, approach_speed, depth * inverse_stop_ramp_, actuator_.stop_stiffness,
+                          actuator_.stop_damping);
 }
 
 inline double JointEquations::stop_force(const IntegrationState& s) const noexcept {

@@ -6,18 +6,12 @@
 #include <string>
 
 #include "plant/fastest_rate.hpp"
-#include "plant/runge_kutta.hpp"
-#include "plant/substep_control.hpp"
 
 namespace farrier::plant {
 namespace {
 
 /// Error estimates of substeps that stride over a bend count this much more: measured, see plant_integrator_test.
 constexpr double kUnseenBendFactor = 30.0;
-/// Keeps a remainder of exactly n substeps at n shares.
-constexpr double kJustBelowOne = 1.0 - 1e-9;
-/// Real stability interval of RK5(4)7M is 3.3; substeps at the bound must lie inside it.
-constexpr double kStabilityInterval = 3.3;
 
 bool slow_enough(double fastest_rate) noexcept {
   return fastest_rate * HydraulicJoint::kShortestSubstep_s <= kStabilityInterval;
@@ -26,16 +20,6 @@ bool slow_enough(double fastest_rate) noexcept {
 DelayLine delay_of(std::span<const ActiveEffect> effects) {
   const ActiveEffect* delay = find(effects, effect_id<InputDelay>());
   return DelayLine(delay != nullptr ? *parameter_value(*delay, "delay_s") : 0.0);
-}
-
-bool finite(const IntegrationState& s) noexcept {
-  return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.compression_a_Pa) &&
-         std::isfinite(s.compression_b_Pa);
-}
-
-bool finite(const EffectState& s) noexcept {
-  return finite(static_cast<const IntegrationState&>(s)) &&
-         std::ranges::all_of(s.x, [](double value) { return std::isfinite(value); });
 }
 
 }  // namespace
@@ -192,32 +176,15 @@ template <class Equations, class EquationState>
 double HydraulicJoint::integrate(const Equations& equations, const typename Equations::Input& input,
                                  EquationState& state, EquationState& derivative, double period_s,
                                  StepReport& report) noexcept {
-  double left_s = period_s;
-  double relative_error = 0.0;
-  while (left_s > 0.0) {
-    const int shares = 1 + static_cast<int>(kJustBelowOne * left_s / substep_s_);
-    const double h = left_s / shares;
-    const bool shortest = substep_s_ <= kShortestSubstep_s;
-    const TrialStep<EquationState> trial = dormand_prince_step(equations, input, state, derivative, h);
-    const double ratio = error_ratio(trial.error) * (meets_bend(trial, h) ? kUnseenBendFactor : 1.0);
-    const bool within = ratio <= 1.0;
-    substep_s_ = std::clamp(h * substep_factor(ratio), kShortestSubstep_s, std::max(period_s, kShortestSubstep_s));
-    if (!within && !shortest) {
-      ++report.rejected;
-      continue;
-    }
-    left_s = shares == 1 ? 0.0 : left_s - h;
-    ++report.substeps;
-    report.bound_hit |= !within;
-    if (within || finite(trial.state)) {
-      state = trial.state;
-      derivative = trial.end_derivative;
-      relative_error += ratio;
-    }
-    report.cavitated |= state.compression_a_Pa < 0.0 || state.compression_b_Pa < 0.0;
-    report.at_stop |= state.position < 0.0 || state.position > actuator().stroke;
-  }
-  return relative_error;
+  return advance_adaptively(
+      equations, input, state, derivative, period_s, substep_s_, report,
+      [this](const TrialStep<EquationState>& trial, double h) noexcept {
+        return error_ratio(trial.error) * (meets_bend(trial, h) ? kUnseenBendFactor : 1.0);
+      },
+      [&]() noexcept {
+        report.cavitated |= state.compression_a_Pa < 0.0 || state.compression_b_Pa < 0.0;
+        report.at_stop |= state.position < 0.0 || state.position > actuator().stroke;
+      });
 }
 
 double HydraulicJoint::advance(double period_s, StepReport& report) noexcept {

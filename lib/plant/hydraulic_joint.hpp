@@ -5,14 +5,13 @@
 
 #include "core/result.hpp"
 #include "plant/actuator.hpp"
+#include "plant/adaptive_steps.hpp"
 #include "plant/effects/delay_line.hpp"
 #include "plant/effects/equations_with_effects.hpp"
 #include "plant/equations.hpp"
+#include "plant/step_report.hpp"
 
 namespace farrier::plant {
-
-template <class State>
-struct TrialStep;
 
 /// What the effects of a joint hold now; without them as (2.30) has it.
 struct EffectReadings {
@@ -25,24 +24,6 @@ struct EffectReadings {
   double piston_force = 0.0;         ///< of effects left of the load cell, on the piston; N or Nm
 };
 
-/// What one step did. The error is that of the whole state: local errors of the fourth-order solution (the fifth is
-/// kept), relative to stroke, velocity_scale() and supply pressure, added over states and substeps, and given in each
-/// unit. States are coupled, so that one whose own estimate vanishes by chance still errs by its neighbours'. Substeps
-/// striding over a void's start or a port's laminar range count 30 times. Measured on HyQ cylinders against a 2 us
-/// reference: the true error of a step is typically a twentieth of this, below it in over 99.5 % of steps, and at
-/// most 6 times it (a substep that grazes a void between its stages).
-struct StepReport {
-  double error_position = 0.0;     ///< m or rad
-  double error_velocity = 0.0;     ///< m/s or rad/s
-  double error_pressure_Pa = 0.0;  ///< either chamber
-  int substeps = 0;                ///< accepted ones; at most 2 period / kShortestSubstep_s
-  int rejected = 0;                ///< substeps tried and repeated smaller
-  bool bound_hit = false;          ///< a substep was taken above tolerance, being the shortest allowed
-  bool cavitated = false;          ///< a chamber held a void
-  bool at_stop = false;            ///< the piston pressed on an end stop
-  bool input_refused = false;      ///< an input was not finite or out of range and its substitute acted
-};
-
 /// Nonlinear hydraulic joint: four-way valve, actuator, load (Hubacher 2014, (2.30a), (2.30b)) and the effects of
 /// plant/effects that its parameters ask for or that it is created with, advanced one control period at a time.
 /// Invariants: shut valve conserves fluid, damping and stops only dissipate, pressures are never negative, every value
@@ -51,8 +32,7 @@ class HydraulicJoint {
  public:
   /// Local error a substep may make: sum over the states, relative to stroke, velocity_scale(), supply pressure.
   static constexpr double kDefaultTolerance = 1e-6;
-  /// Substeps are never asked to be shorter than this.
-  static constexpr double kShortestSubstep_s = 1e-5;
+  static constexpr double kShortestSubstep_s = plant::kShortestSubstep_s;
   /// Periods up to this are stepped.
   static constexpr double kLongestPeriod_s = 0.1;
 

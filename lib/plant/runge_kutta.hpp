@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "plant/effects/equations_with_effects.hpp"
 #include "plant/equations.hpp"
 
@@ -21,6 +24,15 @@ EffectState assemble(const EffectState*, Sum sum) noexcept {
     state.x[i] = sum([i](const EffectState& k) noexcept { return k.x[i]; });
   }
   return state;
+}
+
+inline bool finite(const IntegrationState& s) noexcept {
+  return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.compression_a_Pa) &&
+         std::isfinite(s.compression_b_Pa);
+}
+inline bool finite(const EffectState& s) noexcept {
+  return finite(static_cast<const IntegrationState&>(s)) &&
+         std::ranges::all_of(s.x, [](double value) { return std::isfinite(value); });
 }
 
 template <class State>

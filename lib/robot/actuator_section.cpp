@@ -110,12 +110,14 @@ void declare(Visitor& v, LegLoad& l) {
 
 void declare(Visitor& v, Load& l) {
   v.here(l.place);
-  v.group("swing", l.swing, "With the leg in the air; with stance, or else leg_about_haa.");
+  v.group("swing", l.swing, "With the leg in the air; with stance, or else leg_about_haa or rotary.");
   v.group("stance", l.stance, "With the foot on the ground.");
   v.group("leg_about_haa", l.leg_about_haa,
           "The leg's own inertia about its HAA axis at home, in swing and stance; for a rotary motor.");
-  v.check(l.swing.has_value() == l.stance.has_value() && l.swing.has_value() != l.leg_about_haa.has_value(), "",
-          "give either swing and stance, or leg_about_haa");
+  v.group("rotary", l.rotary, "Swing and stance of an electric joint.");
+  const int kinds = (l.swing ? 1 : 0) + (l.leg_about_haa ? 1 : 0) + (l.rotary ? 1 : 0);
+  v.check(l.swing.has_value() == l.stance.has_value() && kinds == 1, "",
+          "give either swing and stance, or leg_about_haa, or rotary");
 }
 
 void declare(Visitor& v, PidSection& p) {

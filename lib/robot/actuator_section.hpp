@@ -11,6 +11,7 @@
 #include "control/flow_inversion.hpp"
 #include "control/pid.hpp"
 #include "robot/effects_section.hpp"
+#include "robot/electric_section.hpp"
 
 namespace farrier::robot {
 
@@ -115,6 +116,7 @@ struct Load {
   std::optional<CylinderLoad> swing;
   std::optional<CylinderLoad> stance;
   std::optional<LegLoad> leg_about_haa;
+  std::optional<RotaryLoads> rotary;
   config::Place place;
 };
 

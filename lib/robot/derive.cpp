@@ -35,6 +35,35 @@ plant::FrictionParams dry_friction(const CylinderLoad& load, double lever) {
   return {dry.coulomb_N * lever, dry.static_N * lever, dry.stribeck_velocity_m_s / lever, dry.presliding_m / lever};
 }
 
+plant::ElectricParams electric_params(const ElectricActuator& a) {
+  return {.torque_constant_Nm_A = a.torque_constant_Nm_A,
+          .winding_resistance_Ohm = a.winding_resistance_Ohm,
+          .winding_inductance_H = a.winding_inductance_H,
+          .supply_voltage_V = a.supply_voltage_V,
+          .rotor_inertia_kg_m2 = a.rotor_inertia_kg_m2,
+          .gear_ratio = a.gear_ratio,
+          .damping = a.damping_Nms_rad,
+          .coulomb = a.coulomb_Nm,
+          .slip_velocity = a.slip_velocity_rad_s,
+          .spring_stiffness = a.spring_stiffness_Nm_rad,
+          .spring_damping = a.spring_damping_Nms_rad,
+          .travel = a.travel_rad,
+          .stop_stiffness = a.stops.stiffness_Nm_rad,
+          .stop_damping = a.stops.damping_Nms_rad};
+}
+
+/// What code that serves both kinds of joint reads of a hydraulic one: travel and largest current. The rest is 0.
+plant::ActuatorParams limits_of_electric(const plant::ElectricParams& electric) {
+  plant::ActuatorParams limits;
+  limits.stroke = electric.travel;
+  limits.valve_current_max_A = plant::current_max_A(electric);
+  return limits;
+}
+
+plant::LoadParams rotary_load(const RotaryLoad& load) {
+  return {load.inertia_kg_m2, load.damping_Nms_rad, load.stiffness_Nm_rad, load.equilibrium_position_rad, {}};
+}
+
 }  // namespace
 
 Result<plant::Linkage> make_linkage(const LinkageSection& section, bool mirrored) {
@@ -121,6 +150,19 @@ control::Normalisation cylinder_normalisation(const Cylinder& cylinder, const pl
 control::Normalisation motor_normalisation(const Cylinder& like, const plant::ActuatorParams& params, double lever_m) {
   return {0.5 * params.stroke, like.velocity_norm_m_s / lever_m, like.force_norm_N * lever_m,
           params.valve_current_max_A};
+}
+
+void drive_electrically(Joint& joint, const ElectricActuator& actuator, const RotaryLoads& loads) {
+  const plant::ElectricParams params = electric_params(actuator);
+  joint.rotary = true;
+  joint.electric = params;
+  joint.actuator = limits_of_electric(params);
+  joint.swing_load = rotary_load(loads.swing);
+  joint.stance_load = rotary_load(loads.stance);
+  joint.noise = {actuator.noise.position_rad, actuator.noise.velocity_rad_s, actuator.noise.torque_Nm};
+  joint.normalisation = {0.5 * params.travel, actuator.velocity_norm_rad_s, actuator.torque_norm_Nm,
+                         plant::current_max_A(params)};
+  joint.push_limit = joint.pull_limit = std::min(actuator.rated_torque_Nm, plant::stall_torque(params));
 }
 
 }  // namespace farrier::robot

@@ -50,4 +50,8 @@ control::Normalisation cylinder_normalisation(const Cylinder& cylinder, const pl
 /// weights asks the same of a hip and a knee: equal power, equal stiffness of the loop at the leg.
 control::Normalisation motor_normalisation(const Cylinder& like, const plant::ActuatorParams& params, double lever_m);
 
+/// All that an electric actuator and its loads say of a joint. T = W of (3.52): half the travel, velocity and torque by
+/// the file; V of (3.53) is the largest current its drive can be asked for. Torques up to the rated or stall torque.
+void drive_electrically(Joint& joint, const ElectricActuator& actuator, const RotaryLoads& loads);
+
 }  // namespace farrier::robot

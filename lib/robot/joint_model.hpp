@@ -6,7 +6,7 @@
 namespace farrier::robot {
 
 /// Sampled model of a joint under a bench load at its home pose, the valve just opening to extend, which is the sign
-/// the thesis designs for and the one with the higher valve gain.
+/// the thesis designs for and the one with the higher valve gain. An electric joint has one model for all poses.
 control::DiscreteModel model_of(const Joint& joint, const plant::LoadParams& load, double period_s);
 
 }  // namespace farrier::robot

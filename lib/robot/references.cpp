@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/suggest.hpp"
+#include "robot/electric_check.hpp"
 
 namespace farrier::robot {
 namespace {
@@ -33,6 +34,9 @@ class ReferenceCheck {
     }
     if (joints_.size() > kMostJoints) {
       problems_.push_back(file_.place.problem("legs", "have more than 64 joints together"));
+    }
+    for (config::Problem& misfit : check_electric(file_)) {
+      problems_.push_back(std::move(misfit));
     }
     return std::move(problems_);
   }
@@ -66,7 +70,8 @@ class ReferenceCheck {
     for (const std::string& name : motor.lever_joints) {
       const JointTemplate* joint = resolve(file_.joints, "joints", name, motor.place, "lever_joints");
       const Actuator* drive = joint != nullptr ? config::find(file_.actuators, joint->actuator) : nullptr;
-      if (drive != nullptr && !drive->cylinder) {
+      const bool electric = joint != nullptr && electric_actuator_of(file_, *joint) != nullptr;
+      if (electric || (drive != nullptr && !drive->cylinder)) {
         problems_.push_back(motor.place.problem("lever_joints", name + " has no cylinder"));
       }
     }
@@ -87,7 +92,9 @@ class ReferenceCheck {
   }
 
   void check_joint(const JointTemplate& joint) {
-    const Actuator* actuator = resolve(file_.actuators, "actuators", joint.actuator, joint.place, "actuator");
+    const bool electric = electric_actuator_of(file_, joint) != nullptr;
+    const Actuator* actuator =
+        electric ? nullptr : resolve(file_.actuators, "actuators", joint.actuator, joint.place, "actuator");
     const LinkageSection* linkage = resolve(file_.linkages, "linkages", joint.linkage, joint.place, "linkage");
     const Load* load = resolve(file_.loads, "loads", joint.load, joint.place, "load");
     resolve(file_.controllers, "controllers", joint.controller, joint.place, "controller");
@@ -96,7 +103,11 @@ class ReferenceCheck {
       return;
     }
     const bool rotary = actuator->rotary_motor.has_value();
-    if (load != nullptr && load->leg_about_haa.has_value() != rotary) {
+    if (load != nullptr && load->rotary) {
+      problems_.push_back(joint.place.problem(
+          "load", joint.load + " is for an electric joint: a hydraulic one takes one with " +
+                      (rotary ? "leg_about_haa" : "swing and stance")));
+    } else if (load != nullptr && load->leg_about_haa.has_value() != rotary) {
       problems_.push_back(joint.place.problem(
           "load", joint.load + (rotary ? " is for a cylinder: a rotary motor takes one with leg_about_haa"
                                        : " is for a rotary motor: a cylinder takes one with swing and stance")));

@@ -45,6 +45,11 @@ const Joint* Robot::find(std::string_view joint_name) const noexcept {
   return found == joints.end() ? nullptr : &*found;
 }
 
+const Joint* Robot::first_electric() const noexcept {
+  const auto found = std::ranges::find_if(joints, [](const Joint& joint) { return joint.electric.has_value(); });
+  return found == joints.end() ? nullptr : &*found;
+}
+
 Result<Robot, config::Problems> load_robot(const std::string& path, const Overrides& overrides) {
   return build(config::read_file<RobotFile>(path, settings_of(overrides)), overrides);
 }

@@ -17,6 +17,7 @@
 #include "core/time.hpp"
 #include "gait/gait_params.hpp"
 #include "plant/actuator.hpp"
+#include "plant/electric_actuator.hpp"
 #include "plant/linkage.hpp"
 #include "plant/terms/active_effect.hpp"
 #include "robot/robot_file.hpp"
@@ -45,7 +46,9 @@ struct Joint {
   int leg;                           ///< its place in Robot::plan.legs
   int index_in_leg;
   bool rotary;                       ///< a motor: rad and Nm
+  /// Of an electric joint only `stroke` and `valve_current_max_A`, which is what its drive can be asked for.
   plant::ActuatorParams actuator;
+  std::optional<plant::ElectricParams> electric;  ///< of an electric joint
   plant::Linkage linkage;
   plant::LoadParams swing_load, stance_load;  ///< actuator coordinates
   double angle_min_rad, angle_max_rad, home_angle_rad;  ///< of this leg, mirrored where the leg is
@@ -82,6 +85,9 @@ struct Robot {
 
   /// The joint of that name, null for none.
   const Joint* find(std::string_view joint_name) const noexcept;
+
+  /// The first electric joint, null for none.
+  const Joint* first_electric() const noexcept;
 
   /// Whether every joint's estimate is published at this tick: what the supervisor waits for in lock-step.
   bool estimate_due(Tick tick) const noexcept { return tick % estimate_period_ticks == 0; }

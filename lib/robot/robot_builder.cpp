@@ -8,6 +8,7 @@
 #include "robot/adaptation_check.hpp"
 #include "robot/cross_check.hpp"
 #include "robot/derive.hpp"
+#include "robot/electric_check.hpp"
 #include "robot/joint_effects.hpp"
 #include "robot/leg_inertia.hpp"
 #include "robot/references.hpp"
@@ -88,9 +89,8 @@ class Builder {
 
   void check_limit(const JointTemplate& joint, const char* key, double angle_rad) {
     constexpr double kRounding = 1e-9;  // of the stroke: a limit may lie exactly on an end
-    const Actuator& actuator = actuator_of(joint);
     const LinkageSection& section = *config::find(file_.linkages, joint.linkage);
-    const double stroke = actuator.cylinder ? actuator.cylinder->stroke_m : actuator.rotary_motor->travel_rad;
+    const double stroke = stroke_of(file_, joint);
     if (section.triangle) {
       const double enclosed =
           section.triangle->angle_at_zero_rad + (section.triangle->opens_with_angle ? angle_rad : -angle_rad);
@@ -172,8 +172,6 @@ class Builder {
   }
 
   Joint make_joint(const std::string& name, const JointTemplate& from, const Leg& leg) const {
-    const Actuator& actuator = actuator_of(from);
-    const Valve& valve = *config::find(file_.valves, actuator.valve);
     const Load& load = *config::find(file_.loads, from.load);
     const Controller& controller = *config::find(file_.controllers, from.controller);
     const Instance here = instance(from, leg);
@@ -181,8 +179,9 @@ class Builder {
                 .number = 0,
                 .leg = 0,
                 .index_in_leg = 0,
-                .rotary = actuator.rotary_motor.has_value(),
+                .rotary = false,
                 .actuator = {},
+                .electric = {},
                 .linkage = here.linkage,
                 .swing_load = {},
                 .stance_load = {},
@@ -206,9 +205,20 @@ class Builder {
                 .dither_percent = from.dither_percent,
                 .dither_hold_ticks = from.dither_hold_ticks,
                 .effects = {}};
+    if (const ElectricActuator* electric = electric_actuator_of(file_, from)) {
+      drive_electrically(joint, *electric, *load.rotary);
+    } else {
+      drive_hydraulically(joint, actuator_of(from), load, leg);
+    }
+    return joint;
+  }
+
+  void drive_hydraulically(Joint& joint, const Actuator& actuator, const Load& load, const Leg& leg) const {
+    const Valve& valve = *config::find(file_.valves, actuator.valve);
     double rated = 0.0;
+    joint.rotary = actuator.rotary_motor.has_value();
     if (actuator.cylinder) {
-      joint.actuator = cylinder_params(file_.supply, valve, actuator);
+      joint.actuator = cylinder_params(*file_.supply, valve, actuator);
       joint.swing_load = cylinder_load(*load.swing);
       joint.stance_load = cylinder_load(*load.stance);
       joint.noise = cylinder_noise(actuator.cylinder->noise);
@@ -220,7 +230,7 @@ class Builder {
       const Cylinder& like = *config::find(file_.actuators, motor.like_cylinder)->cylinder;
       const CylinderLoad& damping = *config::find(file_.loads, load.leg_about_haa->damping_like)->swing;
       const double lever_m = motor_lever_m(motor);
-      joint.actuator = motor_params(file_.supply, valve, actuator, like, lever_m);
+      joint.actuator = motor_params(*file_.supply, valve, actuator, like, lever_m);
       joint.swing_load = leg_load(leg_inertia_kg_m2(leg), damping, lever_m);
       joint.stance_load = joint.swing_load;
       joint.noise = motor_noise(like.noise, lever_m);
@@ -231,7 +241,6 @@ class Builder {
     const ForceLimits limits = force_limits(joint.actuator, rated);
     joint.push_limit = limits.push;
     joint.pull_limit = limits.pull;
-    return joint;
   }
 
   // The height at which the legs stand at home.
@@ -256,7 +265,11 @@ class Builder {
         continue;
       }
       const JointTemplate& from = *config::find(file_.joints, kind);
-      require(plant::validate(joint.actuator), actuator_of(from).place);
+      if (const ElectricActuator* electric = electric_actuator_of(file_, from)) {
+        require(plant::validate(*joint.electric), electric->place);
+      } else {
+        require(plant::validate(joint.actuator), actuator_of(from).place);
+      }
       require(plant::validate(joint.swing_load), config::find(file_.loads, from.load)->place);
       require(plant::validate(joint.stance_load), config::find(file_.loads, from.load)->place);
     }

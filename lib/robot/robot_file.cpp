@@ -108,10 +108,13 @@ void declare(Visitor& v, RobotFile& f) {
           "Ticks from a sensor sample to the first valve command that knows it; designs are made for it.");
   v.integer("estimate_period_ticks", f.estimate_period_ticks, {1, 1000}, Default{10},
             "Ticks between two estimates of a joint.");
-  v.group("supply", f.supply, "Oil and its pressure.");
+  v.group("supply", f.supply, "Oil and its pressure; absent where no actuator is hydraulic.");
   v.group("body", f.body, "Rigid body; absent for a rig, which then weighs nothing.");
-  v.groups("valves", f.valves, kLongestName, "Servo valves.");
-  v.groups("actuators", f.actuators, kLongestName, "Cylinders and motors.");
+  v.groups("valves", f.valves, kLongestName, Defaults{}, "Servo valves, of hydraulic actuators.");
+  v.groups("actuators", f.actuators, kLongestName, Defaults{}, "Hydraulic actuators: cylinders and motors.");
+  v.groups("electric_actuators", f.electric_actuators, kLongestName, Defaults{}, "Electric actuators.");
+  v.check(!f.actuators.empty() || !f.electric_actuators.empty(), "",
+          "has no actuator: give actuators, electric_actuators or both");
   v.groups("linkages", f.linkages, kLongestName, "Geometry between joint angle and actuator position.");
   v.groups("loads", f.loads, kLongestName, "What an actuator moves.");
   v.groups("controllers", f.controllers, kLongestName, "Weights of the force loop.");

@@ -79,10 +79,11 @@ struct RobotFile {
   double period_s = 0.001;
   LoopDelay loop_delay_ticks;
   int estimate_period_ticks = 10;
-  Supply supply;
+  std::optional<Supply> supply;
   std::optional<Body> body;
   config::Named<Valve> valves;
-  config::Named<Actuator> actuators;
+  config::Named<Actuator> actuators;                   ///< hydraulic
+  config::Named<ElectricActuator> electric_actuators;  ///< none has the name of another actuator
   config::Named<LinkageSection> linkages;
   config::Named<Load> loads;
   config::Named<Controller> controllers;

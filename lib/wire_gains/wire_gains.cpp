@@ -31,7 +31,7 @@ signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase pha
 
 signals::JointControllerGains with_physics(signals::JointControllerGains gains,
                                            const plant::JointPhysics& physics) noexcept {
-  gains.has_physics = 1;
+  gains.has_physics = plant::first_unphysical(physics) == nullptr ? 1 : 0;
   gains.physics = plant::values_of(physics);
   return gains;
 }

@@ -12,7 +12,7 @@ namespace farrier::wire_gains {
 signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase phase, std::uint32_t authority,
                                          std::uint32_t generation, const control::Gains& gains) noexcept;
 
-/// The same gains with physics to invert the flow law by.
+/// The same gains with physics to invert the flow law by; an electric joint has none, and its gains go without.
 signals::JointControllerGains with_physics(signals::JointControllerGains gains,
                                            const plant::JointPhysics& physics) noexcept;
 

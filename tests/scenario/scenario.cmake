@@ -17,3 +17,7 @@ target_compile_definitions(scenario_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURC
 farrier_test(tracking_gain_test scenario ${CMAKE_CURRENT_LIST_DIR}/tracking_gain_test.cpp)
 target_link_libraries(tracking_gain_test PRIVATE farrier_tracking_gain)
 target_compile_definitions(tracking_gain_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
+
+farrier_test(robots_test scenario ${CMAKE_CURRENT_LIST_DIR}/robots_test.cpp)
+target_link_libraries(robots_test PRIVATE farrier_lab farrier_report)
+target_compile_definitions(robots_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

@@ -20,6 +20,7 @@ target_compile_definitions(diagnose_scaled_test PRIVATE FARRIER_SOURCE_DIR="${PR
 farrier_system_test(process_end_test system 0 ${CMAKE_CURRENT_LIST_DIR}/process_end_test.cpp)
 farrier_system_test(surroundings_test system 0 ${CMAKE_CURRENT_LIST_DIR}/surroundings_test.cpp)
 farrier_system_test(traffic_test system 0 ${CMAKE_CURRENT_LIST_DIR}/traffic_test.cpp)
+farrier_system_test(robots_system_test system 0 ${CMAKE_CURRENT_LIST_DIR}/robots_system_test.cpp)
 farrier_system_test(network_test system 0 ${CMAKE_CURRENT_LIST_DIR}/network_test.cpp)
 farrier_system_test(long_pause_test long 0 ${CMAKE_CURRENT_LIST_DIR}/long_pause_test.cpp)
 farrier_system_test(diagnose_benchmark_test long 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_benchmark_test.cpp)

@@ -68,10 +68,10 @@ TEST_F(TraceRecording, HoldsTheRowsOfItsJoint) {
 
 TEST_F(TraceRecording, KnowsWhatMovesEveryJoint) {
   for (const robot::Joint& joint : robot_.joints) {
-    EXPECT_EQ(coordinates_of(robot_, joint) == Coordinates::kRotary, joint.name.ends_with("_haa")) << joint.name;
+    EXPECT_EQ(coordinates_of(joint) == Coordinates::kRotary, joint.name.ends_with("_haa")) << joint.name;
   }
   const robot::Robot rig = robot::load_shipped("fc1d");
-  EXPECT_EQ(coordinates_of(rig, rig.joints[0]), Coordinates::kLinear);
+  EXPECT_EQ(coordinates_of(rig.joints[0]), Coordinates::kLinear);
   write();
   EXPECT_EQ(read_joint("lf_haa").value().coordinates, Coordinates::kRotary);
 }

@@ -13,3 +13,7 @@ farrier_test(plant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/plant_terms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(plant_test PRIVATE farrier_plant)
+
+farrier_test(electric_joint_test unit ${CMAKE_CURRENT_LIST_DIR}/plant_electric_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
+target_link_libraries(electric_joint_test PRIVATE farrier_plant)

@@ -9,6 +9,7 @@ farrier_test(robot_test unit
   ${CMAKE_CURRENT_LIST_DIR}/robot_estimator_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot_effects_by_joint_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot_effects_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/robot_electric_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot_fuzz_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot_hyq_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot_mistakes_test.cpp

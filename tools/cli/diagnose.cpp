@@ -165,6 +165,10 @@ int diagnose(const DiagnoseOptions& o) {
   if (!joint) {
     return refuse(joint.error().message, kBadInput);
   }
+  if (joint.value()->electric) {
+    return refuse("--model: " + joint.value()->name + " of " + robot.name + " is electric, and only what hydraulic "
+                  "joints have is looked for: name a hydraulic one", kBadInput);
+  }
   std::optional<OutputDirectory> directory;
   if (!o.out.empty()) {
     auto claimed = OutputDirectory::claim(o.out);

@@ -50,6 +50,36 @@ std::string undesignable(const robot::Robot& robot) {
   return lines;
 }
 
+const char* name_of(Experiment experiment) noexcept {
+  switch (experiment) {
+    case Experiment::kNone: return "none";
+    case Experiment::kLoadCycle: return "fig7.8";
+    case Experiment::kSwitching: return "switching";
+    case Experiment::kUpdateLogic: return "update-logic";
+    case Experiment::kControllers: return "controllers";
+  }
+  return "unknown";
+}
+
+/// What of the options an electric joint has no part in; empty when there is none or the robot has no such joint.
+std::string hydraulic_only(const robot::Robot& robot, const TrotOptions& o) {
+  const robot::Joint* const electric = robot.first_electric();
+  if (electric == nullptr) {
+    return "";
+  }
+  const std::string why = ", and " + electric->name + " is electric: leave it out";
+  if (o.vary) {
+    return "--vary draws supplies and valves of hydraulic joints" + why;
+  }
+  if (o.hide) {
+    return "--hide gives a hydraulic joint an effect" + why;
+  }
+  if (o.experiment != Experiment::kNone) {
+    return std::string("--experiment ") + name_of(o.experiment) + " is for hydraulic joints" + why;
+  }
+  return "";
+}
+
 /// The runs beside that the options ask for.
 Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
   if (o.dither_cost) {
@@ -81,6 +111,10 @@ int trot(TrotOptions o) {
   if (o.print_config) {
     std::fputs(robot::print_config(robot).c_str(), stdout);
     return kPassed;
+  }
+  if (const std::string misused = hydraulic_only(robot, o); !misused.empty()) {
+    std::fprintf(stderr, "farrier trot: %s\n", misused.c_str());
+    return kBadInput;
   }
   if (o.seeds != 0 && !o.vary && !o.hide && o.experiment != Experiment::kControllers) {
     std::fputs("farrier trot: --seeds is for --vary, --hide and --experiment controllers: give one of them, or leave "

@@ -94,7 +94,11 @@ bool turns(const robot::Robot& robot, const robot::Joint& joint) {
 }  // namespace
 
 Rating rating_of(const robot::Robot& robot, const robot::Joint& joint) {
-  const robot::Actuator& actuator = *config::find(robot.file.actuators, template_of(robot, joint).actuator);
+  const robot::JointTemplate& from = template_of(robot, joint);
+  if (const auto* electric = config::find(robot.file.electric_actuators, from.actuator)) {
+    return {electric->rated_torque_Nm, true};
+  }
+  const robot::Actuator& actuator = *config::find(robot.file.actuators, from.actuator);
   return actuator.cylinder ? Rating{actuator.cylinder->rated_force_N, false}
                            : Rating{actuator.rotary_motor->rated_torque_Nm, true};
 }

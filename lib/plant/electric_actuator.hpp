@@ -1,0 +1,162 @@
+#pragma once
+
+#include <cmath>
+
+#include "core/result.hpp"
+#include "plant/actuator.hpp"
+#include "plant/end_stop.hpp"
+#include "plant/state_space.hpp"
+
+namespace farrier::plant {
+
+// An electric joint: brushless motor, gear, and a spring between gear and load in which the torque sensor sits. Model
+// of Spong (1987), (4) and (5), with the winding in front: a rotor and a load joined by a spring; the spring as what
+// makes a geared motor a torque source: Pratt and Williamson (1995).
+//
+//   L i'      = R (u - i) - K N w                       winding, driven by a voltage V = R u
+//   J N^2 w'  = N K i - d_r w - T_c phi(w) - T          rotor and gear, seen at the gear's output
+//   delta'    = w - v,   T = k delta + b (w - v)        spring: the torque sensor reads T
+//   m_l v'    = T - d_l v - C (x - x_eq) + T_ext + T_stop
+//
+// The command u is the current that the drive's voltage would drive through a winding at rest, so that the joint's
+// current limit is V_max / R. The drive has no current loop: the back-EMF K N w makes the rotor follow its command in
+// speed, as the valve's flow does with a piston, and (x, v, T) hold the joint as (x, v, F_s) hold a hydraulic one
+// (docs/decisions/0045-electric-joint.md).
+
+/// Values at the rotor where the name says rotor, else seen at the gear's output. All finite; docs/notation.md.
+struct ElectricParams {
+  double torque_constant_Nm_A = 0.0;    ///< K of the rotor, also V s/rad; > 0
+  double winding_resistance_Ohm = 0.0;  ///< R, > 0
+  double winding_inductance_H = 0.0;    ///< L, > 0
+  double supply_voltage_V = 0.0;        ///< V_max: commands are limited to V_max / R; > 0
+  double rotor_inertia_kg_m2 = 0.0;     ///< J, > 0
+  double gear_ratio = 0.0;              ///< N, rotor turns per turn of the output; > 0
+  double damping = 0.0;                 ///< d_r of rotor and gear, Nms/rad; >= 0
+  double coulomb = 0.0;                 ///< T_c of rotor and gear, Nm; >= 0
+  double slip_velocity = 0.0;           ///< w_s at which that has 0.7 of its size, rad/s; > 0
+  double spring_stiffness = 0.0;        ///< k, Nm/rad; > 0 and 4 J N^2 k <= D^2, see rotor_damping
+  double spring_damping = 0.0;          ///< b, Nms/rad; >= 0
+  double travel = 0.0;                  ///< rad: positions run over [0, travel]; > 0
+  double stop_stiffness = 0.0;          ///< of the load's end stops, Nm/rad; stalled, it may press in <= 1 % of travel
+  double stop_damping = 0.0;            ///< of the end stops, Nms/rad; >= 0
+};
+
+/// What is integrated.
+struct ElectricState {
+  double position = 0.0;    ///< x of the load, rad
+  double velocity = 0.0;    ///< v of the load, rad/s
+  double deflection = 0.0;  ///< delta of the spring, rad
+  double rotor = 0.0;       ///< w, rotor speed over the gear ratio, rad/s
+  double current_A = 0.0;   ///< i
+};
+
+/// As runge_kutta.hpp asks of a state.
+template <class Sum>
+ElectricState assemble(const ElectricState*, Sum sum) noexcept {
+  return {sum([](const ElectricState& k) noexcept { return k.position; }),
+          sum([](const ElectricState& k) noexcept { return k.velocity; }),
+          sum([](const ElectricState& k) noexcept { return k.deflection; }),
+          sum([](const ElectricState& k) noexcept { return k.rotor; }),
+          sum([](const ElectricState& k) noexcept { return k.current_A; })};
+}
+inline bool finite(const ElectricState& s) noexcept {
+  return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.deflection) &&
+         std::isfinite(s.rotor) && std::isfinite(s.current_A);
+}
+
+/// Refuses values no machine has and springs too stiff for [x v T] to hold the joint, naming every one.
+Result<Done> validate(const ElectricParams& actuator);
+Result<Done> validate(const ElectricParams& actuator, const ElectricState& state);
+
+/// V_max / R, A: what the drive can command.
+inline double current_max_A(const ElectricParams& a) noexcept { return a.supply_voltage_V / a.winding_resistance_Ohm; }
+
+/// N K V_max / R, Nm: at rest.
+inline double stall_torque(const ElectricParams& a) noexcept {
+  return a.gear_ratio * a.torque_constant_Nm_A * current_max_A(a);
+}
+
+/// V_max / (N K), rad/s of the output: the natural unit of velocity.
+inline double no_load_speed(const ElectricParams& a) noexcept {
+  return a.supply_voltage_V / (a.gear_ratio * a.torque_constant_Nm_A);
+}
+
+/// D = d_r + (N K)^2 / R, Nms/rad: what holds the rotor back, friction and back-EMF.
+inline double rotor_damping(const ElectricParams& a) noexcept {
+  const double output_constant = a.gear_ratio * a.torque_constant_Nm_A;
+  return a.damping + output_constant * output_constant / a.winding_resistance_Ohm;
+}
+
+/// Rest at `position` under `external_force` on the load (Nm): T = C (x - x_eq) - T_ext, held by the winding.
+ElectricState equilibrium(const ElectricParams& actuator, const LoadParams& load, double position,
+                          double external_force);
+
+/// Model in the torque sensor's reading, states (x, v, T), input u: the rotor and the winding follow at once,
+///   w = (N K u - T) / D,   (1 + b/D) T' = k (w - v) - b v',   v' as above.
+/// Relative error of the force's rate: of the order of J N^2 k / D^2 (at most 1/4, see validate) and L k / (R D).
+/// Coulomb friction is a bias. Needs m_l > 0.
+LinearModel linearise_load_cell_force(const ElectricParams& actuator, const LoadParams& load);
+
+/// Exact Jacobian, states as in ElectricState, at a rotor speed (rad/s), away from the end stops.
+StateSpace<5> linearise_full(const ElectricParams& actuator, const LoadParams& load, double rotor);
+
+/// Right-hand side of the equations above; +, -, *, / and sqrt only.
+class ElectricEquations {
+ public:
+  using State = ElectricState;
+  struct Input {
+    double command_A;       ///< within the drive's limits
+    double external_force;  ///< Nm
+  };
+
+  ElectricEquations(const ElectricParams& actuator, const LoadParams& load) noexcept : actuator_(actuator), load_(load) {}
+
+  void set_load(const LoadParams& load) noexcept { load_ = load; }
+
+  ElectricState derivative(const ElectricState& s, const Input& input) const noexcept {
+    const ElectricParams& a = actuator_;
+    const double output_constant = a.gear_ratio * a.torque_constant_Nm_A;
+    const double torque = spring_torque(s);
+    const double rotor_torque = output_constant * s.current_A - a.damping * s.rotor - dry_friction(s.rotor) - torque;
+    const double load_torque = torque - load_.damping * s.velocity -
+                               load_.stiffness * (s.position - load_.equilibrium_position) + input.external_force +
+                               stop_force(s);
+    return {.position = s.velocity,
+            .velocity = load_torque / load_.mass,
+            .deflection = s.rotor - s.velocity,
+            .rotor = rotor_torque / (a.rotor_inertia_kg_m2 * a.gear_ratio * a.gear_ratio),
+            .current_A = (a.winding_resistance_Ohm * (input.command_A - s.current_A) - output_constant * s.rotor) /
+                         a.winding_inductance_H};
+  }
+
+  /// T, what the sensor reads, Nm.
+  double spring_torque(const ElectricState& s) const noexcept {
+    return actuator_.spring_stiffness * s.deflection + actuator_.spring_damping * (s.rotor - s.velocity);
+  }
+
+  /// T_c phi(w), phi = w / sqrt(w^2 + w_s^2): smooth, odd, of the sign of w.
+  double dry_friction(double rotor) const noexcept {
+    return actuator_.coulomb * rotor / std::sqrt(rotor * rotor + actuator_.slip_velocity * actuator_.slip_velocity);
+  }
+
+  /// Of the end stops on the load: only pushes inward.
+  double stop_force(const ElectricState& s) const noexcept {
+    const double beyond = s.position - actuator_.travel;
+    return s.position < 0.0 ? stop_push(-s.position, -s.velocity) : beyond > 0.0 ? -stop_push(beyond, s.velocity) : 0.0;
+  }
+
+  const ElectricParams& actuator() const noexcept { return actuator_; }
+  const LoadParams& load() const noexcept { return load_; }
+
+ private:
+  double stop_push(double depth, double approach_speed) const noexcept {
+    // engaged over the first thousandth of the travel
+    return plant::stop_push(depth, approach_speed, depth * (1000.0 / actuator_.travel), actuator_.stop_stiffness,
+                            actuator_.stop_damping);
+  }
+
+  ElectricParams actuator_;
+  LoadParams load_;
+};
+
+}  // namespace farrier::plant

@@ -1,0 +1,114 @@
+#include "plant/electric_joint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "plant/fastest_rate.hpp"
+
+namespace farrier::plant {
+namespace {
+
+// Winding, rotor and load each by themselves: their dampers, and the stiffness of all that holds them.
+double fastest_rate(const ElectricParams& a, const LoadParams& load) noexcept {
+  const double output_constant = a.gear_ratio * a.torque_constant_Nm_A;
+  const double inertia = a.rotor_inertia_kg_m2 * a.gear_ratio * a.gear_ratio;
+  const double winding = a.winding_resistance_Ohm / a.winding_inductance_H;
+  const double rotor_stiffness = a.spring_stiffness + output_constant * output_constant / a.winding_inductance_H;
+  const double rotor = (a.damping + a.coulomb / a.slip_velocity + a.spring_damping) / inertia +
+                       std::sqrt(rotor_stiffness / inertia);
+  // Slope of an engaging stop: k (s + s' depth) <= 1.7 k, and d v s' <= 1.5 d v / ramp at the no-load speed.
+  const double stop = 1.7 * a.stop_stiffness + 1500.0 * a.stop_damping * no_load_speed(a) / a.travel;
+  const double moved = (load.damping + a.spring_damping + a.stop_damping) / load.mass +
+                       std::sqrt((load.stiffness + a.spring_stiffness + stop) / load.mass);
+  return std::max({winding, rotor, moved});
+}
+
+bool slow_enough(double rate) noexcept { return rate * kShortestSubstep_s <= kStabilityInterval; }
+
+bool carries(const LoadParams& load) noexcept {
+  return is_physical(load, 0.0) && load.friction.coulomb == 0.0 && load.friction.breakaway == 0.0;
+}
+
+}  // namespace
+
+Result<ElectricJoint> ElectricJoint::create(const ElectricParams& actuator, const LoadParams& load,
+                                            const ElectricState& initial, double tolerance) {
+  std::string refusals;
+  const auto refuse = [&](const std::string& why) { refusals += (refusals.empty() ? "" : "; ") + why; };
+  for (const auto& verdict : {validate(actuator), validate(load), validate(actuator, initial)}) {
+    if (!verdict.ok()) {
+      refuse(verdict.error().message);
+    }
+  }
+  if (!(tolerance >= 1e-14 && tolerance <= 1e-2)) {
+    refuse("tolerance must be within [1e-14, 1e-2]");
+  }
+  if (refusals.empty() && !carries(load)) {
+    refuse("load: an electric joint takes one with a mass above 0 and without dry friction");
+  }
+  if (!refusals.empty()) {
+    return Error{refusals};
+  }
+  if (const double fastest = fastest_rate(actuator, load); !slow_enough(fastest)) {
+    std::ostringstream text;
+    text << "joint: fastest rate " << fastest << " 1/s exceeds " << kStabilityInterval / kShortestSubstep_s
+         << " 1/s; lower stop_stiffness, stop_damping or spring_stiffness, or raise winding_inductance_H, "
+            "rotor_inertia_kg_m2, slip_velocity or the load's mass";
+    return Error{text.str()};
+  }
+  return ElectricJoint(actuator, load, initial, tolerance);
+}
+
+ElectricJoint::ElectricJoint(const ElectricParams& actuator, const LoadParams& load, const ElectricState& initial,
+                             double tolerance)
+    : equations_(actuator, load),
+      state_(initial),
+      command_limit_A_(current_max_A(actuator)),
+      external_force_limit_(10.0 * stall_torque(actuator)),
+      inverse_tolerance_{.position = 1.0 / (tolerance * actuator.travel),
+                         .velocity = 1.0 / (tolerance * no_load_speed(actuator)),
+                         .deflection = actuator.spring_stiffness / (tolerance * stall_torque(actuator)),
+                         .rotor = 1.0 / (tolerance * no_load_speed(actuator)),
+                         .current_A = 1.0 / (tolerance * command_limit_A_)} {}
+
+bool ElectricJoint::set_load(const LoadParams& load) noexcept {
+  if (!carries(load) || !slow_enough(fastest_rate(actuator(), load))) {
+    return false;
+  }
+  equations_.set_load(load);
+  return true;
+}
+
+double ElectricJoint::error_ratio(const ElectricState& error) const noexcept {
+  return std::abs(error.position) * inverse_tolerance_.position +
+         std::abs(error.velocity) * inverse_tolerance_.velocity +
+         std::abs(error.deflection) * inverse_tolerance_.deflection +
+         std::abs(error.rotor) * inverse_tolerance_.rotor +
+         std::abs(error.current_A) * inverse_tolerance_.current_A;
+}
+
+StepReport ElectricJoint::step(double command_A, double external_force, double period_s) noexcept {
+  StepReport report;
+  const bool period_good = period_s > 0.0 && period_s <= kLongestPeriod_s;
+  report.input_refused =
+      !std::isfinite(command_A) || !(std::abs(external_force) <= external_force_limit_) || !period_good;
+  if (!period_good) {
+    return report;
+  }
+  const double command = std::isfinite(command_A) ? std::clamp(command_A, -command_limit_A_, command_limit_A_) : 0.0;
+  const double force = std::isfinite(external_force)
+                           ? std::clamp(external_force, -external_force_limit_, external_force_limit_)
+                           : 0.0;
+  const ElectricEquations::Input input{command, force};
+  ElectricState derivative = equations_.derivative(state_, input);
+  const double relative_error = advance_adaptively(
+      equations_, input, state_, derivative, period_s, substep_s_, report,
+      [this](const TrialStep<ElectricState>& trial, double) noexcept { return error_ratio(trial.error); },
+      [&]() noexcept { report.at_stop |= state_.position < 0.0 || state_.position > actuator().travel; });
+  report.error_position = relative_error / inverse_tolerance_.position;
+  report.error_velocity = relative_error / inverse_tolerance_.velocity;
+  return report;
+}
+
+}  // namespace farrier::plant

@@ -1,0 +1,80 @@
+// Other robots through the same processes: each trots over both vendors at once as it does in process.
+
+#include <gtest/gtest.h>
+
+#include "farrier_command.hpp"
+
+namespace farrier::test {
+namespace {
+
+struct Trot {
+  int status;
+  std::string trace;
+  std::string output;
+};
+
+Trot trot(const std::string& robot, const std::vector<std::string>& more) {
+  const ScratchDirectory scratch;
+  std::vector<std::string> arguments{"trot",  "--robot", robot,
+                                     "--out", scratch.file("out"), "--trace", scratch.file("trace.csv")};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  Trot one{};
+  one.status = run_farrier(arguments, &one.output);
+  one.trace = read_file(scratch.file("trace.csv"));
+  return one;
+}
+
+std::string shipped(const std::string& name) { return std::string(FARRIER_ROBOTS) + "/" + name + ".yaml"; }
+
+class OtherRobot : public testing::TestWithParam<const char*> {};
+
+TEST_P(OtherRobot, TrotsOverBothVendorsAsItDoesInProcess) {
+  const Trot alone = trot(shipped(GetParam()), {"--duration", "1.5", "--dds", "inproc"});
+  ASSERT_GT(alone.trace.size(), 1000u) << alone.output;
+  EXPECT_TRUE(trot(shipped(GetParam()), {"--duration", "1.5", "--dds", "mixed"}).trace == alone.trace);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shipped, OtherRobot, testing::Values("hexapod", "electric_leg"),
+                         [](const auto& robot) { return std::string(robot.param); });
+
+struct Misuse {
+  const char* option;
+  const char* value;
+  const char* problem;
+};
+
+class ElectricLegMisused : public testing::TestWithParam<Misuse> {};
+
+TEST_P(ElectricLegMisused, IsRefusedWithThePlaceAndTheRemedy) {
+  std::vector<std::string> options{GetParam().option};
+  if (*GetParam().value != '\0') {
+    options.emplace_back(GetParam().value);
+  }
+  const Trot refused = trot(shipped("electric_leg"), options);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_NE(refused.output.find(GetParam().problem), std::string::npos) << refused.output;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    By, ElectricLegMisused,
+    testing::Values(Misuse{"--controller", "flow_inversion",
+                           "joints.haa.controller: torque is of kind flow_inversion, which inverts the flow of oil: an "
+                           "electric joint takes lqr or pid"},
+                    Misuse{"--vary", "", "--vary draws supplies and valves of hydraulic joints, and haa is electric"},
+                    Misuse{"--hide", "1", "--hide gives a hydraulic joint an effect, and haa is electric"},
+                    Misuse{"--experiment", "controllers",
+                           "--experiment controllers is for hydraulic joints, and haa is electric"}),
+    [](const auto& misuse) {
+      std::string name = std::string(misuse.param.option).substr(2) + "_" + misuse.param.value;
+      return name;
+    });
+
+TEST(ElectricLegDiagnosed, IsRefused) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"diagnose", shipped("electric_leg"), "--model", shipped("electric_leg"), "--joint", "kfe"},
+                        &output), 2);
+  EXPECT_NE(output.find("kfe of electric_leg is electric"), std::string::npos) << output;
+}
+
+}  // namespace
+}  // namespace farrier::test
