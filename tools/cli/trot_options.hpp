@@ -16,6 +16,7 @@ struct TrotOptions {
   std::string robot_path;
   DdsChoice dds = DdsChoice::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
+  std::string security;     ///< folder of keys and permissions for every process; empty: none
   lab::Grouping nodes = lab::Grouping::kPerLeg;
   std::string design;       ///< as supervisor::parse_design takes it; empty: adaptive, in real time phases
   double duration_s = 9.0;
