@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
+#include <string_view>
 
 #include "bus/endpoint_check.hpp"
 #include "bus/security_warnings.hpp"
@@ -61,6 +62,9 @@ LogWarnings& log_warnings() {
   return warnings;
 }
 
+/// Said of everybody whose announcement comes once more before the handshake with him is over: nothing to warn of.
+constexpr std::string_view kNotYetAllowed = "Remote secure participant";
+
 /// Passes the log on to where it goes without this, and keeps what it warns of.
 void on_log(void*, const dds_log_data_t* line) {
   std::fputs(line->message - line->hdrsize, stderr);
@@ -69,7 +73,9 @@ void on_log(void*, const dds_log_data_t* line) {
     while (!sentence.empty() && std::isspace(static_cast<unsigned char>(sentence.back())) != 0) {
       sentence.pop_back();
     }
-    log_warnings().of(line->domid)->add(sentence);
+    if (!sentence.starts_with(kNotYetAllowed)) {
+      log_warnings().of(line->domid)->add(sentence);
+    }
   }
 }
 

@@ -25,4 +25,5 @@ farrier_test(discovery_test system ${contract_dir}/contract_main.cpp ${contract_
 target_link_libraries(discovery_test PRIVATE contract_support)
 
 farrier_test(security_bus_test contract ${contract_dir}/security_test.cpp)
-target_link_libraries(security_bus_test PRIVATE contract_support farrier_bus_factory farrier_pki farrier_security)
+target_link_libraries(security_bus_test PRIVATE contract_support farrier_bus_factory farrier_pki farrier_security
+  farrier_tool_process)

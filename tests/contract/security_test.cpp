@@ -2,10 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "bus_factory/bus_factory.hpp"
 #include "conformance.hpp"
+#include "security/certificate.hpp"
 #include "security/credentials.hpp"
 #include "tests/unit/security_pki.hpp"
+#include "tools/tool_process/tool_process.hpp"
 
 namespace farrier::contract {
 namespace {
@@ -94,7 +98,6 @@ TEST_P(Security, WhoProvesNothingWritesNothing) {
   const auto stranger = required(join(GetParam().writer, std::nullopt));
   const auto reader = join_as(Role::kSimBridge, GetParam().reader);
   EXPECT_FALSE(crosses(*stranger, *reader, kKeptOut));
-  std::printf("WARN %s\n", all_of(reader->take_security_warnings()).c_str());
 }
 
 TEST_P(Security, WhoProvesNothingReadsNothing) {
@@ -160,6 +163,25 @@ TEST_P(SecureProcess, DoesNotStartInsecureWhenAFileIsMissing) {
 TEST_P(SecureProcess, DoesNotStartWithAGovernanceThatAnotherCaSigned) {
   bus::SecurityFiles files = security::files_of(pki().out(), Role::kJointNode, GetParam());
   files.governance = another_pki().out() + "/governance.p7s";
+  EXPECT_FALSE(join(GetParam(), files).ok());
+}
+
+// CVE-2023-24010 and -24011: possible where one CA issues identities and permissions.
+TEST_P(SecureProcess, MayNotSignItsOwnPermissions) {
+  const std::string folder = pki().copy();
+  bus::SecurityFiles files = security::files_of(folder, Role::kMonitor, GetParam());
+  const bus::SecurityFiles coveted = security::files_of(folder, Role::kJointNode, GetParam());
+  const auto rights = security::signed_text(coveted.permissions, coveted.permissions_ca);
+  const std::string draft = folder + "/mine.xml";
+  std::string text = rights.value();
+  const std::string subject = security::read_certificate(coveted.certificate).value().subject;
+  text.replace(text.find(subject), subject.size(), security::read_certificate(files.certificate).value().subject);
+  std::ofstream(draft) << text;
+  const auto signing = run_tool({"openssl", "openssl"},
+                                {"smime", "-sign", "-text", "-in", draft, "-signer", files.certificate, "-inkey",
+                                 files.private_key, "-out", files.permissions},
+                                folder, folder + "/log");
+  ASSERT_TRUE(signing.ok()) << signing.error().message;
   EXPECT_FALSE(join(GetParam(), files).ok());
 }
 

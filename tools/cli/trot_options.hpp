@@ -30,6 +30,7 @@ struct TrotOptions {
   Experiment experiment = Experiment::kNone;
   std::string estimator;    ///< section of the robot file for every joint; empty: its own
   std::string controller;   ///< kind of every controller; empty: the robot file's
+  bool security_cost = false;  ///< short runs with and without `security` beside
   bool dither_cost = false; ///< two more runs: what the robot file's dither costs
   bool vary = false;        ///< varied robots under every controller instead of one run
   int seeds = 0;            ///< of `vary` and the controllers, from `seed` on; 0: not given, which is kSeeds; of `hide`
