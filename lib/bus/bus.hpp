@@ -71,6 +71,9 @@ class Bus {
   virtual Result<std::unique_ptr<RawWriter>> create_writer(const EndpointSpec& endpoint) = 0;
   virtual Result<std::unique_ptr<RawReader>> create_reader(const EndpointSpec& endpoint) = 0;
 
+  /// What DDS Security said since the last call about others, whom it keeps out: one sentence each, none twice.
+  virtual std::vector<std::string> take_security_warnings() { return {}; }
+
   /// Arrivals so far; read it before looking for samples, then wait for as many more as are still needed.
   std::uint64_t arrivals() const noexcept { return notifier_->arrivals(); }
   void wait_for_arrivals(std::uint64_t target, std::chrono::nanoseconds timeout) noexcept {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "bus/bus.hpp"
+#include "bus/network.hpp"
 #include "core/result.hpp"
 
 namespace farrier::bus {
@@ -23,6 +24,11 @@ inline std::optional<Error> endpoint_error(const EndpointSpec& endpoint) {
     }
   }
   return std::nullopt;
+}
+
+/// Where to look when a vendor refuses an endpoint, which it does without saying why.
+inline std::string refusals_by(const NetworkOptions& options) {
+  return options.security ? " (do the permissions beside " + options.security->certificate + " allow it?)" : "";
 }
 
 }  // namespace farrier::bus

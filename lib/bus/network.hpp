@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,17 @@ namespace farrier::bus {
 
 /// The longest that Cyclone takes.
 inline constexpr std::chrono::seconds kPatientLease = std::chrono::hours(1);
+
+/// What a participant proves its identity and its rights by, for DDS Security: absolute paths. Certificates and the
+/// key are PEM, the two documents are XML signed by the permissions CA (S/MIME).
+struct SecurityFiles {
+  std::string identity_ca;
+  std::string certificate;
+  std::string private_key;
+  std::string permissions_ca;
+  std::string governance;
+  std::string permissions;
+};
 
 /// Where a DDS process looks for the others. The default finds up to `max_processes` processes on this computer by
 /// unicast alone: it works on a loopback device without multicast.
@@ -19,6 +31,8 @@ struct NetworkOptions {
   /// Silence after which a process is forgotten by the others. In lock-step a debugger may hold one for long, and
   /// what it wrote after that would be lost: kPatientLease.
   std::chrono::seconds lease{10};
+  /// Without, DDS is open to everybody; with, a bus that cannot honour it is refused.
+  std::optional<SecurityFiles> security;
 };
 
 }  // namespace farrier::bus

@@ -25,7 +25,8 @@ std::string topics_table_markdown() {
       "| topic | file | from → to | key | version | reaches | QoS in real time | QoS in lock-step |\n"
       "|---|---|---|---|---|---|---|---|\n";
   for (const TopicSpec& topic : topics()) {
-    table += std::string("| `") + topic.name + "` | [" + topic.idl + "](" + topic.idl + ") | " + topic.flow + " | " +
+    table += std::string("| `") + topic.name + "` | [" + topic.idl + "](" + topic.idl + ") | " + to_string(topic.writers) + " → " +
+             topic.readers + " | " +
              topic.key + " | " + std::to_string(topic.version) + " | " +
              (topic.route == Route::kRobot ? "the robot" : "the leg's hosts") + " | " + describe(topic.realtime) +
              " | " + describe(qos_for(topic, ClockKind::kLockstep)) + " |\n";

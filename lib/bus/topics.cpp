@@ -32,26 +32,29 @@ constexpr int kTwoTicks = 4;
 // Decisions of a joint that a monitor may leave lying, or join too late for; a joint is redesigned a few times a run.
 constexpr int kDecisions = 64;
 
-#define FARRIER_TOPIC(Signal, name, file, flow, key, version, route, sending, qos, depth) \
-  TopicSpec{TopicId::k##Signal, name, "wire::" #Signal, #file ".idl", flow, key, version, route, sending, sizeof(signals::Signal), qos, depth}
+#define FARRIER_TOPIC(Signal, name, file, writers, readers, key, version, route, sending, qos, depth) \
+  TopicSpec{TopicId::k##Signal, name, "wire::" #Signal, #file ".idl", writers, readers, key, version, route, sending, sizeof(signals::Signal), qos, depth}
+
+// All but the clock itself.
+constexpr RoleSet kTickers{Role::kEstimatorService, Role::kSupervisor, Role::kGaitSource, Role::kJointNode};
 
 // clang-format off
 constexpr std::array<TopicSpec, kTopicCount> kTopics{
-    FARRIER_TOPIC(JointSensors, "joint/sensors", joint_sensors, "sim_bridge → joint_node", "joint", 1, Route::kLeg, Sending::kTogether, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointCommand, "joint/command", joint_command, "gait source → joint_node", "joint", 1, Route::kLeg, Sending::kTogether, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointValveCommand, "joint/valve_command", joint_valve_command, "joint_node → sim_bridge", "joint", 1, Route::kRobot, Sending::kTogether, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointMeasurement, "joint/measurement", joint_measurement, "joint_node → estimator_service", "joint", 1, Route::kRobot, Sending::kTogether, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointModelEstimate, "joint/model_estimate", joint_model_estimate, "estimator_service → supervisor", "joint", 3, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
-    FARRIER_TOPIC(JointControllerGains, "joint/controller_gains", joint_controller_gains, "supervisor → joint_node, sim_bridge", "joint, phase", 3, Route::kLeg, Sending::kAtOnce, kAuthority, kTwoTicks),
-    FARRIER_TOPIC(JointUpdateDecision, "joint/update_decision", joint_update_decision, "supervisor → monitors", "joint", 2, Route::kRobot, Sending::kAtOnce, announcements(kDecisions), kDecisions),
-    FARRIER_TOPIC(GaitPhase, "gait/phase", gait_phase, "gait source → joint_node", "leg", 1, Route::kRobot, Sending::kAtOnce, announcements(4), 4),
-    FARRIER_TOPIC(SystemHello, "system/hello", system_hello, "all → all", "participant", 2, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
-    FARRIER_TOPIC(SystemHealth, "system/health", system_health, "all → monitors", "participant", 2, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
-    FARRIER_TOPIC(SystemEvent, "system/event", system_event, "all → monitors", "participant", 1, Route::kRobot, Sending::kAtOnce, announcements(1000), 1000),
-    FARRIER_TOPIC(SystemMode, "system/mode", system_mode, "supervisor → joint_node, sim_bridge", "robot", 2, Route::kRobot, Sending::kAtOnce, kAuthority, kTwoTicks),
-    FARRIER_TOPIC(SystemRequest, "system/request", system_request, "operator → supervisor", "robot", 1, Route::kRobot, Sending::kAtOnce, kRequests, kTwoTicks),
-    FARRIER_TOPIC(ClockTick, "clock/tick", clock_tick, "sim_bridge → gait source, supervisor", "clock", 1, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
-    FARRIER_TOPIC(ClockTickDone, "clock/tick_done", clock_tick_done, "all → sim_bridge", "participant", 1, Route::kRobot, Sending::kAtOnce, kLockstepOnly, kTwoTicks),
+    FARRIER_TOPIC(JointSensors, "joint/sensors", joint_sensors, {Role::kSimBridge}, "joint_node", "joint", 1, Route::kLeg, Sending::kTogether, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointCommand, "joint/command", joint_command, {Role::kGaitSource}, "joint_node", "joint", 1, Route::kLeg, Sending::kTogether, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointValveCommand, "joint/valve_command", joint_valve_command, {Role::kJointNode}, "sim_bridge", "joint", 1, Route::kRobot, Sending::kTogether, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointMeasurement, "joint/measurement", joint_measurement, {Role::kJointNode}, "estimator_service", "joint", 1, Route::kRobot, Sending::kTogether, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointModelEstimate, "joint/model_estimate", joint_model_estimate, {Role::kEstimatorService}, "supervisor", "joint", 3, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointControllerGains, "joint/controller_gains", joint_controller_gains, {Role::kSupervisor}, "joint_node, sim_bridge", "joint, phase", 3, Route::kLeg, Sending::kAtOnce, kAuthority, kTwoTicks),
+    FARRIER_TOPIC(JointUpdateDecision, "joint/update_decision", joint_update_decision, {Role::kSupervisor}, "monitors", "joint", 2, Route::kRobot, Sending::kAtOnce, announcements(kDecisions), kDecisions),
+    FARRIER_TOPIC(GaitPhase, "gait/phase", gait_phase, {Role::kGaitSource}, "joint_node", "leg", 1, Route::kRobot, Sending::kAtOnce, announcements(4), 4),
+    FARRIER_TOPIC(SystemHello, "system/hello", system_hello, kParticipantRoles, "all", "participant", 2, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
+    FARRIER_TOPIC(SystemHealth, "system/health", system_health, kParticipantRoles, "monitors", "participant", 2, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
+    FARRIER_TOPIC(SystemEvent, "system/event", system_event, kParticipantRoles, "monitors", "participant", 1, Route::kRobot, Sending::kAtOnce, announcements(1000), 1000),
+    FARRIER_TOPIC(SystemMode, "system/mode", system_mode, {Role::kSupervisor}, "joint_node, sim_bridge", "robot", 2, Route::kRobot, Sending::kAtOnce, kAuthority, kTwoTicks),
+    FARRIER_TOPIC(SystemRequest, "system/request", system_request, {Role::kOperator}, "supervisor", "robot", 1, Route::kRobot, Sending::kAtOnce, kRequests, kTwoTicks),
+    FARRIER_TOPIC(ClockTick, "clock/tick", clock_tick, {Role::kSimBridge}, "gait_source, supervisor", "clock", 1, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
+    FARRIER_TOPIC(ClockTickDone, "clock/tick_done", clock_tick_done, kTickers, "sim_bridge", "participant", 1, Route::kRobot, Sending::kAtOnce, kLockstepOnly, kTwoTicks),
 };
 // clang-format on
 #undef FARRIER_TOPIC

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "bus/qos.hpp"
+#include "bus/roles.hpp"
 #include "signals/fields.hpp"
 
 namespace farrier::bus {
@@ -34,7 +35,8 @@ struct TopicSpec {
   const char* name;        ///< DDS topic name
   const char* type_name;   ///< DDS type name, "wire::X"
   const char* idl;         ///< file in idl/
-  const char* flow;        ///< who sends it to whom, for people
+  RoleSet writers;         ///< who may write it; DDS Security's permissions come from here
+  const char* readers;     ///< whom it is for, for people: everybody may read
   const char* key;         ///< key fields, for people
   std::uint32_t version;   ///< raised with every change of the fields or of their meaning
   Route route;

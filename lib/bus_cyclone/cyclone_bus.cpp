@@ -1,11 +1,17 @@
 #include "bus_cyclone/cyclone_bus.hpp"
 
 #include <dds/dds.h>
+#include <dds/ddsrt/log.h>
 
+#include <cctype>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <mutex>
+#include <string_view>
 
 #include "bus/endpoint_check.hpp"
+#include "bus/security_warnings.hpp"
 #include "bus_cyclone/cyclone_config.hpp"
 #include "bus_cyclone/cyclone_endpoints.hpp"
 #include "bus_cyclone/cyclone_qos.hpp"
@@ -18,16 +24,69 @@ constexpr int kMaxDomain = 232;  // RTPS 2.2, 9.6.1: the last whose ports stay b
 // A second bus of a domain in one process gets a Cyclone domain of its own, so that samples between the two cross
 // the network as between processes. Only Cyclone's own number of it differs.
 constexpr dds_domainid_t kLocalDomainStride = 1000;
-constexpr int kMaxBusesOfADomain = 256;
+constexpr int kMaxBusesOfADomain = 200;
+// Cyclone looks for its own number in governance and permissions, whose parser takes none above 230.
+constexpr dds_domainid_t kSecureDomains = 231;
+
+dds_domainid_t local_number(const bus::NetworkOptions& options, int bus) {
+  const auto domain = static_cast<dds_domainid_t>(options.domain);
+  const auto others = static_cast<dds_domainid_t>(bus);
+  return options.security ? (domain + others) % kSecureDomains : domain + others * kLocalDomainStride;
+}
 
 Error refused(const std::string& what, dds_return_t code) {
   return Error{"Cyclone refuses " + what + ": " + dds_strretcode(code)};
 }
 
+/// Cyclone tells of those it keeps out in its log alone, which is one for the process: who hears of which domain.
+class LogWarnings {
+ public:
+  std::shared_ptr<bus::SecurityWarnings> of(std::uint32_t local_domain) {
+    const std::lock_guard lock(mutex_);
+    auto& warnings = by_domain_[local_domain];
+    auto alive = warnings.lock();
+    if (!alive) {
+      alive = std::make_shared<bus::SecurityWarnings>();
+      warnings = alive;
+    }
+    return alive;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<std::uint32_t, std::weak_ptr<bus::SecurityWarnings>> by_domain_;
+};
+
+LogWarnings& log_warnings() {
+  static LogWarnings warnings;
+  return warnings;
+}
+
+/// Said of everybody whose announcement comes once more before the handshake with him is over: nothing to warn of.
+constexpr std::string_view kNotYetAllowed = "Remote secure participant";
+
+/// Passes the log on to where it goes without this, and keeps what it warns of.
+void on_log(void*, const dds_log_data_t* line) {
+  std::fputs(line->message - line->hdrsize, stderr);
+  if ((line->priority & (DDS_LC_WARNING | DDS_LC_ERROR)) != 0) {
+    std::string sentence(line->message);
+    while (!sentence.empty() && std::isspace(static_cast<unsigned char>(sentence.back())) != 0) {
+      sentence.pop_back();
+    }
+    if (!sentence.starts_with(kNotYetAllowed)) {
+      log_warnings().of(line->domid)->add(sentence);
+    }
+  }
+}
+
 class CycloneBus final : public bus::Bus {
  public:
-  CycloneBus(dds_entity_t domain, dds_entity_t participant) : domain_(domain), participant_(participant) {}
+  CycloneBus(dds_entity_t domain, dds_entity_t participant, std::shared_ptr<bus::SecurityWarnings> warnings,
+             std::string refusals)
+      : domain_(domain), participant_(participant), warnings_(std::move(warnings)), refusals_(std::move(refusals)) {}
   ~CycloneBus() override { dds_delete(domain_); }
+
+  std::vector<std::string> take_security_warnings() override { return warnings_->take(); }
 
   bus::Vendor vendor() const noexcept override { return bus::Vendor::kCyclone; }
 
@@ -46,7 +105,7 @@ class CycloneBus final : public bus::Bus {
     const QosPtr qos = endpoint_qos(endpoint);
     const dds_entity_t writer = dds_create_writer(publisher, topic, qos.get(), nullptr);
     if (writer < 0) {
-      return refused(std::string("the QoS of the writer of ") + bus::spec(endpoint.topic).name, writer);
+      return refused(std::string("the writer of ") + bus::spec(endpoint.topic).name + refusals_, writer);
     }
     return wrap_writer(endpoint.topic, writer);
   }
@@ -64,7 +123,11 @@ class CycloneBus final : public bus::Bus {
       return refused("the partitions of a reader", subscriber);
     }
     const QosPtr qos = endpoint_qos(endpoint);
-    return make_reader(endpoint.topic, subscriber, topic, *qos, notifier_);
+    auto reader = make_reader(endpoint.topic, subscriber, topic, *qos, notifier_);
+    if (!reader) {
+      return Error{reader.error().message + refusals_};
+    }
+    return reader;
   }
 
  private:
@@ -99,6 +162,8 @@ class CycloneBus final : public bus::Bus {
 
   dds_entity_t domain_;
   dds_entity_t participant_;
+  std::shared_ptr<bus::SecurityWarnings> warnings_;
+  std::string refusals_;
   std::map<bus::TopicId, dds_entity_t> topics_;
   Parents publishers_;
   Parents subscribers_;
@@ -123,10 +188,10 @@ Result<std::unique_ptr<bus::Bus>> create_cyclone_bus(const bus::NetworkOptions& 
     return Error{"network: max_processes must be at least 1 and peers must name a computer"};
   }
   const std::string config = config_with_user_part(options);
-  auto local_id = static_cast<dds_domainid_t>(options.domain);
+  dds_domainid_t local_id = local_number(options, 0);
   dds_entity_t domain = dds_create_domain(local_id, config.c_str());
   for (int i = 1; i < kMaxBusesOfADomain && domain == DDS_RETCODE_PRECONDITION_NOT_MET; ++i) {
-    local_id += kLocalDomainStride;
+    local_id = local_number(options, i);
     domain = dds_create_domain(local_id, config.c_str());
   }
   if (domain < 0) {
@@ -135,12 +200,21 @@ Result<std::unique_ptr<bus::Bus>> create_cyclone_bus(const bus::NetworkOptions& 
                        "are fewer than " + std::to_string(options.max_processes) + " processes running?)",
                    domain);
   }
-  const dds_entity_t participant = dds_create_participant(local_id, nullptr, nullptr);
+  auto warnings = log_warnings().of(local_id);
+  if (options.security) {
+    dds_set_log_sink(on_log, nullptr);
+  }
+  const QosPtr qos = participant_qos(options.security);
+  const dds_entity_t participant = dds_create_participant(local_id, qos.get(), nullptr);
   if (participant < 0) {
     dds_delete(domain);
+    if (options.security) {
+      return refused("a secure participant with " + options.security->certificate + " (its own message is above)",
+                     participant);
+    }
     return refused("a participant in domain " + std::to_string(options.domain), participant);
   }
-  return std::unique_ptr<bus::Bus>(std::make_unique<CycloneBus>(domain, participant));
+  return std::unique_ptr<bus::Bus>(std::make_unique<CycloneBus>(domain, participant, std::move(warnings), bus::refusals_by(options)));
 }
 
 }  // namespace farrier::bus_cyclone

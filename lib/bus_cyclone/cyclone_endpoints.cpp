@@ -141,7 +141,7 @@ Result<std::unique_ptr<bus::RawReader>> make_typed_reader(dds_entity_t subscribe
   auto reader = std::make_unique<CycloneReader<Signal>>(std::move(notifier));
   const dds_return_t opened = reader->open(subscriber, topic, qos);
   if (opened < 0) {
-    return Error{std::string("Cyclone refuses the reader: ") + dds_strretcode(opened)};
+    return Error{std::string("Cyclone refuses the reader of ") + bus::spec(bus::TopicOf<Signal>::id).name + ": " + dds_strretcode(opened)};
   }
   return std::unique_ptr<bus::RawReader>(std::move(reader));
 }

@@ -14,7 +14,36 @@ dds_liveliness_kind_t liveliness_kind(bus::Liveliness liveliness) {
   return liveliness == bus::Liveliness::kAutomatic ? DDS_LIVELINESS_AUTOMATIC : DDS_LIVELINESS_MANUAL_BY_TOPIC;
 }
 
+/// One of the three plug-ins that Cyclone loads; Debian's finds them by their plain names.
+void use_plugin(dds_qos_t& qos, const std::string& part, const std::string& library, const std::string& functions) {
+  const std::string prefix = "dds.sec." + part + ".library.";
+  dds_qset_prop(&qos, (prefix + "path").c_str(), library.c_str());
+  dds_qset_prop(&qos, (prefix + "init").c_str(), ("init_" + functions).c_str());
+  dds_qset_prop(&qos, (prefix + "finalize").c_str(), ("finalize_" + functions).c_str());
+}
+
 }  // namespace
+
+QosPtr participant_qos(const std::optional<bus::SecurityFiles>& security) {
+  QosPtr qos(dds_create_qos());
+  if (!security) {
+    return qos;
+  }
+  use_plugin(*qos, "auth", "dds_security_auth", "authentication");
+  use_plugin(*qos, "access", "dds_security_ac", "access_control");
+  use_plugin(*qos, "crypto", "dds_security_crypto", "crypto");
+  const std::pair<const char*, const std::string&> files[] = {
+      {"dds.sec.auth.identity_ca", security->identity_ca},
+      {"dds.sec.auth.identity_certificate", security->certificate},
+      {"dds.sec.auth.private_key", security->private_key},
+      {"dds.sec.access.permissions_ca", security->permissions_ca},
+      {"dds.sec.access.governance", security->governance},
+      {"dds.sec.access.permissions", security->permissions}};
+  for (const auto& [name, path] : files) {
+    dds_qset_prop(qos.get(), name, ("file:" + path).c_str());
+  }
+  return qos;
+}
 
 QosPtr partition_qos(const std::vector<std::string>& partitions) {
   QosPtr qos(dds_create_qos());

@@ -15,6 +15,10 @@ constexpr std::array<std::uint8_t, 2> kCyclone{0x01, 0x10};
 constexpr std::size_t kSubmessageHeaderBytes = 4;
 constexpr std::uint8_t kLittleEndianFlag = 0x01;
 
+// DDS Security 1.1, 7.3.6: what follows either is signed, or holds nothing that can be read.
+constexpr std::uint8_t kSecurePrefix = 0x31;
+constexpr std::uint8_t kSecureRtpsPrefix = 0x33;
+
 // 9.4.5.3: reader id, writer id, base (high, low), number of bits, bitmap, count.
 constexpr std::uint8_t kAcknack = 0x06;
 constexpr std::uint8_t kFinalFlag = 0x02;
@@ -76,6 +80,9 @@ void translate_cyclone_acknacks(std::span<std::uint8_t> datagram) noexcept {
   std::size_t at = kHeaderBytes;
   while (at + kSubmessageHeaderBytes <= datagram.size()) {
     const std::uint8_t kind = datagram[at];
+    if (kind == kSecurePrefix || kind == kSecureRtpsPrefix) {
+      return;
+    }
     const std::uint8_t flags = datagram[at + 1];
     const bool little_endian = (flags & kLittleEndianFlag) != 0;
     std::size_t length = little_endian ? datagram[at + 2] + 256u * datagram[at + 3]

@@ -6,7 +6,8 @@
 namespace farrier::bus_fastdds {
 
 /// Rewrites, in a received RTPS datagram, the ACKNACKs of Cyclone DDS so that Fast DDS 2.9 answers the first one at
-/// once instead of a second later. Datagrams of others, and malformed ones, stay as they are.
+/// once instead of a second later. Datagrams of others, and malformed ones, stay as they are; so does what is signed or
+/// encrypted by DDS Security, where Fast DDS answers a second later.
 ///
 /// A reader greets a writer it has just discovered with an ACKNACK that acknowledges nothing; the writer's heartbeat
 /// is then its starting point. Cyclone gives the greeting base 1, as RTPS wants, and count 0. Fast DDS knows a

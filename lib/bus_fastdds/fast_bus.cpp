@@ -13,6 +13,7 @@ class FastBus final : public bus::Bus {
   explicit FastBus(std::shared_ptr<FastSession> session) : session_(std::move(session)) {}
 
   bus::Vendor vendor() const noexcept override { return bus::Vendor::kFast; }
+  std::vector<std::string> take_security_warnings() override { return session_->take_security_warnings(); }
 
   Result<std::unique_ptr<bus::RawWriter>> create_writer(const bus::EndpointSpec& endpoint) override {
     if (auto error = bus::endpoint_error(endpoint)) {

@@ -112,7 +112,7 @@ Result<std::unique_ptr<bus::RawReader>> make_typed_reader(const std::shared_ptr<
                                                           std::shared_ptr<bus::Notifier> notifier) {
   auto reader = std::make_unique<FastReader<Signal>>(session, subscriber, std::move(notifier));
   if (!reader->open(topic, qos)) {
-    return Error{"Fast DDS refuses the QoS of the reader of " + topic->get_name() + " (its own message is above)"};
+    return Error{"Fast DDS refuses the reader of " + topic->get_name() + " (its own message is above)" + session->refusals()};
   }
   return std::unique_ptr<bus::RawReader>(std::move(reader));
 }
@@ -123,8 +123,9 @@ constexpr std::array<TopicFactory, bus::kTopicCount> kFactories{FARRIER_SIGNALS(
 
 const TopicFactory& factory(bus::TopicId topic) { return kFactories[static_cast<std::size_t>(topic)]; }
 
-Error refused(const std::string& what, bus::TopicId topic) {
-  return Error{"Fast DDS refuses " + what + " of " + bus::spec(topic).name + " (its own message is above)"};
+Error refused(const FastSession& session, const std::string& what, bus::TopicId topic) {
+  return Error{"Fast DDS refuses " + what + " of " + bus::spec(topic).name + " (its own message is above)" +
+               session.refusals()};
 }
 
 }  // namespace
@@ -133,15 +134,15 @@ Result<std::unique_ptr<bus::RawWriter>> make_writer(const std::shared_ptr<FastSe
                                                     const bus::EndpointSpec& endpoint) {
   dds::Topic* topic = session->topic(endpoint.topic, factory(endpoint.topic).type);
   if (topic == nullptr) {
-    return refused("the topic", endpoint.topic);
+    return refused(*session, "the topic", endpoint.topic);
   }
   dds::Publisher* publisher = session->publisher(endpoint.partitions);
   if (publisher == nullptr) {
-    return refused("the partitions of a writer", endpoint.topic);
+    return refused(*session, "the partitions of a writer", endpoint.topic);
   }
   dds::DataWriter* writer = publisher->create_datawriter(topic, writer_qos(endpoint));
   if (writer == nullptr) {
-    return refused("the QoS of the writer", endpoint.topic);
+    return refused(*session, "the writer", endpoint.topic);
   }
   return std::unique_ptr<bus::RawWriter>(std::make_unique<FastWriter>(session, publisher, writer));
 }
@@ -151,11 +152,11 @@ Result<std::unique_ptr<bus::RawReader>> make_reader(const std::shared_ptr<FastSe
                                                     std::shared_ptr<bus::Notifier> notifier) {
   dds::Topic* topic = session->topic(endpoint.topic, factory(endpoint.topic).type);
   if (topic == nullptr) {
-    return refused("the topic", endpoint.topic);
+    return refused(*session, "the topic", endpoint.topic);
   }
   dds::Subscriber* subscriber = session->subscriber(endpoint.partitions);
   if (subscriber == nullptr) {
-    return refused("the partitions of a reader", endpoint.topic);
+    return refused(*session, "the partitions of a reader", endpoint.topic);
   }
   return factory(endpoint.topic).reader(session, subscriber, topic, reader_qos(endpoint), std::move(notifier));
 }

@@ -56,6 +56,24 @@ dds::PartitionQosPolicy partition_list(const std::vector<std::string>& partition
   return policy;
 }
 
+void set_security(dds::DomainParticipantQos& qos, const bus::SecurityFiles& files) {
+  const std::string auth = "dds.sec.auth.builtin.PKI-DH.";
+  const std::string access = "dds.sec.access.builtin.Access-Permissions.";
+  const std::pair<std::string, std::string> properties[] = {
+      {"dds.sec.auth.plugin", "builtin.PKI-DH"},
+      {auth + "identity_ca", "file://" + files.identity_ca},
+      {auth + "identity_certificate", "file://" + files.certificate},
+      {auth + "private_key", "file://" + files.private_key},
+      {"dds.sec.access.plugin", "builtin.Access-Permissions"},
+      {access + "permissions_ca", "file://" + files.permissions_ca},
+      {access + "governance", "file://" + files.governance},
+      {access + "permissions", "file://" + files.permissions},
+      {"dds.sec.crypto.plugin", "builtin.AES-GCM-GMAC"}};
+  for (const auto& [name, value] : properties) {
+    qos.properties().properties().emplace_back(name, value);
+  }
+}
+
 // What writers and readers are told alike.
 template <class EndpointQos>
 void set_common(EndpointQos& qos, const bus::EndpointSpec& endpoint) {
@@ -113,6 +131,9 @@ dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options, in
   discovery.leaseDuration_announcementperiod = duration(kAnnouncementPeriod);
   discovery.initial_announcements.count = kInitialAnnouncements;
   discovery.initial_announcements.period = duration(kInitialAnnouncementPeriod);
+  if (options.security) {
+    set_security(qos, *options.security);
+  }
   return qos;
 }
 

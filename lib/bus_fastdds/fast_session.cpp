@@ -4,7 +4,10 @@
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 
 #include <algorithm>
+#include <atomic>
+#include <sstream>
 
+#include "bus/endpoint_check.hpp"
 #include "bus_fastdds/free_index.hpp"
 
 namespace farrier::bus_fastdds {
@@ -30,20 +33,39 @@ bool is_address_of_this_computer(const std::string& address) {
 
 }  // namespace
 
+void AuthenticationEvents::onParticipantAuthentication(dds::DomainParticipant*,
+                                                       eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) {
+  if (info.status == eprosima::fastrtps::rtps::ParticipantAuthenticationInfo::UNAUTHORIZED_PARTICIPANT) {
+    std::ostringstream sentence;
+    sentence << "participant " << info.guid << " could not prove who it is and is kept out";
+    warnings.add(sentence.str());
+  }
+}
+
 Result<std::shared_ptr<FastSession>> FastSession::open(const bus::NetworkOptions& options) {
   if (!is_address_of_this_computer(options.address)) {
     return Error{"network: " + options.address + " is not an IPv4 address of this computer"};
   }
   auto factory = dds::DomainParticipantFactory::get_shared_instance();
   disable_intraprocess_delivery(*factory);
-  for (int index = free_participant_index(options, 0); index >= 0; index = free_participant_index(options, index + 1)) {
+  // Fast DDS 2.9 does not give back the index of a participant that it refuses for its security.
+  static std::atomic<int> lost_indices{0};
+  for (int index = free_participant_index(options, lost_indices); index >= 0;
+       index = free_participant_index(options, index + 1)) {
     const auto udp = transport(options);
+    auto events = std::make_unique<AuthenticationEvents>();
     dds::DomainParticipant* participant =
         factory->create_participant(static_cast<std::uint32_t>(options.domain), participant_qos(options, index, udp),
-                                    nullptr, dds::StatusMask::none());
+                                    events.get(), dds::StatusMask::none());
     if (participant != nullptr) {
       *udp->receiving = true;
-      return std::shared_ptr<FastSession>(new FastSession(std::move(factory), participant));
+      return std::shared_ptr<FastSession>(
+          new FastSession(std::move(factory), participant, std::move(events), bus::refusals_by(options)));
+    }
+    if (options.security) {
+      lost_indices = index + 1;
+      return Error{"Fast DDS refuses a secure participant with " + options.security->certificate +
+                   " (its own message is above)"};
     }
   }
   return Error{"Fast DDS has no free participant index on " + options.address + " in domain " +

@@ -86,7 +86,7 @@ class SignalType final : public Wire<Signal>::Codec {
   }
 
   // The generated getKey works in one buffer of the type, which the writing and the receiving thread share.
-  bool getKey(void* data, Handle* handle, bool /*force_md5: security only*/) override {
+  bool getKey(void* data, Handle* handle, bool /*force_md5: of protected payloads, which no governance of ours has*/) override {
     WireSignal signal;
     Wire<Signal>::copy(signal, *static_cast<const Signal*>(data));
     std::array<char, kKeyBytes> key{};

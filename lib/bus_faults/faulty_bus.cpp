@@ -21,6 +21,7 @@ class FaultyBus final : public bus::Bus {
         due_(notifier(), clock_) {}
 
   bus::Vendor vendor() const noexcept override { return inner_->vendor(); }
+  std::vector<std::string> take_security_warnings() override { return inner_->take_security_warnings(); }
 
   Result<std::unique_ptr<bus::RawWriter>> create_writer(const bus::EndpointSpec& endpoint) override {
     return inner_->create_writer(endpoint);

@@ -17,6 +17,10 @@ SteadyTime steady_now() noexcept {
   return SteadyTime(std::chrono::steady_clock::now().time_since_epoch() / slow_motion());
 }
 
+std::time_t date_now() noexcept {
+  return std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+}
+
 SteadyTime machine_time(SteadyTime time) noexcept { return SteadyTime(time.time_since_epoch() * slow_motion()); }
 
 }  // namespace farrier::participant

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <ctime>
+
 #include "core/time.hpp"
 
 namespace farrier::participant {
@@ -12,6 +14,9 @@ void set_slow_motion(int slow) noexcept;
 int slow_motion() noexcept;
 
 SteadyTime steady_now() noexcept;
+
+/// The date, as far as this computer knows it: for certificates, whose dates are in it.
+std::time_t date_now() noexcept;
 
 /// The machine's steady clock at that time.
 SteadyTime machine_time(SteadyTime time) noexcept;

@@ -26,6 +26,8 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--domain", o.network.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
   app.add_option("--address", o.network.address, "Address of the interface DDS uses")->capture_default_str();
   app.add_option("--peers", o.network.peers, "Computers to look for processes on")->delimiter(',');
+  app.add_option("--security", o.security,
+                 "Folder of keys and permissions, as farrier security init makes it; without, DDS is open to everybody");
   app.add_option("--number", o.number, "This participant's number in the run")->required();
   app.add_option("--participants", o.participants, "How many take part in the run")->required();
   app.add_option("--session", o.session, "Session of the run; others are ignored")->capture_default_str();
@@ -150,6 +152,7 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
       arguments.insert(arguments.end(), {flag, value});
     }
   };
+  append("--security", o.security);
   append("--joints", joined(o.joints));
   append("--trace", o.trace_path);
   append("--gait", o.gait);

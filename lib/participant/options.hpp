@@ -19,6 +19,7 @@ struct ProcessOptions {
   bus::Vendor vendor = bus::Vendor::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
   bus::NetworkOptions network;
+  std::string security;             ///< folder of keys and permissions; empty: DDS is open to everybody
   std::uint16_t number = 0;
   std::uint16_t participants = 0;
   std::uint64_t session = 1;

@@ -14,6 +14,16 @@ constexpr auto kGreetingPeriod = 20ms;
 
 }  // namespace
 
+bus::Role role_of(std::uint16_t number) noexcept {
+  switch (number) {
+    case kSimBridge: return bus::Role::kSimBridge;
+    case kEstimatorService: return bus::Role::kEstimatorService;
+    case kSupervisor: return bus::Role::kSupervisor;
+    case kGaitSource: return bus::Role::kGaitSource;
+    default: return bus::Role::kJointNode;
+  }
+}
+
 bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& legs) {
   bus::EndpointSpec endpoint{topic, bus::qos_for(bus::spec(topic), identity.clock), {}, identity.strength};
   for (Nanoseconds* time : {&endpoint.qos.deadline, &endpoint.qos.lease}) {
@@ -131,6 +141,7 @@ bool Participant::started(SteadyTime now) {
       port->probe();
     }
     say_hello();
+    tell_security_warnings();
   }
   started_ = greeting_lacks().empty();
   if (started_) {
@@ -199,6 +210,7 @@ void Participant::tick_done(Tick tick, const signals::ClockTickDone& issued) noe
 }
 
 void Participant::report_health(Tick tick, bool final_report, const signals::SystemHealth& measured) noexcept {
+  tell_security_warnings();
   signals::SystemHealth health = measured;
   health.participant = identity_.number;
   health.tick = tick;
@@ -211,6 +223,12 @@ void Participant::report_health(Tick tick, bool final_report, const signals::Sys
   health.sent[static_cast<std::size_t>(bus::TopicId::kSystemEvent)] = event_out_->sent();
   health.received[static_cast<std::size_t>(bus::TopicId::kSystemHello)] = hello_in_->status().received;
   health_out_->publish(health);
+}
+
+void Participant::tell_security_warnings() noexcept {
+  for (const std::string& sentence : bus_.take_security_warnings()) {
+    event(signals::Severity::kWarning, 0, 0xffff, "security: " + sentence);
+  }
 }
 
 void Participant::event(signals::Severity severity, Tick tick, std::uint16_t joint, std::string_view text) noexcept {

@@ -19,6 +19,9 @@ inline constexpr std::uint16_t kSupervisor = 2;
 inline constexpr std::uint16_t kGaitSource = 3;
 inline constexpr std::uint16_t kFirstJointNode = 4;
 
+/// The rights a participant needs under DDS Security.
+bus::Role role_of(std::uint16_t number) noexcept;
+
 struct Identity {
   std::string name;               ///< "sim_bridge", "joint_node lf", ...
   std::string robot;              ///< partition prefix
@@ -119,6 +122,7 @@ class Participant {
   Participant(bus::Bus& bus, Identity identity);
   Result<Done> open();
   void say_hello() noexcept;
+  void tell_security_warnings() noexcept;
 
   bus::Bus& bus_;
   Identity identity_;

@@ -7,13 +7,14 @@
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "runtime/realtime_thread.hpp"
+#include "security/credentials.hpp"
 
 namespace farrier::process {
 namespace {
 
-int refuse(const char* name, const Error& error) {
+int refuse(const char* name, const Error& error, int status = 1) {
   std::fprintf(stderr, "%s: %s\n", name, error.message.c_str());
-  return 1;
+  return status;
 }
 
 }  // namespace
@@ -43,6 +44,18 @@ participant::Identity identity_of(const participant::ProcessOptions& options, co
           options.slow, options.standby ? 0 : 1};
 }
 
+Result<Done> secure(bus::NetworkOptions& network, const std::string& folder, bus::Role role, bus::Vendor vendor) {
+  if (folder.empty()) {
+    return Done{};
+  }
+  auto files = security::credentials(folder, role, vendor, participant::date_now());
+  if (!files) {
+    return files.error();
+  }
+  network.security = std::move(files).value();
+  return Done{};
+}
+
 int run(const participant::ProcessOptions& options, const Factory<participant::Application>& polled, const Factory<participant::RealtimeApplication>& threaded) {
   participant::install_signal_handlers();
   const char* const name = options.name.c_str();
@@ -61,6 +74,10 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   if (unknown_joint) {
     return 2;
   }
+  bus::NetworkOptions network = participant::network_of(options);
+  if (auto secured = secure(network, options.security, participant::role_of(options.number), options.vendor); !secured) {
+    return refuse(name, secured.error(), 2);
+  }
   if (options.clock == bus::ClockKind::kRealtime) {
     participant::set_slow_motion(options.slow);
     const bool service = options.number == participant::kEstimatorService || options.number == participant::kSupervisor ||
@@ -70,7 +87,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());
     }
   }
-  auto bus = bus_factory::create_bus(options.vendor, participant::network_of(options));
+  auto bus = bus_factory::create_bus(options.vendor, network);
   if (!bus) {
     return refuse(name, bus.error());
   }

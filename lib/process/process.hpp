@@ -22,6 +22,10 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
 /// Identity of this process in the run.
 participant::Identity identity_of(const participant::ProcessOptions& options, const robot::Robot& robot);
 
+/// Adds to `network` what a process of this role proves itself by; nothing when `folder` (--security) is empty. Refuses,
+/// with the file and the remedy, what DDS would refuse, or could not agree on with the other vendor.
+Result<Done> secure(bus::NetworkOptions& network, const std::string& folder, bus::Role role, bus::Vendor vendor);
+
 /// Runs one process to its end, by one thread that polls or, on the real-time clock and where the process has a
 /// control loop, by the three threads of `threaded`; returns its exit status: 0 stopped as told, 1 could not take part, 2 bad input.
 int run(const participant::ProcessOptions& options, const Factory<participant::Application>& polled,

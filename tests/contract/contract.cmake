@@ -23,3 +23,7 @@ target_link_libraries(inproc_bus_test PRIVATE farrier_bus)
 
 farrier_test(discovery_test system ${contract_dir}/contract_main.cpp ${contract_dir}/discovery_test.cpp)
 target_link_libraries(discovery_test PRIVATE contract_support)
+
+farrier_test(security_bus_test contract ${contract_dir}/security_test.cpp)
+target_link_libraries(security_bus_test PRIVATE contract_support farrier_bus_factory farrier_pki farrier_security
+  farrier_tool_process)

@@ -54,6 +54,15 @@ TEST(CycloneAcknack, NothingElseChanges) {
   }
 }
 
+TEST(CycloneAcknack, WhatIsSignedStaysAsItIs) {
+  for (const std::uint8_t prefix : {std::uint8_t{0x31}, std::uint8_t{0x33}}) {  // of a submessage, of a message
+    std::vector<std::uint8_t> bytes = acknack(kCyclone, kLittleEndian, 1, 0);
+    const std::vector<std::uint8_t> secured{prefix, kLittleEndian, 4, 0, 0, 0, 0, 0};
+    bytes.insert(bytes.begin() + 20, secured.begin(), secured.end());
+    EXPECT_EQ(translated(bytes), bytes);
+  }
+}
+
 TEST(CycloneAcknack, TruncatedDatagramsStayAsTheyAre) {
   const std::vector<std::uint8_t> whole = acknack(kCyclone, kLittleEndian, 1, 0);
   for (std::size_t size = 0; size < whole.size(); ++size) {

@@ -16,6 +16,7 @@ std::function<int()> declare_diagnose(CLI::App& app);
 std::function<int()> declare_faults(CLI::App& app);
 std::function<int()> declare_reproduce(CLI::App& app);
 std::function<int()> declare_request(CLI::App& app);
+std::function<int()> declare_security(CLI::App& app);
 std::function<int()> declare_tables(CLI::App& app);
 std::function<int()> declare_trot(CLI::App& app);
 

@@ -13,6 +13,7 @@
 #include "lab/run_monitor.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
+#include "process/process.hpp"
 #include "robot/keys.hpp"
 #include "runtime/realtime_thread.hpp"
 #include "tools/cli/child_process.hpp"
@@ -85,7 +86,12 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
     participant::set_slow_motion(common.slow);
     static_cast<void>(runtime::set_priority(runtime::kBusPriority));
   }
-  auto bus = bus_factory::create_bus(vendor_of(run.dds, member), participant::network_of(common));
+  bus::NetworkOptions network = participant::network_of(common);
+  const bus::Vendor vendor = vendor_of(run.dds, member);
+  if (auto secured = process::secure(network, common.security, participant::role_of(member.number), vendor); !secured) {
+    return secured.error();
+  }
+  auto bus = bus_factory::create_bus(vendor, network);
   if (!bus) {
     return bus.error();
   }

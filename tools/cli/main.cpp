@@ -22,6 +22,7 @@ constexpr Subcommand kSubcommands[] = {
     {"faults", "Make faults happen to a trot of real processes and judge what each process does", farrier::cli::declare_faults},
     {"reproduce", "Run the studies of the thesis anew and judge its claims", farrier::cli::declare_reproduce},
     {"request", "Ask a running robot's supervisor to arm or to stop it", farrier::cli::declare_request},
+    {"security", "Make or check the keys and permissions for DDS Security", farrier::cli::declare_security},
     {"tables", "Print the generated tables of the documentation", farrier::cli::declare_tables},
 };
 

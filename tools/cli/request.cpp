@@ -27,6 +27,7 @@ struct RequestOptions {
   std::string vendor = "cyclone";
   std::uint64_t session = 0;
   bus::NetworkOptions network;
+  std::string security;
 };
 
 int fail(const std::string& message, int status) {
@@ -72,7 +73,12 @@ int run_request(const RequestOptions& o) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;
   }
-  auto bus = bus_factory::create_bus(bus::parse_vendor(o.vendor).value(), o.network);
+  const bus::Vendor vendor = bus::parse_vendor(o.vendor).value();
+  bus::NetworkOptions network = o.network;
+  if (auto secured = process::secure(network, o.security, bus::Role::kOperator, vendor); !secured) {
+    return fail(secured.error().message, kBadInput);
+  }
+  auto bus = bus_factory::create_bus(vendor, network);
   if (!bus) {
     return fail(bus.error().message, kFailed);
   }
@@ -118,6 +124,8 @@ std::function<int()> declare_request(CLI::App& app) {
       ->check(CLI::IsMember({"cyclone", "fast"}))
       ->type_name("cyclone|fast")
       ->capture_default_str();
+  app.add_option("--security", o->security, "folder of keys and permissions, of a robot that runs with --security")
+      ->type_name("<dir>");
   return [o] { return run_request(*o); };
 }
 

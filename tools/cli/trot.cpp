@@ -17,6 +17,7 @@
 #include "tools/cli/run_events.hpp"
 #include "tools/cli/trot_options.hpp"
 #include "tools/cli/trot_run.hpp"
+#include "tools/cli/trot_security.hpp"
 #include "tools/cli/vary.hpp"
 #include "tools/report/adaptation.hpp"
 #include "tools/report/console.hpp"
@@ -93,6 +94,11 @@ Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, re
       return added;
     }
   }
+  if (o.security_cost) {
+    if (auto added = add_security_cost(robot, o, figures); !added) {
+      return added;
+    }
+  }
   return add_swing_design(robot, o, figures);
 }
 
@@ -141,6 +147,10 @@ int trot(TrotOptions o) {
   if (o.dds == DdsChoice::kInproc && o.clock == bus::ClockKind::kRealtime) {
     std::fputs("farrier trot: --dds inproc runs on the lock-step clock only: choose a vendor for --clock realtime\n",
                stderr);
+    return kBadInput;
+  }
+  if (auto secured = check_security(robot, o); !secured) {
+    std::fprintf(stderr, "farrier trot: %s\n", secured.error().message.c_str());
     return kBadInput;
   }
   const auto directory = OutputDirectory::claim(o.out);

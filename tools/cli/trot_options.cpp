@@ -42,6 +42,13 @@ void declare(CLI::App& app, TrotOptions& o) {
       ->default_str("cyclone, or what FARRIER_DDS says");
   add_choice(app, "--clock", o.clock, kClocks, "lockstep|realtime", "lock-step, which repeats bit for bit, or real time")
       ->default_str("lockstep");
+  app.add_option("--security", o.security,
+                 "folder of keys and permissions, as farrier security init makes it: processes prove who they are, write "
+                 "their own topics only, and encrypt")
+      ->type_name("<dir>");
+  app.add_flag("--security-cost", o.security_cost,
+               "short runs with --security and without, in turns: figure trot.security.latency_p50_ratio")
+      ->type_name("");
   add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")->default_str("per-leg");
   CLI::Option* const design =
       add_choice(app, "--design", o.design, kDesigns, "adaptive|stance|swing|phases",

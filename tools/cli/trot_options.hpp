@@ -16,6 +16,7 @@ struct TrotOptions {
   std::string robot_path;
   DdsChoice dds = DdsChoice::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
+  std::string security;     ///< folder of keys and permissions for every process; empty: none
   lab::Grouping nodes = lab::Grouping::kPerLeg;
   std::string design;       ///< as supervisor::parse_design takes it; empty: adaptive, in real time phases
   double duration_s = 9.0;
@@ -29,6 +30,7 @@ struct TrotOptions {
   Experiment experiment = Experiment::kNone;
   std::string estimator;    ///< section of the robot file for every joint; empty: its own
   std::string controller;   ///< kind of every controller; empty: the robot file's
+  bool security_cost = false;  ///< short runs with and without `security` beside
   bool dither_cost = false; ///< two more runs: what the robot file's dither costs
   bool vary = false;        ///< varied robots under every controller instead of one run
   bool standby = false;     ///< a second supervisor stands by, real time only

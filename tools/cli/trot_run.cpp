@@ -11,6 +11,7 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
   participant::ProcessOptions common;
   common.robot_path = o.robot_path;
   common.clock = o.clock;
+  common.security = o.security;
   common.seed = o.seed;
   common.session = static_cast<std::uint64_t>(::getpid());
   common.trace_path = o.trace_path;

@@ -1,0 +1,192 @@
+// DDS Security within each vendor and across both: who is let in, and what those may write.
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "bus_factory/bus_factory.hpp"
+#include "conformance.hpp"
+#include "security/certificate.hpp"
+#include "security/credentials.hpp"
+#include "tests/unit/security_pki.hpp"
+#include "tools/tool_process/tool_process.hpp"
+
+namespace farrier::contract {
+namespace {
+
+using bus::Role;
+using signals::JointValveCommand;
+using test::kRobot;
+using test::Pki;
+
+/// For a handshake, and for Fast's endpoint discovery to repeat itself once or twice, on a loaded machine.
+constexpr Nanoseconds kHandshakeBudget = 30s;
+/// Those who may talk have found each other long before; who has not by then is kept out.
+constexpr Nanoseconds kKeptOut = 3s;
+
+Pki& pki() {
+  static Pki shared;
+  return shared;
+}
+
+Pki& another_pki() {
+  static Pki shared;
+  return shared;
+}
+
+using Made = Result<std::unique_ptr<bus::Bus>>;
+
+Made join(bus::Vendor vendor, std::optional<bus::SecurityFiles> security) {
+  bus::NetworkOptions network;
+  network.domain = own_domain();
+  network.security = std::move(security);
+  return bus_factory::create_bus(vendor, network);
+}
+
+std::unique_ptr<bus::Bus> required(Made made) {
+  FARRIER_ENSURE(made.ok(), made.error().message.c_str());
+  return std::move(made).value();
+}
+
+std::unique_ptr<bus::Bus> join_as(Role role, bus::Vendor vendor, const Pki& keys = pki()) {
+  return required(join(vendor, security::files_of(keys.out(), role, vendor)));
+}
+
+bus::EndpointSpec endpoint(bus::TopicId topic, const std::string& robot = kRobot) {
+  return {topic, reliable(), {robot}};
+}
+
+auto publisher(bus::Bus& bus) {
+  return bus::Publisher<JointValveCommand>::create(bus, endpoint(bus::TopicId::kJointValveCommand));
+}
+auto subscription(bus::Bus& bus) {
+  return bus::Subscription<JointValveCommand>::create(bus, endpoint(bus::TopicId::kJointValveCommand));
+}
+
+/// True when a valve command that is published again and again arrives within the budget.
+bool crosses(bus::Bus& from, bus::Bus& to, Nanoseconds budget) {
+  auto out = publisher(from);
+  auto in = subscription(to);
+  FARRIER_ENSURE(out.ok() && in.ok(), "endpoints that may be");
+  JointValveCommand command;
+  command.tick = 7;
+  return wait_until(to, budget, [&] {
+    out.value().publish(command);
+    bool came = false;
+    in.value().drain([&](const JointValveCommand& arrived) { came = came || arrived.tick == command.tick; });
+    return came;
+  });
+}
+
+std::string all_of(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) {
+    text += sentence + "\n";
+  }
+  return text;
+}
+
+class Security : public testing::TestWithParam<Pair> {};
+
+TEST_P(Security, SamplesCrossBetweenThoseWhoProveWhoTheyAre) {
+  const auto writer = join_as(Role::kJointNode, GetParam().writer);
+  const auto reader = join_as(Role::kSimBridge, GetParam().reader);
+  EXPECT_TRUE(crosses(*writer, *reader, kHandshakeBudget));
+}
+
+TEST_P(Security, WhoProvesNothingWritesNothing) {
+  const auto stranger = required(join(GetParam().writer, std::nullopt));
+  const auto reader = join_as(Role::kSimBridge, GetParam().reader);
+  EXPECT_FALSE(crosses(*stranger, *reader, kKeptOut));
+}
+
+TEST_P(Security, WhoProvesNothingReadsNothing) {
+  const auto writer = join_as(Role::kJointNode, GetParam().writer);
+  const auto stranger = required(join(GetParam().reader, std::nullopt));
+  EXPECT_FALSE(crosses(*writer, *stranger, kKeptOut));
+}
+
+TEST_P(Security, WhoseCaIsAnotherIsKeptOutAndSpokenOf) {
+  const auto impostor = join_as(Role::kJointNode, GetParam().writer, another_pki());
+  const auto reader = join_as(Role::kSimBridge, GetParam().reader);
+  EXPECT_FALSE(crosses(*impostor, *reader, kKeptOut));
+  // Cyclone begins the handshake with Fast DDS. An impostor there sees that the CA is another, and never answers.
+  if (GetParam().writer == GetParam().reader || GetParam().reader == bus::Vendor::kFast) {
+    EXPECT_NE(all_of(reader->take_security_warnings()), "");
+  }
+}
+
+constexpr Pair kPairs[] = {{"CycloneToCyclone", bus::Vendor::kCyclone, bus::Vendor::kCyclone},
+                           {"FastToFast", bus::Vendor::kFast, bus::Vendor::kFast},
+                           {"CycloneToFast", bus::Vendor::kCyclone, bus::Vendor::kFast},
+                           {"FastToCyclone", bus::Vendor::kFast, bus::Vendor::kCyclone}};
+INSTANTIATE_TEST_SUITE_P(Over, Security, testing::ValuesIn(kPairs), [](const auto& pair) { return pair.param.name; });
+
+class SecureProcess : public testing::TestWithParam<bus::Vendor> {};
+
+TEST_P(SecureProcess, MonitorMayNotWriteValveCommandsAndIsToldWhere) {
+  const auto monitor = join_as(Role::kMonitor, GetParam());
+  const auto refused = publisher(*monitor);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().message.find("joint/valve_command"), std::string::npos) << refused.error().message;
+  EXPECT_NE(refused.error().message.find("monitor." + std::string(bus::to_string(GetParam()))), std::string::npos)
+      << refused.error().message;
+  EXPECT_TRUE(subscription(*monitor).ok()) << "reading is a monitor's right";
+}
+
+TEST_P(SecureProcess, MayNotEnterThePartitionOfAnotherRobot) {
+  const auto node = join_as(Role::kJointNode, GetParam());
+  const auto refused = bus::Publisher<JointValveCommand>::create(
+      *node, endpoint(bus::TopicId::kJointValveCommand, "another_robot"));
+  EXPECT_FALSE(refused.ok());
+}
+
+TEST_P(SecureProcess, DoesNotStartWithAnExpiredCertificate) {
+  static Pki expired(-1);
+  const auto refused = join(GetParam(), security::files_of(expired.out(), Role::kJointNode, GetParam()));
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().message.find("refuses a secure participant with"), std::string::npos)
+      << refused.error().message;
+}
+
+TEST_P(SecureProcess, DoesNotStartInsecureWhenAFileIsMissing) {
+  for (std::string bus::SecurityFiles::*file :
+       {&bus::SecurityFiles::identity_ca, &bus::SecurityFiles::certificate, &bus::SecurityFiles::private_key,
+        &bus::SecurityFiles::permissions_ca, &bus::SecurityFiles::governance, &bus::SecurityFiles::permissions}) {
+    bus::SecurityFiles files = security::files_of(pki().out(), Role::kJointNode, GetParam());
+    const std::string path = files.*file;
+    files.*file += ".missing";
+    EXPECT_FALSE(join(GetParam(), files).ok()) << path;
+  }
+}
+
+TEST_P(SecureProcess, DoesNotStartWithAGovernanceThatAnotherCaSigned) {
+  bus::SecurityFiles files = security::files_of(pki().out(), Role::kJointNode, GetParam());
+  files.governance = another_pki().out() + "/governance.p7s";
+  EXPECT_FALSE(join(GetParam(), files).ok());
+}
+
+// CVE-2023-24010 and -24011: possible where one CA issues identities and permissions.
+TEST_P(SecureProcess, MayNotSignItsOwnPermissions) {
+  const std::string folder = pki().copy();
+  bus::SecurityFiles files = security::files_of(folder, Role::kMonitor, GetParam());
+  const bus::SecurityFiles coveted = security::files_of(folder, Role::kJointNode, GetParam());
+  const auto rights = security::signed_text(coveted.permissions, coveted.permissions_ca);
+  const std::string draft = folder + "/mine.xml";
+  std::string text = rights.value();
+  const std::string subject = security::read_certificate(coveted.certificate).value().subject;
+  text.replace(text.find(subject), subject.size(), security::read_certificate(files.certificate).value().subject);
+  std::ofstream(draft) << text;
+  const auto signing = run_tool({"openssl", "openssl"},
+                                {"smime", "-sign", "-text", "-in", draft, "-signer", files.certificate, "-inkey",
+                                 files.private_key, "-out", files.permissions},
+                                folder, folder + "/log");
+  ASSERT_TRUE(signing.ok()) << signing.error().message;
+  EXPECT_FALSE(join(GetParam(), files).ok());
+}
+
+INSTANTIATE_TEST_SUITE_P(On, SecureProcess, testing::Values(bus::Vendor::kCyclone, bus::Vendor::kFast),
+                         [](const auto& vendor) { return std::string(bus::to_string(vendor.param)); });
+
+}  // namespace
+}  // namespace farrier::contract
