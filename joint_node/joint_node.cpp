@@ -55,9 +55,10 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
 
 bool JointNode::store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept {
   auto& upcoming = upcoming_gains_[signal.phase];
-  if (signal.generation <= upcoming.newest()) {
+  if (signal.generation <= upcoming.newest() || signal.epoch < newest_epoch_) {
     return false;
   }
+  newest_epoch_ = signal.epoch;
   upcoming.put({gains, plant::physics_of(signal.physics), signal.generation, signal.effective_tick});
   return true;
 }

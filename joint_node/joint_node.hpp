@@ -38,7 +38,8 @@ class JointNode {
             std::uint64_t session);
 
   /// Puts checked gains (check_gains) into the slot of their phase; they act from effective_tick on.
-  /// False, and the slot keeps what it has, when the generation is not newer than the slot's.
+  /// False, and the slot keeps what it has, when the generation is not newer than the slot's, or the epoch is older than
+  /// that of any gains stored before: their supervisor has been replaced.
   bool store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept;
 
   /// A gain update failed its check: from its effective tick the joint says so, until the next good one acts; the last
@@ -117,6 +118,7 @@ class JointNode {
   control::FlowInversion flow_inversion_;
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::generation, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
+  std::uint32_t newest_epoch_ = 0;  ///< of gains
   std::array<Refusal, signals::kPhaseCount> refused_{};
   std::array<Upcoming<Refusal, &Refusal::generation, &Refusal::effective_tick>, signals::kPhaseCount>
       upcoming_refusals_{};

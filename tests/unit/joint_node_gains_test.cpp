@@ -47,6 +47,19 @@ TEST(JointNode, KeepsItsGainsWhenAnOlderGenerationComes) {
   EXPECT_EQ(bench.step().valve.generation, 7u);
 }
 
+TEST(JointNode, TakesNoGainsOfASupervisorThatHasBeenReplaced) {
+  Bench bench = Bench::tracking();
+  auto gains = swing_design(bench, Phase::kStance, 3, 0);
+  gains.epoch = 2;
+  EXPECT_TRUE(bench.node.store_gains(gains, unpack_gains(gains)));
+  for (const Phase phase : {Phase::kSwing, Phase::kStance}) {
+    auto replaced = gains_of(bench.joint, phase, 9);
+    replaced.epoch = 1;
+    EXPECT_FALSE(bench.node.store_gains(replaced, unpack_gains(replaced)));
+  }
+  EXPECT_EQ(bench.step().valve.generation, 3u);
+}
+
 TEST(JointNode, KeepsGainsThatAreNotYetInEffectWhenAnOlderGenerationComes) {
   Bench bench = Bench::tracking();
   bench.offer(swing_design(bench, Phase::kStance, 4, 5));
