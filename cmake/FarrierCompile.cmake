@@ -11,10 +11,15 @@ target_compile_options(farrier_flags INTERFACE
   $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -ffp-contract=off>)
 target_include_directories(farrier_flags INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/lib)
 
+# Sanitizers, for our code and for what is generated from idl/. A finding ends the program: a test that only prints it
+# would pass.
+add_library(farrier_sanitizers INTERFACE)
 if(FARRIER_SANITIZE)
-  target_compile_options(farrier_flags INTERFACE -fsanitize=${FARRIER_SANITIZE} -fno-omit-frame-pointer)
-  target_link_options(farrier_flags INTERFACE -fsanitize=${FARRIER_SANITIZE})
+  target_compile_options(farrier_sanitizers INTERFACE
+    -fsanitize=${FARRIER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_link_options(farrier_sanitizers INTERFACE -fsanitize=${FARRIER_SANITIZE})
 endif()
+target_link_libraries(farrier_flags INTERFACE farrier_sanitizers)
 
 find_program(FARRIER_CCACHE ccache)
 if(FARRIER_CCACHE)
@@ -29,13 +34,22 @@ function(farrier_library name)
   target_link_libraries(farrier_${name} PUBLIC farrier_flags)
 endfunction()
 
-# farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary as one CTest entry. Tiers that start processes or
-# hold leases of a few milliseconds have the machine to themselves.
+# farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary as one CTest entry, which the target tier_<LABEL>
+# builds. Tiers that start processes or hold leases of a few milliseconds have the machine to themselves.
 function(farrier_test name label)
   add_executable(${name} ${ARGN})
+  if(NOT TARGET tier_${label})
+    add_custom_target(tier_${label})
+  endif()
+  add_dependencies(tier_${label} ${name})
   target_link_libraries(${name} PRIVATE farrier_flags GTest::gtest GTest::gtest_main)
   add_test(NAME ${label}/${name} COMMAND ${name})
   set_tests_properties(${label}/${name} PROPERTIES LABELS ${label})
+  if(FARRIER_SANITIZE)
+    set(suppressions suppressions=${PROJECT_SOURCE_DIR}/tests/sanitizers)
+    set_tests_properties(${label}/${name} PROPERTIES ENVIRONMENT
+      "TSAN_OPTIONS=${suppressions}/tsan.supp;LSAN_OPTIONS=${suppressions}/lsan.supp;UBSAN_OPTIONS=print_stacktrace=1")
+  endif()
   if(label MATCHES "^(contract|system|realtime|long)$")
     set_tests_properties(${label}/${name} PROPERTIES RUN_SERIAL TRUE)
   endif()

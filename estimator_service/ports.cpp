@@ -1,6 +1,7 @@
 #include "estimator_service/ports.hpp"
 
 #include "estimator_service/estimator_service.hpp"
+#include "participant/sequence.hpp"
 #include "robot/keys.hpp"
 
 namespace farrier::estimator_service {
@@ -21,7 +22,7 @@ class EstimatorApplication final : public participant::Application {
         participant_(participant),
         lockstep_(participant.identity().clock == bus::ClockKind::kLockstep),
         ticks_(ticks),
-        newest_ticks_(joints.size(), kNoTick),
+        sequences_(joints.size()),
         inbox_(std::move(joints)) {}
 
   void poll(SteadyTime now) override;
@@ -30,8 +31,8 @@ class EstimatorApplication final : public participant::Application {
   std::string waits_for() const override;
 
  private:
-  void take(const signals::JointMeasurement& measurement);
-  void step_lockstep();
+  void take(const signals::JointMeasurement& measurement, SteadyTime now);
+  void step_lockstep(SteadyTime now);
 
   const robot::Robot& robot_;
   EstimatorService service_;
@@ -41,27 +42,26 @@ class EstimatorApplication final : public participant::Application {
   bool lockstep_;
   Tick ticks_;
   Tick tick_ = 0;
-  std::vector<Tick> newest_ticks_;  ///< of measurements, by joint
+  std::vector<participant::Sequence> sequences_;  ///< of measurements, by joint
   participant::TickInbox<signals::JointMeasurement> inbox_;
   SteadyTime next_health_{};
   bool said_ = false;  ///< that it has started; real time only
 };
 
-void EstimatorApplication::take(const signals::JointMeasurement& measurement) {
-  if (measurement.joint >= newest_ticks_.size() || measurement.tick <= newest_ticks_[measurement.joint]) {
+void EstimatorApplication::take(const signals::JointMeasurement& measurement, SteadyTime now) {
+  if (measurement.joint >= sequences_.size() || !sequences_[measurement.joint].take(measurement.tick, now)) {
     return;  // a joint whose next sensors are late answers the last ones again
   }
-  newest_ticks_[measurement.joint] = measurement.tick;
   service_.take(measurement);
   if (robot_.estimate_due(measurement.tick)) {
     estimates_->publish(service_.estimate(measurement.joint, measurement.tick));
   }
 }
 
-void EstimatorApplication::step_lockstep() {
+void EstimatorApplication::step_lockstep(SteadyTime now) {
   while (!finished() && inbox_.missing(tick_) == 0) {
     for (std::size_t i = 0; i < inbox_.keys().size(); ++i) {
-      take(*inbox_.find(i, tick_));
+      take(*inbox_.find(i, tick_), now);
     }
     participant_.tick_done(tick_);
     ++tick_;
@@ -76,15 +76,15 @@ void EstimatorApplication::poll(SteadyTime now) {
     if (lockstep_) {
       inbox_.put(measurement);
     } else {
+      take(measurement, now);
       tick_ = std::max(tick_, measurement.tick);
-      take(measurement);
     }
   });
   if (!participant_.started(now)) {
     return;
   }
   if (lockstep_) {
-    step_lockstep();
+    step_lockstep(now);
     return;
   }
   if (!said_) {

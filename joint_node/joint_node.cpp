@@ -60,9 +60,10 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
 
 bool JointNode::store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept {
   auto& upcoming = upcoming_gains_[signal.phase];
-  if (issue_of(signal) <= upcoming.newest()) {
+  if (issue_of(signal) <= upcoming.newest() || signal.authority < newest_authority_) {
     return false;
   }
+  newest_authority_ = signal.authority;
   upcoming.put({gains, plant::physics_of(signal.physics), issue_of(signal), signal.effective_tick});
   return true;
 }

@@ -39,8 +39,8 @@ class JointNode {
             std::uint64_t session);
 
   /// Puts checked gains (check_gains) into the slot of their phase; they act from effective_tick on.
-  /// False, and the slot keeps what it has, when they are not newer than the slot's: of a later supervisor,
-  /// or of the same and a later generation.
+  /// False, and the slot keeps what it has, when they are not newer than the slot's, by authority and then generation, or
+  /// of an older authority than any gains stored before: their supervisor has been replaced.
   bool store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept;
 
   /// A gain update failed its check: from its effective tick the joint says so, until the next good one acts; the last
@@ -128,6 +128,7 @@ class JointNode {
   std::optional<control::FlowInversion> flow_inversion_;    ///< likewise
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::issue, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
+  std::uint32_t newest_authority_ = 0;  ///< of gains
   std::array<Refusal, signals::kPhaseCount> refused_{};
   std::array<Upcoming<Refusal, &Refusal::issue, &Refusal::effective_tick>, signals::kPhaseCount>
       upcoming_refusals_{};

@@ -98,6 +98,7 @@ bool JointNodeRealtime::receive(SteadyTime now) {
       if (const auto came = mail.sensors_arrival.take(sensors.tick, sensors.sample_time_ns, now)) {
         mail.sensors.store({sensors, *came});
         mail.newest_sensors = sensors.tick;
+        stepped_for_ = std::min(stepped_for_, sensors.tick - 1);  // a source that begins anew begins at a smaller tick
       }
     });
   });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "participant/sequence.hpp"
 #include "robot/keys.hpp"
 #include "supervisor/succession.hpp"
 
@@ -63,6 +64,7 @@ class SupervisorApplication final : public participant::Application {
   signals::SystemMode mode_;  ///< last written; epoch 0: none
   Tick tick_ = 0;             ///< next to be worked on
   Tick begun_ = kNoTick;      ///< newest the clock has begun
+  participant::Sequence clock_ticks_;
   participant::TickInbox<signals::JointModelEstimate> estimates_;
   SteadyTime next_health_{};
   SteadyTime next_mode_{};
@@ -177,11 +179,16 @@ void SupervisorApplication::step_realtime(SteadyTime now) {
 }
 
 void SupervisorApplication::poll(SteadyTime now) {
-  ports_.clock->drain([&](const signals::ClockTick& clock) { begun_ = std::max(begun_, clock.tick); });
+  ports_.clock->drain([&](const signals::ClockTick& clock) {
+    if (clock_ticks_.take(clock.tick, now)) {
+      begun_ = clock.tick;
+    }
+  });
   ports_.estimates->drain([&](const signals::JointModelEstimate& estimate) {
     if (lockstep_) {
       estimates_.put(estimate);
-    } else if (succession_.leads()) {
+    } else if (succession_.leads() && estimate.tick >= 0 &&
+               estimate.tick <= begun_ + participant::Sequence::kFarthest) {
       supervisor_.take(estimate, estimate.tick);
     }
   });

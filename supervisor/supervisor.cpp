@@ -178,11 +178,13 @@ void Supervisor::take_gains(JointSlots& joint, const signals::JointModelEstimate
   if (decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted)) {
     joint.last_issue = tick;
     joint.dwell_ticks = static_cast<int>(decision.dwell_ticks);
+    // With physics that no joint has, the joint would refuse the gains.
+    const plant::JointPhysics estimated = plant::physics_of(estimate.physics);
+    const bool physical = estimate.has_physics != 0 && plant::first_unphysical(estimated) == nullptr;
     issue(joint, wire_gains::with_physics(
                      wire_gains::pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), authority_, 0,
                                             slot.gains()),
-                     estimate.has_physics != 0 ? plant::physics_of(estimate.physics)
-                                               : joint.first_physics[estimate.phase]));
+                     physical ? estimated : joint.first_physics[estimate.phase]));
   }
   if (slot.is_news()) {
     tell(joint, decision, slot.design_status());

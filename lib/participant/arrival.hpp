@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
-#include "core/time.hpp"
+#include "participant/sequence.hpp"
 
 namespace farrier::participant {
 
@@ -12,29 +13,34 @@ namespace farrier::participant {
 /// differences only: the quickest way so far is taken for the way that nothing held up.
 class Arrival {
  public:
-  /// Silence after which a sender may have begun anew.
-  static constexpr Nanoseconds kRestart = std::chrono::milliseconds(100);
   /// By how much two steady clocks may drift apart (crystals are within 50 ppm each).
   static constexpr double kDrift = 1e-4;
 
-  /// When this sample would have come had nothing held it up, at most `now`; nothing for one that is no newer than the
-  /// newest so far, while its sender is not silent. `sampled_ns`: the sender's steady clock.
+  /// No way is longer than the quickest by this while its sender is heard: then the quickest was a wrong stamp's.
+  static constexpr Nanoseconds kLongest = std::chrono::seconds(1);
+
+  /// When this sample would have come had nothing held it up, at most `now`; nothing for one whose tick does not count
+  /// (Sequence), whose stamp no steady clock gives, or which is suddenly quicker than any before by more than
+  /// Sequence::kRestart: one wrong stamp must not make all after it late. `sampled_ns`: the sender's steady clock.
   std::optional<SteadyTime> take(Tick tick, std::int64_t sampled_ns, SteadyTime now) noexcept {
-    const bool anew = heard_ == SteadyTime{} || now - heard_ > kRestart;
-    if (!anew && tick <= newest_) {
+    constexpr std::int64_t kLatestStamp_ns = std::numeric_limits<std::int64_t>::max() / 4;  // 73 years
+    if (sampled_ns < 0 || sampled_ns > kLatestStamp_ns) {
       return std::nullopt;
     }
     const Nanoseconds way = now.time_since_epoch() - Nanoseconds(sampled_ns);
-    const auto drift = std::chrono::duration_cast<Nanoseconds>(kDrift * (now - heard_));
-    quickest_ = anew ? way : std::min(way, quickest_ + drift);
-    newest_ = tick;
-    heard_ = now;
-    return now - (way - quickest_);
+    const SteadyTime before = sequence_.heard();
+    const bool anew = sequence_.begins_anew(now);
+    if ((!anew && quickest_ - way > Sequence::kRestart) || !sequence_.take(tick, now)) {
+      return std::nullopt;
+    }
+    const auto drift = anew ? Nanoseconds{} : std::chrono::duration_cast<Nanoseconds>(kDrift * (now - before));
+    const Nanoseconds quickest = anew ? way : std::min(way, quickest_ + drift);
+    quickest_ = way - quickest > kLongest ? way : quickest;
+    return now - (way - quickest);
   }
 
  private:
-  Tick newest_ = kNoTick;
-  SteadyTime heard_{};
+  Sequence sequence_;
   Nanoseconds quickest_{};
 };
 

@@ -101,7 +101,9 @@ class In final : public Port {
       const auto place = std::find(keys_.begin(), keys_.end(), key_of(signal)) - keys_.begin();
       if (static_cast<std::size_t>(place) < last_tick_.size()) {
         Tick& last = last_tick_[static_cast<std::size_t>(place)];
-        skipped_ += last != kNoTick && signal.tick > last + 1 ? static_cast<std::uint64_t>(signal.tick - last - 1) : 0;
+        // Without sign: two ticks of any content have a difference.
+        const auto gap = static_cast<std::uint64_t>(signal.tick) - static_cast<std::uint64_t>(last);
+        skipped_ += last != kNoTick && signal.tick > last ? gap - 1 : 0;
         last = signal.tick;
       }
     }

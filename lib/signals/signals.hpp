@@ -6,6 +6,7 @@
 // Coordinates are the actuator's: a cylinder's piston position in m (from retracted), velocity in m/s and load-cell
 // force in N; for a rotary motor the same fields hold rad, rad/s and Nm, which their names say.
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -270,9 +271,10 @@ void assign(std::array<char, kSize>& to, std::string_view text) noexcept {
   text.copy(to.data(), kSize - 1);
 }
 
+/// Up to the terminating zero; all of it when a sender has left that out.
 template <std::size_t kSize>
 std::string_view text_of(const std::array<char, kSize>& from) noexcept {
-  return std::string_view(from.data());
+  return std::string_view(from.data(), static_cast<std::size_t>(std::find(from.begin(), from.end(), '\0') - from.begin()));
 }
 
 const char* to_string(Phase phase) noexcept;

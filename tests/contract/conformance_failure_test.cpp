@@ -5,6 +5,7 @@
 
 #include "conformance.hpp"
 #include "peer.hpp"
+#include "tests/support/slowness.hpp"
 
 namespace farrier::contract {
 namespace {
@@ -117,7 +118,7 @@ TEST_P(Conformance, MissedDeadlineIsReported) {
 }
 
 // What a control loop of one millisecond may lose once, not every time.
-constexpr Nanoseconds kWriteBudget = 1ms;
+constexpr Nanoseconds kWriteBudget = 1ms * test::kSlowness;
 
 TEST_P(Conformance, WritingDoesNotWaitForAnAbsentReader) {
   constexpr int kSamples = 2000;

@@ -9,6 +9,14 @@
 namespace farrier::signals {
 namespace {
 
+TEST(Signals, TextWithoutItsEndIsReadToTheEndOfItsField) {
+  Name name;
+  name.fill('x');
+  EXPECT_EQ(text_of(name), std::string(name.size(), 'x'));
+  assign(name, "lf");
+  EXPECT_EQ(text_of(name), "lf");
+}
+
 TEST(Signals, AreInvalidUntilFilledIn) {
   EXPECT_EQ(JointSensors{}.tick, kNoTick);
   EXPECT_EQ(JointCommand{}.tick, kNoTick);

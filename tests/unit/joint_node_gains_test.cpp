@@ -76,6 +76,19 @@ TEST(JointNode, GoesOnUnmovedWhenALaterSupervisorWritesTheSameGainsAgain) {
   }
 }
 
+TEST(JointNode, TakesNoGainsOfASupervisorThatHasBeenReplaced) {
+  Bench bench = Bench::tracking();
+  auto gains = swing_design(bench, Phase::kStance, 3, 0);
+  gains.authority = 2;
+  EXPECT_TRUE(bench.node.store_gains(gains, wire_gains::unpack_gains(gains)));
+  for (const Phase phase : {Phase::kSwing, Phase::kStance}) {
+    auto replaced = gains_of(bench.joint, phase, 9);
+    replaced.authority = 1;
+    EXPECT_FALSE(bench.node.store_gains(replaced, wire_gains::unpack_gains(replaced)));
+  }
+  EXPECT_EQ(bench.step().valve.generation, 3u);
+}
+
 TEST(JointNode, KeepsGainsThatAreNotYetInEffectWhenAnOlderGenerationComes) {
   Bench bench = Bench::tracking();
   bench.offer(swing_design(bench, Phase::kStance, 4, 5));

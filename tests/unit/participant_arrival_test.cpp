@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "participant/arrival.hpp"
 
 namespace farrier::participant {
@@ -53,6 +55,46 @@ TEST(Arrival, TakesASenderThatBeganAnewAfterASilence) {
   // Tick 0 of the new one, 101 ms after the last.
   EXPECT_EQ(arrival.take(0, 123, kStart + 5101ms + 100us), kStart + 5101ms + 100us);
   EXPECT_TRUE(arrival.take(1, 1'000'123, kStart + 5102ms + 100us));
+}
+
+TEST(Arrival, TakesNoTickThatNoSenderCanHaveGotTo) {
+  Arrival arrival;
+  Sender sender(arrival);
+  constexpr Tick kLast = std::numeric_limits<Tick>::max();
+  EXPECT_TRUE(sender.late(5, 100us));
+  for (const Tick tick : {kLast, kLast - 1, Tick{-2}, std::numeric_limits<Tick>::min(), 6 + Sequence::kFarthest}) {
+    EXPECT_FALSE(arrival.take(tick, kSendersStart_ns + 6'000'000, kStart + 6ms)) << tick;
+  }
+  EXPECT_EQ(sender.late(6, 100us), 0us) << "the next right one must count";
+}
+
+TEST(Arrival, OneWrongStampMakesNoLaterSampleLate) {
+  constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+  constexpr std::int64_t kEnds[] = {-kMost - 1, -1, kMost, kMost / 4, kSendersStart_ns + 1'000'000'000};
+  for (const std::int64_t wrong_ns : kEnds) {
+    Arrival arrival;
+    Sender sender(arrival);
+    EXPECT_TRUE(sender.late(0, 100us));
+    EXPECT_FALSE(arrival.take(1, wrong_ns, kStart + 1ms)) << wrong_ns;
+    EXPECT_EQ(sender.late(2, 100us), 0us) << wrong_ns;
+  }
+}
+
+TEST(Arrival, RecoversFromAWrongStampThatCameFirst) {
+  Arrival arrival;
+  Sender sender(arrival);
+  EXPECT_TRUE(arrival.take(0, std::numeric_limits<std::int64_t>::max() / 8, kStart));
+  EXPECT_GT(*sender.late(1, 100us), Arrival::kLongest);
+  EXPECT_EQ(sender.late(2, 100us), 0us);
+}
+
+TEST(Sequence, IsNewAgainAfterASilenceAndNotBefore) {
+  Sequence ticks;
+  EXPECT_TRUE(ticks.take(7, kStart));
+  EXPECT_FALSE(ticks.take(0, kStart + Sequence::kRestart));
+  EXPECT_FALSE(ticks.take(7, kStart + 2 * Sequence::kRestart)) << "the same sample once more is none";
+  EXPECT_TRUE(ticks.take(0, kStart + 2 * Sequence::kRestart));
+  EXPECT_EQ(ticks.newest(), 0);
 }
 
 TEST(Arrival, FollowsAClockThatDriftsAway) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 
 #include "joint_node/gains_check.hpp"
@@ -151,6 +152,20 @@ TEST(AdaptiveSupervisor, IgnoresEstimatesOfWhatTheRobotDoesNotHave) {
     return std::vector{no_joint, no_phase};
   });
   EXPECT_TRUE(issued.gains.empty());
+}
+
+TEST(AdaptiveSupervisor, IssuesGainsThatTheJointTakesWhateverPhysicsCameWithTheEstimate) {
+  Supervisor supervisor = adaptive();
+  const Issued issued = run(supervisor, kLong, [](Tick) {
+    JointModelEstimate estimate = stance_of(kKnee);
+    estimate.has_physics = 1;
+    estimate.physics.fill(std::numeric_limits<double>::quiet_NaN());
+    return std::vector{estimate};
+  });
+  EXPECT_FALSE(issued.gains.empty());
+  for (const JointControllerGains& gains : issued.gains) {
+    EXPECT_TRUE(joint_node::check_gains(gains, hyq().joints[kKnee].kind).ok());
+  }
 }
 
 TEST(AdaptiveSupervisor, IsTheOnlyOneThatLooksAtEstimates) {

@@ -1,0 +1,96 @@
+// Files that were measured or recorded, on other machines and by other programs.
+
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "diagnosis/recording_check.hpp"
+#include "diagnosis/scaled_recording.hpp"
+#include "diagnosis/trace_recording.hpp"
+#include "record/trace.hpp"
+#include "tests/fuzz/harness.hpp"
+#include "tests/fuzz/robots.hpp"
+
+namespace farrier::fuzz {
+namespace {
+
+/// A file in memory that has a path.
+class File {
+ public:
+  explicit File(Bytes bytes) : descriptor_(memfd_create("fuzz", 0)) {
+    require(descriptor_ >= 0 && write(descriptor_, bytes.data(), bytes.size()) == static_cast<ssize_t>(bytes.size()),
+            "the machine has memory for a file");
+  }
+  ~File() { close(descriptor_); }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
+
+  std::string path() const { return "/proc/self/fd/" + std::to_string(descriptor_); }
+
+ private:
+  int descriptor_;
+};
+
+bool finite(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+void require_findings(const std::vector<diagnosis::Finding>& findings) {
+  require(!findings.empty(), "a refusal says why");
+  require(std::ranges::none_of(findings, [](const auto& finding) { return finding.text.empty(); }),
+          "every finding has its sentence");
+}
+
+void require_sound(const diagnosis::Recording& recording, const robot::Joint& joint) {
+  for (const auto* column : {&recording.time_s, &recording.position, &recording.velocity, &recording.force,
+                             &recording.valve_current_A, &recording.pressure_a_Pa, &recording.pressure_b_Pa,
+                             &recording.supply_pressure_Pa}) {
+    require(column->empty() || column->size() == recording.time_s.size(), "all columns are equally long");
+    require(finite(*column), "all samples are finite");
+  }
+  require(recording.time_s.size() >= diagnosis::kFewestSamples, "a recording is long enough");
+  diagnosis::check_recording(recording, joint);
+}
+
+}  // namespace
+
+void recording(Bytes bytes) {
+  const auto read = diagnosis::read_recording(File(bytes).path());
+  if (!read) {
+    return require_findings(read.error().findings);
+  }
+  require_sound(read.value(), hyq().joints.front());
+}
+
+void scaled_recording(Bytes bytes) {
+  const auto read = diagnosis::read_scaled_recording(File(bytes).path());
+  if (!read) {
+    return require_findings(read.error().findings);
+  }
+  require(finite(read.value().valve) && finite(read.value().position), "all samples are finite");
+  require(read.value().valve.size() == read.value().position.size(), "all columns are equally long");
+}
+
+void trace(Bytes bytes) {
+  const File file(bytes);
+  std::vector<std::string> names;
+  for (const robot::Joint& joint : hyq().joints) {
+    names.push_back(joint.name);
+  }
+  if (const auto rows = record::read_trace(file.path(), names)) {
+    for (const record::TraceRow& row : rows.value()) {
+      require(row.joint < names.size(), "a row is of a joint there is");
+    }
+  }
+  const robot::Joint& joint = hyq().joints.front();
+  const auto read = diagnosis::recording_of_trace(file.path(), hyq(), joint);
+  if (!read) {
+    return require_findings(read.error().findings);
+  }
+  require_sound(read.value(), joint);
+}
+
+}  // namespace farrier::fuzz

@@ -1,0 +1,23 @@
+#include "tests/fuzz/harness.hpp"
+
+namespace farrier::fuzz {
+
+std::span<const Harness> harnesses() noexcept {
+  static constexpr Harness kHarnesses[] = {
+      {"arrow_fault", arrow_fault},
+      {"robot_file", robot_file},
+      {"recording", recording},
+      {"scaled_recording", scaled_recording},
+      {"trace", trace},
+      {"cyclone_codec", cyclone_codec},
+      {"fast_codec", fast_codec},
+      {"cyclone_acknack", cyclone_acknack},
+      {"ports", ports},
+      {"joint_node", joint_node},
+      {"estimator_service", estimator_service},
+      {"supervisor", supervisor},
+  };
+  return kHarnesses;
+}
+
+}  // namespace farrier::fuzz
