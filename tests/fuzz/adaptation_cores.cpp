@@ -4,7 +4,7 @@
 
 #include "control/model_rows.hpp"
 #include "estimator_service/estimator_service.hpp"
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
 #include "participant/sequence.hpp"
 #include "robot/joint_model.hpp"
 #include "supervisor/supervisor.hpp"

@@ -3,13 +3,14 @@
 #include <cmath>
 #include <map>
 
-#include "joint_node/gains_decoding.hpp"
+#include "joint_node/gains_check.hpp"
 #include "joint_node/joint_node.hpp"
 #include "participant/arrival.hpp"
 #include "supervisor/joint_design.hpp"
 #include "supervisor/supervisor.hpp"
 #include "tests/fuzz/input.hpp"
 #include "tests/fuzz/robots.hpp"
+#include "wire_gains/wire_gains.hpp"
 
 namespace farrier::fuzz {
 namespace {
@@ -34,8 +35,8 @@ const Kind& kind_of(control::Kind kind) {
   for (const robot::Joint& joint : made.robot.joints) {
     const auto designed = supervisor::design_joint(joint, joint.stance_load, made.robot.period_s, kDelayTicks);
     require(designed.ok(), "a shipped joint has gains");
-    made.gains.push_back(supervisor::with_physics(
-        supervisor::pack_gains(joint.number, signals::Phase::kStance, 1, 1, designed.value()),
+    made.gains.push_back(wire_gains::with_physics(
+        wire_gains::pack_gains(joint.number, signals::Phase::kStance, 1, 1, designed.value()),
         plant::nominal_physics(joint.actuator, joint.stance_load)));
   }
   return kinds.emplace(kind, std::move(made)).first->second;
@@ -92,7 +93,7 @@ class Bench {
  private:
   void offer(const signals::JointControllerGains& signal) {
     if (joint_node::check_gains(signal, joint_.kind)) {
-      node_.store_gains(signal, joint_node::unpack_gains(signal));
+      node_.store_gains(signal, wire_gains::unpack_gains(signal));
     } else {
       node_.refuse_gains(signal);
     }
