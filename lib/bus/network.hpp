@@ -9,6 +9,10 @@ namespace farrier::bus {
 /// The longest that Cyclone takes.
 inline constexpr std::chrono::seconds kPatientLease = std::chrono::hours(1);
 
+/// What each vendor asks for its sockets: a tick's worth of samples from every process fits many times over. The kernel
+/// may grant less (net.core.rmem_max, net.core.wmem_max).
+inline constexpr unsigned kSocketBufferBytes = 4u << 20;
+
 /// Where a DDS process looks for the others. The default finds up to `max_processes` processes on this computer by
 /// unicast alone: it works on a loopback device without multicast.
 struct NetworkOptions {

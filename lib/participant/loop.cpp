@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "participant/clock.hpp"
+#include "participant/service_manager.hpp"
 
 namespace farrier::participant {
 namespace {
@@ -31,19 +32,26 @@ bool stop_requested() noexcept { return stop_signal != 0; }
 
 int stop_status() noexcept { return stop_signal == 0 ? 0 : 128 + stop_signal; }
 
-int run(Application& application, bus::Bus& bus, const char* name) {
-  std::string waited_for;
+int run(Application& application, Participant& member) {
+  bus::Bus& bus = member.bus();
+  ServiceManager manager;
   SteadyTime since = steady_now();
-  while (!stop_requested()) {
+  for (std::uint64_t turns = 1; !stop_requested(); ++turns) {
     const std::uint64_t before = bus.arrivals();
     application.poll(steady_now());
     bus.wait_for_arrivals(before + static_cast<std::uint64_t>(application.missing()),
                           application.finished() ? Nanoseconds(20ms) : Nanoseconds(kLongestSleep));
     const SteadyTime now = steady_now();
+    if (member.has_started()) {
+      manager.ready();
+    }
+    manager.alive({&turns, 1}, now);
     if (bus.arrivals() != before || application.finished()) {
       since = now;
     } else if (now - since > kSilenceWorthReporting) {
-      std::fprintf(stderr, "%s: waiting for %s\n", name, application.waits_for().c_str());
+      const std::string waiting = "waiting for " + application.waits_for();
+      std::fprintf(stderr, "%s: %s\n", member.identity().name.c_str(), waiting.c_str());
+      manager.status(waiting);
       since = now;
     }
   }

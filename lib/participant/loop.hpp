@@ -1,7 +1,7 @@
 #pragma once
 
-#include "bus/bus.hpp"
 #include "participant/application.hpp"
+#include "participant/participant.hpp"
 
 namespace farrier::participant {
 
@@ -15,7 +15,8 @@ bool stop_requested() noexcept;
 int stop_status() noexcept;
 
 /// Drives an application by one thread that polls it whenever samples arrive, until SIGTERM; returns the process's exit
-/// status. When nothing moves for a while it says on standard error what it waits for.
-int run(Application& application, bus::Bus& bus, const char* name);
+/// status. When nothing moves for a while it says on standard error what it waits for. systemd hears when the run has
+/// begun, and from then on that the loop turns.
+int run(Application& application, Participant& member);
 
 }  // namespace farrier::participant

@@ -34,6 +34,7 @@ struct ProcessOptions {
   std::optional<std::uint64_t> hide;  ///< sim_bridge: seed of an effect that only the simulated robot has
   std::vector<bus_faults::ArrowFault> faults;  ///< on the way of samples into this process, real time only
   int slow = 1;                     ///< slow motion by this factor, real time only
+  int priority_shift = 0;           ///< added to every SCHED_FIFO priority, real time only
   bool no_dither = false;           ///< joint_node: valves are not probed, whatever the robot file says
 };
 

@@ -84,6 +84,9 @@ class Participant {
   /// said that it hears all it must.
   bool started(SteadyTime now);
 
+  /// Whether that was so at the last call of started().
+  bool has_started() const noexcept { return started_; }
+
   /// What the greeting still lacks, for people; empty when complete.
   std::string greeting_lacks() const;
 

@@ -1,10 +1,12 @@
 #include "participant/realtime_loop.hpp"
 
+#include <array>
 #include <cstdio>
 #include <thread>
 
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
+#include "participant/service_manager.hpp"
 #include "runtime/deadline.hpp"
 #include "runtime/realtime_thread.hpp"
 
@@ -16,19 +18,28 @@ using namespace std::chrono_literals;
 constexpr auto kHousekeeping = 5ms;
 constexpr auto kSilenceWorthReporting = 5s;
 
-void control(RealtimeApplication& application, const char* name, const std::atomic<bool>& started) {
-  for (const std::string& lacking : {runtime::set_priority(runtime::kControlPriority), runtime::lock_memory()}) {
+/// What the threads of a process know of each other.
+struct Threads {
+  std::atomic<bool> started{false};
+  std::atomic<std::uint64_t> control_turns{0}, send_turns{0};
+};
+
+void control(RealtimeApplication& application, const char* name, int priority_shift, Threads& threads) {
+  runtime::name_thread("control");
+  for (const std::string& lacking :
+       {runtime::set_priority(runtime::kControlPriority + priority_shift), runtime::lock_memory()}) {
     if (!lacking.empty()) {
       std::fprintf(stderr, "%s: runs without %s\n", name, lacking.c_str());
     }
   }
+  const std::atomic<bool>& started = threads.started;
   while (!started.load(std::memory_order_acquire) && !stop_requested()) {
     std::this_thread::sleep_for(1ms);
   }
   const bool on_arrival = application.trigger() == RealtimeApplication::Trigger::kArrival;
   const Nanoseconds period = on_arrival ? application.period() * 3 / 2 : application.period();
   SteadyTime previous = steady_now();
-  while (!stop_requested()) {
+  for (; !stop_requested(); threads.control_turns.fetch_add(1, std::memory_order_relaxed)) {
     runtime::Deadline deadline = runtime::next_deadline(previous, steady_now(), period);
     if (on_arrival) {
       deadline.missed += application.inputs_complete.wait_until(machine_time(deadline.next)) ? 0 : 1;
@@ -44,8 +55,10 @@ void control(RealtimeApplication& application, const char* name, const std::atom
   }
 }
 
-void send(RealtimeApplication& application, const std::atomic<bool>& started) {
-  while (!stop_requested()) {
+void send(RealtimeApplication& application, Threads& threads) {
+  runtime::name_thread("send");
+  const std::atomic<bool>& started = threads.started;
+  for (; !stop_requested(); threads.send_turns.fetch_add(1, std::memory_order_relaxed)) {
     if (application.outputs_waiting.wait_until(machine_time(steady_now() + kHousekeeping)) && started.load(std::memory_order_acquire)) {
       application.send();
     }
@@ -57,17 +70,24 @@ void send(RealtimeApplication& application, const std::atomic<bool>& started) {
 
 }  // namespace
 
-int run_realtime(RealtimeApplication& application, bus::Bus& bus, const char* name) {
-  std::atomic<bool> started{false};
-  std::thread control_thread(control, std::ref(application), name, std::cref(started));
-  std::thread send_thread(send, std::ref(application), std::cref(started));
+int run_realtime(RealtimeApplication& application, Participant& member, int priority_shift) {
+  const char* const name = member.identity().name.c_str();
+  bus::Bus& bus = member.bus();
+  Threads threads;
+  ServiceManager manager;
+  std::thread control_thread(control, std::ref(application), name, priority_shift, std::ref(threads));
+  std::thread send_thread(send, std::ref(application), std::ref(threads));
   SteadyTime said = steady_now();
   while (!stop_requested()) {
     const std::uint64_t before = bus.arrivals();
     if (application.receive(steady_now())) {
-      started.store(true, std::memory_order_release);
+      threads.started.store(true, std::memory_order_release);
+      manager.ready();
+      manager.alive(std::array{threads.control_turns.load(), threads.send_turns.load()}, steady_now());
     } else if (steady_now() - said > kSilenceWorthReporting) {
-      std::fprintf(stderr, "%s: waiting for %s\n", name, application.waits_for().c_str());
+      const std::string waiting = "waiting for " + application.waits_for();
+      std::fprintf(stderr, "%s: %s\n", name, waiting.c_str());
+      manager.status(waiting);
       said = steady_now();
     }
     bus.wait_for_arrivals(before + 1, kHousekeeping);

@@ -6,8 +6,8 @@
 #include <atomic>
 #include <string>
 
-#include "bus/bus.hpp"
 #include "core/time.hpp"
+#include "participant/participant.hpp"
 #include "participant/wake_up.hpp"
 
 namespace farrier::participant {
@@ -43,7 +43,9 @@ class RealtimeApplication {
   WakeUp outputs_waiting;  ///< posted by the control thread
 };
 
-/// Drives an application on the real-time clock until SIGTERM; returns the process's exit status.
-int run_realtime(RealtimeApplication& application, bus::Bus& bus, const char* name);
+/// Drives an application on the real-time clock until SIGTERM; returns the process's exit status. systemd hears when
+/// the run has begun, and from then on that the control and the sender thread turn. `priority_shift` is added to the
+/// control thread's priority.
+int run_realtime(RealtimeApplication& application, Participant& member, int priority_shift);
 
 }  // namespace farrier::participant

@@ -65,7 +65,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
     participant::set_slow_motion(options.slow);
     const bool service = options.number == participant::kEstimatorService || options.number == participant::kSupervisor;
     const int priority = service ? runtime::kServicePriority : runtime::kBusPriority;
-    if (const std::string lacking = runtime::set_priority(priority); !lacking.empty()) {
+    if (const std::string lacking = runtime::set_priority(priority + options.priority_shift); !lacking.empty()) {
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());
     }
   }
@@ -84,11 +84,11 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   }
   if (options.clock == bus::ClockKind::kRealtime && threaded) {
     auto application = threaded(*member.value(), robot.value());
-    return application ? participant::run_realtime(*application.value(), *bus.value(), name)
+    return application ? participant::run_realtime(*application.value(), *member.value(), options.priority_shift)
                        : refuse(name, application.error());
   }
   auto application = polled(*member.value(), robot.value());
-  return application ? participant::run(*application.value(), *bus.value(), name)
+  return application ? participant::run(*application.value(), *member.value())
                      : refuse(name, application.error());
 }
 

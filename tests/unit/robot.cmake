@@ -6,6 +6,7 @@ target_link_libraries(config_test PRIVATE farrier_config)
 
 farrier_test(robot_test unit
   ${CMAKE_CURRENT_LIST_DIR}/robot_adaptation_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/robot_deployment_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot_estimator_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot_effects_by_joint_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot_effects_test.cpp

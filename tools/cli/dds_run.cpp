@@ -50,7 +50,7 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
       options.faults = faults->second;
     }
     const std::string name = run.bare ? "bare_exchange" : member.executable;
-    const std::string executable = run.executables + (run.bare ? "/tools/" : "/") + name + "/" + name;
+    const std::string executable = run.executables + "/" + name;
     auto child = ChildProcess::start(member.name, executable, participant::to_arguments(options),
                                      run.log_directory + "/" + member.name + ".log");
     if (!child) {

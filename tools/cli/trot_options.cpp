@@ -1,8 +1,7 @@
 #include "tools/cli/trot_options.hpp"
 
-#include <filesystem>
-
 #include "tools/cli/help.hpp"
+#include "tools/cli/installation.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -111,15 +110,6 @@ void declare(CLI::App& app, TrotOptions& o) {
       ->type_name("<n>")
       ->default_str(std::to_string(kSeeds) + "; with --hide 1");
   app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
-}
-
-std::string build_directory() {
-  // <build>/tools/cli/farrier
-  return std::filesystem::canonical("/proc/self/exe").parent_path().parent_path().parent_path().string();
-}
-
-std::string shipped_robot(const std::string& name) {
-  return (std::filesystem::path(FARRIER_ROBOTS) / name).lexically_normal().string();
 }
 
 }  // namespace farrier::cli

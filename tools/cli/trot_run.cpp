@@ -1,3 +1,4 @@
+#include "tools/cli/installation.hpp"
 #include "tools/cli/trot_run.hpp"
 
 #include <unistd.h>
@@ -31,7 +32,7 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
   run.grouping = o.nodes;
   run.common = common_options(o);
   run.common.ticks = lab::ticks_of(o.duration_s, robot);
-  run.executables = build_directory();
+  run.executables = processes_directory();
   run.log_directory = o.out + "/log";
   run.record_directory = o.record_directory;
   run.title = title;
