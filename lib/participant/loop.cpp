@@ -14,6 +14,7 @@ using namespace std::chrono_literals;
 // Transports may report several samples with one arrival; a short sleep bounds what that costs.
 constexpr auto kLongestSleep = 2ms;
 constexpr auto kSilenceWorthReporting = 2s;
+constexpr auto kStatusPeriod = 1s;  // while the others are greeted
 
 volatile std::sig_atomic_t stop_signal = 0;
 
@@ -36,6 +37,7 @@ int run(Application& application, Participant& member) {
   bus::Bus& bus = member.bus();
   ServiceManager manager;
   SteadyTime since = steady_now();
+  SteadyTime next_status = since + kStatusPeriod;
   for (std::uint64_t turns = 1; !stop_requested(); ++turns) {
     const std::uint64_t before = bus.arrivals();
     application.poll(steady_now());
@@ -44,14 +46,15 @@ int run(Application& application, Participant& member) {
     const SteadyTime now = steady_now();
     if (member.has_started()) {
       manager.ready();
+    } else if (now >= next_status) {
+      next_status = now + kStatusPeriod;
+      manager.status("waiting for " + application.waits_for());
     }
     manager.alive({&turns, 1}, now);
     if (bus.arrivals() != before || application.finished()) {
       since = now;
     } else if (now - since > kSilenceWorthReporting) {
-      const std::string waiting = "waiting for " + application.waits_for();
-      std::fprintf(stderr, "%s: %s\n", member.identity().name.c_str(), waiting.c_str());
-      manager.status(waiting);
+      std::fprintf(stderr, "%s: waiting for %s\n", member.identity().name.c_str(), application.waits_for().c_str());
       since = now;
     }
   }

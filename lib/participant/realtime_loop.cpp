@@ -17,6 +17,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kHousekeeping = 5ms;
 constexpr auto kSilenceWorthReporting = 5s;
+constexpr auto kStatusPeriod = 1s;
 
 /// What the threads of a process know of each other.
 struct Threads {
@@ -78,17 +79,21 @@ int run_realtime(RealtimeApplication& application, Participant& member, int prio
   std::thread control_thread(control, std::ref(application), name, priority_shift, std::ref(threads));
   std::thread send_thread(send, std::ref(application), std::ref(threads));
   SteadyTime said = steady_now();
+  SteadyTime next_status = said + kStatusPeriod;
   while (!stop_requested()) {
     const std::uint64_t before = bus.arrivals();
     if (application.receive(steady_now())) {
       threads.started.store(true, std::memory_order_release);
       manager.ready();
       manager.alive(std::array{threads.control_turns.load(), threads.send_turns.load()}, steady_now());
-    } else if (steady_now() - said > kSilenceWorthReporting) {
+    } else if (steady_now() >= next_status) {
+      next_status = steady_now() + kStatusPeriod;
       const std::string waiting = "waiting for " + application.waits_for();
-      std::fprintf(stderr, "%s: %s\n", name, waiting.c_str());
       manager.status(waiting);
-      said = steady_now();
+      if (steady_now() - said > kSilenceWorthReporting) {
+        std::fprintf(stderr, "%s: %s\n", name, waiting.c_str());
+        said = steady_now();
+      }
     }
     bus.wait_for_arrivals(before + 1, kHousekeeping);
   }

@@ -1,6 +1,7 @@
 farrier_test(config_test unit
   ${CMAKE_CURRENT_LIST_DIR}/config_output_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/config_reader_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/config_text_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/config_yaml_test.cpp)
 target_link_libraries(config_test PRIVATE farrier_config)
 

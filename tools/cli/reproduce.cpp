@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 
 #include "lab/studies/registry.hpp"
 #include "participant/loop.hpp"

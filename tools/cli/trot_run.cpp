@@ -1,10 +1,10 @@
-#include "tools/cli/installation.hpp"
 #include "tools/cli/trot_run.hpp"
 
 #include <unistd.h>
 
 #include "lab/hide.hpp"
 #include "tools/cli/in_process.hpp"
+#include "tools/cli/installation.hpp"
 
 namespace farrier::cli {
 
