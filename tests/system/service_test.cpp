@@ -188,7 +188,7 @@ TEST_P(Service, IsReadyWhenAllHaveGreetedAndNotBefore) {
   for (const char* process : {"sim_bridge", "estimator_service", "supervisor", "gait_source"}) {
     rig.start(process);
   }
-  EXPECT_TRUE(rig.manager().hears(rig.pid("supervisor"), "STATUS=waiting for a hello of participant 4"));
+  EXPECT_TRUE(rig.manager().hears(rig.pid("supervisor"), "STATUS=waiting for "));
   EXPECT_FALSE(rig.manager().hears(rig.pid("supervisor"), "READY=1", 1s));
   rig.start("joint_node");
   EXPECT_TRUE(rig.manager().hears(rig.pid("supervisor"), "READY=1"));

@@ -117,7 +117,6 @@ std::function<int()> declare_deploy(CLI::App& app) {
   auto o = std::make_shared<DeployOptions>();
   app.add_option("action", o->action, "render a host's files, or check this computer against them")
       ->required()
-      ->type_name("render|check")
       ->check(CLI::IsMember({"render", "check"}));
   app.add_option("robot", o->robot_path, "robot file with a deployment section")->required()->type_name("<file>");
   app.add_option("--host", o->host, "host of the deployment")->type_name("<name>")->default_str("this computer's name");
