@@ -21,7 +21,8 @@ farrier_system_test(process_end_test system 0 ${CMAKE_CURRENT_LIST_DIR}/process_
 farrier_system_test(surroundings_test system 0 ${CMAKE_CURRENT_LIST_DIR}/surroundings_test.cpp)
 farrier_system_test(traffic_test system 0 ${CMAKE_CURRENT_LIST_DIR}/traffic_test.cpp)
 # The processes without the command, as systemd starts them.
-farrier_test(service_test system ${CMAKE_CURRENT_LIST_DIR}/service_test.cpp ${CMAKE_CURRENT_LIST_DIR}/farrier_command.cpp)
+farrier_test(service_test system ${CMAKE_CURRENT_LIST_DIR}/service_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/farrier_command.cpp)
 target_link_libraries(service_test PRIVATE farrier_deploy nlohmann_json::nlohmann_json)
 target_compile_definitions(service_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}"
   FARRIER_COMMAND="${PROJECT_BINARY_DIR}/bin/farrier" FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")

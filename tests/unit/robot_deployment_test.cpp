@@ -68,7 +68,8 @@ TEST(Deployment, OfHyqSpreadsItsJointsOverTwoOfThreeHosts) {
 }
 
 TEST(Deployment, IsNoPartOfWhatMakesRobotsEqual) {
-  const auto moved = load_robot_text(replaced(text_of("hyq"), "address: 192.168.20.12", "address: 10.0.0.3"), "hyq.yaml");
+  const std::string text = replaced(text_of("hyq"), "address: 192.168.20.12", "address: 10.0.0.3");
+  const auto moved = load_robot_text(text, "hyq.yaml");
   ASSERT_TRUE(moved.ok());
   EXPECT_EQ(configuration_hash(moved.value()), configuration_hash(load_shipped("hyq")));
 }

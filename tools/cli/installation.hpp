@@ -5,7 +5,8 @@
 namespace farrier::cli {
 
 // This command stands in bin/ of its installation, the processes in libexec/farrier/ and the robot files in
-// share/farrier/robots/ beside it: below /usr where the packages put them, below the build directory where they were built.
+// share/farrier/robots/ beside it: below /usr where the packages put them, below the build directory where they were
+// built.
 
 /// Folder of the processes' executables.
 std::string processes_directory();

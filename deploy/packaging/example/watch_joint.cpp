@@ -47,7 +47,8 @@ int main(int argc, char** argv) {
     const std::uint64_t arrivals = bus.value()->arrivals();
     measurements.value().drain([&](const signals::JointMeasurement& m) {
       if (m.joint == joint->number && lines < 10) {
-        std::printf("tick %lld: force %g %s\n", static_cast<long long>(m.tick), m.force_N_or_Nm, joint->rotary ? "Nm" : "N");
+        std::printf("tick %lld: force %g %s\n", static_cast<long long>(m.tick), m.force_N_or_Nm,
+                    joint->rotary ? "Nm" : "N");
         ++lines;
       }
     });
