@@ -8,8 +8,10 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O2")  # no -DNDEBUG: ENSURE and assert stay in
 
 add_library(farrier_flags INTERFACE)
 target_compile_options(farrier_flags INTERFACE
-  $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -ffp-contract=off>)
-target_include_directories(farrier_flags INTERFACE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/lib)
+  "$<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion>>"
+  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off>)
+target_include_directories(farrier_flags INTERFACE
+  "$<BUILD_INTERFACE:${PROJECT_SOURCE_DIR};${PROJECT_SOURCE_DIR}/lib>" $<INSTALL_INTERFACE:include/farrier>)
 
 # Sanitizers, for our code and for what is generated from idl/. A finding ends the program: a test that only prints it
 # would pass.

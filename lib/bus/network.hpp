@@ -10,6 +10,10 @@ namespace farrier::bus {
 /// The longest that Cyclone takes.
 inline constexpr std::chrono::seconds kPatientLease = std::chrono::hours(1);
 
+/// What each vendor asks for its sockets: a tick's worth of samples from every process fits many times over. The kernel
+/// may grant less (net.core.rmem_max, net.core.wmem_max).
+inline constexpr unsigned kSocketBufferBytes = 4u << 20;
+
 /// What a participant proves its identity and its rights by, for DDS Security: absolute paths. Certificates and the
 /// key are PEM, the two documents are XML signed by the permissions CA (S/MIME).
 struct SecurityFiles {

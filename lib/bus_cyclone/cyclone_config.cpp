@@ -15,9 +15,6 @@ constexpr const char* kReliableTiming =
 // process that has died never do, and those that live take a heartbeat.
 constexpr const char* kLinger = "<WriterLingerDuration>100 ms</WriterLingerDuration>";
 
-// A tick's worth of samples from every process fits many times over. The kernel may grant less (net.core.rmem_max).
-constexpr const char* kSockets = "<SocketReceiveBufferSize max=\"4 MiB\"/>";
-
 // Announcements go by unicast to every port a process may have, so they are rare; a process that starts
 // announces itself at once and everyone answers.
 constexpr const char* kAnnouncementPeriod = "5 s";
@@ -46,7 +43,8 @@ std::string cyclone_config(const bus::NetworkOptions& options) {
   // One receive thread: with unicast alone there is nothing for a second one to do but to switch contexts.
   // Writers hold samples until they are flushed: those of one tick share a datagram.
   const std::string internal = element("MultipleReceiveThreads", "false") + element("WriteBatch", "true") +
-                               kReliableTiming + kLinger + kSockets;
+                               kReliableTiming + kLinger + "<SocketReceiveBufferSize max=\"" +
+                               std::to_string(bus::kSocketBufferBytes) + " B\"/>";
   return element("CycloneDDS", "<Domain Id=\"any\">" + element("General", general) + element("Discovery", discovery) +
                                    element("Internal", internal) + "</Domain>");
 }

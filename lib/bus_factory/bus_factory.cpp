@@ -1,6 +1,7 @@
 #include "bus_factory/bus_factory.hpp"
 
 #include "bus_cyclone/cyclone_bus.hpp"
+#include "bus_cyclone/cyclone_discovery.hpp"
 #include "bus_fastdds/fast_bus.hpp"
 
 namespace farrier::bus_factory {
@@ -12,6 +13,10 @@ Result<std::unique_ptr<bus::Bus>> create_bus(bus::Vendor vendor, const bus::Netw
     case bus::Vendor::kInproc: break;
   }
   return Error{"a process of its own needs a DDS vendor: --dds cyclone or --dds fast"};
+}
+
+Result<bus::Discovery> discover(const bus::NetworkOptions& network, Nanoseconds how_long) {
+  return bus_cyclone::discover(network, how_long);
 }
 
 }  // namespace farrier::bus_factory

@@ -12,9 +12,6 @@ using eprosima::fastrtps::Duration_t;
 using eprosima::fastrtps::rtps::IPLocator;
 using eprosima::fastrtps::rtps::Locator_t;
 
-// A tick's worth of samples from every process fits many times over. The kernel may grant less (net.core.rmem_max).
-constexpr std::uint32_t kSocketBufferBytes = 4u << 20;
-
 // Announcements go by unicast to every port a process may have, so they are rare; a process that starts announces
 // itself at once and everyone answers.
 constexpr Nanoseconds kAnnouncementPeriod = 5s;
@@ -104,8 +101,8 @@ void set_common(EndpointQos& qos, const bus::EndpointSpec& endpoint) {
 std::shared_ptr<StartupTransportDescriptor> transport(const bus::NetworkOptions& options) {
   const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {options.address};
-  udp->sendBufferSize = kSocketBufferBytes;
-  udp->receiveBufferSize = kSocketBufferBytes;
+  udp->sendBufferSize = bus::kSocketBufferBytes;
+  udp->receiveBufferSize = bus::kSocketBufferBytes;
   udp->maxInitialPeersRange = static_cast<std::uint32_t>(options.max_processes);
   return std::make_shared<StartupTransportDescriptor>(udp);
 }

@@ -44,8 +44,13 @@ class Printer final : public Visitor {
   void visit_numbers(const Entry& entry, std::vector<double>& values, Range) override {
     list(entry.name, values, number_text);
   }
-  void visit_names(const Entry& entry, std::vector<std::string>& values) override {
-    list(entry.name, values, quoted);
+  void visit_text(const Entry& entry, std::string& value, const TextRule&) override {
+    line(entry.name, quoted(value));
+  }
+  void visit_names(const Entry& entry, std::vector<std::string>& values, bool required) override {
+    if (required || !values.empty()) {
+      list(entry.name, values, quoted);
+    }
   }
   void visit_pairs(const Entry& entry, Named<std::string>& items, Place&, std::size_t) override {
     line(entry.name, "");

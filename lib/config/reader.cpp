@@ -120,6 +120,12 @@ class Reader final : public Visitor {
     }
   }
 
+  void visit_text(const Entry& entry, std::string& value, const TextRule& rule) override {
+    if (const auto* found = claim(entry, true, rule.remedy)) {
+      accept(found->line, path(entry.name), read_text_of(found->value, rule, value));
+    }
+  }
+
   void visit_choice(const Entry& entry, int& index, std::span<const char* const> names,
                     std::optional<int> fallback) override {
     index = fallback.value_or(index);
@@ -148,16 +154,14 @@ class Reader final : public Visitor {
     }
   }
 
-  void visit_names(const Entry& entry, std::vector<std::string>& values) override {
+  void visit_names(const Entry& entry, std::vector<std::string>& values, bool required) override {
     values.clear();
-    const auto* found = claim(entry, true, "give [ name, ... ]");
-    if (found == nullptr) {
-      return;
+    if (const auto* found = claim(entry, required, "give [ name, ... ]")) {
+      if (found->value.kind == Value::Kind::kList && found->value.items.empty()) {
+        report(found->line, path(entry.name), "is empty: give at least one name");
+      }
+      read_list(*found, entry, [&](const Value& item) { return read_name(item, kLongestName, values.emplace_back()); });
     }
-    if (found->value.kind == Value::Kind::kList && found->value.items.empty()) {
-      report(found->line, path(entry.name), "is empty: give at least one name");
-    }
-    read_list(*found, entry, [&](const Value& item) { return read_name(item, kLongestName, values.emplace_back()); });
   }
 
   void visit_pairs(const Entry& entry, Named<std::string>& items, Place& place, std::size_t longest) override {

@@ -42,8 +42,11 @@ class TableWriter final : public Visitor {
   void visit_numbers(const Entry& entry, std::vector<double>&, Range range) override {
     row(entry, unit_of(entry.name), "list, each " + range_text(range), "empty");
   }
-  void visit_names(const Entry& entry, std::vector<std::string>&) override {
-    row(entry, "", "list of names", kRequired);
+  void visit_text(const Entry& entry, std::string&, const TextRule& rule) override {
+    row(entry, "", rule.what, kRequired);
+  }
+  void visit_names(const Entry& entry, std::vector<std::string>&, bool required) override {
+    row(entry, "", "list of names", required ? kRequired : "empty");
   }
   void visit_pairs(const Entry& entry, Named<std::string>&, Place&, std::size_t) override {
     row(entry, "", "map of names", kRequired);

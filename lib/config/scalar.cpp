@@ -122,6 +122,14 @@ std::string read_name(const Value& value, std::size_t longest, std::string& out)
   return "";
 }
 
+std::string read_text_of(const Value& value, const TextRule& rule, std::string& out) {
+  if (value.kind != Value::Kind::kScalar || !rule.holds(value.scalar)) {
+    return shown(value) + " is no " + rule.what + ": " + rule.remedy;
+  }
+  out = value.scalar;
+  return "";
+}
+
 std::string read_choice(const Value& value, std::span<const char* const> names, int& out) {
   const auto match = std::find(names.begin(), names.end(), value.scalar);
   if (value.kind != Value::Kind::kScalar || match == names.end()) {

@@ -16,6 +16,8 @@ std::string read_integer(const Value& value, Range range, int& out);
 std::string read_flag(const Value& value, bool& out);
 /// 1 to `longest` letters, digits, "_" and "-".
 std::string read_name(const Value& value, std::size_t longest, std::string& out);
+/// A scalar, quoted or not, that the rule takes.
+std::string read_text_of(const Value& value, const TextRule& rule, std::string& out);
 /// One of `names`; `out` is its place.
 std::string read_choice(const Value& value, std::span<const char* const> names, int& out);
 

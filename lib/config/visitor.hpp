@@ -37,6 +37,13 @@ struct Option {
   E value;
 };
 
+/// What a text that is no name must be: an address, the name of a device.
+struct TextRule {
+  const char* what;    ///< "IPv4 address"
+  bool (*holds)(const std::string& text);
+  const char* remedy;  ///< "give four numbers ..."
+};
+
 /// Name of a parameter, with its unit, and the sentence that explains it.
 struct Entry {
   const char* name;
@@ -114,13 +121,21 @@ class Visitor {
             const char* sentence) {
     visit_name({name, sentence}, value, longest, fallback.value);
   }
+  /// Text of another kind, as the rule says.
+  void text(const char* name, std::string& value, const TextRule& rule, const char* sentence) {
+    visit_text({name, sentence}, value, rule);
+  }
   /// List of numbers, each in the range; absent is empty.
   void numbers(const char* name, std::vector<double>& values, Range range, const char* sentence) {
     visit_numbers({name, sentence}, values, range);
   }
   /// List of names, not empty.
   void names(const char* name, std::vector<std::string>& values, const char* sentence) {
-    visit_names({name, sentence}, values);
+    visit_names({name, sentence}, values, true);
+  }
+  /// The same, but the list may be absent, which is empty.
+  void names(const char* name, std::vector<std::string>& values, Defaults, const char* sentence) {
+    visit_names({name, sentence}, values, false);
   }
   template <class E>
   void choice(const char* name, E& value, std::span<const Option<E>> options, const char* sentence) {
@@ -190,7 +205,8 @@ class Visitor {
   /// A null `fallback`: required.
   virtual void visit_name(const Entry&, std::string&, std::size_t longest, const char* fallback) = 0;
   virtual void visit_numbers(const Entry&, std::vector<double>&, Range) = 0;
-  virtual void visit_names(const Entry&, std::vector<std::string>&) = 0;
+  virtual void visit_text(const Entry&, std::string&, const TextRule&) = 0;
+  virtual void visit_names(const Entry&, std::vector<std::string>&, bool required) = 0;
   virtual void visit_pairs(const Entry&, Named<std::string>&, Place&, std::size_t longest) = 0;
   virtual void visit_choice(const Entry&, int& index, std::span<const char* const> names,
                             std::optional<int> fallback) = 0;

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "participant/clock.hpp"
+#include "participant/service_manager.hpp"
 
 namespace farrier::participant {
 namespace {
@@ -13,6 +14,7 @@ using namespace std::chrono_literals;
 // Transports may report several samples with one arrival; a short sleep bounds what that costs.
 constexpr auto kLongestSleep = 2ms;
 constexpr auto kSilenceWorthReporting = 2s;
+constexpr auto kStatusPeriod = 1s;  // while the others are greeted
 
 volatile std::sig_atomic_t stop_signal = 0;
 
@@ -31,32 +33,40 @@ bool stop_requested() noexcept { return stop_signal != 0; }
 
 int stop_status() noexcept { return stop_signal == 0 ? 0 : 128 + stop_signal; }
 
-int end_status(const Participant& participant) {
-  if (participant.refusal().empty()) {
+int end_status(const Participant& member) {
+  if (member.refusal().empty()) {
     return 0;
   }
-  std::fprintf(stderr, "%s: %s\n", participant.identity().name.c_str(), participant.refusal().c_str());
+  std::fprintf(stderr, "%s: %s\n", member.identity().name.c_str(), member.refusal().c_str());
   return 1;
 }
 
-int run(Application& application, Participant& participant) {
-  bus::Bus& bus = participant.bus();
-  std::string waited_for;
+int run(Application& application, Participant& member) {
+  bus::Bus& bus = member.bus();
+  ServiceManager manager;
   SteadyTime since = steady_now();
-  while (!stop_requested() && participant.refusal().empty()) {
+  SteadyTime next_status = since + kStatusPeriod;
+  for (std::uint64_t turns = 1; !stop_requested() && member.refusal().empty(); ++turns) {
     const std::uint64_t before = bus.arrivals();
     application.poll(steady_now());
     bus.wait_for_arrivals(before + static_cast<std::uint64_t>(application.missing()),
                           application.finished() ? Nanoseconds(20ms) : Nanoseconds(kLongestSleep));
     const SteadyTime now = steady_now();
+    if (member.has_started()) {
+      manager.ready();
+    } else if (now >= next_status) {
+      next_status = now + kStatusPeriod;
+      manager.status("waiting for " + application.waits_for());
+    }
+    manager.alive({&turns, 1}, now);
     if (bus.arrivals() != before || application.finished()) {
       since = now;
     } else if (now - since > kSilenceWorthReporting) {
-      std::fprintf(stderr, "%s: waiting for %s\n", participant.identity().name.c_str(), application.waits_for().c_str());
+      std::fprintf(stderr, "%s: waiting for %s\n", member.identity().name.c_str(), application.waits_for().c_str());
       since = now;
     }
   }
-  return end_status(participant);
+  return end_status(member);
 }
 
 }  // namespace farrier::participant

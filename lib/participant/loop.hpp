@@ -15,11 +15,11 @@ bool stop_requested() noexcept;
 int stop_status() noexcept;
 
 /// Of a process whose run is over: 0, or 1 and the reason on standard error when it could not take part.
-int end_status(const Participant& participant);
+int end_status(const Participant& member);
 
 /// Drives an application by one thread that polls it whenever samples arrive, until SIGTERM or until the participant
 /// cannot take part; returns the process's exit status, 0 or 1. When nothing moves for a while it says on standard error
-/// what it waits for.
-int run(Application& application, Participant& participant);
+/// what it waits for. systemd hears when the run has begun, and from then on that the loop turns.
+int run(Application& application, Participant& member);
 
 }  // namespace farrier::participant

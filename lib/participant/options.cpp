@@ -14,7 +14,8 @@ const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind:
                                                     {"realtime", bus::ClockKind::kRealtime}};
 
 const std::map<std::string, std::uint16_t> kFixedNumbers{
-    {"sim_bridge", kSimBridge}, {"estimator_service", kEstimatorService}, {"supervisor", kSupervisor}};
+    {"sim_bridge", kSimBridge}, {"estimator_service", kEstimatorService}, {"supervisor", kSupervisor},
+    {"gait_source", kGaitSource}};
 
 void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--name", o.name, "Name the others see")->capture_default_str();
@@ -70,6 +71,10 @@ void declare(CLI::App& app, ProcessOptions& o) {
   if (o.name == "supervisor") {
     app.add_flag("--standby", o.standby, "Leads only when the supervisor that leads has fallen silent");
   }
+  app.add_option("--priority-shift", o.priority_shift,
+                 "Added to every SCHED_FIFO priority of the process, real time only")
+      ->check(CLI::Range(-39, 15))
+      ->capture_default_str();
   app.add_flag("--no-dither", o.no_dither, "Valves are not probed, whatever the robot file says");
 }
 
@@ -168,6 +173,9 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
   append("--controller", o.controller);
   if (o.slow != 1) {
     append("--slow", std::to_string(o.slow));
+  }
+  if (o.priority_shift != 0) {
+    append("--priority-shift", std::to_string(o.priority_shift));
   }
   for (const bus_faults::ArrowFault& fault : o.faults) {
     append("--fault", bus_faults::to_string(fault));

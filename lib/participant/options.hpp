@@ -36,6 +36,7 @@ struct ProcessOptions {
   std::vector<bus_faults::ArrowFault> faults;  ///< on the way of samples into this process, real time only
   int slow = 1;                     ///< slow motion by this factor, real time only
   bool standby = false;             ///< supervisor: takes over when the one that leads falls silent, real time only
+  int priority_shift = 0;           ///< added to every SCHED_FIFO priority, real time only
   bool no_dither = false;           ///< joint_node: valves are not probed, whatever the robot file says
 };
 

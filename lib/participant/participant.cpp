@@ -14,13 +14,13 @@ constexpr auto kGreetingPeriod = 20ms;
 
 }  // namespace
 
-bus::Role role_of(std::uint16_t number) noexcept {
+bus::Role role_of(std::uint16_t number, bool stands_by) noexcept {
   switch (number) {
     case kSimBridge: return bus::Role::kSimBridge;
     case kEstimatorService: return bus::Role::kEstimatorService;
     case kSupervisor: return bus::Role::kSupervisor;
     case kGaitSource: return bus::Role::kGaitSource;
-    default: return bus::Role::kJointNode;
+    default: return stands_by ? bus::Role::kSupervisor : bus::Role::kJointNode;
   }
 }
 

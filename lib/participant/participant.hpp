@@ -20,7 +20,7 @@ inline constexpr std::uint16_t kGaitSource = 3;
 inline constexpr std::uint16_t kFirstJointNode = 4;
 
 /// The rights a participant needs under DDS Security.
-bus::Role role_of(std::uint16_t number) noexcept;
+bus::Role role_of(std::uint16_t number, bool stands_by = false) noexcept;
 
 struct Identity {
   std::string name;               ///< "sim_bridge", "joint_node lf", ...
@@ -93,6 +93,9 @@ class Participant {
   /// Greets while the run has not started. Call it after the ports were drained. True once every participant has
   /// said that it hears all it must.
   bool started(SteadyTime now);
+
+  /// Whether that was so at the last call of started().
+  bool has_started() const noexcept { return started_; }
 
   /// What the greeting still lacks, for people; empty when complete.
   std::string greeting_lacks() const;

@@ -1,10 +1,12 @@
 #include "participant/realtime_loop.hpp"
 
+#include <array>
 #include <cstdio>
 #include <thread>
 
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
+#include "participant/service_manager.hpp"
 #include "runtime/deadline.hpp"
 #include "runtime/realtime_thread.hpp"
 
@@ -15,28 +17,33 @@ using namespace std::chrono_literals;
 
 constexpr auto kHousekeeping = 5ms;
 constexpr auto kSilenceWorthReporting = 5s;
+constexpr auto kStatusPeriod = 1s;
 
-/// Between the three threads.
-struct State {
+/// What the threads of a process know of each other.
+struct Threads {
   std::atomic<bool> started{false};
   std::atomic<bool> refused{false};
+  std::atomic<std::uint64_t> control_turns{0}, send_turns{0};
 
   bool over() const noexcept { return stop_requested() || refused.load(std::memory_order_relaxed); }
 };
 
-void control(RealtimeApplication& application, const char* name, const State& state) {
-  for (const std::string& lacking : {runtime::set_priority(runtime::kControlPriority), runtime::lock_memory()}) {
+void control(RealtimeApplication& application, const char* name, int priority_shift, Threads& threads) {
+  runtime::name_thread("control");
+  for (const std::string& lacking :
+       {runtime::set_priority(runtime::kControlPriority + priority_shift), runtime::lock_memory()}) {
     if (!lacking.empty()) {
       std::fprintf(stderr, "%s: runs without %s\n", name, lacking.c_str());
     }
   }
-  while (!state.started.load(std::memory_order_acquire) && !state.over()) {
+  const std::atomic<bool>& started = threads.started;
+  while (!started.load(std::memory_order_acquire) && !threads.over()) {
     std::this_thread::sleep_for(1ms);
   }
   const bool on_arrival = application.trigger() == RealtimeApplication::Trigger::kArrival;
   const Nanoseconds period = on_arrival ? application.period() * 3 / 2 : application.period();
   SteadyTime previous = steady_now();
-  while (!state.over()) {
+  for (; !threads.over(); threads.control_turns.fetch_add(1, std::memory_order_relaxed)) {
     runtime::Deadline deadline = runtime::next_deadline(previous, steady_now(), period);
     if (on_arrival) {
       deadline.missed += application.inputs_complete.wait_until(machine_time(deadline.next)) ? 0 : 1;
@@ -52,40 +59,51 @@ void control(RealtimeApplication& application, const char* name, const State& st
   }
 }
 
-void send(RealtimeApplication& application, const State& state) {
-  while (!state.over()) {
-    if (application.outputs_waiting.wait_until(machine_time(steady_now() + kHousekeeping)) && state.started.load(std::memory_order_acquire)) {
+void send(RealtimeApplication& application, Threads& threads) {
+  runtime::name_thread("send");
+  const std::atomic<bool>& started = threads.started;
+  for (; !threads.over(); threads.send_turns.fetch_add(1, std::memory_order_relaxed)) {
+    if (application.outputs_waiting.wait_until(machine_time(steady_now() + kHousekeeping)) && started.load(std::memory_order_acquire)) {
       application.send();
     }
   }
-  if (state.started.load(std::memory_order_acquire)) {
+  if (started.load(std::memory_order_acquire)) {
     application.send();
   }
 }
 
 }  // namespace
 
-int run_realtime(RealtimeApplication& application, Participant& participant) {
-  bus::Bus& bus = participant.bus();
-  const char* const name = participant.identity().name.c_str();
-  State state;
-  std::thread control_thread(control, std::ref(application), name, std::cref(state));
-  std::thread send_thread(send, std::ref(application), std::cref(state));
+int run_realtime(RealtimeApplication& application, Participant& member, int priority_shift) {
+  const char* const name = member.identity().name.c_str();
+  bus::Bus& bus = member.bus();
+  Threads threads;
+  ServiceManager manager;
+  std::thread control_thread(control, std::ref(application), name, priority_shift, std::ref(threads));
+  std::thread send_thread(send, std::ref(application), std::ref(threads));
   SteadyTime said = steady_now();
-  while (!state.over()) {
+  SteadyTime next_status = said + kStatusPeriod;
+  while (!threads.over()) {
     const std::uint64_t before = bus.arrivals();
     if (application.receive(steady_now())) {
-      state.started.store(true, std::memory_order_release);
-    } else if (steady_now() - said > kSilenceWorthReporting) {
-      std::fprintf(stderr, "%s: waiting for %s\n", name, application.waits_for().c_str());
-      said = steady_now();
+      threads.started.store(true, std::memory_order_release);
+      manager.ready();
+      manager.alive(std::array{threads.control_turns.load(), threads.send_turns.load()}, steady_now());
+    } else if (steady_now() >= next_status) {
+      next_status = steady_now() + kStatusPeriod;
+      const std::string waiting = "waiting for " + application.waits_for();
+      manager.status(waiting);
+      if (steady_now() - said > kSilenceWorthReporting) {
+        std::fprintf(stderr, "%s: %s\n", name, waiting.c_str());
+        said = steady_now();
+      }
     }
-    state.refused.store(!participant.refusal().empty(), std::memory_order_relaxed);
+    threads.refused.store(!member.refusal().empty(), std::memory_order_relaxed);
     bus.wait_for_arrivals(before + 1, kHousekeeping);
   }
   control_thread.join();
   send_thread.join();
-  return end_status(participant);
+  return end_status(member);
 }
 
 }  // namespace farrier::participant

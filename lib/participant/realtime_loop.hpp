@@ -44,7 +44,8 @@ class RealtimeApplication {
 };
 
 /// Drives an application on the real-time clock until SIGTERM, or until the participant cannot take part; returns the
-/// process's exit status, as run does.
-int run_realtime(RealtimeApplication& application, Participant& participant);
+/// process's exit status, as run does. systemd hears when the run has begun, and from then on that the control and the
+/// sender thread turn. `priority_shift` is added to the control thread's priority.
+int run_realtime(RealtimeApplication& application, Participant& member, int priority_shift);
 
 }  // namespace farrier::participant

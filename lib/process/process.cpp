@@ -75,7 +75,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
     return 2;
   }
   bus::NetworkOptions network = participant::network_of(options);
-  if (auto secured = secure(network, options.security, participant::role_of(options.number), options.vendor); !secured) {
+  if (auto secured = secure(network, options.security, participant::role_of(options.number, options.standby), options.vendor); !secured) {
     return refuse(name, secured.error(), 2);
   }
   if (options.clock == bus::ClockKind::kRealtime) {
@@ -83,7 +83,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
     const bool service = options.number == participant::kEstimatorService || options.number == participant::kSupervisor ||
                          options.standby;
     const int priority = service ? runtime::kServicePriority : runtime::kBusPriority;
-    if (const std::string lacking = runtime::set_priority(priority); !lacking.empty()) {
+    if (const std::string lacking = runtime::set_priority(priority + options.priority_shift); !lacking.empty()) {
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());
     }
   }
@@ -102,7 +102,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   }
   if (options.clock == bus::ClockKind::kRealtime && threaded) {
     auto application = threaded(*member.value(), robot.value());
-    return application ? participant::run_realtime(*application.value(), *member.value())
+    return application ? participant::run_realtime(*application.value(), *member.value(), options.priority_shift)
                        : refuse(name, application.error());
   }
   auto application = polled(*member.value(), robot.value());

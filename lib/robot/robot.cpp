@@ -61,7 +61,11 @@ Result<Robot, config::Problems> load_robot_text(const std::string& text, const s
 
 std::string print_config(const Robot& robot) { return config::print_yaml(robot.file); }
 
-std::uint64_t configuration_hash(const Robot& robot) { return stable_hash(print_config(robot)); }
+std::uint64_t configuration_hash(const Robot& robot) {
+  RobotFile behaviour = robot.file;
+  behaviour.deployment.reset();  // where a process runs changes nothing of what it does
+  return stable_hash(config::print_yaml(std::move(behaviour)));
+}
 
 std::string parameter_table() { return config::reference_table<RobotFile>(); }
 

@@ -7,6 +7,7 @@
 #include "gait/leg_kinematics.hpp"
 #include "robot/adaptation_check.hpp"
 #include "robot/cross_check.hpp"
+#include "robot/deployment_check.hpp"
 #include "robot/derive.hpp"
 #include "robot/electric_check.hpp"
 #include "robot/joint_effects.hpp"
@@ -30,7 +31,8 @@ class Builder {
     problems_ = check_references(file_);
     if (problems_.empty()) {
       check_geometry();
-      for (const config::Problems& misfits : {check_adaptation(file_), check_between_sections(file_)}) {
+      for (const config::Problems& misfits :
+           {check_adaptation(file_), check_between_sections(file_), check_deployment(file_)}) {
         problems_.insert(problems_.end(), misfits.begin(), misfits.end());
       }
     }

@@ -128,6 +128,7 @@ void declare(Visitor& v, RobotFile& f) {
   v.group("bounds", f.bounds, "What a run is judged by.");
   v.group("variation", f.variation, Defaults{}, "How far robots of `farrier trot --vary` are drawn from this one.");
   v.groups("effects", f.effects, kLongestName, Defaults{}, "What a joint has beside its model, by joint and effect.");
+  v.group("deployment", f.deployment, "Which computer runs what; for `farrier deploy`.");
 }
 
 }  // namespace farrier::robot

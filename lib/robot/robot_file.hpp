@@ -9,6 +9,7 @@
 #include "robot/actuator_section.hpp"
 #include "robot/adaptation_section.hpp"
 #include "robot/body_section.hpp"
+#include "robot/deployment_section.hpp"
 #include "robot/joint_effects_section.hpp"
 #include "robot/variation_section.hpp"
 
@@ -96,6 +97,7 @@ struct RobotFile {
   Bounds bounds;
   VariationSection variation;
   config::Named<JointEffectsSection> effects;  ///< by joint, none of which is named twice
+  std::optional<Deployment> deployment;        ///< over several computers
   config::Place place;
 };
 

@@ -1,5 +1,6 @@
 #include "runtime/realtime_thread.hpp"
 
+#include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 
@@ -19,6 +20,8 @@ void touch_stack() noexcept {
 }
 
 }  // namespace
+
+void name_thread(const char* name) noexcept { pthread_setname_np(pthread_self(), name); }
 
 std::string set_priority(int priority) {
   sched_param parameters{};

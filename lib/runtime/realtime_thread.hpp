@@ -11,6 +11,9 @@ inline constexpr int kControlPriority = 80;
 inline constexpr int kBusPriority = 60;
 inline constexpr int kServicePriority = 40;
 
+/// Name of the calling thread, at most 15 characters, as ps -L and a debugger show it.
+void name_thread(const char* name) noexcept;
+
 /// Gives the calling thread, and threads it creates from now on, a SCHED_FIFO priority. Where the system's limits
 /// forbid it the thread runs on without; returns what could not be had, empty when all could.
 std::string set_priority(int priority);

@@ -21,6 +21,13 @@ farrier_system_test(process_end_test system 0 ${CMAKE_CURRENT_LIST_DIR}/process_
 farrier_system_test(surroundings_test system 0 ${CMAKE_CURRENT_LIST_DIR}/surroundings_test.cpp)
 farrier_system_test(traffic_test system 0 ${CMAKE_CURRENT_LIST_DIR}/traffic_test.cpp)
 farrier_system_test(robots_system_test system 0 ${CMAKE_CURRENT_LIST_DIR}/robots_system_test.cpp)
+# The processes without the command, as systemd starts them.
+farrier_test(service_test system ${CMAKE_CURRENT_LIST_DIR}/service_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/farrier_command.cpp)
+target_link_libraries(service_test PRIVATE farrier_deploy nlohmann_json::nlohmann_json)
+target_compile_definitions(service_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}"
+  FARRIER_COMMAND="${PROJECT_BINARY_DIR}/bin/farrier" FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
+add_dependencies(service_test ${FARRIER_PROCESSES})
 farrier_system_test(network_test system 0 ${CMAKE_CURRENT_LIST_DIR}/network_test.cpp)
 farrier_system_test(long_pause_test long 0 ${CMAKE_CURRENT_LIST_DIR}/long_pause_test.cpp)
 farrier_system_test(diagnose_benchmark_test long 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_benchmark_test.cpp)

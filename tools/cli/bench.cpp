@@ -20,6 +20,7 @@
 #include "tools/cli/command.hpp"
 #include "tools/cli/dds_run.hpp"
 #include "tools/cli/help.hpp"
+#include "tools/cli/installation.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/trot_options.hpp"
 #include "tools/report/console.hpp"
@@ -53,7 +54,7 @@ Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, Dds
   run.common.robot_path = o.robot_path;
   run.common.ticks = o.ticks;
   run.common.session = static_cast<std::uint64_t>(::getpid());
-  run.executables = build_directory();
+  run.executables = processes_directory();
   run.log_directory = o.out + "/log";
   run.title = std::string(dds == DdsChoice::kCyclone ? "cyclone" : "fast") + (bare ? ", bare exchange" : ", whole stack");
   const auto outcome = run_over_dds(robot, run);

@@ -48,7 +48,7 @@ Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOp
     options.faults = faults->second;
   }
   const std::string program = run.bare ? "bare_exchange" : member.executable;
-  const std::string executable = run.executables + (run.bare ? "/tools/" : "/") + program + "/" + program;
+  const std::string executable = run.executables + "/" + program;
   return ChildProcess::start(name, executable, participant::to_arguments(options),
                              run.log_directory + "/" + log_name + ".log");
 }
@@ -88,7 +88,7 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   }
   bus::NetworkOptions network = participant::network_of(common);
   const bus::Vendor vendor = vendor_of(run.dds, member);
-  if (auto secured = process::secure(network, common.security, participant::role_of(member.number), vendor); !secured) {
+  if (auto secured = process::secure(network, common.security, participant::role_of(member.number, member.stands_by), vendor); !secured) {
     return secured.error();
   }
   auto bus = bus_factory::create_bus(vendor, network);

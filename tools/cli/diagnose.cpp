@@ -13,6 +13,7 @@
 #include "tools/cli/diagnose_control.hpp"
 #include "tools/cli/diagnose_options.hpp"
 #include "tools/cli/diagnose_scaled.hpp"
+#include "tools/cli/installation.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/with_bar.hpp"
 #include "tools/report/diagnosis_json.hpp"
@@ -147,7 +148,8 @@ int diagnose(const DiagnoseOptions& o) {
   }
   if (o.benchmark) {
     return o.recording.empty() ? run_diagnose_benchmark(
-                                     {o.json_path, o.confusion_path, o.seed, o.trials, o.threads}, FARRIER_ROBOTS)
+                                     {o.json_path, o.confusion_path, o.seed, o.trials, o.threads},
+                                     robots_directory())
                                : refuse("--benchmark makes its recordings: name none", kBadInput);
   }
   if (o.recording.empty() || o.model_path.empty()) {

@@ -10,6 +10,7 @@
 #include "tools/cli/command.hpp"
 #include "tools/cli/contenders.hpp"
 #include "tools/cli/experiment.hpp"
+#include "tools/cli/installation.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/vary_study.hpp"
 #include "tools/report/console.hpp"

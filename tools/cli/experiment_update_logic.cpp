@@ -9,6 +9,7 @@
 #include "participant/loop.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/experiment.hpp"
+#include "tools/cli/installation.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/report/html_page.hpp"
 #include "tools/report/load_cycle.hpp"

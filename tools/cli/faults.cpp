@@ -14,6 +14,7 @@
 #include "robot/keys.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/dds_run.hpp"
+#include "tools/cli/installation.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/pause_watch.hpp"
 #include "tools/cli/trot_options.hpp"

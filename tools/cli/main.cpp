@@ -18,7 +18,10 @@ struct Subcommand {
 constexpr Subcommand kSubcommands[] = {
     {"trot", "Run a robot's gait through all processes, judge it and report", farrier::cli::declare_trot},
     {"bench", "Measure speed as ratios against what a user would pick instead", farrier::cli::declare_bench},
+    {"deploy", "Render what each computer of a robot needs, and check this one against it",
+     farrier::cli::declare_deploy},
     {"diagnose", "Find what a joint's model lacks from what was recorded of the joint", farrier::cli::declare_diagnose},
+    {"doctor", "Say why no data comes, or no real time is had, and what to do about it", farrier::cli::declare_doctor},
     {"faults", "Make faults happen to a trot of real processes and judge what each process does", farrier::cli::declare_faults},
     {"reproduce", "Run the studies of the thesis anew and judge its claims", farrier::cli::declare_reproduce},
     {"request", "Ask a running robot's supervisor to arm or to stop it", farrier::cli::declare_request},

@@ -3,12 +3,12 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 
 #include "lab/studies/registry.hpp"
 #include "participant/loop.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/help.hpp"
+#include "tools/cli/installation.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/trot_options.hpp"
@@ -61,7 +61,7 @@ std::vector<reproduce::StudyRun> run_with_bar(const std::vector<studies::Study>&
   constexpr Tick kSteps = 100;
   participant::install_signal_handlers();
   const studies::StudyContext context{
-      std::filesystem::path(shipped_robot("fc1d.yaml")).parent_path().string(), o.seed, {}};
+      robots_directory(), o.seed, {}};
   Progress bar("reproduce", kSteps, "percent");
   return reproduce::run_studies(some, context, o.threads, [&](double share) {
     bar.update(static_cast<Tick>(share * static_cast<double>(kSteps)));

@@ -10,6 +10,7 @@
 #include "participant/participant.hpp"
 #include "process/process.hpp"
 #include "tools/cli/command.hpp"
+#include "tools/cli/installation.hpp"
 #include "tools/cli/trot_options.hpp"
 
 namespace farrier::cli {
@@ -119,6 +120,13 @@ std::function<int()> declare_request(CLI::App& app) {
       ->check(CLI::Range(0, 232))
       ->type_name("<n>")
       ->capture_default_str();
+  app.add_option("--address", o->network.address, "address of this computer that DDS uses")
+      ->type_name("<ip>")
+      ->capture_default_str();
+  app.add_option("--peers", o->network.peers, "computers the robot runs on")
+      ->delimiter(',')
+      ->type_name("<ip>,...")
+      ->default_str("127.0.0.1");
   app.add_option("--robot", o->robot_path, "robot file")->type_name("<file>")->capture_default_str();
   app.add_option("--dds", o->vendor, "vendor of this process")
       ->check(CLI::IsMember({"cyclone", "fast"}))

@@ -1,8 +1,7 @@
 #include "tools/cli/trot_options.hpp"
 
-#include <filesystem>
-
 #include "tools/cli/help.hpp"
+#include "tools/cli/installation.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -121,15 +120,6 @@ void declare(CLI::App& app, TrotOptions& o) {
                "a second supervisor stands by and leads when the first falls silent; real time only")
       ->type_name("");
   app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
-}
-
-std::string build_directory() {
-  // <build>/tools/cli/farrier
-  return std::filesystem::canonical("/proc/self/exe").parent_path().parent_path().parent_path().string();
-}
-
-std::string shipped_robot(const std::string& name) {
-  return (std::filesystem::path(FARRIER_ROBOTS) / name).lexically_normal().string();
 }
 
 }  // namespace farrier::cli

@@ -47,10 +47,4 @@ inline constexpr const char* kTooShort =
 
 void declare(CLI::App& app, TrotOptions& options);
 
-/// Directory of the build this command runs from: the node executables lie in it.
-std::string build_directory();
-
-/// The source tree's deploy/robots/<name>, or where the packages install it.
-std::string shipped_robot(const std::string& name);
-
 }  // namespace farrier::cli

@@ -4,6 +4,7 @@
 
 #include "lab/hide.hpp"
 #include "tools/cli/in_process.hpp"
+#include "tools/cli/installation.hpp"
 
 namespace farrier::cli {
 
@@ -32,7 +33,7 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
   run.grouping = o.nodes;
   run.common = common_options(o);
   run.common.ticks = lab::ticks_of(o.duration_s, robot);
-  run.executables = build_directory();
+  run.executables = processes_directory();
   run.log_directory = o.out + "/log";
   run.record_directory = o.record_directory;
   run.title = title;

@@ -43,8 +43,8 @@ Result<Done> check_security(const robot::Robot& robot, const TrotOptions& option
                  "it out"};
   }
   bus::NetworkOptions unused;
-  for (const lab::Member& member : lab::plan_members(robot, options.nodes)) {
-    auto secured = process::secure(unused, options.security, participant::role_of(member.number),
+  for (const lab::Member& member : lab::plan_members(robot, options.nodes, options.standby)) {
+    auto secured = process::secure(unused, options.security, participant::role_of(member.number, member.stands_by),
                                    vendor_of(options.dds, member));
     if (!secured) {
       return secured;

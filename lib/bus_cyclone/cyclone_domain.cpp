@@ -1,0 +1,79 @@
+#include "bus_cyclone/cyclone_domain.hpp"
+
+#include <cstdlib>
+#include <string>
+
+#include "bus_cyclone/cyclone_config.hpp"
+#include "bus_cyclone/cyclone_qos.hpp"
+
+namespace farrier::bus_cyclone {
+namespace {
+
+constexpr int kMaxDomain = 232;  // RTPS 2.2, 9.6.1: the last whose ports stay below 65536
+
+// A second bus of a domain in one process gets a Cyclone domain of its own, so that samples between the two cross
+// the network as between processes. Only Cyclone's own number of it differs.
+constexpr dds_domainid_t kLocalDomainStride = 1000;
+constexpr int kMaxBusesOfADomain = 200;
+// Cyclone looks for its own number in governance and permissions, whose parser takes none above 230.
+constexpr dds_domainid_t kSecureDomains = 231;
+
+dds_domainid_t local_number(const bus::NetworkOptions& options, int bus) {
+  const auto domain = static_cast<dds_domainid_t>(options.domain);
+  const auto others = static_cast<dds_domainid_t>(bus);
+  return options.security ? (domain + others) % kSecureDomains : domain + others * kLocalDomainStride;
+}
+
+Error refused(const std::string& what, dds_return_t code) {
+  return Error{"Cyclone refuses " + what + ": " + dds_strretcode(code)};
+}
+
+std::string config_with_user_part(const bus::NetworkOptions& options) {
+  std::string config = cyclone_config(options);
+  const char* user = std::getenv("CYCLONEDDS_URI");
+  if (user != nullptr && *user != '\0') {
+    config += std::string(",") + user;
+  }
+  return config;
+}
+
+}  // namespace
+
+Result<Domain> open_domain(const bus::NetworkOptions& options) {
+  if (options.domain < 0 || options.domain > kMaxDomain) {
+    return Error{"DDS domain " + std::to_string(options.domain) + " is outside 0.." + std::to_string(kMaxDomain)};
+  }
+  if (options.max_processes < 1 || options.peers.empty()) {
+    return Error{"network: max_processes must be at least 1 and peers must name a computer"};
+  }
+  const std::string config = config_with_user_part(options);
+  dds_domainid_t number = local_number(options, 0);
+  dds_entity_t domain = dds_create_domain(number, config.c_str());
+  for (int i = 1; i < kMaxBusesOfADomain && domain == DDS_RETCODE_PRECONDITION_NOT_MET; ++i) {
+    number = local_number(options, i);
+    domain = dds_create_domain(number, config.c_str());
+  }
+  if (domain < 0) {
+    return refused("domain " + std::to_string(options.domain) + " on " + options.address +
+                       " (its own message is above; is the address this computer's, CYCLONEDDS_URI well-formed, and " +
+                       "are fewer than " + std::to_string(options.max_processes) + " processes running?)",
+                   domain);
+  }
+  return Domain{domain, number};
+}
+
+Result<dds_entity_t> join_domain(const Domain& domain, const bus::NetworkOptions& options) {
+  const QosPtr qos = participant_qos(options.security);
+  const dds_entity_t participant = dds_create_participant(domain.number, qos.get(), nullptr);
+  if (participant < 0) {
+    dds_delete(domain.entity);
+    if (options.security) {
+      return refused("a secure participant with " + options.security->certificate + " (its own message is above)",
+                     participant);
+    }
+    return refused("a participant in domain " + std::to_string(options.domain), participant);
+  }
+  return participant;
+}
+
+}  // namespace farrier::bus_cyclone

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "tools/deploy/rendering.hpp"
+
+namespace farrier::deploy {
+
+inline std::string read(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline const std::string kHyqPath = FARRIER_ROBOTS "hyq.yaml";
+
+inline const robot::Robot& hyq() {
+  static const robot::Robot robot = robot::load_robot(kHyqPath).value();
+  return robot;
+}
+
+inline std::vector<RenderedFile> rendered(const std::string& host, const Places& places = standard_places(hyq())) {
+  auto files = render_host(hyq(), read(kHyqPath), host, places);
+  EXPECT_TRUE(files.ok()) << (files ? "" : files.error().message);
+  return files ? std::move(files).value() : std::vector<RenderedFile>{};
+}
+
+/// A folder that goes with its test.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (std::filesystem::temp_directory_path() / "farrier-deploy-XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  std::string operator/(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace farrier::deploy

@@ -1,0 +1,21 @@
+#include "tools/cli/installation.hpp"
+
+#include <filesystem>
+
+namespace farrier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path prefix() { return fs::canonical("/proc/self/exe").parent_path().parent_path(); }
+
+}  // namespace
+
+std::string processes_directory() { return prefix() / "libexec/farrier"; }
+
+// In a build directory that folder is a link to the sources': what is said of a file there names the file itself.
+std::string robots_directory() { return fs::weakly_canonical(prefix() / "share/farrier/robots"); }
+
+std::string shipped_robot(const std::string& name) { return fs::path(robots_directory()) / name; }
+
+}  // namespace farrier::cli

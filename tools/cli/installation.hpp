@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace farrier::cli {
+
+// This command stands in bin/ of its installation, the processes in libexec/farrier/ and the robot files in
+// share/farrier/robots/ beside it: below /usr where the packages put them, below the build directory where they were
+// built.
+
+/// Folder of the processes' executables.
+std::string processes_directory();
+
+/// Folder of the robot files that are shipped.
+std::string robots_directory();
+
+/// Path of one of them.
+std::string shipped_robot(const std::string& name);
+
+}  // namespace farrier::cli
