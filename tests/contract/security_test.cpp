@@ -110,8 +110,8 @@ TEST_P(Security, WhoseCaIsAnotherIsKeptOutAndSpokenOf) {
   const auto impostor = join_as(Role::kJointNode, GetParam().writer, another_pki());
   const auto reader = join_as(Role::kSimBridge, GetParam().reader);
   EXPECT_FALSE(crosses(*impostor, *reader, kKeptOut));
-  // Cyclone begins the handshake with Fast DDS. An impostor there sees that the CA is another, and never answers.
-  if (GetParam().writer == GetParam().reader || GetParam().reader == bus::Vendor::kFast) {
+  // Of two Cyclones only the one that answers a handshake says why it fails; with Fast DDS Cyclone never answers.
+  if (GetParam().reader == bus::Vendor::kFast) {
     EXPECT_NE(all_of(reader->take_security_warnings()), "");
   }
 }
