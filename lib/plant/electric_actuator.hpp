@@ -109,7 +109,8 @@ class ElectricEquations {
     double external_force;  ///< Nm
   };
 
-  ElectricEquations(const ElectricParams& actuator, const LoadParams& load) noexcept : actuator_(actuator), load_(load) {}
+  ElectricEquations(const ElectricParams& actuator, const LoadParams& load) noexcept
+      : actuator_(actuator), load_(load) {}
 
   void set_load(const LoadParams& load) noexcept { load_ = load; }
 
