@@ -21,7 +21,7 @@ if(FARRIER_SANITIZE)
     -fsanitize=${FARRIER_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(farrier_sanitizers INTERFACE -fsanitize=${FARRIER_SANITIZE})
 endif()
-target_link_libraries(farrier_flags INTERFACE farrier_sanitizers)
+target_link_libraries(farrier_flags INTERFACE $<BUILD_INTERFACE:farrier_sanitizers>)
 
 find_program(FARRIER_CCACHE ccache)
 if(FARRIER_CCACHE)

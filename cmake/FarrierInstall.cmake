@@ -21,7 +21,7 @@ install(TARGETS bare_exchange DESTINATION libexec/farrier COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.
 set(FARRIER_EXPORTED core signals config runtime plant control estimation gait robot bus bus_faults bus_cyclone
-  bus_fastdds bus_factory participant process)
+  bus_fastdds bus_factory participant process security wire_gains)
 foreach(library IN LISTS FARRIER_EXPORTED)
   set_target_properties(farrier_${library} PROPERTIES EXPORT_NAME ${library})
   install(TARGETS farrier_${library} EXPORT farrier DESTINATION lib/farrier COMPONENT dev)
@@ -57,7 +57,7 @@ set(CPACK_COMPONENT_TOOLS_DEPENDS runtime)
 # Reports are drawn by gnuplot, which needs a font.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "gnuplot-nox, fonts-dejavu-core")
 # What its libraries are linked with and its headers include.
-set(FARRIER_DEV_NEEDS cyclonedds-dev libeigen3-dev libfastcdr-dev libfastrtps-dev libsystemd-dev libyaml-cpp-dev)
+set(FARRIER_DEV_NEEDS cyclonedds-dev libeigen3-dev libfastcdr-dev libfastrtps-dev libssl-dev libsystemd-dev libyaml-cpp-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 list(JOIN FARRIER_DEV_NEEDS ", " CPACK_DEBIAN_DEV_PACKAGE_DEPENDS)
 foreach(component IN ITEMS RUNTIME TOOLS DEV)
