@@ -23,6 +23,31 @@ bool alike(const signals::JointSensors& a, const signals::JointSensors& b) noexc
          a.force_N_or_Nm == b.force_N_or_Nm;
 }
 
+// Readings beyond these are no readings of this joint. Its stops give way and its sensors have noise, and a foot that
+// lands may push a closed valve's oil beyond what the supply can.
+constexpr double kBeyondStops = 0.1;     // of the stroke
+constexpr double kBeyondLimits = 5.0;    // times the larger force limit
+constexpr double kLargestJump = 0.1;     // of the stroke, in a tick
+
+bool in_range(const signals::JointSensors& s, const robot::Joint& joint) noexcept {
+  const double beyond = kBeyondStops * joint.actuator.stroke;
+  return s.position_m_or_rad >= -beyond && s.position_m_or_rad <= joint.actuator.stroke + beyond &&
+         std::abs(s.force_N_or_Nm) <= kBeyondLimits * std::max(joint.push_limit, joint.pull_limit);
+}
+
+/// Whether the joint can have come from `before` to `now`. It can from a reading that was none, and from anywhere in
+/// more than a few ticks.
+bool reachable(const signals::JointSensors& now, const signals::JointSensors& before,
+               const robot::Joint& joint) noexcept {
+  constexpr Tick kTicksForTheStroke = static_cast<Tick>((1.0 + 2 * kBeyondStops) / kLargestJump);
+  if (before.tick < 0 || !in_range(before, joint) || now.tick <= before.tick ||
+      now.tick - kTicksForTheStroke > before.tick) {
+    return true;
+  }
+  const auto ticks = static_cast<double>(now.tick - before.tick);
+  return std::abs(now.position_m_or_rad - before.position_m_or_rad) <= kLargestJump * ticks * joint.actuator.stroke;
+}
+
 bool finite(const signals::JointCommand& c) noexcept {
   return std::isfinite(c.position_rad) && std::isfinite(c.velocity_rad_s) && std::isfinite(c.torque_ff_Nm) &&
          std::isfinite(c.stiffness_Nm_rad) && std::isfinite(c.damping_Nms_rad) && c.stiffness_Nm_rad >= 0 &&
@@ -143,9 +168,10 @@ void JointNode::assess(const Inputs& inputs) noexcept {
   }
   const int new_samples = inputs.sensors.tick != last_sensors_.tick ? 1 : 0;
   alike_samples_ = alike(inputs.sensors, last_sensors_) ? alike_samples_ + new_samples : 0;
+  const bool plausible = in_range(inputs.sensors, joint_) && reachable(inputs.sensors, last_sensors_, joint_);
   last_sensors_ = inputs.sensors;
   const bool frozen = safety_.frozen_samples > 0 && alike_samples_ >= safety_.frozen_samples;
-  const bool sensors_good = inputs.sensors_age_s <= safety_.sensors_stale_s && finite(inputs.sensors) && !frozen;
+  const bool sensors_good = inputs.sensors_age_s <= safety_.sensors_stale_s && finite(inputs.sensors) && plausible && !frozen;
   good_samples_ = sensors_good ? std::min(good_samples_ + new_samples, safety_.recovery_samples) : 0;
   faults_.set(Fault::kSensorsStale, good_samples_ < safety_.recovery_samples);
 

@@ -274,7 +274,8 @@ void assign(std::array<char, kSize>& to, std::string_view text) noexcept {
 /// Up to the terminating zero; all of it when a sender has left that out.
 template <std::size_t kSize>
 std::string_view text_of(const std::array<char, kSize>& from) noexcept {
-  return std::string_view(from.data(), static_cast<std::size_t>(std::find(from.begin(), from.end(), '\0') - from.begin()));
+  const auto end = std::find(from.begin(), from.end(), '\0');
+  return std::string_view(from.data(), static_cast<std::size_t>(end - from.begin()));
 }
 
 const char* to_string(Phase phase) noexcept;

@@ -13,6 +13,9 @@
 #include "tests/fuzz/harness.hpp"
 
 namespace farrier::fuzz {
+
+void PrintTo(const Harness& harness, std::ostream* out) { *out << harness.name; }
+
 namespace {
 
 constexpr std::uint32_t kSeed = 20140701;
@@ -67,8 +70,6 @@ class Mutations {
 
   std::mt19937 random_{kSeed};
 };
-
-void PrintTo(const Harness& harness, std::ostream* out) { *out << harness.name; }
 
 class Replay : public testing::TestWithParam<Harness> {
  protected:

@@ -170,7 +170,7 @@ TEST(JointNodeFlowInversion, StaysWithinTheValveWhateverItIsAskedForAndSaysSo) {
   Bench bench = tracking();
   bench.step();
   bench.inputs.command.torque_ff_Nm = 1e3;
-  bench.inputs.sensors.force_N_or_Nm = -4e4;
+  bench.inputs.sensors.force_N_or_Nm = -4.0 * bench.joint.push_limit;
   const auto outputs = bench.step();
   EXPECT_EQ(std::abs(outputs.valve.valve_current_A), bench.joint.actuator.valve_current_max_A);
   EXPECT_TRUE(has(outputs, Fault::kValveSaturated));

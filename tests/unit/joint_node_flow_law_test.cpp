@@ -88,7 +88,8 @@ TEST(JointNode, SaysWhenTheFlowLawOpensTheValveFully) {
   Bench bench = armed();
   bench.step();
   bench.inputs.command.torque_ff_Nm = 1e3;
-  bench.inputs.sensors.force_N_or_Nm = -4e4;
+  bench.inputs.sensors.force_N_or_Nm = -4.0 * bench.joint.push_limit;
+  bench.inputs.sensors.velocity_m_s_or_rad_s = 10.0;
   const auto outputs = bench.step();
   EXPECT_EQ(std::abs(outputs.valve.valve_current_A), bench.joint.actuator.valve_current_max_A);
   EXPECT_TRUE(has(outputs, Fault::kValveSaturated));

@@ -50,6 +50,49 @@ TEST(JointNode, NullsValveWhenASensorIsNotFinite) {
   }
 }
 
+TEST(JointNode, NullsValveWhenAReadingIsNoneOfThisJoint) {
+  const robot::Joint& joint = joint_named("lf_kfe");
+  const double stroke = joint.actuator.stroke;
+  const double home = joint.linkage.position(joint.home_angle_rad);
+  const double force = std::max(joint.push_limit, joint.pull_limit);
+  struct Reading {
+    double position, force;
+    bool is_one;
+  };
+  for (const Reading& reading : {Reading{home, 4.9 * force, true}, Reading{home, -4.9 * force, true},
+                                 Reading{home, 5.1 * force, false}, Reading{home, -5.1 * force, false},
+                                 Reading{-0.09 * stroke, 0, true}, Reading{1.09 * stroke, 0, true},
+                                 Reading{-0.11 * stroke, 0, false}, Reading{1.11 * stroke, 0, false},
+                                 Reading{1e308, 0, false}, Reading{home, -1e308, false}}) {
+    Bench bench = Bench::tracking();
+    bench.step();
+    bench.next_tick += 20;  // long enough to get there
+    bench.inputs.sensors.position_m_or_rad = reading.position;
+    bench.inputs.sensors.force_N_or_Nm = reading.force;
+    EXPECT_EQ(bench.state(), reading.is_one ? JointState::kTracking : JointState::kNull)
+        << reading.position << " m, " << reading.force << " N";
+  }
+}
+
+TEST(JointNode, NullsValveWhenThePositionJumps) {
+  Bench bench = Bench::tracking();
+  const double stroke = bench.joint.actuator.stroke;
+  bench.step();
+  bench.inputs.sensors.position_m_or_rad += 0.09 * stroke;
+  EXPECT_EQ(bench.state(), JointState::kTracking);
+  bench.inputs.sensors.position_m_or_rad -= 0.11 * stroke;
+  expect_null(bench.step(), Fault::kSensorsStale);
+}
+
+TEST(JointNode, ForgetsTheLastPositionOnceTheJointCanHaveGoneAnywhere) {
+  Bench bench = Bench::tracking();
+  bench.inputs.sensors.position_m_or_rad = 0.0;
+  bench.step();
+  bench.next_tick += 12;
+  bench.inputs.sensors.position_m_or_rad = bench.joint.actuator.stroke;
+  EXPECT_EQ(bench.state(), JointState::kTracking);
+}
+
 TEST(JointNode, NullsValveWhenSensorsAreFrozen) {
   robot::Safety safety = hyq().safety;
   safety.frozen_samples = 5;
@@ -181,6 +224,7 @@ TEST(JointNode, DampingAlwaysDissipates) {
     bench.inputs.command_age_s = 0.006;
     for (int i = 0; i < 200; ++i) {
       const double velocity = 4.0 * share(random) - 2.0;
+      bench.next_tick += 20;  // long enough to get anywhere
       bench.inputs.sensors.position_m_or_rad = share(random) * joint.actuator.stroke;
       bench.inputs.sensors.velocity_m_s_or_rad_s = velocity;
       EXPECT_LE(bench.step().valve.force_reference_N_or_Nm * velocity, 0.0) << joint.name << " at " << velocity;

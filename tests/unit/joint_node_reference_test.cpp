@@ -33,6 +33,7 @@ TEST(JointNode, AsksForTheCommandedTorqueOverTheLeverArm) {
       const double tau = command.torque_ff_Nm + command.stiffness_Nm_rad * (command.position_rad - q) +
                          command.damping_Nms_rad * (command.velocity_rad_s - q_dot);
       const double expected = tau / joint.linkage.lever(q);
+      bench.next_tick += 20;  // long enough to get anywhere
       const auto outputs = bench.step();
       if (expected < joint.push_limit && expected > -joint.pull_limit) {
         ++within_limits;

@@ -98,8 +98,9 @@ TEST(JointNode, StaysBoundedWhenFiniteInputOverflows) {
   int tracked = 0;
   for (int i = 0; i < 20'000; ++i) {
     shake(bench.inputs, numbers, true);
-    for (double* value : {&bench.inputs.sensors.position_m_or_rad, &bench.inputs.sensors.velocity_m_s_or_rad_s,
-                          &bench.inputs.sensors.force_N_or_Nm, &bench.inputs.command.position_rad,
+    bench.inputs.sensors.position_m_or_rad = 0.5 * bench.joint.actuator.stroke;  // one it can have
+    bench.inputs.sensors.force_N_or_Nm = bench.joint.push_limit;
+    for (double* value : {&bench.inputs.sensors.velocity_m_s_or_rad_s, &bench.inputs.command.position_rad,
                           &bench.inputs.command.velocity_rad_s, &bench.inputs.command.torque_ff_Nm,
                           &bench.inputs.command.stiffness_Nm_rad, &bench.inputs.command.damping_Nms_rad}) {
       *value = std::isfinite(*value) ? *value : 1e308;
