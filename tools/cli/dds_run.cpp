@@ -271,16 +271,13 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   }
   Progress progress(run.title, common.ticks);
   const RunActs::Start start_anew = [&](const std::string& member, const std::string& name) {
-    return start_child(run, common, *std::ranges::find(outcome.members, member, &lab::Member::name), name,
-                       name + "_anew");
+    const auto place = std::ranges::find(outcome.members, member, &lab::Member::name);
+    return start_child(run, common, *place, name, name + "_anew");
   };
   auto played = play(seat.value(), monitor.value(), children.value(), start_anew, progress, run, common.ticks, outcome);
   const std::string hard_ends = end_all(children.value());
-  if (!played) {
-    return played.error();
-  }
-  if (!hard_ends.empty()) {
-    return Error{hard_ends};
+  if (!played || !hard_ends.empty()) {
+    return played ? Error{hard_ends} : played.error();
   }
   if (seat.value().recorder) {
     if (auto recorded = seat.value().recorder->finish(common.ticks); !recorded) {

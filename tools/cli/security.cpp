@@ -11,7 +11,7 @@
 #include "security/credentials.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/help.hpp"
-#include "tools/cli/trot_options.hpp"
+#include "tools/cli/installation.hpp"
 #include "tools/pki/pki.hpp"
 
 namespace farrier::cli {
