@@ -46,13 +46,15 @@ struct Misuse {
 class ElectricLegMisused : public testing::TestWithParam<Misuse> {};
 
 TEST_P(ElectricLegMisused, IsRefusedWithThePlaceAndTheRemedy) {
-  std::vector<std::string> options{GetParam().option};
+  const ScratchDirectory scratch;
+  std::vector<std::string> arguments{"trot", "--robot", shipped("electric_leg"), "--out", scratch.file("out"),
+                                     GetParam().option};
   if (*GetParam().value != '\0') {
-    options.emplace_back(GetParam().value);
+    arguments.emplace_back(GetParam().value);
   }
-  const Trot refused = trot(shipped("electric_leg"), options);
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_NE(refused.output.find(GetParam().problem), std::string::npos) << refused.output;
+  std::string output;
+  EXPECT_EQ(run_farrier(arguments, &output), 2);
+  EXPECT_NE(output.find(GetParam().problem), std::string::npos) << output;
 }
 
 INSTANTIATE_TEST_SUITE_P(
