@@ -7,7 +7,6 @@
 #include "estimator_service/estimator_service.hpp"
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
-#include "joint_node/gains_check.hpp"
 #include "joint_node/joint_node.hpp"
 #include "sim_bridge/sim_world.hpp"
 #include "supervisor/supervisor.hpp"

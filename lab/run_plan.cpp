@@ -5,10 +5,10 @@
 namespace farrier::lab {
 
 std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, bool standby) {
-  std::vector<Member> members{{"sim_bridge", "sim_bridge", participant::kSimBridge, {}, false},
-                              {"estimator_service", "estimator_service", participant::kEstimatorService, {}, false},
-                              {"supervisor", "supervisor", participant::kSupervisor, {}, false},
-                              {"gait_source", "", participant::kGaitSource, {}, false}};
+  std::vector<Member> members{{"sim_bridge", "sim_bridge", participant::kSimBridge, {}},
+                              {"estimator_service", "estimator_service", participant::kEstimatorService, {}},
+                              {"supervisor", "supervisor", participant::kSupervisor, {}},
+                              {"gait_source", "", participant::kGaitSource, {}}};
   std::uint16_t next = participant::kFirstJointNode;
   const auto group_of = [&](const robot::Joint& joint) {
     switch (grouping) {
@@ -21,7 +21,7 @@ std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, b
   for (const robot::Joint& joint : robot.joints) {
     const std::string name = "joint_node_" + group_of(joint);
     if (members.back().name != name) {
-      members.push_back({name, "joint_node", next++, {}, false});
+      members.push_back({name, "joint_node", next++, {}});
     }
     members.back().joints.push_back(joint.name);
   }

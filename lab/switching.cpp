@@ -6,7 +6,6 @@
 
 #include "control/force_controller.hpp"
 #include "core/ensure.hpp"
-#include "joint_node/gains_check.hpp"
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::lab {

@@ -19,7 +19,6 @@ Duty Succession::step(std::uint32_t newest, SteadyTime now) noexcept {
   if (leads_) {
     if (newest > authority_) {
       leads_ = false;
-      stands_by_ = true;
       authority_ = newest;
       heard_ = now;
       return Duty::kStandDown;

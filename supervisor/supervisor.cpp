@@ -239,10 +239,7 @@ const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
       joint.looked = false;
     }
     std::swap(issued_, pending_);
-    pending_.gains.clear();
-    pending_.modes.clear();
-    pending_.decisions.clear();
-    pending_.design_statuses.clear();
+    pending_.clear();
   }
   for (signals::JointUpdateDecision& decision : due.decisions) {
     decision.tick = batch_due ? tick : decision.tick;

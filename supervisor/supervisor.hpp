@@ -35,6 +35,8 @@ class Supervisor {
     /// Gains accepted, and designs refused for a new reason; with the first gains, what these fall short of.
     std::vector<signals::JointUpdateDecision> decisions;
     std::vector<control::DesignStatus> design_statuses;   ///< of the decisions, in their order
+
+    void clear() noexcept;
   };
 
   /// What to publish at this tick: at the first everything; later the gains for known loads, and what came of the

@@ -14,6 +14,13 @@ std::size_t place_of(const signals::JointControllerGains& gains) noexcept {
 
 }  // namespace
 
+void Supervisor::Outputs::clear() noexcept {
+  gains.clear();
+  modes.clear();
+  decisions.clear();
+  design_statuses.clear();
+}
+
 void Supervisor::remember(const Outputs& issued) noexcept {
   for (const signals::JointControllerGains& gains : issued.gains) {
     known_gains_[place_of(gains)] = gains;
@@ -70,17 +77,12 @@ void Supervisor::take_over(std::uint32_t authority, std::uint32_t mode_epoch, Ti
 void Supervisor::stand_down() noexcept {
   std::ranges::fill(known_gains_, signals::JointControllerGains{});
   known_mode_ = {};
-  for (Outputs* outputs : {&pending_, &issued_}) {
-    outputs->gains.clear();
-    outputs->modes.clear();
-    outputs->decisions.clear();
-    outputs->design_statuses.clear();
-  }
+  pending_.clear();
+  issued_.clear();
 }
 
 const Supervisor::Outputs& Supervisor::orders() noexcept {
-  orders_.gains.clear();
-  orders_.modes.clear();
+  orders_.clear();
   for (signals::JointControllerGains gains : known_gains_) {
     if (gains.generation != 0) {
       gains.authority = authority_;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "control/margins.hpp"
-#include "joint_node/gains_check.hpp"
 #include "lab/filter_study.hpp"
 #include "lab/studies/registry.hpp"
 #include "wire_gains/wire_gains.hpp"

@@ -18,10 +18,6 @@
 namespace farrier::bus_cyclone {
 namespace {
 
-Error refused(const std::string& what, dds_return_t code) {
-  return Error{"Cyclone refuses " + what + ": " + dds_strretcode(code)};
-}
-
 /// Cyclone tells of those it keeps out in its log alone, which is one for the process: who hears of which domain.
 class LogWarnings {
  public:

@@ -24,10 +24,6 @@ dds_domainid_t local_number(const bus::NetworkOptions& options, int bus) {
   return options.security ? (domain + others) % kSecureDomains : domain + others * kLocalDomainStride;
 }
 
-Error refused(const std::string& what, dds_return_t code) {
-  return Error{"Cyclone refuses " + what + ": " + dds_strretcode(code)};
-}
-
 std::string config_with_user_part(const bus::NetworkOptions& options) {
   std::string config = cyclone_config(options);
   const char* user = std::getenv("CYCLONEDDS_URI");
@@ -38,6 +34,10 @@ std::string config_with_user_part(const bus::NetworkOptions& options) {
 }
 
 }  // namespace
+
+Error refused(const std::string& what, dds_return_t code) {
+  return Error{"Cyclone refuses " + what + ": " + dds_strretcode(code)};
+}
 
 Result<Domain> open_domain(const bus::NetworkOptions& options) {
   if (options.domain < 0 || options.domain > kMaxDomain) {

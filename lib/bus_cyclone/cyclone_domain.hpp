@@ -2,6 +2,8 @@
 
 #include <dds/dds.h>
 
+#include <string>
+
 #include "bus/network.hpp"
 #include "core/result.hpp"
 
@@ -12,6 +14,9 @@ struct Domain {
   dds_entity_t entity;
   dds_domainid_t number;  ///< Cyclone's own, by which its log tells domains of a process apart
 };
+
+/// What Cyclone refused, with its reason.
+Error refused(const std::string& what, dds_return_t code);
 
 /// Opens the domain of `options`. A user's CYCLONEDDS_URI is read after the settings made here.
 Result<Domain> open_domain(const bus::NetworkOptions& options);

@@ -75,13 +75,13 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
     return 2;
   }
   bus::NetworkOptions network = participant::network_of(options);
-  if (auto secured = secure(network, options.security, participant::role_of(options.number, options.standby), options.vendor); !secured) {
+  const bus::Role role = participant::role_of(options.number, options.standby);
+  if (auto secured = secure(network, options.security, role, options.vendor); !secured) {
     return refuse(name, secured.error(), 2);
   }
   if (options.clock == bus::ClockKind::kRealtime) {
     participant::set_slow_motion(options.slow);
-    const bool service = options.number == participant::kEstimatorService || options.number == participant::kSupervisor ||
-                         options.standby;
+    const bool service = role == bus::Role::kEstimatorService || role == bus::Role::kSupervisor;
     const int priority = service ? runtime::kServicePriority : runtime::kBusPriority;
     if (const std::string lacking = runtime::set_priority(priority + options.priority_shift); !lacking.empty()) {
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());

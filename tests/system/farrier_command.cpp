@@ -46,16 +46,6 @@ void for_each_process(Use&& use) {
 
 }  // namespace
 
-ScratchDirectory::ScratchDirectory() {
-  std::string name = (std::filesystem::temp_directory_path() / "farrier-test-XXXXXX").string();
-  path_ = ::mkdtemp(name.data());
-}
-
-ScratchDirectory::~ScratchDirectory() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
 FarrierCommand::FarrierCommand(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
   const std::string log = scratch_.file("output");
   std::vector<char*> argv{const_cast<char*>(surroundings.executable.c_str())};

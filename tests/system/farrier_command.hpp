@@ -11,21 +11,9 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/scratch_directory.hpp"
+
 namespace farrier::test {
-
-/// A directory that goes with its test.
-class ScratchDirectory {
- public:
-  ScratchDirectory();
-  ~ScratchDirectory();
-  ScratchDirectory(const ScratchDirectory&) = delete;
-  ScratchDirectory& operator=(const ScratchDirectory&) = delete;
-
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// What a command starts with besides its arguments.
 struct Surroundings {

@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include "tests/support/scratch_directory.hpp"
 #include "tools/deploy/rendering.hpp"
 
 namespace farrier::deploy {
@@ -32,23 +32,6 @@ inline std::vector<RenderedFile> rendered(const std::string& host, const Places&
   return files ? std::move(files).value() : std::vector<RenderedFile>{};
 }
 
-/// A folder that goes with its test.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (std::filesystem::temp_directory_path() / "farrier-deploy-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  std::string operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
+using test::ScratchDirectory;
 
 }  // namespace farrier::deploy

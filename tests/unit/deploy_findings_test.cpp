@@ -85,13 +85,13 @@ TEST(HostFindings, AskNothingOfTheClockInLockStep) {
 }
 
 TEST(HostFindings, NameExecutablesAndFilesThatAreNotThere) {
-  const Scratch scratch;
-  const Places places{.prefix = scratch / "usr", .folder = scratch / "units"};
+  const ScratchDirectory scratch;
+  const Places places{.prefix = scratch.file("usr"), .folder = scratch.file("units")};
   const auto processes = processes_of(hyq(), "front", places);
   const Findings findings = file_findings(processes.value(), places, {"farrier-hyq.target"});
   ASSERT_EQ(findings.size(), 2u) << "both processes are joint_nodes, which is missing once";
-  EXPECT_EQ(findings[0].what, (scratch / "usr/libexec/farrier/joint_node") + " is not there or cannot be run");
-  EXPECT_EQ(findings[1].what, (scratch / "units/farrier-hyq.target") +
+  EXPECT_EQ(findings[0].what, scratch.file("usr/libexec/farrier/joint_node") + " is not there or cannot be run");
+  EXPECT_EQ(findings[1].what, scratch.file("units/farrier-hyq.target") +
                                   " is not there or not what this robot file asks for");
 }
 

@@ -20,59 +20,59 @@ std::vector<std::string> names_in(const std::string& folder) {
 }
 
 TEST(RenderedFolder, AppearsWithAllItsFilesAndNothingBesideIt) {
-  const Scratch scratch;
-  ASSERT_TRUE(write_folder(scratch / "etc/front", kFiles, "").ok());
-  EXPECT_EQ(names_in(scratch / "etc/front"), (std::vector<std::string>{"a.service", "rendered.txt", "robot.yaml"}));
-  EXPECT_EQ(read(scratch / "etc/front/robot.yaml"), "name: a\n");
-  EXPECT_EQ(names_in(scratch / "etc"), std::vector<std::string>{"front"});
-  EXPECT_TRUE(differing_files(scratch / "etc/front", kFiles).empty());
+  const ScratchDirectory scratch;
+  ASSERT_TRUE(write_folder(scratch.file("etc/front"), kFiles, "").ok());
+  EXPECT_EQ(names_in(scratch.file("etc/front")), (std::vector<std::string>{"a.service", "rendered.txt", "robot.yaml"}));
+  EXPECT_EQ(read(scratch.file("etc/front/robot.yaml")), "name: a\n");
+  EXPECT_EQ(names_in(scratch.file("etc")), std::vector<std::string>{"front"});
+  EXPECT_TRUE(differing_files(scratch.file("etc/front"), kFiles).empty());
 }
 
 TEST(RenderedFolder, IsReplacedAsAWholeWhenRenderedAgain) {
-  const Scratch scratch;
-  ASSERT_TRUE(write_folder(scratch / "front", kFiles, "").ok());
-  ASSERT_TRUE(write_folder((scratch / "front") + "/", {{"b.service", "[Unit]\n"}}, "").ok());
-  EXPECT_EQ(names_in(scratch / "front"), (std::vector<std::string>{"b.service", "rendered.txt"}));
-  EXPECT_EQ(names_in(scratch / ""), std::vector<std::string>{"front"});
+  const ScratchDirectory scratch;
+  ASSERT_TRUE(write_folder(scratch.file("front"), kFiles, "").ok());
+  ASSERT_TRUE(write_folder(scratch.file("front") + "/", {{"b.service", "[Unit]\n"}}, "").ok());
+  EXPECT_EQ(names_in(scratch.file("front")), (std::vector<std::string>{"b.service", "rendered.txt"}));
+  EXPECT_EQ(names_in(scratch.file("")), std::vector<std::string>{"front"});
 }
 
 TEST(RenderedFolder, TakesThePlaceOfAnEmptyOne) {
-  const Scratch scratch;
-  fs::create_directory(scratch / "front");
-  EXPECT_TRUE(write_folder(scratch / "front", kFiles, "").ok());
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch.file("front"));
+  EXPECT_TRUE(write_folder(scratch.file("front"), kFiles, "").ok());
 }
 
 TEST(RenderedFolder, RefusesToReplaceWhatItDidNotWrite) {
-  const Scratch scratch;
-  fs::create_directory(scratch / "mine");
-  std::ofstream(scratch / "mine/thesis.tex") << "years";
-  const auto written = write_folder(scratch / "mine", kFiles, "");
+  const ScratchDirectory scratch;
+  fs::create_directory(scratch.file("mine"));
+  std::ofstream(scratch.file("mine/thesis.tex")) << "years";
+  const auto written = write_folder(scratch.file("mine"), kFiles, "");
   ASSERT_FALSE(written.ok());
-  EXPECT_EQ(written.error().message, (scratch / "mine") + " has thesis.tex, which farrier deploy render did not write: "
+  EXPECT_EQ(written.error().message, scratch.file("mine") + " has thesis.tex, which farrier deploy render did not write: "
                                      "move it away or give another folder");
-  EXPECT_EQ(names_in(scratch / "mine"), std::vector<std::string>{"thesis.tex"});
+  EXPECT_EQ(names_in(scratch.file("mine")), std::vector<std::string>{"thesis.tex"});
 }
 
 TEST(RenderedFolder, RefusesToReplaceItsOwnWhenSomethingWasAdded) {
-  const Scratch scratch;
-  ASSERT_TRUE(write_folder(scratch / "front", kFiles, "").ok());
-  std::ofstream(scratch / "front/notes") << "mine";
-  EXPECT_FALSE(write_folder(scratch / "front", kFiles, "").ok());
-  EXPECT_EQ(read(scratch / "front/notes"), "mine");
+  const ScratchDirectory scratch;
+  ASSERT_TRUE(write_folder(scratch.file("front"), kFiles, "").ok());
+  std::ofstream(scratch.file("front/notes")) << "mine";
+  EXPECT_FALSE(write_folder(scratch.file("front"), kFiles, "").ok());
+  EXPECT_EQ(read(scratch.file("front/notes")), "mine");
 }
 
 TEST(RenderedFolder, RefusesAFileInItsPlace) {
-  const Scratch scratch;
-  std::ofstream(scratch / "front") << "a file";
-  EXPECT_FALSE(write_folder(scratch / "front", kFiles, "").ok());
-  EXPECT_EQ(read(scratch / "front"), "a file");
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.file("front")) << "a file";
+  EXPECT_FALSE(write_folder(scratch.file("front"), kFiles, "").ok());
+  EXPECT_EQ(read(scratch.file("front")), "a file");
 }
 
 TEST(RenderedFolder, SaysWhichFilesWereChangedByHand) {
-  const Scratch scratch;
-  ASSERT_TRUE(write_folder(scratch / "front", kFiles, "").ok());
-  std::ofstream(scratch / "front/a.service") << "[Unit]\nDescription=better\n";
-  EXPECT_EQ(differing_files(scratch / "front", kFiles), std::vector<std::string>{"a.service"});
+  const ScratchDirectory scratch;
+  ASSERT_TRUE(write_folder(scratch.file("front"), kFiles, "").ok());
+  std::ofstream(scratch.file("front/a.service")) << "[Unit]\nDescription=better\n";
+  EXPECT_EQ(differing_files(scratch.file("front"), kFiles), std::vector<std::string>{"a.service"});
 }
 
 }  // namespace

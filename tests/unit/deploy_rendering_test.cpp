@@ -109,12 +109,12 @@ TEST(Rendering, PassesSystemdsOwnCheckWithoutAWarning) {
   if (std::system("systemd-analyze --version > /dev/null 2>&1") != 0) {
     GTEST_SKIP() << "systemd-analyze is not installed: apt install systemd";
   }
-  const Scratch scratch;
-  Places places{.prefix = scratch / "usr", .folder = scratch / "units"};
-  std::filesystem::create_directories(scratch / "usr/libexec/farrier");
+  const ScratchDirectory scratch;
+  Places places{.prefix = scratch.file("usr"), .folder = scratch.file("units")};
+  std::filesystem::create_directories(scratch.file("usr/libexec/farrier"));
   std::filesystem::create_directories(places.folder);
   for (const char* program : {"sim_bridge", "estimator_service", "supervisor", "gait_source", "joint_node"}) {
-    std::filesystem::create_symlink("/bin/true", scratch / ("usr/libexec/farrier/" + std::string(program)));
+    std::filesystem::create_symlink("/bin/true", scratch.file("usr/libexec/farrier/" + std::string(program)));
   }
   for (const char* host : {"front", "hind", "brain"}) {
     std::string units;
@@ -122,7 +122,7 @@ TEST(Rendering, PassesSystemdsOwnCheckWithoutAWarning) {
       std::ofstream(places.folder + "/" + file.name) << file.text;
       units += file.name.ends_with(".service") || file.name.ends_with(".target") ? " " + file.name : "";
     }
-    const std::string said = scratch / "said";
+    const std::string said = scratch.file("said");
     const std::string verify = "cd " + places.folder + " && systemd-analyze verify" + units + " > " + said + " 2>&1";
     const int status = std::system(verify.c_str());
     EXPECT_EQ(WEXITSTATUS(status), 0) << host << ": " << read(said);

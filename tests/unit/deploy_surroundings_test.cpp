@@ -87,20 +87,20 @@ TEST(PortFindings, NameADomainWhosePortsLinuxHandsOut) {
 }
 
 TEST(Leftovers, AreSegmentsWhoseLockNobodyHolds) {
-  const Scratch shared_memory;
+  const ScratchDirectory shared_memory;
   for (const char* name : {"fastrtps_0123456789abcdef", "fastrtps_0123456789abcdef_el", "fastrtps_port7410_sl"}) {
-    std::ofstream(shared_memory / name) << "";
+    std::ofstream(shared_memory.file(name)) << "";
   }
-  const int held = ::open((shared_memory / "fastrtps_port7410_sl").c_str(), O_RDONLY);
+  const int held = ::open((shared_memory.file("fastrtps_port7410_sl")).c_str(), O_RDONLY);
   ASSERT_EQ(::flock(held, LOCK_SH), 0);
-  const Findings findings = leftover_findings(shared_memory / "");
+  const Findings findings = leftover_findings(shared_memory.file(""));
   ::close(held);
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_TRUE(findings[0].what.starts_with("1 segments or ports of Fast DDS")) << findings[0].what;
   EXPECT_FALSE(findings[0].fault);
 }
 
-TEST(Leftovers, AreNoneInAnEmptyFolder) { EXPECT_TRUE(leftover_findings(Scratch() / "").empty()); }
+TEST(Leftovers, AreNoneInAnEmptyFolder) { EXPECT_TRUE(leftover_findings(ScratchDirectory().file("")).empty()); }
 
 TEST(Environment, IsNotedWhereItOverridesTheNetwork) {
   ::setenv("CYCLONEDDS_URI", "<Domain/>", 1);

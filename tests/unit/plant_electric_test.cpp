@@ -9,6 +9,7 @@
 #include "core/noise.hpp"
 #include "plant/electric_joint.hpp"
 #include "tests/support/allocation_guard.hpp"
+#include "tests/unit/plant_reference.hpp"
 
 namespace farrier::plant {
 namespace {
@@ -178,27 +179,13 @@ TEST(ElectricJoint, StaysFiniteUnderRandomCommandsWithoutAllocating) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-/// Classical fourth-order method at 2 us, kept apart from the integrator under test.
-ElectricState reference_tick(const ElectricEquations& f, const ElectricEquations::Input& in, ElectricState s) {
-  constexpr int kSubsteps = 500;
-  const double h = kPeriod_s / kSubsteps;
-  for (int i = 0; i < kSubsteps; ++i) {
-    const auto k1 = f.derivative(s, in);
-    const auto k2 = f.derivative(add_scaled(s, 0.5 * h, k1), in);
-    const auto k3 = f.derivative(add_scaled(s, 0.5 * h, k2), in);
-    const auto k4 = f.derivative(add_scaled(s, h, k3), in);
-    s = add_scaled(add_scaled(add_scaled(add_scaled(s, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
-  }
-  return s;
-}
-
 TEST(ElectricJoint, StatesAnErrorThatBoundsTheTrueOne) {
   ElectricJoint joint = joint_at(drive(), leg(), {.position = 1.0});
   const ElectricEquations equations(drive(), leg());
   const NoiseStream noise(3, "electric", "command");
   for (int tick = 0; tick < 300; ++tick) {
     const double command = 60.0 * (2.0 * noise.uniform(tick / 5) - 1.0);
-    const ElectricState truth = reference_tick(equations, {command, 0.0}, joint.state());
+    const ElectricState truth = test::reference_tick(equations, ElectricEquations::Input{command, 0.0}, joint.state(), kPeriod_s);
     const StepReport report = joint.step(command, 0.0, kPeriod_s);
     ASSERT_NEAR(joint.state().velocity, truth.velocity, report.error_velocity + kRounding) << "tick " << tick;
     ASSERT_NEAR(joint.state().position, truth.position, report.error_position + kRounding) << "tick " << tick;

@@ -8,25 +8,12 @@
 #include "plant/runge_kutta.hpp"
 #include "plant_test_joints.hpp"
 #include "tests/support/allocation_guard.hpp"
+#include "tests/unit/plant_reference.hpp"
 
 namespace farrier::plant {
 namespace {
 
 using test::kPeriod_s;
-
-/// Classical fourth-order method at 2 us, kept apart from the integrator under test.
-IntegrationState reference_tick(const JointEquations& f, const HeldInput& in, IntegrationState s) {
-  constexpr int kSubsteps = 500;
-  const double h = kPeriod_s / kSubsteps;
-  for (int i = 0; i < kSubsteps; ++i) {
-    const auto k1 = f.derivative(s, in);
-    const auto k2 = f.derivative(add_scaled(s, 0.5 * h, k1), in);
-    const auto k3 = f.derivative(add_scaled(s, 0.5 * h, k2), in);
-    const auto k4 = f.derivative(add_scaled(s, h, k3), in);
-    s = add_scaled(add_scaled(add_scaled(add_scaled(s, h / 6, k1), h / 3, k2), h / 3, k3), h / 6, k4);
-  }
-  return s;
-}
 
 struct Drive {
   LoadParams load;
@@ -49,8 +36,9 @@ TEST_P(StatedError, BoundsTheTrueErrorOfSteps) {
   for (int tick = 0; tick < 1000; ++tick) {
     const State s = joint.state();
     const double current = std::clamp(noise.next(joint.actuator(), s.position), -current_max_A, current_max_A);
-    const IntegrationState truth = reference_tick(equations, equations.hold(current, 0.0),
-                                                  {s.position, s.velocity, s.pressure_a_Pa, s.pressure_b_Pa});
+    const IntegrationState truth =
+        test::reference_tick(equations, equations.hold(current, 0.0),
+                             IntegrationState{s.position, s.velocity, s.pressure_a_Pa, s.pressure_b_Pa}, kPeriod_s);
     const bool void_before = joint.void_volume_a_m3() + joint.void_volume_b_m3() > 0.0;
     const StepReport report = joint.step(current, 0.0, kPeriod_s);
     if (report.cavitated || void_before) {

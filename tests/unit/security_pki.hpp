@@ -4,33 +4,15 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
+#include "tests/support/scratch_directory.hpp"
 #include "tools/pki/pki.hpp"
 
 namespace farrier::test {
 
 inline constexpr const char* kRobot = "testrobot";
-
-/// A folder that goes with its test.
-class PkiFolder {
- public:
-  PkiFolder() {
-    std::string pattern = std::filesystem::temp_directory_path() / "farrier-pki-test-XXXXXX";
-    FARRIER_ENSURE(::mkdtemp(pattern.data()) != nullptr, "a temporary folder");
-    path_ = pattern;
-  }
-  ~PkiFolder() { std::filesystem::remove_all(path_); }
-  PkiFolder(const PkiFolder&) = delete;
-  PkiFolder& operator=(const PkiFolder&) = delete;
-
-  std::string file(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The CAs of a robot and what they issued. `days`: see pki::Plan.
 class Pki {
@@ -50,7 +32,7 @@ class Pki {
   }
 
  private:
-  PkiFolder folder_;
+  ScratchDirectory folder_;
   int copies_ = 0;
 };
 

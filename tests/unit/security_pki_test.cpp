@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::kRobot;
 using test::Pki;
-using test::PkiFolder;
+using test::ScratchDirectory;
 
 Pki& shared() {
   static Pki pki;
@@ -130,7 +130,7 @@ TEST(Pki, FolderThatIsThereStaysAsItIs) {
 }
 
 TEST(Pki, CasKeysInsideTheFolderOfTheRobotAreRefused) {
-  const PkiFolder folder;
+  const ScratchDirectory folder;
   for (const char* ca : {"keys/ca", "keys", "."}) {
     const auto made = make({.robot = kRobot, .out = folder.file("keys"), .ca = folder.file(ca)});
     ASSERT_FALSE(made.ok()) << ca;
@@ -139,7 +139,7 @@ TEST(Pki, CasKeysInsideTheFolderOfTheRobotAreRefused) {
 }
 
 TEST(Pki, FolderWithoutCasIsNotTakenForOne) {
-  const PkiFolder folder;
+  const ScratchDirectory folder;
   fs::create_directory(folder.file("ca"));
   const auto made = make({.robot = kRobot, .out = folder.file("keys"), .ca = folder.file("ca")});
   ASSERT_FALSE(made.ok());
@@ -157,7 +157,7 @@ class PathOf {
 };
 
 TEST(Pki, WithoutOpensslSaysSoAndLeavesNothing) {
-  const PkiFolder folder;
+  const ScratchDirectory folder;
   const PathOf nowhere(folder.file("nowhere"));
   const auto made = make({.robot = kRobot, .out = folder.file("keys"), .ca = folder.file("ca")});
   ASSERT_FALSE(made.ok());
@@ -166,7 +166,7 @@ TEST(Pki, WithoutOpensslSaysSoAndLeavesNothing) {
 }
 
 TEST(Pki, FailureHalfWayLeavesNothingAndSaysWhatOpensslSaid) {
-  const PkiFolder folder;
+  const ScratchDirectory folder;
   fs::create_directory(folder.file("bin"));
   // The real one, until it is asked to sign a document.
   std::ofstream(folder.file("bin/openssl"))

@@ -4,9 +4,7 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <sstream>
 
 #include "robot/robot.hpp"
 #include "runtime/realtime_thread.hpp"
@@ -36,13 +34,6 @@ std::string this_computer() {
   char name[256] = {};
   ::gethostname(name, sizeof name - 1);
   return name;
-}
-
-std::string text_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
 }
 
 deploy::Places places_of(const DeployOptions& o, const robot::Robot& robot) {
@@ -103,7 +94,7 @@ int run_deploy(DeployOptions o) {
     o.host = this_computer();
   }
   const deploy::Places places = places_of(o, robot.value());
-  const auto files = deploy::render_host(robot.value(), text_of(o.robot_path), o.host, places);
+  const auto files = deploy::render_host(robot.value(), deploy::text_of(o.robot_path).value_or(""), o.host, places);
   if (!files) {
     return refuse(files.error());
   }

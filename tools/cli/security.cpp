@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "participant/clock.hpp"
-#include "process/process.hpp"
+#include "robot/robot.hpp"
 #include "security/certificate.hpp"
 #include "security/credentials.hpp"
 #include "tools/cli/command.hpp"
@@ -39,9 +39,7 @@ std::string without_slash(const std::string& folder) {
 }
 
 int init(const SecurityOptions& o) {
-  participant::ProcessOptions file;
-  file.robot_path = o.robot_path;
-  const auto robot = process::load_robot(file);
+  const auto robot = robot::load_robot(o.robot_path);
   if (!robot) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;

@@ -51,17 +51,6 @@ std::string undesignable(const robot::Robot& robot) {
   return lines;
 }
 
-const char* name_of(Experiment experiment) noexcept {
-  switch (experiment) {
-    case Experiment::kNone: return "none";
-    case Experiment::kLoadCycle: return "fig7.8";
-    case Experiment::kSwitching: return "switching";
-    case Experiment::kUpdateLogic: return "update-logic";
-    case Experiment::kControllers: return "controllers";
-  }
-  return "unknown";
-}
-
 /// What of the options an electric joint has no part in; empty when there is none or the robot has no such joint.
 std::string hydraulic_only(const robot::Robot& robot, const TrotOptions& o) {
   const robot::Joint* const electric = robot.first_electric();
@@ -76,7 +65,7 @@ std::string hydraulic_only(const robot::Robot& robot, const TrotOptions& o) {
     return "--hide gives a hydraulic joint an effect" + why;
   }
   if (o.experiment != Experiment::kNone) {
-    return std::string("--experiment ") + name_of(o.experiment) + " is for hydraulic joints" + why;
+    return "--experiment " + name_of(o.experiment) + " is for hydraulic joints" + why;
   }
   return "";
 }

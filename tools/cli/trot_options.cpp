@@ -1,5 +1,7 @@
 #include "tools/cli/trot_options.hpp"
 
+#include <algorithm>
+
 #include "tools/cli/help.hpp"
 #include "tools/cli/installation.hpp"
 
@@ -120,6 +122,11 @@ void declare(CLI::App& app, TrotOptions& o) {
                "a second supervisor stands by and leads when the first falls silent; real time only")
       ->type_name("");
   app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
+}
+
+std::string name_of(Experiment experiment) {
+  const auto named = std::ranges::find(kExperiments, experiment, &std::pair<const std::string, Experiment>::second);
+  return named == kExperiments.end() ? "" : named->first;
 }
 
 }  // namespace farrier::cli

@@ -47,4 +47,7 @@ inline constexpr const char* kTooShort =
 
 void declare(CLI::App& app, TrotOptions& options);
 
+/// As --experiment takes it; empty: none.
+std::string name_of(Experiment experiment);
+
 }  // namespace farrier::cli

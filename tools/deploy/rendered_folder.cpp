@@ -23,16 +23,6 @@ constexpr const char* kFilesFollow = "files:";
 
 Error failed(const std::string& what) { return Error{what + ": " + std::strerror(errno)}; }
 
-std::optional<std::string> text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    return std::nullopt;
-  }
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 /// What the folder's own list says is in it, itself among them; empty for a folder without one.
 std::set<std::string> listed_files(const fs::path& folder) {
   std::set<std::string> names;
@@ -95,6 +85,16 @@ struct Temporary {
 };
 
 }  // namespace
+
+std::optional<std::string> text_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    return std::nullopt;
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
 
 Result<Done> write_folder(const std::string& path, const std::vector<RenderedFile>& files, const std::string& heading) {
   const fs::path folder = fs::absolute(fs::path(path) / "").parent_path().lexically_normal();

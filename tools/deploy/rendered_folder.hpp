@@ -1,5 +1,9 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
+#include <string>
+
 #include "core/result.hpp"
 #include "tools/deploy/rendering.hpp"
 
@@ -7,6 +11,9 @@ namespace farrier::deploy {
 
 /// Name of the list of its files that every rendered folder has, by which it is known.
 inline constexpr const char* kManifest = "rendered.txt";
+
+/// What a file says; nothing where it cannot be read.
+std::optional<std::string> text_of(const std::filesystem::path& path);
 
 /// Puts the files, and a list of them, into a folder that appears whole or not at all: they are written beside it and
 /// change places with it. A folder that is there already must be empty or one that this wrote, with nothing added.
