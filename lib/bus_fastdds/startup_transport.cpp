@@ -3,6 +3,7 @@
 #include <fastdds/rtps/transport/ChainingTransport.h>
 
 #include "bus_fastdds/cyclone_acknack.hpp"
+#include "bus_fastdds/cyclone_handshake.hpp"
 
 namespace farrier::bus_fastdds {
 namespace {
@@ -30,7 +31,11 @@ class StartupTransport final : public rtps::ChainingTransport {
   void receive(rtps::TransportReceiverInterface* receiver, const octet* bytes, std::uint32_t size,
                const rtps::Locator& local, const rtps::Locator& remote) override {
     // The buffer belongs to the thread that calls, which fills it anew for every datagram.
-    translate_cyclone_acknacks({const_cast<octet*>(bytes), size});
+    const std::span<octet> datagram(const_cast<octet*>(bytes), size);
+    translate_cyclone_acknacks(datagram);
+    if (const std::vector<octet> first = handshake_without_secured(datagram); !first.empty()) {
+      receiver->OnDataReceived(first.data(), static_cast<std::uint32_t>(first.size()), local, remote);
+    }
     receiver->OnDataReceived(bytes, size, local, remote);
   }
 

@@ -2,6 +2,7 @@
 // fastddsgen name their headers alike.
 
 #include "bus_fastdds/cyclone_acknack.hpp"
+#include "bus_fastdds/cyclone_handshake.hpp"
 #include "bus_fastdds/wire_types.hpp"
 #include "tests/fuzz/input.hpp"
 
@@ -36,7 +37,7 @@ void fast_codec(Bytes bytes) {
   with_signal_of(topic, [&]<class Signal>(const Signal&) { decode<Signal>(input.rest()); });
 }
 
-void cyclone_acknack(Bytes bytes) {
+void cyclone_datagram(Bytes bytes) {
   // The size of the datagram and nothing behind it, so that a byte too many is seen.
   const std::vector<std::uint8_t> before(bytes.begin(), bytes.end());
   std::vector<std::uint8_t> datagram(before);
@@ -45,6 +46,8 @@ void cyclone_acknack(Bytes bytes) {
   const std::size_t kept = std::min(kHeaderBytes, before.size());
   require(std::equal(before.begin(), before.begin() + static_cast<std::ptrdiff_t>(kept), datagram.begin()),
           "the header of a datagram stays as it is");
+  require(bus_fastdds::handshake_without_secured(datagram).size() < std::max(datagram.size(), kHeaderBytes),
+          "something is left out, or nothing comes");
 }
 
 }  // namespace farrier::fuzz

@@ -28,7 +28,7 @@ farrier_fuzz(fuzzed_faults SOURCES ${fuzz_dir}/arrow_fault.cpp HARNESSES arrow_f
 target_link_libraries(fuzzed_faults PRIVATE farrier_bus_faults)
 
 farrier_fuzz(fuzzed_codecs SOURCES ${fuzz_dir}/cyclone_codec.cpp ${fuzz_dir}/fast_codec.cpp
-  HARNESSES cyclone_codec fast_codec cyclone_acknack)
+  HARNESSES cyclone_codec fast_codec cyclone_datagram)
 target_link_libraries(fuzzed_codecs PRIVATE farrier_bus_cyclone CycloneDDS::ddsc
   farrier_bus_fastdds farrier_wire_fastdds)
 # Cyclone's types of idl/.

@@ -44,7 +44,7 @@ void trace(Bytes bytes);
 // Samples as they come from the network; the first byte is the topic's number.
 void cyclone_codec(Bytes bytes);
 void fast_codec(Bytes bytes);
-void cyclone_acknack(Bytes bytes);
+void cyclone_datagram(Bytes bytes);
 
 // Process cores, with their state, behind signals of any content.
 void ports(Bytes bytes);

@@ -11,7 +11,7 @@ std::span<const Harness> harnesses() noexcept {
       {"trace", trace},
       {"cyclone_codec", cyclone_codec},
       {"fast_codec", fast_codec},
-      {"cyclone_acknack", cyclone_acknack},
+      {"cyclone_datagram", cyclone_datagram},
       {"ports", ports},
       {"joint_node", joint_node},
       {"estimator_service", estimator_service},

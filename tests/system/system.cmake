@@ -21,6 +21,7 @@ farrier_system_test(process_end_test system 0 ${CMAKE_CURRENT_LIST_DIR}/process_
 farrier_system_test(surroundings_test system 0 ${CMAKE_CURRENT_LIST_DIR}/surroundings_test.cpp)
 farrier_system_test(traffic_test system 0 ${CMAKE_CURRENT_LIST_DIR}/traffic_test.cpp)
 farrier_system_test(robots_system_test system 0 ${CMAKE_CURRENT_LIST_DIR}/robots_system_test.cpp)
+farrier_system_test(security_system_test system 0 ${CMAKE_CURRENT_LIST_DIR}/security_system_test.cpp)
 # The processes without the command, as systemd starts them.
 farrier_test(service_test system ${CMAKE_CURRENT_LIST_DIR}/service_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/farrier_command.cpp)

@@ -9,5 +9,6 @@ foreach(table IN ITEMS topics:idl/README.md effects:docs/effects.md figures:docs
   set_tests_properties(architecture/table_of_${name}_is_not_stale PROPERTIES LABELS architecture)
 endforeach()
 
-farrier_test(fast_acknack_test unit ${CMAKE_CURRENT_LIST_DIR}/fast_cyclone_acknack_test.cpp)
-target_link_libraries(fast_acknack_test PRIVATE farrier_bus_fastdds)
+farrier_test(fast_datagram_test unit ${CMAKE_CURRENT_LIST_DIR}/fast_cyclone_acknack_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/fast_cyclone_handshake_test.cpp)
+target_link_libraries(fast_datagram_test PRIVATE farrier_bus_fastdds)
