@@ -17,7 +17,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/deploy/robots ${PROJECT_BINARY_DIR}/share
 install(TARGETS ${FARRIER_PROCESSES} DESTINATION libexec/farrier COMPONENT runtime)
 install(DIRECTORY deploy/robots DESTINATION share/farrier COMPONENT runtime)
 install(TARGETS farrier DESTINATION bin COMPONENT tools)
-install(TARGETS bare_exchange DESTINATION libexec/farrier COMPONENT tools)
+install(TARGETS bare_exchange farrier_wall_clock DESTINATION libexec/farrier COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.
 set(FARRIER_EXPORTED core signals config runtime plant control estimation gait robot bus bus_faults bus_cyclone

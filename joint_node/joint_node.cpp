@@ -14,40 +14,6 @@ constexpr double kPercent = 0.01;
 constexpr double kUniform = 0.28867513459481287;  // standard deviation of what is even over 1
 constexpr std::uint64_t kDitherSeed = 0;  // the controller's own: what it adds does not depend on the world's draws
 
-bool finite(const signals::JointSensors& s) noexcept {
-  return std::isfinite(s.position_m_or_rad) && std::isfinite(s.velocity_m_s_or_rad_s) && std::isfinite(s.force_N_or_Nm);
-}
-
-bool alike(const signals::JointSensors& a, const signals::JointSensors& b) noexcept {
-  return a.position_m_or_rad == b.position_m_or_rad && a.velocity_m_s_or_rad_s == b.velocity_m_s_or_rad_s &&
-         a.force_N_or_Nm == b.force_N_or_Nm;
-}
-
-// Readings beyond these are no readings of this joint. Its stops give way and its sensors have noise, and a foot that
-// lands may push a closed valve's oil beyond what the supply can.
-constexpr double kBeyondStops = 0.1;     // of the stroke
-constexpr double kBeyondLimits = 5.0;    // times the larger force limit
-constexpr double kLargestJump = 0.1;     // of the stroke, in a tick
-
-bool in_range(const signals::JointSensors& s, const robot::Joint& joint) noexcept {
-  const double beyond = kBeyondStops * joint.actuator.stroke;
-  return s.position_m_or_rad >= -beyond && s.position_m_or_rad <= joint.actuator.stroke + beyond &&
-         std::abs(s.force_N_or_Nm) <= kBeyondLimits * std::max(joint.push_limit, joint.pull_limit);
-}
-
-/// Whether the joint can have come from `before` to `now`. It can from a reading that was none, and from anywhere in
-/// more than a few ticks.
-bool reachable(const signals::JointSensors& now, const signals::JointSensors& before,
-               const robot::Joint& joint) noexcept {
-  constexpr Tick kTicksForTheStroke = static_cast<Tick>((1.0 + 2 * kBeyondStops) / kLargestJump);
-  if (before.tick < 0 || !in_range(before, joint) || now.tick <= before.tick ||
-      now.tick - kTicksForTheStroke > before.tick) {
-    return true;
-  }
-  const auto ticks = static_cast<double>(now.tick - before.tick);
-  return std::abs(now.position_m_or_rad - before.position_m_or_rad) <= kLargestJump * ticks * joint.actuator.stroke;
-}
-
 bool finite(const signals::JointCommand& c) noexcept {
   return std::isfinite(c.position_rad) && std::isfinite(c.velocity_rad_s) && std::isfinite(c.torque_ff_Nm) &&
          std::isfinite(c.stiffness_Nm_rad) && std::isfinite(c.damping_Nms_rad) && c.stiffness_Nm_rad >= 0 &&
@@ -70,7 +36,7 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
                      joint.noise.velocity}),
       predictor_(compensation_.delay_s(), period_s, loop_delay_ticks),
       pid_(joint.pid, joint.normalisation, period_s),
-      good_samples_(safety.recovery_samples) {
+      sensor_check_(joint, safety) {
   if (joint.kind == control::Kind::kFeedbackLinearisation) {
     flow_law_.emplace(joint.actuator, joint.feedback_linearisation, home_position_, period_s);
   }
@@ -159,21 +125,16 @@ void JointNode::apply_due(Tick tick) noexcept {
   }
 }
 
-// The table of docs/architecture.md: condition, latch, clear condition; precedence is the order of Fault.
+// The table of docs/architecture.md: condition, latch, clear condition.
 void JointNode::assess(const Inputs& inputs) noexcept {
   const bool armed = mode_.epoch != 0 && mode_.mode == static_cast<std::uint8_t>(Mode::kArmed);
   faults_.set(Fault::kDisarmed, !armed);
   if (faults_.has(Fault::kTripped) && armed && mode_.epoch > tripped_epoch_) {
     faults_.set(Fault::kTripped, false);
   }
-  const int new_samples = inputs.sensors.tick != last_sensors_.tick ? 1 : 0;
-  alike_samples_ = alike(inputs.sensors, last_sensors_) ? alike_samples_ + new_samples : 0;
-  const bool plausible = in_range(inputs.sensors, joint_) && reachable(inputs.sensors, last_sensors_, joint_);
-  last_sensors_ = inputs.sensors;
-  const bool frozen = safety_.frozen_samples > 0 && alike_samples_ >= safety_.frozen_samples;
-  const bool sensors_good = inputs.sensors_age_s <= safety_.sensors_stale_s && finite(inputs.sensors) && plausible && !frozen;
-  good_samples_ = sensors_good ? std::min(good_samples_ + new_samples, safety_.recovery_samples) : 0;
-  faults_.set(Fault::kSensorsStale, good_samples_ < safety_.recovery_samples);
+  const SensorCheck::Verdict sensors = sensor_check_.take(inputs.sensors, inputs.sensors_age_s);
+  faults_.set(Fault::kSensorsStale, !sensors.motion);
+  faults_.set(Fault::kForceLost, !sensors.force);
 
   const bool command_good = finite(inputs.command);
   const bool had_command = inputs.command.tick != kNoTick;
@@ -192,7 +153,8 @@ JointState JointNode::state() const noexcept {
       faults_.has(Fault::kNoGains)) {
     return JointState::kNull;
   }
-  return faults_.has(Fault::kCommandStale) ? JointState::kDamping : JointState::kTracking;
+  const bool damps = faults_.has(Fault::kForceLost) || faults_.has(Fault::kCommandStale);
+  return damps ? JointState::kDamping : JointState::kTracking;
 }
 
 control::ForceReference JointNode::force_reference(const control::Measurement& measured,
@@ -240,9 +202,16 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
 
   control::ForceReference reference = 0.0;
   double current_A = 0;
-  if (now == JointState::kNull) {
+  const bool without_force = now == JointState::kDamping && faults_.has(Fault::kForceLost);
+  if (now == JointState::kNull || without_force) {
     reset_controller();
-  } else {
+  }
+  if (!without_force) {
+    held_position_ = inputs.sensors.position_m_or_rad;
+  }
+  if (without_force) {
+    current_A = holding_current(inputs.sensors.position_m_or_rad);
+  } else if (now != JointState::kNull) {
     control::Measurement measured = compensation_.corrected({inputs.sensors.position_m_or_rad,
                                                              inputs.sensors.velocity_m_s_or_rad_s,
                                                              inputs.sensors.force_N_or_Nm});
@@ -260,7 +229,7 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   valve.sample_time_ns = inputs.sensors.sample_time_ns;
   valve.valve_current_A = current_A;
   valve.force_reference_N_or_Nm = reference.force;
-  valve.generation = now == JointState::kNull ? 0 : generation_of(controller_issue_);
+  valve.generation = generation_of(controller_issue_);
   valve.faults = faults_.bits();
   valve.state = static_cast<std::uint8_t>(now);
   valve.phase = static_cast<std::uint8_t>(phase_);

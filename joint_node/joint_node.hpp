@@ -11,6 +11,7 @@
 // gains. One of kind flow_inversion has FlowInversion there, with the physics that come with the gains.
 // Effects that the joint's file has stand between: sensors are corrected before anything reads them, and the current
 // goes through their inverse (control/effect_compensation.hpp).
+// Without a force to close the loop with it creeps back to where it lost it: the valve as a source of speed.
 // What it does when something is missing is the table in docs/architecture.md.
 
 #include <array>
@@ -24,6 +25,7 @@
 #include "control/pid.hpp"
 #include "core/fault.hpp"
 #include "core/noise.hpp"
+#include "joint_node/sensor_check.hpp"
 #include "joint_node/upcoming.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
@@ -109,6 +111,7 @@ class JointNode {
                                   double probe_A) noexcept;
   /// What a controller without gains asks for, with the probe and within the valve's limits.
   double probed(double asked_A, bool saturated, double probe_A) noexcept;
+  double holding_current(double position) noexcept;
   void reset_controller() noexcept;
 
   robot::Joint joint_;
@@ -140,9 +143,8 @@ class JointNode {
   signals::Phase controller_phase_ = signals::Phase::kStance;
   FaultSet faults_;
   std::uint32_t tripped_epoch_ = 0;
-  int good_samples_ = 0;
-  int alike_samples_ = 0;  ///< in a row, alike in every number
-  signals::JointSensors last_sensors_;
+  SensorCheck sensor_check_;
+  double held_position_ = 0.0;  ///< where the force was lost, m or rad
 };
 
 }  // namespace farrier::joint_node

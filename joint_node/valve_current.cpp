@@ -71,6 +71,17 @@ double JointNode::valve_current_by_physics(const control::ForceReference& refere
   return output.valve_current_A;
 }
 
+// Normalisation takes the speed of the open valve for 1: what it is exactly depends on load and side, by a factor that
+// the low rate leaves room for.
+double JointNode::holding_current(double position) noexcept {
+  const double speed = -safety_.position_damping_1_s * (position - held_position_);
+  const double wanted_A = joint_.normalisation.current_A * speed / joint_.normalisation.velocity;
+  const double limit_A = joint_.actuator.valve_current_max_A;
+  const double current_A = std::clamp(wanted_A, -limit_A, limit_A);
+  faults_.set(Fault::kValveSaturated, current_A != wanted_A);
+  return current_A;
+}
+
 void JointNode::reset_controller() noexcept {
   compensation_.reset();
   predictor_.reset();

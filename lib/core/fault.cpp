@@ -13,6 +13,7 @@ const char* to_string(Fault fault) noexcept {
     case Fault::kReferenceClamped: return "reference clamped";
     case Fault::kValveSaturated: return "valve saturated";
     case Fault::kActuatorSilent: return "actuator silent";
+    case Fault::kForceLost: return "force lost";
   }
   return "unknown fault";
 }

@@ -5,17 +5,19 @@
 
 namespace farrier {
 
-/// Faults a joint can be in, one bit each. Order is precedence: the lowest set bit decides the joint's output.
+/// Faults a joint can be in, one bit each, which keep their places: they stand in recordings. Which decides the joint's
+/// output is the table in docs/architecture.md.
 enum class Fault : std::uint32_t {
   kDisarmed = 1u << 0,          ///< not armed for the present session: valve to null
   kTripped = 1u << 1,           ///< latched after a long loss of commands: valve to null until re-armed
-  kSensorsStale = 1u << 2,      ///< sensors too old or not finite: valve to null
+  kSensorsStale = 1u << 2,      ///< sensors too old, or no position and velocity: valve to null
   kNoGains = 1u << 3,           ///< no accepted gains yet: valve to null
   kCommandStale = 1u << 4,      ///< command too old: damping only
   kGainsRefused = 1u << 5,      ///< a gain update was refused; the last good gains act
   kReferenceClamped = 1u << 6,  ///< force or position limit reached: reference clamped
   kValveSaturated = 1u << 7,    ///< valve current at its limit
   kActuatorSilent = 1u << 8,    ///< sim bridge: no valve command in time, spool to null
+  kForceLost = 1u << 9,         ///< no force: the joint holds its position, softly
 };
 
 /// Set of faults; trivially copyable, travels as its bits.

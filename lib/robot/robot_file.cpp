@@ -22,6 +22,8 @@ void declare(Visitor& v, SafetySection& section) {
             "Good sensor samples that end a stale spell.");
   v.number("damping_gain_Nms_rad", s.damping_gain_Nms_rad, {0, 1e4}, Default{20.0},
            "Joint torque against the joint's velocity while its command is late (Ns/m on a rig).");
+  v.number("position_damping_1_s", s.position_damping_1_s, {0, 20}, Default{5.0},
+           "Speed towards the position where the force was lost, over the distance from it; 0: the valve stays shut.");
   v.integer("frozen_samples", s.frozen_samples, {0, 10000}, Default{0},
             "Samples that are alike in every number, as noise never is, after which sensors count as stale; 0: never.");
   v.number("stance_lead_s", s.stance_lead_s, {0, 0.1}, Default{0.0},

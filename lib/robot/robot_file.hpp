@@ -27,6 +27,7 @@ struct Safety {
   int recovery_samples = 10;             ///< good sensor samples that end a stale spell
   int frozen_samples = 0;                ///< samples alike in every number that make sensors stale; 0: never
   double damping_gain_Nms_rad = 20.0;    ///< of the joint while its command is late: tau = -gain qdot
+  double position_damping_1_s = 5.0;     ///< speed per distance of a joint without a force to where it lost it
   double stance_lead_s = 0.0;            ///< stance gains act this long before the announced touchdown
 };
 

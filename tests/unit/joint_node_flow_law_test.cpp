@@ -54,9 +54,9 @@ TEST(JointNode, NullsTheFlowLawsValveAndStartsItAfreshWhenSensorsReturn) {
   bench.inputs.command.torque_ff_Nm = 20.0;
   bench.step();
   EXPECT_NE(bench.step().valve.valve_current_A, 0.0);
-  bench.inputs.sensors.force_N_or_Nm = std::numeric_limits<double>::quiet_NaN();
+  bench.inputs.sensors.velocity_m_s_or_rad_s = std::numeric_limits<double>::quiet_NaN();
   expect_null(bench.step(), Fault::kSensorsStale);
-  bench.inputs.sensors.force_N_or_Nm = 0.0;
+  bench.inputs.sensors.velocity_m_s_or_rad_s = 0.0;
   const auto back = bench.step_to(bench.next_tick + hyq().safety.recovery_samples - 1);
   EXPECT_EQ(back.valve.state, static_cast<std::uint8_t>(JointState::kTracking));
   EXPECT_EQ(back.valve.valve_current_A, 0.0);
@@ -77,9 +77,9 @@ TEST(JointNode, RunsThePidOfItsFileWithoutGainsAndStartsItAfreshAfterNull) {
                        joint.normalisation.force;
   EXPECT_NEAR(first.valve.valve_current_A, joint.normalisation.current_A * error, 1e-15);
   EXPECT_NE(bench.step().valve.valve_current_A, first.valve.valve_current_A) << "integrates";
-  bench.inputs.sensors.force_N_or_Nm = std::numeric_limits<double>::quiet_NaN();
+  bench.inputs.sensors.velocity_m_s_or_rad_s = std::numeric_limits<double>::quiet_NaN();
   expect_null(bench.step(), Fault::kSensorsStale);
-  bench.inputs.sensors.force_N_or_Nm = 0.0;
+  bench.inputs.sensors.velocity_m_s_or_rad_s = 0.0;
   const auto back = bench.step_to(bench.next_tick + hyq().safety.recovery_samples - 1);
   EXPECT_EQ(back.valve.valve_current_A, first.valve.valve_current_A);
 }

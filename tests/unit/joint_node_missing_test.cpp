@@ -37,11 +37,10 @@ TEST(JointNode, NullsValveWhenThereWereNoSensorsYet) {
   expect_null(bench.step(), Fault::kSensorsStale);
 }
 
-TEST(JointNode, NullsValveWhenASensorIsNotFinite) {
+TEST(JointNode, NullsValveWhenPositionOrVelocityIsNotFinite) {
   for (const double bad : kNotFinite) {
     for (double signals::JointSensors::*field :
-         {&signals::JointSensors::position_m_or_rad, &signals::JointSensors::velocity_m_s_or_rad_s,
-          &signals::JointSensors::force_N_or_Nm}) {
+         {&signals::JointSensors::position_m_or_rad, &signals::JointSensors::velocity_m_s_or_rad_s}) {
       Bench bench = Bench::tracking();
       EXPECT_EQ(bench.state(), JointState::kTracking);
       bench.inputs.sensors.*field = bad;
@@ -50,26 +49,27 @@ TEST(JointNode, NullsValveWhenASensorIsNotFinite) {
   }
 }
 
-TEST(JointNode, NullsValveWhenAReadingIsNoneOfThisJoint) {
+TEST(JointNode, ActsOnNoReadingThatIsNoneOfThisJoint) {
   const robot::Joint& joint = joint_named("lf_kfe");
   const double stroke = joint.actuator.stroke;
   const double home = joint.linkage.position(joint.home_angle_rad);
   const double force = std::max(joint.push_limit, joint.pull_limit);
   struct Reading {
     double position, force;
-    bool is_one;
+    JointState makes;
   };
-  for (const Reading& reading : {Reading{home, 4.9 * force, true}, Reading{home, -4.9 * force, true},
-                                 Reading{home, 5.1 * force, false}, Reading{home, -5.1 * force, false},
-                                 Reading{-0.09 * stroke, 0, true}, Reading{1.09 * stroke, 0, true},
-                                 Reading{-0.11 * stroke, 0, false}, Reading{1.11 * stroke, 0, false},
-                                 Reading{1e308, 0, false}, Reading{home, -1e308, false}}) {
+  using enum JointState;
+  for (const Reading& reading : {Reading{home, 4.9 * force, kTracking}, Reading{home, -4.9 * force, kTracking},
+                                 Reading{home, 5.1 * force, kDamping}, Reading{home, -5.1 * force, kDamping},
+                                 Reading{-0.09 * stroke, 0, kTracking}, Reading{1.09 * stroke, 0, kTracking},
+                                 Reading{-0.11 * stroke, 0, kNull}, Reading{1.11 * stroke, 0, kNull},
+                                 Reading{1e308, 0, kNull}, Reading{home, -1e308, kDamping}}) {
     Bench bench = Bench::tracking();
     bench.step();
     bench.next_tick += 20;  // long enough to get there
     bench.inputs.sensors.position_m_or_rad = reading.position;
     bench.inputs.sensors.force_N_or_Nm = reading.force;
-    EXPECT_EQ(bench.state(), reading.is_one ? JointState::kTracking : JointState::kNull)
+    EXPECT_EQ(bench.state(), reading.makes)
         << reading.position << " m, " << reading.force << " N";
   }
 }
@@ -142,9 +142,9 @@ TEST(JointNode, StartsCountingAnewAfterAnotherBadSample) {
   for (int good = 1; good < 10; ++good) {
     bench.step();
   }
-  bench.inputs.sensors.force_N_or_Nm = kNan;
+  bench.inputs.sensors.velocity_m_s_or_rad_s = kNan;
   bench.step();
-  bench.inputs.sensors.force_N_or_Nm = 0;
+  bench.inputs.sensors.velocity_m_s_or_rad_s = 0;
   for (int good = 1; good < 10; ++good) {
     expect_null(bench.step(), Fault::kSensorsStale);
   }

@@ -7,6 +7,7 @@ farrier_test(joint_node_test unit
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_flow_law_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_flow_inversion_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_gains_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/joint_node_force_lost_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_missing_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_reference_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/joint_node_stance_lead_test.cpp

@@ -36,7 +36,8 @@ std::deque<std::string> last_lines(const std::string& path, std::size_t count) {
 }  // namespace
 
 Result<ChildProcess> ChildProcess::start(const std::string& name, const std::string& executable,
-                                         const std::vector<std::string>& arguments, const std::string& log_path) {
+                                         const std::vector<std::string>& arguments, const std::string& log_path,
+                                         const std::vector<std::string>& environment) {
   const int log = ::open(log_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (log < 0) {
     return Error{"cannot write " + log_path + ": " + std::strerror(errno)};
@@ -46,6 +47,14 @@ Result<ChildProcess> ChildProcess::start(const std::string& name, const std::str
     argv.push_back(const_cast<char*>(argument.c_str()));
   }
   argv.push_back(nullptr);
+  std::vector<char*> envp;
+  for (const std::string& variable : environment) {
+    envp.push_back(const_cast<char*>(variable.c_str()));
+  }
+  for (char** variable = environ; *variable != nullptr; ++variable) {
+    envp.push_back(*variable);
+  }
+  envp.push_back(nullptr);
   const pid_t self = ::getpid();
   const pid_t pid = ::fork();
   if (pid == 0) {
@@ -57,7 +66,7 @@ Result<ChildProcess> ChildProcess::start(const std::string& name, const std::str
     ::setpgid(0, 0);
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
-    ::execv(executable.c_str(), argv.data());
+    ::execve(executable.c_str(), argv.data(), envp.data());
     ::dprintf(STDERR_FILENO, "cannot run %s: %s\n", executable.c_str(), std::strerror(errno));
     ::_exit(127);
   }

@@ -13,9 +13,11 @@ namespace farrier::cli {
 /// A process this one started. It is killed when this object goes, and by the kernel when this process dies.
 class ChildProcess {
  public:
-  /// Starts `executable` with its standard output and error going to `log_path`.
+  /// Starts `executable` with its standard output and error going to `log_path`. `environment`: `NAME=value` that it
+  /// has besides this process's.
   static Result<ChildProcess> start(const std::string& name, const std::string& executable,
-                                    const std::vector<std::string>& arguments, const std::string& log_path);
+                                    const std::vector<std::string>& arguments, const std::string& log_path,
+                                    const std::vector<std::string>& environment = {});
   ~ChildProcess();
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&& other) noexcept;

@@ -19,6 +19,8 @@
 #include "tools/cli/child_process.hpp"
 #include "tools/cli/domain_lock.hpp"
 #include "tools/cli/progress.hpp"
+#include "tools/cli/run_children.hpp"
+#include "tools/cli/run_clock.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -32,43 +34,6 @@ constexpr auto kLastSamples = 2s;
 
 using participant::steady_now;
 
-Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOptions& common,
-                                 const lab::Member& member, const std::string& name,
-                                 const std::string& log_name) {
-  participant::ProcessOptions options = common;
-  options.vendor = vendor_of(run.dds, member);
-  options.name = member.name;
-  options.number = member.number;
-  options.joints = member.joints;
-  options.standby = member.stands_by;
-  if (member.number != participant::kSimBridge) {
-    options.trace_path.clear();
-  }
-  if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
-    options.faults = faults->second;
-  }
-  const std::string program = run.bare ? "bare_exchange" : member.executable;
-  const std::string executable = run.executables + "/" + program;
-  return ChildProcess::start(name, executable, participant::to_arguments(options),
-                             run.log_directory + "/" + log_name + ".log");
-}
-
-Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,
-                                                 const std::vector<lab::Member>& members) {
-  std::vector<ChildProcess> children;
-  for (const lab::Member& member : members) {
-    if (member.executable.empty()) {
-      continue;
-    }
-    auto child = start_child(run, common, member, member.name, member.name);
-    if (!child) {
-      return child.error();
-    }
-    children.push_back(std::move(child).value());
-  }
-  return children;
-}
-
 /// What this process owns of a run besides its children.
 struct Seat {
   std::unique_ptr<bus::Bus> bus;
@@ -79,7 +44,7 @@ struct Seat {
 };
 
 Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const participant::ProcessOptions& common,
-                       const lab::Member& member) {
+                       const lab::Member& member, const std::optional<HostClock>& clock) {
   Seat seat;
   if (common.clock == bus::ClockKind::kRealtime) {
     // Where the limits forbid it the gait is played without: the node processes say so in their logs.
@@ -115,7 +80,7 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
     return gait.error();
   }
   seat.gait = std::move(gait).value();
-  auto acts = RunActs::create(run.acts, *seat.participant);
+  auto acts = RunActs::create(run.acts, *seat.participant, clock);
   if (!acts) {
     return acts.error();
   }
@@ -130,50 +95,17 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   return seat;
 }
 
-/// Why nothing moves: who is stopped, or else what sim_bridge waits for, or else this process.
-std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children) {
-  std::string stopped;
-  for (const ChildProcess& child : children) {
-    if (child.stopped()) {
-      stopped += (stopped.empty() ? "" : ", ") + child.name() + " (pid " + std::to_string(child.pid()) + ")";
-    }
-  }
-  if (!stopped.empty()) {
-    return "stopped: " + stopped + "; the run stands at tick " + std::to_string(gait.tick());
-  }
-  const std::string said = gait.tick() == 0 ? "" : children.front().last_words(kSilenceWorthSaying);
-  return said.empty() ? "waiting for " + gait.waits_for() : said;
+bool has(const std::vector<ChildProcess>& children, const std::string& name) {
+  return std::ranges::find(children, name, &ChildProcess::name) != children.end();
 }
 
-/// Takes the dead out of `children`. Refuses when the run cannot do without one: in real time, once it has begun, it
-/// can without estimator and supervisors, or without any but sim_bridge if `run` says so; in lock-step everybody waits for everybody.
-Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
-                  Tick tick, std::vector<std::string>& warnings) {
-  const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
-  const auto dispensable = [&](const std::string& name) {
-    return name == members[participant::kEstimatorService].name || name == members[participant::kSupervisor].name ||
-           (run.standby && name == members.back().name) ||
-           (run.goes_on_without_the_dead && name != members[participant::kSimBridge].name);
-  };
-  for (auto child = children.begin(); child != children.end();) {
-    if (child->running()) {
-      ++child;
-      continue;
-    }
-    if (!dispensable(child->name()) || !realtime || tick <= 0) {
-      return Error{child->epitaph() + (realtime ? "" : "\nIn lock-step every process waits for every other, so the run ends.")};
-    }
-    warnings.push_back("without " + child->name() + " after tick " + std::to_string(tick) + ": " + child->epitaph());
-    child = children.erase(child);
-  }
-  return Done{};
-}
-
-/// Plays the gait until the run is over. Refuses as bury does, and when the user interrupts.
+/// Plays the gait until the run is over: everybody has said so or, where sim_bridge has died, it would be by now. Refuses as bury does, and when the user interrupts.
 Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children,
-                    const RunActs::Start& start, Progress& progress, const DdsRun& run, Tick ticks,
+                    const RunActs::Start& start, Progress& progress, const DdsRun& run, Nanoseconds period,
                     RunOutcome& outcome) {
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
+  const Tick ticks = run.common.ticks;
+  RunClock clock(realtime ? period : Nanoseconds::zero());
   SteadyTime next_housekeeping{};
   SteadyTime first_tick{};
   SteadyTime moved = steady_now();
@@ -184,12 +116,13 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       seat.recorder->poll();
     }
     seat.gait->poll(steady_now());
-    if (auto acted = seat.acts->perform(seat.gait->tick(), children, start); !acted) {
+    clock.heard(seat.gait->tick(), steady_now());
+    if (auto acted = seat.acts->perform(clock.at(steady_now()), seat.gait->tick(), children, start); !acted) {
       return acted.error();
     }
     if (run.looks_on) {
       run.looks_on(seat.gait->tick());
-      monitor.poll(seat.gait->tick());
+      monitor.poll(clock.at(steady_now()));
     }
     if (seat.gait->tick() != last) {
       first_tick = last == 0 ? steady_now() : first_tick;
@@ -207,8 +140,11 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       if (!seat.participant->refusal().empty()) {
         return Error{seat.participant->refusal()};
       }
-      monitor.poll(last);
-      const bool over = realtime ? monitor.healths()[participant::kSimBridge].final_report != 0 : monitor.all_final();
+      monitor.poll(clock.at(steady_now()));
+      const bool over = !realtime ? monitor.all_final()
+                                  : monitor.healths()[participant::kSimBridge].final_report != 0 ||
+                                        (!has(children, outcome.members[participant::kSimBridge].name) &&
+                                         clock.at(steady_now()) >= ticks);
       if (over && (!seat.recorder || seat.recorder->has(ticks) || steady_now() - moved > kLastSamples)) {
         return std::chrono::duration<double>(moved - first_tick).count();
       }
@@ -255,12 +191,21 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   if (refused) {
     return Error{"cannot write logs to " + run.log_directory + ": " + refused.message()};
   }
-  auto children = start_children(run, common, outcome.members);
+  std::optional<HostClock> clock;
+  if (std::ranges::any_of(run.acts, [](const Act& act) { return faults::sets_clock(act.signal); })) {
+    auto created = HostClock::create(run.executables, run.log_directory + "/clock");
+    if (!created) {
+      return created.error();
+    }
+    clock = std::move(created).value();
+  }
+  const HostClock* const seen = clock ? &*clock : nullptr;
+  auto children = start_children(run, common, outcome.members, seen);
   if (!children) {
     return children.error();
   }
   const lab::Member& self = outcome.members[participant::kGaitSource];
-  auto seat = take_seat(robot, run, common, self);
+  auto seat = take_seat(robot, run, common, self, clock);
   if (!seat) {
     return seat.error();
   }
@@ -272,9 +217,10 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   Progress progress(run.title, common.ticks);
   const RunActs::Start start_anew = [&](const std::string& member, const std::string& name) {
     const auto place = std::ranges::find(outcome.members, member, &lab::Member::name);
-    return start_child(run, common, *place, name, name + "_anew");
+    return start_child(run, common, *place, name, name + "_anew", seen);
   };
-  auto played = play(seat.value(), monitor.value(), children.value(), start_anew, progress, run, common.ticks, outcome);
+  auto played = play(seat.value(), monitor.value(), children.value(), start_anew, progress, run,
+                     std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s)), outcome);
   const std::string hard_ends = end_all(children.value());
   if (!played || !hard_ends.empty()) {
     return played ? Error{hard_ends} : played.error();

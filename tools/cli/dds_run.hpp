@@ -29,7 +29,7 @@ struct DdsRun {
   std::vector<Act> acts;                                              ///< in the order of their ticks
   std::function<void(Tick)> looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
   bool standby = false;                   ///< a second supervisor stands by, real time only
-  bool goes_on_without_the_dead = false;  ///< real time: the death of any member but sim_bridge is a warning
+  bool goes_on_without_the_dead = false;  ///< real time: the death of any member is a warning
   bool bare = false;  ///< exchange the same samples with nothing computed: the yardstick of farrier bench
 };
 

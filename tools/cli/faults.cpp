@@ -114,7 +114,8 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const FaultsOption
   if (participant::stop_requested()) {
     return Error{"interrupted"};
   }
-  const auto trace = record::read_trace(run.common.trace_path, robot::joint_names(robot));
+  const auto trace = faults::leaves_trace(row) ? record::read_trace(run.common.trace_path, robot::joint_names(robot))
+                                               : Result<std::vector<record::TraceRow>>(std::vector<record::TraceRow>{});
   if (!ran || !trace) {
     cell.error = !ran ? ran.error().message : trace.error().message;
     return cell;

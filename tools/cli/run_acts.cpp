@@ -5,9 +5,15 @@
 #include <algorithm>
 
 namespace farrier::cli {
+namespace {
 
-Result<RunActs> RunActs::create(std::vector<Act> acts, participant::Participant& participant) {
-  RunActs run(std::move(acts), participant.identity().session);
+constexpr int kHour_s = 3600;
+
+}  // namespace
+
+Result<RunActs> RunActs::create(std::vector<Act> acts, participant::Participant& participant,
+                                std::optional<HostClock> clock) {
+  RunActs run(std::move(acts), participant.identity().session, std::move(clock));
   if (std::ranges::any_of(run.acts_, [](const Act& act) { return act.member.empty(); })) {
     auto requests = bus::Publisher<signals::SystemRequest>::create(
         participant.bus(), participant::endpoint_of(participant.identity(), bus::TopicId::kSystemRequest));
@@ -19,8 +25,8 @@ Result<RunActs> RunActs::create(std::vector<Act> acts, participant::Participant&
   return run;
 }
 
-Result<Done> RunActs::perform(Tick tick, std::vector<ChildProcess>& children, const Start& start) {
-  while (performed_.size() < acts_.size() && acts_[performed_.size()].at <= tick) {
+Result<Done> RunActs::perform(Tick due, Tick tick, std::vector<ChildProcess>& children, const Start& start) {
+  while (performed_.size() < acts_.size() && acts_[performed_.size()].at <= due) {
     const Act& act = acts_[performed_.size()];
     if (act.member.empty()) {
       signals::SystemRequest request;
@@ -29,6 +35,10 @@ Result<Done> RunActs::perform(Tick tick, std::vector<ChildProcess>& children, co
       request.count = ++asked_;
       request.request = static_cast<std::uint8_t>(act.request);
       requests_->publish(request);
+    } else if (faults::sets_clock(act.signal)) {
+      if (auto set = clock_->set(act.signal == faults::kClockForward ? kHour_s : -kHour_s); !set) {
+        return set.error();
+      }
     } else if (act.signal == faults::kStart || act.signal == faults::kStartTwin) {
       auto started = start(act.member, act.signal == faults::kStart ? act.member : act.member + "_twin");
       if (!started) {

@@ -160,11 +160,12 @@ std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moment
     const Tick end = expected.latches ? moments.armed : fault.end;
     checks.push_back({"recovery", "tracking again after", expected.recovers_s, course.until_for_good(hit, end)});
   }
-  if (!others.empty()) {
+  const bool has_trace = !trace.empty();
+  if (!others.empty() && has_trace) {
     checks.push_back({"others", "others not tracking", 0.0,
                       course.elsewhere(others, JointState::kTracking, {fault.begin - kBefore, course.end()})});
   }
-  if (!expected.latches) {
+  if (!expected.latches && has_trace) {
     checks.push_back({"tripped", "tripped", 0.0, course.tripped_time(fault.begin)});
   }
   if (expected.event != nullptr) {

@@ -61,7 +61,8 @@ struct Heard {
 /// Before a fault's beginning from which on the joints that it does not hit are looked at.
 inline constexpr Tick kBefore = 50;
 
-/// What a run that left this trace and these events shows of the row.
+/// What a run that left this trace and these events shows of the row. Without a trace, as where who writes it was killed,
+/// the events alone.
 std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,
                          const std::vector<record::TraceRow>& trace, const std::vector<Heard>& events);
 

@@ -23,11 +23,13 @@ constexpr double kTakenOver_s = 0.050;
 constexpr double kStartAgain_s = 0.050;
 constexpr double kGreeted_s = 1.0;  // a process starts, finds the others and hears every route
 constexpr double kAfterStop_s = kGoodAgain_s + 0.006;  // a process that was stopped first takes what has come meanwhile
+constexpr double kHeard_s = 0.020;  // an event's way to the operator
 
 constexpr const char* kJointNode = "joint_node";
 constexpr const char* kSimBridge = "sim_bridge";
 constexpr const char* kEstimator = "estimator_service";
 constexpr const char* kSupervisor = "supervisor";
+constexpr const char* kEverybody = "every process";
 
 }  // namespace
 
@@ -43,9 +45,13 @@ const std::vector<Row>& rows() {
       {"sensors_cut_long", "A joint's sensors stop for 2 s.", "As when they stop for shorter.", Hit::kJoint, kJointNode,
        {"joint/sensors:cut"}, 2.0, {},
        {.reaction = kNull, .within_s = kStale_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
-      {"sensors_nan", "A joint's load cell reads no number.", "joint_node puts its valve to null; by itself back.",
-       Hit::kJoint, kJointNode, {"joint/sensors:nan=force_N_or_Nm"}, 0.1, {},
+      {"sensors_nan", "A joint's encoder reads no number.", "joint_node puts its valve to null; by itself back.",
+       Hit::kJoint, kJointNode, {"joint/sensors:nan=position_m_or_rad"}, 0.1, {},
        {.reaction = kNull, .within_s = kAtOnce_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
+      {"force_cell_lost", "A joint's load cell reads no number.",
+       "joint_node damps by position: back to where the force was lost, slowly; by itself back.", Hit::kJoint,
+       kJointNode, {"joint/sensors:nan=force_N_or_Nm"}, 0.1, {},
+       {.reaction = kDamping, .within_s = kAtOnce_s, .recovers_s = kGoodAgain_s, .event = "force lost"}},
       {"sensors_frozen", "A joint's readings stay what they are while samples go on coming.",
        "joint_node takes 10 samples alike for stale ones: valve to null; by itself back.", Hit::kJoint, kJointNode,
        {"joint/sensors:frozen"}, 0.1, {},
@@ -117,6 +123,8 @@ const std::vector<Row>& rows() {
        kSupervisor, {"joint/model_estimate:cut"}, 2.0, {}, {}},
       {"gains_cut", "A leg's gains stop for 2 s.", "joint_node goes on with those it has.", Hit::kLeg, kJointNode,
        {"joint/controller_gains:cut"}, 2.0, {}, {}},
+      {"phase_cut", "A leg does not hear for 0.2 s when it will lift off or land.", "joint_node goes on with the gains it has.",
+       Hit::kLeg, kJointNode, {"gait/phase:cut"}, 0.2, {}, {}},
       {"mode_cut", "The mode does not reach a leg for 2 s.", "joint_node goes on in the mode it knows.", Hit::kLeg,
        kJointNode, {"system/mode:cut"}, 2.0, {}, {}},
       {"clock_cut_short", "The gait source does not hear the clock for 20 ms.",
@@ -139,6 +147,23 @@ const std::vector<Row>& rows() {
        "on, trip: null until an operator arms them again.",
        Hit::kLeg, nullptr, {}, 0.1, {{kJointNode, SIGSTOP, 0.0}, {kJointNode, SIGCONT, 0.1}},
        {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+      {"sim_bridge_killed", "sim_bridge, or the driver in its place, dies (kill -9).",
+       "joint_node has no sensors: its commands are null. No clock: the gait source is silent, joints trip.", Hit::kAll,
+       nullptr, {}, 0.2, {{kSimBridge, SIGKILL, 0.0}},
+       {.event = "sensors stale", .event_within_s = kStale_s + kHeard_s}},
+      {"sim_bridge_stopped_short", "sim_bridge, or the driver in its place, stands still for 30 ms (SIGSTOP).",
+       "joint_node puts its valves to null; by itself back.", Hit::kAll, nullptr, {}, 0.03,
+       {{kSimBridge, SIGSTOP, 0.0}, {kSimBridge, SIGCONT, 0.03}},
+       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kAfterStop_s, .event = "sensors stale"}},
+      {"sim_bridge_stopped_long", "sim_bridge, or the driver in its place, stands still for 0.1 s (SIGSTOP).",
+       "joint_node puts its valves to null. No clock: the gait source is silent, joints trip: null until an operator arms "
+       "them again.",
+       Hit::kAll, nullptr, {}, 0.1, {{kSimBridge, SIGSTOP, 0.0}, {kSimBridge, SIGCONT, 0.1}},
+       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+      {"clock_forward", "The computer's clock is set an hour forward.", "Everybody goes on: ages are of the steady clock.",
+       Hit::kAll, nullptr, {}, 2.0, {{kEverybody, kClockForward, 0.0}}, {}},
+      {"clock_back", "The computer's clock is set an hour back.", "Everybody goes on: ages are of the steady clock.",
+       Hit::kAll, nullptr, {}, 2.0, {{kEverybody, kClockBack, 0.0}}, {}},
       {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
        {{kEstimator, SIGKILL, 0.0}}, {}},
       {"estimator_restarted", "estimator_service dies (kill -9) and is started again.",
@@ -168,6 +193,12 @@ const std::vector<Row>& rows() {
        {.event = "stands by: another supervisor leads", .event_within_s = 0.1 + kTakenOver_s}, true},
   };
   return all;
+}
+
+bool leaves_trace(const Row& row) {
+  return std::ranges::none_of(row.acts, [](const ProcessAct& act) {
+    return act.signal == SIGKILL && std::string_view(act.member) == kSimBridge;
+  });
 }
 
 const Row* find_row(std::string_view name) {

@@ -16,14 +16,18 @@ enum class Hit { kJoint, kLeg, kAll };
 
 /// Members are named as in lab::plan_members; "joint_node" is the one that hosts the joint.
 
-/// In place of a signal: the process is started anew, or a second time while it runs.
+/// In place of a signal: the process is started anew, or a second time while it runs; the wall clock of the computer
+/// that all processes run on is set an hour forward, or back to an hour before what it was.
 inline constexpr int kStart = 0;
 inline constexpr int kStartTwin = -1;
+inline constexpr int kClockForward = -2;
+inline constexpr int kClockBack = -3;
+inline constexpr bool sets_clock(int signal) noexcept { return signal == kClockForward || signal == kClockBack; }
 
 /// What is done to a process, `at_s` after the fault begins.
 struct ProcessAct {
   const char* member;
-  int signal;  ///< or kStart, kStartTwin
+  int signal;  ///< or one of the above
   double at_s;
 };
 
@@ -53,6 +57,9 @@ struct Row {
 };
 
 const std::vector<Row>& rows();
+
+/// Whether a run with this fault ends with a trace: not where its writer is killed.
+bool leaves_trace(const Row& row);
 
 /// Null for none of that name.
 const Row* find_row(std::string_view name);

@@ -1,0 +1,88 @@
+#include "tools/cli/run_children.hpp"
+
+#include <algorithm>
+
+namespace farrier::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kSilenceWorthSaying = 3s;
+
+}  // namespace
+
+Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOptions& common,
+                                 const lab::Member& member, const std::string& name, const std::string& log_name,
+                                 const HostClock* clock) {
+  participant::ProcessOptions options = common;
+  options.vendor = vendor_of(run.dds, member);
+  options.name = member.name;
+  options.number = member.number;
+  options.joints = member.joints;
+  options.standby = member.stands_by;
+  if (member.number != participant::kSimBridge) {
+    options.trace_path.clear();
+  }
+  if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
+    options.faults = faults->second;
+  }
+  const std::string program = run.bare ? "bare_exchange" : member.executable;
+  const std::string executable = run.executables + "/" + program;
+  return ChildProcess::start(name, executable, participant::to_arguments(options),
+                             run.log_directory + "/" + log_name + ".log",
+                             clock != nullptr ? clock->environment() : std::vector<std::string>{});
+}
+
+Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,
+                                                 const std::vector<lab::Member>& members, const HostClock* clock) {
+  std::vector<ChildProcess> children;
+  for (const lab::Member& member : members) {
+    if (member.executable.empty()) {
+      continue;
+    }
+    auto child = start_child(run, common, member, member.name, member.name, clock);
+    if (!child) {
+      return child.error();
+    }
+    children.push_back(std::move(child).value());
+  }
+  return children;
+}
+
+std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children) {
+  std::string stopped;
+  for (const ChildProcess& child : children) {
+    if (child.stopped()) {
+      stopped += (stopped.empty() ? "" : ", ") + child.name() + " (pid " + std::to_string(child.pid()) + ")";
+    }
+  }
+  if (!stopped.empty()) {
+    return "stopped: " + stopped + "; the run stands at tick " + std::to_string(gait.tick());
+  }
+  const std::string said = gait.tick() == 0 || children.empty() ? "" : children.front().last_words(kSilenceWorthSaying);
+  return said.empty() ? "waiting for " + gait.waits_for() : said;
+}
+
+Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
+                  Tick tick, std::vector<std::string>& warnings) {
+  const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
+  const auto dispensable = [&](const std::string& name) {
+    return name == members[participant::kEstimatorService].name || name == members[participant::kSupervisor].name ||
+           (run.standby && name == members.back().name) ||
+           run.goes_on_without_the_dead;
+  };
+  for (auto child = children.begin(); child != children.end();) {
+    if (child->running()) {
+      ++child;
+      continue;
+    }
+    if (!dispensable(child->name()) || !realtime || tick <= 0) {
+      return Error{child->epitaph() + (realtime ? "" : "\nIn lock-step every process waits for every other, so the run ends.")};
+    }
+    warnings.push_back("without " + child->name() + " after tick " + std::to_string(tick) + ": " + child->epitaph());
+    child = children.erase(child);
+  }
+  return Done{};
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/gait_source.hpp"
+#include "tools/cli/child_process.hpp"
+#include "tools/cli/dds_run.hpp"
+#include "tools/cli/host_clock.hpp"
+
+// The processes that a run consists of besides this one.
+
+namespace farrier::cli {
+
+/// Starts a member of the run. `name`: of this start in the list of children; `log_name`: of its log. `clock`: the wall
+/// clock it sees; null: the computer's.
+Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOptions& common,
+                                 const lab::Member& member, const std::string& name, const std::string& log_name,
+                                 const HostClock* clock);
+
+Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,
+                                                 const std::vector<lab::Member>& members, const HostClock* clock);
+
+/// Why nothing moves: who is stopped, or else what sim_bridge waits for, or else this process.
+std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children);
+
+/// Takes the dead out of `children`. Refuses when the run cannot do without one: in real time, once it has begun, it
+/// can without estimator and supervisors, or without any if `run` says so; in lock-step everybody waits for everybody.
+Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
+                  Tick tick, std::vector<std::string>& warnings);
+
+}  // namespace farrier::cli
