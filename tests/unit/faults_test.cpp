@@ -188,8 +188,10 @@ TEST(FaultPage, HasTheWorstOfEveryRowAndTheCellsThatDidNotHold) {
   broken.error = "supervisor ended with exit status 1";
   const std::vector<Cell> cells{good, bad, broken};
   EXPECT_EQ(worst_checks(cells, "sensors_cut").at(0).measured_s, 0.009);
-  const std::string page = fault_page_markdown(cells);
-  EXPECT_NE(page.find("1 of 3 cells held"), std::string::npos);
+  const std::string page = fault_page_markdown(cells, 4);
+  EXPECT_NE(page.find("1 of 4 cells held"), std::string::npos) << "one was not run";
+  EXPECT_EQ(why_not(bad), "null after 9 ms of 7 ms");
+  EXPECT_EQ(why_not(broken), "supervisor ended with exit status 1");
   EXPECT_NE(page.find("null after 9 ms of 7 ms **not held**"), std::string::npos) << page;
   EXPECT_NE(page.find("| `sensors_cut` | stance | fast | 2 |"), std::string::npos);
   EXPECT_NE(page.find("supervisor ended with exit status 1"), std::string::npos);

@@ -159,50 +159,62 @@ Result<faults::Cell> run_cell(const robot::Robot& robot, const FaultsOptions& o,
   }
 }
 
-report::Outcome outcome_of(const robot::Robot& robot, const std::vector<faults::Cell>& cells) {
+std::string place_text(const faults::Cell& cell) {
+  return cell.row + ", " + cell.phase + ", " + cell.vendor + ", seed " + std::to_string(cell.seed);
+}
+
+/// A cell that was not run has not held.
+report::Outcome outcome_of(const robot::Robot& robot, const std::vector<faults::Cell>& cells, std::size_t planned) {
   report::Outcome outcome;
   outcome.command = "faults";
   outcome.run = report::run_info(robot, 1);
-  const auto count = static_cast<double>(cells.size());
   int repeats = 0;
   for (const faults::Cell& cell : cells) {
     repeats += cell.repeats;
+    if (!cell.error.empty()) {
+      outcome.failures.push_back(place_text(cell) + ": " + cell.error);
+    }
   }
-  outcome.figures.add("faults.cells", count);
+  outcome.figures.add("faults.cells", static_cast<double>(planned));
   outcome.figures.add("faults.repeats", repeats);
-  outcome.figures.add("faults.held", static_cast<double>(std::ranges::count_if(cells, &faults::Cell::holds)), count);
+  outcome.figures.add("faults.held", static_cast<double>(std::ranges::count_if(cells, &faults::Cell::holds)),
+                      static_cast<double>(planned));
   for (const faults::Row& row : faults::rows()) {
     for (const faults::Check& check : faults::worst_checks(cells, row.name)) {
       outcome.figures.add("faults." + std::string(row.name) + "." + check.key + "_ms", check.measured_s * 1e3,
                           check.asked_s * 1e3);
     }
   }
-  for (const faults::Cell& cell : cells) {
-    if (!cell.error.empty()) {
-      outcome.failures.push_back(cell.row + ", " + cell.phase + ", " + cell.vendor + ", seed " +
-                                 std::to_string(cell.seed) + ": " + cell.error);
-    }
-  }
   return outcome;
 }
 
-Result<std::vector<faults::Cell>> run_all(const robot::Robot& robot, const FaultsOptions& o) {
-  std::vector<faults::Row> chosen;
-  std::ranges::copy_if(faults::rows(), std::back_inserter(chosen), [&](const faults::Row& row) {
-    return o.rows.empty() || std::ranges::find(o.rows, row.name) != o.rows.end();
-  });
-  const std::size_t count = chosen.size() * 2 * o.vendors.size() * static_cast<std::size_t>(o.seeds);
+std::vector<const faults::Row*> chosen_rows(const FaultsOptions& o) {
+  std::vector<const faults::Row*> chosen;
+  for (const faults::Row& row : faults::rows()) {
+    if (o.rows.empty() || std::ranges::find(o.rows, row.name) != o.rows.end()) {
+      chosen.push_back(&row);
+    }
+  }
+  return chosen;
+}
+
+/// The cells of `rows`, or those until the user interrupts.
+std::vector<faults::Cell> run_all(const robot::Robot& robot, const FaultsOptions& o,
+                                  const std::vector<const faults::Row*>& rows, std::size_t planned) {
   std::vector<faults::Cell> cells;
   PauseWatch pauses;
-  for (const faults::Row& row : chosen) {
+  for (const faults::Row* row : rows) {
     for (const auto& vendor : kVendors) {
       for (const gait::Phase phase : {gait::Phase::kStance, gait::Phase::kSwing}) {
         for (int seed = 1; seed <= o.seeds && std::ranges::find(o.vendors, vendor.first) != o.vendors.end(); ++seed) {
-          const std::string title = "faults, " + std::to_string(cells.size() + 1) + " of " + std::to_string(count) +
-                                    ", " + row.name;
-          auto cell = run_cell(robot, o, row, phase, vendor, static_cast<std::uint64_t>(seed), title, pauses);
+          const std::string title = "faults, " + std::to_string(cells.size() + 1) + " of " + std::to_string(planned) +
+                                    ", " + row->name;
+          auto cell = run_cell(robot, o, *row, phase, vendor, static_cast<std::uint64_t>(seed), title, pauses);
           if (!cell) {
-            return cell.error();
+            return cells;
+          }
+          if (!cell.value().holds()) {
+            std::fprintf(stderr, "%s: %s\n", place_text(cell.value()).c_str(), faults::why_not(cell.value()).c_str());
           }
           cells.push_back(std::move(cell).value());
         }
@@ -239,22 +251,23 @@ int run_faults(FaultsOptions o) {
   if (auto way = make_way({o.json_path, o.page_path}, {o.robot_path}); !way) {
     return fail(way.error().message, kBadInput);
   }
-  const auto cells = run_all(robot.value(), o);
-  if (!cells) {
-    return fail(cells.error().message, kFailed);
-  }
-  const report::Outcome outcome = outcome_of(robot.value(), cells.value());
+  const std::vector<const faults::Row*> rows = chosen_rows(o);
+  const std::size_t planned = rows.size() * 2 * o.vendors.size() * static_cast<std::size_t>(o.seeds);
+  const std::vector<faults::Cell> cells = run_all(robot.value(), o, rows, planned);
+  const report::Outcome outcome = outcome_of(robot.value(), cells, planned);
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail(written.error().message, kFailed);
   }
-  const std::string page = faults::fault_page_markdown(cells.value());
   if (!o.page_path.empty()) {
-    if (auto written = report::replace_file(o.page_path, page); !written) {
+    if (auto written = report::replace_file(o.page_path, faults::fault_page_markdown(cells, planned)); !written) {
       return fail(written.error().message, kFailed);
     }
   }
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   std::printf("figures: %s\n", o.json_path.c_str());
+  if (participant::stop_requested()) {
+    return fail("interrupted; what there is of the table is written", kFailed);
+  }
   return outcome.passes() ? kPassed : kFailed;
 }
 

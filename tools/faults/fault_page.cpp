@@ -27,11 +27,14 @@ std::string listed(const std::vector<Cell>& cells, Of&& of) {
   return text;
 }
 
+std::string text_of(const Check& check) {
+  return check.what + " " + milliseconds(check.measured_s) + " of " + milliseconds(check.asked_s);
+}
+
 std::string checks_text(const std::vector<Check>& checks) {
   std::string text;
   for (const Check& check : checks) {
-    text += (text.empty() ? "" : "<br>") + check.what + " " + milliseconds(check.measured_s) + " of " +
-            milliseconds(check.asked_s) + (check.holds() ? "" : " **not held**");
+    text += (text.empty() ? "" : "<br>") + text_of(check) + (check.holds() ? "" : " **not held**");
   }
   return text;
 }
@@ -56,13 +59,21 @@ std::vector<Check> worst_checks(const std::vector<Cell>& cells, const std::strin
   return worst;
 }
 
-std::string fault_page_markdown(const std::vector<Cell>& cells) {
+std::string why_not(const Cell& cell) {
+  std::string text = cell.error;
+  for (const Check& check : cell.checks) {
+    text += check.holds() ? "" : (text.empty() ? "" : ", ") + text_of(check);
+  }
+  return text;
+}
+
+std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t planned) {
   const auto held = std::ranges::count_if(cells, &Cell::holds);
   std::string page =
       "# Faults\n\nWritten by `farrier faults --page`, which makes each of these happen to a trot of real processes on "
       "the real-time\nclock, in slow motion: every row in stance and in swing, over each vendor, by each seed. Times "
       "are the longest of a\nrow's cells, in control periods of `sim_bridge`, beside what is asked.\n\n" +
-      std::to_string(held) + " of " + std::to_string(cells.size()) + " cells held. Vendors: " +
+      std::to_string(held) + " of " + std::to_string(planned) + " cells held. Vendors: " +
       listed(cells, [](const Cell& cell) { return cell.vendor; }) + ". Seeds: " +
       listed(cells, [](const Cell& cell) { return std::to_string(cell.seed); }) + ".\n\n" +
       "| row | what happens | what each process does | what an operator sees | measured |\n|---|---|---|---|---|\n";
@@ -77,10 +88,8 @@ std::string fault_page_markdown(const std::vector<Cell>& cells) {
   std::string failures;
   for (const Cell& cell : cells) {
     if (!cell.holds()) {
-      std::vector<Check> wrong;
-      std::ranges::copy_if(cell.checks, std::back_inserter(wrong), [](const Check& check) { return !check.holds(); });
       failures += "| `" + cell.row + "` | " + cell.phase + " | " + cell.vendor + " | " + std::to_string(cell.seed) +
-                  " | " + (cell.error.empty() ? checks_text(wrong) : cell.error) + " |\n";
+                  " | " + why_not(cell) + " |\n";
     }
   }
   if (failures.empty()) {

@@ -11,6 +11,9 @@ namespace farrier::faults {
 std::vector<Check> worst_checks(const std::vector<Cell>& cells, const std::string& row);
 
 /// docs/faults.md: every row with what happened in its cells, and the cells that did not hold.
-std::string fault_page_markdown(const std::vector<Cell>& cells);
+std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t planned);
+
+/// What a cell that does not hold lacks, in a line.
+std::string why_not(const Cell& cell);
 
 }  // namespace farrier::faults
