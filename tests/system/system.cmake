@@ -28,6 +28,15 @@ target_link_libraries(service_test PRIVATE farrier_deploy nlohmann_json::nlohman
 target_compile_definitions(service_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}"
   FARRIER_COMMAND="${PROJECT_BINARY_DIR}/bin/farrier" FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
 add_dependencies(service_test ${FARRIER_PROCESSES})
+# The processes of a deployment on its hosts, which are network namespaces.
+function(farrier_hosts_test name label)
+  farrier_system_test(${name} ${label} 0 ${ARGN} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/deployed_robot.cpp
+    ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
+  target_link_libraries(${name} PRIVATE farrier_deploy)
+  target_compile_definitions(${name} PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}")
+  add_dependencies(${name} ${FARRIER_PROCESSES})
+endfunction()
+farrier_hosts_test(three_hosts_test system ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
 farrier_system_test(network_test system 0 ${CMAKE_CURRENT_LIST_DIR}/network_test.cpp)
 farrier_system_test(long_pause_test long 0 ${CMAKE_CURRENT_LIST_DIR}/long_pause_test.cpp)
 farrier_system_test(diagnose_benchmark_test long 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_benchmark_test.cpp)
