@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <thread>
 
 namespace farrier::test {
@@ -99,6 +100,13 @@ std::function<void()> NetworkNamespaces::at(const std::string& host) const {
       ::_exit(127);
     }
   };
+}
+
+void NetworkNamespaces::set(const std::string& host, const std::string& name, const std::string& value) const {
+  const Visit visit(*this, host);
+  std::ofstream file("/proc/sys/" + name);
+  file << value << std::flush;
+  EXPECT_TRUE(file.good()) << name;
 }
 
 std::pair<std::string, std::string> NetworkNamespaces::open_cable(const std::string& host) {

@@ -47,6 +47,9 @@ class NetworkNamespaces {
   void cut(const std::string& host) const { set_up(host, false); }
   void restore(const std::string& host) const { set_up(host, true); }
 
+  /// Sets a host's "net/..." of sysctl.
+  void set(const std::string& host, const std::string& name, const std::string& value) const;
+
   /// Takes a host's cable off the bridge; the ends between which somebody has to carry its frames from now on, both
   /// interfaces in the namespace of the bridge: the first is the host's, the second the bridge's.
   std::pair<std::string, std::string> open_cable(const std::string& host);

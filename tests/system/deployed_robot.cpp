@@ -1,9 +1,12 @@
 #include "deployed_robot.hpp"
 
+#include <algorithm>
 #include <csignal>
+#include <map>
+#include <sstream>
 #include <thread>
 
-#include "tools/deploy/deployed_processes.hpp"
+#include "tools/deploy/rendering.hpp"
 
 namespace farrier::test {
 namespace {
@@ -12,6 +15,22 @@ using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
 constexpr const char* kRobotFile = FARRIER_ROBOTS "/hyq.yaml";
+const deploy::Places kPlaces{.prefix = FARRIER_PREFIX, .folder = FARRIER_ROBOTS};
+
+/// "name = value" of the rendered sysctl file, those that every network namespace has its own of.
+std::map<std::string, std::string> network_settings(const robot::Robot& robot, const std::string& host) {
+  std::map<std::string, std::string> settings;
+  const auto files = deploy::render_host(robot, "", host, kPlaces);
+  for (const deploy::RenderedFile& file : files.value()) {
+    std::istringstream text(file.name.ends_with(".conf") ? file.text : "");
+    for (std::string line; std::getline(text, line);) {
+      if (const auto equals = line.find(" = "); line.starts_with("net/ipv4/")) {
+        settings[line.substr(0, equals)] = line.substr(equals + 3);
+      }
+    }
+  }
+  return settings;
+}
 
 }  // namespace
 
@@ -34,14 +53,19 @@ NetworkNamespaces network_of(const robot::Robot& robot) {
   for (const auto& [name, host] : robot.file.deployment->hosts) {
     hosts.push_back({name, host.interface, host.address});
   }
-  return NetworkNamespaces(hosts);
+  NetworkNamespaces network(hosts);
+  for (const NetworkNamespaces::Host& host : hosts) {
+    for (const auto& [name, value] : network_settings(robot, host.name)) {
+      network.set(host.name, name, value);
+    }
+  }
+  return network;
 }
 
 DeployedProcesses::DeployedProcesses(const robot::Robot& robot, const NetworkNamespaces& network,
                                      const DeployedRun& run) {
-  const deploy::Places places{.prefix = FARRIER_PREFIX, .folder = FARRIER_ROBOTS};
   for (const auto& [host, section] : robot.file.deployment->hosts) {
-    const auto processes = deploy::processes_of(robot, host, places);
+    const auto processes = deploy::processes_of(robot, host, kPlaces);
     if (!processes) {
       ADD_FAILURE() << processes.error().message;
       return;
@@ -53,9 +77,8 @@ DeployedProcesses::DeployedProcesses(const robot::Robot& robot, const NetworkNam
       if (process.section.program == robot::Program::kSimBridge) {
         options.trace_path = trace_path();
       }
-      running_.push_back({options.name, std::make_unique<FarrierCommand>(
-                                            participant::to_arguments(options),
-                                            Surroundings{places.executable(process.section.program), network.at(host)})});
+      const Surroundings surroundings{kPlaces.executable(process.section.program), network.at(host)};
+      running_.push_back({options, std::make_unique<FarrierCommand>(participant::to_arguments(options), surroundings)});
     }
   }
 }
@@ -80,7 +103,7 @@ std::string DeployedProcesses::stop() {
   }
   for (const Running& running : running_) {
     if (const int status = running.command->wait(10s); status != 0) {
-      hard_ends += running.name + " ended with " + std::to_string(status) + ": " + running.command->output() + "\n";
+      hard_ends += running.options.name + " ended with " + std::to_string(status) + ": " + running.command->output() + "\n";
     }
   }
   return hard_ends;
@@ -89,13 +112,13 @@ std::string DeployedProcesses::stop() {
 std::string DeployedProcesses::output() const {
   std::string all;
   for (const Running& running : running_) {
-    all += running.name + ": " + running.command->output() + "\n";
+    all += running.options.name + ": " + running.command->output() + "\n";
   }
   return all;
 }
 
-const FarrierCommand& DeployedProcesses::process(const std::string& name) const {
-  return *std::ranges::find(running_, name, &Running::name)->command;
+const participant::ProcessOptions& DeployedProcesses::options_of(const std::string& name) const {
+  return std::ranges::find(running_, name, [](const Running& running) { return running.options.name; })->options;
 }
 
 }  // namespace farrier::test

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bus/topics.hpp"
 #include "farrier_command.hpp"
+#include "participant/options.hpp"
 #include "robot/robot.hpp"
 #include "tests/support/network_namespaces.hpp"
 
@@ -25,7 +25,7 @@ struct DeployedRun {
 /// hyq.yaml with the vendors of `run`.
 robot::Robot deployed_robot(const DeployedRun& run);
 
-/// A computer for every host of its deployment.
+/// A computer for every host of its deployment, its network set as the rendered files say.
 NetworkNamespaces network_of(const robot::Robot& robot);
 
 /// The processes of every host, running.
@@ -41,12 +41,12 @@ class DeployedProcesses {
   std::string stop();
   /// What all have said.
   std::string output() const;
-  /// Process of the unit of that name.
-  const FarrierCommand& process(const std::string& name) const;
+  /// What the process of that name was started with.
+  const participant::ProcessOptions& options_of(const std::string& name) const;
 
  private:
   struct Running {
-    std::string name;
+    participant::ProcessOptions options;
     std::unique_ptr<FarrierCommand> command;
   };
 

@@ -63,6 +63,14 @@ TEST(Rendering, PinsTheHostsAddressVendorAndJoints) {
   EXPECT_EQ(argument(supervisor, "--number"), std::to_string(participant::kSupervisor));
 }
 
+TEST(Rendering, SetsTheKernelsNetworkForDdsAndForCablesThatComeBack) {
+  const std::string settings = text_of(rendered("front"), "60-farrier-hyq.conf");
+  for (const char* line : {"net.core.rmem_max = 4194304", "net.core.wmem_max = 4194304",
+                           "net/ipv4/neigh/eth0/retrans_time_ms = 20"}) {
+    EXPECT_TRUE(has_line(settings, line)) << settings;
+  }
+}
+
 TEST(Rendering, ProbesValvesOnlyWhereGainsAreAdapted) {
   robot::Robot robot = hyq();
   for (const auto& [design, probes] : {std::pair(robot::Design::kPhases, false), {robot::Design::kAdaptive, true}}) {
