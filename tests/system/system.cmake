@@ -29,16 +29,20 @@ target_compile_definitions(service_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY
   FARRIER_COMMAND="${PROJECT_BINARY_DIR}/bin/farrier" FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
 add_dependencies(service_test ${FARRIER_PROCESSES})
 # The processes of a deployment on its hosts, which are network namespaces.
-function(farrier_hosts_test name label)
-  farrier_system_test(${name} ${label} 0 ${ARGN} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/deployed_robot.cpp
-    ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
-  target_link_libraries(${name} PRIVATE farrier_deploy)
+function(farrier_hosts_test name label duration)
+  farrier_system_test(${name} ${label} "${duration}" ${ARGN} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/deployed_robot.cpp
+    ${PROJECT_SOURCE_DIR}/tests/support/frame_relay.cpp ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
+  target_link_libraries(${name} PRIVATE farrier_deploy farrier_runtime)
   target_compile_definitions(${name} PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}")
   add_dependencies(${name} ${FARRIER_PROCESSES})
 endfunction()
-farrier_hosts_test(three_hosts_test system ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
-farrier_hosts_test(cut_cable_test realtime ${CMAKE_CURRENT_LIST_DIR}/cut_cable_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/robot_watch.cpp)
+farrier_hosts_test(three_hosts_test system 0.6 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
+farrier_hosts_test(long_three_hosts_test long 3 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
+farrier_test(frame_relay_test system ${CMAKE_CURRENT_LIST_DIR}/frame_relay_test.cpp
+  ${PROJECT_SOURCE_DIR}/tests/support/frame_relay.cpp ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
+target_link_libraries(frame_relay_test PRIVATE farrier_core farrier_runtime Threads::Threads)
+farrier_hosts_test(cut_cable_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/cut_cable_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/robot_watch.cpp ${PROJECT_SOURCE_DIR}/tools/cli/pause_watch.cpp)
 target_link_libraries(cut_cable_test PRIVATE farrier_bus_factory farrier_lab farrier_record)
 farrier_system_test(network_test system 0 ${CMAKE_CURRENT_LIST_DIR}/network_test.cpp)
 farrier_system_test(long_pause_test long 0 ${CMAKE_CURRENT_LIST_DIR}/long_pause_test.cpp)
