@@ -8,7 +8,7 @@
 #include "deployed_robot.hpp"
 #include "robot/keys.hpp"
 #include "robot_watch.hpp"
-#include "tools/cli/pause_watch.hpp"
+#include "undisturbed.hpp"
 
 namespace farrier::test {
 namespace {
@@ -28,10 +28,6 @@ constexpr Tick kTrackingWithin = 24;   // as docs/faults.md
 /// A computer that others use stands still now and then.
 constexpr double kMayNotTrack = 0.1;
 constexpr auto kPatience = 60s;
-/// A computer that did nothing for longer than this, as seen below the processes' bus threads, may have made the joints
-/// do what they did; so often it is tried again.
-constexpr double kMayPause_ms = 15.0;
-constexpr int kMostRuns = 4;
 
 /// When what was done to the cable; ticks of the clock, which may be some more by then.
 struct Cut {
@@ -47,8 +43,7 @@ struct CutRun {
   std::vector<Cut> cuts;
   std::size_t trips = 0;  ///< events of them
   std::string figures;    ///< for people
-  std::string problems;
-  double paused_ms = 0;   ///< longest time for which this computer stood still
+  std::string problems;   ///< a line each
 };
 
 class CutCable : public testing::TestWithParam<const char*> {
@@ -61,9 +56,12 @@ class CutCable : public testing::TestWithParam<const char*> {
 };
 
 /// Cuts the cable for each of kCuts and arms the robot after each.
-void play(const NetworkNamespaces& network, const DeployedProcesses& processes, const robot::Robot& robot, CutRun& run) {
+void play(const NetworkNamespaces& network, const DeployedProcesses& processes, const robot::Robot& robot,
+          cli::PauseWatch& pauses, CutRun& run) {
   const NetworkNamespaces::Visit visit(network, "brain");
   RobotWatch watch(robot, processes.options_of("supervisor"));
+  watch.until(kStanding, kPatience);
+  pauses.forget();
   ASSERT_GE(watch.until(kUndisturbed, kPatience), kUndisturbed) << processes.output();
   for (const Tick lasts : kCuts) {
     Cut cut{.begin = watch.now(), .end = 0, .armed = 0};
@@ -115,41 +113,23 @@ void judge(const JointCourse& front, const JointCourse& hind, CutRun& run) {
   must(run.trips == front.joints() * run.cuts.size(), "an operator has not heard of every trip once the cable is back");
 }
 
-CutRun run_with_cuts(const std::string& dds) {
-  const DeployedRun deployed{.dds = dds, .clock = bus::ClockKind::kRealtime, .slow = kSlow};
-  const robot::Robot robot = deployed_robot(deployed);
-  const NetworkNamespaces network = network_of(robot);
-  DeployedProcesses processes(robot, network, deployed);
-  const cli::PauseWatch pauses(runtime::kBusPriority - 1);
-  CutRun run;
-  play(network, processes, robot, run);
-  run.paused_ms = std::chrono::duration<double, std::milli>(pauses.longest()).count();
-  EXPECT_EQ(processes.stop(), "");
-  const auto trace = record::read_trace(processes.trace_path(), robot::joint_names(robot));
-  if (!trace || run.cuts.size() < std::size(kCuts)) {
-    run.problems += trace ? "" : trace.error().message;
-    return run;
-  }
-  judge(JointCourse(robot, trace.value(), {"lf", "rf"}), JointCourse(robot, trace.value(), {"lh", "rh"}), run);
-  return run;
-}
-
 TEST_P(CutCable, StopsTheLegsBehindItUntilTheyAreArmedAndNoOthers) {
-  for (int runs = 1;; ++runs) {
-    const CutRun run = run_with_cuts(GetParam());
-    std::printf("%s, this computer stood still for at most %.0f ms:\n%s", GetParam(), run.paused_ms, run.figures.c_str());
-    if (run.problems.empty() || HasFailure()) {
-      return;
+  expect_undisturbed([](cli::PauseWatch& pauses) -> std::string {
+    const DeployedRun deployed{.dds = GetParam(), .clock = bus::ClockKind::kRealtime, .slow = kSlow};
+    const robot::Robot robot = deployed_robot(deployed);
+    const NetworkNamespaces network = network_of(robot);
+    DeployedProcesses processes(robot, network, deployed);
+    CutRun run;
+    play(network, processes, robot, pauses, run);
+    EXPECT_EQ(processes.stop(), "");
+    const auto trace = record::read_trace(processes.trace_path(), robot::joint_names(robot));
+    if (!trace || HasFailure()) {
+      return trace ? "the run ended early\n" : trace.error().message;
     }
-    std::fputs(run.problems.c_str(), stdout);
-    if (run.paused_ms <= kMayPause_ms) {
-      FAIL() << run.problems;
-    }
-    if (runs == kMostRuns) {
-      GTEST_SKIP() << "this computer stands still again and again, at last for " << run.paused_ms
-                   << " ms: what joints then do says nothing of the cable";
-    }
-  }
+    judge(JointCourse(robot, trace.value(), {"lf", "rf"}), JointCourse(robot, trace.value(), {"lh", "rh"}), run);
+    std::printf("%s:\n%s", GetParam(), run.figures.c_str());
+    return run.problems;
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, CutCable, testing::Values("cyclone", "fast", "mixed"),

@@ -19,6 +19,7 @@
 #include "tools/cli/child_process.hpp"
 #include "tools/cli/domain_lock.hpp"
 #include "tools/cli/progress.hpp"
+#include "tools/cli/run_children.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -31,43 +32,6 @@ constexpr auto kSilenceWorthSaying = 3s;
 constexpr auto kLastSamples = 2s;
 
 using participant::steady_now;
-
-Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOptions& common,
-                                 const lab::Member& member, const std::string& name,
-                                 const std::string& log_name) {
-  participant::ProcessOptions options = common;
-  options.vendor = vendor_of(run.dds, member);
-  options.name = member.name;
-  options.number = member.number;
-  options.joints = member.joints;
-  options.standby = member.stands_by;
-  if (member.number != participant::kSimBridge) {
-    options.trace_path.clear();
-  }
-  if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
-    options.faults = faults->second;
-  }
-  const std::string program = run.bare ? "bare_exchange" : member.executable;
-  const std::string executable = run.executables + "/" + program;
-  return ChildProcess::start(name, executable, participant::to_arguments(options),
-                             run.log_directory + "/" + log_name + ".log");
-}
-
-Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,
-                                                 const std::vector<lab::Member>& members) {
-  std::vector<ChildProcess> children;
-  for (const lab::Member& member : members) {
-    if (member.executable.empty()) {
-      continue;
-    }
-    auto child = start_child(run, common, member, member.name, member.name);
-    if (!child) {
-      return child.error();
-    }
-    children.push_back(std::move(child).value());
-  }
-  return children;
-}
 
 /// What this process owns of a run besides its children.
 struct Seat {
@@ -145,34 +109,11 @@ std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProce
   return said.empty() ? "waiting for " + gait.waits_for() : said;
 }
 
-/// Takes the dead out of `children`. Refuses when the run cannot do without one: in real time, once it has begun, it
-/// can without estimator and supervisors, or without any but sim_bridge if `run` says so; in lock-step everybody waits for everybody.
-Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
-                  Tick tick, std::vector<std::string>& warnings) {
-  const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
-  const auto dispensable = [&](const std::string& name) {
-    return name == members[participant::kEstimatorService].name || name == members[participant::kSupervisor].name ||
-           (run.standby && name == members.back().name) ||
-           (run.goes_on_without_the_dead && name != members[participant::kSimBridge].name);
-  };
-  for (auto child = children.begin(); child != children.end();) {
-    if (child->running()) {
-      ++child;
-      continue;
-    }
-    if (!dispensable(child->name()) || !realtime || tick <= 0) {
-      return Error{child->epitaph() + (realtime ? "" : "\nIn lock-step every process waits for every other, so the run ends.")};
-    }
-    warnings.push_back("without " + child->name() + " after tick " + std::to_string(tick) + ": " + child->epitaph());
-    child = children.erase(child);
-  }
-  return Done{};
-}
-
 /// Plays the gait until the run is over. Refuses as bury does, and when the user interrupts.
 Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children,
-                    const RunActs::Start& start, Progress& progress, const DdsRun& run, Tick ticks,
+                    const RunActs::Start& start, Progress& progress, const DdsRun& run, GrowthWatch& watch,
                     RunOutcome& outcome) {
+  const Tick ticks = run.common.ticks;
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   SteadyTime next_housekeeping{};
   SteadyTime first_tick{};
@@ -192,6 +133,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       monitor.poll(seat.gait->tick());
     }
     if (seat.gait->tick() != last) {
+      watch.tick(seat.gait->tick());
       first_tick = last == 0 ? steady_now() : first_tick;
       last = seat.gait->tick();
       moved = steady_now();
@@ -259,6 +201,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   if (!children) {
     return children.error();
   }
+  GrowthWatch watch(run.soak ? pids_of(outcome.members, children.value()) : std::vector<pid_t>{}, common.ticks);
   const lab::Member& self = outcome.members[participant::kGaitSource];
   auto seat = take_seat(robot, run, common, self);
   if (!seat) {
@@ -274,7 +217,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     const auto place = std::ranges::find(outcome.members, member, &lab::Member::name);
     return start_child(run, common, *place, name, name + "_anew");
   };
-  auto played = play(seat.value(), monitor.value(), children.value(), start_anew, progress, run, common.ticks, outcome);
+  auto played = play(seat.value(), monitor.value(), children.value(), start_anew, progress, run, watch, outcome);
   const std::string hard_ends = end_all(children.value());
   if (!played || !hard_ends.empty()) {
     return played ? Error{hard_ends} : played.error();
@@ -285,6 +228,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     }
   }
   outcome.wall_s = played.value();
+  outcome.growths = watch.growths();
   outcome.acted = seat.value().acts->performed();
   outcome.hellos = seat.value().participant->hellos();
   outcome.healths = monitor.value().healths();

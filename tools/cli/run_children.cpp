@@ -1,0 +1,75 @@
+#include "tools/cli/run_children.hpp"
+
+#include <algorithm>
+
+namespace farrier::cli {
+
+Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOptions& common,
+                                 const lab::Member& member, const std::string& name,
+                                 const std::string& log_name) {
+  participant::ProcessOptions options = common;
+  options.vendor = vendor_of(run.dds, member);
+  options.name = member.name;
+  options.number = member.number;
+  options.joints = member.joints;
+  options.standby = member.stands_by;
+  if (member.number != participant::kSimBridge) {
+    options.trace_path.clear();
+  }
+  if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
+    options.faults = faults->second;
+  }
+  const std::string program = run.bare ? "bare_exchange" : member.executable;
+  const std::string executable = run.executables + "/" + program;
+  return ChildProcess::start(name, executable, participant::to_arguments(options),
+                             run.log_directory + "/" + log_name + ".log");
+}
+
+Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,
+                                                 const std::vector<lab::Member>& members) {
+  std::vector<ChildProcess> children;
+  for (const lab::Member& member : members) {
+    if (member.executable.empty()) {
+      continue;
+    }
+    auto child = start_child(run, common, member, member.name, member.name);
+    if (!child) {
+      return child.error();
+    }
+    children.push_back(std::move(child).value());
+  }
+  return children;
+}
+
+Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
+                  Tick tick, std::vector<std::string>& warnings) {
+  const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
+  const auto dispensable = [&](const std::string& name) {
+    return name == members[participant::kEstimatorService].name || name == members[participant::kSupervisor].name ||
+           (run.standby && name == members.back().name) ||
+           (run.goes_on_without_the_dead && name != members[participant::kSimBridge].name);
+  };
+  for (auto child = children.begin(); child != children.end();) {
+    if (child->running()) {
+      ++child;
+      continue;
+    }
+    if (!dispensable(child->name()) || !realtime || tick <= 0) {
+      return Error{child->epitaph() + (realtime ? "" : "\nIn lock-step every process waits for every other, so the run ends.")};
+    }
+    warnings.push_back("without " + child->name() + " after tick " + std::to_string(tick) + ": " + child->epitaph());
+    child = children.erase(child);
+  }
+  return Done{};
+}
+
+std::vector<pid_t> pids_of(const std::vector<lab::Member>& members, const std::vector<ChildProcess>& children) {
+  std::vector<pid_t> pids;
+  for (const lab::Member& member : members) {
+    const auto child = std::ranges::find(children, member.name, &ChildProcess::name);
+    pids.push_back(child == children.end() ? 0 : child->pid());
+  }
+  return pids;
+}
+
+}  // namespace farrier::cli
