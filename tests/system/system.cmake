@@ -29,12 +29,33 @@ target_link_libraries(service_test PRIVATE farrier_deploy nlohmann_json::nlohman
 target_compile_definitions(service_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}"
   FARRIER_COMMAND="${PROJECT_BINARY_DIR}/bin/farrier" FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
 add_dependencies(service_test ${FARRIER_PROCESSES})
+# The processes of a deployment on its hosts, which are network namespaces.
+function(farrier_hosts_test name label duration)
+  farrier_system_test(${name} ${label} "${duration}" ${ARGN} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/deployed_robot.cpp
+    ${PROJECT_SOURCE_DIR}/tests/support/frame_relay.cpp ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
+  target_link_libraries(${name} PRIVATE farrier_deploy farrier_runtime)
+  target_compile_definitions(${name} PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}")
+  add_dependencies(${name} ${FARRIER_PROCESSES})
+endfunction()
+farrier_hosts_test(three_hosts_test system 0.6 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
+farrier_hosts_test(long_three_hosts_test long 3 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
+farrier_test(frame_relay_test system ${CMAKE_CURRENT_LIST_DIR}/frame_relay_test.cpp
+  ${PROJECT_SOURCE_DIR}/tests/support/frame_relay.cpp ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
+target_link_libraries(frame_relay_test PRIVATE farrier_core farrier_runtime Threads::Threads)
+foreach(name IN ITEMS cut_cable_test lossy_cable_test)
+  farrier_hosts_test(${name} realtime 0 ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp ${CMAKE_CURRENT_LIST_DIR}/robot_watch.cpp
+    ${PROJECT_SOURCE_DIR}/tools/cli/pause_watch.cpp)
+  target_link_libraries(${name} PRIVATE farrier_bus_factory farrier_lab farrier_record farrier_report)
+endforeach()
 farrier_system_test(network_test system 0 ${CMAKE_CURRENT_LIST_DIR}/network_test.cpp)
 farrier_system_test(long_pause_test long 0 ${CMAKE_CURRENT_LIST_DIR}/long_pause_test.cpp)
 farrier_system_test(diagnose_benchmark_test long 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_benchmark_test.cpp)
 target_compile_definitions(diagnose_benchmark_test PRIVATE FARRIER_DOCS="${PROJECT_SOURCE_DIR}/docs")
 set_tests_properties(long/diagnose_benchmark_test PROPERTIES TIMEOUT 3600 RUN_SERIAL TRUE)
 farrier_system_test(realtime_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/realtime_test.cpp)
+farrier_system_test(soak_test realtime 5 ${CMAKE_CURRENT_LIST_DIR}/soak_test.cpp)
+farrier_system_test(long_soak_test long 600 ${CMAKE_CURRENT_LIST_DIR}/soak_test.cpp)
+set_tests_properties(long/long_soak_test PROPERTIES TIMEOUT 3600)
 farrier_system_test(faults_command_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/faults_command_test.cpp)
 farrier_system_test(estimator_death_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/estimator_death_test.cpp)
 target_link_libraries(estimator_death_test PRIVATE farrier_record farrier_signals)

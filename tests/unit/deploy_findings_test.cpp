@@ -1,6 +1,7 @@
 #include "deploy_files.hpp"
 #include "runtime/realtime_thread.hpp"
 #include "tools/deploy/host_findings.hpp"
+#include "tools/deploy/rendering.hpp"
 
 namespace farrier::deploy {
 namespace {
@@ -60,6 +61,15 @@ TEST(HostFindings, NameSocketBuffersThatAreTooSmall) {
   facts.receive_buffer_max = 212992;
   EXPECT_EQ(only_finding(facts),
             "net.core.rmem_max is 212992 bytes and DDS asks for 4194304: bursts of samples may be dropped");
+}
+
+TEST(HostFindings, NameAHostThatIsNotHeardForASecondAfterACut) {
+  HostFacts facts = fit_host();
+  facts.interfaces[1].address_retry_ms = 1000;
+  EXPECT_EQ(only_finding(facts), "net.ipv4.neigh.eth0.retrans_time_ms is 1000: when its cable comes back, this host is not "
+                                 "heard for up to that time");
+  facts.interfaces[1].address_retry_ms = kAddressRetry_ms;
+  EXPECT_TRUE(findings_of(facts).empty());
 }
 
 TEST(HostFindings, NameWhatKeepsALoopFromItsDeadlines) {

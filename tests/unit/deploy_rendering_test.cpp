@@ -63,6 +63,24 @@ TEST(Rendering, PinsTheHostsAddressVendorAndJoints) {
   EXPECT_EQ(argument(supervisor, "--number"), std::to_string(participant::kSupervisor));
 }
 
+TEST(Rendering, SetsTheKernelsNetworkForDdsAndForCablesThatComeBack) {
+  const std::string settings = text_of(rendered("front"), "60-farrier-hyq.conf");
+  for (const char* line : {"net.core.rmem_max = 4194304", "net.core.wmem_max = 4194304",
+                           "net/ipv4/neigh/eth0/retrans_time_ms = 20"}) {
+    EXPECT_TRUE(has_line(settings, line)) << settings;
+  }
+}
+
+TEST(Rendering, ProbesValvesOnlyWhereGainsAreAdapted) {
+  robot::Robot robot = hyq();
+  for (const auto& [design, probes] : {std::pair(robot::Design::kPhases, false), {robot::Design::kAdaptive, true}}) {
+    robot.file.deployment->design = design;
+    const auto files = render_host(robot, "", "front", standard_places(robot));
+    const std::string lf = text_of(files.value(), "farrier-hyq-joint_node_lf.service");
+    EXPECT_EQ(lf.find("--no-dither") == std::string::npos, probes);
+  }
+}
+
 TEST(Rendering, LetsTheUnitAllowPrioritiesAndTheProcessSetThem) {
   const std::string lf = text_of(rendered("front"), "farrier-hyq-joint_node_lf.service");
   for (const char* line : {"Type=notify", "WatchdogSec=1", "Restart=on-failure", "CPUAffinity=1", "LimitRTPRIO=80",

@@ -4,6 +4,7 @@ farrier_test(report_test unit
   ${CMAKE_CURRENT_LIST_DIR}/report_diagnosis_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_extended_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_figures_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/report_growth_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_hide_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_joint_poles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_load_cycle_test.cpp

@@ -99,10 +99,11 @@ bool has(const std::vector<ChildProcess>& children, const std::string& name) {
   return std::ranges::find(children, name, &ChildProcess::name) != children.end();
 }
 
-/// Plays the gait until the run is over: everybody has said so or, where sim_bridge has died, it would be by now. Refuses as bury does, and when the user interrupts.
+/// Plays the gait until the run is over: everybody has said so or, where sim_bridge has died, it would be by now. Refuses
+/// as bury does, and when the user interrupts.
 Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children,
                     const RunActs::Start& start, Progress& progress, const DdsRun& run, Nanoseconds period,
-                    RunOutcome& outcome) {
+                    GrowthWatch& watch, RunOutcome& outcome) {
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   const Tick ticks = run.common.ticks;
   RunClock clock(realtime ? period : Nanoseconds::zero());
@@ -125,6 +126,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       monitor.poll(clock.at(steady_now()));
     }
     if (seat.gait->tick() != last) {
+      watch.tick(seat.gait->tick());
       first_tick = last == 0 ? steady_now() : first_tick;
       last = seat.gait->tick();
       moved = steady_now();
@@ -204,6 +206,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   if (!children) {
     return children.error();
   }
+  GrowthWatch watch(run.soak ? pids_of(outcome.members, children.value()) : std::vector<pid_t>{}, common.ticks);
   const lab::Member& self = outcome.members[participant::kGaitSource];
   auto seat = take_seat(robot, run, common, self, clock);
   if (!seat) {
@@ -220,7 +223,8 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     return start_child(run, common, *place, name, name + "_anew", seen);
   };
   auto played = play(seat.value(), monitor.value(), children.value(), start_anew, progress, run,
-                     std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s)), outcome);
+                     std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s)), watch,
+                     outcome);
   const std::string hard_ends = end_all(children.value());
   if (!played || !hard_ends.empty()) {
     return played ? Error{hard_ends} : played.error();
@@ -231,6 +235,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     }
   }
   outcome.wall_s = played.value();
+  outcome.growths = watch.growths();
   outcome.acted = seat.value().acts->performed();
   outcome.hellos = seat.value().participant->hellos();
   outcome.healths = monitor.value().healths();

@@ -2,11 +2,13 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lab/run_plan.hpp"
 #include "participant/options.hpp"
+#include "tools/cli/growth_watch.hpp"
 #include "tools/cli/run_acts.hpp"
 
 namespace farrier::cli {
@@ -30,6 +32,7 @@ struct DdsRun {
   std::function<void(Tick)> looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
   bool standby = false;                   ///< a second supervisor stands by, real time only
   bool goes_on_without_the_dead = false;  ///< real time: the death of any member is a warning
+  bool soak = false;                      ///< watch what the processes grow by
   bool bare = false;  ///< exchange the same samples with nothing computed: the yardstick of farrier bench
 };
 
@@ -43,6 +46,8 @@ struct RunOutcome {
   std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued
   std::vector<Tick> acted;            ///< when acts were done, in their order
   std::vector<std::string> warnings;  ///< what went wrong and did not end the run
+  std::vector<std::optional<Growth>> growths;  ///< by participant; nothing for one that died and for the launcher, which
+                                               ///< keeps the record of the run. Empty where not watched
   double wall_s = 0;  ///< from the first tick to the last
 };
 

@@ -3,20 +3,17 @@
 #include <algorithm>
 
 #include "runtime/deadline.hpp"
-#include "runtime/realtime_thread.hpp"
 
 namespace farrier::cli {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kAboveAll = runtime::kControlPriority + 10;
-
 }  // namespace
 
-PauseWatch::PauseWatch()
-    : thread_([this] {
-        static_cast<void>(runtime::set_priority(kAboveAll));
+PauseWatch::PauseWatch(int priority)
+    : thread_([this, priority] {
+        static_cast<void>(runtime::set_priority(priority));
         while (!ends_) {
           const SteadyTime due = std::chrono::steady_clock::now() + 1ms;
           runtime::sleep_until(due);

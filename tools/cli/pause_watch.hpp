@@ -4,14 +4,17 @@
 #include <thread>
 
 #include "core/time.hpp"
+#include "runtime/realtime_thread.hpp"
 
 namespace farrier::cli {
 
-/// Watches whether this computer stands still: a thread above all others of a run that sleeps a millisecond again and
-/// again. Where the limits forbid its priority it takes for a pause what is none.
+/// Watches whether this computer stands still: a thread, above all others of a run unless told otherwise, that sleeps a
+/// millisecond again and again. Where the limits forbid its priority it takes for a pause what is none.
 class PauseWatch {
  public:
-  PauseWatch();
+  static constexpr int kAboveAll = runtime::kControlPriority + 10;
+
+  explicit PauseWatch(int priority = kAboveAll);
   ~PauseWatch();
   PauseWatch(const PauseWatch&) = delete;
   PauseWatch& operator=(const PauseWatch&) = delete;

@@ -85,4 +85,13 @@ Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const 
   return Done{};
 }
 
+std::vector<pid_t> pids_of(const std::vector<lab::Member>& members, const std::vector<ChildProcess>& children) {
+  std::vector<pid_t> pids;
+  for (const lab::Member& member : members) {
+    const auto child = std::ranges::find(children, member.name, &ChildProcess::name);
+    pids.push_back(child == children.end() ? 0 : child->pid());
+  }
+  return pids;
+}
+
 }  // namespace farrier::cli

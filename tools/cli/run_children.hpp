@@ -29,4 +29,7 @@ std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProce
 Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
                   Tick tick, std::vector<std::string>& warnings);
 
+/// Processes of the members, in their order; 0 for one without.
+std::vector<pid_t> pids_of(const std::vector<lab::Member>& members, const std::vector<ChildProcess>& children);
+
 }  // namespace farrier::cli

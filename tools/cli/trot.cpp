@@ -1,7 +1,9 @@
 // farrier trot: run, judge, report.
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 
 #include <unistd.h>
 
@@ -129,6 +131,10 @@ int trot(TrotOptions o) {
                "--clock realtime\n", stderr);
     return kBadInput;
   }
+  if (o.soak && (o.dds == DdsChoice::kInproc || o.hide)) {
+    std::fputs("farrier trot: --soak watches the processes of one run over DDS: leave --dds inproc and --hide out\n", stderr);
+    return kBadInput;
+  }
   if (o.vary && o.clock == bus::ClockKind::kRealtime) {
     std::fputs("farrier trot: --vary runs on the lock-step clock only: leave --clock realtime out\n", stderr);
     return kBadInput;
@@ -220,6 +226,12 @@ int trot(TrotOptions o) {
     return fail(added.error());
   }
   outcome.figures.add("trot.ticks_per_s", static_cast<double>(tracking.value().ticks) / ran.value().wall_s);
+  if (o.soak) {
+    for (std::size_t i = 0; i < ran.value().growths.size(); ++i) {
+      outcome.run.processes[i].growth = ran.value().growths[i];
+    }
+    std::ranges::move(report::add_growth(outcome.figures, outcome.run.processes), std::back_inserter(outcome.failures));
+  }
   report::add_transport(outcome.figures, outcome.run, lockstep);
   if (!lockstep) {
     if (auto added = add_realtime(outcome.figures, robot, o, yardstick, tracking.value()); !added) {

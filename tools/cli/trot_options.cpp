@@ -118,6 +118,12 @@ void declare(CLI::App& app, TrotOptions& o) {
       ->check(between(1, 10000))
       ->type_name("<n>")
       ->default_str(std::to_string(kSeeds) + "; with --hide 1");
+  app.add_flag("--soak", o.soak,
+               "watch memory, threads and descriptors of every process started, which must not grow after the first tenth of the "
+               "run: figures trot.memory_growth_KiB, trot.threads_growth, trot.descriptors_growth")
+      ->type_name("")
+      ->excludes(experiment)
+      ->excludes(vary);
   app.add_flag("--standby", o.standby,
                "a second supervisor stands by and leads when the first falls silent; real time only")
       ->type_name("");

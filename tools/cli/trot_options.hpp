@@ -33,6 +33,7 @@ struct TrotOptions {
   bool security_cost = false;  ///< short runs with and without `security` beside
   bool dither_cost = false; ///< two more runs: what the robot file's dither costs
   bool vary = false;        ///< varied robots under every controller instead of one run
+  bool soak = false;        ///< watch what processes grow by
   bool standby = false;     ///< a second supervisor stands by, real time only
   int seeds = 0;            ///< of `vary` and the controllers, from `seed` on; 0: not given, which is kSeeds; of `hide`
   std::optional<std::uint64_t> hide;  ///< of an effect of one simulated joint that nobody else knows

@@ -38,6 +38,7 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
   run.record_directory = o.record_directory;
   run.title = title;
   run.standby = o.standby;
+  run.soak = o.soak;
   return run;
 }
 

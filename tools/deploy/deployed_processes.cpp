@@ -22,6 +22,7 @@ participant::ProcessOptions options_for_all(const robot::Robot& robot, const Pla
                                                                        : bus::ClockKind::kLockstep;
   options.session = static_cast<std::uint64_t>(deployment.session);
   options.design = robot::to_string(deployment.design);
+  options.no_dither = deployment.design != robot::Design::kAdaptive;  // as farrier trot: nothing to learn, nothing to probe
   options.network.domain = deployment.domain;
   options.network.peers.clear();
   options.participants = participant::kFirstJointNode;

@@ -41,7 +41,9 @@ std::vector<Interface> interfaces() {
     Interface interface{.name = entry->ifa_name,
                         .address = {},
                         .up = (entry->ifa_flags & IFF_UP) != 0 && (entry->ifa_flags & IFF_RUNNING) != 0,
-                        .multicast = (entry->ifa_flags & IFF_MULTICAST) != 0};
+                        .multicast = (entry->ifa_flags & IFF_MULTICAST) != 0,
+                        .address_retry_ms = number_in("/proc/sys/net/ipv4/neigh/" + std::string(entry->ifa_name) +
+                                                      "/retrans_time_ms")};
     if (ipv4) {
       char text[INET_ADDRSTRLEN] = {};
       ::inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(entry->ifa_addr)->sin_addr, text, sizeof text);

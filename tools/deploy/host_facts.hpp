@@ -12,6 +12,7 @@ struct Interface {
   std::string address;
   bool up = false;  ///< and with a cable where it takes one
   bool multicast = false;
+  std::uint64_t address_retry_ms = 0;  ///< net.ipv4.neigh.<name>.retrans_time_ms; 0: not known
 };
 
 /// What a computer says of itself.

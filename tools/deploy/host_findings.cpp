@@ -7,6 +7,7 @@
 
 #include "bus/network.hpp"
 #include "runtime/realtime_thread.hpp"
+#include "tools/deploy/rendering.hpp"
 
 namespace farrier::deploy {
 namespace {
@@ -22,6 +23,20 @@ std::string list_of(const std::vector<Interface>& interfaces) {
     }
   }
   return text.empty() ? "none with an IPv4 address" : text;
+}
+
+Findings address_retry_findings(const HostFacts& facts, const robot::Host& host) {
+  const auto interface = std::ranges::find_if(facts.interfaces, [&](const Interface& i) {
+    return i.name == host.interface && i.address == host.address;
+  });
+  if (interface == facts.interfaces.end() || host.address.starts_with("127.") ||
+      interface->address_retry_ms <= kAddressRetry_ms) {
+    return {};
+  }
+  return {{"net.ipv4.neigh." + host.interface + ".retrans_time_ms is " + std::to_string(interface->address_retry_ms) +
+               ": when its cable comes back, this host is not heard for up to that time",
+           "copy the rendered 60-farrier-*.conf to /etc/sysctl.d and run sysctl --system, or sysctl -w net/ipv4/neigh/" +
+               host.interface + "/retrans_time_ms=" + std::to_string(kAddressRetry_ms)}};
 }
 
 }  // namespace
@@ -100,6 +115,7 @@ Findings host_findings(const HostFacts& facts, const robot::Deployment& deployme
   }
   append(findings, buffer_findings(facts));
   if (deployment.clock == robot::DeployedClock::kRealtime) {
+    append(findings, address_retry_findings(facts, host));
     append(findings, realtime_findings(facts, runtime::kControlPriority + host.priority_shift));
   }
   return findings;

@@ -17,7 +17,7 @@ Findings buffer_findings(const HostFacts& facts);
 Findings address_findings(const HostFacts& facts, const std::string& address, const std::string& interface);
 
 /// What a deployment asks of the computer that is this host of it, its files aside: address, processors, and on the
-/// real-time clock priorities, memory and kernel.
+/// real-time clock priorities, memory, kernel and how soon it is heard again after a cut.
 Findings host_findings(const HostFacts& facts, const robot::Deployment& deployment, const robot::Host& host);
 
 /// Executables that are not there, and rendered files that are not what would be rendered now. `rendered`: those that

@@ -99,10 +99,13 @@ std::string target_text(const robot::Robot& robot, const std::string& host,
          joined(processes, unit) + "\n\n[Install]\nWantedBy=multi-user.target\n";
 }
 
-std::string limits_text(const robot::Robot& robot, const std::string& host) {
+std::string network_text(const robot::Robot& robot, const std::string& host) {
+  const std::string& interface = config::find(robot.file.deployment->hosts, host)->interface;
   const std::string bytes = std::to_string(bus::kSocketBufferBytes);
   return heading(robot, host) + "# What DDS asks for its sockets; the kernel grants no more than this.\n" +
-         "net.core.rmem_max = " + bytes + "\nnet.core.wmem_max = " + bytes + "\n";
+         "net.core.rmem_max = " + bytes + "\nnet.core.wmem_max = " + bytes + "\n" +
+         "# A cable that is put back: until the others' addresses are asked for again, nobody hears this host.\n" +
+         "net/ipv4/neigh/" + interface + "/retrans_time_ms = " + std::to_string(kAddressRetry_ms) + "\n";
 }
 
 }  // namespace
@@ -124,7 +127,7 @@ Result<std::vector<RenderedFile>> render_host(const robot::Robot& robot, const s
     files.push_back({unit_of(robot, process.options.name), unit_text(robot, host, places, process)});
   }
   files.push_back({target_of(robot), target_text(robot, host, processes.value())});
-  files.push_back({"60-farrier-" + robot.name + ".conf", limits_text(robot, host)});
+  files.push_back({"60-farrier-" + robot.name + ".conf", network_text(robot, host)});
   files.push_back({std::filesystem::path(places.robot_file(robot)).filename().string(), robot_text});
   return files;
 }

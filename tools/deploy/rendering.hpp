@@ -7,13 +7,17 @@
 
 namespace farrier::deploy {
 
+/// How often a host asks again for the address of one that does not answer. Linux waits a second, so that for as long a
+/// host whose cable was out hears all others and nobody hears it.
+inline constexpr int kAddressRetry_ms = 20;
+
 struct RenderedFile {
   std::string name;
   std::string text;
 };
 
-/// Everything a host needs beside the packages: a systemd unit per process and a target for all of them, the limits of
-/// the network's buffers, and `robot_text`, the robot file they are of. Refuses as processes_of.
+/// Everything a host needs beside the packages: a systemd unit per process and a target for all of them, the kernel's
+/// settings for its network, and `robot_text`, the robot file they are of. Refuses as processes_of.
 Result<std::vector<RenderedFile>> render_host(const robot::Robot& robot, const std::string& robot_text,
                                               const std::string& host, const Places& places);
 

@@ -57,6 +57,10 @@ constexpr std::array kSpecs{
                "Median over joints of stance NRMSE over that of a lock-step run of the same gait with the same loop delay."},
     FigureSpec{"trot.packets.<process>.<topic>.sent", "1", kNone, "Samples of a topic that a process published."},
     FigureSpec{"trot.packets.<process>.<topic>.received", "1", kNone, "Samples of a topic that a process received."},
+    FigureSpec{"trot.memory_growth_KiB", "KiB", kAtMost,
+               "With --soak: by how much a process's resident memory grew from after the first tenth of the run to its end, the largest over the processes; run.processes has each one's."},
+    FigureSpec{"trot.threads_growth", "1", kAtMost, "The same of its threads."},
+    FigureSpec{"trot.descriptors_growth", "1", kAtMost, "The same of its open descriptors."},
     FigureSpec{"trot.lost_samples", "1", kAtMost, "Samples that any process knows it lost, all topics."},
 
     // trot --experiment fig7.8: Hubacher (2014), Section 7.5; quarters are named quarter1 to quarter4

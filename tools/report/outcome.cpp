@@ -46,12 +46,18 @@ Json json_of(const ProcessInfo& process) {
     topics.push_back(
         {{"topic", topic.topic}, {"sent", topic.sent}, {"received", topic.received}, {"lost", topic.lost}});
   }
-  return {{"name", process.name},
-          {"number", process.number},
-          {"pid", process.pid},
-          {"vendor", process.vendor},
-          {"missed_periods", process.missed_periods},
-          {"topics", std::move(topics)}};
+  Json json{{"name", process.name},
+            {"number", process.number},
+            {"pid", process.pid},
+            {"vendor", process.vendor},
+            {"missed_periods", process.missed_periods},
+            {"topics", std::move(topics)}};
+  if (process.growth) {
+    json["growth"] = {{"memory_KiB", process.growth->memory_KiB},
+                      {"threads", process.growth->threads},
+                      {"descriptors", process.growth->descriptors}};
+  }
+  return json;
 }
 
 Json poles_of(const std::array<double, 3>& re, const std::array<double, 3>& im) {

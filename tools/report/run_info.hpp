@@ -9,7 +9,7 @@
 
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
-#include "tools/report/figures.hpp"
+#include "tools/report/growth.hpp"
 
 namespace farrier::report {
 
@@ -32,6 +32,7 @@ struct ProcessInfo {
   std::array<double, 4> latency_s{};  ///< as signals::SystemHealth has them; 0 where not measured
   std::array<double, 4> wake_up_s{};
   std::vector<TopicCount> topics;  ///< those it sent, received or lost samples of
+  std::optional<Growth> growth{};  ///< where it was watched
 };
 
 /// What the supervisor decided about one joint's gains.

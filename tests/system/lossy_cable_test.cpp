@@ -1,0 +1,82 @@
+// The trot on three hosts in real time, in slow motion as farrier faults has it, over a cable that loses and delays.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "deployed_robot.hpp"
+#include "gait/schedule.hpp"
+#include "robot/keys.hpp"
+#include "robot_watch.hpp"
+#include "tests/support/frame_relay.hpp"
+#include "tools/report/tracking.hpp"
+#include "undisturbed.hpp"
+
+namespace farrier::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kSlow = 3;
+constexpr Tick kStanding = 500;
+constexpr Tick kTicks = 4000;
+constexpr auto kPatience = 60s;
+/// On the robot's clock: up to a period.
+constexpr Impairment kCable{.loss = 0.01, .most = kSlow * Nanoseconds(1ms)};
+
+class LossyCable : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override {
+    if (const std::string refusal = NetworkNamespaces::refusal(); !refusal.empty()) {
+      GTEST_SKIP() << refusal;
+    }
+  }
+};
+
+/// "0.05 to 0.07": stance NRMSE of the joints of the front legs, lf and rf, or of the hind legs.
+std::string stance_nrmse(const robot::Robot& robot, const report::Tracking& tracking, char end) {
+  std::vector<double> errors;
+  for (const robot::Joint& joint : robot.joints) {
+    if (robot.plan.legs[static_cast<std::size_t>(joint.leg)].name.ends_with(end)) {
+      errors.push_back(tracking.joints[joint.number].stance.nrmse);
+    }
+  }
+  const auto [least, most] = std::ranges::minmax(errors);
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f to %.3f", least, most);
+  return text;
+}
+
+TEST_P(LossyCable, TripsNoJoint) {
+  expect_undisturbed([](cli::PauseWatch& pauses) -> std::string {
+    const DeployedRun deployed{.dds = GetParam(), .clock = bus::ClockKind::kRealtime, .slow = kSlow};
+    const robot::Robot robot = deployed_robot(deployed);
+    NetworkNamespaces network = network_of(robot);
+    const FrameRelay relay(network, "front", kCable);
+    DeployedProcesses processes(robot, network, deployed);
+    {
+      const NetworkNamespaces::Visit visit(network, "brain");
+      RobotWatch watch(robot, processes.options_of("supervisor"));
+      watch.until(kStanding, kPatience);
+      pauses.forget();
+      EXPECT_GE(watch.until(kTicks, kPatience), kTicks) << processes.output();
+    }
+    EXPECT_EQ(processes.stop(), "");
+    const auto trace = record::read_trace(processes.trace_path(), robot::joint_names(robot));
+    if (!trace || HasFailure()) {
+      return trace ? "the run ended early\n" : trace.error().message;
+    }
+    const gait::Schedule schedule(robot.plan, processes.options_of("sim_bridge").seed);
+    const report::Tracking tracking = report::track(robot, schedule, trace.value(), robot.loop_delay_realtime);
+    std::printf("%s: %lu of %lu packets lost, stance NRMSE %s in front, %s behind\n", GetParam(), relay.lost(),
+                relay.packets(), stance_nrmse(robot, tracking, 'f').c_str(), stance_nrmse(robot, tracking, 'h').c_str());
+    return std::ranges::any_of(tracking.joints, &report::JointTracking::tripped) ? "a joint trips\n" : "";
+  });
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, LossyCable, testing::Values("cyclone", "fast", "mixed"),
+                         [](const auto& dds) { return std::string(dds.param); });
+
+}  // namespace
+}  // namespace farrier::test

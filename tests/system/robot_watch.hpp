@@ -1,0 +1,79 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lab/run_monitor.hpp"
+#include "participant/options.hpp"
+#include "record/trace.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::test {
+
+/// Hears the clock and the events of a running robot. To be made on the host of `seat`, the options of a process there.
+class RobotWatch {
+ public:
+  RobotWatch(const robot::Robot& robot, const participant::ProcessOptions& seat);
+  ~RobotWatch();
+
+  /// Hears until the clock has begun `tick`; the newest that it has, kNoTick: none. Less than `tick`: it stands still.
+  Tick until(Tick tick, std::chrono::seconds budget);
+  /// The newest that the clock has begun.
+  Tick now();
+  /// Asks the supervisor to arm, as an operator does.
+  void arm();
+  const lab::RunMonitor& monitor() const noexcept { return *monitor_; }
+
+ private:
+  std::unique_ptr<bus::Bus> bus_;
+  std::optional<bus::Subscription<signals::ClockTick>> clock_;
+  std::optional<bus::Publisher<signals::SystemRequest>> requests_;
+  std::optional<lab::RunMonitor> monitor_;
+  signals::SystemRequest request_;
+  Tick newest_ = kNoTick;
+};
+
+/// What the joints of some legs did, by the trace of sim_bridge.
+class JointCourse {
+ public:
+  JointCourse(const robot::Robot& robot, const std::vector<record::TraceRow>& trace, std::vector<std::string> legs);
+
+  /// The first tick from `begin` on at which all of them are `as`; nothing when there is none before `end`.
+  template <class As>
+  std::optional<Tick> first(As&& as, Tick begin, Tick end) const {
+    for (Tick tick = begin; tick < std::min(end, end_); ++tick) {
+      if (count(as, tick, tick + 1) == joints_.size()) {
+        return tick;
+      }
+    }
+    return std::nullopt;
+  }
+  /// Rows of them in [begin, end) that are `as`.
+  template <class As>
+  std::size_t count(As&& as, Tick begin, Tick end) const {
+    std::size_t found = 0;
+    for (Tick tick = begin; tick < std::min(end, end_); ++tick) {
+      for (const std::size_t joint : joints_) {
+        found += as(rows_[joint][static_cast<std::size_t>(tick)]) ? 1 : 0;
+      }
+    }
+    return found;
+  }
+  std::size_t joints() const noexcept { return joints_.size(); }
+  Tick end() const noexcept { return end_; }
+
+ private:
+  std::vector<std::size_t> joints_;
+  std::vector<std::vector<record::TraceRow>> rows_;  ///< by joint and tick
+  Tick end_ = 0;
+};
+
+bool is_null(const record::TraceRow& row);
+bool is_tracking(const record::TraceRow& row);
+bool is_silent(const record::TraceRow& row);  ///< sim_bridge hears no valve command of it
+bool has_tripped(const record::TraceRow& row);
+
+}  // namespace farrier::test

@@ -1,0 +1,47 @@
+// A run in real time leaves every process with the memory, threads and descriptors that it had after its first tenth.
+
+#include <gtest/gtest.h>
+
+#include "farrier_command.hpp"
+
+namespace farrier::test {
+namespace {
+
+constexpr std::size_t kStarted = 7;  // gait_source is the launcher itself
+constexpr auto kPatience = std::chrono::minutes(50);
+
+class Soak : public testing::TestWithParam<const char*> {};
+
+TEST_P(Soak, LetsNoProcessGrow) {
+  const ScratchDirectory scratch;
+  FarrierCommand trot({"trot", "--clock", "realtime", "--soak", "--dds", GetParam(), "--duration", FARRIER_TRACE_DURATION,
+                       "--out", scratch.file("out")});
+  ASSERT_NE(trot.wait(kPatience), -1);
+  const nlohmann::json run = read_json(scratch.file("out/figures.json"));
+  ASSERT_FALSE(run.is_discarded()) << trot.output();
+  // How the joints do meanwhile is the computer's matter.
+  for (const auto& entry : run["figures"]) {
+    if (entry["name"].get<std::string>().ends_with("_growth") || entry["name"] == "trot.memory_growth_KiB") {
+      EXPECT_TRUE(entry["holds"].get<bool>()) << entry << run.value("failures", nlohmann::json());
+    }
+  }
+  std::size_t watched = 0;
+  for (const auto& process : run["run"]["processes"]) {
+    watched += process.contains("growth") ? 1 : 0;
+  }
+  EXPECT_EQ(watched, kStarted);
+  EXPECT_EQ(figure(run, "trot.descriptors_growth"), 0.0);
+}
+
+TEST(SoakOption, IsForProcessesOfTheirOwn) {
+  const ScratchDirectory scratch;
+  std::string output;
+  EXPECT_EQ(run_farrier({"trot", "--soak", "--dds", "inproc", "--out", scratch.file("out")}, &output), 2);
+  EXPECT_NE(output.find("--soak watches the processes of one run over DDS"), std::string::npos) << output;
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, Soak, testing::Values("cyclone", "fast"),
+                         [](const auto& dds) { return std::string(dds.param); });
+
+}  // namespace
+}  // namespace farrier::test
