@@ -1,10 +1,12 @@
 #include "bus_fastdds/fast_session.hpp"
 
+#include <fastdds/dds/log/Log.hpp>
 #include <fastrtps/utils/IPFinder.h>
 #include <fastrtps/xmlparser/XMLProfileManager.h>
 
 #include <algorithm>
 #include <atomic>
+#include <regex>
 #include <sstream>
 
 #include "bus/endpoint_check.hpp"
@@ -20,6 +22,19 @@ void disable_intraprocess_delivery(dds::DomainParticipantFactory& factory) {
   eprosima::fastrtps::LibrarySettingsAttributes settings;
   settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
   eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+}
+
+// Fast DDS starts the thread of its log with the first message: on the real-time clock in the middle of the run, with a
+// stack that is locked at once. It is started here, by a message that is filtered out.
+void start_log_thread() {
+  static const bool started = [] {
+    dds::Log::SetErrorStringFilter(std::regex("(?!)"));
+    dds::Log::QueueLog("", {}, dds::Log::Kind::Info);
+    dds::Log::Flush();
+    dds::Log::SetErrorStringFilter(std::regex(""));
+    return true;
+  }();
+  static_cast<void>(started);
 }
 
 // Fast DDS would join with a participant that hears nobody.
@@ -48,6 +63,7 @@ Result<std::shared_ptr<FastSession>> FastSession::open(const bus::NetworkOptions
   }
   auto factory = dds::DomainParticipantFactory::get_shared_instance();
   disable_intraprocess_delivery(*factory);
+  start_log_thread();
   // Fast DDS 2.9 does not give back the index of a participant that it refuses for its security.
   static std::atomic<int> lost_indices{0};
   for (int index = free_participant_index(options, lost_indices); index >= 0;
