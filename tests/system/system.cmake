@@ -37,7 +37,7 @@ function(farrier_hosts_test name label duration)
   target_compile_definitions(${name} PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}")
   add_dependencies(${name} ${FARRIER_PROCESSES})
 endfunction()
-farrier_hosts_test(three_hosts_test system 0.6 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
+farrier_hosts_test(three_hosts_test system 0.3 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
 farrier_hosts_test(long_three_hosts_test long 3 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
 farrier_test(frame_relay_test system ${CMAKE_CURRENT_LIST_DIR}/frame_relay_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/support/frame_relay.cpp ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
