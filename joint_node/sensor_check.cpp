@@ -57,7 +57,10 @@ SensorCheck::Verdict SensorCheck::take(const signals::JointSensors& newest, doub
   const bool finite = std::isfinite(newest.position_m_or_rad) && std::isfinite(newest.velocity_m_s_or_rad_s);
   const bool motion_good =
       age_s <= safety_.sensors_stale_s && finite && position_in_range(newest) && reachable(newest) && !frozen;
-  const bool force_good = std::abs(newest.force_N_or_Nm) <= largest_force_;  // false for no number
+  // A stop that is hit pushes with whatever it takes. Both are false for no number.
+  const bool at_stop = std::isfinite(newest.force_N_or_Nm) &&
+                       (newest.position_m_or_rad <= 0.0 || newest.position_m_or_rad >= stroke_);
+  const bool force_good = std::abs(newest.force_N_or_Nm) <= largest_force_ || at_stop;
   last_ = newest;
   good_motion_ = counted(good_motion_, motion_good, new_samples);
   good_force_ = counted(good_force_, force_good, new_samples);

@@ -61,6 +61,7 @@ TEST(JointNode, ActsOnNoReadingThatIsNoneOfThisJoint) {
   using enum JointState;
   for (const Reading& reading : {Reading{home, 4.9 * force, kTracking}, Reading{home, -4.9 * force, kTracking},
                                  Reading{home, 5.1 * force, kDamping}, Reading{home, -5.1 * force, kDamping},
+                                 Reading{1.02 * stroke, -20.0 * force, kTracking},
                                  Reading{-0.09 * stroke, 0, kTracking}, Reading{1.09 * stroke, 0, kTracking},
                                  Reading{-0.11 * stroke, 0, kNull}, Reading{1.11 * stroke, 0, kNull},
                                  Reading{1e308, 0, kNull}, Reading{home, -1e308, kDamping}}) {

@@ -57,6 +57,17 @@ TEST(Arrival, TakesASenderThatBeganAnewAfterASilence) {
   EXPECT_TRUE(arrival.take(1, 1'000'123, kStart + 5102ms + 100us));
 }
 
+TEST(Arrival, HoldsForLateWhatWaitedThroughASilence) {
+  Arrival arrival;
+  Sender sender(arrival);
+  for (Tick tick = 0; tick < 10; ++tick) {
+    sender.late(tick, 200us);
+  }
+  // Whoever of the two was stopped for 0.15 s: the first that comes is as old as that, the next is not.
+  EXPECT_GT(*sender.late(10, 150ms), 149ms);
+  EXPECT_LT(*sender.late(161, 250us), 100us);
+}
+
 TEST(Arrival, TakesNoTickThatNoSenderCanHaveGotTo) {
   Arrival arrival;
   Sender sender(arrival);
