@@ -84,8 +84,11 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
   ports_.valves->drain([&](const signals::JointValveCommand& valve) {
     statistics_.answered(valve.sample_time_ns, now);
     for (std::size_t i = 0; i < numbers_.size(); ++i) {
-      if (numbers_[i] == valve.joint && std::isfinite(valve.valve_current_A) && mail_[i].arrival.take(valve.tick, valve.sample_time_ns, now)) {
-        mail_[i].valve.store({valve, now});
+      if (numbers_[i] != valve.joint || !std::isfinite(valve.valve_current_A)) {
+        continue;
+      }
+      if (const auto came = mail_[i].arrival.take(valve.tick, valve.sample_time_ns, now)) {
+        mail_[i].valve.store({valve, *came});
       }
     }
   });

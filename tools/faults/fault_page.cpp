@@ -73,7 +73,8 @@ std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t plan
       "# Faults\n\nWritten by `farrier faults --page`, which makes each of these happen to a trot of real processes on "
       "the real-time\nclock, in slow motion: every row in stance and in swing, over each vendor, by each seed. Times "
       "are the longest of a\nrow's cells, in control periods of `sim_bridge`, beside what is asked.\n\n" +
-      std::to_string(held) + " of " + std::to_string(planned) + " cells held. Vendors: " +
+      std::to_string(held) + " of " + std::to_string(planned) + " cells held, " + std::to_string(planned - cells.size()) +
+      " were not run. Vendors: " +
       listed(cells, [](const Cell& cell) { return cell.vendor; }) + ". Seeds: " +
       listed(cells, [](const Cell& cell) { return std::to_string(cell.seed); }) + ".\n\n" +
       "| row | what happens | what each process does | what an operator sees | measured |\n|---|---|---|---|---|\n";
