@@ -203,15 +203,13 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   control::ForceReference reference = 0.0;
   double current_A = 0;
   const bool without_force = now == JointState::kDamping && faults_.has(Fault::kForceLost);
-  if (now == JointState::kNull || without_force) {
-    reset_controller();
-  }
   if (!without_force) {
     held_position_ = inputs.sensors.position_m_or_rad;
   }
-  if (without_force) {
-    current_A = holding_current(inputs.sensors.position_m_or_rad);
-  } else if (now != JointState::kNull) {
+  if (now == JointState::kNull || without_force) {
+    reset_controller();
+    current_A = without_force ? holding_current(inputs.sensors.position_m_or_rad) : 0.0;
+  } else {
     control::Measurement measured = compensation_.corrected({inputs.sensors.position_m_or_rad,
                                                              inputs.sensors.velocity_m_s_or_rad_s,
                                                              inputs.sensors.force_N_or_Nm});

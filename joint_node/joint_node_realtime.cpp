@@ -78,6 +78,7 @@ class JointNodeRealtime final : public participant::RealtimeApplication {
   Nanoseconds period_;
   Tick stepped_for_ = kNoTick;  ///< bus thread: newest tick for which the control thread was woken
   SteadyTime next_health_{};
+  std::vector<signals::JointMeasurement> measured_;  ///< sender thread
   std::atomic<std::uint64_t> periods_{0};
   std::atomic<std::uint64_t> missed_{0};
   std::atomic<Tick> last_tick_{kNoTick};
@@ -199,11 +200,15 @@ void JointNodeRealtime::send() {
   for (Mailbox& mail : mail_) {
     for (JointNode::Outputs outputs; mail.outputs.pop(outputs);) {
       ports_.valves->publish(outputs.valve);
-      ports_.measurements->publish(outputs.measurement);
+      measured_.push_back(outputs.measurement);
     }
   }
-  ports_.valves->flush();
+  ports_.valves->flush();  // a valve waits for no estimator
+  for (const signals::JointMeasurement& measurement : measured_) {
+    ports_.measurements->publish(measurement);
+  }
   ports_.measurements->flush();
+  measured_.clear();
 }
 
 }  // namespace

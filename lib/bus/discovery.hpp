@@ -19,10 +19,17 @@ struct DiscoveredEndpoint {
   int ownership_strength = 0;
 };
 
+/// The clock of day where a process runs, which DDS stamps its samples with.
+struct DiscoveredClock {
+  std::string participant;  ///< GUID prefix
+  Nanoseconds ahead;        ///< of the clock here, less what its quickest sample was on its way
+};
+
 /// Who and what is in a domain.
 struct Discovery {
   std::vector<std::string> participants;  ///< GUID prefixes of all but the one that looks
   std::vector<DiscoveredEndpoint> endpoints;
+  std::vector<DiscoveredClock> clocks;  ///< of those that reported their health meanwhile
 };
 
 }  // namespace farrier::bus

@@ -8,10 +8,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// 1 kHz streams: freshness is what counts; the DDS deadline and liveliness are the second net behind the
-// application's own ages.
-constexpr Qos kStream{Reliability::kBestEffort, Durability::kVolatile, 1, 2ms, Liveliness::kManualByTopic, 20ms,
-                      Ownership::kShared};
+// Freshness is what counts. Who waits for a stream goes by the age of its samples: a deadline or a lease of DDS's would
+// say later what ages say, and wake a timer thread of the vendor's with every sample (docs/decisions/0047).
 constexpr Qos kLatest{Reliability::kBestEffort, Durability::kVolatile, 1, kInfinite, Liveliness::kAutomatic,
                         kInfinite, Ownership::kShared};
 // Authority over the robot: a standby supervisor takes over by ownership strength.
@@ -40,10 +38,10 @@ constexpr RoleSet kTickers{Role::kEstimatorService, Role::kSupervisor, Role::kGa
 
 // clang-format off
 constexpr std::array<TopicSpec, kTopicCount> kTopics{
-    FARRIER_TOPIC(JointSensors, "joint/sensors", joint_sensors, {Role::kSimBridge}, "joint_node", "joint", 1, Route::kLeg, Sending::kTogether, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointCommand, "joint/command", joint_command, {Role::kGaitSource}, "joint_node", "joint", 1, Route::kLeg, Sending::kTogether, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointValveCommand, "joint/valve_command", joint_valve_command, {Role::kJointNode}, "sim_bridge", "joint", 1, Route::kRobot, Sending::kTogether, kStream, kTwoTicks),
-    FARRIER_TOPIC(JointMeasurement, "joint/measurement", joint_measurement, {Role::kJointNode}, "estimator_service", "joint", 1, Route::kRobot, Sending::kTogether, kStream, kTwoTicks),
+    FARRIER_TOPIC(JointSensors, "joint/sensors", joint_sensors, {Role::kSimBridge}, "joint_node", "joint", 1, Route::kLeg, Sending::kTogether, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointCommand, "joint/command", joint_command, {Role::kGaitSource}, "joint_node", "joint", 1, Route::kLeg, Sending::kTogether, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointValveCommand, "joint/valve_command", joint_valve_command, {Role::kJointNode}, "sim_bridge", "joint", 1, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointMeasurement, "joint/measurement", joint_measurement, {Role::kJointNode}, "estimator_service", "joint", 1, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointModelEstimate, "joint/model_estimate", joint_model_estimate, {Role::kEstimatorService}, "supervisor", "joint", 3, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointControllerGains, "joint/controller_gains", joint_controller_gains, {Role::kSupervisor}, "joint_node, sim_bridge", "joint, phase", 3, Route::kLeg, Sending::kAtOnce, kAuthority, kTwoTicks),
     FARRIER_TOPIC(JointUpdateDecision, "joint/update_decision", joint_update_decision, {Role::kSupervisor}, "monitors", "joint", 2, Route::kRobot, Sending::kAtOnce, announcements(kDecisions), kDecisions),

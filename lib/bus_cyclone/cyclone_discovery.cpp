@@ -2,25 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
+#include "bus_cyclone/cyclone_clocks.hpp"
 #include "bus_cyclone/cyclone_domain.hpp"
+#include "bus_cyclone/cyclone_guid.hpp"
 
 namespace farrier::bus_cyclone {
 namespace {
 
-constexpr std::size_t kPrefixBytes = 12;  // of a GUID; the rest tells a participant's entities apart
 constexpr std::size_t kSamplesAtOnce = 64;
-
-std::string prefix_text(const dds_guid_t& guid) {
-  std::string text;
-  for (std::size_t i = 0; i < kPrefixBytes; ++i) {
-    char digits[3];
-    std::snprintf(digits, sizeof digits, "%02x", static_cast<unsigned>(guid.v[i]));
-    text += digits;
-  }
-  return text;
-}
 
 Nanoseconds time_of(dds_duration_t duration) { return Nanoseconds(duration); }
 
@@ -113,8 +103,8 @@ Result<bus::Discovery> discover(const bus::NetworkOptions& options, Nanoseconds 
   dds_guid_t self{};
   dds_get_guid(participant, &self);
   const std::string own = prefix_text(self);
-  dds_sleepfor(how_long.count());
   bus::Discovery found;
+  found.clocks = compare_clocks(participant, how_long);
   for_each_alive<dds_builtintopic_participant_t>(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, [&](const auto& p) {
     if (prefix_text(p.key) != own) {
       found.participants.push_back(prefix_text(p.key));

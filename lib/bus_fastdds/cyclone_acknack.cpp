@@ -59,16 +59,19 @@ void translate(const Submessage& acknack) noexcept {
 
 }  // namespace
 
-void translate_cyclone_acknacks(std::span<std::uint8_t> datagram) noexcept {
+bool translate_cyclone_acknacks(std::span<std::uint8_t> datagram) noexcept {
+  bool secured = false;
   if (!is_from_cyclone(datagram)) {
-    return;
+    return secured;
   }
-  for_each_submessage(datagram, [](const Submessage& submessage) {
+  for_each_submessage(datagram, [&](const Submessage& submessage) {
     if (submessage.kind == kAcknack) {
       translate(submessage);
     }
-    return submessage.kind != kSecurePrefix && submessage.kind != kSecureRtpsPrefix;  // behind them it would be signed
+    secured = submessage.kind == kSecurePrefix || submessage.kind == kSecureRtpsPrefix;
+    return !secured;
   });
+  return secured;
 }
 
 }  // namespace farrier::bus_fastdds

@@ -14,6 +14,7 @@ namespace farrier::bus_fastdds {
 /// greeting by base 0, which is its own dialect, and takes count 0 for a repetition. Its endpoint announcements
 /// then wait for their next heartbeat, which has a fixed period of one second: so long a process that starts beside
 /// one of the other vendor would be deaf to it. Here a greeting gets base 0, and every count is raised by one.
-void translate_cyclone_acknacks(std::span<std::uint8_t> datagram) noexcept;
+/// True when it ends at something signed or encrypted.
+bool translate_cyclone_acknacks(std::span<std::uint8_t> datagram) noexcept;
 
 }  // namespace farrier::bus_fastdds

@@ -32,9 +32,10 @@ class StartupTransport final : public rtps::ChainingTransport {
                const rtps::Locator& local, const rtps::Locator& remote) override {
     // The buffer belongs to the thread that calls, which fills it anew for every datagram.
     const std::span<octet> datagram(const_cast<octet*>(bytes), size);
-    translate_cyclone_acknacks(datagram);
-    if (const std::vector<octet> first = handshake_without_secured(datagram); !first.empty()) {
-      receiver->OnDataReceived(first.data(), static_cast<std::uint32_t>(first.size()), local, remote);
+    if (translate_cyclone_acknacks(datagram)) {
+      if (const std::vector<octet> first = handshake_without_secured(datagram); !first.empty()) {
+        receiver->OnDataReceived(first.data(), static_cast<std::uint32_t>(first.size()), local, remote);
+      }
     }
     receiver->OnDataReceived(bytes, size, local, remote);
   }

@@ -29,13 +29,12 @@ class Arrival {
     }
     const Nanoseconds way = now.time_since_epoch() - Nanoseconds(sampled_ns);
     const SteadyTime before = sequence_.heard();
-    const bool heard_any = before != SteadyTime{};
     const bool anew = sequence_.begins_anew(now);
     if ((!anew && quickest_ - way > Sequence::kRestart) || !sequence_.take(tick, now)) {
       return std::nullopt;
     }
     // What was held up while this process or its sender stood still comes late after a silence: the clock is the same.
-    const bool same_clock = !anew || (heard_any && way >= quickest_ && way - quickest_ <= kLongest);
+    const bool same_clock = !anew || (before != SteadyTime{} && way >= quickest_ && way - quickest_ <= kLongest);
     const auto drift = std::chrono::duration_cast<Nanoseconds>(kDrift * (now - before));
     const Nanoseconds quickest = same_clock ? std::min(way, quickest_ + drift) : way;
     quickest_ = way - quickest > kLongest ? way : quickest;

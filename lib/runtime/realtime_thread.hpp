@@ -10,6 +10,8 @@ namespace farrier::runtime {
 inline constexpr int kControlPriority = 80;
 inline constexpr int kBusPriority = 60;
 inline constexpr int kServicePriority = 40;
+/// Of what is no part of a robot and must not wait for one: a watch over the computer, a cable in a test.
+inline constexpr int kWatchPriority = kControlPriority + 10;
 
 /// Name of the calling thread, at most 15 characters, as ps -L and a debugger show it.
 void name_thread(const char* name) noexcept;

@@ -29,9 +29,6 @@ using Frame = std::vector<std::byte>;
 constexpr std::size_t kFrontMatter = 10;  // struct virtio_net_hdr of linux/virtio_net.h, which is no C++
 constexpr std::size_t kLongestFrame = kFrontMatter + ETH_HLEN + 65536;
 
-/// A cable is never busy with other things.
-constexpr int kAboveAll = runtime::kControlPriority + 10;
-
 /// All frames that come to an interface of the calling thread's namespace.
 Descriptor open_interface(const std::string& name) {
   Descriptor opened(::socket(AF_PACKET, SOCK_RAW | SOCK_CLOEXEC | SOCK_NONBLOCK, htons(ETH_P_ALL)));
@@ -71,9 +68,8 @@ class Way {
   std::pair<int, int> take() {
     int packets = 0;
     int lost = 0;
-    Frame frame(kLongestFrame);
-    for (ssize_t length; (length = ::recv(from_, frame.data(), frame.size(), 0)) > 0; frame.resize(kLongestFrame)) {
-      frame.resize(static_cast<std::size_t>(length));
+    for (ssize_t length; (length = ::recv(from_, buffer_.data(), buffer_.size(), 0)) > 0;) {
+      const Frame frame(buffer_.begin(), buffer_.begin() + length);
       if (!is_ipv4(frame)) {
         send(frame);
         continue;
@@ -118,6 +114,7 @@ class Way {
   const Impairment& impairment_;
   int from_, to_;
   NoiseStream loss_, delay_, duplicate_, reorder_;
+  Frame buffer_ = Frame(kLongestFrame);
   Tick count_ = 0;
   Clock::time_point in_order_{};
   std::multimap<Clock::time_point, Frame> waiting_;  ///< of equal times in the order in which they came
@@ -130,7 +127,7 @@ FrameRelay::FrameRelay(NetworkNamespaces& network, const std::string& host, cons
   const auto [towards_host, towards_bridge] = network.open_cable(host);
   const NetworkNamespaces::Visit visit(network, NetworkNamespaces::kSwitch);
   thread_ = std::thread([this, host_end = open_interface(towards_host), bridge_end = open_interface(towards_bridge)] {
-    static_cast<void>(runtime::set_priority(kAboveAll));
+    static_cast<void>(runtime::set_priority(runtime::kWatchPriority));
     carry(host_end.number(), bridge_end.number());
   });
 }

@@ -5,19 +5,14 @@
 
 #include <cstdio>
 
-#include "deployed_robot.hpp"
-#include "robot/keys.hpp"
 #include "robot_watch.hpp"
+#include "tests/support/needs_network_namespaces.hpp"
 #include "undisturbed.hpp"
 
 namespace farrier::test {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr int kSlow = 3;
 // All in ticks, of 1 ms in slow motion.
-constexpr Tick kStanding = 500;
 constexpr Tick kUndisturbed = 2500;
 constexpr Tick kCuts[] = {300, 2000};
 constexpr Tick kUntilArmed = 500;
@@ -27,7 +22,6 @@ constexpr Tick kHeardAgainWithin = 50; // 150 ms of the machine's: DDS goes by i
 constexpr Tick kTrackingWithin = 24;   // as docs/faults.md
 /// A computer that others use stands still now and then.
 constexpr double kMayNotTrack = 0.1;
-constexpr auto kPatience = 60s;
 
 /// When what was done to the cable; ticks of the clock, which may be some more by then.
 struct Cut {
@@ -46,14 +40,7 @@ struct CutRun {
   std::string problems;   ///< a line each
 };
 
-class CutCable : public testing::TestWithParam<const char*> {
- protected:
-  void SetUp() override {
-    if (const std::string refusal = NetworkNamespaces::refusal(); !refusal.empty()) {
-      GTEST_SKIP() << refusal;
-    }
-  }
-};
+class CutCable : public NeedsNetworkNamespaces<testing::TestWithParam<const char*>> {};
 
 /// Cuts the cable for each of kCuts and arms the robot after each.
 void play(const NetworkNamespaces& network, const DeployedProcesses& processes, const robot::Robot& robot,
@@ -115,16 +102,15 @@ void judge(const JointCourse& front, const JointCourse& hind, CutRun& run) {
 
 TEST_P(CutCable, StopsTheLegsBehindItUntilTheyAreArmedAndNoOthers) {
   expect_undisturbed([](cli::PauseWatch& pauses) -> std::string {
-    const DeployedRun deployed{.dds = GetParam(), .clock = bus::ClockKind::kRealtime, .slow = kSlow};
+    const DeployedRun deployed = slow_run(GetParam());
     const robot::Robot robot = deployed_robot(deployed);
     const NetworkNamespaces network = network_of(robot);
     DeployedProcesses processes(robot, network, deployed);
     CutRun run;
     play(network, processes, robot, pauses, run);
-    EXPECT_EQ(processes.stop(), "");
-    const auto trace = record::read_trace(processes.trace_path(), robot::joint_names(robot));
-    if (!trace || HasFailure()) {
-      return trace ? "the run ended early\n" : trace.error().message;
+    const auto trace = trace_after(processes, robot);
+    if (!trace) {
+      return trace.error().message + "\n";
     }
     judge(JointCourse(robot, trace.value(), {"lf", "rf"}), JointCourse(robot, trace.value(), {"lh", "rh"}), run);
     std::printf("%s:\n%s", GetParam(), run.figures.c_str());

@@ -138,6 +138,17 @@ int run_farrier(const std::vector<std::string>& arguments, std::string* output, 
   return status;
 }
 
+std::string trace_of_trot(const std::vector<std::string>& options) {
+  const ScratchDirectory scratch;
+  std::vector<std::string> arguments{"trot", "--out", scratch.file("out"), "--trace", scratch.file("trace.csv")};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  std::string output;
+  run_farrier(arguments, &output);
+  const std::string trace = read_file(scratch.file("trace.csv"));
+  EXPECT_FALSE(trace.empty()) << output;
+  return trace;
+}
+
 std::string read_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;

@@ -53,6 +53,9 @@ std::vector<pid_t> processes_of_session(pid_t launcher);
 int run_farrier(const std::vector<std::string>& arguments, std::string* output = nullptr,
                 const Surroundings& surroundings = {});
 
+/// Trace of a trot with these options, in a directory of its own; one that leaves none fails the test.
+std::string trace_of_trot(const std::vector<std::string>& options);
+
 std::string read_file(const std::string& path);
 nlohmann::json read_json(const std::string& path);
 

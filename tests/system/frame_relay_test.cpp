@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "tests/support/frame_relay.hpp"
+#include "tests/support/needs_network_namespaces.hpp"
 
 namespace farrier::test {
 namespace {
@@ -57,14 +58,7 @@ std::vector<int> received_over(const Impairment& impairment) {
   return received;
 }
 
-class BadCable : public testing::Test {
- protected:
-  void SetUp() override {
-    if (const std::string refusal = NetworkNamespaces::refusal(); !refusal.empty()) {
-      GTEST_SKIP() << refusal;
-    }
-  }
-};
+class BadCable : public NeedsNetworkNamespaces<testing::Test> {};
 
 TEST_F(BadCable, CarriesEverythingInItsOrderUnlessToldOtherwise) {
   std::vector<int> all(kDatagrams);

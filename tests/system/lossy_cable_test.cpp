@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "deployed_robot.hpp"
 #include "gait/schedule.hpp"
-#include "robot/keys.hpp"
 #include "robot_watch.hpp"
 #include "tests/support/frame_relay.hpp"
+#include "tests/support/needs_network_namespaces.hpp"
 #include "tools/report/tracking.hpp"
 #include "undisturbed.hpp"
 
@@ -18,21 +17,11 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr int kSlow = 3;
-constexpr Tick kStanding = 500;
 constexpr Tick kTicks = 4000;
-constexpr auto kPatience = 60s;
 /// On the robot's clock: up to a period.
 constexpr Impairment kCable{.loss = 0.01, .most = kSlow * Nanoseconds(1ms)};
 
-class LossyCable : public testing::TestWithParam<const char*> {
- protected:
-  void SetUp() override {
-    if (const std::string refusal = NetworkNamespaces::refusal(); !refusal.empty()) {
-      GTEST_SKIP() << refusal;
-    }
-  }
-};
+class LossyCable : public NeedsNetworkNamespaces<testing::TestWithParam<const char*>> {};
 
 /// "0.05 to 0.07, 2 % not tracking": stance NRMSE of the joints of the front legs, lf and rf, or of the hind legs.
 std::string stance_nrmse(const robot::Robot& robot, const report::Tracking& tracking, char end) {
@@ -56,7 +45,7 @@ std::string stance_nrmse(const robot::Robot& robot, const report::Tracking& trac
 
 TEST_P(LossyCable, TripsNoJoint) {
   expect_undisturbed([](cli::PauseWatch& pauses) -> std::string {
-    const DeployedRun deployed{.dds = GetParam(), .clock = bus::ClockKind::kRealtime, .slow = kSlow};
+    const DeployedRun deployed = slow_run(GetParam());
     const robot::Robot robot = deployed_robot(deployed);
     NetworkNamespaces network = network_of(robot);
     const FrameRelay relay(network, "front", kCable);
@@ -68,10 +57,9 @@ TEST_P(LossyCable, TripsNoJoint) {
       pauses.forget();
       EXPECT_GE(watch.until(kTicks, kPatience), kTicks) << processes.output();
     }
-    EXPECT_EQ(processes.stop(), "");
-    const auto trace = record::read_trace(processes.trace_path(), robot::joint_names(robot));
-    if (!trace || HasFailure()) {
-      return trace ? "the run ended early\n" : trace.error().message;
+    const auto trace = trace_after(processes, robot);
+    if (!trace) {
+      return trace.error().message + "\n";
     }
     const gait::Schedule schedule(robot.plan, processes.options_of("sim_bridge").seed);
     const report::Tracking tracking = report::track(robot, schedule, trace.value(), robot.loop_delay_realtime);

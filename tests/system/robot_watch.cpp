@@ -6,6 +6,7 @@
 
 #include "bus_factory/bus_factory.hpp"
 #include "core/fault.hpp"
+#include "robot/keys.hpp"
 
 namespace farrier::test {
 namespace {
@@ -18,6 +19,15 @@ bool in_state(const record::TraceRow& row, signals::JointState state) {
 }
 
 }  // namespace
+
+Result<std::vector<record::TraceRow>> trace_after(DeployedProcesses& processes, const robot::Robot& robot) {
+  EXPECT_EQ(processes.stop(), "");
+  auto trace = record::read_trace(processes.trace_path(), robot::joint_names(robot));
+  if (trace && testing::Test::HasFailure()) {
+    return Error{"the run ended early"};
+  }
+  return trace;
+}
 
 RobotWatch::RobotWatch(const robot::Robot& robot, const participant::ProcessOptions& seat) {
   const participant::Identity identity{.name = "watch",

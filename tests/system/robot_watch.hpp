@@ -6,12 +6,25 @@
 #include <string>
 #include <vector>
 
+#include "deployed_robot.hpp"
 #include "lab/run_monitor.hpp"
 #include "participant/options.hpp"
 #include "record/trace.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::test {
+
+/// A deployment in real time, in slow motion as farrier faults has it.
+inline constexpr int kSlow = 3;
+/// Ticks after which the robot is armed and stands.
+inline constexpr Tick kStanding = 500;
+inline constexpr std::chrono::seconds kPatience{60};  ///< for what is some seconds of the robot's
+inline DeployedRun slow_run(const std::string& dds) {
+  return {.dds = dds, .clock = bus::ClockKind::kRealtime, .slow = kSlow};
+}
+
+/// Ends the processes. The trace of sim_bridge, or why it cannot be judged.
+Result<std::vector<record::TraceRow>> trace_after(DeployedProcesses& processes, const robot::Robot& robot);
 
 /// Hears the clock and the events of a running robot. To be made on the host of `seat`, the options of a process there.
 class RobotWatch {

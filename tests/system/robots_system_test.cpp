@@ -7,31 +7,17 @@
 namespace farrier::test {
 namespace {
 
-struct Trot {
-  int status;
-  std::string trace;
-  std::string output;
-};
-
-Trot trot(const std::string& robot, const std::vector<std::string>& more) {
-  const ScratchDirectory scratch;
-  std::vector<std::string> arguments{"trot",  "--robot", robot,
-                                     "--out", scratch.file("out"), "--trace", scratch.file("trace.csv")};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  Trot one{};
-  one.status = run_farrier(arguments, &one.output);
-  one.trace = read_file(scratch.file("trace.csv"));
-  return one;
-}
-
 std::string shipped(const std::string& name) { return std::string(FARRIER_ROBOTS) + "/" + name + ".yaml"; }
 
 class OtherRobot : public testing::TestWithParam<const char*> {};
 
 TEST_P(OtherRobot, TrotsOverBothVendorsAsItDoesInProcess) {
-  const Trot alone = trot(shipped(GetParam()), {"--duration", "1.5", "--dds", "inproc"});
-  ASSERT_GT(alone.trace.size(), 1000u) << alone.output;
-  EXPECT_TRUE(trot(shipped(GetParam()), {"--duration", "1.5", "--dds", "mixed"}).trace == alone.trace);
+  const auto trace_over = [](const char* dds) {
+    return trace_of_trot({"--robot", shipped(GetParam()), "--duration", "1.5", "--dds", dds});
+  };
+  const std::string alone = trace_over("inproc");
+  ASSERT_GT(alone.size(), 1000u);
+  EXPECT_TRUE(trace_over("mixed") == alone);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shipped, OtherRobot, testing::Values("hexapod", "electric_leg"),

@@ -21,18 +21,6 @@ const std::string& keys() {
   return folder;
 }
 
-std::string trace_of(std::vector<std::string> options) {
-  const ScratchDirectory scratch;
-  std::vector<std::string> arguments{"trot", "--duration", kDuration, "--out", scratch.file("out"),
-                                     "--trace", scratch.file("trace.csv")};
-  arguments.insert(arguments.end(), options.begin(), options.end());
-  std::string output;
-  run_farrier(arguments, &output);
-  const std::string trace = read_file(scratch.file("trace.csv"));
-  EXPECT_FALSE(trace.empty()) << output;
-  return trace;
-}
-
 TEST(SecurityCommand, ChecksWhatItMade) {
   std::string output;
   EXPECT_EQ(run_farrier({"security", "check", keys()}, &output), 0) << output;
@@ -41,9 +29,9 @@ TEST(SecurityCommand, ChecksWhatItMade) {
 class SecureTrot : public testing::TestWithParam<const char*> {};
 
 TEST_P(SecureTrot, BeginsAndLeavesTheTraceOfAnOpenOne) {
-  static const std::string open = trace_of({"--dds", "inproc"});
+  static const std::string open = trace_of_trot({"--duration", kDuration, "--dds", "inproc"});
   ASSERT_GT(open.size(), 1000u);
-  EXPECT_TRUE(trace_of({"--dds", GetParam(), "--security", keys()}) == open);
+  EXPECT_TRUE(trace_of_trot({"--duration", kDuration, "--dds", GetParam(), "--security", keys()}) == open);
 }
 
 // Mixed three times: handshakes between the vendors have more than one way to go wrong.

@@ -8,6 +8,7 @@
 
 #include "deployed_robot.hpp"
 #include "tests/support/frame_relay.hpp"
+#include "tests/support/needs_network_namespaces.hpp"
 
 namespace farrier::test {
 namespace {
@@ -19,26 +20,12 @@ const Tick kTicks = std::lround(std::atof(kDuration) * 1e3);
 
 /// Of a run in one process, with the gains of the deployment.
 const std::string& reference_trace() {
-  static const std::string trace = [] {
-    const ScratchDirectory scratch;
-    std::string output;
-    run_farrier({"trot", "--dds", "inproc", "--design", "phases", "--duration", kDuration, "--out", scratch.file("out")},
-                &output);
-    std::string text = read_file(scratch.file("out/trace.csv"));
-    EXPECT_FALSE(text.empty()) << output;
-    return text;
-  }();
+  static const std::string trace =
+      trace_of_trot({"--dds", "inproc", "--design", "phases", "--duration", kDuration});
   return trace;
 }
 
-class ThreeHosts : public testing::TestWithParam<const char*> {
- protected:
-  void SetUp() override {
-    if (const std::string refusal = NetworkNamespaces::refusal(); !refusal.empty()) {
-      GTEST_SKIP() << refusal;
-    }
-  }
-};
+class ThreeHosts : public NeedsNetworkNamespaces<testing::TestWithParam<const char*>> {};
 
 TEST_P(ThreeHosts, RunTheTrotInLockstepToTheSameTrace) {
   const DeployedRun run{.dds = GetParam(), .ticks = kTicks};

@@ -17,16 +17,8 @@ using namespace std::chrono_literals;
 
 constexpr const char* kDuration = FARRIER_TRACE_DURATION;
 
-/// Trace of a run; empty when it has left none.
 std::string trace_of(const std::string& dds, const std::string& nodes) {
-  const ScratchDirectory scratch;
-  std::string output;
-  run_farrier({"trot", "--dds", dds, "--nodes", nodes, "--duration", kDuration, "--out", scratch.file("out"), "--trace",
-               scratch.file("trace.csv")},
-              &output);
-  const std::string trace = read_file(scratch.file("trace.csv"));
-  EXPECT_FALSE(trace.empty()) << output;
-  return trace;
+  return trace_of_trot({"--dds", dds, "--nodes", nodes, "--duration", kDuration});
 }
 
 const std::string& reference_trace() {

@@ -108,10 +108,10 @@ INSTANTIATE_TEST_SUITE_P(
         Misfit{"DURABILITY: volatile is offered and transient local is asked for",
                [](bus::Qos&, bus::Qos& asked) { asked.durability = bus::Durability::kTransientLocal; }},
         Misfit{"DEADLINE: infinite is offered and 2 ms is asked for",
-               [](bus::Qos& offered, bus::Qos&) { offered.deadline = bus::kInfinite; }},
+               [](bus::Qos&, bus::Qos& asked) { asked.deadline = 2ms; }},
         Misfit{"LIVELINESS kind: automatic is offered and manual by topic is asked for",
-               [](bus::Qos& offered, bus::Qos&) { offered.liveliness = bus::Liveliness::kAutomatic; }},
-        Misfit{"LIVELINESS lease: 20 ms is offered and 10 ms is asked for",
+               [](bus::Qos&, bus::Qos& asked) { asked.liveliness = bus::Liveliness::kManualByTopic; }},
+        Misfit{"LIVELINESS lease: infinite is offered and 10 ms is asked for",
                [](bus::Qos&, bus::Qos& asked) { asked.lease = 10ms; }},
         Misfit{"OWNERSHIP: shared is offered and exclusive is asked for",
                [](bus::Qos&, bus::Qos& asked) { asked.ownership = bus::Ownership::kExclusive; }}));
@@ -139,6 +139,16 @@ TEST(BusFindings, NameSupervisorsOfOneStrengthAndLetAStandbyBe) {
                                              "strength: ") + kNode + ", " + kOther);
   found.endpoints.back().ownership_strength = -1;
   EXPECT_EQ(only_finding(found), "");
+}
+
+TEST(BusFindings, NameClocksThatDifferByMoreThanASampleIsOnItsWay) {
+  bus::Discovery found = healthy();
+  found.clocks = {{kBridge, -20ms}, {kNode, 40ms}};
+  EXPECT_EQ(only_finding(found), "");
+  found.clocks[0].ahead = -1500ms;
+  EXPECT_EQ(only_finding(found), std::string("the clock of process ") + kBridge + " is 1.5 s behind this computer's");
+  found.clocks = {{kNode, 1h}};
+  EXPECT_EQ(only_finding(found), std::string("the clock of process ") + kNode + " is 3600 s ahead of this computer's");
 }
 
 }  // namespace

@@ -14,6 +14,8 @@
 #include <fstream>
 #include <thread>
 
+#include "runtime/processors.hpp"
+
 namespace farrier::cli {
 namespace {
 
@@ -37,7 +39,7 @@ std::deque<std::string> last_lines(const std::string& path, std::size_t count) {
 
 Result<ChildProcess> ChildProcess::start(const std::string& name, const std::string& executable,
                                          const std::vector<std::string>& arguments, const std::string& log_path,
-                                         const std::vector<std::string>& environment) {
+                                         const Surroundings& surroundings) {
   const int log = ::open(log_path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (log < 0) {
     return Error{"cannot write " + log_path + ": " + std::strerror(errno)};
@@ -48,7 +50,7 @@ Result<ChildProcess> ChildProcess::start(const std::string& name, const std::str
   }
   argv.push_back(nullptr);
   std::vector<char*> envp;
-  for (const std::string& variable : environment) {
+  for (const std::string& variable : surroundings.environment) {
     envp.push_back(const_cast<char*>(variable.c_str()));
   }
   for (char** variable = environ; *variable != nullptr; ++variable) {
@@ -64,6 +66,9 @@ Result<ChildProcess> ChildProcess::start(const std::string& name, const std::str
     }
     // Ctrl-C goes to the launcher alone, which ends its children in order.
     ::setpgid(0, 0);
+    if (surroundings.processor) {
+      runtime::stay_on(*surroundings.processor);
+    }
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
     ::execve(executable.c_str(), argv.data(), envp.data());

@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <chrono>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,16 @@ namespace farrier::cli {
 /// A process this one started. It is killed when this object goes, and by the kernel when this process dies.
 class ChildProcess {
  public:
-  /// Starts `executable` with its standard output and error going to `log_path`. `environment`: `NAME=value` that it
-  /// has besides this process's.
+  /// What it has besides what this process has.
+  struct Surroundings {
+    std::vector<std::string> environment;  ///< `NAME=value`
+    std::optional<int> processor;          ///< the only one it may run on
+  };
+
+  /// Starts `executable` with its standard output and error going to `log_path`.
   static Result<ChildProcess> start(const std::string& name, const std::string& executable,
                                     const std::vector<std::string>& arguments, const std::string& log_path,
-                                    const std::vector<std::string>& environment = {});
+                                    const Surroundings& surroundings = {});
   ~ChildProcess();
   ChildProcess(ChildProcess&& other) noexcept;
   ChildProcess& operator=(ChildProcess&& other) noexcept;

@@ -28,7 +28,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kHousekeeping = 20ms;
-constexpr auto kSilenceWorthSaying = 3s;
 /// After everybody else has ended: for samples that are still on their way to the recorder.
 constexpr auto kLastSamples = 2s;
 

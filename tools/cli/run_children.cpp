@@ -1,13 +1,24 @@
 #include "tools/cli/run_children.hpp"
 
 #include <algorithm>
+#include <optional>
+
+#include "runtime/processors.hpp"
 
 namespace farrier::cli {
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr auto kSilenceWorthSaying = 3s;
+/// In real time the processes on the way from sensor to valve have a processor each, as far as there are some: the
+/// threads of one then wake each other where they are, and not by an interrupt of another processor.
+std::optional<int> processor_of(const lab::Member& member, bus::ClockKind clock) {
+  const bool is_joint_node = !member.joints.empty();
+  if (clock != bus::ClockKind::kRealtime || (member.number != participant::kSimBridge && !is_joint_node)) {
+    return std::nullopt;
+  }
+  const std::vector<int> processors = runtime::own_processors();
+  const std::size_t place = is_joint_node ? static_cast<std::size_t>(member.number - participant::kFirstJointNode + 1) : 0;
+  return processors.empty() ? std::nullopt : std::optional(processors[place % processors.size()]);
+}
 
 }  // namespace
 
@@ -30,7 +41,8 @@ Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOp
   const std::string executable = run.executables + "/" + program;
   return ChildProcess::start(name, executable, participant::to_arguments(options),
                              run.log_directory + "/" + log_name + ".log",
-                             clock != nullptr ? clock->environment() : std::vector<std::string>{});
+                             {.environment = clock != nullptr ? clock->environment() : std::vector<std::string>{},
+                              .processor = processor_of(member, common.clock)});
 }
 
 Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,

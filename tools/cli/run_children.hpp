@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOp
 
 Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const participant::ProcessOptions& common,
                                                  const std::vector<lab::Member>& members, const HostClock* clock);
+
+inline constexpr std::chrono::seconds kSilenceWorthSaying{3};
 
 /// Why nothing moves: who is stopped, or else what sim_bridge waits for, or else this process.
 std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children);

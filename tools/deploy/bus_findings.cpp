@@ -13,7 +13,11 @@
 namespace farrier::deploy {
 namespace {
 
+using namespace std::chrono_literals;
 using bus::DiscoveredEndpoint;
+
+/// More than a sample is on its way, even to a computer that others use.
+constexpr Nanoseconds kSkewWorthSaying = 100ms;
 
 /// What is said of an endpoint: "the Cyclone writer of 0110f3a2...".
 std::string name_of(const DiscoveredEndpoint& endpoint) {
@@ -93,6 +97,7 @@ class BusCheck {
       }
     }
     check_writers();
+    check_clocks();
     return std::move(findings_);
   }
 
@@ -183,6 +188,18 @@ class BusCheck {
     } else if (processes.size() > 1 && equal_strength && writers.front()->qos.ownership == bus::Ownership::kExclusive) {
       report("several processes write " + topic + " of robot " + robot_ + " with the same strength: " + list,
              "end all supervisors but one: ps -ef | grep supervisor");
+    }
+  }
+
+  // Control goes by ages on the steady clock; what is put side by side afterwards goes by the clock of day.
+  void check_clocks() {
+    for (const bus::DiscoveredClock& clock : found_.clocks) {
+      if (std::chrono::abs(clock.ahead) > kSkewWorthSaying) {
+        report("the clock of process " + clock.participant + " is " +
+                   config::number_text(std::chrono::duration<double>(std::chrono::abs(clock.ahead)).count()) + " s" +
+                   (clock.ahead.count() > 0 ? " ahead of" : " behind") + " this computer's",
+               "joints do not mind, records and logs of several computers do: apt install chrony on each, chronyc tracking");
+      }
     }
   }
 

@@ -103,7 +103,7 @@ const robot::Joint& hit_joint(const robot::Robot& robot) {
 TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, const Row& row, gait::Phase phase) {
   constexpr Tick kShortlyAfter = 20;
   const int leg = hit_joint(robot).leg;
-  Tick begin = schedule.lead_in_ticks() + schedule.stride_ticks();
+  Tick begin = schedule.lead_in_ticks();
   while (schedule.phase(leg, begin) == phase) {
     ++begin;
   }

@@ -21,7 +21,7 @@ struct TickSpan {
 const robot::Joint& hit_joint(const robot::Robot& robot);
 
 /// When a row's fault is there, in `phase` of the hit joint's leg: in the middle of the phase where it is short enough,
-/// else from shortly after its beginning on. In the first stride in which joints are judged.
+/// else from shortly after its beginning on. In the first stride that the leg begins that phase in.
 TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, const Row& row, gait::Phase phase);
 
 /// The row's faults of samples at that time.
