@@ -119,6 +119,14 @@ bool FarrierCommand::says(const std::string& text, std::chrono::seconds budget) 
 
 std::string FarrierCommand::output() const { return read_file(scratch_.file("output")); }
 
+int FarrierCommand::domain() const {
+  const std::string command_line = read_file("/proc/" + std::to_string(process("supervisor")) + "/cmdline");
+  const std::string option = std::string("--domain") + '\0';
+  const std::size_t at = command_line.find(option);
+  EXPECT_NE(at, std::string::npos) << "no supervisor with --domain";
+  return at == std::string::npos ? -1 : std::atoi(command_line.c_str() + at + option.size());
+}
+
 std::vector<pid_t> processes_of_session(pid_t launcher) {
   std::vector<pid_t> found;
   for_each_process([&](pid_t pid, const std::vector<std::string>& words) {

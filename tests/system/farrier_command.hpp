@@ -38,6 +38,8 @@ class FarrierCommand {
   /// Waits until the output has `text`; false when it does not come in time.
   bool says(const std::string& text, std::chrono::seconds budget = std::chrono::seconds(60)) const;
   std::string output() const;
+  /// DDS domain of a trot that has begun.
+  int domain() const;
   pid_t pid() const noexcept { return pid_; }
 
  private:

@@ -10,6 +10,7 @@ farrier_test(report_test unit
   ${CMAKE_CURRENT_LIST_DIR}/report_load_cycle_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_outcome_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_page_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/report_sample_text_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_scaled_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_tracking_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report_update_logic_test.cpp

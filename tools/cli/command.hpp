@@ -15,6 +15,7 @@ std::function<int()> declare_bench(CLI::App& app);
 std::function<int()> declare_deploy(CLI::App& app);
 std::function<int()> declare_diagnose(CLI::App& app);
 std::function<int()> declare_doctor(CLI::App& app);
+std::function<int()> declare_echo(CLI::App& app);
 std::function<int()> declare_faults(CLI::App& app);
 std::function<int()> declare_reproduce(CLI::App& app);
 std::function<int()> declare_request(CLI::App& app);

@@ -218,6 +218,9 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   }
   Progress progress(run.title, common.ticks);
   const RunActs::Start start_anew = [&](const std::string& member, const std::string& name) {
+    if (member == faults::kMonitor) {
+      return start_monitor(run, common, name, robot.joints.front().name);
+    }
     const auto place = std::ranges::find(outcome.members, member, &lab::Member::name);
     return start_child(run, common, *place, name, name + "_anew", seen);
   };

@@ -22,6 +22,7 @@ constexpr Subcommand kSubcommands[] = {
      farrier::cli::declare_deploy},
     {"diagnose", "Find what a joint's model lacks from what was recorded of the joint", farrier::cli::declare_diagnose},
     {"doctor", "Say why no data comes, or no real time is had, and what to do about it", farrier::cli::declare_doctor},
+    {"echo", "Print what a running robot's processes publish", farrier::cli::declare_echo},
     {"faults", "Make faults happen to a trot of real processes and judge what each process does", farrier::cli::declare_faults},
     {"reproduce", "Run the studies of the thesis anew and judge its claims", farrier::cli::declare_reproduce},
     {"request", "Ask a running robot's supervisor to arm or to stop it", farrier::cli::declare_request},

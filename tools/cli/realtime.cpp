@@ -47,8 +47,9 @@ Result<Yardstick> measure_yardstick(const robot::Robot& robot, const TrotOptions
   return yardstick;
 }
 
-Result<Done> add_realtime(report::Figures& figures, const robot::Robot& robot, const TrotOptions& options,
+Result<Done> add_realtime(report::Outcome& outcome, const robot::Robot& robot, const TrotOptions& options,
                           const Yardstick& yardstick, const report::Tracking& tracking) {
+  report::Figures& figures = outcome.figures;
   const lab::TimerLoop& timer = yardstick.timer;
   report::ProcessInfo alone;
   alone.periods = timer.periods;
@@ -57,6 +58,14 @@ Result<Done> add_realtime(report::Figures& figures, const robot::Robot& robot, c
   report::add_latencies(figures, "trot.bare_timer", {alone});
   const RunOutcome& exchange = yardstick.exchange;
   report::add_latencies(figures, "trot.bare_exchange", report::process_infos(exchange.hellos, exchange.healths));
+  for (const char* alone_too : {"trot.bare_timer.missed_periods", "trot.bare_exchange.missed_periods"}) {
+    const report::Figure* missed = figures.find("trot.missed_periods");
+    const report::Figure* bare_missed = figures.find(alone_too);
+    if (missed != nullptr && bare_missed != nullptr && bare_missed->value > missed->bound) {
+      outcome.warnings.push_back(std::string(alone_too) + ": beyond the bound of trot.missed_periods with nothing else running; "
+                                 "this computer, as it is now, does not allow what is asked");
+    }
+  }
   const report::Figure* latency = figures.find("trot.latency_p99_us");
   const report::Figure* bare_latency = figures.find("trot.bare_exchange.latency_p99_us");
   if (latency == nullptr || bare_latency == nullptr) {

@@ -3,7 +3,7 @@
 #include "lab/bare_realtime.hpp"
 #include "tools/cli/dds_run.hpp"
 #include "tools/cli/trot_options.hpp"
-#include "tools/report/figures.hpp"
+#include "tools/report/outcome.hpp"
 #include "tools/report/tracking.hpp"
 
 namespace farrier::cli {
@@ -18,9 +18,10 @@ struct Yardstick {
 /// Measures it, with a bar. Refuses as run_over_dds does.
 Result<Yardstick> measure_yardstick(const robot::Robot& robot, const TrotOptions& options);
 
-/// Adds the figures of the yardstick and what a run that left `figures` and `tracking` is beside it; makes a lock-step run
-/// of the same gait with the same loop delay, in process. Refuses what that run does.
-Result<Done> add_realtime(report::Figures& figures, const robot::Robot& robot, const TrotOptions& options,
+/// Adds the figures of the yardstick and what a run that left `outcome` and `tracking` is beside it, with a warning where
+/// the yardstick itself is beyond a bound; makes a lock-step run of the same gait with the same loop delay, in process.
+/// Refuses what that run does.
+Result<Done> add_realtime(report::Outcome& outcome, const robot::Robot& robot, const TrotOptions& options,
                           const Yardstick& yardstick, const report::Tracking& tracking);
 
 }  // namespace farrier::cli

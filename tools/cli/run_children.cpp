@@ -61,6 +61,21 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
   return children;
 }
 
+Result<ChildProcess> start_monitor(const DdsRun& run, const participant::ProcessOptions& common,
+                                   const std::string& name, const std::string& joint) {
+  std::vector<std::string> arguments{"echo"};
+  for (const bus::TopicSpec& topic : bus::topics()) {
+    if (topic.sending == bus::Sending::kTogether) {
+      arguments.emplace_back(topic.name);
+    }
+  }
+  arguments.insert(arguments.end(), {"--joint", joint, "--robot", common.robot_path, "--domain",
+                                     std::to_string(common.network.domain), "--dds",
+                                     run.dds == DdsChoice::kCyclone ? "cyclone" : "fast"});
+  return ChildProcess::start(name, run.executables + "/../../bin/farrier", arguments,
+                             run.log_directory + "/" + name + ".log");
+}
+
 std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children) {
   std::string stopped;
   for (const ChildProcess& child : children) {

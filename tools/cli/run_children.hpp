@@ -24,6 +24,10 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
 
 inline constexpr std::chrono::seconds kSilenceWorthSaying{3};
 
+/// Starts a process that listens to all streams of the run and logs those of `joint`, of the joint nodes' vendor.
+Result<ChildProcess> start_monitor(const DdsRun& run, const participant::ProcessOptions& common,
+                                   const std::string& name, const std::string& joint);
+
 /// Why nothing moves: who is stopped, or else what sim_bridge waits for, or else this process.
 std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children);
 

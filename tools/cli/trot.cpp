@@ -234,7 +234,7 @@ int trot(TrotOptions o) {
   }
   report::add_transport(outcome.figures, outcome.run, lockstep);
   if (!lockstep) {
-    if (auto added = add_realtime(outcome.figures, robot, o, yardstick, tracking.value()); !added) {
+    if (auto added = add_realtime(outcome, robot, o, yardstick, tracking.value()); !added) {
       return fail(added.error());
     }
   }

@@ -16,6 +16,9 @@ enum class Hit { kJoint, kLeg, kAll };
 
 /// Members are named as in lab::plan_members; "joint_node" is the one that hosts the joint.
 
+/// Member of no run: a process that listens to every stream (farrier echo), once it is started.
+inline constexpr const char* kMonitor = "monitor";
+
 /// In place of a signal: the process is started anew, or a second time while it runs; the wall clock of the computer
 /// that all processes run on is set an hour forward, or back to an hour before what it was.
 inline constexpr int kStart = 0;

@@ -1,0 +1,17 @@
+#include "bus/watching.hpp"
+
+#include <algorithm>
+
+namespace farrier::bus {
+
+Qos qos_for_watching(const TopicSpec& topic) {
+  constexpr int kUntilHeLooks = 16;
+  Qos qos = topic.realtime;
+  qos.reliability = qos.durability == Durability::kVolatile ? Reliability::kBestEffort : Reliability::kReliable;
+  qos.history_depth = std::max(qos.history_depth, kUntilHeLooks);
+  qos.liveliness = Liveliness::kAutomatic;
+  qos.lease = kInfinite;
+  return qos;
+}
+
+}  // namespace farrier::bus

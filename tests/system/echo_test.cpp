@@ -1,0 +1,93 @@
+// farrier echo beside a running trot.
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "farrier_command.hpp"
+
+namespace farrier::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+class Echo : public testing::TestWithParam<const char*> {
+ protected:
+  static void SetUpTestSuite() {
+    scratch_ = std::make_unique<ScratchDirectory>();
+    trot_ = std::make_unique<FarrierCommand>(std::vector<std::string>{"trot", "--dds", "mixed", "--duration", "600",
+                                                                      "--out", scratch_->file("out")});
+    ASSERT_TRUE(trot_->says("trot: tick 0 of")) << trot_->output();
+  }
+  static void TearDownTestSuite() {
+    trot_->signal(SIGINT);
+    EXPECT_EQ(trot_->wait(20s), 130);
+    trot_.reset();
+    scratch_.reset();
+  }
+
+  std::vector<std::string> lines_of(std::vector<std::string> arguments) const {
+    arguments.insert(arguments.begin(), "echo");
+    arguments.insert(arguments.end(), {"--domain", std::to_string(trot_->domain()), "--dds", GetParam()});
+    std::string output;
+    EXPECT_EQ(run_farrier(arguments, &output), 0) << output;
+    std::vector<std::string> lines;
+    std::istringstream stream(output);
+    for (std::string line; std::getline(stream, line);) {
+      lines.push_back(line);
+    }
+    return lines;
+  }
+
+  static std::unique_ptr<ScratchDirectory> scratch_;
+  static std::unique_ptr<FarrierCommand> trot_;
+};
+std::unique_ptr<ScratchDirectory> Echo::scratch_;
+std::unique_ptr<FarrierCommand> Echo::trot_;
+
+TEST_P(Echo, PrintsTheSamplesOfOneJoint) {
+  const auto lines = lines_of({"joint/measurement", "--joint", "rh_kfe", "--count", "5"});
+  ASSERT_EQ(lines.size(), 5u);
+  for (const std::string& line : lines) {
+    EXPECT_TRUE(line.starts_with("joint/measurement: {joint: rh_kfe, tick: ")) << line;
+    EXPECT_TRUE(line.ends_with("}")) << line;
+  }
+}
+
+TEST_P(Echo, TellsOneWhoComesLateWhatWasAnnounced) {
+  const auto lines = lines_of({"system/mode", "joint/controller_gains", "--count", "3"});
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_TRUE(lines[0].find("generation: ") != std::string::npos || lines[0].find("mode: ") != std::string::npos) << lines[0];
+}
+
+TEST_P(Echo, HearsEveryRouteOfATopic) {
+  std::set<std::string> joints;
+  for (const std::string& line : lines_of({"joint/sensors", "--count", "200"})) {
+    joints.insert(line.substr(0, line.find(',')));
+  }
+  EXPECT_EQ(joints.size(), 12u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, Echo, testing::Values("cyclone", "fast"),
+                         [](const auto& dds) { return std::string(dds.param); });
+
+TEST(EchoCommand, RefusesWhatItDoesNotKnowAndNamesWhatThereIs) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"echo", "joint/sensor"}, &output), 2);
+  EXPECT_NE(output.find("joint/sensors"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"echo", "joint/sensors", "--joint", "lf_elbow"}, &output), 2);
+  EXPECT_NE(output.find("'lf_elbow'"), std::string::npos) << output;
+}
+
+TEST(EchoCommand, SaysWhereToAskWhenNothingComes) {
+  FarrierCommand echo({"echo", "joint/sensors", "--domain", "99"});
+  EXPECT_TRUE(echo.says("nothing comes in domain 99; why: farrier doctor --domain 99", 20s)) << echo.output();
+  echo.signal(SIGINT);
+  EXPECT_EQ(echo.wait(10s), 130);
+}
+
+}  // namespace
+}  // namespace farrier::test

@@ -1,0 +1,199 @@
+// farrier echo: prints what a robot's processes publish, a sample a line.
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <memory>
+
+#include "bus/watching.hpp"
+#include "bus_factory/bus_factory.hpp"
+#include "participant/clock.hpp"
+#include "participant/loop.hpp"
+#include "process/process.hpp"
+#include "robot/keys.hpp"
+#include "signals/tick_of.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/installation.hpp"
+#include "tools/report/sample_text.hpp"
+
+namespace farrier::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kSilenceWorthSaying = 5s;
+
+struct EchoOptions {
+  std::vector<std::string> topics;
+  std::string robot_path = shipped_robot("hyq.yaml");
+  std::string vendor = "cyclone";
+  std::string security;
+  std::string joint;
+  std::uint64_t count = 0;
+  bus::NetworkOptions network;
+};
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier echo: %s\n", message.c_str());
+  return status;
+}
+
+/// The reading end of one topic that prints what comes.
+class Echo {
+ public:
+  virtual ~Echo() = default;
+  /// Prints at most that many; how many it were.
+  virtual std::uint64_t print(std::uint64_t most) = 0;
+};
+
+/// Which samples are printed, and how they are called.
+struct Filter {
+  const robot::Robot& robot;
+  const robot::Joint* joint;  ///< null: of all
+};
+
+template <class Signal>
+class TypedEcho final : public Echo {
+ public:
+  static Result<std::unique_ptr<Echo>> create(bus::Bus& bus, const Filter& filter) {
+    const bus::TopicSpec& topic = bus::spec(bus::TopicOf<Signal>::id);
+    bus::EndpointSpec endpoint = participant::endpoint_of({.name = {}, .robot = filter.robot.name}, topic.id,
+                                                          robot::legs_of_joints(filter.robot));
+    endpoint.qos = bus::qos_for_watching(topic);
+    auto heard = bus::Subscription<Signal>::create(bus, endpoint);
+    if (!heard) {
+      return heard.error();
+    }
+    return std::unique_ptr<Echo>(new TypedEcho(topic.name, std::move(heard).value(), filter));
+  }
+
+  std::uint64_t print(std::uint64_t most) override {
+    std::uint64_t printed = 0;
+    heard_.drain([&](const Signal& signal) {
+      if (printed < most && wanted(signal)) {
+        ++printed;
+        std::printf("%s: %s\n", topic_, report::sample_text(signal, filter_.robot).c_str());
+      }
+    });
+    return printed;
+  }
+
+ private:
+  TypedEcho(const char* topic, bus::Subscription<Signal> heard, const Filter& filter)
+      : topic_(topic), heard_(std::move(heard)), filter_(filter) {}
+
+  bool wanted(const Signal& signal) const {
+    if (topic_ != bus::spec(bus::TopicId::kSystemHello).name && signals::tick_of(signal) == kNoTick) {
+      return false;  // a probe of the greeting
+    }
+    if constexpr (requires { signal.joint; }) {
+      return filter_.joint == nullptr || signal.joint == filter_.joint->number;
+    }
+    return true;
+  }
+
+  const char* topic_;
+  bus::Subscription<Signal> heard_;
+  Filter filter_;
+};
+
+using MakeEcho = Result<std::unique_ptr<Echo>> (*)(bus::Bus&, const Filter&);
+
+#define FARRIER_ECHO(Signal, file) &TypedEcho<signals::Signal>::create,
+constexpr MakeEcho kEchoes[] = {FARRIER_SIGNALS(FARRIER_ECHO)};
+#undef FARRIER_ECHO
+
+int listen(bus::Bus& bus, const std::vector<std::unique_ptr<Echo>>& echoes, const EchoOptions& o) {
+  std::uint64_t left = o.count > 0 ? o.count : ~std::uint64_t{0};
+  SteadyTime heard = participant::steady_now();
+  while (left > 0 && !participant::stop_requested()) {
+    const std::uint64_t arrivals = bus.arrivals();
+    const std::uint64_t before = left;
+    for (const auto& echo : echoes) {
+      left -= echo->print(left);
+    }
+    if (std::fflush(stdout) != 0) {
+      return fail("what reads its output is gone", kFailed);
+    }
+    const SteadyTime now = participant::steady_now();
+    if (left != before) {
+      heard = now;
+    } else if (now - heard > kSilenceWorthSaying) {
+      heard = now;
+      std::fprintf(stderr, "farrier echo: nothing comes in domain %d; why: farrier doctor --domain %d\n",
+                   o.network.domain, o.network.domain);
+    }
+    bus.wait_for_arrivals(arrivals + 1, 100ms);
+  }
+  return left == 0 ? kPassed : participant::stop_status();
+}
+
+int run_echo(const EchoOptions& o) {
+  participant::install_signal_handlers();
+  const auto robot = robot::load_robot(o.robot_path);
+  if (!robot) {
+    std::fputs(config::to_string(robot.error()).c_str(), stderr);
+    return kBadInput;
+  }
+  const Filter filter{robot.value(), o.joint.empty() ? nullptr : robot.value().find(o.joint)};
+  if (!o.joint.empty() && filter.joint == nullptr) {
+    return fail("--joint: " + o.robot_path + " has no joint '" + o.joint + "'", kBadInput);
+  }
+  const bus::Vendor vendor = bus::parse_vendor(o.vendor).value();
+  bus::NetworkOptions network = o.network;
+  if (auto secured = process::secure(network, o.security, bus::Role::kOperator, vendor); !secured) {
+    return fail(secured.error().message, kBadInput);
+  }
+  auto bus = bus_factory::create_bus(vendor, network);
+  if (!bus) {
+    return fail(bus.error().message, kFailed);
+  }
+  std::vector<std::unique_ptr<Echo>> echoes;
+  for (const bus::TopicSpec& topic : bus::topics()) {
+    if (std::ranges::find(o.topics, topic.name) != o.topics.end()) {
+      auto echo = kEchoes[static_cast<std::size_t>(topic.id)](*bus.value(), filter);
+      if (!echo) {
+        return fail(echo.error().message, kFailed);
+      }
+      echoes.push_back(std::move(echo).value());
+    }
+  }
+  return listen(*bus.value(), echoes, o);
+}
+
+}  // namespace
+
+std::function<int()> declare_echo(CLI::App& app) {
+  auto o = std::make_shared<EchoOptions>();
+  std::vector<std::string> names;
+  for (const bus::TopicSpec& topic : bus::topics()) {
+    names.emplace_back(topic.name);
+  }
+  app.add_option("topics", o->topics, "topics of idl/README.md, such as joint/measurement")
+      ->required()
+      ->check(CLI::IsMember(names))
+      ->type_name("<topic>...");
+  app.add_option("--joint", o->joint, "samples of this joint alone")->type_name("<name>");
+  app.add_option("--count", o->count, "end after so many samples")->type_name("<n>")->default_str("never");
+  app.add_option("--robot", o->robot_path, "robot file")->type_name("<file>")->default_str("hyq.yaml, as shipped");
+  app.add_option("--domain", o->network.domain, "its DDS domain")
+      ->check(CLI::Range(0, 232))
+      ->type_name("<n>")
+      ->capture_default_str();
+  app.add_option("--address", o->network.address, "address of this computer that DDS uses")
+      ->type_name("<ip>")
+      ->capture_default_str();
+  app.add_option("--peers", o->network.peers, "computers the robot runs on")
+      ->delimiter(',')
+      ->type_name("<ip>,...")
+      ->default_str("127.0.0.1");
+  app.add_option("--dds", o->vendor, "vendor of this process")
+      ->check(CLI::IsMember({"cyclone", "fast"}))
+      ->type_name("cyclone|fast")
+      ->capture_default_str();
+  app.add_option("--security", o->security, "folder of keys and permissions, of a robot that runs with --security")
+      ->type_name("<dir>");
+  return [o] { return run_echo(*o); };
+}
+
+}  // namespace farrier::cli
