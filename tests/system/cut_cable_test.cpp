@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <set>
 
 #include "robot_watch.hpp"
 #include "tests/support/needs_network_namespaces.hpp"
@@ -16,6 +17,7 @@ namespace {
 constexpr Tick kUndisturbed = 2500;
 constexpr Tick kCuts[] = {300, 2000};
 constexpr Tick kUntilArmed = 500;
+constexpr Tick kBefore = 10;  // a joint that hears nothing tells the last tick that it knows
 constexpr Tick kAfterwards = 1000;
 constexpr Tick kNulledWithin = 20;     // 5 without valve commands, and what the watch is behind
 constexpr Tick kHeardAgainWithin = 50; // 150 ms of the machine's: DDS goes by its clock
@@ -35,7 +37,7 @@ bool is_not_tracking(const record::TraceRow& row) { return !is_tracking(row); }
 /// What a run was, and what of it is not as it must be.
 struct CutRun {
   std::vector<Cut> cuts;
-  std::size_t trips = 0;  ///< events of them
+  std::size_t trips = 0;  ///< joints that an operator has heard of by an event of theirs, summed over the cuts
   std::string figures;    ///< for people
   std::string problems;   ///< a line each
 };
@@ -60,8 +62,15 @@ void play(const NetworkNamespaces& network, const DeployedProcesses& processes, 
     ASSERT_GE(watch.until(cut.armed + kAfterwards, kPatience), cut.armed + kAfterwards) << processes.output();
     run.cuts.push_back(cut);
   }
-  for (const signals::SystemEvent& event : watch.monitor().events()) {
-    run.trips += signals::text_of(event.text).find("tripped, sensors stale, command stale") != std::string::npos ? 1 : 0;
+  for (const Cut& cut : run.cuts) {
+    std::set<std::uint16_t> tripped;
+    for (const signals::SystemEvent& event : watch.monitor().events()) {
+      const bool of_the_cut = event.tick > cut.begin - kBefore && event.tick < cut.end;
+      if (of_the_cut && signals::text_of(event.text).find("tripped, sensors stale, command stale") != std::string::npos) {
+        tripped.insert(event.joint);
+      }
+    }
+    run.trips += tripped.size();
   }
 }
 

@@ -30,7 +30,7 @@ class Doctor : public testing::Test {
  protected:
   /// What the command says of robot hyq in the domain. It must end with that status.
   std::string asked(int status, std::vector<std::string> more = {}, const Surroundings& surroundings = {}) const {
-    std::vector<std::string> arguments{"doctor", "--look", "1.5", "--domain", std::to_string(domain())};
+    std::vector<std::string> arguments{"doctor", "--look", "1", "--domain", std::to_string(domain())};
     arguments.insert(arguments.end(), more.begin(), more.end());
     std::string output;
     EXPECT_EQ(run_farrier(arguments, &output, surroundings), status) << output;

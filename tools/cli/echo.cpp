@@ -1,7 +1,5 @@
 // farrier echo: prints what a robot's processes publish, a sample a line.
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <memory>
 
