@@ -44,8 +44,9 @@ std::vector<bus::DiscoveredClock> compare_clocks(dds_entity_t participant, Nanos
     while (dds_take(reader, sample, info, 1, 1) > 0) {
       const std::string writer = writer_of(reader, info->publication_handle);
       if (info->valid_data && !writer.empty()) {
-        const auto first = ahead.try_emplace(writer, info->source_timestamp - now).first;
-        first->second = std::max(first->second, info->source_timestamp - now);
+        const dds_duration_t seen = info->source_timestamp - now;
+        const auto most = ahead.try_emplace(writer, seen).first;
+        most->second = std::max(most->second, seen);
       }
       dds_return_loan(reader, sample, 1);
     }

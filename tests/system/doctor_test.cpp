@@ -11,13 +11,16 @@
 
 #include <linux/capability.h>
 
+#include <cstring>
 #include <fstream>
 
+#include "bus_cyclone/cyclone_domain.hpp"
 #include "bus_cyclone/cyclone_endpoints.hpp"
 #include "bus_factory/bus_factory.hpp"
 #include "farrier_command.hpp"
 #include "tests/support/needs_network_namespaces.hpp"
 #include "tools/cli/domain_lock.hpp"
+#include "tools/cli/host_clock.hpp"
 
 namespace farrier::test {
 namespace {
@@ -82,14 +85,10 @@ class Somebody {
 /// Somebody else's program: a writer of a topic by any name of any of our types.
 class Stranger {
  public:
-  Stranger(int domain, const char* topic, TopicId type) {
-    const std::string config = "<General><Interfaces><NetworkInterface address=\"127.0.0.1\"/></Interfaces>"
-                               "<AllowMulticast>false</AllowMulticast></General><Discovery><ParticipantIndex>auto"
-                               "</ParticipantIndex><MaxAutoParticipantIndex>39</MaxAutoParticipantIndex><Peers>"
-                               "<Peer address=\"127.0.0.1\"/></Peers></Discovery>";
-    const auto number = static_cast<dds_domainid_t>(domain);
-    domain_ = dds_create_domain(number, config.c_str());
-    const dds_entity_t participant = dds_create_participant(number, nullptr, nullptr);
+  Stranger(const bus::NetworkOptions& network, const char* topic, TopicId type) {
+    const bus_cyclone::Domain opened = bus_cyclone::open_domain(network).value();
+    domain_ = opened.entity;
+    const dds_entity_t participant = bus_cyclone::join_domain(opened, network).value();
     dds_qos_t* const hyq = dds_create_qos();
     dds_qset_partition1(hyq, "hyq/lf");
     const dds_entity_t publisher = dds_create_publisher(participant, hyq, nullptr);
@@ -144,14 +143,14 @@ TEST_F(Doctor, FindsThePartitionOfAnotherRobot) {
 }
 
 TEST_F(Doctor, FindsATopicThatIsNearlyOne) {
-  const Stranger stranger(domain(), "joint/sensor", kSensors);
+  const Stranger stranger(network(), "joint/sensor", kSensors);
   const std::string output = asked(1);
   expect_in(output, "has topic 'joint/sensor', which nobody else does");
   expect_in(output, "if joint/sensors is meant");
 }
 
 TEST_F(Doctor, FindsATypeThatIsNotTheTopics) {
-  const Stranger stranger(domain(), "joint/sensors", TopicId::kJointCommand);
+  const Stranger stranger(network(), "joint/sensors", TopicId::kJointCommand);
   expect_in(asked(1), "has type wire::JointCommand for joint/sensors, which is of wire::JointSensors");
 }
 
@@ -197,13 +196,13 @@ TEST_F(Doctor, FindsThatNoParticipantIndexIsLeft) {
 
 TEST_F(Doctor, FindsTheClockOfARunThatIsAnHourAhead) {
   const ScratchDirectory scratch;
-  const std::int64_t hour_ns = 3600'000'000'000;
-  std::ofstream(scratch.file("clock"), std::ios::binary)
-      .write(reinterpret_cast<const char*>(&hour_ns), sizeof hour_ns);
+  const auto clock = cli::HostClock::create(FARRIER_PREFIX "/libexec/farrier", scratch.file("clock"));
+  ASSERT_TRUE(clock && clock.value().set(3600));
   FarrierCommand trot({"trot", "--clock", "realtime", "--duration", "600", "--out", scratch.file("out")},
                       {FARRIER_COMMAND, [&] {
-                         ::setenv("LD_PRELOAD", FARRIER_PREFIX "/libexec/farrier/libfarrier_wall_clock.so", 1);
-                         ::setenv("FARRIER_WALL_CLOCK", scratch.file("clock").c_str(), 1);
+                         for (const std::string& variable : clock.value().environment()) {
+                           ::putenv(::strdup(variable.c_str()));
+                         }
                        }});
   ASSERT_TRUE(trot.says("trot: tick 0 of")) << trot.output();
   std::string output;

@@ -49,7 +49,8 @@ foreach(name IN ITEMS cut_cable_test lossy_cable_test)
 endforeach()
 find_package(CycloneDDS REQUIRED)  # whose imported targets are seen where it is found only
 farrier_system_test(doctor_test system 0 ${CMAKE_CURRENT_LIST_DIR}/doctor_test.cpp
-  ${PROJECT_SOURCE_DIR}/tools/cli/domain_lock.cpp ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
+  ${PROJECT_SOURCE_DIR}/tools/cli/domain_lock.cpp ${PROJECT_SOURCE_DIR}/tools/cli/host_clock.cpp
+  ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
 target_compile_definitions(doctor_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}")
 target_link_libraries(doctor_test PRIVATE farrier_bus_cyclone farrier_bus_factory CycloneDDS::ddsc)
 farrier_system_test(echo_test system 0 ${CMAKE_CURRENT_LIST_DIR}/echo_test.cpp)

@@ -7,6 +7,7 @@
 #include "runtime/realtime_thread.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/findings.hpp"
+#include "tools/cli/guest.hpp"
 #include "tools/cli/help.hpp"
 #include "tools/cli/installation.hpp"
 #include "tools/deploy/bus_findings.hpp"
@@ -92,20 +93,9 @@ std::function<int()> declare_doctor(CLI::App& app) {
   CLI::Option* const host =
       app.add_option("--host", o->host, "look from this host of the deployment, which has domain, address and peers")
           ->type_name("<name>");
-  app.add_option("--domain", o->network.domain, "DDS domain")
-      ->check(CLI::Range(0, 232))
-      ->type_name("<n>")
-      ->capture_default_str()
-      ->excludes(host);
-  app.add_option("--address", o->network.address, "address of this computer that DDS uses")
-      ->type_name("<ip>")
-      ->capture_default_str()
-      ->excludes(host);
-  app.add_option("--peers", o->network.peers, "computers to look for processes on")
-      ->delimiter(',')
-      ->type_name("<ip>,...")
-      ->default_str("127.0.0.1")
-      ->excludes(host);
+  for (CLI::Option* const network : declare_network(app, o->network)) {
+    network->excludes(host);
+  }
   app.add_option("--look", o->look_s, "how long to look for processes")
       ->check(between(0.1, 60.0))
       ->type_name("<s>")

@@ -4,14 +4,13 @@
 #include <memory>
 
 #include "bus/watching.hpp"
-#include "bus_factory/bus_factory.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
-#include "process/process.hpp"
+#include "participant/participant.hpp"
 #include "robot/keys.hpp"
 #include "signals/tick_of.hpp"
 #include "tools/cli/command.hpp"
-#include "tools/cli/installation.hpp"
+#include "tools/cli/guest.hpp"
 #include "tools/report/sample_text.hpp"
 
 namespace farrier::cli {
@@ -23,12 +22,9 @@ constexpr auto kSilenceWorthSaying = 5s;
 
 struct EchoOptions {
   std::vector<std::string> topics;
-  std::string robot_path = shipped_robot("hyq.yaml");
-  std::string vendor = "cyclone";
-  std::string security;
   std::string joint;
   std::uint64_t count = 0;
-  bus::NetworkOptions network;
+  GuestOptions guest;
 };
 
 int fail(const std::string& message, int status) {
@@ -81,7 +77,7 @@ class TypedEcho final : public Echo {
       : topic_(topic), heard_(std::move(heard)), filter_(filter) {}
 
   bool wanted(const Signal& signal) const {
-    if (topic_ != bus::spec(bus::TopicId::kSystemHello).name && signals::tick_of(signal) == kNoTick) {
+    if (bus::TopicOf<Signal>::id != bus::TopicId::kSystemHello && signals::tick_of(signal) == kNoTick) {
       return false;  // a probe of the greeting
     }
     if constexpr (requires { signal.joint; }) {
@@ -119,7 +115,7 @@ int listen(bus::Bus& bus, const std::vector<std::unique_ptr<Echo>>& echoes, cons
     } else if (now - heard > kSilenceWorthSaying) {
       heard = now;
       std::fprintf(stderr, "farrier echo: nothing comes in domain %d; why: farrier doctor --domain %d\n",
-                   o.network.domain, o.network.domain);
+                   o.guest.network.domain, o.guest.network.domain);
     }
     bus.wait_for_arrivals(arrivals + 1, 100ms);
   }
@@ -128,23 +124,18 @@ int listen(bus::Bus& bus, const std::vector<std::unique_ptr<Echo>>& echoes, cons
 
 int run_echo(const EchoOptions& o) {
   participant::install_signal_handlers();
-  const auto robot = robot::load_robot(o.robot_path);
+  const auto robot = robot::load_robot(o.guest.robot_path);
   if (!robot) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;
   }
   const Filter filter{robot.value(), o.joint.empty() ? nullptr : robot.value().find(o.joint)};
   if (!o.joint.empty() && filter.joint == nullptr) {
-    return fail("--joint: " + o.robot_path + " has no joint '" + o.joint + "'", kBadInput);
+    return fail("--joint: " + o.guest.robot_path + " has no joint '" + o.joint + "'", kBadInput);
   }
-  const bus::Vendor vendor = bus::parse_vendor(o.vendor).value();
-  bus::NetworkOptions network = o.network;
-  if (auto secured = process::secure(network, o.security, bus::Role::kOperator, vendor); !secured) {
-    return fail(secured.error().message, kBadInput);
-  }
-  auto bus = bus_factory::create_bus(vendor, network);
+  auto bus = join_as_guest(o.guest);
   if (!bus) {
-    return fail(bus.error().message, kFailed);
+    return fail(bus.error().message, bus.error().status);
   }
   std::vector<std::unique_ptr<Echo>> echoes;
   for (const bus::TopicSpec& topic : bus::topics()) {
@@ -173,24 +164,7 @@ std::function<int()> declare_echo(CLI::App& app) {
       ->type_name("<topic>...");
   app.add_option("--joint", o->joint, "samples of this joint alone")->type_name("<name>");
   app.add_option("--count", o->count, "end after so many samples")->type_name("<n>")->default_str("never");
-  app.add_option("--robot", o->robot_path, "robot file")->type_name("<file>")->default_str("hyq.yaml, as shipped");
-  app.add_option("--domain", o->network.domain, "its DDS domain")
-      ->check(CLI::Range(0, 232))
-      ->type_name("<n>")
-      ->capture_default_str();
-  app.add_option("--address", o->network.address, "address of this computer that DDS uses")
-      ->type_name("<ip>")
-      ->capture_default_str();
-  app.add_option("--peers", o->network.peers, "computers the robot runs on")
-      ->delimiter(',')
-      ->type_name("<ip>,...")
-      ->default_str("127.0.0.1");
-  app.add_option("--dds", o->vendor, "vendor of this process")
-      ->check(CLI::IsMember({"cyclone", "fast"}))
-      ->type_name("cyclone|fast")
-      ->capture_default_str();
-  app.add_option("--security", o->security, "folder of keys and permissions, of a robot that runs with --security")
-      ->type_name("<dir>");
+  declare_guest(app, o->guest);
   return [o] { return run_echo(*o); };
 }
 

@@ -7,9 +7,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path prefix() { return fs::canonical("/proc/self/exe").parent_path().parent_path(); }
+fs::path prefix() { return fs::path(this_command()).parent_path().parent_path(); }
 
 }  // namespace
+
+std::string this_command() { return fs::canonical("/proc/self/exe"); }
 
 std::string processes_directory() { return prefix() / "libexec/farrier"; }
 

@@ -8,6 +8,9 @@ namespace farrier::cli {
 // share/farrier/robots/ beside it: below /usr where the packages put them, below the build directory where they were
 // built.
 
+/// Path of this command.
+std::string this_command();
+
 /// Folder of the processes' executables.
 std::string processes_directory();
 

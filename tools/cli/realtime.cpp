@@ -58,8 +58,8 @@ Result<Done> add_realtime(report::Outcome& outcome, const robot::Robot& robot, c
   report::add_latencies(figures, "trot.bare_timer", {alone});
   const RunOutcome& exchange = yardstick.exchange;
   report::add_latencies(figures, "trot.bare_exchange", report::process_infos(exchange.hellos, exchange.healths));
+  const report::Figure* missed = figures.find("trot.missed_periods");
   for (const char* alone_too : {"trot.bare_timer.missed_periods", "trot.bare_exchange.missed_periods"}) {
-    const report::Figure* missed = figures.find("trot.missed_periods");
     const report::Figure* bare_missed = figures.find(alone_too);
     if (missed != nullptr && bare_missed != nullptr && bare_missed->value > missed->bound) {
       outcome.warnings.push_back(std::string(alone_too) + ": beyond the bound of trot.missed_periods with nothing else running; "

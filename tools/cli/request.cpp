@@ -4,14 +4,12 @@
 #include <memory>
 #include <optional>
 
-#include "bus_factory/bus_factory.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "participant/participant.hpp"
 #include "process/process.hpp"
 #include "tools/cli/command.hpp"
-#include "tools/cli/installation.hpp"
-#include "tools/cli/trot_options.hpp"
+#include "tools/cli/guest.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -24,11 +22,8 @@ constexpr auto kAskAgain = 500ms;
 
 struct RequestOptions {
   std::string what;
-  std::string robot_path = shipped_robot("hyq.yaml");
-  std::string vendor = "cyclone";
   std::uint64_t session = 0;
-  bus::NetworkOptions network;
-  std::string security;
+  GuestOptions guest;
 };
 
 int fail(const std::string& message, int status) {
@@ -68,20 +63,15 @@ std::optional<signals::SystemMode> ask(bus::Bus& bus, bus::Publisher<signals::Sy
 int run_request(const RequestOptions& o) {
   participant::install_signal_handlers();
   participant::ProcessOptions file;
-  file.robot_path = o.robot_path;
+  file.robot_path = o.guest.robot_path;
   const auto robot = process::load_robot(file);
   if (!robot) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;
   }
-  const bus::Vendor vendor = bus::parse_vendor(o.vendor).value();
-  bus::NetworkOptions network = o.network;
-  if (auto secured = process::secure(network, o.security, bus::Role::kOperator, vendor); !secured) {
-    return fail(secured.error().message, kBadInput);
-  }
-  auto bus = bus_factory::create_bus(vendor, network);
+  auto bus = join_as_guest(o.guest);
   if (!bus) {
-    return fail(bus.error().message, kFailed);
+    return fail(bus.error().message, bus.error().status);
   }
   const participant::Identity identity{.name = "operator",
                                        .robot = robot.value().name,
@@ -101,7 +91,7 @@ int run_request(const RequestOptions& o) {
   const auto answer = ask(*bus.value(), requests.value(), modes.value(), request);
   if (!answer) {
     return fail("no supervisor of " + robot.value().name + ", session " + std::to_string(o.session) + ", domain " +
-                    std::to_string(o.network.domain) +
+                    std::to_string(o.guest.network.domain) +
                     " answers: look for its --session and --domain in its command line (ps)",
                 kFailed);
   }
@@ -116,24 +106,7 @@ std::function<int()> declare_request(CLI::App& app) {
   auto o = std::make_shared<RequestOptions>();
   app.add_option("what", o->what, "arm or stop")->required()->check(CLI::IsMember({"arm", "stop"}));
   app.add_option("--session", o->session, "session of the run")->required()->type_name("<number>");
-  app.add_option("--domain", o->network.domain, "its DDS domain")
-      ->check(CLI::Range(0, 232))
-      ->type_name("<n>")
-      ->capture_default_str();
-  app.add_option("--address", o->network.address, "address of this computer that DDS uses")
-      ->type_name("<ip>")
-      ->capture_default_str();
-  app.add_option("--peers", o->network.peers, "computers the robot runs on")
-      ->delimiter(',')
-      ->type_name("<ip>,...")
-      ->default_str("127.0.0.1");
-  app.add_option("--robot", o->robot_path, "robot file")->type_name("<file>")->capture_default_str();
-  app.add_option("--dds", o->vendor, "vendor of this process")
-      ->check(CLI::IsMember({"cyclone", "fast"}))
-      ->type_name("cyclone|fast")
-      ->capture_default_str();
-  app.add_option("--security", o->security, "folder of keys and permissions, of a robot that runs with --security")
-      ->type_name("<dir>");
+  declare_guest(app, o->guest);
   return [o] { return run_request(*o); };
 }
 

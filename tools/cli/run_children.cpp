@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "runtime/processors.hpp"
+#include "tools/cli/installation.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -72,7 +73,7 @@ Result<ChildProcess> start_monitor(const DdsRun& run, const participant::Process
   arguments.insert(arguments.end(), {"--joint", joint, "--robot", common.robot_path, "--domain",
                                      std::to_string(common.network.domain), "--dds",
                                      run.dds == DdsChoice::kCyclone ? "cyclone" : "fast"});
-  return ChildProcess::start(name, run.executables + "/../../bin/farrier", arguments,
+  return ChildProcess::start(name, this_command(), arguments,
                              run.log_directory + "/" + name + ".log");
 }
 

@@ -37,9 +37,8 @@ class FieldsText {
   template <class Integer>
     requires std::is_integral_v<Integer>
   std::string value_text(std::string_view name, Integer value) const {
-    const auto named = [&](const auto& joint) { return joint.number == value; };
     if (name == "joint") {
-      const auto joint = std::ranges::find_if(robot_.joints, named);
+      const auto joint = std::ranges::find(robot_.joints, value, &robot::Joint::number);
       return joint == robot_.joints.end() ? std::to_string(value) : joint->name;
     }
     if (name == "state" && value <= static_cast<Integer>(signals::JointState::kTracking)) {

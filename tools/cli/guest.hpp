@@ -1,0 +1,38 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+#include <string>
+
+#include "bus/bus.hpp"
+#include "bus/network.hpp"
+#include "core/result.hpp"
+#include "tools/cli/installation.hpp"
+
+namespace farrier::cli {
+
+/// How a command joins a robot that runs already, in which it has no seat.
+struct GuestOptions {
+  std::string robot_path = shipped_robot("hyq.yaml");
+  std::string vendor = "cyclone";
+  std::string security;
+  bus::NetworkOptions network;
+};
+
+/// Why it does not, and the command's exit status then.
+struct Refused {
+  std::string message;
+  int status;
+};
+
+/// --domain, --address and --peers.
+std::array<CLI::Option*, 3> declare_network(CLI::App& app, bus::NetworkOptions& network);
+
+/// Those, --robot, --dds and --security.
+void declare_guest(CLI::App& app, GuestOptions& options);
+
+/// The robot's bus, as an operator.
+Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& options);
+
+}  // namespace farrier::cli
