@@ -4,11 +4,10 @@
 
 namespace farrier::bus {
 
-Qos qos_for_watching(const TopicSpec& topic) {
-  constexpr int kUntilHeLooks = 16;
+Qos qos_for_watching(const TopicSpec& topic, int depth) {
   Qos qos = topic.realtime;
   qos.reliability = qos.durability == Durability::kVolatile ? Reliability::kBestEffort : Reliability::kReliable;
-  qos.history_depth = std::max(qos.history_depth, kUntilHeLooks);
+  qos.history_depth = std::max(qos.history_depth, depth);
   qos.liveliness = Liveliness::kAutomatic;
   qos.lease = kInfinite;
   return qos;

@@ -7,7 +7,7 @@ namespace farrier::config {
 namespace {
 
 // Quoted, so that no name is taken for a number, a flag or nothing.
-std::string quoted(const std::string& name) { return "\"" + name + "\""; }
+std::string in_quotes(const std::string& name) { return "\"" + name + "\""; }
 
 class Printer final : public Visitor {
  public:
@@ -39,24 +39,24 @@ class Printer final : public Visitor {
     line(entry.name, value ? "true" : "false");
   }
   void visit_name(const Entry& entry, std::string& value, std::size_t, const char*) override {
-    line(entry.name, quoted(value));
+    line(entry.name, in_quotes(value));
   }
   void visit_numbers(const Entry& entry, std::vector<double>& values, Range) override {
     list(entry.name, values, number_text);
   }
   void visit_text(const Entry& entry, std::string& value, const TextRule&) override {
-    line(entry.name, quoted(value));
+    line(entry.name, in_quotes(value));
   }
   void visit_names(const Entry& entry, std::vector<std::string>& values, bool required) override {
     if (required || !values.empty()) {
-      list(entry.name, values, quoted);
+      list(entry.name, values, in_quotes);
     }
   }
   void visit_pairs(const Entry& entry, Named<std::string>& items, Place&, std::size_t) override {
     line(entry.name, "");
     ++depth_;
     for (const auto& [name, value] : items) {
-      line(quoted(name), quoted(value));
+      line(in_quotes(name), in_quotes(value));
     }
     --depth_;
   }
@@ -74,7 +74,7 @@ class Printer final : public Visitor {
     return enter_group(entry, required, required || !names.empty());
   }
   bool enter_item(const std::string& name) override {
-    line(quoted(name), "");
+    line(in_quotes(name), "");
     ++depth_;
     return true;
   }

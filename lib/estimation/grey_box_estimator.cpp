@@ -7,6 +7,7 @@
 #include "control/discretise.hpp"
 #include "estimation/joint_estimator.hpp"
 #include "estimation/poles.hpp"
+#include "estimation/ticks_since.hpp"
 #include "plant/linear_model.hpp"
 
 namespace farrier::estimation {
@@ -150,7 +151,7 @@ void GreyBoxEstimator::take(const JointSample& sample) noexcept {
     return;
   }
   const bool first = last_tick_ == kNoTick;
-  const bool follows = !first && sample.tick == last_tick_ + 1;
+  const bool follows = !first && ticks_since(last_tick_, sample.tick) == 1;
   if (sample.phase != phase_) {
     change_phase(sample.phase);
     if (first) {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "estimation/poles.hpp"
+#include "estimation/ticks_since.hpp"
 
 namespace farrier::estimation {
 namespace {
@@ -17,7 +18,7 @@ constexpr double kFirstInnovation = 100.0;
 // Least share of a prediction error that corrects the state: a model is never believed altogether.
 constexpr double kLeastCorrection = 0.05;
 // From one sample to the next, up to which the washout goes on: what it missed is small against starting anew.
-constexpr Tick kBridgedTicks = 3;
+constexpr std::uint64_t kBridgedTicks = 3;
 // Time constants per stage after which the washout's start is forgotten: to 2 % with one stage, to 5e-4 with three.
 // Until then what it leaves is not the linear model's: x[0] is its own mean, and the mean of A x[0] + B u[0] is not x[1].
 constexpr double kSettlingTimeConstants = 4.0;
@@ -116,7 +117,7 @@ void JointEstimator::take(const JointSample& sample) noexcept {
     sample_flags_ = (sample_flags_ & bit(EstimateFlag::kBlanked)) | bit(EstimateFlag::kSampleRefused);
     return;
   }
-  const Tick since = last_tick_ == kNoTick ? 0 : sample.tick - last_tick_;
+  const std::uint64_t since = last_tick_ == kNoTick ? 0 : ticks_since(last_tick_, sample.tick);
   const bool follows = since == 1;
   unsettled_ticks_ = std::max(unsettled_ticks_ - 1, 0);
   if (since < 1 || since > kBridgedTicks) {

@@ -21,6 +21,10 @@ std::time_t date_now() noexcept {
   return std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
 }
 
+std::uint64_t date_now_ns() noexcept {
+  return static_cast<std::uint64_t>(Nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count());
+}
+
 SteadyTime machine_time(SteadyTime time) noexcept { return SteadyTime(time.time_since_epoch() * slow_motion()); }
 
 }  // namespace farrier::participant

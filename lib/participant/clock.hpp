@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <ctime>
 
 #include "core/time.hpp"
@@ -17,6 +18,9 @@ SteadyTime steady_now() noexcept;
 
 /// The date, as far as this computer knows it: for certificates, whose dates are in it.
 std::time_t date_now() noexcept;
+
+/// The same in nanoseconds since 1970: for files, whose samples are dated by it.
+std::uint64_t date_now_ns() noexcept;
 
 /// The machine's steady clock at that time.
 SteadyTime machine_time(SteadyTime time) noexcept;

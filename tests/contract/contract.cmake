@@ -18,7 +18,8 @@ target_compile_definitions(contract_text_test PRIVATE FARRIER_IDL_DIR="${PROJECT
 farrier_test(cyclone_bus_test contract ${contract_dir}/cyclone_bus_test.cpp)
 target_link_libraries(cyclone_bus_test PRIVATE farrier_bus_cyclone)
 
-farrier_test(inproc_bus_test contract ${contract_dir}/inproc_bus_test.cpp)
+farrier_test(inproc_bus_test contract ${contract_dir}/inproc_bus_test.cpp
+  ${contract_dir}/../support/allocation_guard.cpp)
 target_link_libraries(inproc_bus_test PRIVATE farrier_bus)
 
 farrier_test(discovery_test system ${contract_dir}/contract_main.cpp ${contract_dir}/discovery_test.cpp)
@@ -27,3 +28,9 @@ target_link_libraries(discovery_test PRIVATE contract_support)
 farrier_test(security_bus_test contract ${contract_dir}/security_test.cpp)
 target_link_libraries(security_bus_test PRIVATE contract_support farrier_bus_factory farrier_pki farrier_security
   farrier_tool_process)
+
+farrier_test(wire_bytes_test contract ${contract_dir}/wire_bytes_test.cpp ${contract_dir}/wire_bytes_cyclone.cpp
+  ${contract_dir}/wire_bytes_fast.cpp)
+target_link_libraries(wire_bytes_test PRIVATE farrier_signals farrier_bus_cyclone CycloneDDS::ddsc farrier_bus_fastdds
+  farrier_wire_fastdds)
+target_include_directories(wire_bytes_test SYSTEM PRIVATE ${PROJECT_BINARY_DIR}/lib/bus_cyclone)  # its types of idl/

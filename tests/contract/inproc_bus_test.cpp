@@ -2,28 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
-#include <new>
-
 #include "bus/inproc/inproc_bus.hpp"
 #include "bus/key.hpp"
+#include "tests/support/allocation_guard.hpp"
 #include "tests/support/slowness.hpp"
-
-namespace {
-std::atomic<std::uint64_t> allocations{0};
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  void* memory = std::malloc(size);
-  if (memory == nullptr) {
-    std::abort();
-  }
-  return memory;
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 namespace farrier::bus {
 namespace {
@@ -199,11 +181,11 @@ TEST_F(InprocBus, WriteAndTakeNeitherAllocateNorCostAMicrosecond) {
     }
   };
   run(1);
-  const std::uint64_t before = allocations;
+  const test::AllocationGuard guard;
   const auto start = std::chrono::steady_clock::now();
   run(kTicks);
   const double spent_ns = static_cast<double>((std::chrono::steady_clock::now() - start).count());
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(guard.allocations(), 0u);
   EXPECT_EQ(taken, static_cast<std::uint64_t>((kTicks + 1) * kJoints));
   const double per_sample_ns = spent_ns / (kTicks * kJoints);
   RecordProperty("per_sample_ns", static_cast<int>(per_sample_ns));

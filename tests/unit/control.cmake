@@ -10,7 +10,8 @@ farrier_test(control_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control_delay_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_force_controller_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control_probe_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/control_tracking_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/control_tracking_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(control_test PRIVATE farrier_control)
 
 farrier_test(feedback_linearisation_test unit

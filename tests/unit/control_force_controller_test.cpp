@@ -1,26 +1,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <limits>
-#include <new>
 
 #include "control/force_controller.hpp"
 #include "control_models.hpp"
-
-namespace {
-long allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) {
-    return memory;
-  }
-  throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+#include "tests/support/allocation_guard.hpp"
 
 namespace farrier::control {
 namespace {
@@ -175,19 +160,19 @@ TEST(ForceController, StepAndGainChangeDoNotAllocate) {
   const Gains first = stance(2);
   const Gains second = swing(2);
   ForceController controller = controller_with(first);
-  const long before = allocations;
+  const test::AllocationGuard guard;
   for (int k = 0; k < 1000; ++k) {
     controller.step(50.0 * std::sin(0.01 * k), {0.0, 0.001 * k, 20.0});
     controller.set_gains(k % 2 == 0 ? second : first, kAtRest, 0.0);
   }
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(guard.allocations(), 0u);
 }
 
 TEST(ForceController, DesignDoesNotAllocate) {
   const DiscreteModel model = sampled(hyq(50.0));
-  const long before = allocations;
+  const test::AllocationGuard guard;
   const bool ok = design_lqr(model, {}, kNormalisation, Form::kCompliant, 2).ok();
-  EXPECT_EQ(allocations, before);
+  EXPECT_EQ(guard.allocations(), 0u);
   EXPECT_TRUE(ok);
 }
 

@@ -121,7 +121,7 @@ TEST(RecordingCheck, NamesTheUnitItLooksLike) {
                                      {1.0 / 6894.757, "pounds per square inch"}}) {
     for (auto Recording::*channel :
          {&Recording::pressure_a_Pa, &Recording::pressure_b_Pa, &Recording::supply_pressure_Pa}) {
-      const std::string text = found_after(false, [&](Recording& r) { scale(r.*channel, factor); });
+      const std::string text = found_after(false, [&, factor = factor](Recording& r) { scale(r.*channel, factor); });
       EXPECT_TRUE(mentions(text, name)) << text;
     }
   }

@@ -133,7 +133,7 @@ int run_echo(const EchoOptions& o) {
   if (!o.joint.empty() && filter.joint == nullptr) {
     return fail("--joint: " + o.guest.robot_path + " has no joint '" + o.joint + "'", kBadInput);
   }
-  auto bus = join_as_guest(o.guest);
+  auto bus = join_as_guest(o.guest, bus::Role::kMonitor);
   if (!bus) {
     return fail(bus.error().message, bus.error().status);
   }

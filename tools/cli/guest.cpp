@@ -34,10 +34,10 @@ void declare_guest(CLI::App& app, GuestOptions& options) {
       ->type_name("<dir>");
 }
 
-Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& options) {
+Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& options, bus::Role role) {
   const bus::Vendor vendor = bus::parse_vendor(options.vendor).value();
   bus::NetworkOptions network = options.network;
-  if (auto secured = process::secure(network, options.security, bus::Role::kOperator, vendor); !secured) {
+  if (auto secured = process::secure(network, options.security, role, vendor); !secured) {
     return Refused{secured.error().message, kBadInput};
   }
   auto bus = bus_factory::create_bus(vendor, network);

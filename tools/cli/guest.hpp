@@ -7,6 +7,7 @@
 
 #include "bus/bus.hpp"
 #include "bus/network.hpp"
+#include "bus/roles.hpp"
 #include "core/result.hpp"
 #include "tools/cli/installation.hpp"
 
@@ -32,7 +33,7 @@ std::array<CLI::Option*, 3> declare_network(CLI::App& app, bus::NetworkOptions& 
 /// Those, --robot, --dds and --security.
 void declare_guest(CLI::App& app, GuestOptions& options);
 
-/// The robot's bus, as an operator.
-Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& options);
+/// The robot's bus, with the rights of `role`.
+Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& options, bus::Role role);
 
 }  // namespace farrier::cli

@@ -69,7 +69,7 @@ int run_request(const RequestOptions& o) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;
   }
-  auto bus = join_as_guest(o.guest);
+  auto bus = join_as_guest(o.guest, bus::Role::kOperator);
   if (!bus) {
     return fail(bus.error().message, bus.error().status);
   }

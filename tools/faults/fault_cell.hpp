@@ -29,8 +29,8 @@ std::vector<bus_faults::ArrowFault> arrow_faults(const robot::Robot& robot, cons
 
 /// One thing that a cell must show.
 struct Check {
-  const char* key;     ///< in figures
-  std::string what;    ///< for people
+  std::string key;    ///< in figures
+  std::string what;   ///< for people
   double asked_s;     ///< 0: never
   double measured_s;  ///< infinite: not at all
   bool holds() const noexcept { return measured_s <= asked_s; }

@@ -120,7 +120,7 @@ std::vector<std::string> alternatives_text(const diagnosis::Judgement& judgement
                                            std::span<const diagnosis::Experiment> experiments) {
   std::vector<std::string> lines;
   for (const auto& [one, other] : judgement.alternatives) {
-    const auto found = std::ranges::find_if(experiments, [&](const diagnosis::Experiment& experiment) {
+    const auto found = std::ranges::find_if(experiments, [&one = one, &other = other](const auto& experiment) {
       return (experiment.one == one && experiment.other == other) ||
              (experiment.one == other && experiment.other == one);
     });

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 #include "core/ensure.hpp"
 #include "core/fault.hpp"
@@ -109,10 +108,11 @@ Tick first_judged_tick(const robot::Robot& robot, const gait::Schedule& schedule
   }
   // The first lift-off comes within a stride of the lead-in, every leg's first touchdown within another.
   const Tick latest = schedule.lead_in_ticks() + (kFirstJudgedStride + 3) * schedule.stride_ticks();
-  const auto ticks = std::views::iota(Tick{0}, latest);
-  const auto first = std::ranges::partition_point(
-      ticks, [&](Tick tick) { return schedule.stride(leg, tick) < kFirstJudgedStride; });
-  return first == ticks.end() ? latest : *first;
+  Tick tick = 0;
+  while (tick < latest && schedule.stride(leg, tick) < kFirstJudgedStride) {
+    ++tick;
+  }
+  return tick;
 }
 
 Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::span<const record::TraceRow> rows,

@@ -23,7 +23,7 @@ constexpr double kWidth_px = 1080;
 constexpr double kPanelHeight_px = 300;
 constexpr double kSquareHeight_px = 400;
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::string safe = "\"";
   for (const char c : text) {
     safe += c == '"' || c == '\\' ? "\\" : "";
@@ -70,8 +70,8 @@ std::string panel_script(const Panel& panel, const std::string& data) {
   std::string script = "reset\nset style line 9 lc rgb '#d8dde1' lw 0.5\n"
                        "set grid xtics ytics ls 9\nset border 3 lc rgb '#667078'\nset tics nomirror out scale 0.5\n"
                        "unset colorbox\nset cbrange [0:1]\nset palette defined (0 '#000000', 1 '#e69f00')\n";
-  script += "set title " + quoted(panel.title) + "\nset xlabel " + quoted(panel.x_label) + "\nset ylabel " +
-            quoted(panel.y_label) + "\n";
+  script += "set title " + in_quotes(panel.title) + "\nset xlabel " + in_quotes(panel.x_label) + "\nset ylabel " +
+            in_quotes(panel.y_label) + "\n";
   script += panel.log_x ? "set logscale x\n" : "";
   script += panel.log_y ? "set logscale y\nset format y '%.0e'\n" : "";
   script += keyed(panel) ? "set key right top samplen 1.5 noautotitle\n" : "set key off\n";
@@ -84,7 +84,7 @@ std::string panel_script(const Panel& panel, const std::string& data) {
     const Series& series = panel.series[i];
     plots += plots.empty() ? "plot " : ", ";
     plots += "'" + data + "' index " + std::to_string(i) + (series.shade.empty() ? " using 1:2 " : " using 1:2:3 ") +
-             style_of(series) + (series.label.empty() ? " notitle" : " title " + quoted(series.label));
+             style_of(series) + (series.label.empty() ? " notitle" : " title " + in_quotes(series.label));
   }
   return script + (plots.empty() ? "plot NaN notitle" : plots) + "\n";
 }

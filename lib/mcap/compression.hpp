@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+
+namespace farrier::mcap {
+
+/// CRC-32 of zip and Ethernet (zlib), going on from `before`; 0 of nothing.
+std::uint32_t crc32(std::span<const std::uint8_t> data, std::uint32_t before = 0) noexcept;
+
+/// zstd at its fastest regular level, with one context for all chunks of a file.
+class Compressor {
+ public:
+  Compressor();
+  ~Compressor();
+  Compressor(Compressor&&) noexcept;
+  Compressor& operator=(Compressor&&) noexcept;
+
+  /// Valid until the next call.
+  std::span<const std::uint8_t> compress(std::span<const std::uint8_t> data);
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+/// Of a chunk: "zstd", or "" as it is. Refuses another compression, bytes that are not what they claim to be, and
+/// chunks of more than kLargestChunk bytes.
+Result<std::vector<std::uint8_t>> decompress(std::span<const std::uint8_t> data, const std::string& compression,
+                                             std::uint64_t uncompressed_size);
+
+/// Nobody's recorder makes larger ones; a file that claims one is broken.
+inline constexpr std::uint64_t kLargestChunk = 1u << 30;
+
+}  // namespace farrier::mcap

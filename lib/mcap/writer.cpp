@@ -1,0 +1,223 @@
+#include "mcap/writer.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "core/ensure.hpp"
+#include "mcap/record_bytes.hpp"
+
+namespace farrier::mcap {
+namespace {
+
+/// Offset and length of the records of one kind in the summary.
+struct SummaryGroup {
+  Opcode opcode;
+  std::uint64_t offset;
+  std::uint64_t length;
+};
+
+}  // namespace
+
+Result<Writer> Writer::create(const std::string& path, const std::string& profile, const std::string& library,
+                              std::size_t chunk_bytes) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (file == nullptr) {
+    return Error{"cannot write " + path + ": " + std::strerror(errno)};
+  }
+  Writer writer(file, path, chunk_bytes);
+  writer.scratch_.bytes(kMagic);
+  writer.scratch_.record(Opcode::kHeader, [&] {
+    writer.scratch_.text(profile);
+    writer.scratch_.text(library);
+  });
+  writer.put(writer.scratch_.view());
+  return writer;
+}
+
+std::uint16_t Writer::add_schema(Schema schema) {
+  schema.id = static_cast<std::uint16_t>(schemas_.size() + 1);
+  append(chunk_, schema);
+  schemas_.push_back(std::move(schema));
+  return schemas_.back().id;
+}
+
+std::uint16_t Writer::add_channel(Channel channel) {
+  channel.id = static_cast<std::uint16_t>(channels_.size());
+  append(chunk_, channel);
+  channels_.push_back(std::move(channel));
+  times_.emplace_back();
+  return channels_.back().id;
+}
+
+void Writer::write(const Message& message) {
+  MessageTimes& times = times_[message.channel_id];
+  const bool first_of_chunk = messages_in_chunk_++ == 0;
+  gathering_.first_ns = first_of_chunk ? message.log_time_ns : std::min(gathering_.first_ns, message.log_time_ns);
+  gathering_.last_ns = first_of_chunk ? message.log_time_ns : std::max(gathering_.last_ns, message.log_time_ns);
+  times.emplace_back(message.log_time_ns, chunk_.size());
+  append(chunk_, message);
+
+  const bool first = statistics_.messages++ == 0;
+  statistics_.first_ns = first ? message.log_time_ns : std::min(statistics_.first_ns, message.log_time_ns);
+  statistics_.last_ns = std::max(statistics_.last_ns, message.log_time_ns);
+  ++statistics_.messages_of[message.channel_id];
+  if (chunk_.size() >= chunk_bytes_) {
+    put_chunk();
+  }
+}
+
+void Writer::write(const Metadata& metadata) {
+  put_chunk();
+  scratch_.clear();
+  append(scratch_, metadata);
+  metadata_.push_back({offset_, scratch_.size(), metadata.name});
+  put(scratch_.view());
+}
+
+void Writer::flush_file() {
+  if (!failed() && std::fflush(file_.get()) != 0) {
+    failure_ = "cannot write " + path_ + ": " + std::strerror(errno);
+  }
+}
+
+void Writer::put(std::span<const std::uint8_t> bytes) {
+  if (failed()) {
+    return;
+  }
+  data_crc_ = crc32(bytes, data_crc_);
+  offset_ += bytes.size();
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file_.get()) != bytes.size()) {
+    failure_ = "cannot write " + path_ + ": " + std::strerror(errno);
+  }
+}
+
+void Writer::put_chunk() {
+  if (chunk_.size() == 0) {
+    return;
+  }
+  const std::span<const std::uint8_t> compressed = compressor_.compress(chunk_.view());
+  gathering_.offset = offset_;
+  gathering_.compression = "zstd";
+  gathering_.compressed_size = compressed.size();
+  gathering_.uncompressed_size = chunk_.size();
+  scratch_.clear();
+  scratch_.record(Opcode::kChunk, [&] {
+    scratch_.number(gathering_.first_ns);
+    scratch_.number(gathering_.last_ns);
+    scratch_.number(gathering_.uncompressed_size);
+    scratch_.number(crc32(chunk_.view()));
+    scratch_.text(gathering_.compression);
+    scratch_.number(gathering_.compressed_size);
+    scratch_.bytes(compressed);
+  });
+  gathering_.length = scratch_.size();
+  put(scratch_.view());
+  const std::uint64_t indexes_at = offset_;
+  gathering_.index_offsets = put_message_indexes();
+  gathering_.index_length = offset_ - indexes_at;
+  chunks_.push_back(std::move(gathering_));
+  gathering_ = {};
+  messages_in_chunk_ = 0;
+  chunk_.clear();
+  flush_file();
+}
+
+std::map<std::uint16_t, std::uint64_t> Writer::put_message_indexes() {
+  std::map<std::uint16_t, std::uint64_t> offsets;
+  for (std::size_t channel = 0; channel < times_.size(); ++channel) {
+    if (times_[channel].empty()) {
+      continue;
+    }
+    const auto id = static_cast<std::uint16_t>(channel);
+    scratch_.clear();
+    scratch_.record(Opcode::kMessageIndex, [&] {
+      scratch_.number(id);
+      scratch_.prefixed([&] {
+        for (const auto& [time_ns, offset] : times_[channel]) {
+          scratch_.number(time_ns);
+          scratch_.number(offset);
+        }
+      });
+    });
+    offsets[id] = offset_;
+    put(scratch_.view());
+    times_[channel].clear();
+  }
+  return offsets;
+}
+
+void Writer::put_summary() {
+  const std::uint64_t start = offset_;
+  data_crc_ = 0;  // of the summary from here on
+  std::vector<SummaryGroup> groups;
+  const auto group = [&](Opcode opcode, auto&& append_all) {
+    scratch_.clear();
+    append_all();
+    if (scratch_.size() > 0) {
+      groups.push_back({opcode, offset_, scratch_.size()});
+      put(scratch_.view());
+    }
+  };
+  const auto append_each = [&](const auto& records) {
+    return [&] {
+      for (const auto& record : records) {
+        append(scratch_, record);
+      }
+    };
+  };
+  group(Opcode::kSchema, append_each(schemas_));
+  group(Opcode::kChannel, append_each(channels_));
+  group(Opcode::kStatistics, [&] { append(scratch_, statistics_); });
+  group(Opcode::kChunkIndex, append_each(chunks_));
+  group(Opcode::kMetadataIndex, [&] {
+    for (const MetadataIndex& index : metadata_) {
+      scratch_.record(Opcode::kMetadataIndex, [&] {
+        scratch_.number(index.offset);
+        scratch_.number(index.length);
+        scratch_.text(index.name);
+      });
+    }
+  });
+  const std::uint64_t offsets_start = offset_;
+  scratch_.clear();
+  for (const SummaryGroup& one : groups) {
+    scratch_.record(Opcode::kSummaryOffset, [&] {
+      scratch_.number(static_cast<std::uint8_t>(one.opcode));
+      scratch_.number(one.offset);
+      scratch_.number(one.length);
+    });
+  }
+  put(scratch_.view());
+  // The summary's CRC covers the footer up to itself.
+  scratch_.clear();
+  scratch_.number(static_cast<std::uint8_t>(Opcode::kFooter));
+  scratch_.number(std::uint64_t{2 * sizeof(std::uint64_t) + sizeof(std::uint32_t)});
+  scratch_.number(start);
+  scratch_.number(offsets_start);
+  put(scratch_.view());
+  scratch_.clear();
+  scratch_.number(data_crc_);
+  scratch_.bytes(kMagic);
+  put(scratch_.view());
+}
+
+Result<Done> Writer::finish() {
+  put_chunk();
+  statistics_.schemas = static_cast<std::uint16_t>(schemas_.size());
+  statistics_.channels = static_cast<std::uint32_t>(channels_.size());
+  statistics_.metadata = static_cast<std::uint32_t>(metadata_.size());
+  statistics_.chunks = static_cast<std::uint32_t>(chunks_.size());
+  const std::uint32_t crc = data_crc_;
+  scratch_.clear();
+  scratch_.record(Opcode::kDataEnd, [&] { scratch_.number(crc); });
+  put(scratch_.view());
+  put_summary();
+  flush_file();
+  if (failed()) {
+    return Error{failure_};
+  }
+  return Done{};
+}
+
+}  // namespace farrier::mcap

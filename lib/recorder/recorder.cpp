@@ -1,0 +1,123 @@
+#include "recorder/recorder.hpp"
+
+#include <algorithm>
+
+#include "bus/watching.hpp"
+#include "participant/clock.hpp"
+#include "participant/participant.hpp"
+#include "robot/keys.hpp"
+#include "run_file/loss_count.hpp"
+#include "signals/cdr.hpp"
+#include "signals/tick_of.hpp"
+
+namespace farrier::recorder {
+namespace {
+
+/// Samples of a key that may wait while this process stands still: a quarter of a second at 1 kHz.
+constexpr int kDepth = 256;
+
+/// Steady clocks of two computers have nothing to do with each other.
+constexpr std::int64_t kBelievable_ns = 1'000'000'000;
+
+/// When a sample came to be, where its sender said so by the steady clock of this computer; otherwise now.
+template <class Signal>
+std::uint64_t publish_time(const Signal& signal, std::uint64_t now_ns, std::int64_t steady_now_ns) {
+  if constexpr (requires { signal.sample_time_ns; }) {
+    const std::int64_t age_ns = steady_now_ns - signal.sample_time_ns;
+    if (age_ns >= 0 && age_ns < kBelievable_ns) {
+      return now_ns - static_cast<std::uint64_t>(age_ns);
+    }
+  }
+  return now_ns;
+}
+
+template <class Signal>
+class TypedTap final : public Tap {
+ public:
+  static Result<std::unique_ptr<Tap>> create(bus::Bus& bus, const robot::Robot& robot) {
+    const bus::TopicSpec& topic = bus::spec(bus::TopicOf<Signal>::id);
+    bus::EndpointSpec endpoint =
+        participant::endpoint_of({.name = {}, .robot = robot.name}, topic.id, robot::legs_of_joints(robot));
+    endpoint.qos = bus::qos_for_watching(topic, kDepth);
+    auto heard = bus::Subscription<Signal>::create(bus, endpoint);
+    if (!heard) {
+      return heard.error();
+    }
+    return std::unique_ptr<Tap>(new TypedTap(std::move(heard).value()));
+  }
+
+  void drain(run_file::BackgroundWriter& file) override {
+    const std::uint64_t now_ns = participant::date_now_ns();
+    const std::int64_t steady_ns = participant::steady_now().time_since_epoch().count();
+    heard_.drain([&](const Signal& signal) {
+      if (bus::TopicOf<Signal>::id != bus::TopicId::kSystemHello && signals::tick_of(signal) == kNoTick) {
+        return;
+      }
+      ++samples_;
+      losses_.heard(signal);
+      signals::to_cdr(signal, cdr_);
+      file.offer({.topic = bus::TopicOf<Signal>::id,
+                  .sequence = static_cast<std::uint32_t>(signals::sequence_of(signal).value_or(0)),
+                  .log_time_ns = now_ns,
+                  .publish_time_ns = publish_time(signal, now_ns, steady_ns),
+                  .cdr = cdr_});
+    });
+  }
+
+  TopicProgress progress() const override { return {bus::TopicOf<Signal>::id, samples_, losses_.lost()}; }
+
+ private:
+  explicit TypedTap(bus::Subscription<Signal> heard) : heard_(std::move(heard)) {}
+
+  bus::Subscription<Signal> heard_;
+  run_file::LossCount<Signal> losses_;
+  std::vector<std::uint8_t> cdr_;
+  std::uint64_t samples_ = 0;
+};
+
+using MakeTap = Result<std::unique_ptr<Tap>> (*)(bus::Bus&, const robot::Robot&);
+
+#define FARRIER_TAP(Signal, file) &TypedTap<signals::Signal>::create,
+constexpr MakeTap kTaps[] = {FARRIER_SIGNALS(FARRIER_TAP)};
+#undef FARRIER_TAP
+
+}  // namespace
+
+Result<Recorder> Recorder::create(bus::Bus& bus, const robot::Robot& robot, const std::vector<bus::TopicId>& topics) {
+  std::vector<std::unique_ptr<Tap>> taps;
+  for (const bus::TopicSpec& topic : bus::topics()) {
+    if (!topics.empty() && std::ranges::find(topics, topic.id) == topics.end()) {
+      continue;
+    }
+    auto tap = kTaps[static_cast<std::size_t>(topic.id)](bus, robot);
+    if (!tap) {
+      return tap.error();
+    }
+    taps.push_back(std::move(tap).value());
+  }
+  return Recorder(std::move(taps));
+}
+
+void Recorder::drain(run_file::BackgroundWriter& file) {
+  for (const auto& tap : taps_) {
+    tap->drain(file);
+  }
+}
+
+std::vector<TopicProgress> Recorder::progress() const {
+  std::vector<TopicProgress> all;
+  for (const auto& tap : taps_) {
+    all.push_back(tap->progress());
+  }
+  return all;
+}
+
+run_file::TopicCounts Recorder::lost() const {
+  run_file::TopicCounts lost{};
+  for (const TopicProgress& one : progress()) {
+    lost[static_cast<std::size_t>(one.topic)] = one.lost;
+  }
+  return lost;
+}
+
+}  // namespace farrier::recorder

@@ -1,0 +1,78 @@
+#pragma once
+
+// A run on disk: every sample of every topic in MCAP, as it is on the wire, with its IDL.
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bus/topics.hpp"
+#include "core/result.hpp"
+#include "mcap/reader.hpp"
+#include "mcap/writer.hpp"
+
+namespace farrier::run_file {
+
+/// One sample, as it is written and read.
+struct Sample {
+  bus::TopicId topic{};
+  std::uint32_t sequence = 0;        ///< lower half of signals::sequence_of; 0: has none
+  std::uint64_t log_time_ns = 0;     ///< since 1970: when the recorder had it
+  std::uint64_t publish_time_ns = 0; ///< since 1970: when what it says was true
+  std::span<const std::uint8_t> cdr; ///< signals::to_cdr
+};
+
+/// What a recording says beside samples: names of metadata records.
+inline constexpr const char* kRunFacts = "farrier.run";    ///< robot, file, vendor, clock, revision, seed: see docs
+inline constexpr const char* kLosses = "farrier.lost";     ///< by topic, samples that the recording does not have
+
+using TopicCounts = std::array<std::uint64_t, bus::kTopicCount>;
+
+class RunFileWriter {
+ public:
+  /// Refuses a path that cannot be written.
+  static Result<RunFileWriter> create(const std::string& path, const mcap::Text& facts);
+
+  void write(const Sample& sample);
+  /// Sends what is buffered to the file.
+  void flush() { file_.flush(); }
+  /// Ends the file. Refuses when the disk did not take everything.
+  Result<Done> finish(const TopicCounts& lost);
+
+  bool failed() const noexcept { return file_.failed(); }
+  const std::string& failure() const noexcept { return file_.failure(); }
+  std::uint64_t bytes() const noexcept { return file_.bytes(); }
+
+ private:
+  explicit RunFileWriter(mcap::Writer file) : file_(std::move(file)) {}
+
+  mcap::Writer file_;
+};
+
+class RunFileReader {
+ public:
+  /// Refuses a file that cannot be read, is not MCAP or is not of Farrier; topics of another contract are refused where
+  /// they are first met, by `ending`.
+  static Result<RunFileReader> open(const std::string& path);
+
+  /// The next sample, valid until the next call; samples of topics that this version does not know are passed over.
+  /// False at the end: see `ending`.
+  bool next(Sample& sample);
+
+  /// Empty: the file was read to its regular end. Otherwise why not.
+  const std::string& ending() const noexcept { return ending_.empty() ? file_.ending() : ending_; }
+  /// Of a metadata record read so far; empty without one. kLosses comes at the end.
+  mcap::Text metadata(const std::string& name) const;
+  const mcap::Reader& file() const noexcept { return file_; }
+
+ private:
+  explicit RunFileReader(mcap::Reader file) : file_(std::move(file)) {}
+
+  mcap::Reader file_;
+  std::map<std::uint16_t, const bus::TopicSpec*> topics_;  // by channel; null: not of this version
+  std::string ending_;
+};
+
+}  // namespace farrier::run_file

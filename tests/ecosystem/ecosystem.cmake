@@ -1,0 +1,20 @@
+# Programs of others that must be able to use what Farrier makes: npm's readers of recordings. What package-lock.json
+# names is fetched into the build tree, once.
+find_program(FARRIER_NPM npm)
+set(ecosystem_dir ${CMAKE_CURRENT_LIST_DIR})
+set(ecosystem_build ${PROJECT_BINARY_DIR}/ecosystem)
+if(FARRIER_NPM)
+  add_custom_command(OUTPUT ${ecosystem_build}/node_modules/.package-lock.json
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${ecosystem_build}
+    COMMAND ${CMAKE_COMMAND} -E copy ${ecosystem_dir}/package.json ${ecosystem_dir}/package-lock.json
+      ${ecosystem_dir}/decode_recording.mjs ${ecosystem_build}
+    COMMAND ${FARRIER_NPM} ci --prefix ${ecosystem_build} --no-audit --no-fund --silent
+    DEPENDS ${ecosystem_dir}/package.json ${ecosystem_dir}/package-lock.json ${ecosystem_dir}/decode_recording.mjs
+    COMMENT "Fetching npm's readers of recordings" VERBATIM)
+  add_custom_target(ecosystem_readers DEPENDS ${ecosystem_build}/node_modules/.package-lock.json)
+
+  farrier_test(ecosystem_test ecosystem ${ecosystem_dir}/ecosystem_test.cpp)
+  target_link_libraries(ecosystem_test PRIVATE farrier_run_file farrier_bus farrier_signals nlohmann_json::nlohmann_json)
+  target_compile_definitions(ecosystem_test PRIVATE FARRIER_ECOSYSTEM="${ecosystem_build}")
+  add_dependencies(ecosystem_test ecosystem_readers)
+endif()

@@ -1,0 +1,161 @@
+// farrier record and farrier info beside a running trot.
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "bus/topics.hpp"
+#include "farrier_command.hpp"
+
+namespace farrier::test {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+constexpr int kDomainOfReplays = 96;  // of no run: theirs are low
+
+class Record : public testing::TestWithParam<const char*> {
+ protected:
+  static void SetUpTestSuite() {
+    scratch_ = std::make_unique<ScratchDirectory>();
+    trot_ = std::make_unique<FarrierCommand>(std::vector<std::string>{"trot", "--dds", "mixed", "--duration", "600",
+                                                                      "--out", scratch_->file("out")});
+    ASSERT_TRUE(trot_->says("trot: tick 0 of")) << trot_->output();
+  }
+  static void TearDownTestSuite() {
+    trot_->signal(SIGINT);
+    EXPECT_EQ(trot_->wait(20s), 130);
+    trot_.reset();
+    scratch_.reset();
+  }
+
+  std::vector<std::string> record(const std::string& path, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments{"record", path, "--domain", std::to_string(trot_->domain()), "--dds", GetParam()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return arguments;
+  }
+
+  static std::unique_ptr<ScratchDirectory> scratch_;
+  static std::unique_ptr<FarrierCommand> trot_;
+};
+std::unique_ptr<ScratchDirectory> Record::scratch_;
+std::unique_ptr<FarrierCommand> Record::trot_;
+
+TEST_P(Record, TakesEveryTopicThatMovesAndCountsWhatItLost) {
+  const std::string path = scratch_->file(std::string(GetParam()) + ".mcap");
+  std::string output;
+  ASSERT_EQ(run_farrier(record(path, {"--duration", "2", "--fact", "seed=1"}), &output), 0) << output;
+  ASSERT_EQ(run_farrier({"info", path, "--json"}, &output), 0) << output;
+  const json info = json::parse(output);
+  EXPECT_TRUE(info.at("whole"));
+  EXPECT_EQ(info.at("run").at("robot"), "hyq");
+  EXPECT_EQ(info.at("run").at("seed"), "1");
+  EXPECT_NE(info.at("run").at("configuration").get<std::string>().find("joints"), std::string::npos);
+  EXPECT_EQ(info.at("topics").size(), bus::kTopicCount);
+  for (const char* topic : {"joint/sensors", "joint/command", "joint/valve_command", "joint/measurement",
+                            "joint/controller_gains", "system/hello", "system/mode", "clock/tick"}) {
+    EXPECT_GT(info.at("topics").at(topic).at("samples"), 0) << topic;
+    EXPECT_TRUE(info.at("topics").at(topic).contains("lost")) << topic;
+  }
+  // What is published together, a sample of each for every joint and tick, is recorded in the same numbers but for the
+  // ends and what is said to be lost.
+  const auto all = [&](const char* topic) {
+    return info.at("topics").at(topic).at("samples").get<double>() + info.at("topics").at(topic).at("lost").get<double>();
+  };
+  EXPECT_NEAR(all("joint/sensors") / all("joint/measurement"), 1.0, 0.05);
+  EXPECT_NEAR(all("joint/sensors") / (12.0 * all("clock/tick")), 1.0, 0.05);
+}
+
+TEST_P(Record, TakesOnlyTheTopicsAskedFor) {
+  const std::string path = scratch_->file("some.mcap");
+  std::string output;
+  ASSERT_EQ(run_farrier(record(path, {"--duration", "1", "--topics", "clock/tick"}), &output), 0) << output;
+  ASSERT_EQ(run_farrier({"info", path, "--json"}, &output), 0) << output;
+  const json topics = json::parse(output).at("topics");
+  EXPECT_GT(topics.at("clock/tick").at("samples"), 0);
+  EXPECT_EQ(topics.at("joint/sensors").at("samples"), 0);
+}
+
+TEST_P(Record, KilledLeavesAFileThatIsReadableUpToItsLastChunk) {
+  const std::string path = scratch_->file("killed.mcap");
+  FarrierCommand command(record(path));
+  ASSERT_TRUE(command.says("Ctrl-C ends it", 20s)) << command.output();
+  std::this_thread::sleep_for(3s);
+  command.signal(SIGKILL);
+  command.wait(5s);
+  std::string output;
+  EXPECT_EQ(run_farrier({"info", path}, &output), 1) << output;
+  EXPECT_NE(output.find("cut off"), std::string::npos) << output;
+  EXPECT_NE(output.find("joint/measurement"), std::string::npos) << output;
+}
+
+TEST_P(Record, EndsItsFileWhenAskedToStop) {
+  const std::string path = scratch_->file("stopped.mcap");
+  FarrierCommand command(record(path));
+  ASSERT_TRUE(command.says("Ctrl-C ends it", 20s)) << command.output();
+  std::this_thread::sleep_for(1s);
+  command.signal(SIGINT);
+  EXPECT_EQ(command.wait(10s), 0) << command.output();
+  std::string output;
+  EXPECT_EQ(run_farrier({"info", path}, &output), 0) << output;
+}
+
+TEST_P(Record, ReplayedIsPublishedAgain) {
+  const std::string path = scratch_->file("to_replay.mcap");
+  const std::string again = scratch_->file("replayed.mcap");
+  const std::string domain = std::to_string(kDomainOfReplays);
+  std::string output;
+  ASSERT_EQ(run_farrier(record(path, {"--duration", "2"}), &output), 0) << output;
+  FarrierCommand listener({"record", again, "--domain", domain, "--dds", GetParam()});
+  ASSERT_TRUE(listener.says("Ctrl-C ends it", 20s)) << listener.output();
+  ASSERT_EQ(run_farrier({"replay", path, "--domain", domain, "--dds", GetParam()}, &output), 0) << output;
+  listener.signal(SIGINT);
+  ASSERT_EQ(listener.wait(10s), 0) << listener.output();
+  ASSERT_EQ(run_farrier({"info", path, "--json"}, &output), 0) << output;
+  const json before = json::parse(output);
+  ASSERT_EQ(run_farrier({"info", again, "--json"}, &output), 0) << output;
+  const json after = json::parse(output);
+  for (const char* topic : {"joint/measurement", "joint/sensors", "clock/tick"}) {
+    const double recorded = before.at("topics").at(topic).at("samples");
+    const double replayed = after.at("topics").at(topic).at("samples");
+    EXPECT_GT(recorded, 0.0) << topic;
+    EXPECT_NEAR(replayed / recorded, 1.0, 0.05) << topic;  // best effort
+  }
+  EXPECT_NEAR(after.at("duration_s").get<double>(), before.at("duration_s").get<double>(), 0.5);
+}
+
+TEST_P(Record, IsNotReplayedWhereARobotRuns) {
+  const std::string path = scratch_->file("not_to_replay.mcap");
+  std::string output;
+  ASSERT_EQ(run_farrier(record(path, {"--duration", "1"}), &output), 0) << output;
+  EXPECT_EQ(run_farrier({"replay", path, "--domain", std::to_string(trot_->domain()), "--dds", GetParam()}, &output), 2);
+  EXPECT_NE(output.find("would speak in its name"), std::string::npos) << output;
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, Record, testing::Values("cyclone", "fast"),
+                         [](const auto& dds) { return std::string(dds.param); });
+
+TEST(RecordCommand, SaysWhereToAskWhenNothingCame) {
+  const ScratchDirectory scratch;
+  std::string output;
+  EXPECT_EQ(run_farrier({"record", scratch.file("x.mcap"), "--domain", "99", "--duration", "0.5"}, &output), 1);
+  EXPECT_NE(output.find("nothing came; why: farrier doctor --domain 99"), std::string::npos) << output;
+}
+
+TEST(RecordCommand, RefusesWhatItCannotWriteAndWhatItDoesNotKnow) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"record", "/nowhere/x.mcap", "--domain", "99"}, &output), 2);
+  EXPECT_NE(output.find("/nowhere/x.mcap"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"record", "/tmp/x.mcap", "--topics", "joint/sensor"}, &output), 2);
+  EXPECT_NE(output.find("joint/sensors"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"info", "/nowhere/x.mcap"}, &output), 2);
+  EXPECT_EQ(run_farrier({"info", "/etc/passwd"}, &output), 2);
+  EXPECT_NE(output.find("not an MCAP file"), std::string::npos) << output;
+}
+
+}  // namespace
+}  // namespace farrier::test

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "tools/faults/fault_cell.hpp"
+
+namespace farrier::faults {
+
+// Cells that held, a line of JSON each, so that a trial of hours which was interrupted goes on where it was.
+
+/// What cells were run with; those of another are not taken over.
+struct CellsOrigin {
+  std::string git_revision;
+  std::string configuration_hash;
+  int slow = 1;
+};
+
+/// Appends a cell. Refuses a file that cannot be written.
+Result<Done> append_cell(const std::string& path, const CellsOrigin& origin, const Cell& cell);
+
+/// Cells of this origin; none where there is no file. Passes over a line that was cut off.
+std::vector<Cell> read_cells(const std::string& path, const CellsOrigin& origin);
+
+}  // namespace farrier::faults

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <cstdint>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "signals/fields.hpp"
+
+namespace farrier::recording {
+
+template <class Field>
+inline constexpr bool kIsText = false;
+template <std::size_t kSize>
+inline constexpr bool kIsText<std::array<char, kSize>> = true;
+
+/// Calls column(name, number or text) for each column of a field.
+template <class Field, class Column>
+void visit_columns(const std::string& name, Field& field, Column&& column) {
+  if constexpr (std::is_arithmetic_v<std::remove_const_t<Field>> || kIsText<std::remove_const_t<Field>>) {
+    column(name, field);
+  } else {
+    for (std::size_t i = 0; i < field.size(); ++i) {
+      column(name + '[' + std::to_string(i) + ']', field[i]);
+    }
+  }
+}
+
+/// Calls column(name, number or text) for each column of a signal.
+template <class Signal, class Column>
+void visit_all_columns(Signal& signal, Column&& column) {
+  signals::visit_fields(signal, [&](const char* name, auto& field) { visit_columns(name, field, column); });
+}
+
+template <class Number>
+  requires std::is_arithmetic_v<Number>
+void append_cell(std::string& row, Number number) {
+  char text[40];
+  if constexpr (std::is_integral_v<Number> && sizeof(Number) == 1) {
+    row.append(text, std::to_chars(text, text + sizeof text, static_cast<int>(number)).ptr);
+  } else {
+    row.append(text, std::to_chars(text, text + sizeof text, number).ptr);
+  }
+}
+
+template <std::size_t kSize>
+void append_cell(std::string& row, const std::array<char, kSize>& text) {
+  row += '"';
+  for (const char letter : signals::text_of(text)) {
+    row += letter;
+    if (letter == '"') {
+      row += '"';
+    }
+  }
+  row += '"';
+}
+
+/// False for a cell that is not such a number, or not one in its range.
+template <class Number>
+  requires std::is_arithmetic_v<Number>
+bool parse_cell(const std::string& cell, Number& number) {
+  std::conditional_t<std::is_integral_v<Number> && sizeof(Number) == 1, int, Number> read{};
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), read);
+  number = static_cast<Number>(read);
+  return error == std::errc{} && end == cell.data() + cell.size() && number == read;
+}
+inline bool parse_cell(const std::string& cell, double& number) {
+  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+  return error == std::errc{} && end == cell.data() + cell.size();
+}
+
+template <std::size_t kSize>
+bool parse_cell(const std::string& cell, std::array<char, kSize>& text) {
+  signals::assign(text, cell);
+  return cell.size() < kSize;
+}
+
+}  // namespace farrier::recording

@@ -1,0 +1,68 @@
+#include "tools/recording/replayer.hpp"
+
+#include <algorithm>
+
+#include "participant/participant.hpp"
+#include "robot/keys.hpp"
+#include "signals/cdr.hpp"
+
+namespace farrier::recording {
+namespace {
+
+template <class Signal>
+class TypedLine final : public Line {
+ public:
+  static Result<std::unique_ptr<Line>> create(bus::Bus& bus, const robot::Robot& robot) {
+    const bus::TopicSpec& topic = bus::spec(bus::TopicOf<Signal>::id);
+    bus::EndpointSpec endpoint = participant::endpoint_of(
+        {.name = {}, .robot = robot.name, .clock = bus::ClockKind::kRealtime}, topic.id, robot::legs_of_joints(robot));
+    // A recording that is paused is no process that died.
+    endpoint.qos.deadline = bus::kInfinite;
+    endpoint.qos.lease = bus::kInfinite;
+    auto publisher = bus::Publisher<Signal>::create(bus, endpoint);
+    if (!publisher) {
+      return publisher.error();
+    }
+    return std::unique_ptr<Line>(new TypedLine(std::move(publisher).value()));
+  }
+
+  bool publish(std::span<const std::uint8_t> cdr) override {
+    Signal signal;
+    return signals::from_cdr(cdr, signal) && publisher_.publish(signal);
+  }
+
+ private:
+  explicit TypedLine(bus::Publisher<Signal> publisher) : publisher_(std::move(publisher)) {}
+
+  bus::Publisher<Signal> publisher_;
+};
+
+using MakeLine = Result<std::unique_ptr<Line>> (*)(bus::Bus&, const robot::Robot&);
+
+#define FARRIER_LINE(Signal, file) &TypedLine<signals::Signal>::create,
+constexpr MakeLine kLines[] = {FARRIER_SIGNALS(FARRIER_LINE)};
+#undef FARRIER_LINE
+
+}  // namespace
+
+Result<Replayer> Replayer::create(bus::Bus& bus, const robot::Robot& robot, const std::vector<bus::TopicId>& topics) {
+  Replayer replayer;
+  for (const bus::TopicSpec& topic : bus::topics()) {
+    replayer.lines_.emplace_back();
+    if (topics.empty() || std::ranges::find(topics, topic.id) != topics.end()) {
+      auto line = kLines[static_cast<std::size_t>(topic.id)](bus, robot);
+      if (!line) {
+        return line.error();
+      }
+      replayer.lines_.back() = std::move(line).value();
+    }
+  }
+  return replayer;
+}
+
+bool Replayer::publish(const run_file::Sample& sample) {
+  const auto& line = lines_[static_cast<std::size_t>(sample.topic)];
+  return line != nullptr && line->publish(sample.cdr);
+}
+
+}  // namespace farrier::recording
