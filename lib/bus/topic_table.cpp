@@ -1,3 +1,4 @@
+#include "bus/qos_text.hpp"
 #include "bus/topics.hpp"
 
 namespace farrier::bus {
@@ -8,17 +9,17 @@ std::string milliseconds(Nanoseconds time) {
                            : std::to_string(std::chrono::duration_cast<std::chrono::milliseconds>(time).count()) + " ms";
 }
 
-std::string describe(const Qos& qos) {
+}  // namespace
+
+std::string qos_text(const Qos& qos, bool with_history) {
   std::string text = qos.reliability == Reliability::kReliable ? "reliable" : "best effort";
-  text += ", keep last " + std::to_string(qos.history_depth);
+  text += with_history ? ", keep last " + std::to_string(qos.history_depth) : "";
   text += qos.durability == Durability::kTransientLocal ? ", transient local" : "";
   text += qos.deadline == kInfinite ? "" : ", deadline " + milliseconds(qos.deadline);
   text += qos.lease == kInfinite ? "" : ", manual liveliness " + milliseconds(qos.lease);
   text += qos.ownership == Ownership::kExclusive ? ", exclusive" : "";
   return text;
 }
-
-}  // namespace
 
 std::string topics_table_markdown() {
   std::string table =
@@ -28,8 +29,8 @@ std::string topics_table_markdown() {
     table += std::string("| `") + topic.name + "` | [" + topic.idl + "](" + topic.idl + ") | " + to_string(topic.writers) + " → " +
              topic.readers + " | " +
              topic.key + " | " + std::to_string(topic.version) + " | " +
-             (topic.route == Route::kRobot ? "the robot" : "the leg's hosts") + " | " + describe(topic.realtime) +
-             " | " + describe(qos_for(topic, ClockKind::kLockstep)) + " |\n";
+             (topic.route == Route::kRobot ? "the robot" : "the leg's hosts") + " | " + qos_text(topic.realtime) +
+             " | " + qos_text(qos_for(topic, ClockKind::kLockstep)) + " |\n";
   }
   return table;
 }

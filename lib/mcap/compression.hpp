@@ -35,6 +35,6 @@ Result<std::vector<std::uint8_t>> decompress(std::span<const std::uint8_t> data,
                                              std::uint64_t uncompressed_size);
 
 /// Nobody's recorder makes larger ones; a file that claims one is broken.
-inline constexpr std::uint64_t kLargestChunk = 1u << 30;
+inline constexpr std::uint64_t kLargestChunk = 1u << 28;
 
 }  // namespace farrier::mcap

@@ -46,7 +46,7 @@ class TypedTap final : public Tap {
     return std::unique_ptr<Tap>(new TypedTap(std::move(heard).value()));
   }
 
-  void drain(run_file::BackgroundWriter& file) override {
+  void drain(const Take& take) override {
     const std::uint64_t now_ns = participant::date_now_ns();
     const std::int64_t steady_ns = participant::steady_now().time_since_epoch().count();
     heard_.drain([&](const Signal& signal) {
@@ -56,11 +56,11 @@ class TypedTap final : public Tap {
       ++samples_;
       losses_.heard(signal);
       signals::to_cdr(signal, cdr_);
-      file.offer({.topic = bus::TopicOf<Signal>::id,
-                  .sequence = static_cast<std::uint32_t>(signals::sequence_of(signal).value_or(0)),
-                  .log_time_ns = now_ns,
-                  .publish_time_ns = publish_time(signal, now_ns, steady_ns),
-                  .cdr = cdr_});
+      take({.topic = bus::TopicOf<Signal>::id,
+            .sequence = static_cast<std::uint32_t>(signals::sequence_of(signal).value_or(0)),
+            .log_time_ns = now_ns,
+            .publish_time_ns = publish_time(signal, now_ns, steady_ns),
+            .cdr = cdr_});
     });
   }
 
@@ -98,9 +98,9 @@ Result<Recorder> Recorder::create(bus::Bus& bus, const robot::Robot& robot, cons
   return Recorder(std::move(taps));
 }
 
-void Recorder::drain(run_file::BackgroundWriter& file) {
+void Recorder::drain(const Take& take) {
   for (const auto& tap : taps_) {
-    tap->drain(file);
+    tap->drain(take);
   }
 }
 

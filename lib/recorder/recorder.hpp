@@ -1,12 +1,13 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "bus/bus.hpp"
 #include "robot/robot.hpp"
-#include "run_file/background_writer.hpp"
+#include "run_file/run_file.hpp"
 
 namespace farrier::recorder {
 
@@ -17,23 +18,26 @@ struct TopicProgress {
   std::uint64_t lost = 0;     ///< that never came, by the sequence of its streams
 };
 
-/// One topic's way from the bus to the file.
+/// Gets samples, which are valid for the call.
+using Take = std::function<void(const run_file::Sample&)>;
+
+/// One topic's way from the bus.
 class Tap {
  public:
   virtual ~Tap() = default;
   /// Hands every waiting sample on. Probes of the greeting, which nobody acts on, are left out.
-  virtual void drain(run_file::BackgroundWriter& file) = 0;
+  virtual void drain(const Take& take) = 0;
   virtual TopicProgress progress() const = 0;
 };
 
-/// Reads topics of a robot's bus into a run file. Adds readers that no writer waits for.
+/// Reads topics of a robot's bus as a recording has them. Adds readers that no writer waits for.
 class Recorder {
  public:
-  /// `topics`: those to record; empty: all. Refuses what the bus refuses.
+  /// `topics`: those to read; empty: all. Refuses what the bus refuses.
   static Result<Recorder> create(bus::Bus& bus, const robot::Robot& robot, const std::vector<bus::TopicId>& topics);
 
-  /// Hands what has come to the file.
-  void drain(run_file::BackgroundWriter& file);
+  /// Hands what has come on.
+  void drain(const Take& take);
 
   std::vector<TopicProgress> progress() const;
   run_file::TopicCounts lost() const;

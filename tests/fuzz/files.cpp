@@ -11,6 +11,8 @@
 #include "diagnosis/scaled_recording.hpp"
 #include "diagnosis/trace_recording.hpp"
 #include "record/trace.hpp"
+#include "run_file/run_file.hpp"
+#include "signals/cdr.hpp"
 #include "tests/fuzz/harness.hpp"
 #include "tests/fuzz/robots.hpp"
 
@@ -91,6 +93,22 @@ void trace(Bytes bytes) {
     return require_findings(read.error().findings);
   }
   require_sound(read.value(), joint);
+}
+
+void run_file(Bytes bytes) {
+  const File file(bytes);
+  auto reader = farrier::run_file::RunFileReader::open(file.path());
+  if (!reader) {
+    return require(!reader.error().message.empty(), "a refusal says why");
+  }
+  for (farrier::run_file::Sample sample; reader.value().next(sample);) {
+    require(static_cast<std::size_t>(sample.topic) < bus::kTopicCount, "a sample is of a topic that there is");
+    signals::JointMeasurement measurement;
+    require(!signals::from_cdr(sample.cdr, measurement) || sample.cdr.size() >= signals::cdr_size<signals::JointMeasurement>(),
+            "what is read is all there");
+  }
+  farrier::run_file::Sample none;
+  require(!reader.value().next(none), "the end stays the end");
 }
 
 }  // namespace farrier::fuzz

@@ -9,6 +9,7 @@ std::span<const Harness> harnesses() noexcept {
       {"recording", recording},
       {"scaled_recording", scaled_recording},
       {"trace", trace},
+      {"run_file", run_file},
       {"cyclone_codec", cyclone_codec},
       {"fast_codec", fast_codec},
       {"cyclone_datagram", cyclone_datagram},

@@ -1,8 +1,9 @@
-// farrier echo beside a running trot.
+// farrier echo and farrier topics beside a running trot.
 
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <map>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -69,6 +70,26 @@ TEST_P(Echo, HearsEveryRouteOfATopic) {
     joints.insert(line.substr(0, line.find(',')));
   }
   EXPECT_EQ(joints.size(), 12u);
+}
+
+TEST_P(Echo, TopicsListsWritersReadersAndRates) {
+  std::string output;
+  ASSERT_EQ(run_farrier({"topics", "--json", "--look", "6", "--domain", std::to_string(trot_->domain()), "--dds",
+                         GetParam()},
+                        &output),
+            0)
+      << output;
+  std::map<std::string, nlohmann::json> topics;
+  for (const nlohmann::json& topic : nlohmann::json::parse(output)) {
+    topics[topic.at("topic")] = topic;
+  }
+  const nlohmann::json& sensors = topics.at("joint/sensors");
+  EXPECT_EQ(sensors.at("writers").at("cyclone"), 4);  // sim_bridge has one for each leg
+  EXPECT_EQ(sensors.at("readers").at("fast"), 4);     // each leg's joint_node
+  EXPECT_EQ(sensors.at("types"), nlohmann::json{"wire::JointSensors"});
+  EXPECT_GT(sensors.at("rate_hz").get<double>(), 12.0);
+  EXPECT_EQ(topics.at("system/mode").at("writers").at("fast"), 1);
+  EXPECT_EQ(topics.at("joint/model_estimate").at("writers").at("cyclone"), 1);
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, Echo, testing::Values("cyclone", "fast"),

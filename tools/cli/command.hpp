@@ -25,6 +25,7 @@ std::function<int()> declare_reproduce(CLI::App& app);
 std::function<int()> declare_request(CLI::App& app);
 std::function<int()> declare_security(CLI::App& app);
 std::function<int()> declare_tables(CLI::App& app);
+std::function<int()> declare_topics(CLI::App& app);
 std::function<int()> declare_trot(CLI::App& app);
 
 }  // namespace farrier::cli

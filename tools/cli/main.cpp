@@ -32,6 +32,7 @@ constexpr Subcommand kSubcommands[] = {
     {"request", "Ask a running robot's supervisor to arm or to stop it", farrier::cli::declare_request},
     {"security", "Make or check the keys and permissions for DDS Security", farrier::cli::declare_security},
     {"tables", "Print the generated tables of the documentation", farrier::cli::declare_tables},
+    {"topics", "List who writes and reads what of a running robot, and how often", farrier::cli::declare_topics},
 };
 
 bool is_subcommand(std::string_view name) {

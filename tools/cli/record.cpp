@@ -10,6 +10,7 @@
 #include "participant/loop.hpp"
 #include "recorder/recorder.hpp"
 #include "robot/robot.hpp"
+#include "run_file/background_writer.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/guest.hpp"
 #include "tools/cli/output_file.hpp"
@@ -74,7 +75,7 @@ void record(bus::Bus& bus, recorder::Recorder& recorder, run_file::BackgroundWri
     }
     // Not at every arrival: twenty thousand of them come in a second.
     bus.wait_for_arrivals(~std::uint64_t{0}, kNextLook);
-    recorder.drain(file);
+    recorder.drain([&](const run_file::Sample& sample) { file.offer(sample); });
   }
   if (terminal) {
     std::fputs("\r\033[K", stderr);
