@@ -8,6 +8,7 @@
 #include "lab/recorder.hpp"
 #include "lab/run_monitor.hpp"
 #include "robot/keys.hpp"
+#include "signals/tick_of.hpp"
 #include "supervisor/ports.hpp"
 
 namespace farrier::lab {
@@ -92,7 +93,7 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   const auto listen = [&] {
     monitor.value().poll();
     estimates.value().drain([&](const signals::JointModelEstimate& estimate) {
-      if (run.estimates && estimate.tick != kNoTick) {  // else a probe of the greeting
+      if (run.estimates && !signals::is_probe(estimate)) {
         run.estimates(estimate);
       }
     });

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "signals/tick_of.hpp"
+
 namespace farrier::lab {
 
 Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity& identity,
@@ -45,7 +47,7 @@ void RunMonitor::poll(Tick now) {
     heard_.push_back(now);
   });
   decision_in_.drain([&](const signals::JointUpdateDecision& decision) {
-    if (decision.tick != kNoTick) {  // else a probe of the greeting
+    if (!signals::is_probe(decision)) {
       decisions_.push_back(decision);
     }
   });

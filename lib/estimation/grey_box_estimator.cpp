@@ -5,9 +5,9 @@
 #include <string>
 
 #include "control/discretise.hpp"
+#include "core/ticks_since.hpp"
 #include "estimation/joint_estimator.hpp"
 #include "estimation/poles.hpp"
-#include "estimation/ticks_since.hpp"
 #include "plant/linear_model.hpp"
 
 namespace farrier::estimation {

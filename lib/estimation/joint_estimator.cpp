@@ -5,8 +5,8 @@
 #include <utility>
 #include <variant>
 
+#include "core/ticks_since.hpp"
 #include "estimation/poles.hpp"
-#include "estimation/ticks_since.hpp"
 
 namespace farrier::estimation {
 namespace {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bus/bus.hpp"
+#include "core/ticks_since.hpp"
 #include "signals/tick_of.hpp"
 
 namespace farrier::participant {
@@ -101,9 +102,7 @@ class In final : public Port {
       const auto place = std::find(keys_.begin(), keys_.end(), key_of(signal)) - keys_.begin();
       if (static_cast<std::size_t>(place) < last_tick_.size()) {
         Tick& last = last_tick_[static_cast<std::size_t>(place)];
-        // Without sign: two ticks of any content have a difference.
-        const auto gap = static_cast<std::uint64_t>(signal.tick) - static_cast<std::uint64_t>(last);
-        skipped_ += last != kNoTick && signal.tick > last ? gap - 1 : 0;
+        skipped_ += last != kNoTick && signal.tick > last ? ticks_since(last, signal.tick) - 1 : 0;
         last = signal.tick;
       }
     }

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 
-#include "bus/watching.hpp"
 #include "participant/clock.hpp"
-#include "participant/participant.hpp"
-#include "robot/keys.hpp"
+#include "recorder/watching_endpoint.hpp"
 #include "run_file/loss_count.hpp"
 #include "signals/cdr.hpp"
 #include "signals/tick_of.hpp"
@@ -35,11 +33,7 @@ template <class Signal>
 class TypedTap final : public Tap {
  public:
   static Result<std::unique_ptr<Tap>> create(bus::Bus& bus, const robot::Robot& robot) {
-    const bus::TopicSpec& topic = bus::spec(bus::TopicOf<Signal>::id);
-    bus::EndpointSpec endpoint =
-        participant::endpoint_of({.name = {}, .robot = robot.name}, topic.id, robot::legs_of_joints(robot));
-    endpoint.qos = bus::qos_for_watching(topic, kDepth);
-    auto heard = bus::Subscription<Signal>::create(bus, endpoint);
+    auto heard = bus::Subscription<Signal>::create(bus, watching_endpoint(robot, bus::TopicOf<Signal>::id, kDepth));
     if (!heard) {
       return heard.error();
     }
@@ -50,7 +44,7 @@ class TypedTap final : public Tap {
     const std::uint64_t now_ns = participant::date_now_ns();
     const std::int64_t steady_ns = participant::steady_now().time_since_epoch().count();
     heard_.drain([&](const Signal& signal) {
-      if (bus::TopicOf<Signal>::id != bus::TopicId::kSystemHello && signals::tick_of(signal) == kNoTick) {
+      if (signals::is_probe(signal)) {
         return;
       }
       ++samples_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 #include "signals/signals.hpp"
 
 namespace farrier::signals {
@@ -14,6 +16,12 @@ Tick tick_of(const Signal& s) noexcept {
     return s.tick;
   }
   return kNoTick;
+}
+
+/// Whether a sample is a probe of the greeting. A hello is none: it has no tick.
+template <class Signal>
+bool is_probe(const Signal& s) noexcept {
+  return !std::is_same_v<Signal, SystemHello> && tick_of(s) == kNoTick;
 }
 
 }  // namespace farrier::signals

@@ -3,15 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cstdio>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "run_file/run_file.hpp"
-#include "signals/cdr.hpp"
-#include "tests/contract/random_signal.hpp"
+#include "tests/support/random_recording.hpp"
 #include "tests/support/scratch_directory.hpp"
+#include "tools/tool_process/tool_process.hpp"
 
 namespace farrier::test {
 namespace {
@@ -49,49 +47,23 @@ double sum_of(const std::array<T, kCount>& fields) {
 /// Twenty random samples of every topic; what they sum up to.
 std::map<std::string, TopicSum> write_recording(const std::string& path) {
   std::map<std::string, TopicSum> sums;
-  auto file = run_file::RunFileWriter::create(path, {{"robot", "hyq"}});
-  EXPECT_TRUE(file.ok());
-  std::mt19937_64 random(5);
-  std::vector<std::uint8_t> cdr;
-  std::uint64_t time_ns = 0;
-  const auto write = [&]<class Signal>(const Signal&) {
+  write_random_recording(path, {{"robot", "hyq"}}, {}, 20, [&]<class Signal>(const Signal& signal) {
     TopicSum& topic = sums[bus::spec(bus::TopicOf<Signal>::id).name];
-    for (int i = 0; i < 20; ++i) {
-      const auto signal = contract::random_signal<Signal>(random);
-      signals::to_cdr(signal, cdr);
-      file.value().write({.topic = bus::TopicOf<Signal>::id, .log_time_ns = ++time_ns, .cdr = cdr});
-      double sum = 0.0;
-      signals::visit_fields(signal, [&](const char*, const auto& field) { sum += sum_of(field); });
-      topic.sum += sum;
-      ++topic.samples;
-    }
-  };
-#define FARRIER_WRITE(Signal, file) write(signals::Signal{});
-  FARRIER_SIGNALS(FARRIER_WRITE)
-#undef FARRIER_WRITE
-  EXPECT_TRUE(file.value().finish({}).ok());
+    double sum = 0.0;
+    signals::visit_fields(signal, [&](const char*, const auto& field) { sum += sum_of(field); });
+    topic.sum += sum;
+    ++topic.samples;
+  });
   return sums;
-}
-
-/// What the command prints; fails the test unless it ends with 0.
-std::string output_of(const std::string& command) {
-  std::FILE* const pipe = ::popen((command + " 2>&1").c_str(), "r");
-  std::string output;
-  std::array<char, 4096> bytes;
-  for (std::size_t count; (count = std::fread(bytes.data(), 1, bytes.size(), pipe)) > 0;) {
-    output.append(bytes.data(), count);
-  }
-  EXPECT_EQ(::pclose(pipe), 0) << command << "\n" << output;
-  return output;
 }
 
 TEST(Ecosystem, NpmsReadersSeeEverySampleOfEveryTopicAsWeDo) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("run.mcap");
   const auto sums = write_recording(path);
-  const std::string output = output_of("cd '" FARRIER_ECOSYSTEM "' && node decode_recording.mjs '" + path + "'");
-  ASSERT_FALSE(HasFailure());
-  const json read = json::parse(output);
+  const auto ran = run_tool({"node", "nodejs"}, {"decode_recording.mjs", path}, FARRIER_ECOSYSTEM, scratch.file("read.json"));
+  ASSERT_TRUE(ran.ok()) << ran.error().message;
+  const json read = json::parse(std::ifstream(scratch.file("read.json")));
   ASSERT_EQ(sums.size(), bus::kTopicCount);
   for (const auto& [topic, ours] : sums) {
     ASSERT_TRUE(read.at("topics").contains(topic)) << topic;

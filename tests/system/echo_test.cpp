@@ -2,37 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include <csignal>
 #include <map>
-#include <memory>
 #include <set>
 #include <sstream>
 
-#include "farrier_command.hpp"
+#include "beside_a_trot.hpp"
 
 namespace farrier::test {
 namespace {
 
 using namespace std::chrono_literals;
 
-class Echo : public testing::TestWithParam<const char*> {
+class Echo : public BesideATrot {
  protected:
-  static void SetUpTestSuite() {
-    scratch_ = std::make_unique<ScratchDirectory>();
-    trot_ = std::make_unique<FarrierCommand>(std::vector<std::string>{"trot", "--dds", "mixed", "--duration", "600",
-                                                                      "--out", scratch_->file("out")});
-    ASSERT_TRUE(trot_->says("trot: tick 0 of")) << trot_->output();
-  }
-  static void TearDownTestSuite() {
-    trot_->signal(SIGINT);
-    EXPECT_EQ(trot_->wait(20s), 130);
-    trot_.reset();
-    scratch_.reset();
-  }
-
   std::vector<std::string> lines_of(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "echo");
-    arguments.insert(arguments.end(), {"--domain", std::to_string(trot_->domain()), "--dds", GetParam()});
+    const std::vector<std::string> where = beside();
+    arguments.insert(arguments.end(), where.begin(), where.end());
     std::string output;
     EXPECT_EQ(run_farrier(arguments, &output), 0) << output;
     std::vector<std::string> lines;
@@ -42,12 +28,7 @@ class Echo : public testing::TestWithParam<const char*> {
     }
     return lines;
   }
-
-  static std::unique_ptr<ScratchDirectory> scratch_;
-  static std::unique_ptr<FarrierCommand> trot_;
 };
-std::unique_ptr<ScratchDirectory> Echo::scratch_;
-std::unique_ptr<FarrierCommand> Echo::trot_;
 
 TEST_P(Echo, PrintsTheSamplesOfOneJoint) {
   const auto lines = lines_of({"joint/measurement", "--joint", "rh_kfe", "--count", "5"});

@@ -2,13 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <csignal>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "beside_a_trot.hpp"
 #include "bus/topics.hpp"
-#include "farrier_command.hpp"
 
 namespace farrier::test {
 namespace {
@@ -18,32 +16,24 @@ using nlohmann::json;
 
 constexpr int kDomainOfReplays = 96;  // of no run: theirs are low
 
-class Record : public testing::TestWithParam<const char*> {
+class Record : public BesideATrot {
  protected:
-  static void SetUpTestSuite() {
-    scratch_ = std::make_unique<ScratchDirectory>();
-    trot_ = std::make_unique<FarrierCommand>(std::vector<std::string>{"trot", "--dds", "mixed", "--duration", "600",
-                                                                      "--out", scratch_->file("out")});
-    ASSERT_TRUE(trot_->says("trot: tick 0 of")) << trot_->output();
-  }
-  static void TearDownTestSuite() {
-    trot_->signal(SIGINT);
-    EXPECT_EQ(trot_->wait(20s), 130);
-    trot_.reset();
-    scratch_.reset();
-  }
-
   std::vector<std::string> record(const std::string& path, std::vector<std::string> more = {}) const {
-    std::vector<std::string> arguments{"record", path, "--domain", std::to_string(trot_->domain()), "--dds", GetParam()};
+    std::vector<std::string> arguments = beside();
+    arguments.insert(arguments.begin(), {"record", path});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return arguments;
   }
 
-  static std::unique_ptr<ScratchDirectory> scratch_;
-  static std::unique_ptr<FarrierCommand> trot_;
+  /// Ends a recording some seconds after it has begun, by this signal; the command's exit status.
+  static int record_until(int signal, const std::vector<std::string>& arguments, std::chrono::seconds after) {
+    FarrierCommand command(arguments);
+    EXPECT_TRUE(command.says("Ctrl-C ends it", 20s)) << command.output();
+    std::this_thread::sleep_for(after);
+    command.signal(signal);
+    return command.wait(10s);
+  }
 };
-std::unique_ptr<ScratchDirectory> Record::scratch_;
-std::unique_ptr<FarrierCommand> Record::trot_;
 
 TEST_P(Record, TakesEveryTopicThatMovesAndCountsWhatItLost) {
   const std::string path = scratch_->file(std::string(GetParam()) + ".mcap");
@@ -82,11 +72,7 @@ TEST_P(Record, TakesOnlyTheTopicsAskedFor) {
 
 TEST_P(Record, KilledLeavesAFileThatIsReadableUpToItsLastChunk) {
   const std::string path = scratch_->file("killed.mcap");
-  FarrierCommand command(record(path));
-  ASSERT_TRUE(command.says("Ctrl-C ends it", 20s)) << command.output();
-  std::this_thread::sleep_for(3s);
-  command.signal(SIGKILL);
-  command.wait(5s);
+  ASSERT_EQ(record_until(SIGKILL, record(path), 3s), 128 + SIGKILL);
   std::string output;
   EXPECT_EQ(run_farrier({"info", path}, &output), 1) << output;
   EXPECT_NE(output.find("cut off"), std::string::npos) << output;
@@ -95,11 +81,7 @@ TEST_P(Record, KilledLeavesAFileThatIsReadableUpToItsLastChunk) {
 
 TEST_P(Record, EndsItsFileWhenAskedToStop) {
   const std::string path = scratch_->file("stopped.mcap");
-  FarrierCommand command(record(path));
-  ASSERT_TRUE(command.says("Ctrl-C ends it", 20s)) << command.output();
-  std::this_thread::sleep_for(1s);
-  command.signal(SIGINT);
-  EXPECT_EQ(command.wait(10s), 0) << command.output();
+  ASSERT_EQ(record_until(SIGINT, record(path), 1s), 0);
   std::string output;
   EXPECT_EQ(run_farrier({"info", path}, &output), 0) << output;
 }

@@ -1,14 +1,12 @@
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 
 #include "mcap/compression.hpp"
 #include "mcap/reader.hpp"
 #include "mcap/writer.hpp"
+#include "tests/support/scratch_directory.hpp"
 
 namespace farrier::mcap {
 namespace {
@@ -17,9 +15,6 @@ using Bytes = std::vector<std::uint8_t>;
 
 class McapFile : public testing::Test {
  protected:
-  McapFile() : path_(std::filesystem::temp_directory_path() / ("mcap_test." + std::to_string(::getpid()) + ".mcap")) {}
-  ~McapFile() override { std::filesystem::remove(path_); }
-
   /// 40 messages on two channels in chunks of a few, and one metadata record.
   Bytes written() {
     auto writer = Writer::create(path_, "test", "mcap_test", 256);
@@ -63,7 +58,8 @@ class McapFile : public testing::Test {
   static Bytes data_of(std::uint32_t i) { return Bytes(10 + i % 7, static_cast<std::uint8_t>(i * 31)); }
 
   static constexpr std::uint32_t kMessages = 40;
-  std::filesystem::path path_;
+  const test::ScratchDirectory scratch_;
+  const std::string path_ = scratch_.file("file.mcap");
 };
 
 TEST_F(McapFile, ReadsWhatWasWritten) {

@@ -6,10 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "run_file/run_file.hpp"
-#include "signals/cdr.hpp"
-#include "signals/sequence_of.hpp"
-#include "tests/contract/random_signal.hpp"
+#include "tests/support/random_recording.hpp"
 #include "tests/support/scratch_directory.hpp"
 
 namespace farrier::recording {
@@ -17,34 +14,15 @@ namespace {
 
 /// Three random samples of every topic, their texts ended.
 void write_recording(const std::string& path) {
-  auto file = run_file::RunFileWriter::create(path, {{"robot", "hyq"}, {"configuration", "a: 1\nb: \"x\"\n"}});
-  ASSERT_TRUE(file.ok());
-  std::mt19937_64 random(3);
-  std::vector<std::uint8_t> cdr;
-  std::uint64_t time_ns = 1'700'000'000'000'000'000;
-  const auto write = [&]<class Signal>(const Signal&) {
-    for (int i = 0; i < 3; ++i) {
-      auto signal = contract::random_signal<Signal>(random);
-      if constexpr (requires { signal.text; }) {
-        signals::assign(signal.text, "lf_kfe: \"stale\", then\nsilent");
-      }
-      if constexpr (requires { signal.name; }) {
-        signals::assign(signal.name, "joint_node lf");
-      }
-      signals::to_cdr(signal, cdr);
-      file.value().write({.topic = bus::TopicOf<Signal>::id,
-                          .sequence = static_cast<std::uint32_t>(signals::sequence_of(signal).value_or(0)),
-                          .log_time_ns = ++time_ns,
-                          .publish_time_ns = time_ns - 7,
-                          .cdr = cdr});
+  const mcap::Text facts{{"robot", "hyq"}, {"configuration", "a: 1\nb: \"x\"\n"}};
+  test::write_random_recording(path, facts, {5}, 3, [](auto& signal) {
+    if constexpr (requires { signal.text; }) {
+      signals::assign(signal.text, "lf_kfe: \"stale\", then\nsilent");
     }
-  };
-#define FARRIER_WRITE(Signal, file) write(signals::Signal{});
-  FARRIER_SIGNALS(FARRIER_WRITE)
-#undef FARRIER_WRITE
-  run_file::TopicCounts lost{};
-  lost[0] = 5;
-  ASSERT_TRUE(file.value().finish(lost).ok());
+    if constexpr (requires { signal.name; }) {
+      signals::assign(signal.name, "joint_node lf");
+    }
+  });
 }
 
 std::string bytes_of(const std::string& path) {

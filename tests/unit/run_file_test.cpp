@@ -5,12 +5,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <thread>
 
 #include "run_file/background_writer.hpp"
 #include "run_file/loss_count.hpp"
 #include "signals/cdr.hpp"
+#include "tests/support/scratch_directory.hpp"
 
 namespace farrier::run_file {
 namespace {
@@ -19,9 +19,6 @@ using bus::TopicId;
 
 class RunFile : public testing::Test {
  protected:
-  RunFile() : path_(std::filesystem::temp_directory_path() / ("run_file_test." + std::to_string(::getpid()))) {}
-  ~RunFile() override { std::filesystem::remove(path_); }
-
   RunFileWriter create() {
     auto writer = RunFileWriter::create(path_, {{"robot", "hyq"}});
     EXPECT_TRUE(writer.ok());
@@ -39,7 +36,17 @@ class RunFile : public testing::Test {
             .cdr = cdr_};
   }
 
-  std::string path_;
+  /// How reading it ends, which must give no sample.
+  std::string ending_without_samples() const {
+    auto reader = RunFileReader::open(path_);
+    EXPECT_TRUE(reader.ok());
+    Sample sample;
+    EXPECT_FALSE(reader.value().next(sample));
+    return reader.value().ending();
+  }
+
+  const test::ScratchDirectory scratch_;
+  const std::string path_ = scratch_.file("run.mcap");
   std::vector<std::uint8_t> cdr_;
 };
 
@@ -156,11 +163,7 @@ TEST_F(RunFile, OfAnotherVersionIsRefusedByNameAndNumber) {
       {.topic = "joint/sensors", .message_encoding = "cdr", .metadata = {{"version", "999"}}});
   file.value().write(mcap::Message{.channel_id = channel, .data = {}});
   ASSERT_TRUE(file.value().finish().ok());
-  auto reader = RunFileReader::open(path_);
-  ASSERT_TRUE(reader.ok());
-  Sample sample;
-  EXPECT_FALSE(reader.value().next(sample));
-  EXPECT_NE(reader.value().ending().find("joint/sensors is of version 999"), std::string::npos);
+  EXPECT_NE(ending_without_samples().find("joint/sensors is of version 999"), std::string::npos);
 }
 
 TEST_F(RunFile, OfAnotherProgramHasNoSamples) {
@@ -169,11 +172,7 @@ TEST_F(RunFile, OfAnotherProgramHasNoSamples) {
   const std::uint16_t channel = file.value().add_channel({.topic = "/tf", .message_encoding = "cdr"});
   file.value().write(mcap::Message{.channel_id = channel, .data = {}});
   ASSERT_TRUE(file.value().finish().ok());
-  auto reader = RunFileReader::open(path_);
-  ASSERT_TRUE(reader.ok());
-  Sample sample;
-  EXPECT_FALSE(reader.value().next(sample));
-  EXPECT_EQ(reader.value().ending(), "");
+  EXPECT_EQ(ending_without_samples(), "");
 }
 
 TEST(LossCount, IsOfGapsPerKeyAndNotOfANewBeginning) {

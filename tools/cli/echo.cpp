@@ -3,14 +3,13 @@
 #include <cstdio>
 #include <memory>
 
-#include "bus/watching.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
-#include "participant/participant.hpp"
-#include "robot/keys.hpp"
+#include "recorder/watching_endpoint.hpp"
 #include "signals/tick_of.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/guest.hpp"
+#include "tools/cli/topic_choice.hpp"
 #include "tools/report/sample_text.hpp"
 
 namespace farrier::cli {
@@ -51,10 +50,7 @@ class TypedEcho final : public Echo {
  public:
   static Result<std::unique_ptr<Echo>> create(bus::Bus& bus, const Filter& filter) {
     const bus::TopicSpec& topic = bus::spec(bus::TopicOf<Signal>::id);
-    bus::EndpointSpec endpoint = participant::endpoint_of({.name = {}, .robot = filter.robot.name}, topic.id,
-                                                          robot::legs_of_joints(filter.robot));
-    endpoint.qos = bus::qos_for_watching(topic);
-    auto heard = bus::Subscription<Signal>::create(bus, endpoint);
+    auto heard = bus::Subscription<Signal>::create(bus, recorder::watching_endpoint(filter.robot, topic.id));
     if (!heard) {
       return heard.error();
     }
@@ -77,8 +73,8 @@ class TypedEcho final : public Echo {
       : topic_(topic), heard_(std::move(heard)), filter_(filter) {}
 
   bool wanted(const Signal& signal) const {
-    if (bus::TopicOf<Signal>::id != bus::TopicId::kSystemHello && signals::tick_of(signal) == kNoTick) {
-      return false;  // a probe of the greeting
+    if (signals::is_probe(signal)) {
+      return false;
     }
     if constexpr (requires { signal.joint; }) {
       return filter_.joint == nullptr || signal.joint == filter_.joint->number;
@@ -138,14 +134,12 @@ int run_echo(const EchoOptions& o) {
     return fail(bus.error().message, bus.error().status);
   }
   std::vector<std::unique_ptr<Echo>> echoes;
-  for (const bus::TopicSpec& topic : bus::topics()) {
-    if (std::ranges::find(o.topics, topic.name) != o.topics.end()) {
-      auto echo = kEchoes[static_cast<std::size_t>(topic.id)](*bus.value(), filter);
-      if (!echo) {
-        return fail(echo.error().message, kFailed);
-      }
-      echoes.push_back(std::move(echo).value());
+  for (const bus::TopicId topic : topics_of(o.topics)) {
+    auto echo = kEchoes[static_cast<std::size_t>(topic)](*bus.value(), filter);
+    if (!echo) {
+      return fail(echo.error().message, kFailed);
     }
+    echoes.push_back(std::move(echo).value());
   }
   return listen(*bus.value(), echoes, o);
 }
@@ -154,13 +148,9 @@ int run_echo(const EchoOptions& o) {
 
 std::function<int()> declare_echo(CLI::App& app) {
   auto o = std::make_shared<EchoOptions>();
-  std::vector<std::string> names;
-  for (const bus::TopicSpec& topic : bus::topics()) {
-    names.emplace_back(topic.name);
-  }
   app.add_option("topics", o->topics, "topics of idl/README.md, such as joint/measurement")
       ->required()
-      ->check(CLI::IsMember(names))
+      ->check(CLI::IsMember(topic_names()))
       ->type_name("<topic>...");
   app.add_option("--joint", o->joint, "samples of this joint alone")->type_name("<name>");
   app.add_option("--count", o->count, "end after so many samples")->type_name("<n>")->default_str("never");

@@ -20,15 +20,19 @@ std::array<CLI::Option*, 3> declare_network(CLI::App& app, bus::NetworkOptions& 
               ->default_str("127.0.0.1")};
 }
 
+void declare_vendor(CLI::App& app, std::string& vendor) {
+  app.add_option("--dds", vendor, "vendor of this process")
+      ->check(CLI::IsMember({"cyclone", "fast"}))
+      ->type_name("cyclone|fast")
+      ->capture_default_str();
+}
+
 void declare_guest(CLI::App& app, GuestOptions& options) {
   declare_network(app, options.network);
   app.add_option("--robot", options.robot_path, "robot file")
       ->type_name("<file>")
       ->default_str("hyq.yaml, as shipped");
-  app.add_option("--dds", options.vendor, "vendor of this process")
-      ->check(CLI::IsMember({"cyclone", "fast"}))
-      ->type_name("cyclone|fast")
-      ->capture_default_str();
+  declare_vendor(app, options.vendor);
   app.add_option("--security", options.security,
                  "folder of keys and permissions, of a robot that runs with --security")
       ->type_name("<dir>");

@@ -30,7 +30,10 @@ struct Refused {
 /// --domain, --address and --peers.
 std::array<CLI::Option*, 3> declare_network(CLI::App& app, bus::NetworkOptions& network);
 
-/// Those, --robot, --dds and --security.
+/// --dds
+void declare_vendor(CLI::App& app, std::string& vendor);
+
+/// All of these, --robot and --security.
 void declare_guest(CLI::App& app, GuestOptions& options);
 
 /// The robot's bus, with the rights of `role`.

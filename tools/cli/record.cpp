@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "bus/topics.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "recorder/recorder.hpp"
@@ -14,6 +13,7 @@
 #include "tools/cli/command.hpp"
 #include "tools/cli/guest.hpp"
 #include "tools/cli/output_file.hpp"
+#include "tools/cli/topic_choice.hpp"
 #include "tools/report/recording_facts.hpp"
 #include "tools/report/text_format.hpp"
 
@@ -98,12 +98,6 @@ int run_record(const RecordOptions& o) {
     }
     facts[fact.substr(0, equals)] = fact.substr(equals + 1);
   }
-  std::vector<bus::TopicId> topics;
-  for (const bus::TopicSpec& topic : bus::topics()) {
-    if (std::ranges::find(o.topics, topic.name) != o.topics.end()) {
-      topics.push_back(topic.id);
-    }
-  }
   if (auto way = make_way({o.path}, {o.guest.robot_path}); !way) {
     return fail(way.error().message, kBadInput);
   }
@@ -111,7 +105,7 @@ int run_record(const RecordOptions& o) {
   if (!bus) {
     return fail(bus.error().message, bus.error().status);
   }
-  auto recorder = recorder::Recorder::create(*bus.value(), robot.value(), topics);
+  auto recorder = recorder::Recorder::create(*bus.value(), robot.value(), topics_of(o.topics));
   if (!recorder) {
     return fail(recorder.error().message, kFailed);
   }
@@ -139,15 +133,8 @@ int run_record(const RecordOptions& o) {
 
 std::function<int()> declare_record(CLI::App& app) {
   auto o = std::make_shared<RecordOptions>();
-  std::vector<std::string> names;
-  for (const bus::TopicSpec& topic : bus::topics()) {
-    names.emplace_back(topic.name);
-  }
   app.add_option("file", o->path, "where the recording goes, such as run.mcap")->required()->type_name("<file>");
-  app.add_option("--topics", o->topics, "topics of idl/README.md; all unless told")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names))
-      ->type_name("<topic>,...");
+  declare_topic_choice(app, o->topics);
   app.add_option("--duration", o->duration_s, "ends after so many seconds; with Ctrl-C unless told")
       ->check(CLI::PositiveNumber)
       ->type_name("<s>");

@@ -3,13 +3,13 @@
 #include <cstdio>
 #include <memory>
 
-#include "bus/watching.hpp"
 #include "bus_factory/bus_factory.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
-#include "participant/participant.hpp"
+#include "recorder/watching_endpoint.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/guest.hpp"
+#include "tools/cli/topic_choice.hpp"
 #include "tools/recording/replayer.hpp"
 
 namespace farrier::cli {
@@ -59,10 +59,8 @@ void nap(bus::Bus& bus, SteadyTime until) {
 
 /// Refuses where a robot of this name runs: a replay would speak in the name of its processes.
 Result<Done> nobody_is_there(bus::Bus& bus, const robot::Robot& robot, int domain) {
-  bus::EndpointSpec endpoint =
-      participant::endpoint_of({.name = {}, .robot = robot.name}, bus::TopicId::kSystemHello);
-  endpoint.qos = bus::qos_for_watching(bus::spec(bus::TopicId::kSystemHello));
-  auto hellos = bus::Subscription<SystemHello>::create(bus, endpoint);
+  auto hellos = bus::Subscription<SystemHello>::create(
+      bus, recorder::watching_endpoint(robot, bus::TopicId::kSystemHello));
   if (!hellos) {
     return hellos.error();
   }
@@ -115,13 +113,7 @@ int run_replay(const ReplayOptions& o) {
   if (auto alone = nobody_is_there(*bus.value(), robot.value(), o.network.domain); !alone) {
     return fail(alone.error().message, kBadInput);
   }
-  std::vector<bus::TopicId> topics;
-  for (const bus::TopicSpec& topic : bus::topics()) {
-    if (std::ranges::find(o.topics, topic.name) != o.topics.end()) {
-      topics.push_back(topic.id);
-    }
-  }
-  auto replayer = recording::Replayer::create(*bus.value(), robot.value(), topics);
+  auto replayer = recording::Replayer::create(*bus.value(), robot.value(), topics_of(o.topics));
   if (!replayer) {
     return fail(replayer.error().message, kFailed);
   }
@@ -143,23 +135,13 @@ int run_replay(const ReplayOptions& o) {
 
 std::function<int()> declare_replay(CLI::App& app) {
   auto o = std::make_shared<ReplayOptions>();
-  std::vector<std::string> names;
-  for (const bus::TopicSpec& topic : bus::topics()) {
-    names.emplace_back(topic.name);
-  }
   app.add_option("file", o->path, "recording, as farrier record makes it")->required()->type_name("<file>");
-  app.add_option("--topics", o->topics, "topics of idl/README.md; all unless told")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names))
-      ->type_name("<topic>,...");
+  declare_topic_choice(app, o->topics);
   app.add_option("--speed", o->speed, "times as fast as it was recorded")
       ->check(CLI::Range(0.01, 1000.0))
       ->type_name("<factor>")
       ->capture_default_str();
-  app.add_option("--dds", o->vendor, "vendor of this process")
-      ->check(CLI::IsMember({"cyclone", "fast"}))
-      ->type_name("cyclone|fast")
-      ->capture_default_str();
+  declare_vendor(app, o->vendor);
   declare_network(app, o->network);
   return [o] { return run_replay(*o); };
 }

@@ -117,9 +117,8 @@ void print_json(const std::vector<TopicView>& views) {
 }
 
 /// Counts what comes for that long.
-void listen(bus::Bus& bus, recorder::Recorder& recorder, double seconds) {
-  const SteadyTime end =
-      participant::steady_now() + std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(seconds));
+void listen(bus::Bus& bus, recorder::Recorder& recorder, Nanoseconds how_long) {
+  const SteadyTime end = participant::steady_now() + how_long;
   while (participant::steady_now() < end && !participant::stop_requested()) {
     bus.wait_for_arrivals(~std::uint64_t{0}, std::chrono::milliseconds(5));
     recorder.drain([](const run_file::Sample&) {});
@@ -134,8 +133,9 @@ int run_topics(const TopicsOptions& o) {
     return kBadInput;
   }
   // First without readers of its own: what is found is the others'.
-  const auto found = bus_factory::discover(
-      o.guest.network, std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(o.look_s / 2)));
+  const std::chrono::duration<double> half(o.look_s / 2);
+  const auto half_ns = std::chrono::duration_cast<Nanoseconds>(half);
+  const auto found = bus_factory::discover(o.guest.network, half_ns);
   if (!found) {
     return fail(found.error().message, kFailed);
   }
@@ -147,11 +147,11 @@ int run_topics(const TopicsOptions& o) {
   if (!recorder) {
     return fail(recorder.error().message, kFailed);
   }
-  listen(*bus.value(), recorder.value(), o.look_s / 2);
+  listen(*bus.value(), recorder.value(), half_ns);
   if (participant::stop_requested()) {
     return participant::stop_status();
   }
-  const std::vector<TopicView> views = views_of(found.value(), recorder.value().progress(), o.look_s / 2);
+  const std::vector<TopicView> views = views_of(found.value(), recorder.value().progress(), half.count());
   if (o.json) {
     print_json(views);
     return kPassed;
