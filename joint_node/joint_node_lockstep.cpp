@@ -105,11 +105,12 @@ void JointNodeLockstep::step() {
     inputs.command = *commands_.find(i, tick_);
     const JointNode::Outputs outputs = joints_[i].node.step(inputs);
     ports_.valves->publish(outputs.valve);
-    ports_.measurements->publish(outputs.measurement);
+    ports_.tell(joints_[i], outputs.measurement);
     report_faults(joints_[i], outputs.valve, participant_);
   }
   ports_.valves->flush();
   ports_.measurements->flush();
+  ports_.summaries->flush();
   participant_.tick_done(tick_);
   ++tick_;
   if (tick_ == ticks_) {

@@ -41,6 +41,12 @@ struct Mailbox {
   Stamped<signals::JointCommand> last_command; ///< control thread
 };
 
+/// What waits in the sender thread until the valve commands have gone.
+struct Measured {
+  std::size_t joint;  ///< place among the hosted
+  signals::JointMeasurement measurement;
+};
+
 double age_s(SteadyTime received, SteadyTime now) noexcept {
   return received == SteadyTime{} ? std::numeric_limits<double>::infinity()
                                   : std::chrono::duration<double>(now - received).count();
@@ -78,7 +84,7 @@ class JointNodeRealtime final : public participant::RealtimeApplication {
   Nanoseconds period_;
   Tick stepped_for_ = kNoTick;  ///< bus thread: newest tick for which the control thread was woken
   SteadyTime next_health_{};
-  std::vector<signals::JointMeasurement> measured_;  ///< sender thread
+  std::vector<Measured> measured_;  ///< sender thread
   std::atomic<std::uint64_t> periods_{0};
   std::atomic<std::uint64_t> missed_{0};
   std::atomic<Tick> last_tick_{kNoTick};
@@ -197,17 +203,18 @@ void JointNodeRealtime::step(const participant::Wake& wake) noexcept {
 }
 
 void JointNodeRealtime::send() {
-  for (Mailbox& mail : mail_) {
-    for (JointNode::Outputs outputs; mail.outputs.pop(outputs);) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    for (JointNode::Outputs outputs; mail_[i].outputs.pop(outputs);) {
       ports_.valves->publish(outputs.valve);
-      measured_.push_back(outputs.measurement);
+      measured_.push_back({i, outputs.measurement});
     }
   }
   ports_.valves->flush();  // a valve waits for no estimator
-  for (const signals::JointMeasurement& measurement : measured_) {
-    ports_.measurements->publish(measurement);
+  for (const Measured& measured : measured_) {
+    ports_.tell(joints_[measured.joint], measured.measurement);
   }
   ports_.measurements->flush();
+  ports_.summaries->flush();
   measured_.clear();
 }
 

@@ -8,8 +8,9 @@ Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const st
                                              int loop_delay_ticks, std::uint64_t session) {
   std::vector<HostedJoint> hosted;
   const auto host = [&](const robot::Joint& joint) {
-    hosted.push_back({JointNode(joint, robot.safety, robot.period_s, loop_delay_ticks, session), {}, joint.number,
-                      static_cast<std::uint16_t>(joint.leg), joint.kind, joint.name});
+    hosted.push_back({JointNode(joint, robot.safety, robot.period_s, loop_delay_ticks, session), {},
+                      Summariser(robot.period_s), joint.number, static_cast<std::uint16_t>(joint.leg), joint.kind,
+                      joint.name});
   };
   for (const std::string& name : names) {
     const robot::Joint* joint = robot.find(name);
@@ -53,16 +54,25 @@ Result<Ports> Ports::open(participant::Participant& participant, const std::vect
   const auto modes = participant.subscribe<signals::SystemMode>({0});
   const auto valves = participant.publish<signals::JointValveCommand>(numbers);
   const auto measurements = participant.publish<signals::JointMeasurement>(numbers);
+  const auto summaries = participant.publish<signals::JointSummary>(numbers);
   for (const auto* refused : {sensors ? nullptr : &sensors.error(), commands ? nullptr : &commands.error(),
                               gains ? nullptr : &gains.error(), phases ? nullptr : &phases.error(),
                               modes ? nullptr : &modes.error(), valves ? nullptr : &valves.error(),
-                              measurements ? nullptr : &measurements.error()}) {
+                              measurements ? nullptr : &measurements.error(),
+                              summaries ? nullptr : &summaries.error()}) {
     if (refused != nullptr) {
       return *refused;
     }
   }
-  return Ports{sensors.value(), commands.value(), gains.value(),       phases.value(),
-               modes.value(),   valves.value(),   measurements.value()};
+  return Ports{sensors.value(), commands.value(), gains.value(),        phases.value(),
+               modes.value(),   valves.value(),   measurements.value(), summaries.value()};
+}
+
+void Ports::tell(HostedJoint& joint, const signals::JointMeasurement& measurement) noexcept {
+  measurements->publish(measurement);
+  if (const auto summary = joint.summariser.take(measurement)) {
+    summaries->publish(*summary);
+  }
 }
 
 }  // namespace farrier::joint_node

@@ -5,6 +5,7 @@
 
 #include "joint_node/fault_events.hpp"
 #include "joint_node/joint_node.hpp"
+#include "joint_node/summariser.hpp"
 #include "participant/participant.hpp"
 
 namespace farrier::joint_node {
@@ -13,6 +14,7 @@ namespace farrier::joint_node {
 struct HostedJoint {
   JointNode node;
   FaultEvents fault_events;
+  Summariser summariser;
   std::uint16_t number;
   std::uint16_t leg;
   control::Kind kind;
@@ -37,9 +39,13 @@ struct Ports {
   participant::In<signals::SystemMode>* modes;
   participant::Out<signals::JointValveCommand>* valves;
   participant::Out<signals::JointMeasurement>* measurements;
+  participant::Out<signals::JointSummary>* summaries;
 
   static Result<Ports> open(participant::Participant& participant, const std::vector<HostedJoint>& joints,
                             const robot::Robot& robot);
+
+  /// The measurement of a hosted joint, and its summary when one is due; they go with the next flush.
+  void tell(HostedJoint& joint, const signals::JointMeasurement& measurement) noexcept;
 };
 
 }  // namespace farrier::joint_node

@@ -10,6 +10,7 @@
 #include <joint_measurement.h>
 #include <joint_model_estimate.h>
 #include <joint_sensors.h>
+#include <joint_summary.h>
 #include <joint_update_decision.h>
 #include <joint_valve_command.h>
 #include <system_event.h>

@@ -12,6 +12,7 @@
 #include <joint_measurementPubSubTypes.h>
 #include <joint_model_estimatePubSubTypes.h>
 #include <joint_sensorsPubSubTypes.h>
+#include <joint_summaryPubSubTypes.h>
 #include <joint_update_decisionPubSubTypes.h>
 #include <joint_valve_commandPubSubTypes.h>
 #include <system_eventPubSubTypes.h>

@@ -22,7 +22,8 @@
   X(SystemMode, system_mode)                          \
   X(SystemRequest, system_request)                    \
   X(ClockTick, clock_tick)                            \
-  X(ClockTickDone, clock_tick_done)
+  X(ClockTickDone, clock_tick_done)                   \
+  X(JointSummary, joint_summary)
 
 #define FARRIER_FIELDS_JointSensors(F) \
   F(joint) F(tick) F(sample_time_ns) F(position_m_or_rad) F(velocity_m_s_or_rad_s) F(force_N_or_Nm) \
@@ -82,6 +83,11 @@
 
 #define FARRIER_FIELDS_ClockTickDone(F) \
   F(participant) F(tick) F(issued_gains) F(issued_modes)
+
+#define FARRIER_FIELDS_JointSummary(F) \
+  F(joint) F(tick) F(sample_time_ns) F(ticks) F(position_m_or_rad) F(velocity_m_s_or_rad_s) F(force_N_or_Nm) \
+  F(force_reference_N_or_Nm) F(valve_current_A) F(force_error_rms_N_or_Nm) F(force_reference_rms_N_or_Nm) \
+  F(generation) F(faults) F(state) F(phase)
 // clang-format on
 
 namespace farrier::signals {

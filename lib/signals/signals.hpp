@@ -264,6 +264,25 @@ struct ClockTickDone {
   std::uint32_t issued_modes = 0;   ///< samples of system/mode it has published so far
 };
 
+/// joint_node -> monitors: what a joint measured and did in the last fiftieth of a second, for slow networks and eyes.
+struct JointSummary {
+  std::uint16_t joint = 0;  ///< key
+  Tick tick = kNoTick;      ///< of the newest measurement in it; so are the numbers without another word
+  std::int64_t sample_time_ns = 0;
+  std::uint16_t ticks = 0;  ///< measurements in it, >= 1
+  double position_m_or_rad = 0;
+  double velocity_m_s_or_rad_s = 0;
+  double force_N_or_Nm = 0;
+  double force_reference_N_or_Nm = 0;
+  double valve_current_A = 0;
+  double force_error_rms_N_or_Nm = 0;      ///< of reference less force, over all of them
+  double force_reference_rms_N_or_Nm = 0;  ///< over all of them
+  std::uint32_t generation = 0;
+  std::uint32_t faults = 0;  ///< that any of them had
+  std::uint8_t state = 0;    ///< the most careful of any
+  std::uint8_t phase = 0;
+};
+
 /// Copies as much of `text` as fits, always zero-terminated.
 template <std::size_t kSize>
 void assign(std::array<char, kSize>& to, std::string_view text) noexcept {

@@ -1,0 +1,46 @@
+#include "joint_node/summariser.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace farrier::joint_node {
+
+Summariser::Summariser(double period_s) noexcept
+    : ticks_(std::max<Tick>(1, std::llround(1.0 / (kRate_Hz * period_s)))) {}
+
+std::optional<signals::JointSummary> Summariser::take(const signals::JointMeasurement& m) noexcept {
+  std::optional<signals::JointSummary> done;
+  if (m.tick / ticks_ != block_) {
+    if (summary_.ticks > 0) {
+      done = summary_;
+      done->force_error_rms_N_or_Nm = std::sqrt(squared_error_ / summary_.ticks);
+      done->force_reference_rms_N_or_Nm = std::sqrt(squared_reference_ / summary_.ticks);
+    }
+    summary_ = {};
+    squared_error_ = squared_reference_ = 0.0;
+    block_ = m.tick / ticks_;
+  }
+  const double error = m.force_reference_N_or_Nm - m.force_N_or_Nm;
+  squared_error_ += error * error;
+  squared_reference_ += m.force_reference_N_or_Nm * m.force_reference_N_or_Nm;
+  const bool first = summary_.ticks == 0;
+  summary_.joint = m.joint;
+  summary_.tick = m.tick;
+  summary_.sample_time_ns = m.sample_time_ns;
+  if (summary_.ticks < std::numeric_limits<std::uint16_t>::max()) {
+    ++summary_.ticks;
+  }
+  summary_.position_m_or_rad = m.position_m_or_rad;
+  summary_.velocity_m_s_or_rad_s = m.velocity_m_s_or_rad_s;
+  summary_.force_N_or_Nm = m.force_N_or_Nm;
+  summary_.force_reference_N_or_Nm = m.force_reference_N_or_Nm;
+  summary_.valve_current_A = m.valve_current_A;
+  summary_.generation = m.generation;
+  summary_.faults |= m.faults;
+  summary_.state = first ? m.state : std::min(summary_.state, m.state);
+  summary_.phase = m.phase;
+  return done;
+}
+
+}  // namespace farrier::joint_node

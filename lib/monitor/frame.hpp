@@ -1,0 +1,75 @@
+#pragma once
+
+// What a monitor shows of a robot at one moment. The terminal, the page and Prometheus all show frames, of a robot that
+// runs and of a recording alike.
+
+#include <array>
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "signals/signals.hpp"
+
+namespace farrier::monitor {
+
+/// One joint. What has not come yet is empty, or has the tick kNoTick or the generation 0.
+struct JointFrame {
+  std::vector<signals::JointSummary> summaries;  ///< that came since the last frame, oldest first
+  signals::JointSummary newest;                  ///< summary
+  double age_s = 0.0;                            ///< since it came; infinite before the first
+  double rate_Hz = 0.0;                          ///< control ticks per second of this monitor's clock, over the last second
+  std::uint64_t missed_ticks = 0;                ///< of control that are in no summary, since the first
+  double force_error_rms = 0.0;                  ///< reference less force over the last second, N or Nm
+  double force_reference_rms = 0.0;              ///< over the last second, N or Nm
+  std::uint32_t faults = 0;                      ///< farrier::FaultSet bits: any since the last frame
+  std::array<signals::JointControllerGains, signals::kPhaseCount> gains{};  ///< newest, by phase
+  signals::JointModelEstimate estimate;          ///< newest
+  std::array<std::complex<double>, 3> poles{};   ///< of the estimate, z-plane, largest modulus first
+  signals::JointUpdateDecision decision;         ///< newest
+  std::uint32_t redesigns = 0;                   ///< decisions to redesign, since the first sample
+
+  /// RMS error over RMS reference over the last second; empty without a reference.
+  std::optional<double> nrmse() const noexcept {
+    return force_reference_rms > 0.0 ? std::optional(force_error_rms / force_reference_rms) : std::nullopt;
+  }
+};
+
+/// One process of the run.
+struct ParticipantFrame {
+  signals::SystemHello hello;
+  signals::SystemHealth health;  ///< tick kNoTick: none yet
+  double age_s = 0.0;            ///< since its health came; infinite before the first
+
+  std::uint64_t lost() const noexcept {  ///< samples it knows lost, over all topics
+    std::uint64_t sum = 0;
+    for (const std::uint64_t one : health.lost) {
+      sum += one;
+    }
+    return sum;
+  }
+};
+
+/// Something changed, and why. Events of the robot's processes, and the monitor's own.
+struct EventFrame {
+  std::uint64_t number = 0;  ///< from 0 on, in the order in which they came
+  double time_s = 0.0;       ///< since the first sample
+  Tick tick = kNoTick;
+  signals::Severity severity{};
+  std::string who;           ///< the process; "monitor": this one
+  std::string joint;         ///< empty: not about one joint
+  std::string text;
+};
+
+struct Frame {
+  double time_s = 0.0;       ///< since the first sample came; by the recorder's clock in a recording
+  Tick tick = kNoTick;       ///< newest heard of
+  double age_s = 0.0;        ///< since any sample came; infinite before the first
+  signals::SystemMode mode;  ///< epoch 0: none yet
+  std::vector<signals::Phase> phases;           ///< by leg, as announced for `tick`
+  std::vector<JointFrame> joints;               ///< by number
+  std::vector<ParticipantFrame> participants;   ///< by number; a hello of tick-less default: not heard of
+  std::vector<EventFrame> events;               ///< since the last frame
+};
+
+}  // namespace farrier::monitor
