@@ -5,8 +5,8 @@
 #include "bus/inproc/inproc_bus.hpp"
 #include "estimator_service/ports.hpp"
 #include "joint_node/joint_node_lockstep.hpp"
-#include "lab/recorder.hpp"
 #include "lab/run_monitor.hpp"
+#include "recorder/run_recording.hpp"
 #include "robot/keys.hpp"
 #include "signals/tick_of.hpp"
 #include "supervisor/ports.hpp"
@@ -82,13 +82,13 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   if (!estimates) {
     return estimates.error();
   }
-  std::optional<Recorder> recorder;
-  if (!run.record_directory.empty()) {
-    auto made = Recorder::create(robot, *gait.participant, run.record_directory);
+  std::unique_ptr<recorder::RunRecording> recording;
+  if (!run.record_path.empty()) {
+    auto made = recorder::RunRecording::create(run.record_path, run.record_facts, robot, *gait.participant);
     if (!made) {
       return made.error();
     }
-    recorder = std::move(made).value();
+    recording = std::move(made).value();
   }
   const auto listen = [&] {
     monitor.value().poll();
@@ -104,8 +104,8 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   Tick last = kNoTick;
   while (!std::all_of(seats.begin(), seats.end(), [](const Seat& seat) { return seat.application->finished(); })) {
     now += 1ms;
-    if (recorder) {
-      recorder->poll();
+    if (recording) {
+      recording->poll();
     }
     for (Seat& seat : seats) {
       seat.application->poll(now);
@@ -123,9 +123,8 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     last = source.tick();
   }
   listen();
-  if (recorder) {
-    recorder->poll();
-    if (auto recorded = recorder->finish(run.ticks); !recorded) {
+  if (recording) {
+    if (auto recorded = recording->finish(run.ticks); !recorded) {
       return recorded.error();
     }
   }

@@ -6,6 +6,7 @@
 
 #include "lab/gait_source.hpp"
 #include "lab/run_plan.hpp"
+#include "mcap/records.hpp"
 #include "robot/load_change.hpp"
 #include "sim_bridge/sim_bridge_lockstep.hpp"
 #include "supervisor/supervisor.hpp"
@@ -25,7 +26,8 @@ struct InprocRun {
   const robot::Robot* world = nullptr;       ///< what sim_bridge simulates; null: the robot
   const robot::Robot* designer = nullptr;    ///< what the supervisor designs for; null: the robot
   std::string trace_path;                    ///< empty: none
-  std::string record_directory;              ///< recordings of all joints go there; empty: none
+  std::string record_path;                   ///< a recording of everything goes there; empty: none
+  mcap::Text record_facts;                   ///< run_file::kRunFacts of it
   sim_bridge::RowSink sink;                  ///< gets every row a trace would hold; empty: none
   std::function<void(const signals::JointModelEstimate&)> estimates;  ///< gets every estimate; empty: none
   std::function<bool(Tick)> progress;        ///< called now and then; false ends the run early

@@ -4,6 +4,7 @@
 
 #include "participant/clock.hpp"
 #include "recorder/watching_endpoint.hpp"
+#include "robot/keys.hpp"
 #include "run_file/loss_count.hpp"
 #include "signals/cdr.hpp"
 #include "signals/tick_of.hpp"
@@ -29,16 +30,21 @@ std::uint64_t publish_time(const Signal& signal, std::uint64_t now_ns, std::int6
   return now_ns;
 }
 
+/// A port of somebody who takes part.
 template <class Signal>
+struct Port {
+  participant::In<Signal>* in;
+  template <class Use>
+  void drain(Use&& use) {
+    in->drain(use);
+  }
+};
+
+/// `Heard`: a Port or a subscription.
+template <class Signal, class Heard>
 class TypedTap final : public Tap {
  public:
-  static Result<std::unique_ptr<Tap>> create(bus::Bus& bus, const robot::Robot& robot) {
-    auto heard = bus::Subscription<Signal>::create(bus, watching_endpoint(robot, bus::TopicOf<Signal>::id, kDepth));
-    if (!heard) {
-      return heard.error();
-    }
-    return std::unique_ptr<Tap>(new TypedTap(std::move(heard).value()));
-  }
+  explicit TypedTap(Heard heard) : heard_(std::move(heard)) {}
 
   void drain(const Take& take) override {
     const std::uint64_t now_ns = participant::date_now_ns();
@@ -61,17 +67,70 @@ class TypedTap final : public Tap {
   TopicProgress progress() const override { return {bus::TopicOf<Signal>::id, samples_, losses_.lost()}; }
 
  private:
-  explicit TypedTap(bus::Subscription<Signal> heard) : heard_(std::move(heard)) {}
-
-  bus::Subscription<Signal> heard_;
+  Heard heard_;
   run_file::LossCount<Signal> losses_;
   std::vector<std::uint8_t> cdr_;
   std::uint64_t samples_ = 0;
 };
 
-using MakeTap = Result<std::unique_ptr<Tap>> (*)(bus::Bus&, const robot::Robot&);
+template <class Signal>
+Result<std::unique_ptr<Tap>> watch(bus::Bus& bus, const robot::Robot& robot) {
+  using Heard = bus::Subscription<Signal>;
+  auto heard = Heard::create(bus, watching_endpoint(robot, bus::TopicOf<Signal>::id, kDepth));
+  if (!heard) {
+    return heard.error();
+  }
+  return std::unique_ptr<Tap>(std::make_unique<TypedTap<Signal, Heard>>(std::move(heard).value()));
+}
 
-#define FARRIER_TAP(Signal, file) &TypedTap<signals::Signal>::create,
+/// Whom a participant must hear on a topic before the run begins.
+template <class Signal>
+std::vector<std::uint16_t> keys_of(const robot::Robot& robot, const participant::Identity& identity) {
+  if constexpr (std::is_same_v<Signal, signals::GaitPhase>) {
+    return robot::leg_numbers(robot);
+  } else if constexpr (std::is_same_v<Signal, signals::ClockTickDone>) {
+    std::vector<std::uint16_t> all_but_the_clock;
+    for (std::uint16_t number = participant::kSimBridge + 1; number < identity.participants; ++number) {
+      all_but_the_clock.push_back(number);
+    }
+    return all_but_the_clock;
+  } else if constexpr (std::is_same_v<Signal, signals::SystemRequest>) {
+    return {};  // operators come and go
+  } else if constexpr (requires(Signal signal) { signal.joint; }) {
+    return robot::joint_numbers(robot);
+  } else {
+    return {0};
+  }
+}
+
+/// What every process publishes beside its ports, and the greeting does not probe.
+template <class Signal>
+inline constexpr bool kWithoutPorts = std::is_same_v<Signal, signals::SystemHello> ||
+                                      std::is_same_v<Signal, signals::SystemHealth> ||
+                                      std::is_same_v<Signal, signals::SystemEvent>;
+
+template <class Signal>
+Result<std::unique_ptr<Tap>> take_part(participant::Participant& participant, const robot::Robot& robot) {
+  if constexpr (kWithoutPorts<Signal>) {
+    return watch<Signal>(participant.bus(), robot);
+  } else {
+    const bool by_leg = bus::spec(bus::TopicOf<Signal>::id).route == bus::Route::kLeg;
+    auto in = participant.subscribe<Signal>(keys_of<Signal>(robot, participant.identity()),
+                                            by_leg ? robot::legs_of_joints(robot) : std::vector<std::string>{});
+    if (!in) {
+      return in.error();
+    }
+    return std::unique_ptr<Tap>(std::make_unique<TypedTap<Signal, Port<Signal>>>(Port<Signal>{in.value()}));
+  }
+}
+
+/// Both ways from the bus to a recording, of one topic.
+struct MakeTap {
+  Result<std::unique_ptr<Tap>> (*watch)(bus::Bus&, const robot::Robot&);
+  Result<std::unique_ptr<Tap>> (*take_part)(participant::Participant&, const robot::Robot&);
+};
+
+#define FARRIER_TAP(Signal, file) {&watch<signals::Signal>, &take_part<signals::Signal>},
 constexpr MakeTap kTaps[] = {FARRIER_SIGNALS(FARRIER_TAP)};
 #undef FARRIER_TAP
 
@@ -83,7 +142,19 @@ Result<Recorder> Recorder::create(bus::Bus& bus, const robot::Robot& robot, cons
     if (!topics.empty() && std::ranges::find(topics, topic.id) == topics.end()) {
       continue;
     }
-    auto tap = kTaps[static_cast<std::size_t>(topic.id)](bus, robot);
+    auto tap = kTaps[static_cast<std::size_t>(topic.id)].watch(bus, robot);
+    if (!tap) {
+      return tap.error();
+    }
+    taps.push_back(std::move(tap).value());
+  }
+  return Recorder(std::move(taps));
+}
+
+Result<Recorder> Recorder::create(participant::Participant& participant, const robot::Robot& robot) {
+  std::vector<std::unique_ptr<Tap>> taps;
+  for (const MakeTap& make : kTaps) {
+    auto tap = make.take_part(participant, robot);
     if (!tap) {
       return tap.error();
     }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bus/bus.hpp"
+#include "participant/participant.hpp"
 #include "robot/robot.hpp"
 #include "run_file/run_file.hpp"
 
@@ -30,11 +31,15 @@ class Tap {
   virtual TopicProgress progress() const = 0;
 };
 
-/// Reads topics of a robot's bus as a recording has them. Adds readers that no writer waits for.
+/// Reads topics of a robot's bus as a recording has them.
 class Recorder {
  public:
-  /// `topics`: those to read; empty: all. Refuses what the bus refuses.
+  /// Adds readers that no writer waits for. `topics`: those to read; empty: all. Refuses what the bus refuses.
   static Result<Recorder> create(bus::Bus& bus, const robot::Robot& robot, const std::vector<bus::TopicId>& topics);
+
+  /// Reads every topic by ports of `participant`, which outlives it: in lock-step the run begins only when they hear
+  /// everybody, and no sample is missing that is drained before its participant ends the tick.
+  static Result<Recorder> create(participant::Participant& participant, const robot::Robot& robot);
 
   /// Hands what has come on.
   void drain(const Take& take);

@@ -6,27 +6,43 @@
 #include "diagnosis/diagnosis.hpp"
 #include "gait/schedule.hpp"
 #include "lab/hide.hpp"
-#include "lab/recorder.hpp"
 #include "tests/scenario/scenario_run.hpp"
+#include "tests/support/scratch_directory.hpp"
+#include "tools/recording/joint_recording.hpp"
+#include "tools/recording/rerun.hpp"
+#include "tools/report/recording_facts.hpp"
 
 namespace farrier::scenario {
 namespace {
 
-namespace fs = std::filesystem;
-
 class RecordedTrot : public testing::Test {
  protected:
-  RecordedTrot() : directory_(fs::temp_directory_path() / ("farrier_recorded_" + std::to_string(::getpid()))) {}
-  ~RecordedTrot() override { fs::remove_all(directory_); }
+  lab::InprocRun recorded(Tick ticks) const {
+    lab::InprocRun settings;
+    settings.ticks = ticks;
+    settings.design = supervisor::Design::kAdaptive;
+    settings.record_path = path_;
+    settings.record_facts = report::recording_facts(hyq_);
+    return settings;
+  }
 
   diagnosis::Recording read(const std::string& joint) const {
-    auto recording = diagnosis::read_recording(lab::Recorder::path_of(directory_.string(), joint));
+    auto recording = recording::read_joint_recording(path_, joint);
     EXPECT_TRUE(recording.ok()) << (recording ? "" : diagnosis::to_string(recording.error().findings, joint));
     return recording ? std::move(recording).value() : diagnosis::Recording{};
   }
 
+  recording::Rerun rerun() const {
+    auto run = recording::RecordedRun::open(path_);
+    EXPECT_TRUE(run.ok()) << (run ? "" : run.error().message);
+    auto rerun = recording::rerun_estimator(run.value());
+    EXPECT_TRUE(rerun.ok()) << (rerun ? "" : rerun.error().message);
+    return std::move(rerun).value();
+  }
+
   const robot::Robot hyq_ = load("hyq");
-  const fs::path directory_;
+  const test::ScratchDirectory scratch_;
+  const std::string path_ = scratch_.file("run.mcap");
 };
 
 TEST_F(RecordedTrot, LeavesTheTraceAsItIsAndHoldsEveryTickAsMeasured) {
@@ -35,7 +51,8 @@ TEST_F(RecordedTrot, LeavesTheTraceAsItIsAndHoldsEveryTickAsMeasured) {
   lab::InprocRun settings;
   settings.ticks = kTicks;
   const Outcome plain = run(hyq_, settings);
-  settings.record_directory = directory_.string();
+  settings.record_path = path_;
+  settings.record_facts = report::recording_facts(hyq_);
   const Outcome recorded = run(hyq_, settings);
   EXPECT_TRUE(recorded.trace == plain.trace);
   for (const robot::Joint& joint : hyq_.joints) {
@@ -61,17 +78,43 @@ TEST_F(RecordedTrot, ShowsAHiddenLossOfTheLoadCellsGainAndNothingBesideIt) {
   const robot::Joint& knee = *hyq_.find("lf_kfe");
   const robot::Robot world =
       lab::hide_effect(hyq_, knee.number, plant::effect_id<plant::ForceSensorGain>(), 1, what);
-  lab::InprocRun settings;
-  settings.ticks = 6000;
-  settings.design = supervisor::Design::kAdaptive;
+  lab::InprocRun settings = recorded(6000);
   settings.world = &world;
-  settings.record_directory = directory_.string();
   run(hyq_, settings);
   const diagnosis::Diagnosis found = diagnosis::diagnose(read("lf_kfe"), knee);
   ASSERT_FALSE(found.judgement.effects.empty()) << to_string(found.judgement.verdict);
   EXPECT_EQ(plant::effect_info(found.judgement.effects.front().id).name, what.effect);
   const diagnosis::Diagnosis other = diagnosis::diagnose(read("rf_kfe"), *hyq_.find("rf_kfe"));
   EXPECT_EQ(other.judgement.verdict, diagnosis::Verdict::kNone);
+}
+
+TEST_F(RecordedTrot, GivesTheSameEstimatesAgainToTheLastBit) {
+  constexpr Tick kTicks = 3000;
+  run(hyq_, recorded(kTicks));
+  const recording::Rerun again = rerun();
+  EXPECT_EQ(again.first_tick, 0);
+  EXPECT_EQ(again.ending, "");
+  ASSERT_EQ(again.joints.size(), hyq_.joints.size());
+  for (const recording::RerunJoint& joint : again.joints) {
+    EXPECT_EQ(joint.measurements, static_cast<std::uint64_t>(kTicks));
+    EXPECT_EQ(joint.missing, 0u);
+    EXPECT_EQ(joint.compared, static_cast<std::uint64_t>(1 + (kTicks - 1) / hyq_.estimate_period_ticks));
+    EXPECT_EQ(joint.different, 0u) << (joint.first ? joint.first->field : "");
+    EXPECT_EQ(joint.unanswered + joint.unrecorded, 0u);
+  }
+}
+
+TEST_F(RecordedTrot, TellsAnEstimatorThatHasChanged) {
+  constexpr Tick kTicks = 1000;
+  lab::InprocRun settings = recorded(kTicks);
+  robot::Overrides other;
+  other.estimator = "greybox";
+  settings.record_facts = report::recording_facts(load("hyq", other));
+  run(hyq_, settings);
+  const recording::Rerun again = rerun();
+  EXPECT_GT(again.joints.front().different, 0u);
+  ASSERT_TRUE(again.joints.front().first);
+  EXPECT_NE(again.joints.front().first->field, "");
 }
 
 }  // namespace

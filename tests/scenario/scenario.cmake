@@ -11,7 +11,7 @@ farrier_test(scenario_test scenario
   ${CMAKE_CURRENT_LIST_DIR}/trot_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/update_logic_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/vary_test.cpp)
-target_link_libraries(scenario_test PRIVATE farrier_diagnosis farrier_lab farrier_report)
+target_link_libraries(scenario_test PRIVATE farrier_diagnosis farrier_lab farrier_recording farrier_report)
 target_compile_definitions(scenario_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 
 farrier_test(tracking_gain_test scenario ${CMAKE_CURRENT_LIST_DIR}/tracking_gain_test.cpp)

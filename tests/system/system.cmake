@@ -56,6 +56,8 @@ target_link_libraries(doctor_test PRIVATE farrier_bus_cyclone farrier_bus_factor
 farrier_system_test(echo_test system 0 ${CMAKE_CURRENT_LIST_DIR}/echo_test.cpp)
 farrier_system_test(record_test system 0 ${CMAKE_CURRENT_LIST_DIR}/record_test.cpp)
 target_link_libraries(record_test PRIVATE farrier_bus)
+farrier_system_test(recorded_run_test system 0 ${CMAKE_CURRENT_LIST_DIR}/recorded_run_test.cpp)
+target_link_libraries(recorded_run_test PRIVATE farrier_bus)
 farrier_system_test(network_test system 0 ${CMAKE_CURRENT_LIST_DIR}/network_test.cpp)
 farrier_system_test(long_pause_test long 0 ${CMAKE_CURRENT_LIST_DIR}/long_pause_test.cpp)
 farrier_system_test(diagnose_benchmark_test long 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_benchmark_test.cpp)

@@ -26,6 +26,7 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_contact_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_load_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/summariser_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_adaptive_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_first_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_known_loads_test.cpp
@@ -48,8 +49,8 @@ farrier_test(participant_test unit
 target_link_libraries(participant_test PRIVATE farrier_participant)
 
 farrier_test(recorder_test unit
-  ${CMAKE_CURRENT_LIST_DIR}/lab_recorder_test.cpp)
-target_link_libraries(recorder_test PRIVATE farrier_lab farrier_diagnosis)
+  ${CMAKE_CURRENT_LIST_DIR}/run_recording_test.cpp)
+target_link_libraries(recorder_test PRIVATE farrier_recorder)
 
 farrier_test(bench_test unit
   ${CMAKE_CURRENT_LIST_DIR}/bench_tick_test.cpp)

@@ -18,5 +18,7 @@ farrier_test(report_test unit
 target_link_libraries(report_test PRIVATE farrier_report farrier_supervisor_core nlohmann_json::nlohmann_json)
 target_compile_definitions(report_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
 
-farrier_test(recording_test unit ${CMAKE_CURRENT_LIST_DIR}/recording_csv_test.cpp)
+farrier_test(recording_test unit ${CMAKE_CURRENT_LIST_DIR}/joint_recording_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/recording_csv_test.cpp)
 target_link_libraries(recording_test PRIVATE farrier_recording farrier_run_file farrier_signals)
+target_compile_definitions(recording_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")

@@ -18,6 +18,7 @@ std::function<int()> declare_diagnose(CLI::App& app);
 std::function<int()> declare_doctor(CLI::App& app);
 std::function<int()> declare_echo(CLI::App& app);
 std::function<int()> declare_faults(CLI::App& app);
+std::function<int()> declare_identify(CLI::App& app);
 std::function<int()> declare_info(CLI::App& app);
 std::function<int()> declare_record(CLI::App& app);
 std::function<int()> declare_replay(CLI::App& app);

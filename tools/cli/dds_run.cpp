@@ -9,11 +9,11 @@
 #include "lab/bare_exchange.hpp"
 #include "lab/bare_realtime.hpp"
 #include "lab/gait_source.hpp"
-#include "lab/recorder.hpp"
 #include "lab/run_monitor.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
+#include "recorder/run_recording.hpp"
 #include "robot/keys.hpp"
 #include "runtime/realtime_thread.hpp"
 #include "tools/cli/child_process.hpp"
@@ -28,7 +28,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kHousekeeping = 20ms;
-/// After everybody else has ended: for samples that are still on their way to the recorder.
+/// After everybody else has ended: for samples that are still on their way to the recording.
 constexpr auto kLastSamples = 2s;
 
 using participant::steady_now;
@@ -38,7 +38,7 @@ struct Seat {
   std::unique_ptr<bus::Bus> bus;
   std::unique_ptr<participant::Participant> participant;
   std::unique_ptr<lab::GaitSource> gait;
-  std::optional<lab::Recorder> recorder;
+  std::unique_ptr<recorder::RunRecording> recording;  ///< lock-step; in real time another process records
   std::optional<RunActs> acts;
 };
 
@@ -84,12 +84,12 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
     return acts.error();
   }
   seat.acts = std::move(acts).value();
-  if (!run.record_directory.empty()) {
-    auto recorder = lab::Recorder::create(robot, *seat.participant, run.record_directory);
-    if (!recorder) {
-      return recorder.error();
+  if (!run.record_path.empty() && !realtime) {
+    auto recording = recorder::RunRecording::create(run.record_path, run.record_facts, robot, *seat.participant);
+    if (!recording) {
+      return recording.error();
     }
-    seat.recorder = std::move(recorder).value();
+    seat.recording = std::move(recording).value();
   }
   return seat;
 }
@@ -112,8 +112,8 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
   Tick last = 0;
   for (;;) {
     const std::uint64_t before = seat.bus->arrivals();
-    if (seat.recorder) {
-      seat.recorder->poll();
+    if (seat.recording) {
+      seat.recording->poll();
     }
     seat.gait->poll(steady_now());
     clock.heard(seat.gait->tick(), steady_now());
@@ -146,7 +146,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
                                   : monitor.healths()[participant::kSimBridge].final_report != 0 ||
                                         (!has(children, outcome.members[participant::kSimBridge].name) &&
                                          clock.at(steady_now()) >= ticks);
-      if (over && (!seat.recorder || seat.recorder->has(ticks) || steady_now() - moved > kLastSamples)) {
+      if (over && (!seat.recording || seat.recording->has(ticks) || steady_now() - moved > kLastSamples)) {
         return std::chrono::duration<double>(moved - first_tick).count();
       }
       progress.update(last);
@@ -205,6 +205,13 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   if (!children) {
     return children.error();
   }
+  if (common.clock == bus::ClockKind::kRealtime && !run.record_path.empty()) {
+    auto recorder = start_recorder(robot, run, common);
+    if (!recorder) {
+      return recorder.error();
+    }
+    children.value().push_back(std::move(recorder).value());
+  }
   GrowthWatch watch(run.soak ? pids_of(outcome.members, children.value()) : std::vector<pid_t>{}, common.ticks);
   const lab::Member& self = outcome.members[participant::kGaitSource];
   auto seat = take_seat(robot, run, common, self, clock);
@@ -231,8 +238,8 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   if (!played || !hard_ends.empty()) {
     return played ? Error{hard_ends} : played.error();
   }
-  if (seat.value().recorder) {
-    if (auto recorded = seat.value().recorder->finish(common.ticks); !recorded) {
+  if (seat.value().recording) {
+    if (auto recorded = seat.value().recording->finish(common.ticks); !recorded) {
       return recorded.error();
     }
   }

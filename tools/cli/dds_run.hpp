@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lab/run_plan.hpp"
+#include "mcap/records.hpp"
 #include "participant/options.hpp"
 #include "tools/cli/growth_watch.hpp"
 #include "tools/cli/run_acts.hpp"
@@ -25,7 +26,8 @@ struct DdsRun {
   participant::ProcessOptions common;
   std::string executables;  ///< directory of the node executables
   std::string log_directory;
-  std::string record_directory;  ///< recordings of all joints go there, lock-step only; empty: none
+  std::string record_path;   ///< a recording of everything goes there; empty: none
+  mcap::Text record_facts;   ///< run_file::kRunFacts of it
   std::string title;
   std::map<std::string, std::vector<bus_faults::ArrowFault>> faults;  ///< by member, real time only
   std::vector<Act> acts;                                              ///< in the order of their ticks

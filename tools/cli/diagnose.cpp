@@ -16,6 +16,7 @@
 #include "tools/cli/installation.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/with_bar.hpp"
+#include "tools/recording/joint_recording.hpp"
 #include "tools/report/diagnosis_json.hpp"
 #include "tools/report/diagnosis_page.hpp"
 #include "tools/report/diagnosis_text.hpp"
@@ -51,14 +52,29 @@ Result<const robot::Joint*> joint_of(const robot::Robot& robot, const std::strin
 /// A recording, or what is wrong with it.
 Result<Recording, diagnosis::RecordingProblems> read(const DiagnoseOptions& o, const robot::Robot& robot,
                                                      const robot::Joint& joint) {
-  auto recording = diagnosis::is_trace(o.recording) ? diagnosis::recording_of_trace(o.recording, robot, joint)
-                                                    : diagnosis::read_recording(o.recording);
+  auto recording = recording::is_recording(o.recording) ? recording::read_joint_recording(o.recording, joint.name)
+                   : diagnosis::is_trace(o.recording)   ? diagnosis::recording_of_trace(o.recording, robot, joint)
+                                                        : diagnosis::read_recording(o.recording);
   if (recording) {
     if (auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
       return diagnosis::RecordingProblems{std::move(findings)};
     }
   }
   return recording;
+}
+
+/// The robot that --model names, or without it the one a recording of farrier record is of. Refuses with all that is
+/// wrong, a line each.
+Result<robot::Robot> model_of(const DiagnoseOptions& o) {
+  if (!o.model_path.empty()) {
+    auto loaded = robot::load_robot(o.model_path);
+    return loaded ? Result<robot::Robot>(std::move(loaded).value()) : Error{config::to_string(loaded.error())};
+  }
+  if (!recording::is_recording(o.recording)) {
+    return Error{"farrier diagnose: give --model, the robot file of the machine that was recorded\n"};
+  }
+  auto run = recording::RecordedRun::open(o.recording);
+  return run ? Result<robot::Robot>(run.value().robot()) : Error{"farrier diagnose: " + run.error().message + "\n"};
 }
 
 /// Files the command writes; empty for none.
@@ -152,14 +168,12 @@ int diagnose(const DiagnoseOptions& o) {
                                      robots_directory())
                                : refuse("--benchmark makes its recordings: name none", kBadInput);
   }
-  if (o.recording.empty() || o.model_path.empty()) {
-    return refuse(o.recording.empty() ? "name a recording; see 'farrier diagnose --help'"
-                                      : "give --model, the robot file of the machine that was recorded",
-                  kBadInput);
+  if (o.recording.empty()) {
+    return refuse("name a recording; see 'farrier diagnose --help'", kBadInput);
   }
-  const auto loaded = robot::load_robot(o.model_path);
+  const auto loaded = model_of(o);
   if (!loaded) {
-    std::fputs(config::to_string(loaded.error()).c_str(), stderr);
+    std::fputs(loaded.error().message.c_str(), stderr);
     return kBadInput;
   }
   const robot::Robot& robot = loaded.value();

@@ -14,14 +14,15 @@ const std::map<std::string, Units> kUnits{{"si", Units::kSi}, {"scaled", Units::
 void declare(CLI::App& app, DiagnoseOptions& o) {
   app.add_option("recording", o.recording,
                  "CSV of one joint (time_s, position_m, force_N, where recorded valve_current_A, velocity_m_s, ...: "
-                 "docs/diagnosis.md), or a trace of farrier trot")
+                 "docs/diagnosis.md), a recording of farrier record, or a trace of farrier trot")
       ->type_name("<file>");
   add_choice(app, "--units", o.units, kUnits, "si|scaled",
              "of the recording; scaled: a CSV of sample, valve and position in units of its own, which needs no --model "
              "and is judged by what its valve does to its position")
       ->default_str("si");
   app.add_option("--model", o.model_path, "robot file of the machine that was recorded; it is only read")
-      ->type_name("<file>");
+      ->type_name("<file>")
+      ->default_str("the robot that a recording of farrier record is of");
   app.add_option("--joint", o.joint, "joint of the recording; needed where the robot has several")->type_name("<name>");
   app.add_option("--out", o.out,
                  "directory for the report, its pictures and the extended model <robot>_<joint>_extended.yaml; without "

@@ -45,8 +45,10 @@ int hide(const robot::Robot& robot, const TrotOptions& o) {
   for (const std::string& model : study.models()) {
     std::printf("extended model: %s\n", model.c_str());
   }
-  std::printf("figures: %s\nevery joint and seed: %s\nrecordings: %s\n", o.json_path.c_str(), rows_path.c_str(),
-              o.record_directory.c_str());
+  std::printf("figures: %s\nevery joint and seed: %s\n", o.json_path.c_str(), rows_path.c_str());
+  for (const std::string& recording : study.recordings()) {
+    std::printf("recording: %s\n", recording.c_str());
+  }
   return outcome.passes() ? kPassed : kFailed;
 }
 

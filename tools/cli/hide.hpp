@@ -5,8 +5,8 @@
 
 namespace farrier::cli {
 
-/// farrier trot --hide: an effect that only sim_bridge knows is looked for in the recordings of a run. The options name
-/// their trace, their figures and their directory for recordings. The command's exit status.
+/// farrier trot --hide: an effect that only sim_bridge knows is looked for in the recording of a run. The options name
+/// their trace, their figures and their recording. The command's exit status.
 int hide(const robot::Robot& robot, const TrotOptions& options);
 
 }  // namespace farrier::cli

@@ -4,19 +4,17 @@
 
 #include "diagnosis/diagnosis.hpp"
 #include "lab/hide.hpp"
-#include "lab/recorder.hpp"
 #include "participant/loop.hpp"
 #include "tools/cli/in_process.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/progress.hpp"
 #include "tools/cli/trot_run.hpp"
+#include "tools/recording/joint_recording.hpp"
 #include "tools/report/extended_model.hpp"
 #include "tools/report/tracking.hpp"
 
 namespace farrier::cli {
 namespace {
-
-namespace fs = std::filesystem;
 
 Error of_seed(std::uint64_t seed, const Error& error) {
   return {"seed " + std::to_string(seed) + ": " + error.message};
@@ -55,25 +53,26 @@ Result<std::vector<double>> HideStudy::stance_nrmse(const std::string& path) {
 
 /// Verdicts of every joint's recording; what was found of the most suspected joint.
 Result<std::vector<plant::ActiveEffect>> HideStudy::diagnose_all(const TrotOptions& run, report::HideTrial& trial) {
+  auto recorded = recording::RecordedRun::open(run.record_path);
+  if (!recorded) {
+    return recorded.error();
+  }
+  const recording::Measurements measured = recording::read_measurements(recorded.value());
   std::vector<plant::ActiveEffect> found;
   Progress progress("trot --hide, diagnosing", static_cast<Tick>(nominal_.joints.size()), "joint");
   for (const robot::Joint& joint : nominal_.joints) {
     if (participant::stop_requested()) {
       return Error{"interrupted"};
     }
-    const std::string path = lab::Recorder::path_of(run.record_directory, joint.name);
-    const auto recording = diagnosis::read_recording(path);
-    if (!recording) {
-      return Error{diagnosis::to_string(recording.error().findings, path)};
-    }
-    if (const auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
+    const diagnosis::Recording recording = recording::joint_recording(measured, nominal_, joint);
+    if (const auto findings = diagnosis::check_recording(recording, joint); !findings.empty()) {
       trial.verdicts.push_back({.joint = joint.name,
                                 .verdict = to_string(diagnosis::Verdict::kBadData),
                                 .effects = {},
                                 .tied = {},
                                 .gain = 0.0});
     } else {
-      const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(recording.value(), joint);
+      const diagnosis::Diagnosis diagnosis = diagnosis::diagnose(recording, joint);
       trial.verdicts.push_back(verdict_of(joint.name, diagnosis.judgement));
       if (trial.suspect() == &trial.verdicts.back()) {
         found = diagnosis::found_effects(diagnosis, joint);
@@ -108,8 +107,11 @@ Result<Done> HideStudy::run(std::uint64_t seed, const std::vector<double>& nomin
   TrotOptions recorded = o_;
   recorded.hide = seed;
   if (o_.seeds > 1) {
-    recorded.record_directory += "/seed_" + std::to_string(seed);
+    const std::filesystem::path path = o_.record_path;
+    recorded.record_path = path.parent_path() / (path.stem().string() + "_seed_" + std::to_string(seed) +
+                                                 path.extension().string());
   }
+  recordings_.push_back(recorded.record_path);
   if (auto ran = run_once(nominal_, recorded, at); !ran) {
     return ran.error();
   }
@@ -142,7 +144,7 @@ Result<Done> HideStudy::run(std::uint64_t seed, const std::vector<double>& nomin
     }
     const std::string path = o_.out + "/trace_known.csv";
     if (auto ran = run_in_process(extended.value(), o_, supervisor::parse_design(o_.design), path, at + ", known",
-                                  {.world = &world, .record_directory = {}});
+                                  {.world = &world, .record_path = {}});
         !ran) {
       return ran.error();
     }

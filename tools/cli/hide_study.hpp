@@ -16,7 +16,7 @@ namespace farrier::cli {
 class HideStudy {
  public:
   /// `nominal` outlives the study. Recorded runs are as `o` says, those that they are compared with in process.
-  /// `o` names its trace and its directory for recordings, and outlives the study as well.
+  /// `o` names its trace and its recording, and outlives the study as well.
   HideStudy(const robot::Robot& nominal, const TrotOptions& o) : nominal_(nominal), o_(o) {}
 
   /// Refuses what a run does, with the seed, and when the user interrupts.
@@ -25,6 +25,8 @@ class HideStudy {
   const std::vector<report::HideTrial>& trials() const noexcept { return trials_; }
   /// Robot files with what was found, one per seed in which something was.
   const std::vector<std::string>& models() const noexcept { return models_; }
+  /// One per seed.
+  const std::vector<std::string>& recordings() const noexcept { return recordings_; }
   bool long_enough() const noexcept { return long_enough_; }
 
  private:
@@ -39,7 +41,7 @@ class HideStudy {
   const robot::Robot& nominal_;
   const TrotOptions& o_;
   std::vector<report::HideTrial> trials_;
-  std::vector<std::string> models_;
+  std::vector<std::string> models_, recordings_;
   bool long_enough_ = true;
 };
 

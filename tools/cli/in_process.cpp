@@ -6,6 +6,7 @@
 #include "participant/loop.hpp"
 #include "robot/keys.hpp"
 #include "tools/cli/progress.hpp"
+#include "tools/cli/trot_run.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -41,7 +42,8 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
   run.design = design;
   run.trace_path = trace_path;
   run.world = extras.world;
-  run.record_directory = extras.record_directory;
+  run.record_path = extras.record_path;
+  run.record_facts = record_facts(robot, o);
   Progress progress(title, run.ticks);
   run.progress = [&](Tick tick) {
     progress.update(tick);

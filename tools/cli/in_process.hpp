@@ -13,7 +13,7 @@ namespace farrier::cli {
 /// What a run may have besides.
 struct Extras {
   const robot::Robot* world = nullptr;  ///< what sim_bridge simulates; null: the robot
-  std::string record_directory;         ///< recordings of all joints go there; empty: none
+  std::string record_path;              ///< a recording of everything goes there; empty: none
 };
 
 /// A trot in this process, in lock-step, with a bar called `title`; the trace goes to `trace_path`. Refuses what

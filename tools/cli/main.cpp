@@ -25,6 +25,7 @@ constexpr Subcommand kSubcommands[] = {
     {"doctor", "Say why no data comes, or no real time is had, and what to do about it", farrier::cli::declare_doctor},
     {"echo", "Print what a running robot's processes publish", farrier::cli::declare_echo},
     {"faults", "Make faults happen to a trot of real processes and judge what each process does", farrier::cli::declare_faults},
+    {"identify", "Estimate every joint of a recording anew, over time", farrier::cli::declare_identify},
     {"info", "Say what a recording holds, of which run, and what it lacks", farrier::cli::declare_info},
     {"record", "Record everything a running robot's processes publish, as MCAP", farrier::cli::declare_record},
     {"replay", "Publish a recording as the processes of its robot did", farrier::cli::declare_replay},

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "bus_factory/bus_factory.hpp"
 #include "participant/clock.hpp"
@@ -9,7 +10,9 @@
 #include "recorder/watching_endpoint.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/guest.hpp"
+#include "tools/cli/rerun.hpp"
 #include "tools/cli/topic_choice.hpp"
+#include "tools/recording/recorded_run.hpp"
 #include "tools/recording/replayer.hpp"
 
 namespace farrier::cli {
@@ -25,6 +28,7 @@ struct ReplayOptions {
   std::string path;
   std::vector<std::string> topics;
   double speed = 1.0;
+  std::string rerun_of;  ///< empty: nothing
   std::string vendor = "cyclone";
   bus::NetworkOptions network;
 };
@@ -32,22 +36,6 @@ struct ReplayOptions {
 int fail(const std::string& message, int status) {
   std::fprintf(stderr, "farrier replay: %s\n", message.c_str());
   return status;
-}
-
-/// The robot that was recorded, from the configuration in the file, which comes before its samples.
-Result<robot::Robot> recorded_robot(run_file::RunFileReader& file, const std::string& path, run_file::Sample& first,
-                                    bool& any) {
-  any = file.next(first);
-  const mcap::Text facts = file.metadata(run_file::kRunFacts);
-  const auto configuration = facts.find("configuration");
-  if (configuration == facts.end()) {
-    return Error{path + " does not say of which robot it is: give a recording of farrier record"};
-  }
-  auto robot = robot::load_robot_text(configuration->second, path);
-  if (!robot) {
-    return Error{config::to_string(robot.error())};
-  }
-  return std::move(robot).value();
 }
 
 void nap(bus::Bus& bus, SteadyTime until) {
@@ -74,59 +62,54 @@ Result<Done> nobody_is_there(bus::Bus& bus, const robot::Robot& robot, int domai
   return Done{};
 }
 
-/// Publishes all samples from `sample` on, as far apart as they were recorded; how many.
-std::uint64_t play(bus::Bus& bus, recording::Replayer& replayer, run_file::RunFileReader& file,
-                   run_file::Sample& sample, double speed) {
+/// Publishes all samples as far apart as they were recorded; how many.
+std::uint64_t play(bus::Bus& bus, recording::Replayer& replayer, recording::RecordedRun& run, double speed) {
   const SteadyTime begin = participant::steady_now();
-  const std::uint64_t first_ns = sample.log_time_ns;
+  std::optional<std::uint64_t> first_ns;
   std::uint64_t published = 0;
-  do {
-    const std::uint64_t since_ns = sample.log_time_ns - std::min(sample.log_time_ns, first_ns);
+  for (run_file::Sample sample; run.next(sample);) {
+    first_ns = first_ns.value_or(sample.log_time_ns);
+    const std::uint64_t since_ns = sample.log_time_ns - std::min(sample.log_time_ns, *first_ns);
     nap(bus, begin + Nanoseconds(static_cast<std::int64_t>(static_cast<double>(since_ns) / speed)));
     if (participant::stop_requested()) {
       break;
     }
     published += replayer.publish(sample) ? 1 : 0;
-  } while (file.next(sample));
+  }
   return published;
 }
 
 int run_replay(const ReplayOptions& o) {
   participant::install_signal_handlers();
-  auto file = run_file::RunFileReader::open(o.path);
-  if (!file) {
-    return fail(file.error().message, kBadInput);
+  auto run = recording::RecordedRun::open(o.path);
+  if (!run) {
+    return fail(run.error().message, kBadInput);
   }
-  run_file::Sample sample;
-  bool any = false;
-  const auto robot = recorded_robot(file.value(), o.path, sample, any);
-  if (!robot) {
-    return fail(robot.error().message, kBadInput);
+  if (!o.rerun_of.empty()) {
+    return rerun_estimator(run.value(), o.path);
   }
-  if (!any) {
-    return fail(o.path + " has no samples " + file.value().ending(), kBadInput);
-  }
+  const robot::Robot& robot = run.value().robot();
   auto bus = bus_factory::create_bus(bus::parse_vendor(o.vendor).value(), o.network);
   if (!bus) {
     return fail(bus.error().message, kFailed);
   }
-  if (auto alone = nobody_is_there(*bus.value(), robot.value(), o.network.domain); !alone) {
+  if (auto alone = nobody_is_there(*bus.value(), robot, o.network.domain); !alone) {
     return fail(alone.error().message, kBadInput);
   }
-  auto replayer = recording::Replayer::create(*bus.value(), robot.value(), topics_of(o.topics));
+  auto replayer = recording::Replayer::create(*bus.value(), robot, topics_of(o.topics));
   if (!replayer) {
     return fail(replayer.error().message, kFailed);
   }
-  std::fprintf(stderr, "farrier replay: %s of robot %s in domain %d\n", o.path.c_str(), robot.value().name.c_str(),
+  std::fprintf(stderr, "farrier replay: %s of robot %s in domain %d\n", o.path.c_str(), robot.name.c_str(),
                o.network.domain);
   nap(*bus.value(), participant::steady_now() + kListen);  // for readers to find the writers
-  const std::uint64_t published = play(*bus.value(), replayer.value(), file.value(), sample, o.speed);
+  const std::uint64_t published = play(*bus.value(), replayer.value(), run.value(), o.speed);
   std::printf("%s: %llu samples published\n", o.path.c_str(), static_cast<unsigned long long>(published));
   if (participant::stop_requested()) {
     return participant::stop_status();
   }
-  if (!file.value().ending().empty()) {
-    return fail(o.path + ": " + file.value().ending(), kFailed);
+  if (!run.value().ending().empty()) {
+    return fail(o.path + ": " + run.value().ending(), kFailed);
   }
   return kPassed;
 }
@@ -136,6 +119,11 @@ int run_replay(const ReplayOptions& o) {
 std::function<int()> declare_replay(CLI::App& app) {
   auto o = std::make_shared<ReplayOptions>();
   app.add_option("file", o->path, "recording, as farrier record makes it")->required()->type_name("<file>");
+  app.add_option("--rerun", o->rerun_of,
+                 "publish nothing: feed the recorded measurements to this version's estimators and "
+                 "compare their estimates with the recorded ones, bit by bit")
+      ->check(CLI::IsMember({"estimator"}))
+      ->type_name("estimator");
   declare_topic_choice(app, o->topics);
   app.add_option("--speed", o->speed, "times as fast as it was recorded")
       ->check(CLI::Range(0.01, 1000.0))

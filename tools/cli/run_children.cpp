@@ -5,9 +5,12 @@
 
 #include "runtime/processors.hpp"
 #include "tools/cli/installation.hpp"
+#include "tools/report/extended_model.hpp"
 
 namespace farrier::cli {
 namespace {
+
+constexpr const char* kRecorder = "record";
 
 /// In real time the processes on the way from sensor to valve have a processor each, as far as there are some: the
 /// threads of one then wake each other where they are, and not by an interrupt of another processor.
@@ -77,6 +80,27 @@ Result<ChildProcess> start_monitor(const DdsRun& run, const participant::Process
                              run.log_directory + "/" + name + ".log");
 }
 
+Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run,
+                                    const participant::ProcessOptions& common) {
+  // The robot as the options of this run have made it, which no file says.
+  const std::string robot_path = run.log_directory + "/" + robot.name + ".yaml";
+  if (auto written = report::replace_file(robot_path, robot::print_config(robot)); !written) {
+    return written.error();
+  }
+  std::vector<std::string> arguments{"record", run.record_path, "--robot", robot_path, "--domain",
+                                     std::to_string(common.network.domain), "--dds",
+                                     run.dds == DdsChoice::kFast ? "fast" : "cyclone"};
+  if (!common.security.empty()) {
+    arguments.insert(arguments.end(), {"--security", common.security});
+  }
+  for (const auto& [name, value] : run.record_facts) {
+    if (value.find('\n') == std::string::npos) {
+      arguments.insert(arguments.end(), {"--fact", name + "=" + value});
+    }
+  }
+  return ChildProcess::start(kRecorder, this_command(), arguments, run.log_directory + "/" + kRecorder + ".log");
+}
+
 std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children) {
   std::string stopped;
   for (const ChildProcess& child : children) {
@@ -96,7 +120,7 @@ Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const 
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   const auto dispensable = [&](const std::string& name) {
     return name == members[participant::kEstimatorService].name || name == members[participant::kSupervisor].name ||
-           (run.standby && name == members.back().name) ||
+           name == kRecorder || (run.standby && name == members.back().name) ||
            run.goes_on_without_the_dead;
   };
   for (auto child = children.begin(); child != children.end();) {

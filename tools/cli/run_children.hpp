@@ -28,11 +28,16 @@ inline constexpr std::chrono::seconds kSilenceWorthSaying{3};
 Result<ChildProcess> start_monitor(const DdsRun& run, const participant::ProcessOptions& common,
                                    const std::string& name, const std::string& joint);
 
+/// Starts `farrier record` for the whole run, which is then another process's business and not that of control. Refuses
+/// also what it needs to have written.
+Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run,
+                                    const participant::ProcessOptions& common);
+
 /// Why nothing moves: who is stopped, or else what sim_bridge waits for, or else this process.
 std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children);
 
 /// Takes the dead out of `children`. Refuses when the run cannot do without one: in real time, once it has begun, it
-/// can without estimator and supervisors, or without any if `run` says so; in lock-step everybody waits for everybody.
+/// can without estimator, supervisors and recorder, or without any if `run` says so; in lock-step everybody waits for everybody.
 Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
                   Tick tick, std::vector<std::string>& warnings);
 

@@ -120,9 +120,9 @@ int trot(TrotOptions o) {
     return kBadInput;
   }
   o.seeds = o.seeds != 0 ? o.seeds : o.hide ? 1 : kSeeds;
-  if ((o.hide || !o.record_directory.empty()) && o.clock == bus::ClockKind::kRealtime) {
-    std::fputs("farrier trot: --hide and --record run on the lock-step clock only, where no sample is lost: leave "
-               "--clock realtime out\n",
+  if (o.hide && o.clock == bus::ClockKind::kRealtime) {
+    std::fputs("farrier trot: --hide runs on the lock-step clock only, where no sample is lost: leave --clock realtime "
+               "out\n",
                stderr);
     return kBadInput;
   }
@@ -160,16 +160,15 @@ int trot(TrotOptions o) {
     return kBadInput;
   }
   o.json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  if (o.hide && o.record_path.empty()) {
+    o.record_path = o.out + "/run.mcap";
+  }
   const std::string rows_path = o.vary ? o.out + "/vary.csv" : o.trace_path;
-  for (const std::string& path : {rows_path, o.json_path}) {
+  for (const std::string& path : {rows_path, o.json_path, o.record_path}) {
     if (auto way = make_way(path); !way) {
       std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
       return kBadInput;
     }
-  }
-
-  if (o.hide && o.record_directory.empty()) {
-    o.record_directory = o.out + "/recordings";
   }
 
   if (o.vary) {

@@ -97,11 +97,10 @@ void declare(CLI::App& app, TrotOptions& o) {
           ->excludes(dither_cost)
           ->excludes(experiment);
   CLI::Option* const record =
-      app.add_option("--record", o.record_directory,
-                     "directory for a recording of every joint as it crossed the bus, <joint>.csv as farrier diagnose "
-                     "reads it; lock-step only")
-          ->type_name("<dir>")
-          ->default_str("none; with --hide recordings in --out")
+      app.add_option("--record", o.record_path,
+                     "records everything that crosses the bus, as farrier record does; in lock-step no sample is missing")
+          ->type_name("<file>")
+          ->default_str("none; with --hide run.mcap in --out")
           ->excludes(experiment);
   app.add_option("--hide", o.hide,
                  "give one joint of the simulated robot, drawn by this seed, an effect that nobody else is told of; "

@@ -37,7 +37,7 @@ struct TrotOptions {
   bool standby = false;     ///< a second supervisor stands by, real time only
   int seeds = 0;            ///< of `vary` and the controllers, from `seed` on; 0: not given, which is kSeeds; of `hide`
   std::optional<std::uint64_t> hide;  ///< of an effect of one simulated joint that nobody else knows
-  std::string record_directory;       ///< recordings of all joints go there; empty: none, with `hide` into `out`
+  std::string record_path;            ///< a recording of everything goes there; empty: none, with `hide` into `out`
 };
 
 inline constexpr int kSeeds = 5;

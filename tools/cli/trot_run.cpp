@@ -5,6 +5,7 @@
 #include "lab/hide.hpp"
 #include "tools/cli/in_process.hpp"
 #include "tools/cli/installation.hpp"
+#include "tools/report/recording_facts.hpp"
 
 namespace farrier::cli {
 
@@ -27,6 +28,14 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
   return common;
 }
 
+mcap::Text record_facts(const robot::Robot& robot, const TrotOptions& o) {
+  mcap::Text facts = report::recording_facts(robot);
+  facts["seed"] = std::to_string(o.seed);
+  facts["clock"] = o.clock == bus::ClockKind::kLockstep ? "lockstep" : "realtime";
+  facts["design"] = o.design;
+  return facts;
+}
+
 DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::string& title) {
   DdsRun run;
   run.dds = o.dds;
@@ -35,7 +44,8 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
   run.common.ticks = lab::ticks_of(o.duration_s, robot);
   run.executables = processes_directory();
   run.log_directory = o.out + "/log";
-  run.record_directory = o.record_directory;
+  run.record_path = o.record_path;
+  run.record_facts = record_facts(robot, o);
   run.title = title;
   run.standby = o.standby;
   run.soak = o.soak;
@@ -47,7 +57,7 @@ Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, con
     lab::HiddenEffect unsaid;
     const robot::Robot world = o.hide ? lab::hide_effect(robot, *o.hide, unsaid) : robot;
     return run_in_process(robot, o, supervisor::parse_design(o.design), o.trace_path, title,
-                          {.world = &world, .record_directory = o.record_directory});
+                          {.world = &world, .record_path = o.record_path});
   }
   return run_over_dds(robot, dds_run(robot, o, title));
 }

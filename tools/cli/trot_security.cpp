@@ -18,7 +18,7 @@ Result<double> median_latency(const robot::Robot& robot, const TrotOptions& opti
   DdsRun run = dds_run(robot, options, title);
   run.common.ticks = lab::ticks_of(kRun_s, robot);
   run.common.trace_path.clear();
-  run.record_directory.clear();
+  run.record_path.clear();
   run.log_directory = options.out + (options.security.empty() ? "/log/open" : "/log/secure");
   const auto ran = run_over_dds(robot, run);
   if (!ran) {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "participant/participant.hpp"
+#include "recorder/recorder.hpp"
+#include "run_file/background_writer.hpp"
+
+namespace farrier::recorder {
+
+/// A recording of a lock-step run by one of its participants. The run begins only when it hears everybody, and goes on
+/// only when its participant does: every sample of every tick is in it.
+class RunRecording {
+ public:
+  /// Opens ports of `participant`, which outlives it; hence before the greeting. `facts`: run_file::kRunFacts. Refuses a
+  /// file that cannot be written, and what the bus refuses.
+  static Result<std::unique_ptr<RunRecording>> create(const std::string& path, const mcap::Text& facts,
+                                                      const robot::Robot& robot,
+                                                      participant::Participant& participant);
+
+  /// Takes what has come: at least once a tick, or samples are overwritten, which finish() says.
+  void poll();
+
+  /// Whether this many ticks are complete: what every joint measured and was told.
+  bool has(Tick ticks) const;
+
+  /// Ends the file. Refuses when it lacks samples, with topic and number, and when the disk did not take everything.
+  Result<Done> finish(Tick ticks);
+
+ private:
+  RunRecording(Recorder recorder, run_file::RunFileWriter file, std::size_t joints)
+      : recorder_(std::move(recorder)), file_(std::move(file)), joints_(joints) {}
+
+  Recorder recorder_;
+  run_file::BackgroundWriter file_;
+  std::size_t joints_;
+};
+
+}  // namespace farrier::recorder

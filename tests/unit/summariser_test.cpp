@@ -1,0 +1,78 @@
+// Fifty summaries a second of what a joint measured.
+
+#include "joint_node/summariser.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/fault.hpp"
+
+namespace farrier::joint_node {
+namespace {
+
+using signals::JointMeasurement;
+using signals::JointState;
+
+JointMeasurement measured(Tick tick, double reference_N = 300.0, double force_N = 296.0) {
+  return {.joint = 4,
+          .tick = tick,
+          .position_m_or_rad = 0.001 * static_cast<double>(tick),
+          .force_N_or_Nm = force_N,
+          .force_reference_N_or_Nm = reference_N,
+          .state = static_cast<std::uint8_t>(JointState::kTracking)};
+}
+
+TEST(SummariserTest, SumsUpEveryTwentyTicksAtOneKilohertz) {
+  Summariser summariser(1e-3);
+  for (Tick tick = 0; tick < 20; ++tick) {
+    EXPECT_FALSE(summariser.take(measured(tick, 300.0, tick % 2 == 0 ? 297.0 : 304.0))) << tick;
+  }
+  const auto summary = summariser.take(measured(20));
+  ASSERT_TRUE(summary);
+  EXPECT_EQ(summary->joint, 4);
+  EXPECT_EQ(summary->tick, 19);
+  EXPECT_EQ(summary->ticks, 20);
+  EXPECT_DOUBLE_EQ(summary->position_m_or_rad, 0.019);
+  EXPECT_DOUBLE_EQ(summary->force_error_rms_N_or_Nm, std::sqrt(0.5 * (9.0 + 16.0)));
+  EXPECT_DOUBLE_EQ(summary->force_reference_rms_N_or_Nm, 300.0);
+}
+
+TEST(SummariserTest, SumsUpEveryTickWhereTheLoopIsSlow) {
+  Summariser summariser(0.1);
+  EXPECT_FALSE(summariser.take(measured(0)));
+  const auto summary = summariser.take(measured(1));
+  ASSERT_TRUE(summary);
+  EXPECT_EQ(summary->tick, 0);
+  EXPECT_EQ(summary->ticks, 1);
+}
+
+TEST(SummariserTest, HidesNoFaultAndNoCareOfAnyTick) {
+  Summariser summariser(1e-3);
+  for (Tick tick = 0; tick < 20; ++tick) {
+    JointMeasurement m = measured(tick);
+    if (tick == 7) {
+      m.faults = static_cast<std::uint32_t>(Fault::kForceLost);
+      m.state = static_cast<std::uint8_t>(JointState::kDamping);
+    }
+    summariser.take(m);
+  }
+  const auto summary = summariser.take(measured(20));
+  ASSERT_TRUE(summary);
+  EXPECT_EQ(summary->faults, static_cast<std::uint32_t>(Fault::kForceLost));
+  EXPECT_EQ(summary->state, static_cast<std::uint8_t>(JointState::kDamping));
+}
+
+TEST(SummariserTest, CountsWhatItGotWhereTicksAreMissing) {
+  Summariser summariser(1e-3);
+  for (const Tick tick : {0, 1, 2, 17}) {
+    EXPECT_FALSE(summariser.take(measured(tick)));
+  }
+  const auto summary = summariser.take(measured(45));
+  ASSERT_TRUE(summary);
+  EXPECT_EQ(summary->tick, 17);
+  EXPECT_EQ(summary->ticks, 4);
+}
+
+}  // namespace
+}  // namespace farrier::joint_node

@@ -1,0 +1,164 @@
+// farrier identify: what the estimators make of a recording, joint by joint.
+
+#include <cstdio>
+#include <fstream>
+#include <memory>
+
+#include "control/model_rows.hpp"
+#include "estimation/poles.hpp"
+#include "tools/cli/command.hpp"
+#include "tools/cli/output_file.hpp"
+#include "tools/recording/csv_row.hpp"
+#include "tools/recording/identify.hpp"
+#include "tools/report/text_format.hpp"
+
+namespace farrier::cli {
+namespace {
+
+using signals::JointModelEstimate;
+
+struct IdentifyOptions {
+  std::string path;
+  std::string joint;
+  std::string estimator;
+  std::string csv_path;
+};
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier identify: %s\n", message.c_str());
+  return status;
+}
+
+/// Every estimate as a row: its time and the fields of joint/model_estimate.
+class EstimatesFile {
+ public:
+  EstimatesFile(const std::string& path, double period_s) : file_(path, std::ios::binary), period_s_(period_s) {
+    std::string head = "time_s,joint_name";
+    JointModelEstimate any;
+    recording::visit_all_columns(any, [&](const std::string& name, const auto&) { head += ',' + name; });
+    file_ << head << '\n';
+  }
+
+  void write(const JointModelEstimate& estimate, const std::string& joint) {
+    std::string row;
+    recording::append_cell(row, static_cast<double>(estimate.tick) * period_s_);
+    row += ',' + joint;
+    recording::visit_all_columns(estimate, [&](const std::string&, const auto& value) {
+      row += ',';
+      recording::append_cell(row, value);
+    });
+    file_ << row << '\n';
+  }
+
+  bool ended_well() { return static_cast<bool>(file_.flush()); }
+
+ private:
+  std::ofstream file_;
+  double period_s_;
+};
+
+/// "0.97, 0.91 ± 0.05i"
+std::string poles_text(const JointModelEstimate& estimate) {
+  std::string text;
+  for (const std::complex<double>& pole :
+       estimation::poles<3>(control::model_of_rows(estimate.a, estimate.b).a)) {
+    if (pole.imag() < 0.0) {
+      continue;  // the other of its pair is there
+    }
+    text += (text.empty() ? "" : ", ") + report::short_number(pole.real());
+    text += pole.imag() > 0.0 ? " ± " + report::short_number(pole.imag()) + "i" : "";
+  }
+  return text;
+}
+
+std::string mass_text(const JointModelEstimate& estimate) {
+  return estimate.has_physics == 0 ? "-"
+                                   : report::short_number(estimate.physics[0]) + " ± " +
+                                         report::short_number(estimate.physics_error[0]);
+}
+
+/// The last estimate of every joint and phase.
+using Last = std::vector<std::array<JointModelEstimate, signals::kPhaseCount>>;
+
+void print(const robot::Robot& robot, const Last& last) {
+  std::vector<std::vector<std::string>> rows{
+      {"joint", "phase", "samples", "validity", "prediction error", "load mass", "poles"}};
+  for (const robot::Joint& joint : robot.joints) {
+    for (const JointModelEstimate& estimate : last[joint.number]) {
+      if (estimate.tick != kNoTick) {
+        rows.push_back({joint.name, to_string(static_cast<signals::Phase>(estimate.phase)),
+                        std::to_string(estimate.samples), report::short_number(estimate.validity),
+                        report::short_number(estimate.prediction_error), mass_text(estimate), poles_text(estimate)});
+      }
+    }
+  }
+  std::fputs(report::aligned(rows).c_str(), stdout);
+}
+
+int identify(const IdentifyOptions& o) {
+  robot::Overrides overrides;
+  if (!o.estimator.empty()) {
+    overrides.estimator = o.estimator;
+  }
+  auto run = recording::RecordedRun::open(o.path, overrides);
+  if (!run) {
+    return fail(run.error().message, kBadInput);
+  }
+  const robot::Robot& robot = run.value().robot();
+  const robot::Joint* const only = o.joint.empty() ? nullptr : robot.find(o.joint);
+  if (!o.joint.empty() && only == nullptr) {
+    return fail("--joint: " + o.path + " is of " + robot.name + ", which has no joint '" + o.joint + "'", kBadInput);
+  }
+  if (auto way = make_way({o.csv_path}, {o.path}); !way) {
+    return fail(way.error().message, kBadInput);
+  }
+  const recording::Measurements measured = recording::read_measurements(run.value());
+  std::unique_ptr<EstimatesFile> file;
+  if (!o.csv_path.empty()) {
+    file = std::make_unique<EstimatesFile>(o.csv_path, robot.period_s);
+  }
+  Last last(robot.joints.size());
+  std::uint64_t estimates = 0;
+  const auto fed = recording::identify(measured, robot, [&](const JointModelEstimate& estimate) {
+    if (only != nullptr && estimate.joint != only->number) {
+      return;
+    }
+    ++estimates;
+    last[estimate.joint][estimate.phase] = estimate;
+    if (file) {
+      file->write(estimate, robot.joints[estimate.joint].name);
+    }
+  });
+  if (!fed) {
+    return fail(fed.error().message, kBadInput);
+  }
+  if (estimates == 0) {
+    return fail(o.path + " has no joint/measurement" + (only == nullptr ? "" : " of " + o.joint) + ": record that topic",
+                kBadInput);
+  }
+  print(robot, last);
+  if (file && !file->ended_well()) {
+    return fail("cannot write " + o.csv_path + ": is the disk full?", kFailed);
+  }
+  if (file) {
+    std::printf("estimates: %s\n", o.csv_path.c_str());
+  }
+  return measured.ending.empty() ? kPassed : fail(o.path + ": " + measured.ending, kFailed);
+}
+
+}  // namespace
+
+std::function<int()> declare_identify(CLI::App& app) {
+  auto o = std::make_shared<IdentifyOptions>();
+  app.add_option("file", o->path, "recording with joint/measurement, as farrier record makes it")
+      ->required()
+      ->type_name("<file>");
+  app.add_option("--joint", o->joint, "this joint alone")->type_name("<name>");
+  app.add_option("--estimator", o->estimator, "estimator of the robot file that every joint uses, such as grey_box")
+      ->type_name("<name>")
+      ->default_str("each joint's own");
+  app.add_option("--csv", o->csv_path, "where every estimate goes, with its time")->type_name("<file>");
+  return [o] { return identify(*o); };
+}
+
+}  // namespace farrier::cli

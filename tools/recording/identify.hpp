@@ -1,0 +1,14 @@
+#pragma once
+
+#include <functional>
+
+#include "tools/recording/measurements.hpp"
+
+namespace farrier::recording {
+
+/// Feeds recorded measurements, joint by joint and tick by tick, to the estimators of this version, as
+/// estimator_service does. `take` gets every estimate it would have published. Refuses estimator settings out of range.
+Result<Done> identify(const Measurements& measured, const robot::Robot& robot,
+                      const std::function<void(const signals::JointModelEstimate&)>& take);
+
+}  // namespace farrier::recording

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "tools/recording/recorded_run.hpp"
+
+namespace farrier::recording {
+
+/// What joints measured in a recorded run.
+struct Measurements {
+  bool lockstep = false;  ///< which clock the run had: only lock-step has clock/tick_done
+  std::vector<std::vector<signals::JointMeasurement>> joints;  ///< by number, ticks rising
+  std::string ending;     ///< of the file: RecordedRun::ending
+
+  int loop_delay_ticks(const robot::Robot& robot) const noexcept {
+    return lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime;
+  }
+};
+
+/// Gets samples, which are valid for the call.
+using Take = std::function<void(const run_file::Sample&)>;
+
+/// Reads a run to its end; a tick that came again, or late, is left out. `others` gets every other topic's samples; may
+/// be empty.
+Measurements read_measurements(RecordedRun& run, const Take& others = {});
+
+}  // namespace farrier::recording
