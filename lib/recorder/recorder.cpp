@@ -58,7 +58,9 @@ class TypedTap final : public Tap {
     });
   }
 
-  TopicProgress progress() const override { return {bus::TopicOf<Signal>::id, samples_, losses_.lost()}; }
+  TopicProgress progress() const override {
+    return {bus::TopicOf<Signal>::id, samples_, losses_.lost(), heard_.status()};
+  }
 
  private:
   explicit TypedTap(bus::Subscription<Signal> heard) : heard_(std::move(heard)) {}
