@@ -39,7 +39,7 @@ inline signals::SystemHello hello(std::uint16_t participant, const char* name, s
   return h;
 }
 
-/// An estimate whose model was sampled from `continuous`, whose states are position, velocity and force.
+/// An estimate, without physics, of a joint that moves a load of this mass.
 signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick, double mass);
 
 class Feed {

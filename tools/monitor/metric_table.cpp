@@ -132,7 +132,7 @@ constexpr std::array kSpecs{
                of_joints<[](const JointFrame& j) { return as_double(j.missed_ticks); }>},
     MetricSpec{"farrier_joint_control_rate_hertz", kGauge, {"leg", "joint"}, "Control periods per second of this monitor's clock over the last second.",
                of_joints<[](const JointFrame& j) { return j.rate_Hz; }>},
-    MetricSpec{"farrier_joint_summary_age_seconds", kGauge, {"leg", "joint"}, "Time since the joint's last summary came, of which there are fifty a second.",
+    MetricSpec{"farrier_joint_last_sample_age_seconds", kGauge, {"leg", "joint"}, "Time since the joint's last summary came, of which there are fifty a second.",
                of_joints<[](const JointFrame& j) { return j.age_s; }>},
     MetricSpec{"farrier_joint_valve_current_amperes", kGauge, {"leg", "joint"}, "Valve current of the last summary.",
                of_joints<[](const JointFrame& j) { return j.newest.valve_current_A; }>},
