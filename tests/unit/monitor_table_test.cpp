@@ -41,7 +41,7 @@ TEST_F(Table, ShowsTheRunItsJointsItsProcessesAndEvents) {
   for (const char* part :
        {"hyq  armed  tick 1020 (1.02 s)  latency p50 450 us, p99 900 us  lost 3  missed periods 3", "tracking  stance",
         "10 N", "10 Nm", "0.050", "5 kgm2", "6 kg", " 1000 ", "joint_node_lf", "90 us",
-        "error  supervisor lf_kfe: design refused"}) {
+        "error    supervisor lf_kfe: design refused"}) {
     EXPECT_NE(shown.find(part), std::string::npos) << part << "\n" << shown;
   }
 }
@@ -114,6 +114,18 @@ TEST_F(Table, FitsAnyTerminal) {
         }
       }
     }
+  }
+}
+
+TEST_F(Table, GivesUpOtherColumnsBeforeFaults) {
+  feed_.walk(1020, 1, [](signals::JointSummary& s) { s.faults = static_cast<std::uint32_t>(Fault::kCommandStale); });
+  const monitor::Frame frame = feed_.frame();
+  TableView view;
+  for (const int width : {40, 80, 110}) {
+    view.width = width;
+    const std::string shown = text_of(terminal_table(frame, hyq(), frame.events, view));
+    EXPECT_NE(shown.find("command stale\n"), std::string::npos) << width << '\n' << shown;
+    EXPECT_EQ(shown.find("poles") != std::string::npos, width > 80) << width << '\n' << shown;
   }
 }
 

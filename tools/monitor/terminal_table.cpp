@@ -69,7 +69,9 @@ Line run_line(const monitor::Frame& frame, const robot::Robot& robot) {
     text += "  tick " + std::to_string(frame.tick) + number(" (%.2f s)", static_cast<double>(frame.tick) * robot.period_s);
   }
   std::uint64_t lost = 0, missed = 0;
+  bool reported = false;
   for (const monitor::ParticipantFrame& process : frame.participants) {
+    reported = reported || process.health.tick != kNoTick;
     lost += process.lost();
     missed += process.health.missed_periods;
     if (process.health.latency_s[0] > 0.0) {
@@ -77,7 +79,9 @@ Line run_line(const monitor::Frame& frame, const robot::Robot& robot) {
               microseconds(process.health.latency_s[1]);
     }
   }
-  text += "  lost " + std::to_string(lost) + "  missed periods " + std::to_string(missed);
+  if (reported) {  // in lock-step, at the end
+    text += "  lost " + std::to_string(lost) + "  missed periods " + std::to_string(missed);
+  }
   if (frame.lost_samples > 0) {
     text += "  lost on the way here " + std::to_string(frame.lost_samples);
   }
@@ -87,20 +91,48 @@ Line run_line(const monitor::Frame& frame, const robot::Robot& robot) {
   return {text, Tone::kHeading};
 }
 
-std::vector<Line> joint_lines(const std::vector<JointRow>& rows, const TableView& view) {
+bool is_number(Column column) {
+  return column == Column::kError || column == Column::kNrmse || column == Column::kMass ||
+         (column >= Column::kGeneration && column <= Column::kMissed);
+}
+
+std::vector<Line> lines_of_columns(const std::vector<JointRow>& rows, const TableView& view,
+                                   const std::vector<Column>& columns) {
   std::vector<std::string> heading;
   std::vector<bool> right;
-  for (int i = 0; i < kColumnCount; ++i) {
-    const Column column = static_cast<Column>(i);
+  for (const Column column : columns) {
     heading.push_back(std::string(to_string(column)) + (column == view.sorted_by ? (view.reversed ? " v" : " ^") : ""));
-    right.push_back(column == Column::kError || column == Column::kNrmse || column == Column::kMass ||
-                    (column >= Column::kGeneration && column <= Column::kMissed));
+    right.push_back(is_number(column));
   }
   Grid grid(std::move(heading), std::move(right));
   for (const JointRow& row : rows) {
-    grid.add({row.cells.begin(), row.cells.end()}, row.tone);
+    std::vector<std::string> cells;
+    for (const Column column : columns) {
+      cells.push_back(row.cells[static_cast<std::size_t>(column)]);
+    }
+    grid.add(std::move(cells), row.tone);
   }
   return grid.lines();
+}
+
+/// Columns give way one by one where the width is short, the faults at the end never.
+std::vector<Line> joint_lines(const std::vector<JointRow>& rows, const TableView& view) {
+  std::vector<Column> columns;
+  for (int i = 0; i < kColumnCount; ++i) {
+    columns.push_back(static_cast<Column>(i));
+  }
+  std::vector<Line> lines = lines_of_columns(rows, view, columns);
+  for (const Column least : {Column::kRedesigns, Column::kPhase, Column::kNrmse, Column::kPoles, Column::kMissed,
+                             Column::kGeneration, Column::kRate, Column::kMass, Column::kError}) {
+    if (view.width <= 0 || lines.front().text.size() <= static_cast<std::size_t>(view.width)) {
+      break;
+    }
+    if (least != view.sorted_by) {
+      std::erase(columns, least);
+      lines = lines_of_columns(rows, view, columns);
+    }
+  }
+  return lines;
 }
 
 std::vector<Line> process_lines(const monitor::Frame& frame) {
@@ -127,7 +159,9 @@ std::vector<Line> process_lines(const monitor::Frame& frame) {
 }
 
 Line event_line(const monitor::EventFrame& event) {
-  std::string text = number("%8.2f s", event.time_s) + "  " + signals::to_string(event.severity);
+  std::string severity = signals::to_string(event.severity);
+  severity.resize(7, ' ');  // as long as the longest
+  std::string text = number("%8.2f s", event.time_s) + "  " + severity;
   text += "  " + printable(event.who) + (event.joint.empty() ? "" : " " + event.joint) + ": " + printable(event.text);
   return {text, event.severity == signals::Severity::kError     ? Tone::kBad
                 : event.severity == signals::Severity::kWarning ? Tone::kWarning
