@@ -4,6 +4,7 @@
 #   bin/farrier               the command
 #   libexec/farrier/          the processes, whose names are too common for bin
 #   share/farrier/robots/     robot files
+#   share/farrier/monitoring/ configuration and alert rules for Prometheus
 #   include/farrier/, lib/    for programs of the user's
 #
 # Three components, three packages: `cpack` in the build directory makes them.
@@ -17,6 +18,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/deploy/robots ${PROJECT_BINARY_DIR}/share
 install(TARGETS ${FARRIER_PROCESSES} DESTINATION libexec/farrier COMPONENT runtime)
 install(DIRECTORY deploy/robots DESTINATION share/farrier COMPONENT runtime)
 install(TARGETS farrier DESTINATION bin COMPONENT tools)
+install(DIRECTORY deploy/monitoring DESTINATION share/farrier COMPONENT tools)
 install(TARGETS bare_exchange farrier_wall_clock DESTINATION libexec/farrier COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.
@@ -56,6 +58,8 @@ set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers and libraries for processes of your
 set(CPACK_COMPONENT_TOOLS_DEPENDS runtime)
 # Reports are drawn by gnuplot, which needs a font.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "gnuplot-nox, fonts-dejavu-core")
+# Scrapes what "farrier monitor --prometheus" serves, on whichever computer that is.
+set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "prometheus")
 # What its libraries are linked with and its headers include.
 set(FARRIER_DEV_NEEDS cyclonedds-dev libeigen3-dev libfastcdr-dev libfastrtps-dev libssl-dev libsystemd-dev libyaml-cpp-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)

@@ -26,6 +26,7 @@ struct JointFrame {
   std::array<signals::JointControllerGains, signals::kPhaseCount> gains{};  ///< newest, by phase
   signals::JointModelEstimate estimate;          ///< newest
   std::array<std::complex<double>, 3> poles{};   ///< of the estimate, z-plane, largest modulus first
+  std::optional<double> mass_kg_or_kgm2;         ///< of the load, as the estimate has it
   signals::JointUpdateDecision decision;         ///< newest
   std::uint32_t redesigns = 0;                   ///< decisions to redesign, since the first sample
 
@@ -70,6 +71,7 @@ struct Frame {
   std::vector<JointFrame> joints;               ///< by number
   std::vector<ParticipantFrame> participants;   ///< by number; a hello of tick-less default: not heard of
   std::vector<EventFrame> events;               ///< since the last frame
+  std::uint64_t lost_samples = 0;               ///< on the way to this monitor, as far as it can tell
 };
 
 }  // namespace farrier::monitor

@@ -7,6 +7,7 @@
 
 #include "control/model_rows.hpp"
 #include "estimation/poles.hpp"
+#include "monitor/load_mass.hpp"
 #include "run_file/visit_sample.hpp"
 #include "signals/tick_of.hpp"
 
@@ -182,6 +183,7 @@ Frame RobotView::frame(std::uint64_t time_ns) {
     }
     if (now.estimate.tick != kNoTick) {
       now.poles = estimation::poles<3>(control::model_of_rows(now.estimate.a, now.estimate.b).a);
+      now.mass_kg_or_kgm2 = load_mass(now.estimate, robot_.period_s);
     }
     frame.joints.push_back(now);
     now.summaries.clear();

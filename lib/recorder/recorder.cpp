@@ -38,6 +38,7 @@ struct Port {
   void drain(Use&& use) {
     in->drain(use);
   }
+  bus::ReaderStatus status() const { return in->status(); }
 };
 
 /// `Heard`: a Port or a subscription.
@@ -64,7 +65,9 @@ class TypedTap final : public Tap {
     });
   }
 
-  TopicProgress progress() const override { return {bus::TopicOf<Signal>::id, samples_, losses_.lost()}; }
+  TopicProgress progress() const override {
+    return {bus::TopicOf<Signal>::id, samples_, losses_.lost(), heard_.status()};
+  }
 
  private:
   Heard heard_;

@@ -17,6 +17,7 @@ struct TopicProgress {
   bus::TopicId topic{};
   std::uint64_t samples = 0;  ///< taken from the bus
   std::uint64_t lost = 0;     ///< that never came, by the sequence of its streams
+  bus::ReaderStatus reader;   ///< what the transport says of it
 };
 
 /// Gets samples, which are valid for the call.

@@ -1,4 +1,4 @@
-# Programs of others that must be able to use what Farrier makes: npm's readers of recordings. What package-lock.json
+# Programs of others that must be able to use what Farrier makes. First npm's readers of recordings: what package-lock.json
 # names is fetched into the build tree, once.
 find_program(FARRIER_NPM npm)
 set(ecosystem_dir ${CMAKE_CURRENT_LIST_DIR})
@@ -19,3 +19,13 @@ if(FARRIER_NPM)
   target_compile_definitions(ecosystem_test PRIVATE FARRIER_ECOSYSTEM="${ecosystem_build}")
   add_dependencies(ecosystem_test ecosystem_readers)
 endif()
+
+# Debian's Prometheus, which the test looks for itself.
+farrier_test(prometheus_test ecosystem ${ecosystem_dir}/prometheus_test.cpp
+  ${ecosystem_dir}/../system/farrier_command.cpp)
+target_include_directories(prometheus_test PRIVATE ${ecosystem_dir}/../system)
+target_link_libraries(prometheus_test PRIVATE farrier_tool_process nlohmann_json::nlohmann_json Threads::Threads)
+target_compile_definitions(prometheus_test PRIVATE FARRIER_COMMAND="$<TARGET_FILE:farrier>"
+  FARRIER_MONITORING="${PROJECT_SOURCE_DIR}/deploy/monitoring")
+add_dependencies(prometheus_test product)
+set_tests_properties(ecosystem/prometheus_test PROPERTIES RUN_SERIAL TRUE)

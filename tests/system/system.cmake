@@ -54,6 +54,7 @@ farrier_system_test(doctor_test system 0 ${CMAKE_CURRENT_LIST_DIR}/doctor_test.c
 target_compile_definitions(doctor_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}")
 target_link_libraries(doctor_test PRIVATE farrier_bus_cyclone farrier_bus_factory CycloneDDS::ddsc)
 farrier_system_test(echo_test system 0 ${CMAKE_CURRENT_LIST_DIR}/echo_test.cpp)
+farrier_system_test(monitor_command_test system 0 ${CMAKE_CURRENT_LIST_DIR}/monitor_command_test.cpp)
 farrier_system_test(record_test system 0 ${CMAKE_CURRENT_LIST_DIR}/record_test.cpp)
 target_link_libraries(record_test PRIVATE farrier_bus)
 farrier_system_test(recorded_run_test system 0 ${CMAKE_CURRENT_LIST_DIR}/recorded_run_test.cpp)

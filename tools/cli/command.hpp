@@ -20,6 +20,7 @@ std::function<int()> declare_echo(CLI::App& app);
 std::function<int()> declare_faults(CLI::App& app);
 std::function<int()> declare_identify(CLI::App& app);
 std::function<int()> declare_info(CLI::App& app);
+std::function<int()> declare_monitor(CLI::App& app);
 std::function<int()> declare_record(CLI::App& app);
 std::function<int()> declare_replay(CLI::App& app);
 std::function<int()> declare_reproduce(CLI::App& app);

@@ -27,6 +27,7 @@ constexpr Subcommand kSubcommands[] = {
     {"faults", "Make faults happen to a trot of real processes and judge what each process does", farrier::cli::declare_faults},
     {"identify", "Estimate every joint of a recording anew, over time", farrier::cli::declare_identify},
     {"info", "Say what a recording holds, of which run, and what it lacks", farrier::cli::declare_info},
+    {"monitor", "Show a running robot: a table on the terminal, metrics for Prometheus", farrier::cli::declare_monitor},
     {"record", "Record everything a running robot's processes publish, as MCAP", farrier::cli::declare_record},
     {"replay", "Publish a recording as the processes of its robot did", farrier::cli::declare_replay},
     {"reproduce", "Run the studies of the thesis anew and judge its claims", farrier::cli::declare_reproduce},

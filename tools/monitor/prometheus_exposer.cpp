@@ -1,0 +1,43 @@
+#include "tools/monitor/prometheus_exposer.hpp"
+
+#include <prometheus/exposer.h>
+
+#include <exception>
+
+#include "participant/clock.hpp"
+#include "tools/monitor/prometheus_metrics.hpp"
+
+namespace farrier::display {
+namespace {
+
+class ExposedMetrics final : public Display {
+ public:
+  ExposedMetrics(const ListenAddress& address, const robot::Robot& robot)
+      : metrics_(std::make_shared<PrometheusMetrics>(robot)), exposer_(address.text()) {
+    exposer_.RegisterCollectable(metrics_);
+  }
+
+  void show(const monitor::Frame& frame) override {
+    metrics_->take(frame, static_cast<double>(participant::date_now_ns()) * 1e-9);
+  }
+
+ private:
+  std::shared_ptr<PrometheusMetrics> metrics_;
+  prometheus::Exposer exposer_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<Display>> expose_to_prometheus(const ListenAddress& address, const robot::Robot& robot) {
+  // Asked first: the server's own exception has no reason in it.
+  if (auto listens = check_listening(address); !listens) {
+    return listens.error();
+  }
+  try {
+    return std::unique_ptr<Display>(new ExposedMetrics(address, robot));
+  } catch (const std::exception& problem) {
+    return Error{"cannot listen on " + address.text() + ": " + problem.what()};
+  }
+}
+
+}  // namespace farrier::display
