@@ -6,8 +6,10 @@
 
 #include "control/model_rows.hpp"
 #include "estimation/poles.hpp"
+#include "monitor/load_mass.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/output_file.hpp"
+#include "tools/monitor/joint_row.hpp"
 #include "tools/recording/csv_row.hpp"
 #include "tools/recording/identify.hpp"
 #include "tools/report/text_format.hpp"
@@ -57,24 +59,13 @@ class EstimatesFile {
   double period_s_;
 };
 
-/// "0.97, 0.91 ± 0.05i"
 std::string poles_text(const JointModelEstimate& estimate) {
-  std::string text;
-  for (const std::complex<double>& pole :
-       estimation::poles<3>(control::model_of_rows(estimate.a, estimate.b).a)) {
-    if (pole.imag() < 0.0) {
-      continue;  // the other of its pair is there
-    }
-    text += (text.empty() ? "" : ", ") + report::short_number(pole.real());
-    text += pole.imag() > 0.0 ? " ± " + report::short_number(pole.imag()) + "i" : "";
-  }
-  return text;
+  return display::poles_text(estimation::poles<3>(control::model_of_rows(estimate.a, estimate.b).a));
 }
 
-std::string mass_text(const JointModelEstimate& estimate) {
-  return estimate.has_physics == 0 ? "-"
-                                   : report::short_number(estimate.physics[0]) + " ± " +
-                                         report::short_number(estimate.physics_error[0]);
+std::string mass_text(const JointModelEstimate& estimate, double period_s) {
+  const auto mass = monitor::load_mass(estimate, period_s);
+  return mass ? report::short_number(*mass) : "-";
 }
 
 /// The last estimate of every joint and phase.
@@ -88,7 +79,8 @@ void print(const robot::Robot& robot, const Last& last) {
       if (estimate.tick != kNoTick) {
         rows.push_back({joint.name, to_string(static_cast<signals::Phase>(estimate.phase)),
                         std::to_string(estimate.samples), report::short_number(estimate.validity),
-                        report::short_number(estimate.prediction_error), mass_text(estimate), poles_text(estimate)});
+                        report::short_number(estimate.prediction_error), mass_text(estimate, robot.period_s),
+                        poles_text(estimate)});
       }
     }
   }
@@ -133,8 +125,8 @@ int identify(const IdentifyOptions& o) {
     return fail(fed.error().message, kBadInput);
   }
   if (estimates == 0) {
-    return fail(o.path + " has no joint/measurement" + (only == nullptr ? "" : " of " + o.joint) + ": record that topic",
-                kBadInput);
+    const std::string whose = only == nullptr ? "" : " of " + o.joint;
+    return fail(o.path + " has no joint/measurement" + whose + ": record that topic", kBadInput);
   }
   print(robot, last);
   if (file && !file->ended_well()) {
