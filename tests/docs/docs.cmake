@@ -7,6 +7,8 @@ function(farrier_docs_test name)
     FARRIER_COMMAND="$<TARGET_FILE:farrier>" FARRIER_SITE="${PROJECT_BINARY_DIR}/site")
 endfunction()
 
+farrier_docs_test(links_test)
+farrier_docs_test(site_test)
 farrier_docs_test(commands_test)
 target_link_libraries(commands_test PRIVATE farrier_cli)
 farrier_docs_test(man_test)
