@@ -62,7 +62,7 @@ TEST_F(Site, FetchesNothingFromElsewhere) {
 }
 
 TEST_F(Site, HasWhatEveryLinkLeadsTo) {
-  static const std::regex link(R"re(<a\b[^>]*\bhref="([^"]+)")re");
+  static const std::regex link(R"re(<(?:a|img|link|script)\b[^>]*\b(?:href|src)="([^"]+)")re");
   static const std::regex name(R"re(\bid="([^"]+)")re");
   std::map<std::string, std::set<std::string>> names;  // of each page
   each_page([&](const fs::path& path, const std::string& text) {
@@ -80,7 +80,7 @@ TEST_F(Site, HasWhatEveryLinkLeadsTo) {
       }
       ++checked;
       const std::size_t hash = target.find('#');
-      fs::path file = (path.parent_path() / target.substr(0, hash)).lexically_normal();
+      fs::path file = (path.parent_path() / target.substr(0, target.find_first_of("?#"))).lexically_normal();
       file = hash == 0 ? path.lexically_normal() : fs::is_directory(file) ? (file / "index.html").lexically_normal() : file;
       EXPECT_TRUE(fs::exists(file)) << path << ": " << target;
       if (hash != std::string::npos && file.extension() == ".html") {
