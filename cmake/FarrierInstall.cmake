@@ -5,6 +5,7 @@
 #   libexec/farrier/          the processes, whose names are too common for bin
 #   share/farrier/robots/     robot files
 #   share/farrier/monitoring/ configuration and alert rules for Prometheus
+#   share/man/, share/bash-completion/, share/zsh/, share/fish/    written by the command, where Debian looks for them
 #   include/farrier/, lib/    for programs of the user's
 #
 # Three components, three packages: `cpack` in the build directory makes them.
@@ -20,6 +21,19 @@ install(DIRECTORY deploy/robots DESTINATION share/farrier COMPONENT runtime)
 install(TARGETS farrier DESTINATION bin COMPONENT tools)
 install(DIRECTORY deploy/monitoring DESTINATION share/farrier COMPONENT tools)
 install(TARGETS bare_exchange farrier_wall_clock DESTINATION libexec/farrier COMPONENT tools)
+
+# Manual pages and completions, as the command that was built writes them.
+set(farrier_written ${PROJECT_BINARY_DIR}/share/man/man1/farrier.1.gz
+  ${PROJECT_BINARY_DIR}/share/bash-completion/completions/farrier
+  ${PROJECT_BINARY_DIR}/share/zsh/vendor-completions/_farrier
+  ${PROJECT_BINARY_DIR}/share/fish/vendor_completions.d/farrier.fish)
+add_custom_command(OUTPUT ${farrier_written}
+  COMMAND ${CMAKE_COMMAND} -DCOMMAND=$<TARGET_FILE:farrier> -DSHARE=${PROJECT_BINARY_DIR}/share
+    -P ${PROJECT_SOURCE_DIR}/cmake/write_manual.cmake
+  DEPENDS farrier cmake/write_manual.cmake VERBATIM)
+add_custom_target(farrier_manual ALL DEPENDS ${farrier_written})
+install(DIRECTORY ${PROJECT_BINARY_DIR}/share/man ${PROJECT_BINARY_DIR}/share/bash-completion
+  ${PROJECT_BINARY_DIR}/share/zsh ${PROJECT_BINARY_DIR}/share/fish DESTINATION share COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.
 set(FARRIER_EXPORTED core signals config runtime plant control estimation gait robot bus bus_faults bus_cyclone

@@ -40,7 +40,7 @@ std::string header_of(std::string path) { return path.replace(path.rfind('.'), s
 
 bool is_keyword(const std::string& word) {
   return word == "PUBLIC" || word == "PRIVATE" || word == "INTERFACE" || word == "STATIC" || word == "SHARED" ||
-         word == "OBJECT";
+         word == "OBJECT" || word == "OWN_HEADERS";
 }
 
 }  // namespace

@@ -200,5 +200,12 @@ TEST(Help, ListsTheCommandsAndTheOptionsOfEach) {
   }
 }
 
+TEST(Version, SaysVersionAndRevisionOfThisBuild) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"--version"}, &output), 0);
+  EXPECT_EQ(output.find("farrier "), 0u) << output;
+  EXPECT_NE(output.find("(git "), std::string::npos) << output;
+}
+
 }  // namespace
 }  // namespace farrier::test

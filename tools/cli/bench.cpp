@@ -233,7 +233,7 @@ std::function<int()> declare_bench(CLI::App& app) {
   o->robot_path = shipped_robot("hyq.yaml");
   app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control, rls, estimators, greybox, tick")
       ->delimiter(',')
-      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls", "estimators", "greybox", "tick"}).description(""))
+      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls", "estimators", "greybox", "tick"}))
       ->type_name("<names>")
       ->default_str("all");
   app.add_option("--robot", o->robot_path, "robot file of the lock-step runs and of the tick")

@@ -12,6 +12,7 @@ inline constexpr int kFailed = 1;       ///< ran, and did not meet its bounds, o
 inline constexpr int kBadInput = 2;     ///< refused before anything moved; interrupted: 130 or 143
 
 std::function<int()> declare_bench(CLI::App& app);
+std::function<int()> declare_completion(CLI::App& app);
 std::function<int()> declare_convert(CLI::App& app);
 std::function<int()> declare_deploy(CLI::App& app);
 std::function<int()> declare_diagnose(CLI::App& app);
@@ -20,6 +21,7 @@ std::function<int()> declare_echo(CLI::App& app);
 std::function<int()> declare_faults(CLI::App& app);
 std::function<int()> declare_identify(CLI::App& app);
 std::function<int()> declare_info(CLI::App& app);
+std::function<int()> declare_man(CLI::App& app);
 std::function<int()> declare_monitor(CLI::App& app);
 std::function<int()> declare_record(CLI::App& app);
 std::function<int()> declare_replay(CLI::App& app);

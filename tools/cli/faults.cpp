@@ -170,7 +170,7 @@ int run_faults(FaultsOptions o) {
 
 std::function<int()> declare_faults(CLI::App& app) {
   auto o = std::make_shared<FaultsOptions>();
-  app.add_option("--robot", o->robot_path, "robot file")->type_name("<file>")->capture_default_str();
+  app.add_option("--robot", o->robot_path, "robot file")->type_name("<file>")->default_str("hyq.yaml, as shipped");
   app.add_option("--rows", o->rows, "rows of docs/faults.md; all unless told")->delimiter(',')->type_name("<name>,...");
   app.add_option("--dds", o->vendors, "vendors, of cyclone, fast and mixed")
       ->delimiter(',')

@@ -2,15 +2,12 @@
 
 #include <cmath>
 
+#include "tools/cli/command_text.hpp"
+
 namespace farrier::cli {
 namespace {
 
 constexpr std::size_t kUsageWidth = 80;
-
-std::string usage_of(const CLI::Option& option) {
-  const std::string type = option.get_type_name();
-  return "[" + option.get_name() + (type.empty() ? "" : " " + type) + "]";
-}
 
 std::string full_name(const CLI::App& app) {
   return app.get_parent() == nullptr ? app.get_name() : full_name(*app.get_parent()) + " " + app.get_name();
@@ -29,10 +26,11 @@ class GitLikeFormatter final : public CLI::Formatter {
                        ".\n\nThe commands are:\n\n";
     for (const CLI::App* command : app.get_subcommands({})) {
       std::string name = command->get_name();
-      name.resize(10, ' ');
+      name.resize(12, ' ');
       text += "   " + name + command->get_description() + "\n";
     }
-    return text + "   test      Run the tests (./farrier test, with --all the long ones too)\n\n" +
+    return text + "   test        Run the tests (./farrier test, with --all the long ones too)\n" +
+           "   docs        Make the site of the documents (./farrier docs)\n\n" +
            "See '" + full_name(app) + " <command> --help' for what a command takes.\n";
   }
 
@@ -40,20 +38,19 @@ class GitLikeFormatter final : public CLI::Formatter {
     std::string line = "usage: " + full_name(app);
     const std::string indent(line.size(), ' ');
     std::string text;
-    for (const CLI::Option* option : app.get_options()) {
-      const std::string usage = usage_of(*option);
+    const CommandText command = command_text(app);
+    for (const OptionText& option : command.options) {
+      const std::string usage = usage_of(option);
       if (line.size() + 1 + usage.size() > kUsageWidth) {
         text += line + "\n";
         line = indent;
       }
       line += " " + usage;
     }
-    text += line + "\n\n    " + app.get_description() + ".\n\n";
-    for (const CLI::Option* option : app.get_options()) {
-      const std::string type = option->get_type_name();
-      const std::string standard = option->get_default_str();
-      text += "    " + option->get_name(false, true) + (type.empty() ? "" : " " + type) + "\n        " +
-              option->get_description() + (standard.empty() ? "" : " (" + standard + " unless told)") + "\n";
+    text += line + "\n\n    " + command.sentence + ".\n\n";
+    for (const OptionText& option : command.options) {
+      text += "    " + heading_of(option) + "\n        " + option.meaning +
+              (option.unless_told.empty() ? "" : " (" + option.unless_told + " unless told)") + "\n";
     }
     return text;
   }

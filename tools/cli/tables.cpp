@@ -6,6 +6,7 @@
 #include "bus/topics.hpp"
 #include "robot/robot.hpp"
 #include "tools/cli/command.hpp"
+#include "tools/cli/command_table.hpp"
 #include "tools/cli/help.hpp"
 #include "tools/monitor/metric_table.hpp"
 #include "tools/report/effects_table.hpp"
@@ -14,23 +15,30 @@
 namespace farrier::cli {
 namespace {
 
-using Table = std::string (*)();
-const std::map<std::string, Table> kTables{{"topics", bus::topics_table_markdown},
-                                           {"effects", report::effects_table_markdown},
-                                           {"figures", report::figures_table_markdown},
-                                           {"metrics", display::metrics_table_markdown},
-                                           {"parameters", robot::parameter_table}};
+/// Some are of the app itself.
+using Table = std::function<std::string(const CLI::App& farrier)>;
+
+Table without_app(std::string (*table)()) {
+  return [table](const CLI::App&) { return table(); };
+}
+
+const std::map<std::string, Table> kTables{{"cli", command_table},
+                                           {"topics", without_app(bus::topics_table_markdown)},
+                                           {"effects", without_app(report::effects_table_markdown)},
+                                           {"figures", without_app(report::figures_table_markdown)},
+                                           {"metrics", without_app(display::metrics_table_markdown)},
+                                           {"parameters", without_app(robot::parameter_table)}};
 
 }  // namespace
 
 std::function<int()> declare_tables(CLI::App& app) {
-  auto table = std::make_shared<Table>(nullptr);
-  add_choice(app, "table", *table, kTables, "topics|effects|figures|metrics|parameters",
-             "topics (idl/README.md), effects (docs/effects.md), figures (docs/figures.md), metrics "
-             "(docs/metrics.md) or parameters (docs/parameters.md)")
+  auto table = std::make_shared<Table>();
+  add_choice(app, "table", *table, kTables, "cli|topics|effects|figures|metrics|parameters",
+             "cli (docs/cli.md), topics (idl/README.md), effects (docs/effects.md), figures (docs/figures.md), "
+             "metrics (docs/metrics.md) or parameters (docs/parameters.md)")
       ->required();
-  return [table] {
-    std::fputs((*table)().c_str(), stdout);
+  return [table, &app] {
+    std::fputs((*table)(*app.get_parent()).c_str(), stdout);
     return kPassed;
   };
 }

@@ -55,6 +55,8 @@ std::string part_of_a_name(std::string text) {
 
 }  // namespace
 
+std::string build_name() { return FARRIER_VERSION " (git " FARRIER_GIT_REVISION ")"; }
+
 RunInfo run_info(std::uint64_t seed) {
   RunInfo run;
   run.version = FARRIER_VERSION;

@@ -64,6 +64,9 @@ struct RunInfo {
   std::vector<DecisionInfo> decisions;  ///< in the order in which they came
 };
 
+/// This build: version and revision, "0.1.0 (git 6ec0a32d...)".
+std::string build_name();
+
 /// This build on this machine, no robot and no processes.
 RunInfo run_info(std::uint64_t seed);
 

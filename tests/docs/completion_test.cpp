@@ -1,0 +1,123 @@
+// What the shells offer, asked of the shells.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+
+#include "documents.hpp"
+#include "tests/support/scratch_directory.hpp"
+
+namespace farrier::docs {
+namespace {
+
+using Words = std::set<std::string>;
+
+/// A folder with a few files, in which shells are asked.
+class Shells : public ::testing::Test {
+ protected:
+  Shells() {
+    std::ofstream(scratch_.file("robot one.yaml"));
+    std::filesystem::create_directory(scratch_.file("keys"));
+    for (const char* shell : {"bash", "zsh", "fish"}) {
+      const Ran printed = run(FARRIER_COMMAND " completion " + std::string(shell));
+      EXPECT_EQ(printed.status, 0) << printed.output;
+      std::ofstream(scratch_.file(std::string("_") + shell)) << printed.output;
+    }
+  }
+
+  static Words lines_of(const std::string& text) {
+    Words words;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) {
+      words.insert(line);
+    }
+    return words;
+  }
+
+  Ran in_scratch(const std::string& script, const std::string& shell) const {
+    std::ofstream(scratch_.file("script")) << script;
+    return run("cd '" + scratch_.file("") + "' && " + shell + " script");
+  }
+
+  /// What bash offers for the last of the words; `words` as they stand in COMP_WORDS.
+  Words bash(const std::string& words) const {
+    const Ran ran = in_scratch("source ./_bash\nCOMP_WORDS=(" + words +
+                                   ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_farrier\n"
+                                   "for word in \"${COMPREPLY[@]}\"; do echo \"$word\"; done\n",
+                               "bash --norc -eu");
+    EXPECT_EQ(ran.status, 0) << ran.output;
+    return lines_of(ran.output);
+  }
+
+  Words fish(const std::string& line) const {
+    const Ran ran = in_scratch("source ./_fish\ncomplete -C '" + line + "' | string replace -r '\\t.*' ''; true\n",
+                               "HOME=. XDG_CONFIG_HOME=. fish --no-config");
+    EXPECT_EQ(ran.status, 0) << ran.output;
+    return lines_of(ran.output);
+  }
+
+  Words zsh(const std::string& line) const {
+    const Ran ran = run("cd '" + scratch_.file("") + "' && timeout 60 zsh -f " FARRIER_ASK_ZSH " '" +
+                        line + "'");
+    EXPECT_EQ(ran.status, 0) << ran.output;
+    return lines_of(ran.output);
+  }
+
+  test::ScratchDirectory scratch_;
+};
+
+TEST_F(Shells, OfBashOfferCommandsAndOptions) {
+  EXPECT_EQ(bash("farrier re"), (Words{"record", "replay", "reproduce", "request"}));
+  EXPECT_EQ(bash("farrier --v"), (Words{"--version"}));
+  EXPECT_EQ(bash("farrier trot --see"), (Words{"--seed", "--seeds"}));
+  EXPECT_EQ(bash("farrier canter --"), Words{});
+}
+
+TEST_F(Shells, OfBashOfferWhatAnOptionTakes) {
+  EXPECT_EQ(bash("farrier trot --dds ''"), (Words{"cyclone", "fast", "mixed", "inproc"}));
+  EXPECT_EQ(bash("farrier trot --dds = f"), (Words{"fast"})) << "bash splits --dds=f";
+  EXPECT_EQ(bash("farrier record --dds ''"), (Words{"cyclone", "fast"}));
+  EXPECT_EQ(bash("farrier record --topics clock/tick,gait/"), (Words{"clock/tick,gait/phase"}));
+  EXPECT_EQ(bash("farrier trot --robot ro"), (Words{"robot one.yaml"}));
+  EXPECT_EQ(bash("farrier trot --security ''"), (Words{"keys"}));
+  EXPECT_EQ(bash("farrier trot --duration ''"), Words{});
+}
+
+TEST_F(Shells, OfBashOfferWhatStandsAtAPlace) {
+  EXPECT_EQ(bash("farrier deploy ''"), (Words{"render", "check"}));
+  EXPECT_EQ(bash("farrier deploy --host front ''"), (Words{"render", "check"})) << "front is the option's";
+  EXPECT_EQ(bash("farrier deploy render ro"), (Words{"robot one.yaml"}));
+  EXPECT_EQ(bash("farrier echo clock/tick gait/"), (Words{"gait/phase"}));
+  EXPECT_EQ(bash("farrier completion ''"), (Words{"bash", "zsh", "fish"}));
+}
+
+TEST_F(Shells, OfFishOfferTheSame) {
+  if (run("command -v fish").status != 0) {
+    GTEST_SKIP() << "fish is not installed";
+  }
+  EXPECT_EQ(fish("farrier re"), (Words{"record", "replay", "reproduce", "request"}));
+  EXPECT_EQ(fish("farrier trot --dds "), (Words{"cyclone", "fast", "mixed", "inproc"}));
+  EXPECT_EQ(fish("farrier tables ").count("cli"), 1u);
+  EXPECT_EQ(fish("farrier tables --").count("--look"), 0u) << "that is of farrier topics";
+  EXPECT_EQ(fish("farrier trot --security k"), (Words{"keys/"}));
+  EXPECT_EQ(fish("farrier trot --robot ro").count("robot one.yaml"), 1u);
+}
+
+TEST_F(Shells, OfZshOfferTheSame) {
+  if (run("command -v zsh").status != 0) {
+    GTEST_SKIP() << "zsh is not installed";
+  }
+  EXPECT_EQ(zsh("farrier re"), (Words{"record", "replay", "reproduce", "request"}));
+  EXPECT_EQ(zsh("farrier trot --dds "), (Words{"cyclone", "fast", "mixed", "inproc"}));
+  EXPECT_EQ(zsh("farrier trot --see"), (Words{"--seed", "--seeds"}));
+  EXPECT_EQ(zsh("farrier deploy "), (Words{"render", "check"}));
+  EXPECT_EQ(zsh("farrier record --topics clock/tick,gait/"), (Words{"gait/phase"}));
+  EXPECT_EQ(zsh("farrier trot --security k").count("keys"), 1u);
+  EXPECT_EQ(zsh("farrier echo clock/tick gait/"), (Words{"gait/phase"}));
+}
+
+}  // namespace
+}  // namespace farrier::docs
