@@ -58,10 +58,10 @@ int serve_recording(const std::string& path, const display::ListenAddress& addre
 /// Does what a line says. False: the input has ended.
 bool obey(const robot::Robot& robot, MadeUpRobot& made_up, bool& quiet, std::uint64_t now_ns) {
   pollfd input{STDIN_FILENO, POLLIN, 0};
-  if (::poll(&input, 1, 0) <= 0) {
+  std::string line;
+  if (std::cin.rdbuf()->in_avail() <= 0 && ::poll(&input, 1, 0) <= 0) {
     return true;
   }
-  std::string line;
   if (!std::getline(std::cin, line)) {
     return false;
   }
@@ -111,6 +111,7 @@ int run(const std::vector<std::string>& arguments) {
   if (arguments.size() < 3) {
     return fail("<page> <robot file> <port> [<recording>]");
   }
+  std::ios::sync_with_stdio(false);  // or nobody knows that a second line is there already
   participant::install_signal_handlers();
   const auto robot = robot::load_robot(arguments[1]);
   if (!robot) {

@@ -71,7 +71,9 @@ export function drawnPixels(page) {
     const rgb = (name) => style.getPropertyValue(name).trim().match(/[0-9a-f]{2}/gi).map((part) => parseInt(part, 16));
     const wanted = [rgb("--blue"), rgb("--orange")];
     return [...document.querySelectorAll(".joint canvas")].map((canvas) => {
-      const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+      const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+      copy.drawImage(canvas, 0, 0);
+      const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
       const counts = [0, 0];
       for (let i = 0; i < data.length; i += 4) {
         wanted.forEach((one, k) => {

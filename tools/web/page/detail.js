@@ -6,7 +6,23 @@ import { fill, make, number, say } from "./text.js";
 
 const kGains = [["position", "blue", undefined], ["velocity", "orange", [6, 4]], ["force", "green", [2, 3]],
                 ["integral", "purple", [10, 3, 2, 3]]];
-const kStyles = ["━", "╌", "┄", "╍"];
+
+/// What each line of the gains is: a piece of the line itself, and its name.
+function keyOfGains() {
+  const key = make("p", { id: "gains-key" });
+  for (const [name, colour, dash] of kGains) {
+    const picture = document.createElementNS("http://www.w3.org/2000/svg", "svg");
+    picture.setAttribute("viewBox", "0 0 26 8");
+    const line = document.createElementNS("http://www.w3.org/2000/svg", "path");
+    line.setAttribute("d", "M0 4H26");
+    line.setAttribute("stroke", `var(--${colour})`);
+    line.setAttribute("stroke-width", "2");
+    line.setAttribute("stroke-dasharray", (dash ?? []).join(" "));
+    picture.append(line);
+    key.append(make("span", {}, picture, name));
+  }
+  return key;
+}
 
 export class Detail {
   constructor(section, robot) {
@@ -25,6 +41,7 @@ export class Detail {
     const gain = (slot) => kGains.map((_, i) => (joint) => joint.gains[slot]?.[i + 1]);
     const gainLines = kGains.map(([name, colour, dash]) => ({ name, colour, dash }));
     const one = (name, colour) => [{ name, colour }];
+    box.append(keyOfGains());
     this.charts = {
       stance: chart("stance", 92, gainLines, gain(1), { axis: false }),
       swing: chart("swing", 92, gainLines, gain(0), { axis: false }),
@@ -56,7 +73,7 @@ export class Detail {
       ["decided last", decision ? decision.verdict : "–"],
     ]);
     const titles = {
-      stance: `Gains in stance: ${kGains.map(([name], i) => `${kStyles[i]} ${name}`).join("  ")}`,
+      stance: "Gains in stance",
       swing: "Gains in swing",
       validity: `Estimate’s validity ${number(estimate?.validity)}`,
       excitation: `Excitation ${number(estimate?.excitation)}`,
@@ -67,6 +84,6 @@ export class Detail {
       say(title, titles[name]);
       chart.set(tracks(frames, selected, period, read), to - span, to);
     }
-    drawPoles(this.canvas, this.words, frames, selected);
+    drawPoles(this.canvas, this.words, frames, selected, period);
   }
 }

@@ -143,10 +143,12 @@ class Page {
         row.hidden = Number(row.dataset.time) > frame.t;
       }
     } else {
+      const past = history.frames.slice(0, index + 1);
       const to = Math.max(frame.t, 20);
       const from = Math.max(0, to - kKept);
       say($("faults-span"), `last ${(to - from).toFixed(0)} s of the monitor’s time`);
-      drawTimeline($("timeline"), $("faults-text"), robot, robot.joints.map((_, i) => stretches(history.frames.slice(0, index + 1), i)), from, to);
+      drawTimeline($("timeline"), $("faults-text"), robot,
+                   robot.joints.map((_, i) => stretches(past, i)), from, to, frame.t);
     }
     document.body.dataset.time = frame.t;
     document.body.dataset.tick = frame.tick ?? "";

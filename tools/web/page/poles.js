@@ -5,7 +5,9 @@ import { number, say } from "./text.js";
 const kHeight = 260;
 const kTrail = 60; // places, over the stretch that is shown
 
-export function drawPoles(canvas, text, frames, joint) {
+/// period: seconds of a tick. A pole is marked where what it stands for grows e-fold within a second: the position of a
+/// load that nothing holds has its pole on the circle, and an estimate of it on either side.
+export function drawPoles(canvas, text, frames, joint, period) {
   const { context, width, height } = clean(canvas, kHeight);
   const now = frames.at(-1)?.joints[joint].estimate;
   const radius = height / 2 - 18, x0 = width / 2, y0 = height / 2;
@@ -25,8 +27,8 @@ export function drawPoles(canvas, text, frames, joint) {
   context.arc(x0, y0, scale, 0, 2 * Math.PI);
   context.stroke();
   context.fillStyle = colour("faint");
-  context.fillText("1", x0 + scale + 4, y0 - 4);
-  context.fillText("Re", x0 + radius + 2, y0 + 14);
+  context.fillText("1", x0 + scale + 4, y0 - 8);
+  context.fillText("Re", x0 + radius + 4, y0 + 16);
   context.fillText("Im", x0 + 4, 12);
   if (!now) {
     canvas.setAttribute("aria-label", "Poles: no estimate yet");
@@ -45,7 +47,7 @@ export function drawPoles(canvas, text, frames, joint) {
   context.globalAlpha = 1;
   context.lineWidth = 2.2;
   for (const pole of now.poles) {
-    const outside = Math.hypot(...pole) >= 1;
+    const outside = Math.log(Math.hypot(...pole)) > period;
     const [x, y] = place(pole);
     context.strokeStyle = colour(outside ? "red" : "blue");
     context.beginPath();

@@ -20,12 +20,12 @@ export function faultNames(robot, bits) {
   return robot.faults.filter((_, bit) => bits & (1 << bit)).join(", ");
 }
 
-// Of a joint that cannot do its work: those that null its valve or leave it in damping. The others it bears.
-const kBad = ["disarmed", "tripped", "sensors stale", "no gains", "command stale", "actuator silent", "force lost"];
+// Of a joint that has failed, as on the terminal; the others it bears, or has while it waits to be armed.
+const kBad = ["tripped", "sensors stale", "command stale", "actuator silent", "force lost"];
 
 /// "bad", "warning" or "" for a set of faults.
 export function weight(robot, bits) {
-  if (robot.faults.some((name, bit) => bits & (1 << bit) && kBad.some((bad) => name.includes(bad)))) {
+  if (robot.faults.some((name, bit) => bits & (1 << bit) && kBad.includes(name))) {
     return "bad";
   }
   return bits ? "warning" : "";

@@ -18,7 +18,7 @@ function hatch(context, stroke) {
   return context.createPattern(tile, "repeat");
 }
 
-/// rows: by joint, stretches [from, to, bits]; [from, to]: what is shown; now: a line at that time.
+/// rows: by joint, stretches [from, to, bits]; [from, to]: what is shown; now: the moment that the rest of the page shows.
 export function drawTimeline(canvas, text, robot, rows, from, to, now) {
   const { context, width, height } = clean(canvas, rows.length * kRow + kBottom);
   const right = width - 8;
@@ -56,16 +56,13 @@ export function drawTimeline(canvas, text, robot, rows, from, to, now) {
     context.fillText(`${time.toFixed(to - from > 20 ? 0 : 1)} s`, x(time), bottom);
   }
   context.textAlign = "left";
-  if (now !== undefined) {
-    context.strokeStyle = colour("ink");
-    context.beginPath();
-    context.moveTo(x(now), 0);
-    context.lineTo(x(now), rows.length * kRow);
-    context.stroke();
-  }
-  const moment = now ?? to;
+  context.strokeStyle = colour("ink");
+  context.beginPath();
+  context.moveTo(x(now), 0);
+  context.lineTo(x(now), rows.length * kRow);
+  context.stroke();
   const words = rows.flatMap((row, i) => {
-    const holds = row.find(([begin, end]) => begin <= moment && end >= moment - 0.06);
+    const holds = row.find(([begin, end]) => begin <= now && end >= now - 0.06);
     return holds ? [`${robot.joints[i].name}: ${faultNames(robot, holds[2])}`] : [];
   });
   say(text, words.length === 0 ? "No faults now." : `Now: ${words.join("; ")}.`);
