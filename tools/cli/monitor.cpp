@@ -13,6 +13,7 @@
 #include "participant/loop.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/guest.hpp"
+#include "tools/cli/monitor_web.hpp"
 #include "tools/monitor/plain_text.hpp"
 #include "tools/monitor/prometheus_exposer.hpp"
 #include "tools/monitor/terminal.hpp"

@@ -26,9 +26,7 @@ void FrameRing::put(std::string frame, const std::vector<std::string>& events) {
 
 FrameRing::Piece FrameRing::read(std::uint64_t from, std::size_t most, std::chrono::milliseconds longest) {
   std::unique_lock lock(mutex_);
-  if (from > first_ + frames_.size()) {
-    from = 0;
-  }
+  from = std::min(from, first_ + frames_.size());
   news_.wait_for(lock, longest, [&] { return closed_ || first_ + frames_.size() > from; });
   Piece piece;
   piece.closed = closed_;

@@ -30,8 +30,7 @@ class FrameRing {
 
   void put(std::string frame, const std::vector<std::string>& events);
 
-  /// At most `most` frames from number `from` on; waits for one, at most `longest`. A `from` beyond the newest frame is
-  /// of another server's life: it begins anew.
+  /// At most `most` frames from number `from` on; waits for one, at most `longest`.
   Piece read(std::uint64_t from, std::size_t most, std::chrono::milliseconds longest);
 
   /// Nobody waits any more.

@@ -48,8 +48,8 @@ void refuse(httplib::Response& response, int status, const char* why) {
   response.set_content(std::string(why) + "\n", "text/plain; charset=utf-8");
 }
 
-/// Server-sent events: a frame is a message whose id is the number of the next one.
-std::string stream_text(const FrameRing::Piece& piece, std::uint64_t& next) {
+/// Server-sent events: the id of a frame is this server's and the number of the next one.
+std::string stream_text(const FrameRing::Piece& piece, const std::string& life, std::uint64_t& next) {
   std::string text;
   if (piece.passed_over > 0) {
     text += "event: gap\ndata: {\"frames\":" + std::to_string(piece.passed_over) + ",\"events\":[";
@@ -60,7 +60,7 @@ std::string stream_text(const FrameRing::Piece& piece, std::uint64_t& next) {
   }
   next = piece.next - piece.frames.size();
   for (const FrameRing::Text& frame : piece.frames) {
-    text += "id: " + std::to_string(++next) + "\ndata: " + *frame + "\n\n";
+    text += "id: " + life + "-" + std::to_string(++next) + "\ndata: " + *frame + "\n\n";
   }
   return text;
 }
@@ -178,14 +178,16 @@ class WebServer::Impl {
     }
     std::uint64_t from = 0;
     const std::string last = request.get_header_value("Last-Event-ID");
-    std::from_chars(last.data(), last.data() + last.size(), from);
+    if (last.substr(0, life_.size() + 1) == life_ + "-") {  // otherwise of another server, whose numbers are not ours
+      std::from_chars(last.data() + life_.size() + 1, last.data() + last.size(), from);
+    }
     response.set_chunked_content_provider(
         "text/event-stream",
         [this, from, opened = false](std::size_t, httplib::DataSink& sink) mutable {
-          std::string text = opened ? "" : "retry: 500\n\n";
+          std::string text = opened ? "" : "retry: 500\nevent: server\ndata: \"" + life_ + "\"\n\n";
           opened = true;
           const FrameRing::Piece piece = site_->frames->read(from, kFramesAtOnce, kLongestWait);
-          text += stream_text(piece, from);
+          text += stream_text(piece, life_, from);
           if (stopping_ || piece.closed) {
             return false;
           }
@@ -199,6 +201,7 @@ class WebServer::Impl {
   const display::ListenAddress address_;
   const std::shared_ptr<const Site> site_;
   const std::string own_name_ = web::own_name();
+  const std::string life_ = random_token().substr(0, 8);
   httplib::Server server_;
   std::thread thread_;
   std::atomic<bool> stopping_ = false;

@@ -8,11 +8,11 @@ export class History {
     this.frames = [];
   }
 
+  clear() {
+    this.frames = [];
+  }
+
   push(frame) {
-    const last = this.frames.at(-1);
-    if (last && frame.t < last.t) {
-      this.frames = []; // another monitor
-    }
     this.frames.push(frame);
     let old = 0;
     while (frame.t - this.frames[old].t > this.longest) {

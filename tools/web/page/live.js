@@ -3,7 +3,7 @@
 const kQuiet_ms = 1500; // the server sends a comment at least every 0.2 s, but no page hears those: frames come at 20 Hz
 
 export class Live {
-  /// told: frame(frame), gap(frames, events), connection(good, words), anew(): the server is another one
+  /// told: frame(frame), gap(frames, events), connection(good), anew(): the server is another one
   constructor(told) {
     this.told = told;
     this.heard = 0;
@@ -14,12 +14,15 @@ export class Live {
   open() {
     const source = new EventSource("/api/frames");
     source.onopen = () => {
-      if (this.opened) {
-        this.told.anew();
-      }
       this.opened = true;
       this.heard = performance.now();
     };
+    source.addEventListener("server", (message) => {
+      if (this.server !== undefined && this.server !== message.data) {
+        this.told.anew();
+      }
+      this.server = message.data;
+    });
     source.onmessage = (message) => {
       this.heard = performance.now();
       this.told.frame(JSON.parse(message.data));
@@ -40,9 +43,9 @@ export class Live {
   judge(broken = false) {
     const quiet = performance.now() - this.heard;
     if (broken || (this.opened && quiet > kQuiet_ms)) {
-      this.told.connection(false, "The monitor does not answer; trying again. What is shown is old.");
+      this.told.connection(false);
     } else if (this.opened) {
-      this.told.connection(true, "live");
+      this.told.connection(true);
     }
   }
 }

@@ -49,11 +49,15 @@ class Page {
         this.draw();
       },
       gap: (frames, events) => this.events.add(events),
-      anew: () => this.events.clear(),
-      connection: (good, words) => {
+      anew: () => {
+        this.history.clear();
+        this.events.clear();
+        this.pausedAt = null;
+      },
+      connection: (good) => {
         $("connection").className = good ? "good" : "bad";
-        say($("connection"), good && this.pausedAt !== null ? "paused; the robot goes on" : words);
-        this.unheard = good ? null : words;
+        say($("connection"), !good ? "not connected" : this.pausedAt !== null ? "paused; the robot goes on" : "live");
+        this.unheard = good ? null : "The monitor does not answer; trying again. What is shown is old.";
         this.draw();
       },
     }).open();
@@ -167,7 +171,7 @@ class Page {
     ]);
     const words = this.unheard ??
       (frame.age === null ? "The robot’s processes have said nothing yet."
-        : frame.age > kQuiet && !this.recording ? `The robot’s processes say nothing; last heard ${seconds(Math.floor(frame.age))} ago.`
+        : frame.age > kQuiet && !this.recording ? `The robot’s processes say nothing; the last was heard at ${(frame.t - frame.age).toFixed(1)} s.`
         : "");
     $("alarm").hidden = words === "";
     say($("alarm"), words);
