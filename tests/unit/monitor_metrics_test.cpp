@@ -93,6 +93,8 @@ TEST_F(Metrics, AreAllThereForARobotThatWalks) {
   EXPECT_EQ(value(found.at("farrier_valve_command_latency_seconds"), {"sim_bridge", "99"}), 900e-6);
   EXPECT_EQ(value(found.at("farrier_monitor_frame_timestamp_seconds"), {}), kDate_s);
   EXPECT_EQ(value(found.at("farrier_events_total"), {"error"}), 1.0);
+  metrics_.take(feed_.frame(), kDate_s + 60.0);
+  EXPECT_EQ(value(by_name(metrics_).at("farrier_monitor_start_timestamp_seconds"), {}), kDate_s);
 }
 
 TEST_F(Metrics, SayNewtonsOfCylindersAndNewtonMetresOfMotors) {

@@ -7,6 +7,7 @@
 #include "bus/inproc/inproc_bus.hpp"
 #include "monitor_feed.hpp"
 #include "participant/participant.hpp"
+#include "recorder/watching_endpoint.hpp"
 
 namespace farrier::monitor {
 namespace {
@@ -32,6 +33,21 @@ class Watched : public ::testing::Test {
   std::unique_ptr<bus::Bus> bus_ = bus::create_inproc_bus(domain_);
   Watch watch_ = Watch::create(*bus_, hyq()).value();
 };
+
+TEST_F(Watched, IsHeldUpByNoReader) {
+  for (const bus::TopicId topic : RobotView::topics()) {
+    const bus::Qos asked = recorder::watching_endpoint(hyq(), topic).qos;
+    const bool stream = bus::spec(topic).realtime.durability == bus::Durability::kVolatile;
+    EXPECT_EQ(asked.reliability, stream ? bus::Reliability::kBestEffort : bus::Reliability::kReliable);
+    EXPECT_EQ(asked.liveliness, bus::Liveliness::kAutomatic);
+  }
+  // Nobody takes these: writers go on, and the newest are there for whoever looks.
+  auto summaries = writer<signals::JointSummary>();
+  for (Tick tick = 20; tick <= 20'000; tick += kTicksPerSummary) {
+    EXPECT_TRUE(summaries.publish(summary(0, tick)));
+  }
+  EXPECT_EQ(watch_.look().joints[0].newest.tick, 20'000);
+}
 
 TEST_F(Watched, IsSeenInTheNextFrame) {
   auto summaries = writer<signals::JointSummary>();

@@ -63,23 +63,25 @@ Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot
   return servers;
 }
 
-/// The table: on a terminal with keys, elsewhere as text unless a server is all that was asked for.
-Result<Done> open_table(Displays& displays, const robot::Robot& robot) {
+/// The table: on a terminal with keys, elsewhere as text unless a server is all that was asked for. True where it has the
+/// screen, on which nobody else may write.
+Result<bool> open_table(Displays& displays, const robot::Robot& robot) {
   if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
     auto terminal = display::Terminal::create(robot);
     if (!terminal) {
       return terminal.error();
     }
     displays.push_back(std::move(terminal).value());
-  } else if (displays.empty()) {
+    return true;
+  }
+  if (displays.empty()) {
     displays.push_back(std::make_unique<display::PlainText>(robot));
   }
-  return Done{};
+  return false;
 }
 
-/// Shows frames until somebody asks for the end.
-int show(bus::Bus& bus, monitor::Watch& watch, const Displays& displays, const MonitorOptions& o) {
-  const bool terminal = ::isatty(STDERR_FILENO) == 1;  // whose screen the table has
+/// Shows frames until somebody asks for the end. `quiet`: says nothing itself.
+int show(bus::Bus& bus, monitor::Watch& watch, const Displays& displays, const MonitorOptions& o, bool quiet) {
   SteadyTime complaint = participant::steady_now() + kSilenceWorthSaying;
   while (!participant::stop_requested()) {
     bus.wait_for_arrivals(~std::uint64_t{0}, kNextLook);
@@ -90,7 +92,7 @@ int show(bus::Bus& bus, monitor::Watch& watch, const Displays& displays, const M
         return kPassed;
       }
     }
-    if (const SteadyTime now = participant::steady_now(); !terminal && std::isinf(frame.age_s) && now > complaint) {
+    if (const SteadyTime now = participant::steady_now(); !quiet && std::isinf(frame.age_s) && now > complaint) {
       complaint = SteadyTime::max();
       std::fprintf(stderr, "farrier monitor: %s\n", nothing_comes(o).c_str());
     }
@@ -144,10 +146,11 @@ int run_monitor(const MonitorOptions& o) {
   try {
     // Here, so that the terminal is a terminal again before anything is said of what went wrong.
     Displays displays = std::move(servers).value();
-    if (auto opened = open_table(displays, robot.value()); !opened) {
-      return fail(opened.error().message, kFailed);
+    const auto screen = open_table(displays, robot.value());
+    if (!screen) {
+      return fail(screen.error().message, kFailed);
     }
-    return show(*bus.value(), watch.value(), displays, o);
+    return show(*bus.value(), watch.value(), displays, o, screen.value());
   } catch (const std::exception& problem) {
     return fail(problem.what(), kFailed);
   }

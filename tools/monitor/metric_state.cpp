@@ -5,6 +5,7 @@ namespace farrier::display {
 void MetricState::take(const monitor::Frame& next, double time_s) {
   frame = next;
   frame_time_s = time_s;
+  start_time_s = start_time_s > 0.0 ? start_time_s : time_s;
   for (const monitor::EventFrame& event : next.events) {
     if (const auto severity = static_cast<std::size_t>(event.severity); severity < events.size()) {
       ++events[severity];

@@ -23,6 +23,7 @@ struct MetricState {
   const robot::Robot& robot;
   monitor::Frame frame;
   double frame_time_s = 0.0;  ///< date of the frame, since 1970; 0: none yet
+  double start_time_s = 0.0;  ///< of the first
   std::array<std::uint64_t, 3> events{};                                      ///< by severity
   std::vector<std::array<std::uint64_t, kJointFaults.size()>> fault_onsets{};  ///< by joint and fault
   std::vector<std::uint32_t> last_faults{};                                    ///< of each joint's last summary

@@ -44,6 +44,8 @@ constexpr std::array kSpecs{
                [](const State& s, const Sample& sample) { sample(1.0, {s.robot.name}); }},
     MetricSpec{"farrier_monitor_frame_timestamp_seconds", kGauge, {}, "When this monitor last looked at the robot.",
                [](const State& s, const Sample& sample) { sample(s.frame_time_s, {}); }},
+    MetricSpec{"farrier_monitor_start_timestamp_seconds", kGauge, {}, "When this monitor began to look at the robot.",
+               [](const State& s, const Sample& sample) { sample(s.start_time_s, {}); }},
     MetricSpec{"farrier_monitor_last_sample_age_seconds", kGauge, {}, "Time since anything came from the robot; +Inf before the first.",
                [](const State& s, const Sample& sample) { sample(s.frame.age_s, {}); }},
     MetricSpec{"farrier_monitor_lost_samples_total", kCounter, {}, "Samples lost on the way to this monitor, as far as it can tell.",
@@ -70,7 +72,7 @@ constexpr std::array kSpecs{
                    }
                  }
                }},
-    MetricSpec{"farrier_events_total", kCounter, {"severity"}, "Events of the robot's processes and of this monitor.",
+    MetricSpec{"farrier_events_total", kCounter, {"severity"}, "Events of the robot's processes and of this monitor, those included from before it began, of which it is told.",
                [](const State& s, const Sample& sample) {
                  for (std::size_t i = 0; i < s.events.size(); ++i) {
                    sample(as_double(s.events[i]), {signals::to_string(static_cast<signals::Severity>(i))});
