@@ -29,3 +29,5 @@ target_compile_definitions(prometheus_test PRIVATE FARRIER_COMMAND="$<TARGET_FIL
   FARRIER_MONITORING="${PROJECT_SOURCE_DIR}/deploy/monitoring")
 add_dependencies(prometheus_test product)
 set_tests_properties(ecosystem/prometheus_test PROPERTIES RUN_SERIAL TRUE)
+
+include(${CMAKE_CURRENT_LIST_DIR}/browser/browser.cmake)

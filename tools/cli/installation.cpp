@@ -20,4 +20,6 @@ std::string robots_directory() { return fs::weakly_canonical(prefix() / "share/f
 
 std::string shipped_robot(const std::string& name) { return fs::path(robots_directory()) / name; }
 
+std::string page_directory() { return prefix() / "share/farrier/page"; }
+
 }  // namespace farrier::cli

@@ -1,4 +1,4 @@
-// farrier monitor: a running robot at a glance. Frames of it go to every display: the terminal's table, Prometheus.
+// farrier monitor: a running robot at a glance. Frames of it go to every display: the terminal's table, Prometheus, a page.
 
 #include <unistd.h>
 
@@ -13,6 +13,7 @@
 #include "participant/loop.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/guest.hpp"
+#include "tools/cli/monitor_web.hpp"
 #include "tools/monitor/plain_text.hpp"
 #include "tools/monitor/prometheus_exposer.hpp"
 #include "tools/monitor/terminal.hpp"
@@ -29,6 +30,7 @@ constexpr double kWholeLook_s = 1.2;  // errors and rates are over a second
 struct MonitorOptions {
   std::string prometheus;
   bool once = false;
+  WebOptions web;
   GuestOptions guest;
 };
 
@@ -58,6 +60,13 @@ Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot
     }
     std::fprintf(stderr, "farrier monitor: metrics at http://%s/metrics\n", address.value().text().c_str());
     servers.push_back(std::move(server).value());
+  }
+  if (!o.web.address.empty()) {
+    auto page = open_web(o.web, robot);
+    if (!page) {
+      return page.error();
+    }
+    servers.push_back(std::move(page).value());
   }
   return servers;
 }
@@ -121,6 +130,9 @@ int show_once(bus::Bus& bus, monitor::Watch& watch, const robot::Robot& robot, c
 }
 
 int run_monitor(const MonitorOptions& o) {
+  if (!o.web.recording.empty()) {
+    return show_recording(o.web);
+  }
   participant::install_signal_handlers();
   const auto robot = robot::load_robot(o.guest.robot_path);
   if (!robot) {
@@ -165,6 +177,7 @@ std::function<int()> declare_monitor(CLI::App& app) {
                  "0.0.0.0:9464 on all its addresses")
       ->type_name("<address:port>")
       ->excludes(once);
+  declare_web(app, o->web);
   declare_guest(app, o->guest);
   return [o] { return run_monitor(*o); };
 }

@@ -1,0 +1,176 @@
+// The page in a real browser: node browser_test.mjs <page_server> <page> <robot file> <folder for pictures>
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { join } from "node:path";
+
+const [, , program, pageFolder, robot, pictures] = process.argv;
+const kSkipped = 77;
+
+const { Server, drawnPixels, findBrowser, launch, openPage, until } = await import("./page_under_test.mjs");
+const executable = findBrowser();
+if (!executable) {
+  console.log("skipped: no Chromium here; apt-get install chromium");
+  process.exit(kSkipped);
+}
+
+const browser = await launch(executable);
+const server = new Server(program, pageFolder, robot);
+let passed = 0, failed = 0;
+
+async function check(sentence, act) {
+  try {
+    const more = await act();
+    passed += 1;
+    console.log(`pass: ${sentence}${more ? ` (${more})` : ""}`);
+  } catch (problem) {
+    failed += 1;
+    console.log(`FAIL: ${sentence}\n  ${problem.stack}`);
+  }
+}
+
+const shoot = (page, name) => page.screenshot({ path: join(pictures, `${name}.png`), fullPage: true });
+const text = (page, selector) => page.$eval(selector, (element) => element.textContent);
+const drawsTwelve = async (page) => {
+  await until(page, () => document.body.dataset.tick > 2000, 10000);
+  const pixels = await drawnPixels(page);
+  assert.equal(pixels.length, 12);
+  pixels.forEach(([measured, reference], joint) => {
+    assert.ok(measured > 30, `joint ${joint}: ${measured} pixels of force`);
+    assert.ok(reference > 10, `joint ${joint}: ${reference} pixels of reference`);
+  });
+  return `least ${Math.min(...pixels.map((counts) => counts[0]))} pixels of force`;
+};
+const staysHere = (account) => {
+  const hosts = new Set(account.requests.filter((url) => !url.startsWith("data:")).map((url) => new URL(url).hostname));
+  assert.deepEqual([...hosts], ["127.0.0.1"]);
+};
+
+// A robot.
+let live = await openPage(browser, await server.start());
+const { page } = live;
+await check("draws twelve joints", () => drawsTwelve(page));
+await check("says what the robot is and does", async () => {
+  assert.match(await text(page, "#robot"), /hyq/);
+  assert.match(await text(page, "#facts"), /armed/);
+  assert.equal(await text(page, "#connection"), "live");
+});
+await shoot(page, "live_light");
+await check("shows a fault within a second", async () => {
+  const begin = performance.now();
+  server.say("faults lf_kfe 512");
+  await until(page, () => document.querySelector("#joint-lf_kfe.bad")?.textContent.includes("force lost") &&
+                          document.querySelector("#faults-text").textContent.includes("lf_kfe: force lost") &&
+                          document.querySelector("#events li").textContent.includes("force lost"), 5000);
+  const took = performance.now() - begin;
+  assert.ok(took < 1000, `${took} ms`);
+  return `${took.toFixed(0)} ms`;
+});
+await check("is used by keys alone", async () => {
+  await page.keyboard.press("Home");
+  await page.keyboard.press("ArrowRight");
+  await page.keyboard.press("ArrowDown");
+  assert.equal(await page.$eval(".joint[aria-selected=true]", (joint) => joint.id), "joint-rf_hfe");
+  await until(page, () => document.querySelector("#detail-title").textContent === "Joint rf_hfe", 2000);
+  await page.keyboard.press("Space");
+  await new Promise((resolve) => setTimeout(resolve, 200));
+  const paused = await page.evaluate(() => document.body.dataset.time);
+  await new Promise((resolve) => setTimeout(resolve, 400));
+  assert.equal(await page.evaluate(() => document.body.dataset.time), paused);
+  await page.keyboard.press("Space");
+  await until(page, (time) => Number(document.body.dataset.time) > Number(time) + 0.3, 2000, paused);
+  await page.keyboard.press("?");
+  assert.ok(await page.$eval("#help", (dialog) => dialog.open));
+  await shoot(page, "help");
+  await page.keyboard.press("Escape");
+  assert.ok(!(await page.$eval("#help", (dialog) => dialog.open)));
+});
+await check("draws at twenty frames a second without falling behind", async () => {
+  const counted = await page.evaluate(() => new Promise((resolve) => {
+    const seen = new Set(), begin = performance.now();
+    let longest = 0, before = begin;
+    const look = (now) => {
+      longest = Math.max(longest, now - before);
+      before = now;
+      seen.add(document.body.dataset.time);
+      if (now - begin < 3000) {
+        requestAnimationFrame(look);
+      } else {
+        resolve({ rate: seen.size / 3, longest });
+      }
+    };
+    requestAnimationFrame(look);
+  }));
+  const words = `${counted.rate.toFixed(1)} frames/s, longest pause ${counted.longest.toFixed(0)} ms`;
+  assert.ok(counted.rate > 10, words);
+  return words;
+});
+await check("says when the robot has gone, and goes on with its next run", async () => {
+  server.say("quiet");
+  await until(page, () => /say nothing/.test(document.querySelector("#alarm:not([hidden])")?.textContent), 5000);
+  await shoot(page, "robot_gone");
+  server.say("begin");
+  await until(page, () => document.querySelector("#alarm").hidden && Number(document.body.dataset.tick) < 3000, 5000);
+  await drawsTwelve(page);
+});
+await check("asks nobody but its server, and complains of nothing", () => {
+  staysHere(live);
+  assert.deepEqual(live.complaints, []);
+});
+await check("says when its monitor has gone, and recovers when it is back", async () => {
+  const port = new URL(server.url).port;
+  const took = await server.stop();
+  assert.ok(took < 1000, `the server took ${took} ms to end`);
+  await until(page, () => /monitor does not answer/.test(document.querySelector("#alarm:not([hidden])")?.textContent), 5000);
+  await shoot(page, "monitor_gone");
+  await server.start(port);
+  await until(page, () => document.querySelector("#alarm").hidden &&
+                          document.querySelector("#connection").textContent === "live", 10000);
+  await drawsTwelve(page);
+  return `ended in ${took.toFixed(0)} ms`;
+});
+await page.close();
+live = await openPage(browser, server.url, "dark");
+await check("draws twelve joints in the dark, for a page that comes late", () => drawsTwelve(live.page));
+server.say("faults rh_hfe 64");
+server.say("faults lf_kfe 512");
+await new Promise((resolve) => setTimeout(resolve, 3000));
+await shoot(live.page, "live_dark");
+await live.page.setViewport({ width: 800, height: 900 });
+await shoot(live.page, "live_narrow");
+await live.page.close();
+await server.stop();
+
+// A recording.
+const recording = join(pictures, "made_up.mcap");
+execFileSync(program, ["--record", robot, recording]);
+const replay = await openPage(browser, await server.start(0, recording));
+await check("opens a recording and scrubs through it", async () => {
+  await until(replay.page, () => document.querySelectorAll("#events li").length > 1 && document.body.dataset.time, 10000);
+  await replay.page.focus("#slider");
+  await replay.page.$eval("#slider", (slider) => {
+    slider.value = 7;
+    slider.dispatchEvent(new Event("input"));
+  });
+  await until(replay.page, () => Math.abs(document.body.dataset.time - 7) < 0.06, 5000);
+  await until(replay.page, () => document.querySelector("#joint-lf_kfe.bad"), 2000);
+  const drawn = await drawsTwelve(replay.page);
+  await replay.page.keyboard.press("ArrowRight");
+  await until(replay.page, () => Number(document.body.dataset.time) > 7.01, 2000);
+  return drawn;
+});
+await shoot(replay.page, "recording");
+await check("plays it", async () => {
+  const before = Number(await replay.page.evaluate(() => document.body.dataset.time));
+  await replay.page.keyboard.press("Space");
+  await until(replay.page, (time) => Number(document.body.dataset.time) > time + 0.8, 4000, before);
+});
+await check("asks nobody but its server, and complains of nothing, in a recording too", () => {
+  staysHere(replay);
+  assert.deepEqual(replay.complaints, []);
+});
+await browser.close();
+await server.stop();
+
+console.log(`pictures: ${pictures}`);
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed === 0 ? 0 : 1);

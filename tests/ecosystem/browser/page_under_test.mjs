@@ -1,0 +1,91 @@
+// A server of the page, a browser on it, and what the browser sees.
+import { spawn } from "node:child_process";
+import { existsSync } from "node:fs";
+import { createInterface } from "node:readline";
+import puppeteer from "puppeteer-core";
+
+export function findBrowser() {
+  const places = [process.env.FARRIER_BROWSER, "/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"];
+  return places.find((place) => place && existsSync(place));
+}
+
+export class Server {
+  constructor(program, page, robot) {
+    Object.assign(this, { program, page, robot });
+  }
+
+  /// Starts it; port 0: any. `recording`: of that instead of a robot.
+  async start(port = 0, recording = undefined) {
+    this.child = spawn(this.program, [this.page, this.robot, String(port), ...(recording ? [recording] : [])],
+                       { stdio: ["pipe", "pipe", "inherit"] });
+    this.url = await new Promise((resolve, reject) => {
+      createInterface({ input: this.child.stdout }).once("line", resolve);
+      this.child.once("exit", (status) => reject(new Error(`the server ended with ${status}`)));
+    });
+    return this.url;
+  }
+
+  say(line) {
+    this.child.stdin.write(`${line}\n`);
+  }
+
+  /// Milliseconds it took to end.
+  async stop(signal = "SIGTERM") {
+    const begin = performance.now();
+    const ended = new Promise((resolve) => this.child.once("exit", resolve));
+    this.child.kill(signal);
+    await ended;
+    return performance.now() - begin;
+  }
+}
+
+export async function launch(executablePath) {
+  return puppeteer.launch({
+    executablePath,
+    headless: true,
+    args: ["--disable-gpu", "--disable-dev-shm-usage", "--no-first-run", ...(process.getuid() === 0 ? ["--no-sandbox"] : [])],
+  });
+}
+
+/// Opens a page that keeps account of what it asks for and complains of.
+export async function openPage(browser, url, scheme = "light") {
+  const page = await browser.newPage();
+  const account = { page, requests: [], complaints: [] };
+  await page.setViewport({ width: 1440, height: 1180 });
+  await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: scheme }]);
+  page.on("request", (request) => account.requests.push(request.url()));
+  page.on("console", (message) => {
+    if (["error", "warn"].includes(message.type())) {
+      account.complaints.push(message.text());
+    }
+  });
+  page.on("pageerror", (problem) => account.complaints.push(String(problem)));
+  await page.goto(url, { waitUntil: "domcontentloaded" });
+  return account;
+}
+
+/// Of each joint's plot, how many of its pixels carry the colour of the measured force; and of the reference.
+export function drawnPixels(page) {
+  return page.evaluate(() => {
+    const style = getComputedStyle(document.documentElement);
+    const rgb = (name) => style.getPropertyValue(name).trim().match(/[0-9a-f]{2}/gi).map((part) => parseInt(part, 16));
+    const wanted = [rgb("--blue"), rgb("--orange")];
+    return [...document.querySelectorAll(".joint canvas")].map((canvas) => {
+      const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
+      copy.drawImage(canvas, 0, 0);
+      const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
+      const counts = [0, 0];
+      for (let i = 0; i < data.length; i += 4) {
+        wanted.forEach((one, k) => {
+          const distance = Math.max(...one.map((part, c) => Math.abs(part - data[i + c])));
+          counts[k] += data[i + 3] > 128 && distance < 40 ? 1 : 0;
+        });
+      }
+      return counts;
+    });
+  });
+}
+
+export function until(page, words, limit, ...values) {
+  return page.waitForFunction(words, { timeout: limit, polling: 50 }, ...values);
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "core/result.hpp"
+#include "robot/robot.hpp"
+#include "tools/monitor/display.hpp"
+
+namespace farrier::cli {
+
+/// The page of `farrier monitor`.
+struct WebOptions {
+  std::string address;    ///< of its server; empty: none
+  std::string recording;  ///< what it shows instead of a robot that runs; empty: that robot
+};
+
+void declare_web(CLI::App& app, WebOptions& options);
+
+/// Opens the page for a robot that runs, and says where. Refuses, with the option to mend.
+Result<std::unique_ptr<display::Display>> open_web(const WebOptions& options, const robot::Robot& robot);
+
+/// Shows the recording until somebody asks for the end; the exit status.
+int show_recording(const WebOptions& options);
+
+}  // namespace farrier::cli

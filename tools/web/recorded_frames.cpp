@@ -1,0 +1,202 @@
+#include "tools/web/recorded_frames.hpp"
+
+#include <zstd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "core/ensure.hpp"
+#include "monitor/robot_view.hpp"
+#include "run_file/run_file.hpp"
+#include "tools/web/frame_json.hpp"
+
+namespace farrier::web {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kFramesPerBlock = 100;
+constexpr std::size_t kMostEvents = 5000;   // in the overview; a frame has all of its own
+constexpr std::size_t kAskEvery = 100'000;  // samples
+constexpr auto kStep_ns = static_cast<std::uint64_t>(1e9 / RecordedFrames::kFramesPerSecond);
+
+std::string compressed(const std::string& text) {
+  std::string block(ZSTD_compressBound(text.size()), '\0');
+  const std::size_t size = ZSTD_compress(block.data(), block.size(), text.data(), text.size(), 3);
+  FARRIER_ENSURE(ZSTD_isError(size) == 0, "zstd refuses what is in memory");
+  block.resize(size);
+  return block;
+}
+
+std::string expanded(const std::string& block) {
+  std::string text(ZSTD_getFrameContentSize(block.data(), block.size()), '\0');
+  const std::size_t size = ZSTD_decompress(text.data(), text.size(), block.data(), block.size());
+  FARRIER_ENSURE(ZSTD_isError(size) == 0, "zstd refuses what is in memory");
+  return text;
+}
+
+Result<robot::Robot> recorded_robot(const run_file::RunFileReader& file, const std::string& path) {
+  const mcap::Text facts = file.metadata(run_file::kRunFacts);
+  const auto configuration = facts.find("configuration");
+  if (configuration == facts.end()) {
+    return Error{path + " does not say of which robot it is: give a recording of farrier record"};
+  }
+  auto robot = robot::load_robot_text(configuration->second, path);
+  if (!robot) {
+    return Error{config::to_string(robot.error())};
+  }
+  return std::move(robot).value();
+}
+
+std::size_t number_of(const std::string& text, std::size_t otherwise) {
+  std::size_t value = otherwise;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+}  // namespace
+
+/// Makes frames as log time passes.
+class RecordedFrames::Maker {
+ public:
+  explicit Maker(RecordedFrames& to) : to_(to), view_(*to.robot_), faults_(to.robot_->joints.size()) {}
+
+  void take(const run_file::Sample& sample) {
+    next_ns_ = next_ns_ == 0 ? sample.log_time_ns + kStep_ns : next_ns_;
+    while (sample.log_time_ns >= next_ns_) {
+      put(view_.frame(next_ns_));
+      next_ns_ += kStep_ns;
+    }
+    view_.take(sample);
+  }
+
+  void finish(const std::string& ending) {
+    if (next_ns_ != 0) {
+      put(view_.frame(next_ns_));
+    }
+    close_block();
+    json faults = json::array();
+    for (std::size_t joint = 0; joint < faults_.size(); ++joint) {
+      end_fault(joint, end_s_);
+      faults.push_back(std::move(faults_[joint].past));
+    }
+    const json overview = {{"duration_s", end_s_},
+                           {"frames", to_.count_},
+                           {"frames_per_s", kFramesPerSecond},
+                           {"ending", ending},
+                           {"events", std::move(events_)},
+                           {"faults", std::move(faults)}};
+    to_.overview_ = overview.dump(-1, ' ', false, json::error_handler_t::replace);
+  }
+
+ private:
+  struct Faults {
+    json past = json::array();  ///< [from, to, bits]
+    double from_s = 0.0;
+    std::uint32_t bits = 0;
+  };
+
+  void put(const monitor::Frame& frame) {
+    end_s_ = frame.time_s;
+    for (std::size_t joint = 0; joint < frame.joints.size(); ++joint) {
+      if (frame.joints[joint].faults != faults_[joint].bits) {
+        end_fault(joint, frame.time_s);
+        faults_[joint].from_s = frame.time_s;
+        faults_[joint].bits = frame.joints[joint].faults;
+      }
+    }
+    for (const monitor::EventFrame& event : frame.events) {
+      if (events_.size() < kMostEvents) {
+        events_.push_back(json::parse(event_json(event)));
+      }
+    }
+    block_ += frame_json(frame) + "\n";
+    if (++to_.count_ % kFramesPerBlock == 0) {
+      close_block();
+    }
+  }
+
+  void end_fault(std::size_t joint, double time_s) {
+    if (faults_[joint].bits != 0) {
+      faults_[joint].past.push_back({faults_[joint].from_s, time_s, faults_[joint].bits});
+    }
+  }
+
+  void close_block() {
+    if (!block_.empty()) {
+      to_.blocks_.push_back(compressed(block_));
+      block_.clear();
+    }
+  }
+
+  RecordedFrames& to_;
+  monitor::RobotView view_;
+  std::uint64_t next_ns_ = 0;
+  double end_s_ = 0.0;
+  std::string block_;
+  json events_ = json::array();
+  std::vector<Faults> faults_;
+};
+
+Result<RecordedFrames> RecordedFrames::read(const std::string& path, const std::function<bool()>& keep_on) {
+  auto file = run_file::RunFileReader::open(path);
+  if (!file) {
+    return file.error();
+  }
+  run_file::Sample sample;
+  bool more = file.value().next(sample);  // the facts come before the first sample
+  auto robot = recorded_robot(file.value(), path);
+  if (!robot) {
+    return robot.error();
+  }
+  RecordedFrames frames;
+  frames.robot_ = std::make_shared<const robot::Robot>(std::move(robot).value());
+  Maker maker(frames);
+  const auto& topics = monitor::RobotView::topics();
+  bool summaries = false;
+  for (std::size_t i = 0; more; ++i, more = file.value().next(sample)) {
+    if (i % kAskEvery == 0 && !keep_on()) {
+      return Error{"interrupted"};
+    }
+    if (std::ranges::find(topics, sample.topic) != topics.end()) {
+      summaries = summaries || sample.topic == bus::TopicId::kJointSummary;
+      maker.take(sample);
+    }
+  }
+  if (!summaries) {
+    return Error{path + " has no samples of joint/summary, from which pages are drawn " + file.value().ending()};
+  }
+  maker.finish(file.value().ending());
+  return frames;
+}
+
+std::string RecordedFrames::frames(std::size_t from, std::size_t to) const {
+  to = std::min({to, count_, from + kMostAtOnce});
+  std::string text;
+  for (std::size_t i = from; i < to;) {
+    const std::string block = expanded(blocks_[i / kFramesPerBlock]);
+    std::size_t line = 0;
+    for (std::size_t before = i % kFramesPerBlock; before > 0; --before) {
+      line = block.find('\n', line) + 1;
+    }
+    for (; line < block.size() && i < to; ++i) {
+      const std::size_t end = block.find('\n', line);
+      text += (text.empty() ? "[" : ",") + block.substr(line, end - line);
+      line = end + 1;
+    }
+  }
+  return text.empty() ? text : text + "]";
+}
+
+Site RecordedFrames::site(std::shared_ptr<const RecordedFrames> frames, PageFiles page) {
+  Site site{.page = std::move(page), .documents = {}, .frames = nullptr};
+  site.documents["/api/robot"] = [text = robot_json(frames->robot(), true)](const Parameter&) { return text; };
+  site.documents["/api/recording"] = [frames](const Parameter&) { return frames->overview(); };
+  site.documents["/api/frames"] = [frames](const Parameter& parameter) {
+    return frames->frames(number_of(parameter("from"), 0), number_of(parameter("to"), frames->count()));
+  };
+  return site;
+}
+
+}  // namespace farrier::web

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "robot/robot.hpp"
+#include "tools/web/web_server.hpp"
+
+namespace farrier::web {
+
+/// A recording as twenty frames a second, kept compressed in memory: an hour of HyQ is some ten megabytes.
+class RecordedFrames {
+ public:
+  static constexpr double kFramesPerSecond = 20.0;
+
+  /// Reads all of it; `keep_on` is asked now and then. Refuses a file that is no recording of a robot, or has no
+  /// summaries of its joints in it.
+  static Result<RecordedFrames> read(const std::string& path, const std::function<bool()>& keep_on);
+
+  const robot::Robot& robot() const noexcept { return *robot_; }
+  std::size_t count() const noexcept { return count_; }
+
+  /// Length, number of frames, every event, when which joint had which faults.
+  const std::string& overview() const noexcept { return overview_; }
+
+  /// Frames from number `from` until before `to`, as a JSON array; at most kMostAtOnce, and empty where there are none.
+  std::string frames(std::size_t from, std::size_t to) const;
+  static constexpr std::size_t kMostAtOnce = 400;
+
+  /// As a site, which shares nothing with this.
+  static Site site(std::shared_ptr<const RecordedFrames> frames, PageFiles page);
+
+ private:
+  class Maker;
+  RecordedFrames() = default;
+
+  std::shared_ptr<const robot::Robot> robot_;
+  std::size_t count_ = 0;
+  std::vector<std::string> blocks_;  ///< of kFramesPerBlock frames each, a line each, zstd
+  std::string overview_;
+};
+
+}  // namespace farrier::web
