@@ -164,13 +164,10 @@ int trot(TrotOptions o) {
     o.record_path = o.out + "/run.mcap";
   }
   const std::string rows_path = o.vary ? o.out + "/vary.csv" : o.trace_path;
-  for (const std::string& path : {rows_path, o.json_path, o.record_path}) {
-    if (auto way = make_way(path); !way) {
-      std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
-      return kBadInput;
-    }
+  if (auto way = make_way({rows_path, o.json_path, o.record_path}, {o.robot_path}); !way) {
+    std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
+    return kBadInput;
   }
-
   if (o.vary) {
     return vary(robot, o, rows_path);
   }

@@ -8,7 +8,7 @@
 
 #include "core/ensure.hpp"
 #include "monitor/robot_view.hpp"
-#include "run_file/run_file.hpp"
+#include "tools/recording/recorded_run.hpp"
 #include "tools/web/frame_json.hpp"
 
 namespace farrier::web {
@@ -34,19 +34,6 @@ std::string expanded(const std::string& block) {
   const std::size_t size = ZSTD_decompress(text.data(), text.size(), block.data(), block.size());
   FARRIER_ENSURE(ZSTD_isError(size) == 0, "zstd refuses what is in memory");
   return text;
-}
-
-Result<robot::Robot> recorded_robot(const run_file::RunFileReader& file, const std::string& path) {
-  const mcap::Text facts = file.metadata(run_file::kRunFacts);
-  const auto configuration = facts.find("configuration");
-  if (configuration == facts.end()) {
-    return Error{path + " does not say of which robot it is: give a recording of farrier record"};
-  }
-  auto robot = robot::load_robot_text(configuration->second, path);
-  if (!robot) {
-    return Error{config::to_string(robot.error())};
-  }
-  return std::move(robot).value();
 }
 
 std::size_t number_of(const std::string& text, std::size_t otherwise) {
@@ -140,22 +127,17 @@ class RecordedFrames::Maker {
 };
 
 Result<RecordedFrames> RecordedFrames::read(const std::string& path, const std::function<bool()>& keep_on) {
-  auto file = run_file::RunFileReader::open(path);
-  if (!file) {
-    return file.error();
-  }
-  run_file::Sample sample;
-  bool more = file.value().next(sample);  // the facts come before the first sample
-  auto robot = recorded_robot(file.value(), path);
-  if (!robot) {
-    return robot.error();
+  auto run = recording::RecordedRun::open(path);
+  if (!run) {
+    return run.error();
   }
   RecordedFrames frames;
-  frames.robot_ = std::make_shared<const robot::Robot>(std::move(robot).value());
+  frames.robot_ = std::make_shared<const robot::Robot>(run.value().robot());
   Maker maker(frames);
   const auto& topics = monitor::RobotView::topics();
   bool summaries = false;
-  for (std::size_t i = 0; more; ++i, more = file.value().next(sample)) {
+  run_file::Sample sample;
+  for (std::size_t i = 0; run.value().next(sample); ++i) {
     if (i % kAskEvery == 0 && !keep_on()) {
       return Error{"interrupted"};
     }
@@ -165,9 +147,9 @@ Result<RecordedFrames> RecordedFrames::read(const std::string& path, const std::
     }
   }
   if (!summaries) {
-    return Error{path + " has no samples of joint/summary, from which pages are drawn " + file.value().ending()};
+    return Error{path + " has no samples of lf/joint/summary, from which pages are drawn " + run.value().ending()};
   }
-  maker.finish(file.value().ending());
+  maker.finish(run.value().ending());
   return frames;
 }
 
