@@ -6,8 +6,8 @@
 #include <fstream>
 #include <thread>
 
-#include "beside_a_trot.hpp"
 #include "tests/support/http_get.hpp"
+#include "tests/system/beside_a_trot.hpp"
 #include "tools/tool_process/tool_process.hpp"
 
 namespace farrier::test {

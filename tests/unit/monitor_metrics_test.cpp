@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "monitor_feed.hpp"
+#include "tests/support/http_get.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tools/monitor/listen_address.hpp"
 #include "tools/monitor/prometheus_exposer.hpp"
@@ -194,12 +195,24 @@ TEST(ListenAddress, RefusesWhatIsNone) {
   }
 }
 
-TEST(PrometheusExposer, SaysWhyItCannotListen) {
-  ListenAddress address{"127.0.0.1", 9464, false};
-  auto first = expose_to_prometheus(address, hyq());
-  for (; !first && address.port < 9564; first = expose_to_prometheus(address, hyq())) {
-    ++address.port;  // somebody else has that one
+TEST(PrometheusExposer, ServesTheNewestFrame) {
+  const ListenAddress address{"127.0.0.1", test::free_port(), false};
+  const auto exposer = expose_to_prometheus(address, hyq());
+  ASSERT_TRUE(exposer.ok()) << exposer.error().message;
+  EXPECT_EQ(test::http_get(address.port, "/metrics").find("farrier_"), std::string::npos);
+  Feed feed;
+  walk_for_a_second(feed);
+  exposer.value()->show(feed.frame());
+  const std::string served = test::http_get(address.port, "/metrics");
+  for (const char* line : {"# HELP farrier_robot_mode 1 for the mode", "# TYPE farrier_joint_redesigns_total counter\n",
+                           "\nfarrier_robot_mode{mode=\"armed\"} 1\n", "\nfarrier_joint_missed_ticks_total{leg=\"lf\",joint=\"lf_haa\"} 0\n"}) {
+    EXPECT_NE(served.find(line), std::string::npos) << line << "\n" << served;
   }
+}
+
+TEST(PrometheusExposer, SaysWhyItCannotListen) {
+  const ListenAddress address{"127.0.0.1", test::free_port(), false};
+  const auto first = expose_to_prometheus(address, hyq());
   ASSERT_TRUE(first.ok()) << first.error().message;
   const auto second = expose_to_prometheus(address, hyq());
   ASSERT_FALSE(second.ok());
