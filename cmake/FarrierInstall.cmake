@@ -5,6 +5,7 @@
 #   libexec/farrier/          the processes, whose names are too common for bin
 #   share/farrier/robots/     robot files
 #   share/farrier/monitoring/ configuration and alert rules for Prometheus
+#   share/farrier/page/       the page of farrier monitor --web (tools/web/page)
 #   include/farrier/, lib/    for programs of the user's
 #
 # Three components, three packages: `cpack` in the build directory makes them.
