@@ -5,6 +5,7 @@
 #   libexec/farrier/          the processes, whose names are too common for bin
 #   share/farrier/robots/     robot files
 #   share/farrier/monitoring/ configuration and alert rules for Prometheus
+#   share/farrier/page/       the page of farrier monitor --web (tools/web/page)
 #   share/man/, share/bash-completion/, share/zsh/, share/fish/    written by the command, where Debian looks for them
 #   include/farrier/, lib/    for programs of the user's
 #

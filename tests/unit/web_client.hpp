@@ -31,13 +31,13 @@ inline httplib::Client client(const WebDisplay& display) {
   return client;
 }
 
-/// The events at /api/frames until `enough` of them have come.
+/// What /api/frames sends until `enough` frames and gaps have come.
 inline std::string stream(const WebDisplay& display, std::size_t enough, const httplib::Headers& headers = {}) {
   std::string text;
   client(display).Get("/api/frames", headers, [&](const char* data, std::size_t size) {
     text.append(data, size);
     std::size_t events = 0;
-    for (std::size_t at = text.find("\ndata: "); at != std::string::npos; at = text.find("\ndata: ", at + 1)) {
+    for (std::size_t at = text.find("\ndata: {"); at != std::string::npos; at = text.find("\ndata: {", at + 1)) {
       ++events;
     }
     return events < enough;

@@ -50,8 +50,8 @@ int fail(const std::string& message) {
 
 }  // namespace
 
-void declare_web(CLI::App& app, WebOptions& options) {
-  app.add_option("--web", options.address,
+CLI::Option* declare_web(CLI::App& app, WebOptions& options) {
+  CLI::Option* web = app.add_option("--web", options.address,
                  "serve a page for browsers: of this computer at --web, --web 8642 or --web :8642, of others too at "
                  "--web 0.0.0.0:8642, which asks for the token that is printed")
       ->expected(0, 1)
@@ -60,6 +60,7 @@ void declare_web(CLI::App& app, WebOptions& options) {
   app.add_option("--open", options.recording, "show this recording on the page instead of a robot that runs")
       ->check(CLI::ExistingFile)
       ->type_name("<file>");
+  return web;
 }
 
 Result<std::unique_ptr<display::Display>> open_web(const WebOptions& options, const robot::Robot& robot) {

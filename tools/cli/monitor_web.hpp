@@ -16,7 +16,8 @@ struct WebOptions {
   std::string recording;  ///< what it shows instead of a robot that runs; empty: that robot
 };
 
-void declare_web(CLI::App& app, WebOptions& options);
+/// The option --web.
+CLI::Option* declare_web(CLI::App& app, WebOptions& options);
 
 /// Opens the page for a robot that runs, and says where. Refuses, with the option to mend.
 Result<std::unique_ptr<display::Display>> open_web(const WebOptions& options, const robot::Robot& robot);

@@ -8,7 +8,7 @@
 
 namespace farrier::web {
 
-// What the page reads; its names are explained in docs/monitor-page.md. Numbers have six digits, what is not a finite
+// What the page reads; its names are explained in docs/monitoring.md. Numbers have six digits, what is not a finite
 // number is null.
 
 /// What a page needs to know of a robot before its first frame: names, units, and what codes stand for. `recorded`: the

@@ -16,10 +16,17 @@ if(FARRIER_NPM AND FARRIER_NODE)
   file(GLOB browser_scripts CONFIGURE_DEPENDS ${browser_dir}/*.mjs)
   add_custom_command(OUTPUT ${browser_build}/browser_test.mjs
     COMMAND ${CMAKE_COMMAND} -E copy ${browser_scripts} ${browser_build} DEPENDS ${browser_scripts} VERBATIM)
-  add_custom_target(browser_driver DEPENDS ${browser_build}/node_modules/.package-lock.json ${browser_build}/browser_test.mjs)
+  add_custom_target(browser_driver ALL DEPENDS ${browser_build}/node_modules/.package-lock.json ${browser_build}/browser_test.mjs)
   add_dependencies(browser_driver page_server farrier_page)
   add_dependencies(tier_ecosystem browser_driver)
+  if(NOT TARGET tier_realtime)
+    add_custom_target(tier_realtime)
+  endif()
+  add_dependencies(tier_realtime browser_driver product)
   add_test(NAME ecosystem/browser_test COMMAND ${FARRIER_NODE} ${browser_build}/browser_test.mjs $<TARGET_FILE:page_server>
     ${PROJECT_BINARY_DIR}/share/farrier/page ${PROJECT_SOURCE_DIR}/deploy/robots/hyq.yaml ${browser_build})
   set_tests_properties(ecosystem/browser_test PROPERTIES LABELS ecosystem SKIP_RETURN_CODE 77 TIMEOUT 300)
+  add_test(NAME realtime/trot_page_test COMMAND ${FARRIER_NODE} ${browser_build}/trot_page_test.mjs $<TARGET_FILE:farrier>
+    ${browser_build})
+  set_tests_properties(realtime/trot_page_test PROPERTIES LABELS realtime RUN_SERIAL TRUE SKIP_RETURN_CODE 77 TIMEOUT 300)
 endif()

@@ -29,7 +29,7 @@ export class Chart {
       width: Math.max(80, this.place.clientWidth),
       height,
       pxAlign: 0,
-      padding: [4, 16, axis ? 0 : 4, 0],
+      padding: [8, 16, axis ? 0 : 4, 0],
       cursor: { show: false },
       legend: { show: false },
       scales: { x: { time: false }, y: range ? { range } : {} },

@@ -19,7 +19,6 @@ export class Joints {
                            make("p", {}, make("b", { textContent: joint.name }), make("small", { textContent: joint.unit }), state),
                            place);
       element.setAttribute("role", "option");
-      element.setAttribute("aria-label", joint.name);
       box.append(element);
       return { element, state, place };
     });

@@ -12,6 +12,7 @@ import { drawTimeline } from "./timeline.js";
 
 const kKept = 60;        // seconds of a live robot
 const kQuiet = 1;        // seconds after which a robot that says nothing is said to say nothing
+const kCalm_ms = 500;    // between drawings for who asks for little motion
 const $ = (id) => document.getElementById(id);
 
 class Page {
@@ -20,6 +21,7 @@ class Page {
     this.history = new History(robot, robot.recorded ? Infinity : kKept);
     this.pausedAt = null; // seconds of the monitor's time
     this.recording = null;
+    this.passedOver = 0;
     this.events = new Events($("events"));
     this.legs = new Legs($("legs"), robot);
     this.detail = new Detail($("detail"), robot);
@@ -48,7 +50,10 @@ class Page {
         this.events.add(frame.events);
         this.draw();
       },
-      gap: (frames, events) => this.events.add(events),
+      gap: (frames, events) => {
+        this.passedOver += this.history.frames.length > 0 ? frames : 0;  // before the first none was ours
+        this.events.add(events);
+      },
       anew: () => {
         this.history.clear();
         this.events.clear();
@@ -117,10 +122,11 @@ class Page {
   draw() {
     if (!this.waiting) {
       this.waiting = true;
-      requestAnimationFrame(() => {
+      const act = () => requestAnimationFrame(() => {
         this.waiting = false;
         this.drawNow();
       });
+      matchMedia("(prefers-reduced-motion: reduce)").matches ? setTimeout(act, kCalm_ms) : act();
     }
   }
 
@@ -167,6 +173,7 @@ class Page {
       ["heard", frame.age === null ? "nothing yet" : `${seconds(frame.age)} ago`],
       ["processes", String(frame.processes.length)],
       ["lost", String(frame.lost + frame.processes.reduce((sum, one) => sum + one.lost, 0))],
+      ...(this.passedOver ? [["frames this page missed", String(this.passedOver)]] : []),
       ["missed", String(frame.joints.reduce((sum, joint) => sum + joint.missed, 0))],
     ]);
     const words = this.unheard ??

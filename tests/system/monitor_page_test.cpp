@@ -1,0 +1,80 @@
+// farrier monitor --web beside a running trot, and of a recording.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "beside_a_trot.hpp"
+#include "page_stream.hpp"
+#include "tests/support/http_get.hpp"
+
+namespace farrier::test {
+namespace {
+
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+class MonitorPage : public BesideATrot {
+ protected:
+  static std::vector<std::string> monitor(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), "monitor");
+    const std::vector<std::string> where = beside();
+    arguments.insert(arguments.end(), where.begin(), where.end());
+    return arguments;
+  }
+};
+
+bool every_joint_tracks(const json& frame) {
+  return std::ranges::all_of(frame.at("joints"), [](const json& joint) { return joint.at("state") == 2; });
+}
+
+TEST_P(MonitorPage, ShowsEveryJointOfARunningRobot) {
+  const std::uint16_t port = free_port();
+  FarrierCommand command(monitor({"--web", std::to_string(port)}));
+  ASSERT_TRUE(command.says("page at http://127.0.0.1:" + std::to_string(port) + "/", 30s)) << command.output();
+  EXPECT_NE(http_get(port, "/").find("<title>Farrier monitor</title>"), std::string::npos);
+  EXPECT_EQ(json::parse(http_get(port, "/api/robot")).at("joints").size(), 12u);
+  const auto until = std::chrono::steady_clock::now() + 30s;
+  const auto frames = frames_until(port, [&](const json& frame) {
+    return every_joint_tracks(frame) || std::chrono::steady_clock::now() > until;
+  });
+  ASSERT_FALSE(frames.empty());
+  EXPECT_TRUE(every_joint_tracks(frames.back())) << frames.back().dump();
+  EXPECT_EQ(frames.back().at("mode"), "armed");
+  command.signal(SIGINT);
+  EXPECT_EQ(command.wait(2s), 130);
+}
+
+TEST_P(MonitorPage, ShowsWhatWasRecorded) {
+  const std::string path = scratch_->file(std::string(GetParam()) + ".mcap");
+  std::vector<std::string> record{"record", path, "--duration", "3"};
+  const std::vector<std::string> where = beside();
+  record.insert(record.end(), where.begin(), where.end());
+  std::string output;
+  ASSERT_EQ(run_farrier(record, &output), 0) << output;
+  const std::uint16_t port = free_port();
+  FarrierCommand command({"monitor", "--open", path, "--web", std::to_string(port)});
+  ASSERT_TRUE(command.says(path + " at http://127.0.0.1:" + std::to_string(port) + "/", 30s)) << command.output();
+  const json recording = json::parse(http_get(port, "/api/recording"));
+  EXPECT_GT(recording.at("duration_s").get<double>(), 2.0);
+  const json frames = json::parse(http_get(port, "/api/frames"));
+  EXPECT_EQ(frames.size(), recording.at("frames").get<std::size_t>());
+  EXPECT_TRUE(every_joint_tracks(frames.back())) << frames.back().dump();
+  command.signal(SIGTERM);
+  EXPECT_EQ(command.wait(2s), 143);
+}
+
+INSTANTIATE_TEST_SUITE_P(Over, MonitorPage, testing::Values("cyclone", "fast"),
+                         [](const auto& dds) { return std::string(dds.param); });
+
+TEST(MonitorPageCommand, RefusesWhatItCannotDo) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"monitor", "--web", "localhost"}, &output), 2);
+  EXPECT_NE(output.find("--web: "), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"monitor", "--open", "/nowhere.mcap"}, &output), 2);
+  EXPECT_EQ(run_farrier({"monitor", "--web", "--once"}, &output), 2);
+  EXPECT_EQ(run_farrier({"monitor", "--open", FARRIER_ROBOTS "/hyq.yaml"}, &output), 2);
+}
+
+}  // namespace
+}  // namespace farrier::test
