@@ -26,7 +26,7 @@ constexpr Subcommand kSubcommands[] = {
     {"echo", "Print what a running robot's processes publish", farrier::cli::declare_echo},
     {"faults", "Make faults happen to a trot of real processes and judge what each process does", farrier::cli::declare_faults},
     {"info", "Say what a recording holds, of which run, and what it lacks", farrier::cli::declare_info},
-    {"monitor", "Show a running robot: a table on the terminal, metrics for Prometheus", farrier::cli::declare_monitor},
+    {"monitor", "Show a running robot: a table on the terminal, metrics for Prometheus, a page", farrier::cli::declare_monitor},
     {"record", "Record everything a running robot's processes publish, as MCAP", farrier::cli::declare_record},
     {"replay", "Publish a recording as the processes of its robot did", farrier::cli::declare_replay},
     {"reproduce", "Run the studies of the thesis anew and judge its claims", farrier::cli::declare_reproduce},
