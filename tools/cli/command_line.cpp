@@ -29,7 +29,7 @@ constexpr Subcommand kSubcommands[] = {
     {"identify", "Estimate every joint of a recording anew, over time", declare_identify},
     {"info", "Say what a recording holds, of which run, and what it lacks", declare_info},
     {"man", "Write the manual pages of farrier and of each command", declare_man},
-    {"monitor", "Show a running robot: a table on the terminal, metrics for Prometheus", declare_monitor},
+    {"monitor", "Show a running robot: a table on the terminal, metrics for Prometheus, a page", declare_monitor},
     {"record", "Record everything a running robot's processes publish, as MCAP", declare_record},
     {"replay", "Publish a recording as the processes of its robot did", declare_replay},
     {"reproduce", "Run the studies of the thesis anew and judge its claims", declare_reproduce},

@@ -26,7 +26,7 @@ struct Opened {
 
 Result<Opened> prepare(const WebOptions& options) {
   // A port alone is one of this computer.
-  const bool port_alone = options.address.find(':') == std::string::npos;
+  const bool port_alone = options.address.find_first_not_of("0123456789") == std::string::npos;
   const std::string text = options.address.empty() ? kUsual : (port_alone ? ":" : "") + options.address;
   auto address = display::parse_listen_address(text);
   if (!address) {

@@ -4,8 +4,10 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cctype>
 #include <charconv>
 #include <memory>
 #include <thread>
@@ -32,7 +34,12 @@ void socket_options(int socket) {
 
 std::string own_name() {
   std::array<char, 256> name{};
-  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+  if (::gethostname(name.data(), name.size() - 1) != 0) {
+    return "";
+  }
+  std::string text = name.data();
+  std::ranges::transform(text, text.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
 }
 
 /// As it is: httplib would compress a body with Brotli's slowest for every browser that can take it.
