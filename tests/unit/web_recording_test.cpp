@@ -99,7 +99,7 @@ TEST(RecordedFrames, RefusesWhatIsNoRecordingOfSummaries) {
   test::write_made_up_recording(scratch.file("empty.mcap"), testing::hyq(), 0);
   const auto empty = read(scratch.file("empty.mcap"));
   ASSERT_FALSE(empty.ok());
-  EXPECT_NE(empty.error().message.find("joint/summary"), std::string::npos);
+  EXPECT_NE(empty.error().message.find("lf/joint/summary"), std::string::npos);
 }
 
 TEST(PageFiles, RefusesAPageWithoutItsCharts) {

@@ -58,7 +58,6 @@ CLI::Option* declare_web(CLI::App& app, WebOptions& options) {
       ->default_str(kUsual)
       ->type_name("<address:port>");
   app.add_option("--open", options.recording, "show this recording on the page instead of a robot that runs")
-      ->check(CLI::ExistingFile)
       ->type_name("<file>");
   return web;
 }
