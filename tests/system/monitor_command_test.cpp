@@ -42,8 +42,8 @@ TEST_P(Monitor, PrintsOneTableOfEveryJointAndProcess) {
 
 TEST_P(Monitor, PrintsATableEverySecondWhereThereIsNoTerminal) {
   FarrierCommand command(monitor({}));
-  EXPECT_TRUE(command.says("\nrh_kfe ", 30s)) << command.output();
-  EXPECT_TRUE(has_row(command.output(), "rh_kfe", "tracking")) << command.output();
+  EXPECT_TRUE(command.says("  tracking  ", 30s)) << command.output();
+  EXPECT_TRUE(has_row(command.output(), "lf_haa", "tracking")) << command.output();
   command.signal(SIGTERM);
   EXPECT_EQ(command.wait(10s), 143);
 }
