@@ -1,6 +1,10 @@
 #include "tools/cli/guest.hpp"
 
+#include <algorithm>
+
 #include "bus_factory/bus_factory.hpp"
+#include "participant/clock.hpp"
+#include "participant/loop.hpp"
 #include "process/process.hpp"
 #include "tools/cli/command.hpp"
 
@@ -49,6 +53,14 @@ Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& opt
     return Refused{bus.error().message, kFailed};
   }
   return std::move(bus).value();
+}
+
+void nap(bus::Bus& bus, SteadyTime until) {
+  using namespace std::chrono_literals;
+  while (!participant::stop_requested() && participant::steady_now() < until) {
+    const Nanoseconds left = until - participant::steady_now();
+    bus.wait_for_arrivals(~std::uint64_t{0}, std::min<Nanoseconds>(left, 50ms));
+  }
 }
 
 }  // namespace farrier::cli

@@ -39,4 +39,7 @@ void declare_guest(CLI::App& app, GuestOptions& options);
 /// The robot's bus, with the rights of `role`.
 Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& options, bus::Role role);
 
+/// Rests until this time, or until somebody asks the command to stop.
+void nap(bus::Bus& bus, SteadyTime until);
+
 }  // namespace farrier::cli

@@ -92,7 +92,7 @@ Result<bool> open_table(Displays& displays, const robot::Robot& robot) {
 int show(bus::Bus& bus, monitor::Watch& watch, const Displays& displays, const MonitorOptions& o, bool quiet) {
   SteadyTime complaint = participant::steady_now() + kSilenceWorthSaying;
   while (!participant::stop_requested()) {
-    bus.wait_for_arrivals(~std::uint64_t{0}, kNextLook);
+    nap(bus, participant::steady_now() + kNextLook);
     const monitor::Frame frame = watch.look();
     for (const auto& display : displays) {
       display->show(frame);
@@ -114,7 +114,7 @@ int show_once(bus::Bus& bus, monitor::Watch& watch, const robot::Robot& robot, c
   monitor::Frame frame;
   bool whole = false;
   while (!whole && !participant::stop_requested() && participant::steady_now() < last) {
-    bus.wait_for_arrivals(~std::uint64_t{0}, kNextLook);
+    nap(bus, participant::steady_now() + kNextLook);
     frame = watch.look();
     events.take(frame);
     whole = frame.time_s > kWholeLook_s &&

@@ -22,7 +22,6 @@ using namespace std::chrono_literals;
 using signals::SystemHello;
 
 constexpr auto kListen = 1s;     // processes that run say hello fifty times a second while they start, then with health
-constexpr auto kLongestNap = 50ms;
 
 struct ReplayOptions {
   std::string path;
@@ -36,13 +35,6 @@ struct ReplayOptions {
 int fail(const std::string& message, int status) {
   std::fprintf(stderr, "farrier replay: %s\n", message.c_str());
   return status;
-}
-
-void nap(bus::Bus& bus, SteadyTime until) {
-  while (!participant::stop_requested() && participant::steady_now() < until) {
-    const Nanoseconds left = until - participant::steady_now();
-    bus.wait_for_arrivals(~std::uint64_t{0}, std::min<Nanoseconds>(left, kLongestNap));
-  }
 }
 
 /// Refuses where a robot of this name runs: a replay would speak in the name of its processes.
