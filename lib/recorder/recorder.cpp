@@ -47,7 +47,7 @@ class TypedTap final : public Tap {
  public:
   explicit TypedTap(Heard heard) : heard_(std::move(heard)) {}
 
-  void drain(const Take& take) override {
+  void drain(const run_file::TakeSample& take) override {
     const std::uint64_t now_ns = participant::date_now_ns();
     const std::int64_t steady_ns = participant::steady_now().time_since_epoch().count();
     heard_.drain([&](const Signal& signal) {
@@ -166,7 +166,7 @@ Result<Recorder> Recorder::create(participant::Participant& participant, const r
   return Recorder(std::move(taps));
 }
 
-void Recorder::drain(const Take& take) {
+void Recorder::drain(const run_file::TakeSample& take) {
   for (const auto& tap : taps_) {
     tap->drain(take);
   }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,15 +19,12 @@ struct TopicProgress {
   bus::ReaderStatus reader;   ///< what the transport says of it
 };
 
-/// Gets samples, which are valid for the call.
-using Take = std::function<void(const run_file::Sample&)>;
-
 /// One topic's way from the bus.
 class Tap {
  public:
   virtual ~Tap() = default;
   /// Hands every waiting sample on. Probes of the greeting, which nobody acts on, are left out.
-  virtual void drain(const Take& take) = 0;
+  virtual void drain(const run_file::TakeSample& take) = 0;
   virtual TopicProgress progress() const = 0;
 };
 
@@ -43,7 +39,7 @@ class Recorder {
   static Result<Recorder> create(participant::Participant& participant, const robot::Robot& robot);
 
   /// Hands what has come on.
-  void drain(const Take& take);
+  void drain(const run_file::TakeSample& take);
 
   std::vector<TopicProgress> progress() const;
   run_file::TopicCounts lost() const;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -23,6 +24,9 @@ struct Sample {
   std::uint64_t publish_time_ns = 0; ///< since 1970: when what it says was true
   std::span<const std::uint8_t> cdr; ///< signals::to_cdr
 };
+
+/// Gets samples, which are valid for the call.
+using TakeSample = std::function<void(const Sample&)>;
 
 /// What a recording says beside samples: names of metadata records.
 inline constexpr const char* kRunFacts = "farrier.run";    ///< robot, file, vendor, clock, revision, seed: see docs

@@ -4,7 +4,6 @@
 // tests of what shows robots.
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,12 +14,11 @@ namespace farrier::test {
 
 class MadeUpRobot {
  public:
-  using Take = std::function<void(const run_file::Sample&)>;
-
   static constexpr int kTicksPerStep = 20;  ///< 20 ms
 
   /// Everything it says goes to `take`. `robot` must outlive it.
-  MadeUpRobot(const robot::Robot& robot, Take take) : robot_(robot), take_(std::move(take)), faults_(robot.joints.size()) {}
+  MadeUpRobot(const robot::Robot& robot, run_file::TakeSample take)
+      : robot_(robot), take_(std::move(take)), faults_(robot.joints.size()) {}
 
   /// A run begins, at tick 0: hellos, mode, gains.
   void begin(std::uint64_t session, std::uint64_t time_ns);
@@ -41,7 +39,7 @@ class MadeUpRobot {
   signals::Phase phase_of(int leg, Tick tick) const;
 
   const robot::Robot& robot_;
-  Take take_;
+  run_file::TakeSample take_;
   std::vector<std::uint32_t> faults_;
   std::vector<std::uint8_t> cdr_;
   Tick tick_ = 0;

@@ -127,7 +127,7 @@ TEST_P(CutCable, StopsTheLegsBehindItUntilTheyAreArmedAndNoOthers) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, CutCable, testing::Values("cyclone", "fast", "mixed"),
+INSTANTIATE_TEST_SUITE_P(Over, CutCable, testing::Values(FARRIER_VENDORS),
                          [](const auto& dds) { return std::string(dds.param); });
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST_P(LossyCable, TripsNoJoint) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, LossyCable, testing::Values("cyclone", "fast", "mixed"),
+INSTANTIATE_TEST_SUITE_P(Over, LossyCable, testing::Values(FARRIER_VENDORS),
                          [](const auto& dds) { return std::string(dds.param); });
 
 }  // namespace

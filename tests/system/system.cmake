@@ -29,23 +29,31 @@ target_link_libraries(service_test PRIVATE farrier_deploy nlohmann_json::nlohman
 target_compile_definitions(service_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}"
   FARRIER_COMMAND="${PROJECT_BINARY_DIR}/bin/farrier" FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
 add_dependencies(service_test ${FARRIER_PROCESSES})
-# The processes of a deployment on its hosts, which are network namespaces.
+# The processes of a deployment on its hosts, which are network namespaces; DDS: over which vendors, a run each.
 function(farrier_hosts_test name label duration)
-  farrier_system_test(${name} ${label} "${duration}" ${ARGN} ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/deployed_robot.cpp
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "" "DDS")
+  list(JOIN arg_DDS "\",\"" vendors)
+  farrier_system_test(${name} ${label} "${duration}" ${arg_UNPARSED_ARGUMENTS}
+    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/deployed_robot.cpp
     ${PROJECT_SOURCE_DIR}/tests/support/frame_relay.cpp ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
   target_link_libraries(${name} PRIVATE farrier_deploy farrier_runtime)
-  target_compile_definitions(${name} PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}")
+  target_compile_definitions(${name} PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}" FARRIER_VENDORS="${vendors}")
   add_dependencies(${name} ${FARRIER_PROCESSES})
 endfunction()
-farrier_hosts_test(three_hosts_test system 0.3 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
-farrier_hosts_test(long_three_hosts_test long 3 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp)
+# Every run of the tests takes both vendors at once; each alone is for the long trials.
+farrier_hosts_test(three_hosts_test system 0.3 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp DDS mixed)
+farrier_hosts_test(long_three_hosts_test long 3 ${CMAKE_CURRENT_LIST_DIR}/three_hosts_test.cpp DDS cyclone fast mixed)
 farrier_test(frame_relay_test system ${CMAKE_CURRENT_LIST_DIR}/frame_relay_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/support/frame_relay.cpp ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
 target_link_libraries(frame_relay_test PRIVATE farrier_core farrier_runtime Threads::Threads)
-foreach(name IN ITEMS cut_cable_test lossy_cable_test)
-  farrier_hosts_test(${name} realtime 0 ${CMAKE_CURRENT_LIST_DIR}/${name}.cpp ${CMAKE_CURRENT_LIST_DIR}/robot_watch.cpp
-    ${PROJECT_SOURCE_DIR}/tools/cli/pause_watch.cpp)
+function(farrier_cable_test name label source)
+  farrier_hosts_test(${name} ${label} 0 ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${source}
+    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/robot_watch.cpp ${PROJECT_SOURCE_DIR}/tools/cli/pause_watch.cpp DDS ${ARGN})
   target_link_libraries(${name} PRIVATE farrier_bus_factory farrier_lab farrier_record farrier_report)
+endfunction()
+foreach(name IN ITEMS cut_cable_test lossy_cable_test)
+  farrier_cable_test(${name} realtime ${name}.cpp mixed)
+  farrier_cable_test(long_${name} long ${name}.cpp cyclone fast)
 endforeach()
 find_package(CycloneDDS REQUIRED)  # whose imported targets are seen where it is found only
 farrier_system_test(doctor_test system 0 ${CMAKE_CURRENT_LIST_DIR}/doctor_test.cpp

@@ -56,7 +56,7 @@ TEST_P(ThreeHosts, RunTheTrotInLockstepToTheSameTraceOverBadCables) {
   EXPECT_GT(front.lost() + hind.lost(), packets / 25);
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, ThreeHosts, testing::Values("cyclone", "fast", "mixed"),
+INSTANTIATE_TEST_SUITE_P(Over, ThreeHosts, testing::Values(FARRIER_VENDORS),
                          [](const auto& dds) { return std::string(dds.param); });
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <regex>
 
+#include "core/text.hpp"
+
 namespace farrier::cli {
 namespace {
 
@@ -16,14 +18,6 @@ std::vector<std::string> split(const std::string& text, char separator) {
     parts.push_back(part);
   }
   return parts;
-}
-
-std::string join(const std::vector<std::string>& parts, const std::string& between) {
-  std::string text;
-  for (const std::string& part : parts) {
-    text += (text.empty() ? "" : between) + part;
-  }
-  return text;
 }
 
 PathKind path_kind(const std::string& value) {

@@ -24,14 +24,6 @@ std::string quoted(const std::string& text) {
   return "'" + inside + "'";
 }
 
-std::string word_list(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : " ") + word;
-  }
-  return text;
-}
-
 std::function<int()> declare_completion(CLI::App& app) {
   auto shell = std::make_shared<Completion>(nullptr);
   add_choice(app, "shell", *shell, kShells, "bash|zsh|fish",

@@ -16,7 +16,4 @@ std::string zsh_completion(const CommandText& farrier, const std::vector<Command
 /// In single quotes, as all three shells take it.
 std::string quoted(const std::string& text);
 
-/// Choices with blanks between.
-std::string word_list(const std::vector<std::string>& words);
-
 }  // namespace farrier::cli

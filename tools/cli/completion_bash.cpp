@@ -1,12 +1,14 @@
 #include "tools/cli/completion.hpp"
 
+#include "core/text.hpp"
+
 namespace farrier::cli {
 namespace {
 
 /// What _farrier_offer understands.
 std::string kind_of(const OptionText& option) {
   if (!option.choices.empty()) {
-    return (option.separator == ',' ? "list " : "words ") + word_list(option.choices);
+    return (option.separator == ',' ? "list " : "words ") + join(option.choices, " ");
   }
   switch (option.path) {
     case PathKind::kFile: return "file";
@@ -99,13 +101,13 @@ std::string bash_completion(const CommandText& farrier, const std::vector<Comman
         }
       }
     }
-    options += "        " + command.name + ") echo " + quoted(word_list(names)) + " ;;\n";
+    options += "        " + command.name + ") echo " + quoted(join(names, " ")) + " ;;\n";
   }
   for (const OptionText& option : farrier.options) {
     first.insert(first.end(), option.names.begin(), option.names.end());
   }
   return "# bash completion of farrier, written by 'farrier completion bash'.\n_farrier_commands=" +
-         quoted(word_list(first)) +
+         quoted(join(first, " ")) +
          "\n\n# What stands behind option $2 of command $1; fails where nothing does.\n_farrier_option() {\n    case \"$1 "
          "$2\" in\n" +
          values +

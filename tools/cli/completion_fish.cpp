@@ -1,5 +1,7 @@
 #include "tools/cli/completion.hpp"
 
+#include "core/text.hpp"
+
 namespace farrier::cli {
 namespace {
 
@@ -9,7 +11,7 @@ std::string action_of(const OptionText& option) {
   }
   const std::string flag = option.at_its_place ? "" : " -x";
   if (!option.choices.empty()) {
-    const std::string words = word_list(option.choices);
+    const std::string words = join(option.choices, " ");
     return flag + " -a " +
            quoted(option.separator == ',' ? "(__fish_append , " + words + ")" : words);
   }

@@ -1,5 +1,7 @@
 #include "tools/cli/completion.hpp"
 
+#include "core/text.hpp"
+
 namespace farrier::cli {
 namespace {
 
@@ -21,8 +23,8 @@ std::string action_of(const OptionText& option) {
   const std::string colon = option.value_may_be_left_out || !(option.required || !option.at_its_place) ? "::" : ":";
   std::string action = " ";
   if (!option.choices.empty()) {
-    action = option.separator == ',' ? "_values -s , value " + word_list(option.choices)
-                                     : "(" + word_list(option.choices) + ")";
+    action = option.separator == ',' ? "_values -s , value " + join(option.choices, " ")
+                                     : "(" + join(option.choices, " ") + ")";
   } else if (option.path != PathKind::kNone) {
     action = option.path == PathKind::kFolder ? "_files -/" : "_files";
   }
@@ -40,7 +42,7 @@ std::string specifications(const CommandText& command, const std::string& indent
       continue;
     }
     for (const std::string& name : option.names) {
-      const std::string alternatives = option.names.size() > 1 ? "(" + word_list(option.names) + ")" : "";
+      const std::string alternatives = option.names.size() > 1 ? "(" + join(option.names, " ") + ")" : "";
       text += " \\\n" + indent + quoted(alternatives + name + "[" + inside(option.meaning) + "]" + action_of(option));
     }
   }

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/text.hpp"
 #include "diagnosis/diagnosis.hpp"
 #include "diagnosis/recording_check.hpp"
 #include "diagnosis/trace_recording.hpp"
 #include "participant/loop.hpp"
+#include "robot/keys.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/diagnose_benchmark.hpp"
 #include "tools/cli/diagnose_control.hpp"
@@ -36,10 +38,7 @@ int refuse(const std::string& message, int status) {
 
 /// The joint that was asked for, or the robot's only one.
 Result<const robot::Joint*> joint_of(const robot::Robot& robot, const std::string& name) {
-  std::string names;
-  for (const robot::Joint& joint : robot.joints) {
-    names += (names.empty() ? "" : ", ") + joint.name;
-  }
+  const std::string names = join(robot::joint_names(robot), ", ");
   if (name.empty()) {
     return robot.joints.size() == 1 ? Result<const robot::Joint*>(&robot.joints.front())
                                     : Error{robot.name + " has several joints: give --joint, one of " + names};

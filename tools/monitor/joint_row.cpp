@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <sstream>
 
 #include "core/fault.hpp"
+#include "core/text.hpp"
 
 namespace farrier::display {
 namespace {
@@ -25,12 +25,6 @@ std::string digits(const char* format, double value) {
   char text[48];
   std::snprintf(text, sizeof text, format, value);
   return text;
-}
-
-std::string lower(std::string_view text) {
-  std::string low(text);
-  std::ranges::transform(low, low.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return low;
 }
 
 /// Number and text of one cell.

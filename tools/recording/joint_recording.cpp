@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "core/text.hpp"
 #include "diagnosis/trace_recording.hpp"
 #include "robot/keys.hpp"
 
@@ -85,12 +86,8 @@ Result<Recording, RecordingProblems> read_joint_recording(const std::string& pat
   const robot::Robot& robot = run.value().robot();
   const robot::Joint* const joint = robot.find(joint_name);
   if (joint == nullptr) {
-    std::string names;
-    for (const std::string& name : robot::joint_names(robot)) {
-      names += (names.empty() ? "" : ", ") + name;
-    }
     return problem("no_such_joint", "the recording is of " + robot.name + ", which has no joint " + joint_name +
-                                        "; it has " + names + ": give --joint one of them");
+                                        "; it has " + join(robot::joint_names(robot), ", ") + ": give --joint one of them");
   }
   Measurements measured = read_measurements(run.value());
   Recording recording = joint_recording(measured, robot, *joint);

@@ -4,7 +4,7 @@
 
 namespace farrier::recording {
 
-Measurements read_measurements(RecordedRun& run, const Take& others) {
+Measurements read_measurements(RecordedRun& run, const run_file::TakeSample& others) {
   Measurements all;
   all.joints.resize(run.robot().joints.size());
   run_file::Sample sample;

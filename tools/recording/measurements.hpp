@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <vector>
 
 #include "tools/recording/recorded_run.hpp"
@@ -18,11 +17,8 @@ struct Measurements {
   }
 };
 
-/// Gets samples, which are valid for the call.
-using Take = std::function<void(const run_file::Sample&)>;
-
 /// Reads a run to its end; a tick that came again, or late, is left out. `others` gets every other topic's samples; may
 /// be empty.
-Measurements read_measurements(RecordedRun& run, const Take& others = {});
+Measurements read_measurements(RecordedRun& run, const run_file::TakeSample& others = {});
 
 }  // namespace farrier::recording

@@ -4,9 +4,9 @@
 #include <sys/random.h>
 
 #include <array>
-#include <cctype>
 
 #include "core/ensure.hpp"
+#include "core/text.hpp"
 
 namespace farrier::web {
 namespace {
@@ -43,10 +43,7 @@ bool equal(std::string_view one, std::string_view other) noexcept {
 bool is_loopback(std::string_view ip) { return ip.substr(0, 4) == "127." || ip == "::1"; }
 
 bool host_is_ours(std::string_view host, bool loopback, std::string_view own_name) {
-  std::string name;
-  for (const char letter : host) {
-    name += static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  }
+  std::string name = lower(host);
   if (!name.empty() && name.front() == '[') {
     const std::size_t end = name.find(']');
     if (end == std::string::npos || (end + 1 < name.size() && name[end + 1] != ':')) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/fault.hpp"
+#include "tools/monitor/metric_state.hpp"
 
 namespace farrier::web {
 namespace {
@@ -129,8 +129,8 @@ std::string robot_json(const robot::Robot& robot, bool recorded) {
     legs.push_back(leg.name);
   }
   json faults = json::array();
-  for (std::uint32_t bit = 1; bit <= static_cast<std::uint32_t>(Fault::kForceLost); bit <<= 1) {
-    faults.push_back(to_string(static_cast<Fault>(bit)));
+  for (const Fault fault : display::kJointFaults) {
+    faults.push_back(to_string(fault));
   }
   return text_of({{"name", robot.name},
                   {"period_s", robot.period_s},
@@ -138,8 +138,10 @@ std::string robot_json(const robot::Robot& robot, bool recorded) {
                   {"joints", std::move(joints)},
                   {"legs", std::move(legs)},
                   {"faults", std::move(faults)},
-                  {"states", {"null", "damping", "tracking"}},
-                  {"phases", {"swing", "stance"}}});
+                  {"states",
+                   {to_string(signals::JointState::kNull), to_string(signals::JointState::kDamping),
+                    to_string(signals::JointState::kTracking)}},
+                  {"phases", {to_string(signals::Phase::kSwing), to_string(signals::Phase::kStance)}}});
 }
 
 std::string frame_json(const monitor::Frame& frame) {

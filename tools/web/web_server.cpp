@@ -4,14 +4,13 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <atomic>
-#include <cctype>
 #include <charconv>
 #include <memory>
 #include <thread>
 
+#include "core/text.hpp"
 #include "tools/web/access.hpp"
 
 namespace farrier::web {
@@ -37,9 +36,7 @@ std::string own_name() {
   if (::gethostname(name.data(), name.size() - 1) != 0) {
     return "";
   }
-  std::string text = name.data();
-  std::ranges::transform(text, text.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
+  return lower(name.data());
 }
 
 /// As it is: httplib would compress a body with Brotli's slowest for every browser that can take it.
@@ -129,7 +126,7 @@ class WebServer::Impl {
 
   std::string url() const {
     const bool any = address_.ip == "0.0.0.0" || address_.ip == "::";
-    const std::string host = any ? own_name() : address_.v6 ? "[" + address_.ip + "]" : address_.ip;
+    const std::string host = any ? own_name_ : address_.v6 ? "[" + address_.ip + "]" : address_.ip;
     return "http://" + host + ":" + std::to_string(port_) + "/" + (token_.empty() ? "" : "?token=" + token_);
   }
 

@@ -60,7 +60,7 @@ await check("shows a fault within a second", async () => {
   server.say("faults lf_kfe 512");
   await until(page, () => document.querySelector("#joint-lf_kfe.bad")?.textContent.includes("force lost") &&
                           document.querySelector("#faults-text").textContent.includes("lf_kfe: force lost") &&
-                          document.querySelector("#events li").textContent.includes("force lost"), 5000);
+                          [...document.querySelectorAll("#events li")].some((event) => event.textContent.includes("force lost")), 5000);
   const took = performance.now() - begin;
   assert.ok(took < 1000, `${took} ms`);
   return `${took.toFixed(0)} ms`;
