@@ -72,7 +72,7 @@ TEST_P(RealTimeTrot, EndsWithTheFiguresOfEveryProcess) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, RealTimeTrot, testing::Values("cyclone", "fast", "mixed"),
+INSTANTIATE_TEST_SUITE_P(Over, RealTimeTrot, testing::Values(FARRIER_VENDORS),
                          [](const auto& dds) { return std::string(dds.param); });
 
 }  // namespace

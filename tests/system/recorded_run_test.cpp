@@ -33,8 +33,8 @@ class RecordedRun : public testing::TestWithParam<const char*> {
 };
 
 TEST_P(RecordedRun, LacksNothingInLockstepAndServesEveryTool) {
-  constexpr int kTicks = 3000;
-  ASSERT_EQ(trot({"--duration", "3", "--seed", "5"}), 0) << output_;
+  constexpr int kTicks = 4000;
+  ASSERT_EQ(trot({"--duration", "4", "--seed", "5"}), 0) << output_;
   const json recorded = info();
   EXPECT_TRUE(recorded.at("whole"));
   EXPECT_EQ(recorded.at("run").at("seed"), "5");

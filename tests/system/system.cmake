@@ -61,6 +61,7 @@ farrier_system_test(doctor_test system 0 ${CMAKE_CURRENT_LIST_DIR}/doctor_test.c
   ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
 target_compile_definitions(doctor_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}")
 target_link_libraries(doctor_test PRIVATE farrier_bus_cyclone farrier_bus_factory CycloneDDS::ddsc)
+set_tests_properties(system/doctor_test PROPERTIES RUN_SERIAL FALSE)  # nothing it looks at runs a loop
 farrier_system_test(echo_test system 0 ${CMAKE_CURRENT_LIST_DIR}/echo_test.cpp)
 farrier_system_test(monitor_command_test system 0 ${CMAKE_CURRENT_LIST_DIR}/monitor_command_test.cpp)
 farrier_system_test(monitor_page_test system 0 ${CMAKE_CURRENT_LIST_DIR}/monitor_page_test.cpp)
@@ -77,6 +78,9 @@ farrier_system_test(diagnose_benchmark_test long 0 ${CMAKE_CURRENT_LIST_DIR}/dia
 target_compile_definitions(diagnose_benchmark_test PRIVATE FARRIER_DOCS="${PROJECT_SOURCE_DIR}/docs")
 set_tests_properties(long/diagnose_benchmark_test PROPERTIES TIMEOUT 3600)
 farrier_system_test(realtime_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/realtime_test.cpp)
+target_compile_definitions(realtime_test PRIVATE FARRIER_VENDORS="mixed")
+farrier_system_test(long_realtime_test long 0 ${CMAKE_CURRENT_LIST_DIR}/realtime_test.cpp)
+target_compile_definitions(long_realtime_test PRIVATE "FARRIER_VENDORS=\"cyclone\",\"fast\"")
 farrier_system_test(soak_test realtime 5 ${CMAKE_CURRENT_LIST_DIR}/soak_test.cpp)
 farrier_system_test(long_soak_test long 600 ${CMAKE_CURRENT_LIST_DIR}/soak_test.cpp)
 set_tests_properties(long/long_soak_test PROPERTIES TIMEOUT 3600)

@@ -74,7 +74,7 @@ try {
   await monitor.said;
   const { page, complaints } = await openPage(browser, `http://127.0.0.1:${port}/`);
   await drawsTwelve(page);
-  await sleep(8000);
+  await sleep(2000);
   await page.screenshot({ path: join(pictures, "trot_light.png"), fullPage: true });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
   await sleep(500);
