@@ -3,6 +3,7 @@
 // One estimator per leg joint:
 //
 //   joint/measurement ──▶ Estimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
+//                                                 └──▶ lf/joint/model_estimate (ten a second)
 
 #include <memory>
 #include <vector>

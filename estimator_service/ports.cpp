@@ -1,5 +1,8 @@
 #include "estimator_service/ports.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "estimator_service/estimator_service.hpp"
 #include "participant/sequence.hpp"
 #include "robot/keys.hpp"
@@ -9,16 +12,27 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr double kCopyPeriod_s = 0.1;
+
+/// Whole periods of estimates, the first that last as long as a copy's.
+Tick copy_period_ticks(const robot::Robot& robot) {
+  const double estimates = kCopyPeriod_s / (robot.estimate_period_ticks * robot.period_s);
+  return robot.estimate_period_ticks * std::max<Tick>(1, std::llround(estimates));
+}
+
 class EstimatorApplication final : public participant::Application {
  public:
   EstimatorApplication(const robot::Robot& robot, EstimatorService service, std::vector<std::uint16_t> joints,
                        participant::In<signals::JointMeasurement>* measurements,
                        participant::Out<signals::JointModelEstimate>* estimates,
+                       participant::Out<signals::JointModelEstimateCopy>* copies,
                        participant::Participant& participant, Tick ticks)
       : robot_(robot),
         service_(std::move(service)),
         measurements_(measurements),
         estimates_(estimates),
+        copies_(copies),
+        copy_period_ticks_(copy_period_ticks(robot)),
         participant_(participant),
         lockstep_(participant.identity().clock == bus::ClockKind::kLockstep),
         ticks_(ticks),
@@ -38,6 +52,8 @@ class EstimatorApplication final : public participant::Application {
   EstimatorService service_;
   participant::In<signals::JointMeasurement>* measurements_;
   participant::Out<signals::JointModelEstimate>* estimates_;
+  participant::Out<signals::JointModelEstimateCopy>* copies_;  ///< sent by flush()
+  Tick copy_period_ticks_;
   participant::Participant& participant_;
   bool lockstep_;
   Tick ticks_;
@@ -54,7 +70,11 @@ void EstimatorApplication::take(const signals::JointMeasurement& measurement, St
   }
   service_.take(measurement);
   if (robot_.estimate_due(measurement.tick)) {
-    estimates_->publish(service_.estimate(measurement.joint, measurement.tick));
+    const signals::JointModelEstimate estimate = service_.estimate(measurement.joint, measurement.tick);
+    estimates_->publish(estimate);
+    if (measurement.tick % copy_period_ticks_ == 0) {
+      copies_->publish({estimate});
+    }
   }
 }
 
@@ -63,6 +83,7 @@ void EstimatorApplication::step_lockstep(SteadyTime now) {
     for (std::size_t i = 0; i < inbox_.keys().size(); ++i) {
       take(*inbox_.find(i, tick_), now);
     }
+    copies_->flush();
     participant_.tick_done(tick_);
     ++tick_;
     if (finished()) {
@@ -87,9 +108,10 @@ void EstimatorApplication::poll(SteadyTime now) {
     step_lockstep(now);
     return;
   }
+  copies_->flush();
   if (!said_) {
     said_ = true;
-    participant_.event(signals::Severity::kInfo, tick_, 0xffff, "estimates from now on");
+    participant_.event(participant::EventKind::kEstimatesBegin, tick_, 0xffff);
   }
   if (now >= next_health_) {
     next_health_ = now + 100ms;
@@ -123,8 +145,12 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
   if (!estimates) {
     return estimates.error();
   }
+  auto copies = participant.publish<signals::JointModelEstimateCopy>(joints);
+  if (!copies) {
+    return copies.error();
+  }
   return std::unique_ptr<participant::Application>(std::make_unique<EstimatorApplication>(
-      robot, std::move(service).value(), joints, measurements.value(), estimates.value(), participant, ticks));
+      robot, std::move(service).value(), joints, measurements.value(), estimates.value(), copies.value(), participant, ticks));
 }
 
 }  // namespace farrier::estimator_service

@@ -77,7 +77,7 @@ void JointNodeLockstep::offer_gains(const signals::JointControllerGains& signal)
     }
     if (const auto checked = check_gains(signal, joint.kind); !checked) {
       joint.node.refuse_gains(signal);
-      participant_.event(signals::Severity::kWarning, tick_, joint.number, "gains refused: " + checked.error().message);
+      participant_.event(participant::EventKind::kGainsRefused, tick_, joint.number, checked.error().message);
     } else {
       joint.node.store_gains(signal, wire_gains::unpack_gains(signal));
     }

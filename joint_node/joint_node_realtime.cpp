@@ -123,8 +123,7 @@ bool JointNodeRealtime::receive(SteadyTime now) {
     }
     const auto checked = check_gains(gains, joint->kind);
     if (!checked) {
-      participant_.event(signals::Severity::kWarning, last_tick_, gains.joint,
-                         "gains refused: " + checked.error().message);
+      participant_.event(participant::EventKind::kGainsRefused, last_tick_, gains.joint, checked.error().message);
     }
     with_mail_of(gains.joint, [&](Mailbox& mail) { mail.gains.push({gains, !checked}); });
   });

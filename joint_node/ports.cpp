@@ -34,8 +34,8 @@ void report_faults(HostedJoint& joint, const signals::JointValveCommand& answere
     // A joint that is not armed is at null because nobody has asked it for more.
     const bool nulled = answered.state == static_cast<std::uint8_t>(signals::JointState::kNull) &&
                         !faults.has(Fault::kDisarmed);
-    participant.event(nulled ? signals::Severity::kWarning : signals::Severity::kInfo, answered.tick, joint.number,
-                      *change);
+    participant.event(nulled ? participant::EventKind::kJointNulled : participant::EventKind::kJointFaults, answered.tick,
+                      joint.number, *change);
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace farrier::joint_node {
 
@@ -10,27 +9,27 @@ Summariser::Summariser(double period_s) noexcept
     : ticks_(std::max<Tick>(1, std::llround(1.0 / (kRate_Hz * period_s)))) {}
 
 std::optional<signals::JointSummary> Summariser::take(const signals::JointMeasurement& m) noexcept {
+  if (m.tick == kNoTick) {
+    return {};
+  }
   std::optional<signals::JointSummary> done;
-  if (m.tick / ticks_ != block_) {
-    if (summary_.ticks > 0) {
-      done = summary_;
-      done->force_error_rms_N_or_Nm = std::sqrt(squared_error_ / summary_.ticks);
-      done->force_reference_rms_N_or_Nm = std::sqrt(squared_reference_ / summary_.ticks);
-    }
-    summary_ = {};
-    squared_error_ = squared_reference_ = 0.0;
+  const bool again = m.tick == last_tick_;
+  again_ = again ? again_ + 1 : 0;
+  if (m.tick / ticks_ != block_ || again_ == ticks_) {
+    done = finish();
     block_ = m.tick / ticks_;
   }
-  const double error = m.force_reference_N_or_Nm - m.force_N_or_Nm;
-  squared_error_ += error * error;
-  squared_reference_ += m.force_reference_N_or_Nm * m.force_reference_N_or_Nm;
-  const bool first = summary_.ticks == 0;
+  if (!again) {
+    const double error = m.force_reference_N_or_Nm - m.force_N_or_Nm;
+    squared_error_ += error * error;
+    squared_reference_ += m.force_reference_N_or_Nm * m.force_reference_N_or_Nm;
+    ++summary_.ticks;
+  }
+  last_tick_ = m.tick;
+  const bool first = summary_.tick == kNoTick;
   summary_.joint = m.joint;
   summary_.tick = m.tick;
   summary_.sample_time_ns = m.sample_time_ns;
-  if (summary_.ticks < std::numeric_limits<std::uint16_t>::max()) {
-    ++summary_.ticks;
-  }
   summary_.position_m_or_rad = m.position_m_or_rad;
   summary_.velocity_m_s_or_rad_s = m.velocity_m_s_or_rad_s;
   summary_.force_N_or_Nm = m.force_N_or_Nm;
@@ -40,6 +39,20 @@ std::optional<signals::JointSummary> Summariser::take(const signals::JointMeasur
   summary_.faults |= m.faults;
   summary_.state = first ? m.state : std::min(summary_.state, m.state);
   summary_.phase = m.phase;
+  return done;
+}
+
+std::optional<signals::JointSummary> Summariser::finish() noexcept {
+  std::optional<signals::JointSummary> done;
+  if (summary_.tick != kNoTick) {
+    done = summary_;
+    const double ticks = std::max<double>(1.0, summary_.ticks);
+    done->force_error_rms_N_or_Nm = std::sqrt(squared_error_ / ticks);
+    done->force_reference_rms_N_or_Nm = std::sqrt(squared_reference_ / ticks);
+  }
+  summary_ = {};
+  squared_error_ = squared_reference_ = 0.0;
+  again_ = 0;
   return done;
 }
 

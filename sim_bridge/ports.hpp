@@ -21,9 +21,6 @@ struct Ports {
   static Result<Ports> open(participant::Participant& participant, const robot::Robot& robot);
 };
 
-/// Event of a run whose trace the disk did not take.
-inline constexpr const char* kIncompleteTrace = "the trace is incomplete: disk full?";
-
 /// What sim_bridge is made of on either clock.
 struct Parts {
   SimWorld world;

@@ -98,7 +98,7 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
   if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && !reported_final_) {
     reported_final_ = true;
     if (!trace_complete_.load(std::memory_order_relaxed)) {
-      participant_.event(signals::Severity::kError, ticks_, 0xffff, kIncompleteTrace);
+      participant_.event(participant::EventKind::kTraceIncomplete, ticks_, 0xffff);
     }
     report(true);
   } else if (now >= next_health_ && !reported_final_) {

@@ -81,7 +81,7 @@ void SupervisorApplication::tell(const signals::JointUpdateDecision& decision, c
   if (status != control::DesignStatus::kSuccessful) {
     text += std::string(" (") + control::to_string(status) + ")";
   }
-  participant_.event(signals::Severity::kInfo, decision.tick, decision.joint, text);
+  participant_.event(participant::EventKind::kGainsKept, decision.tick, decision.joint, text);
 }
 
 void SupervisorApplication::write(const Supervisor::Outputs& outputs) {
@@ -145,16 +145,14 @@ void SupervisorApplication::succeed(SteadyTime now) {
     case Duty::kTakeOver:
       supervisor_.take_over(authority, newest.mode_epoch, begun_);
       participant_.obey({authority, newest.mode_epoch}, begun_);
-      participant_.event(signals::Severity::kWarning, begun_, 0xffff,
-                         "leads with authority " + std::to_string(authority));
+      participant_.event(participant::EventKind::kSupervisorLeads, begun_, 0xffff, std::to_string(authority));
       write(supervisor_.orders());
       break;
     case Duty::kRewrite: write(supervisor_.orders()); break;
     case Duty::kStandDown:
       supervisor_.stand_down();
       mode_ = {};
-      participant_.event(signals::Severity::kWarning, begun_, 0xffff,
-                         "stands by: another supervisor leads with authority " + std::to_string(authority));
+      participant_.event(participant::EventKind::kSupervisorStandsBy, begun_, 0xffff, std::to_string(authority));
       break;
   }
 }
@@ -200,9 +198,8 @@ void SupervisorApplication::poll(SteadyTime now) {
       return;  // whoever leads answers
     }
     supervisor_.take(request);
-    participant_.event(signals::Severity::kWarning, begun_, 0xffff,
-                       std::string("an operator's request: ") +
-                           signals::to_string(static_cast<signals::Request>(request.request)));
+    participant_.event(participant::EventKind::kOperatorRequest, begun_, 0xffff,
+                       signals::to_string(static_cast<signals::Request>(request.request)));
   });
   if (!participant_.started(now)) {
     return;

@@ -47,13 +47,14 @@ constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(JointUpdateDecision, "joint/update_decision", joint_update_decision, {Role::kSupervisor}, "monitors", "joint", 2, Route::kRobot, Sending::kAtOnce, announcements(kDecisions), kDecisions),
     FARRIER_TOPIC(GaitPhase, "gait/phase", gait_phase, {Role::kGaitSource}, "joint_node", "leg", 1, Route::kRobot, Sending::kAtOnce, announcements(4), 4),
     FARRIER_TOPIC(SystemHello, "system/hello", system_hello, kParticipantRoles, "all", "participant", 2, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
-    FARRIER_TOPIC(SystemHealth, "system/health", system_health, kParticipantRoles, "monitors", "participant", 2, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
+    FARRIER_TOPIC(SystemHealth, "system/health", system_health, kParticipantRoles, "monitors", "participant", 3, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
     FARRIER_TOPIC(SystemEvent, "system/event", system_event, kParticipantRoles, "monitors", "participant", 1, Route::kRobot, Sending::kAtOnce, announcements(1000), 1000),
     FARRIER_TOPIC(SystemMode, "system/mode", system_mode, {Role::kSupervisor}, "joint_node, sim_bridge", "robot", 2, Route::kRobot, Sending::kAtOnce, kAuthority, kTwoTicks),
     FARRIER_TOPIC(SystemRequest, "system/request", system_request, {Role::kOperator}, "supervisor", "robot", 1, Route::kRobot, Sending::kAtOnce, kRequests, kTwoTicks),
     FARRIER_TOPIC(ClockTick, "clock/tick", clock_tick, {Role::kSimBridge}, "gait_source, supervisor", "clock", 1, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
     FARRIER_TOPIC(ClockTickDone, "clock/tick_done", clock_tick_done, kTickers, "sim_bridge", "participant", 1, Route::kRobot, Sending::kAtOnce, kLockstepOnly, kTwoTicks),
-    FARRIER_TOPIC(JointSummary, "lf/joint/summary", joint_summary, {Role::kJointNode}, "monitors", "joint", 1, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointSummary, "lf/joint/summary", joint_summary, {Role::kJointNode}, "monitors", "joint", 2, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointModelEstimateCopy, "lf/joint/model_estimate", joint_model_estimate_copy, {Role::kEstimatorService}, "monitors", "joint", 1, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
 };
 // clang-format on
 #undef FARRIER_TOPIC

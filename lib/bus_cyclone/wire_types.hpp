@@ -9,6 +9,7 @@
 #include <joint_controller_gains.h>
 #include <joint_measurement.h>
 #include <joint_model_estimate.h>
+#include <joint_model_estimate_copy.h>
 #include <joint_sensors.h>
 #include <joint_summary.h>
 #include <joint_update_decision.h>

@@ -11,6 +11,7 @@
 #include <joint_controller_gainsPubSubTypes.h>
 #include <joint_measurementPubSubTypes.h>
 #include <joint_model_estimatePubSubTypes.h>
+#include <joint_model_estimate_copyPubSubTypes.h>
 #include <joint_sensorsPubSubTypes.h>
 #include <joint_summaryPubSubTypes.h>
 #include <joint_update_decisionPubSubTypes.h>

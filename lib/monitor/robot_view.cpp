@@ -27,7 +27,7 @@ RobotView::RobotView(const robot::Robot& robot) : robot_(robot) { begin_anew(); 
 
 const std::vector<bus::TopicId>& RobotView::topics() {
   using enum bus::TopicId;
-  static const std::vector<bus::TopicId> topics{kJointSummary, kJointControllerGains, kJointModelEstimate,
+  static const std::vector<bus::TopicId> topics{kJointSummary, kJointControllerGains, kJointModelEstimateCopy,
                                                 kJointUpdateDecision, kGaitPhase, kSystemMode, kSystemHello,
                                                 kSystemHealth, kSystemEvent};
   return topics;
@@ -90,9 +90,12 @@ void RobotView::take(const signals::JointControllerGains& gains) {
   }
 }
 
-void RobotView::take(const signals::JointModelEstimate& estimate) {
+void RobotView::take(const signals::JointModelEstimateCopy& estimate) {
   if (estimate.joint < joints_.size()) {
-    joints_[estimate.joint].now.estimate = estimate;
+    JointFrame& joint = joints_[estimate.joint].now;
+    joint.estimate = estimate;
+    joint.poles = estimation::poles<3>(control::model_of_rows(estimate.a, estimate.b).a);
+    joint.mass_kg_or_kgm2 = load_mass(estimate, robot_.period_s);
   }
 }
 
@@ -180,10 +183,6 @@ Frame RobotView::frame(std::uint64_t time_ns) {
     if (joint.second.size() > 1 && joint.second.back().time_ns > joint.second.front().time_ns) {
       now.rate_Hz = static_cast<double>(joint.second.back().tick - joint.second.front().tick) /
                     seconds(joint.second.front().time_ns, joint.second.back().time_ns);
-    }
-    if (now.estimate.tick != kNoTick) {
-      now.poles = estimation::poles<3>(control::model_of_rows(now.estimate.a, now.estimate.b).a);
-      now.mass_kg_or_kgm2 = load_mass(now.estimate, robot_.period_s);
     }
     frame.joints.push_back(now);
     now.summaries.clear();

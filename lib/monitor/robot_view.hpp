@@ -17,7 +17,8 @@ class RobotView {
   /// `robot` must outlive it.
   explicit RobotView(const robot::Robot& robot);
 
-  /// What it reads: joints by their summaries, fifty a second, whatever the control period is.
+  /// What it reads: joints by their summaries, fifty a second, and by ten copies of their estimates a second, whatever
+  /// the control period is.
   static const std::vector<bus::TopicId>& topics();
 
   /// Samples of other topics, and of joints and legs that the robot does not have, are left out. A new session, which
@@ -54,7 +55,7 @@ class RobotView {
 
   void take(const signals::JointSummary& summary);
   void take(const signals::JointControllerGains& gains);
-  void take(const signals::JointModelEstimate& estimate);
+  void take(const signals::JointModelEstimateCopy& estimate);
   void take(const signals::JointUpdateDecision& decision);
   void take(const signals::GaitPhase& phase);
   void take(const signals::SystemMode& mode);

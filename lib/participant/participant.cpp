@@ -123,7 +123,7 @@ void Participant::hear_hellos() {
     if (hello.participant == identity_.number && hello.pid != own_pid && !started_) {
       refusal_ = "process " + std::to_string(hello.pid) + " (" + std::string(signals::text_of(hello.name)) +
                  ") is participant " + std::to_string(identity_.number) + " of this run already: end it first";
-      event(signals::Severity::kError, kNoTick, 0xffff, refusal_);
+      event(EventKind::kNumberTaken, kNoTick, 0xffff, refusal_);
       return;
     }
     hellos_[hello.participant] = hello;
@@ -180,9 +180,8 @@ bool Participant::obey(Orders orders, Tick tick) noexcept {
   if (orders.authority < obeyed_.authority) {
     if (orders.authority > refused_authority_) {
       refused_authority_ = orders.authority;
-      event(signals::Severity::kWarning, tick, 0xffff,
-            "orders of a supervisor that has been replaced are refused: authority " + std::to_string(orders.authority) +
-                " after " + std::to_string(obeyed_.authority));
+      event(EventKind::kReplacedSupervisorRefused, tick, 0xffff,
+            std::to_string(orders.authority) + " after " + std::to_string(obeyed_.authority));
     }
     return false;
   }
@@ -227,18 +226,19 @@ void Participant::report_health(Tick tick, bool final_report, const signals::Sys
 
 void Participant::tell_security_warnings() noexcept {
   for (const std::string& sentence : bus_.take_security_warnings()) {
-    event(signals::Severity::kWarning, 0, 0xffff, "security: " + sentence);
+    event(EventKind::kSecurity, 0, 0xffff, sentence);
   }
 }
 
-void Participant::event(signals::Severity severity, Tick tick, std::uint16_t joint, std::string_view text) noexcept {
+void Participant::event(EventKind kind, Tick tick, std::uint16_t joint, std::string_view detail) noexcept {
+  const std::string_view text = spec(kind).text;
   signals::SystemEvent event;
   event.participant = identity_.number;
   event.count = ++events_;
   event.tick = tick;
-  event.severity = static_cast<std::uint8_t>(severity);
+  event.severity = static_cast<std::uint8_t>(spec(kind).severity);
   event.joint = joint;
-  signals::assign(event.text, text);
+  signals::assign(event.text, std::string(text.substr(0, text.find('<'))).append(detail));
   event_out_->publish(event);
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bus/bus.hpp"
+#include "participant/event_registry.hpp"
 #include "participant/ports.hpp"
 
 namespace farrier::participant {
@@ -115,7 +116,8 @@ class Participant {
 
   void tick_done(Tick tick, const signals::ClockTickDone& issued = {}) noexcept;
   void report_health(Tick tick, bool final_report, const signals::SystemHealth& measured = {}) noexcept;
-  void event(signals::Severity severity, Tick tick, std::uint16_t joint, std::string_view text) noexcept;
+  /// `detail`: what the angle brackets in the kind's text stand for. `joint`: 0xffff for none.
+  void event(EventKind kind, Tick tick, std::uint16_t joint, std::string_view detail = {}) noexcept;
 
   const std::vector<signals::SystemHello>& hellos() const noexcept { return hellos_; }
   const Identity& identity() const noexcept { return identity_; }

@@ -23,7 +23,8 @@
   X(SystemRequest, system_request)                    \
   X(ClockTick, clock_tick)                            \
   X(ClockTickDone, clock_tick_done)                   \
-  X(JointSummary, joint_summary)
+  X(JointSummary, joint_summary)                      \
+  X(JointModelEstimateCopy, joint_model_estimate_copy)
 
 #define FARRIER_FIELDS_JointSensors(F) \
   F(joint) F(tick) F(sample_time_ns) F(position_m_or_rad) F(velocity_m_s_or_rad_s) F(force_N_or_Nm) \
@@ -88,6 +89,8 @@
   F(joint) F(tick) F(sample_time_ns) F(ticks) F(position_m_or_rad) F(velocity_m_s_or_rad_s) F(force_N_or_Nm) \
   F(force_reference_N_or_Nm) F(valve_current_A) F(force_error_rms_N_or_Nm) F(force_reference_rms_N_or_Nm) \
   F(generation) F(faults) F(state) F(phase)
+
+#define FARRIER_FIELDS_JointModelEstimateCopy(F) FARRIER_FIELDS_JointModelEstimate(F)
 // clang-format on
 
 namespace farrier::signals {

@@ -17,7 +17,7 @@
 namespace farrier::signals {
 
 /// Number of topics a health report can count; larger than the registry, checked there.
-inline constexpr int kMaxTopics = 16;
+inline constexpr int kMaxTopics = 24;
 
 using Name = std::array<char, 24>;
 using Text = std::array<char, 104>;
@@ -237,7 +237,7 @@ struct JointSummary {
   std::uint16_t joint = 0;  ///< key
   Tick tick = kNoTick;      ///< of the newest measurement in it; so are the numbers without another word
   std::int64_t sample_time_ns = 0;
-  std::uint16_t ticks = 0;  ///< measurements in it, >= 1
+  std::uint16_t ticks = 0;  ///< measurements in it; 0: none came, and the joint told its last one again
   double position_m_or_rad = 0;
   double velocity_m_s_or_rad_s = 0;
   double force_N_or_Nm = 0;
@@ -250,6 +250,9 @@ struct JointSummary {
   std::uint8_t state = 0;    ///< the most careful of any
   std::uint8_t phase = 0;
 };
+
+/// estimator_service -> monitors: one of ten or more estimates, for slow networks and eyes.
+struct JointModelEstimateCopy : JointModelEstimate {};
 
 /// Copies as much of `text` as fits, always zero-terminated.
 template <std::size_t kSize>

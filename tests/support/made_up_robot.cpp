@@ -148,7 +148,7 @@ void MadeUpRobot::say_estimates() {
     Eigen::Matrix3d a;  // position, velocity and force of a load on a compressible line
     a << 0.0, 1.0, 0.0, 0.0, -60.0 / mass, 1.0 / mass, 0.0, -4e5 * (1.0 + 0.2 * drift), -90.0;
     const control::DiscreteModel model = control::discretise(a, {0.0, 0.0, 2e7}, robot_.period_s);
-    signals::JointModelEstimate estimate;
+    signals::JointModelEstimateCopy estimate;
     estimate.joint = joint.number;
     estimate.tick = tick_;
     estimate.phase = static_cast<std::uint8_t>(phase_of(joint.leg, tick_));

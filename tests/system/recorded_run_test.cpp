@@ -46,6 +46,7 @@ TEST_P(RecordedRun, LacksNothingInLockstepAndServesEveryTool) {
     EXPECT_EQ(recorded.at("topics").at(topic.name).at("lost"), 0) << topic.name;
   }
   EXPECT_GE(recorded.at("topics").at("lf/joint/summary").at("samples"), 12 * (kTicks / 20 - 1));
+  EXPECT_EQ(recorded.at("topics").at("lf/joint/model_estimate").at("samples"), 12 * kTicks / 100);
 
   EXPECT_EQ(run_farrier({"replay", path_, "--rerun", "estimator"}, &output_), 0) << output_;
   EXPECT_NE(output_.find(" estimates compared, 0 different"), std::string::npos) << output_;

@@ -5,7 +5,7 @@
 
 namespace farrier::monitor::testing {
 
-signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick, double mass) {
+signals::JointModelEstimateCopy estimate(std::uint16_t joint, Tick tick, double mass) {
   // (3.47) and a line of oil between the piston's velocity and the load cell's force.
   constexpr double kStiffness = 5e6, kDamping = 20.0, kLeak = 50.0, kGain = 2e7;
   Eigen::Matrix3d a;
@@ -13,7 +13,7 @@ signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick, double mass
       0.0, -kDamping / mass, 1.0 / mass,  //
       0.0, -kStiffness, -kLeak;
   const control::DiscreteModel model = control::discretise(a, {0.0, 0.0, kGain}, hyq().period_s);
-  signals::JointModelEstimate e;
+  signals::JointModelEstimateCopy e;
   e.joint = joint;
   e.tick = tick;
   e.a = control::rows_of(model.a);

@@ -40,7 +40,7 @@ inline signals::SystemHello hello(std::uint16_t participant, const char* name, s
 }
 
 /// An estimate, without physics, of a joint that moves a load of this mass.
-signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick, double mass);
+signals::JointModelEstimateCopy estimate(std::uint16_t joint, Tick tick, double mass);
 
 class Feed {
  public:

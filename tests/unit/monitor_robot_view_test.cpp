@@ -69,6 +69,25 @@ TEST(RobotView, CountsTicksThatWereNotStepped) {
   EXPECT_EQ(feed.frame().joints[0].missed_ticks, 3u);
 }
 
+TEST(RobotView, ShowsAJointThatTellsItsLastTickAgain) {
+  Feed feed;
+  feed.walk(0, 60);
+  feed.frame();
+  for (int i = 0; i < 60; ++i) {  // 1.2 s without sensors
+    feed.walk(1180, 1, [](signals::JointSummary& s) {
+      s.ticks = 0;
+      s.faults = static_cast<std::uint32_t>(Fault::kSensorsStale);
+      s.force_error_rms_N_or_Nm = s.force_reference_rms_N_or_Nm = 0.0;
+    });
+  }
+  const Frame frame = feed.frame();
+  EXPECT_LT(frame.joints[0].age_s, 0.03);
+  EXPECT_EQ(frame.joints[0].rate_Hz, 0.0);
+  EXPECT_EQ(frame.joints[0].missed_ticks, 0u);
+  EXPECT_FALSE(frame.joints[0].nrmse());
+  EXPECT_TRUE(FaultSet(frame.joints[0].faults).has(Fault::kSensorsStale));
+}
+
 TEST(RobotView, CountsNoTicksOfASummaryThatWasLost) {
   Feed feed;
   feed.walk(0, 10);
@@ -188,7 +207,7 @@ TEST(LoadMass, IsThatOfTheModelFromLightToHeavy) {
 }
 
 TEST(LoadMass, IsThatOfThePhysicsWhereTheEstimatorKnowsThem) {
-  signals::JointModelEstimate e = estimate(0, 1, 5.0);
+  signals::JointModelEstimateCopy e = estimate(0, 1, 5.0);
   e.has_physics = 1;
   e.physics[0] = 7.5;
   EXPECT_EQ(load_mass(e, 1e-3), 7.5);
@@ -196,7 +215,7 @@ TEST(LoadMass, IsThatOfThePhysicsWhereTheEstimatorKnowsThem) {
 
 TEST(LoadMass, IsUnknownForAModelThatNothingContinuousHas) {
   EXPECT_FALSE(load_mass({}, 1e-3));
-  signals::JointModelEstimate e = estimate(0, 1, 5.0);
+  signals::JointModelEstimateCopy e = estimate(0, 1, 5.0);
   e.a = {-1.0, 0, 0, 0, -0.5, 0.1, 0, 0.1, 0.5};
   EXPECT_FALSE(load_mass(e, 1e-3));
   e.a[4] = NAN;

@@ -31,7 +31,9 @@ class OnTerminal {
  public:
   explicit OnTerminal(const std::function<int()>& run) {
     const winsize size{.ws_row = 40, .ws_col = 150, .ws_xpixel = 0, .ws_ypixel = 0};
-    EXPECT_EQ(::openpty(&end_, &terminal_, nullptr, nullptr, &size), 0);
+    if (::openpty(&end_, &terminal_, nullptr, nullptr, &size) != 0) {
+      throw std::runtime_error("no pseudo terminal: is /dev/pts mounted?");
+    }
     ::tcgetattr(end_, &before_);
     pid_ = ::fork();
     if (pid_ == 0) {

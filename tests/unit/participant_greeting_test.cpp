@@ -215,16 +215,18 @@ TEST_F(Greeting, NumbersItsEvents) {
   auto events = bus::Subscription<signals::SystemEvent>::create(
                     *listener.bus, endpoint_of(run.identity(1, ""), bus::TopicId::kSystemEvent))
                     .value();
-  clock->event(signals::Severity::kWarning, 12, 4, "gains refused");
-  clock->event(signals::Severity::kInfo, 13, 0xffff, "over");
+  clock->event(EventKind::kGainsRefused, 12, 4, "not finite");
+  clock->event(EventKind::kEstimatesBegin, 13, 0xffff);
   std::vector<signals::SystemEvent> heard;
   events.drain([&](const signals::SystemEvent& event) { heard.push_back(event); });
   ASSERT_EQ(heard.size(), 2u);
   EXPECT_EQ(heard[0].count, 1u);
   EXPECT_EQ(heard[0].tick, 12);
   EXPECT_EQ(heard[0].joint, 4);
-  EXPECT_EQ(signals::text_of(heard[0].text), "gains refused");
+  EXPECT_EQ(heard[0].severity, static_cast<std::uint8_t>(signals::Severity::kWarning));
+  EXPECT_EQ(signals::text_of(heard[0].text), "gains refused: not finite");
   EXPECT_EQ(heard[1].count, 2u);
+  EXPECT_EQ(signals::text_of(heard[1].text), "estimates from now on");
 }
 
 }  // namespace

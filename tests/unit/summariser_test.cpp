@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "core/fault.hpp"
 
@@ -72,6 +73,56 @@ TEST(SummariserTest, CountsWhatItGotWhereTicksAreMissing) {
   ASSERT_TRUE(summary);
   EXPECT_EQ(summary->tick, 17);
   EXPECT_EQ(summary->ticks, 4);
+}
+
+TEST(SummariserTest, TellsWhatAJointDoesThatHearsNothing) {
+  Summariser summariser(1e-3);
+  for (Tick tick = 0; tick < 5; ++tick) {
+    EXPECT_FALSE(summariser.take(measured(tick)));
+  }
+  JointMeasurement stale = measured(4, 0.0, 250.0);
+  stale.faults = static_cast<std::uint32_t>(Fault::kSensorsStale);
+  stale.state = static_cast<std::uint8_t>(JointState::kNull);
+  std::vector<signals::JointSummary> told;
+  for (int i = 0; i < 60; ++i) {
+    if (const auto summary = summariser.take(stale)) {
+      told.push_back(*summary);
+    }
+  }
+  ASSERT_EQ(told.size(), 3u);  // fifty a second still
+  EXPECT_EQ(told[0].ticks, 5);
+  EXPECT_DOUBLE_EQ(told[0].force_error_rms_N_or_Nm, 4.0);
+  for (const signals::JointSummary& summary : told) {
+    EXPECT_EQ(summary.tick, 4);
+    EXPECT_EQ(summary.faults, stale.faults);
+    EXPECT_EQ(summary.state, stale.state);
+  }
+  EXPECT_EQ(told[1].ticks, 0);
+  EXPECT_EQ(told[1].force_error_rms_N_or_Nm, 0.0);
+  EXPECT_EQ(told[2].ticks, 0);
+}
+
+TEST(SummariserTest, CountsAMeasurementToldTwiceOnce) {
+  Summariser summariser(1e-3);
+  for (Tick tick = 0; tick < 20; ++tick) {
+    EXPECT_FALSE(summariser.take(measured(tick)));
+    EXPECT_FALSE(summariser.take(measured(tick)));
+  }
+  const auto summary = summariser.take(measured(20));
+  ASSERT_TRUE(summary);
+  EXPECT_EQ(summary->tick, 19);
+  EXPECT_EQ(summary->ticks, 20);
+}
+
+TEST(SummariserTest, IsSilentBeforeTheFirstTick) {
+  Summariser summariser(1e-3);
+  for (int i = 0; i < 50; ++i) {
+    EXPECT_FALSE(summariser.take(measured(kNoTick)));
+  }
+  for (Tick tick = 0; tick < 20; ++tick) {
+    EXPECT_FALSE(summariser.take(measured(tick)));
+  }
+  EXPECT_EQ(summariser.take(measured(20))->ticks, 20);
 }
 
 }  // namespace

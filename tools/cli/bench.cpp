@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "core/text.hpp"
 #include "lab/bench_control.hpp"
 #include "lab/bench_estimators.hpp"
 #include "lab/bench_grey_box.hpp"
@@ -17,6 +18,7 @@
 #include "participant/loop.hpp"
 #include "process/process.hpp"
 #include "tools/cli/allocation_count.hpp"
+#include "tools/cli/bench_onlookers.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/dds_run.hpp"
 #include "tools/cli/help.hpp"
@@ -39,23 +41,31 @@ constexpr double kGreyBoxUs = 15.0;
 constexpr double kTickUs = 50.0;
 constexpr double kRedesignUs = 10.0;
 
+const std::vector<std::string> kAll{"lockstep", "onlookers", "plant", "riccati", "control",
+                                    "rls", "estimators", "greybox", "tick"};
+
 struct BenchOptions {
-  std::vector<std::string> only{"lockstep", "plant", "riccati", "control", "rls", "estimators", "greybox", "tick"};
+  std::vector<std::string> only = kAll;
   std::string robot_path;
   Tick ticks = 4000;
   std::string out = "out/bench";
   std::string json_path;
 };
 
-Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, DdsChoice dds, bool bare) {
+DdsRun lockstep_run(const BenchOptions& o) {
   DdsRun run;
-  run.dds = dds;
-  run.bare = bare;
   run.common.robot_path = o.robot_path;
   run.common.ticks = o.ticks;
   run.common.session = static_cast<std::uint64_t>(::getpid());
   run.executables = processes_directory();
   run.log_directory = o.out + "/log";
+  return run;
+}
+
+Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, DdsChoice dds, bool bare) {
+  DdsRun run = lockstep_run(o);
+  run.dds = dds;
+  run.bare = bare;
   run.title = std::string(dds == DdsChoice::kCyclone ? "cyclone" : "fast") + (bare ? ", bare exchange" : ", whole stack");
   const auto outcome = run_over_dds(robot, run);
   if (!outcome) {
@@ -190,6 +200,13 @@ int bench(BenchOptions o) {
       return participant::stop_requested() ? participant::stop_status() : kFailed;
     }
   }
+  if (wanted("onlookers")) {
+    const auto done = bench_onlookers(robot.value(), lockstep_run(o), o.out, outcome.figures);
+    if (!done) {
+      std::fprintf(stderr, "farrier bench: %s\n", done.error().message.c_str());
+      return participant::stop_requested() ? participant::stop_status() : kFailed;
+    }
+  }
   // What follows has nothing to clean up: Ctrl-C may end it at once.
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
@@ -231,9 +248,9 @@ int bench(BenchOptions o) {
 std::function<int()> declare_bench(CLI::App& app) {
   auto o = std::make_shared<BenchOptions>();
   o->robot_path = shipped_robot("hyq.yaml");
-  app.add_option("--only", o->only, "what to measure, of lockstep, plant, riccati, control, rls, estimators, greybox, tick")
+  app.add_option("--only", o->only, "what to measure, of " + join(kAll, ", "))
       ->delimiter(',')
-      ->check(CLI::IsMember({"lockstep", "plant", "riccati", "control", "rls", "estimators", "greybox", "tick"}))
+      ->check(CLI::IsMember(kAll))
       ->type_name("<names>")
       ->default_str("all");
   app.add_option("--robot", o->robot_path, "robot file of the lock-step runs and of the tick")

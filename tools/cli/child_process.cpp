@@ -165,7 +165,7 @@ std::string ChildProcess::last_words(std::chrono::seconds silence) const {
   return lines.empty() ? std::string() : lines.back();
 }
 
-std::string end_all(std::vector<ChildProcess>& children) {
+std::string end_all(std::vector<ChildProcess>& children, const std::set<int>& well) {
   for (ChildProcess& child : children) {
     child.terminate();
   }
@@ -176,7 +176,7 @@ std::string end_all(std::vector<ChildProcess>& children) {
       std::this_thread::sleep_for(5ms);
     }
     child.kill();
-    if (child.exit_status() != 0) {
+    if (!well.contains(child.exit_status())) {
       hard_ends += (hard_ends.empty() ? "" : "\n") + child.epitaph();
     }
   }

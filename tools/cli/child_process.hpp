@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,7 @@ class ChildProcess {
 };
 
 /// Ends all of them: SIGTERM, then SIGKILL for those that do not go within two seconds. Returns the epitaphs of those
-/// that did not end with status 0; empty when all did.
-std::string end_all(std::vector<ChildProcess>& children);
+/// whose status is none of `well`; empty when all did well.
+std::string end_all(std::vector<ChildProcess>& children, const std::set<int>& well = {0});
 
 }  // namespace farrier::cli

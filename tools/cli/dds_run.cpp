@@ -102,7 +102,7 @@ bool has(const std::vector<ChildProcess>& children, const std::string& name) {
 /// as bury does, and when the user interrupts.
 Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children,
                     const RunActs::Start& start, Progress& progress, const DdsRun& run, Nanoseconds period,
-                    GrowthWatch& watch, RunOutcome& outcome) {
+                    GrowthWatch& watch, Onlookers& onlookers, RunOutcome& outcome) {
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   const Tick ticks = run.common.ticks;
   RunClock clock(realtime ? period : Nanoseconds::zero());
@@ -126,6 +126,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
     }
     if (seat.gait->tick() != last) {
       watch.tick(seat.gait->tick());
+      onlookers.look(seat.gait->tick(), steady_now());
       first_tick = last == 0 ? steady_now() : first_tick;
       last = seat.gait->tick();
       moved = steady_now();
@@ -213,6 +214,10 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     children.value().push_back(std::move(recorder).value());
   }
   GrowthWatch watch(run.soak ? pids_of(outcome.members, children.value()) : std::vector<pid_t>{}, common.ticks);
+  auto onlookers = Onlookers::start(run, common.network.domain);
+  if (!onlookers) {
+    return onlookers.error();
+  }
   const lab::Member& self = outcome.members[participant::kGaitSource];
   auto seat = take_seat(robot, run, common, self, clock);
   if (!seat) {
@@ -233,7 +238,8 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   };
   auto played = play(seat.value(), monitor.value(), children.value(), start_anew, progress, run,
                      std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s)), watch,
-                     outcome);
+                     onlookers.value(), outcome);
+  auto uses = onlookers.value().finish();
   const std::string hard_ends = end_all(children.value());
   if (!played || !hard_ends.empty()) {
     return played ? Error{hard_ends} : played.error();
@@ -243,6 +249,10 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
       return recorded.error();
     }
   }
+  if (!uses) {
+    return uses.error();
+  }
+  outcome.onlookers = std::move(uses).value();
   outcome.wall_s = played.value();
   outcome.growths = watch.growths();
   outcome.acted = seat.value().acts->performed();

@@ -10,6 +10,7 @@
 #include "mcap/records.hpp"
 #include "participant/options.hpp"
 #include "tools/cli/growth_watch.hpp"
+#include "tools/cli/onlookers.hpp"
 #include "tools/cli/run_acts.hpp"
 
 namespace farrier::cli {
@@ -32,6 +33,7 @@ struct DdsRun {
   std::map<std::string, std::vector<bus_faults::ArrowFault>> faults;  ///< by member, real time only
   std::vector<Act> acts;                                              ///< in the order of their ticks
   std::function<void(Tick)> looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
+  std::vector<Onlooker> onlookers;
   bool standby = false;                   ///< a second supervisor stands by, real time only
   bool goes_on_without_the_dead = false;  ///< real time: the death of any member is a warning
   bool soak = false;                      ///< watch what the processes grow by
@@ -50,6 +52,7 @@ struct RunOutcome {
   std::vector<std::string> warnings;  ///< what went wrong and did not end the run
   std::vector<std::optional<Growth>> growths;  ///< by participant; nothing for one that died and for the launcher, which
                                                ///< keeps the record of the run. Empty where not watched
+  std::vector<OnlookerUse> onlookers;        ///< as DdsRun has them
   double wall_s = 0;  ///< from the first tick to the last
 };
 

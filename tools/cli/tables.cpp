@@ -4,6 +4,7 @@
 #include <map>
 
 #include "bus/topics.hpp"
+#include "participant/event_registry.hpp"
 #include "robot/robot.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/command_table.hpp"
@@ -25,6 +26,7 @@ Table without_app(std::string (*table)()) {
 const std::map<std::string, Table> kTables{{"cli", command_table},
                                            {"topics", without_app(bus::topics_table_markdown)},
                                            {"effects", without_app(report::effects_table_markdown)},
+                                           {"events", without_app(participant::events_table_markdown)},
                                            {"figures", without_app(report::figures_table_markdown)},
                                            {"metrics", without_app(display::metrics_table_markdown)},
                                            {"parameters", without_app(robot::parameter_table)}};
@@ -33,8 +35,8 @@ const std::map<std::string, Table> kTables{{"cli", command_table},
 
 std::function<int()> declare_tables(CLI::App& app) {
   auto table = std::make_shared<Table>();
-  add_choice(app, "table", *table, kTables, "cli|topics|effects|figures|metrics|parameters",
-             "cli (docs/cli.md), topics (idl/README.md), effects (docs/effects.md), figures (docs/figures.md), "
+  add_choice(app, "table", *table, kTables, "cli|topics|effects|events|figures|metrics|parameters",
+             "cli (docs/cli.md), topics (idl/README.md), effects (docs/effects.md), events (docs/events.md), figures (docs/figures.md), "
              "metrics (docs/metrics.md) or parameters (docs/parameters.md)")
       ->required();
   return [table, &app] {

@@ -7,6 +7,9 @@ export function colour(name) {
 
 function brief(value) {
   const size = Math.abs(value);
+  if (size > 0 && size < 1e-3) {
+    return value.toExponential(0); // or it would be cut off
+  }
   return size >= 1000 ? `${Number((value / 1000).toPrecision(3))}k` : String(Number(value.toPrecision(3)));
 }
 

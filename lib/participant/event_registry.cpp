@@ -1,0 +1,56 @@
+#include "participant/event_registry.hpp"
+
+#include <array>
+
+#include "signals/words.hpp"
+
+namespace farrier::participant {
+namespace {
+
+using enum EventKind;
+using enum signals::Severity;
+
+// clang-format off
+constexpr std::array kEvents{
+    EventSpec{kJointNulled, "<faults>", "joint_node", kWarning, "The joint's valve is at null for these faults.",
+              "Mend the first of them; if it says `tripped`, then `farrier request arm`."},
+    EventSpec{kJointFaults, "<faults>; well again", "joint_node", kInfo, "The joint's faults have changed, and it goes on as they let it.", "See the table of [architecture.md](architecture.md#what-a-joint-does-when-something-is-missing)."},
+    EventSpec{kGainsRefused, "gains refused: <why>", "joint_node", kWarning, "Gains came that a joint does not take up; it keeps those it has.", "Supervisor and joint_node of one version; somebody else may write the topic: `farrier topics`."},
+    EventSpec{kReplacedSupervisorRefused, "orders of a supervisor that has been replaced are refused: authority <number> after <number>", "joint_node, sim_bridge", kWarning, "A supervisor that another one has taken over from still gives orders.", "End it; started again it stands by."},
+    EventSpec{kGainsKept, "<phase> gains kept: <verdict>", "supervisor", kInfo, "An estimate asked for new gains, and no design for it was good enough.", ""},
+    EventSpec{kSupervisorLeads, "leads with authority <number>", "supervisor", kWarning, "It has taken over from a supervisor that went silent.", "See why the other one did: its log."},
+    EventSpec{kSupervisorStandsBy, "stands by: another supervisor leads with authority <number>", "supervisor", kWarning, "It led, and has been replaced.", "See why it was silent."},
+    EventSpec{kOperatorRequest, "an operator's request: <request>", "supervisor", kWarning, "Somebody has asked for it by `farrier request`.", ""},
+    EventSpec{kEstimatesBegin, "estimates from now on", "estimator_service", kInfo, "It hears the joints.", ""},
+    EventSpec{kTraceIncomplete, "the trace is incomplete: disk full?", "sim_bridge", kError, "Rows of `--trace` could not be written.", "Make room; run again."},
+    EventSpec{kNumberTaken, "<process> is participant <number> of this run already: end it first", "any", kError, "Two processes have one place in the robot; this one does not begin.", "`farrier doctor` names both."},
+    EventSpec{kSecurity, "security: <why>", "any", kWarning, "DDS Security refused somebody, or something that somebody did.", "[security.md](security.md)."},
+};
+// clang-format on
+
+constexpr bool in_order() {
+  for (std::size_t i = 0; i < kEvents.size(); ++i) {
+    if (static_cast<std::size_t>(kEvents[i].kind) != i) {
+      return false;
+    }
+  }
+  return true;
+}
+static_assert(in_order(), "the registry is indexed by EventKind");
+
+}  // namespace
+
+std::span<const EventSpec> event_specs() noexcept { return kEvents; }
+
+const EventSpec& spec(EventKind kind) noexcept { return kEvents[static_cast<std::size_t>(kind)]; }
+
+std::string events_table_markdown() {
+  std::string table = "| text | of | severity | means | what to do |\n|---|---|---|---|---|\n";
+  for (const EventSpec& event : kEvents) {
+    table += std::string("| `") + event.text + "` | " + event.writers + " | " + signals::to_string(event.severity) + " | " +
+             event.meaning + " | " + event.remedy + " |\n";
+  }
+  return table;
+}
+
+}  // namespace farrier::participant

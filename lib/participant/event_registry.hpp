@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "signals/signals.hpp"
+
+namespace farrier::participant {
+
+/// What a process of the robot may tell, in the order of docs/events.md.
+enum class EventKind : std::uint8_t {
+  kJointNulled,
+  kJointFaults,
+  kGainsRefused,
+  kReplacedSupervisorRefused,
+  kGainsKept,
+  kSupervisorLeads,
+  kSupervisorStandsBy,
+  kOperatorRequest,
+  kEstimatesBegin,
+  kTraceIncomplete,
+  kNumberTaken,
+  kSecurity,
+};
+
+struct EventSpec {
+  EventKind kind;
+  const char* text;     ///< what stands before its first angle bracket is said as it is, then what the brackets are for
+  const char* writers;  ///< processes
+  signals::Severity severity;
+  const char* meaning;
+  const char* remedy;  ///< what an operator does; empty: nothing
+};
+
+/// Every kind, by number.
+std::span<const EventSpec> event_specs() noexcept;
+const EventSpec& spec(EventKind kind) noexcept;
+
+/// Markdown table of every kind, for docs/events.md.
+std::string events_table_markdown();
+
+}  // namespace farrier::participant

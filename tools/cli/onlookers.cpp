@@ -1,0 +1,95 @@
+#include "tools/cli/onlookers.hpp"
+
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include <unistd.h>
+
+#include "tools/cli/dds_run.hpp"
+#include "tools/cli/installation.hpp"
+
+namespace farrier::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Tick kParts = 4;  // of the run, of which the first is left out: readers and writers find each other
+constexpr auto kBetweenLooks = 100ms;
+
+/// Seconds of processor that a process has had, by itself and for its system calls; 0 when it is gone.
+double processor_s(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  const std::size_t name_end = text.rfind(')');  // proc(5): what follows has no brackets
+  if (name_end == std::string::npos) {
+    return 0.0;
+  }
+  std::istringstream fields(text.substr(name_end + 1));
+  std::string skipped;
+  for (int i = 3; i < 14; ++i) {
+    fields >> skipped;
+  }
+  double user = 0.0, system = 0.0;
+  fields >> user >> system;
+  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+}  // namespace
+
+Result<Onlookers> Onlookers::start(const DdsRun& run, int domain) {
+  Onlookers onlookers(run.common.ticks);
+  for (const Onlooker& onlooker : run.onlookers) {
+    std::vector<std::string> arguments = onlooker.arguments;
+    arguments.insert(arguments.end(), {"--robot", run.common.robot_path, "--domain", std::to_string(domain), "--dds",
+                                       run.dds == DdsChoice::kFast ? "fast" : "cyclone"});
+    auto process = ChildProcess::start(onlooker.name, this_command(), arguments,
+                                       run.log_directory + "/" + onlooker.name + ".log");
+    if (!process) {
+      return process.error();
+    }
+    onlookers.processes_.push_back(std::move(process).value());
+    onlookers.stands_still_.push_back(onlooker.stands_still);
+  }
+  onlookers.uses_.resize(onlookers.processes_.size());
+  return onlookers;
+}
+
+void Onlookers::look(Tick tick, SteadyTime now) {
+  if (processes_.empty() || tick < ticks_ / kParts || now - end_ < kBetweenLooks) {
+    return;
+  }
+  const bool first = begin_ == SteadyTime{};
+  for (std::size_t i = 0; i < processes_.size(); ++i) {
+    uses_[i].end_s = processor_s(processes_[i].pid());
+    if (first) {
+      uses_[i].begin_s = uses_[i].end_s;
+      if (stands_still_[i]) {
+        ::kill(processes_[i].pid(), SIGSTOP);
+      }
+    }
+  }
+  begin_ = first ? now : begin_;
+  end_ = now;
+}
+
+Result<std::vector<OnlookerUse>> Onlookers::finish() {
+  for (std::size_t i = 0; i < processes_.size(); ++i) {
+    if (stands_still_[i]) {
+      ::kill(processes_[i].pid(), SIGCONT);  // or it could not end when asked to
+    }
+  }
+  // A monitor that a signal ends says so in its status.
+  if (const std::string hard_ends = end_all(processes_, {0, 128 + SIGTERM}); !hard_ends.empty()) {
+    return Error{hard_ends};
+  }
+  const double lasted_s = std::chrono::duration<double>(end_ - begin_).count();
+  std::vector<OnlookerUse> uses;
+  for (const Use& use : uses_) {
+    uses.push_back({lasted_s > 0.0 ? (use.end_s - use.begin_s) / lasted_s : 0.0});
+  }
+  return uses;
+}
+
+}  // namespace farrier::cli
