@@ -187,12 +187,18 @@ TEST(ListenAddress, IsThisComputerAloneUnlessToldOtherwise) {
 }
 
 TEST(ListenAddress, RefusesWhatIsNone) {
-  for (const char* text : {"", "9464", ":", ":0", ":65536", ":94x", "1.2.3:9464", "robot:9464", "::1:9464", "[::1:9464",
+  for (const char* text : {"", "9464", ":", ":65536", ":94x", "1.2.3:9464", "robot:9464", "::1:9464", "[::1:9464",
                            "127.0.0.1:9464 "}) {
     const auto address = parse_listen_address(text);
     ASSERT_FALSE(address.ok()) << text;
     EXPECT_NE(address.error().message.find("0.0.0.0:9464"), std::string::npos) << address.error().message;
   }
+}
+
+TEST(PrometheusExposer, RefusesAPortThatNobodyKnows) {
+  const auto exposer = expose_to_prometheus({"127.0.0.1", 0, false}, hyq());
+  ASSERT_FALSE(exposer.ok());
+  EXPECT_NE(exposer.error().message.find(":9464"), std::string::npos) << exposer.error().message;
 }
 
 TEST(PrometheusExposer, ServesTheNewestFrame) {

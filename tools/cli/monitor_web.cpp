@@ -53,7 +53,7 @@ int fail(const std::string& message) {
 CLI::Option* declare_web(CLI::App& app, WebOptions& options) {
   CLI::Option* web = app.add_option("--web", options.address,
                  "serve a page for browsers: of this computer at --web, --web 8642 or --web :8642, of others too at "
-                 "--web 0.0.0.0:8642, which asks for the token that is printed")
+                 "--web 0.0.0.0:8642, which asks for the token that is printed; at --web 0 on any port that is free")
       ->expected(0, 1)
       ->default_str(kUsual)
       ->type_name("<address:port>");

@@ -21,7 +21,7 @@ Result<ListenAddress> parse_listen_address(const std::string& text) {
   ListenAddress address;
   const char* end = text.data() + text.size();
   const auto [rest, problem] = std::from_chars(text.data() + colon + 1, end, address.port);
-  if (problem != std::errc{} || rest != end || address.port == 0) {
+  if (problem != std::errc{} || rest != end) {
     return refusal;
   }
   address.ip = text.substr(0, colon);

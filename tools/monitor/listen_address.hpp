@@ -10,7 +10,7 @@ namespace farrier::display {
 /// Where a server of the monitor listens.
 struct ListenAddress {
   std::string ip;
-  std::uint16_t port = 0;
+  std::uint16_t port = 0;  ///< 0: any that is free
   bool v6 = false;
 
   /// "127.0.0.1:9464", "[::1]:9464"

@@ -29,6 +29,9 @@ class ExposedMetrics final : public Display {
 }  // namespace
 
 Result<std::unique_ptr<Display>> expose_to_prometheus(const ListenAddress& address, const robot::Robot& robot) {
+  if (address.port == 0) {
+    return Error{"any free port is one that Prometheus could not find: give a port, as :9464"};
+  }
   // Asked first: the server's own exception has no reason in it.
   if (auto listens = check_listening(address); !listens) {
     return listens.error();
