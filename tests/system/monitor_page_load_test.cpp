@@ -1,14 +1,11 @@
 // What farrier monitor --web takes of a processor while a robot runs in real time and a page watches.
 
 #include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <fstream>
-#include <sstream>
 
 #include "farrier_command.hpp"
 #include "page_stream.hpp"
 #include "tests/support/http_get.hpp"
+#include "tools/cli/process_stat.hpp"
 
 namespace farrier::test {
 namespace {
@@ -17,20 +14,6 @@ using namespace std::chrono_literals;
 
 constexpr double kLargestShare = 0.05;  // of a core, at 1 kHz and twelve joints
 constexpr auto kMeasured = 8s;
-
-/// Seconds of processor that a process has had.
-double processor_s(pid_t pid) {
-  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  std::istringstream fields(text.substr(text.rfind(')') + 2));
-  std::string skipped;
-  for (int i = 0; i < 11; ++i) {
-    fields >> skipped;
-  }
-  double user = 0.0, system = 0.0;
-  fields >> user >> system;
-  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
 
 TEST(MonitorPageLoad, IsAtMostAFewHundredthsOfACore) {
   const ScratchDirectory scratch;
@@ -41,11 +24,11 @@ TEST(MonitorPageLoad, IsAtMostAFewHundredthsOfACore) {
   ASSERT_TRUE(monitor.says("page at", 30s)) << monitor.output();
   const auto until = std::chrono::steady_clock::now() + 3s;  // for readers and writers to find each other
   frames_until(port, [&](const auto&) { return std::chrono::steady_clock::now() > until; });
-  const double before_s = processor_s(monitor.pid());
+  const double before_s = cli::process_stat(monitor.pid()).value().processor_s;
   const auto begin = std::chrono::steady_clock::now();
   const auto frames = frames_until(port, [&](const auto&) { return std::chrono::steady_clock::now() > begin + kMeasured; });
   const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const double share = (processor_s(monitor.pid()) - before_s) / took_s;
+  const double share = (cli::process_stat(monitor.pid()).value().processor_s - before_s) / took_s;
   RecordProperty("share_percent", std::to_string(100.0 * share));
   std::printf("farrier monitor --web: %.2f %% of a core, %.1f frames/s\n", 100.0 * share,
               static_cast<double>(frames.size()) / took_s);

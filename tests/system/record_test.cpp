@@ -118,7 +118,7 @@ TEST_P(Record, IsNotReplayedWhereARobotRuns) {
   EXPECT_NE(output.find("would speak in its name"), std::string::npos) << output;
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, Record, testing::Values("cyclone", "fast"),
+INSTANTIATE_TEST_SUITE_P(Over, Record, testing::Values(FARRIER_VENDORS),
                          [](const auto& dds) { return std::string(dds.param); });
 
 TEST(RecordCommand, SaysWhereToAskWhenNothingCame) {

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "runtime/processors.hpp"
+#include "tools/cli/process_stat.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -147,12 +148,8 @@ std::string ChildProcess::epitaph() {
 }
 
 bool ChildProcess::stopped() const {
-  std::ifstream file("/proc/" + std::to_string(pid_) + "/stat");
-  std::string stat;
-  std::getline(file, stat);
-  // "pid (name) state ...": T stopped, t traced (proc_pid_stat(5)).
-  const std::size_t state = stat.rfind(')') + 2;
-  return state < stat.size() && (stat[state] == 'T' || stat[state] == 't');
+  const auto stat = process_stat(pid_);
+  return stat && (stat->state == 'T' || stat->state == 't');
 }
 
 std::string ChildProcess::last_words(std::chrono::seconds silence) const {

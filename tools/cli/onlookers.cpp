@@ -1,14 +1,10 @@
 #include "tools/cli/onlookers.hpp"
 
 #include <csignal>
-#include <fstream>
-#include <iterator>
-#include <sstream>
-
-#include <unistd.h>
 
 #include "tools/cli/dds_run.hpp"
 #include "tools/cli/installation.hpp"
+#include "tools/cli/process_stat.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -17,24 +13,6 @@ using namespace std::chrono_literals;
 
 constexpr Tick kParts = 4;  // of the run, of which the first is left out: readers and writers find each other
 constexpr auto kBetweenLooks = 100ms;
-
-/// Seconds of processor that a process has had, by itself and for its system calls; 0 when it is gone.
-double processor_s(pid_t process) {
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const std::size_t name_end = text.rfind(')');  // proc(5): what follows has no brackets
-  if (name_end == std::string::npos) {
-    return 0.0;
-  }
-  std::istringstream fields(text.substr(name_end + 1));
-  std::string skipped;
-  for (int i = 3; i < 14; ++i) {
-    fields >> skipped;
-  }
-  double user = 0.0, system = 0.0;
-  fields >> user >> system;
-  return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
-}
 
 }  // namespace
 
@@ -62,7 +40,9 @@ void Onlookers::look(Tick tick, SteadyTime now) {
   }
   const bool first = begin_ == SteadyTime{};
   for (std::size_t i = 0; i < processes_.size(); ++i) {
-    uses_[i].end_s = processor_s(processes_[i].pid());
+    if (const auto stat = process_stat(processes_[i].pid())) {
+      uses_[i].end_s = stat->processor_s;
+    }
     if (first) {
       uses_[i].begin_s = uses_[i].end_s;
       if (stands_still_[i]) {

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+
+namespace farrier::cli {
+
+/// What Linux says of a process (proc_pid_stat(5)).
+struct ProcessStat {
+  char state = '?';          ///< T: stopped, t: traced
+  double processor_s = 0.0;  ///< that it has had, in its own code and in the kernel
+};
+
+/// None where there is no such process.
+std::optional<ProcessStat> process_stat(pid_t process);
+
+}  // namespace farrier::cli
