@@ -40,9 +40,9 @@ std::string cyclone_config(const bus::NetworkOptions& options) {
                                 element("MaxAutoParticipantIndex", std::to_string(max_index)) +
                                 element("Peers", peers) + element("SPDPInterval", kAnnouncementPeriod) +
                                 element("LeaseDuration", std::to_string(options.lease.count()) + " s");
-  // One receive thread: with unicast alone there is nothing for a second one to do but to switch contexts.
+  // Data have a thread of their own, which waits in recvmsg; one thread for all sockets asks select before each datagram.
   // Writers hold samples until they are flushed: those of one tick share a datagram.
-  const std::string internal = element("MultipleReceiveThreads", "false") + element("WriteBatch", "true") +
+  const std::string internal = element("MultipleReceiveThreads", "true") + element("WriteBatch", "true") +
                                kReliableTiming + kLinger + "<SocketReceiveBufferSize max=\"" +
                                std::to_string(bus::kSocketBufferBytes) + " B\"/>";
   return element("CycloneDDS", "<Domain Id=\"any\">" + element("General", general) + element("Discovery", discovery) +
