@@ -19,11 +19,10 @@ constexpr const char* kCutOff = "the file was cut off: it ends in the middle of 
 Result<Reader> Reader::open(const std::string& path) {
   std::error_code error;
   const std::uint64_t size = std::filesystem::file_size(path, error);
-  Reader reader(path);
+  Reader reader(path, size);
   if (error || !reader.file_) {
     return Error{"cannot read " + path + ": " + (error ? error.message() : std::strerror(errno))};
   }
-  reader.left_ = size;
   Opcode opcode{};
   if (!reader.read_magic() || !reader.read_record(opcode, reader.record_) || opcode != Opcode::kHeader) {
     return Error{path + ": not an MCAP file"};

@@ -26,12 +26,15 @@ class Reader {
   const std::vector<Metadata>& metadata() const noexcept { return metadata_; }
   const std::string& library() const noexcept { return library_; }
   std::uint64_t chunks() const noexcept { return chunks_; }
+  /// Of the file, 0 to 1: what was read of it.
+  double share_read() const noexcept { return 1.0 - static_cast<double>(left_) / static_cast<double>(size_); }
 
   /// Why no more came. Empty: the file was ended by its writer and all of it was good.
   const std::string& ending() const noexcept { return ending_; }
 
  private:
-  explicit Reader(const std::string& path) : file_(path, std::ios::binary), path_(path) {}
+  Reader(const std::string& path, std::uint64_t size)
+      : file_(path, std::ios::binary), path_(path), size_(size), left_(size) {}
 
   bool read_magic();
   bool read_record(Opcode& opcode, std::vector<std::uint8_t>& content);
@@ -41,7 +44,8 @@ class Reader {
 
   std::ifstream file_;
   std::string path_;
-  std::uint64_t left_ = 0;  // bytes of the file not read yet
+  std::uint64_t size_;  // bytes of the file
+  std::uint64_t left_;  // those not read yet
   std::string library_;
   std::map<std::uint16_t, Schema> schemas_;
   std::map<std::uint16_t, Channel> channels_;

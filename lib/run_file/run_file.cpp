@@ -63,6 +63,24 @@ Result<RunFileReader> RunFileReader::open(const std::string& path) {
 }
 
 bool RunFileReader::next(Sample& sample) {
+  const bool more = keeps_on() && read(sample);
+  if (!more) {
+    keep_on_ = nullptr;
+  }
+  return more;
+}
+
+bool RunFileReader::keeps_on() {
+  if (keep_on_ && asked_ != file_.chunks()) {
+    asked_ = file_.chunks();
+    if (!keep_on_(file_.share_read())) {
+      ending_ = kInterrupted;
+    }
+  }
+  return ending_.empty();
+}
+
+bool RunFileReader::read(Sample& sample) {
   mcap::Message message;
   while (ending_.empty() && file_.next(message)) {
     auto [known, added] = topics_.try_emplace(message.channel_id);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bus/topics.hpp"
+#include "core/keep_on.hpp"
 #include "core/result.hpp"
 #include "mcap/reader.hpp"
 #include "mcap/writer.hpp"
@@ -31,6 +32,9 @@ using TakeSample = std::function<void(const Sample&)>;
 /// What a recording says beside samples: names of metadata records.
 inline constexpr const char* kRunFacts = "farrier.run";    ///< robot, file, vendor, clock, revision, seed: see docs
 inline constexpr const char* kLosses = "farrier.lost";     ///< by topic, samples that the recording does not have
+
+/// The ending of a file whose reading was stopped.
+inline constexpr const char* kInterrupted = "interrupted";
 
 using TopicCounts = std::array<std::uint64_t, bus::kTopicCount>;
 
@@ -61,6 +65,9 @@ class RunFileReader {
   /// they are first met, by `ending`.
   static Result<RunFileReader> open(const std::string& path);
 
+  /// `keep_on` is asked at every chunk until the last sample; at its no the file ends, with kInterrupted.
+  void ask(KeepOn keep_on) { keep_on_ = std::move(keep_on); }
+
   /// The next sample, valid until the next call; samples of topics that this version does not know are passed over.
   /// False at the end: see `ending`.
   bool next(Sample& sample);
@@ -74,7 +81,12 @@ class RunFileReader {
  private:
   explicit RunFileReader(mcap::Reader file) : file_(std::move(file)) {}
 
+  bool keeps_on();
+  bool read(Sample& sample);
+
   mcap::Reader file_;
+  KeepOn keep_on_;
+  std::uint64_t asked_ = 0;  // when so many chunks were read
   std::map<std::uint16_t, const bus::TopicSpec*> topics_;  // by channel; null: not of this version
   std::string ending_;
 };

@@ -68,6 +68,21 @@ TEST(RecordingCsv, RefusesAFolderWithFilesAndOneWithout) {
   EXPECT_FALSE(std::filesystem::exists(scratch.file("back.mcap")));
 }
 
+TEST(RecordingCsv, LeavesNothingHalfWrittenWhenItIsStopped) {
+  const test::ScratchDirectory scratch;
+  write_recording(scratch.file("run.mcap"));
+  const auto stop = [](double) { return false; };
+  const auto there = to_csv(scratch.file("run.mcap"), scratch.file("csv"), stop);
+  ASSERT_FALSE(there.ok());
+  EXPECT_EQ(there.error().message, run_file::kInterrupted);
+  EXPECT_TRUE(std::filesystem::is_empty(scratch.file("csv")));
+  ASSERT_TRUE(to_csv(scratch.file("run.mcap"), scratch.file("csv")).ok());
+  const auto back = from_csv(scratch.file("csv"), scratch.file("back.mcap"), stop);
+  ASSERT_FALSE(back.ok());
+  EXPECT_EQ(back.error().message, run_file::kInterrupted);
+  EXPECT_FALSE(std::filesystem::exists(scratch.file("back.mcap")));
+}
+
 TEST(RecordingCsv, NamesFileLineAndColumnOfWhatItCannotRead) {
   const test::ScratchDirectory scratch;
   write_recording(scratch.file("run.mcap"));

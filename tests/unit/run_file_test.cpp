@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "run_file/background_writer.hpp"
@@ -173,6 +174,40 @@ TEST_F(RunFile, OfAnotherProgramHasNoSamples) {
   file.value().write(mcap::Message{.channel_id = channel, .data = {}});
   ASSERT_TRUE(file.value().finish().ok());
   EXPECT_EQ(ending_without_samples(), "");
+}
+
+TEST_F(RunFile, TellsHowMuchOfItIsReadAndStopsWhenTold) {
+  constexpr Tick kTicks = 50'000;
+  {
+    RunFileWriter writer = create();
+    for (Tick tick = 0; tick < kTicks; ++tick) {
+      writer.write(measurement(tick));
+    }
+    ASSERT_TRUE(writer.finish({}).ok());
+  }
+  const auto samples_until = [this](double stop, std::vector<double>& shares) {
+    auto reader = RunFileReader::open(path_).value();
+    reader.ask([&](double share) {
+      shares.push_back(share);
+      return share < stop;
+    });
+    Tick samples = 0;
+    for (Sample sample; reader.next(sample);) {
+      ++samples;
+    }
+    EXPECT_EQ(reader.ending(), samples == kTicks ? "" : kInterrupted);
+    return samples;
+  };
+  std::vector<double> shares;
+  EXPECT_EQ(samples_until(2.0, shares), kTicks);
+  ASSERT_GT(shares.size(), 3u);
+  EXPECT_TRUE(std::ranges::is_sorted(shares));
+  EXPECT_GT(shares.front(), 0.0);
+  EXPECT_GT(shares.back(), 0.9);
+  EXPECT_LE(shares.back(), 1.0);
+  std::vector<double> fewer;
+  EXPECT_LT(samples_until(0.5, fewer), kTicks);
+  EXPECT_LT(fewer.size(), shares.size());
 }
 
 TEST(LossCount, IsOfGapsPerKeyAndNotOfANewBeginning) {

@@ -12,7 +12,7 @@ using nlohmann::json;
 using test::ScratchDirectory;
 
 Result<RecordedFrames> read(const std::string& path) {
-  return RecordedFrames::read(path, [] { return true; });
+  return RecordedFrames::read(path);
 }
 
 class Recorded : public ::testing::Test {
@@ -90,7 +90,7 @@ TEST_F(Recorded, OfARecorderThatWasKilledSaysSo) {
 }
 
 TEST_F(Recorded, CanBeInterrupted) {
-  EXPECT_FALSE(RecordedFrames::read(path_, [] { return false; }).ok());
+  EXPECT_FALSE(RecordedFrames::read(path_, [](double) { return false; }).ok());
 }
 
 TEST(RecordedFrames, RefusesWhatIsNoRecordingOfSummaries) {

@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <memory>
 
+#include "participant/loop.hpp"
 #include "tools/cli/command.hpp"
+#include "tools/cli/long_work.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/recording/csv_files.hpp"
 
@@ -23,7 +25,11 @@ int run_convert(const std::string& from, const std::string& to) {
       return fail(way.error().message, kBadInput);
     }
   }
-  const auto converted = of_csv ? recording::from_csv(from, to) : recording::to_csv(from, to);
+  const KeepOn keep_on = long_work("convert");
+  const auto converted = of_csv ? recording::from_csv(from, to, keep_on) : recording::to_csv(from, to, keep_on);
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
   if (!converted) {
     return fail(converted.error().message, kBadInput);
   }

@@ -7,7 +7,9 @@
 #include "control/model_rows.hpp"
 #include "estimation/poles.hpp"
 #include "monitor/load_mass.hpp"
+#include "participant/loop.hpp"
 #include "tools/cli/command.hpp"
+#include "tools/cli/long_work.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/monitor/joint_row.hpp"
 #include "tools/recording/csv_row.hpp"
@@ -104,7 +106,11 @@ int identify(const IdentifyOptions& o) {
   if (auto way = make_way({o.csv_path}, {o.path}); !way) {
     return fail(way.error().message, kBadInput);
   }
+  run.value().ask(long_work("identify, reading"));
   const recording::Measurements measured = recording::read_measurements(run.value());
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
   std::unique_ptr<EstimatesFile> file;
   if (!o.csv_path.empty()) {
     file = std::make_unique<EstimatesFile>(o.csv_path, robot.period_s);
@@ -120,7 +126,11 @@ int identify(const IdentifyOptions& o) {
     if (file) {
       file->write(estimate, robot.joints[estimate.joint].name);
     }
-  });
+  }, long_work("identify"));
+  if (participant::stop_requested()) {
+    std::remove(o.csv_path.c_str());
+    return participant::stop_status();
+  }
   if (!fed) {
     return fail(fed.error().message, kBadInput);
   }

@@ -8,6 +8,7 @@
 #include "participant/loop.hpp"
 #include "tools/cli/command.hpp"
 #include "tools/cli/installation.hpp"
+#include "tools/cli/long_work.hpp"
 #include "tools/web/recorded_frames.hpp"
 #include "tools/web/web_display.hpp"
 
@@ -81,7 +82,7 @@ int show_recording(const WebOptions& options) {
   if (!opened) {
     return fail(opened.error().message);
   }
-  auto frames = web::RecordedFrames::read(options.recording, [] { return !participant::stop_requested(); });
+  auto frames = web::RecordedFrames::read(options.recording, long_work("monitor, reading"));
   if (!frames) {
     return participant::stop_requested() ? participant::stop_status() : fail(frames.error().message);
   }

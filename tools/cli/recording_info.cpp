@@ -5,8 +5,10 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "participant/loop.hpp"
 #include "run_file/run_file.hpp"
 #include "tools/cli/command.hpp"
+#include "tools/cli/long_work.hpp"
 #include "tools/report/text_format.hpp"
 
 namespace farrier::cli {
@@ -96,7 +98,11 @@ int run_info_command(const InfoOptions& o) {
     std::fprintf(stderr, "farrier info: %s\n", file.error().message.c_str());
     return kBadInput;
   }
+  file.value().ask(long_work("info"));
   const Contents contents = read_all(file.value());
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
   o.json ? print_json(contents) : print_text(contents);
   if (!contents.ending.empty()) {
     std::fprintf(stderr, "farrier info: %s: %s; what is above is what came before\n", o.path.c_str(),

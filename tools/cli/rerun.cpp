@@ -3,7 +3,9 @@
 #include <cstdio>
 #include <vector>
 
+#include "participant/loop.hpp"
 #include "tools/cli/command.hpp"
+#include "tools/cli/long_work.hpp"
 #include "tools/recording/rerun.hpp"
 #include "tools/report/text_format.hpp"
 
@@ -22,7 +24,11 @@ std::string text_of(const std::optional<recording::Difference>& first) {
 }  // namespace
 
 int rerun_estimator(recording::RecordedRun& run, const std::string& path) {
-  const auto rerun = recording::rerun_estimator(run);
+  run.ask(long_work("replay, reading"));
+  const auto rerun = recording::rerun_estimator(run, long_work("replay --rerun estimator"));
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
   if (!rerun) {
     std::fprintf(stderr, "farrier replay: %s: %s\n", path.c_str(), rerun.error().message.c_str());
     return kBadInput;

@@ -15,6 +15,7 @@
 #include "signals/sequence_of.hpp"
 #include "tools/recording/csv_reader.hpp"
 #include "tools/recording/csv_row.hpp"
+#include "tools/recording/new_files.hpp"
 
 namespace farrier::recording {
 namespace {
@@ -24,6 +25,7 @@ using nlohmann::json;
 
 constexpr const char* kFirstColumns[] = {"index", "log_time_ns", "publish_time_ns"};
 constexpr const char* kMetadata = "metadata.json";
+constexpr std::uint64_t kAskEvery = 10'000;  // samples
 
 /// What a topic's file needs that depends on its signal type.
 struct Format {
@@ -131,6 +133,8 @@ class TopicFile {
   bool present() const noexcept { return present_; }
   std::uint64_t index() const noexcept { return index_; }
   const run_file::Sample& sample() const noexcept { return sample_; }
+  std::uint64_t position() { return reader_.position(); }
+  std::uint64_t size() const { return fs::file_size(path_); }
 
  private:
   Error wrong(std::size_t place) const {
@@ -176,7 +180,7 @@ Result<Metadata> read_metadata(const std::string& path) {
 
 }  // namespace
 
-Result<Converted> to_csv(const std::string& recording, const std::string& folder) {
+Result<Converted> to_csv(const std::string& recording, const std::string& folder, const KeepOn& keep_on) {
   auto reader = run_file::RunFileReader::open(recording);
   if (!reader) {
     return reader.error();
@@ -186,6 +190,8 @@ Result<Converted> to_csv(const std::string& recording, const std::string& folder
   if (refused || !fs::is_empty(folder, refused)) {
     return Error{folder + (refused ? ": " + refused.message() : " is not empty: give a folder of its own")};
   }
+  NewFiles made(folder);
+  reader.value().ask(keep_on);
   std::array<std::ofstream, bus::kTopicCount> files;
   Converted converted;
   std::string row;
@@ -204,6 +210,9 @@ Result<Converted> to_csv(const std::string& recording, const std::string& folder
     file << row << '\n';
   }
   converted.ending = reader.value().ending();
+  if (converted.ending == run_file::kInterrupted) {
+    return Error{converted.ending};
+  }
   json metadata;
   for (const mcap::Metadata& one : reader.value().file().metadata()) {
     metadata[one.name] = one.values;
@@ -217,10 +226,11 @@ Result<Converted> to_csv(const std::string& recording, const std::string& folder
       return Error{"cannot write all of " + folder + ": " + std::strerror(errno)};
     }
   }
+  made.keep();
   return converted;
 }
 
-Result<Converted> from_csv(const std::string& folder, const std::string& recording) {
+Result<Converted> from_csv(const std::string& folder, const std::string& recording, const KeepOn& keep_on) {
   const auto metadata = read_metadata(folder + "/" + kMetadata);
   if (!metadata) {
     return metadata.error();
@@ -235,6 +245,14 @@ Result<Converted> from_csv(const std::string& folder, const std::string& recordi
       files.push_back(std::move(file));
     }
   }
+  const auto share = [&files] {
+    std::uint64_t read = 0, all = 0;
+    for (const auto& file : files) {
+      read += file->position();
+      all += file->size();
+    }
+    return static_cast<double>(read) / static_cast<double>(all);
+  };
   auto writer = run_file::RunFileWriter::create(recording, metadata.value().facts);
   if (!writer) {
     return writer.error();
@@ -249,7 +267,11 @@ Result<Converted> from_csv(const std::string& folder, const std::string& recordi
       break;
     }
     writer.value().write(first->sample());
-    if (auto advanced = first->advance(); !advanced) {
+    auto advanced = first->advance();
+    if (advanced && keep_on && converted.samples % kAskEvery == 0 && !keep_on(share())) {
+      advanced = Error{run_file::kInterrupted};
+    }
+    if (!advanced) {
       std::remove(recording.c_str());
       return advanced.error();
     }

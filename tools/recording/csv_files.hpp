@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/keep_on.hpp"
 #include "core/result.hpp"
 
 namespace farrier::recording {
@@ -17,10 +18,12 @@ struct Converted {
   std::string ending;
 };
 
-/// Refuses a file that is no recording and a folder that cannot be written or has files of another recording.
-Result<Converted> to_csv(const std::string& recording, const std::string& folder);
+/// Refuses a file that is no recording, a folder that cannot be written or has files of another recording, and when
+/// `keep_on` does; then it leaves no file in the folder.
+Result<Converted> to_csv(const std::string& recording, const std::string& folder, const KeepOn& keep_on = {});
 
-/// Refuses, with file, line and column, what to_csv would not have written.
-Result<Converted> from_csv(const std::string& folder, const std::string& recording);
+/// Refuses, with file, line and column, what to_csv would not have written, and when `keep_on` does; then it leaves no
+/// recording.
+Result<Converted> from_csv(const std::string& folder, const std::string& recording, const KeepOn& keep_on = {});
 
 }  // namespace farrier::recording

@@ -1,5 +1,7 @@
 #include "tools/recording/csv_reader.hpp"
 
+#include <algorithm>
+
 namespace farrier::recording {
 
 bool CsvReader::next(std::vector<std::string>& cells) {
@@ -28,6 +30,11 @@ bool CsvReader::next(std::vector<std::string>& cells) {
     }
   }
   return cells.size() > 1 || !cells.front().empty();
+}
+
+std::uint64_t CsvReader::position() {
+  file_.clear();
+  return static_cast<std::uint64_t>(std::max<std::streamoff>(file_.tellg(), 0));
 }
 
 }  // namespace farrier::recording

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -16,6 +17,8 @@ class CsvReader {
   bool next(std::vector<std::string>& cells);
   /// Of the row that came last, from 1 on.
   std::size_t line() const noexcept { return line_; }
+  /// Bytes of the file before what comes next; past the end, all of them.
+  std::uint64_t position();
 
  private:
   std::ifstream file_;

@@ -19,6 +19,9 @@ class RecordedRun {
 
   const robot::Robot& robot() const noexcept { return robot_; }
 
+  /// As run_file::RunFileReader.
+  void ask(KeepOn keep_on) { file_.ask(std::move(keep_on)); }
+
   /// The next sample, valid until the next call. False at the end: see `ending`.
   bool next(run_file::Sample& sample);
 

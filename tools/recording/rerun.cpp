@@ -80,7 +80,7 @@ void count(const std::vector<signals::JointMeasurement>& measurements, RerunJoin
 
 }  // namespace
 
-Result<Rerun> rerun_estimator(RecordedRun& run) {
+Result<Rerun> rerun_estimator(RecordedRun& run, const KeepOn& keep_on) {
   Recorded recorded = read(run);
   Rerun rerun;
   rerun.ending = recorded.measured.ending;
@@ -102,7 +102,7 @@ Result<Rerun> rerun_estimator(RecordedRun& run) {
       ++sum.different;
       sum.first = sum.first ? sum.first : different;
     }
-  });
+  }, keep_on);
   if (!fed) {
     return fed.error();
   }

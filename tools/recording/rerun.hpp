@@ -33,7 +33,7 @@ struct Rerun {
 };
 
 /// Feeds the recorded measurements to the estimators of this version and compares what they say, bit by bit, with what
-/// was recorded. Refuses estimator settings out of range.
-Result<Rerun> rerun_estimator(RecordedRun& run);
+/// was recorded. Refuses estimator settings out of range, and when `keep_on` does.
+Result<Rerun> rerun_estimator(RecordedRun& run, const KeepOn& keep_on = {});
 
 }  // namespace farrier::recording

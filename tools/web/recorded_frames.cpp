@@ -18,7 +18,6 @@ using nlohmann::json;
 
 constexpr std::size_t kFramesPerBlock = 100;
 constexpr std::size_t kMostEvents = 5000;   // in the overview; a frame has all of its own
-constexpr std::size_t kAskEvery = 100'000;  // samples
 constexpr auto kStep_ns = static_cast<std::uint64_t>(1e9 / RecordedFrames::kFramesPerSecond);
 
 std::string compressed(const std::string& text) {
@@ -126,25 +125,26 @@ class RecordedFrames::Maker {
   std::vector<Faults> faults_;
 };
 
-Result<RecordedFrames> RecordedFrames::read(const std::string& path, const std::function<bool()>& keep_on) {
+Result<RecordedFrames> RecordedFrames::read(const std::string& path, KeepOn keep_on) {
   auto run = recording::RecordedRun::open(path);
   if (!run) {
     return run.error();
   }
+  run.value().ask(std::move(keep_on));
   RecordedFrames frames;
   frames.robot_ = std::make_shared<const robot::Robot>(run.value().robot());
   Maker maker(frames);
   const auto& topics = monitor::RobotView::topics();
   bool summaries = false;
   run_file::Sample sample;
-  for (std::size_t i = 0; run.value().next(sample); ++i) {
-    if (i % kAskEvery == 0 && !keep_on()) {
-      return Error{"interrupted"};
-    }
+  while (run.value().next(sample)) {
     if (std::ranges::find(topics, sample.topic) != topics.end()) {
       summaries = summaries || sample.topic == bus::TopicId::kJointSummary;
       maker.take(sample);
     }
+  }
+  if (run.value().ending() == run_file::kInterrupted) {
+    return Error{path + ": " + run.value().ending()};
   }
   if (!summaries) {
     return Error{path + " has no samples of lf/joint/summary, from which pages are drawn " + run.value().ending()};

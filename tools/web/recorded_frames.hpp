@@ -1,9 +1,9 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "core/keep_on.hpp"
 #include "core/result.hpp"
 #include "robot/robot.hpp"
 #include "tools/web/web_server.hpp"
@@ -15,9 +15,9 @@ class RecordedFrames {
  public:
   static constexpr double kFramesPerSecond = 20.0;
 
-  /// Reads all of it; `keep_on` is asked now and then. Refuses a file that is no recording of a robot, or has no
-  /// summaries of its joints in it.
-  static Result<RecordedFrames> read(const std::string& path, const std::function<bool()>& keep_on);
+  /// Reads all of it. Refuses a file that is no recording of a robot, or has no summaries of its joints in it, and when
+  /// `keep_on` does.
+  static Result<RecordedFrames> read(const std::string& path, KeepOn keep_on = {});
 
   const robot::Robot& robot() const noexcept { return *robot_; }
   std::size_t count() const noexcept { return count_; }

@@ -39,7 +39,7 @@ void tell(const std::string& url) {
 }
 
 int serve_recording(const std::string& path, const display::ListenAddress& address, web::PageFiles page) {
-  auto frames = web::RecordedFrames::read(path, [] { return true; });
+  auto frames = web::RecordedFrames::read(path);
   if (!frames) {
     return fail(frames.error().message);
   }

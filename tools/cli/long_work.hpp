@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "core/keep_on.hpp"
+
+namespace farrier::cli {
+
+/// Stops long work at SIGINT and SIGTERM, and shows its progress once it has lasted two seconds, until the last copy of what
+/// is returned is gone.
+KeepOn long_work(const std::string& title);
+
+}  // namespace farrier::cli
