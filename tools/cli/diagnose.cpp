@@ -16,6 +16,7 @@
 #include "tools/cli/diagnose_options.hpp"
 #include "tools/cli/diagnose_scaled.hpp"
 #include "tools/cli/installation.hpp"
+#include "tools/cli/long_work.hpp"
 #include "tools/cli/output_file.hpp"
 #include "tools/cli/with_bar.hpp"
 #include "tools/recording/joint_recording.hpp"
@@ -51,9 +52,10 @@ Result<const robot::Joint*> joint_of(const robot::Robot& robot, const std::strin
 /// A recording, or what is wrong with it.
 Result<Recording, diagnosis::RecordingProblems> read(const DiagnoseOptions& o, const robot::Robot& robot,
                                                      const robot::Joint& joint) {
-  auto recording = recording::is_recording(o.recording) ? recording::read_joint_recording(o.recording, joint.name)
-                   : diagnosis::is_trace(o.recording)   ? diagnosis::recording_of_trace(o.recording, robot, joint)
-                                                        : diagnosis::read_recording(o.recording);
+  auto recording = recording::is_recording(o.recording)
+                       ? recording::read_joint_recording(o.recording, joint.name, long_work("diagnose, reading"))
+                   : diagnosis::is_trace(o.recording) ? diagnosis::recording_of_trace(o.recording, robot, joint)
+                                                      : diagnosis::read_recording(o.recording);
   if (recording) {
     if (auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
       return diagnosis::RecordingProblems{std::move(findings)};
@@ -197,6 +199,9 @@ int diagnose(const DiagnoseOptions& o) {
     return refuse(free.error().message, kBadInput);
   }
   const auto recording = read(o, robot, *joint.value());
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
   if (!recording) {
     Diagnosis none{};
     none.judgement.verdict = diagnosis::Verdict::kBadData;

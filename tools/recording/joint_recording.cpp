@@ -78,7 +78,8 @@ Recording joint_recording(const Measurements& measured, const robot::Robot& robo
   return recording;
 }
 
-Result<Recording, RecordingProblems> read_joint_recording(const std::string& path, const std::string& joint_name) {
+Result<Recording, RecordingProblems> read_joint_recording(const std::string& path, const std::string& joint_name,
+                                                          KeepOn keep_on) {
   auto run = RecordedRun::open(path);
   if (!run) {
     return problem("unreadable", run.error().message);
@@ -89,6 +90,7 @@ Result<Recording, RecordingProblems> read_joint_recording(const std::string& pat
     return problem("no_such_joint", "the recording is of " + robot.name + ", which has no joint " + joint_name +
                                         "; it has " + join(robot::joint_names(robot), ", ") + ": give --joint one of them");
   }
+  run.value().ask(std::move(keep_on));
   Measurements measured = read_measurements(run.value());
   Recording recording = joint_recording(measured, robot, *joint);
   if (recording.time_s.empty()) {

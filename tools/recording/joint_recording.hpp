@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "core/keep_on.hpp"
 #include "diagnosis/recording.hpp"
 #include "robot/robot.hpp"
 #include "tools/recording/measurements.hpp"
@@ -16,8 +17,10 @@ diagnosis::Recording joint_recording(const Measurements& measured, const robot::
                                      const robot::Joint& joint);
 
 /// The same of the recording at `path`. Refuses, as one finding of the file as a whole: unreadable; no_such_joint where
-/// the recorded robot lacks the joint of this name, or nothing of it was recorded; too_short as read_recording does.
+/// the recorded robot lacks the joint of this name, or nothing of it was recorded; too_short as read_recording does. What
+/// comes before `keep_on` says no is all there is.
 Result<diagnosis::Recording, diagnosis::RecordingProblems> read_joint_recording(const std::string& path,
-                                                                                const std::string& joint);
+                                                                                const std::string& joint,
+                                                                                KeepOn keep_on = {});
 
 }  // namespace farrier::recording
