@@ -29,7 +29,7 @@ struct DiscoveredClock {
 struct Discovery {
   std::vector<std::string> participants;  ///< GUID prefixes of all but the one that looks
   std::vector<DiscoveredEndpoint> endpoints;
-  std::vector<DiscoveredClock> clocks;  ///< of those that reported their health meanwhile
+  std::vector<DiscoveredClock> clocks{};  ///< of those that reported their health meanwhile
 };
 
 }  // namespace farrier::bus

@@ -29,7 +29,7 @@ std::string writer_of(dds_entity_t reader, dds_instance_handle_t publication) {
 }  // namespace
 
 std::vector<bus::DiscoveredClock> compare_clocks(dds_entity_t participant, Nanoseconds how_long) {
-  bus::EndpointSpec endpoint{.topic = bus::TopicId::kSystemHealth, .partitions = {"*"}};
+  bus::EndpointSpec endpoint{.topic = bus::TopicId::kSystemHealth, .qos = {}, .partitions = {"*"}};
   endpoint.qos.reliability = bus::Reliability::kBestEffort;
   const dds_entity_t topic = dds_create_topic(participant, &topic_descriptor(endpoint.topic),
                                               bus::spec(endpoint.topic).name, nullptr, nullptr);

@@ -24,7 +24,7 @@ endif()
 farrier_test(prometheus_test ecosystem ${ecosystem_dir}/prometheus_test.cpp
   ${ecosystem_dir}/../system/farrier_command.cpp)
 target_include_directories(prometheus_test PRIVATE ${ecosystem_dir}/../system)
-target_link_libraries(prometheus_test PRIVATE farrier_tool_process nlohmann_json::nlohmann_json Threads::Threads)
+target_link_libraries(prometheus_test PRIVATE farrier_tool_process nlohmann_json::nlohmann_json test_http Threads::Threads)
 target_compile_definitions(prometheus_test PRIVATE FARRIER_COMMAND="$<TARGET_FILE:farrier>"
   FARRIER_MONITORING="${PROJECT_SOURCE_DIR}/deploy/monitoring")
 add_dependencies(prometheus_test product)

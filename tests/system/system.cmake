@@ -65,10 +65,11 @@ set_tests_properties(system/doctor_test PROPERTIES RUN_SERIAL FALSE)  # nothing 
 farrier_system_test(echo_test system 0 ${CMAKE_CURRENT_LIST_DIR}/echo_test.cpp)
 farrier_system_test(monitor_command_test system 0 ${CMAKE_CURRENT_LIST_DIR}/monitor_command_test.cpp)
 farrier_system_test(monitor_page_test system 0 ${CMAKE_CURRENT_LIST_DIR}/monitor_page_test.cpp)
-target_link_libraries(monitor_page_test PRIVATE PkgConfig::httplib)
 farrier_system_test(monitor_page_load_test long 0 ${CMAKE_CURRENT_LIST_DIR}/monitor_page_load_test.cpp
   ${PROJECT_SOURCE_DIR}/tools/cli/process_stat.cpp)
-target_link_libraries(monitor_page_load_test PRIVATE PkgConfig::httplib)
+foreach(name IN ITEMS monitor_command_test monitor_page_test monitor_page_load_test)
+  target_link_libraries(${name} PRIVATE test_http)
+endforeach()
 farrier_system_test(record_test system 0 ${CMAKE_CURRENT_LIST_DIR}/record_test.cpp)
 target_compile_definitions(record_test PRIVATE FARRIER_VENDORS="cyclone")
 farrier_system_test(long_record_test long 0 ${CMAKE_CURRENT_LIST_DIR}/record_test.cpp)

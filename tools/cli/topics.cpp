@@ -48,9 +48,9 @@ struct VendorCounts {
 /// One topic of the domain, as it was found.
 struct TopicView {
   std::string name;
-  std::set<std::string> types, offered;  ///< offered: QoS of writers
-  VendorCounts writers, readers;
-  double rate_hz = 0.0;                  ///< of samples that were heard; 0 for topics that are not of the contract
+  std::set<std::string> types{}, offered{};  ///< offered: QoS of writers
+  VendorCounts writers{}, readers{};
+  double rate_hz = 0.0;                      ///< of samples that were heard; 0 for topics that are not of the contract
   std::uint64_t lost = 0;
 };
 
