@@ -61,6 +61,7 @@ class JointNodeRealtime final : public participant::RealtimeApplication {
   bool receive(SteadyTime now) override;
   void step(const participant::Wake& wake) noexcept override;
   void send() override;
+  void send_at_leisure() override;
   bool finished() const override { return false; }
   Nanoseconds period() const override { return period_; }
   Trigger trigger() const override { return Trigger::kArrival; }
@@ -208,7 +209,10 @@ void JointNodeRealtime::send() {
       measured_.push_back({i, outputs.measurement});
     }
   }
-  ports_.valves->flush();  // a valve waits for no estimator
+  ports_.valves->flush();
+}
+
+void JointNodeRealtime::send_at_leisure() {
   for (const Measured& measured : measured_) {
     ports_.tell(joints_[measured.joint], measured.measurement);
   }

@@ -5,8 +5,8 @@
 
 namespace farrier::joint_node {
 
-Summariser::Summariser(double period_s) noexcept
-    : ticks_(std::max<Tick>(1, std::llround(1.0 / (kRate_Hz * period_s)))) {}
+Summariser::Summariser(double period_s, Tick turn) noexcept
+    : ticks_(std::max<Tick>(1, std::llround(1.0 / (kRate_Hz * period_s)))), turn_(turn % ticks_) {}
 
 std::optional<signals::JointSummary> Summariser::take(const signals::JointMeasurement& m) noexcept {
   if (m.tick == kNoTick) {
@@ -15,9 +15,10 @@ std::optional<signals::JointSummary> Summariser::take(const signals::JointMeasur
   std::optional<signals::JointSummary> done;
   const bool again = m.tick == last_tick_;
   again_ = again ? again_ + 1 : 0;
-  if (m.tick / ticks_ != block_ || again_ == ticks_) {
+  const Tick block = (m.tick + turn_) / ticks_;
+  if (block != block_ || again_ == ticks_) {
     done = finish();
-    block_ = m.tick / ticks_;
+    block_ = block;
   }
   if (!again) {
     const double error = m.force_reference_N_or_Nm - m.force_N_or_Nm;

@@ -11,7 +11,8 @@ class Summariser {
  public:
   static constexpr double kRate_Hz = 50.0;
 
-  explicit Summariser(double period_s) noexcept;
+  /// `turn`: joints of different turns tell in different ticks, so that no tick has to carry the summaries of all.
+  explicit Summariser(double period_s, Tick turn = 0) noexcept;
 
   /// The summary of the ticks before, once a measurement of the next ones comes, whichever is missing between. A joint
   /// that hears nothing tells its last measurement again and again: as many of them make a summary, too, of what it
@@ -22,6 +23,7 @@ class Summariser {
   std::optional<signals::JointSummary> finish() noexcept;
 
   Tick ticks_;  ///< in one summary when none is missing
+  Tick turn_;
   Tick block_ = 0;
   Tick last_tick_ = kNoTick;
   Tick again_ = 0;  ///< measurements of that tick after its first, since the last summary

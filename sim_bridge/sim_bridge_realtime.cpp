@@ -8,6 +8,7 @@
 #include "core/latest_value.hpp"
 #include "core/spsc_ring.hpp"
 #include "participant/arrival.hpp"
+#include "participant/clock.hpp"
 #include "participant/loop_statistics.hpp"
 #include "record/trace.hpp"
 #include "robot/keys.hpp"
@@ -51,6 +52,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   bool receive(SteadyTime now) override;
   void step(const participant::Wake& wake) noexcept override;
   void send() override;
+  void send_at_leisure() override;
   bool finished() const override { return ticks_ > 0 && tick_.load(std::memory_order_relaxed) >= ticks_; }
   Nanoseconds period() const override { return period_; }
   Trigger trigger() const override { return Trigger::kDeadline; }
@@ -74,6 +76,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   SteadyTime next_health_{};
   std::atomic<Tick> tick_{0};
   std::atomic<Tick> sensed_tick_{kNoTick};  ///< newest whose sensors are on their way
+  Tick sending_tick_ = 0;                   ///< sender thread: all before this tick is in its hands
   Tick told_tick_ = kNoTick;                ///< sender thread: newest that the clock has told
   std::atomic<Tick> sent_tick_{kNoTick};  ///< all before this tick is sent and recorded
   std::atomic<bool> trace_complete_{true};
@@ -139,7 +142,14 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
 
 void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
   statistics_.stepped(wake);
-  const auto sampled = std::chrono::duration_cast<Nanoseconds>(wake.now.time_since_epoch()).count();
+  if (sensed_tick_.load(std::memory_order_relaxed) == world_.tick()) {
+    world_.advance(valve_current_A_);  // not after sensing: the sender thread, on the same processor, would wait for it
+    tick_.store(world_.tick(), std::memory_order_release);
+    if (finished()) {
+      return;
+    }
+  }
+  const auto sampled = std::chrono::duration_cast<Nanoseconds>(participant::steady_now().time_since_epoch()).count();
   for (std::size_t i = 0; i < mail_.size(); ++i) {
     signals::JointSensors sensors = world_.sample(i);
     sensors.sample_time_ns = sampled;
@@ -147,13 +157,10 @@ void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
     apply_valve(i, wake.now);
   }
   sensed_tick_.store(world_.tick(), std::memory_order_release);
-  outputs_waiting.post();  // sensors need not wait for the world
-  world_.advance(valve_current_A_);
-  tick_.store(world_.tick(), std::memory_order_release);
 }
 
 void SimBridgeRealtime::send() {
-  const Tick now = tick_.load(std::memory_order_acquire);
+  sending_tick_ = tick_.load(std::memory_order_acquire);
   const Tick sensed = sensed_tick_.load(std::memory_order_acquire);
   for (Mailbox& mail : mail_) {
     for (signals::JointSensors sensors; mail.sensors.pop(sensors);) {
@@ -165,6 +172,9 @@ void SimBridgeRealtime::send() {
     told_tick_ = sensed;
     ports_.clock->publish({0, sensed});
   }
+}
+
+void SimBridgeRealtime::send_at_leisure() {
   for (bool any = true; any && trace_;) {
     any = false;
     for (Mailbox& mail : mail_) {
@@ -174,10 +184,10 @@ void SimBridgeRealtime::send() {
       }
     }
   }
-  if (ticks_ > 0 && now >= ticks_ && trace_) {
+  if (ticks_ > 0 && sending_tick_ >= ticks_ && trace_) {
     trace_complete_.store(trace_->finish(), std::memory_order_relaxed);
   }
-  sent_tick_.store(now, std::memory_order_release);
+  sent_tick_.store(sending_tick_, std::memory_order_release);
 }
 
 }  // namespace

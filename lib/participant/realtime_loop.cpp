@@ -23,6 +23,7 @@ constexpr auto kStatusPeriod = 1s;
 struct Threads {
   std::atomic<bool> started{false};
   std::atomic<bool> refused{false};
+  std::atomic<pid_t> sender{0};  ///< 0 until it runs
   std::atomic<std::uint64_t> control_turns{0}, send_turns{0};
 
   bool over() const noexcept { return stop_requested() || refused.load(std::memory_order_relaxed); }
@@ -37,9 +38,10 @@ void control(RealtimeApplication& application, const char* name, int priority_sh
     }
   }
   const std::atomic<bool>& started = threads.started;
-  while (!started.load(std::memory_order_acquire) && !threads.over()) {
+  while ((!started.load(std::memory_order_acquire) || threads.sender == 0) && !threads.over()) {
     std::this_thread::sleep_for(1ms);
   }
+  const pid_t sender = threads.sender;
   const bool on_arrival = application.trigger() == RealtimeApplication::Trigger::kArrival;
   const Nanoseconds period = on_arrival ? application.period() * 3 / 2 : application.period();
   SteadyTime previous = steady_now();
@@ -55,20 +57,32 @@ void control(RealtimeApplication& application, const char* name, int priority_sh
     if (!application.finished()) {
       application.step({steady_now(), deadline.next, deadline.missed});
       application.outputs_waiting.post();
+      runtime::set_priority_of(sender, runtime::kBusPriority + priority_shift);  // it may be at leisure
     }
   }
 }
 
-void send(RealtimeApplication& application, Threads& threads) {
+void send(RealtimeApplication& application, int priority_shift, Threads& threads) {
   runtime::name_thread("send");
+  const pid_t self = runtime::thread_id();
+  threads.sender = self;
   const std::atomic<bool>& started = threads.started;
   for (; !threads.over(); threads.send_turns.fetch_add(1, std::memory_order_relaxed)) {
-    if (application.outputs_waiting.wait_until(machine_time(steady_now() + kHousekeeping)) && started.load(std::memory_order_acquire)) {
-      application.send();
+    if (!application.outputs_waiting.wait_until(machine_time(steady_now() + kHousekeeping)) ||
+        !started.load(std::memory_order_acquire)) {
+      continue;
+    }
+    application.send();
+    runtime::set_priority_of(self, runtime::kLeisurePriority + priority_shift);
+    if (!application.outputs_waiting.posted()) {  // what is posted from here on raises this thread
+      application.send_at_leisure();
+    } else {
+      runtime::set_priority_of(self, runtime::kBusPriority + priority_shift);
     }
   }
   if (started.load(std::memory_order_acquire)) {
     application.send();
+    application.send_at_leisure();
   }
 }
 
@@ -80,7 +94,7 @@ int run_realtime(RealtimeApplication& application, Participant& member, int prio
   Threads threads;
   ServiceManager manager;
   std::thread control_thread(control, std::ref(application), name, priority_shift, std::ref(threads));
-  std::thread send_thread(send, std::ref(application), std::ref(threads));
+  std::thread send_thread(send, std::ref(application), priority_shift, std::ref(threads));
   SteadyTime said = steady_now();
   SteadyTime next_status = said + kStatusPeriod;
   while (!threads.over()) {

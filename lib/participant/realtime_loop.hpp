@@ -34,6 +34,9 @@ class RealtimeApplication {
   virtual void step(const Wake& wake) noexcept = 0;
   /// Sender thread: publishes what the control thread has left.
   virtual void send() = 0;
+  /// Sender thread, after that, behind every thread on the way from sensor to valve: publishes and writes what none of
+  /// them waits for.
+  virtual void send_at_leisure() {}
   virtual bool finished() const = 0;
   virtual Nanoseconds period() const = 0;
   virtual Trigger trigger() const = 0;
@@ -45,7 +48,7 @@ class RealtimeApplication {
 
 /// Drives an application on the real-time clock until SIGTERM, or until the participant cannot take part; returns the
 /// process's exit status, as run does. systemd hears when the run has begun, and from then on that the control and the
-/// sender thread turn. `priority_shift` is added to the control thread's priority.
+/// sender thread turn. `priority_shift` is added to the priorities of the control and the sender thread.
 int run_realtime(RealtimeApplication& application, Participant& member, int priority_shift);
 
 }  // namespace farrier::participant

@@ -18,6 +18,13 @@ class WakeUp {
 
   void post() noexcept { sem_post(&semaphore_); }
 
+  /// Whether a wait would return true at once.
+  bool posted() noexcept {
+    int posts = 0;
+    sem_getvalue(&semaphore_, &posts);
+    return posts > 0;
+  }
+
   /// True when posted, false at the deadline, which is the machine's time. Several posts wake once.
   bool wait_until(SteadyTime deadline) noexcept {
     const auto since_epoch = std::chrono::duration_cast<Nanoseconds>(deadline.time_since_epoch()).count();

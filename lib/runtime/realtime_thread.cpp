@@ -3,6 +3,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
@@ -23,13 +24,18 @@ void touch_stack() noexcept {
 
 void name_thread(const char* name) noexcept { pthread_setname_np(pthread_self(), name); }
 
-std::string set_priority(int priority) {
+pid_t thread_id() noexcept { return gettid(); }
+
+bool set_priority_of(pid_t thread, int priority) noexcept {
   sched_param parameters{};
   parameters.sched_priority = priority;
-  if (sched_setscheduler(0, SCHED_FIFO, &parameters) != 0) {
-    return std::string("real-time priority (") + std::strerror(errno) + ")";
-  }
-  return {};
+  return sched_setscheduler(thread, SCHED_FIFO, &parameters) == 0;
+}
+
+std::string set_priority(int priority) {
+  return set_priority_of(thread_id(), priority)
+             ? std::string()
+             : std::string("real-time priority (") + std::strerror(errno) + ")";
 }
 
 std::string lock_memory() {

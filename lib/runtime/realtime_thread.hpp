@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 
 namespace farrier::runtime {
@@ -10,6 +12,8 @@ namespace farrier::runtime {
 inline constexpr int kControlPriority = 80;
 inline constexpr int kBusPriority = 60;
 inline constexpr int kServicePriority = 40;
+/// Of a sender thread with what no loop waits for: below every thread on the way from sensor to valve.
+inline constexpr int kLeisurePriority = 50;
 /// Of what is no part of a robot and must not wait for one: a watch over the computer, a cable in a test.
 inline constexpr int kWatchPriority = kControlPriority + 10;
 
@@ -19,6 +23,12 @@ void name_thread(const char* name) noexcept;
 /// Gives the calling thread, and threads it creates from now on, a SCHED_FIFO priority. Where the system's limits
 /// forbid it the thread runs on without; returns what could not be had, empty when all could.
 std::string set_priority(int priority);
+
+/// The calling thread, as the kernel numbers it.
+pid_t thread_id() noexcept;
+
+/// The same for any thread of this process that still runs, at the cost of one system call; false where it could not be.
+bool set_priority_of(pid_t thread, int priority) noexcept;
 
 /// Locks the process's memory and touches the calling thread's stack, so that a loop meets no page fault. Returns as
 /// set_priority.

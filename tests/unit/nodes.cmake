@@ -45,7 +45,8 @@ target_link_libraries(nodes_test PRIVATE farrier_estimator_service_core farrier_
 farrier_test(participant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/participant_arrival_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/participant_greeting_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/participant_ports_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/participant_ports_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/realtime_loop_test.cpp)
 target_link_libraries(participant_test PRIVATE farrier_participant)
 
 farrier_test(recorder_test unit

@@ -39,6 +39,14 @@ TEST(SummariserTest, SumsUpEveryTwentyTicksAtOneKilohertz) {
   EXPECT_DOUBLE_EQ(summary->force_reference_rms_N_or_Nm, 300.0);
 }
 
+TEST(SummariserTest, JointsOfDifferentTurnsTellInDifferentTicks) {
+  Summariser first(1e-3, 4), second(1e-3, 25);  // 25 is the turn of 5, every twenty ticks
+  for (Tick tick = 0; tick < 60; ++tick) {
+    EXPECT_EQ(first.take(measured(tick)).has_value(), tick % 20 == 16) << tick;
+    EXPECT_EQ(second.take(measured(tick)).has_value(), tick % 20 == 15) << tick;
+  }
+}
+
 TEST(SummariserTest, SumsUpEveryTickWhereTheLoopIsSlow) {
   Summariser summariser(0.1);
   EXPECT_FALSE(summariser.take(measured(0)));
