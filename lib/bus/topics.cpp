@@ -24,6 +24,9 @@ constexpr Qos kRequests{Reliability::kReliable, Durability::kVolatile, 4, kInfin
 constexpr Qos kLockstepOnly{Reliability::kReliable, Durability::kVolatile, 1, kInfinite, Liveliness::kAutomatic,
                             kInfinite, Ownership::kShared};
 
+// Journals of one stream that a recorder may leave lying: each is of eleven ticks and more.
+constexpr int kJournals = 64;
+
 // A sample for tick k + 1 may arrive before the one for tick k is taken; four leave room to spare.
 constexpr int kTwoTicks = 4;
 
@@ -55,6 +58,7 @@ constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(ClockTickDone, "clock/tick_done", clock_tick_done, kTickers, "sim_bridge", "participant", 1, Route::kRobot, Sending::kAtOnce, kLockstepOnly, kTwoTicks),
     FARRIER_TOPIC(JointSummary, "lf/joint/summary", joint_summary, {Role::kJointNode}, "monitors", "joint", 2, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointModelEstimateCopy, "lf/joint/model_estimate", joint_model_estimate_copy, {Role::kEstimatorService}, "monitors", "joint", 1, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
+    FARRIER_TOPIC(SystemJournal, "system/journal", system_journal, kParticipantRoles, "recorders", "stream", 1, Route::kRobot, Sending::kAtOnce, kLatest, kJournals),
 };
 // clang-format on
 #undef FARRIER_TOPIC

@@ -17,6 +17,7 @@
 #include <system_event.h>
 #include <system_health.h>
 #include <system_hello.h>
+#include <system_journal.h>
 #include <system_mode.h>
 #include <system_request.h>
 

@@ -19,6 +19,7 @@
 #include <system_eventPubSubTypes.h>
 #include <system_healthPubSubTypes.h>
 #include <system_helloPubSubTypes.h>
+#include <system_journalPubSubTypes.h>
 #include <system_modePubSubTypes.h>
 #include <system_requestPubSubTypes.h>
 

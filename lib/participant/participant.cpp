@@ -222,6 +222,11 @@ void Participant::report_health(Tick tick, bool final_report, const signals::Sys
   health.sent[static_cast<std::size_t>(bus::TopicId::kSystemEvent)] = event_out_->sent();
   health.received[static_cast<std::size_t>(bus::TopicId::kSystemHello)] = hello_in_->status().received;
   health_out_->publish(health);
+  if (final_report && identity_.clock == bus::ClockKind::kLockstep) {
+    for (const auto& port : ports_) {
+      port->finish();
+    }
+  }
 }
 
 void Participant::tell_security_warnings() noexcept {

@@ -86,6 +86,14 @@ class Participant {
       }
     }
     auto port = std::make_unique<Out<Signal>>(std::move(publishers), std::move(keys), std::move(publisher_of_key));
+    if constexpr (signals::kOfEveryTick<Signal>) {
+      auto journal = bus::Publisher<signals::SystemJournal>::create(
+          bus_, endpoint_of(identity_, bus::TopicId::kSystemJournal));
+      if (!journal) {
+        return journal.error();
+      }
+      port->keep_journal(std::make_unique<StreamJournal>(std::move(journal).value(), identity_.number, topic));
+    }
     Out<Signal>* raw = port.get();
     ports_.push_back(std::move(port));
     return raw;

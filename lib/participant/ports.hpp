@@ -12,6 +12,8 @@
 
 #include "bus/bus.hpp"
 #include "core/ticks_since.hpp"
+#include "participant/stream_journal.hpp"
+#include "signals/sequence_of.hpp"
 #include "signals/tick_of.hpp"
 
 namespace farrier::participant {
@@ -26,6 +28,7 @@ template <class Signal>
 std::uint16_t& key_of(Signal& s) { return s.joint; }
 inline std::uint16_t& key_of(signals::JointControllerGains& s) { return s.joint; }
 inline std::uint16_t& key_of(signals::ClockTickDone& s) { return s.participant; }
+inline std::uint16_t& key_of(signals::SystemJournal& s) { return s.stream; }
 
 template <class Signal>
 std::uint16_t key_of(const Signal& s) {
@@ -42,6 +45,8 @@ class Port {
   virtual std::string first_unheard() const { return {}; }
   /// The run has started: what was lost while greeting does not count.
   virtual void start() noexcept {}
+  /// The run is over: what is kept back goes out. In lock-step, where a process has one thread.
+  virtual void finish() noexcept {}
   virtual void count(signals::SystemHealth& health) const noexcept = 0;
 };
 
@@ -142,7 +147,14 @@ class Out final : public Port {
     if (!publisher_of(key_of(signal)).queue(signal)) {
       refused_.fetch_add(1, std::memory_order_relaxed);
     }
+    if constexpr (signals::kOfEveryTick<Signal>) {
+      if (journal_) {
+        journal_->add(signal);
+      }
+    }
   }
+  /// What this port publishes goes to recorders by `journal`, too.
+  void keep_journal(std::unique_ptr<StreamJournal> journal) noexcept { journal_ = std::move(journal); }
   /// Sends what was published of a topic whose samples go together.
   void flush() noexcept {
     for (bus::Publisher<Signal>& publisher : publishers_) {
@@ -162,6 +174,19 @@ class Out final : public Port {
       publisher_of(key).publish(signal);
     }
     flush();
+    if (journal_) {
+      journal_->probe();
+    }
+  }
+  void start() noexcept override {
+    if (journal_) {
+      journal_->look();
+    }
+  }
+  void finish() noexcept override {
+    if (journal_) {
+      journal_->finish();
+    }
   }
   std::uint64_t sent() const noexcept { return sent_.load(std::memory_order_relaxed); }
   void count(signals::SystemHealth& health) const noexcept override {
@@ -181,6 +206,7 @@ class Out final : public Port {
   std::vector<bus::Publisher<Signal>> publishers_;
   std::vector<std::uint16_t> keys_;
   std::vector<std::size_t> publisher_of_key_;
+  std::unique_ptr<StreamJournal> journal_;  ///< of what comes in every tick
   std::atomic<std::uint64_t> sent_{0};  ///< the sender thread counts, the bus thread reports
   std::atomic<std::uint64_t> refused_{0};
 };

@@ -7,6 +7,7 @@
 #include "robot/keys.hpp"
 #include "run_file/loss_count.hpp"
 #include "signals/cdr.hpp"
+#include "signals/journal.hpp"
 #include "signals/tick_of.hpp"
 
 namespace farrier::recorder {
@@ -14,6 +15,9 @@ namespace {
 
 /// Samples of a key that may wait while this process stands still: a quarter of a second at 1 kHz.
 constexpr int kDepth = 256;
+
+/// Journals of a stream, likewise: each is of ten milliseconds and more.
+constexpr int kJournalDepth = 32;
 
 /// Steady clocks of two computers have nothing to do with each other.
 constexpr std::int64_t kBelievable_ns = 1'000'000'000;
@@ -41,6 +45,36 @@ struct Port {
   bus::ReaderStatus status() const { return in->status(); }
 };
 
+/// This computer's clocks when a tap was drained.
+struct Now {
+  std::uint64_t date_ns = participant::date_now_ns();
+  std::int64_t steady_ns = participant::steady_now().time_since_epoch().count();
+};
+
+/// Samples of one topic on their way on.
+template <class Signal>
+class Stream {
+ public:
+  /// `age_ns`: since it was published, as far as that is known.
+  void hand_on(const Signal& signal, std::span<const std::uint8_t> cdr, const Now& now, std::uint32_t age_ns,
+               const run_file::TakeSample& take) {
+    ++samples_;
+    losses_.heard(signal);
+    take({.topic = bus::TopicOf<Signal>::id,
+          .sequence = static_cast<std::uint32_t>(signals::sequence_of(signal).value_or(0)),
+          .log_time_ns = now.date_ns - age_ns,
+          .publish_time_ns = publish_time(signal, now.date_ns, now.steady_ns),
+          .cdr = cdr});
+  }
+  TopicProgress progress(const bus::ReaderStatus& reader) const {
+    return {bus::TopicOf<Signal>::id, samples_, losses_.lost(), reader};
+  }
+
+ private:
+  run_file::LossCount<Signal> losses_;
+  std::uint64_t samples_ = 0;
+};
+
 /// `Heard`: a Port or a subscription.
 template <class Signal, class Heard>
 class TypedTap final : public Tap {
@@ -48,32 +82,91 @@ class TypedTap final : public Tap {
   explicit TypedTap(Heard heard) : heard_(std::move(heard)) {}
 
   void drain(const run_file::TakeSample& take) override {
-    const std::uint64_t now_ns = participant::date_now_ns();
-    const std::int64_t steady_ns = participant::steady_now().time_since_epoch().count();
+    const Now now;
     heard_.drain([&](const Signal& signal) {
-      if (signals::is_probe(signal)) {
-        return;
+      if (!signals::is_probe(signal)) {
+        signals::to_cdr(signal, cdr_);
+        stream_.hand_on(signal, cdr_, now, 0, take);
       }
-      ++samples_;
-      losses_.heard(signal);
-      signals::to_cdr(signal, cdr_);
-      take({.topic = bus::TopicOf<Signal>::id,
-            .sequence = static_cast<std::uint32_t>(signals::sequence_of(signal).value_or(0)),
-            .log_time_ns = now_ns,
-            .publish_time_ns = publish_time(signal, now_ns, steady_ns),
-            .cdr = cdr_});
     });
   }
-
-  TopicProgress progress() const override {
-    return {bus::TopicOf<Signal>::id, samples_, losses_.lost(), heard_.status()};
+  void append_progress(std::vector<TopicProgress>& all) const override {
+    all.push_back(stream_.progress(heard_.status()));
   }
 
  private:
   Heard heard_;
-  run_file::LossCount<Signal> losses_;
+  Stream<Signal> stream_;
   std::vector<std::uint8_t> cdr_;
-  std::uint64_t samples_ = 0;
+};
+
+/// Samples of one topic out of journals.
+class Unpacked {
+ public:
+  virtual ~Unpacked() = default;
+  virtual void unpack(const signals::SystemJournal& journal, const Now& now, const run_file::TakeSample& take) = 0;
+  virtual TopicProgress progress(const bus::ReaderStatus& reader) const = 0;
+};
+
+template <class Signal>
+class UnpackedStream final : public Unpacked {
+ public:
+  void unpack(const signals::SystemJournal& journal, const Now& now, const run_file::TakeSample& take) override {
+    signals::visit_journal<Signal>(journal, [&](const Signal& signal, auto cdr, std::uint32_t age_ns) {
+      stream_.hand_on(signal, cdr, now, age_ns, take);
+    });
+  }
+  TopicProgress progress(const bus::ReaderStatus& reader) const override { return stream_.progress(reader); }
+
+ private:
+  Stream<Signal> stream_;
+};
+
+template <class Signal>
+std::unique_ptr<Unpacked> make_unpacked() {
+  if constexpr (signals::kOfEveryTick<Signal>) {
+    return std::make_unique<UnpackedStream<Signal>>();
+  } else {
+    return nullptr;
+  }
+}
+
+bool is_journalled(bus::TopicId topic) {
+#define FARRIER_JOURNALLED(Signal, file) signals::kOfEveryTick<signals::Signal>,
+  static constexpr bool kAll[] = {FARRIER_SIGNALS(FARRIER_JOURNALLED)};
+#undef FARRIER_JOURNALLED
+  return kAll[static_cast<std::size_t>(topic)];
+}
+
+/// Every stream that processes keep a journal of.
+template <class Heard>
+class JournalTap final : public Tap {
+ public:
+  explicit JournalTap(Heard heard) : heard_(std::move(heard)) {}
+
+  void drain(const run_file::TakeSample& take) override {
+    const Now now;
+    heard_.drain([&](const signals::SystemJournal& journal) {
+      const std::size_t topic = signals::topic_of_stream(journal.stream);
+      if (!signals::is_probe(journal) && journal.contract == contract_ && topic < topics_.size() && topics_[topic]) {
+        topics_[topic]->unpack(journal, now, take);
+      }
+    });
+  }
+  void append_progress(std::vector<TopicProgress>& all) const override {
+    for (const auto& topic : topics_) {
+      if (topic) {
+        all.push_back(topic->progress(heard_.status()));
+      }
+    }
+  }
+
+ private:
+#define FARRIER_UNPACKED(Signal, file) make_unpacked<signals::Signal>(),
+  Heard heard_;
+  std::uint64_t contract_ = bus::contract_hash();
+  std::array<std::unique_ptr<Unpacked>, bus::kTopicCount> topics_{FARRIER_SIGNALS(FARRIER_UNPACKED)};
+#undef FARRIER_UNPACKED
 };
 
 template <class Signal>
@@ -127,6 +220,24 @@ Result<std::unique_ptr<Tap>> take_part(participant::Participant& participant, co
   }
 }
 
+template <class Heard>
+std::unique_ptr<Tap> make_journal_tap(Heard heard) {
+  return std::make_unique<JournalTap<Heard>>(std::move(heard));
+}
+
+/// Streams that participants of a run in lock-step keep journals of.
+std::vector<std::uint16_t> journalled_streams(const participant::Identity& identity) {
+  std::vector<std::uint16_t> streams;
+  for (std::uint16_t number = 0; number < identity.participants; ++number) {
+    for (const bus::TopicSpec& topic : bus::topics()) {
+      if (is_journalled(topic.id) && topic.writers.contains(participant::role_of(number))) {
+        streams.push_back(signals::stream_of(number, static_cast<std::uint8_t>(topic.id)));
+      }
+    }
+  }
+  return streams;
+}
+
 /// Both ways from the bus to a recording, of one topic.
 struct MakeTap {
   Result<std::unique_ptr<Tap>> (*watch)(bus::Bus&, const robot::Robot&);
@@ -142,7 +253,8 @@ constexpr MakeTap kTaps[] = {FARRIER_SIGNALS(FARRIER_TAP)};
 Result<Recorder> Recorder::create(bus::Bus& bus, const robot::Robot& robot, const std::vector<bus::TopicId>& topics) {
   std::vector<std::unique_ptr<Tap>> taps;
   for (const bus::TopicSpec& topic : bus::topics()) {
-    if (!topics.empty() && std::ranges::find(topics, topic.id) == topics.end()) {
+    const bool chosen = std::ranges::find(topics, topic.id) != topics.end();
+    if (!chosen && (!topics.empty() || topic.id == bus::TopicId::kSystemJournal)) {
       continue;
     }
     auto tap = kTaps[static_cast<std::size_t>(topic.id)].watch(bus, robot);
@@ -154,15 +266,40 @@ Result<Recorder> Recorder::create(bus::Bus& bus, const robot::Robot& robot, cons
   return Recorder(std::move(taps));
 }
 
-Result<Recorder> Recorder::create(participant::Participant& participant, const robot::Robot& robot) {
+Result<Recorder> Recorder::of_journals(bus::Bus& bus, const robot::Robot& robot) {
+  std::vector<bus::TopicId> others;
+  for (const bus::TopicSpec& topic : bus::topics()) {
+    if (!is_journalled(topic.id) && topic.id != bus::TopicId::kSystemJournal) {
+      others.push_back(topic.id);
+    }
+  }
+  auto recorder = create(bus, robot, others);
+  auto journals = bus::Subscription<signals::SystemJournal>::create(
+      bus, watching_endpoint(robot, bus::TopicId::kSystemJournal, kJournalDepth));
+  if (!recorder || !journals) {
+    return recorder ? journals.error() : recorder.error();
+  }
+  recorder.value().taps_.push_back(make_journal_tap(std::move(journals).value()));
+  return recorder;
+}
+
+Result<Recorder> Recorder::of_journals(participant::Participant& participant, const robot::Robot& robot) {
   std::vector<std::unique_ptr<Tap>> taps;
-  for (const MakeTap& make : kTaps) {
-    auto tap = make.take_part(participant, robot);
+  for (const bus::TopicSpec& topic : bus::topics()) {
+    if (is_journalled(topic.id) || topic.id == bus::TopicId::kSystemJournal) {
+      continue;
+    }
+    auto tap = kTaps[static_cast<std::size_t>(topic.id)].take_part(participant, robot);
     if (!tap) {
       return tap.error();
     }
     taps.push_back(std::move(tap).value());
   }
+  auto journals = participant.subscribe<signals::SystemJournal>(journalled_streams(participant.identity()));
+  if (!journals) {
+    return journals.error();
+  }
+  taps.push_back(make_journal_tap(Port<signals::SystemJournal>{journals.value()}));
   return Recorder(std::move(taps));
 }
 
@@ -175,7 +312,7 @@ void Recorder::drain(const run_file::TakeSample& take) {
 std::vector<TopicProgress> Recorder::progress() const {
   std::vector<TopicProgress> all;
   for (const auto& tap : taps_) {
-    all.push_back(tap->progress());
+    tap->append_progress(all);
   }
   return all;
 }

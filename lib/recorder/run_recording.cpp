@@ -16,7 +16,7 @@ constexpr std::array kOfEveryTick{kJointSensors, kJointValveCommand, kJointMeasu
 Result<std::unique_ptr<RunRecording>> RunRecording::create(const std::string& path, const mcap::Text& facts,
                                                            const robot::Robot& robot,
                                                            participant::Participant& participant) {
-  auto recorder = Recorder::create(participant, robot);
+  auto recorder = Recorder::of_journals(participant, robot);
   if (!recorder) {
     return recorder.error();
   }

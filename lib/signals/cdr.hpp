@@ -45,18 +45,24 @@ std::size_t cdr_size() {
   return kCdrHeadBytes + offset;
 }
 
+/// Writes cdr_size<Signal>() bytes, padding left as it is: of bytes that are 0 before.
+template <class Signal>
+void write_cdr(const Signal& signal, std::uint8_t* bytes) noexcept {
+  bytes[1] = 1;  // CDR_LE
+  std::size_t offset = 0;
+  visit_fields(signal, [&](const char*, const auto& field) {
+    offset = visit_cdr_numbers(offset, field, [&](std::size_t place, const auto& number) {
+      std::memcpy(bytes + kCdrHeadBytes + place, &number, sizeof number);
+    });
+  });
+}
+
 /// Replaces `bytes`. Padding is 0.
 template <class Signal>
 void to_cdr(const Signal& signal, std::vector<std::uint8_t>& bytes) {
   static const std::size_t size = cdr_size<Signal>();
   bytes.assign(size, 0);
-  bytes[1] = 1;  // CDR_LE
-  std::size_t offset = 0;
-  visit_fields(signal, [&](const char*, const auto& field) {
-    offset = visit_cdr_numbers(offset, field, [&](std::size_t place, const auto& number) {
-      std::memcpy(bytes.data() + kCdrHeadBytes + place, &number, sizeof number);
-    });
-  });
+  write_cdr(signal, bytes.data());
 }
 
 /// False for bytes that are not little-endian CDR of this signal; the signal is then as it was.

@@ -24,7 +24,8 @@
   X(ClockTick, clock_tick)                            \
   X(ClockTickDone, clock_tick_done)                   \
   X(JointSummary, joint_summary)                      \
-  X(JointModelEstimateCopy, joint_model_estimate_copy)
+  X(JointModelEstimateCopy, joint_model_estimate_copy) \
+  X(SystemJournal, system_journal)
 
 #define FARRIER_FIELDS_JointSensors(F) \
   F(joint) F(tick) F(sample_time_ns) F(position_m_or_rad) F(velocity_m_s_or_rad_s) F(force_N_or_Nm) \
@@ -91,6 +92,9 @@
   F(generation) F(faults) F(state) F(phase)
 
 #define FARRIER_FIELDS_JointModelEstimateCopy(F) FARRIER_FIELDS_JointModelEstimate(F)
+
+#define FARRIER_FIELDS_SystemJournal(F) \
+  F(stream) F(contract) F(count) F(tick) F(closed_after_ns) F(samples) F(bytes)
 // clang-format on
 
 namespace farrier::signals {

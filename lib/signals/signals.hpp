@@ -254,6 +254,18 @@ struct JointSummary {
 /// estimator_service -> monitors: one of ten or more estimates, for slow networks and eyes.
 struct JointModelEstimateCopy : JointModelEstimate {};
 
+/// Every process -> recorders: many samples of one of its streams at once, for who records everything. Each sample is
+/// written as nanoseconds after the first one (4 bytes) and its CDR: signals/journal.hpp.
+struct SystemJournal {
+  std::uint16_t stream = 0;           ///< key: participant * kMaxTopics + number of the stream's topic
+  std::uint64_t contract = 0;         ///< SystemHello::contract: what numbers of topics and bytes mean
+  std::uint32_t count = 0;            ///< journals of this stream so far, this one included
+  Tick tick = kNoTick;                ///< of the newest sample in it
+  std::uint32_t closed_after_ns = 0;  ///< from when its first sample was published until it was
+  std::uint16_t samples = 0;
+  std::array<std::uint8_t, 8128> bytes{};
+};
+
 /// Copies as much of `text` as fits, always zero-terminated.
 template <std::size_t kSize>
 void assign(std::array<char, kSize>& to, std::string_view text) noexcept {

@@ -13,7 +13,8 @@ target_link_libraries(core_test PRIVATE farrier_core farrier_signals farrier_run
 farrier_test(mcap_test unit ${CMAKE_CURRENT_LIST_DIR}/mcap_test.cpp)
 target_link_libraries(mcap_test PRIVATE farrier_mcap)
 
-farrier_test(run_file_test unit ${CMAKE_CURRENT_LIST_DIR}/arrival_pace_test.cpp
+farrier_test(run_file_test unit
   ${CMAKE_CURRENT_LIST_DIR}/run_file_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/signals_cdr_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/signals_cdr_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/signals_journal_test.cpp)
 target_link_libraries(run_file_test PRIVATE farrier_run_file farrier_signals)

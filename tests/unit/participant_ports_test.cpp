@@ -70,6 +70,67 @@ TEST(Ports, DoNotCountAKeyTheyNeedNotHear) {
   EXPECT_EQ(in->routes_heard(), 0);
 }
 
+/// Ticks of a port's samples in the journals of `heard`, one list a journal.
+std::vector<std::vector<Tick>> journals_of(bus::Subscription<signals::SystemJournal>& heard) {
+  std::vector<std::vector<Tick>> journals;
+  heard.drain([&](const signals::SystemJournal& journal) {
+    EXPECT_EQ(journal.stream, signals::stream_of(0, static_cast<std::uint8_t>(bus::TopicId::kJointSensors)));
+    EXPECT_EQ(journal.contract, bus::contract_hash());
+    EXPECT_EQ(journal.count, journals.size() + 1);
+    journals.emplace_back();
+    EXPECT_TRUE(signals::visit_journal<JointSensors>(journal, [&](const JointSensors& sensors, auto, std::uint32_t) {
+      journals.back().push_back(sensors.tick);
+    }));
+    EXPECT_EQ(journal.tick, journals.back().back());
+  });
+  return journals;
+}
+
+bus::Subscription<signals::SystemJournal> recorder_of(bus::Bus& bus, const Identity& identity) {
+  return bus::Subscription<signals::SystemJournal>::create(bus, endpoint_of(identity, bus::TopicId::kSystemJournal))
+      .value();
+}
+
+TEST(Ports, GatherWhatTheyPublishForRecorders) {
+  constexpr Tick kTicks = 20;
+  const TestRun run(2);
+  const Member sender = run.join(0, "sim_bridge");
+  const auto bus = run.bus();
+  auto recorder = recorder_of(*bus, run.identity(1, "recorder"));
+  auto* out = opened(sender->publish<JointSensors>({3}, {"lf_hfe"}));
+  out->start();
+  for (Tick tick = 0; tick < kTicks; ++tick) {
+    out->publish(sensors_of(3, tick));
+  }
+  std::vector<std::vector<Tick>> journals = journals_of(recorder);
+  ASSERT_EQ(journals.size(), 1u) << "one of sixteen ticks and more";
+  EXPECT_EQ(journals[0].size(), 17u);
+  EXPECT_EQ(journals[0].front(), 0);
+  out->finish();
+  out->publish(sensors_of(3, kTicks));
+  recorder.drain([&](const signals::SystemJournal& journal) { EXPECT_EQ(journal.samples, journal.count == 2 ? 3 : 1); });
+}
+
+TEST(Ports, KeepNoJournalWithoutARecorderAndBeginWhenOneComes) {
+  const TestRun run(2);
+  const Member sender = run.join(0, "sim_bridge");
+  auto* out = opened(sender->publish<JointSensors>({3}, {"lf_hfe"}));
+  out->start();
+  Tick tick = 0;
+  for (; tick < 100; ++tick) {
+    out->publish(sensors_of(3, tick));
+  }
+  const auto bus = run.bus();
+  auto recorder = recorder_of(*bus, run.identity(1, "recorder"));
+  for (; tick < 150; ++tick) {
+    out->publish(sensors_of(3, tick));
+  }
+  const std::vector<std::vector<Tick>> journals = journals_of(recorder);
+  ASSERT_FALSE(journals.empty());
+  EXPECT_GE(journals[0].front(), 100);
+  EXPECT_LT(journals[0].front(), 116) << "looks every sixteen samples";
+}
+
 TEST(TickInbox, GivesTheSampleOfExactlyTheTickAsked) {
   TickInbox<JointSensors> inbox({7, 8});
   inbox.put(sensors_of(8, 5));

@@ -13,7 +13,6 @@
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
-#include "recorder/arrival_pace.hpp"
 #include "recorder/run_recording.hpp"
 #include "robot/keys.hpp"
 #include "runtime/realtime_thread.hpp"
@@ -107,7 +106,6 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   const Tick ticks = run.common.ticks;
   RunClock clock(realtime ? period : Nanoseconds::zero());
-  recorder::ArrivalPace pace;
   SteadyTime next_housekeeping{};
   SteadyTime first_tick{};
   SteadyTime moved = steady_now();
@@ -158,7 +156,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
         moved = steady_now();
       }
     }
-    seat.bus->wait_for_arrivals(seat.recording ? pace.next(seat.gait->tick(), before) : before + 1, 2ms);
+    seat.bus->wait_for_arrivals(before + 1, 2ms);
   }
 }
 

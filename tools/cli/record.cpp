@@ -105,7 +105,8 @@ int run_record(const RecordOptions& o) {
   if (!bus) {
     return fail(bus.error().message, bus.error().status);
   }
-  auto recorder = recorder::Recorder::create(*bus.value(), robot.value(), topics_of(o.topics));
+  auto recorder = o.topics.empty() ? recorder::Recorder::of_journals(*bus.value(), robot.value())
+                                   : recorder::Recorder::create(*bus.value(), robot.value(), topics_of(o.topics));
   if (!recorder) {
     return fail(recorder.error().message, kFailed);
   }

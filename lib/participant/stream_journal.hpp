@@ -1,0 +1,98 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "bus/bus.hpp"
+#include "core/ticks_since.hpp"
+#include "participant/clock.hpp"
+#include "signals/journal.hpp"
+
+namespace farrier::participant {
+
+/// Gathers what a port publishes for recorders, while there are some: for a recorder one journal is a hundred datagrams
+/// less. Used by the thread that publishes on the port.
+class StreamJournal {
+ public:
+  StreamJournal(bus::Publisher<signals::SystemJournal> publisher, std::uint16_t participant, bus::TopicId topic)
+      : publisher_(std::move(publisher)) {
+    journal_.stream = signals::stream_of(participant, static_cast<std::uint8_t>(topic));
+    journal_.contract = bus::contract_hash();
+  }
+  /// Sends what it holds.
+  ~StreamJournal() { send(); }
+  StreamJournal(const StreamJournal&) = delete;
+  StreamJournal& operator=(const StreamJournal&) = delete;
+
+  /// Of the greeting: a journal without samples.
+  void probe() noexcept {
+    signals::SystemJournal empty;
+    empty.stream = journal_.stream;
+    publisher_.publish(empty);
+  }
+
+  /// Looks whether there is a recorder.
+  void look() noexcept { heard_ = publisher_.matched_readers() > 0; }
+
+  /// A sample of its topic.
+  template <class Signal>
+  void add(const Signal& signal) noexcept {
+    if (!heard_ && ++unheard_ % kLookEvery == 0) {
+      look();
+    }
+    if (!heard_) {
+      return;
+    }
+    if (!signals::has_room<Signal>(journal_)) {
+      send();
+    }
+    const std::uint64_t now_ns = date_now_ns();
+    if (journal_.samples == 0) {
+      first_ns_ = now_ns;
+      first_tick_ = signal.tick;
+    }
+    signals::append(journal_, signal, after_first(now_ns));
+    journal_.tick = signal.tick;
+    if (at_once_ || signal.tick < first_tick_ || ticks_since(first_tick_, signal.tick) >= kMostTicks) {
+      send();
+    }
+  }
+
+  /// Sends what it holds and, from now on, every sample as it comes: the run is over.
+  void finish() noexcept {
+    send();
+    at_once_ = true;
+  }
+
+  std::uint64_t sent() const noexcept { return publisher_.sent(); }
+
+ private:
+  static constexpr std::uint64_t kMostTicks = 16;  // what a recorder lacks of a process that was killed
+  static constexpr std::uint64_t kLookEvery = 16;  // asking the transport takes a lock of its
+
+  std::uint32_t after_first(std::uint64_t now_ns) const noexcept {
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    return static_cast<std::uint32_t>(std::min(now_ns - std::min(first_ns_, now_ns), kMost));  // the date may be set
+  }
+
+  void send() noexcept {
+    if (journal_.samples == 0) {
+      return;
+    }
+    ++journal_.count;
+    journal_.closed_after_ns = after_first(date_now_ns());
+    publisher_.publish(journal_);
+    journal_.samples = 0;
+    look();
+  }
+
+  bus::Publisher<signals::SystemJournal> publisher_;
+  signals::SystemJournal journal_;
+  std::uint64_t first_ns_ = 0;
+  Tick first_tick_ = kNoTick;
+  std::uint64_t unheard_ = 0;
+  bool heard_ = false;
+  bool at_once_ = false;
+};
+
+}  // namespace farrier::participant
