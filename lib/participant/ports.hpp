@@ -150,6 +150,9 @@ class Out final : public Port {
     if constexpr (signals::kOfEveryTick<Signal>) {
       if (journal_) {
         journal_->add(signal);
+        if (bus::spec(bus::TopicOf<Signal>::id).sending == bus::Sending::kAtOnce) {
+          journal_->flush();
+        }
       }
     }
   }
@@ -159,6 +162,9 @@ class Out final : public Port {
   void flush() noexcept {
     for (bus::Publisher<Signal>& publisher : publishers_) {
       publisher.flush();
+    }
+    if (journal_) {
+      journal_->flush();
     }
   }
   /// Keeps the authority of a topic whose writer seldom writes.

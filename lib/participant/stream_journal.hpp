@@ -53,7 +53,14 @@ class StreamJournal {
     }
     signals::append(journal_, signal, after_first(now_ns));
     journal_.tick = signal.tick;
-    if (at_once_ || signal.tick < first_tick_ || ticks_since(first_tick_, signal.tick) >= kMostTicks) {
+    const bool many_ticks = signal.tick < first_tick_ || ticks_since(first_tick_, signal.tick) >= kMostTicks;
+    const std::size_t left = journal_.bytes.size() - journal_.samples * signals::journal_entry_size<Signal>();
+    due_ = due_ || many_ticks || left < kRoomForATick;
+  }
+
+  /// Sends what it holds if it is time to. Called when the samples themselves are on their way.
+  void flush() noexcept {
+    if (due_) {
       send();
     }
   }
@@ -61,13 +68,13 @@ class StreamJournal {
   /// Sends what it holds and, from now on, every sample as it comes: the run is over.
   void finish() noexcept {
     send();
-    at_once_ = true;
+    over_ = true;
+    due_ = true;
   }
-
-  std::uint64_t sent() const noexcept { return publisher_.sent(); }
 
  private:
   static constexpr std::uint64_t kMostTicks = 16;  // what a recorder lacks of a process that was killed
+  static constexpr std::size_t kRoomForATick = 1500;
   static constexpr std::uint64_t kLookEvery = 16;  // asking the transport takes a lock of its
 
   std::uint32_t after_first(std::uint64_t now_ns) const noexcept {
@@ -83,6 +90,7 @@ class StreamJournal {
     journal_.closed_after_ns = after_first(date_now_ns());
     publisher_.publish(journal_);
     journal_.samples = 0;
+    due_ = over_;
     look();
   }
 
@@ -92,7 +100,8 @@ class StreamJournal {
   Tick first_tick_ = kNoTick;
   std::uint64_t unheard_ = 0;
   bool heard_ = false;
-  bool at_once_ = false;
+  bool due_ = false;
+  bool over_ = false;
 };
 
 }  // namespace farrier::participant

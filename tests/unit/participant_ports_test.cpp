@@ -101,6 +101,7 @@ TEST(Ports, GatherWhatTheyPublishForRecorders) {
   out->start();
   for (Tick tick = 0; tick < kTicks; ++tick) {
     out->publish(sensors_of(3, tick));
+    out->flush();
   }
   std::vector<std::vector<Tick>> journals = journals_of(recorder);
   ASSERT_EQ(journals.size(), 1u) << "one of sixteen ticks and more";
@@ -108,6 +109,7 @@ TEST(Ports, GatherWhatTheyPublishForRecorders) {
   EXPECT_EQ(journals[0].front(), 0);
   out->finish();
   out->publish(sensors_of(3, kTicks));
+  out->flush();
   recorder.drain([&](const signals::SystemJournal& journal) { EXPECT_EQ(journal.samples, journal.count == 2 ? 3 : 1); });
 }
 
@@ -119,11 +121,13 @@ TEST(Ports, KeepNoJournalWithoutARecorderAndBeginWhenOneComes) {
   Tick tick = 0;
   for (; tick < 100; ++tick) {
     out->publish(sensors_of(3, tick));
+    out->flush();
   }
   const auto bus = run.bus();
   auto recorder = recorder_of(*bus, run.identity(1, "recorder"));
   for (; tick < 150; ++tick) {
     out->publish(sensors_of(3, tick));
+    out->flush();
   }
   const std::vector<std::vector<Tick>> journals = journals_of(recorder);
   ASSERT_FALSE(journals.empty());
