@@ -86,7 +86,7 @@ class Participant {
       }
     }
     auto port = std::make_unique<Out<Signal>>(std::move(publishers), std::move(keys), std::move(publisher_of_key));
-    if constexpr (signals::kOfEveryTick<Signal>) {
+    if constexpr (signals::kJournalled<Signal>) {
       auto journal = bus::Publisher<signals::SystemJournal>::create(
           bus_, endpoint_of(identity_, bus::TopicId::kSystemJournal));
       if (!journal) {

@@ -13,7 +13,6 @@
 #include "bus/bus.hpp"
 #include "core/ticks_since.hpp"
 #include "participant/stream_journal.hpp"
-#include "signals/sequence_of.hpp"
 #include "signals/tick_of.hpp"
 
 namespace farrier::participant {
@@ -147,7 +146,7 @@ class Out final : public Port {
     if (!publisher_of(key_of(signal)).queue(signal)) {
       refused_.fetch_add(1, std::memory_order_relaxed);
     }
-    if constexpr (signals::kOfEveryTick<Signal>) {
+    if constexpr (signals::kJournalled<Signal>) {
       if (journal_) {
         journal_->add(signal);
         if (bus::spec(bus::TopicOf<Signal>::id).sending == bus::Sending::kAtOnce) {
@@ -212,7 +211,7 @@ class Out final : public Port {
   std::vector<bus::Publisher<Signal>> publishers_;
   std::vector<std::uint16_t> keys_;
   std::vector<std::size_t> publisher_of_key_;
-  std::unique_ptr<StreamJournal> journal_;  ///< of what comes in every tick
+  std::unique_ptr<StreamJournal> journal_;  ///< where signals::kJournalled
   std::atomic<std::uint64_t> sent_{0};  ///< the sender thread counts, the bus thread reports
   std::atomic<std::uint64_t> refused_{0};
 };

@@ -124,7 +124,7 @@ class UnpackedStream final : public Unpacked {
 
 template <class Signal>
 std::unique_ptr<Unpacked> make_unpacked() {
-  if constexpr (signals::kOfEveryTick<Signal>) {
+  if constexpr (signals::kJournalled<Signal>) {
     return std::make_unique<UnpackedStream<Signal>>();
   } else {
     return nullptr;
@@ -132,7 +132,7 @@ std::unique_ptr<Unpacked> make_unpacked() {
 }
 
 bool is_journalled(bus::TopicId topic) {
-#define FARRIER_JOURNALLED(Signal, file) signals::kOfEveryTick<signals::Signal>,
+#define FARRIER_JOURNALLED(Signal, file) signals::kJournalled<signals::Signal>,
   static constexpr bool kAll[] = {FARRIER_SIGNALS(FARRIER_JOURNALLED)};
 #undef FARRIER_JOURNALLED
   return kAll[static_cast<std::size_t>(topic)];

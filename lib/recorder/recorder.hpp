@@ -35,8 +35,8 @@ class Recorder {
   /// Adds readers that no writer waits for. `topics`: those to read; empty: all but journals. Refuses what the bus refuses.
   static Result<Recorder> create(bus::Bus& bus, const robot::Robot& robot, const std::vector<bus::TopicId>& topics);
 
-  /// Reads every topic: what comes in every tick by the journals of those who write it (participant/stream_journal.hpp),
-  /// which costs a fifth of reading the streams themselves. Streams of a process that keeps none are not heard.
+  /// Reads every topic: streams by the journals of those who write them (participant/stream_journal.hpp), which costs less
+  /// than reading the streams themselves. Streams of a process that keeps none are not heard.
   static Result<Recorder> of_journals(bus::Bus& bus, const robot::Robot& robot);
 
   /// The same by ports of `participant`, which outlives it: in lock-step the run begins only when they hear everybody.

@@ -7,8 +7,13 @@
 #include <cstring>
 
 #include "signals/cdr.hpp"
+#include "signals/sequence_of.hpp"
 
 namespace farrier::signals {
+
+/// Whose samples are gathered in journals: what comes in every tick, and estimates, which are large.
+template <class Signal>
+inline constexpr bool kJournalled = kOfEveryTick<Signal> || std::is_same_v<Signal, JointModelEstimate>;
 
 /// Number of a stream: of one participant's samples of one topic.
 constexpr std::uint16_t stream_of(std::uint16_t participant, std::uint8_t topic) noexcept {
