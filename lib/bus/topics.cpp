@@ -24,7 +24,7 @@ constexpr Qos kRequests{Reliability::kReliable, Durability::kVolatile, 4, kInfin
 constexpr Qos kLockstepOnly{Reliability::kReliable, Durability::kVolatile, 1, kInfinite, Liveliness::kAutomatic,
                             kInfinite, Ownership::kShared};
 
-// Journals of one stream that a recorder may leave lying: each is of eleven ticks and more.
+// Journals of one stream that a recorder in lock-step may leave lying.
 constexpr int kJournals = 64;
 
 // A sample for tick k + 1 may arrive before the one for tick k is taken; four leave room to spare.

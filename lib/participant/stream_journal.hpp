@@ -86,9 +86,9 @@ class StreamJournal {
     if (journal_.samples == 0) {
       return;
     }
-    ++journal_.count;
     journal_.closed_after_ns = after_first(date_now_ns());
     publisher_.publish(journal_);
+    journal_.samples_before += journal_.samples;
     journal_.samples = 0;
     due_ = over_;
     look();

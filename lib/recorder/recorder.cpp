@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "participant/clock.hpp"
+#include "recorder/journal_streams.hpp"
+#include "recorder/stream.hpp"
 #include "recorder/watching_endpoint.hpp"
 #include "robot/keys.hpp"
 #include "run_file/loss_count.hpp"
@@ -16,23 +17,8 @@ namespace {
 /// Samples of a key that may wait while this process stands still: a quarter of a second at 1 kHz.
 constexpr int kDepth = 256;
 
-/// Journals of a stream, likewise: each is of ten milliseconds and more.
+/// Journals of a stream, likewise.
 constexpr int kJournalDepth = 32;
-
-/// Steady clocks of two computers have nothing to do with each other.
-constexpr std::int64_t kBelievable_ns = 1'000'000'000;
-
-/// When a sample came to be, where its sender said so by the steady clock of this computer; otherwise now.
-template <class Signal>
-std::uint64_t publish_time(const Signal& signal, std::uint64_t now_ns, std::int64_t steady_now_ns) {
-  if constexpr (requires { signal.sample_time_ns; }) {
-    const std::int64_t age_ns = steady_now_ns - signal.sample_time_ns;
-    if (age_ns >= 0 && age_ns < kBelievable_ns) {
-      return now_ns - static_cast<std::uint64_t>(age_ns);
-    }
-  }
-  return now_ns;
-}
 
 /// A port of somebody who takes part.
 template <class Signal>
@@ -45,36 +31,6 @@ struct Port {
   bus::ReaderStatus status() const { return in->status(); }
 };
 
-/// This computer's clocks when a tap was drained.
-struct Now {
-  std::uint64_t date_ns = participant::date_now_ns();
-  std::int64_t steady_ns = participant::steady_now().time_since_epoch().count();
-};
-
-/// Samples of one topic on their way on.
-template <class Signal>
-class Stream {
- public:
-  /// `age_ns`: since it was published, as far as that is known.
-  void hand_on(const Signal& signal, std::span<const std::uint8_t> cdr, const Now& now, std::uint32_t age_ns,
-               const run_file::TakeSample& take) {
-    ++samples_;
-    losses_.heard(signal);
-    take({.topic = bus::TopicOf<Signal>::id,
-          .sequence = static_cast<std::uint32_t>(signals::sequence_of(signal).value_or(0)),
-          .log_time_ns = now.date_ns - age_ns,
-          .publish_time_ns = publish_time(signal, now.date_ns, now.steady_ns),
-          .cdr = cdr});
-  }
-  TopicProgress progress(const bus::ReaderStatus& reader) const {
-    return {bus::TopicOf<Signal>::id, samples_, losses_.lost(), reader};
-  }
-
- private:
-  run_file::LossCount<Signal> losses_;
-  std::uint64_t samples_ = 0;
-};
-
 /// `Heard`: a Port or a subscription.
 template <class Signal, class Heard>
 class TypedTap final : public Tap {
@@ -85,60 +41,24 @@ class TypedTap final : public Tap {
     const Now now;
     heard_.drain([&](const Signal& signal) {
       if (!signals::is_probe(signal)) {
+        losses_.heard(signal);
         signals::to_cdr(signal, cdr_);
         stream_.hand_on(signal, cdr_, now, 0, take);
       }
     });
   }
   void append_progress(std::vector<TopicProgress>& all) const override {
-    all.push_back(stream_.progress(heard_.status()));
+    all.push_back(stream_.progress(losses_.lost(), heard_.status()));
   }
 
  private:
   Heard heard_;
   Stream<Signal> stream_;
+  run_file::LossCount<Signal> losses_;
   std::vector<std::uint8_t> cdr_;
 };
 
-/// Samples of one topic out of journals.
-class Unpacked {
- public:
-  virtual ~Unpacked() = default;
-  virtual void unpack(const signals::SystemJournal& journal, const Now& now, const run_file::TakeSample& take) = 0;
-  virtual TopicProgress progress(const bus::ReaderStatus& reader) const = 0;
-};
-
-template <class Signal>
-class UnpackedStream final : public Unpacked {
- public:
-  void unpack(const signals::SystemJournal& journal, const Now& now, const run_file::TakeSample& take) override {
-    signals::visit_journal<Signal>(journal, [&](const Signal& signal, auto cdr, std::uint32_t age_ns) {
-      stream_.hand_on(signal, cdr, now, age_ns, take);
-    });
-  }
-  TopicProgress progress(const bus::ReaderStatus& reader) const override { return stream_.progress(reader); }
-
- private:
-  Stream<Signal> stream_;
-};
-
-template <class Signal>
-std::unique_ptr<Unpacked> make_unpacked() {
-  if constexpr (signals::kJournalled<Signal>) {
-    return std::make_unique<UnpackedStream<Signal>>();
-  } else {
-    return nullptr;
-  }
-}
-
-bool is_journalled(bus::TopicId topic) {
-#define FARRIER_JOURNALLED(Signal, file) signals::kJournalled<signals::Signal>,
-  static constexpr bool kAll[] = {FARRIER_SIGNALS(FARRIER_JOURNALLED)};
-#undef FARRIER_JOURNALLED
-  return kAll[static_cast<std::size_t>(topic)];
-}
-
-/// Every stream that processes keep a journal of.
+/// What processes keep journals of.
 template <class Heard>
 class JournalTap final : public Tap {
  public:
@@ -146,27 +66,15 @@ class JournalTap final : public Tap {
 
   void drain(const run_file::TakeSample& take) override {
     const Now now;
-    heard_.drain([&](const signals::SystemJournal& journal) {
-      const std::size_t topic = signals::topic_of_stream(journal.stream);
-      if (!signals::is_probe(journal) && journal.contract == contract_ && topic < topics_.size() && topics_[topic]) {
-        topics_[topic]->unpack(journal, now, take);
-      }
-    });
+    heard_.drain([&](const signals::SystemJournal& journal) { streams_.take(journal, now, take); });
   }
   void append_progress(std::vector<TopicProgress>& all) const override {
-    for (const auto& topic : topics_) {
-      if (topic) {
-        all.push_back(topic->progress(heard_.status()));
-      }
-    }
+    streams_.append_progress(all, heard_.status());
   }
 
  private:
-#define FARRIER_UNPACKED(Signal, file) make_unpacked<signals::Signal>(),
   Heard heard_;
-  std::uint64_t contract_ = bus::contract_hash();
-  std::array<std::unique_ptr<Unpacked>, bus::kTopicCount> topics_{FARRIER_SIGNALS(FARRIER_UNPACKED)};
-#undef FARRIER_UNPACKED
+  JournalStreams streams_;
 };
 
 template <class Signal>

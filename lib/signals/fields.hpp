@@ -94,7 +94,7 @@
 #define FARRIER_FIELDS_JointModelEstimateCopy(F) FARRIER_FIELDS_JointModelEstimate(F)
 
 #define FARRIER_FIELDS_SystemJournal(F) \
-  F(stream) F(contract) F(count) F(tick) F(closed_after_ns) F(samples) F(bytes)
+  F(stream) F(contract) F(samples_before) F(tick) F(closed_after_ns) F(samples) F(bytes)
 // clang-format on
 
 namespace farrier::signals {

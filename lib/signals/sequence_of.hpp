@@ -21,8 +21,7 @@ template <class Signal>
 std::optional<std::uint64_t> sequence_of(const Signal& s) noexcept {
   if constexpr (kOfEveryTick<Signal>) {
     return s.tick == kNoTick ? std::nullopt : std::optional(static_cast<std::uint64_t>(s.tick));
-  } else if constexpr (std::is_same_v<Signal, GaitPhase> || std::is_same_v<Signal, SystemEvent> ||
-                       std::is_same_v<Signal, SystemJournal>) {
+  } else if constexpr (std::is_same_v<Signal, GaitPhase> || std::is_same_v<Signal, SystemEvent>) {
     return s.count == 0 ? std::nullopt : std::optional<std::uint64_t>(s.count);
   } else if constexpr (std::is_same_v<Signal, SystemMode>) {
     return s.epoch == 0 ? std::nullopt : std::optional<std::uint64_t>(s.epoch);

@@ -259,7 +259,7 @@ struct JointModelEstimateCopy : JointModelEstimate {};
 struct SystemJournal {
   std::uint16_t stream = 0;           ///< key: participant * kMaxTopics + number of the stream's topic
   std::uint64_t contract = 0;         ///< SystemHello::contract: what numbers of topics and bytes mean
-  std::uint32_t count = 0;            ///< journals of this stream so far, this one included
+  std::uint64_t samples_before = 0;   ///< in journals of this stream before this one
   Tick tick = kNoTick;                ///< of the newest sample in it
   std::uint32_t closed_after_ns = 0;  ///< from when its first sample was published until it was
   std::uint16_t samples = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "participant/participant.hpp"
+#include "participant/stream_journal.hpp"
 #include "robot/keys.hpp"
 #include "signals/cdr.hpp"
 
@@ -23,18 +24,37 @@ class TypedLine final : public Line {
     if (!publisher) {
       return publisher.error();
     }
-    return std::unique_ptr<Line>(new TypedLine(std::move(publisher).value()));
+    std::unique_ptr<TypedLine> line(new TypedLine(std::move(publisher).value()));
+    if constexpr (signals::kJournalled<Signal>) {
+      endpoint.topic = bus::TopicId::kSystemJournal;
+      endpoint.partitions = {bus::partition(robot.name)};
+      auto journal = bus::Publisher<signals::SystemJournal>::create(bus, endpoint);
+      if (!journal) {
+        return journal.error();
+      }
+      line->journal_ = std::make_unique<participant::StreamJournal>(std::move(journal).value(), 0, topic.id);
+    }
+    return std::unique_ptr<Line>(std::move(line));
   }
 
   bool publish(std::span<const std::uint8_t> cdr) override {
     Signal signal;
-    return signals::from_cdr(cdr, signal) && publisher_.publish(signal);
+    if (!signals::from_cdr(cdr, signal)) {
+      return false;
+    }
+    const bool published = publisher_.publish(signal);
+    if constexpr (signals::kJournalled<Signal>) {
+      journal_->add(signal);
+      journal_->flush();
+    }
+    return published;
   }
 
  private:
   explicit TypedLine(bus::Publisher<Signal> publisher) : publisher_(std::move(publisher)) {}
 
   bus::Publisher<Signal> publisher_;
+  std::unique_ptr<participant::StreamJournal> journal_;  ///< where signals::kJournalled: for who records the replay
 };
 
 using MakeLine = Result<std::unique_ptr<Line>> (*)(bus::Bus&, const robot::Robot&);
