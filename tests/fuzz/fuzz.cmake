@@ -37,6 +37,9 @@ target_include_directories(fuzzed_codecs SYSTEM PRIVATE ${PROJECT_BINARY_DIR}/li
 farrier_fuzz(fuzzed_ports SOURCES ${fuzz_dir}/ports.cpp HARNESSES ports)
 target_link_libraries(fuzzed_ports PRIVATE farrier_participant)
 
+farrier_fuzz(fuzzed_journals SOURCES ${fuzz_dir}/journal.cpp HARNESSES journal)
+target_link_libraries(fuzzed_journals PRIVATE farrier_recorder farrier_signals)
+
 farrier_fuzz(fuzzed_files SOURCES ${fuzz_dir}/robot_file.cpp ${fuzz_dir}/files.cpp
   HARNESSES robot_file recording scaled_recording trace run_file)
 target_link_libraries(fuzzed_files PRIVATE farrier_robot farrier_diagnosis farrier_record farrier_run_file farrier_signals)
@@ -47,5 +50,5 @@ target_link_libraries(fuzzed_cores PRIVATE farrier_joint_node_core farrier_estim
   farrier_supervisor_core farrier_participant)
 
 farrier_test(fuzz_replay_test unit ${fuzz_dir}/replay_test.cpp ${fuzz_dir}/harnesses.cpp)
-target_link_libraries(fuzz_replay_test PRIVATE fuzzed_faults fuzzed_codecs fuzzed_ports fuzzed_files fuzzed_cores)
+target_link_libraries(fuzz_replay_test PRIVATE fuzzed_faults fuzzed_codecs fuzzed_ports fuzzed_journals fuzzed_files fuzzed_cores)
 target_compile_definitions(fuzz_replay_test PRIVATE FARRIER_CORPUS="${fuzz_dir}/corpus")

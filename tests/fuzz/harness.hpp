@@ -46,6 +46,7 @@ void run_file(Bytes bytes);
 void cyclone_codec(Bytes bytes);
 void fast_codec(Bytes bytes);
 void cyclone_datagram(Bytes bytes);
+void journal(Bytes bytes);
 
 // Process cores, with their state, behind signals of any content.
 void ports(Bytes bytes);

@@ -13,6 +13,7 @@ std::span<const Harness> harnesses() noexcept {
       {"cyclone_codec", cyclone_codec},
       {"fast_codec", fast_codec},
       {"cyclone_datagram", cyclone_datagram},
+      {"journal", journal},
       {"ports", ports},
       {"joint_node", joint_node},
       {"estimator_service", estimator_service},

@@ -162,6 +162,16 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
 
 }  // namespace
 
+const char* to_string(DdsChoice choice) noexcept {
+  switch (choice) {
+    case DdsChoice::kCyclone: return "cyclone";
+    case DdsChoice::kFast: return "fast";
+    case DdsChoice::kMixed: return "mixed";
+    case DdsChoice::kInproc: return "inproc";
+  }
+  return "";
+}
+
 bus::Vendor vendor_of(DdsChoice choice, const lab::Member& member) noexcept {
   switch (choice) {
     case DdsChoice::kCyclone: return bus::Vendor::kCyclone;

@@ -17,6 +17,7 @@ namespace farrier::cli {
 
 /// Which vendor each process of a run is on.
 enum class DdsChoice { kCyclone, kFast, kMixed, kInproc };
+const char* to_string(DdsChoice choice) noexcept;
 
 bus::Vendor vendor_of(DdsChoice choice, const lab::Member& member) noexcept;
 

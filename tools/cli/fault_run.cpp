@@ -1,6 +1,7 @@
 #include "tools/cli/fault_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/ensure.hpp"
@@ -21,13 +22,12 @@ constexpr double kAfterwards_s = 0.25;
 constexpr double kMayPause_periods = 1.0;
 constexpr int kMostRepeats = 10;
 
-const std::vector<std::pair<std::string, DdsChoice>> kVendors{
-    {"cyclone", DdsChoice::kCyclone}, {"fast", DdsChoice::kFast}, {"mixed", DdsChoice::kMixed}};
+constexpr std::array kVendors{DdsChoice::kCyclone, DdsChoice::kFast, DdsChoice::kMixed};
 
 DdsChoice choice_of(const std::string& vendor) {
-  const auto found = std::ranges::find(kVendors, vendor, &std::pair<std::string, DdsChoice>::first);
+  const auto found = std::ranges::find_if(kVendors, [&](DdsChoice choice) { return vendor == to_string(choice); });
   FARRIER_ENSURE(found != kVendors.end(), "the vendor of a cell is one of fault_vendors()");
-  return found->second;
+  return *found;
 }
 
 /// The member that a row means: its own name, or the one that hosts the joint.
@@ -125,8 +125,8 @@ faults::Cell CellPlan::cell() const {
 const std::vector<std::string>& fault_vendors() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
-    for (const auto& vendor : kVendors) {
-      all.push_back(vendor.first);
+    for (const DdsChoice vendor : kVendors) {
+      all.emplace_back(to_string(vendor));
     }
     return all;
   }();

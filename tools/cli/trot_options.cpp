@@ -8,10 +8,13 @@
 namespace farrier::cli {
 namespace {
 
-const std::map<std::string, DdsChoice> kDds{{"cyclone", DdsChoice::kCyclone},
-                                            {"fast", DdsChoice::kFast},
-                                            {"mixed", DdsChoice::kMixed},
-                                            {"inproc", DdsChoice::kInproc}};
+const std::map<std::string, DdsChoice> kDds = [] {
+  std::map<std::string, DdsChoice> names;
+  for (const DdsChoice choice : {DdsChoice::kCyclone, DdsChoice::kFast, DdsChoice::kMixed, DdsChoice::kInproc}) {
+    names.emplace(to_string(choice), choice);
+  }
+  return names;
+}();
 const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind::kLockstep},
                                                     {"realtime", bus::ClockKind::kRealtime}};
 const std::map<std::string, lab::Grouping> kNodes{{"per-leg", lab::Grouping::kPerLeg},

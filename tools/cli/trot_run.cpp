@@ -33,6 +33,7 @@ mcap::Text record_facts(const robot::Robot& robot, const TrotOptions& o) {
   facts["seed"] = std::to_string(o.seed);
   facts["clock"] = o.clock == bus::ClockKind::kLockstep ? "lockstep" : "realtime";
   facts["design"] = o.design;
+  facts["vendor"] = to_string(o.dds);
   return facts;
 }
 
