@@ -5,6 +5,7 @@
 
 #include "participant/clock.hpp"
 #include "participant/service_manager.hpp"
+#include "runtime/realtime_thread.hpp"
 
 namespace farrier::participant {
 namespace {
@@ -41,9 +42,10 @@ int end_status(const Participant& member) {
   return 1;
 }
 
-int run(Application& application, Participant& member) {
+int run(Application& application, Participant& member, const Promotion& promotion) {
   bus::Bus& bus = member.bus();
   ServiceManager manager;
+  bool promoted = promotion.to == promotion.from;
   SteadyTime since = steady_now();
   SteadyTime next_status = since + kStatusPeriod;
   for (std::uint64_t turns = 1; !stop_requested() && member.refusal().empty(); ++turns) {
@@ -53,6 +55,10 @@ int run(Application& application, Participant& member) {
                           application.finished() ? Nanoseconds(20ms) : Nanoseconds(kLongestSleep));
     const SteadyTime now = steady_now();
     if (member.has_started()) {
+      if (!promoted) {
+        promoted = true;
+        runtime::raise_threads(promotion.from, promotion.to);
+      }
       manager.ready();
     } else if (now >= next_status) {
       next_status = now + kStatusPeriod;

@@ -17,9 +17,14 @@ int stop_status() noexcept;
 /// Of a process whose run is over: 0, or 1 and the reason on standard error when it could not take part.
 int end_status(const Participant& member);
 
+/// SCHED_FIFO priority of a process's threads until the run has begun for it, and from then on; equal: it stays.
+struct Promotion {
+  int from = 0, to = 0;
+};
+
 /// Drives an application by one thread that polls it whenever samples arrive, until SIGTERM or until the participant
 /// cannot take part; returns the process's exit status, 0 or 1. When nothing moves for a while it says on standard error
 /// what it waits for. systemd hears when the run has begun, and from then on that the loop turns.
-int run(Application& application, Participant& member);
+int run(Application& application, Participant& member, const Promotion& promotion);
 
 }  // namespace farrier::participant

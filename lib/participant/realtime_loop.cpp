@@ -31,8 +31,8 @@ struct Threads {
 
 void control(RealtimeApplication& application, const char* name, int priority_shift, Threads& threads) {
   runtime::name_thread("control");
-  for (const std::string& lacking :
-       {runtime::set_priority(runtime::kControlPriority + priority_shift), runtime::lock_memory()}) {
+  const std::string unlocked = runtime::lock_memory();  // takes milliseconds, for which no running process shall wait
+  for (const std::string& lacking : {unlocked, runtime::set_priority(runtime::kControlPriority + priority_shift)}) {
     if (!lacking.empty()) {
       std::fprintf(stderr, "%s: runs without %s\n", name, lacking.c_str());
     }
@@ -100,6 +100,9 @@ int run_realtime(RealtimeApplication& application, Participant& member, int prio
   while (!threads.over()) {
     const std::uint64_t before = bus.arrivals();
     if (application.receive(steady_now())) {
+      if (!threads.started.load(std::memory_order_relaxed)) {
+        runtime::raise_threads(runtime::kJoiningPriority + priority_shift, runtime::kBusPriority + priority_shift);
+      }
       threads.started.store(true, std::memory_order_release);
       manager.ready();
       manager.alive(std::array{threads.control_turns.load(), threads.send_turns.load()}, steady_now());

@@ -81,9 +81,9 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   }
   if (options.clock == bus::ClockKind::kRealtime) {
     participant::set_slow_motion(options.slow);
-    const bool service = role == bus::Role::kEstimatorService || role == bus::Role::kSupervisor;
-    const int priority = service ? runtime::kServicePriority : runtime::kBusPriority;
-    if (const std::string lacking = runtime::set_priority(priority + options.priority_shift); !lacking.empty()) {
+    runtime::use_small_stacks();
+    if (const std::string lacking = runtime::set_priority(runtime::kJoiningPriority + options.priority_shift);
+        !lacking.empty()) {
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());
     }
   }
@@ -106,7 +106,12 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
                        : refuse(name, application.error());
   }
   auto application = polled(*member.value(), robot.value());
-  return application ? participant::run(*application.value(), *member.value())
+  participant::Promotion promotion;
+  const bool service = role == bus::Role::kEstimatorService || role == bus::Role::kSupervisor;
+  if (options.clock == bus::ClockKind::kRealtime && !service) {
+    promotion = {runtime::kJoiningPriority + options.priority_shift, runtime::kBusPriority + options.priority_shift};
+  }
+  return application ? participant::run(*application.value(), *member.value(), promotion)
                      : refuse(name, application.error());
 }
 

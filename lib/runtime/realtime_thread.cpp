@@ -1,11 +1,13 @@
 #include "runtime/realtime_thread.hpp"
 
+#include <dirent.h>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
 
 namespace farrier::runtime {
@@ -36,6 +38,36 @@ std::string set_priority(int priority) {
   return set_priority_of(thread_id(), priority)
              ? std::string()
              : std::string("real-time priority (") + std::strerror(errno) + ")";
+}
+
+void set_no_priority() noexcept {
+  const sched_param parameters{};
+  sched_setscheduler(0, SCHED_OTHER, &parameters);
+}
+
+void raise_threads(int from, int to) noexcept {
+  DIR* const threads = opendir("/proc/self/task");
+  if (threads == nullptr) {
+    return;
+  }
+  while (const dirent* entry = readdir(threads)) {
+    const pid_t thread = std::atoi(entry->d_name);
+    sched_param parameters{};
+    if (thread > 0 && sched_getscheduler(thread) == SCHED_FIFO && sched_getparam(thread, &parameters) == 0 &&
+        parameters.sched_priority == from) {
+      set_priority_of(thread, to);
+    }
+  }
+  closedir(threads);
+}
+
+void use_small_stacks() noexcept {
+  constexpr std::size_t kStack = 2 << 20;
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  pthread_attr_setstacksize(&attributes, kStack);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
 }
 
 std::string lock_memory() {

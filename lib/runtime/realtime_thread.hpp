@@ -12,6 +12,8 @@ namespace farrier::runtime {
 inline constexpr int kControlPriority = 80;
 inline constexpr int kBusPriority = 60;
 inline constexpr int kServicePriority = 40;
+/// Of all threads of a process that starts: what it does until it takes part must not hold up those that run already.
+inline constexpr int kJoiningPriority = kServicePriority;
 /// Of a sender thread with what no loop waits for: below every thread on the way from sensor to valve.
 inline constexpr int kLeisurePriority = 50;
 /// Of what is no part of a robot and must not wait for one: a watch over the computer, a cable in a test.
@@ -24,11 +26,20 @@ void name_thread(const char* name) noexcept;
 /// forbid it the thread runs on without; returns what could not be had, empty when all could.
 std::string set_priority(int priority);
 
+/// Takes the calling thread's priority away.
+void set_no_priority() noexcept;
+
+/// Gives every thread of this process that has the SCHED_FIFO priority `from` the priority `to`.
+void raise_threads(int from, int to) noexcept;
+
 /// The calling thread, as the kernel numbers it.
 pid_t thread_id() noexcept;
 
 /// The same for any thread of this process that still runs, at the cost of one system call; false where it could not be.
 bool set_priority_of(pid_t thread, int priority) noexcept;
+
+/// Stacks of threads that are created from now on, so that locking them takes little: unless told 8 MiB each.
+void use_small_stacks() noexcept;
 
 /// Locks the process's memory and touches the calling thread's stack, so that a loop meets no page fault. Returns as
 /// set_priority.

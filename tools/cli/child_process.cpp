@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "runtime/processors.hpp"
+#include "runtime/realtime_thread.hpp"
 #include "tools/cli/process_stat.hpp"
 
 namespace farrier::cli {
@@ -65,6 +66,8 @@ Result<ChildProcess> ChildProcess::start(const std::string& name, const std::str
     if (::getppid() != self) {
       ::_exit(127);  // the launcher died before the line above
     }
+    // Loading a program is not what the launcher's priority is for: others of the run would wait for it.
+    runtime::set_no_priority();
     // Ctrl-C goes to the launcher alone, which ends its children in order.
     ::setpgid(0, 0);
     if (surroundings.processor) {

@@ -42,6 +42,10 @@ std::string member_of(const robot::Robot& robot, const std::vector<lab::Member>&
   return name;
 }
 
+int slow_of(const CellSettings& settings, const faults::Row& row) {
+  return settings.slow * (faults::starts_process(row) ? faults::kSlowerWhereProcessesStart : 1);
+}
+
 /// One run of a cell, judged. Refuses when the user interrupts.
 Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings& settings, const CellPlan& plan,
                                    const std::string& title, PauseWatch& pauses) {
@@ -59,7 +63,7 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
   trot.out = settings.out;
   trot.trace_path = settings.out + "/trace.csv";
   DdsRun run = dds_run(robot, trot, title);
-  run.common.slow = settings.slow;
+  run.common.slow = slow_of(settings, row);
   run.goes_on_without_the_dead = true;
   run.looks_on = [&](Tick tick) {
     if (tick < span.begin - faults::kBefore) {
@@ -150,7 +154,7 @@ std::vector<CellPlan> plan_cells(const std::vector<const faults::Row*>& rows, co
 
 Result<faults::Cell> run_cell(const robot::Robot& robot, const CellSettings& settings, const CellPlan& plan,
                               const std::string& title, PauseWatch& pauses) {
-  const double may_pause_s = kMayPause_periods * robot.period_s * settings.slow;
+  const double may_pause_s = kMayPause_periods * robot.period_s * slow_of(settings, *plan.row);
   for (int repeats = 0;; ++repeats) {
     auto cell = run_cell_once(robot, settings, plan, title, pauses);
     if (!cell) {

@@ -181,7 +181,7 @@ std::function<int()> declare_faults(CLI::App& app) {
       ->check(CLI::Range(1, 1000))
       ->type_name("<n>")
       ->capture_default_str();
-  app.add_option("--slow", o->slow, "slow motion: the clock goes slower than the machine's by this factor")
+  app.add_option("--slow", o->slow, "slow motion: the clock goes slower than the machine's by this factor, and where a process starts by three times it")
       ->check(CLI::Range(1, 100))
       ->type_name("<factor>")
       ->capture_default_str();

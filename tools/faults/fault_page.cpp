@@ -69,6 +69,10 @@ std::string why_not(const Cell& cell) {
 
 std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t planned) {
   const auto held = std::ranges::count_if(cells, &Cell::holds);
+  int repeats = 0;
+  for (const Cell& cell : cells) {
+    repeats += cell.repeats;
+  }
   std::string page =
       "# Faults\n\nWritten by `farrier faults --page`, which makes each of these happen to a trot of real processes on "
       "the real-time\nclock, in slow motion: every row in stance and in swing, over each vendor, by each seed. Times "
@@ -76,7 +80,8 @@ std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t plan
       std::to_string(held) + " of " + std::to_string(planned) + " cells held, " + std::to_string(planned - cells.size()) +
       " were not run. Vendors: " +
       listed(cells, [](const Cell& cell) { return cell.vendor; }) + ". Seeds: " +
-      listed(cells, [](const Cell& cell) { return std::to_string(cell.seed); }) + ".\n\n" +
+      listed(cells, [](const Cell& cell) { return std::to_string(cell.seed); }) + ". " + std::to_string(repeats) +
+      " runs in which the computer\nitself stood still and a check did not hold were made again.\n\n" +
       "| row | what happens | what each process does | what an operator sees | measured |\n|---|---|---|---|---|\n";
   for (const Row& row : rows()) {
     const auto worst = worst_checks(cells, row.name);

@@ -209,6 +209,11 @@ bool leaves_trace(const Row& row) {
   });
 }
 
+bool starts_process(const Row& row) {
+  return std::ranges::any_of(
+      row.acts, [](const ProcessAct& act) { return act.signal == kStart || act.signal == kStartTwin; });
+}
+
 const Row* find_row(std::string_view name) {
   const auto found = std::ranges::find(rows(), name, [](const Row& row) { return std::string_view(row.name); });
   return found == rows().end() ? nullptr : &*found;

@@ -64,6 +64,13 @@ const std::vector<Row>& rows();
 /// Whether a run with this fault ends with a trace: not where its writer is killed.
 bool leaves_trace(const Row& row);
 
+/// Whether a process starts in a run with this fault.
+bool starts_process(const Row& row);
+
+/// Rows in which one does go slower by this factor than the others: loading a program takes a computer as long at any pace
+/// of the robot's clock.
+inline constexpr int kSlowerWhereProcessesStart = 3;
+
 /// Null for none of that name.
 const Row* find_row(std::string_view name);
 
