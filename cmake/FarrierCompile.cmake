@@ -46,15 +46,12 @@ if(BUILD_TESTING)
   target_precompile_headers(farrier_test_headers PRIVATE ${FARRIER_HEADERS_OF_OTHERS} <gtest/gtest.h>)
 endif()
 
-# farrier_library(NAME [OWN_HEADERS] SOURCES... ) declares lib target `farrier_<NAME>`; its edges stay in
-# target_link_libraries lines of its own, which tests/architecture reads. OWN_HEADERS: it precompiles a list of its own.
+# farrier_library(NAME SOURCES... ) declares lib target `farrier_<NAME>`; its edges stay in
+# target_link_libraries lines of its own, which tests/architecture reads.
 function(farrier_library name)
-  cmake_parse_arguments(library OWN_HEADERS "" "" ${ARGN})
-  add_library(farrier_${name} STATIC ${library_UNPARSED_ARGUMENTS})
+  add_library(farrier_${name} STATIC ${ARGN})
   target_link_libraries(farrier_${name} PUBLIC farrier_flags)
-  if(NOT library_OWN_HEADERS)
-    target_precompile_headers(farrier_${name} REUSE_FROM farrier_library_headers)
-  endif()
+  target_precompile_headers(farrier_${name} REUSE_FROM farrier_library_headers)
 endfunction()
 
 # farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary as one CTest entry, which the target tier_<LABEL>

@@ -112,10 +112,10 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
   Tick last = 0;
   for (;;) {
     const std::uint64_t before = seat.bus->arrivals();
-    if (seat.recording) {
-      seat.recording->poll();
-    }
     seat.gait->poll(steady_now());
+    if (seat.recording) {
+      seat.recording->poll();  // the others need not wait for it
+    }
     clock.heard(seat.gait->tick(), steady_now());
     if (auto acted = seat.acts->perform(clock.at(steady_now()), seat.gait->tick(), children, start); !acted) {
       return acted.error();
