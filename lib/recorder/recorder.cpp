@@ -17,8 +17,8 @@ namespace {
 /// Samples of a key that may wait while this process stands still: a quarter of a second at 1 kHz.
 constexpr int kDepth = 256;
 
-/// Journals of a stream, likewise.
-constexpr int kJournalDepth = 32;
+/// Journals of a stream, likewise: a second and more.
+constexpr int kJournalDepth = 128;
 
 /// A port of somebody who takes part.
 template <class Signal>
