@@ -29,7 +29,8 @@ PathKind path_kind(const std::string& value) {
 /// CLI11 says "<type>:<check>:<check>", where a check is "{a,b}", "INT in [0 - 232]" or a word.
 void read_type(const std::string& type, OptionText& option) {
   static const std::regex check(R"re(:(\{([^}]*)\}|[A-Z]+ in \[([^ ]+) - ([^\]]+)\]|[A-Z]+))re");
-  const std::size_t colon = type.find(':', type.rfind('>') == std::string::npos ? 0 : type.rfind('>'));
+  const std::size_t named_end = type.rfind('>');  // a name may have a colon: "<address:port>"
+  const std::size_t colon = type.find(':', named_end == std::string::npos ? 0 : named_end);
   option.value = type.substr(0, colon);
   for (std::sregex_iterator found(type.begin(), type.end(), check), end; found != end; ++found) {
     if ((*found)[2].length() > 0) {
