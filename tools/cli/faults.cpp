@@ -80,8 +80,8 @@ std::vector<const faults::Row*> chosen_rows(const FaultsOptions& o) {
   return chosen;
 }
 
-/// The cells of `plans`, or those until the user interrupts. Cells that held are kept in a file; with --continue those of
-/// an earlier run are not run again.
+/// The cells of `plans`, or those until the user interrupts. Cells that held are kept in a file, traces of those that did
+/// not in files of their names; with --continue what held in an earlier run is not run again.
 Result<std::vector<faults::Cell>> run_all(const robot::Robot& robot, const FaultsOptions& o,
                                           const std::vector<CellPlan>& plans) {
   const report::RunInfo info = report::run_info(robot, 1);
@@ -108,6 +108,8 @@ Result<std::vector<faults::Cell>> run_all(const robot::Robot& robot, const Fault
     }
     if (!cell.value().holds()) {
       std::fprintf(stderr, "%s: %s\n", place.c_str(), faults::why_not(cell.value()).c_str());
+      std::error_code without_trace;
+      fs::copy_file(o.out + "/trace.csv", o.out + "/" + place + ".csv", fs::copy_options::overwrite_existing, without_trace);
     } else if (auto appended = faults::append_cell(kept_path, origin, cell.value()); !appended) {
       return appended.error();
     }
@@ -185,7 +187,7 @@ std::function<int()> declare_faults(CLI::App& app) {
       ->check(CLI::Range(1, 100))
       ->type_name("<factor>")
       ->capture_default_str();
-  app.add_option("--out", o->out, "directory of logs and the last trace")->type_name("<dir>")->capture_default_str();
+  app.add_option("--out", o->out, "directory of logs, the last trace, and traces of cells that did not hold")->type_name("<dir>")->capture_default_str();
   app.add_option("--json", o->json_path, "figures; figures.json in --out unless told")->type_name("<file>");
   app.add_option("--page", o->page_path, "writes the table with what was measured, as docs/faults.md")
       ->type_name("<file>");
