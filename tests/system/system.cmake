@@ -78,6 +78,7 @@ target_link_libraries(record_test PRIVATE farrier_bus)
 target_link_libraries(long_record_test PRIVATE farrier_bus)
 farrier_system_test(recorded_run_test system 0 ${CMAKE_CURRENT_LIST_DIR}/recorded_run_test.cpp)
 target_link_libraries(recorded_run_test PRIVATE farrier_bus)
+set_tests_properties(system/recorded_run_test PROPERTIES LABELS "system;ecosystem")  # replayed, the same estimates
 farrier_system_test(network_test system 0 ${CMAKE_CURRENT_LIST_DIR}/network_test.cpp)
 farrier_system_test(long_pause_test long 0 ${CMAKE_CURRENT_LIST_DIR}/long_pause_test.cpp)
 farrier_system_test(diagnose_benchmark_test long 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_benchmark_test.cpp)

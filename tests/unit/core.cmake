@@ -12,6 +12,7 @@ target_link_libraries(core_test PRIVATE farrier_core farrier_signals farrier_run
 
 farrier_test(mcap_test unit ${CMAKE_CURRENT_LIST_DIR}/mcap_test.cpp)
 target_link_libraries(mcap_test PRIVATE farrier_mcap)
+set_tests_properties(unit/mcap_test PROPERTIES LABELS "unit;ecosystem")  # files cut off at every byte
 
 farrier_test(run_file_test unit
   ${CMAKE_CURRENT_LIST_DIR}/run_file_test.cpp

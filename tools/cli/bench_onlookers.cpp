@@ -44,7 +44,9 @@ Result<Recorded> read_recording(const std::string& path) {
   return recorded;
 }
 
-Onlooker monitor_with_page() { return {.name = "monitor", .arguments = {"monitor", "--web", "0"}}; }
+Onlooker monitor_with_page(const std::string& name = "monitor") {
+  return {.name = name, .arguments = {"monitor", "--web", "0"}, .listens = "page at"};
+}
 
 /// The runs of one vendor.
 class VendorBench {
@@ -85,7 +87,8 @@ class VendorBench {
       return alone.error();
     }
     DdsRun watched = titled(plain, "real time, recorded and monitored");
-    watched.onlookers = {{.name = "record", .arguments = {"record", recording_}}, monitor_with_page()};
+    watched.onlookers = {{.name = "record", .arguments = {"record", recording_}, .listens = "records domain"},
+                         monitor_with_page()};
     const PageViewer viewer(watched.log_directory + "/monitor.log");
     const auto looked_on = run_over_dds(robot_, watched);
     if (!looked_on) {
@@ -106,8 +109,8 @@ class VendorBench {
 
     DdsRun ignored = titled(plain, "real time, ten monitors that stand still");
     for (int i = 0; i < kStoppedMonitors; ++i) {
-      ignored.onlookers.push_back({.name = "stopped_" + std::to_string(i), .arguments = {"monitor", "--web", "0"},
-                                   .stands_still = true});
+      ignored.onlookers.push_back(monitor_with_page("stopped_" + std::to_string(i)));
+      ignored.onlookers.back().stands_still = true;
     }
     const auto stopped = run_over_dds(robot_, ignored);
     if (!stopped) {

@@ -165,6 +165,26 @@ std::string ChildProcess::last_words(std::chrono::seconds silence) const {
   return lines.empty() ? std::string() : lines.back();
 }
 
+Result<Done> ChildProcess::wait_for_words(const std::string& words, std::chrono::seconds budget) {
+  const auto until = std::chrono::steady_clock::now() + budget;
+  const auto said = [&] {
+    std::ifstream log(log_path_);
+    const std::string text(std::istreambuf_iterator<char>(log), {});
+    return text.find(words) != std::string::npos;
+  };
+  while (!said()) {
+    if (!running()) {
+      return Error{epitaph()};
+    }
+    if (std::chrono::steady_clock::now() > until) {
+      return Error{name_ + " (pid " + std::to_string(pid_) + ") has not said '" + words + "' within " +
+                   std::to_string(budget.count()) + " s; its log: " + log_path_};
+    }
+    std::this_thread::sleep_for(5ms);
+  }
+  return Done{};
+}
+
 std::string end_all(std::vector<ChildProcess>& children, const std::set<int>& well) {
   for (ChildProcess& child : children) {
     child.terminate();

@@ -44,6 +44,8 @@ class ChildProcess {
   const std::string& name() const noexcept { return name_; }
   pid_t pid() const noexcept { return pid_; }
   int exit_status() const noexcept { return exit_status_; }
+  /// Waits until its log has `words`. Refuses when it has ended or `budget` is over before.
+  Result<Done> wait_for_words(const std::string& words, std::chrono::seconds budget);
   /// The last line it said, empty when it has said nothing for `silence`.
   std::string last_words(std::chrono::seconds silence) const;
 

@@ -212,6 +212,10 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     clock = std::move(created).value();
   }
   const HostClock* const seen = clock ? &*clock : nullptr;
+  auto onlookers = Onlookers::start(run, common.network.domain);
+  if (!onlookers) {
+    return onlookers.error();
+  }
   auto children = start_children(run, common, outcome.members, seen);
   if (!children) {
     return children.error();
@@ -224,10 +228,6 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     children.value().push_back(std::move(recorder).value());
   }
   GrowthWatch watch(run.soak ? pids_of(outcome.members, children.value()) : std::vector<pid_t>{}, common.ticks);
-  auto onlookers = Onlookers::start(run, common.network.domain);
-  if (!onlookers) {
-    return onlookers.error();
-  }
   const lab::Member& self = outcome.members[participant::kGaitSource];
   auto seat = take_seat(robot, run, common, self, clock);
   if (!seat) {

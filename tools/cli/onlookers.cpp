@@ -13,6 +13,7 @@ using namespace std::chrono_literals;
 
 constexpr Tick kParts = 4;  // of the run, of which the first is left out: readers and writers find each other
 constexpr auto kBetweenLooks = 100ms;
+constexpr auto kStart = 30s;
 
 }  // namespace
 
@@ -29,6 +30,11 @@ Result<Onlookers> Onlookers::start(const DdsRun& run, int domain) {
     }
     onlookers.processes_.push_back(std::move(process).value());
     onlookers.stands_still_.push_back(onlooker.stands_still);
+  }
+  for (std::size_t i = 0; i < onlookers.processes_.size(); ++i) {
+    if (auto listens = onlookers.processes_[i].wait_for_words(run.onlookers[i].listens, kStart); !listens) {
+      return listens.error();
+    }
   }
   onlookers.uses_.resize(onlookers.processes_.size());
   return onlookers;

@@ -15,6 +15,7 @@ struct DdsRun;
 struct Onlooker {
   std::string name;                    ///< of its log
   std::vector<std::string> arguments;  ///< of the farrier command, to which the run's robot, domain and vendor are added
+  std::string listens;                 ///< what its log says when it is about to listen
   bool stands_still = false;           ///< stopped (SIGSTOP) when a fourth of the run is over
 };
 
@@ -26,6 +27,7 @@ struct OnlookerUse {
 /// The onlookers of one run. They are ended with this object, and asked to end first.
 class Onlookers {
  public:
+  /// Returns when all of them listen, so that a run which begins then is not slowed by their start.
   static Result<Onlookers> start(const DdsRun& run, int domain);
 
   /// The clock has come to `tick`.
