@@ -108,8 +108,10 @@ Result<std::vector<faults::Cell>> run_all(const robot::Robot& robot, const Fault
     }
     if (!cell.value().holds()) {
       std::fprintf(stderr, "%s: %s\n", place.c_str(), faults::why_not(cell.value()).c_str());
-      std::error_code without_trace;
-      fs::copy_file(o.out + "/trace.csv", o.out + "/" + place + ".csv", fs::copy_options::overwrite_existing, without_trace);
+      if (faults::leaves_trace(*plan.row) && cell.value().error.empty()) {  // else it is that of another cell
+        std::error_code refused;
+        fs::copy_file(o.out + "/trace.csv", o.out + "/" + place + ".csv", fs::copy_options::overwrite_existing, refused);
+      }
     } else if (auto appended = faults::append_cell(kept_path, origin, cell.value()); !appended) {
       return appended.error();
     }
