@@ -33,6 +33,11 @@ constexpr int kTwoTicks = 4;
 // Decisions of a joint that a monitor may leave lying, or join too late for; a joint is redesigned a few times a run.
 constexpr int kDecisions = 64;
 
+// Events of a participant that a monitor may leave lying, or join too late for. Cyclone DDS keeps 4 KiB for each, so
+// this bounds by how much a process grows while it reports. Lock-step may report many between two looks.
+constexpr int kEvents = 200;
+constexpr int kEventsLockstep = 1000;
+
 #define FARRIER_TOPIC(Signal, name, file, writers, readers, key, version, route, sending, qos, depth) \
   TopicSpec{TopicId::k##Signal, name, "wire::" #Signal, #file ".idl", writers, readers, key, version, route, sending, sizeof(signals::Signal), qos, depth}
 
@@ -51,7 +56,7 @@ constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(GaitPhase, "gait/phase", gait_phase, {Role::kGaitSource}, "joint_node", "leg", 1, Route::kRobot, Sending::kAtOnce, announcements(4), 4),
     FARRIER_TOPIC(SystemHello, "system/hello", system_hello, kParticipantRoles, "all", "participant", 2, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
     FARRIER_TOPIC(SystemHealth, "system/health", system_health, kParticipantRoles, "monitors", "participant", 3, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
-    FARRIER_TOPIC(SystemEvent, "system/event", system_event, kParticipantRoles, "monitors", "participant", 1, Route::kRobot, Sending::kAtOnce, announcements(1000), 1000),
+    FARRIER_TOPIC(SystemEvent, "system/event", system_event, kParticipantRoles, "monitors", "participant", 1, Route::kRobot, Sending::kAtOnce, announcements(kEvents), kEventsLockstep),
     FARRIER_TOPIC(SystemMode, "system/mode", system_mode, {Role::kSupervisor}, "joint_node, sim_bridge", "robot", 2, Route::kRobot, Sending::kAtOnce, kAuthority, kTwoTicks),
     FARRIER_TOPIC(SystemRequest, "system/request", system_request, {Role::kOperator}, "supervisor", "robot", 1, Route::kRobot, Sending::kAtOnce, kRequests, kTwoTicks),
     FARRIER_TOPIC(ClockTick, "clock/tick", clock_tick, {Role::kSimBridge}, "gait_source, supervisor", "clock", 1, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
