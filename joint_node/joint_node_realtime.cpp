@@ -7,6 +7,7 @@
 #include "core/spsc_ring.hpp"
 #include "joint_node/gains_check.hpp"
 #include "participant/arrival.hpp"
+#include "participant/silence.hpp"
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
@@ -40,6 +41,9 @@ struct Mailbox {
   Stamped<signals::JointSensors> last_sensors; ///< control thread
   Stamped<signals::JointCommand> last_command; ///< control thread
 };
+
+/// Two and a half leases of the mode (docs/architecture.md): a supervisor that stands by has taken over by then.
+constexpr Nanoseconds kSupervisorSilence = 50ms;
 
 /// What waits in the sender thread until the valve commands have gone.
 struct Measured {
@@ -85,6 +89,8 @@ class JointNodeRealtime final : public participant::RealtimeApplication {
   Nanoseconds period_;
   Tick stepped_for_ = kNoTick;  ///< bus thread: newest tick for which the control thread was woken
   SteadyTime next_health_{};
+  participant::Silence supervisor_{kSupervisorSilence, participant::EventKind::kSupervisorSilent,
+                                   participant::EventKind::kSupervisorHeard};  ///< bus thread
   std::vector<Measured> measured_;  ///< sender thread
   std::atomic<std::uint64_t> periods_{0};
   std::atomic<std::uint64_t> missed_{0};
@@ -139,6 +145,7 @@ bool JointNodeRealtime::receive(SteadyTime now) {
     if (!participant_.obey({mode.authority, mode.epoch}, last_tick_)) {
       return;
     }
+    supervisor_.heard(now);
     for (Mailbox& mail : mail_) {
       mail.mode.store(mode);
     }
@@ -157,6 +164,9 @@ bool JointNodeRealtime::receive(SteadyTime now) {
     if (signals::JointValveCommand answered; mail_[i].answered.fetch(answered)) {
       report_faults(joints_[i], answered, participant_);
     }
+  }
+  if (const auto kind = supervisor_.look(now)) {
+    participant_.event(*kind, last_tick_, 0xffff);
   }
   if (now >= next_health_) {
     next_health_ = now + 100ms;

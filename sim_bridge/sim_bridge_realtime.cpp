@@ -10,6 +10,7 @@
 #include "participant/arrival.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop_statistics.hpp"
+#include "participant/silence.hpp"
 #include "record/trace.hpp"
 #include "robot/keys.hpp"
 #include "sim_bridge/ports.hpp"
@@ -43,10 +44,13 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
         ports_(parts.ports),
         participant_(participant),
         period_(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s))),
-        silent_after_s_(robot.safety.valve_silent_s),
+        silent_after_(std::chrono::duration_cast<Nanoseconds>(
+            std::chrono::duration<double>(robot.safety.valve_silent_s))),
         ticks_(ticks),
         numbers_(robot::joint_numbers(robot)),
         mail_(numbers_.size()),
+        silences_(numbers_.size(),
+                  {silent_after_, participant::EventKind::kValveSilent, participant::EventKind::kValveHeard}),
         valve_current_A_(numbers_.size(), 0.0) {}
 
   bool receive(SteadyTime now) override;
@@ -60,6 +64,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
 
  private:
   void apply_valve(std::size_t index, SteadyTime now) noexcept;
+  void tell_silences(SteadyTime now);
   void report(bool final_report);
 
   SimWorld world_;
@@ -67,10 +72,11 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   Ports ports_;
   participant::Participant& participant_;
   Nanoseconds period_;
-  double silent_after_s_;
+  Nanoseconds silent_after_;
   Tick ticks_;
   std::vector<std::uint16_t> numbers_;
   std::vector<Mailbox> mail_;
+  std::vector<participant::Silence> silences_;  ///< bus thread
   std::vector<double> valve_current_A_;
   participant::LoopStatistics statistics_;
   SteadyTime next_health_{};
@@ -92,12 +98,14 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
       }
       if (const auto came = mail_[i].arrival.take(valve.tick, valve.sample_time_ns, now)) {
         mail_[i].valve.store({valve, *came});
+        silences_[i].heard(*came);
       }
     }
   });
   if (!participant_.started(now)) {
     return false;
   }
+  tell_silences(now);
   if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && !reported_final_) {
     reported_final_ = true;
     if (!trace_complete_.load(std::memory_order_relaxed)) {
@@ -109,6 +117,14 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
     report(false);
   }
   return true;
+}
+
+void SimBridgeRealtime::tell_silences(SteadyTime now) {
+  for (std::size_t i = 0; i < silences_.size() && !finished(); ++i) {
+    if (const auto kind = silences_[i].look(now)) {
+      participant_.event(*kind, tick_.load(std::memory_order_relaxed), numbers_[i]);
+    }
+  }
 }
 
 void SimBridgeRealtime::report(bool final_report) {
@@ -123,7 +139,7 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
   mail.valve.fetch(mail.last_valve);
   const signals::JointValveCommand& valve = mail.last_valve.command;
   const bool silent = mail.last_valve.received == SteadyTime{} ||
-                      std::chrono::duration<double>(now - mail.last_valve.received).count() > silent_after_s_;
+                      now - mail.last_valve.received > silent_after_;
   valve_current_A_[index] = silent ? 0.0 : valve.valve_current_A;
 
   record::TraceRow row;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "participant/sequence.hpp"
+#include "participant/silence.hpp"
 #include "robot/keys.hpp"
 #include "supervisor/succession.hpp"
 
@@ -13,6 +14,8 @@ using namespace std::chrono_literals;
 
 // A quarter of the lease of the topics that carry authority, and of the silence after which another takes over.
 constexpr auto kModePeriod = 5ms;
+
+constexpr int kMissedEstimates = 5;  // of a joint in a row, before they count as silent
 
 struct Ports {
   participant::In<signals::ClockTick>* clock;
@@ -37,7 +40,10 @@ class SupervisorApplication final : public participant::Application {
         lockstep_(participant.identity().clock == bus::ClockKind::kLockstep),
         ticks_(ticks),
         succession_(stands_by),
-        estimates_(std::move(joints)) {}
+        estimates_(std::move(joints)),
+        silence_(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(
+                     kMissedEstimates * robot.estimate_period_ticks * robot.period_s)),
+                 participant::EventKind::kEstimatesSilent, participant::EventKind::kEstimatesHeard) {}
 
   void poll(SteadyTime now) override;
   bool finished() const override { return lockstep_ && ticks_ > 0 && tick_ >= ticks_; }
@@ -68,6 +74,7 @@ class SupervisorApplication final : public participant::Application {
   participant::TickInbox<signals::JointModelEstimate> estimates_;
   SteadyTime next_health_{};
   SteadyTime next_mode_{};
+  participant::Silence silence_;  ///< of estimates, real time only
 };
 
 // A refused design is an event with its reason; an accepted one is told by its decision.
@@ -165,6 +172,9 @@ void SupervisorApplication::step_realtime(SteadyTime now) {
   if (begun_ != kNoTick) {
     issue(begun_);
   }
+  if (const auto kind = silence_.look(now)) {
+    participant_.event(*kind, begun_, 0xffff);
+  }
   if (now >= next_mode_) {
     next_mode_ = now + kModePeriod;
     ports_.gains->assert_liveliness();
@@ -185,7 +195,10 @@ void SupervisorApplication::poll(SteadyTime now) {
   ports_.estimates->drain([&](const signals::JointModelEstimate& estimate) {
     if (lockstep_) {
       estimates_.put(estimate);
-    } else if (succession_.leads() && estimate.tick >= 0 &&
+      return;
+    }
+    silence_.heard(now);
+    if (succession_.leads() && estimate.tick >= 0 &&
                estimate.tick <= begun_ + participant::Sequence::kFarthest) {
       supervisor_.take(estimate, estimate.tick);
     }

@@ -18,7 +18,10 @@ class FaultyBus final : public bus::Bus {
         seed_(seed),
         name_(std::move(name)),
         clock_(std::move(clock)),
-        due_(notifier(), clock_) {}
+        due_(notifier(), clock_),
+        concerns_orders_(std::ranges::any_of(faults_, [](const ArrowFault& fault) {
+          return fault.topic == bus::TopicId::kSystemMode || fault.topic == bus::TopicId::kJointControllerGains;
+        })) {}
 
   bus::Vendor vendor() const noexcept override { return inner_->vendor(); }
   std::vector<std::string> take_security_warnings() override { return inner_->take_security_warnings(); }
@@ -31,14 +34,14 @@ class FaultyBus final : public bus::Bus {
     std::vector<ArrowFault> mine;
     std::ranges::copy_if(faults_, std::back_inserter(mine), [&](const auto& f) { return f.topic == endpoint.topic; });
     auto reader = inner_->create_reader(endpoint);
-    if (!reader || mine.empty()) {
+    if (!reader || (mine.empty() && !concerns_orders_)) {
       return reader;
     }
     switch (endpoint.topic) {
 #define FARRIER_CASE(Signal, file)                                                             \
   case bus::TopicId::k##Signal:                                                                \
     return std::unique_ptr<bus::RawReader>(std::make_unique<FaultyReader<signals::Signal>>(    \
-        std::move(reader).value(), mine, seed_, name_, clock_, due_));
+        std::move(reader).value(), mine, seed_, name_, clock_, due_, newest_));
       FARRIER_SIGNALS(FARRIER_CASE)
 #undef FARRIER_CASE
     }
@@ -52,6 +55,8 @@ class FaultyBus final : public bus::Bus {
   std::string name_;
   Clock clock_;
   DueTimes due_;
+  bool concerns_orders_;               ///< then every reader tells the tick
+  std::atomic<Tick> newest_{kNoTick};
 };
 
 }  // namespace

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <atomic>
 #include <limits>
 #include <map>
 #include <memory>
@@ -18,14 +20,20 @@
 
 namespace farrier::bus_faults {
 
+/// Orders stand until others come and are repeated meanwhile: their tick is when they take effect, not when they are sent.
+template <class Signal>
+inline constexpr bool kIsOrder =
+    std::is_same_v<Signal, signals::SystemMode> || std::is_same_v<Signal, signals::JointControllerGains>;
+
 /// A reader whose samples meet faults on their way. Each fault sees what those before it in the list have let through.
 template <class Signal>
 class FaultyReader final : public bus::RawReader {
  public:
-  /// `due` outlives this.
+  /// `due` and `newest` outlive this. `newest`: the tick that the process has heard of, which is that of orders.
   FaultyReader(std::unique_ptr<bus::RawReader> inner, const std::vector<ArrowFault>& faults, std::uint64_t seed,
-               const std::string& name, const Clock& clock, DueTimes& due)
-      : inner_(std::move(inner)), clock_(clock), due_(due) {
+               const std::string& name, const Clock& clock, DueTimes& due,
+               std::atomic<Tick>& newest)
+      : inner_(std::move(inner)), clock_(clock), due_(due), newest_(newest) {
     for (const ArrowFault& fault : faults) {
       faults_.emplace_back(fault, NoiseStream(seed, name, to_string(fault)));
     }
@@ -55,8 +63,7 @@ class FaultyReader final : public bus::RawReader {
   struct Acting {
     Acting(const ArrowFault& of, const NoiseStream& stream) : fault(of), draws(stream) {}
 
-    bool concerns(const Signal& signal) const noexcept {
-      const Tick tick = signals::tick_of(signal);
+    bool concerns(const Signal& signal, Tick tick) const noexcept {
       return tick >= fault.from && tick < fault.until && (!fault.key || *fault.key == bus::key_of(signal));
     }
     bool happens() noexcept { return draws.uniform(drawn++) < fault.probability; }
@@ -73,10 +80,14 @@ class FaultyReader final : public bus::RawReader {
       on_the_way_.emplace(now, signal);
       return;
     }
+    if constexpr (!kIsOrder<Signal>) {
+      newest_ = std::max(newest_.load(), signals::tick_of(signal));
+    }
+    const Tick tick = kIsOrder<Signal> ? newest_.load() : signals::tick_of(signal);
     SteadyTime due = now;
     int copies = 1;
     for (Acting& acting : faults_) {
-      if (acting.concerns(signal) && !survives(acting, signal, due, copies)) {
+      if (acting.concerns(signal, tick) && !survives(acting, signal, due, copies)) {
         return;
       }
     }
@@ -167,6 +178,7 @@ class FaultyReader final : public bus::RawReader {
   std::unique_ptr<bus::RawReader> inner_;
   Clock clock_;
   DueTimes& due_;
+  std::atomic<Tick>& newest_;
   std::vector<Acting> faults_;
   std::multimap<SteadyTime, Signal> on_the_way_;  ///< by when it comes
 };

@@ -13,6 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using signals::JointSensors;
+using signals::SystemMode;
 
 ArrowFault fault(const std::string& text) {
   auto parsed = parse_arrow_fault(text);
@@ -34,6 +35,8 @@ class Faulty {
     const bus::Qos qos{.history_depth = 4096};
     writer_.emplace(bus::Publisher<JointSensors>::create(*there_, {bus::TopicId::kJointSensors, qos, {}}).value());
     reader_.emplace(bus::Subscription<JointSensors>::create(*here_, {bus::TopicId::kJointSensors, qos, {}}).value());
+    orders_out_.emplace(bus::Publisher<SystemMode>::create(*there_, {bus::TopicId::kSystemMode, qos, {}}).value());
+    orders_in_.emplace(bus::Subscription<SystemMode>::create(*here_, {bus::TopicId::kSystemMode, qos, {}}).value());
   }
 
   void send(Tick tick, std::uint16_t joint = 0, double force = 1.0) {
@@ -61,6 +64,16 @@ class Faulty {
     }
     return all;
   }
+  void order(Tick effective_tick) {
+    SystemMode mode;
+    mode.effective_tick = effective_tick;
+    orders_out_->publish(mode);
+  }
+  std::size_t orders() {
+    std::size_t heard = 0;
+    orders_in_->drain([&](const SystemMode&) { ++heard; });
+    return heard;
+  }
   bus::Bus& bus() { return *here_; }
 
  private:
@@ -69,6 +82,8 @@ class Faulty {
   std::unique_ptr<bus::Bus> there_, here_;
   std::optional<bus::Publisher<JointSensors>> writer_;
   std::optional<bus::Subscription<JointSensors>> reader_;
+  std::optional<bus::Publisher<SystemMode>> orders_out_;
+  std::optional<bus::Subscription<SystemMode>> orders_in_;
 };
 
 using Ticks = std::vector<Tick>;
@@ -80,6 +95,23 @@ TEST(FaultyBus, LetsThroughWhatNoFaultConcerns) {
   ASSERT_EQ(heard.size(), 4u);
   EXPECT_EQ(heard[2].tick, 4);
   EXPECT_EQ(heard[2].force_N_or_Nm, 1.0);
+}
+
+// A mode is repeated with the tick at which it took effect, long before.
+TEST(FaultyBus, CutsRepeatedOrdersByTheTickThatOthersTell) {
+  Faulty faulty({"system/mode:cut@2..4"});
+  faulty.send_all(2);
+  faulty.ticks();
+  faulty.order(0);
+  EXPECT_EQ(faulty.orders(), 1u);
+  faulty.send(2);
+  faulty.ticks();
+  faulty.order(0);
+  EXPECT_EQ(faulty.orders(), 0u);
+  faulty.send(4);
+  faulty.ticks();
+  faulty.order(0);
+  EXPECT_EQ(faulty.orders(), 1u);
 }
 
 TEST(FaultyBus, LetsProbesThrough) {

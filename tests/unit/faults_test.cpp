@@ -135,7 +135,7 @@ TEST(FaultJudge, RefusesOthersThatLeaveTrackingAndTrips) {
             Keys{"others"});
   EXPECT_EQ(wrong(Trace().joint_is(hit, JointState::kNull, 405, 510, tripped).judged("sensors_cut", kStale)),
             Keys{"tripped"});
-  EXPECT_EQ(wrong(Trace().joint_is(other, JointState::kDamping, 700, 701).judged("estimator_killed")), Keys{"others"});
+  EXPECT_EQ(wrong(Trace().joint_is(other, JointState::kDamping, 700, 701).judged("clock_forward")), Keys{"others"});
 }
 
 TEST(FaultJudge, WantsTheEventInTimeAndNotOneOfBefore) {

@@ -46,6 +46,7 @@ farrier_test(participant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/participant_arrival_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/participant_greeting_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/participant_ports_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/participant_silence_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/realtime_loop_test.cpp)
 target_link_libraries(participant_test PRIVATE farrier_participant)
 

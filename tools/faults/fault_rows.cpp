@@ -24,12 +24,19 @@ constexpr double kStartAgain_s = 0.050;
 constexpr double kGreeted_s = 1.0;  // a process starts, finds the others and hears every route
 constexpr double kAfterStop_s = kGoodAgain_s + 0.006;  // a process that was stopped first takes what has come meanwhile
 constexpr double kHeard_s = 0.020;  // an event's way to the operator
+constexpr double kMissed_s = 0.100;  // 50 ms of silence, the period of what is silent, an event's way
 
 constexpr const char* kJointNode = "joint_node";
 constexpr const char* kSimBridge = "sim_bridge";
 constexpr const char* kEstimator = "estimator_service";
 constexpr const char* kSupervisor = "supervisor";
 constexpr const char* kEverybody = "every process";
+constexpr const char* kValveSilent = "valve commands silent";
+
+constexpr Expectation kSpoolToNull{.reaction = kNull, .within_s = kSilent_s, .recovers_s = kReach_s,
+                                   .event = kValveSilent, .event_within_s = kSilent_s + kHeard_s};
+constexpr Expectation kSaysEstimatesSilent{.event = "estimates silent", .event_within_s = kMissed_s};
+constexpr Expectation kSaysSupervisorSilent{.event = "supervisor silent", .event_within_s = kMissed_s};
 
 }  // namespace
 
@@ -84,16 +91,16 @@ const std::vector<Row>& rows() {
       {"valve_cut", "A joint's valve commands do not reach the valve.",
        "sim_bridge puts the spool to null; by itself back.",
        Hit::kJoint, kSimBridge, {"joint/valve_command:cut"}, 0.1, {},
-       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kReach_s}},
+       kSpoolToNull},
       {"valve_cut_short", "A joint's valve commands do not reach the valve for 10 ms.", "As when they stop for longer.",
        Hit::kJoint, kSimBridge, {"joint/valve_command:cut"}, 0.01, {},
-       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kReach_s}},
+       kSpoolToNull},
       {"valve_cut_long", "A joint's valve commands do not reach the valve for 2 s.", "As when they stop for shorter.",
        Hit::kJoint, kSimBridge, {"joint/valve_command:cut"}, 2.0, {},
-       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kReach_s}},
+       kSpoolToNull},
       {"valve_nan", "A joint's valve commands are no numbers.", "sim_bridge takes none: as when they do not come.",
        Hit::kJoint, kSimBridge, {"joint/valve_command:nan=valve_current_A"}, 0.1, {},
-       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kReach_s}},
+       kSpoolToNull},
       {"loss_1", "1 % of a leg's sensors and commands are lost.", "joint_node goes on with the last ones.", Hit::kLeg,
        kJointNode, {"joint/sensors:loss=0.01", "joint/command:loss=0.01"}, 0.2, {},
        {.recovers_s = kGoodAgain_s, .may_stutter = true}},
@@ -114,19 +121,19 @@ const std::vector<Row>& rows() {
        {"joint/sensors:reorder=0.33", "joint/command:reorder=0.33"}, 0.1, {},
        {.recovers_s = kGoodAgain_s, .may_stutter = true}},
       {"measurement_cut", "The estimator hears no joint.", "Gains stay as they are.", Hit::kAll, kEstimator,
-       {"joint/measurement:cut"}, 0.2, {}, {}},
+       {"joint/measurement:cut"}, 0.2, {}, kSaysEstimatesSilent},
       {"estimate_cut", "The supervisor hears no estimate.", "Gains stay as they are.", Hit::kAll, kSupervisor,
-       {"joint/model_estimate:cut"}, 0.2, {}, {}},
+       {"joint/model_estimate:cut"}, 0.2, {}, kSaysEstimatesSilent},
       {"measurement_cut_long", "The estimator hears no joint for 2 s.", "Gains stay as they are.", Hit::kAll,
-       kEstimator, {"joint/measurement:cut"}, 2.0, {}, {}},
+       kEstimator, {"joint/measurement:cut"}, 2.0, {}, kSaysEstimatesSilent},
       {"estimate_cut_long", "The supervisor hears no estimate for 2 s.", "Gains stay as they are.", Hit::kAll,
-       kSupervisor, {"joint/model_estimate:cut"}, 2.0, {}, {}},
+       kSupervisor, {"joint/model_estimate:cut"}, 2.0, {}, kSaysEstimatesSilent},
       {"gains_cut", "A leg's gains stop for 2 s.", "joint_node goes on with those it has.", Hit::kLeg, kJointNode,
        {"joint/controller_gains:cut"}, 2.0, {}, {}},
       {"phase_cut", "A leg does not hear for 0.2 s when it will lift off or land.", "joint_node goes on with the gains it has.",
        Hit::kLeg, kJointNode, {"gait/phase:cut"}, 0.2, {}, {}},
       {"mode_cut", "The mode does not reach a leg for 2 s.", "joint_node goes on in the mode it knows.", Hit::kLeg,
-       kJointNode, {"system/mode:cut"}, 2.0, {}, {}},
+       kJointNode, {"system/mode:cut"}, 2.0, {}, kSaysSupervisorSilent},
       {"clock_cut_short", "The gait source does not hear the clock for 20 ms.",
        "It commands nothing: joint_node of every leg damps; by itself back.", Hit::kAll, "gait_source",
        {"clock/tick:cut"}, 0.02, {},
@@ -137,11 +144,13 @@ const std::vector<Row>& rows() {
        {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
       {"joint_node_killed", "joint_node of a leg dies (kill -9).",
        "sim_bridge puts its three spools to null.", Hit::kLeg,
-       nullptr, {}, 0.1, {{kJointNode, SIGKILL, 0.0}}, {.reaction = kNull, .within_s = kSilent_s}},
+       nullptr, {}, 0.1, {{kJointNode, SIGKILL, 0.0}},
+       {.reaction = kNull, .within_s = kSilent_s, .event = kValveSilent, .event_within_s = kSilent_s + kHeard_s}},
       {"joint_node_stopped_short", "joint_node of a leg stands still for 30 ms (SIGSTOP).",
        "sim_bridge puts its three spools to null; by itself back.", Hit::kLeg, nullptr, {}, 0.03,
        {{kJointNode, SIGSTOP, 0.0}, {kJointNode, SIGCONT, 0.03}},
-       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kAfterStop_s}},
+       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kAfterStop_s, .event = kValveSilent,
+        .event_within_s = kSilent_s + kHeard_s}},
       {"joint_node_stopped_long", "joint_node of a leg stands still for 0.1 s (SIGSTOP).",
        "sim_bridge puts its three spools to null; its joints, whose last commands are older than 50 ms when it goes "
        "on, trip: null until an operator arms them again.",
@@ -165,18 +174,18 @@ const std::vector<Row>& rows() {
       {"clock_back", "The computer's clock is set an hour back.", "Everybody goes on: ages are of the steady clock.",
        Hit::kAll, nullptr, {}, 2.0, {{kEverybody, kClockBack, 0.0}}, {}},
       {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
-       {{kEstimator, SIGKILL, 0.0}}, {}},
+       {{kEstimator, SIGKILL, 0.0}}, kSaysEstimatesSilent},
       {"estimator_restarted", "estimator_service dies (kill -9) and is started again.",
        "Gains stay as they are; it greets the others and estimates anew.", Hit::kAll, nullptr, {}, 1.2,
        {{kEstimator, SIGKILL, 0.0}, {kEstimator, kStart, kStartAgain_s}},
        {.event = "estimates from now on", .event_within_s = kStartAgain_s + kGreeted_s}},
       {"estimator_stopped", "estimator_service stands still for 0.2 s (SIGSTOP).", "Gains stay as they are.", Hit::kAll,
-       nullptr, {}, 0.2, {{kEstimator, SIGSTOP, 0.0}, {kEstimator, SIGCONT, 0.2}}, {}},
+       nullptr, {}, 0.2, {{kEstimator, SIGSTOP, 0.0}, {kEstimator, SIGCONT, 0.2}}, kSaysEstimatesSilent},
       {"supervisor_killed", "supervisor dies (kill -9).",
        "Gains and mode stay as they are.", Hit::kAll, nullptr, {}, 0.2,
-       {{kSupervisor, SIGKILL, 0.0}}, {}},
+       {{kSupervisor, SIGKILL, 0.0}}, kSaysSupervisorSilent},
       {"supervisor_stopped", "supervisor stands still for 0.2 s (SIGSTOP).", "Gains and mode stay as they are.",
-       Hit::kAll, nullptr, {}, 0.2, {{kSupervisor, SIGSTOP, 0.0}, {kSupervisor, SIGCONT, 0.2}}, {}},
+       Hit::kAll, nullptr, {}, 0.2, {{kSupervisor, SIGSTOP, 0.0}, {kSupervisor, SIGCONT, 0.2}}, kSaysSupervisorSilent},
       {"supervisor_restarted", "supervisor dies (kill -9) and is started again.",
        "Gains and mode stay as they are; it leads under the next authority and issues what estimates ask for.",
        Hit::kAll, nullptr, {}, 1.2, {{kSupervisor, SIGKILL, 0.0}, {kSupervisor, kStart, kStartAgain_s}},
