@@ -45,7 +45,7 @@ void send_all(Out<Signal>* port, const std::vector<std::uint16_t>& keys, Tick ti
   }
 }
 
-class BareMember final : public GaitSource {
+class BareMember final : public participant::Application {
  public:
   BareMember(BarePorts ports, participant::Participant& member, Tick ticks)
       : ports_(std::move(ports)),
@@ -62,7 +62,6 @@ class BareMember final : public GaitSource {
   bool finished() const override { return tick_ >= ticks_; }
   int missing() const override { return 1; }
   std::string waits_for() const override { return "samples of tick " + std::to_string(tick_); }
-  Tick tick() const override { return tick_; }
 
  private:
   bool leads() const noexcept { return member_.identity().number == participant::kSimBridge; }
@@ -132,30 +131,17 @@ void BareMember::poll(SteadyTime now) {
   }
 }
 
-Result<std::unique_ptr<GaitSource>> create(const robot::Robot& robot, const std::vector<std::string>& joints,
-                                           participant::Participant& member, Tick ticks) {
-  auto ports = BarePorts::open(robot, joints, member);
-  if (!ports) {
-    return ports.error();
-  }
-  return std::unique_ptr<GaitSource>(std::make_unique<BareMember>(std::move(ports).value(), member, ticks));
-}
-
 }  // namespace
 
 Result<std::unique_ptr<participant::Application>> create_bare(const robot::Robot& robot,
                                                               const std::vector<std::string>& joints,
                                                               participant::Participant& participant, Tick ticks) {
-  auto member = create(robot, joints, participant, ticks);
-  if (!member) {
-    return member.error();
+  auto ports = BarePorts::open(robot, joints, participant);
+  if (!ports) {
+    return ports.error();
   }
-  return std::unique_ptr<participant::Application>(std::move(member).value());
-}
-
-Result<std::unique_ptr<GaitSource>> create_bare_gait(const robot::Robot& robot, participant::Participant& participant,
-                                                     Tick ticks) {
-  return create(robot, {}, participant, ticks);
+  return std::unique_ptr<participant::Application>(
+      std::make_unique<BareMember>(std::move(ports).value(), participant, ticks));
 }
 
 }  // namespace farrier::lab

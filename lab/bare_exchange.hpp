@@ -1,8 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "lab/gait_source.hpp"
 #include "participant/application.hpp"
 #include "participant/participant.hpp"
 #include "robot/robot.hpp"
@@ -15,9 +16,5 @@ namespace farrier::lab {
 Result<std::unique_ptr<participant::Application>> create_bare(const robot::Robot& robot,
                                                               const std::vector<std::string>& joints,
                                                               participant::Participant& participant, Tick ticks);
-
-/// The same for the gait source.
-Result<std::unique_ptr<GaitSource>> create_bare_gait(const robot::Robot& robot, participant::Participant& participant,
-                                                     Tick ticks);
 
 }  // namespace farrier::lab

@@ -79,7 +79,7 @@ void BareClock::step(const participant::Wake& wake) noexcept {
   ++tick_;
 }
 
-class BareAnswer final : public GaitSource {
+class BareAnswer final : public participant::Application {
  public:
   BareAnswer(BarePorts ports, participant::Participant& member) : ports_(std::move(ports)), member_(member) {}
 
@@ -87,7 +87,6 @@ class BareAnswer final : public GaitSource {
   bool finished() const override { return false; }
   int missing() const override { return 1; }
   std::string waits_for() const override { return member_.greeting_lacks(); }
-  Tick tick() const override { return tick_; }
 
  private:
   void answer(const signals::JointSensors& sensors);
@@ -189,15 +188,6 @@ Result<std::unique_ptr<participant::Application>> create_bare_answer(const robot
   }
   return std::unique_ptr<participant::Application>(
       std::make_unique<BareAnswer>(std::move(ports).value(), participant));
-}
-
-Result<std::unique_ptr<GaitSource>> create_bare_answering_gait(const robot::Robot& robot,
-                                                               participant::Participant& participant) {
-  auto ports = BarePorts::open(robot, {}, participant);
-  if (!ports) {
-    return ports.error();
-  }
-  return std::unique_ptr<GaitSource>(std::make_unique<BareAnswer>(std::move(ports).value(), participant));
 }
 
 }  // namespace farrier::lab

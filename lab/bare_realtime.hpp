@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "lab/gait_source.hpp"
 #include "participant/application.hpp"
 #include "participant/participant.hpp"
 #include "participant/realtime_loop.hpp"
@@ -32,9 +31,5 @@ Result<std::unique_ptr<participant::RealtimeApplication>> create_bare_clock(cons
 Result<std::unique_ptr<participant::Application>> create_bare_answer(const robot::Robot& robot,
                                                                      const std::vector<std::string>& joints,
                                                                      participant::Participant& participant);
-
-/// The same for the gait source.
-Result<std::unique_ptr<GaitSource>> create_bare_answering_gait(const robot::Robot& robot,
-                                                               participant::Participant& participant);
 
 }  // namespace farrier::lab

@@ -8,7 +8,7 @@ std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, b
   std::vector<Member> members{{"sim_bridge", "sim_bridge", participant::kSimBridge, {}},
                               {"estimator_service", "estimator_service", participant::kEstimatorService, {}},
                               {"supervisor", "supervisor", participant::kSupervisor, {}},
-                              {"gait_source", "", participant::kGaitSource, {}}};
+                              {"gait_source", "gait_source", participant::kGaitSource, {}}};
   std::uint16_t next = participant::kFirstJointNode;
   const auto group_of = [&](const robot::Joint& joint) {
     switch (grouping) {
@@ -29,6 +29,14 @@ std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, b
     members.push_back({"supervisor_standby", "supervisor", next, {}, true});
   }
   return members;
+}
+
+Member launcher_of(const std::vector<Member>& members) {
+  return {"launcher", "", static_cast<std::uint16_t>(members.size()), {}};
+}
+
+bus::Role role_of(const Member& member) noexcept {
+  return member.executable.empty() ? bus::Role::kLauncher : participant::role_of(member.number, member.stands_by);
 }
 
 Tick ticks_of(double duration_s, const robot::Robot& robot) {

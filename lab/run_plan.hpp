@@ -14,7 +14,7 @@ enum class Grouping { kPerLeg, kPerJoint, kOne };
 /// One participant of a run.
 struct Member {
   std::string name;                 ///< "sim_bridge", "joint_node_lf", ...
-  std::string executable;           ///< of its process; empty: the launcher itself
+  std::string executable;           ///< of its process; empty: it is the launcher
   std::uint16_t number = 0;
   std::vector<std::string> joints;  ///< joint nodes: those they host
   bool stands_by = false;           ///< a supervisor that leads when the other has fallen silent
@@ -22,6 +22,12 @@ struct Member {
 
 /// Everybody who takes part, in the order of their numbers; with `standby`, a second supervisor as the last.
 std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, bool standby = false);
+
+/// Who starts these as processes, greets them and listens.
+Member launcher_of(const std::vector<Member>& members);
+
+/// The rights that a member needs under DDS Security.
+bus::Role role_of(const Member& member) noexcept;
 
 /// Length of a run in ticks.
 Tick ticks_of(double duration_s, const robot::Robot& robot);

@@ -10,7 +10,6 @@
 #include "participant/arrival.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop_statistics.hpp"
-#include "participant/silence.hpp"
 #include "record/trace.hpp"
 #include "robot/keys.hpp"
 #include "sim_bridge/ports.hpp"
@@ -33,6 +32,8 @@ struct Mailbox {
   SpscRing<record::TraceRow, 64> rows;
   participant::Arrival arrival;  ///< bus thread
   ReceivedValve last_valve;  ///< control thread
+  std::atomic<bool> fell_silent{false};  ///< the valve commands, by the control thread, which puts the spool to null
+  bool told_silent = false;  ///< bus thread
 };
 
 class SimBridgeRealtime final : public participant::RealtimeApplication {
@@ -49,8 +50,6 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
         ticks_(ticks),
         numbers_(robot::joint_numbers(robot)),
         mail_(numbers_.size()),
-        silences_(numbers_.size(),
-                  {silent_after_, participant::EventKind::kValveSilent, participant::EventKind::kValveHeard}),
         valve_current_A_(numbers_.size(), 0.0) {}
 
   bool receive(SteadyTime now) override;
@@ -64,7 +63,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
 
  private:
   void apply_valve(std::size_t index, SteadyTime now) noexcept;
-  void tell_silences(SteadyTime now);
+  void tell_silences();
   void report(bool final_report);
 
   SimWorld world_;
@@ -76,7 +75,6 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   Tick ticks_;
   std::vector<std::uint16_t> numbers_;
   std::vector<Mailbox> mail_;
-  std::vector<participant::Silence> silences_;  ///< bus thread
   std::vector<double> valve_current_A_;
   participant::LoopStatistics statistics_;
   SteadyTime next_health_{};
@@ -98,14 +96,13 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
       }
       if (const auto came = mail_[i].arrival.take(valve.tick, valve.sample_time_ns, now)) {
         mail_[i].valve.store({valve, *came});
-        silences_[i].heard(*came);
       }
     }
   });
   if (!participant_.started(now)) {
     return false;
   }
-  tell_silences(now);
+  tell_silences();
   if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && !reported_final_) {
     reported_final_ = true;
     if (!trace_complete_.load(std::memory_order_relaxed)) {
@@ -119,10 +116,12 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
   return true;
 }
 
-void SimBridgeRealtime::tell_silences(SteadyTime now) {
-  for (std::size_t i = 0; i < silences_.size() && !finished(); ++i) {
-    if (const auto kind = silences_[i].look(now)) {
-      participant_.event(*kind, tick_.load(std::memory_order_relaxed), numbers_[i]);
+void SimBridgeRealtime::tell_silences() {
+  using enum participant::EventKind;
+  for (std::size_t i = 0; i < mail_.size() && !finished(); ++i) {
+    if (const bool silent = mail_[i].fell_silent.load(std::memory_order_relaxed); silent != mail_[i].told_silent) {
+      mail_[i].told_silent = silent;
+      participant_.event(silent ? kValveSilent : kValveHeard, tick_.load(std::memory_order_relaxed), numbers_[i]);
     }
   }
 }
@@ -138,8 +137,9 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
   Mailbox& mail = mail_[index];
   mail.valve.fetch(mail.last_valve);
   const signals::JointValveCommand& valve = mail.last_valve.command;
-  const bool silent = mail.last_valve.received == SteadyTime{} ||
-                      now - mail.last_valve.received > silent_after_;
+  const bool begun = mail.last_valve.received != SteadyTime{};
+  const bool silent = !begun || now - mail.last_valve.received > silent_after_;
+  mail.fell_silent.store(begun && silent, std::memory_order_relaxed);
   valve_current_A_[index] = silent ? 0.0 : valve.valve_current_A;
 
   record::TraceRow row;

@@ -73,6 +73,8 @@ class Bus {
 
   /// What DDS Security said since the last call about others, whom it keeps out: one sentence each, none twice.
   virtual std::vector<std::string> take_security_warnings() { return {}; }
+  /// Which of the faults that are put on this bus on purpose have acted for the first time since the last call.
+  virtual std::vector<std::string> take_faults_begun() { return {}; }
 
   /// Arrivals so far; read it before looking for samples, then wait for as many more as are still needed.
   std::uint64_t arrivals() const noexcept { return notifier_->arrivals(); }

@@ -9,6 +9,7 @@ const char* to_string(Role role) noexcept {
     case Role::kSupervisor: return "supervisor";
     case Role::kGaitSource: return "gait_source";
     case Role::kJointNode: return "joint_node";
+    case Role::kLauncher: return "launcher";
     case Role::kOperator: return "operator";
     case Role::kMonitor: return "monitor";
   }

@@ -14,12 +14,13 @@ enum class Role : std::uint8_t {
   kSupervisor,
   kGaitSource,
   kJointNode,
+  kLauncher,  ///< starts the processes of a run on one computer, and listens to it
   kOperator,  ///< asks the supervisor to arm or to stop
   kMonitor,   ///< only reads
 };
 
 inline constexpr std::array kRoles{Role::kSimBridge, Role::kEstimatorService, Role::kSupervisor, Role::kGaitSource,
-                                   Role::kJointNode, Role::kOperator,         Role::kMonitor};
+                                   Role::kJointNode, Role::kLauncher,         Role::kOperator,   Role::kMonitor};
 
 const char* to_string(Role role) noexcept;
 
@@ -41,7 +42,7 @@ class RoleSet {
 
 /// Those that take part in a run.
 inline constexpr RoleSet kParticipantRoles{Role::kSimBridge, Role::kEstimatorService, Role::kSupervisor,
-                                           Role::kGaitSource, Role::kJointNode};
+                                           Role::kGaitSource, Role::kJointNode,        Role::kLauncher};
 
 /// For people: the roles' names, or "all" for those that take part in a run.
 std::string to_string(RoleSet roles);

@@ -42,7 +42,10 @@ constexpr int kEventsLockstep = 1000;
   TopicSpec{TopicId::k##Signal, name, "wire::" #Signal, #file ".idl", writers, readers, key, version, route, sending, sizeof(signals::Signal), qos, depth}
 
 // All but the clock itself.
-constexpr RoleSet kTickers{Role::kEstimatorService, Role::kSupervisor, Role::kGaitSource, Role::kJointNode};
+constexpr RoleSet kTickers{Role::kEstimatorService, Role::kSupervisor, Role::kGaitSource, Role::kJointNode,
+                           Role::kLauncher};
+
+constexpr RoleSet kRequesters{Role::kOperator, Role::kLauncher};
 
 // clang-format off
 constexpr std::array<TopicSpec, kTopicCount> kTopics{
@@ -58,8 +61,8 @@ constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(SystemHealth, "system/health", system_health, kParticipantRoles, "monitors", "participant", 3, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
     FARRIER_TOPIC(SystemEvent, "system/event", system_event, kParticipantRoles, "monitors", "participant", 1, Route::kRobot, Sending::kAtOnce, announcements(kEvents), kEventsLockstep),
     FARRIER_TOPIC(SystemMode, "system/mode", system_mode, {Role::kSupervisor}, "joint_node, sim_bridge", "robot", 2, Route::kRobot, Sending::kAtOnce, kAuthority, kTwoTicks),
-    FARRIER_TOPIC(SystemRequest, "system/request", system_request, {Role::kOperator}, "supervisor", "robot", 1, Route::kRobot, Sending::kAtOnce, kRequests, kTwoTicks),
-    FARRIER_TOPIC(ClockTick, "clock/tick", clock_tick, {Role::kSimBridge}, "gait_source, supervisor", "clock", 1, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
+    FARRIER_TOPIC(SystemRequest, "system/request", system_request, kRequesters, "supervisor", "robot", 1, Route::kRobot, Sending::kAtOnce, kRequests, kTwoTicks),
+    FARRIER_TOPIC(ClockTick, "clock/tick", clock_tick, {Role::kSimBridge}, "gait_source, supervisor, launcher", "clock", 1, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
     FARRIER_TOPIC(ClockTickDone, "clock/tick_done", clock_tick_done, kTickers, "sim_bridge", "participant", 1, Route::kRobot, Sending::kAtOnce, kLockstepOnly, kTwoTicks),
     FARRIER_TOPIC(JointSummary, "lf/joint/summary", joint_summary, {Role::kJointNode}, "monitors", "joint", 2, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointModelEstimateCopy, "lf/joint/model_estimate", joint_model_estimate_copy, {Role::kEstimatorService}, "monitors", "joint", 1, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "bus/endpoint_check.hpp"
-#include "bus/security_warnings.hpp"
+#include "bus/said_once.hpp"
 #include "bus_cyclone/cyclone_domain.hpp"
 #include "bus_cyclone/cyclone_endpoints.hpp"
 #include "bus_cyclone/cyclone_qos.hpp"
@@ -21,12 +21,12 @@ namespace {
 /// Cyclone tells of those it keeps out in its log alone, which is one for the process: who hears of which domain.
 class LogWarnings {
  public:
-  std::shared_ptr<bus::SecurityWarnings> of(std::uint32_t local_domain) {
+  std::shared_ptr<bus::SaidOnce> of(std::uint32_t local_domain) {
     const std::lock_guard lock(mutex_);
     auto& warnings = by_domain_[local_domain];
     auto alive = warnings.lock();
     if (!alive) {
-      alive = std::make_shared<bus::SecurityWarnings>();
+      alive = std::make_shared<bus::SaidOnce>();
       warnings = alive;
     }
     return alive;
@@ -34,7 +34,7 @@ class LogWarnings {
 
  private:
   std::mutex mutex_;
-  std::map<std::uint32_t, std::weak_ptr<bus::SecurityWarnings>> by_domain_;
+  std::map<std::uint32_t, std::weak_ptr<bus::SaidOnce>> by_domain_;
 };
 
 LogWarnings& log_warnings() {
@@ -61,7 +61,7 @@ void on_log(void*, const dds_log_data_t* line) {
 
 class CycloneBus final : public bus::Bus {
  public:
-  CycloneBus(dds_entity_t domain, dds_entity_t participant, std::shared_ptr<bus::SecurityWarnings> warnings,
+  CycloneBus(dds_entity_t domain, dds_entity_t participant, std::shared_ptr<bus::SaidOnce> warnings,
              std::string refusals)
       : domain_(domain), participant_(participant), warnings_(std::move(warnings)), refusals_(std::move(refusals)) {}
   ~CycloneBus() override { dds_delete(domain_); }
@@ -142,7 +142,7 @@ class CycloneBus final : public bus::Bus {
 
   dds_entity_t domain_;
   dds_entity_t participant_;
-  std::shared_ptr<bus::SecurityWarnings> warnings_;
+  std::shared_ptr<bus::SaidOnce> warnings_;
   std::string refusals_;
   std::map<bus::TopicId, dds_entity_t> topics_;
   Parents publishers_;

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "bus/security_warnings.hpp"
+#include "bus/said_once.hpp"
 #include "bus_fastdds/fast_qos.hpp"
 
 namespace farrier::bus_fastdds {
@@ -25,7 +25,7 @@ class AuthenticationEvents final : public dds::DomainParticipantListener {
   void onParticipantAuthentication(dds::DomainParticipant* participant,
                                    eprosima::fastrtps::rtps::ParticipantAuthenticationInfo&& info) override;
 
-  bus::SecurityWarnings warnings;
+  bus::SaidOnce warnings;
 };
 
 /// The participant and what its endpoints share: topics, and one publisher and subscriber per list of partitions.

@@ -3,10 +3,22 @@
 #include <algorithm>
 #include <iterator>
 
+#include "bus/said_once.hpp"
 #include "bus_faults/faulty_reader.hpp"
 
 namespace farrier::bus_faults {
 namespace {
+
+bool is_order(bus::TopicId topic) noexcept {
+  switch (topic) {
+#define FARRIER_CASE(Signal, file)  \
+  case bus::TopicId::k##Signal:     \
+    return signals::kIsOrder<signals::Signal>;
+    FARRIER_SIGNALS(FARRIER_CASE)
+#undef FARRIER_CASE
+  }
+  return false;
+}
 
 class FaultyBus final : public bus::Bus {
  public:
@@ -19,12 +31,11 @@ class FaultyBus final : public bus::Bus {
         name_(std::move(name)),
         clock_(std::move(clock)),
         due_(notifier(), clock_),
-        concerns_orders_(std::ranges::any_of(faults_, [](const ArrowFault& fault) {
-          return fault.topic == bus::TopicId::kSystemMode || fault.topic == bus::TopicId::kJointControllerGains;
-        })) {}
+        concerns_orders_(std::ranges::any_of(faults_, [](const ArrowFault& fault) { return is_order(fault.topic); })) {}
 
   bus::Vendor vendor() const noexcept override { return inner_->vendor(); }
   std::vector<std::string> take_security_warnings() override { return inner_->take_security_warnings(); }
+  std::vector<std::string> take_faults_begun() override { return begun_.take(); }
 
   Result<std::unique_ptr<bus::RawWriter>> create_writer(const bus::EndpointSpec& endpoint) override {
     return inner_->create_writer(endpoint);
@@ -41,7 +52,7 @@ class FaultyBus final : public bus::Bus {
 #define FARRIER_CASE(Signal, file)                                                             \
   case bus::TopicId::k##Signal:                                                                \
     return std::unique_ptr<bus::RawReader>(std::make_unique<FaultyReader<signals::Signal>>(    \
-        std::move(reader).value(), mine, seed_, name_, clock_, due_, newest_));
+        std::move(reader).value(), mine, seed_, name_, clock_, due_, newest_, begun_));
       FARRIER_SIGNALS(FARRIER_CASE)
 #undef FARRIER_CASE
     }
@@ -57,6 +68,7 @@ class FaultyBus final : public bus::Bus {
   DueTimes due_;
   bool concerns_orders_;               ///< then every reader tells the tick
   std::atomic<Tick> newest_{kNoTick};
+  bus::SaidOnce begun_;
 };
 
 }  // namespace

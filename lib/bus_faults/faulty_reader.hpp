@@ -13,6 +13,7 @@
 
 #include "bus/bus.hpp"
 #include "bus/key.hpp"
+#include "bus/said_once.hpp"
 #include "bus_faults/arrow_fault.hpp"
 #include "bus_faults/due_times.hpp"
 #include "core/noise.hpp"
@@ -20,22 +21,18 @@
 
 namespace farrier::bus_faults {
 
-/// Orders stand until others come and are repeated meanwhile: their tick is when they take effect, not when they are sent.
-template <class Signal>
-inline constexpr bool kIsOrder =
-    std::is_same_v<Signal, signals::SystemMode> || std::is_same_v<Signal, signals::JointControllerGains>;
-
 /// A reader whose samples meet faults on their way. Each fault sees what those before it in the list have let through.
 template <class Signal>
 class FaultyReader final : public bus::RawReader {
  public:
-  /// `due` and `newest` outlive this. `newest`: the tick that the process has heard of, which is that of orders.
+  /// `due`, `newest` and `begun` outlive this. `newest`: the tick that the process has heard of, which is that of orders.
+  /// `begun` is told of each fault when it first acts.
   FaultyReader(std::unique_ptr<bus::RawReader> inner, const std::vector<ArrowFault>& faults, std::uint64_t seed,
                const std::string& name, const Clock& clock, DueTimes& due,
-               std::atomic<Tick>& newest)
+               std::atomic<Tick>& newest, bus::SaidOnce& begun)
       : inner_(std::move(inner)), clock_(clock), due_(due), newest_(newest) {
     for (const ArrowFault& fault : faults) {
-      faults_.emplace_back(fault, NoiseStream(seed, name, to_string(fault)));
+      faults_.emplace_back(fault, NoiseStream(seed, name, to_string(fault)), begun);
     }
   }
 
@@ -61,15 +58,25 @@ class FaultyReader final : public bus::RawReader {
 
  private:
   struct Acting {
-    Acting(const ArrowFault& of, const NoiseStream& stream) : fault(of), draws(stream) {}
+    Acting(const ArrowFault& of, const NoiseStream& stream, bus::SaidOnce& begun_faults)
+        : fault(of), draws(stream), begun(begun_faults) {}
 
     bool concerns(const Signal& signal, Tick tick) const noexcept {
       return tick >= fault.from && tick < fault.until && (!fault.key || *fault.key == bus::key_of(signal));
     }
-    bool happens() noexcept { return draws.uniform(drawn++) < fault.probability; }
+    bool happens() { return draws.uniform(drawn++) < fault.probability && acts(); }
+    bool acts() {
+      if (!acted) {
+        acted = true;
+        begun.add(to_string(fault));
+      }
+      return true;
+    }
 
     ArrowFault fault;
     NoiseStream draws;
+    bus::SaidOnce& begun;
+    bool acted = false;
     Tick drawn = 0;
     std::map<std::uint32_t, int> burst_left;      ///< by key
     std::map<std::uint32_t, Signal> held, frozen; ///< by key
@@ -80,10 +87,10 @@ class FaultyReader final : public bus::RawReader {
       on_the_way_.emplace(now, signal);
       return;
     }
-    if constexpr (!kIsOrder<Signal>) {
+    if constexpr (!signals::kIsOrder<Signal>) {
       newest_ = std::max(newest_.load(), signals::tick_of(signal));
     }
-    const Tick tick = kIsOrder<Signal> ? newest_.load() : signals::tick_of(signal);
+    const Tick tick = signals::kIsOrder<Signal> ? newest_.load() : signals::tick_of(signal);
     SteadyTime due = now;
     int copies = 1;
     for (Acting& acting : faults_) {
@@ -131,13 +138,16 @@ class FaultyReader final : public bus::RawReader {
         }
         return true;
       case Kind::kDelay: {
+        acting.acts();
         const double share = acting.draws.uniform(acting.drawn++);
         due += fault.least + std::chrono::duration_cast<Nanoseconds>(share * (fault.most - fault.least));
         return true;
       }
       case Kind::kCut:
+        acting.acts();
         return false;
       case Kind::kFrozen: {
+        acting.acts();
         const Signal& first = acting.frozen.try_emplace(key, signal).first->second;
         for_each_number(signal, [&](std::string_view name, double& number) { number = number_of(first, name); });
         return true;
@@ -147,6 +157,7 @@ class FaultyReader final : public bus::RawReader {
       case Kind::kNotANumber:
         for_each_number(signal, [&](std::string_view name, double& number) {
           if (name == fault.field) {
+            acting.acts();
             number = fault.kind == Kind::kOffset  ? number + fault.amount
                      : fault.kind == Kind::kNoise ? number + fault.amount * acting.draws.normal(acting.drawn++)
                                                   : std::numeric_limits<double>::quiet_NaN();

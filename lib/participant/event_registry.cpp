@@ -31,6 +31,7 @@ constexpr std::array kEvents{
     EventSpec{kTraceIncomplete, "the trace is incomplete: disk full?", "sim_bridge", kError, "Rows of `--trace` could not be written.", "Make room; run again."},
     EventSpec{kNumberTaken, "<process> is participant <number> of this run already: end it first", "any", kError, "Two processes have one place in the robot; this one does not begin.", "`farrier doctor` names both."},
     EventSpec{kSecurity, "security: <why>", "any", kWarning, "DDS Security refused somebody, or something that somebody did.", "[security.md](security.md)."},
+    EventSpec{kFaultOnPurpose, "fault on purpose: <fault>", "any", kWarning, "A fault that this process was started with (`--fault`) acts for the first time on what it hears.", ""},
 };
 // clang-format on
 
@@ -49,6 +50,11 @@ static_assert(in_order(), "the registry is indexed by EventKind");
 std::span<const EventSpec> event_specs() noexcept { return kEvents; }
 
 const EventSpec& spec(EventKind kind) noexcept { return kEvents[static_cast<std::size_t>(kind)]; }
+
+std::string text_of(EventKind kind, std::string_view detail) {
+  const std::string_view text = spec(kind).text;
+  return std::string(text.substr(0, text.find('<'))).append(detail);
+}
 
 std::string events_table_markdown() {
   std::string table = "| text | of | severity | means | what to do |\n|---|---|---|---|---|\n";

@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "signals/signals.hpp"
 
@@ -27,6 +28,7 @@ enum class EventKind : std::uint8_t {
   kTraceIncomplete,
   kNumberTaken,
   kSecurity,
+  kFaultOnPurpose,
 };
 
 struct EventSpec {
@@ -41,6 +43,9 @@ struct EventSpec {
 /// Every kind, by number.
 std::span<const EventSpec> event_specs() noexcept;
 const EventSpec& spec(EventKind kind) noexcept;
+
+/// What an event says.
+std::string text_of(EventKind kind, std::string_view detail);
 
 /// Markdown table of every kind, for docs/events.md.
 std::string events_table_markdown();

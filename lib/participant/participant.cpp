@@ -141,7 +141,7 @@ bool Participant::started(SteadyTime now) {
       port->probe();
     }
     say_hello();
-    tell_security_warnings();
+    tell_of_the_bus(0);
   }
   started_ = greeting_lacks().empty();
   if (started_) {
@@ -209,7 +209,7 @@ void Participant::tick_done(Tick tick, const signals::ClockTickDone& issued) noe
 }
 
 void Participant::report_health(Tick tick, bool final_report, const signals::SystemHealth& measured) noexcept {
-  tell_security_warnings();
+  tell_of_the_bus(tick);
   signals::SystemHealth health = measured;
   health.participant = identity_.number;
   health.tick = tick;
@@ -229,21 +229,23 @@ void Participant::report_health(Tick tick, bool final_report, const signals::Sys
   }
 }
 
-void Participant::tell_security_warnings() noexcept {
+void Participant::tell_of_the_bus(Tick tick) noexcept {
   for (const std::string& sentence : bus_.take_security_warnings()) {
-    event(EventKind::kSecurity, 0, 0xffff, sentence);
+    event(EventKind::kSecurity, tick, 0xffff, sentence);
+  }
+  for (const std::string& fault : bus_.take_faults_begun()) {
+    event(EventKind::kFaultOnPurpose, tick, 0xffff, fault);
   }
 }
 
 void Participant::event(EventKind kind, Tick tick, std::uint16_t joint, std::string_view detail) noexcept {
-  const std::string_view text = spec(kind).text;
   signals::SystemEvent event;
   event.participant = identity_.number;
   event.count = ++events_;
   event.tick = tick;
   event.severity = static_cast<std::uint8_t>(spec(kind).severity);
   event.joint = joint;
-  signals::assign(event.text, std::string(text.substr(0, text.find('<'))).append(detail));
+  signals::assign(event.text, text_of(kind, detail));
   event_out_->publish(event);
 }
 

@@ -32,6 +32,7 @@ struct Identity {
   bus::ClockKind clock = bus::ClockKind::kLockstep;
   int slow = 1;                   ///< slow motion: what DDS holds times by is stretched by it
   int strength = 0;               ///< of its writers of topics that carry authority
+  bool launches = false;          ///< it is no process of the robot: it starts those and listens
 };
 
 /// What a process knows of who leads the robot.
@@ -135,7 +136,7 @@ class Participant {
   Participant(bus::Bus& bus, Identity identity);
   Result<Done> open();
   void say_hello() noexcept;
-  void tell_security_warnings() noexcept;
+  void tell_of_the_bus(Tick tick) noexcept;
 
   bus::Bus& bus_;
   Identity identity_;

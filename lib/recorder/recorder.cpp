@@ -135,8 +135,9 @@ std::unique_ptr<Tap> make_journal_tap(Heard heard) {
 
 /// Streams that participants of a run in lock-step keep journals of.
 std::vector<std::uint16_t> journalled_streams(const participant::Identity& identity) {
+  const int processes = identity.participants - (identity.launches ? 1 : 0);
   std::vector<std::uint16_t> streams;
-  for (std::uint16_t number = 0; number < identity.participants; ++number) {
+  for (std::uint16_t number = 0; number < processes; ++number) {
     for (const bus::TopicSpec& topic : bus::topics()) {
       if (is_journalled(topic.id) && topic.writers.contains(participant::role_of(number))) {
         streams.push_back(signals::stream_of(number, static_cast<std::uint8_t>(topic.id)));

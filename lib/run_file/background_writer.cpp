@@ -2,6 +2,8 @@
 
 #include <chrono>
 
+#include "runtime/realtime_thread.hpp"
+
 namespace farrier::run_file {
 namespace {
 
@@ -46,6 +48,7 @@ bool BackgroundWriter::offer(const Sample& sample) {
 }
 
 void BackgroundWriter::run() {
+  runtime::give_way();
   Waiting writing;
   for (bool last = false; !last;) {
     {

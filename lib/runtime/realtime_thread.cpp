@@ -4,6 +4,7 @@
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -43,6 +44,11 @@ std::string set_priority(int priority) {
 void set_no_priority() noexcept {
   const sched_param parameters{};
   sched_setscheduler(0, SCHED_OTHER, &parameters);
+}
+
+void give_way() noexcept {
+  constexpr int kNicest = 19;
+  static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(thread_id()), kNicest));
 }
 
 void raise_threads(int from, int to) noexcept {

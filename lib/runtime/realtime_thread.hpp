@@ -29,6 +29,10 @@ std::string set_priority(int priority);
 /// Takes the calling thread's priority away.
 void set_no_priority() noexcept;
 
+/// Lets all other work of this computer go before the calling thread and those it creates from now on, which still get
+/// what nobody else wants: nice 19.
+void give_way() noexcept;
+
 /// Gives every thread of this process that has the SCHED_FIFO priority `from` the priority `to`.
 void raise_threads(int from, int to) noexcept;
 

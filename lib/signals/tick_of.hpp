@@ -18,6 +18,10 @@ Tick tick_of(const Signal& s) noexcept {
   return kNoTick;
 }
 
+/// Orders stand until others come and are repeated meanwhile: their tick is when they take effect, not when they are sent.
+template <class Signal>
+inline constexpr bool kIsOrder = std::is_same_v<Signal, SystemMode> || std::is_same_v<Signal, JointControllerGains>;
+
 /// Whether a sample is a probe of the greeting. A hello is none: it has no tick.
 template <class Signal>
 bool is_probe(const Signal& s) noexcept {

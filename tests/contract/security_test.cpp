@@ -134,6 +134,14 @@ TEST_P(SecureProcess, MonitorMayNotWriteValveCommandsAndIsToldWhere) {
   EXPECT_TRUE(subscription(*monitor).ok()) << "reading is a monitor's right";
 }
 
+TEST_P(SecureProcess, LauncherMayGreetAndCommandsNoJoint) {
+  const auto launcher = join_as(Role::kLauncher, GetParam());
+  EXPECT_FALSE(publisher(*launcher).ok());
+  const auto hello = bus::Publisher<signals::SystemHello>::create(
+      *launcher, endpoint(bus::TopicId::kSystemHello));
+  EXPECT_TRUE(hello.ok()) << (hello ? "" : hello.error().message);
+}
+
 TEST_P(SecureProcess, MayNotEnterThePartitionOfAnotherRobot) {
   const auto node = join_as(Role::kJointNode, GetParam());
   const auto refused = bus::Publisher<JointValveCommand>::create(

@@ -114,6 +114,25 @@ TEST(FaultyBus, CutsRepeatedOrdersByTheTickThatOthersTell) {
   EXPECT_EQ(faulty.orders(), 1u);
 }
 
+TEST(FaultyBus, TellsOfAFaultOnceWhenItFirstActs) {
+  const std::string cut = "joint/sensors:cut@1..3", never = "joint/sensors:loss=0", later = "joint/sensors:cut@5..9#1";
+  Faulty faulty({cut, never, later});
+  using Texts = std::vector<std::string>;
+  faulty.send(0);
+  faulty.ticks();
+  EXPECT_EQ(faulty.bus().take_faults_begun(), Texts{});
+  faulty.send(1);
+  faulty.send(2);
+  faulty.ticks();
+  EXPECT_EQ(faulty.bus().take_faults_begun(), Texts{cut});
+  faulty.send(5, 0);
+  faulty.ticks();
+  EXPECT_EQ(faulty.bus().take_faults_begun(), Texts{}) << "it is about joint 1";
+  faulty.send(6, 1);
+  faulty.ticks();
+  EXPECT_EQ(faulty.bus().take_faults_begun(), Texts{later});
+}
+
 TEST(FaultyBus, LetsProbesThrough) {
   Faulty faulty({"joint/sensors:cut"});
   faulty.send(kNoTick);

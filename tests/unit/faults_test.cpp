@@ -79,7 +79,11 @@ class Trace {
   }
 
   std::vector<Check> judged(const char* row, const std::vector<std::string>& events = {}, Tick armed = 600) const {
-    return judge(hyq(), *find_row(row), {{400, 500}, armed}, rows_, told_at(410, events));
+    std::vector<Heard> heard = told_at(410, events);
+    for (const auto& fault : arrow_faults(hyq(), *find_row(row), {400, 500})) {
+      heard.push_back({"fault on purpose: " + to_string(fault), 415});
+    }
+    return judge(hyq(), *find_row(row), {{400, 500}, armed}, rows_, heard);
   }
 
   const std::vector<record::TraceRow>& rows() const { return rows_; }
@@ -146,6 +150,17 @@ TEST(FaultJudge, WantsTheEventInTimeAndNotOneOfBefore) {
   EXPECT_EQ(judged_with(445), Keys{});
   EXPECT_EQ(judged_with(455), Keys{"event"});
   EXPECT_EQ(judged_with(300), Keys{"event"});
+}
+
+TEST(FaultJudge, RefusesAFaultThatNobodyTellsOf) {
+  const Row& row = *find_row("loss_1");
+  const auto judged_with = [&](const std::vector<std::string>& texts) {
+    return wrong(judge(hyq(), row, {{400, 500}, 500}, Trace().rows(), told_at(410, texts)));
+  };
+  const std::string sensors = "fault on purpose: joint/sensors:loss=0.01@400..500";
+  EXPECT_EQ(judged_with({}), Keys{"acts"});
+  EXPECT_EQ(judged_with({sensors}), Keys{"acts"}) << "it has a second";
+  EXPECT_EQ(judged_with({sensors, "fault on purpose: joint/command:loss=0.01@400..500"}), Keys{});
 }
 
 TEST(FaultJudge, WantsALatchedJointToStayUntilItIsArmed) {

@@ -5,10 +5,7 @@
 #include <thread>
 
 #include "bus_factory/bus_factory.hpp"
-#include "bus_faults/faulty_bus.hpp"
-#include "lab/bare_exchange.hpp"
-#include "lab/bare_realtime.hpp"
-#include "lab/gait_source.hpp"
+#include "lab/run_listener.hpp"
 #include "lab/run_monitor.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
@@ -37,7 +34,7 @@ using participant::steady_now;
 struct Seat {
   std::unique_ptr<bus::Bus> bus;
   std::unique_ptr<participant::Participant> participant;
-  std::unique_ptr<lab::GaitSource> gait;
+  std::unique_ptr<lab::RunListener> listener;
   std::unique_ptr<recorder::RunRecording> recording;  ///< lock-step; in real time another process records
   std::optional<RunActs> acts;
 };
@@ -46,13 +43,13 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
                        const lab::Member& member, const std::optional<HostClock>& clock) {
   Seat seat;
   if (common.clock == bus::ClockKind::kRealtime) {
-    // Where the limits forbid it the gait is played without: the node processes say so in their logs.
+    // Where the limits forbid it this process listens without: the node processes say so in their logs.
     participant::set_slow_motion(common.slow);
-    static_cast<void>(runtime::set_priority(runtime::kBusPriority));
+    static_cast<void>(runtime::set_priority(runtime::kServicePriority));
   }
   bus::NetworkOptions network = participant::network_of(common);
   const bus::Vendor vendor = vendor_of(run.dds, member);
-  if (auto secured = process::secure(network, common.security, participant::role_of(member.number, member.stands_by), vendor); !secured) {
+  if (auto secured = process::secure(network, common.security, lab::role_of(member), vendor); !secured) {
     return secured.error();
   }
   auto bus = bus_factory::create_bus(vendor, network);
@@ -60,31 +57,25 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
     return bus.error();
   }
   seat.bus = std::move(bus).value();
-  if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
-    seat.bus = bus_faults::with_faults(std::move(seat.bus), faults->second, common.seed, member.name,
-                                       {steady_now, common.slow});
-  }
-  auto participant = participant::Participant::join(
-      *seat.bus, {member.name, robot.name, member.number, common.participants, common.session, common.clock,
-                  common.slow});
+  participant::Identity identity{member.name, robot.name, member.number, common.participants, common.session,
+                                 common.clock, common.slow};
+  identity.launches = true;
+  auto participant = participant::Participant::join(*seat.bus, identity);
   if (!participant) {
     return participant.error();
   }
   seat.participant = std::move(participant).value();
-  const bool realtime = common.clock == bus::ClockKind::kRealtime;
-  auto gait = !run.bare  ? lab::GaitSource::create(robot, common.seed, *seat.participant, common.ticks)
-              : realtime ? lab::create_bare_answering_gait(robot, *seat.participant)
-                         : lab::create_bare_gait(robot, *seat.participant, common.ticks);
-  if (!gait) {
-    return gait.error();
+  auto listener = lab::RunListener::create(*seat.participant, common.ticks);
+  if (!listener) {
+    return listener.error();
   }
-  seat.gait = std::move(gait).value();
+  seat.listener = std::move(listener).value();
   auto acts = RunActs::create(run.acts, *seat.participant, clock);
   if (!acts) {
     return acts.error();
   }
   seat.acts = std::move(acts).value();
-  if (!run.record_path.empty() && !realtime) {
+  if (!run.record_path.empty() && common.clock == bus::ClockKind::kLockstep) {
     auto recording = recorder::RunRecording::create(run.record_path, run.record_facts, robot, *seat.participant);
     if (!recording) {
       return recording.error();
@@ -98,11 +89,11 @@ bool has(const std::vector<ChildProcess>& children, const std::string& name) {
   return std::ranges::find(children, name, &ChildProcess::name) != children.end();
 }
 
-/// Plays the gait until the run is over: everybody has said so or, where sim_bridge has died, it would be by now. Refuses
+/// Listens until the run is over: everybody has said so or, where sim_bridge has died, it would be by now. Refuses
 /// as bury does, and when the user interrupts.
-Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children,
-                    const RunActs::Start& start, Progress& progress, const DdsRun& run, Nanoseconds period,
-                    GrowthWatch& watch, Onlookers& onlookers, RunOutcome& outcome) {
+Result<double> attend(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProcess>& children,
+                      const RunActs::Start& start, Progress& progress, const DdsRun& run, Nanoseconds period,
+                      GrowthWatch& watch, Onlookers& onlookers, RunOutcome& outcome) {
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   const Tick ticks = run.common.ticks;
   RunClock clock(realtime ? period : Nanoseconds::zero());
@@ -112,23 +103,23 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
   Tick last = 0;
   for (;;) {
     const std::uint64_t before = seat.bus->arrivals();
-    seat.gait->poll(steady_now());
+    seat.listener->poll(steady_now());
     if (seat.recording) {
       seat.recording->poll();  // the others need not wait for it
     }
-    clock.heard(seat.gait->tick(), steady_now());
-    if (auto acted = seat.acts->perform(clock.at(steady_now()), seat.gait->tick(), children, start); !acted) {
+    clock.heard(seat.listener->tick(), steady_now());
+    if (auto acted = seat.acts->perform(clock.at(steady_now()), seat.listener->tick(), children, start); !acted) {
       return acted.error();
     }
     if (run.looks_on) {
-      run.looks_on(seat.gait->tick());
+      run.looks_on(seat.listener->tick());
       monitor.poll(clock.at(steady_now()));
     }
-    if (seat.gait->tick() != last) {
-      watch.tick(seat.gait->tick());
-      onlookers.look(seat.gait->tick(), steady_now());
+    if (seat.listener->tick() != last) {
+      watch.tick(seat.listener->tick());
+      onlookers.look(seat.listener->tick(), steady_now());
       first_tick = last == 0 ? steady_now() : first_tick;
-      last = seat.gait->tick();
+      last = seat.listener->tick();
       moved = steady_now();
     }
     if (steady_now() >= next_housekeeping) {
@@ -152,7 +143,7 @@ Result<double> play(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildProce
       }
       progress.update(last);
       if (steady_now() - moved > kSilenceWorthSaying) {
-        progress.note(standstill(*seat.gait, children));
+        progress.note(standstill(*seat.listener, children));
         moved = steady_now();
       }
     }
@@ -194,6 +185,8 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   }
   RunOutcome outcome;
   outcome.members = lab::plan_members(robot, run.grouping, run.standby);
+  const lab::Member self = lab::launcher_of(outcome.members);
+  outcome.members.push_back(self);
   participant::ProcessOptions common = run.common;
   common.network.domain = lock.value().domain();
   common.participants = static_cast<std::uint16_t>(outcome.members.size());
@@ -228,7 +221,6 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     children.value().push_back(std::move(recorder).value());
   }
   GrowthWatch watch(run.soak ? pids_of(outcome.members, children.value()) : std::vector<pid_t>{}, common.ticks);
-  const lab::Member& self = outcome.members[participant::kGaitSource];
   auto seat = take_seat(robot, run, common, self, clock);
   if (!seat) {
     return seat.error();
@@ -246,13 +238,13 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     const auto place = std::ranges::find(outcome.members, member, &lab::Member::name);
     return start_child(run, common, *place, name, name + "_anew", seen);
   };
-  auto played = play(seat.value(), monitor.value(), children.value(), start_anew, progress, run,
-                     std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s)), watch,
-                     onlookers.value(), outcome);
+  auto attended = attend(seat.value(), monitor.value(), children.value(), start_anew, progress, run,
+                         std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s)), watch,
+                         onlookers.value(), outcome);
   auto uses = onlookers.value().finish();
   const std::string hard_ends = end_all(children.value());
-  if (!played || !hard_ends.empty()) {
-    return played ? Error{hard_ends} : played.error();
+  if (!attended || !hard_ends.empty()) {
+    return attended ? Error{hard_ends} : attended.error();
   }
   if (seat.value().recording) {
     if (auto recorded = seat.value().recording->finish(common.ticks); !recorded) {
@@ -263,7 +255,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     return uses.error();
   }
   outcome.onlookers = std::move(uses).value();
-  outcome.wall_s = played.value();
+  outcome.wall_s = attended.value();
   outcome.growths = watch.growths();
   outcome.acted = seat.value().acts->performed();
   outcome.hellos = seat.value().participant->hellos();

@@ -42,7 +42,7 @@ struct DdsRun {
 };
 
 struct RunOutcome {
-  std::vector<lab::Member> members;
+  std::vector<lab::Member> members;  ///< the last is the launcher, where there are processes
   std::vector<signals::SystemHello> hellos;    ///< by participant
   std::vector<signals::SystemHealth> healths;  ///< by participant
   std::vector<signals::SystemEvent> events;
@@ -57,7 +57,7 @@ struct RunOutcome {
   double wall_s = 0;  ///< from the first tick to the last
 };
 
-/// Starts every process, plays the gait from this one, shows progress, ends every process. Refuses when a process
+/// Starts every process, listens to them from this one, shows progress, ends every process. Refuses when a process
 /// dies (with its name, exit status and last lines) or the user interrupts; no process is left behind either way. In
 /// real time a run goes on without estimator_service and supervisors, with a warning: gains and mode then stay as they
 /// are; and without others as `run` says.

@@ -57,7 +57,7 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
   trot.robot_path = settings.robot_path;
   trot.dds = choice_of(plan.vendor);
   trot.clock = bus::ClockKind::kRealtime;
-  trot.design = "phases";
+  trot.design = row.design;
   trot.standby = row.standby;
   trot.seed = plan.seed;
   trot.out = settings.out;

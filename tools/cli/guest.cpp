@@ -6,6 +6,7 @@
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
+#include "runtime/realtime_thread.hpp"
 #include "tools/cli/command.hpp"
 
 namespace farrier::cli {
@@ -44,6 +45,9 @@ void declare_guest(CLI::App& app, GuestOptions& options) {
 
 Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& options, bus::Role role) {
   const bus::Vendor vendor = bus::parse_vendor(options.vendor).value();
+  if (role == bus::Role::kMonitor) {
+    runtime::give_way();  // who only looks on holds up nobody who works
+  }
   bus::NetworkOptions network = options.network;
   if (auto secured = process::secure(network, options.security, role, vendor); !secured) {
     return Refused{secured.error().message, kBadInput};

@@ -101,7 +101,7 @@ Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run
   return ChildProcess::start(kRecorder, this_command(), arguments, run.log_directory + "/" + kRecorder + ".log");
 }
 
-std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children) {
+std::string standstill(const lab::RunListener& listener, const std::vector<ChildProcess>& children) {
   std::string stopped;
   for (const ChildProcess& child : children) {
     if (child.stopped()) {
@@ -109,19 +109,20 @@ std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProce
     }
   }
   if (!stopped.empty()) {
-    return "stopped: " + stopped + "; the run stands at tick " + std::to_string(gait.tick());
+    return "stopped: " + stopped + "; the run stands at tick " + std::to_string(listener.tick());
   }
-  const std::string said = gait.tick() == 0 || children.empty() ? "" : children.front().last_words(kSilenceWorthSaying);
-  return said.empty() ? "waiting for " + gait.waits_for() : said;
+  const std::string said = listener.tick() == 0 || children.empty() ? "" : children.front().last_words(kSilenceWorthSaying);
+  return said.empty() ? "waiting for " + listener.waits_for() : said;
 }
 
 Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<lab::Member>& members,
                   Tick tick, std::vector<std::string>& warnings) {
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   const auto dispensable = [&](const std::string& name) {
-    return name == members[participant::kEstimatorService].name || name == members[participant::kSupervisor].name ||
-           name == kRecorder || (run.standby && name == members.back().name) ||
-           run.goes_on_without_the_dead;
+    const auto member = std::ranges::find(members, name, &lab::Member::name);
+    return name == kRecorder || run.goes_on_without_the_dead ||
+           (member != members.end() && (member->number == participant::kEstimatorService ||
+                                        lab::role_of(*member) == bus::Role::kSupervisor));
   };
   for (auto child = children.begin(); child != children.end();) {
     if (child->running()) {

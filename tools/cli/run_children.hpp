@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/gait_source.hpp"
+#include "lab/run_listener.hpp"
 #include "tools/cli/child_process.hpp"
 #include "tools/cli/dds_run.hpp"
 #include "tools/cli/host_clock.hpp"
@@ -34,7 +34,7 @@ Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run
                                     const participant::ProcessOptions& common);
 
 /// Why nothing moves: who is stopped, or else what sim_bridge waits for, or else this process.
-std::string standstill(const lab::GaitSource& gait, const std::vector<ChildProcess>& children);
+std::string standstill(const lab::RunListener& listener, const std::vector<ChildProcess>& children);
 
 /// Takes the dead out of `children`. Refuses when the run cannot do without one: in real time, once it has begun, it
 /// can without estimator, supervisors and recorder, or without any if `run` says so; in lock-step everybody waits for everybody.

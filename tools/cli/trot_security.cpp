@@ -43,9 +43,10 @@ Result<Done> check_security(const robot::Robot& robot, const TrotOptions& option
                  "it out"};
   }
   bus::NetworkOptions unused;
-  for (const lab::Member& member : lab::plan_members(robot, options.nodes, options.standby)) {
-    auto secured = process::secure(unused, options.security, participant::role_of(member.number, member.stands_by),
-                                   vendor_of(options.dds, member));
+  std::vector<lab::Member> members = lab::plan_members(robot, options.nodes, options.standby);
+  members.push_back(lab::launcher_of(members));
+  for (const lab::Member& member : members) {
+    auto secured = process::secure(unused, options.security, lab::role_of(member), vendor_of(options.dds, member));
     if (!secured) {
       return secured;
     }

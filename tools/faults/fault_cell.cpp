@@ -6,11 +6,15 @@
 
 #include "core/ensure.hpp"
 #include "core/fault.hpp"
+#include "participant/event_registry.hpp"
 
 namespace farrier::faults {
 namespace {
 
 using signals::JointState;
+
+/// A process tells what acts on it once in a period of its health, 0.1 s; then comes the event's way to the operator.
+constexpr double kTold_s = 0.12;
 
 /// At the end of a run in which the processes may already be ending.
 constexpr Tick kAfter = 20;
@@ -168,13 +172,23 @@ std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moment
   if (!expected.latches && has_trace) {
     checks.push_back({"tripped", "tripped", 0.0, course.tripped_time(fault.begin)});
   }
-  if (expected.event != nullptr) {
+  const auto told_after = [&](const std::string& text) {
     const auto seen = std::ranges::find_if(events, [&](const Heard& event) {
-      return event.tick >= fault.begin && event.text.find(expected.event) != std::string::npos;
+      return event.tick >= fault.begin && event.text.find(text) != std::string::npos;
     });
+    return seen == events.end() ? std::numeric_limits<double>::infinity() : course.seconds(seen->tick - fault.begin);
+  };
+  if (expected.event != nullptr) {
     checks.push_back({"event", std::string("event '") + expected.event + "' after", expected.event_within_s,
-                      seen == events.end() ? std::numeric_limits<double>::infinity()
-                                           : course.seconds(seen->tick - fault.begin)});
+                      told_after(expected.event)});
+  }
+  if (!row.arrows.empty()) {
+    double last = 0.0;
+    for (const bus_faults::ArrowFault& arrow : arrow_faults(robot, row, fault)) {
+      using participant::EventKind;
+      last = std::max(last, told_after(participant::text_of(EventKind::kFaultOnPurpose, to_string(arrow))));
+    }
+    checks.push_back({"acts", "told that the fault acts after", row.lasts_s + kTold_s, last});
   }
   return checks;
 }

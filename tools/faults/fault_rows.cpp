@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <csignal>
 
+#include "participant/event_registry.hpp"
+
 namespace farrier::faults {
 namespace {
 
@@ -22,7 +24,8 @@ constexpr double kArmed_s = 0.020 + kReach_s;  // a request's way over two proce
 constexpr double kTakenOver_s = 0.050;
 constexpr double kStartAgain_s = 0.050;
 constexpr double kGreeted_s = 1.0;  // a process starts, finds the others and hears every route
-constexpr double kAfterStop_s = kGoodAgain_s + 0.006;  // a process that was stopped first takes what has come meanwhile
+constexpr double kCatchesUp_s = 0.006;  // a process that was stopped first takes what has come meanwhile
+constexpr double kAfterStop_s = kGoodAgain_s + kCatchesUp_s;
 constexpr double kHeard_s = 0.020;  // an event's way to the operator
 constexpr double kMissed_s = 0.100;  // 50 ms of silence, the period of what is silent, an event's way
 
@@ -30,13 +33,23 @@ constexpr const char* kJointNode = "joint_node";
 constexpr const char* kSimBridge = "sim_bridge";
 constexpr const char* kEstimator = "estimator_service";
 constexpr const char* kSupervisor = "supervisor";
+constexpr const char* kGaitSource = "gait_source";
 constexpr const char* kEverybody = "every process";
-constexpr const char* kValveSilent = "valve commands silent";
 
-constexpr Expectation kSpoolToNull{.reaction = kNull, .within_s = kSilent_s, .recovers_s = kReach_s,
-                                   .event = kValveSilent, .event_within_s = kSilent_s + kHeard_s};
-constexpr Expectation kSaysEstimatesSilent{.event = "estimates silent", .event_within_s = kMissed_s};
-constexpr Expectation kSaysSupervisorSilent{.event = "supervisor silent", .event_within_s = kMissed_s};
+Expectation says(participant::EventKind kind, double within_s) {
+  return {.event = participant::spec(kind).text, .event_within_s = within_s};
+}
+Expectation says_estimates_silent() { return says(participant::EventKind::kEstimatesSilent, kMissed_s); }
+Expectation says_supervisor_silent() { return says(participant::EventKind::kSupervisorSilent, kMissed_s); }
+
+/// `recovers_s`: after the valve's commands come again; 0: they do not.
+Expectation spool_to_null(double recovers_s) {
+  Expectation expected = says(participant::EventKind::kValveSilent, kSilent_s + kHeard_s);
+  expected.reaction = kNull;
+  expected.within_s = kSilent_s;
+  expected.recovers_s = recovers_s;
+  return expected;
+}
 
 }  // namespace
 
@@ -91,16 +104,16 @@ const std::vector<Row>& rows() {
       {"valve_cut", "A joint's valve commands do not reach the valve.",
        "sim_bridge puts the spool to null; by itself back.",
        Hit::kJoint, kSimBridge, {"joint/valve_command:cut"}, 0.1, {},
-       kSpoolToNull},
+       spool_to_null(kReach_s)},
       {"valve_cut_short", "A joint's valve commands do not reach the valve for 10 ms.", "As when they stop for longer.",
        Hit::kJoint, kSimBridge, {"joint/valve_command:cut"}, 0.01, {},
-       kSpoolToNull},
+       spool_to_null(kReach_s)},
       {"valve_cut_long", "A joint's valve commands do not reach the valve for 2 s.", "As when they stop for shorter.",
        Hit::kJoint, kSimBridge, {"joint/valve_command:cut"}, 2.0, {},
-       kSpoolToNull},
+       spool_to_null(kReach_s)},
       {"valve_nan", "A joint's valve commands are no numbers.", "sim_bridge takes none: as when they do not come.",
        Hit::kJoint, kSimBridge, {"joint/valve_command:nan=valve_current_A"}, 0.1, {},
-       kSpoolToNull},
+       spool_to_null(kReach_s)},
       {"loss_1", "1 % of a leg's sensors and commands are lost.", "joint_node goes on with the last ones.", Hit::kLeg,
        kJointNode, {"joint/sensors:loss=0.01", "joint/command:loss=0.01"}, 0.2, {},
        {.recovers_s = kGoodAgain_s, .may_stutter = true}},
@@ -121,21 +134,21 @@ const std::vector<Row>& rows() {
        {"joint/sensors:reorder=0.33", "joint/command:reorder=0.33"}, 0.1, {},
        {.recovers_s = kGoodAgain_s, .may_stutter = true}},
       {"measurement_cut", "The estimator hears no joint.", "Gains stay as they are.", Hit::kAll, kEstimator,
-       {"joint/measurement:cut"}, 0.2, {}, kSaysEstimatesSilent},
+       {"joint/measurement:cut"}, 0.2, {}, says_estimates_silent()},
       {"estimate_cut", "The supervisor hears no estimate.", "Gains stay as they are.", Hit::kAll, kSupervisor,
-       {"joint/model_estimate:cut"}, 0.2, {}, kSaysEstimatesSilent},
+       {"joint/model_estimate:cut"}, 0.2, {}, says_estimates_silent()},
       {"measurement_cut_long", "The estimator hears no joint for 2 s.", "Gains stay as they are.", Hit::kAll,
-       kEstimator, {"joint/measurement:cut"}, 2.0, {}, kSaysEstimatesSilent},
+       kEstimator, {"joint/measurement:cut"}, 2.0, {}, says_estimates_silent()},
       {"estimate_cut_long", "The supervisor hears no estimate for 2 s.", "Gains stay as they are.", Hit::kAll,
-       kSupervisor, {"joint/model_estimate:cut"}, 2.0, {}, kSaysEstimatesSilent},
+       kSupervisor, {"joint/model_estimate:cut"}, 2.0, {}, says_estimates_silent()},
       {"gains_cut", "A leg's gains stop for 2 s.", "joint_node goes on with those it has.", Hit::kLeg, kJointNode,
-       {"joint/controller_gains:cut"}, 2.0, {}, {}},
+       {"joint/controller_gains:cut"}, 2.0, {}, {}, false, "adaptive"},
       {"phase_cut", "A leg does not hear for 0.2 s when it will lift off or land.", "joint_node goes on with the gains it has.",
        Hit::kLeg, kJointNode, {"gait/phase:cut"}, 0.2, {}, {}},
       {"mode_cut", "The mode does not reach a leg for 2 s.", "joint_node goes on in the mode it knows.", Hit::kLeg,
-       kJointNode, {"system/mode:cut"}, 2.0, {}, kSaysSupervisorSilent},
+       kJointNode, {"system/mode:cut"}, 2.0, {}, says_supervisor_silent()},
       {"clock_cut_short", "The gait source does not hear the clock for 20 ms.",
-       "It commands nothing: joint_node of every leg damps; by itself back.", Hit::kAll, "gait_source",
+       "It commands nothing: joint_node of every leg damps; by itself back.", Hit::kAll, kGaitSource,
        {"clock/tick:cut"}, 0.02, {},
        {.reaction = kDamping, .within_s = kDamped_s, .recovers_s = kReach_s, .event = "command stale"}},
       {"clock_cut_long", "The gait source does not hear the clock for 2 s.",
@@ -145,12 +158,11 @@ const std::vector<Row>& rows() {
       {"joint_node_killed", "joint_node of a leg dies (kill -9).",
        "sim_bridge puts its three spools to null.", Hit::kLeg,
        nullptr, {}, 0.1, {{kJointNode, SIGKILL, 0.0}},
-       {.reaction = kNull, .within_s = kSilent_s, .event = kValveSilent, .event_within_s = kSilent_s + kHeard_s}},
+       spool_to_null(0.0)},
       {"joint_node_stopped_short", "joint_node of a leg stands still for 30 ms (SIGSTOP).",
        "sim_bridge puts its three spools to null; by itself back.", Hit::kLeg, nullptr, {}, 0.03,
        {{kJointNode, SIGSTOP, 0.0}, {kJointNode, SIGCONT, 0.03}},
-       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kAfterStop_s, .event = kValveSilent,
-        .event_within_s = kSilent_s + kHeard_s}},
+       spool_to_null(kAfterStop_s)},
       {"joint_node_stopped_long", "joint_node of a leg stands still for 0.1 s (SIGSTOP).",
        "sim_bridge puts its three spools to null; its joints, whose last commands are older than 50 ms when it goes "
        "on, trip: null until an operator arms them again.",
@@ -169,23 +181,40 @@ const std::vector<Row>& rows() {
        "them again.",
        Hit::kAll, nullptr, {}, 0.1, {{kSimBridge, SIGSTOP, 0.0}, {kSimBridge, SIGCONT, 0.1}},
        {.reaction = kNull, .within_s = kStale_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+      {"gait_source_killed", "gait_source, or the planner in its place, dies (kill -9).",
+       "joint_node of every leg damps, then trips: valve to null.", Hit::kAll, nullptr, {}, 0.2,
+       {{kGaitSource, SIGKILL, 0.0}},
+       {.reaction = kNull, .within_s = kTripped_s, .latches = true, .event = "tripped"}},
+      {"gait_source_restarted", "gait_source, or the planner in its place, dies (kill -9) and is started again.",
+       "joint_node of every leg damps, then trips: valve to null until an operator arms it again.", Hit::kAll, nullptr,
+       {}, 1.2, {{kGaitSource, SIGKILL, 0.0}, {kGaitSource, kStart, kStartAgain_s}},
+       {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+      {"gait_source_stopped_short", "gait_source, or the planner in its place, stands still for 30 ms (SIGSTOP).",
+       "joint_node of every leg damps; by itself back.", Hit::kAll, nullptr, {}, 0.03,
+       {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.03}},
+       {.reaction = kDamping, .within_s = kDamped_s, .recovers_s = kReach_s + kCatchesUp_s,
+        .event = "command stale"}},
+      {"gait_source_stopped_long", "gait_source, or the planner in its place, stands still for 0.1 s (SIGSTOP).",
+       "joint_node of every leg damps, then trips: valve to null until an operator arms it again.", Hit::kAll, nullptr,
+       {}, 0.1, {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.1}},
+       {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
       {"clock_forward", "The computer's clock is set an hour forward.", "Everybody goes on: ages are of the steady clock.",
        Hit::kAll, nullptr, {}, 2.0, {{kEverybody, kClockForward, 0.0}}, {}},
       {"clock_back", "The computer's clock is set an hour back.", "Everybody goes on: ages are of the steady clock.",
        Hit::kAll, nullptr, {}, 2.0, {{kEverybody, kClockBack, 0.0}}, {}},
       {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
-       {{kEstimator, SIGKILL, 0.0}}, kSaysEstimatesSilent},
+       {{kEstimator, SIGKILL, 0.0}}, says_estimates_silent()},
       {"estimator_restarted", "estimator_service dies (kill -9) and is started again.",
        "Gains stay as they are; it greets the others and estimates anew.", Hit::kAll, nullptr, {}, 1.2,
        {{kEstimator, SIGKILL, 0.0}, {kEstimator, kStart, kStartAgain_s}},
        {.event = "estimates from now on", .event_within_s = kStartAgain_s + kGreeted_s}},
       {"estimator_stopped", "estimator_service stands still for 0.2 s (SIGSTOP).", "Gains stay as they are.", Hit::kAll,
-       nullptr, {}, 0.2, {{kEstimator, SIGSTOP, 0.0}, {kEstimator, SIGCONT, 0.2}}, kSaysEstimatesSilent},
+       nullptr, {}, 0.2, {{kEstimator, SIGSTOP, 0.0}, {kEstimator, SIGCONT, 0.2}}, says_estimates_silent()},
       {"supervisor_killed", "supervisor dies (kill -9).",
        "Gains and mode stay as they are.", Hit::kAll, nullptr, {}, 0.2,
-       {{kSupervisor, SIGKILL, 0.0}}, kSaysSupervisorSilent},
+       {{kSupervisor, SIGKILL, 0.0}}, says_supervisor_silent()},
       {"supervisor_stopped", "supervisor stands still for 0.2 s (SIGSTOP).", "Gains and mode stay as they are.",
-       Hit::kAll, nullptr, {}, 0.2, {{kSupervisor, SIGSTOP, 0.0}, {kSupervisor, SIGCONT, 0.2}}, kSaysSupervisorSilent},
+       Hit::kAll, nullptr, {}, 0.2, {{kSupervisor, SIGSTOP, 0.0}, {kSupervisor, SIGCONT, 0.2}}, says_supervisor_silent()},
       {"supervisor_restarted", "supervisor dies (kill -9) and is started again.",
        "Gains and mode stay as they are; it leads under the next authority and issues what estimates ask for.",
        Hit::kAll, nullptr, {}, 1.2, {{kSupervisor, SIGKILL, 0.0}, {kSupervisor, kStart, kStartAgain_s}},

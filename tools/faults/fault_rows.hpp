@@ -57,6 +57,7 @@ struct Row {
   std::vector<ProcessAct> acts;
   Expectation expected;
   bool standby = false;  ///< a second supervisor stands by
+  const char* design = "phases";  ///< of the supervisor, as of farrier trot
 };
 
 const std::vector<Row>& rows();

@@ -1,5 +1,5 @@
 // gait_source: clock/tick ──▶ the gait section of the robot file ──▶ joint/command, gait/phase
-// For robots that farrier trot does not start, where no planner of the user's takes its seat.
+// A planner of the user's takes its seat on a robot that has one.
 
 #include "lab/gait_source.hpp"
 #include "process/process.hpp"

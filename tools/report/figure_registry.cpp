@@ -227,6 +227,7 @@ constexpr std::array kSpecs{
     FigureSpec{"faults.<row>.others_ms", "ms", kAtMost, "How long any other joint did not track."},
     FigureSpec{"faults.<row>.tripped_ms", "ms", kAtMost, "How long joints were tripped, summed over joints."},
     FigureSpec{"faults.<row>.event_ms", "ms", kAtMost, "From a fault's beginning until an operator hears the event of its row."},
+    FigureSpec{"faults.<row>.acts_ms", "ms", kAtMost, "From the beginning of a fault of samples until an operator hears that it acts."},
 
     // diagnose: a recording against the model of a joint; channels are valve_and_oil, load and velocity_sensor
     FigureSpec{"diagnose.<channel>.one_step_nrmse_before", "1", kNone,

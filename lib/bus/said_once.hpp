@@ -8,9 +8,9 @@
 
 namespace farrier::bus {
 
-/// What a vendor's security says about others while a process runs, from any of its threads: each sentence once, and so
-/// many that nobody fills the memory by knocking.
-class SecurityWarnings {
+/// What a bus has to say to its process while that runs, from any of its threads: each sentence once, and only so many,
+/// that nobody fills the memory by knocking.
+class SaidOnce {
  public:
   void add(const std::string& sentence) {
     const std::lock_guard lock(mutex_);
