@@ -7,7 +7,7 @@
 namespace farrier::test {
 namespace {
 
-constexpr std::size_t kStarted = 7;  // gait_source is the launcher itself
+constexpr std::size_t kStarted = 8;  // all but the launcher
 constexpr auto kPatience = std::chrono::minutes(50);
 
 class Soak : public testing::TestWithParam<const char*> {};
