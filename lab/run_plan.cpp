@@ -31,8 +31,10 @@ std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, b
   return members;
 }
 
-Member launcher_of(const std::vector<Member>& members) {
-  return {"launcher", "", static_cast<std::uint16_t>(members.size()), {}};
+std::vector<Member> plan_processes(const robot::Robot& robot, Grouping grouping, bool standby) {
+  std::vector<Member> members = plan_members(robot, grouping, standby);
+  members.push_back({"launcher", "", static_cast<std::uint16_t>(members.size()), {}});
+  return members;
 }
 
 bus::Role role_of(const Member& member) noexcept {

@@ -23,8 +23,8 @@ struct Member {
 /// Everybody who takes part, in the order of their numbers; with `standby`, a second supervisor as the last.
 std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, bool standby = false);
 
-/// Who starts these as processes, greets them and listens.
-Member launcher_of(const std::vector<Member>& members);
+/// The same as processes, and as the last the launcher, who starts them, greets them and listens.
+std::vector<Member> plan_processes(const robot::Robot& robot, Grouping grouping, bool standby);
 
 /// The rights that a member needs under DDS Security.
 bus::Role role_of(const Member& member) noexcept;

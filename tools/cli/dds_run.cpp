@@ -34,7 +34,7 @@ using participant::steady_now;
 struct Seat {
   std::unique_ptr<bus::Bus> bus;
   std::unique_ptr<participant::Participant> participant;
-  std::unique_ptr<lab::RunListener> listener;
+  std::optional<lab::RunListener> listener;
   std::unique_ptr<recorder::RunRecording> recording;  ///< lock-step; in real time another process records
   std::optional<RunActs> acts;
 };
@@ -69,7 +69,7 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   if (!listener) {
     return listener.error();
   }
-  seat.listener = std::move(listener).value();
+  seat.listener.emplace(std::move(listener).value());
   auto acts = RunActs::create(run.acts, *seat.participant, clock);
   if (!acts) {
     return acts.error();
@@ -184,9 +184,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     return lock.error();
   }
   RunOutcome outcome;
-  outcome.members = lab::plan_members(robot, run.grouping, run.standby);
-  const lab::Member self = lab::launcher_of(outcome.members);
-  outcome.members.push_back(self);
+  outcome.members = lab::plan_processes(robot, run.grouping, run.standby);
   participant::ProcessOptions common = run.common;
   common.network.domain = lock.value().domain();
   common.participants = static_cast<std::uint16_t>(outcome.members.size());
@@ -221,7 +219,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     children.value().push_back(std::move(recorder).value());
   }
   GrowthWatch watch(run.soak ? pids_of(outcome.members, children.value()) : std::vector<pid_t>{}, common.ticks);
-  auto seat = take_seat(robot, run, common, self, clock);
+  auto seat = take_seat(robot, run, common, outcome.members.back(), clock);
   if (!seat) {
     return seat.error();
   }

@@ -43,9 +43,7 @@ Result<Done> check_security(const robot::Robot& robot, const TrotOptions& option
                  "it out"};
   }
   bus::NetworkOptions unused;
-  std::vector<lab::Member> members = lab::plan_members(robot, options.nodes, options.standby);
-  members.push_back(lab::launcher_of(members));
-  for (const lab::Member& member : members) {
+  for (const lab::Member& member : lab::plan_processes(robot, options.nodes, options.standby)) {
     auto secured = process::secure(unused, options.security, lab::role_of(member), vendor_of(options.dds, member));
     if (!secured) {
       return secured;
