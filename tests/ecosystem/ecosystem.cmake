@@ -8,7 +8,7 @@ if(FARRIER_NPM)
     COMMAND ${CMAKE_COMMAND} -E make_directory ${ecosystem_build}
     COMMAND ${CMAKE_COMMAND} -E copy ${ecosystem_dir}/package.json ${ecosystem_dir}/package-lock.json
       ${ecosystem_dir}/decode_recording.mjs ${ecosystem_build}
-    COMMAND ${FARRIER_NPM} ci --prefix ${ecosystem_build} --no-audit --no-fund --silent
+    COMMAND ${FARRIER_NPM} ci --prefix ${ecosystem_build} --no-audit --no-fund --loglevel=error
     DEPENDS ${ecosystem_dir}/package.json ${ecosystem_dir}/package-lock.json ${ecosystem_dir}/decode_recording.mjs
     COMMENT "Fetching npm's readers of recordings" VERBATIM)
   add_custom_target(ecosystem_readers DEPENDS ${ecosystem_build}/node_modules/.package-lock.json)

@@ -10,7 +10,7 @@ if(FARRIER_NPM AND FARRIER_NODE)
   add_custom_command(OUTPUT ${browser_build}/node_modules/.package-lock.json
     COMMAND ${CMAKE_COMMAND} -E make_directory ${browser_build}
     COMMAND ${CMAKE_COMMAND} -E copy ${browser_dir}/package.json ${browser_dir}/package-lock.json ${browser_build}
-    COMMAND ${FARRIER_NPM} ci --prefix ${browser_build} --no-audit --no-fund --silent
+    COMMAND ${FARRIER_NPM} ci --prefix ${browser_build} --no-audit --no-fund --loglevel=error
     DEPENDS ${browser_dir}/package.json ${browser_dir}/package-lock.json
     COMMENT "Fetching the driver of the browser" VERBATIM)
   file(GLOB browser_scripts CONFIGURE_DEPENDS ${browser_dir}/*.mjs)
