@@ -9,7 +9,7 @@ Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const st
   std::vector<HostedJoint> hosted;
   const auto host = [&](const robot::Joint& joint) {
     hosted.push_back({JointNode(joint, robot.safety, robot.period_s, loop_delay_ticks, session), {},
-                      Summariser(robot.period_s, joint.number), joint.number, static_cast<std::uint16_t>(joint.leg),
+                      Summariser(robot.period_s, static_cast<Tick>(joint.leg)), joint.number, static_cast<std::uint16_t>(joint.leg),
                       joint.kind, joint.name});
   };
   for (const std::string& name : names) {

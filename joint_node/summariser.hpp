@@ -11,7 +11,8 @@ class Summariser {
  public:
   static constexpr double kRate_Hz = 50.0;
 
-  /// `turn`: joints of different turns tell in different ticks, so that no tick has to carry the summaries of all.
+  /// `turn`: joints of one turn tell in the same tick, in one datagram, and those of different turns in different ticks, so
+  /// that no tick has to carry the summaries of all.
   explicit Summariser(double period_s, Tick turn = 0) noexcept;
 
   /// The summary of the ticks before, once a measurement of the next ones comes, whichever is missing between. A joint

@@ -4,6 +4,7 @@
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 
+#include "bus_fastdds/gathered_sends.hpp"
 #include "bus_fastdds/reader_events.hpp"
 #include "bus_fastdds/wire_types.hpp"
 
@@ -12,8 +13,9 @@ namespace {
 
 class FastWriter final : public bus::RawWriter {
  public:
-  FastWriter(std::shared_ptr<FastSession> session, dds::Publisher* publisher, dds::DataWriter* writer)
-      : session_(std::move(session)), publisher_(publisher), writer_(writer) {}
+  FastWriter(std::shared_ptr<FastSession> session, dds::Publisher* publisher, dds::DataWriter* writer,
+             bus::Sending sending)
+      : session_(std::move(session)), publisher_(publisher), writer_(writer), sending_(sending) {}
   /// A heartbeat between the releases of samples while Fast DDS 2.9 ends a writer that still keeps some looks for a
   /// sequence number that is no longer there, and never ends: none may be left by then.
   ~FastWriter() override {
@@ -24,8 +26,15 @@ class FastWriter final : public bus::RawWriter {
 
   bool write(const void* signal) noexcept override {
     // Fast DDS asks for a pointer to non-const and hands it to SignalType, which only reads.
-    return writer_->write(const_cast<void*>(signal));
+    void* sample = const_cast<void*>(signal);
+    if (sending_ == bus::Sending::kAtOnce) {
+      return writer_->write(sample);
+    }
+    const GatheredSends::Scope until_flush(together_);
+    return writer_->write(sample);
   }
+
+  void flush() noexcept override { together_.send(); }
 
   void assert_liveliness() noexcept override { writer_->assert_liveliness(); }
 
@@ -39,6 +48,8 @@ class FastWriter final : public bus::RawWriter {
   std::shared_ptr<FastSession> session_;
   dds::Publisher* publisher_;
   dds::DataWriter* writer_;
+  bus::Sending sending_;
+  GatheredSends together_;
 };
 
 template <class Signal>
@@ -144,7 +155,7 @@ Result<std::unique_ptr<bus::RawWriter>> make_writer(const std::shared_ptr<FastSe
   if (writer == nullptr) {
     return refused(*session, "the writer", endpoint.topic);
   }
-  return std::unique_ptr<bus::RawWriter>(std::make_unique<FastWriter>(session, publisher, writer));
+  return std::unique_ptr<bus::RawWriter>(std::make_unique<FastWriter>(session, publisher, writer, bus::spec(endpoint.topic).sending));
 }
 
 Result<std::unique_ptr<bus::RawReader>> make_reader(const std::shared_ptr<FastSession>& session,

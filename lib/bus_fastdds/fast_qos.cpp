@@ -98,17 +98,17 @@ void set_common(EndpointQos& qos, const bus::EndpointSpec& endpoint) {
 
 }  // namespace
 
-std::shared_ptr<StartupTransportDescriptor> transport(const bus::NetworkOptions& options) {
+std::shared_ptr<FastTransportDescriptor> transport(const bus::NetworkOptions& options) {
   const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList = {options.address};
   udp->sendBufferSize = bus::kSocketBufferBytes;
   udp->receiveBufferSize = bus::kSocketBufferBytes;
   udp->maxInitialPeersRange = static_cast<std::uint32_t>(options.max_processes);
-  return std::make_shared<StartupTransportDescriptor>(udp);
+  return std::make_shared<FastTransportDescriptor>(udp);
 }
 
 dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options, int index,
-                                          std::shared_ptr<StartupTransportDescriptor> transport) {
+                                          std::shared_ptr<FastTransportDescriptor> transport) {
   dds::DomainParticipantQos qos;
   qos.name("farrier");
   qos.transport().use_builtin_transports = false;
@@ -149,8 +149,8 @@ dds::SubscriberQos subscriber_qos(const std::vector<std::string>& partitions) {
 dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint) {
   dds::DataWriterQos qos;
   set_common(qos, endpoint);
-  // Asynchronous writers would put the samples of one tick into one datagram. Their thread tries the writer's lock again
-  // and again without sleeping: with a real-time priority it keeps the owner of the lock from the core for ever.
+  // Not asynchronous: that thread tries the writer's lock again and again without sleeping, and with a real-time priority
+  // keeps the owner of the lock from the core for ever. Samples that go together do so by gathered_sends.hpp.
   qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
   qos.ownership_strength().value = static_cast<std::uint32_t>(std::max(0, endpoint.ownership_strength));
   qos.writer_data_lifecycle().autodispose_unregistered_instances = false;

@@ -12,18 +12,18 @@
 
 #include "bus/bus.hpp"
 #include "bus/network.hpp"
-#include "bus_fastdds/startup_transport.hpp"
+#include "bus_fastdds/fast_transport.hpp"
 
 namespace farrier::bus_fastdds {
 
 namespace dds = eprosima::fastdds::dds;
 
 /// The one transport of a participant; its `receiving` is to be set once the participant exists.
-std::shared_ptr<StartupTransportDescriptor> transport(const bus::NetworkOptions& options);
+std::shared_ptr<FastTransportDescriptor> transport(const bus::NetworkOptions& options);
 
 /// `index` gives the participant its well-known ports.
 dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options, int index,
-                                          std::shared_ptr<StartupTransportDescriptor> transport);
+                                          std::shared_ptr<FastTransportDescriptor> transport);
 
 dds::PublisherQos publisher_qos(const std::vector<std::string>& partitions);
 dds::SubscriberQos subscriber_qos(const std::vector<std::string>& partitions);

@@ -16,6 +16,7 @@ inline constexpr std::uint8_t kLittleEndianFlag = 0x01;
 
 enum Kind : std::uint8_t {
   kAcknack = 0x06,
+  kInfoDestination = 0x0e,
   kData = 0x15,
   kDataFrag = 0x16,
   // DDS Security 1.1, 7.3.6: what stands between prefix and postfix is signed or encrypted, and so is the whole
@@ -23,6 +24,8 @@ enum Kind : std::uint8_t {
   kSecurePrefix = 0x31,
   kSecurePostfix = 0x32,
   kSecureRtpsPrefix = 0x33,
+  // RTPS 2.2, 9.4.5.1.1: from here on each vendor's own, which others pass over.
+  kFastStatistics = 0x80,  ///< at the end of every message of Fast DDS
 };
 
 struct Submessage {

@@ -8,7 +8,7 @@ if(TARGET farrier_bus_fastdds)
 endif()
 
 farrier_test(contract_test contract ${contract_dir}/contract_main.cpp ${contract_dir}/conformance_delivery_test.cpp
-  ${contract_dir}/conformance_matching_test.cpp ${contract_dir}/conformance_failure_test.cpp)
+  ${contract_dir}/conformance_matching_test.cpp ${contract_dir}/conformance_failure_test.cpp ${contract_dir}/gathering_test.cpp)
 target_link_libraries(contract_test PRIVATE contract_support)
 
 farrier_test(contract_text_test contract ${contract_dir}/contract_text_test.cpp)

@@ -50,6 +50,14 @@ std::vector<std::string> greeter(bus::Vendor vendor, int domain, int index, int 
 /// their own. It prints "<vendor> <milliseconds>" of each or "skip <reason>".
 std::vector<std::string> isolated_greeters(int count);
 
+/// Joints whose samples go together, and how often, in the process of isolated_gatherer().
+inline constexpr std::size_t kGatheredJoints = 3;
+inline constexpr int kGatheredTicks = 200;
+
+/// Starts a process that writes samples which go together, to a bus of its own, in a network namespace of its own. It
+/// prints "<samples received> <datagrams sent>" or "skip <reason>".
+std::vector<std::string> isolated_gatherer(bus::Vendor writer, bus::Vendor reader);
+
 /// Runs the role `arguments` name; -1 when they name none.
 int run_role(const std::vector<std::string>& arguments);
 

@@ -7,9 +7,11 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <set>
+#include <sstream>
 #include <thread>
 
 #include "buses.hpp"
@@ -24,6 +26,7 @@ constexpr const char* kModeWriter = "--mode-writer";
 constexpr const char* kEventReader = "--event-reader";
 constexpr const char* kGreeter = "--greeter";
 constexpr const char* kIsolatedGreeters = "--isolated-greeters";
+constexpr const char* kIsolatedGatherer = "--isolated-gatherer";
 
 /// True once the standard input is closed, which asks this process to leave.
 bool dismissed(int timeout_ms) {
@@ -109,6 +112,59 @@ int greet_isolated(int count) {
   return 0;
 }
 
+/// Datagrams that this process's network has sent.
+long datagrams_sent() {
+  std::ifstream counters("/proc/self/net/snmp");
+  for (std::string names, values; std::getline(counters, names) && std::getline(counters, values);) {
+    std::istringstream name_words(names), value_words(values);
+    std::string name, value;
+    while (name_words >> name && value_words >> value) {
+      if (names.rfind("Udp:", 0) == 0 && name == "OutDatagrams") {
+        return std::stol(value);
+      }
+    }
+  }
+  return -1;
+}
+
+/// Writes the sensors of a leg's three joints together, again and again.
+int gather_isolated(bus::Vendor writes, bus::Vendor reads) {
+  if (const std::string reason = isolate_network(); !reason.empty()) {
+    std::cout << "skip " << reason << std::endl;
+    return 0;
+  }
+  const std::unique_ptr<bus::Bus> writing = make_bus(writes, own_domain(), nullptr);
+  const std::unique_ptr<bus::Bus> reading = make_bus(reads, own_domain(), nullptr);
+  const bus::Qos qos = bus::qos_for(bus::spec(bus::TopicId::kJointSensors), bus::ClockKind::kRealtime);
+  const bus::EndpointSpec endpoint{bus::TopicId::kJointSensors, qos, {"robot"}};
+  auto writer = bus::Publisher<signals::JointSensors>::create(*writing, endpoint);
+  auto reader = bus::Subscription<signals::JointSensors>::create(*reading, endpoint);
+  std::size_t heard = 0;
+  // As long as nobody hears, endpoints have not found each other; what that takes is not counted.
+  const auto write_a_tick = [&](Tick tick) {
+    const std::uint64_t seen = reading->arrivals();
+    for (std::uint16_t joint = 0; joint < kGatheredJoints; ++joint) {
+      signals::JointSensors sensors;
+      sensors.joint = joint;
+      sensors.tick = tick;
+      writer.value().queue(sensors);
+    }
+    writer.value().flush();
+    reading->wait_for_arrivals(seen + kGatheredJoints, 20ms);
+    return reader.value().drain([](const signals::JointSensors&) {});
+  };
+  for (const SteadyTime end = std::chrono::steady_clock::now() + 10s;
+       write_a_tick(0) < kGatheredJoints && std::chrono::steady_clock::now() < end;) {
+  }
+  std::this_thread::sleep_for(500ms);
+  const long before = datagrams_sent();
+  for (int tick = 1; tick <= kGatheredTicks; ++tick) {
+    heard += write_a_tick(tick);
+  }
+  std::cout << heard << ' ' << datagrams_sent() - before << std::endl;
+  return 0;
+}
+
 }  // namespace
 
 bus::Qos authority() {
@@ -129,6 +185,10 @@ std::vector<std::string> greeter(bus::Vendor vendor, int domain, int index, int 
 
 std::vector<std::string> isolated_greeters(int count) { return {kIsolatedGreeters, std::to_string(count)}; }
 
+std::vector<std::string> isolated_gatherer(bus::Vendor writer, bus::Vendor reader) {
+  return {kIsolatedGatherer, to_string(writer), to_string(reader)};
+}
+
 int run_role(const std::vector<std::string>& arguments) {
   const SteadyTime start = std::chrono::steady_clock::now();
   const std::string role = arguments.empty() ? "" : arguments[0];
@@ -144,6 +204,9 @@ int run_role(const std::vector<std::string>& arguments) {
   }
   if (role == kIsolatedGreeters) {
     return greet_isolated(std::stoi(arguments.at(1)));
+  }
+  if (role == kIsolatedGatherer) {
+    return gather_isolated(bus::parse_vendor(arguments.at(1)).value(), bus::parse_vendor(arguments.at(2)).value());
   }
   return -1;
 }

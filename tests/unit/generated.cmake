@@ -10,5 +10,5 @@ foreach(table IN ITEMS cli:docs/cli.md topics:idl/README.md effects:docs/effects
 endforeach()
 
 farrier_test(fast_datagram_test unit ${CMAKE_CURRENT_LIST_DIR}/fast_cyclone_acknack_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/fast_cyclone_handshake_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/fast_cyclone_handshake_test.cpp ${CMAKE_CURRENT_LIST_DIR}/fast_gathered_datagram_test.cpp)
 target_link_libraries(fast_datagram_test PRIVATE farrier_bus_fastdds)

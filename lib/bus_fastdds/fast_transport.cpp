@@ -1,9 +1,10 @@
-#include "bus_fastdds/startup_transport.hpp"
+#include "bus_fastdds/fast_transport.hpp"
 
 #include <fastdds/rtps/transport/ChainingTransport.h>
 
 #include "bus_fastdds/cyclone_acknack.hpp"
 #include "bus_fastdds/cyclone_handshake.hpp"
+#include "bus_fastdds/gathered_sends.hpp"
 
 namespace farrier::bus_fastdds {
 namespace {
@@ -13,9 +14,9 @@ using eprosima::fastrtps::rtps::LocatorsIterator;
 using eprosima::fastrtps::rtps::octet;
 using eprosima::fastrtps::rtps::SenderResource;
 
-class StartupTransport final : public rtps::ChainingTransport {
+class FastTransport final : public rtps::ChainingTransport {
  public:
-  explicit StartupTransport(const StartupTransportDescriptor& descriptor)
+  explicit FastTransport(const FastTransportDescriptor& descriptor)
       : ChainingTransport(descriptor), descriptor_(descriptor) {}
 
   rtps::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
@@ -24,6 +25,9 @@ class StartupTransport final : public rtps::ChainingTransport {
             LocatorsIterator* last, const std::chrono::steady_clock::time_point& timeout) override {
     if (!descriptor_.receiving->load(std::memory_order_relaxed)) {
       return true;
+    }
+    if (GatheredSends* together = GatheredSends::of_this_thread()) {
+      return together->keep(*udp, {bytes, size}, *first, *last, timeout);
     }
     return udp->send(bytes, size, first, last, timeout);
   }
@@ -41,11 +45,11 @@ class StartupTransport final : public rtps::ChainingTransport {
   }
 
  private:
-  StartupTransportDescriptor descriptor_;
+  FastTransportDescriptor descriptor_;
 };
 
 }  // namespace
 
-rtps::TransportInterface* StartupTransportDescriptor::create_transport() const { return new StartupTransport(*this); }
+rtps::TransportInterface* FastTransportDescriptor::create_transport() const { return new FastTransport(*this); }
 
 }  // namespace farrier::bus_fastdds

@@ -1,0 +1,48 @@
+// What goes together is one datagram, whichever vendor sends and whichever hears it.
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <tuple>
+
+#include "buses.hpp"
+#include "peer.hpp"
+
+namespace farrier::contract {
+namespace {
+
+constexpr int kOthers = 40;  // datagrams of announcements and the like in the second this takes
+
+using Vendors = std::tuple<bus::Vendor, bus::Vendor>;
+
+class Gathering : public testing::TestWithParam<Vendors> {};
+
+TEST_P(Gathering, SamplesOfOneFlushAreOneDatagram) {
+  const auto [writer, reader] = GetParam();
+  if (!available(writer) || !available(reader)) {
+    GTEST_SKIP() << "this build has no Fast DDS";
+  }
+  Peer gatherer(isolated_gatherer(writer, reader));
+  const std::string line = gatherer.read_line();
+  if (line.rfind("skip", 0) == 0) {
+    GTEST_SKIP() << line;
+  }
+  std::istringstream words(line);
+  std::size_t heard = 0;
+  int datagrams = -1;
+  words >> heard >> datagrams;
+  EXPECT_EQ(heard, kGatheredTicks * kGatheredJoints) << line;
+  EXPECT_GE(datagrams, kGatheredTicks) << line;
+  EXPECT_LE(datagrams, kGatheredTicks + kOthers) << line;
+}
+
+INSTANTIATE_TEST_SUITE_P(Pairs, Gathering,
+                         testing::Combine(testing::Values(bus::Vendor::kCyclone, bus::Vendor::kFast),
+                                          testing::Values(bus::Vendor::kCyclone, bus::Vendor::kFast)),
+                         [](const testing::TestParamInfo<Vendors>& pair) {
+                           return std::string(to_string(std::get<0>(pair.param))) + "To" +
+                                  to_string(std::get<1>(pair.param));
+                         });
+
+}  // namespace
+}  // namespace farrier::contract
