@@ -1,5 +1,6 @@
 #include "sim_bridge/sim_bridge_realtime.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <optional>
@@ -32,6 +33,7 @@ struct Mailbox {
   SpscRing<record::TraceRow, 64> rows;
   participant::Arrival arrival;  ///< bus thread
   ReceivedValve last_valve;  ///< control thread
+  record::TraceRow row;      ///< control thread: the newest, until the reference that answers it is there
   std::atomic<bool> fell_silent{false};  ///< the valve commands, by the control thread, which puts the spool to null
   bool told_silent = false;  ///< bus thread
 };
@@ -62,6 +64,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   std::string waits_for() const override { return participant_.greeting_lacks(); }
 
  private:
+  void fetch_valve(Mailbox& mail) noexcept;
   void apply_valve(std::size_t index, SteadyTime now) noexcept;
   void tell_silences();
   void report(bool final_report);
@@ -132,19 +135,27 @@ void SimBridgeRealtime::report(bool final_report) {
   participant_.report_health(tick_.load(std::memory_order_relaxed), final_report, health);
 }
 
-// At tick k the newest command there is answers the sensors of tick k - 1: one tick of loop delay.
+// At tick k the newest command there is answers the sensors of tick k - 1: one tick of loop delay. Its force reference
+// belongs to what was sensed then, and so to the row of that tick.
+void SimBridgeRealtime::fetch_valve(Mailbox& mail) noexcept {
+  mail.valve.fetch(mail.last_valve);
+  if (mail.row.tick != kNoTick) {
+    mail.row.force_reference_N_or_Nm = mail.last_valve.command.force_reference_N_or_Nm;
+    mail.rows.push(mail.row);
+  }
+}
+
 void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept {
   Mailbox& mail = mail_[index];
-  mail.valve.fetch(mail.last_valve);
+  fetch_valve(mail);
   const signals::JointValveCommand& valve = mail.last_valve.command;
   const bool begun = mail.last_valve.received != SteadyTime{};
   const bool silent = !begun || now - mail.last_valve.received > silent_after_;
   mail.fell_silent.store(begun && silent, std::memory_order_relaxed);
   valve_current_A_[index] = silent ? 0.0 : valve.valve_current_A;
 
-  record::TraceRow row;
+  record::TraceRow& row = mail.row;
   world_.describe(index, row);
-  row.force_reference_N_or_Nm = valve.force_reference_N_or_Nm;
   row.valve_current_A = valve_current_A_[index];
   row.phase = valve.phase;
   row.state = silent ? static_cast<std::uint8_t>(signals::JointState::kNull) : valve.state;
@@ -153,13 +164,15 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
   faults.set(Fault::kActuatorSilent, silent);
   row.faults = faults.bits();
   row.command_age_ticks = static_cast<std::uint32_t>(world_.tick() - valve.tick);
-  mail.rows.push(row);
 }
 
 void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
   statistics_.stepped(wake);
   if (sensed_tick_.load(std::memory_order_relaxed) == world_.tick()) {
     world_.advance(valve_current_A_);  // not after sensing: the sender thread, on the same processor, would wait for it
+    if (world_.tick() == ticks_) {
+      std::ranges::for_each(mail_, [this](Mailbox& mail) { fetch_valve(mail); });  // completes the last rows
+    }
     tick_.store(world_.tick(), std::memory_order_release);
     if (finished()) {
       return;

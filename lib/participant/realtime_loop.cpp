@@ -29,6 +29,17 @@ struct Threads {
   bool over() const noexcept { return stop_requested() || refused.load(std::memory_order_relaxed); }
 };
 
+// Waits for complete inputs until `latest`. A thread that could not run by then does not know what came meanwhile, for
+// the bus thread could not either: it gives it half a period. False when inputs are not complete.
+bool wait_for_inputs(RealtimeApplication& application, SteadyTime latest) {
+  if (application.inputs_complete.wait_until(machine_time(latest))) {
+    return true;
+  }
+  const Nanoseconds patience = application.period() / 2;
+  const SteadyTime woken = steady_now();
+  return woken - latest > patience && application.inputs_complete.wait_until(machine_time(woken + patience));
+}
+
 void control(RealtimeApplication& application, const char* name, int priority_shift, Threads& threads) {
   runtime::name_thread("control");
   const std::string unlocked = runtime::lock_memory();  // takes milliseconds, for which no running process shall wait
@@ -48,7 +59,7 @@ void control(RealtimeApplication& application, const char* name, int priority_sh
   for (; !threads.over(); threads.control_turns.fetch_add(1, std::memory_order_relaxed)) {
     runtime::Deadline deadline = runtime::next_deadline(previous, steady_now(), period);
     if (on_arrival) {
-      deadline.missed += application.inputs_complete.wait_until(machine_time(deadline.next)) ? 0 : 1;
+      deadline.missed += wait_for_inputs(application, deadline.next) ? 0 : 1;
       previous = steady_now();
     } else {
       runtime::sleep_until(machine_time(deadline.next));

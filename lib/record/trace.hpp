@@ -20,7 +20,7 @@ struct TraceRow {
   double force_N_or_Nm = 0;       ///< load cell, true
   double pressure_a_Pa = 0;
   double pressure_b_Pa = 0;
-  double force_reference_N_or_Nm = 0;
+  double force_reference_N_or_Nm = 0;  ///< of the newest valve command that answers this tick or one before
   double valve_current_A = 0;     ///< acts from this tick on
   double external_force_N_or_Nm = 0;
   double load_mass_kg_or_kgm2 = 0;

@@ -41,8 +41,8 @@ double bare_rate(const std::string& dds) {
 class RealTimeTrot : public testing::TestWithParam<const char*> {
  protected:
   RealTimeTrot() {
-    run_farrier({"trot", "--clock", "realtime", "--dds", GetParam(), "--duration", kDuration, "--out",
-                 scratch_.file("out")},
+    run_farrier({"trot", "--clock", "realtime", "--dds", GetParam(), "--nodes", "per-leg", "--duration", kDuration,
+                 "--out", scratch_.file("out")},
                 &output_);
     run_ = read_json(scratch_.file("out/figures.json"));
   }

@@ -4,30 +4,17 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/rtps_bytes.hpp"
+
 namespace farrier::bus_fastdds {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using namespace testing;
 
-constexpr std::uint8_t kCyclone = 0x10;
-constexpr std::uint8_t kFastDds = 0x0f;
-constexpr std::uint8_t kInfoTimestamp = 0x09;
-constexpr std::uint8_t kInfoDestination = 0x0e;
-constexpr std::uint8_t kData = 0x15;
 constexpr std::uint8_t kSecureBody = 0x30;
 constexpr std::uint8_t kSecurePrefix = 0x31;
 constexpr std::uint8_t kSecurePostfix = 0x32;
 constexpr std::uint8_t kSecureRtpsPrefix = 0x33;
-
-Bytes header(std::uint8_t vendor) { return {'R', 'T', 'P', 'S', 2, 1, 1, vendor, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}; }
-
-Bytes submessage(std::uint8_t kind, std::uint8_t body_bytes = 8) {
-  Bytes bytes(4u + body_bytes, kind);
-  bytes[1] = 1;  // little endian
-  bytes[2] = body_bytes;
-  bytes[3] = 0;
-  return bytes;
-}
 
 Bytes data_of(std::uint8_t writer_kind) {
   Bytes bytes = submessage(kData, 20);
@@ -38,14 +25,6 @@ Bytes data_of(std::uint8_t writer_kind) {
 
 const Bytes kHandshake = data_of(0xc3);
 const Bytes kOther = data_of(0xc2);
-
-Bytes datagram(std::uint8_t vendor, const std::vector<Bytes>& submessages) {
-  Bytes bytes = header(vendor);
-  for (const Bytes& part : submessages) {
-    bytes.insert(bytes.end(), part.begin(), part.end());
-  }
-  return bytes;
-}
 
 const std::vector<Bytes> kAsSeen{submessage(kInfoDestination, 12), submessage(kSecurePrefix),  submessage(kSecureBody),
                                  submessage(kSecurePostfix),       submessage(kInfoTimestamp), kHandshake};

@@ -4,38 +4,19 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/unit/rtps_bytes.hpp"
+
 namespace farrier::bus_fastdds {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using namespace testing;
 
 constexpr std::size_t kHeaderBytes = 20;
-constexpr std::uint8_t kData = 0x15;
-constexpr std::uint8_t kInfoTime = 0x09;
-constexpr std::uint8_t kInfoDestination = 0x0e;
 constexpr std::uint8_t kFastStatistics = 0x80;
-
-Bytes header(std::uint8_t participant = 1) {
-  return {'R', 'T', 'P', 'S', 2, 1, 1, 0x0f, 0, 0, 0, 0, 0, 0, 0, participant, 0, 0, 0, 0};
-}
-
-Bytes submessage(std::uint8_t kind, std::uint8_t length, std::uint8_t filling = 0) {
-  Bytes bytes{kind, 1, length, 0};
-  bytes.insert(bytes.end(), length, filling);
-  return bytes;
-}
-
-Bytes joined(std::initializer_list<Bytes> parts) {
-  Bytes all;
-  for (const Bytes& part : parts) {
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  return all;
-}
 
 Bytes contents(const GatheredDatagram& datagram) { return {datagram.bytes().begin(), datagram.bytes().end()}; }
 
-Bytes sample(std::uint8_t filling) { return joined({header(), submessage(kInfoTime, 8), submessage(kData, 40, filling)}); }
+Bytes sample(std::uint8_t filling) { return joined({header(), submessage(kInfoTimestamp, 8), submessage(kData, 40, filling)}); }
 
 TEST(GatheredDatagram, SubmessagesFollowThoseOfTheMessageBefore) {
   GatheredDatagram datagram;
@@ -43,11 +24,11 @@ TEST(GatheredDatagram, SubmessagesFollowThoseOfTheMessageBefore) {
   ASSERT_TRUE(datagram.add(sample(1)));
   EXPECT_EQ(contents(datagram), sample(1));
   ASSERT_TRUE(datagram.add(sample(2)));
-  EXPECT_EQ(contents(datagram), joined({header(), submessage(kInfoTime, 8), submessage(kData, 40, 1),
-                                        submessage(kInfoTime, 8), submessage(kData, 40, 2)}));
+  EXPECT_EQ(contents(datagram), joined({header(), submessage(kInfoTimestamp, 8), submessage(kData, 40, 1),
+                                        submessage(kInfoTimestamp, 8), submessage(kData, 40, 2)}));
   datagram.clear();
   EXPECT_TRUE(datagram.empty());
-  EXPECT_TRUE(datagram.add(joined({header(2), submessage(kData, 40)})));
+  EXPECT_TRUE(datagram.add(joined({header(kFastDds, 2), submessage(kData, 40)})));
 }
 
 TEST(GatheredDatagram, OnlyTheLastStatisticsOfFastDdsStay) {
@@ -57,17 +38,17 @@ TEST(GatheredDatagram, OnlyTheLastStatisticsOfFastDdsStay) {
   GatheredDatagram datagram;
   ASSERT_TRUE(datagram.add(with_statistics(1)));
   ASSERT_TRUE(datagram.add(with_statistics(2)));
-  EXPECT_EQ(contents(datagram), joined({sample(1), submessage(kInfoTime, 8), submessage(kData, 40, 2),
+  EXPECT_EQ(contents(datagram), joined({sample(1), submessage(kInfoTimestamp, 8), submessage(kData, 40, 2),
                                         submessage(kFastStatistics, 56, 2)}));
   ASSERT_TRUE(datagram.add(sample(3)));
-  EXPECT_EQ(contents(datagram), joined({sample(1), submessage(kInfoTime, 8), submessage(kData, 40, 2),
-                                        submessage(kInfoTime, 8), submessage(kData, 40, 3)}));
+  EXPECT_EQ(contents(datagram), joined({sample(1), submessage(kInfoTimestamp, 8), submessage(kData, 40, 2),
+                                        submessage(kInfoTimestamp, 8), submessage(kData, 40, 3)}));
 }
 
 TEST(GatheredDatagram, OfOneParticipant) {
   GatheredDatagram datagram;
   ASSERT_TRUE(datagram.add(sample(1)));
-  EXPECT_FALSE(datagram.add(joined({header(2), submessage(kData, 40)})));
+  EXPECT_FALSE(datagram.add(joined({header(kFastDds, 2), submessage(kData, 40)})));
   EXPECT_EQ(contents(datagram), sample(1));
 }
 

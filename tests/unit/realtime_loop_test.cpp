@@ -1,8 +1,12 @@
-// What the sender thread does at leisure, and that it is called back from it.
+// What the sender thread does at leisure, and that it is called back from it; what a control thread does that could not
+// run.
 
 #include "participant/realtime_loop.hpp"
 
 #include <sched.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <functional>
@@ -62,21 +66,99 @@ class Leisurely final : public RealtimeApplication {
   std::atomic<bool> seen_{false};
 };
 
+/// Gets inputs every few milliseconds, for 2 s, and steps on them.
+class Fed final : public RealtimeApplication {
+ public:
+  explicit Fed(std::function<void()> end) : end_(std::move(end)) {}
+
+  bool receive(SteadyTime now) override {
+    begin_ = begin_ == SteadyTime{} ? now : begin_;
+    if (now - begin_ > 2s) {
+      over_.store(true);
+      end_();
+    }
+    inputs_.fetch_add(1);
+    inputs_complete.post();
+    return true;
+  }
+  void step(const Wake&) noexcept override {
+    ++steps;
+    const int inputs = inputs_.load();
+    steps_without_inputs += inputs == stepped_for_ && !over_.load() ? 1 : 0;
+    stepped_for_ = inputs;
+  }
+  void send() override {}
+  bool finished() const override { return false; }
+  Nanoseconds period() const override { return 200ms; }
+  Trigger trigger() const override { return Trigger::kArrival; }
+  std::string waits_for() const override { return ""; }
+
+  int steps = 0, steps_without_inputs = 0;
+
+ private:
+  std::function<void()> end_;
+  SteadyTime begin_{};
+  std::atomic<int> inputs_{0};
+  std::atomic<bool> over_{false};
+  int stepped_for_ = 0;
+};
+
+/// Runs an application until it calls what its constructor gets.
+template <class Application>
+class LoopRun {
+ public:
+  int run(int priority_shift) { return run_realtime(application, *member_.participant, priority_shift); }
+
+  Application application{[this] { end(); }};
+
+ private:
+  // A contract which no participant runs with ends the loop.
+  void end() {
+    SystemHello foreign;
+    foreign.participant = 1;
+    foreign.session = kSession;
+    foreign.contract = bus::contract_hash() ^ 1;
+    stranger_.publish(foreign);
+    member_->started(run_.now());
+  }
+
+  const TestRun run_{2};
+  const Member member_ = run_.join(kSimBridge, "clock");
+  const std::unique_ptr<bus::Bus> bus_ = run_.bus();
+  bus::Publisher<SystemHello> stranger_ =
+      bus::Publisher<SystemHello>::create(*bus_, endpoint_of(run_.identity(1, ""), bus::TopicId::kSystemHello)).value();
+};
+
+/// Stops this process three times, each time for longer than a `Fed` waits for inputs.
+pid_t start_stopping_this_process() {
+  const pid_t self = ::getpid();
+  const pid_t stopping = ::fork();
+  if (stopping == 0) {
+    for (int i = 0; i < 3; ++i) {
+      ::usleep(150'000);
+      ::kill(self, SIGSTOP);
+      ::usleep(450'000);
+      ::kill(self, SIGCONT);
+    }
+    ::_exit(0);
+  }
+  return stopping;
+}
+
+TEST(RealtimeLoopTest, AThreadThatCouldNotRunLetsWhatCameMeanwhileIn) {
+  LoopRun<Fed> loop;
+  const pid_t stopping = start_stopping_this_process();
+  EXPECT_EQ(loop.run(0), 1);
+  int status = 0;
+  EXPECT_EQ(::waitpid(stopping, &status, 0), stopping);
+  EXPECT_GT(loop.application.steps, 10);
+  EXPECT_EQ(loop.application.steps_without_inputs, 0);
+}
+
 TEST(RealtimeLoopTest, OutputsCallTheSenderBackFromItsLeisure) {
-  const TestRun run(2);
-  const Member member = run.join(kSimBridge, "clock");
-  const auto bus = run.bus();
-  const bus::EndpointSpec endpoint = endpoint_of(run.identity(1, ""), bus::TopicId::kSystemHello);
-  auto stranger = bus::Publisher<SystemHello>::create(*bus, endpoint).value();
-  SystemHello foreign;  // which no participant runs with: it ends the loop
-  foreign.participant = 1;
-  foreign.session = kSession;
-  foreign.contract = bus::contract_hash() ^ 1;
-  Leisurely application([&] {
-    stranger.publish(foreign);
-    member->started(run.now());
-  });
-  EXPECT_EQ(run_realtime(application, *member.participant, 1), 1);
+  LoopRun<Leisurely> loop;
+  EXPECT_EQ(loop.run(1), 1);
+  const Leisurely& application = loop.application;
   if (application.at_leisure == 0) {
     GTEST_SKIP() << "needs the right to SCHED_FIFO";
   }

@@ -57,6 +57,7 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
   trot.robot_path = settings.robot_path;
   trot.dds = choice_of(plan.vendor);
   trot.clock = bus::ClockKind::kRealtime;
+  trot.nodes = lab::Grouping::kPerLeg;  // rows name the process of a leg
   trot.design = row.design;
   trot.standby = row.standby;
   trot.seed = plan.seed;

@@ -11,19 +11,19 @@ void use_help(CLI::App& app);
 
 /// An option that takes one of the named values; refuses others, naming those there are. `order` lists them for
 /// people, most usual first.
-template <class Value>
-CLI::Option* add_choice(CLI::App& app, const std::string& name, Value& value,
+template <class Target, class Value>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
                         const std::map<std::string, Value>& choices, const std::string& order,
                         const std::string& text) {
   return app
       .add_option_function<std::string>(
           name,
-          [&value, &choices, name, order](const std::string& given) {
+          [&target, &choices, name, order](const std::string& given) {
             const auto place = choices.find(given);
             if (place == choices.end()) {
               throw CLI::ValidationError(name, "'" + given + "' is not one of " + order);
             }
-            value = place->second;
+            target = place->second;
           },
           text)
       ->type_name(order);

@@ -36,7 +36,7 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
                                   const std::string& trace_path, const std::string& title, const Extras& extras) {
   participant::install_signal_handlers();
   lab::InprocRun run;
-  run.grouping = o.nodes;
+  run.grouping = grouping_of(o);
   run.ticks = lab::ticks_of(o.duration_s, robot);
   run.seed = o.seed;
   run.design = design;
@@ -55,7 +55,7 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
     return result.error();
   }
   RunOutcome outcome;
-  outcome.members = lab::plan_members(robot, o.nodes);
+  outcome.members = lab::plan_members(robot, run.grouping);
   outcome.hellos = std::move(result.value().hellos);
   outcome.healths = std::move(result.value().healths);
   outcome.events = std::move(result.value().events);

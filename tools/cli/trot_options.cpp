@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "runtime/processors.hpp"
 #include "tools/cli/help.hpp"
 #include "tools/cli/installation.hpp"
 
@@ -20,6 +21,8 @@ const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind:
 const std::map<std::string, lab::Grouping> kNodes{{"per-leg", lab::Grouping::kPerLeg},
                                                   {"per-joint", lab::Grouping::kPerJoint},
                                                   {"one", lab::Grouping::kOne}};
+constexpr int kProcessorsForLegs = 4;  ///< with fewer, joint_node processes wait for each other and for sim_bridge
+
 const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "stand"}};
 const std::map<std::string, Experiment> kExperiments{{"fig7.8", Experiment::kLoadCycle},
                                                      {"switching", Experiment::kSwitching},
@@ -53,7 +56,8 @@ void declare(CLI::App& app, TrotOptions& o) {
   app.add_flag("--security-cost", o.security_cost,
                "short runs with --security and without, in turns: figure trot.security.latency_p50_ratio")
       ->type_name("");
-  add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")->default_str("per-leg");
+  add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")
+      ->default_str("per-leg; one with --clock realtime on fewer than " + std::to_string(kProcessorsForLegs) + " processors");
   CLI::Option* const design =
       add_choice(app, "--design", o.design, kDesigns, "adaptive|stance|swing|phases",
                  "gains: adaptive begins with the swing design in both phases and redesigns from what it measures, "
@@ -130,6 +134,11 @@ void declare(CLI::App& app, TrotOptions& o) {
                "a second supervisor stands by and leads when the first falls silent; real time only")
       ->type_name("");
   app.add_flag("--print-config", o.print_config, "print the effective robot file and end")->type_name("");
+}
+
+lab::Grouping grouping_of(const TrotOptions& o) {
+  const bool crowded = o.clock == bus::ClockKind::kRealtime && std::ssize(runtime::own_processors()) < kProcessorsForLegs;
+  return o.nodes.value_or(crowded ? lab::Grouping::kOne : lab::Grouping::kPerLeg);
 }
 
 std::string name_of(Experiment experiment) {

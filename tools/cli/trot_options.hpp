@@ -17,7 +17,7 @@ struct TrotOptions {
   DdsChoice dds = DdsChoice::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
   std::string security;     ///< folder of keys and permissions for every process; empty: none
-  lab::Grouping nodes = lab::Grouping::kPerLeg;
+  std::optional<lab::Grouping> nodes;  ///< as grouping_of says unless given
   std::string design;       ///< as supervisor::parse_design takes it; empty: adaptive, in real time phases
   double duration_s = 9.0;
   std::string gait;         ///< empty: the robot file's
@@ -47,6 +47,10 @@ inline constexpr const char* kTooShort =
     "too short to be judged, which begins with every leg's third stride: give a longer --duration";
 
 void declare(CLI::App& app, TrotOptions& options);
+
+/// The joint_node processes of a run: those asked for, else one per leg. In real time all joints are in one where the
+/// computer has no processors for more (docs/decisions/0054-joint-nodes-and-processors.md).
+lab::Grouping grouping_of(const TrotOptions& options);
 
 /// As --experiment takes it; empty: none.
 std::string name_of(Experiment experiment);

@@ -40,7 +40,7 @@ mcap::Text record_facts(const robot::Robot& robot, const TrotOptions& o) {
 DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::string& title) {
   DdsRun run;
   run.dds = o.dds;
-  run.grouping = o.nodes;
+  run.grouping = grouping_of(o);
   run.common = common_options(o);
   run.common.ticks = lab::ticks_of(o.duration_s, robot);
   run.executables = processes_directory();

@@ -43,7 +43,7 @@ Result<Done> check_security(const robot::Robot& robot, const TrotOptions& option
                  "it out"};
   }
   bus::NetworkOptions unused;
-  for (const lab::Member& member : lab::plan_processes(robot, options.nodes, options.standby)) {
+  for (const lab::Member& member : lab::plan_processes(robot, grouping_of(options), options.standby)) {
     auto secured = process::secure(unused, options.security, lab::role_of(member), vendor_of(options.dds, member));
     if (!secured) {
       return secured;
