@@ -29,6 +29,7 @@ class BareClock final : public participant::RealtimeApplication {
   bool finished() const override { return ticks_ > 0 && tick_ >= ticks_; }
   Nanoseconds period() const override { return period_; }
   Trigger trigger() const override { return Trigger::kDeadline; }
+  bool publishes_in_step() const override { return true; }
   std::string waits_for() const override { return member_.greeting_lacks(); }
 
  private:

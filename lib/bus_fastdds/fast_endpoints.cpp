@@ -4,6 +4,8 @@
 #include <fastdds/dds/subscriber/DataReader.hpp>
 #include <fastdds/dds/subscriber/SampleInfo.hpp>
 
+#include <thread>
+
 #include "bus_fastdds/gathered_sends.hpp"
 #include "bus_fastdds/reader_events.hpp"
 #include "bus_fastdds/wire_types.hpp"
@@ -15,7 +17,11 @@ class FastWriter final : public bus::RawWriter {
  public:
   FastWriter(std::shared_ptr<FastSession> session, dds::Publisher* publisher, dds::DataWriter* writer,
              bus::Sending sending)
-      : session_(std::move(session)), publisher_(publisher), writer_(writer), sending_(sending) {}
+      : session_(std::move(session)),
+        publisher_(publisher),
+        writer_(writer),
+        sending_(sending),
+        asynchronous_(writer->get_qos().publish_mode().kind == dds::ASYNCHRONOUS_PUBLISH_MODE) {}
   /// A heartbeat between the releases of samples while Fast DDS 2.9 ends a writer that still keeps some looks for a
   /// sequence number that is no longer there, and never ends: none may be left by then.
   ~FastWriter() override {
@@ -34,7 +40,12 @@ class FastWriter final : public bus::RawWriter {
     return writer_->write(sample);
   }
 
-  void flush() noexcept override { together_.send(); }
+  void flush() noexcept override {
+    together_.send();
+    if (asynchronous_) {
+      std::this_thread::yield();  // to the thread that sends, which has this one's priority
+    }
+  }
 
   void assert_liveliness() noexcept override { writer_->assert_liveliness(); }
 
@@ -49,6 +60,7 @@ class FastWriter final : public bus::RawWriter {
   dds::Publisher* publisher_;
   dds::DataWriter* writer_;
   bus::Sending sending_;
+  bool asynchronous_;
   GatheredSends together_;
 };
 
@@ -151,7 +163,7 @@ Result<std::unique_ptr<bus::RawWriter>> make_writer(const std::shared_ptr<FastSe
   if (publisher == nullptr) {
     return refused(*session, "the partitions of a writer", endpoint.topic);
   }
-  dds::DataWriter* writer = publisher->create_datawriter(topic, writer_qos(endpoint));
+  dds::DataWriter* writer = publisher->create_datawriter(topic, writer_qos(endpoint, session->secured()));
   if (writer == nullptr) {
     return refused(*session, "the writer", endpoint.topic);
   }

@@ -146,12 +146,14 @@ dds::SubscriberQos subscriber_qos(const std::vector<std::string>& partitions) {
   return qos;
 }
 
-dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint) {
+dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint, bool secured) {
   dds::DataWriterQos qos;
   set_common(qos, endpoint);
-  // Not asynchronous: that thread tries the writer's lock again and again without sleeping, and with a real-time priority
-  // keeps the owner of the lock from the core for ever. Samples that go together do so by gathered_sends.hpp.
-  qos.publish_mode().kind = dds::SYNCHRONOUS_PUBLISH_MODE;
+  // Samples that go together do so by gathered_sends.hpp, but for encrypted messages, which only Fast DDS's thread for
+  // asynchronous writers puts more than one sample into. It tries a writer's lock again and again without sleeping: the
+  // threads that write must have its priority.
+  const bool encrypted_together = secured && bus::spec(endpoint.topic).sending == bus::Sending::kTogether;
+  qos.publish_mode().kind = encrypted_together ? dds::ASYNCHRONOUS_PUBLISH_MODE : dds::SYNCHRONOUS_PUBLISH_MODE;
   qos.ownership_strength().value = static_cast<std::uint32_t>(std::max(0, endpoint.ownership_strength));
   qos.writer_data_lifecycle().autodispose_unregistered_instances = false;
   if (endpoint.qos.lease != bus::kInfinite) {

@@ -28,7 +28,8 @@ dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options, in
 dds::PublisherQos publisher_qos(const std::vector<std::string>& partitions);
 dds::SubscriberQos subscriber_qos(const std::vector<std::string>& partitions);
 
-dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint);
+/// `secured`: of a participant that encrypts.
+dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint, bool secured);
 dds::DataReaderQos reader_qos(const bus::EndpointSpec& endpoint);
 
 }  // namespace farrier::bus_fastdds

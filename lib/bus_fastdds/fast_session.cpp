@@ -9,7 +9,6 @@
 #include <regex>
 #include <sstream>
 
-#include "bus/endpoint_check.hpp"
 #include "bus_fastdds/free_index.hpp"
 
 namespace farrier::bus_fastdds {
@@ -76,7 +75,7 @@ Result<std::shared_ptr<FastSession>> FastSession::open(const bus::NetworkOptions
     if (participant != nullptr) {
       *udp->receiving = true;
       return std::shared_ptr<FastSession>(
-          new FastSession(std::move(factory), participant, std::move(events), bus::refusals_by(options)));
+          new FastSession(std::move(factory), participant, std::move(events), options));
     }
     if (options.security) {
       lost_indices = index + 1;

@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+#include "bus/endpoint_check.hpp"
 #include "bus/said_once.hpp"
 #include "bus_fastdds/fast_qos.hpp"
 
@@ -37,6 +38,7 @@ class FastSession {
   FastSession(const FastSession&) = delete;
   FastSession& operator=(const FastSession&) = delete;
 
+  bool secured() const noexcept { return secured_; }
   /// Where to look when an endpoint is refused.
   const std::string& refusals() const noexcept { return refusals_; }
   std::vector<std::string> take_security_warnings() { return events_->warnings.take(); }
@@ -48,15 +50,17 @@ class FastSession {
 
  private:
   FastSession(std::shared_ptr<dds::DomainParticipantFactory> factory, dds::DomainParticipant* participant,
-              std::unique_ptr<AuthenticationEvents> events, std::string refusals)
+              std::unique_ptr<AuthenticationEvents> events, const bus::NetworkOptions& options)
       : factory_(std::move(factory)),
         events_(std::move(events)),
         participant_(participant),
-        refusals_(std::move(refusals)) {}
+        secured_(options.security.has_value()),
+        refusals_(bus::refusals_by(options)) {}
 
   std::shared_ptr<dds::DomainParticipantFactory> factory_;
   std::unique_ptr<AuthenticationEvents> events_;
   dds::DomainParticipant* participant_;
+  bool secured_;
   std::string refusals_;
   std::array<dds::Topic*, bus::kTopicCount> topics_{};
   std::map<std::vector<std::string>, dds::Publisher*> publishers_;

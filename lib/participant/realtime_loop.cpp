@@ -40,10 +40,10 @@ bool wait_for_inputs(RealtimeApplication& application, SteadyTime latest) {
   return woken - latest > patience && application.inputs_complete.wait_until(machine_time(woken + patience));
 }
 
-void control(RealtimeApplication& application, const char* name, int priority_shift, Threads& threads) {
+void control(RealtimeApplication& application, const char* name, const Priorities& priorities, Threads& threads) {
   runtime::name_thread("control");
   const std::string unlocked = runtime::lock_memory();  // takes milliseconds, for which no running process shall wait
-  for (const std::string& lacking : {unlocked, runtime::set_priority(runtime::kControlPriority + priority_shift)}) {
+  for (const std::string& lacking : {unlocked, runtime::set_priority(priorities.control)}) {
     if (!lacking.empty()) {
       std::fprintf(stderr, "%s: runs without %s\n", name, lacking.c_str());
     }
@@ -68,12 +68,12 @@ void control(RealtimeApplication& application, const char* name, int priority_sh
     if (!application.finished()) {
       application.step({steady_now(), deadline.next, deadline.missed});
       application.outputs_waiting.post();
-      runtime::set_priority_of(sender, runtime::kBusPriority + priority_shift);  // it may be at leisure
+      runtime::set_priority_of(sender, priorities.bus);  // it may be at leisure
     }
   }
 }
 
-void send(RealtimeApplication& application, int priority_shift, Threads& threads) {
+void send(RealtimeApplication& application, const Priorities& priorities, Threads& threads) {
   runtime::name_thread("send");
   const pid_t self = runtime::thread_id();
   threads.sender = self;
@@ -84,11 +84,11 @@ void send(RealtimeApplication& application, int priority_shift, Threads& threads
       continue;
     }
     application.send();
-    runtime::set_priority_of(self, runtime::kLeisurePriority + priority_shift);
+    runtime::set_priority_of(self, priorities.leisure);
     if (!application.outputs_waiting.posted()) {  // what is posted from here on raises this thread
       application.send_at_leisure();
     } else {
-      runtime::set_priority_of(self, runtime::kBusPriority + priority_shift);
+      runtime::set_priority_of(self, priorities.bus);
     }
   }
   if (started.load(std::memory_order_acquire)) {
@@ -99,20 +99,29 @@ void send(RealtimeApplication& application, int priority_shift, Threads& threads
 
 }  // namespace
 
-int run_realtime(RealtimeApplication& application, Participant& member, int priority_shift) {
+Priorities priorities_of(const RealtimeApplication& application, int shift, bool secured) noexcept {
+  using namespace runtime;
+  const bool bus_steps = secured && application.publishes_in_step();
+  return {.joining = kJoiningPriority + shift,
+          .control = (bus_steps ? kBusPriority : kControlPriority) + shift,
+          .bus = kBusPriority + shift,
+          .leisure = (secured ? kBusPriority : kLeisurePriority) + shift};
+}
+
+int run_realtime(RealtimeApplication& application, Participant& member, const Priorities& priorities) {
   const char* const name = member.identity().name.c_str();
   bus::Bus& bus = member.bus();
   Threads threads;
   ServiceManager manager;
-  std::thread control_thread(control, std::ref(application), name, priority_shift, std::ref(threads));
-  std::thread send_thread(send, std::ref(application), priority_shift, std::ref(threads));
+  std::thread control_thread(control, std::ref(application), name, std::cref(priorities), std::ref(threads));
+  std::thread send_thread(send, std::ref(application), std::cref(priorities), std::ref(threads));
   SteadyTime said = steady_now();
   SteadyTime next_status = said + kStatusPeriod;
   while (!threads.over()) {
     const std::uint64_t before = bus.arrivals();
     if (application.receive(steady_now())) {
       if (!threads.started.load(std::memory_order_relaxed)) {
-        runtime::raise_threads(runtime::kJoiningPriority + priority_shift, runtime::kBusPriority + priority_shift);
+        runtime::raise_threads(priorities.joining, priorities.bus);
       }
       threads.started.store(true, std::memory_order_release);
       manager.ready();

@@ -37,6 +37,8 @@ class RealtimeApplication {
   /// Sender thread, after that, behind every thread on the way from sensor to valve: publishes and writes what none of
   /// them waits for.
   virtual void send_at_leisure() {}
+  /// Whether `step` publishes itself, as a yardstick does.
+  virtual bool publishes_in_step() const { return false; }
   virtual bool finished() const = 0;
   virtual Nanoseconds period() const = 0;
   virtual Trigger trigger() const = 0;
@@ -46,9 +48,19 @@ class RealtimeApplication {
   WakeUp outputs_waiting;  ///< posted by the control thread
 };
 
+/// SCHED_FIFO priorities of a process's threads: until the run has begun for it, and from then on.
+struct Priorities {
+  int joining, control, bus, leisure;
+};
+
+/// Those of runtime/realtime_thread.hpp, each with `shift` added. Where messages are encrypted all threads that publish have
+/// that of the bus: libcrypto's locks are glibc's, at which a thread waits without sleeping, and for ever if the owner's
+/// priority is lower and its processor the same.
+Priorities priorities_of(const RealtimeApplication& application, int shift, bool secured) noexcept;
+
 /// Drives an application on the real-time clock until SIGTERM, or until the participant cannot take part; returns the
 /// process's exit status, as run does. systemd hears when the run has begun, and from then on that the control and the
-/// sender thread turn. `priority_shift` is added to the priorities of the control and the sender thread.
-int run_realtime(RealtimeApplication& application, Participant& member, int priority_shift);
+/// sender thread turn.
+int run_realtime(RealtimeApplication& application, Participant& member, const Priorities& priorities);
 
 }  // namespace farrier::participant

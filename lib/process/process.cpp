@@ -102,8 +102,12 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   }
   if (options.clock == bus::ClockKind::kRealtime && threaded) {
     auto application = threaded(*member.value(), robot.value());
-    return application ? participant::run_realtime(*application.value(), *member.value(), options.priority_shift)
-                       : refuse(name, application.error());
+    if (!application) {
+      return refuse(name, application.error());
+    }
+    const participant::Priorities priorities =
+        participant::priorities_of(*application.value(), options.priority_shift, !options.security.empty());
+    return participant::run_realtime(*application.value(), *member.value(), priorities);
   }
   auto application = polled(*member.value(), robot.value());
   participant::Promotion promotion;

@@ -107,7 +107,9 @@ class Fed final : public RealtimeApplication {
 template <class Application>
 class LoopRun {
  public:
-  int run(int priority_shift) { return run_realtime(application, *member_.participant, priority_shift); }
+  int run(int priority_shift) {
+    return run_realtime(application, *member_.participant, priorities_of(application, priority_shift, false));
+  }
 
   Application application{[this] { end(); }};
 
@@ -165,6 +167,32 @@ TEST(RealtimeLoopTest, OutputsCallTheSenderBackFromItsLeisure) {
   EXPECT_EQ(application.at_leisure, runtime::kLeisurePriority + 1);
   EXPECT_EQ(application.called_back, runtime::kBusPriority + 1);
   EXPECT_GT(application.sends, application.sends_before);
+}
+
+/// Publishes where others only compute.
+class Yardstick final : public RealtimeApplication {
+ public:
+  bool receive(SteadyTime) override { return false; }
+  void step(const Wake&) noexcept override {}
+  void send() override {}
+  bool publishes_in_step() const override { return true; }
+  bool finished() const override { return false; }
+  Nanoseconds period() const override { return 1ms; }
+  Trigger trigger() const override { return Trigger::kDeadline; }
+  std::string waits_for() const override { return ""; }
+};
+
+TEST(PrioritiesTest, OfThreadsThatPublishAreAlikeWhereMessagesAreEncrypted) {
+  const Fed joint_node([] {});
+  const Priorities open = priorities_of(joint_node, 2, false);
+  EXPECT_GT(open.control, open.bus);
+  EXPECT_LT(open.leisure, open.bus);
+  const Priorities secured = priorities_of(joint_node, 2, true);
+  EXPECT_EQ(secured.control, open.control);
+  EXPECT_EQ(secured.bus, open.bus);
+  EXPECT_EQ(secured.leisure, secured.bus);
+  EXPECT_EQ(priorities_of(Yardstick(), 2, false).control, open.control);
+  EXPECT_EQ(priorities_of(Yardstick(), 2, true).control, open.bus);
 }
 
 }  // namespace
