@@ -53,9 +53,9 @@ struct Priorities {
   int joining, control, bus, leisure;
 };
 
-/// Those of runtime/realtime_thread.hpp, each with `shift` added. Where messages are encrypted all threads that publish have
-/// that of the bus: libcrypto's locks are glibc's, at which a thread waits without sleeping, and for ever if the owner's
-/// priority is lower and its processor the same.
+/// Those of runtime/realtime_thread.hpp, each with `shift` added. Where messages are encrypted all threads that publish
+/// have that of the bus: libcrypto's locks are glibc's, at which a thread waits without sleeping, and for ever if the
+/// owner's priority is lower and its processor the same.
 Priorities priorities_of(const RealtimeApplication& application, int shift, bool secured) noexcept;
 
 /// Drives an application on the real-time clock until SIGTERM, or until the participant cannot take part; returns the

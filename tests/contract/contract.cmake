@@ -1,15 +1,18 @@
 set(contract_dir ${CMAKE_CURRENT_LIST_DIR})
 
 add_library(contract_support STATIC ${contract_dir}/buses.cpp ${contract_dir}/peer.cpp ${contract_dir}/peer_roles.cpp)
-target_link_libraries(contract_support PUBLIC farrier_flags farrier_bus PRIVATE farrier_bus_cyclone)
+target_link_libraries(contract_support PUBLIC farrier_flags farrier_bus PRIVATE farrier_bus_cyclone farrier_security)
 if(TARGET farrier_bus_fastdds)
   target_link_libraries(contract_support PRIVATE farrier_bus_fastdds)
   target_compile_definitions(contract_support PRIVATE FARRIER_HAVE_FASTDDS)
 endif()
 
 farrier_test(contract_test contract ${contract_dir}/contract_main.cpp ${contract_dir}/conformance_delivery_test.cpp
-  ${contract_dir}/conformance_matching_test.cpp ${contract_dir}/conformance_failure_test.cpp ${contract_dir}/gathering_test.cpp)
+  ${contract_dir}/conformance_matching_test.cpp ${contract_dir}/conformance_failure_test.cpp)
 target_link_libraries(contract_test PRIVATE contract_support)
+
+farrier_test(gathering_test contract ${contract_dir}/contract_main.cpp ${contract_dir}/gathering_test.cpp)
+target_link_libraries(gathering_test PRIVATE contract_support farrier_pki)
 
 farrier_test(contract_text_test contract ${contract_dir}/contract_text_test.cpp)
 target_link_libraries(contract_text_test PRIVATE farrier_bus)

@@ -1,4 +1,4 @@
-// What goes together is one datagram, whichever vendor sends and whichever hears it.
+// What goes together is one datagram, whichever vendor sends and whichever hears it, encrypted or not.
 
 #include <gtest/gtest.h>
 
@@ -7,22 +7,29 @@
 
 #include "buses.hpp"
 #include "peer.hpp"
+#include "tests/unit/security_pki.hpp"
 
 namespace farrier::contract {
 namespace {
 
 constexpr int kOthers = 40;  // datagrams of announcements and the like in the second this takes
 
-using Vendors = std::tuple<bus::Vendor, bus::Vendor>;
+using Way = std::tuple<bus::Vendor, bus::Vendor, bool>;
 
-class Gathering : public testing::TestWithParam<Vendors> {};
+class Gathering : public testing::TestWithParam<Way> {};
+
+const std::string& keys() {
+  static const test::Pki pki;
+  static const std::string folder = pki.out();
+  return folder;
+}
 
 TEST_P(Gathering, SamplesOfOneFlushAreOneDatagram) {
-  const auto [writer, reader] = GetParam();
+  const auto [writer, reader, secured] = GetParam();
   if (!available(writer) || !available(reader)) {
     GTEST_SKIP() << "this build has no Fast DDS";
   }
-  Peer gatherer(isolated_gatherer(writer, reader));
+  Peer gatherer(isolated_gatherer(writer, reader, bus::partition(test::kRobot, "lf"), secured ? keys() : ""));
   const std::string line = gatherer.read_line();
   if (line.rfind("skip", 0) == 0) {
     GTEST_SKIP() << line;
@@ -38,10 +45,10 @@ TEST_P(Gathering, SamplesOfOneFlushAreOneDatagram) {
 
 INSTANTIATE_TEST_SUITE_P(Pairs, Gathering,
                          testing::Combine(testing::Values(bus::Vendor::kCyclone, bus::Vendor::kFast),
-                                          testing::Values(bus::Vendor::kCyclone, bus::Vendor::kFast)),
-                         [](const testing::TestParamInfo<Vendors>& pair) {
-                           return std::string(to_string(std::get<0>(pair.param))) + "To" +
-                                  to_string(std::get<1>(pair.param));
+                                          testing::Values(bus::Vendor::kCyclone, bus::Vendor::kFast), testing::Bool()),
+                         [](const testing::TestParamInfo<Way>& way) {
+                           return std::string(to_string(std::get<0>(way.param))) + "To" +
+                                  to_string(std::get<1>(way.param)) + (std::get<2>(way.param) ? "Encrypted" : "");
                          });
 
 }  // namespace

@@ -16,6 +16,7 @@
 
 #include "buses.hpp"
 #include "peer.hpp"
+#include "security/credentials.hpp"
 
 namespace farrier::contract {
 namespace {
@@ -128,15 +129,23 @@ long datagrams_sent() {
 }
 
 /// Writes the sensors of a leg's three joints together, again and again.
-int gather_isolated(bus::Vendor writes, bus::Vendor reads) {
+int gather_isolated(bus::Vendor writes, bus::Vendor reads, const std::string& partition, const std::string& keys) {
   if (const std::string reason = isolate_network(); !reason.empty()) {
     std::cout << "skip " << reason << std::endl;
     return 0;
   }
-  const std::unique_ptr<bus::Bus> writing = make_bus(writes, own_domain(), nullptr);
-  const std::unique_ptr<bus::Bus> reading = make_bus(reads, own_domain(), nullptr);
+  const auto join = [&](bus::Role role, bus::Vendor vendor) {
+    bus::NetworkOptions options;
+    options.domain = own_domain();
+    if (!keys.empty()) {
+      options.security = security::files_of(keys, role, vendor);
+    }
+    return make_dds_bus(vendor, options);
+  };
+  const std::unique_ptr<bus::Bus> writing = join(bus::Role::kSimBridge, writes);
+  const std::unique_ptr<bus::Bus> reading = join(bus::Role::kJointNode, reads);
   const bus::Qos qos = bus::qos_for(bus::spec(bus::TopicId::kJointSensors), bus::ClockKind::kRealtime);
-  const bus::EndpointSpec endpoint{bus::TopicId::kJointSensors, qos, {"robot"}};
+  const bus::EndpointSpec endpoint{bus::TopicId::kJointSensors, qos, {partition}};
   auto writer = bus::Publisher<signals::JointSensors>::create(*writing, endpoint);
   auto reader = bus::Subscription<signals::JointSensors>::create(*reading, endpoint);
   std::size_t heard = 0;
@@ -153,7 +162,7 @@ int gather_isolated(bus::Vendor writes, bus::Vendor reads) {
     reading->wait_for_arrivals(seen + kGatheredJoints, 20ms);
     return reader.value().drain([](const signals::JointSensors&) {});
   };
-  for (const SteadyTime end = std::chrono::steady_clock::now() + 10s;
+  for (const SteadyTime end = std::chrono::steady_clock::now() + 30s;
        write_a_tick(0) < kGatheredJoints && std::chrono::steady_clock::now() < end;) {
   }
   std::this_thread::sleep_for(500ms);
@@ -185,8 +194,9 @@ std::vector<std::string> greeter(bus::Vendor vendor, int domain, int index, int 
 
 std::vector<std::string> isolated_greeters(int count) { return {kIsolatedGreeters, std::to_string(count)}; }
 
-std::vector<std::string> isolated_gatherer(bus::Vendor writer, bus::Vendor reader) {
-  return {kIsolatedGatherer, to_string(writer), to_string(reader)};
+std::vector<std::string> isolated_gatherer(bus::Vendor writer, bus::Vendor reader, const std::string& partition,
+                                           const std::string& keys) {
+  return {kIsolatedGatherer, to_string(writer), to_string(reader), partition, keys};
 }
 
 int run_role(const std::vector<std::string>& arguments) {
@@ -206,7 +216,8 @@ int run_role(const std::vector<std::string>& arguments) {
     return greet_isolated(std::stoi(arguments.at(1)));
   }
   if (role == kIsolatedGatherer) {
-    return gather_isolated(bus::parse_vendor(arguments.at(1)).value(), bus::parse_vendor(arguments.at(2)).value());
+    return gather_isolated(bus::parse_vendor(arguments.at(1)).value(), bus::parse_vendor(arguments.at(2)).value(),
+                           arguments.at(3), arguments.at(4));
   }
   return -1;
 }
