@@ -14,8 +14,8 @@ class Soak : public testing::TestWithParam<const char*> {};
 
 TEST_P(Soak, LetsNoProcessGrow) {
   const ScratchDirectory scratch;
-  FarrierCommand trot({"trot", "--clock", "realtime", "--soak", "--dds", GetParam(), "--duration", FARRIER_TRACE_DURATION,
-                       "--out", scratch.file("out")});
+  FarrierCommand trot({"trot", "--clock", "realtime", "--soak", "--dds", GetParam(), "--nodes", "per-leg", "--duration",
+                       FARRIER_TRACE_DURATION, "--out", scratch.file("out")});
   ASSERT_NE(trot.wait(kPatience), -1);
   const nlohmann::json run = read_json(scratch.file("out/figures.json"));
   ASSERT_FALSE(run.is_discarded()) << trot.output();

@@ -48,7 +48,8 @@ function processOf(trot, word) {
 }
 
 const startTrot = async () => {
-  const trot = start(["trot", "--clock", "realtime", "--duration", "120", "--out", join(pictures, "trot")], "trot: tick 0 of");
+  const trot = start(["trot", "--clock", "realtime", "--nodes", "per-leg", "--duration", "120", "--out", join(pictures, "trot")],
+                     "trot: tick 0 of");
   await trot.said;
   const [, words] = processOf(trot, "supervisor");
   return [trot, words[words.indexOf("--domain") + 1]];
