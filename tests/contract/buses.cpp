@@ -32,17 +32,10 @@ bool available(bus::Vendor vendor) {
 }
 
 std::unique_ptr<bus::Bus> make_bus(bus::Vendor vendor, int domain, const std::shared_ptr<bus::InprocDomain>& inproc) {
-  if (vendor == bus::Vendor::kInproc) {
-    return bus::create_inproc_bus(inproc);
-  }
   bus::NetworkOptions options;
   options.domain = domain;
-  return make_dds_bus(vendor, options);
-}
-
-std::unique_ptr<bus::Bus> make_dds_bus(bus::Vendor vendor, const bus::NetworkOptions& options) {
   switch (vendor) {
-    case bus::Vendor::kInproc: break;
+    case bus::Vendor::kInproc: return bus::create_inproc_bus(inproc);
     case bus::Vendor::kCyclone: return required(bus_cyclone::create_cyclone_bus(options));
     case bus::Vendor::kFast:
 #ifdef FARRIER_HAVE_FASTDDS

@@ -5,7 +5,6 @@
 
 #include "bus/bus.hpp"
 #include "bus/inproc/inproc_bus.hpp"
-#include "bus/network.hpp"
 
 namespace farrier::contract {
 
@@ -17,8 +16,5 @@ bool available(bus::Vendor vendor);
 
 /// A new bus; the test fails hard when the vendor refuses. In-process buses of one test share `inproc`.
 std::unique_ptr<bus::Bus> make_bus(bus::Vendor vendor, int domain, const std::shared_ptr<bus::InprocDomain>& inproc);
-
-/// The same over DDS with options of the test's own.
-std::unique_ptr<bus::Bus> make_dds_bus(bus::Vendor vendor, const bus::NetworkOptions& options);
 
 }  // namespace farrier::contract

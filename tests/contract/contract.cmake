@@ -1,7 +1,8 @@
 set(contract_dir ${CMAKE_CURRENT_LIST_DIR})
 
 add_library(contract_support STATIC ${contract_dir}/buses.cpp ${contract_dir}/peer.cpp ${contract_dir}/peer_roles.cpp)
-target_link_libraries(contract_support PUBLIC farrier_flags farrier_bus PRIVATE farrier_bus_cyclone farrier_security)
+target_link_libraries(contract_support PUBLIC farrier_flags farrier_bus PRIVATE farrier_bus_cyclone
+  farrier_bus_factory farrier_security)
 if(TARGET farrier_bus_fastdds)
   target_link_libraries(contract_support PRIVATE farrier_bus_fastdds)
   target_compile_definitions(contract_support PRIVATE FARRIER_HAVE_FASTDDS)

@@ -18,10 +18,9 @@ using Way = std::tuple<bus::Vendor, bus::Vendor, bool>;
 
 class Gathering : public testing::TestWithParam<Way> {};
 
-const std::string& keys() {
+std::string keys() {
   static const test::Pki pki;
-  static const std::string folder = pki.out();
-  return folder;
+  return pki.out();
 }
 
 TEST_P(Gathering, SamplesOfOneFlushAreOneDatagram) {

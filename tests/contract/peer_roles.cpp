@@ -14,6 +14,7 @@
 #include <sstream>
 #include <thread>
 
+#include "bus_factory/bus_factory.hpp"
 #include "buses.hpp"
 #include "peer.hpp"
 #include "security/credentials.hpp"
@@ -140,7 +141,9 @@ int gather_isolated(bus::Vendor writes, bus::Vendor reads, const std::string& pa
     if (!keys.empty()) {
       options.security = security::files_of(keys, role, vendor);
     }
-    return make_dds_bus(vendor, options);
+    auto joined = bus_factory::create_bus(vendor, options);
+    FARRIER_ENSURE(joined.ok(), joined.error().message.c_str());
+    return std::move(joined).value();
   };
   const std::unique_ptr<bus::Bus> writing = join(bus::Role::kSimBridge, writes);
   const std::unique_ptr<bus::Bus> reading = join(bus::Role::kJointNode, reads);

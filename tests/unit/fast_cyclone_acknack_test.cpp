@@ -6,8 +6,12 @@
 
 #include <vector>
 
+#include "tests/unit/rtps_bytes.hpp"
+
 namespace farrier::bus_fastdds {
 namespace {
+
+using namespace testing;
 
 constexpr std::uint8_t kAcknack = 0x06;
 constexpr std::uint8_t kHeartbeat = 0x07;
@@ -21,9 +25,6 @@ std::vector<std::uint8_t> acknack(std::uint8_t vendor, std::uint8_t flags, std::
           kind, flags, 24, 0, 0, 0, 3, 0xc7, 0, 0, 3, 0xc2, 0, 0, 0, 0, base, 0, 0, 0,
           0, 0, 0, 0, count, 0, 0, 0};
 }
-
-constexpr std::uint8_t kCyclone = 0x10;
-constexpr std::uint8_t kFastDds = 0x0f;
 
 std::vector<std::uint8_t> translated(std::vector<std::uint8_t> bytes) {
   translate_cyclone_acknacks(bytes);

@@ -67,7 +67,7 @@ class Leisurely final : public RealtimeApplication {
 };
 
 /// Gets inputs every few milliseconds, for 2 s, and steps on them.
-class Fed final : public RealtimeApplication {
+class Fed : public RealtimeApplication {
  public:
   explicit Fed(std::function<void()> end) : end_(std::move(end)) {}
 
@@ -170,16 +170,10 @@ TEST(RealtimeLoopTest, OutputsCallTheSenderBackFromItsLeisure) {
 }
 
 /// Publishes where others only compute.
-class Yardstick final : public RealtimeApplication {
+class Yardstick final : public Fed {
  public:
-  bool receive(SteadyTime) override { return false; }
-  void step(const Wake&) noexcept override {}
-  void send() override {}
+  using Fed::Fed;
   bool publishes_in_step() const override { return true; }
-  bool finished() const override { return false; }
-  Nanoseconds period() const override { return 1ms; }
-  Trigger trigger() const override { return Trigger::kDeadline; }
-  std::string waits_for() const override { return ""; }
 };
 
 TEST(PrioritiesTest, OfThreadsThatPublishAreAlikeWhereMessagesAreEncrypted) {
@@ -191,8 +185,9 @@ TEST(PrioritiesTest, OfThreadsThatPublishAreAlikeWhereMessagesAreEncrypted) {
   EXPECT_EQ(secured.control, open.control);
   EXPECT_EQ(secured.bus, open.bus);
   EXPECT_EQ(secured.leisure, secured.bus);
-  EXPECT_EQ(priorities_of(Yardstick(), 2, false).control, open.control);
-  EXPECT_EQ(priorities_of(Yardstick(), 2, true).control, open.bus);
+  const Yardstick yardstick([] {});
+  EXPECT_EQ(priorities_of(yardstick, 2, false).control, open.control);
+  EXPECT_EQ(priorities_of(yardstick, 2, true).control, open.bus);
 }
 
 }  // namespace
