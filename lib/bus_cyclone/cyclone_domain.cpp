@@ -5,6 +5,7 @@
 
 #include "bus_cyclone/cyclone_config.hpp"
 #include "bus_cyclone/cyclone_qos.hpp"
+#include "bus_cyclone/cyclone_waits.hpp"
 
 namespace farrier::bus_cyclone {
 namespace {
@@ -46,6 +47,7 @@ Result<Domain> open_domain(const bus::NetworkOptions& options) {
   if (options.max_processes < 1 || options.peers.empty()) {
     return Error{"network: max_processes must be at least 1 and peers must name a computer"};
   }
+  wait_on_steady_clock();
   const std::string config = config_with_user_part(options);
   dds_domainid_t number = local_number(options, 0);
   dds_entity_t domain = dds_create_domain(number, config.c_str());

@@ -17,6 +17,7 @@ inline constexpr Exception kVendorHeaders[] = {
     {"lib/bus_fastdds", "the Fast DDS bus"},
     {"tests/fuzz/cyclone_codec.cpp", "feeds bytes to Cyclone's decoder, which no bus exposes"},
     {"tests/contract/wire_bytes_cyclone.cpp", "the same, to hold recordings to what Cyclone reads"},
+    {"tests/contract/cyclone_waits_test.cpp", "waits by a call of Cyclone's, which no bus exposes"},
     {"tests/system/doctor_test.cpp", "is somebody else's program, with topics and types that no bus of ours would make"},
 };
 

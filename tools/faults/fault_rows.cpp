@@ -26,6 +26,7 @@ constexpr double kStartAgain_s = 0.050;
 constexpr double kGreeted_s = 1.0;  // a process starts, finds the others and hears every route
 constexpr double kCatchesUp_s = 0.006;  // a process that was stopped first takes what has come meanwhile
 constexpr double kAfterStop_s = kGoodAgain_s + kCatchesUp_s;
+constexpr double kLeaseAndMore_s = 12.0;  // by then who renews no lease is forgotten
 constexpr double kHeard_s = 0.020;  // an event's way to the operator
 constexpr double kMissed_s = 0.100;  // 50 ms of silence, the period of what is silent, an event's way
 
@@ -201,7 +202,7 @@ const std::vector<Row>& rows() {
       {"clock_forward", "The computer's clock is set an hour forward.", "Everybody goes on: ages are of the steady clock.",
        Hit::kAll, nullptr, {}, 2.0, {{kEverybody, kClockForward, 0.0}}, {}},
       {"clock_back", "The computer's clock is set an hour back.", "Everybody goes on: ages are of the steady clock.",
-       Hit::kAll, nullptr, {}, 2.0, {{kEverybody, kClockBack, 0.0}}, {}},
+       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockBack, 0.0}}, {}},
       {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
        {{kEstimator, SIGKILL, 0.0}}, says_estimates_silent()},
       {"estimator_restarted", "estimator_service dies (kill -9) and is started again.",
