@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <ctime>
 
-// Cyclone before version 11 waits until a time of the wall clock (issue 1995 of eclipse-cyclonedds/cyclonedds): where
+// Cyclone 0.10 waits until a time of the wall clock (issue 1995 of eclipse-cyclonedds/cyclonedds): where
 // that is set an hour back, its threads stand still for an hour, and the others forget a process that says nothing for
 // a lease. libddsc calls these two by its procedure linkage table, so they stand before its own.
 extern "C" {
