@@ -200,7 +200,7 @@ const std::vector<Row>& rows() {
        {}, 0.1, {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.1}},
        {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
       {"clock_forward", "The computer's clock is set an hour forward.", "Everybody goes on: ages are of the steady clock.",
-       Hit::kAll, nullptr, {}, 2.0, {{kEverybody, kClockForward, 0.0}}, {}},
+       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockForward, 0.0}}, {}},
       {"clock_back", "The computer's clock is set an hour back.", "Everybody goes on: ages are of the steady clock.",
        Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockBack, 0.0}}, {}},
       {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
