@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "bus_fastdds/free_index.hpp"
+#include "bus_fastdds/session_keys.hpp"
 
 namespace farrier::bus_fastdds {
 namespace {
@@ -63,6 +64,7 @@ Result<std::shared_ptr<FastSession>> FastSession::open(const bus::NetworkOptions
   auto factory = dds::DomainParticipantFactory::get_shared_instance();
   disable_intraprocess_delivery(*factory);
   start_log_thread();
+  remember_session_keys();
   // Fast DDS 2.9 does not give back the index of a participant that it refuses for its security.
   static std::atomic<int> lost_indices{0};
   for (int index = free_participant_index(options, lost_indices); index >= 0;

@@ -36,8 +36,8 @@ farrier_test(discovery_test system ${contract_dir}/contract_main.cpp ${contract_
 target_link_libraries(discovery_test PRIVATE contract_support)
 
 farrier_test(security_bus_test contract ${contract_dir}/security_test.cpp)
-target_link_libraries(security_bus_test PRIVATE contract_support farrier_bus_factory farrier_pki farrier_security
-  farrier_tool_process)
+target_link_libraries(security_bus_test PRIVATE contract_support farrier_bus_factory farrier_bus_fastdds farrier_pki
+  farrier_security farrier_tool_process)
 # It waits for handshakes and refusals, with time enough for a busy machine.
 set_tests_properties(contract/security_bus_test PROPERTIES RUN_SERIAL FALSE)
 
