@@ -5,6 +5,7 @@
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <vector>
 
 #include "core/ensure.hpp"
 
@@ -14,10 +15,10 @@ using Key = std::array<std::uint8_t, 32>;
 
 /// What a session key follows from (DDS Security 1.1, 9.5.3.3.3).
 struct Source {
-  bool receiver_specific;
-  Key master_key, master_salt;
   std::uint32_t session_id;
+  bool receiver_specific;
   int key_bytes;
+  Key master_key, master_salt;
 
   bool operator==(const Source&) const = default;
 };
@@ -44,16 +45,17 @@ void AESGCMGMAC_Transform::compute_sessionkey(Key& session_key, bool receiver_sp
                          "S8_ji"));
   FARRIER_ENSURE(derive != nullptr, "Fast DDS derives session keys by a function of another name");
 
-  // A thread hears the participants of a robot, each with one session at a time.
+  // A thread hears the participants of a robot, each with one session at a time. They are on the heap, for what is
+  // thread_local is taken from the stack of every thread, and those of civetweb have 100 KiB with nothing to spare.
   struct Session {
     Source source;
     Key key;
   };
   constexpr std::size_t kSessions = 64;
-  thread_local std::array<Session, kSessions> sessions{};
+  thread_local std::vector<Session> sessions;
   thread_local std::size_t oldest = 0;
 
-  const Source source{receiver_specific, master_key, master_salt, session_id, key_bytes};
+  const Source source{session_id, receiver_specific, key_bytes, master_key, master_salt};
   for (const Session& session : sessions) {
     if (session.source == source) {
       session_key = session.key;
@@ -62,6 +64,10 @@ void AESGCMGMAC_Transform::compute_sessionkey(Key& session_key, bool receiver_sp
   }
   derive(this, session_key, receiver_specific, master_key, master_salt, session_id, key_bytes);
   ++derived;
+  if (sessions.size() < kSessions) {
+    sessions.push_back({source, session_key});
+    return;
+  }
   sessions[oldest] = {source, session_key};
   oldest = (oldest + 1) % kSessions;
 }

@@ -67,7 +67,7 @@ std::string why_not(const Cell& cell) {
   return text;
 }
 
-std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t planned) {
+std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t planned, int slow) {
   const auto held = std::ranges::count_if(cells, &Cell::holds);
   int repeats = 0;
   for (const Cell& cell : cells) {
@@ -75,8 +75,11 @@ std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t plan
   }
   std::string page =
       "# Faults\n\nWritten by `farrier faults --page`, which makes each of these happen to a trot of real processes on "
-      "the real-time\nclock, in slow motion: every row in stance and in swing, over each vendor, by each seed. Times "
-      "are the longest of a\nrow's cells, in control periods of `sim_bridge`, beside what is asked.\n\n" +
+      "the real-time\nclock" +
+      (slow == 1 ? "" : ", in slow motion by " + std::to_string(slow)) + "; where a process starts, in slow motion by " +
+      std::to_string(slow * kSlowerWhereProcessesStart) +
+      ". Every row is made in stance and in swing, over each\nvendor, by each seed. Times are the longest of a row's "
+      "cells, in control periods of `sim_bridge`, beside what is\nasked.\n\n" +
       std::to_string(held) + " of " + std::to_string(planned) + " cells held, " + std::to_string(planned - cells.size()) +
       " were not run. Vendors: " +
       listed(cells, [](const Cell& cell) { return cell.vendor; }) + ". Seeds: " +
