@@ -5,6 +5,7 @@
 
 #include "lab/bare_ports.hpp"
 #include "participant/loop_statistics.hpp"
+#include "runtime/awake_processors.hpp"
 #include "runtime/deadline.hpp"
 #include "runtime/latency_histogram.hpp"
 #include "runtime/realtime_thread.hpp"
@@ -155,6 +156,7 @@ TimerLoop bare_timer_loop(Nanoseconds period, Nanoseconds duration) {
   std::thread timer([&] {
     // Where the limits forbid it the loop is measured without: so will the control loops be.
     static_cast<void>(runtime::set_priority(runtime::kControlPriority));
+    const runtime::AwakeProcessors awake;
     SteadyTime previous = std::chrono::steady_clock::now();
     const SteadyTime end = previous + duration;
     while (previous < end) {

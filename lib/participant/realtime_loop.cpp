@@ -7,6 +7,7 @@
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "participant/service_manager.hpp"
+#include "runtime/awake_processors.hpp"
 #include "runtime/deadline.hpp"
 #include "runtime/realtime_thread.hpp"
 
@@ -43,7 +44,8 @@ bool wait_for_inputs(RealtimeApplication& application, SteadyTime latest) {
 void control(RealtimeApplication& application, const char* name, const Priorities& priorities, Threads& threads) {
   runtime::name_thread("control");
   const std::string unlocked = runtime::lock_memory();  // takes milliseconds, for which no running process shall wait
-  for (const std::string& lacking : {unlocked, runtime::set_priority(priorities.control)}) {
+  const runtime::AwakeProcessors awake;
+  for (const std::string& lacking : {unlocked, awake.lacking(), runtime::set_priority(priorities.control)}) {
     if (!lacking.empty()) {
       std::fprintf(stderr, "%s: runs without %s\n", name, lacking.c_str());
     }

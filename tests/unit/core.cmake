@@ -4,6 +4,7 @@ farrier_test(core_test unit
   ${CMAKE_CURRENT_LIST_DIR}/core_result_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/core_threads_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/core_signals_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/runtime_awake_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/runtime_deadline_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/runtime_histogram_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/trace_file_test.cpp

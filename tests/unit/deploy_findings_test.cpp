@@ -77,12 +77,14 @@ TEST(HostFindings, NameWhatKeepsALoopFromItsDeadlines) {
   facts.realtime_kernel = false;
   facts.lacks_priority = "real-time priority (Operation not permitted)";
   facts.lacks_locked_memory = "locked memory (Cannot allocate memory)";
+  facts.lacks_awake_processors = "processors that stay awake (Permission denied)";
   const Findings findings = findings_of(facts);
-  ASSERT_EQ(findings.size(), 3u);
+  ASSERT_EQ(findings.size(), 4u);
   EXPECT_NE(findings[0].what.find("no SCHED_FIFO priority 80: real-time priority (Operation not permitted)"),
             std::string::npos);
   EXPECT_NE(findings[1].what.find("cannot lock its memory"), std::string::npos);
-  EXPECT_NE(findings[2].fix.find("linux-image-rt-amd64"), std::string::npos);
+  EXPECT_NE(findings[2].fix.find("KERNEL==\"cpu_dma_latency\""), std::string::npos) << findings[2].fix;
+  EXPECT_NE(findings[3].fix.find("linux-image-rt-amd64"), std::string::npos);
 }
 
 TEST(HostFindings, AskNothingOfTheClockInLockStep) {

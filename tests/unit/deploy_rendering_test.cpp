@@ -33,14 +33,14 @@ TEST(Rendering, GivesAHostItsProcessesAndNobodyElses) {
     names.push_back(file.name);
   }
   EXPECT_EQ(names, (std::vector<std::string>{"farrier-hyq-joint_node_lf.service", "farrier-hyq-joint_node_rf.service",
-                                             "farrier-hyq.target", "60-farrier-hyq.conf", "hyq.yaml"}));
+                                             "farrier-hyq-awake.service", "farrier-hyq.target", "60-farrier-hyq.conf", "hyq.yaml"}));
 }
 
 TEST(Rendering, NumbersProcessesAlikeOnEveryHostAndEachOnce) {
   std::set<std::string> numbers;
   for (const char* host : {"front", "hind", "brain"}) {
     for (const RenderedFile& file : rendered(host)) {
-      if (file.name.ends_with(".service")) {
+      if (file.name.ends_with(".service") && file.name != "farrier-hyq-awake.service") {
         EXPECT_EQ(argument(file.text, "--participants"), "8") << file.name;
         EXPECT_EQ(argument(file.text, "--peers"), "192.168.20.11,192.168.20.12,192.168.20.10") << file.name;
         EXPECT_EQ(argument(file.text, "--domain"), "20") << file.name;
@@ -89,6 +89,18 @@ TEST(Rendering, LetsTheUnitAllowPrioritiesAndTheProcessSetThem) {
   }
   EXPECT_EQ(lf.find("CPUScheduling"), std::string::npos) << "every thread would get that priority";
   EXPECT_EQ(lf.find("RestrictRealtime"), std::string::npos) << "no thread would get one";
+}
+
+TEST(Rendering, KeepsProcessorsAwakeOnTheRealTimeClockOnly) {
+  const std::string unit = "farrier-hyq-awake.service";
+  EXPECT_TRUE(has_line(text_of(rendered("front"), unit), "DeviceAllow=/dev/cpu_dma_latency rw"));
+  EXPECT_NE(text_of(rendered("front"), "farrier-hyq.target").find(unit), std::string::npos);
+
+  robot::Robot robot = hyq();
+  robot.file.deployment->clock = robot::DeployedClock::kLockstep;
+  const auto files = render_host(robot, "", "front", standard_places(robot));
+  EXPECT_EQ(text_of(files.value(), unit), "");
+  EXPECT_EQ(text_of(files.value(), "farrier-hyq.target").find(unit), std::string::npos);
 }
 
 TEST(Rendering, ShiftsThePrioritiesOfAHostTogether) {

@@ -12,6 +12,7 @@
 #include <functional>
 #include <sstream>
 
+#include "runtime/awake_processors.hpp"
 #include "runtime/realtime_thread.hpp"
 
 namespace farrier::deploy {
@@ -117,6 +118,7 @@ HostFacts this_host(int priority) {
   facts.memlock_limit = limit(RLIMIT_MEMLOCK);
   facts.lacks_priority = tried_apart([priority] { return runtime::set_priority(priority); });
   facts.lacks_locked_memory = tried_apart([] { return runtime::lock_memory(); });
+  facts.lacks_awake_processors = tried_apart([] { return runtime::AwakeProcessors().lacking(); });
   return facts;
 }
 

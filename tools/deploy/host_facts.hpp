@@ -26,11 +26,12 @@ struct HostFacts {
   std::uint64_t send_buffer_max = 0;     ///< net.core.wmem_max, bytes
   std::string lacks_priority;          ///< why a process of this user gets no real-time priority; empty: it does
   std::string lacks_locked_memory;     ///< the same of locked memory
+  std::string lacks_awake_processors;  ///< the same of processors that do not sleep
   std::uint64_t rtprio_limit = 0;      ///< RLIMIT_RTPRIO
   std::uint64_t memlock_limit = 0;     ///< RLIMIT_MEMLOCK, bytes; all ones: no limit
 };
 
-/// Asks the kernel. Whether a priority and locked memory can be had is tried in a process of its own that ends at once;
+/// Asks the kernel. Whether a priority, locked memory and awake processors can be had is tried in a process of its own that ends at once;
 /// `priority` is the SCHED_FIFO priority that is tried.
 HostFacts this_host(int priority);
 

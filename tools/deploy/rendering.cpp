@@ -1,5 +1,6 @@
 #include "tools/deploy/rendering.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "config/visitor.hpp"
@@ -34,6 +35,15 @@ SystemCallArchitectures=native
 SystemCallFilter=@system-service
 UMask=0077
 )";
+
+/// Of the unit that is no process of the robot.
+constexpr const char* kAwake = "awake";
+
+bool on_realtime_clock(const std::vector<DeployedProcess>& processes) {
+  return std::ranges::any_of(processes, [](const DeployedProcess& process) {
+    return process.options.clock == bus::ClockKind::kRealtime;
+  });
+}
 
 /// A word of ExecStart=, systemd.service(5): specifiers and variables are doubled, the rest is quoted.
 std::string unit_word(const std::string& word) {
@@ -92,11 +102,41 @@ std::string unit_text(const robot::Robot& robot, const std::string& host, const 
   return text + kHardening + "\n[Install]\nWantedBy=" + target_of(robot) + "\n";
 }
 
+// The units of processes hide devices from them; this one is root for one file, with no right beside it.
+std::string awake_text(const robot::Robot& robot, const std::string& host) {
+  return heading(robot, host) + "[Unit]\nDescription=Farrier " + robot.name + ": processors that do not sleep\nPartOf=" +
+         target_of(robot) + R"(
+
+[Service]
+Type=exec
+# The kernel holds to it while the file is open.
+ExecStart=/bin/sh -c 'exec 3>/dev/cpu_dma_latency && echo 0 >&3 && exec sleep infinity'
+Restart=on-failure
+NoNewPrivileges=yes
+CapabilityBoundingSet=
+ProtectSystem=strict
+ProtectHome=yes
+PrivateTmp=yes
+PrivateNetwork=yes
+DevicePolicy=closed
+DeviceAllow=/dev/cpu_dma_latency rw
+ProtectKernelModules=yes
+RestrictAddressFamilies=none
+RestrictNamespaces=yes
+LockPersonality=yes
+MemoryDenyWriteExecute=yes
+SystemCallArchitectures=native
+SystemCallFilter=@system-service
+
+[Install]
+WantedBy=)" + target_of(robot) + "\n";
+}
+
 std::string target_text(const robot::Robot& robot, const std::string& host,
                         const std::vector<DeployedProcess>& processes) {
   const auto unit = [&](const DeployedProcess& process) { return unit_of(robot, process.options.name); };
   return heading(robot, host) + "[Unit]\nDescription=Farrier " + robot.name + " on " + host + "\nWants=" +
-         joined(processes, unit) + "\n\n[Install]\nWantedBy=multi-user.target\n";
+         joined(processes, unit) + (on_realtime_clock(processes) ? " " + unit_of(robot, kAwake) : "") + "\n\n[Install]\nWantedBy=multi-user.target\n";
 }
 
 std::string network_text(const robot::Robot& robot, const std::string& host) {
@@ -125,6 +165,9 @@ Result<std::vector<RenderedFile>> render_host(const robot::Robot& robot, const s
   std::vector<RenderedFile> files;
   for (const DeployedProcess& process : processes.value()) {
     files.push_back({unit_of(robot, process.options.name), unit_text(robot, host, places, process)});
+  }
+  if (on_realtime_clock(processes.value())) {
+    files.push_back({unit_of(robot, kAwake), awake_text(robot, host)});
   }
   files.push_back({target_of(robot), target_text(robot, host, processes.value())});
   files.push_back({"60-farrier-" + robot.name + ".conf", network_text(robot, host)});
