@@ -11,10 +11,10 @@
 #include "participant/arrival.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop_statistics.hpp"
-#include "record/trace.hpp"
 #include "robot/keys.hpp"
 #include "sim_bridge/ports.hpp"
 #include "sim_bridge/sim_world.hpp"
+#include "sim_bridge/trace_thread.hpp"
 
 namespace farrier::sim_bridge {
 namespace {
@@ -30,7 +30,6 @@ struct ReceivedValve {
 struct Mailbox {
   LatestValue<ReceivedValve> valve;
   SpscRing<signals::JointSensors, 16> sensors;
-  SpscRing<record::TraceRow, 64> rows;
   participant::Arrival arrival;  ///< bus thread
   ReceivedValve last_valve;  ///< control thread
   record::TraceRow row;      ///< control thread: the newest, until the reference that answers it is there
@@ -43,7 +42,6 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   SimBridgeRealtime(Parts parts, const robot::Robot& robot,
                     participant::Participant& participant, Tick ticks)
       : world_(std::move(parts.world)),
-        trace_(std::move(parts.trace)),
         ports_(parts.ports),
         participant_(participant),
         period_(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s))),
@@ -52,12 +50,15 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
         ticks_(ticks),
         numbers_(robot::joint_numbers(robot)),
         mail_(numbers_.size()),
-        valve_current_A_(numbers_.size(), 0.0) {}
+        valve_current_A_(numbers_.size(), 0.0) {
+    if (parts.trace) {
+      trace_.emplace(std::move(*parts.trace));
+    }
+  }
 
   bool receive(SteadyTime now) override;
   void step(const participant::Wake& wake) noexcept override;
   void send() override;
-  void send_at_leisure() override;
   bool finished() const override { return ticks_ > 0 && tick_.load(std::memory_order_relaxed) >= ticks_; }
   Nanoseconds period() const override { return period_; }
   Trigger trigger() const override { return Trigger::kDeadline; }
@@ -70,7 +71,6 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   void report(bool final_report);
 
   SimWorld world_;
-  std::optional<record::TraceWriter> trace_;
   Ports ports_;
   participant::Participant& participant_;
   Nanoseconds period_;
@@ -83,11 +83,10 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   SteadyTime next_health_{};
   std::atomic<Tick> tick_{0};
   std::atomic<Tick> sensed_tick_{kNoTick};  ///< newest whose sensors are on their way
-  Tick sending_tick_ = 0;                   ///< sender thread: all before this tick is in its hands
   Tick told_tick_ = kNoTick;                ///< sender thread: newest that the clock has told
-  std::atomic<Tick> sent_tick_{kNoTick};  ///< all before this tick is sent and recorded
-  std::atomic<bool> trace_complete_{true};
+  std::atomic<Tick> sent_tick_{kNoTick};  ///< all before this tick is sent
   bool reported_final_ = false;
+  std::optional<TraceThread> trace_;
 };
 
 bool SimBridgeRealtime::receive(SteadyTime now) {
@@ -106,9 +105,10 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
     return false;
   }
   tell_silences();
-  if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && !reported_final_) {
+  if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && (!trace_ || trace_->finished()) &&
+      !reported_final_) {
     reported_final_ = true;
-    if (!trace_complete_.load(std::memory_order_relaxed)) {
+    if (trace_ && !trace_->complete()) {
       participant_.event(participant::EventKind::kTraceIncomplete, ticks_, 0xffff);
     }
     report(true);
@@ -139,9 +139,9 @@ void SimBridgeRealtime::report(bool final_report) {
 // belongs to what was sensed then, and so to the row of that tick.
 void SimBridgeRealtime::fetch_valve(Mailbox& mail) noexcept {
   mail.valve.fetch(mail.last_valve);
-  if (mail.row.tick != kNoTick) {
+  if (trace_ && mail.row.tick != kNoTick) {
     mail.row.force_reference_N_or_Nm = mail.last_valve.command.force_reference_N_or_Nm;
-    mail.rows.push(mail.row);
+    trace_->push(mail.row);
   }
 }
 
@@ -172,6 +172,9 @@ void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
     world_.advance(valve_current_A_);  // not after sensing: the sender thread, on the same processor, would wait for it
     if (world_.tick() == ticks_) {
       std::ranges::for_each(mail_, [this](Mailbox& mail) { fetch_valve(mail); });  // completes the last rows
+      if (trace_) {
+        trace_->end();
+      }
     }
     tick_.store(world_.tick(), std::memory_order_release);
     if (finished()) {
@@ -189,7 +192,7 @@ void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
 }
 
 void SimBridgeRealtime::send() {
-  sending_tick_ = tick_.load(std::memory_order_acquire);
+  const Tick sending_tick = tick_.load(std::memory_order_acquire);
   const Tick sensed = sensed_tick_.load(std::memory_order_acquire);
   for (Mailbox& mail : mail_) {
     for (signals::JointSensors sensors; mail.sensors.pop(sensors);) {
@@ -201,22 +204,7 @@ void SimBridgeRealtime::send() {
     told_tick_ = sensed;
     ports_.clock->publish({0, sensed});
   }
-}
-
-void SimBridgeRealtime::send_at_leisure() {
-  for (bool any = true; any && trace_;) {
-    any = false;
-    for (Mailbox& mail : mail_) {
-      if (record::TraceRow row; mail.rows.pop(row)) {
-        trace_->write(row);
-        any = true;
-      }
-    }
-  }
-  if (ticks_ > 0 && sending_tick_ >= ticks_ && trace_) {
-    trace_complete_.store(trace_->finish(), std::memory_order_relaxed);
-  }
-  sent_tick_.store(sending_tick_, std::memory_order_release);
+  sent_tick_.store(sending_tick, std::memory_order_release);
 }
 
 }  // namespace

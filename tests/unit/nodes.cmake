@@ -26,6 +26,7 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_contact_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/sim_world_load_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/sim_bridge_trace_thread_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/summariser_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_adaptive_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_first_gains_test.cpp
@@ -39,7 +40,7 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor_update_method_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
-target_link_libraries(nodes_test PRIVATE farrier_estimator_service_core farrier_sim_bridge_core
+target_link_libraries(nodes_test PRIVATE farrier_estimator_service_core farrier_sim_bridge_app
   farrier_supervisor_core farrier_joint_node_core farrier_hide)
 
 farrier_test(participant_test unit
