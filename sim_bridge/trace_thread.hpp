@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "core/spsc_ring.hpp"
+#include "participant/wake_up.hpp"
 #include "record/trace.hpp"
 
 namespace farrier::sim_bridge {
@@ -19,8 +20,13 @@ class TraceThread {
 
   /// Control thread. A row is lost where the disk is behind by thousands of them.
   void push(const record::TraceRow& row) noexcept { static_cast<void>(rows_.push(row)); }
+  /// Any thread: lets what has come be written now.
+  void look() noexcept { looks_.post(); }
   /// Control thread: no more rows come.
-  void end() noexcept { ended_.store(true, std::memory_order_release); }
+  void end() noexcept {
+    ended_.store(true, std::memory_order_release);
+    look();
+  }
 
   /// Whether all rows before end() are in the file, or lost.
   bool finished() const noexcept { return finished_.load(std::memory_order_acquire); }
@@ -32,6 +38,7 @@ class TraceThread {
 
   record::TraceWriter writer_;
   SpscRing<record::TraceRow, 16384> rows_;
+  participant::WakeUp looks_;
   std::atomic<bool> ended_{false}, finished_{false}, refused_{false};
   std::thread thread_;
 };
