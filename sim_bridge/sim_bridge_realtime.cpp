@@ -59,7 +59,6 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   bool receive(SteadyTime now) override;
   void step(const participant::Wake& wake) noexcept override;
   void send() override;
-  void send_at_leisure() override;
   bool finished() const override { return ticks_ > 0 && tick_.load(std::memory_order_relaxed) >= ticks_; }
   Nanoseconds period() const override { return period_; }
   Trigger trigger() const override { return Trigger::kDeadline; }
@@ -208,13 +207,6 @@ void SimBridgeRealtime::send() {
     ports_.clock->publish({0, sensed});
   }
   sent_tick_.store(sending_tick, std::memory_order_release);
-}
-
-// While the joints compute their valves, the processor that will hear them has nothing else to do.
-void SimBridgeRealtime::send_at_leisure() {
-  if (trace_) {
-    trace_->look();
-  }
 }
 
 }  // namespace

@@ -9,8 +9,6 @@ namespace farrier::sim_bridge {
 
 using namespace std::chrono_literals;
 
-constexpr auto kLooks = 100ms;  // when nobody tells it to
-
 TraceThread::TraceThread(record::TraceWriter writer) : writer_(std::move(writer)), thread_([this] { run(); }) {}
 
 TraceThread::~TraceThread() {
@@ -27,7 +25,7 @@ void TraceThread::run() {
       writer_.write(row);
     }
     if (!ended) {
-      looks_.wait_until(std::chrono::steady_clock::now() + kLooks);
+      std::this_thread::sleep_for(5ms);
     }
   }
   refused_.store(!writer_.finish(), std::memory_order_relaxed);

@@ -4,7 +4,6 @@
 #include <thread>
 
 #include "core/spsc_ring.hpp"
-#include "participant/wake_up.hpp"
 #include "record/trace.hpp"
 
 namespace farrier::sim_bridge {
@@ -20,13 +19,8 @@ class TraceThread {
 
   /// Control thread. A row is lost where the disk is behind by thousands of them.
   void push(const record::TraceRow& row) noexcept { static_cast<void>(rows_.push(row)); }
-  /// Any thread: lets what has come be written now.
-  void look() noexcept { looks_.post(); }
   /// Control thread: no more rows come.
-  void end() noexcept {
-    ended_.store(true, std::memory_order_release);
-    look();
-  }
+  void end() noexcept { ended_.store(true, std::memory_order_release); }
 
   /// Whether all rows before end() are in the file, or lost.
   bool finished() const noexcept { return finished_.load(std::memory_order_acquire); }
@@ -38,7 +32,6 @@ class TraceThread {
 
   record::TraceWriter writer_;
   SpscRing<record::TraceRow, 16384> rows_;
-  participant::WakeUp looks_;
   std::atomic<bool> ended_{false}, finished_{false}, refused_{false};
   std::thread thread_;
 };
