@@ -101,7 +101,7 @@ try {
 
   trot.kill("SIGINT");
   await trot.ended;
-  await until(page, () => /say nothing/.test(document.querySelector("#alarm:not([hidden])")?.textContent), 30000);
+  await until(page, () => /say nothing/.test(document.querySelector("#alarm:not([hidden])")?.textContent), 10000);
   console.log("pass: says when the robot has gone");
   const [next, where] = await startTrot();
   trot = next;
