@@ -24,12 +24,6 @@ record::TraceRow row_of(Tick tick, std::uint16_t joint) {
   return row;
 }
 
-void wait_for_end(const TraceThread& trace) {
-  while (!trace.finished()) {
-    std::this_thread::sleep_for(1ms);
-  }
-}
-
 TEST(TraceThread, WritesEveryRowInTheirOrder) {
   const test::ScratchDirectory scratch;
   TraceThread trace(record::TraceWriter::create(scratch.file("trace.csv"), kJoints).value());
@@ -39,7 +33,9 @@ TEST(TraceThread, WritesEveryRowInTheirOrder) {
   }
   EXPECT_FALSE(trace.finished()) << "more may come";
   trace.end();
-  wait_for_end(trace);
+  while (!trace.finished()) {
+    std::this_thread::sleep_for(1ms);
+  }
   EXPECT_TRUE(trace.complete());
   const auto rows = record::read_trace(scratch.file("trace.csv"), kJoints);
   ASSERT_TRUE(rows.ok()) << rows.error().message;

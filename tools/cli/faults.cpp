@@ -158,7 +158,8 @@ int run_faults(FaultsOptions o) {
     return fail(written.error().message, kFailed);
   }
   if (!o.page_path.empty()) {
-    if (auto written = report::replace_file(o.page_path, faults::fault_page_markdown(cells, plans.size(), o.slow)); !written) {
+    const std::string page = faults::fault_page_markdown(cells, plans.size(), o.slow);
+    if (auto written = report::replace_file(o.page_path, page); !written) {
       return fail(written.error().message, kFailed);
     }
   }

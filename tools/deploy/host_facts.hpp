@@ -31,8 +31,8 @@ struct HostFacts {
   std::uint64_t memlock_limit = 0;     ///< RLIMIT_MEMLOCK, bytes; all ones: no limit
 };
 
-/// Asks the kernel. Whether a priority, locked memory and awake processors can be had is tried in a process of its own that ends at once;
-/// `priority` is the SCHED_FIFO priority that is tried.
+/// Asks the kernel. Whether a priority, locked memory and awake processors can be had is tried in a process of its own
+/// that ends at once; `priority` is the SCHED_FIFO priority that is tried.
 HostFacts this_host(int priority);
 
 /// "0-3,6" as /sys and cpusets write processors.

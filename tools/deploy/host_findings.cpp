@@ -59,11 +59,11 @@ Findings realtime_findings(const HostFacts& facts, int priority) {
                         "/etc/security/limits.d/farrier.conf and log in again; in a container grant CAP_IPC_LOCK"});
   }
   if (!facts.lacks_awake_processors.empty()) {
-    findings.push_back({"a process of this user cannot keep the processors from sleeping: " + facts.lacks_awake_processors +
-                            ": loops wake up late",
+    findings.push_back({"a process of this user cannot keep the processors from sleeping: " +
+                            facts.lacks_awake_processors + ": loops wake up late",
                         "the rendered farrier-*-awake.service does so: ask again as root to see what it will get; for "
-                        "processes started by hand put 'KERNEL==\"cpu_dma_latency\", GROUP=\"<group>\", MODE=\"0660\"' into "
-                        "/etc/udev/rules.d/60-farrier.rules and run udevadm control --reload && udevadm trigger"});
+                        "processes started by hand put 'KERNEL==\"cpu_dma_latency\", GROUP=\"<group>\", MODE=\"0660\"' "
+                        "into /etc/udev/rules.d/60-farrier.rules and run udevadm control --reload && udevadm trigger"});
   }
   if (!facts.realtime_kernel) {
     findings.push_back({"kernel " + facts.kernel + " is not built with PREEMPT_RT: now and then a loop of 1 kHz wakes "

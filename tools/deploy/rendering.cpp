@@ -9,16 +9,13 @@
 namespace farrier::deploy {
 namespace {
 
-// A process is no user and needs nothing of the system but its network: what a break-in could reach is taken away.
-// Real-time priorities come from LimitRTPRIO, so that no capability is needed.
-constexpr const char* kHardening = R"(DynamicUser=yes
-NoNewPrivileges=yes
+// What a break-in could reach is taken away. Real-time priorities come from LimitRTPRIO, so that no capability is needed.
+constexpr const char* kHardening = R"(NoNewPrivileges=yes
 CapabilityBoundingSet=
 AmbientCapabilities=
 ProtectSystem=strict
 ProtectHome=yes
 PrivateTmp=yes
-PrivateDevices=yes
 ProtectClock=yes
 ProtectControlGroups=yes
 ProtectHostname=yes
@@ -26,7 +23,6 @@ ProtectKernelLogs=yes
 ProtectKernelModules=yes
 ProtectKernelTunables=yes
 ProtectProc=invisible
-RestrictAddressFamilies=AF_INET AF_NETLINK AF_UNIX
 RestrictNamespaces=yes
 RestrictSUIDSGID=yes
 LockPersonality=yes
@@ -36,14 +32,11 @@ SystemCallFilter=@system-service
 UMask=0077
 )";
 
-/// Of the unit that is no process of the robot.
-constexpr const char* kAwake = "awake";
-
-bool on_realtime_clock(const std::vector<DeployedProcess>& processes) {
-  return std::ranges::any_of(processes, [](const DeployedProcess& process) {
-    return process.options.clock == bus::ClockKind::kRealtime;
-  });
-}
+// A process is no user and needs nothing of the system but its network.
+constexpr const char* kOfAProcess = R"(DynamicUser=yes
+PrivateDevices=yes
+RestrictAddressFamilies=AF_INET AF_NETLINK AF_UNIX
+)";
 
 /// A word of ExecStart=, systemd.service(5): specifiers and variables are doubled, the rest is quoted.
 std::string unit_word(const std::string& word) {
@@ -99,44 +92,31 @@ std::string unit_text(const robot::Robot& robot, const std::string& host, const 
     text += "LimitMEMLOCK=infinity\n";
   }
   text += "MemoryMax=" + std::to_string(process.section.memory_max_MB) + "M\nOOMScoreAdjust=-500\n\n";
-  return text + kHardening + "\n[Install]\nWantedBy=" + target_of(robot) + "\n";
+  return text + kOfAProcess + kHardening + "\n[Install]\nWantedBy=" + target_of(robot) + "\n";
 }
 
 // The units of processes hide devices from them; this one is root for one file, with no right beside it.
 std::string awake_text(const robot::Robot& robot, const std::string& host) {
-  return heading(robot, host) + "[Unit]\nDescription=Farrier " + robot.name + ": processors that do not sleep\nPartOf=" +
-         target_of(robot) + R"(
+  return heading(robot, host) + "[Unit]\nDescription=Farrier " + robot.name +
+         ": processors that do not sleep\nPartOf=" + target_of(robot) + R"(
 
 [Service]
 Type=exec
 # The kernel holds to it while the file is open.
 ExecStart=/bin/sh -c 'exec 3>/dev/cpu_dma_latency && echo 0 >&3 && exec sleep infinity'
 Restart=on-failure
-NoNewPrivileges=yes
-CapabilityBoundingSet=
-ProtectSystem=strict
-ProtectHome=yes
-PrivateTmp=yes
+
 PrivateNetwork=yes
 DevicePolicy=closed
 DeviceAllow=/dev/cpu_dma_latency rw
-ProtectKernelModules=yes
 RestrictAddressFamilies=none
-RestrictNamespaces=yes
-LockPersonality=yes
-MemoryDenyWriteExecute=yes
-SystemCallArchitectures=native
-SystemCallFilter=@system-service
-
-[Install]
-WantedBy=)" + target_of(robot) + "\n";
+)" + kHardening + "\n[Install]\nWantedBy=" + target_of(robot) + "\n";
 }
 
-std::string target_text(const robot::Robot& robot, const std::string& host,
-                        const std::vector<DeployedProcess>& processes) {
-  const auto unit = [&](const DeployedProcess& process) { return unit_of(robot, process.options.name); };
+std::string target_text(const robot::Robot& robot, const std::string& host, const std::vector<RenderedFile>& units) {
+  const auto name = [](const RenderedFile& unit) { return unit.name; };
   return heading(robot, host) + "[Unit]\nDescription=Farrier " + robot.name + " on " + host + "\nWants=" +
-         joined(processes, unit) + (on_realtime_clock(processes) ? " " + unit_of(robot, kAwake) : "") + "\n\n[Install]\nWantedBy=multi-user.target\n";
+         joined(units, name) + "\n\n[Install]\nWantedBy=multi-user.target\n";
 }
 
 std::string network_text(const robot::Robot& robot, const std::string& host) {
@@ -166,10 +146,13 @@ Result<std::vector<RenderedFile>> render_host(const robot::Robot& robot, const s
   for (const DeployedProcess& process : processes.value()) {
     files.push_back({unit_of(robot, process.options.name), unit_text(robot, host, places, process)});
   }
-  if (on_realtime_clock(processes.value())) {
-    files.push_back({unit_of(robot, kAwake), awake_text(robot, host)});
+  const auto on_realtime_clock = [](const DeployedProcess& process) {
+    return process.options.clock == bus::ClockKind::kRealtime;
+  };
+  if (std::ranges::any_of(processes.value(), on_realtime_clock)) {
+    files.push_back({unit_of(robot, "awake"), awake_text(robot, host)});
   }
-  files.push_back({target_of(robot), target_text(robot, host, processes.value())});
+  files.push_back({target_of(robot), target_text(robot, host, files)});
   files.push_back({"60-farrier-" + robot.name + ".conf", network_text(robot, host)});
   files.push_back({std::filesystem::path(places.robot_file(robot)).filename().string(), robot_text});
   return files;

@@ -10,8 +10,8 @@ namespace farrier::faults {
 /// The longest that a check took over cells of a row, by its words; with the bound it has.
 std::vector<Check> worst_checks(const std::vector<Cell>& cells, const std::string& row);
 
-/// docs/faults.md: every row with what happened in its cells, and the cells that did not hold. The clock went slower than
-/// the machine's by the factor `slow`.
+/// docs/faults.md: every row with what happened in its cells, and the cells that did not hold. The clock went slower
+/// than the machine's by the factor `slow`.
 std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t planned, int slow);
 
 /// What a cell that does not hold lacks, in a line.
