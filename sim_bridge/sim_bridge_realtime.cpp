@@ -30,6 +30,7 @@ struct ReceivedValve {
 struct Mailbox {
   LatestValue<ReceivedValve> valve;
   SpscRing<signals::JointSensors, 16> sensors;
+  SpscRing<record::TraceRow, 64> rows;
   participant::Arrival arrival;  ///< bus thread
   ReceivedValve last_valve;  ///< control thread
   record::TraceRow row;      ///< control thread: the newest, until the reference that answers it is there
@@ -59,6 +60,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   bool receive(SteadyTime now) override;
   void step(const participant::Wake& wake) noexcept override;
   void send() override;
+  void send_at_leisure() override;
   bool finished() const override { return ticks_ > 0 && tick_.load(std::memory_order_relaxed) >= ticks_; }
   Nanoseconds period() const override { return period_; }
   Trigger trigger() const override { return Trigger::kDeadline; }
@@ -67,6 +69,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
  private:
   void fetch_valve(Mailbox& mail) noexcept;
   void apply_valve(std::size_t index, SteadyTime now) noexcept;
+  bool trace_complete() const;
   void tell_silences();
   void report(bool final_report);
 
@@ -83,8 +86,9 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   SteadyTime next_health_{};
   std::atomic<Tick> tick_{0};
   std::atomic<Tick> sensed_tick_{kNoTick};  ///< newest whose sensors are on their way
+  Tick sending_tick_ = 0;                   ///< sender thread: all before this tick is in its hands
   Tick told_tick_ = kNoTick;                ///< sender thread: newest that the clock has told
-  std::atomic<Tick> sent_tick_{kNoTick};  ///< all before this tick is sent
+  std::atomic<Tick> sent_tick_{kNoTick};    ///< all before this tick is sent, and the trace's in its thread's hands
   bool reported_final_ = false;
   std::optional<TraceThread> trace_;
 };
@@ -110,7 +114,7 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
   if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && (!trace_ || trace_->finished()) &&
       !reported_final_) {
     reported_final_ = true;
-    if (trace_ && !trace_->complete()) {
+    if (trace_ && !trace_complete()) {
       participant_.event(participant::EventKind::kTraceIncomplete, ticks_, 0xffff);
     }
     report(true);
@@ -119,6 +123,11 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
     report(false);
   }
   return true;
+}
+
+bool SimBridgeRealtime::trace_complete() const {
+  return trace_->complete() &&
+         std::ranges::all_of(mail_, [](const Mailbox& mail) { return mail.rows.dropped() == 0; });
 }
 
 void SimBridgeRealtime::tell_silences() {
@@ -143,7 +152,7 @@ void SimBridgeRealtime::fetch_valve(Mailbox& mail) noexcept {
   mail.valve.fetch(mail.last_valve);
   if (trace_ && mail.row.tick != kNoTick) {
     mail.row.force_reference_N_or_Nm = mail.last_valve.command.force_reference_N_or_Nm;
-    trace_->push(mail.row);
+    mail.rows.push(mail.row);
   }
 }
 
@@ -174,9 +183,6 @@ void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
     world_.advance(valve_current_A_);  // not after sensing: the sender thread, on the same processor, would wait for it
     if (world_.tick() == ticks_) {
       std::ranges::for_each(mail_, [this](Mailbox& mail) { fetch_valve(mail); });  // completes the last rows
-      if (trace_) {
-        trace_->end();
-      }
     }
     tick_.store(world_.tick(), std::memory_order_release);
     if (finished()) {
@@ -194,7 +200,7 @@ void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
 }
 
 void SimBridgeRealtime::send() {
-  const Tick sending_tick = tick_.load(std::memory_order_acquire);
+  sending_tick_ = tick_.load(std::memory_order_acquire);
   const Tick sensed = sensed_tick_.load(std::memory_order_acquire);
   for (Mailbox& mail : mail_) {
     for (signals::JointSensors sensors; mail.sensors.pop(sensors);) {
@@ -206,7 +212,22 @@ void SimBridgeRealtime::send() {
     told_tick_ = sensed;
     ports_.clock->publish({0, sensed});
   }
-  sent_tick_.store(sending_tick, std::memory_order_release);
+}
+
+void SimBridgeRealtime::send_at_leisure() {
+  for (bool any = true; any && trace_;) {
+    any = false;
+    for (Mailbox& mail : mail_) {
+      if (record::TraceRow row; mail.rows.pop(row)) {
+        trace_->write(row);
+        any = true;
+      }
+    }
+  }
+  if (ticks_ > 0 && sending_tick_ >= ticks_ && trace_) {
+    trace_->end();
+  }
+  sent_tick_.store(sending_tick_, std::memory_order_release);
 }
 
 }  // namespace

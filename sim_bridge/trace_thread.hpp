@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <thread>
 
@@ -8,7 +9,8 @@
 
 namespace farrier::sim_bridge {
 
-/// Writes a trace on a thread of its own, without priority: a disk may take its time, on which nothing else waits.
+/// Gives a trace to the disk on a thread of its own, without priority: a disk may take its time, on which nothing else
+/// waits.
 class TraceThread {
  public:
   explicit TraceThread(record::TraceWriter writer);
@@ -17,21 +19,29 @@ class TraceThread {
   TraceThread(const TraceThread&) = delete;
   TraceThread& operator=(const TraceThread&) = delete;
 
-  /// Control thread. A row is lost where the disk is behind by thousands of them.
-  void push(const record::TraceRow& row) noexcept { static_cast<void>(rows_.push(row)); }
-  /// Control thread: no more rows come.
-  void end() noexcept { ended_.store(true, std::memory_order_release); }
+  /// One thread. Rows are lost where the disk is behind by kBlocks: a second and a half of twelve joints at 1 kHz.
+  void write(const record::TraceRow& row) noexcept;
+  /// The same thread: no more rows come.
+  void end() noexcept;
 
   /// Whether all rows before end() are in the file, or lost.
   bool finished() const noexcept { return finished_.load(std::memory_order_acquire); }
   /// Whether none was lost; of a trace that is finished.
-  bool complete() const noexcept { return rows_.dropped() == 0 && !refused_.load(std::memory_order_relaxed); }
+  bool complete() const noexcept { return blocks_.dropped() == 0 && !refused_.load(std::memory_order_relaxed); }
 
  private:
+  struct Block {
+    std::size_t size = 0;
+    std::array<char, 4096 - sizeof size> lines;
+  };
+  static constexpr std::size_t kBlocks = 1024;
+
+  void hand_over() noexcept;
   void run();
 
   record::TraceWriter writer_;
-  SpscRing<record::TraceRow, 16384> rows_;
+  Block filling_;  ///< of the thread that calls write()
+  SpscRing<Block, kBlocks> blocks_;
   std::atomic<bool> ended_{false}, finished_{false}, refused_{false};
   std::thread thread_;
 };

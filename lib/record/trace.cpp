@@ -46,9 +46,8 @@ Result<TraceWriter> TraceWriter::create(const std::string& path, std::vector<std
   return writer;
 }
 
-void TraceWriter::write(const TraceRow& row) {
-  char line[512];
-  char* const end = line + sizeof line - 2;
+char* TraceWriter::format(const TraceRow& row, char* line) const noexcept {
+  char* const end = line + kLongestLine - 2;
   char* at = std::to_chars(line, end, row.tick).ptr;
   *at++ = ',';
   const std::string& name = joint_names_[row.joint];
@@ -62,8 +61,15 @@ void TraceWriter::write(const TraceRow& row) {
     }
   });
   *at++ = '\n';
-  std::fwrite(line, 1, static_cast<std::size_t>(at - line), file_.get());
+  return at;
 }
+
+void TraceWriter::write(const TraceRow& row) {
+  char line[kLongestLine];
+  write_lines({line, format(row, line)});
+}
+
+void TraceWriter::write_lines(std::string_view lines) { std::fwrite(lines.data(), 1, lines.size(), file_.get()); }
 
 bool TraceWriter::finish() { return std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0; }
 

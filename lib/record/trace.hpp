@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/result.hpp"
@@ -35,10 +36,17 @@ struct TraceRow {
 /// Writes a trace as CSV with a header line; numbers in their shortest exact form (C++17 to_chars).
 class TraceWriter {
  public:
+  static constexpr std::size_t kLongestLine = 512;
+
   /// Refuses a path that cannot be written.
   static Result<TraceWriter> create(const std::string& path, std::vector<std::string> joint_names);
 
   void write(const TraceRow& row);
+
+  /// What write() gives the file, at most kLongestLine characters, put at `line`; returns its end. A thread may do this
+  /// while another is in write_lines().
+  char* format(const TraceRow& row, char* line) const noexcept;
+  void write_lines(std::string_view lines);
 
   /// Flushes; false when the disk did not take everything.
   [[nodiscard]] bool finish();

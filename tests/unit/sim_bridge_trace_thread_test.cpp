@@ -28,8 +28,8 @@ TEST(TraceThread, WritesEveryRowInTheirOrder) {
   const test::ScratchDirectory scratch;
   TraceThread trace(record::TraceWriter::create(scratch.file("trace.csv"), kJoints).value());
   for (Tick tick = 0; tick < 100; ++tick) {
-    trace.push(row_of(tick, 0));
-    trace.push(row_of(tick, 1));
+    trace.write(row_of(tick, 0));
+    trace.write(row_of(tick, 1));
   }
   EXPECT_FALSE(trace.finished()) << "more may come";
   trace.end();
@@ -55,7 +55,7 @@ TEST(TraceThread, LosesRowsRatherThanWaitForADisk) {
   ASSERT_GE(reader, 0);
   TraceThread trace(record::TraceWriter::create(path, kJoints).value());
   for (Tick tick = 0; tick < 100000; ++tick) {
-    trace.push(row_of(tick, 0));
+    trace.write(row_of(tick, 0));
   }
   trace.end();
   for (std::array<char, 4096> read_away; !trace.finished();) {
