@@ -8,6 +8,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "buses.hpp"
@@ -120,6 +121,7 @@ class Conformance : public testing::TestWithParam<Pair> {
     if (wait_until(reader_bus(), kMatchBudget, [&] {
           return publisher.matched_readers() >= readers && subscription.status().matched_writers >= 1;
         })) {
+      await_first_heartbeat();
       return testing::AssertionSuccess();
     }
     return testing::AssertionFailure() << "writer knows " << publisher.matched_readers() << " of " << readers
@@ -148,6 +150,14 @@ class Conformance : public testing::TestWithParam<Pair> {
   }
 
  private:
+  /// Cyclone DDS 0.10 takes what the first heartbeat of Fast DDS tells of, and has not come, for older than its reader. It
+  /// asks for that heartbeat a few milliseconds after both know of each other.
+  void await_first_heartbeat() const {
+    if (GetParam().writer == bus::Vendor::kFast && GetParam().reader == bus::Vendor::kCyclone) {
+      std::this_thread::sleep_for(50ms);
+    }
+  }
+
   /// Names of partitions within this test's; without any, the robot's own.
   std::vector<std::string> in_robot(std::vector<std::string> partitions) const {
     for (std::string& partition : partitions) {
