@@ -139,7 +139,9 @@ void JointNode::assess(const Inputs& inputs) noexcept {
   const bool command_good = finite(inputs.command);
   const bool had_command = inputs.command.tick != kNoTick;
   faults_.set(Fault::kCommandStale, !command_good || !(inputs.command_age_s <= safety_.command_damping_s));
-  if (armed && had_command && !(inputs.command_age_s <= safety_.command_trip_s) && !faults_.has(Fault::kTripped)) {
+  // Who stood still for so long obeyed no command meanwhile, whichever have come since.
+  const bool obeyed = inputs.command_age_s <= safety_.command_trip_s && inputs.since_last_step_s <= safety_.command_trip_s;
+  if (armed && had_command && !obeyed && !faults_.has(Fault::kTripped)) {
     faults_.set(Fault::kTripped);
     tripped_epoch_ = mode_.epoch;
   }

@@ -61,6 +61,7 @@ class JointNode {
     double sensors_age_s = 0;         ///< since it was received; infinite when there was none
     signals::JointCommand command;    ///< the newest there is
     double command_age_s = 0;         ///< since it was received; infinite when there was none
+    double since_last_step_s = 0;     ///< 0 for the first
   };
   struct Outputs {
     signals::JointValveCommand valve;

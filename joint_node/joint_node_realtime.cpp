@@ -92,6 +92,7 @@ class JointNodeRealtime final : public participant::RealtimeApplication {
   participant::Silence supervisor_{kSupervisorSilence, participant::EventKind::kSupervisorSilent,
                                    participant::EventKind::kSupervisorHeard};  ///< bus thread
   std::vector<Measured> measured_;  ///< sender thread
+  SteadyTime last_step_{};          ///< control thread
   std::atomic<std::uint64_t> periods_{0};
   std::atomic<std::uint64_t> missed_{0};
   std::atomic<Tick> last_tick_{kNoTick};
@@ -205,11 +206,13 @@ void JointNodeRealtime::step(const participant::Wake& wake) noexcept {
     inputs.sensors_age_s = age_s(mail.last_sensors.received, wake.now);
     inputs.command = mail.last_command.signal;
     inputs.command_age_s = age_s(mail.last_command.received, wake.now);
+    inputs.since_last_step_s = last_step_ == SteadyTime{} ? 0.0 : age_s(last_step_, wake.now);
     const JointNode::Outputs outputs = node.step(inputs);
     mail.outputs.push(outputs);
     mail.answered.store(outputs.valve);
     last_tick_.store(inputs.tick, std::memory_order_relaxed);
   }
+  last_step_ = wake.now;
 }
 
 void JointNodeRealtime::send() {

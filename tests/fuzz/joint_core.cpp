@@ -129,6 +129,7 @@ class Bench {
     command.stiffness_Nm_rad = input.number(1e3);
     command.damping_Nms_rad = input.number(50);
     inputs_.command_age_s = input.byte() % 8 == 0 ? input.number(0.1) : 0.0;
+    inputs_.since_last_step_s = input.byte() % 64 == 0 ? input.number(0.1) : 0.001;
   }
 
   void sensors(Input& input) {

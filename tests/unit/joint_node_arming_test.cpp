@@ -97,6 +97,15 @@ TEST(JointNode, TripsWhenTheCommandIsOlderThanFiftyMilliseconds) {
   expect_null(bench.step(), Fault::kTripped);
 }
 
+TEST(JointNode, TripsWhenItStoodStillForFiftyMillisecondsThoughCommandsHaveComeSince) {
+  Bench bench = Bench::tracking();
+  bench.step();
+  bench.inputs.since_last_step_s = 0.050;
+  EXPECT_EQ(bench.state(), JointState::kTracking);
+  bench.inputs.since_last_step_s = 0.0501;
+  expect_null(bench.step(), Fault::kTripped);
+}
+
 TEST(JointNode, StaysTrippedWhenTheCommandComesBack) {
   Bench bench = Bench::tracking();
   bench.inputs.command_age_s = 0.060;

@@ -165,7 +165,7 @@ const std::vector<Row>& rows() {
        {{kJointNode, SIGSTOP, 0.0}, {kJointNode, SIGCONT, 0.03}},
        spool_to_null(kAfterStop_s)},
       {"joint_node_stopped_long", "joint_node of a leg stands still for 0.1 s (SIGSTOP).",
-       "sim_bridge puts its three spools to null; its joints, whose last commands are older than 50 ms when it goes "
+       "sim_bridge puts its three spools to null; its joints, which obeyed no command for more than 50 ms when it goes "
        "on, trip: null until an operator arms them again.",
        Hit::kLeg, nullptr, {}, 0.1, {{kJointNode, SIGSTOP, 0.0}, {kJointNode, SIGCONT, 0.1}},
        {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
