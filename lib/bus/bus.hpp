@@ -26,6 +26,7 @@ struct EndpointSpec {
   Qos qos;
   std::vector<std::string> partitions;  ///< exact names; a writer and a reader meet when they share one
   int ownership_strength = 0;           ///< writers of EXCLUSIVE topics; the higher wins
+  bool wakes = true;                    ///< of a reader: its samples are arrivals, for which a thread may wait
 };
 
 /// What an endpoint has seen since it was created.
@@ -88,6 +89,9 @@ class Bus {
  protected:
   Bus() = default;
   explicit Bus(std::shared_ptr<Notifier> notifier) : notifier_(std::move(notifier)) {}
+
+  /// What counts the arrivals of a reader; null where nothing does.
+  std::shared_ptr<Notifier> notifier_of(const EndpointSpec& reader) const { return reader.wakes ? notifier_ : nullptr; }
 
   std::shared_ptr<Notifier> notifier_ = std::make_shared<Notifier>();
 };

@@ -103,7 +103,7 @@ class CycloneBus final : public bus::Bus {
       return refused("the partitions of a reader", subscriber);
     }
     const QosPtr qos = endpoint_qos(endpoint);
-    auto reader = make_reader(endpoint.topic, subscriber, topic, *qos, notifier_);
+    auto reader = make_reader(endpoint.topic, subscriber, topic, *qos, notifier_of(endpoint));
     if (!reader) {
       return Error{reader.error().message + refusals_};
     }

@@ -70,7 +70,9 @@ class CycloneReader final : public bus::RawReader {
 
   dds_return_t open(dds_entity_t subscriber, dds_entity_t topic, const dds_qos_t& qos) {
     dds_listener_t* listener = dds_create_listener(&events_);
-    dds_lset_data_available(listener, on_data_available);
+    if (events_.notifier) {
+      dds_lset_data_available(listener, on_data_available);
+    }
     dds_lset_liveliness_changed(listener, on_liveliness_changed);
     reader_ = dds_create_reader(subscriber, topic, &qos, listener);
     dds_delete_listener(listener);

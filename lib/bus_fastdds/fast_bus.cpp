@@ -26,7 +26,7 @@ class FastBus final : public bus::Bus {
     if (auto error = bus::endpoint_error(endpoint)) {
       return *error;
     }
-    return make_reader(session_, endpoint, notifier_);
+    return make_reader(session_, endpoint, notifier_of(endpoint));
   }
 
  private:

@@ -79,7 +79,7 @@ class FastReader final : public bus::RawReader {
   }
 
   bool open(dds::Topic* topic, const dds::DataReaderQos& qos) {
-    reader_ = subscriber_->create_datareader(topic, qos, &events_, ReaderEvents::mask());
+    reader_ = subscriber_->create_datareader(topic, qos, &events_, events_.mask());
     return reader_ != nullptr;
   }
 

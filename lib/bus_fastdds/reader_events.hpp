@@ -17,12 +17,13 @@ class ReaderEvents final : public dds::DataReaderListener {
  public:
   explicit ReaderEvents(std::shared_ptr<bus::Notifier> notifier) : notifier_(std::move(notifier)) {}
 
-  static dds::StatusMask mask() {
-    return dds::StatusMask::data_available() << dds::StatusMask::sample_lost()
-                                             << dds::StatusMask::requested_deadline_missed()
-                                             << dds::StatusMask::liveliness_changed()
-                                             << dds::StatusMask::requested_incompatible_qos()
-                                             << dds::StatusMask::subscription_matched();
+  /// Without data_available where nobody waits for samples.
+  dds::StatusMask mask() const {
+    const dds::StatusMask always = dds::StatusMask::sample_lost() << dds::StatusMask::requested_deadline_missed()
+                                                                  << dds::StatusMask::liveliness_changed()
+                                                                  << dds::StatusMask::requested_incompatible_qos()
+                                                                  << dds::StatusMask::subscription_matched();
+    return notifier_ ? dds::StatusMask(always) << dds::StatusMask::data_available() : always;
   }
 
   /// Bracket the removal of one sample, which may find none.

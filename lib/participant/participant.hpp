@@ -3,6 +3,7 @@
 // How a process takes part in a run: it opens its ports, greets the others until every route has carried a sample,
 // then reports ticks done, health and events.
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -52,10 +53,15 @@ class Participant {
   static Result<std::unique_ptr<Participant>> join(bus::Bus& bus, Identity identity);
 
   /// Opens a receiving port and expects each of `keys` to be heard on it before the run starts. `legs`: by key, names for
-  /// topics routed by leg, of which samples of other keys are left out; empty otherwise.
+  /// topics routed by leg, of which samples of other keys are left out; empty otherwise. `at_leisure`: where not 0, the
+  /// port's samples wake nobody, and as many of a key are kept, if that is more than the topic's depth.
   template <class Signal>
-  Result<In<Signal>*> subscribe(std::vector<std::uint16_t> keys, const std::vector<std::string>& legs = {}) {
-    auto made = bus::Subscription<Signal>::create(bus_, endpoint_of(identity_, bus::TopicOf<Signal>::id, legs));
+  Result<In<Signal>*> subscribe(std::vector<std::uint16_t> keys, const std::vector<std::string>& legs = {},
+                                int at_leisure = 0) {
+    bus::EndpointSpec endpoint = endpoint_of(identity_, bus::TopicOf<Signal>::id, legs);
+    endpoint.wakes = at_leisure == 0;
+    endpoint.qos.history_depth = std::max(endpoint.qos.history_depth, at_leisure);
+    auto made = bus::Subscription<Signal>::create(bus_, endpoint);
     if (!made) {
       return made.error();
     }

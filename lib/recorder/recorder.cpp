@@ -77,10 +77,17 @@ class JournalTap final : public Tap {
   JournalStreams streams_;
 };
 
+/// Of a reader that is looked at now and then: what comes wakes nobody.
+bus::EndpointSpec leisurely_endpoint(const robot::Robot& robot, bus::TopicId topic, int depth) {
+  bus::EndpointSpec endpoint = watching_endpoint(robot, topic, depth);
+  endpoint.wakes = false;
+  return endpoint;
+}
+
 template <class Signal>
 Result<std::unique_ptr<Tap>> watch(bus::Bus& bus, const robot::Robot& robot) {
   using Heard = bus::Subscription<Signal>;
-  auto heard = Heard::create(bus, watching_endpoint(robot, bus::TopicOf<Signal>::id, kDepth));
+  auto heard = Heard::create(bus, leisurely_endpoint(robot, bus::TopicOf<Signal>::id, kDepth));
   if (!heard) {
     return heard.error();
   }
@@ -120,7 +127,8 @@ Result<std::unique_ptr<Tap>> take_part(participant::Participant& participant, co
   } else {
     const bool by_leg = bus::spec(bus::TopicOf<Signal>::id).route == bus::Route::kLeg;
     auto in = participant.subscribe<Signal>(keys_of<Signal>(robot, participant.identity()),
-                                            by_leg ? robot::legs_of_joints(robot) : std::vector<std::string>{});
+                                            by_leg ? robot::legs_of_joints(robot) : std::vector<std::string>{},
+                                            kDepth);
     if (!in) {
       return in.error();
     }
@@ -184,7 +192,7 @@ Result<Recorder> Recorder::of_journals(bus::Bus& bus, const robot::Robot& robot)
   }
   auto recorder = create(bus, robot, others);
   auto journals = bus::Subscription<signals::SystemJournal>::create(
-      bus, watching_endpoint(robot, bus::TopicId::kSystemJournal, kJournalDepth));
+      bus, leisurely_endpoint(robot, bus::TopicId::kSystemJournal, kJournalDepth));
   if (!recorder || !journals) {
     return recorder ? journals.error() : recorder.error();
   }
@@ -204,7 +212,8 @@ Result<Recorder> Recorder::of_journals(participant::Participant& participant, co
     }
     taps.push_back(std::move(tap).value());
   }
-  auto journals = participant.subscribe<signals::SystemJournal>(journalled_streams(participant.identity()));
+  auto journals = participant.subscribe<signals::SystemJournal>(journalled_streams(participant.identity()), {},
+                                                                  kJournalDepth);
   if (!journals) {
     return journals.error();
   }

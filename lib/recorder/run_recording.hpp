@@ -19,7 +19,7 @@ class RunRecording {
                                                       const robot::Robot& robot,
                                                       participant::Participant& participant);
 
-  /// Takes what has come: at least once a tick, or samples are overwritten, which finish() says.
+  /// Takes what has come: at least once in two hundred ticks, or samples are overwritten, which finish() says.
   void poll();
 
   /// Whether this many ticks are complete: what every joint measured and was told.

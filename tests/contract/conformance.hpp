@@ -107,9 +107,11 @@ class Conformance : public testing::TestWithParam<Pair> {
   }
 
   template <class Signal>
-  bus::Subscription<Signal> subscription(const bus::Qos& qos, std::vector<std::string> partitions = {}) {
-    auto created = bus::Subscription<Signal>::create(
-        reader_bus(), {bus::TopicOf<Signal>::id, qos, in_robot(std::move(partitions))});
+  bus::Subscription<Signal> subscription(const bus::Qos& qos, std::vector<std::string> partitions = {},
+                                         bool wakes = true) {
+    bus::EndpointSpec endpoint{bus::TopicOf<Signal>::id, qos, in_robot(std::move(partitions))};
+    endpoint.wakes = wakes;
+    auto created = bus::Subscription<Signal>::create(reader_bus(), endpoint);
     FARRIER_ENSURE(created.ok(), created.error().message.c_str());
     return std::move(created).value();
   }

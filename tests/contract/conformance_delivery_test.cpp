@@ -175,6 +175,19 @@ TEST_P(Conformance, ArrivalsCountEverySampleOnceUntilItIsTaken) {
   EXPECT_EQ(taken(reader).size(), kSamples);
 }
 
+TEST_P(Conformance, NoArrivalsAreCountedOfAReaderThatWakesNobody) {
+  constexpr Tick kSamples = 50;
+  auto writer = publisher<ClockTickDone>(reliable(kSamples));
+  auto reader = subscription<ClockTickDone>(reliable(kSamples), {}, false);
+  ASSERT_TRUE(matched(writer, reader));
+  const std::uint64_t before = reader_bus().arrivals();
+  for (Tick tick = 0; tick < kSamples; ++tick) {
+    ASSERT_TRUE(writer.publish({.tick = tick}));
+  }
+  EXPECT_EQ(receive(reader, kSamples).size(), static_cast<std::size_t>(kSamples));
+  EXPECT_EQ(reader_bus().arrivals(), before);
+}
+
 TEST_P(Conformance, SampleCanBeTakenOnceItsArrivalIsCounted) {
   auto writer = publisher<ClockTickDone>(reliable(4));
   auto reader = subscription<ClockTickDone>(reliable(4));

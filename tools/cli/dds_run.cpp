@@ -25,6 +25,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kHousekeeping = 20ms;
+constexpr Tick kRecordedTogether = 16;  // ticks that lie with the bus before they are recorded, of 256 that may
 /// After everybody else has ended: for samples that are still on their way to the recording.
 constexpr auto kLastSamples = 2s;
 
@@ -101,10 +102,12 @@ Result<double> attend(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildPro
   SteadyTime first_tick{};
   SteadyTime moved = steady_now();
   Tick last = 0;
+  Tick next_recorded = 0;
   for (;;) {
     const std::uint64_t before = seat.bus->arrivals();
     seat.listener->poll(steady_now());
-    if (seat.recording) {
+    if (seat.recording && (!seat.participant->has_started() || seat.listener->tick() >= next_recorded)) {
+      next_recorded = seat.listener->tick() + kRecordedTogether;
       seat.recording->poll();  // the others need not wait for it
     }
     clock.heard(seat.listener->tick(), steady_now());
@@ -134,6 +137,9 @@ Result<double> attend(Seat& seat, lab::RunMonitor& monitor, std::vector<ChildPro
         return Error{seat.participant->refusal()};
       }
       monitor.poll(clock.at(steady_now()));
+      if (seat.recording) {
+        seat.recording->poll();
+      }
       const bool over = !realtime ? monitor.all_final()
                                   : monitor.healths()[participant::kSimBridge].final_report != 0 ||
                                         (!has(children, outcome.members[participant::kSimBridge].name) &&

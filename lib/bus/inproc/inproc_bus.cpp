@@ -106,7 +106,7 @@ class InprocBus final : public Bus {
     if (auto error = endpoint_error(endpoint)) {
       return *error;
     }
-    return std::unique_ptr<RawReader>(std::make_unique<InprocReader>(domain_, endpoint, notifier_));
+    return std::unique_ptr<RawReader>(std::make_unique<InprocReader>(domain_, endpoint, notifier_of(endpoint)));
   }
 
  private:

@@ -36,7 +36,7 @@ struct KeyState {
 
 struct ReaderState {
   EndpointSpec endpoint;
-  std::shared_ptr<Notifier> notifier;
+  std::shared_ptr<Notifier> notifier;  ///< null: nobody waits for samples
   KeyHistory history;
   std::vector<KeyState> keys{};         ///< by the history's number of the key
   std::vector<WriterState*> writers{};  ///< matched
@@ -198,7 +198,9 @@ inline void InprocState::deliver(const WriterState& writer, ReaderState& reader,
     key.due_from = now;
   }
   overwritten += reader.history.push(index, signal) ? 1 : 0;
-  reader.notifier->arrived();
+  if (reader.notifier) {
+    reader.notifier->arrived();
+  }
 }
 
 inline void InprocState::refresh(ReaderState& reader, SteadyTime now) {
