@@ -99,7 +99,8 @@ class Participant {
       if (!journal) {
         return journal.error();
       }
-      port->keep_journal(std::make_unique<StreamJournal>(std::move(journal).value(), identity_.number, topic));
+      port->keep_journal(std::make_unique<StreamJournal>(std::move(journal).value(), identity_.number, topic,
+                                                         identity_.clock));
     }
     Out<Signal>* raw = port.get();
     ports_.push_back(std::move(port));

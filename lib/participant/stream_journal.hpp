@@ -14,8 +14,9 @@ namespace farrier::participant {
 /// less. Used by the thread that publishes on the port.
 class StreamJournal {
  public:
-  StreamJournal(bus::Publisher<signals::SystemJournal> publisher, std::uint16_t participant, bus::TopicId topic)
-      : publisher_(std::move(publisher)) {
+  StreamJournal(bus::Publisher<signals::SystemJournal> publisher, std::uint16_t participant, bus::TopicId topic,
+                bus::ClockKind clock)
+      : publisher_(std::move(publisher)), most_ticks_(clock == bus::ClockKind::kLockstep ? 256 : 16) {
     journal_.stream = signals::stream_of(participant, static_cast<std::uint8_t>(topic));
     journal_.contract = bus::contract_hash();
   }
@@ -46,14 +47,16 @@ class StreamJournal {
     if (!signals::has_room<Signal>(journal_)) {
       send();
     }
-    const std::uint64_t now_ns = date_now_ns();
+    if (journal_.samples == 0 || signal.tick != journal_.tick) {
+      newest_ns_ = date_now_ns();  // a tick's samples come together
+    }
     if (journal_.samples == 0) {
-      first_ns_ = now_ns;
+      first_ns_ = newest_ns_;
       first_tick_ = signal.tick;
     }
-    signals::append(journal_, signal, after_first(now_ns));
+    signals::append(journal_, signal, after_first(newest_ns_));
     journal_.tick = signal.tick;
-    const bool many_ticks = signal.tick < first_tick_ || ticks_since(first_tick_, signal.tick) >= kMostTicks;
+    const bool many_ticks = signal.tick < first_tick_ || ticks_since(first_tick_, signal.tick) >= most_ticks_;
     const std::size_t left = journal_.bytes.size() - journal_.samples * signals::journal_entry_size<Signal>();
     due_ = due_ || many_ticks || left < kRoomForATick;
   }
@@ -73,7 +76,6 @@ class StreamJournal {
   }
 
  private:
-  static constexpr std::uint64_t kMostTicks = 16;  // what a recorder lacks of a process that was killed
   static constexpr std::size_t kRoomForATick = 1500;
   static constexpr std::uint64_t kLookEvery = 16;  // asking the transport takes a lock of its
 
@@ -95,8 +97,9 @@ class StreamJournal {
   }
 
   bus::Publisher<signals::SystemJournal> publisher_;
+  std::uint64_t most_ticks_;  ///< in one journal: what a recorder lacks of a process that was killed
   signals::SystemJournal journal_;
-  std::uint64_t first_ns_ = 0;
+  std::uint64_t first_ns_ = 0, newest_ns_ = 0;
   Tick first_tick_ = kNoTick;
   std::uint64_t unheard_ = 0;
   bool heard_ = false;

@@ -32,7 +32,8 @@ class TypedLine final : public Line {
       if (!journal) {
         return journal.error();
       }
-      line->journal_ = std::make_unique<participant::StreamJournal>(std::move(journal).value(), 0, topic.id);
+      line->journal_ = std::make_unique<participant::StreamJournal>(std::move(journal).value(), 0, topic.id,
+                                                                     bus::ClockKind::kRealtime);
     }
     return std::unique_ptr<Line>(std::move(line));
   }
