@@ -16,7 +16,7 @@ class StreamJournal {
  public:
   StreamJournal(bus::Publisher<signals::SystemJournal> publisher, std::uint16_t participant, bus::TopicId topic,
                 bus::ClockKind clock)
-      : publisher_(std::move(publisher)), most_ticks_(clock == bus::ClockKind::kLockstep ? 256 : 16) {
+      : publisher_(std::move(publisher)), most_ticks_(clock == bus::ClockKind::kLockstep ? 64 : 16) {
     journal_.stream = signals::stream_of(participant, static_cast<std::uint8_t>(topic));
     journal_.contract = bus::contract_hash();
   }
