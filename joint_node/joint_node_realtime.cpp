@@ -182,6 +182,8 @@ bool JointNodeRealtime::receive(SteadyTime now) {
 void JointNodeRealtime::step(const participant::Wake& wake) noexcept {
   periods_.fetch_add(1, std::memory_order_relaxed);
   missed_.fetch_add(wake.missed, std::memory_order_relaxed);
+  const double since_last_step_s = last_step_ == SteadyTime{} ? 0.0 : age_s(last_step_, wake.now);
+  last_step_ = wake.now;
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     Mailbox& mail = mail_[i];
     JointNode& node = joints_[i].node;
@@ -206,13 +208,12 @@ void JointNodeRealtime::step(const participant::Wake& wake) noexcept {
     inputs.sensors_age_s = age_s(mail.last_sensors.received, wake.now);
     inputs.command = mail.last_command.signal;
     inputs.command_age_s = age_s(mail.last_command.received, wake.now);
-    inputs.since_last_step_s = last_step_ == SteadyTime{} ? 0.0 : age_s(last_step_, wake.now);
+    inputs.since_last_step_s = since_last_step_s;
     const JointNode::Outputs outputs = node.step(inputs);
     mail.outputs.push(outputs);
     mail.answered.store(outputs.valve);
     last_tick_.store(inputs.tick, std::memory_order_relaxed);
   }
-  last_step_ = wake.now;
 }
 
 void JointNodeRealtime::send() {
