@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstring>
 #include <fstream>
@@ -91,6 +92,10 @@ NetworkNamespaces::NetworkNamespaces(const std::vector<Host>& hosts) {
     ip(host.name, "link set lo up\naddr add " + host.address + "/24 dev " + host.interface + "\nlink set " +
                       host.interface + " multicast off\nlink set " + host.interface + " up\n");
   }
+  for (const Host& host : hosts) {
+    await_carrier(kSwitch, port_of(host.name));
+    await_carrier(host.name, host.interface);
+  }
 }
 
 std::function<void()> NetworkNamespaces::at(const std::string& host) const {
@@ -115,6 +120,8 @@ std::pair<std::string, std::string> NetworkNamespaces::open_cable(const std::str
   const std::string outer = "as_" + host;
   ip(kSwitch, "link set " + port + " nomaster\nlink add " + inner + " type veth peer name " + outer + "\nlink set " + outer +
                   " master bridge\nlink set " + outer + " up\nlink set " + inner + " up\n");
+  await_carrier(kSwitch, outer);
+  await_carrier(kSwitch, inner);
   return {port, inner};
 }
 
@@ -124,13 +131,15 @@ int NetworkNamespaces::descriptor_of(const std::string& host) const {
   return found == namespaces_.end() ? -1 : found->second.number();
 }
 
-void NetworkNamespaces::ip(const std::string& host, const std::string& batch) const {
-  int ends[2];
-  ASSERT_EQ(::pipe2(ends, O_CLOEXEC), 0);
+std::string NetworkNamespaces::ip(const std::string& host, const std::string& batch) const {
+  int ends[2], printed[2];
+  EXPECT_EQ(::pipe2(ends, O_CLOEXEC), 0);
+  EXPECT_EQ(::pipe2(printed, O_CLOEXEC), 0);
   const auto enter = at(host);
   const pid_t pid = ::fork();
   if (pid == 0) {
     ::dup2(ends[0], STDIN_FILENO);
+    ::dup2(printed[1], STDOUT_FILENO);
     enter();
     ::execl(ip_command(), "ip", "-batch", "-", nullptr);
     ::_exit(127);
@@ -138,9 +147,29 @@ void NetworkNamespaces::ip(const std::string& host, const std::string& batch) co
   EXPECT_EQ(::write(ends[1], batch.data(), batch.size()), static_cast<ssize_t>(batch.size()));
   ::close(ends[0]);
   ::close(ends[1]);
+  ::close(printed[1]);
+  std::string text;
+  char part[4096];
+  for (ssize_t length; (length = ::read(printed[0], part, sizeof part)) > 0;) {
+    text.append(part, static_cast<std::size_t>(length));
+  }
+  ::close(printed[0]);
   int status = -1;
   ::waitpid(pid, &status, 0);
   EXPECT_EQ(status, 0) << "ip refuses for " << host << ":\n" << batch;
+  return text;
+}
+
+void NetworkNamespaces::await_carrier(const std::string& host, const std::string& interface) const {
+  const auto latest = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+  while (ip(host, "link show dev " + interface + " up\n").find("state UP") == std::string::npos) {
+    if (std::chrono::steady_clock::now() > latest) {
+      ADD_FAILURE() << host << ": " << interface << " has no carrier";
+      return;
+    }
+  }
+  // Who is told of the carrier is told under the lock of interfaces, which this waits for.
+  ip(host, "link set " + interface + " up\n");
 }
 
 void NetworkNamespaces::set_up(const std::string& host, bool up) const {

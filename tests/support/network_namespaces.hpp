@@ -71,8 +71,10 @@ class NetworkNamespaces {
 
  private:
   int descriptor_of(const std::string& host) const;
-  /// Runs a batch of `ip` there.
-  void ip(const std::string& host, const std::string& batch) const;
+  /// Runs a batch of `ip` there; what it prints.
+  std::string ip(const std::string& host, const std::string& batch) const;
+  /// Waits until an interface has a carrier, which the kernel tells up to a second late, and its bridge passes frames.
+  void await_carrier(const std::string& host, const std::string& interface) const;
   void set_up(const std::string& host, bool up) const;
 
   std::map<std::string, Descriptor> namespaces_;
