@@ -92,7 +92,9 @@ Qos qos_for(const TopicSpec& topic, ClockKind clock) {
     return topic.realtime;
   }
   Qos qos = topic.realtime;
-  qos.reliability = Reliability::kReliable;
+  if (topic.id != TopicId::kSystemJournal) {
+    qos.reliability = Reliability::kReliable;
+  }
   qos.history_depth = topic.lockstep_depth;
   qos.deadline = kInfinite;
   qos.liveliness = Liveliness::kAutomatic;

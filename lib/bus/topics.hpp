@@ -43,14 +43,14 @@ struct TopicSpec {
   Sending sending;
   std::size_t signal_size; ///< sizeof of our struct
   Qos realtime;            ///< QoS on the real-time clock
-  int lockstep_depth;      ///< history in lock-step, where every topic is reliable and nothing ever expires
+  int lockstep_depth;      ///< history in lock-step, where nothing ever expires
 };
 
 std::span<const TopicSpec> topics();
 const TopicSpec& spec(TopicId id);
 
-/// The QoS of a topic on a clock. In lock-step: reliable, deadline and lease infinite, and deep enough that a
-/// sample for tick k + 1 does not overwrite the one for tick k.
+/// The QoS of a topic on a clock. In lock-step: reliable but for journals, which nobody's tick waits for, deadline and
+/// lease infinite, and deep enough that a sample for tick k + 1 does not overwrite the one for tick k.
 Qos qos_for(const TopicSpec& topic, ClockKind clock);
 
 /// Hash over every topic's name, version and fields. Processes that disagree on it do not start together.
