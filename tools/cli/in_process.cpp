@@ -1,7 +1,6 @@
 #include "tools/cli/in_process.hpp"
 
-#include <algorithm>
-
+#include "core/median.hpp"
 #include "lab/inproc_run.hpp"
 #include "participant/loop.hpp"
 #include "robot/keys.hpp"
@@ -22,12 +21,6 @@ Result<report::Tracking> track_beside(robot::Robot robot, const TrotOptions& o, 
   }
   std::vector<record::TraceRow> rows;
   return tracking_of(robot, trace_path, o.seed, robot.loop_delay_lockstep, rows);
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
 }
 
 }  // namespace

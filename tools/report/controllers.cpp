@@ -6,6 +6,7 @@
 #include <set>
 #include <vector>
 
+#include "core/median.hpp"
 #include "tools/report/text_format.hpp"
 
 namespace farrier::report {
@@ -19,15 +20,6 @@ struct Summary {
 
 /// What is not a number counts as worse than any number.
 double or_worst(double nrmse) noexcept { return std::isnan(nrmse) ? std::numeric_limits<double>::infinity() : nrmse; }
-
-double median(std::vector<double> values) {
-  if (values.empty()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const std::size_t half = values.size() / 2;
-  std::ranges::sort(values);
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 Summary summarise(std::span<const VaryRow> rows, Contender contender) {
   std::vector<double> stance, swing;

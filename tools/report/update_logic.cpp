@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "core/median.hpp"
+
 namespace farrier::report {
 namespace {
 
@@ -15,12 +17,6 @@ struct Summary {
   int diverged;      // joints of the trot
   int rig_diverged;  // quarters
 };
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
-}
 
 Summary summary_of(const UpdateLogicResult& result) {
   std::vector<double> stance, swing;

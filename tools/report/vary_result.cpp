@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "core/median.hpp"
 #include "tools/report/text_format.hpp"
 
 namespace farrier::report {
@@ -16,15 +17,6 @@ constexpr std::array kFixed{Contender::kStance, Contender::kSwing, Contender::kF
 
 /// What is not a number counts as worse than any number.
 double or_worst(double nrmse) noexcept { return std::isnan(nrmse) ? std::numeric_limits<double>::infinity() : nrmse; }
-
-double median(std::vector<double> values) {
-  if (values.empty()) {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  const std::size_t half = values.size() / 2;
-  std::ranges::sort(values);
-  return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-}
 
 std::vector<const VaryRow*> of(std::span<const VaryRow> rows, Contender contender) {
   std::vector<const VaryRow*> found;
