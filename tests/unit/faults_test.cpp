@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "core/fault.hpp"
 #include "tests/unit/robot_test_files.hpp"
 #include "tools/faults/fault_page.hpp"
+#include "tools/faults/tick_times.hpp"
 
 namespace farrier::faults {
 namespace {
@@ -41,6 +43,29 @@ TEST(FaultRows, HappenInThePhaseOfTheHitJointsLeg) {
       EXPECT_NEAR(static_cast<double>(span.end - span.begin) * hyq().period_s, row.lasts_s, 1e-9) << row.name;
     }
   }
+}
+
+TEST(FaultRows, OutlastALeaseOfTheComputersClockAtAnyPace) {
+  EXPECT_EQ(paced(*find_row("clock_back"), 3).lasts_s * 3, find_row("clock_back")->lasts_s);
+  EXPECT_EQ(paced(*find_row("sensors_cut"), 3).lasts_s, find_row("sensors_cut")->lasts_s);
+}
+
+TEST(TickTimes, GivesAllTicksThatMayHaveGoneOn) {
+  const SteadyTime start{std::chrono::seconds(5)};
+  const auto at = [&](int milliseconds) { return start + std::chrono::milliseconds(milliseconds); };
+  TickTimes times;
+  times.saw(10, at(0));
+  times.saw(11, at(3));
+  times.saw(11, at(5));
+  times.saw(15, at(12));
+  const auto between = [&](int begin, int end) {
+    const TickSpan span = times.between(at(begin), at(end));
+    return std::pair(span.begin, span.end);
+  };
+  EXPECT_EQ(between(3, 4), std::pair(Tick{11}, Tick{16}));
+  EXPECT_EQ(between(1, 3), std::pair(Tick{10}, Tick{12}));
+  EXPECT_EQ(between(-2, 0), std::pair(Tick{0}, Tick{11}));
+  EXPECT_EQ(between(4, 13), std::pair(Tick{11}, std::numeric_limits<Tick>::max()));
 }
 
 std::vector<Heard> told_at(Tick tick, const std::vector<std::string>& texts) {
@@ -83,12 +108,18 @@ class Trace {
     for (const auto& fault : arrow_faults(hyq(), *find_row(row), {400, 500})) {
       heard.push_back({"fault on purpose: " + to_string(fault), 415});
     }
-    return judge(hyq(), *find_row(row), {{400, 500}, armed}, rows_, heard);
+    return judge(hyq(), *find_row(row), {{400, 500}, armed, pauses_}, rows_, heard);
+  }
+
+  Trace& computer_stood_still(Tick begin, Tick end) {
+    pauses_.push_back({begin, end});
+    return *this;
   }
 
   const std::vector<record::TraceRow>& rows() const { return rows_; }
 
  private:
+  std::vector<TickSpan> pauses_;
   std::vector<record::TraceRow> rows_;
 };
 
@@ -142,10 +173,30 @@ TEST(FaultJudge, RefusesOthersThatLeaveTrackingAndTrips) {
   EXPECT_EQ(wrong(Trace().joint_is(other, JointState::kDamping, 700, 701).judged("clock_forward")), Keys{"others"});
 }
 
+TEST(FaultJudge, ExcusesOthersAfterTheComputerStoodStill) {
+  const auto other = static_cast<std::uint16_t>(hit_joint(hyq()).number + 1);
+  const auto untracked = [&](Tick begin, Tick end) { return Trace().joint_is(other, JointState::kNull, begin, end); };
+  EXPECT_EQ(wrong(untracked(705, 724).computer_stood_still(700, 704).judged("clock_forward")), Keys{});
+  EXPECT_EQ(wrong(untracked(705, 725).computer_stood_still(700, 704).judged("clock_forward")), Keys{"others"});
+  EXPECT_EQ(wrong(untracked(699, 700).computer_stood_still(700, 704).judged("clock_forward")), Keys{"others"});
+  const Tick unknown = std::numeric_limits<Tick>::max();
+  EXPECT_EQ(wrong(untracked(955, 975).computer_stood_still(950, unknown).judged("clock_forward")), Keys{});
+}
+
+TEST(FaultJudge, ExcusesOnlyOthersAndNotMostOfARun) {
+  const std::uint16_t hit = hit_joint(hyq()).number;
+  EXPECT_EQ(wrong(Trace()
+                      .joint_is(hit, JointState::kNull, 412, 510)
+                      .computer_stood_still(405, 412)
+                      .judged("sensors_cut", kStale)),
+            Keys{"reaction"});
+  EXPECT_EQ(wrong(Trace().computer_stood_still(400, 800).judged("clock_forward")), Keys{"excused"});
+}
+
 TEST(FaultJudge, WantsTheEventInTimeAndNotOneOfBefore) {
   const std::string event = "leads with authority 2";
   const auto judged_with = [&](Tick tick) {
-    return wrong(judge(hyq(), *find_row("supervisor_replaced"), {{400, 500}, 600}, Trace().rows(), told_at(tick, {event})));
+    return wrong(judge(hyq(), *find_row("supervisor_replaced"), {{400, 500}, 600, {}}, Trace().rows(), told_at(tick, {event})));
   };
   EXPECT_EQ(judged_with(445), Keys{});
   EXPECT_EQ(judged_with(455), Keys{"event"});
@@ -155,7 +206,7 @@ TEST(FaultJudge, WantsTheEventInTimeAndNotOneOfBefore) {
 TEST(FaultJudge, RefusesAFaultThatNobodyTellsOf) {
   const Row& row = *find_row("loss_1");
   const auto judged_with = [&](const std::vector<std::string>& texts) {
-    return wrong(judge(hyq(), row, {{400, 500}, 500}, Trace().rows(), told_at(410, texts)));
+    return wrong(judge(hyq(), row, {{400, 500}, 500, {}}, Trace().rows(), told_at(410, texts)));
   };
   const std::string sensors = "fault on purpose: joint/sensors:loss=0.01@400..500";
   EXPECT_EQ(judged_with({}), Keys{"acts"});

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 
 #include "core/ensure.hpp"
@@ -9,6 +10,7 @@
 #include "record/trace.hpp"
 #include "robot/keys.hpp"
 #include "tools/cli/dds_run.hpp"
+#include "tools/faults/tick_times.hpp"
 #include "tools/cli/trot_options.hpp"
 #include "tools/cli/trot_run.hpp"
 
@@ -18,8 +20,7 @@ namespace {
 /// From a request's fault to the request, and from everything to the end of the run.
 constexpr double kUntilArmed_s = 0.1;
 constexpr double kAfterwards_s = 0.25;
-/// Periods for which the computer may stand still in a cell, and how often one in which it did is run again.
-constexpr double kMayPause_periods = 1.0;
+/// How often a cell in which the computer stood still is run again.
 constexpr int kMostRepeats = 10;
 
 constexpr std::array kVendors{DdsChoice::kCyclone, DdsChoice::kFast, DdsChoice::kMixed};
@@ -46,10 +47,16 @@ int slow_of(const CellSettings& settings, const faults::Row& row) {
   return settings.slow * (faults::starts_process(row) ? faults::kSlowerWhereProcessesStart : 1);
 }
 
+/// For how long the computer may stand still in a cell.
+Nanoseconds may_pause(const robot::Robot& robot, int slow) {
+  return Nanoseconds(std::llround(1e9 * robot.period_s * slow));
+}
+
 /// One run of a cell, judged. Refuses when the user interrupts.
 Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings& settings, const CellPlan& plan,
                                    const std::string& title, PauseWatch& pauses) {
-  const faults::Row& row = *plan.row;
+  const int slow = slow_of(settings, *plan.row);
+  const faults::Row row = faults::paced(*plan.row, slow);
   const auto ticks = [&](double time_s) { return static_cast<Tick>(std::llround(time_s / robot.period_s)); };
   const faults::TickSpan span = faults::place_of(robot, gait::Schedule(robot.plan, plan.seed), row, plan.phase);
   faults::Cell cell = plan.cell();
@@ -64,10 +71,12 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
   trot.out = settings.out;
   trot.trace_path = settings.out + "/trace.csv";
   DdsRun run = dds_run(robot, trot, title);
-  run.common.slow = slow_of(settings, row);
+  run.common.slow = slow;
   run.goes_on_without_the_dead = true;
+  faults::TickTimes times;
   run.looks_on = [&](Tick tick) {
-    if (tick < span.begin - faults::kBefore) {
+    times.saw(tick, std::chrono::steady_clock::now());  // the computer's, as pauses are
+    if (tick < span.begin - faults::kBefore - faults::kAfterPause) {
       pauses.forget();
     }
   };
@@ -99,7 +108,10 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
     cell.error = "the run ended before all was done to it";
     return cell;
   }
-  faults::Moments moments{span, last};
+  faults::Moments moments{span, last, {}};
+  for (const Pause& pause : pauses.longer_than(may_pause(robot, slow))) {
+    moments.pauses.push_back(times.between(pause.begin, pause.end));
+  }
   if (!row.acts.empty()) {
     moments.fault.begin = acted.front();
     moments.fault.end = row.acts.size() > 1 ? acted[row.acts.size() - 1] : acted.front() + ticks(row.lasts_s);
@@ -155,13 +167,12 @@ std::vector<CellPlan> plan_cells(const std::vector<const faults::Row*>& rows, co
 
 Result<faults::Cell> run_cell(const robot::Robot& robot, const CellSettings& settings, const CellPlan& plan,
                               const std::string& title, PauseWatch& pauses) {
-  const double may_pause_s = kMayPause_periods * robot.period_s * slow_of(settings, *plan.row);
   for (int repeats = 0;; ++repeats) {
     auto cell = run_cell_once(robot, settings, plan, title, pauses);
     if (!cell) {
       return cell.error();
     }
-    const bool paused = std::chrono::duration<double>(pauses.longest()).count() > may_pause_s;
+    const bool paused = pauses.longest() > may_pause(robot, slow_of(settings, *plan.row));
     if (!paused || cell.value().holds() || repeats == kMostRepeats) {
       cell.value().repeats = repeats;
       return cell;

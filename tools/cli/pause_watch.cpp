@@ -1,5 +1,7 @@
 #include "tools/cli/pause_watch.hpp"
 
+#include <algorithm>
+
 #include "runtime/deadline.hpp"
 #include "runtime/processors.hpp"
 
@@ -20,15 +22,38 @@ PauseWatch::~PauseWatch() {
   }
 }
 
-void PauseWatch::watch(int processor, int priority) noexcept {
+void PauseWatch::forget() {
+  const std::lock_guard lock(mutex_);
+  pauses_.clear();
+}
+
+std::vector<Pause> PauseWatch::longer_than(Nanoseconds at_least) const {
+  std::vector<Pause> longer;
+  const std::lock_guard lock(mutex_);
+  std::ranges::copy_if(pauses_, std::back_inserter(longer),
+                       [at_least](const Pause& pause) { return pause.end - pause.begin > at_least; });
+  return longer;
+}
+
+Nanoseconds PauseWatch::longest() const {
+  Nanoseconds longest{0};
+  const std::lock_guard lock(mutex_);
+  for (const Pause& pause : pauses_) {
+    longest = std::max<Nanoseconds>(longest, pause.end - pause.begin);
+  }
+  return longest;
+}
+
+void PauseWatch::watch(int processor, int priority) {
   runtime::stay_on(processor);
   static_cast<void>(runtime::set_priority(priority));
   while (!ends_) {
     const SteadyTime due = std::chrono::steady_clock::now() + 1ms;
     runtime::sleep_until(due);
-    const std::int64_t late = Nanoseconds(std::chrono::steady_clock::now() - due).count();
-    std::int64_t longest = longest_ns_.load();
-    while (late > longest && !longest_ns_.compare_exchange_weak(longest, late)) {
+    const SteadyTime awake = std::chrono::steady_clock::now();
+    if (awake - due > 1ms) {
+      const std::lock_guard lock(mutex_);
+      pauses_.push_back({due, awake});
     }
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -8,6 +9,11 @@
 #include "runtime/realtime_thread.hpp"
 
 namespace farrier::cli {
+
+/// From when a thread was to wake up to when it did.
+struct Pause {
+  SteadyTime begin, end;
+};
 
 /// Watches whether this computer stands still: a thread on each processor, above all others of a run unless told
 /// otherwise, that sleeps a millisecond again and again. Where the limits forbid its priority it takes for a pause what is
@@ -19,14 +25,18 @@ class PauseWatch {
   PauseWatch(const PauseWatch&) = delete;
   PauseWatch& operator=(const PauseWatch&) = delete;
 
-  void forget() noexcept { longest_ns_ = 0; }
-  /// The longest that one of them woke up late since it was told to forget.
-  Nanoseconds longest() const noexcept { return Nanoseconds(longest_ns_.load()); }
+  void forget();
+  /// Each time that one of them woke up more than `at_least` late, which is a millisecond or more, since the watch was
+  /// told to forget.
+  std::vector<Pause> longer_than(Nanoseconds at_least) const;
+  /// 0: none was longer than a millisecond.
+  Nanoseconds longest() const;
 
  private:
-  void watch(int processor, int priority) noexcept;
+  void watch(int processor, int priority);
 
-  std::atomic<std::int64_t> longest_ns_{0};
+  mutable std::mutex mutex_;
+  std::vector<Pause> pauses_;
   std::atomic<bool> ends_{false};
   std::vector<std::thread> threads_;
 };

@@ -16,14 +16,26 @@ using signals::JointState;
 /// A process tells what acts on it once in a period of its health, 0.1 s; then comes the event's way to the operator.
 constexpr double kTold_s = 0.12;
 
+/// Share of a run that the computer may spoil: what is left shows what a fault does to those that it does not hit.
+constexpr double kMayBeExcused = 0.5;
+
 /// At the end of a run in which the processes may already be ending.
 constexpr Tick kAfter = 20;
 
 /// What every joint did, by joint and tick.
 class Course {
  public:
-  Course(const robot::Robot& robot, const std::vector<record::TraceRow>& trace)
-      : ticks_(trace.empty() ? 0 : trace.back().tick + 1), period_s_(robot.period_s), rows_(robot.joints.size()) {
+  Course(const robot::Robot& robot, const std::vector<record::TraceRow>& trace, const std::vector<TickSpan>& pauses)
+      : ticks_(trace.empty() ? 0 : trace.back().tick + 1),
+        period_s_(robot.period_s),
+        excused_(static_cast<std::size_t>(ticks_)),
+        rows_(robot.joints.size()) {
+    for (const TickSpan& pause : pauses) {
+      const Tick over = pause.end < ticks_ - kAfterPause ? pause.end + kAfterPause : ticks_;
+      for (Tick tick = pause.begin; tick < over; ++tick) {
+        excused_[static_cast<std::size_t>(tick)] = true;
+      }
+    }
     for (auto& joint : rows_) {
       joint.resize(static_cast<std::size_t>(ticks_));
     }
@@ -42,7 +54,7 @@ class Course {
   /// From `begin` on until all of `joints` are in `state`; infinite: never.
   double until(const std::vector<std::size_t>& joints, JointState wanted, Tick begin) const {
     for (Tick tick = begin; tick < end(); ++tick) {
-      if (std::ranges::all_of(joints, [&](std::size_t joint) { return state(joint, tick) == wanted; })) {
+      if (all_in(joints, wanted, tick)) {
         return seconds(tick - begin);
       }
     }
@@ -53,9 +65,26 @@ class Course {
   double elsewhere(const std::vector<std::size_t>& joints, JointState wanted, TickSpan span) const {
     Tick ticks = 0;
     for (Tick tick = span.begin; tick < std::min(span.end, end()); ++tick) {
-      ticks += std::ranges::all_of(joints, [&](std::size_t joint) { return state(joint, tick) == wanted; }) ? 0 : 1;
+      ticks += all_in(joints, wanted, tick) ? 0 : 1;
     }
     return seconds(ticks);
+  }
+
+  /// Of a span, for how long the computer is to blame for what joints do, and how long some of `joints` did not track
+  /// otherwise.
+  struct Untracked {
+    double excused_s, elsewhere_s;
+  };
+  Untracked untracked(const std::vector<std::size_t>& joints, TickSpan span) const {
+    Tick excused = 0, elsewhere = 0;
+    for (Tick tick = span.begin; tick < std::min(span.end, end()); ++tick) {
+      if (excused_[static_cast<std::size_t>(tick)]) {
+        ++excused;
+      } else if (!all_in(joints, JointState::kTracking, tick)) {
+        ++elsewhere;
+      }
+    }
+    return {seconds(excused), seconds(elsewhere)};
   }
 
   /// From `begin` on until all of `joints` track and go on tracking; infinite: not at the end.
@@ -85,8 +114,13 @@ class Course {
     FaultSet faults;
   };
 
+  bool all_in(const std::vector<std::size_t>& joints, JointState wanted, Tick tick) const {
+    return std::ranges::all_of(joints, [&](std::size_t joint) { return state(joint, tick) == wanted; });
+  }
+
   Tick ticks_;
   double period_s_;
+  std::vector<bool> excused_;  // by tick
   std::vector<std::vector<Row>> rows_;
 };
 
@@ -139,7 +173,7 @@ bool Cell::holds() const noexcept { return error.empty() && std::ranges::all_of(
 
 std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,
                          const std::vector<record::TraceRow>& trace, const std::vector<Heard>& events) {
-  const Course course(robot, trace);
+  const Course course(robot, trace, moments.pauses);
   const Expectation& expected = row.expected;
   std::vector<std::size_t> hit, others;
   for (const robot::Joint& joint : robot.joints) {
@@ -166,8 +200,11 @@ std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moment
   }
   const bool has_trace = !trace.empty();
   if (!others.empty() && has_trace) {
-    checks.push_back({"others", "others not tracking", 0.0,
-                      course.elsewhere(others, JointState::kTracking, {fault.begin - kBefore, course.end()})});
+    const TickSpan looked_at{fault.begin - kBefore, course.end()};
+    const auto [excused_s, elsewhere_s] = course.untracked(others, looked_at);
+    checks.push_back({"others", "others not tracking", 0.0, elsewhere_s});
+    checks.push_back({"excused", "others not judged", kMayBeExcused * course.seconds(looked_at.end - looked_at.begin),
+                      excused_s});
   }
   if (!expected.latches && has_trace) {
     checks.push_back({"tripped", "tripped", 0.0, course.tripped_time(fault.begin)});

@@ -46,10 +46,11 @@ struct Cell {
   bool holds() const noexcept;
 };
 
-/// When things happened in a run: the fault, and the request to arm, `end` where there was none.
+/// When things happened in a run. `armed`: the request to arm, the fault's end where there was none.
 struct Moments {
   TickSpan fault;
   Tick armed;
+  std::vector<TickSpan> pauses;  ///< in which the computer itself stood still
 };
 
 /// What an operator heard, and the newest tick of the clock then.
@@ -60,6 +61,10 @@ struct Heard {
 
 /// Before a fault's beginning from which on the joints that it does not hit are looked at.
 inline constexpr Tick kBefore = 50;
+
+/// After a pause of the computer for which the joints that a fault does not hit are not judged: what lay waiting is taken,
+/// then a joint that had no sensors needs ten good samples.
+inline constexpr Tick kAfterPause = 20;
 
 /// What a run that left this trace and these events shows of the row. Without a trace, as where who writes it was killed,
 /// the events alone.

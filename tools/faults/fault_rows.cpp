@@ -26,7 +26,7 @@ constexpr double kStartAgain_s = 0.050;
 constexpr double kGreeted_s = 1.0;  // a process starts, finds the others and hears every route
 constexpr double kCatchesUp_s = 0.006;  // a process that was stopped first takes what has come meanwhile
 constexpr double kAfterStop_s = kGoodAgain_s + kCatchesUp_s;
-constexpr double kLeaseAndMore_s = 12.0;  // by then who renews no lease is forgotten
+constexpr double kLeaseAndMore_s = 12.0;  // of machine time: by then who renews no lease is forgotten
 constexpr double kHeard_s = 0.020;  // an event's way to the operator
 constexpr double kMissed_s = 0.100;  // 50 ms of silence, the period of what is silent, an event's way
 
@@ -200,9 +200,9 @@ const std::vector<Row>& rows() {
        {}, 0.1, {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.1}},
        {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
       {"clock_forward", "The computer's clock is set an hour forward.", "Everybody goes on: ages are of the steady clock.",
-       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockForward, 0.0}}, {}},
+       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockForward, 0.0}}, {}, false, "phases", true},
       {"clock_back", "The computer's clock is set an hour back.", "Everybody goes on: ages are of the steady clock.",
-       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockBack, 0.0}}, {}},
+       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockBack, 0.0}}, {}, false, "phases", true},
       {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
        {{kEstimator, SIGKILL, 0.0}}, says_estimates_silent()},
       {"estimator_restarted", "estimator_service dies (kill -9) and is started again.",
@@ -251,6 +251,11 @@ bool leaves_trace(const Row& row) {
 bool starts_process(const Row& row) {
   return std::ranges::any_of(
       row.acts, [](const ProcessAct& act) { return act.signal == kStart || act.signal == kStartTwin; });
+}
+
+Row paced(Row row, int slow) {
+  row.lasts_s /= row.of_machine_time ? slow : 1;
+  return row;
 }
 
 const Row* find_row(std::string_view name) {

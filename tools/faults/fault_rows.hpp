@@ -58,6 +58,7 @@ struct Row {
   Expectation expected;
   bool standby = false;  ///< a second supervisor stands by
   const char* design = "phases";  ///< of the supervisor, as of farrier trot
+  bool of_machine_time = false;   ///< lasts_s is by the computer's clock, however slow the robot's goes
 };
 
 const std::vector<Row>& rows();
@@ -71,6 +72,9 @@ bool starts_process(const Row& row);
 /// Rows in which one does go slower by this factor than the others: loading a program takes a computer as long at any pace
 /// of the robot's clock.
 inline constexpr int kSlowerWhereProcessesStart = 3;
+
+/// The row as it is in slow motion: what lasts by the computer's clock is so much shorter by the robot's.
+Row paced(Row row, int slow);
 
 /// Null for none of that name.
 const Row* find_row(std::string_view name);
