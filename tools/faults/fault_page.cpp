@@ -84,8 +84,8 @@ std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t plan
       " were not run. Vendors: " +
       listed(cells, [](const Cell& cell) { return cell.vendor; }) + ". Seeds: " +
       listed(cells, [](const Cell& cell) { return std::to_string(cell.seed); }) + ". " + std::to_string(repeats) +
-      " runs in which the computer\nitself stood still and a check did not hold were made again. Others, which a fault does not hit, are not "
-      "judged\nwhile the computer stands still for longer than a period, nor for " +
+      " runs in which the computer\nitself stood still and a check did not hold were made again. Others, which a fault "
+      "does not hit, are not judged\nwhile the computer stands still for longer than a period, nor for " +
       std::to_string(kAfterPause) + " periods after.\n\n" +
       "| row | what happens | what each process does | what an operator sees | measured |\n|---|---|---|---|---|\n";
   for (const Row& row : rows()) {
