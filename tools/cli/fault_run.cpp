@@ -10,9 +10,9 @@
 #include "record/trace.hpp"
 #include "robot/keys.hpp"
 #include "tools/cli/dds_run.hpp"
-#include "tools/faults/tick_times.hpp"
 #include "tools/cli/trot_options.hpp"
 #include "tools/cli/trot_run.hpp"
+#include "tools/faults/tick_times.hpp"
 
 namespace farrier::cli {
 namespace {

@@ -200,9 +200,9 @@ const std::vector<Row>& rows() {
        {}, 0.1, {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.1}},
        {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
       {"clock_forward", "The computer's clock is set an hour forward.", "Everybody goes on: ages are of the steady clock.",
-       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockForward, 0.0}}, {}, false, "phases", true},
+       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockForward, 0.0}}, {}},
       {"clock_back", "The computer's clock is set an hour back.", "Everybody goes on: ages are of the steady clock.",
-       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockBack, 0.0}}, {}, false, "phases", true},
+       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockBack, 0.0}}, {}},
       {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
        {{kEstimator, SIGKILL, 0.0}}, says_estimates_silent()},
       {"estimator_restarted", "estimator_service dies (kill -9) and is started again.",
@@ -254,7 +254,8 @@ bool starts_process(const Row& row) {
 }
 
 Row paced(Row row, int slow) {
-  row.lasts_s /= row.of_machine_time ? slow : 1;
+  const bool sets = std::ranges::any_of(row.acts, [](const ProcessAct& act) { return sets_clock(act.signal); });
+  row.lasts_s /= sets ? slow : 1;
   return row;
 }
 

@@ -53,12 +53,11 @@ struct Row {
   Hit hit;
   const char* member;               ///< into which samples come spoilt; null: none
   std::vector<const char*> arrows;  ///< bus_faults::parse_arrow_fault without span and key
-  double lasts_s;                   ///< from its beginning to its end
+  double lasts_s;                   ///< from its beginning to its end; by the computer's clock where that is set
   std::vector<ProcessAct> acts;
   Expectation expected;
   bool standby = false;  ///< a second supervisor stands by
   const char* design = "phases";  ///< of the supervisor, as of farrier trot
-  bool of_machine_time = false;   ///< lasts_s is by the computer's clock, however slow the robot's goes
 };
 
 const std::vector<Row>& rows();
@@ -73,7 +72,7 @@ bool starts_process(const Row& row);
 /// of the robot's clock.
 inline constexpr int kSlowerWhereProcessesStart = 3;
 
-/// The row as it is in slow motion: what lasts by the computer's clock is so much shorter by the robot's.
+/// The row as it is in slow motion: what lasts by the computer's clock, which is set, is so much shorter by the robot's.
 Row paced(Row row, int slow);
 
 /// Null for none of that name.
