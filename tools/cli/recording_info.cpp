@@ -77,7 +77,7 @@ void print_json(const Contents& contents) {
   nlohmann::json topics = nlohmann::json::object();
   for (const bus::TopicSpec& topic : bus::topics()) {
     const TopicSum& sum = contents.topics[static_cast<std::size_t>(topic.id)];
-    nlohmann::json one = {{"samples", sum.samples}, {"rate_hz", sum.rate_hz()}};
+    nlohmann::json one = {{"samples", sum.samples}, {"duration_s", sum.seconds()}, {"rate_hz", sum.rate_hz()}};
     if (const auto lost = contents.lost.find(topic.name); lost != contents.lost.end()) {
       one["lost"] = std::strtoull(lost->second.c_str(), nullptr, 10);
     }
