@@ -52,13 +52,16 @@ TEST_P(Record, TakesEveryTopicThatMovesAndCountsWhatItLost) {
     EXPECT_TRUE(info.at("topics").at(topic).contains("lost")) << topic;
   }
   // What is published together, a sample of each for every joint and tick, comes at the same rate, with what is said to
-  // be lost. Not in the same numbers: topics are found one after another.
+  // be lost, for about as long. Not in the same numbers: topics are found one after another.
+  const auto duration_s = [&](const char* topic) { return info.at("topics").at(topic).at("duration_s").get<double>(); };
   const auto rate_hz = [&](const char* topic) {
     const json& of = info.at("topics").at(topic);
-    return (of.at("samples").get<double>() + of.at("lost").get<double>()) / of.at("duration_s").get<double>();
+    return (of.at("samples").get<double>() + of.at("lost").get<double>()) / duration_s(topic);
   };
   EXPECT_NEAR(rate_hz("joint/sensors") / rate_hz("joint/measurement"), 1.0, 0.05);
   EXPECT_NEAR(rate_hz("joint/sensors") / (12.0 * rate_hz("clock/tick")), 1.0, 0.05);
+  EXPECT_NEAR(duration_s("joint/sensors"), duration_s("joint/measurement"), 0.5);
+  EXPECT_NEAR(duration_s("joint/sensors"), duration_s("clock/tick"), 0.5);
 }
 
 TEST_P(Record, TakesOnlyTheTopicsAskedFor) {
