@@ -66,7 +66,7 @@ constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(ClockTickDone, "clock/tick_done", clock_tick_done, kTickers, "sim_bridge", "participant", 1, Route::kRobot, Sending::kAtOnce, kLockstepOnly, kTwoTicks),
     FARRIER_TOPIC(JointSummary, "lf/joint/summary", joint_summary, {Role::kJointNode}, "monitors", "joint", 2, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointModelEstimateCopy, "lf/joint/model_estimate", joint_model_estimate_copy, {Role::kEstimatorService}, "monitors", "joint", 1, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
-    FARRIER_TOPIC(SystemJournal, "system/journal", system_journal, kParticipantRoles, "recorders", "stream", 1, Route::kRobot, Sending::kAtOnce, kLatest, kJournals),
+    FARRIER_TOPIC(SystemJournal, "system/journal", system_journal, kParticipantRoles, "recorders", "stream", 2, Route::kRobot, Sending::kAtOnce, kLatest, kJournals),
 };
 // clang-format on
 #undef FARRIER_TOPIC

@@ -16,7 +16,8 @@ constexpr const char* kReliableTiming =
 constexpr const char* kLinger = "<WriterLingerDuration>100 ms</WriterLingerDuration>";
 
 // A journal is one piece: in fragments of the usual 1344 bytes it shares a datagram with itself, and is put together again.
-constexpr const char* kFragmentSize = "10000 B";
+constexpr const char* kFragmentSize = "33000 B";
+constexpr const char* kMessageSize = "34000 B";
 
 // Announcements go by unicast to every port a process may have, so they are rare; a process that starts
 // announces itself at once and everyone answers.
@@ -35,7 +36,8 @@ std::string cyclone_config(const bus::NetworkOptions& options) {
   }
   const std::string general = "<Interfaces><NetworkInterface address=\"" + options.address +
                               "\"/></Interfaces>" + element("AllowMulticast", "false") +
-                              element("Transport", "udp") + element("FragmentSize", kFragmentSize);
+                              element("Transport", "udp") + element("FragmentSize", kFragmentSize) +
+                              element("MaxMessageSize", kMessageSize);
   // Cyclone 0.10 announces itself to this index, too, but does not take it for itself.
   const int max_index = options.max_processes;
   const std::string discovery = element("ExternalDomainId", std::to_string(options.domain)) +

@@ -66,6 +66,9 @@ class CycloneReader final : public bus::RawReader {
     if (reader_ > 0) {
       dds_delete(reader_);  // waits for callbacks under way
     }
+    for (auto& sample : samples_) {
+      dds_sample_free(&sample, &Wire<Signal>::descriptor(), DDS_FREE_CONTENTS);
+    }
   }
 
   dds_return_t open(dds_entity_t subscriber, dds_entity_t topic, const dds_qos_t& qos) {

@@ -41,6 +41,16 @@ void copy_field(std::array<T, kCount>& to, const T (&from)[kCount]) noexcept {
   std::copy(from, from + kCount, to.begin());
 }
 
+// A sequence to be written has the signal's own octets; one that was read keeps what Cyclone allocated.
+template <class Sequence, std::size_t kMost>
+void copy_field(Sequence& to, const signals::Octets<kMost>& from) noexcept {
+  to = {from.size(), from.size(), const_cast<std::uint8_t*>(from.data()), false};
+}
+template <class Sequence, std::size_t kMost>
+void copy_field(signals::Octets<kMost>& to, const Sequence& from) noexcept {
+  to.assign({from._buffer, from._length});
+}
+
 /// The generated type of a signal, and the copies between the two.
 template <class Signal>
 struct Wire;

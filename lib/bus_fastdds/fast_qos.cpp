@@ -92,7 +92,9 @@ void set_common(EndpointQos& qos, const bus::EndpointSpec& endpoint) {
   qos.resource_limits().max_instances = kMaxKeys;
   qos.resource_limits().max_samples_per_instance = wanted.history_depth;
   qos.resource_limits().allocated_samples = kFirstSamples;
-  qos.endpoint().history_memory_policy = eprosima::fastrtps::rtps::PREALLOCATED_MEMORY_MODE;
+  qos.endpoint().history_memory_policy = endpoint.topic == bus::TopicId::kSystemJournal
+                                             ? eprosima::fastrtps::rtps::DYNAMIC_REUSABLE_MEMORY_MODE  // of any size
+                                             : eprosima::fastrtps::rtps::PREALLOCATED_MEMORY_MODE;
   qos.data_sharing().off();
 }
 

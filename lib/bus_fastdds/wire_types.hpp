@@ -25,17 +25,36 @@
 
 #include <array>
 #include <cstring>
+#include <vector>
 
-#include "signals/fields.hpp"
+#include "signals/cdr.hpp"
 
 namespace farrier::bus_fastdds {
+
+// Generated types have a vector for a sequence.
+template <class Field>
+const Field& to_wire(const Field& field) noexcept {
+  return field;
+}
+template <std::size_t kMost>
+std::vector<std::uint8_t> to_wire(const signals::Octets<kMost>& octets) {
+  return {octets.begin(), octets.end()};
+}
+template <class Field>
+void from_wire(const Field& wire, Field& field) noexcept {
+  field = wire;
+}
+template <std::size_t kMost>
+void from_wire(const std::vector<std::uint8_t>& wire, signals::Octets<kMost>& octets) noexcept {
+  octets.assign(wire);
+}
 
 /// The generated type of a signal, its generated codec, and the copies between the two.
 template <class Signal>
 struct Wire;
 
-#define FARRIER_TO_WIRE(field) to.field(from.field);
-#define FARRIER_FROM_WIRE(field) to.field = from.field();
+#define FARRIER_TO_WIRE(field) to.field(to_wire(from.field));
+#define FARRIER_FROM_WIRE(field) from_wire(from.field(), to.field);
 #define FARRIER_WIRE(Signal, file)                                             \
   template <>                                                                  \
   struct Wire<signals::Signal> {                                               \
@@ -100,8 +119,9 @@ class SignalType final : public Wire<Signal>::Codec {
     return true;
   }
 
-  std::function<std::uint32_t()> getSerializedSizeProvider(void*) override {
-    return [size = this->m_typeSize] { return size; };
+  std::function<std::uint32_t()> getSerializedSizeProvider(void* data) override {
+    const std::size_t unused = signals::most_octets<Signal>() - signals::octets_in(*static_cast<const Signal*>(data));
+    return [size = this->m_typeSize - static_cast<std::uint32_t>(unused)] { return size; };
   }
   void* createData() override { return new Signal; }
   void deleteData(void* data) override { delete static_cast<Signal*>(data); }

@@ -16,7 +16,7 @@ class StreamJournal {
  public:
   StreamJournal(bus::Publisher<signals::SystemJournal> publisher, std::uint16_t participant, bus::TopicId topic,
                 bus::ClockKind clock)
-      : publisher_(std::move(publisher)), most_ticks_(clock == bus::ClockKind::kLockstep ? 64 : 16) {
+      : publisher_(std::move(publisher)), most_(clock == bus::ClockKind::kLockstep ? kInLockstep : kInRealtime) {
     journal_.stream = signals::stream_of(participant, static_cast<std::uint8_t>(topic));
     journal_.contract = bus::contract_hash();
   }
@@ -44,7 +44,7 @@ class StreamJournal {
     if (!heard_) {
       return;
     }
-    if (!signals::has_room<Signal>(journal_)) {
+    if (!signals::has_room<Signal>(journal_, most_.bytes)) {
       send();
     }
     if (journal_.samples == 0 || signal.tick != journal_.tick) {
@@ -56,9 +56,8 @@ class StreamJournal {
     }
     signals::append(journal_, signal, after_first(newest_ns_));
     journal_.tick = signal.tick;
-    const bool many_ticks = signal.tick < first_tick_ || ticks_since(first_tick_, signal.tick) >= most_ticks_;
-    const std::size_t left = journal_.bytes.size() - journal_.samples * signals::journal_entry_size<Signal>();
-    due_ = due_ || many_ticks || left < kRoomForATick;
+    const bool many_ticks = signal.tick < first_tick_ || ticks_since(first_tick_, signal.tick) >= most_.ticks;
+    due_ = due_ || many_ticks || most_.bytes - journal_.bytes.size() < kRoomForATick;
   }
 
   /// Sends what it holds if it is time to. Called when the samples themselves are on their way.
@@ -76,6 +75,13 @@ class StreamJournal {
   }
 
  private:
+  /// What one journal holds: so much a recorder lacks of a process that was killed.
+  struct Most {
+    std::size_t bytes;
+    std::uint64_t ticks;
+  };
+  static constexpr Most kInRealtime{8000, 16};    // six frames of Ethernet, of which none may be lost
+  static constexpr Most kInLockstep{32'000, 192};
   static constexpr std::size_t kRoomForATick = 1500;
   static constexpr std::uint64_t kLookEvery = 16;  // asking the transport takes a lock of its
 
@@ -91,13 +97,13 @@ class StreamJournal {
     journal_.closed_after_ns = after_first(date_now_ns());
     publisher_.publish(journal_);
     journal_.samples_before += journal_.samples;
-    journal_.samples = 0;
+    signals::clear(journal_);
     due_ = over_;
     look();
   }
 
   bus::Publisher<signals::SystemJournal> publisher_;
-  std::uint64_t most_ticks_;  ///< in one journal: what a recorder lacks of a process that was killed
+  Most most_;
   signals::SystemJournal journal_;
   std::uint64_t first_ns_ = 0, newest_ns_ = 0;
   Tick first_tick_ = kNoTick;

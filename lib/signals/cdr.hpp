@@ -27,6 +27,16 @@ std::size_t visit_cdr_numbers(std::size_t offset, Field& field, At&& at) {
     offset = (offset + sizeof(Field) - 1) / sizeof(Field) * sizeof(Field);
     at(offset, field);
     return offset + sizeof(Field);
+  } else if constexpr (kIsOctets<Field>) {
+    std::uint32_t count = field.size();
+    offset = visit_cdr_numbers(offset, count, at);
+    if constexpr (!std::is_const_v<Field>) {
+      field.resize(count);
+    }
+    for (auto& one : field) {
+      offset = visit_cdr_numbers(offset, one, at);
+    }
+    return offset;
   } else {
     for (auto& one : field) {
       offset = visit_cdr_numbers(offset, one, at);
@@ -35,7 +45,7 @@ std::size_t visit_cdr_numbers(std::size_t offset, Field& field, At&& at) {
   }
 }
 
-/// Size of a signal's bytes, head included.
+/// Size of a signal's bytes, head included; of one that has Octets, which come last: without them.
 template <class Signal>
 std::size_t cdr_size() {
   std::size_t offset = 0;
@@ -45,7 +55,19 @@ std::size_t cdr_size() {
   return kCdrHeadBytes + offset;
 }
 
-/// Writes cdr_size<Signal>() bytes, padding left as it is: of bytes that are 0 before.
+/// How many octets a signal has: 0 but where a field is Octets.
+template <class Signal>
+std::size_t octets_in(const Signal& signal) noexcept {
+  std::size_t count = 0;
+  visit_fields(signal, [&](const char*, const auto& field) {
+    if constexpr (kIsOctets<std::remove_cvref_t<decltype(field)>>) {
+      count += field.size();
+    }
+  });
+  return count;
+}
+
+/// Writes cdr_size<Signal>() bytes and the octets, padding left as it is: of bytes that are 0 before.
 template <class Signal>
 void write_cdr(const Signal& signal, std::uint8_t* bytes) noexcept {
   bytes[1] = 1;  // CDR_LE
@@ -61,16 +83,36 @@ void write_cdr(const Signal& signal, std::uint8_t* bytes) noexcept {
 template <class Signal>
 void to_cdr(const Signal& signal, std::vector<std::uint8_t>& bytes) {
   static const std::size_t size = cdr_size<Signal>();
-  bytes.assign(size, 0);
+  bytes.assign(size + octets_in(signal), 0);
   write_cdr(signal, bytes.data());
+}
+
+/// How many octets a signal may have: 0 but where a field is Octets.
+template <class Signal>
+consteval std::size_t most_octets() {
+  std::size_t most = 0;
+  visit_fields(Signal{}, [&](const char*, const auto& field) {
+    if constexpr (kIsOctets<std::remove_cvref_t<decltype(field)>>) {
+      most += field.capacity();
+    }
+  });
+  return most;
 }
 
 /// False for bytes that are not little-endian CDR of this signal; the signal is then as it was.
 template <class Signal>
 bool from_cdr(std::span<const std::uint8_t> bytes, Signal& signal) {
-  static const std::size_t size = cdr_size<Signal>();
+  static const std::size_t least = cdr_size<Signal>();
+  if (bytes.size() < least || bytes[0] != 0 || bytes[1] != 1) {
+    return false;
+  }
+  std::uint32_t octets = 0;
+  if constexpr (most_octets<Signal>() > 0) {
+    std::memcpy(&octets, bytes.data() + least - sizeof octets, sizeof octets);
+  }
+  const std::size_t size = least + octets;
   // Vendors may pad the end to a multiple of four.
-  if (bytes.size() < size || bytes.size() >= size + kCdrHeadBytes || bytes[0] != 0 || bytes[1] != 1) {
+  if (octets > most_octets<Signal>() || bytes.size() < size || bytes.size() >= size + kCdrHeadBytes) {
     return false;
   }
   std::size_t offset = 0;

@@ -103,11 +103,11 @@ namespace farrier::signals {
 #define FARRIER_VISIT_FIELD(field) visitor(#field, signal.field);
 #define FARRIER_VISIT(Signal, file)                      \
   template <class Visitor>                               \
-  void visit_fields(Signal& signal, Visitor&& visitor) { \
+  constexpr void visit_fields(Signal& signal, Visitor&& visitor) { \
     FARRIER_FIELDS_##Signal(FARRIER_VISIT_FIELD)         \
   }                                                      \
   template <class Visitor>                               \
-  void visit_fields(const Signal& signal, Visitor&& visitor) { \
+  constexpr void visit_fields(const Signal& signal, Visitor&& visitor) { \
     FARRIER_FIELDS_##Signal(FARRIER_VISIT_FIELD)         \
   }
 FARRIER_SIGNALS(FARRIER_VISIT)

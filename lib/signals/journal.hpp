@@ -11,9 +11,11 @@
 
 namespace farrier::signals {
 
-/// Whose samples are gathered in journals: what comes in every tick, and estimates, which are large.
+/// Whose samples are gathered in journals: what comes in every tick, estimates, and the copies for slow networks.
 template <class Signal>
-inline constexpr bool kJournalled = kOfEveryTick<Signal> || std::is_same_v<Signal, JointModelEstimate>;
+inline constexpr bool kJournalled = kOfEveryTick<Signal> || std::is_same_v<Signal, JointModelEstimate> ||
+                                    std::is_same_v<Signal, JointModelEstimateCopy> ||
+                                    std::is_same_v<Signal, JointSummary>;
 
 /// Number of a stream: of one participant's samples of one topic.
 constexpr std::uint16_t stream_of(std::uint16_t participant, std::uint8_t topic) noexcept {
@@ -31,21 +33,29 @@ std::size_t journal_entry_size() {
   return size;
 }
 
-/// Whether another sample has room.
+/// Whether another sample has room in a journal of at most `most` bytes.
 template <class Signal>
-bool has_room(const SystemJournal& journal) {
-  return (journal.samples + 1u) * journal_entry_size<Signal>() <= journal.bytes.size();
+bool has_room(const SystemJournal& journal, std::size_t most = decltype(SystemJournal::bytes)::capacity()) {
+  return journal.bytes.size() + journal_entry_size<Signal>() <= most;
 }
 
 /// Adds a sample, which must have room, that was published so long after the first.
 template <class Signal>
 void append(SystemJournal& journal, const Signal& signal, std::uint32_t after_first_ns) {
   const std::size_t size = journal_entry_size<Signal>();
-  std::uint8_t* const entry = journal.bytes.data() + journal.samples * size;
+  const std::size_t before = journal.bytes.size();
+  journal.bytes.resize(before + size);
+  std::uint8_t* const entry = journal.bytes.data() + before;
   std::fill_n(entry, size, std::uint8_t{0});
   std::memcpy(entry, &after_first_ns, sizeof after_first_ns);
   write_cdr(signal, entry + sizeof after_first_ns);
   ++journal.samples;
+}
+
+/// Leaves no sample in it.
+inline void clear(SystemJournal& journal) noexcept {
+  journal.samples = 0;
+  journal.bytes.resize(0);
 }
 
 /// Calls use(signal, cdr, age_ns) for every sample, oldest first; age_ns: from its publication to the journal's. False,
@@ -57,7 +67,7 @@ bool visit_journal(const SystemJournal& journal, Use&& use) {
     return false;
   }
   for (std::size_t i = 0; i < journal.samples; ++i) {
-    const auto entry = std::span(journal.bytes).subspan(i * size, size);
+    const auto entry = std::span(journal.bytes.data() + i * size, size);
     std::uint32_t after_first_ns = 0;
     std::memcpy(&after_first_ns, entry.data(), sizeof after_first_ns);
     const std::span<const std::uint8_t> cdr = entry.subspan(sizeof after_first_ns);

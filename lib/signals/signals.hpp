@@ -12,6 +12,7 @@
 #include <string_view>
 
 #include "core/time.hpp"
+#include "signals/octets.hpp"
 #include "signals/words.hpp"
 
 namespace farrier::signals {
@@ -263,7 +264,7 @@ struct SystemJournal {
   Tick tick = kNoTick;                ///< of the newest sample in it
   std::uint32_t closed_after_ns = 0;  ///< from when its first sample was published until it was
   std::uint16_t samples = 0;
-  std::array<std::uint8_t, 8128> bytes{};
+  Octets<32'000> bytes;
 };
 
 /// Copies as much of `text` as fits, always zero-terminated.

@@ -49,7 +49,7 @@ IdlFile read_idl(const std::string& name) {
     file.structure = match[1];
   }
   const std::regex field(
-      R"((@key\s+)?((?:unsigned )?(?:long long|long|short)|octet|char|double)\s+(\w+)(?:\[(\d+)\])?;)");
+      R"((@key\s+)?((?:unsigned )?(?:long long|long|short)|octet|char|double|sequence<.*>)\s+(\w+)(?:\[(\d+)\])?;)");
   for (std::sregex_iterator i(code.begin(), code.end(), field), end; i != end; ++i) {
     const std::smatch& found = *i;
     file.fields.push_back({found[1].matched, found[2], found[3], found[4].matched ? std::stoul(found[4]) : 1});
@@ -81,6 +81,11 @@ Field described(const char* name, const T&) {
 template <class T, std::size_t kCount>
 Field described(const char* name, const std::array<T, kCount>&) {
   return {false, Idl<T>::name, name, kCount};
+}
+
+template <std::size_t kMost>
+Field described(const char* name, const signals::Octets<kMost>&) {
+  return {false, "sequence<octet, " + std::to_string(kMost) + ">", name, 1};
 }
 
 template <class Signal>

@@ -27,6 +27,14 @@ void randomise(std::array<T, kCount>& field, std::mt19937_64& random) {
   }
 }
 
+template <std::size_t kMost>
+void randomise(signals::Octets<kMost>& field, std::mt19937_64& random) {
+  field.resize(std::uniform_int_distribution<std::size_t>(0, kMost)(random));
+  for (std::uint8_t& octet : field) {
+    randomise(octet, random);
+  }
+}
+
 /// A signal with every bit of every field at random (doubles finite, chars any byte).
 template <class Signal>
 Signal random_signal(std::mt19937_64& random) {
@@ -40,9 +48,15 @@ template <class Signal>
 std::vector<std::byte> bytes_of(const Signal& signal) {
   std::vector<std::byte> bytes;
   signals::visit_fields(signal, [&](const char*, const auto& field) {
-    const std::size_t start = bytes.size();
-    bytes.resize(start + sizeof(field));
-    std::memcpy(&bytes[start], &field, sizeof(field));
+    const auto append = [&](const void* from, std::size_t count) {
+      const auto* const begin = static_cast<const std::byte*>(from);
+      bytes.insert(bytes.end(), begin, begin + count);
+    };
+    if constexpr (signals::kIsOctets<std::remove_cvref_t<decltype(field)>>) {
+      append(field.data(), field.size());
+    } else {
+      append(&field, sizeof field);
+    }
   });
   return bytes;
 }

@@ -44,6 +44,15 @@ double sum_of(const std::array<T, kCount>& fields) {
   return sum;
 }
 
+template <std::size_t kMost>
+double sum_of(const signals::Octets<kMost>& octets) {
+  double sum = 0.0;
+  for (const std::uint8_t octet : octets) {
+    sum += octet;
+  }
+  return sum;
+}
+
 /// Twenty random samples of every topic; what they sum up to.
 std::map<std::string, TopicSum> write_recording(const std::string& path) {
   std::map<std::string, TopicSum> sums;

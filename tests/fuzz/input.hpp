@@ -84,6 +84,8 @@ class Input {
       field = number(1.0);
     } else if constexpr (std::is_arithmetic_v<Field>) {
       field = raw<Field>();
+    } else if constexpr (signals::kIsOctets<Field>) {
+      field.assign(left_.first(std::min<std::size_t>(left_.size(), raw<std::uint16_t>())));
     } else {
       for (auto& element : field) {
         fill(element);
@@ -98,7 +100,13 @@ class Input {
 template <class Signal>
 bool alike(const Signal& one, const Signal& other) noexcept {
   bool same = true;
-  const auto compare = [&same](const auto& a, const auto& b) { same = same && std::memcmp(&a, &b, sizeof a) == 0; };
+  const auto compare = [&same]<class Field>(const Field& a, const Field& b) {
+    if constexpr (signals::kIsOctets<Field>) {
+      same = same && a == b;
+    } else {
+      same = same && std::memcmp(&a, &b, sizeof a) == 0;
+    }
+  };
 #define FARRIER_COMPARE(field) compare(one.field, other.field);
 #define FARRIER_COMPARE_IF(Of, file)                        \
   if constexpr (std::is_same_v<Signal, signals::Of>) {      \

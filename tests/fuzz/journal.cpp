@@ -19,8 +19,7 @@ void journal(Bytes bytes) {
     journal.tick = input.tick(i);
     journal.closed_after_ns = input.raw<std::uint32_t>();
     journal.samples = input.raw<std::uint16_t>();
-    const Bytes content = input.rest().first(std::min(input.rest().size(), journal.bytes.size()));
-    std::ranges::copy(content, journal.bytes.begin());
+    journal.bytes.assign(input.rest());
     const recorder::Now now;
     streams.take(journal, now, [&](const farrier::run_file::Sample& sample) {
       require(recorder::is_journalled(sample.topic), "a sample is of a topic with journals");

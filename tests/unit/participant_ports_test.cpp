@@ -91,7 +91,7 @@ bus::Subscription<signals::SystemJournal> recorder_of(bus::Bus& bus, const Ident
 }
 
 TEST(Ports, GatherWhatTheyPublishForRecorders) {
-  constexpr Tick kTicks = 70;
+  constexpr Tick kTicks = 200;
   const TestRun run(2);
   const Member sender = run.join(0, "sim_bridge");
   const auto bus = run.bus();
@@ -103,15 +103,15 @@ TEST(Ports, GatherWhatTheyPublishForRecorders) {
     out->flush();
   }
   std::vector<std::vector<Tick>> journals = journals_of(recorder);
-  ASSERT_EQ(journals.size(), 1u) << "one of sixty-four ticks and more";
-  EXPECT_EQ(journals[0].size(), 65u);
+  ASSERT_EQ(journals.size(), 1u) << "one of 192 ticks and more";
+  EXPECT_EQ(journals[0].size(), 193u);
   EXPECT_EQ(journals[0].front(), 0);
   out->finish();
   out->publish(sensors_of(3, kTicks));
   out->flush();
   std::vector<std::pair<std::uint64_t, int>> last;
   recorder.drain([&](const signals::SystemJournal& journal) { last.emplace_back(journal.samples_before, journal.samples); });
-  EXPECT_EQ(last, (std::vector<std::pair<std::uint64_t, int>>{{65, 5}, {70, 1}}));
+  EXPECT_EQ(last, (std::vector<std::pair<std::uint64_t, int>>{{193, 7}, {200, 1}}));
 }
 
 TEST(Ports, KeepNoJournalWithoutARecorderAndBeginWhenOneComes) {
@@ -126,7 +126,7 @@ TEST(Ports, KeepNoJournalWithoutARecorderAndBeginWhenOneComes) {
   }
   const auto bus = run.bus();
   auto recorder = recorder_of(*bus, run.identity(1, "recorder"));
-  for (; tick < 250; ++tick) {
+  for (; tick < 400; ++tick) {
     out->publish(sensors_of(3, tick));
     out->flush();
   }

@@ -18,7 +18,7 @@ TEST(Journal, GivesBackEverySampleWithItsAge) {
     append(journal, written.back(), static_cast<std::uint32_t>(written.size()));
   }
   journal.closed_after_ns = 1000;
-  EXPECT_GT(written.size(), 80u) << "more than six ticks of twelve joints";
+  EXPECT_GT(written.size(), 350u) << "more than thirty ticks of twelve joints";
   std::size_t read = 0;
   EXPECT_TRUE(visit_journal<JointMeasurement>(
       journal, [&](const JointMeasurement& signal, std::span<const std::uint8_t> cdr, std::uint32_t age_ns) {
@@ -35,7 +35,9 @@ TEST(Journal, GivesBackEverySampleWithItsAge) {
 
 TEST(Journal, LeavesNothingOfAnEarlierOneBetweenTheNumbers) {
   SystemJournal journal;
-  journal.bytes.fill(0xff);
+  journal.bytes.resize(journal.bytes.capacity());
+  std::ranges::fill(journal.bytes, std::uint8_t{0xff});
+  clear(journal);
   append(journal, JointSensors{.joint = 3, .tick = 7}, 0);
   std::vector<std::uint8_t> expected;
   to_cdr(JointSensors{.joint = 3, .tick = 7}, expected);
@@ -48,9 +50,11 @@ TEST(Journal, RefusesWhatIsNoJournalOfItsTopic) {
   const auto nothing = [](const auto&, auto, std::uint32_t) { ADD_FAILURE() << "took a sample that is none"; };
   SystemJournal journal;
   journal.samples = 1;
+  EXPECT_FALSE(visit_journal<JointSensors>(journal, nothing)) << "fewer bytes than the sample has";
+  journal.bytes.resize(journal_entry_size<JointSensors>());
   EXPECT_FALSE(visit_journal<JointSensors>(journal, nothing)) << "bytes without CDR's head";
   journal.samples = 0xffff;
-  EXPECT_FALSE(visit_journal<JointSensors>(journal, nothing)) << "more than fit";
+  EXPECT_FALSE(visit_journal<JointSensors>(journal, nothing)) << "more than there are bytes for";
 }
 
 TEST(Journal, KnowsTheTopicOfAStream) {

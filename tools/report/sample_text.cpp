@@ -60,10 +60,11 @@ class FieldsText {
     return quoted + "\"";
   }
 
-  template <class Value, std::size_t kSize>
-  std::string value_text(std::string_view, const std::array<Value, kSize>& values) const {
+  template <class List>
+    requires requires(const List& values) { values.begin(); }
+  std::string value_text(std::string_view, const List& values) const {
     std::string list;
-    for (const Value& value : values) {
+    for (const auto& value : values) {
       list += (list.empty() ? "[" : ", ") + value_text({}, value);
     }
     return list + "]";
