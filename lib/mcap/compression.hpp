@@ -13,7 +13,7 @@ namespace farrier::mcap {
 /// CRC-32 of zip and Ethernet (zlib), going on from `before`; 0 of nothing.
 std::uint32_t crc32(std::span<const std::uint8_t> data, std::uint32_t before = 0) noexcept;
 
-/// zstd at its fastest regular level, with one context for all chunks of a file.
+/// zstd at a fast level, with one context for all chunks of a file.
 class Compressor {
  public:
   Compressor();

@@ -5,7 +5,6 @@
 #include <cstring>
 
 #include "core/ensure.hpp"
-#include "mcap/record_bytes.hpp"
 
 namespace farrier::mcap {
 namespace {
@@ -37,42 +36,41 @@ Result<Writer> Writer::create(const std::string& path, const std::string& profil
 
 std::uint16_t Writer::add_schema(Schema schema) {
   schema.id = static_cast<std::uint16_t>(schemas_.size() + 1);
-  append(chunk_, schema);
+  gathering_.write(schema);
   schemas_.push_back(std::move(schema));
   return schemas_.back().id;
 }
 
 std::uint16_t Writer::add_channel(Channel channel) {
   channel.id = static_cast<std::uint16_t>(channels_.size());
-  append(chunk_, channel);
+  gathering_.write(channel);
   channels_.push_back(std::move(channel));
-  times_.emplace_back();
   return channels_.back().id;
 }
 
 void Writer::write(const Message& message) {
-  MessageTimes& times = times_[message.channel_id];
-  const bool first_of_chunk = messages_in_chunk_++ == 0;
-  gathering_.first_ns = first_of_chunk ? message.log_time_ns : std::min(gathering_.first_ns, message.log_time_ns);
-  gathering_.last_ns = first_of_chunk ? message.log_time_ns : std::max(gathering_.last_ns, message.log_time_ns);
-  times.emplace_back(message.log_time_ns, chunk_.size());
-  append(chunk_, message);
-
-  const bool first = statistics_.messages++ == 0;
-  statistics_.first_ns = first ? message.log_time_ns : std::min(statistics_.first_ns, message.log_time_ns);
-  statistics_.last_ns = std::max(statistics_.last_ns, message.log_time_ns);
-  ++statistics_.messages_of[message.channel_id];
-  if (chunk_.size() >= chunk_bytes_) {
-    put_chunk();
+  gathering_.write(message);
+  if (gathering_.size() >= chunk_bytes_) {
+    flush();
   }
 }
 
+void Writer::write(const Chunk& chunk) {
+  flush();
+  put_chunk(chunk);
+}
+
 void Writer::write(const Metadata& metadata) {
-  put_chunk();
+  flush();
   scratch_.clear();
   append(scratch_, metadata);
   metadata_.push_back({offset_, scratch_.size(), metadata.name});
   put(scratch_.view());
+}
+
+void Writer::flush() {
+  put_chunk(gathering_);
+  gathering_.clear();
 }
 
 void Writer::flush_file() {
@@ -92,57 +90,56 @@ void Writer::put(std::span<const std::uint8_t> bytes) {
   }
 }
 
-void Writer::put_chunk() {
-  if (chunk_.size() == 0) {
+void Writer::put_chunk(const Chunk& chunk) {
+  if (chunk.size() == 0) {
     return;
   }
-  const std::span<const std::uint8_t> compressed = compressor_.compress(chunk_.view());
-  gathering_.offset = offset_;
-  gathering_.compression = "zstd";
-  gathering_.compressed_size = compressed.size();
-  gathering_.uncompressed_size = chunk_.size();
+  const std::span<const std::uint8_t> compressed = compressor_.compress(chunk.records());
+  ChunkIndex index{.first_ns = chunk.first_ns(), .last_ns = chunk.last_ns(), .offset = offset_, .compression = "zstd"};
+  index.compressed_size = compressed.size();
+  index.uncompressed_size = chunk.size();
   scratch_.clear();
   scratch_.record(Opcode::kChunk, [&] {
-    scratch_.number(gathering_.first_ns);
-    scratch_.number(gathering_.last_ns);
-    scratch_.number(gathering_.uncompressed_size);
-    scratch_.number(crc32(chunk_.view()));
-    scratch_.text(gathering_.compression);
-    scratch_.number(gathering_.compressed_size);
+    scratch_.number(index.first_ns);
+    scratch_.number(index.last_ns);
+    scratch_.number(index.uncompressed_size);
+    scratch_.number(crc32(chunk.records()));
+    scratch_.text(index.compression);
+    scratch_.number(index.compressed_size);
     scratch_.bytes(compressed);
   });
-  gathering_.length = scratch_.size();
+  index.length = scratch_.size();
   put(scratch_.view());
   const std::uint64_t indexes_at = offset_;
-  gathering_.index_offsets = put_message_indexes();
-  gathering_.index_length = offset_ - indexes_at;
-  chunks_.push_back(std::move(gathering_));
-  gathering_ = {};
-  messages_in_chunk_ = 0;
-  chunk_.clear();
+  index.index_offsets = put_message_indexes(chunk);
+  index.index_length = offset_ - indexes_at;
+  chunks_.push_back(std::move(index));
+  if (chunk.messages() > 0) {
+    statistics_.first_ns = statistics_.messages == 0 ? chunk.first_ns() : std::min(statistics_.first_ns, chunk.first_ns());
+    statistics_.last_ns = std::max(statistics_.last_ns, chunk.last_ns());
+    statistics_.messages += chunk.messages();
+  }
   flush_file();
 }
 
-std::map<std::uint16_t, std::uint64_t> Writer::put_message_indexes() {
+std::map<std::uint16_t, std::uint64_t> Writer::put_message_indexes(const Chunk& chunk) {
   std::map<std::uint16_t, std::uint64_t> offsets;
-  for (std::size_t channel = 0; channel < times_.size(); ++channel) {
-    if (times_[channel].empty()) {
+  for (std::size_t channel = 0; channel < chunk.places().size(); ++channel) {
+    const std::vector<MessagePlace>& places = chunk.places()[channel];
+    if (places.empty()) {
       continue;
     }
     const auto id = static_cast<std::uint16_t>(channel);
+    statistics_.messages_of[id] += places.size();
     scratch_.clear();
     scratch_.record(Opcode::kMessageIndex, [&] {
       scratch_.number(id);
       scratch_.prefixed([&] {
-        for (const auto& [time_ns, offset] : times_[channel]) {
-          scratch_.number(time_ns);
-          scratch_.number(offset);
-        }
+        scratch_.bytes({reinterpret_cast<const std::uint8_t*>(places.data()), places.size() * sizeof(MessagePlace)});
       });
     });
     offsets[id] = offset_;
     put(scratch_.view());
-    times_[channel].clear();
   }
   return offsets;
 }
@@ -203,7 +200,7 @@ void Writer::put_summary() {
 }
 
 Result<Done> Writer::finish() {
-  put_chunk();
+  flush();
   statistics_.schemas = static_cast<std::uint16_t>(schemas_.size());
   statistics_.channels = static_cast<std::uint32_t>(channels_.size());
   statistics_.metadata = static_cast<std::uint32_t>(metadata_.size());

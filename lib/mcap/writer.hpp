@@ -7,6 +7,7 @@
 
 #include "core/result.hpp"
 #include "mcap/bytes.hpp"
+#include "mcap/chunk.hpp"
 #include "mcap/compression.hpp"
 #include "mcap/records.hpp"
 
@@ -29,10 +30,12 @@ class Writer {
 
   /// `message.channel_id` is one of add_channel's.
   void write(const Message& message);
+  /// A chunk of such messages that was gathered elsewhere; none when it is empty.
+  void write(const Chunk& chunk);
   void write(const Metadata& metadata);
 
   /// Sends the messages so far to the file, so that a crash from here on cannot lose them.
-  void flush() { put_chunk(); }
+  void flush();
 
   /// Ends the file with its summary. Refuses when the disk did not take everything since create.
   Result<Done> finish();
@@ -51,15 +54,14 @@ class Writer {
     std::uint64_t length;
     std::string name;
   };
-  using MessageTimes = std::vector<std::pair<std::uint64_t, std::uint64_t>>;  // time, offset in the chunk
 
   Writer(std::FILE* file, std::string path, std::size_t chunk_bytes)
       : file_(file), path_(std::move(path)), chunk_bytes_(chunk_bytes) {}
 
   void put(std::span<const std::uint8_t> bytes);
-  void put_chunk();
+  void put_chunk(const Chunk& chunk);
   void flush_file();
-  std::map<std::uint16_t, std::uint64_t> put_message_indexes();
+  std::map<std::uint16_t, std::uint64_t> put_message_indexes(const Chunk& chunk);
   void put_summary();
 
   std::unique_ptr<std::FILE, Close> file_;
@@ -70,11 +72,8 @@ class Writer {
   std::uint32_t data_crc_ = 0;  // of the data section so far
   Compressor compressor_;
 
-  ByteWriter chunk_;    // records of the chunk that gathers
+  Chunk gathering_;
   ByteWriter scratch_;  // a record on its way to the file
-  ChunkIndex gathering_;
-  std::uint64_t messages_in_chunk_ = 0;
-  std::vector<MessageTimes> times_;  // of the chunk's messages, by channel
 
   std::vector<Schema> schemas_;
   std::vector<Channel> channels_;

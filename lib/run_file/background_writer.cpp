@@ -1,5 +1,6 @@
 #include "run_file/background_writer.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 #include "runtime/realtime_thread.hpp"
@@ -9,15 +10,28 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr std::size_t kWorthWriting = 256u << 10;
-constexpr auto kLongestWait = 1s;  // what a crash may take from slow streams
+constexpr std::size_t kKeptChunks = 2;  // whose memory is kept: one is written while the other gathers
+constexpr auto kLongestWait = 1s;       // what a crash may take from slow streams
 
 }  // namespace
 
+void BackgroundWriter::Waiting::add(const Sample& sample) {
+  if (used == 0 || chunks[used - 1].size() >= RunFileWriter::kChunkBytes) {
+    ++used;
+    chunks.resize(std::max(chunks.size(), used));
+  }
+  mcap::Chunk& last = chunks[used - 1];
+  const std::size_t before = last.size();
+  last.write(message_of(sample));
+  bytes += last.size() - before;
+}
+
 void BackgroundWriter::Waiting::clear() {
-  samples.clear();
-  ends.clear();
-  bytes.clear();
+  chunks.resize(std::min(chunks.size(), kKeptChunks));
+  for (mcap::Chunk& chunk : chunks) {
+    chunk.clear();
+  }
+  used = bytes = 0;
 }
 
 BackgroundWriter::BackgroundWriter(RunFileWriter file, std::size_t most_waiting_bytes)
@@ -32,14 +46,13 @@ bool BackgroundWriter::offer(const Sample& sample) {
   bool much = false;
   {
     const std::scoped_lock lock(mutex_);
-    if (waiting_.bytes.size() + sample.cdr.size() > most_waiting_bytes_ || !failure_.empty()) {
+    if (waiting_.bytes + sample.cdr.size() > most_waiting_bytes_ || !failure_.empty()) {
       ++dropped_[static_cast<std::size_t>(sample.topic)];
       return false;
     }
-    waiting_.samples.push_back(sample);
-    waiting_.bytes.insert(waiting_.bytes.end(), sample.cdr.begin(), sample.cdr.end());
-    waiting_.ends.push_back(waiting_.bytes.size());
-    much = waiting_.bytes.size() >= kWorthWriting;
+    const bool already = waiting_.bytes >= RunFileWriter::kChunkBytes;
+    waiting_.add(sample);
+    much = !already && waiting_.bytes >= RunFileWriter::kChunkBytes;
   }
   if (much) {
     much_waits_.notify_one();
@@ -54,29 +67,17 @@ void BackgroundWriter::run() {
     {
       std::unique_lock lock(mutex_);
       much_waits_.wait_for(lock, kLongestWait,
-                           [this] { return stopping_ || waiting_.bytes.size() >= kWorthWriting; });
+                           [this] { return stopping_ || waiting_.bytes >= RunFileWriter::kChunkBytes; });
       last = stopping_;
       std::swap(writing, waiting_);
     }
-    const bool slow = writing.bytes.size() < kWorthWriting;
-    write(writing);
-    writing.clear();
-    if (slow) {
-      file_.flush();
+    for (std::size_t i = 0; i < writing.used; ++i) {
+      file_.write(writing.chunks[i]);
     }
+    writing.clear();
     const std::scoped_lock lock(mutex_);
     bytes_ = file_.bytes();
     failure_ = file_.failure();
-  }
-}
-
-void BackgroundWriter::write(Waiting& waiting) {
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i < waiting.samples.size(); ++i) {
-    Sample& sample = waiting.samples[i];
-    sample.cdr = std::span<const std::uint8_t>(waiting.bytes).subspan(begin, waiting.ends[i] - begin);
-    begin = waiting.ends[i];
-    file_.write(sample);
   }
 }
 

@@ -36,16 +36,16 @@ class BackgroundWriter {
   std::string failure() const;
 
  private:
-  /// Samples one behind the other, as they wait.
+  /// Chunks that wait, the last of which gathers.
   struct Waiting {
-    std::vector<Sample> samples;
-    std::vector<std::size_t> ends;  // of each one's bytes
-    std::vector<std::uint8_t> bytes;
+    std::vector<mcap::Chunk> chunks;
+    std::size_t used = 0;   // of them; the others keep their memory
+    std::size_t bytes = 0;  // in all
+    void add(const Sample& sample);
     void clear();
   };
 
   void run();
-  void write(Waiting& waiting);
   void stop();
 
   const std::size_t most_waiting_bytes_;

@@ -37,13 +37,15 @@ Result<RunFileWriter> RunFileWriter::create(const std::string& path, const mcap:
   return writer;
 }
 
-void RunFileWriter::write(const Sample& sample) {
-  file_.write(mcap::Message{.channel_id = static_cast<std::uint16_t>(sample.topic),
-                            .sequence = sample.sequence,
-                            .log_time_ns = sample.log_time_ns,
-                            .publish_time_ns = sample.publish_time_ns,
-                            .data = sample.cdr});
+mcap::Message message_of(const Sample& sample) noexcept {
+  return {.channel_id = static_cast<std::uint16_t>(sample.topic),
+          .sequence = sample.sequence,
+          .log_time_ns = sample.log_time_ns,
+          .publish_time_ns = sample.publish_time_ns,
+          .data = sample.cdr};
 }
+
+void RunFileWriter::write(const Sample& sample) { file_.write(message_of(sample)); }
 
 Result<Done> RunFileWriter::finish(const TopicCounts& lost) {
   mcap::Metadata losses{kLosses, {}};

@@ -38,12 +38,19 @@ inline constexpr const char* kInterrupted = "interrupted";
 
 using TopicCounts = std::array<std::uint64_t, bus::kTopicCount>;
 
+/// As a file has it.
+mcap::Message message_of(const Sample& sample) noexcept;
+
 class RunFileWriter {
  public:
+  static constexpr std::size_t kChunkBytes = mcap::Writer::kChunkBytes;
+
   /// Refuses a path that cannot be written.
   static Result<RunFileWriter> create(const std::string& path, const mcap::Text& facts);
 
   void write(const Sample& sample);
+  /// A chunk of messages, each message_of a sample.
+  void write(const mcap::Chunk& chunk) { file_.write(chunk); }
   /// Sends what is buffered to the file.
   void flush() { file_.flush(); }
   /// Ends the file. Refuses when the disk did not take everything.
