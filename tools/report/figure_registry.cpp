@@ -153,7 +153,7 @@ constexpr std::array kSpecs{
     FigureSpec{"bench.lockstep.<vendor>.bare_ticks_per_s", "1/s", kNone,
                "Ticks per second of the bare vendor: the same samples between the same processes, nothing computed."},
     FigureSpec{"bench.lockstep.<vendor>.ratio", "1", kAtLeast, "The first over the second."},
-    FigureSpec{"bench.watched.<vendor>.alone_ticks_per_s", "1/s", kNone, "Ticks per second of a robot in lock-step over this vendor, once more; median of five runs."},
+    FigureSpec{"bench.watched.<vendor>.alone_ticks_per_s", "1/s", kNone, "Ticks per second of a robot in lock-step over this vendor, once more; median of fifteen short runs."},
     FigureSpec{"bench.watched.<vendor>.ticks_per_s", "1/s", kNone, "The same while everything is recorded and a monitor serves a page that is watched, in turns with the first."},
     FigureSpec{"bench.watched.<vendor>.lowest_ratio", "1", kNone, "The second over the first in the pair of runs in which it was lowest."},
     FigureSpec{"bench.watched.<vendor>.highest_ratio", "1", kNone, "In the pair in which it was highest."},
