@@ -81,7 +81,7 @@ TEST_F(RunRecordingTest, HasEverySampleOfEveryJointOnceTheRunIsOver) {
 }
 
 TEST_F(RunRecordingTest, SaysWhatWasOverwrittenBecauseNobodyPolled) {
-  constexpr Tick kTicks = 4000;
+  constexpr Tick kTicks = 20'000;
   const auto recording = begin();
   for (Tick tick = 0; tick < kTicks; ++tick) {
     publish(tick);
@@ -92,8 +92,8 @@ TEST_F(RunRecordingTest, SaysWhatWasOverwrittenBecauseNobodyPolled) {
   member_->report_health(kTicks, true);
   const auto finished = recording->finish(kTicks);
   ASSERT_FALSE(finished.ok());
-  EXPECT_EQ(finished.error().message, "the recording lacks 10260 samples of joint/sensors")
-      << "95 of 223 journals that came after the last look, 128 are kept; nine ticks of twelve joints in each";
+  EXPECT_EQ(finished.error().message, "the recording lacks 58560 samples of joint/sensors")
+      << "122 of 250 journals that came after the last look, 128 are kept; forty ticks of twelve joints in each";
 }
 
 TEST_F(RunRecordingTest, SaysThatTheEndIsMissing) {
