@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
+#include <span>
 #include <vector>
 
 #include "mcap/bytes.hpp"
@@ -16,6 +16,7 @@ struct MessagePlace {
   std::uint64_t time_ns;
   std::uint64_t offset;
 };
+static_assert(sizeof(MessagePlace) == 16);
 
 /// Messages that go to a file together, as its records; by whoever makes them, apart from the file.
 class Chunk {

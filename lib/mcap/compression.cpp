@@ -8,7 +8,7 @@
 namespace farrier::mcap {
 namespace {
 
-constexpr int kLevel = -2;  // two thirds of the time of level 1, for files an eighth larger
+constexpr int kLevel = -2;  // two thirds of the time of level 1, for chunks an eighth larger
 
 }  // namespace
 

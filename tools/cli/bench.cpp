@@ -256,7 +256,7 @@ std::function<int()> declare_bench(CLI::App& app) {
   app.add_option("--robot", o->robot_path, "robot file of the lock-step runs and of the tick")
       ->type_name("<file>")
       ->default_str("hyq.yaml, as shipped");
-  app.add_option("--ticks", o->ticks, "length of each lock-step run")
+  app.add_option("--ticks", o->ticks, "length of each lock-step run; half of it beside who looks on")
       ->check(between(100, 1e6))
       ->type_name("<n>")
       ->capture_default_str();
