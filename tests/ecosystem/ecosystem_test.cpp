@@ -35,20 +35,12 @@ double sum_of(const std::array<char, kCount>& text) {  // up to 255 each
   }
   return sum;
 }
-template <class T, std::size_t kCount>
-double sum_of(const std::array<T, kCount>& fields) {
+template <class List>
+  requires requires(const List& fields) { fields.begin(); }
+double sum_of(const List& fields) {
   double sum = 0.0;
-  for (const T& field : fields) {
+  for (const auto& field : fields) {
     sum += sum_of(field);
-  }
-  return sum;
-}
-
-template <std::size_t kMost>
-double sum_of(const signals::Octets<kMost>& octets) {
-  double sum = 0.0;
-  for (const std::uint8_t octet : octets) {
-    sum += octet;
   }
   return sum;
 }
