@@ -1,5 +1,5 @@
 # Where things lie, in the build directory as below an installation's prefix, so that a command finds its processes and
-# robot files by one rule (tools/cli/installation.hpp):
+# robot files by one rule (cli/base/installation.hpp):
 #
 #   bin/farrier               the command
 #   libexec/farrier/          the processes, whose names are too common for bin

@@ -1,6 +1,6 @@
 #include "estimator_service/estimator_service.hpp"
 
-#include "control/model_rows.hpp"
+#include "control/model/model_rows.hpp"
 #include "robot/make_estimator.hpp"
 
 namespace farrier::estimator_service {

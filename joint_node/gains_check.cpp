@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "control/model_rows.hpp"
+#include "control/model/model_rows.hpp"
 #include "plant/joint_physics.hpp"
 #include "signals/fields.hpp"
 #include "wire_gains/wire_gains.hpp"

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "control/closed_loop.hpp"
-#include "control/feedback_linearisation.hpp"
+#include "control/design/closed_loop.hpp"
+#include "control/law/feedback_linearisation.hpp"
 #include "core/result.hpp"
 #include "signals/signals.hpp"
 

@@ -17,12 +17,12 @@
 #include <array>
 #include <optional>
 
-#include "control/delay_predictor.hpp"
-#include "control/effect_compensation.hpp"
-#include "control/feedback_linearisation.hpp"
-#include "control/flow_inversion.hpp"
-#include "control/force_controller.hpp"
-#include "control/pid.hpp"
+#include "control/law/delay_predictor.hpp"
+#include "control/law/effect_compensation.hpp"
+#include "control/law/feedback_linearisation.hpp"
+#include "control/law/flow_inversion.hpp"
+#include "control/law/force_controller.hpp"
+#include "control/law/pid.hpp"
 #include "core/fault.hpp"
 #include "core/noise.hpp"
 #include "joint_node/sensor_check.hpp"

@@ -1,6 +1,6 @@
 // sim_bridge: valve_command ──▶ simulated hydraulic joints and bench loads ──▶ joint/sensors; drives the clock
 
-#include "lab/hide.hpp"
+#include "trials/hide.hpp"
 #include "process/process.hpp"
 #include "sim_bridge/sim_bridge_lockstep.hpp"
 #include "sim_bridge/sim_bridge_realtime.hpp"
@@ -9,8 +9,8 @@ namespace {
 
 /// What is simulated: the robot, or with --hide a secret one.
 farrier::robot::Robot world_of(const farrier::robot::Robot& robot, const farrier::participant::ProcessOptions& o) {
-  farrier::lab::HiddenEffect unsaid;
-  return o.hide ? farrier::lab::hide_effect(robot, *o.hide, unsaid) : robot;
+  farrier::trials::HiddenEffect unsaid;
+  return o.hide ? farrier::trials::hide_effect(robot, *o.hide, unsaid) : robot;
 }
 
 }  // namespace

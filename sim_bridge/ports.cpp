@@ -50,9 +50,9 @@ Result<Parts> Parts::assemble(const robot::Robot& robot, std::uint64_t seed, con
   if (!world) {
     return world.error();
   }
-  std::optional<record::TraceWriter> trace;
+  std::optional<trace::TraceWriter> trace;
   if (!trace_path.empty()) {
-    auto writer = record::TraceWriter::create(trace_path, robot::joint_names(robot));
+    auto writer = trace::TraceWriter::create(trace_path, robot::joint_names(robot));
     if (!writer) {
       return writer.error();
     }

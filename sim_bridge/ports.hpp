@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "participant/participant.hpp"
-#include "record/trace.hpp"
+#include "trace/trace.hpp"
 #include "robot/robot.hpp"
 #include "sim_bridge/sim_world.hpp"
 
@@ -24,7 +24,7 @@ struct Ports {
 /// What sim_bridge is made of on either clock.
 struct Parts {
   SimWorld world;
-  std::optional<record::TraceWriter> trace;  ///< none for an empty path
+  std::optional<trace::TraceWriter> trace;  ///< none for an empty path
   Ports ports;
 
   static Result<Parts> assemble(const robot::Robot& robot, std::uint64_t seed, const std::string& trace_path,

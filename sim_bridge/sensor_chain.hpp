@@ -9,7 +9,7 @@
 
 #include <array>
 
-#include "control/low_pass.hpp"
+#include "control/law/low_pass.hpp"
 #include "core/noise.hpp"
 #include "core/result.hpp"
 #include "plant/terms/active_effect.hpp"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "record/trace.hpp"
+#include "trace/trace.hpp"
 #include "robot/keys.hpp"
 #include "runtime/latency_histogram.hpp"
 #include "sim_bridge/ports.hpp"
@@ -48,7 +48,7 @@ class SimBridgeLockstep final : public participant::Application {
   void report(bool final_report);
 
   SimWorld world_;
-  std::optional<record::TraceWriter> trace_;
+  std::optional<trace::TraceWriter> trace_;
   RowSink sink_;
   Ports ports_;
   participant::Participant& participant_;
@@ -115,7 +115,7 @@ void SimBridgeLockstep::begin_tick() {
 void SimBridgeLockstep::record() noexcept {
   for (std::size_t i = 0; i < world_.joints(); ++i) {
     const signals::JointValveCommand& valve = *valves_.find(i, world_.tick());
-    record::TraceRow row;
+    trace::TraceRow row;
     world_.describe(i, row);
     row.force_reference_N_or_Nm = valve.force_reference_N_or_Nm;
     row.valve_current_A = valve_current_A_[i];

@@ -7,14 +7,14 @@
 
 #include "participant/application.hpp"
 #include "participant/participant.hpp"
-#include "record/trace.hpp"
+#include "trace/trace.hpp"
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::sim_bridge {
 
 /// Takes what the trace would record, tick by tick, joint by joint.
-using RowSink = std::function<void(const record::TraceRow&)>;
+using RowSink = std::function<void(const trace::TraceRow&)>;
 
 /// The simulated robot in lock-step, and the lock-step clock itself: tick k + 1 begins only when every joint has
 /// answered tick k, every participant has finished it, and all it issued has arrived here.

@@ -30,10 +30,10 @@ struct ReceivedValve {
 struct Mailbox {
   LatestValue<ReceivedValve> valve;
   SpscRing<signals::JointSensors, 16> sensors;
-  SpscRing<record::TraceRow, 64> rows;
+  SpscRing<trace::TraceRow, 64> rows;
   participant::Arrival arrival;  ///< bus thread
   ReceivedValve last_valve;  ///< control thread
-  record::TraceRow row;      ///< control thread: the newest, until the reference that answers it is there
+  trace::TraceRow row;      ///< control thread: the newest, until the reference that answers it is there
   std::atomic<bool> fell_silent{false};  ///< the valve commands, by the control thread, which puts the spool to null
   bool told_silent = false;  ///< bus thread
 };
@@ -165,7 +165,7 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
   mail.fell_silent.store(begun && silent, std::memory_order_relaxed);
   valve_current_A_[index] = silent ? 0.0 : valve.valve_current_A;
 
-  record::TraceRow& row = mail.row;
+  trace::TraceRow& row = mail.row;
   world_.describe(index, row);
   row.valve_current_A = valve_current_A_[index];
   row.phase = valve.phase;
@@ -218,7 +218,7 @@ void SimBridgeRealtime::send_at_leisure() {
   for (bool any = true; any && trace_;) {
     any = false;
     for (Mailbox& mail : mail_) {
-      if (record::TraceRow row; mail.rows.pop(row)) {
+      if (trace::TraceRow row; mail.rows.pop(row)) {
         trace_->write(row);
         any = true;
       }

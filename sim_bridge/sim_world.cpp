@@ -109,7 +109,7 @@ signals::JointSensors SimWorld::sample(std::size_t index) const noexcept {
   return sensors;
 }
 
-void SimWorld::describe(std::size_t index, record::TraceRow& row) const noexcept {
+void SimWorld::describe(std::size_t index, trace::TraceRow& row) const noexcept {
   const Joint& joint = joints_[index];
   const plant::JointReadings read = joint.plant.readings();
   row.tick = tick_;

@@ -15,7 +15,7 @@
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
 #include "plant/joint.hpp"
-#include "record/trace.hpp"
+#include "trace/trace.hpp"
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
 #include "sim_bridge/sensor_chain.hpp"
@@ -39,7 +39,7 @@ class SimWorld {
   void advance(const std::vector<double>& valve_current_A) noexcept;
 
   /// What a trace records of one joint at the present tick, before advance(); controller fields are left alone.
-  void describe(std::size_t joint, record::TraceRow& row) const noexcept;
+  void describe(std::size_t joint, trace::TraceRow& row) const noexcept;
 
   Tick tick() const noexcept { return tick_; }
   std::size_t joints() const noexcept { return joints_.size(); }

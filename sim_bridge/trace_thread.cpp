@@ -10,17 +10,17 @@ namespace farrier::sim_bridge {
 
 using namespace std::chrono_literals;
 
-TraceThread::TraceThread(record::TraceWriter writer) : writer_(std::move(writer)), thread_([this] { run(); }) {}
+TraceThread::TraceThread(trace::TraceWriter writer) : writer_(std::move(writer)), thread_([this] { run(); }) {}
 
 TraceThread::~TraceThread() {
   end();
   thread_.join();
 }
 
-void TraceThread::write(const record::TraceRow& row) noexcept {
+void TraceThread::write(const trace::TraceRow& row) noexcept {
   char* const line = filling_.lines.data() + filling_.size;
   filling_.size += static_cast<std::size_t>(writer_.format(row, line) - line);
-  if (filling_.size + record::TraceWriter::kLongestLine > filling_.lines.size()) {
+  if (filling_.size + trace::TraceWriter::kLongestLine > filling_.lines.size()) {
     hand_over();
   }
 }

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "core/spsc_ring.hpp"
-#include "record/trace.hpp"
+#include "trace/trace.hpp"
 
 namespace farrier::sim_bridge {
 
@@ -13,14 +13,14 @@ namespace farrier::sim_bridge {
 /// waits.
 class TraceThread {
  public:
-  explicit TraceThread(record::TraceWriter writer);
+  explicit TraceThread(trace::TraceWriter writer);
   /// Writes what has come.
   ~TraceThread();
   TraceThread(const TraceThread&) = delete;
   TraceThread& operator=(const TraceThread&) = delete;
 
   /// One thread. Rows are lost where the disk is behind by kBlocks: a second and a half of twelve joints at 1 kHz.
-  void write(const record::TraceRow& row) noexcept;
+  void write(const trace::TraceRow& row) noexcept;
   /// The same thread: no more rows come.
   void end() noexcept;
 
@@ -39,7 +39,7 @@ class TraceThread {
   void hand_over() noexcept;
   void run();
 
-  record::TraceWriter writer_;
+  trace::TraceWriter writer_;
   Block filling_;  ///< of the thread that calls write()
   SpscRing<Block, kBlocks> blocks_;
   std::atomic<bool> ended_{false}, finished_{false}, refused_{false};

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "control/closed_loop.hpp"
+#include "control/design/closed_loop.hpp"
 #include "plant/joint_physics.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"

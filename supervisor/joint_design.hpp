@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control/closed_loop.hpp"
+#include "control/design/closed_loop.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::supervisor {

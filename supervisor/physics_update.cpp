@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/model_rows.hpp"
+#include "control/model/model_rows.hpp"
 
 namespace farrier::supervisor {
 namespace {

@@ -5,8 +5,8 @@
 //   estimate ──▶ valid? ──▶ physics far enough from the acting ones, beyond its errors? ──▶ does a short step settle on
 //   the estimate and on the acting physics within their uncertainty? ──▶ accepted: physics and model are stored
 
-#include "control/discretise.hpp"
-#include "control/flow_inversion_trial.hpp"
+#include "control/model/discretise.hpp"
+#include "control/law/flow_inversion_trial.hpp"
 #include "plant/joint_physics.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"

@@ -3,7 +3,7 @@
 #include <array>
 #include <complex>
 
-#include "control/lqr.hpp"
+#include "control/design/lqr.hpp"
 
 namespace farrier::supervisor {
 

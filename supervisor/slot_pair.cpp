@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/margins.hpp"
-#include "control/switching.hpp"
+#include "control/design/margins.hpp"
+#include "control/design/switching.hpp"
 #include "gait/schedule.hpp"
 
 namespace farrier::supervisor {

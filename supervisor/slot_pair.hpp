@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control/lqr.hpp"
+#include "control/design/lqr.hpp"
 #include "core/time.hpp"
 #include "robot/robot.hpp"
 

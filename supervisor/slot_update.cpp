@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/closed_loop.hpp"
-#include "control/model_rows.hpp"
-#include "control/switching.hpp"
+#include "control/design/closed_loop.hpp"
+#include "control/model/model_rows.hpp"
+#include "control/design/switching.hpp"
 #include "estimation/estimator.hpp"
 
 namespace farrier::supervisor {

@@ -6,7 +6,7 @@
 //            ──▶ stable on the estimate and on the stored model within its uncertainty? ──▶ margins? ──▶ dwell time?
 //            ──▶ accepted: gains and model are stored
 
-#include "control/lqr.hpp"
+#include "control/design/lqr.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
 #include "supervisor/slot_pair.hpp"

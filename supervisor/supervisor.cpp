@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "control/model_rows.hpp"
+#include "control/model/model_rows.hpp"
 #include "supervisor/joint_design.hpp"
 #include "wire_gains/wire_gains.hpp"
 

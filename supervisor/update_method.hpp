@@ -7,7 +7,7 @@
 
 #include <variant>
 
-#include "robot/adaptation_section.hpp"
+#include "robot/sections/adaptation_section.hpp"
 #include "signals/signals.hpp"
 #include "supervisor/pole_set.hpp"
 

@@ -50,6 +50,11 @@ enum class EstimateFlag : std::uint32_t {
   kInstrumentRefused = 1u << 11,    ///< the last sample was taken with the regressor for its instrument (B.18)
 };
 
+constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
+
+/// Normalised signals beyond this are refused, because their square would not be finite.
+inline constexpr double kLargestSignal = 1e40;
+
 /// x[k+1] = A x[k] + B u[k] + c of what the washout leaves, SI, position relative to home.
 struct ModelEstimate {
   Eigen::Matrix3d a = Eigen::Matrix3d::Identity();

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "control/discretise.hpp"
+#include "control/model/discretise.hpp"
 #include "core/ticks_since.hpp"
 #include "estimation/joint_estimator.hpp"
 #include "estimation/poles.hpp"
@@ -20,12 +20,9 @@ constexpr double kSlip = 0.004;
 // On end stops and voids: what a tick may do to velocity and to pressure, shares of scale and supply.
 constexpr double kBentVelocity = 0.04;
 constexpr double kBentPressure = 0.02;
-constexpr double kLargestSignal = 1e40;  // in units of the scales; beyond it a square would not be finite
 constexpr double kMisfitMemory = 0.98;   // 50 ticks
 constexpr double kExpectedSurprise = 3.0;
 constexpr double kMostMisfit = 100.0;    // of one tick: an outlier alone is no misfit
-
-constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
 
 double squared(double x) noexcept { return x * x; }
 

@@ -23,11 +23,6 @@ constexpr std::uint64_t kBridgedTicks = 3;
 // Until then what it leaves is not the linear model's: x[0] is its own mean, and the mean of A x[0] + B u[0] is not x[1].
 constexpr double kSettlingTimeConstants = 4.0;
 
-// Normalised signals beyond this are refused: a variance that has become infinite would stay so.
-constexpr double kLargestSignal = 1e40;
-
-constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
-
 std::uint32_t flags_of(RlsStatus status) noexcept {
   switch (status) {
     case RlsStatus::kRegressorTooSmall: return bit(EstimateFlag::kRegressorTooSmall);

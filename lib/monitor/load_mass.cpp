@@ -4,7 +4,7 @@
 #include <cmath>
 #include <unsupported/Eigen/MatrixFunctions>
 
-#include "control/model_rows.hpp"
+#include "control/model/model_rows.hpp"
 #include "estimation/poles.hpp"
 
 namespace farrier::monitor {

@@ -5,10 +5,10 @@
 #include <limits>
 #include <utility>
 
-#include "control/model_rows.hpp"
+#include "control/model/model_rows.hpp"
 #include "estimation/poles.hpp"
 #include "monitor/load_mass.hpp"
-#include "run_file/visit_sample.hpp"
+#include "recording/visit_sample.hpp"
 #include "signals/tick_of.hpp"
 
 namespace farrier::monitor {
@@ -45,10 +45,10 @@ double RobotView::since_first_s(std::uint64_t time_ns) const noexcept {
   return first_ns_ == 0 ? 0.0 : seconds(first_ns_, time_ns);
 }
 
-void RobotView::take(const run_file::Sample& sample) {
+void RobotView::take(const recording::Sample& sample) {
   first_ns_ = first_ns_ == 0 ? sample.log_time_ns : first_ns_;
   newest_ns_ = std::max(newest_ns_, sample.log_time_ns);
-  run_file::visit_sample(sample, [this](const auto& signal) {
+  recording::visit_sample(sample, [this](const auto& signal) {
     if (!signals::is_probe(signal)) {
       take(signal);
     }

@@ -6,12 +6,12 @@
 #include "bus/topics.hpp"
 #include "monitor/frame.hpp"
 #include "robot/robot.hpp"
-#include "run_file/run_file.hpp"
+#include "recording/recording_file.hpp"
 
 namespace farrier::monitor {
 
 /// Makes frames from samples, whether they come from a bus (recorder::Recorder) or a recording
-/// (run_file::RunFileReader). Times are log times.
+/// (recording::RunFileReader). Times are log times.
 class RobotView {
  public:
   /// `robot` must outlive it.
@@ -23,7 +23,7 @@ class RobotView {
 
   /// Samples of other topics, and of joints and legs that the robot does not have, are left out. A new session, which
   /// a hello tells, begins anew: events stay.
-  void take(const run_file::Sample& sample);
+  void take(const recording::Sample& sample);
 
   /// Adds an event of the monitor's own.
   void note(signals::Severity severity, std::string text, std::uint64_t time_ns);

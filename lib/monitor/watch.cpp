@@ -21,7 +21,7 @@ Result<Watch> Watch::create(bus::Bus& bus, const robot::Robot& robot) {
 }
 
 Frame Watch::look() {
-  recorder_.drain([this](const run_file::Sample& sample) { view_.take(sample); });
+  recorder_.drain([this](const recording::Sample& sample) { view_.take(sample); });
   const std::uint64_t now_ns = participant::date_now_ns();
   const std::uint64_t lost = note_losses(now_ns);
   Frame frame = view_.frame(now_ns);

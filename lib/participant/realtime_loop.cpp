@@ -17,8 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kHousekeeping = 5ms;
-constexpr auto kSilenceWorthReporting = 5s;
-constexpr auto kStatusPeriod = 1s;
+constexpr auto kSilenceReportedAfter = 5s;
+constexpr auto kHealthPeriod = 1s;
 
 /// What the threads of a process know of each other.
 struct Threads {
@@ -118,7 +118,7 @@ int run_realtime(RealtimeApplication& application, Participant& member, const Pr
   std::thread control_thread(control, std::ref(application), name, std::cref(priorities), std::ref(threads));
   std::thread send_thread(send, std::ref(application), std::cref(priorities), std::ref(threads));
   SteadyTime said = steady_now();
-  SteadyTime next_status = said + kStatusPeriod;
+  SteadyTime next_status = said + kHealthPeriod;
   while (!threads.over()) {
     const std::uint64_t before = bus.arrivals();
     if (application.receive(steady_now())) {
@@ -129,10 +129,10 @@ int run_realtime(RealtimeApplication& application, Participant& member, const Pr
       manager.ready();
       manager.alive(std::array{threads.control_turns.load(), threads.send_turns.load()}, steady_now());
     } else if (steady_now() >= next_status) {
-      next_status = steady_now() + kStatusPeriod;
+      next_status = steady_now() + kHealthPeriod;
       const std::string waiting = "waiting for " + application.waits_for();
       manager.status(waiting);
-      if (steady_now() - said > kSilenceWorthReporting) {
+      if (steady_now() - said > kSilenceReportedAfter) {
         std::fprintf(stderr, "%s: %s\n", name, waiting.c_str());
         said = steady_now();
       }

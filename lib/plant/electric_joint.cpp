@@ -24,7 +24,7 @@ double fastest_rate(const ElectricParams& a, const LoadParams& load) noexcept {
   return std::max({winding, rotor, moved});
 }
 
-bool slow_enough(double rate) noexcept { return rate * kShortestSubstep_s <= kStabilityInterval; }
+bool stable_substep(double rate) noexcept { return rate * kShortestSubstep_s <= kStabilityInterval; }
 
 bool carries(const LoadParams& load) noexcept {
   return is_physical(load, 0.0) && load.friction.coulomb == 0.0 && load.friction.breakaway == 0.0;
@@ -50,7 +50,7 @@ Result<ElectricJoint> ElectricJoint::create(const ElectricParams& actuator, cons
   if (!refusals.empty()) {
     return Error{refusals};
   }
-  if (const double fastest = fastest_rate(actuator, load); !slow_enough(fastest)) {
+  if (const double fastest = fastest_rate(actuator, load); !stable_substep(fastest)) {
     std::ostringstream text;
     text << "joint: fastest rate " << fastest << " 1/s exceeds " << kStabilityInterval / kShortestSubstep_s
          << " 1/s; lower stop_stiffness, stop_damping or spring_stiffness, or raise winding_inductance_H, "
@@ -73,7 +73,7 @@ ElectricJoint::ElectricJoint(const ElectricParams& actuator, const LoadParams& l
                          .current_A = 1.0 / (tolerance * command_limit_A_)} {}
 
 bool ElectricJoint::set_load(const LoadParams& load) noexcept {
-  if (!carries(load) || !slow_enough(fastest_rate(actuator(), load))) {
+  if (!carries(load) || !stable_substep(fastest_rate(actuator(), load))) {
     return false;
   }
   equations_.set_load(load);

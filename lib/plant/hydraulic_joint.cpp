@@ -13,7 +13,7 @@ namespace {
 /// Error estimates of substeps that stride over a bend count this much more: measured, see plant_integrator_test.
 constexpr double kUnseenBendFactor = 30.0;
 
-bool slow_enough(double fastest_rate) noexcept {
+bool stable_at_shortest_substep(double fastest_rate) noexcept {
   return fastest_rate * HydraulicJoint::kShortestSubstep_s <= kStabilityInterval;
 }
 
@@ -49,7 +49,7 @@ Result<HydraulicJoint> HydraulicJoint::create(const ActuatorParams& nominal, con
     return Error{refusals};
   }
   HydraulicJoint joint(actuator, load, initial, tolerance, effects);
-  if (const double fastest = fastest_rate(actuator, load, joint.effects_); !slow_enough(fastest)) {
+  if (const double fastest = fastest_rate(actuator, load, joint.effects_); !stable_at_shortest_substep(fastest)) {
     std::ostringstream text;
     text << "joint: fastest rate " << fastest << " 1/s exceeds " << kStabilityInterval / kShortestSubstep_s
          << " 1/s; lower stop_stiffness or stop_damping, or raise line_volume_m3, laminar_pressure_Pa, mass or the "
@@ -105,7 +105,7 @@ bool HydraulicJoint::set_load(const LoadParams& given) noexcept {
   }
   Effects effects = effects_;
   const Effects::X carried = effects.set_load(load, integrated_.x);
-  if (!slow_enough(fastest_rate(actuator(), load, effects))) {
+  if (!stable_at_shortest_substep(fastest_rate(actuator(), load, effects))) {
     return false;
   }
   equations_.set_load(load);

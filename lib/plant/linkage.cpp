@@ -1,6 +1,7 @@
 #include "plant/linkage.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <sstream>
 
 #include "core/ensure.hpp"
@@ -9,7 +10,6 @@
 namespace farrier::plant {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 /// Share of the shorter side below which the lever counts as a dead centre.
 constexpr double kDeadLeverShare = 1e-6;
 
@@ -26,7 +26,7 @@ Result<Linkage> Linkage::triangle(const TriangleParams& params) {
   };
   require(params.side_a_m > 0.0, "side_a_m", params.side_a_m, "finite and > 0");
   require(params.side_b_m > 0.0, "side_b_m", params.side_b_m, "finite and > 0");
-  require(params.angle_at_zero_rad > 0.0 && params.angle_at_zero_rad < kPi, "angle_at_zero_rad",
+  require(params.angle_at_zero_rad > 0.0 && params.angle_at_zero_rad < std::numbers::pi, "angle_at_zero_rad",
           params.angle_at_zero_rad, "within (0, pi)");
   require(is_sign(params.angle_sign), "angle_sign", params.angle_sign, "+1 or -1");
   require(is_sign(params.mirror), "mirror", params.mirror, "+1 or -1");

@@ -1,12 +1,12 @@
 #include "plant/trigonometry.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <limits>
 
 namespace farrier::plant {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 /// pi / 2 as a sum of two doubles, the first short enough that small multiples of it are exact.
 constexpr double kHalfPiHigh = 1.57079632673412561417;
 constexpr double kHalfPiLow = 6.07710050650619224932e-11;
@@ -31,7 +31,7 @@ SineCosine sine_cosine(double angle_rad) noexcept {
   if (!(std::abs(angle_rad) <= kLargestAngle)) {
     return {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   }
-  const double turns = angle_rad / (0.5 * kPi);
+  const double turns = angle_rad / (0.5 * std::numbers::pi);
   const int quarters = static_cast<int>(turns < 0.0 ? turns - 0.5 : turns + 0.5);
   const double rest = (angle_rad - quarters * kHalfPiHigh) - quarters * kHalfPiLow;
   const double s = sine_series(rest);
@@ -53,13 +53,13 @@ double arc_cosine(double cosine) noexcept {
     return 0.0;
   }
   if (cosine <= -1.0) {
-    return kPi;
+    return std::numbers::pi;
   }
   // Abramowitz and Stegun (1964), 4.4.45, good to 7e-5; two Newton steps square that twice.
   const double x = std::abs(cosine);
   const double first =
       std::sqrt(1.0 - x) * (1.5707288 + x * (-0.2121144 + x * (0.0742610 - 0.0187293 * x)));
-  double angle = cosine < 0.0 ? kPi - first : first;
+  double angle = cosine < 0.0 ? std::numbers::pi - first : first;
   for (int iteration = 0; iteration < 2; ++iteration) {
     const SineCosine at = sine_cosine(angle);
     angle += (at.cosine - cosine) / at.sine;

@@ -11,7 +11,7 @@ namespace {
 template <class Signal>
 class TypedJournalledTopic final : public JournalledTopic {
  public:
-  void take(const signals::SystemJournal& journal, const Now& now, const run_file::TakeSample& take) override {
+  void take(const signals::SystemJournal& journal, const Now& now, const recording::TakeSample& take) override {
     auto [next, first] = next_.try_emplace(journal.stream, journal.samples_before);
     if (!first && journal.samples_before > next->second) {
       lost_ += journal.samples_before - next->second;  // a process that begins anew counts from 0
@@ -53,7 +53,7 @@ JournalStreams::JournalStreams()
 }
 #undef FARRIER_TOPIC
 
-void JournalStreams::take(const signals::SystemJournal& journal, const Now& now, const run_file::TakeSample& take) {
+void JournalStreams::take(const signals::SystemJournal& journal, const Now& now, const recording::TakeSample& take) {
   const std::size_t topic = signals::topic_of_stream(journal.stream);
   if (!signals::is_probe(journal) && journal.contract == contract_ && topic < topics_.size() && topics_[topic]) {
     topics_[topic]->take(journal, now, take);

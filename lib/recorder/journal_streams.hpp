@@ -16,7 +16,7 @@ bool is_journalled(bus::TopicId topic);
 class JournalledTopic {
  public:
   virtual ~JournalledTopic() = default;
-  virtual void take(const signals::SystemJournal& journal, const Now& now, const run_file::TakeSample& take) = 0;
+  virtual void take(const signals::SystemJournal& journal, const Now& now, const recording::TakeSample& take) = 0;
   virtual TopicProgress progress(const bus::ReaderStatus& reader) const = 0;
 };
 
@@ -26,7 +26,7 @@ class JournalStreams {
   JournalStreams();
 
   /// Hands the samples of a journal on. Passes over a probe and over a journal of another contract.
-  void take(const signals::SystemJournal& journal, const Now& now, const run_file::TakeSample& take);
+  void take(const signals::SystemJournal& journal, const Now& now, const recording::TakeSample& take);
   void append_progress(std::vector<TopicProgress>& all, const bus::ReaderStatus& reader) const;
 
  private:

@@ -6,7 +6,7 @@
 #include "recorder/stream.hpp"
 #include "recorder/watching_endpoint.hpp"
 #include "robot/keys.hpp"
-#include "run_file/loss_count.hpp"
+#include "recording/loss_count.hpp"
 #include "signals/cdr.hpp"
 #include "signals/journal.hpp"
 #include "signals/tick_of.hpp"
@@ -37,7 +37,7 @@ class TypedTap final : public Tap {
  public:
   explicit TypedTap(Heard heard) : heard_(std::move(heard)) {}
 
-  void drain(const run_file::TakeSample& take) override {
+  void drain(const recording::TakeSample& take) override {
     const Now now;
     heard_.drain([&](const Signal& signal) {
       if (!signals::is_probe(signal)) {
@@ -54,7 +54,7 @@ class TypedTap final : public Tap {
  private:
   Heard heard_;
   Stream<Signal> stream_;
-  run_file::LossCount<Signal> losses_;
+  recording::LossCount<Signal> losses_;
   std::vector<std::uint8_t> cdr_;
 };
 
@@ -64,7 +64,7 @@ class JournalTap final : public Tap {
  public:
   explicit JournalTap(Heard heard) : heard_(std::move(heard)) {}
 
-  void drain(const run_file::TakeSample& take) override {
+  void drain(const recording::TakeSample& take) override {
     const Now now;
     heard_.drain([&](const signals::SystemJournal& journal) { streams_.take(journal, now, take); });
   }
@@ -221,7 +221,7 @@ Result<Recorder> Recorder::of_journals(participant::Participant& participant, co
   return Recorder(std::move(taps));
 }
 
-void Recorder::drain(const run_file::TakeSample& take) {
+void Recorder::drain(const recording::TakeSample& take) {
   for (const auto& tap : taps_) {
     tap->drain(take);
   }
@@ -235,8 +235,8 @@ std::vector<TopicProgress> Recorder::progress() const {
   return all;
 }
 
-run_file::TopicCounts Recorder::lost() const {
-  run_file::TopicCounts lost{};
+recording::TopicCounts Recorder::lost() const {
+  recording::TopicCounts lost{};
   for (const TopicProgress& one : progress()) {
     lost[static_cast<std::size_t>(one.topic)] = one.lost;
   }

@@ -7,7 +7,7 @@
 #include "bus/bus.hpp"
 #include "participant/participant.hpp"
 #include "robot/robot.hpp"
-#include "run_file/run_file.hpp"
+#include "recording/recording_file.hpp"
 
 namespace farrier::recorder {
 
@@ -24,7 +24,7 @@ class Tap {
  public:
   virtual ~Tap() = default;
   /// Hands every waiting sample on. Probes of the greeting, which nobody acts on, are left out.
-  virtual void drain(const run_file::TakeSample& take) = 0;
+  virtual void drain(const recording::TakeSample& take) = 0;
   /// Of each topic that comes this way.
   virtual void append_progress(std::vector<TopicProgress>& all) const = 0;
 };
@@ -43,10 +43,10 @@ class Recorder {
   static Result<Recorder> of_journals(participant::Participant& participant, const robot::Robot& robot);
 
   /// Hands what has come on.
-  void drain(const run_file::TakeSample& take);
+  void drain(const recording::TakeSample& take);
 
   std::vector<TopicProgress> progress() const;
-  run_file::TopicCounts lost() const;
+  recording::TopicCounts lost() const;
 
  private:
   explicit Recorder(std::vector<std::unique_ptr<Tap>> taps) : taps_(std::move(taps)) {}

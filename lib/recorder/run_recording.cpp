@@ -20,7 +20,7 @@ Result<std::unique_ptr<RunRecording>> RunRecording::create(const std::string& pa
   if (!recorder) {
     return recorder.error();
   }
-  auto file = run_file::RunFileWriter::create(path, facts);
+  auto file = recording::RunFileWriter::create(path, facts);
   if (!file) {
     return file.error();
   }
@@ -29,7 +29,7 @@ Result<std::unique_ptr<RunRecording>> RunRecording::create(const std::string& pa
 }
 
 void RunRecording::poll() {
-  recorder_.drain([this](const run_file::Sample& sample) { file_.offer(sample); });
+  recorder_.drain([this](const recording::Sample& sample) { file_.offer(sample); });
 }
 
 bool RunRecording::has(Tick ticks) const {
@@ -41,12 +41,12 @@ bool RunRecording::has(Tick ticks) const {
 
 Result<Done> RunRecording::finish(Tick ticks) {
   poll();
-  run_file::TopicCounts lost = recorder_.lost();
+  recording::TopicCounts lost = recorder_.lost();
   const bool complete = has(ticks);
   if (auto finished = file_.finish(lost); !finished) {
     return finished;
   }
-  const run_file::TopicCounts dropped = file_.dropped();
+  const recording::TopicCounts dropped = file_.dropped();
   for (const bus::TopicSpec& topic : bus::topics()) {
     const auto i = static_cast<std::size_t>(topic.id);
     if (lost[i] + dropped[i] > 0) {

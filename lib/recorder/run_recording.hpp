@@ -5,7 +5,7 @@
 
 #include "participant/participant.hpp"
 #include "recorder/recorder.hpp"
-#include "run_file/background_writer.hpp"
+#include "recording/background_writer.hpp"
 
 namespace farrier::recorder {
 
@@ -13,7 +13,7 @@ namespace farrier::recorder {
 /// only when its participant does: every sample of every tick is in it.
 class RunRecording {
  public:
-  /// Opens ports of `participant`, which outlives it; hence before the greeting. `facts`: run_file::kRunFacts. Refuses a
+  /// Opens ports of `participant`, which outlives it; hence before the greeting. `facts`: recording::kRunFacts. Refuses a
   /// file that cannot be written, and what the bus refuses.
   static Result<std::unique_ptr<RunRecording>> create(const std::string& path, const mcap::Text& facts,
                                                       const robot::Robot& robot,
@@ -29,11 +29,11 @@ class RunRecording {
   Result<Done> finish(Tick ticks);
 
  private:
-  RunRecording(Recorder recorder, run_file::RunFileWriter file, std::size_t joints)
+  RunRecording(Recorder recorder, recording::RunFileWriter file, std::size_t joints)
       : recorder_(std::move(recorder)), file_(std::move(file)), joints_(joints) {}
 
   Recorder recorder_;
-  run_file::BackgroundWriter file_;
+  recording::BackgroundWriter file_;
   std::size_t joints_;
 };
 

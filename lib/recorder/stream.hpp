@@ -33,7 +33,7 @@ class Stream {
  public:
   /// `age_ns`: since it was published, as far as that is known.
   void hand_on(const Signal& signal, std::span<const std::uint8_t> cdr, const Now& now, std::uint32_t age_ns,
-               const run_file::TakeSample& take) {
+               const recording::TakeSample& take) {
     ++samples_;
     take({.topic = bus::TopicOf<Signal>::id,
           .sequence = static_cast<std::uint32_t>(signals::sequence_of(signal).value_or(0)),

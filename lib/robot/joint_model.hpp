@@ -1,6 +1,6 @@
 #pragma once
 
-#include "control/discretise.hpp"
+#include "control/model/discretise.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::robot {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "robot/body_section.hpp"
+#include "robot/sections/body_section.hpp"
 
 namespace farrier::robot {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "config/suggest.hpp"
-#include "robot/electric_check.hpp"
+#include "robot/checks/electric_check.hpp"
 
 namespace farrier::robot {
 namespace {

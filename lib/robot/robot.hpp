@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "config/problem.hpp"
-#include "control/design.hpp"
-#include "control/feedback_linearisation.hpp"
-#include "control/low_pass.hpp"
-#include "control/lqr.hpp"
-#include "control/flow_inversion.hpp"
-#include "control/pid.hpp"
+#include "control/design/design.hpp"
+#include "control/law/feedback_linearisation.hpp"
+#include "control/law/low_pass.hpp"
+#include "control/design/lqr.hpp"
+#include "control/law/flow_inversion.hpp"
+#include "control/law/pid.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "gait/gait_params.hpp"

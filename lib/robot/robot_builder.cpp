@@ -5,11 +5,11 @@
 #include <set>
 
 #include "gait/leg_kinematics.hpp"
-#include "robot/adaptation_check.hpp"
-#include "robot/cross_check.hpp"
-#include "robot/deployment_check.hpp"
+#include "robot/checks/adaptation_check.hpp"
+#include "robot/checks/cross_check.hpp"
+#include "robot/checks/deployment_check.hpp"
 #include "robot/derive.hpp"
-#include "robot/electric_check.hpp"
+#include "robot/checks/electric_check.hpp"
 #include "robot/joint_effects.hpp"
 #include "robot/leg_inertia.hpp"
 #include "robot/references.hpp"

@@ -6,12 +6,12 @@
 
 #include "config/visitor.hpp"
 #include "gait/gait_params.hpp"
-#include "robot/actuator_section.hpp"
-#include "robot/adaptation_section.hpp"
-#include "robot/body_section.hpp"
-#include "robot/deployment_section.hpp"
-#include "robot/joint_effects_section.hpp"
-#include "robot/variation_section.hpp"
+#include "robot/sections/actuator_section.hpp"
+#include "robot/sections/adaptation_section.hpp"
+#include "robot/sections/body_section.hpp"
+#include "robot/sections/deployment_section.hpp"
+#include "robot/sections/joint_effects_section.hpp"
+#include "robot/sections/variation_section.hpp"
 
 namespace farrier::robot {
 

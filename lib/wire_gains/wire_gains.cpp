@@ -1,6 +1,6 @@
 #include "wire_gains/wire_gains.hpp"
 
-#include "control/model_rows.hpp"
+#include "control/model/model_rows.hpp"
 
 namespace farrier::wire_gains {
 

@@ -2,7 +2,7 @@
 
 // Gains of a slot as they are designed, and as they travel.
 
-#include "control/closed_loop.hpp"
+#include "control/design/closed_loop.hpp"
 #include "plant/joint_physics.hpp"
 #include "signals/signals.hpp"
 

@@ -23,7 +23,7 @@ farrier_test(cyclone_bus_test contract ${contract_dir}/cyclone_bus_test.cpp)
 target_link_libraries(cyclone_bus_test PRIVATE farrier_bus_cyclone)
 
 farrier_test(cyclone_waits_test system ${contract_dir}/cyclone_waits_test.cpp  # preloads: not with sanitizers
-  ${PROJECT_SOURCE_DIR}/tools/cli/host_clock.cpp)
+  ${PROJECT_SOURCE_DIR}/cli/processes/host_clock.cpp)
 target_link_libraries(cyclone_waits_test PRIVATE farrier_bus_cyclone CycloneDDS::ddsc)
 target_compile_definitions(cyclone_waits_test PRIVATE FARRIER_EXECUTABLES="$<TARGET_FILE_DIR:farrier_wall_clock>")
 add_dependencies(cyclone_waits_test farrier_wall_clock)

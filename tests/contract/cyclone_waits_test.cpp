@@ -13,7 +13,7 @@
 
 #include "bus_cyclone/cyclone_waits.hpp"
 #include "tests/support/scratch_directory.hpp"
-#include "tools/cli/host_clock.hpp"
+#include "cli/processes/host_clock.hpp"
 
 namespace farrier::bus_cyclone {
 namespace {

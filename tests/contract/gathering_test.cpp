@@ -7,7 +7,7 @@
 
 #include "buses.hpp"
 #include "peer.hpp"
-#include "tests/unit/security_pki.hpp"
+#include "tests/unit/security/pki.hpp"
 
 namespace farrier::contract {
 namespace {

@@ -9,7 +9,7 @@
 #include "conformance.hpp"
 #include "security/certificate.hpp"
 #include "security/credentials.hpp"
-#include "tests/unit/security_pki.hpp"
+#include "tests/unit/security/pki.hpp"
 #include "tools/tool_process/tool_process.hpp"
 
 namespace farrier::contract {

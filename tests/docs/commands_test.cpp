@@ -6,8 +6,8 @@
 #include <regex>
 
 #include "documents.hpp"
-#include "tools/cli/command_line.hpp"
-#include "tools/cli/command_text.hpp"
+#include "cli/base/command_line.hpp"
+#include "cli/base/command_text.hpp"
 
 namespace farrier::docs {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "documents.hpp"
 #include "tests/support/scratch_directory.hpp"
-#include "tools/cli/command_line.hpp"
-#include "tools/cli/command_text.hpp"
-#include "tools/cli/man_page.hpp"
+#include "cli/base/command_line.hpp"
+#include "cli/base/command_text.hpp"
+#include "cli/manual/man_page.hpp"
 
 namespace farrier::docs {
 namespace {

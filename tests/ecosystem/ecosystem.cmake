@@ -14,7 +14,7 @@ if(FARRIER_NPM)
   add_custom_target(ecosystem_readers DEPENDS ${ecosystem_build}/node_modules/.package-lock.json)
 
   farrier_test(ecosystem_test ecosystem ${ecosystem_dir}/ecosystem_test.cpp)
-  target_link_libraries(ecosystem_test PRIVATE farrier_run_file farrier_bus farrier_signals
+  target_link_libraries(ecosystem_test PRIVATE farrier_recording farrier_bus farrier_signals
     farrier_tool_process nlohmann_json::nlohmann_json)
   target_compile_definitions(ecosystem_test PRIVATE FARRIER_ECOSYSTEM="${ecosystem_build}")
   add_dependencies(ecosystem_test ecosystem_readers)

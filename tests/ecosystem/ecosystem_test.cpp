@@ -73,8 +73,8 @@ TEST(Ecosystem, NpmsReadersSeeEverySampleOfEveryTopicAsWeDo) {
     EXPECT_NEAR(theirs.at("sum").get<double>(), ours.sum, 1e-9 * std::abs(ours.sum)) << topic;
   }
   EXPECT_EQ(read.at("statistics"), 20 * static_cast<int>(bus::kTopicCount));
-  EXPECT_EQ(read.at("metadata").at(run_file::kRunFacts).at("robot"), "hyq");
-  EXPECT_EQ(read.at("metadata").at(run_file::kLosses).at("joint/sensors"), "0");
+  EXPECT_EQ(read.at("metadata").at(recording::kRunFacts).at("robot"), "hyq");
+  EXPECT_EQ(read.at("metadata").at(recording::kLosses).at("joint/sensors"), "0");
 }
 
 }  // namespace

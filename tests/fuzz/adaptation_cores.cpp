@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "control/model_rows.hpp"
+#include "control/model/model_rows.hpp"
 #include "estimator_service/estimator_service.hpp"
 #include "joint_node/gains_check.hpp"
 #include "participant/sequence.hpp"

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <vector>
 
-#include "diagnosis/recording_check.hpp"
-#include "diagnosis/scaled_recording.hpp"
-#include "diagnosis/trace_recording.hpp"
-#include "record/trace.hpp"
-#include "run_file/run_file.hpp"
+#include "diagnosis/data/recording_check.hpp"
+#include "diagnosis/data/scaled_recording.hpp"
+#include "diagnosis/data/trace_recording.hpp"
+#include "trace/trace.hpp"
+#include "recording/recording_file.hpp"
 #include "signals/cdr.hpp"
 #include "tests/fuzz/harness.hpp"
 #include "tests/fuzz/robots.hpp"
@@ -82,8 +82,8 @@ void trace(Bytes bytes) {
   for (const robot::Joint& joint : hyq().joints) {
     names.push_back(joint.name);
   }
-  if (const auto rows = record::read_trace(file.path(), names)) {
-    for (const record::TraceRow& row : rows.value()) {
+  if (const auto rows = trace::read_trace(file.path(), names)) {
+    for (const trace::TraceRow& row : rows.value()) {
       require(row.joint < names.size(), "a row is of a joint there is");
     }
   }

@@ -42,7 +42,7 @@ target_link_libraries(fuzzed_journals PRIVATE farrier_recorder farrier_signals)
 
 farrier_fuzz(fuzzed_files SOURCES ${fuzz_dir}/robot_file.cpp ${fuzz_dir}/files.cpp
   HARNESSES robot_file recording scaled_recording trace run_file)
-target_link_libraries(fuzzed_files PRIVATE farrier_robot farrier_diagnosis farrier_record farrier_run_file farrier_signals)
+target_link_libraries(fuzzed_files PRIVATE farrier_robot farrier_diagnosis farrier_trace farrier_recording farrier_signals)
 
 farrier_fuzz(fuzzed_cores SOURCES ${fuzz_dir}/joint_core.cpp ${fuzz_dir}/adaptation_cores.cpp
   HARNESSES joint_node estimator_service supervisor)

@@ -1,8 +1,8 @@
 // Estimates and decisions find their way, whatever the estimator and the supervisor make of them.
 
-#include "lab/run_monitor.hpp"
+#include "run/run_monitor.hpp"
 #include "tests/scenario/scenario_run.hpp"
-#include "tests/unit/participant_run.hpp"
+#include "tests/unit/participant/run.hpp"
 
 namespace farrier::scenario {
 namespace {
@@ -15,9 +15,9 @@ TEST_P(EstimatePeriod, IsKeptByBothSidesInLockStep) {
   constexpr Tick kTicks = 101;
   robot::Robot rig = load("fc1d");
   rig.estimate_period_ticks = GetParam();
-  lab::InprocRun settings;
+  run::InprocRun settings;
   settings.ticks = kTicks;
-  const auto result = lab::run_inproc(rig, settings);
+  const auto result = run::run_inproc(rig, settings);
   ASSERT_TRUE(result) << result.error().message;
   std::uint64_t due = 0, due_before_the_last_tick = 0;
   for (Tick tick = 0; tick < kTicks; ++tick) {
@@ -56,7 +56,7 @@ class Monitor : public ::testing::TestWithParam<bus::ClockKind> {
 
 TEST_P(Monitor, CollectsDecisionsButNoProbes) {
   const auto bus = run_.bus();
-  auto monitor = lab::RunMonitor::create(*bus, identity(1, "gait_source"));
+  auto monitor = run::RunMonitor::create(*bus, identity(1, "gait_source"));
   ASSERT_TRUE(monitor.ok());
   out_->probe();
   out_->publish(decision(1, 500));
@@ -77,7 +77,7 @@ TEST_P(Monitor, ThatJoinsLateGetsTheLast64DecisionsOfEachJoint) {
   }
   out_->publish(decision(1, 3));
   const auto bus = run_.bus();
-  auto monitor = lab::RunMonitor::create(*bus, identity(1, "gait_source"));
+  auto monitor = run::RunMonitor::create(*bus, identity(1, "gait_source"));
   ASSERT_TRUE(monitor.ok());
   monitor.value().poll();
   std::vector<Tick> ticks;

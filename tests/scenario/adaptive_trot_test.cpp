@@ -4,7 +4,7 @@
 
 #include "gait/schedule.hpp"
 #include "tests/scenario/scenario_run.hpp"
-#include "tools/report/tracking.hpp"
+#include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
 namespace {
@@ -16,8 +16,8 @@ constexpr Tick kLater = 6000;
 constexpr Tick kShort = 3000;
 constexpr int kFewestUpdates = 3;
 
-lab::InprocRun adaptive(Tick ticks) {
-  lab::InprocRun run;
+run::InprocRun adaptive(Tick ticks) {
+  run::InprocRun run;
   run.ticks = ticks;
   run.seed = 3;
   run.design = supervisor::Design::kAdaptive;
@@ -49,8 +49,8 @@ class AdaptiveTrot : public ::testing::Test {
   /// Judged from its third stride on, and from tick `from`.
   static void expect_tracking(Tick from) {
     ASSERT_EQ(hyq_->bounds.stance_nrmse, 0.10);
-    std::vector<record::TraceRow> rows = outcome_->rows;
-    std::erase_if(rows, [&](const record::TraceRow& row) { return row.tick < from; });
+    std::vector<trace::TraceRow> rows = outcome_->rows;
+    std::erase_if(rows, [&](const trace::TraceRow& row) { return row.tick < from; });
     const gait::Schedule schedule(hyq_->plan, adaptive(kTrot).seed);
     const report::Tracking tracking = report::track(*hyq_, schedule, rows, 0);
     for (const robot::Joint& joint : hyq_->joints) {
@@ -91,9 +91,9 @@ TEST_F(AdaptiveTrot, TellsOfEveryUpdateItMakes) {
 
 TEST(AdaptiveLockstep, GivesTheSameTraceAndDecisionsHoweverJointsAreGrouped) {
   const robot::Robot hyq = load("hyq");
-  lab::InprocRun grouped = adaptive(kShort);
+  run::InprocRun grouped = adaptive(kShort);
   const Outcome per_leg = run(hyq, grouped);
-  grouped.grouping = lab::Grouping::kOne;
+  grouped.grouping = run::Grouping::kOne;
   const Outcome one = run(hyq, grouped);
   ASSERT_FALSE(per_leg.trace.empty());
   EXPECT_TRUE(one.trace == per_leg.trace);

@@ -11,8 +11,8 @@ namespace {
 constexpr Tick kStrides = 3000;
 constexpr Tick kShort = 200;
 
-lab::InprocRun settings(Tick ticks, std::uint64_t seed = 3) {
-  lab::InprocRun run;
+run::InprocRun settings(Tick ticks, std::uint64_t seed = 3) {
+  run::InprocRun run;
   run.ticks = ticks;
   run.seed = seed;
   run.design = supervisor::Design::kAdaptive;
@@ -26,14 +26,14 @@ std::ptrdiff_t updates_in(const Outcome& outcome) {
 
 TEST(Lockstep, GivesTheSameTraceHoweverJointsAreGrouped) {
   const robot::Robot hyq = load_with_jitter("hyq", 0.010);
-  lab::InprocRun grouped = settings(kStrides);
+  run::InprocRun grouped = settings(kStrides);
   const Outcome reference = run(hyq, grouped);
   const std::string& per_leg = reference.trace;
   ASSERT_FALSE(per_leg.empty());
   EXPECT_GE(updates_in(reference), 1) << "the traces say nothing about adaptation";
-  grouped.grouping = lab::Grouping::kPerJoint;
+  grouped.grouping = run::Grouping::kPerJoint;
   EXPECT_TRUE(run(hyq, grouped).trace == per_leg) << "per joint";
-  grouped.grouping = lab::Grouping::kOne;
+  grouped.grouping = run::Grouping::kOne;
   EXPECT_TRUE(run(hyq, grouped).trace == per_leg) << "all in one";
 }
 

@@ -13,7 +13,7 @@ class ShortRun : public ::testing::Test {
   static constexpr Tick kTicks = 250;
 
   static void SetUpTestSuite() {
-    lab::InprocRun settings;
+    run::InprocRun settings;
     settings.ticks = kTicks;
     outcome_ = new Outcome(run(hyq(), settings));
   }
@@ -23,7 +23,7 @@ class ShortRun : public ::testing::Test {
     static const robot::Robot robot = load("hyq");
     return robot;
   }
-  static const record::TraceRow& row(Tick tick, std::size_t joint) {
+  static const trace::TraceRow& row(Tick tick, std::size_t joint) {
     return outcome_->at(tick, joint, hyq().joints.size());
   }
 
@@ -51,7 +51,7 @@ TEST_F(ShortRun, ArmsEveryJointAtTheSupervisorsEffectiveTick) {
 }
 
 TEST_F(ShortRun, LacksNothingOnceArmed) {
-  for (const record::TraceRow& row : outcome_->rows) {
+  for (const trace::TraceRow& row : outcome_->rows) {
     if (row.tick >= hyq().update_logic.gain_lead_ticks) {
       ASSERT_EQ(FaultSet(row.faults), FaultSet{}) << to_string(FaultSet(row.faults)) << " at tick " << row.tick;
       ASSERT_EQ(row.command_age_ticks, 0u) << "the command that answers tick k acts from tick k";
@@ -60,10 +60,10 @@ TEST_F(ShortRun, LacksNothingOnceArmed) {
 }
 
 TEST_F(ShortRun, GetsAHelloAndAFinalReportFromEverybody) {
-  const auto members = lab::plan_members(hyq(), lab::Grouping::kPerLeg);
+  const auto members = run::plan_members(hyq(), run::Grouping::kPerLeg);
   ASSERT_EQ(outcome_->result.hellos.size(), members.size());
   ASSERT_EQ(outcome_->result.healths.size(), members.size());
-  for (const lab::Member& member : members) {
+  for (const run::Member& member : members) {
     EXPECT_EQ(signals::text_of(outcome_->result.hellos[member.number].name), member.name);
     EXPECT_EQ(outcome_->result.healths[member.number].final_report, 1) << member.name;
     EXPECT_EQ(outcome_->result.healths[member.number].tick, kTicks) << member.name;
@@ -96,29 +96,29 @@ TEST_F(ShortRun, LosesNothingOnTheBus) {
 }
 
 TEST(InprocRun, EndsWhenItIsInterrupted) {
-  lab::InprocRun settings;
+  run::InprocRun settings;
   settings.ticks = 1000;
   settings.progress = [](Tick tick) { return tick < 200; };
-  const auto interrupted = lab::run_inproc(load("fc1d"), settings);
+  const auto interrupted = run::run_inproc(load("fc1d"), settings);
   ASSERT_FALSE(interrupted);
   EXPECT_EQ(interrupted.error().message, "interrupted");
 }
 
 TEST(InprocRun, RefusesATraceItCannotWrite) {
-  lab::InprocRun settings;
+  run::InprocRun settings;
   settings.ticks = 10;
   settings.trace_path = "/nowhere/at/all.csv";
-  const auto refused = lab::run_inproc(load("fc1d"), settings);
+  const auto refused = run::run_inproc(load("fc1d"), settings);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("/nowhere/at/all.csv"), std::string::npos);
 }
 
 TEST(PlanMembers, HostsEveryJointOnceInEveryGrouping) {
   const robot::Robot hyq = load("hyq");
-  const std::vector<std::pair<lab::Grouping, std::size_t>> nodes{
-      {lab::Grouping::kPerLeg, 4}, {lab::Grouping::kPerJoint, 12}, {lab::Grouping::kOne, 1}};
+  const std::vector<std::pair<run::Grouping, std::size_t>> nodes{
+      {run::Grouping::kPerLeg, 4}, {run::Grouping::kPerJoint, 12}, {run::Grouping::kOne, 1}};
   for (const auto& [grouping, expected] : nodes) {
-    const auto members = lab::plan_members(hyq, grouping);
+    const auto members = run::plan_members(hyq, grouping);
     EXPECT_EQ(members.size(), participant::kFirstJointNode + expected);
     std::vector<std::string> hosted;
     for (std::size_t i = 0; i < members.size(); ++i) {

@@ -1,36 +1,36 @@
-#include "lab/load_cycle.hpp"
-#include "record/force_error.hpp"
+#include "trials/load_cycle.hpp"
+#include "trace/force_error.hpp"
 #include "scenario_run.hpp"
-#include "tools/report/load_cycle.hpp"
+#include "report/compare/load_cycle.hpp"
 
 namespace farrier::scenario {
 namespace {
 
 constexpr double kShortQuarter_s = 0.4;  // the transient and as much again
 
-lab::LoadCycle cycle(double quarter_s = kShortQuarter_s) {
-  return lab::make_load_cycle(load("fc1d"), quarter_s).value();
+trials::LoadCycle cycle(double quarter_s = kShortQuarter_s) {
+  return trials::make_load_cycle(load("fc1d"), quarter_s).value();
 }
 
-lab::InprocRun settings(const lab::LoadCycle& cycle) {
-  lab::InprocRun run;
+run::InprocRun settings(const trials::LoadCycle& cycle) {
+  run::InprocRun run;
   run.ticks = cycle.begin.back();
   run.design = supervisor::Design::kSwing;
   run.load_changes = cycle.changes;
   return run;
 }
 
-double quarter_error(const Outcome& outcome, const lab::LoadCycle& cycle, std::size_t quarter) {
-  const Tick transient = lab::ticks_of(record::kJudgedAfter_s, cycle.robot);
-  return record::relative_error(outcome.rows, cycle.begin[quarter] + transient, cycle.begin[quarter + 1]);
+double quarter_error(const Outcome& outcome, const trials::LoadCycle& cycle, std::size_t quarter) {
+  const Tick transient = run::ticks_of(trace::kJudgedAfter_s, cycle.robot);
+  return trace::relative_error(outcome.rows, cycle.begin[quarter] + transient, cycle.begin[quarter + 1]);
 }
 
 TEST(LoadCycle, IsThatOfFigure7_6) {
-  const lab::LoadCycle of_rig = cycle(lab::kQuarter_s);
+  const trials::LoadCycle of_rig = cycle(trials::kQuarter_s);
   const double friction = of_rig.robot.joints[0].swing_load.damping;
   const double mass_kg[] = {0.5, 50.0, 0.5, 50.0};
   const double frictions[] = {friction, friction, friction, 5.0 * friction};
-  for (std::size_t i = 0; i < lab::kQuarters; ++i) {
+  for (std::size_t i = 0; i < trials::kQuarters; ++i) {
     EXPECT_EQ(of_rig.loads[i].mass, mass_kg[i]);
     EXPECT_EQ(of_rig.loads[i].damping, frictions[i]);
     EXPECT_EQ(of_rig.begin[i + 1] - of_rig.begin[i], 1000);
@@ -39,17 +39,17 @@ TEST(LoadCycle, IsThatOfFigure7_6) {
   EXPECT_EQ(of_rig.robot.joints[0].swing_load.mass, 0.5) << "what the first design is for";
 }
 
-TEST(LoadCycle, RefusesARobotWithLegs) { EXPECT_FALSE(lab::make_load_cycle(load("hyq"))); }
+TEST(LoadCycle, RefusesARobotWithLegs) { EXPECT_FALSE(trials::make_load_cycle(load("hyq"))); }
 
 TEST(LoadCycle, ChangesTheLoadAndWithPerfectKnowledgeTheGainsAtTheTickOfEveryQuarter) {
-  const lab::LoadCycle of_rig = cycle();
-  lab::InprocRun knowing = settings(of_rig);
+  const trials::LoadCycle of_rig = cycle();
+  run::InprocRun knowing = settings(of_rig);
   knowing.known_loads = of_rig.changes;
   const Outcome outcome = run(of_rig.robot, knowing);
   std::vector<Tick> heavier_or_lighter, other_gains;
   for (std::size_t i = 1; i < outcome.rows.size(); ++i) {
-    const record::TraceRow& before = outcome.rows[i - 1];
-    const record::TraceRow& now = outcome.rows[i];
+    const trace::TraceRow& before = outcome.rows[i - 1];
+    const trace::TraceRow& now = outcome.rows[i];
     if (now.load_mass_kg_or_kgm2 != before.load_mass_kg_or_kgm2) {
       heavier_or_lighter.push_back(now.tick);
     }
@@ -61,36 +61,36 @@ TEST(LoadCycle, ChangesTheLoadAndWithPerfectKnowledgeTheGainsAtTheTickOfEveryQua
   const std::vector<Tick> begins(of_rig.begin.begin() + 1, of_rig.begin.end() - 1);
   EXPECT_EQ(heavier_or_lighter, begins);
   EXPECT_EQ(other_gains, begins);
-  EXPECT_EQ(outcome.result.gains.size(), 2u + 2u * lab::kQuarters) << "both slots, at the start and every quarter";
+  EXPECT_EQ(outcome.result.gains.size(), 2u + 2u * trials::kQuarters) << "both slots, at the start and every quarter";
 }
 
 TEST(LoadCycle, IsLostWithGainsForTheLightLoadAndHeldWithGainsForTheTrueOne) {
-  const lab::LoadCycle of_rig = cycle(lab::kQuarter_s);
+  const trials::LoadCycle of_rig = cycle(trials::kQuarter_s);
   const Outcome fixed = run(of_rig.robot, settings(of_rig));
-  lab::InprocRun knowing = settings(of_rig);
+  run::InprocRun knowing = settings(of_rig);
   knowing.known_loads = of_rig.changes;
   const Outcome exact = run(of_rig.robot, knowing);
   for (const std::size_t heavy : {1u, 3u}) {
     EXPECT_GE(quarter_error(fixed, of_rig, heavy), report::kFixedAtLeast);
   }
-  for (std::size_t quarter = 0; quarter < lab::kQuarters; ++quarter) {
+  for (std::size_t quarter = 0; quarter < trials::kQuarters; ++quarter) {
     EXPECT_LE(quarter_error(exact, of_rig, quarter), of_rig.robot.bounds.stance_nrmse) << quarter;
   }
 }
 
 // Every quarter, light ones included, from 0.2 s after each change of a load that nothing announces.
 TEST(LoadCycle, IsHeldByTheGreyBoxInEveryQuarterWithSensorNoiseAndWithout) {
-  const lab::LoadCycle of_rig = cycle(lab::kQuarter_s);
+  const trials::LoadCycle of_rig = cycle(trials::kQuarter_s);
   constexpr std::uint64_t kSeed = 1;
-  for (const lab::LoadCycleCase& one : {lab::kGreyBoxCase, lab::kGreyBoxNoiselessCase}) {
-    const Outcome outcome = run(lab::robot_of(of_rig, one), lab::run_of(of_rig, one, kSeed));
-    for (std::size_t quarter = 0; quarter < lab::kQuarters; ++quarter) {
+  for (const trials::LoadCycleCase& one : {trials::kGreyBoxCase, trials::kGreyBoxNoiselessCase}) {
+    const Outcome outcome = run(trials::robot_of(of_rig, one), trials::run_of(of_rig, one, kSeed));
+    for (std::size_t quarter = 0; quarter < trials::kQuarters; ++quarter) {
       EXPECT_LE(quarter_error(outcome, of_rig, quarter),
                 one.noiseless ? report::kNoiselessAtMost : report::kGreyBoxAtMost)
           << one.name << ", quarter " << quarter + 1;
     }
     EXPECT_GT(outcome.result.gains.size(), 2u) << "physics went out";
-    for (const record::TraceRow& row : outcome.rows) {
+    for (const trace::TraceRow& row : outcome.rows) {
       ASSERT_TRUE(row.tick < 10 || row.state == static_cast<std::uint8_t>(signals::JointState::kTracking)) << row.tick;
     }
   }

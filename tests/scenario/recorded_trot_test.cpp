@@ -3,22 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/diagnosis.hpp"
+#include "diagnosis/judge/diagnosis.hpp"
 #include "gait/schedule.hpp"
-#include "lab/hide.hpp"
+#include "trials/hide.hpp"
 #include "tests/scenario/scenario_run.hpp"
 #include "tests/support/scratch_directory.hpp"
-#include "tools/recording/joint_recording.hpp"
-#include "tools/recording/rerun.hpp"
-#include "tools/report/recording_facts.hpp"
+#include "tools/offline/joint_recording.hpp"
+#include "tools/offline/rerun.hpp"
+#include "report/figures/recording_facts.hpp"
 
 namespace farrier::scenario {
 namespace {
 
 class RecordedTrot : public testing::Test {
  protected:
-  lab::InprocRun recorded(Tick ticks) const {
-    lab::InprocRun settings;
+  run::InprocRun recorded(Tick ticks) const {
+    run::InprocRun settings;
     settings.ticks = ticks;
     settings.design = supervisor::Design::kAdaptive;
     settings.record_path = path_;
@@ -27,15 +27,15 @@ class RecordedTrot : public testing::Test {
   }
 
   diagnosis::Recording read(const std::string& joint) const {
-    auto recording = recording::read_joint_recording(path_, joint);
+    auto recording = offline::read_joint_recording(path_, joint);
     EXPECT_TRUE(recording.ok()) << (recording ? "" : diagnosis::to_string(recording.error().findings, joint));
     return recording ? std::move(recording).value() : diagnosis::Recording{};
   }
 
-  recording::Rerun rerun() const {
-    auto run = recording::RecordedRun::open(path_);
+  offline::Rerun rerun() const {
+    auto run = offline::RecordedRun::open(path_);
     EXPECT_TRUE(run.ok()) << (run ? "" : run.error().message);
-    auto rerun = recording::rerun_estimator(run.value());
+    auto rerun = offline::rerun_estimator(run.value());
     EXPECT_TRUE(rerun.ok()) << (rerun ? "" : rerun.error().message);
     return std::move(rerun).value();
   }
@@ -48,7 +48,7 @@ class RecordedTrot : public testing::Test {
 TEST_F(RecordedTrot, LeavesTheTraceAsItIsAndHoldsEveryTickAsMeasured) {
   constexpr Tick kTicks = 4000;
   constexpr double kDeviations = 6.0;  // of the noise, which one sample in 10^9 exceeds
-  lab::InprocRun settings;
+  run::InprocRun settings;
   settings.ticks = kTicks;
   const Outcome plain = run(hyq_, settings);
   settings.record_path = path_;
@@ -61,7 +61,7 @@ TEST_F(RecordedTrot, LeavesTheTraceAsItIsAndHoldsEveryTickAsMeasured) {
     bool noisy = false;
     for (Tick tick = 0; tick < kTicks; ++tick) {
       const auto k = static_cast<std::size_t>(tick);
-      const record::TraceRow& row = recorded.at(tick, joint.number, hyq_.joints.size());
+      const trace::TraceRow& row = recorded.at(tick, joint.number, hyq_.joints.size());
       ASSERT_EQ(r.valve_current_A[k], row.valve_current_A) << joint.name << ' ' << tick;
       ASSERT_LE(std::abs(r.force[k] - row.force_N_or_Nm), kDeviations * joint.noise.force) << joint.name << ' ' << tick;
       noisy = noisy || r.force[k] < row.force_N_or_Nm || r.force[k] > row.force_N_or_Nm;
@@ -74,11 +74,11 @@ TEST_F(RecordedTrot, LeavesTheTraceAsItIsAndHoldsEveryTickAsMeasured) {
 }
 
 TEST_F(RecordedTrot, ShowsAHiddenLossOfTheLoadCellsGainAndNothingBesideIt) {
-  lab::HiddenEffect what;
+  trials::HiddenEffect what;
   const robot::Joint& knee = *hyq_.find("lf_kfe");
   const robot::Robot world =
-      lab::hide_effect(hyq_, knee.number, plant::effect_id<plant::ForceSensorGain>(), 1, what);
-  lab::InprocRun settings = recorded(6000);
+      trials::hide_effect(hyq_, knee.number, plant::effect_id<plant::ForceSensorGain>(), 1, what);
+  run::InprocRun settings = recorded(6000);
   settings.world = &world;
   run(hyq_, settings);
   const diagnosis::Diagnosis found = diagnosis::diagnose(read("lf_kfe"), knee);
@@ -91,11 +91,11 @@ TEST_F(RecordedTrot, ShowsAHiddenLossOfTheLoadCellsGainAndNothingBesideIt) {
 TEST_F(RecordedTrot, GivesTheSameEstimatesAgainToTheLastBit) {
   constexpr Tick kTicks = 3000;
   run(hyq_, recorded(kTicks));
-  const recording::Rerun again = rerun();
+  const offline::Rerun again = rerun();
   EXPECT_EQ(again.first_tick, 0);
   EXPECT_EQ(again.ending, "");
   ASSERT_EQ(again.joints.size(), hyq_.joints.size());
-  for (const recording::RerunJoint& joint : again.joints) {
+  for (const offline::RerunJoint& joint : again.joints) {
     EXPECT_EQ(joint.measurements, static_cast<std::uint64_t>(kTicks));
     EXPECT_EQ(joint.missing, 0u);
     EXPECT_EQ(joint.compared, static_cast<std::uint64_t>(1 + (kTicks - 1) / hyq_.estimate_period_ticks));
@@ -106,12 +106,12 @@ TEST_F(RecordedTrot, GivesTheSameEstimatesAgainToTheLastBit) {
 
 TEST_F(RecordedTrot, TellsAnEstimatorThatHasChanged) {
   constexpr Tick kTicks = 1000;
-  lab::InprocRun settings = recorded(kTicks);
+  run::InprocRun settings = recorded(kTicks);
   robot::Overrides other;
   other.estimator = "greybox";
   settings.record_facts = report::recording_facts(load("hyq", other));
   run(hyq_, settings);
-  const recording::Rerun again = rerun();
+  const offline::Rerun again = rerun();
   EXPECT_GT(again.joints.front().different, 0u);
   ASSERT_TRUE(again.joints.front().first);
   EXPECT_NE(again.joints.front().first->field, "");

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "lab/filter_study.hpp"
-#include "lab/force_step.hpp"
+#include "thesis/rig/filter_study.hpp"
+#include "thesis/rig/force_step.hpp"
 
-namespace farrier::lab {
+namespace farrier::thesis {
 namespace {
 
 robot::Robot load(const char* name) {
@@ -124,4 +124,4 @@ TEST(LoadPressureOscillation, FindsFrequencyAndDecayOfATone) {
 }
 
 }  // namespace
-}  // namespace farrier::lab
+}  // namespace farrier::thesis

@@ -5,7 +5,7 @@
 
 #include "gait/schedule.hpp"
 #include "tests/scenario/scenario_run.hpp"
-#include "tools/report/tracking.hpp"
+#include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
 namespace {
@@ -14,8 +14,8 @@ using gait::Phase;
 
 constexpr Tick kTicks = 3000;
 
-lab::InprocRun settings(supervisor::Design design) {
-  lab::InprocRun run;
+run::InprocRun settings(supervisor::Design design) {
+  run::InprocRun run;
   run.ticks = kTicks;
   run.design = design;
   return run;
@@ -24,7 +24,7 @@ lab::InprocRun settings(supervisor::Design design) {
 TEST(Rig, RunsWithEitherDesign) {
   const robot::Robot rig = load("fc1d");
   for (const auto design : {supervisor::Design::kStance, supervisor::Design::kSwing}) {
-    for (const record::TraceRow& row : run(rig, settings(design)).rows) {
+    for (const trace::TraceRow& row : run(rig, settings(design)).rows) {
       ASSERT_TRUE(std::isfinite(row.position_m_or_rad) && std::isfinite(row.force_N_or_Nm));
       ASSERT_TRUE(std::abs(row.valve_current_A) <= rig.joints[0].actuator.valve_current_max_A);
       ASSERT_EQ(row.state == static_cast<std::uint8_t>(signals::JointState::kTracking),
@@ -46,10 +46,10 @@ TEST(Rig, TracksTheHeavyCartBetterWithTheDesignForIt) {
   RecordProperty("swing_design", std::to_string(nrmse[supervisor::Design::kSwing]));
 }
 
-std::vector<Tick> changes(const Outcome& outcome, std::uint8_t record::TraceRow::*phase) {
+std::vector<Tick> changes(const Outcome& outcome, std::uint8_t trace::TraceRow::*phase) {
   std::vector<Tick> ticks;
   std::uint8_t last = static_cast<std::uint8_t>(Phase::kStance);
-  for (const record::TraceRow& row : outcome.rows) {
+  for (const trace::TraceRow& row : outcome.rows) {
     if (row.*phase != last) {
       ticks.push_back(row.tick);
       last = row.*phase;
@@ -63,14 +63,14 @@ TEST(Rig, ChangesGainsAtTheAnnouncedTickWhereverTheTouchdownReallyIs) {
   const robot::Robot jittery = load_with_jitter("fc1d", 0.015);
   const Outcome on_time = run(exact, settings(supervisor::Design::kPhases));
   const Outcome early_or_late = run(jittery, settings(supervisor::Design::kPhases));
-  const auto planned = changes(on_time, &record::TraceRow::phase);
+  const auto planned = changes(on_time, &trace::TraceRow::phase);
   EXPECT_GE(planned.size(), 4u);
-  EXPECT_EQ(changes(on_time, &record::TraceRow::actual_phase), planned);
-  EXPECT_EQ(changes(early_or_late, &record::TraceRow::phase), planned) << "the announcement moved with the jitter";
-  EXPECT_NE(changes(early_or_late, &record::TraceRow::actual_phase), planned) << "the jitter did nothing";
+  EXPECT_EQ(changes(on_time, &trace::TraceRow::actual_phase), planned);
+  EXPECT_EQ(changes(early_or_late, &trace::TraceRow::phase), planned) << "the announcement moved with the jitter";
+  EXPECT_NE(changes(early_or_late, &trace::TraceRow::actual_phase), planned) << "the jitter did nothing";
 
   const gait::Schedule schedule(exact.plan, 1);
-  for (const record::TraceRow& row : early_or_late.rows) {
+  for (const trace::TraceRow& row : early_or_late.rows) {
     ASSERT_EQ(row.phase, static_cast<std::uint8_t>(schedule.phase(0, row.tick))) << "tick " << row.tick;
     if (row.tick >= exact.update_logic.gain_lead_ticks) {
       ASSERT_EQ(row.generation, row.phase == static_cast<std::uint8_t>(Phase::kSwing) ? 1u : 2u);

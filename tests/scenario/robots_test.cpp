@@ -7,7 +7,7 @@
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
 #include "tests/scenario/scenario_run.hpp"
-#include "tools/report/tracking.hpp"
+#include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
 namespace {
@@ -17,8 +17,8 @@ constexpr Tick kTicks = 4000;
 constexpr Tick kShort = 1000;
 constexpr std::size_t kJointsOfALeg = 3;
 
-lab::InprocRun adaptive(Tick ticks) {
-  lab::InprocRun run;
+run::InprocRun adaptive(Tick ticks) {
+  run::InprocRun run;
   run.ticks = ticks;
   run.seed = 3;
   run.design = supervisor::Design::kAdaptive;
@@ -54,12 +54,12 @@ TEST_P(OtherRobot, TrotsWithGainsThatAdapt) {
 
 TEST_P(OtherRobot, LeavesTheSameTraceHoweverItsJointsAreGrouped) {
   const robot::Robot robot = load(GetParam());
-  lab::InprocRun grouped = adaptive(kShort);
+  run::InprocRun grouped = adaptive(kShort);
   const std::string per_leg = run(robot, grouped).trace;
   ASSERT_FALSE(per_leg.empty());
-  grouped.grouping = lab::Grouping::kPerJoint;
+  grouped.grouping = run::Grouping::kPerJoint;
   EXPECT_TRUE(run(robot, grouped).trace == per_leg) << "per joint";
-  grouped.grouping = lab::Grouping::kOne;
+  grouped.grouping = run::Grouping::kOne;
   EXPECT_TRUE(run(robot, grouped).trace == per_leg) << "all in one";
 }
 
@@ -116,7 +116,7 @@ double knee_error_under_a_growing_load(const robot::Robot& leg, supervisor::Desi
   constexpr double kGrowth = 4.0;
   constexpr Tick kGrows = 3500;
   const robot::Joint& knee = leg.joints.at(kJointsOfALeg - 1);
-  lab::InprocRun settings = adaptive(2 * kGrows);
+  run::InprocRun settings = adaptive(2 * kGrows);
   settings.design = design;
   plant::LoadParams heavier = knee.stance_load;
   heavier.mass *= kGrowth;
@@ -135,7 +135,7 @@ TEST(ElectricLeg, HoldsItsKneeUnderAGrowingLoadOnlyWithGainsThatAdapt) {
 TEST(ElectricLeg, LeavesNoPressuresInItsTraceAndNoPhysicsInItsGains) {
   const Outcome outcome = run(load("electric_leg"), adaptive(200));
   ASSERT_FALSE(outcome.rows.empty());
-  for (const record::TraceRow& row : outcome.rows) {
+  for (const trace::TraceRow& row : outcome.rows) {
     ASSERT_EQ(row.pressure_a_Pa, 0.0);
     ASSERT_EQ(row.pressure_b_Pa, 0.0);
   }

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "core/fault.hpp"
-#include "lab/inproc_run.hpp"
-#include "record/trace.hpp"
+#include "run/inproc_run.hpp"
+#include "trace/trace.hpp"
 #include "robot/keys.hpp"
 
 namespace farrier::scenario {
@@ -35,21 +35,21 @@ inline robot::Robot load_with_jitter(const std::string& name, double jitter_s) {
 
 struct Outcome {
   std::string trace;                   ///< its bytes
-  std::vector<record::TraceRow> rows;  ///< tick by tick, joint by joint
-  lab::InprocResult result;
+  std::vector<trace::TraceRow> rows;  ///< tick by tick, joint by joint
+  run::InprocResult result;
 
-  const record::TraceRow& at(Tick tick, std::size_t joint, std::size_t joints) const {
+  const trace::TraceRow& at(Tick tick, std::size_t joint, std::size_t joints) const {
     return rows.at(static_cast<std::size_t>(tick) * joints + joint);
   }
 };
 
 /// Runs to the end; a run that is refused or stands still fails the test and gives nothing.
-inline Outcome run(const robot::Robot& robot, lab::InprocRun settings) {
+inline Outcome run(const robot::Robot& robot, run::InprocRun settings) {
   static int runs = 0;
   settings.trace_path = (std::filesystem::temp_directory_path() /
                          ("farrier_scenario_" + std::to_string(::getpid()) + "_" + std::to_string(++runs) + ".csv"))
                             .string();
-  auto result = lab::run_inproc(robot, settings);
+  auto result = run::run_inproc(robot, settings);
   Outcome outcome;
   if (!result) {
     ADD_FAILURE() << result.error().message;
@@ -58,7 +58,7 @@ inline Outcome run(const robot::Robot& robot, lab::InprocRun settings) {
     std::ostringstream bytes;
     bytes << std::ifstream(settings.trace_path).rdbuf();
     outcome.trace = bytes.str();
-    auto rows = record::read_trace(settings.trace_path, robot::joint_names(robot));
+    auto rows = trace::read_trace(settings.trace_path, robot::joint_names(robot));
     EXPECT_TRUE(rows.ok()) << (rows ? "" : rows.error().message);
     EXPECT_EQ(rows.value().size(), static_cast<std::size_t>(settings.ticks) * robot.joints.size());
     outcome.rows = std::move(rows).value();

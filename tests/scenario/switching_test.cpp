@@ -1,4 +1,4 @@
-#include "lab/switching.hpp"
+#include "trials/switching.hpp"
 
 #include <cmath>
 #include <numeric>
@@ -16,11 +16,11 @@ constexpr Tick kWindow = 30;
 constexpr double kRounding = 1e-12;
 
 /// Every joint of the robot lands once, with an error of its number in the window and of a thousand elsewhere.
-std::vector<record::TraceRow> landing_rows(const robot::Robot& robot) {
-  std::vector<record::TraceRow> rows;
+std::vector<trace::TraceRow> landing_rows(const robot::Robot& robot) {
+  std::vector<trace::TraceRow> rows;
   for (Tick tick = 0; tick < kLanding + 2 * kWindow; ++tick) {
     for (const robot::Joint& joint : robot.joints) {
-      record::TraceRow row;
+      trace::TraceRow row;
       row.tick = tick;
       row.joint = joint.number;
       row.phase = tick < kLanding + 7 ? kSwing : kStance;  // announced for later than it happens
@@ -35,11 +35,11 @@ std::vector<record::TraceRow> landing_rows(const robot::Robot& robot) {
 
 TEST(TouchdownErrors, IntegrateOverTheWindowAfterTheActualTouchdown) {
   const robot::Robot robot = load("hyq");
-  const auto errors = lab::touchdown_errors(robot, landing_rows(robot), 0);
+  const auto errors = trials::touchdown_errors(robot, landing_rows(robot), 0);
   EXPECT_EQ(errors.touchdowns, 1);
   for (const robot::Joint& joint : robot.joints) {
     const double flexes = joint.index_in_leg == 0 ? 0.0 : 1.0;
-    EXPECT_NEAR(errors.integral_Ns[joint.number], flexes * joint.number * lab::kTouchdownWindow_s, kRounding)
+    EXPECT_NEAR(errors.integral_Ns[joint.number], flexes * joint.number * trials::kTouchdownWindow_s, kRounding)
         << joint.name;
   }
 }
@@ -47,9 +47,9 @@ TEST(TouchdownErrors, IntegrateOverTheWindowAfterTheActualTouchdown) {
 TEST(TouchdownErrors, LeaveOutWhatCameTooEarlyAndWhatTheRunCutShort) {
   const robot::Robot robot = load("hyq");
   auto rows = landing_rows(robot);
-  EXPECT_EQ(lab::touchdown_errors(robot, rows, kLanding + 1).touchdowns, 0);
+  EXPECT_EQ(trials::touchdown_errors(robot, rows, kLanding + 1).touchdowns, 0);
   rows.resize(static_cast<std::size_t>(kLanding + kWindow - 1) * robot.joints.size());
-  EXPECT_EQ(lab::touchdown_errors(robot, rows, 0).touchdowns, 0);
+  EXPECT_EQ(trials::touchdown_errors(robot, rows, 0).touchdowns, 0);
 }
 
 signals::JointControllerGains update(std::uint16_t joint, std::uint8_t phase, double k_force) {
@@ -67,13 +67,13 @@ TEST(LastGains, AreTheNewestOfEachSlot) {
       update(0, kSwing, 1.0), update(0, kStance, 2.0), update(1, kSwing, 3.0),  update(1, kStance, 4.0),
       update(1, kSwing, 5.0), update(0, kStance, 6.0), update(0, kStance, 7.0),
   };
-  const auto last = lab::last_gains(robot, issued);
+  const auto last = trials::last_gains(robot, issued);
   ASSERT_EQ(last.size(), 2u);
   EXPECT_EQ(last[0][kSwing].force, 1.0);
   EXPECT_EQ(last[0][kStance].force, 7.0);
   EXPECT_EQ(last[1][kSwing].force, 5.0);
   EXPECT_EQ(last[1][kStance].force, 4.0);
-  const auto of_stance = lab::in_both_slots(last, signals::Phase::kStance);
+  const auto of_stance = trials::in_both_slots(last, signals::Phase::kStance);
   EXPECT_EQ(of_stance[0][kSwing].force, 7.0);
   EXPECT_EQ(of_stance[1][kStance].force, 4.0);
 }
@@ -84,23 +84,23 @@ class Switching : public ::testing::Test {
   static constexpr Tick kAdapting = 9000, kRun = 4000, kJudgedFrom = 1500;
 
   static void SetUpTestSuite() {
-    lab::InprocRun adaptive;
+    run::InprocRun adaptive;
     adaptive.ticks = kAdapting;
     adaptive.design = supervisor::Design::kAdaptive;
     const robot::Robot robot = load("hyq");
-    adapted_ = lab::last_gains(robot, run(robot, adaptive).result.gains);
+    adapted_ = trials::last_gains(robot, run(robot, adaptive).result.gains);
   }
   static void TearDownTestSuite() { adapted_.clear(); }
 
   static Outcome run_with(const robot::Robot& robot, const std::vector<supervisor::SlotGains>& gains) {
-    lab::InprocRun settings;
+    run::InprocRun settings;
     settings.ticks = kRun;
     settings.first_gains = gains;
     return run(robot, settings);
   }
 
-  static lab::TouchdownErrors errors_with(const robot::Robot& robot, const std::vector<supervisor::SlotGains>& gains) {
-    return lab::touchdown_errors(robot, run_with(robot, gains).rows, kJudgedFrom);
+  static trials::TouchdownErrors errors_with(const robot::Robot& robot, const std::vector<supervisor::SlotGains>& gains) {
+    return trials::touchdown_errors(robot, run_with(robot, gains).rows, kJudgedFrom);
   }
 
   static robot::Robot undithered() {
@@ -124,16 +124,16 @@ TEST_F(Switching, ActsWithTheGainsThatWereGivenAndNoOthers) {
 TEST_F(Switching, ChangesGainsWithoutABumpOfTheValve) {
   const robot::Robot robot = undithered();
   const Outcome outcome = run_with(robot, adapted_);
-  const double bump = lab::largest_bump(robot, outcome.rows, outcome.result.gains);
+  const double bump = trials::largest_bump(robot, outcome.rows, outcome.result.gains);
   EXPECT_LE(bump, kRounding);
   EXPECT_GT(bump, 0.0) << "no gain change was replayed";
-  EXPECT_TRUE(std::isnan(lab::largest_bump(robot, outcome.rows, {}))) << "gains that nobody issued";
+  EXPECT_TRUE(std::isnan(trials::largest_bump(robot, outcome.rows, {}))) << "gains that nobody issued";
 }
 
 TEST_F(Switching, KeepsTheForceAfterTouchdownBetterThanSwingGainsThroughout) {
   const robot::Robot robot = undithered();
   const auto on = errors_with(robot, adapted_);
-  const auto off = errors_with(robot, lab::in_both_slots(adapted_, signals::Phase::kSwing));
+  const auto off = errors_with(robot, trials::in_both_slots(adapted_, signals::Phase::kSwing));
   ASSERT_GT(on.touchdowns, 0);
   for (const robot::Joint& joint : robot.joints) {
     if (joint.index_in_leg > 0) {
@@ -148,11 +148,11 @@ TEST_F(Switching, HalvesTheForceErrorAfterTouchdownsWithAStepOfTheLoad) {
   file.gait.load_transfer_fraction = 0.0;
   const auto robot = robot::build_robot(std::move(file));
   ASSERT_TRUE(robot.ok());
-  const auto sum = [](const lab::TouchdownErrors& errors) {
+  const auto sum = [](const trials::TouchdownErrors& errors) {
     return std::accumulate(errors.integral_Ns.begin(), errors.integral_Ns.end(), 0.0);
   };
   const auto on = errors_with(robot.value(), adapted_);
-  const auto off = errors_with(robot.value(), lab::in_both_slots(adapted_, signals::Phase::kSwing));
+  const auto off = errors_with(robot.value(), trials::in_both_slots(adapted_, signals::Phase::kSwing));
   ASSERT_GT(on.touchdowns, 0);
   EXPECT_LE(sum(on), kAtMost * sum(off));
 }

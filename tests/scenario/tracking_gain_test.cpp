@@ -5,10 +5,10 @@
 
 #include <vector>
 
-#include "lab/tracking_gain.hpp"
+#include "trials/tracking_gain.hpp"
 #include "robot/joint_effects.hpp"
 
-namespace farrier::lab {
+namespace farrier::trials {
 namespace {
 
 using plant::effect_id;
@@ -109,4 +109,4 @@ TEST(TrackingGain, RefusesAJointThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace farrier::lab
+}  // namespace farrier::trials

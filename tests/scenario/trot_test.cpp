@@ -6,7 +6,7 @@
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
 #include "tests/scenario/scenario_run.hpp"
-#include "tools/report/tracking.hpp"
+#include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr Tick kTicks = 4000;
 
 report::Tracking trot(const robot::Robot& hyq, supervisor::Design design) {
-  lab::InprocRun settings;
+  run::InprocRun settings;
   settings.ticks = kTicks;
   settings.design = design;
   return report::track(hyq, gait::Schedule(hyq.plan, settings.seed), run(hyq, settings).rows, 0);
@@ -53,11 +53,11 @@ TEST(Trot, LosesTheTorqueInStanceWithTheDesignForSwing) {
 // Touchdowns come up to 10 ms before their plan, and swing gains would lose the joint in that time.
 TEST(Trot, NeverHasSwingGainsOnALegThatStands) {
   const auto unprotected_rows = [](const robot::Robot& hyq) {
-    lab::InprocRun settings;
+    run::InprocRun settings;
     settings.ticks = kTicks;
     settings.design = supervisor::Design::kPhases;
     const Outcome outcome = run(hyq, settings);
-    return std::ranges::count_if(outcome.rows, [](const record::TraceRow& row) {
+    return std::ranges::count_if(outcome.rows, [](const trace::TraceRow& row) {
       return row.actual_phase == static_cast<std::uint8_t>(gait::Phase::kStance) && row.phase != row.actual_phase;
     });
   };
@@ -76,12 +76,12 @@ double rest_error_rad(const robot::Robot& hyq, const robot::Joint& joint) {
 
 TEST(Stand, HoldsTheRobotStill) {
   const robot::Robot hyq = load("hyq", {gait::Pattern::kStand, std::nullopt});
-  lab::InprocRun settings;
+  run::InprocRun settings;
   settings.ticks = 2500;
   const Outcome outcome = run(hyq, settings);
   const gait::Reference reference(hyq.plan);
   const Tick settled = settings.ticks - 1000;
-  for (const record::TraceRow& row : outcome.rows) {
+  for (const trace::TraceRow& row : outcome.rows) {
     ASSERT_EQ(row.phase, static_cast<std::uint8_t>(gait::Phase::kStance));
     ASSERT_EQ(row.actual_phase, static_cast<std::uint8_t>(gait::Phase::kStance));
     if (row.tick >= settled) {

@@ -1,29 +1,29 @@
 // The four update logics on the load cycle.
 
-#include "lab/update_logic_study.hpp"
+#include "trials/update_logic_study.hpp"
 
-#include "lab/load_cycle.hpp"
+#include "trials/load_cycle.hpp"
 #include "scenario_run.hpp"
-#include "tools/report/load_cycle.hpp"
+#include "report/compare/load_cycle.hpp"
 
 namespace farrier::scenario {
 namespace {
 
 constexpr double kShortQuarter_s = 0.4;  // the transient and as much again
 
-lab::UpdateLogicRun run_by(robot::UpdateMethod method) {
-  const lab::LoadCycle cycle = lab::make_load_cycle(load("fc1d"), kShortQuarter_s).value();
-  lab::InprocRun settings;
+trials::UpdateLogicRun run_by(robot::UpdateMethod method) {
+  const trials::LoadCycle cycle = trials::make_load_cycle(load("fc1d"), kShortQuarter_s).value();
+  run::InprocRun settings;
   settings.ticks = cycle.begin.back();
   settings.load_changes = cycle.changes;
-  auto run = lab::run_update_logic(cycle.robot, method, settings);
+  auto run = trials::run_update_logic(cycle.robot, method, settings);
   EXPECT_TRUE(run.ok()) << (run ? "" : run.error().message);
-  return run ? std::move(run).value() : lab::UpdateLogicRun{};
+  return run ? std::move(run).value() : trials::UpdateLogicRun{};
 }
 
 TEST(UpdateLogics, DoInTheReplayWhatTheyDidInTheRun) {
-  for (const robot::UpdateMethod method : lab::kUpdateMethods) {
-    const lab::UpdateLogicRun run = run_by(method);
+  for (const robot::UpdateMethod method : trials::kUpdateMethods) {
+    const trials::UpdateLogicRun run = run_by(method);
     EXPECT_EQ(run.accepted + signals::kPhaseCount, run.result.gains.size()) << robot::to_string(method);
     EXPECT_GE(run.designs, run.accepted) << robot::to_string(method);
     EXPECT_GE(run.looks, run.designs) << robot::to_string(method);
@@ -42,13 +42,13 @@ TEST(UpdateLogics, DesignFewestControllersByDistinctPolesAndMostByLimits) {
 }
 
 TEST(UpdateLogics, AreDistinctPolesUnlessAFileSaysOtherwise) {
-  const lab::LoadCycle cycle = lab::make_load_cycle(load("fc1d"), kShortQuarter_s).value();
-  lab::InprocRun settings;
+  const trials::LoadCycle cycle = trials::make_load_cycle(load("fc1d"), kShortQuarter_s).value();
+  run::InprocRun settings;
   settings.ticks = cycle.begin.back();
   settings.load_changes = cycle.changes;
   settings.design = supervisor::Design::kAdaptive;
   const Outcome unnamed = run(cycle.robot, settings);
-  const lab::UpdateLogicRun named = run_by(robot::UpdateMethod::kDistinctPoles);
+  const trials::UpdateLogicRun named = run_by(robot::UpdateMethod::kDistinctPoles);
   ASSERT_EQ(named.result.gains.size(), unnamed.result.gains.size());
   for (std::size_t i = 0; i < named.result.gains.size(); ++i) {
     EXPECT_EQ(named.result.gains[i].effective_tick, unnamed.result.gains[i].effective_tick);

@@ -5,10 +5,10 @@
 
 #include "gait/reference.hpp"
 #include "gait/schedule.hpp"
-#include "lab/grey_box.hpp"
-#include "lab/vary.hpp"
+#include "trials/grey_box.hpp"
+#include "trials/vary.hpp"
 #include "tests/scenario/scenario_run.hpp"
-#include "tools/report/tracking.hpp"
+#include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
 namespace {
@@ -30,8 +30,8 @@ TEST(Variation, DrawsFromTheWholeOfItsRanges) {
   const robot::Variation& ranges = hyq.variation;
   std::vector<double> supply, friction, valve, mass;
   for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
-    const lab::Draw draw = lab::draw_variation(hyq, seed);
-    const lab::JointDraw& knee = draw.joints[hyq.find("lf_kfe")->number];
+    const trials::Draw draw = trials::draw_variation(hyq, seed);
+    const trials::JointDraw& knee = draw.joints[hyq.find("lf_kfe")->number];
     supply.push_back(draw.supply_factor);
     friction.push_back(knee.friction_factor);
     valve.push_back(knee.valve_factor);
@@ -49,21 +49,21 @@ TEST(Variation, WithAnEndGivenTwiceDrawsThatValue) {
   robot::Robot hyq = load("hyq");
   hyq.variation.supply_factor = {0.8, 0.8};
   hyq.variation.stance_mass_kg = {42.0, 42.0};
-  const lab::Draw draw = lab::draw_variation(hyq, 4);
+  const trials::Draw draw = trials::draw_variation(hyq, 4);
   EXPECT_EQ(draw.supply_factor, 0.8);
   EXPECT_EQ(draw.joints[hyq.find("rh_kfe")->number].stance_mass, 42.0);
 }
 
 TEST(Variation, HasTheBodyOfItsRobotFile) {
   const robot::Robot hyq = load("hyq");
-  const robot::Robot lighter = lab::with_varied_body(hyq);
+  const robot::Robot lighter = trials::with_varied_body(hyq);
   EXPECT_EQ(lighter.plan.body_weight_N, 75.0 * 9.81);
-  const lab::Draw draw = lab::draw_variation(lighter, 4);
-  EXPECT_EQ(lab::varied(lighter, draw).plan.body_weight_N, lighter.plan.body_weight_N) << "world and beliefs alike";
+  const trials::Draw draw = trials::draw_variation(lighter, 4);
+  EXPECT_EQ(trials::varied(lighter, draw).plan.body_weight_N, lighter.plan.body_weight_N) << "world and beliefs alike";
   robot::Robot unsaid = hyq;
   unsaid.variation.body_mass_kg = 0.0;
-  EXPECT_EQ(lab::with_varied_body(unsaid).plan.body_weight_N, hyq.plan.body_weight_N);
-  EXPECT_EQ(lab::with_varied_body(load("fc1d")).plan.body_weight_N, 0.0);
+  EXPECT_EQ(trials::with_varied_body(unsaid).plan.body_weight_N, hyq.plan.body_weight_N);
+  EXPECT_EQ(trials::with_varied_body(load("fc1d")).plan.body_weight_N, 0.0);
 }
 
 // What a knee is asked for in stance, over the least its cylinder gives at rest in any draw, p_s A_r for pull and p_s A_p
@@ -88,7 +88,7 @@ TEST(Variation, AsksNoCylinderForMoreThanTheLeastSupplyGives) {
   };
   const robot::Robot hyq = load("hyq");
   EXPECT_GT(largest_demand(hyq), 1.0) << "84.8 kg, which is why varied robots are lighter";
-  EXPECT_LT(largest_demand(lab::with_varied_body(hyq)), 1.0);
+  EXPECT_LT(largest_demand(trials::with_varied_body(hyq)), 1.0);
 }
 
 TEST(Variation, OfAJointDoesNotDependOnTheOthersOrTheirOrder) {
@@ -96,11 +96,11 @@ TEST(Variation, OfAJointDoesNotDependOnTheOthersOrTheirOrder) {
   robot::Robot turned = hyq;
   std::ranges::reverse(turned.joints);
   turned.joints.erase(turned.joints.begin() + 5, turned.joints.end());
-  const lab::Draw all = lab::draw_variation(hyq, 4);
-  const lab::Draw few = lab::draw_variation(turned, 4);
+  const trials::Draw all = trials::draw_variation(hyq, 4);
+  const trials::Draw few = trials::draw_variation(turned, 4);
   EXPECT_EQ(all.supply_factor, few.supply_factor);
   for (std::size_t i = 0; i < turned.joints.size(); ++i) {
-    const lab::JointDraw& there = all.joints[turned.joints[i].number];
+    const trials::JointDraw& there = all.joints[turned.joints[i].number];
     EXPECT_EQ(few.joints[i].friction_factor, there.friction_factor);
     EXPECT_EQ(few.joints[i].valve_factor, there.valve_factor);
     EXPECT_EQ(few.joints[i].stance_mass, there.stance_mass);
@@ -109,11 +109,11 @@ TEST(Variation, OfAJointDoesNotDependOnTheOthersOrTheirOrder) {
 
 TEST(Variation, ChangesTheWorldAndNothingThatIsBelieved) {
   const robot::Robot hyq = load("hyq");
-  const lab::Draw draw = lab::draw_variation(hyq, 4);
-  const robot::Robot world = lab::varied(hyq, draw);
+  const trials::Draw draw = trials::draw_variation(hyq, 4);
+  const robot::Robot world = trials::varied(hyq, draw);
   for (const robot::Joint& joint : hyq.joints) {
     const robot::Joint& there = world.joints[joint.number];
-    const lab::JointDraw& drawn = draw.joints[joint.number];
+    const trials::JointDraw& drawn = draw.joints[joint.number];
     EXPECT_EQ(there.actuator.supply_pressure_Pa, draw.supply_factor * joint.actuator.supply_pressure_Pa);
     EXPECT_EQ(there.actuator.valve_gain, drawn.valve_factor * joint.actuator.valve_gain);
     EXPECT_EQ(there.swing_load.damping, drawn.friction_factor * joint.swing_load.damping);
@@ -130,10 +130,10 @@ TEST(Variation, ChangesTheWorldAndNothingThatIsBelieved) {
 
 TEST(InprocRun, GivesItsSinkTheRowsOfItsTrace) {
   const robot::Robot hyq = load("hyq");
-  std::vector<record::TraceRow> rows;
-  lab::InprocRun settings;
+  std::vector<trace::TraceRow> rows;
+  run::InprocRun settings;
   settings.ticks = 200;
-  settings.sink = [&](const record::TraceRow& row) { rows.push_back(row); };
+  settings.sink = [&](const trace::TraceRow& row) { rows.push_back(row); };
   const Outcome outcome = run(hyq, settings);
   ASSERT_EQ(rows.size(), outcome.rows.size());
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -147,8 +147,8 @@ TEST(InprocRun, GivesItsSinkTheRowsOfItsTrace) {
 
 TEST(InprocRun, SimulatesAWorldTheNodesDoNotKnow) {
   const robot::Robot hyq = load("hyq");
-  const robot::Robot world = lab::varied(hyq, lab::draw_variation(hyq, 1));
-  lab::InprocRun settings;
+  const robot::Robot world = trials::varied(hyq, trials::draw_variation(hyq, 1));
+  run::InprocRun settings;
   settings.ticks = 600;
   settings.world = &world;
   const Outcome outcome = run(hyq, settings);
@@ -158,15 +158,15 @@ TEST(InprocRun, SimulatesAWorldTheNodesDoNotKnow) {
 
 TEST(InprocRun, SwitchesExactlyAtTouchdownWhenToldWhatWillHappen) {
   const robot::Robot hyq = load_with_jitter("hyq", 0.010);
-  for (const lab::Announce announce : {lab::Announce::kPlanned, lab::Announce::kActual}) {
-    lab::InprocRun settings;
+  for (const gait_source::Announce announce : {gait_source::Announce::kPlanned, gait_source::Announce::kActual}) {
+    run::InprocRun settings;
     settings.ticks = kTicks;
     settings.announce = announce;
     int apart = 0;
-    for (const record::TraceRow& row : run(hyq, settings).rows) {
+    for (const trace::TraceRow& row : run(hyq, settings).rows) {
       apart += row.phase != row.actual_phase ? 1 : 0;
     }
-    EXPECT_EQ(apart == 0, announce == lab::Announce::kActual) << apart;
+    EXPECT_EQ(apart == 0, announce == gait_source::Announce::kActual) << apart;
   }
 }
 
@@ -177,7 +177,7 @@ TEST(Trot, TracksTorqueInStanceAndSwingByTheNominalFlowLaw) {
     joint.kind = control::Kind::kFeedbackLinearisation;
     joint.dither_percent = 0.0;  // only adaptation asks for it
   }
-  lab::InprocRun settings;
+  run::InprocRun settings;
   settings.ticks = kTicks;
   const report::Tracking tracking =
       report::track(hyq, gait::Schedule(hyq.plan, settings.seed), run(hyq, settings).rows, 0);
@@ -193,9 +193,9 @@ TEST(Trot, TracksTorqueInStanceAndSwingByTheNominalFlowLaw) {
 std::vector<double> stance_errors_of_two_seeds(const robot::Robot& believed, supervisor::Design design) {
   std::vector<double> errors;
   for (const std::uint64_t seed : {1u, 2u}) {
-    const robot::Robot world = lab::varied(believed, lab::draw_variation(believed, seed));
-    lab::InprocRun settings;
-    settings.grouping = lab::Grouping::kOne;
+    const robot::Robot world = trials::varied(believed, trials::draw_variation(believed, seed));
+    run::InprocRun settings;
+    settings.grouping = run::Grouping::kOne;
     settings.ticks = kTicks;
     settings.seed = seed;
     settings.design = design;
@@ -215,13 +215,13 @@ std::vector<double> stance_errors_of_two_seeds(const robot::Robot& believed, sup
 TEST(Controllers, TheGreyBoxWithFlowInversionIsAsGoodAsTheNominalFlowLawOnVariedRobotsAndLosesNone) {
   constexpr double kRatioAtMost = 1.05;
   constexpr double kFailed = 0.3;
-  const robot::Robot hyq = lab::with_varied_body(load("hyq"));
+  const robot::Robot hyq = trials::with_varied_body(load("hyq"));
   robot::Robot nominal = hyq;
   for (robot::Joint& joint : nominal.joints) {
     joint.kind = control::Kind::kFeedbackLinearisation;
     joint.dither_percent = 0.0;
   }
-  const auto grey = stance_errors_of_two_seeds(lab::with_grey_box(hyq), supervisor::Design::kAdaptive);
+  const auto grey = stance_errors_of_two_seeds(trials::with_grey_box(hyq), supervisor::Design::kAdaptive);
   const auto flow_law = stance_errors_of_two_seeds(nominal, supervisor::Design::kStance);
   EXPECT_LE(grey[grey.size() / 2], kRatioAtMost * flow_law[flow_law.size() / 2]);
   EXPECT_LT(grey.back(), kFailed);

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "control/discretise.hpp"
-#include "control/model_rows.hpp"
+#include "control/model/discretise.hpp"
+#include "control/model/model_rows.hpp"
 #include "core/ensure.hpp"
 #include "core/fault.hpp"
 #include "signals/cdr.hpp"
-#include "tools/report/recording_facts.hpp"
+#include "report/figures/recording_facts.hpp"
 
 namespace farrier::test {
 namespace {
@@ -170,10 +170,10 @@ void MadeUpRobot::set_faults(std::uint16_t joint, std::uint32_t bits, std::uint6
 }
 
 void write_made_up_recording(const std::string& path, const robot::Robot& robot, int seconds) {
-  auto file = run_file::RunFileWriter::create(path, report::recording_facts(robot));
+  auto file = recording::RunFileWriter::create(path, report::recording_facts(robot));
   FARRIER_ENSURE(file.ok(), "a recording that can be written");
   std::uint64_t time_ns = 1'700'000'000'000'000'000;
-  MadeUpRobot made_up(robot, [&](const run_file::Sample& sample) { file.value().write(sample); });
+  MadeUpRobot made_up(robot, [&](const recording::Sample& sample) { file.value().write(sample); });
   made_up.begin(7, time_ns);
   const robot::Joint* knee = robot.find("lf_kfe");
   const Tick last = static_cast<Tick>(seconds) * 1000, begin = last / 2, end = begin + 2000;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robot/robot.hpp"
-#include "run_file/run_file.hpp"
+#include "recording/recording_file.hpp"
 
 namespace farrier::test {
 
@@ -17,7 +17,7 @@ class MadeUpRobot {
   static constexpr int kTicksPerStep = 20;  ///< 20 ms
 
   /// Everything it says goes to `take`. `robot` must outlive it.
-  MadeUpRobot(const robot::Robot& robot, run_file::TakeSample take)
+  MadeUpRobot(const robot::Robot& robot, recording::TakeSample take)
       : robot_(robot), take_(std::move(take)), faults_(robot.joints.size()) {}
 
   /// A run begins, at tick 0: hellos, mode, gains.
@@ -39,7 +39,7 @@ class MadeUpRobot {
   signals::Phase phase_of(int leg, Tick tick) const;
 
   const robot::Robot& robot_;
-  run_file::TakeSample take_;
+  recording::TakeSample take_;
   std::vector<std::uint32_t> faults_;
   std::vector<std::uint8_t> cdr_;
   Tick tick_ = 0;

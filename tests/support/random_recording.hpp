@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "run_file/run_file.hpp"
+#include "recording/recording_file.hpp"
 #include "signals/cdr.hpp"
 #include "signals/sequence_of.hpp"
 #include "tests/contract/random_signal.hpp"
@@ -16,9 +16,9 @@ namespace farrier::test {
 /// Writes a recording of random samples, `each` of every topic; calls see(signal), which may change it, before each is
 /// written.
 template <class See>
-void write_random_recording(const std::string& path, const mcap::Text& facts, const run_file::TopicCounts& lost, int each,
+void write_random_recording(const std::string& path, const mcap::Text& facts, const recording::TopicCounts& lost, int each,
                             See&& see) {
-  auto file = run_file::RunFileWriter::create(path, facts);
+  auto file = recording::RunFileWriter::create(path, facts);
   ASSERT_TRUE(file.ok()) << file.error().message;
   std::mt19937_64 random(3);
   std::vector<std::uint8_t> cdr;

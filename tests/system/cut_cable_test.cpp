@@ -30,9 +30,9 @@ struct Cut {
   Tick begin, end, armed;
 };
 
-bool is_heard(const record::TraceRow& row) { return !is_silent(row); }
-bool is_not_null(const record::TraceRow& row) { return !is_null(row); }
-bool is_not_tracking(const record::TraceRow& row) { return !is_tracking(row); }
+bool is_heard(const trace::TraceRow& row) { return !is_silent(row); }
+bool is_not_null(const trace::TraceRow& row) { return !is_null(row); }
+bool is_not_tracking(const trace::TraceRow& row) { return !is_tracking(row); }
 
 /// What a run was, and what of it is not as it must be.
 struct CutRun {
@@ -74,7 +74,7 @@ void play(const NetworkNamespaces& network, const DeployedProcesses& processes, 
   }
 }
 
-double share(const JointCourse& legs, bool (*as)(const record::TraceRow&), Tick begin, Tick end) {
+double share(const JointCourse& legs, bool (*as)(const trace::TraceRow&), Tick begin, Tick end) {
   return static_cast<double>(legs.count(as, begin, end)) / static_cast<double>(legs.joints() * (end - begin));
 }
 

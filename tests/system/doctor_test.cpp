@@ -19,8 +19,8 @@
 #include "bus_factory/bus_factory.hpp"
 #include "farrier_command.hpp"
 #include "tests/support/needs_network_namespaces.hpp"
-#include "tools/cli/domain_lock.hpp"
-#include "tools/cli/host_clock.hpp"
+#include "cli/processes/domain_lock.hpp"
+#include "cli/processes/host_clock.hpp"
 
 namespace farrier::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <map>
 
 #include "farrier_command.hpp"
-#include "record/trace.hpp"
+#include "trace/trace.hpp"
 #include "signals/signals.hpp"
 
 namespace farrier::test {
@@ -26,7 +26,7 @@ constexpr long kOnTheWayTicks = 100;
 struct Tracked {
   int all = 0, tracking = 0;
 
-  void count(const record::TraceRow& row) {
+  void count(const trace::TraceRow& row) {
     ++all;
     tracking += row.state == static_cast<std::uint8_t>(signals::JointState::kTracking) ? 1 : 0;
   }
@@ -102,11 +102,11 @@ TEST_P(EstimatorDeath, StopsUpdatesAndNothingElse) {
       joints.push_back(std::string(leg) + joint);
     }
   }
-  const auto rows = record::read_trace(scratch_.file("out/trace.csv"), joints);
+  const auto rows = trace::read_trace(scratch_.file("out/trace.csv"), joints);
   ASSERT_TRUE(rows) << rows.error().message;
   std::map<int, Tracked> after;
   Tick last = 0;
-  for (const record::TraceRow& row : rows.value()) {
+  for (const trace::TraceRow& row : rows.value()) {
     last = std::max(last, row.tick);
     if (row.tick > death) {
       after[row.joint].count(row);

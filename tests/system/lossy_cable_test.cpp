@@ -9,7 +9,7 @@
 #include "robot_watch.hpp"
 #include "tests/support/frame_relay.hpp"
 #include "tests/support/needs_network_namespaces.hpp"
-#include "tools/report/tracking.hpp"
+#include "report/trot/tracking.hpp"
 #include "undisturbed.hpp"
 
 namespace farrier::test {

@@ -5,7 +5,7 @@
 #include "farrier_command.hpp"
 #include "page_stream.hpp"
 #include "tests/support/http_get.hpp"
-#include "tools/cli/process_stat.hpp"
+#include "cli/processes/process_stat.hpp"
 
 namespace farrier::test {
 namespace {

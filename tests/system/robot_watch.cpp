@@ -14,15 +14,15 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-bool in_state(const record::TraceRow& row, signals::JointState state) {
+bool in_state(const trace::TraceRow& row, signals::JointState state) {
   return row.state == static_cast<std::uint8_t>(state);
 }
 
 }  // namespace
 
-Result<std::vector<record::TraceRow>> trace_after(DeployedProcesses& processes, const robot::Robot& robot) {
+Result<std::vector<trace::TraceRow>> trace_after(DeployedProcesses& processes, const robot::Robot& robot) {
   EXPECT_EQ(processes.stop(), "");
-  auto trace = record::read_trace(processes.trace_path(), robot::joint_names(robot));
+  auto trace = trace::read_trace(processes.trace_path(), robot::joint_names(robot));
   if (trace && testing::Test::HasFailure()) {
     return Error{"the run ended early"};
   }
@@ -48,7 +48,7 @@ RobotWatch::RobotWatch(const robot::Robot& robot, const participant::ProcessOpti
   requests_ = bus::Publisher<signals::SystemRequest>::create(
                   *bus_, participant::endpoint_of(identity, bus::TopicId::kSystemRequest))
                   .value();
-  monitor_ = lab::RunMonitor::create(*bus_, identity).value();
+  monitor_ = run::RunMonitor::create(*bus_, identity).value();
   request_.session = seat.session;
   request_.request = static_cast<std::uint8_t>(signals::Request::kArm);
 }
@@ -78,7 +78,7 @@ Tick RobotWatch::until(Tick tick, std::chrono::seconds budget) {
   }
 }
 
-JointCourse::JointCourse(const robot::Robot& robot, const std::vector<record::TraceRow>& trace,
+JointCourse::JointCourse(const robot::Robot& robot, const std::vector<trace::TraceRow>& trace,
                          std::vector<std::string> legs)
     : rows_(robot.joints.size()) {
   for (const robot::Joint& joint : robot.joints) {
@@ -86,15 +86,15 @@ JointCourse::JointCourse(const robot::Robot& robot, const std::vector<record::Tr
       joints_.push_back(joint.number);
     }
   }
-  for (const record::TraceRow& row : trace) {
+  for (const trace::TraceRow& row : trace) {
     rows_[row.joint].push_back(row);
   }
   end_ = std::ssize(*std::ranges::min_element(rows_, {}, [](const auto& rows) { return rows.size(); }));
 }
 
-bool is_null(const record::TraceRow& row) { return in_state(row, signals::JointState::kNull); }
-bool is_tracking(const record::TraceRow& row) { return in_state(row, signals::JointState::kTracking); }
-bool is_silent(const record::TraceRow& row) { return FaultSet(row.faults).has(Fault::kActuatorSilent); }
-bool has_tripped(const record::TraceRow& row) { return FaultSet(row.faults).has(Fault::kTripped); }
+bool is_null(const trace::TraceRow& row) { return in_state(row, signals::JointState::kNull); }
+bool is_tracking(const trace::TraceRow& row) { return in_state(row, signals::JointState::kTracking); }
+bool is_silent(const trace::TraceRow& row) { return FaultSet(row.faults).has(Fault::kActuatorSilent); }
+bool has_tripped(const trace::TraceRow& row) { return FaultSet(row.faults).has(Fault::kTripped); }
 
 }  // namespace farrier::test

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "deployed_robot.hpp"
-#include "lab/run_monitor.hpp"
+#include "run/run_monitor.hpp"
 #include "participant/options.hpp"
-#include "record/trace.hpp"
+#include "trace/trace.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::test {
@@ -24,7 +24,7 @@ inline DeployedRun slow_run(const std::string& dds) {
 }
 
 /// Ends the processes. The trace of sim_bridge, or why it cannot be judged.
-Result<std::vector<record::TraceRow>> trace_after(DeployedProcesses& processes, const robot::Robot& robot);
+Result<std::vector<trace::TraceRow>> trace_after(DeployedProcesses& processes, const robot::Robot& robot);
 
 /// Hears the clock and the events of a running robot. To be made on the host of `seat`, the options of a process there.
 class RobotWatch {
@@ -38,13 +38,13 @@ class RobotWatch {
   Tick now();
   /// Asks the supervisor to arm, as an operator does.
   void arm();
-  const lab::RunMonitor& monitor() const noexcept { return *monitor_; }
+  const run::RunMonitor& monitor() const noexcept { return *monitor_; }
 
  private:
   std::unique_ptr<bus::Bus> bus_;
   std::optional<bus::Subscription<signals::ClockTick>> clock_;
   std::optional<bus::Publisher<signals::SystemRequest>> requests_;
-  std::optional<lab::RunMonitor> monitor_;
+  std::optional<run::RunMonitor> monitor_;
   signals::SystemRequest request_;
   Tick newest_ = kNoTick;
 };
@@ -52,7 +52,7 @@ class RobotWatch {
 /// What the joints of some legs did, by the trace of sim_bridge.
 class JointCourse {
  public:
-  JointCourse(const robot::Robot& robot, const std::vector<record::TraceRow>& trace, std::vector<std::string> legs);
+  JointCourse(const robot::Robot& robot, const std::vector<trace::TraceRow>& trace, std::vector<std::string> legs);
 
   /// The first tick from `begin` on at which all of them are `as`; nothing when there is none before `end`.
   template <class As>
@@ -80,13 +80,13 @@ class JointCourse {
 
  private:
   std::vector<std::size_t> joints_;
-  std::vector<std::vector<record::TraceRow>> rows_;  ///< by joint and tick
+  std::vector<std::vector<trace::TraceRow>> rows_;  ///< by joint and tick
   Tick end_ = 0;
 };
 
-bool is_null(const record::TraceRow& row);
-bool is_tracking(const record::TraceRow& row);
-bool is_silent(const record::TraceRow& row);  ///< sim_bridge hears no valve command of it
-bool has_tripped(const record::TraceRow& row);
+bool is_null(const trace::TraceRow& row);
+bool is_tracking(const trace::TraceRow& row);
+bool is_silent(const trace::TraceRow& row);  ///< sim_bridge hears no valve command of it
+bool has_tripped(const trace::TraceRow& row);
 
 }  // namespace farrier::test

@@ -48,8 +48,8 @@ farrier_test(frame_relay_test system ${CMAKE_CURRENT_LIST_DIR}/frame_relay_test.
 target_link_libraries(frame_relay_test PRIVATE farrier_core farrier_runtime Threads::Threads)
 function(farrier_cable_test name label source)
   farrier_hosts_test(${name} ${label} 0 ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${source}
-    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/robot_watch.cpp ${PROJECT_SOURCE_DIR}/tools/cli/pause_watch.cpp DDS ${ARGN})
-  target_link_libraries(${name} PRIVATE farrier_bus_factory farrier_lab farrier_record farrier_report)
+    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/robot_watch.cpp ${PROJECT_SOURCE_DIR}/cli/processes/pause_watch.cpp DDS ${ARGN})
+  target_link_libraries(${name} PRIVATE farrier_bus_factory farrier_trials farrier_trace farrier_report)
 endfunction()
 foreach(name IN ITEMS cut_cable_test lossy_cable_test)
   farrier_cable_test(${name} realtime ${name}.cpp mixed)
@@ -57,7 +57,7 @@ foreach(name IN ITEMS cut_cable_test lossy_cable_test)
 endforeach()
 find_package(CycloneDDS REQUIRED)  # whose imported targets are seen where it is found only
 farrier_system_test(doctor_test system 0 ${CMAKE_CURRENT_LIST_DIR}/doctor_test.cpp
-  ${PROJECT_SOURCE_DIR}/tools/cli/domain_lock.cpp ${PROJECT_SOURCE_DIR}/tools/cli/host_clock.cpp
+  ${PROJECT_SOURCE_DIR}/cli/processes/domain_lock.cpp ${PROJECT_SOURCE_DIR}/cli/processes/host_clock.cpp
   ${PROJECT_SOURCE_DIR}/tests/support/network_namespaces.cpp)
 target_compile_definitions(doctor_test PRIVATE FARRIER_PREFIX="${PROJECT_BINARY_DIR}")
 target_link_libraries(doctor_test PRIVATE farrier_bus_cyclone farrier_bus_factory CycloneDDS::ddsc)
@@ -66,7 +66,7 @@ farrier_system_test(echo_test system 0 ${CMAKE_CURRENT_LIST_DIR}/echo_test.cpp)
 farrier_system_test(monitor_command_test system 0 ${CMAKE_CURRENT_LIST_DIR}/monitor_command_test.cpp)
 farrier_system_test(monitor_page_test system 0 ${CMAKE_CURRENT_LIST_DIR}/monitor_page_test.cpp)
 farrier_system_test(monitor_page_load_test long 0 ${CMAKE_CURRENT_LIST_DIR}/monitor_page_load_test.cpp
-  ${PROJECT_SOURCE_DIR}/tools/cli/process_stat.cpp)
+  ${PROJECT_SOURCE_DIR}/cli/processes/process_stat.cpp)
 foreach(name IN ITEMS monitor_command_test monitor_page_test monitor_page_load_test)
   target_link_libraries(${name} PRIVATE test_http)
 endforeach()
@@ -93,7 +93,7 @@ farrier_system_test(long_soak_test long 600 ${CMAKE_CURRENT_LIST_DIR}/soak_test.
 set_tests_properties(long/long_soak_test PROPERTIES TIMEOUT 3600)
 farrier_system_test(faults_command_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/faults_command_test.cpp)
 farrier_system_test(estimator_death_test realtime 0 ${CMAKE_CURRENT_LIST_DIR}/estimator_death_test.cpp)
-target_link_libraries(estimator_death_test PRIVATE farrier_record farrier_signals)
+target_link_libraries(estimator_death_test PRIVATE farrier_trace farrier_signals)
 # What a user would install, in a computer that has nothing else.
 add_test(NAME long/packages_test COMMAND ${CMAKE_CURRENT_LIST_DIR}/../packages/run ${PROJECT_BINARY_DIR})
 set_tests_properties(long/packages_test PROPERTIES LABELS long RUN_SERIAL TRUE SKIP_RETURN_CODE 77 TIMEOUT 3600)

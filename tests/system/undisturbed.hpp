@@ -7,7 +7,7 @@
 #include <functional>
 #include <string>
 
-#include "tools/cli/pause_watch.hpp"
+#include "cli/processes/pause_watch.hpp"
 
 namespace farrier::test {
 

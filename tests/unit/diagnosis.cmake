@@ -1,17 +1,17 @@
 farrier_test(diagnosis_test unit
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_derive_velocity_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_fit_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_not_judged_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_check_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_fuzz_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_recording_times_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_scaled_recording_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_scaled_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis_trace_recording_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/derive_velocity_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/fit_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/not_judged_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/recording_check_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/recording_fuzz_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/recording_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/recording_times_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/scaled_recording_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/scaled_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/trace_recording_test.cpp)
 target_link_libraries(diagnosis_test PRIVATE farrier_diagnosis)
 target_compile_definitions(diagnosis_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 
-farrier_test(blind_trials_test unit ${CMAKE_CURRENT_LIST_DIR}/blind_trials_test.cpp)
+farrier_test(blind_trials_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/blind_trials_test.cpp)
 target_link_libraries(blind_trials_test PRIVATE farrier_blind)
 target_compile_definitions(blind_trials_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

@@ -9,6 +9,6 @@ foreach(table IN ITEMS cli:docs/cli.md topics:idl/README.md effects:docs/effects
   set_tests_properties(architecture/table_of_${name}_is_not_stale PROPERTIES LABELS architecture)
 endforeach()
 
-farrier_test(fast_datagram_test unit ${CMAKE_CURRENT_LIST_DIR}/fast_cyclone_acknack_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/fast_cyclone_handshake_test.cpp ${CMAKE_CURRENT_LIST_DIR}/fast_gathered_datagram_test.cpp)
+farrier_test(fast_datagram_test unit ${CMAKE_CURRENT_LIST_DIR}/bus_fastdds/cyclone_acknack_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/bus_fastdds/cyclone_handshake_test.cpp ${CMAKE_CURRENT_LIST_DIR}/bus_fastdds/gathered_datagram_test.cpp)
 target_link_libraries(fast_datagram_test PRIVATE farrier_bus_fastdds)

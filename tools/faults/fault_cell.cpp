@@ -25,7 +25,7 @@ constexpr Tick kAfter = 20;
 /// What every joint did, by joint and tick.
 class Course {
  public:
-  Course(const robot::Robot& robot, const std::vector<record::TraceRow>& trace, const std::vector<TickSpan>& pauses)
+  Course(const robot::Robot& robot, const std::vector<trace::TraceRow>& trace, const std::vector<TickSpan>& pauses)
       : ticks_(trace.empty() ? 0 : trace.back().tick + 1),
         period_s_(robot.period_s),
         excused_(static_cast<std::size_t>(ticks_)),
@@ -39,7 +39,7 @@ class Course {
     for (auto& joint : rows_) {
       joint.resize(static_cast<std::size_t>(ticks_));
     }
-    for (const record::TraceRow& row : trace) {
+    for (const trace::TraceRow& row : trace) {
       rows_[row.joint][static_cast<std::size_t>(row.tick)] = {static_cast<JointState>(row.state), FaultSet(row.faults)};
     }
   }
@@ -172,7 +172,7 @@ std::vector<bus_faults::ArrowFault> arrow_faults(const robot::Robot& robot, cons
 bool Cell::holds() const noexcept { return error.empty() && std::ranges::all_of(checks, &Check::holds); }
 
 std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,
-                         const std::vector<record::TraceRow>& trace, const std::vector<Heard>& events) {
+                         const std::vector<trace::TraceRow>& trace, const std::vector<Heard>& events) {
   const Course course(robot, trace, moments.pauses);
   const Expectation& expected = row.expected;
   std::vector<std::size_t> hit, others;

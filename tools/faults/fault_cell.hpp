@@ -6,7 +6,7 @@
 
 #include "bus_faults/arrow_fault.hpp"
 #include "gait/schedule.hpp"
-#include "record/trace.hpp"
+#include "trace/trace.hpp"
 #include "robot/robot.hpp"
 #include "tools/faults/fault_rows.hpp"
 
@@ -69,6 +69,6 @@ inline constexpr Tick kAfterPause = 20;
 /// What a run that left this trace and these events shows of the row. Without a trace, as where who writes it was killed,
 /// the events alone.
 std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,
-                         const std::vector<record::TraceRow>& trace, const std::vector<Heard>& events);
+                         const std::vector<trace::TraceRow>& trace, const std::vector<Heard>& events);
 
 }  // namespace farrier::faults

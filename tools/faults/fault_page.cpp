@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tools/report/text_format.hpp"
+#include "report/figures/text_format.hpp"
 
 namespace farrier::faults {
 namespace {

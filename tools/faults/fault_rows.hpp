@@ -14,7 +14,7 @@ namespace farrier::faults {
 /// Which joints a fault is about.
 enum class Hit { kJoint, kLeg, kAll };
 
-/// Members are named as in lab::plan_members; "joint_node" is the one that hosts the joint.
+/// Members are named as in run::plan_members; "joint_node" is the one that hosts the joint.
 
 /// Member of no run: a process that listens to every stream (farrier echo), once it is started.
 inline constexpr const char* kMonitor = "monitor";

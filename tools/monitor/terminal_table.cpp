@@ -9,7 +9,7 @@
 namespace farrier::display {
 namespace {
 
-constexpr double kSilent_s = 1.0;        // of a robot that runs: summaries come fifty times a second
+constexpr double kRobotSilent_s = 1.0;        // of a robot that runs: summaries come fifty times a second
 constexpr int kFewestEvents = 3;         // lines kept for them before anything else gives way
 constexpr int kMostEvents = 20;          // where the height is not limited
 
@@ -85,7 +85,7 @@ Line run_line(const monitor::Frame& frame, const robot::Robot& robot) {
   if (frame.lost_samples > 0) {
     text += "  lost on the way here " + std::to_string(frame.lost_samples);
   }
-  if (frame.age_s > kSilent_s) {
+  if (frame.age_s > kRobotSilent_s) {
     return {text + number("  SILENT for %.0f s", frame.age_s), Tone::kBad};
   }
   return {text, Tone::kHeading};

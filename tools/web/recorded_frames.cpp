@@ -8,7 +8,7 @@
 
 #include "core/ensure.hpp"
 #include "monitor/robot_view.hpp"
-#include "tools/recording/recorded_run.hpp"
+#include "tools/offline/recorded_run.hpp"
 #include "tools/web/frame_json.hpp"
 
 namespace farrier::web {
@@ -48,7 +48,7 @@ class RecordedFrames::Maker {
  public:
   explicit Maker(RecordedFrames& to) : to_(to), view_(*to.robot_), faults_(to.robot_->joints.size()) {}
 
-  void take(const run_file::Sample& sample) {
+  void take(const recording::Sample& sample) {
     next_ns_ = next_ns_ == 0 ? sample.log_time_ns + kStep_ns : next_ns_;
     while (sample.log_time_ns >= next_ns_) {
       put(view_.frame(next_ns_));
@@ -126,7 +126,7 @@ class RecordedFrames::Maker {
 };
 
 Result<RecordedFrames> RecordedFrames::read(const std::string& path, KeepOn keep_on) {
-  auto run = recording::RecordedRun::open(path);
+  auto run = offline::RecordedRun::open(path);
   if (!run) {
     return run.error();
   }
@@ -136,14 +136,14 @@ Result<RecordedFrames> RecordedFrames::read(const std::string& path, KeepOn keep
   Maker maker(frames);
   const auto& topics = monitor::RobotView::topics();
   bool summaries = false;
-  run_file::Sample sample;
+  recording::Sample sample;
   while (run.value().next(sample)) {
     if (std::ranges::find(topics, sample.topic) != topics.end()) {
       summaries = summaries || sample.topic == bus::TopicId::kJointSummary;
       maker.take(sample);
     }
   }
-  if (run.value().ending() == run_file::kInterrupted) {
+  if (run.value().ending() == recording::kInterrupted) {
     return Error{path + ": " + run.value().ending()};
   }
   if (!summaries) {

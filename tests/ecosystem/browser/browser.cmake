@@ -5,7 +5,7 @@ set(browser_build ${PROJECT_BINARY_DIR}/browser)
 add_executable(page_server EXCLUDE_FROM_ALL ${browser_dir}/page_server.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../../support/made_up_robot.cpp)
 target_link_libraries(page_server PRIVATE farrier_bus farrier_control farrier_core farrier_monitor farrier_monitor_displays
-  farrier_participant farrier_report farrier_robot farrier_run_file farrier_signals farrier_web)
+  farrier_participant farrier_report farrier_robot farrier_recording farrier_signals farrier_web)
 if(FARRIER_NPM AND FARRIER_NODE)
   add_custom_command(OUTPUT ${browser_build}/node_modules/.package-lock.json
     COMMAND ${CMAKE_COMMAND} -E make_directory ${browser_build}

@@ -86,7 +86,7 @@ int serve_robot(const robot::Robot& robot, const display::ListenAddress& address
     return fail(display.error().message);
   }
   monitor::RobotView view(robot);
-  MadeUpRobot made_up(robot, [&](const run_file::Sample& sample) { view.take(sample); });
+  MadeUpRobot made_up(robot, [&](const recording::Sample& sample) { view.take(sample); });
   std::uint64_t said_ns = participant::date_now_ns();
   bool quiet = false;
   made_up.begin(1, said_ns);

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "participant/application.hpp"
+#include "participant/participant.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::bench {
+
+/// The samples of a lock-step run between the same participants, counted instead of used: nothing is simulated,
+/// controlled or recorded. What the transport alone can do, to hold the stack against.
+/// `joints`: those a joint node hosts; the participant's number says what it is.
+Result<std::unique_ptr<participant::Application>> create_bare(const robot::Robot& robot,
+                                                              const std::vector<std::string>& joints,
+                                                              participant::Participant& participant, Tick ticks);
+
+}  // namespace farrier::bench

@@ -1,0 +1,238 @@
+// farrier diagnose: what a recording says is missing in the model of a joint.
+
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "core/text.hpp"
+#include "diagnosis/judge/diagnosis.hpp"
+#include "diagnosis/data/recording_check.hpp"
+#include "diagnosis/data/trace_recording.hpp"
+#include "participant/loop.hpp"
+#include "robot/keys.hpp"
+#include "cli/base/command.hpp"
+#include "cli/diagnose/diagnose_benchmark.hpp"
+#include "cli/diagnose/diagnose_control.hpp"
+#include "cli/diagnose/diagnose_options.hpp"
+#include "cli/diagnose/diagnose_scaled.hpp"
+#include "cli/base/installation.hpp"
+#include "cli/base/long_work.hpp"
+#include "cli/base/output_file.hpp"
+#include "cli/base/with_bar.hpp"
+#include "tools/offline/joint_recording.hpp"
+#include "report/diagnosis/diagnosis_json.hpp"
+#include "report/diagnosis/diagnosis_page.hpp"
+#include "report/diagnosis/diagnosis_text.hpp"
+#include "report/diagnosis/extended_model.hpp"
+
+namespace farrier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+using diagnosis::Diagnosis;
+using diagnosis::Recording;
+
+int refuse(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier diagnose: %s\n", message.c_str());
+  return participant::stop_requested() ? participant::stop_status() : status;
+}
+
+/// The joint that was asked for, or the robot's only one.
+Result<const robot::Joint*> joint_of(const robot::Robot& robot, const std::string& name) {
+  const std::string names = join(robot::joint_names(robot), ", ");
+  if (name.empty()) {
+    return robot.joints.size() == 1 ? Result<const robot::Joint*>(&robot.joints.front())
+                                    : Error{robot.name + " has several joints: give --joint, one of " + names};
+  }
+  const robot::Joint* const joint = robot.find(name);
+  return joint != nullptr ? Result<const robot::Joint*>(joint)
+                          : Error{"--joint: " + robot.name + " has no joint '" + name + "'; it has " + names};
+}
+
+/// A recording, or what is wrong with it.
+Result<Recording, diagnosis::RecordingProblems> read(const DiagnoseOptions& o, const robot::Robot& robot,
+                                                     const robot::Joint& joint) {
+  auto recording = offline::is_recording(o.recording)
+                       ? offline::read_joint_recording(o.recording, joint.name, long_work("diagnose, reading"))
+                   : diagnosis::is_trace(o.recording) ? diagnosis::recording_of_trace(o.recording, robot, joint)
+                                                      : diagnosis::read_recording(o.recording);
+  if (recording) {
+    if (auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
+      return diagnosis::RecordingProblems{std::move(findings)};
+    }
+  }
+  return recording;
+}
+
+/// The robot that --model names, or without it the one a recording of farrier record is of. Refuses with all that is
+/// wrong, a line each.
+Result<robot::Robot> model_of(const DiagnoseOptions& o) {
+  if (!o.model_path.empty()) {
+    auto loaded = robot::load_robot(o.model_path);
+    return loaded ? Result<robot::Robot>(std::move(loaded).value()) : Error{config::to_string(loaded.error())};
+  }
+  if (!offline::is_recording(o.recording)) {
+    return Error{"farrier diagnose: give --model, the robot file of the machine that was recorded\n"};
+  }
+  auto run = offline::RecordedRun::open(o.recording);
+  return run ? Result<robot::Robot>(run.value().robot()) : Error{"farrier diagnose: " + run.error().message + "\n"};
+}
+
+/// Files the command writes; empty for none.
+struct Outputs {
+  std::string json, page, model;
+};
+
+Outputs outputs_of(const DiagnoseOptions& o, const robot::Robot& robot, const robot::Joint& joint) {
+  const auto in_out = [&](const std::string& name) { return o.out.empty() ? "" : (fs::path(o.out) / name).string(); };
+  return {.json = o.json_path.empty() ? in_out("figures.json") : o.json_path,
+          .page = in_out("index.html"),
+          .model = in_out(robot.name + "_" + joint.name + "_extended.yaml")};
+}
+
+Diagnosis diagnose_with_bar(const Recording& recording, const robot::Joint& joint, int threads) {
+  std::optional<Diagnosis> found;
+  with_bar("diagnose", [&](const auto& progress) {
+    diagnosis::DiagnosisOptions options;
+    options.threads = threads;
+    options.progress = progress;
+    found = diagnosis::diagnose(recording, joint, options);
+  });
+  return std::move(*found);
+}
+
+/// The effects found, into the file of the extended model, which is loaded again; its path, empty where there are none.
+Result<std::string> write_model(const std::string& path, const robot::Robot& robot, const robot::Joint& joint,
+                                const Diagnosis& found) {
+  const std::vector<plant::ActiveEffect> effects = diagnosis::found_effects(found, joint);
+  if (effects.empty()) {
+    return std::string();
+  }
+  const auto model = report::extended_model(robot, joint, effects);
+  if (!model) {
+    return model.error();
+  }
+  if (path.empty()) {
+    return std::string();
+  }
+  const std::string head = "# " + robot.name + " with the effects that farrier diagnose found at joint " + joint.name +
+                           ".\n";
+  if (auto written = report::replace_file(path, head + model.value()); !written) {
+    return written.error();
+  }
+  if (const auto loaded = robot::load_robot(path); !loaded) {
+    return Error{"the extended model does not load: " + config::to_string(loaded.error())};
+  }
+  return path;
+}
+
+int finish(const report::DiagnosisResult& result, const Outputs& outputs, const DiagnoseOptions& o) {
+  const bool bad = result.diagnosis.judgement.verdict == diagnosis::Verdict::kBadData;
+  report::Outcome outcome;
+  outcome.command = "diagnose";
+  outcome.run = report::run_info(result.robot, 0);
+  outcome.finding = diagnosis::to_string(result.diagnosis.judgement.verdict);
+  report::add_diagnosis(outcome.figures, result);
+  if (bad) {
+    outcome.failures.push_back("the recording cannot be judged");
+  }
+  if (!outputs.json.empty()) {
+    if (auto written = report::write_diagnosis_json(outputs.json, result, outcome); !written) {
+      return refuse(written.error().message, kFailed);
+    }
+  }
+  if (bad) {
+    std::fputs(diagnosis::to_string(result.findings, o.recording).c_str(), stderr);
+  } else {
+    std::fputs(report::diagnosis_console(result).c_str(), stdout);
+  }
+  if (!o.out.empty()) {
+    const auto page = report::write_diagnosis_page(o.out, result, outcome);
+    if (!page) {
+      return refuse(page.error().message, kFailed);
+    }
+    std::printf("report: %s\n", page.value().c_str());
+  }
+  if (!outputs.json.empty()) {
+    std::printf("figures: %s\n", outputs.json.c_str());
+  }
+  return bad ? kBadInput : kPassed;
+}
+
+int diagnose(const DiagnoseOptions& o) {
+  if (o.units == Units::kScaled) {
+    return diagnose_scaled(o);
+  }
+  if (o.benchmark) {
+    return o.recording.empty() ? run_diagnose_benchmark(
+                                     {o.json_path, o.confusion_path, o.seed, o.trials, o.threads},
+                                     robots_directory())
+                               : refuse("--benchmark makes its recordings: name none", kBadInput);
+  }
+  if (o.recording.empty()) {
+    return refuse("name a recording; see 'farrier diagnose --help'", kBadInput);
+  }
+  const auto loaded = model_of(o);
+  if (!loaded) {
+    std::fputs(loaded.error().message.c_str(), stderr);
+    return kBadInput;
+  }
+  const robot::Robot& robot = loaded.value();
+  const auto joint = joint_of(robot, o.joint);
+  if (!joint) {
+    return refuse(joint.error().message, kBadInput);
+  }
+  if (joint.value()->electric) {
+    return refuse("--model: " + joint.value()->name + " of " + robot.name + " is electric, and only what hydraulic "
+                  "joints have is looked for: name a hydraulic one", kBadInput);
+  }
+  std::optional<OutputDirectory> directory;
+  if (!o.out.empty()) {
+    auto claimed = OutputDirectory::claim(o.out);
+    if (!claimed) {
+      return refuse(claimed.error().message, kBadInput);
+    }
+    directory.emplace(std::move(claimed).value());
+  }
+  const Outputs outputs = outputs_of(o, robot, *joint.value());
+  if (const auto free = make_way({outputs.json, outputs.page, outputs.model}, {o.recording, o.model_path}); !free) {
+    return refuse(free.error().message, kBadInput);
+  }
+  const auto recording = read(o, robot, *joint.value());
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
+  if (!recording) {
+    Diagnosis none{};
+    none.judgement.verdict = diagnosis::Verdict::kBadData;
+    return finish({.diagnosis = none,
+                   .robot = robot,
+                   .joint = *joint.value(),
+                   .recording = o.recording,
+                   .findings = recording.error().findings},
+                  outputs, o);
+  }
+  const Diagnosis found = diagnose_with_bar(recording.value(), *joint.value(), o.threads);
+  const auto model = write_model(outputs.model, robot, *joint.value(), found);
+  if (!model) {
+    return refuse(model.error().message, kFailed);
+  }
+  return finish({.diagnosis = found,
+                 .robot = robot,
+                 .joint = *joint.value(),
+                 .recording = o.recording,
+                 .period_s = recording.value().period_s,
+                 .extended_model = model.value(),
+                 .control = control_gain(robot, *joint.value(), found)},
+                outputs, o);
+}
+
+}  // namespace
+
+std::function<int()> declare_diagnose(CLI::App& app) {
+  auto options = std::make_shared<DiagnoseOptions>();
+  declare(app, *options);
+  return [options] { return diagnose(*options); };
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,129 @@
+#include "cli/diagnose/diagnose_benchmark.hpp"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+#include "trials/blind/score.hpp"
+#include "participant/loop.hpp"
+#include "cli/base/command.hpp"
+#include "cli/base/output_file.hpp"
+#include "cli/base/progress.hpp"
+#include "report/figures/console.hpp"
+#include "report/diagnosis/extended_model.hpp"
+#include "report/figures/outcome.hpp"
+
+namespace farrier::cli {
+namespace {
+
+// What the diagnosis is held to, over the trials that count.
+constexpr double kNamed = 0.95;
+constexpr double kFirstAlone = 0.85;
+constexpr double kWithinTolerance = 0.85;
+constexpr double kFalseAlarms = 0.02;
+constexpr double kOutsideAdmitted = 0.90;
+constexpr double kPairsNamed = 0.80;
+constexpr double kConfidentlyWrong = 0.01;
+constexpr double kMedianGain = 3.0;
+constexpr double kControlGain = 1.3;
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier diagnose --benchmark: %s\n", message.c_str());
+  return participant::stop_requested() ? participant::stop_status() : status;
+}
+
+std::vector<blind::TrialPlan> spread(const std::vector<blind::TrialPlan>& all, int count) {
+  if (count <= 0 || static_cast<std::size_t>(count) >= all.size()) {
+    return all;
+  }
+  std::vector<blind::TrialPlan> some;
+  const auto n = static_cast<std::size_t>(count);
+  for (std::size_t i = 0; i < n; ++i) {
+    some.push_back(all[i * all.size() / n]);
+  }
+  return some;
+}
+
+void add_figures(report::Figures& figures, const std::vector<blind::Outcome>& outcomes) {
+  const blind::Score s = blind::score(outcomes);
+  const auto add = [&](const std::string& name, double value, std::optional<double> bound = std::nullopt) {
+    if (std::isfinite(value)) {
+      figures.add(name, value, bound);
+    }
+  };
+  add("diagnose.benchmark.trials", static_cast<double>(s.trials));
+  add("diagnose.benchmark.counted", static_cast<double>(s.counted));
+  add("diagnose.benchmark.named", s.named, kNamed);
+  add("diagnose.benchmark.first_alone", s.first_alone, kFirstAlone);
+  add("diagnose.benchmark.within_tolerance", s.within_tolerance, kWithinTolerance);
+  add("diagnose.benchmark.false_alarms", s.false_alarms, kFalseAlarms);
+  add("diagnose.benchmark.outside_admitted", s.outside_admitted, kOutsideAdmitted);
+  add("diagnose.benchmark.pairs_named", s.pairs_named, kPairsNamed);
+  add("diagnose.benchmark.confidently_wrong", s.confidently_wrong, kConfidentlyWrong);
+  add("diagnose.benchmark.median_gain", s.median_gain, kMedianGain);
+  add("diagnose.benchmark.controlled", static_cast<double>(s.controlled));
+  add("diagnose.benchmark.control_gain", s.control_gain, kControlGain);
+  for (const auto& [name, mine] : blind::score_by_effect(outcomes)) {
+    add("diagnose.benchmark.effect." + name + ".counted", static_cast<double>(mine.counted));
+    add("diagnose.benchmark.effect." + name + ".named", mine.named);
+    add("diagnose.benchmark.effect." + name + ".first_alone", mine.first_alone);
+    add("diagnose.benchmark.effect." + name + ".within_tolerance", mine.within_tolerance);
+    add("diagnose.benchmark.effect." + name + ".control_gain", mine.control_gain);
+  }
+}
+
+}  // namespace
+
+int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots) {
+  participant::install_signal_handlers();
+  for (const std::string* path : {&o.json_path, &o.confusion_path}) {
+    if (!path->empty()) {
+      if (auto free = make_way(*path); !free) {
+        return fail(free.error().message, kBadInput);
+      }
+    }
+  }
+  const auto rig = robot::load_robot((std::filesystem::path(robots) / "fc1d.yaml").string());
+  const auto legs = robot::load_robot((std::filesystem::path(robots) / "hyq.yaml").string());
+  if (!rig || !legs) {
+    return fail(config::to_string(!rig ? rig.error() : legs.error()), kBadInput);
+  }
+  const std::vector<const robot::Joint*> joints{&rig.value().joints.front(), &legs.value().joints.front()};
+  const auto plans = spread(blind::all_trials(joints.size(), o.seed), o.trials);
+  std::vector<blind::Outcome> outcomes;
+  {
+    Progress bar("diagnose --benchmark", static_cast<Tick>(plans.size()), "trials");
+    outcomes = blind::run_trials(plans, joints, o.threads, [&bar](std::size_t done) {
+      bar.update(static_cast<Tick>(done));
+      return !participant::stop_requested();
+    });
+  }
+  if (participant::stop_requested()) {
+    return fail("stopped; nothing was written", participant::stop_status());
+  }
+  report::Outcome outcome;
+  outcome.command = "diagnose";
+  outcome.run = report::run_info(rig.value(), o.seed);
+  for (const blind::Outcome& trial : outcomes) {
+    if (!trial.refused.empty()) {
+      outcome.failures.push_back("a trial could not be made: " + trial.refused);
+    }
+  }
+  add_figures(outcome.figures, outcomes);
+  if (!o.json_path.empty()) {
+    if (auto written = report::write_json(o.json_path, outcome); !written) {
+      return fail(written.error().message, kFailed);
+    }
+  }
+  if (!o.confusion_path.empty()) {
+    if (auto written = report::replace_file(o.confusion_path, blind::confusion_page(outcomes)); !written) {
+      return fail(written.error().message, kFailed);
+    }
+  }
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace farrier::cli

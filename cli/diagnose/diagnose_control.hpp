@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+
+#include "diagnosis/judge/diagnosis.hpp"
+#include "robot/robot.hpp"
+#include "report/diagnosis/diagnosis_result.hpp"
+
+namespace farrier::cli {
+
+/// What force control gains by knowing the effects found, on the joint extended by them; none where a controller can
+/// use none of them (control::is_compensated), or where the extended joint cannot be simulated or controlled.
+std::optional<report::ControlGain> control_gain(const robot::Robot& robot, const robot::Joint& joint,
+                                                const diagnosis::Diagnosis& found);
+
+}  // namespace farrier::cli

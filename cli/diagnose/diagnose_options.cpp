@@ -1,0 +1,50 @@
+#include "cli/diagnose/diagnose_options.hpp"
+
+#include <map>
+
+#include "cli/base/help.hpp"
+
+namespace farrier::cli {
+namespace {
+
+const std::map<std::string, Units> kUnits{{"si", Units::kSi}, {"scaled", Units::kScaled}};
+
+}  // namespace
+
+void declare(CLI::App& app, DiagnoseOptions& o) {
+  app.add_option("recording", o.recording,
+                 "CSV of one joint (time_s, position_m, force_N, where recorded valve_current_A, velocity_m_s, ...: "
+                 "docs/diagnosis.md), a recording of farrier record, or a trace of farrier trot")
+      ->type_name("<file>");
+  add_choice(app, "--units", o.units, kUnits, "si|scaled",
+             "of the recording; scaled: a CSV of sample, valve and position in units of its own, which needs no --model "
+             "and is judged by what its valve does to its position")
+      ->default_str("si");
+  app.add_option("--model", o.model_path, "robot file of the machine that was recorded; it is only read")
+      ->type_name("<file>")
+      ->default_str("the robot that a recording of farrier record is of");
+  app.add_option("--joint", o.joint, "joint of the recording; needed where the robot has several")->type_name("<name>");
+  app.add_option("--out", o.out,
+                 "directory for the report, its pictures and the extended model <robot>_<joint>_extended.yaml; without "
+                 "it none is written")
+      ->type_name("<dir>");
+  app.add_option("--json", o.json_path, "where the diagnosis goes as JSON")
+      ->type_name("<file>")
+      ->default_str("figures.json in --out");
+  app.add_flag("--benchmark", o.benchmark,
+               "run blind trials in place of a recording: effects hidden in recordings by a generator that shares no "
+               "code with the diagnosis; takes up to half an hour");
+  auto* const confusion = app.add_option("--confusion", o.confusion_path,
+                                         "Markdown of what --benchmark hid and what it was taken for");
+  auto* const seed = app.add_option("--seed", o.seed, "of the first trial of --benchmark");
+  auto* const trials = app.add_option("--trials", o.trials, "how many of the trials, spread evenly; 0: all");
+  confusion->type_name("<file>")->needs("--benchmark");
+  seed->type_name("<n>")->capture_default_str()->needs("--benchmark");
+  trials->check(between(0, 100000))->type_name("<n>")->capture_default_str()->needs("--benchmark");
+  app.add_option("--threads", o.threads, "candidates, or trials of --benchmark, that are fitted at a time")
+      ->check(between(1, 64))
+      ->type_name("<n>")
+      ->capture_default_str();
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,183 @@
+#include "cli/faults/fault_run.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+
+#include "core/ensure.hpp"
+#include "participant/loop.hpp"
+#include "trace/trace.hpp"
+#include "robot/keys.hpp"
+#include "cli/processes/dds_run.hpp"
+#include "cli/trot/trot_options.hpp"
+#include "cli/trot/trot_run.hpp"
+#include "tools/faults/tick_times.hpp"
+
+namespace farrier::cli {
+namespace {
+
+/// From a request's fault to the request, and from everything to the end of the run.
+constexpr double kUntilArmed_s = 0.1;
+constexpr double kAfterwards_s = 0.25;
+/// How often a cell in which the computer stood still is run again.
+constexpr int kMostRepeats = 10;
+
+constexpr std::array kVendors{DdsChoice::kCyclone, DdsChoice::kFast, DdsChoice::kMixed};
+
+DdsChoice choice_of(const std::string& vendor) {
+  const auto found = std::ranges::find_if(kVendors, [&](DdsChoice choice) { return vendor == to_string(choice); });
+  FARRIER_ENSURE(found != kVendors.end(), "the vendor of a cell is one of fault_vendors()");
+  return *found;
+}
+
+/// The member that a row means: its own name, or the one that hosts the joint.
+std::string member_of(const robot::Robot& robot, const std::vector<run::Member>& members, const std::string& name) {
+  const std::string& joint = faults::hit_joint(robot).name;
+  for (const run::Member& member : members) {
+    const bool hosts = std::ranges::find(member.joints, joint) != member.joints.end();
+    if (member.name == name || (name == "joint_node" && member.executable == name && hosts)) {
+      return member.name;
+    }
+  }
+  return name;
+}
+
+int slow_of(const CellSettings& settings, const faults::Row& row) {
+  return settings.slow * (faults::starts_process(row) ? faults::kSlowerWhereProcessesStart : 1);
+}
+
+/// For how long the computer may stand still in a cell.
+Nanoseconds may_pause(const robot::Robot& robot, int slow) {
+  return Nanoseconds(std::llround(1e9 * robot.period_s * slow));
+}
+
+/// One run of a cell, judged. Refuses when the user interrupts.
+Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings& settings, const CellPlan& plan,
+                                   const std::string& title, PauseWatch& pauses) {
+  const int slow = slow_of(settings, *plan.row);
+  const faults::Row row = faults::paced(*plan.row, slow);
+  const auto ticks = [&](double time_s) { return static_cast<Tick>(std::llround(time_s / robot.period_s)); };
+  const faults::TickSpan span = faults::place_of(robot, gait::Schedule(robot.plan, plan.seed), row, plan.phase);
+  faults::Cell cell = plan.cell();
+  TrotOptions trot;
+  trot.robot_path = settings.robot_path;
+  trot.dds = choice_of(plan.vendor);
+  trot.clock = bus::ClockKind::kRealtime;
+  trot.nodes = run::Grouping::kPerLeg;  // rows name the process of a leg
+  trot.design = row.design;
+  trot.standby = row.standby;
+  trot.seed = plan.seed;
+  trot.out = settings.out;
+  trot.trace_path = settings.out + "/trace.csv";
+  DdsRun run = dds_run(robot, trot, title);
+  run.common.slow = slow;
+  run.goes_on_without_the_dead = true;
+  faults::TickTimes times;
+  run.looks_on = [&](Tick tick) {
+    times.saw(tick, std::chrono::steady_clock::now());  // the computer's, as pauses are
+    if (tick < span.begin - faults::kBefore - faults::kAfterPause) {
+      pauses.forget();
+    }
+  };
+  const auto members = run::plan_members(robot, run.grouping, run.standby);
+  if (row.member != nullptr) {
+    run.faults[member_of(robot, members, row.member)] = faults::arrow_faults(robot, row, span);
+  }
+  for (const faults::ProcessAct& act : row.acts) {
+    run.acts.push_back({.at = span.begin + ticks(act.at_s), .member = member_of(robot, members, act.member),
+                        .signal = act.signal});
+  }
+  if (row.expected.latches) {
+    run.acts.push_back({.at = span.end + ticks(kUntilArmed_s), .member = {}});
+  }
+  const Tick last = run.acts.empty() ? span.end : std::max(span.end, run.acts.back().at);
+  run.common.ticks = last + ticks(kAfterwards_s);
+  const auto ran = run_over_dds(robot, run);
+  if (participant::stop_requested()) {
+    return Error{"interrupted"};
+  }
+  const auto trace = faults::leaves_trace(row) ? trace::read_trace(run.common.trace_path, robot::joint_names(robot))
+                                               : Result<std::vector<trace::TraceRow>>(std::vector<trace::TraceRow>{});
+  if (!ran || !trace) {
+    cell.error = !ran ? ran.error().message : trace.error().message;
+    return cell;
+  }
+  const std::vector<Tick>& acted = ran.value().acted;
+  if (acted.size() < run.acts.size()) {
+    cell.error = "the run ended before all was done to it";
+    return cell;
+  }
+  faults::Moments moments{span, last, {}};
+  for (const Pause& pause : pauses.longer_than(may_pause(robot, slow))) {
+    moments.pauses.push_back(times.between(pause.begin, pause.end));
+  }
+  if (!row.acts.empty()) {
+    moments.fault.begin = acted.front();
+    moments.fault.end = row.acts.size() > 1 ? acted[row.acts.size() - 1] : acted.front() + ticks(row.lasts_s);
+  }
+  if (row.expected.latches) {
+    moments.armed = acted.back();
+  }
+  std::vector<faults::Heard> heard;
+  for (std::size_t i = 0; i < ran.value().events.size(); ++i) {
+    heard.push_back({std::string(signals::text_of(ran.value().events[i].text)), ran.value().events_heard[i]});
+  }
+  cell.checks = faults::judge(robot, row, moments, trace.value(), heard);
+  return cell;
+}
+
+}  // namespace
+
+faults::Cell CellPlan::cell() const {
+  return {.row = row->name,
+          .phase = phase == gait::Phase::kStance ? "stance" : "swing",
+          .vendor = vendor,
+          .seed = seed,
+          .repeats = 0,
+          .error = {},
+          .checks = {}};
+}
+
+const std::vector<std::string>& fault_vendors() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (const DdsChoice vendor : kVendors) {
+      all.emplace_back(to_string(vendor));
+    }
+    return all;
+  }();
+  return names;
+}
+
+std::vector<CellPlan> plan_cells(const std::vector<const faults::Row*>& rows, const std::vector<std::string>& vendors,
+                                 int seeds) {
+  std::vector<CellPlan> plans;
+  for (int seed = 1; seed <= seeds; ++seed) {
+    for (const faults::Row* row : rows) {
+      for (const std::string& vendor : vendors) {
+        for (const gait::Phase phase : {gait::Phase::kStance, gait::Phase::kSwing}) {
+          plans.push_back({row, phase, vendor, static_cast<std::uint64_t>(seed)});
+        }
+      }
+    }
+  }
+  return plans;
+}
+
+Result<faults::Cell> run_cell(const robot::Robot& robot, const CellSettings& settings, const CellPlan& plan,
+                              const std::string& title, PauseWatch& pauses) {
+  for (int repeats = 0;; ++repeats) {
+    auto cell = run_cell_once(robot, settings, plan, title, pauses);
+    if (!cell) {
+      return cell.error();
+    }
+    const bool paused = pauses.longest() > may_pause(robot, slow_of(settings, *plan.row));
+    if (!paused || cell.value().holds() || repeats == kMostRepeats) {
+      cell.value().repeats = repeats;
+      return cell;
+    }
+  }
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,201 @@
+// farrier faults: every row of the table of faults made to happen to a trot of real processes, and judged.
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "participant/loop.hpp"
+#include "process/process.hpp"
+#include "cli/base/command.hpp"
+#include "cli/faults/fault_run.hpp"
+#include "cli/base/installation.hpp"
+#include "cli/base/output_file.hpp"
+#include "tools/faults/cells_file.hpp"
+#include "tools/faults/fault_page.hpp"
+#include "report/figures/console.hpp"
+#include "report/diagnosis/extended_model.hpp"
+#include "report/figures/outcome.hpp"
+#include "report/figures/run_info.hpp"
+
+namespace farrier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FaultsOptions {
+  std::string robot_path = shipped_robot("hyq.yaml");
+  std::vector<std::string> rows;
+  std::vector<std::string> vendors{"cyclone", "fast"};
+  int seeds = 3;
+  int slow = 3;
+  std::string out = "out/faults";
+  std::string json_path, page_path;
+  bool go_on = false;
+};
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier faults: %s\n", message.c_str());
+  return participant::stop_requested() ? participant::stop_status() : status;
+}
+
+std::string place_text(const faults::Cell& cell) {
+  return cell.row + ", " + cell.phase + ", " + cell.vendor + ", seed " + std::to_string(cell.seed);
+}
+
+/// A cell that was not run has not held.
+report::Outcome outcome_of(const robot::Robot& robot, const std::vector<faults::Cell>& cells, std::size_t planned) {
+  report::Outcome outcome;
+  outcome.command = "faults";
+  outcome.run = report::run_info(robot, 1);
+  int repeats = 0;
+  for (const faults::Cell& cell : cells) {
+    repeats += cell.repeats;
+    if (!cell.error.empty()) {
+      outcome.failures.push_back(place_text(cell) + ": " + cell.error);
+    }
+  }
+  outcome.figures.add("faults.cells", static_cast<double>(planned));
+  outcome.figures.add("faults.repeats", repeats);
+  outcome.figures.add("faults.held", static_cast<double>(std::ranges::count_if(cells, &faults::Cell::holds)),
+                      static_cast<double>(planned));
+  for (const faults::Row& row : faults::rows()) {
+    for (const faults::Check& check : faults::worst_checks(cells, row.name)) {
+      outcome.figures.add("faults." + std::string(row.name) + "." + check.key + "_ms", check.measured_s * 1e3,
+                          check.asked_s * 1e3);
+    }
+  }
+  return outcome;
+}
+
+std::vector<const faults::Row*> chosen_rows(const FaultsOptions& o) {
+  std::vector<const faults::Row*> chosen;
+  for (const faults::Row& row : faults::rows()) {
+    if (o.rows.empty() || std::ranges::find(o.rows, row.name) != o.rows.end()) {
+      chosen.push_back(&row);
+    }
+  }
+  return chosen;
+}
+
+/// The cells of `plans`, or those until the user interrupts. Cells that held are kept in a file, traces of those that did
+/// not in files of their names; with --continue what held in an earlier run is not run again.
+Result<std::vector<faults::Cell>> run_all(const robot::Robot& robot, const FaultsOptions& o,
+                                          const std::vector<CellPlan>& plans) {
+  const report::RunInfo info = report::run_info(robot, 1);
+  const faults::CellsOrigin origin{info.git_revision, info.configuration_hash, o.slow};
+  const std::string kept_path = o.out + "/cells.jsonl";
+  if (!o.go_on) {
+    fs::remove(kept_path);
+  }
+  const std::vector<faults::Cell> kept = faults::read_cells(kept_path, origin);
+  std::vector<faults::Cell> cells;
+  PauseWatch pauses;
+  for (const CellPlan& plan : plans) {
+    const std::string place = place_text(plan.cell());
+    const auto known = std::ranges::find_if(kept, [&](const faults::Cell& cell) { return place_text(cell) == place; });
+    if (known != kept.end()) {
+      cells.push_back(*known);
+      continue;
+    }
+    const std::string title =
+        "faults, " + std::to_string(cells.size() + 1) + " of " + std::to_string(plans.size()) + ", " + plan.row->name;
+    auto cell = run_cell(robot, {o.robot_path, o.out, o.slow}, plan, title, pauses);
+    if (!cell) {
+      break;
+    }
+    if (!cell.value().holds()) {
+      std::fprintf(stderr, "%s: %s\n", place.c_str(), faults::why_not(cell.value()).c_str());
+      if (faults::leaves_trace(*plan.row) && cell.value().error.empty()) {  // else it is that of another cell
+        std::error_code refused;
+        fs::copy_file(o.out + "/trace.csv", o.out + "/" + place + ".csv", fs::copy_options::overwrite_existing, refused);
+      }
+    } else if (auto appended = faults::append_cell(kept_path, origin, cell.value()); !appended) {
+      return appended.error();
+    }
+    cells.push_back(std::move(cell).value());
+  }
+  return cells;
+}
+
+int run_faults(FaultsOptions o) {
+  for (const std::string& row : o.rows) {
+    if (faults::find_row(row) == nullptr) {
+      std::string names;
+      for (const faults::Row& known : faults::rows()) {
+        names += (names.empty() ? "" : ", ") + std::string(known.name);
+      }
+      return fail("--rows: no row is called '" + row + "': " + names, kBadInput);
+    }
+  }
+  participant::ProcessOptions file;
+  file.robot_path = o.robot_path;
+  file.no_dither = true;
+  const auto robot = process::load_robot(file);
+  if (!robot) {
+    std::fputs(config::to_string(robot.error()).c_str(), stderr);
+    return kBadInput;
+  }
+  const auto directory = OutputDirectory::claim(o.out);
+  if (!directory) {
+    return fail(directory.error().message, kBadInput);
+  }
+  o.out = fs::absolute(o.out).lexically_normal().string();
+  o.json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  if (auto way = make_way({o.json_path, o.page_path}, {o.robot_path}); !way) {
+    return fail(way.error().message, kBadInput);
+  }
+  const std::vector<CellPlan> plans = plan_cells(chosen_rows(o), o.vendors, o.seeds);
+  const auto ran = run_all(robot.value(), o, plans);
+  if (!ran) {
+    return fail(ran.error().message, kFailed);
+  }
+  const std::vector<faults::Cell>& cells = ran.value();
+  const report::Outcome outcome = outcome_of(robot.value(), cells, plans.size());
+  if (auto written = report::write_json(o.json_path, outcome); !written) {
+    return fail(written.error().message, kFailed);
+  }
+  if (!o.page_path.empty()) {
+    const std::string page = faults::fault_page_markdown(cells, plans.size(), o.slow);
+    if (auto written = report::replace_file(o.page_path, page); !written) {
+      return fail(written.error().message, kFailed);
+    }
+  }
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  std::printf("figures: %s\n", o.json_path.c_str());
+  if (participant::stop_requested()) {
+    return fail("interrupted; what there is of the table is written; the same with --continue goes on from here", kFailed);
+  }
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace
+
+std::function<int()> declare_faults(CLI::App& app) {
+  auto o = std::make_shared<FaultsOptions>();
+  app.add_option("--robot", o->robot_path, "robot file")->type_name("<file>")->default_str("hyq.yaml, as shipped");
+  app.add_option("--rows", o->rows, "rows of docs/faults.md; all unless told")->delimiter(',')->type_name("<name>,...");
+  app.add_option("--dds", o->vendors, "vendors, of cyclone, fast and mixed")
+      ->delimiter(',')
+      ->check(CLI::IsMember(fault_vendors()))
+      ->type_name("<vendor>,...")
+      ->default_str("cyclone,fast");
+  app.add_option("--seeds", o->seeds, "seeds, from 1 on")
+      ->check(CLI::Range(1, 1000))
+      ->type_name("<n>")
+      ->capture_default_str();
+  app.add_option("--slow", o->slow, "slow motion: the clock goes slower than the machine's by this factor, and where a process starts by three times it")
+      ->check(CLI::Range(1, 100))
+      ->type_name("<factor>")
+      ->capture_default_str();
+  app.add_option("--out", o->out, "directory of logs, the last trace, and traces of cells that did not hold")->type_name("<dir>")->capture_default_str();
+  app.add_option("--json", o->json_path, "figures; figures.json in --out unless told")->type_name("<file>");
+  app.add_option("--page", o->page_path, "writes the table with what was measured, as docs/faults.md")
+      ->type_name("<file>");
+  app.add_flag("--continue", o->go_on, "goes on from where the last run into --out was interrupted");
+  return [o] { return run_faults(*o); };
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,185 @@
+// farrier monitor: a running robot at a glance. Frames of it go to every display: the terminal's table, Prometheus, a page.
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <exception>
+#include <memory>
+
+#include "monitor/watch.hpp"
+#include "participant/clock.hpp"
+#include "participant/loop.hpp"
+#include "cli/base/command.hpp"
+#include "cli/running/guest.hpp"
+#include "cli/monitor/monitor_web.hpp"
+#include "tools/monitor/plain_text.hpp"
+#include "tools/monitor/prometheus_exposer.hpp"
+#include "tools/monitor/terminal.hpp"
+
+namespace farrier::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kNextLook = 50ms;
+constexpr auto kSilenceWorthSaying = 5s;
+constexpr double kWholeLook_s = 1.2;  // errors and rates are over a second
+
+struct MonitorOptions {
+  std::string prometheus;
+  bool once = false;
+  WebOptions web;
+  GuestOptions guest;
+};
+
+using Displays = std::vector<std::unique_ptr<display::Display>>;
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier monitor: %s\n", message.c_str());
+  return status;
+}
+
+std::string nothing_comes(const MonitorOptions& o) {
+  const std::string domain = std::to_string(o.guest.network.domain);
+  return "nothing comes in domain " + domain + "; why: farrier doctor --domain " + domain;
+}
+
+/// What serves others, opened before anything moves: an address that cannot be had is a mistake in the options.
+Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot) {
+  Displays servers;
+  if (!o.prometheus.empty()) {
+    const auto address = display::parse_listen_address(o.prometheus);
+    if (!address) {
+      return Error{"--prometheus: " + address.error().message};
+    }
+    auto server = display::expose_to_prometheus(address.value(), robot);
+    if (!server) {
+      return Error{"--prometheus: " + server.error().message};
+    }
+    std::fprintf(stderr, "farrier monitor: metrics at http://%s/metrics\n", address.value().text().c_str());
+    servers.push_back(std::move(server).value());
+  }
+  if (!o.web.address.empty()) {
+    auto page = open_web(o.web, robot);
+    if (!page) {
+      return page.error();
+    }
+    servers.push_back(std::move(page).value());
+  }
+  return servers;
+}
+
+/// The table: on a terminal with keys, elsewhere as text unless a server is all that was asked for. True where it has the
+/// screen, on which nobody else may write.
+Result<bool> open_table(Displays& displays, const robot::Robot& robot) {
+  if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
+    auto terminal = display::Terminal::create(robot);
+    if (!terminal) {
+      return terminal.error();
+    }
+    displays.push_back(std::move(terminal).value());
+    return true;
+  }
+  if (displays.empty()) {
+    displays.push_back(std::make_unique<display::PlainText>(robot));
+  }
+  return false;
+}
+
+/// Shows frames until somebody asks for the end. `quiet`: says nothing itself.
+int show(bus::Bus& bus, monitor::Watch& watch, const Displays& displays, const MonitorOptions& o, bool quiet) {
+  SteadyTime complaint = participant::steady_now() + kSilenceWorthSaying;
+  while (!participant::stop_requested()) {
+    nap(bus, participant::steady_now() + kNextLook);
+    const monitor::Frame frame = watch.look();
+    for (const auto& display : displays) {
+      display->show(frame);
+      if (display->ended()) {
+        return kPassed;
+      }
+    }
+    if (const SteadyTime now = participant::steady_now(); !quiet && std::isinf(frame.age_s) && now > complaint) {
+      complaint = SteadyTime::max();
+      std::fprintf(stderr, "farrier monitor: %s\n", nothing_comes(o).c_str());
+    }
+  }
+  return participant::stop_status();
+}
+
+int show_once(bus::Bus& bus, monitor::Watch& watch, const robot::Robot& robot, const MonitorOptions& o) {
+  const SteadyTime last = participant::steady_now() + kSilenceWorthSaying;
+  display::RecentEvents events;
+  monitor::Frame frame;
+  bool whole = false;
+  while (!whole && !participant::stop_requested() && participant::steady_now() < last) {
+    nap(bus, participant::steady_now() + kNextLook);
+    frame = watch.look();
+    events.take(frame);
+    whole = frame.time_s > kWholeLook_s &&
+            std::ranges::all_of(frame.joints, [](const monitor::JointFrame& joint) { return joint.rate_Hz > 0.0; });
+  }
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
+  if (frame.joints.empty() || std::isinf(frame.age_s)) {
+    return fail(nothing_comes(o), kFailed);
+  }
+  return display::print_table(frame, robot, events.all()) ? kPassed : fail("what reads its output is gone", kFailed);
+}
+
+int run_monitor(const MonitorOptions& o) {
+  if (!o.web.recording.empty()) {
+    return show_recording(o.web);
+  }
+  participant::install_signal_handlers();
+  const auto robot = robot::load_robot(o.guest.robot_path);
+  if (!robot) {
+    std::fputs(config::to_string(robot.error()).c_str(), stderr);
+    return kBadInput;
+  }
+  auto servers = open_servers(o, robot.value());
+  if (!servers) {
+    return fail(servers.error().message, kBadInput);
+  }
+  auto bus = join_as_guest(o.guest, bus::Role::kMonitor);
+  if (!bus) {
+    return fail(bus.error().message, bus.error().status);
+  }
+  auto watch = monitor::Watch::create(*bus.value(), robot.value());
+  if (!watch) {
+    return fail(watch.error().message, kFailed);
+  }
+  if (o.once) {
+    return show_once(*bus.value(), watch.value(), robot.value(), o);
+  }
+  try {
+    // Here, so that the terminal is a terminal again before anything is said of what went wrong.
+    Displays displays = std::move(servers).value();
+    const auto screen = open_table(displays, robot.value());
+    if (!screen) {
+      return fail(screen.error().message, kFailed);
+    }
+    return show(*bus.value(), watch.value(), displays, o, screen.value());
+  } catch (const std::exception& problem) {
+    return fail(problem.what(), kFailed);
+  }
+}
+
+}  // namespace
+
+std::function<int()> declare_monitor(CLI::App& app) {
+  auto o = std::make_shared<MonitorOptions>();
+  CLI::Option* once = app.add_flag("--once", o->once, "print one table and end");
+  app.add_option("--prometheus", o->prometheus,
+                 "serve metrics for Prometheus, of which docs/metrics.md has a list; :9464 is on this computer alone, "
+                 "0.0.0.0:9464 on all its addresses")
+      ->type_name("<address:port>")
+      ->excludes(once);
+  declare_web(app, o->web)->excludes(once);
+  declare_guest(app, o->guest);
+  return [o] { return run_monitor(*o); };
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "run/run_plan.hpp"
+#include "mcap/records.hpp"
+#include "participant/options.hpp"
+#include "cli/processes/growth_watch.hpp"
+#include "cli/processes/onlookers.hpp"
+#include "cli/processes/run_acts.hpp"
+
+namespace farrier::cli {
+
+/// Which vendor each process of a run is on.
+enum class DdsChoice { kCyclone, kFast, kMixed, kInproc };
+const char* to_string(DdsChoice choice) noexcept;
+
+bus::Vendor vendor_of(DdsChoice choice, const run::Member& member) noexcept;
+
+/// A run of real processes over DDS. Member-independent options are in `common`.
+struct DdsRun {
+  DdsChoice dds = DdsChoice::kCyclone;
+  run::Grouping grouping = run::Grouping::kPerLeg;
+  participant::ProcessOptions common;
+  std::string executables;  ///< directory of the node executables
+  std::string log_directory;
+  std::string record_path;   ///< a recording of everything goes there; empty: none
+  mcap::Text record_facts;   ///< recording::kRunFacts of it
+  std::string title;
+  std::map<std::string, std::vector<bus_faults::ArrowFault>> faults;  ///< by member, real time only
+  std::vector<Act> acts;                                              ///< in the order of their ticks
+  std::function<void(Tick)> looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
+  std::vector<Onlooker> onlookers;
+  bool standby = false;                   ///< a second supervisor stands by, real time only
+  bool goes_on_without_the_dead = false;  ///< real time: the death of any member is a warning
+  bool soak = false;                      ///< watch what the processes grow by
+  bool bare = false;  ///< exchange the same samples with nothing computed: the yardstick of farrier bench
+};
+
+struct RunOutcome {
+  std::vector<run::Member> members;  ///< the last is the launcher, where there are processes
+  std::vector<signals::SystemHello> hellos;    ///< by participant
+  std::vector<signals::SystemHealth> healths;  ///< by participant
+  std::vector<signals::SystemEvent> events;
+  std::vector<Tick> events_heard;  ///< newest tick of the clock then; by event
+  std::vector<signals::JointUpdateDecision> decisions;
+  std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued
+  std::vector<Tick> acted;            ///< when acts were done, in their order
+  std::vector<std::string> warnings;  ///< what went wrong and did not end the run
+  std::vector<std::optional<Growth>> growths;  ///< by participant; nothing for one that died and for the launcher, which
+                                               ///< keeps the record of the run. Empty where not watched
+  std::vector<OnlookerUse> onlookers;        ///< as DdsRun has them
+  double wall_s = 0;  ///< from the first tick to the last
+};
+
+/// Starts every process, listens to them from this one, shows progress, ends every process. Refuses when a process
+/// dies (with its name, exit status and last lines) or the user interrupts; no process is left behind either way. In
+/// real time a run goes on without estimator_service and supervisors, with a warning: gains and mode then stay as they
+/// are; and without others as `run` says.
+Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run);
+
+}  // namespace farrier::cli

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <atomic>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "core/time.hpp"
+#include "report/figures/growth.hpp"
+
+namespace farrier::cli {
+
+using report::Growth;
+
+/// Looks at what processes hold of their computer (/proc) a hundred times a run, at most every 5 s, by a thread without
+/// priority.
+class GrowthWatch {
+ public:
+  /// Of a run of this many ticks; a process 0 is left out. Without processes it looks at nothing.
+  GrowthWatch(std::vector<pid_t> processes, Tick ticks);
+  ~GrowthWatch();
+  GrowthWatch(const GrowthWatch&) = delete;
+  GrowthWatch& operator=(const GrowthWatch&) = delete;
+
+  /// The run is at this tick.
+  void tick(Tick now) noexcept { now_ = now; }
+
+  /// From the first look after a tenth of the run to the last one, by process; ends the looking. Nothing for a process
+  /// that was left out or gone by then. Empty when there were fewer than two such looks.
+  std::vector<std::optional<Growth>> growths();
+
+ private:
+  using Holdings = std::vector<std::optional<Growth>>;  ///< from nothing to what there is
+  void look();
+  void end();
+
+  std::vector<pid_t> processes_;
+  Tick ticks_;
+  std::atomic<Tick> now_{0};
+  std::atomic<bool> ends_{false};
+  std::optional<Holdings> first_, last_;
+  std::thread thread_;
+};
+
+}  // namespace farrier::cli

@@ -1,0 +1,57 @@
+#include "cli/processes/run_acts.hpp"
+
+#include <csignal>
+
+#include <algorithm>
+
+namespace farrier::cli {
+namespace {
+
+constexpr int kHour_s = 3600;
+
+}  // namespace
+
+Result<RunActs> RunActs::create(std::vector<Act> acts, participant::Participant& participant,
+                                std::optional<HostClock> clock) {
+  RunActs run(std::move(acts), participant.identity().session, std::move(clock));
+  if (std::ranges::any_of(run.acts_, [](const Act& act) { return act.member.empty(); })) {
+    auto requests = bus::Publisher<signals::SystemRequest>::create(
+        participant.bus(), participant::endpoint_of(participant.identity(), bus::TopicId::kSystemRequest));
+    if (!requests) {
+      return requests.error();
+    }
+    run.requests_.emplace(std::move(requests).value());
+  }
+  return run;
+}
+
+Result<Done> RunActs::perform(Tick due, Tick tick, std::vector<ChildProcess>& children, const Start& start) {
+  while (performed_.size() < acts_.size() && acts_[performed_.size()].at <= due) {
+    const Act& act = acts_[performed_.size()];
+    if (act.member.empty()) {
+      signals::SystemRequest request;
+      request.session = session_;
+      request.tick = tick;
+      request.count = ++asked_;
+      request.request = static_cast<std::uint8_t>(act.request);
+      requests_->publish(request);
+    } else if (faults::sets_clock(act.signal)) {
+      if (auto set = clock_->set(act.signal == faults::kClockForward ? kHour_s : -kHour_s); !set) {
+        return set.error();
+      }
+    } else if (act.signal == faults::kStart || act.signal == faults::kStartTwin) {
+      auto started = start(act.member, act.signal == faults::kStart ? act.member : act.member + "_twin");
+      if (!started) {
+        return started.error();
+      }
+      std::erase_if(children, [&](const ChildProcess& child) { return child.name() == started.value().name(); });
+      children.push_back(std::move(started).value());
+    } else if (const auto child = std::ranges::find(children, act.member, &ChildProcess::name); child != children.end()) {
+      ::kill(child->pid(), act.signal);
+    }
+    performed_.push_back(tick);
+  }
+  return Done{};
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,59 @@
+// farrier convert: a recording as a folder of CSV files, and back.
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+#include "participant/loop.hpp"
+#include "cli/base/command.hpp"
+#include "cli/base/long_work.hpp"
+#include "cli/base/output_file.hpp"
+#include "tools/offline/csv_files.hpp"
+
+namespace farrier::cli {
+namespace {
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier convert: %s\n", message.c_str());
+  return status;
+}
+
+int run_convert(const std::string& from, const std::string& to) {
+  const bool of_csv = std::filesystem::is_directory(from);
+  if (of_csv) {
+    if (auto way = make_way({to}, {from}); !way) {
+      return fail(way.error().message, kBadInput);
+    }
+  }
+  const KeepOn keep_on = long_work("convert");
+  const auto converted = of_csv ? offline::from_csv(from, to, keep_on) : offline::to_csv(from, to, keep_on);
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
+  if (!converted) {
+    return fail(converted.error().message, kBadInput);
+  }
+  std::printf("%s: %llu samples\n", to.c_str(), static_cast<unsigned long long>(converted.value().samples));
+  if (!converted.value().ending.empty()) {
+    return fail(from + ": " + converted.value().ending + "; what came before is converted", kFailed);
+  }
+  return kPassed;
+}
+
+}  // namespace
+
+std::function<int()> declare_convert(CLI::App& app) {
+  struct Paths {
+    std::string from, to;
+  };
+  auto paths = std::make_shared<Paths>();
+  app.add_option("from", paths->from, "recording, or a folder that this command has made of one")
+      ->required()
+      ->type_name("<file|folder>");
+  app.add_option("to", paths->to, "empty folder for CSV files, a topic each; or the recording that is made of them")
+      ->required()
+      ->type_name("<folder|file>");
+  return [paths] { return run_convert(paths->from, paths->to); };
+}
+
+}  // namespace farrier::cli

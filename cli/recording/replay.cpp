@@ -1,0 +1,129 @@
+// farrier replay: a recording on the bus, as its robot's processes published it.
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "bus_factory/bus_factory.hpp"
+#include "participant/clock.hpp"
+#include "participant/loop.hpp"
+#include "recorder/watching_endpoint.hpp"
+#include "cli/base/command.hpp"
+#include "cli/running/guest.hpp"
+#include "cli/recording/rerun.hpp"
+#include "cli/recording/topic_choice.hpp"
+#include "tools/offline/recorded_run.hpp"
+#include "tools/offline/replayer.hpp"
+
+namespace farrier::cli {
+namespace {
+
+using namespace std::chrono_literals;
+using signals::SystemHello;
+
+constexpr auto kListen = 1s;     // processes that run say hello fifty times a second while they start, then with health
+
+struct ReplayOptions {
+  std::string path;
+  std::vector<std::string> topics;
+  double speed = 1.0;
+  std::string rerun_of;  ///< empty: nothing
+  std::string vendor = "cyclone";
+  bus::NetworkOptions network;
+};
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier replay: %s\n", message.c_str());
+  return status;
+}
+
+/// Refuses where a robot of this name runs: a replay would speak in the name of its processes.
+Result<Done> nobody_is_there(bus::Bus& bus, const robot::Robot& robot, int domain) {
+  auto hellos = bus::Subscription<SystemHello>::create(
+      bus, recorder::watching_endpoint(robot, bus::TopicId::kSystemHello));
+  if (!hellos) {
+    return hellos.error();
+  }
+  std::string heard;
+  nap(bus, participant::steady_now() + kListen);
+  hellos.value().drain([&](const SystemHello& hello) { heard = signals::text_of(hello.name); });
+  if (!heard.empty()) {
+    return Error{heard + " of robot " + robot.name + " runs in domain " + std::to_string(domain) +
+                 ", and a replay would speak in its name: give a --domain of its own"};
+  }
+  return Done{};
+}
+
+/// Publishes all samples as far apart as they were recorded; how many.
+std::uint64_t play(bus::Bus& bus, offline::Replayer& replayer, offline::RecordedRun& run, double speed) {
+  const SteadyTime begin = participant::steady_now();
+  std::optional<std::uint64_t> first_ns;
+  std::uint64_t published = 0;
+  for (recording::Sample sample; run.next(sample);) {
+    first_ns = first_ns.value_or(sample.log_time_ns);
+    const std::uint64_t since_ns = sample.log_time_ns - std::min(sample.log_time_ns, *first_ns);
+    nap(bus, begin + Nanoseconds(static_cast<std::int64_t>(static_cast<double>(since_ns) / speed)));
+    if (participant::stop_requested()) {
+      break;
+    }
+    published += replayer.publish(sample) ? 1 : 0;
+  }
+  return published;
+}
+
+int run_replay(const ReplayOptions& o) {
+  participant::install_signal_handlers();
+  auto run = offline::RecordedRun::open(o.path);
+  if (!run) {
+    return fail(run.error().message, kBadInput);
+  }
+  if (!o.rerun_of.empty()) {
+    return rerun_estimator(run.value(), o.path);
+  }
+  const robot::Robot& robot = run.value().robot();
+  auto bus = bus_factory::create_bus(bus::parse_vendor(o.vendor).value(), o.network);
+  if (!bus) {
+    return fail(bus.error().message, kFailed);
+  }
+  if (auto alone = nobody_is_there(*bus.value(), robot, o.network.domain); !alone) {
+    return fail(alone.error().message, kBadInput);
+  }
+  auto replayer = offline::Replayer::create(*bus.value(), robot, topics_of(o.topics));
+  if (!replayer) {
+    return fail(replayer.error().message, kFailed);
+  }
+  std::fprintf(stderr, "farrier replay: %s of robot %s in domain %d\n", o.path.c_str(), robot.name.c_str(),
+               o.network.domain);
+  nap(*bus.value(), participant::steady_now() + kListen);  // for readers to find the writers
+  const std::uint64_t published = play(*bus.value(), replayer.value(), run.value(), o.speed);
+  std::printf("%s: %llu samples published\n", o.path.c_str(), static_cast<unsigned long long>(published));
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
+  if (!run.value().ending().empty()) {
+    return fail(o.path + ": " + run.value().ending(), kFailed);
+  }
+  return kPassed;
+}
+
+}  // namespace
+
+std::function<int()> declare_replay(CLI::App& app) {
+  auto o = std::make_shared<ReplayOptions>();
+  app.add_option("file", o->path, "recording, as farrier record makes it")->required()->type_name("<file>");
+  app.add_option("--rerun", o->rerun_of,
+                 "publish nothing: feed the recorded measurements to this version's estimators and "
+                 "compare their estimates with the recorded ones, bit by bit")
+      ->check(CLI::IsMember({"estimator"}))
+      ->type_name("estimator");
+  declare_topic_choice(app, o->topics);
+  app.add_option("--speed", o->speed, "times as fast as it was recorded")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->type_name("<factor>")
+      ->capture_default_str();
+  declare_vendor(app, o->vendor);
+  declare_network(app, o->network);
+  return [o] { return run_replay(*o); };
+}
+
+}  // namespace farrier::cli

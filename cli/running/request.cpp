@@ -1,0 +1,113 @@
+// farrier request: what an operator asks of a running robot's supervisor.
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "participant/clock.hpp"
+#include "participant/loop.hpp"
+#include "participant/participant.hpp"
+#include "process/process.hpp"
+#include "cli/base/command.hpp"
+#include "cli/running/guest.hpp"
+
+namespace farrier::cli {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// For discovery, the request's way and the answer's.
+constexpr auto kPatience = 5s;
+constexpr auto kAskAgain = 500ms;
+
+struct RequestOptions {
+  std::string what;
+  std::uint64_t session = 0;
+  GuestOptions guest;
+};
+
+int fail(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier request: %s\n", message.c_str());
+  return participant::stop_requested() ? participant::stop_status() : status;
+}
+
+/// Asks until the supervisor answers with a mode that is newer than those before; that mode.
+std::optional<signals::SystemMode> ask(bus::Bus& bus, bus::Publisher<signals::SystemRequest>& requests,
+                                       bus::Subscription<signals::SystemMode>& modes,
+                                       signals::SystemRequest request) {
+  const SteadyTime end = participant::steady_now() + kPatience;
+  SteadyTime next{};
+  std::optional<std::uint32_t> before;
+  std::optional<signals::SystemMode> answer;
+  while (!answer && participant::steady_now() < end && !participant::stop_requested()) {
+    const std::uint64_t arrivals = bus.arrivals();
+    modes.drain([&](const signals::SystemMode& mode) {
+      if (mode.session != request.session || mode.epoch == 0) {
+        return;
+      }
+      if (request.count > 0 && before && mode.epoch > *before) {
+        answer = mode;
+      }
+      before = std::max(before.value_or(0), mode.epoch);
+    });
+    if (before && requests.matched_readers() > 0 && participant::steady_now() >= next) {
+      next = participant::steady_now() + kAskAgain;
+      ++request.count;
+      requests.publish(request);
+    }
+    bus.wait_for_arrivals(arrivals + 1, 20ms);
+  }
+  return answer;
+}
+
+int run_request(const RequestOptions& o) {
+  participant::install_signal_handlers();
+  participant::ProcessOptions file;
+  file.robot_path = o.guest.robot_path;
+  const auto robot = process::load_robot(file);
+  if (!robot) {
+    std::fputs(config::to_string(robot.error()).c_str(), stderr);
+    return kBadInput;
+  }
+  auto bus = join_as_guest(o.guest, bus::Role::kOperator);
+  if (!bus) {
+    return fail(bus.error().message, bus.error().status);
+  }
+  const participant::Identity identity{.name = "operator",
+                                       .robot = robot.value().name,
+                                       .session = o.session,
+                                       .clock = bus::ClockKind::kRealtime};
+  auto requests = bus::Publisher<signals::SystemRequest>::create(
+      *bus.value(), participant::endpoint_of(identity, bus::TopicId::kSystemRequest));
+  auto modes = bus::Subscription<signals::SystemMode>::create(
+      *bus.value(), participant::endpoint_of(identity, bus::TopicId::kSystemMode));
+  if (!requests || !modes) {
+    return fail(!requests ? requests.error().message : modes.error().message, kFailed);
+  }
+  signals::SystemRequest request;
+  request.session = o.session;
+  request.tick = 0;
+  request.request = static_cast<std::uint8_t>(o.what == "arm" ? signals::Request::kArm : signals::Request::kStop);
+  const auto answer = ask(*bus.value(), requests.value(), modes.value(), request);
+  if (!answer) {
+    return fail("no supervisor of " + robot.value().name + ", session " + std::to_string(o.session) + ", domain " +
+                    std::to_string(o.guest.network.domain) +
+                    " answers: look for its --session and --domain in its command line (ps)",
+                kFailed);
+  }
+  std::printf("%s is %s, epoch %u\n", robot.value().name.c_str(),
+              signals::to_string(static_cast<signals::Mode>(answer->mode)), answer->epoch);
+  return kPassed;
+}
+
+}  // namespace
+
+std::function<int()> declare_request(CLI::App& app) {
+  auto o = std::make_shared<RequestOptions>();
+  app.add_option("what", o->what, "arm or stop")->required()->check(CLI::IsMember({"arm", "stop"}));
+  app.add_option("--session", o->session, "session of the run")->required()->type_name("<number>");
+  declare_guest(app, o->guest);
+  return [o] { return run_request(*o); };
+}
+
+}  // namespace farrier::cli

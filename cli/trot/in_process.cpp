@@ -1,0 +1,107 @@
+#include "cli/trot/in_process.hpp"
+
+#include "core/median.hpp"
+#include "run/inproc_run.hpp"
+#include "participant/loop.hpp"
+#include "robot/keys.hpp"
+#include "cli/base/progress.hpp"
+#include "cli/trot/trot_run.hpp"
+
+namespace farrier::cli {
+namespace {
+
+/// A run beside under LQR, whatever the robot file says, and how its joints tracked.
+Result<report::Tracking> track_beside(robot::Robot robot, const TrotOptions& o, supervisor::Design design,
+                                      const std::string& trace_path, const std::string& title) {
+  for (robot::Joint& joint : robot.joints) {
+    joint.kind = control::Kind::kLqr;
+  }
+  if (auto run = run_in_process(robot, o, design, trace_path, title); !run) {
+    return run.error();
+  }
+  std::vector<trace::TraceRow> rows;
+  return tracking_of(robot, trace_path, o.seed, robot.loop_delay_lockstep, rows);
+}
+
+}  // namespace
+
+Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& o, supervisor::Design design,
+                                  const std::string& trace_path, const std::string& title, const Extras& extras) {
+  participant::install_signal_handlers();
+  run::InprocRun run;
+  run.grouping = grouping_of(o);
+  run.ticks = run::ticks_of(o.duration_s, robot);
+  run.seed = o.seed;
+  run.design = design;
+  run.trace_path = trace_path;
+  run.world = extras.world;
+  run.record_path = extras.record_path;
+  run.record_facts = record_facts(robot, o);
+  Progress progress(title, run.ticks);
+  run.progress = [&](Tick tick) {
+    progress.update(tick);
+    return !participant::stop_requested();
+  };
+  const SteadyTime begin = std::chrono::steady_clock::now();
+  auto result = run::run_inproc(robot, run);
+  if (!result) {
+    return result.error();
+  }
+  RunOutcome outcome;
+  outcome.members = run::plan_members(robot, run.grouping);
+  outcome.hellos = std::move(result.value().hellos);
+  outcome.healths = std::move(result.value().healths);
+  outcome.events = std::move(result.value().events);
+  outcome.decisions = std::move(result.value().decisions);
+  outcome.gains = std::move(result.value().gains);
+  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return outcome;
+}
+
+robot::Robot without_dither(robot::Robot robot) {
+  for (robot::Joint& joint : robot.joints) {
+    joint.dither_percent = 0.0;
+  }
+  return robot;
+}
+
+Result<report::Tracking> tracking_of(const robot::Robot& robot, const std::string& trace_path, std::uint64_t seed,
+                                     int loop_delay_ticks, std::vector<trace::TraceRow>& rows) {
+  auto read = trace::read_trace(trace_path, robot::joint_names(robot));
+  if (!read) {
+    return read.error();
+  }
+  rows = std::move(read).value();
+  return report::track(robot, gait::Schedule(robot.plan, seed), rows, loop_delay_ticks);
+}
+
+Result<Done> add_swing_design(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
+  const auto tracking = track_beside(without_dither(robot), o, supervisor::Design::kSwing,
+                                     o.out + "/trace_swing_design.csv", "trot, swing design beside");
+  if (!tracking) {
+    return tracking.error();
+  }
+  report::add_swing_design_tracking(figures, robot, tracking.value());
+  return Done{};
+}
+
+Result<Done> add_dither_cost(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
+  const auto with = track_beside(robot, o, supervisor::Design::kPhases, o.out + "/trace_dithered.csv",
+                                 "trot, fixed gains with dither");
+  if (!with) {
+    return with.error();
+  }
+  const auto without = track_beside(without_dither(robot), o, supervisor::Design::kPhases,
+                                    o.out + "/trace_undithered.csv", "trot, fixed gains without dither");
+  if (!without) {
+    return without.error();
+  }
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < robot.joints.size(); ++i) {
+    ratios.push_back(with.value().joints[i].stance.nrmse / without.value().joints[i].stance.nrmse);
+  }
+  figures.add("trot.dither_cost_ratio", median(std::move(ratios)));
+  return Done{};
+}
+
+}  // namespace farrier::cli

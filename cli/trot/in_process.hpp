@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "trace/trace.hpp"
+#include "supervisor/supervisor.hpp"
+#include "cli/trot/trot_options.hpp"
+#include "report/trot/tracking.hpp"
+
+namespace farrier::cli {
+
+/// What a run may have besides.
+struct Extras {
+  const robot::Robot* world = nullptr;  ///< what sim_bridge simulates; null: the robot
+  std::string record_path;              ///< a recording of everything goes there; empty: none
+};
+
+/// A trot in this process, in lock-step, with a bar called `title`; the trace goes to `trace_path`. Refuses what
+/// run::run_inproc does, and when the user interrupts.
+Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& options, supervisor::Design design,
+                                  const std::string& trace_path, const std::string& title, const Extras& extras = {});
+
+/// The same robot that does not probe its valves: what a run with fixed gains needs.
+robot::Robot without_dither(robot::Robot robot);
+
+/// How the joints tracked in the run that left this trace, which goes to `rows`. Refuses a trace that cannot be read.
+Result<report::Tracking> tracking_of(const robot::Robot& robot, const std::string& trace_path, std::uint64_t seed,
+                                     int loop_delay_ticks, std::vector<trace::TraceRow>& rows);
+
+/// Adds the tracking of the same gait with the swing design in both slots. In process: lock-step traces do not depend
+/// on the transport.
+Result<Done> add_swing_design(const robot::Robot& robot, const TrotOptions& options, report::Figures& figures);
+
+/// Adds trot.dither_cost_ratio: two runs of the gait with each phase's own fixed design, with the dither of `robot` and
+/// without.
+Result<Done> add_dither_cost(const robot::Robot& robot, const TrotOptions& options, report::Figures& figures);
+
+}  // namespace farrier::cli

@@ -1,0 +1,34 @@
+#include "cli/trot/run_events.hpp"
+
+#include <algorithm>
+#include <fstream>
+
+#include "report/trot/adaptation.hpp"
+
+namespace farrier::cli {
+
+void write_events(const std::string& path, const robot::Robot& robot, const RunOutcome& run,
+                  std::span<const report::DecisionInfo> decisions) {
+  std::vector<std::pair<Tick, std::string>> lines;
+  for (const signals::SystemEvent& event : run.events) {
+    std::string line = signals::to_string(static_cast<signals::Severity>(event.severity));
+    line += ' ' + (event.participant < run.members.size() ? run.members[event.participant].name : "?");
+    if (event.joint < robot.joints.size()) {
+      line += ' ' + robot.joints[event.joint].name;
+    }
+    lines.emplace_back(event.tick, line + ": " + std::string(signals::text_of(event.text)));
+  }
+  for (const report::DecisionInfo& decision : decisions) {
+    lines.emplace_back(decision.decision.tick, "gains " + report::decision_text(decision));
+  }
+  std::ranges::stable_sort(lines, {}, &std::pair<Tick, std::string>::first);
+  std::ofstream file(path);
+  for (const auto& [tick, line] : lines) {
+    file << "tick " << tick << ' ' << line << '\n';
+  }
+  for (const std::string& warning : run.warnings) {
+    file << "warning: " << warning << '\n';
+  }
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,265 @@
+// farrier trot: run, judge, report.
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <iterator>
+
+#include <unistd.h>
+
+#include "participant/loop.hpp"
+#include "process/process.hpp"
+#include "supervisor/joint_design.hpp"
+#include "cli/base/command.hpp"
+#include "cli/compare/experiment.hpp"
+#include "cli/trial/hide.hpp"
+#include "cli/trot/in_process.hpp"
+#include "cli/base/output_file.hpp"
+#include "cli/trot/realtime.hpp"
+#include "cli/trot/run_events.hpp"
+#include "cli/trot/trot_options.hpp"
+#include "cli/trot/trot_run.hpp"
+#include "cli/trot/trot_security.hpp"
+#include "cli/compare/vary.hpp"
+#include "report/trot/adaptation.hpp"
+#include "report/figures/console.hpp"
+#include "report/trot/html_report.hpp"
+#include "report/trot/joint_poles.hpp"
+#include "report/trot/tracking.hpp"
+
+namespace farrier::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+int fail(const Error& error) {
+  std::fprintf(stderr, "farrier trot: %s\n", error.message.c_str());
+  return participant::stop_requested() ? participant::stop_status() : kFailed;
+}
+
+/// Joints of the robot file no controller can be designed for, a line each; empty when there are none.
+std::string undesignable(const robot::Robot& robot) {
+  std::string lines;
+  for (const robot::Joint& joint : robot.joints) {
+    for (const plant::LoadParams& load : {joint.swing_load, joint.stance_load}) {
+      for (const int delay : {robot.loop_delay_lockstep, robot.loop_delay_realtime}) {
+        const auto gains = supervisor::design_joint(joint, load, robot.period_s, delay);
+        if (!gains && lines.find(gains.error().message) == std::string::npos) {
+          lines += robot.path + ": joints: " + gains.error().message + "\n";
+        }
+      }
+    }
+  }
+  return lines;
+}
+
+/// What of the options an electric joint has no part in; empty when there is none or the robot has no such joint.
+std::string hydraulic_only(const robot::Robot& robot, const TrotOptions& o) {
+  const robot::Joint* const electric = robot.first_electric();
+  if (electric == nullptr) {
+    return "";
+  }
+  const std::string why = ", and " + electric->name + " is electric: leave it out";
+  if (o.vary) {
+    return "--vary draws supplies and valves of hydraulic joints" + why;
+  }
+  if (o.hide) {
+    return "--hide gives a hydraulic joint an effect" + why;
+  }
+  if (o.experiment != Experiment::kNone) {
+    return "--experiment " + name_of(o.experiment) + " is for hydraulic joints" + why;
+  }
+  return "";
+}
+
+/// The runs beside that the options ask for.
+Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
+  if (o.dither_cost) {
+    participant::ProcessOptions probed = common_options(o);
+    probed.no_dither = false;
+    const auto loaded = process::load_robot(probed);
+    if (!loaded) {
+      return Error{config::to_string(loaded.error())};
+    }
+    if (auto added = add_dither_cost(loaded.value(), o, figures); !added) {
+      return added;
+    }
+  }
+  if (o.security_cost) {
+    if (auto added = add_security_cost(robot, o, figures); !added) {
+      return added;
+    }
+  }
+  return add_swing_design(robot, o, figures);
+}
+
+int trot(TrotOptions o) {
+  if (o.design.empty()) {
+    // With a tick of delay one design does not hold both loads, and nothing shows yet that adaptation gets by with it
+    // while it learns: in real time each slot has the design for its own load.
+    o.design = o.clock == bus::ClockKind::kRealtime ? "phases" : "adaptive";
+  }
+  const auto loaded = process::load_robot(common_options(o));
+  if (!loaded) {
+    std::fputs(config::to_string(loaded.error()).c_str(), stderr);
+    return kBadInput;
+  }
+  const robot::Robot& robot = loaded.value();
+  if (o.print_config) {
+    std::fputs(robot::print_config(robot).c_str(), stdout);
+    return kPassed;
+  }
+  if (const std::string misused = hydraulic_only(robot, o); !misused.empty()) {
+    std::fprintf(stderr, "farrier trot: %s\n", misused.c_str());
+    return kBadInput;
+  }
+  if (o.seeds != 0 && !o.vary && !o.hide && o.experiment != Experiment::kControllers) {
+    std::fputs("farrier trot: --seeds is for --vary, --hide and --experiment controllers: give one of them, or leave "
+               "it out\n",
+               stderr);
+    return kBadInput;
+  }
+  o.seeds = o.seeds != 0 ? o.seeds : o.hide ? 1 : kSeeds;
+  if (o.hide && o.clock == bus::ClockKind::kRealtime) {
+    std::fputs("farrier trot: --hide runs on the lock-step clock only, where no sample is lost: leave --clock realtime "
+               "out\n",
+               stderr);
+    return kBadInput;
+  }
+  if (o.standby && o.clock != bus::ClockKind::kRealtime) {
+    std::fputs("farrier trot: --standby is for the real-time clock, in lock-step a run waits for a silent supervisor: add "
+               "--clock realtime\n", stderr);
+    return kBadInput;
+  }
+  if (o.soak && (o.dds == DdsChoice::kInproc || o.hide)) {
+    std::fputs("farrier trot: --soak watches the processes of one run over DDS: leave --dds inproc and --hide out\n", stderr);
+    return kBadInput;
+  }
+  if (o.vary && o.clock == bus::ClockKind::kRealtime) {
+    std::fputs("farrier trot: --vary runs on the lock-step clock only: leave --clock realtime out\n", stderr);
+    return kBadInput;
+  }
+  if (o.dds == DdsChoice::kInproc && o.clock == bus::ClockKind::kRealtime) {
+    std::fputs("farrier trot: --dds inproc runs on the lock-step clock only: choose a vendor for --clock realtime\n",
+               stderr);
+    return kBadInput;
+  }
+  if (auto secured = check_security(robot, o); !secured) {
+    std::fprintf(stderr, "farrier trot: %s\n", secured.error().message.c_str());
+    return kBadInput;
+  }
+  const auto directory = OutputDirectory::claim(o.out);
+  if (!directory) {
+    std::fprintf(stderr, "farrier trot: %s\n", directory.error().message.c_str());
+    return kBadInput;
+  }
+  o.out = fs::absolute(o.out).lexically_normal().string();
+  o.trace_path = o.trace_path.empty() ? o.out + "/trace.csv" : fs::absolute(o.trace_path).string();
+  if (const std::string missing = undesignable(robot); !missing.empty()) {
+    std::fputs(missing.c_str(), stderr);
+    return kBadInput;
+  }
+  o.json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  if (o.hide && o.record_path.empty()) {
+    o.record_path = o.out + "/run.mcap";
+  }
+  const std::string rows_path = o.vary ? o.out + "/vary.csv" : o.trace_path;
+  if (auto way = make_way({rows_path, o.json_path, o.record_path}, {o.robot_path}); !way) {
+    std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
+    return kBadInput;
+  }
+  if (o.vary) {
+    return vary(robot, o, rows_path);
+  }
+  if (o.hide) {
+    return hide(robot, o);
+  }
+  switch (o.experiment) {
+    case Experiment::kLoadCycle: return run_load_cycle(robot, o);
+    case Experiment::kSwitching: return run_switching(robot, o);
+    case Experiment::kUpdateLogic: return run_update_logic(robot, o);
+    case Experiment::kControllers: return run_controllers(robot, o);
+    case Experiment::kNone: break;
+  }
+  const bool lockstep = o.clock == bus::ClockKind::kLockstep;
+  Yardstick yardstick;
+  if (!lockstep) {
+    auto measured = measure_yardstick(robot, o);
+    if (!measured) {
+      return fail(measured.error());
+    }
+    yardstick = std::move(measured).value();
+  }
+  auto ran = run_once(robot, o, "trot");
+  if (!ran) {
+    return fail(ran.error());
+  }
+  const int loop_delay = lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime;
+  report::Outcome outcome;
+  outcome.command = "trot";
+  outcome.run = report::run_info(robot, o.seed);
+  outcome.run.processes = report::process_infos(ran.value().hellos, ran.value().healths);
+  outcome.run.decisions = report::decision_infos(robot, ran.value().decisions);
+  outcome.warnings = ran.value().warnings;
+  for (const signals::SystemEvent& event : ran.value().events) {
+    if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {
+      outcome.failures.emplace_back(signals::text_of(event.text));
+    }
+  }
+  std::vector<trace::TraceRow> rows;
+  auto tracking = tracking_of(robot, o.trace_path, o.seed, loop_delay, rows);
+  if (!tracking) {
+    for (const std::string& failure : outcome.failures) {
+      std::fprintf(stderr, "farrier trot: %s\n", failure.c_str());
+    }
+    return fail(tracking.error());
+  }
+  report::add_tracking(outcome.figures, robot, tracking.value(),
+                       lockstep ? report::Judgement::kLockstep : report::Judgement::kMeasuredOnly);
+  report::add_updates(outcome.figures, robot, outcome.run.decisions, tracking.value().ticks,
+                      lockstep && o.design == "adaptive");
+  if (auto added = report::add_spectral_radii(outcome.figures, robot, loop_delay); !added) {
+    return fail(added.error());
+  }
+  outcome.figures.add("trot.ticks_per_s", static_cast<double>(tracking.value().ticks) / ran.value().wall_s);
+  if (o.soak) {
+    for (std::size_t i = 0; i < ran.value().growths.size(); ++i) {
+      outcome.run.processes[i].growth = ran.value().growths[i];
+    }
+    std::ranges::move(report::add_growth(outcome.figures, outcome.run.processes), std::back_inserter(outcome.failures));
+  }
+  report::add_transport(outcome.figures, outcome.run, lockstep);
+  if (!lockstep) {
+    if (auto added = add_realtime(outcome, robot, o, yardstick, tracking.value()); !added) {
+      return fail(added.error());
+    }
+  }
+  if (!report::long_enough(robot, tracking.value())) {
+    outcome.failures.emplace_back(kTooShort);
+  }
+  write_events(o.out + "/events.txt", robot, ran.value(), outcome.run.decisions);
+  if (auto beside = add_runs_beside(robot, o, outcome.figures); !beside) {
+    return fail(beside.error());
+  }
+  if (auto written = report::write_json(o.json_path, outcome); !written) {
+    return fail(written.error());
+  }
+  const gait::Schedule schedule(robot.plan, o.seed);
+  auto page = report::write_report(o.out, {outcome, robot, schedule, rows, loop_delay, ran.value().gains});
+  if (!page) {
+    return fail(page.error());
+  }
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  std::printf("report: %s\nfigures: %s\ntrace: %s\n", page.value().c_str(), o.json_path.c_str(), o.trace_path.c_str());
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace
+
+std::function<int()> declare_trot(CLI::App& app) {
+  auto options = std::make_shared<TrotOptions>();
+  declare(app, *options);
+  return [options] { return trot(*options); };
+}
+
+}  // namespace farrier::cli

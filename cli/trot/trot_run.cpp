@@ -1,0 +1,66 @@
+#include "cli/trot/trot_run.hpp"
+
+#include <unistd.h>
+
+#include "trials/hide.hpp"
+#include "cli/trot/in_process.hpp"
+#include "cli/base/installation.hpp"
+#include "report/figures/recording_facts.hpp"
+
+namespace farrier::cli {
+
+participant::ProcessOptions common_options(const TrotOptions& o) {
+  participant::ProcessOptions common;
+  common.robot_path = o.robot_path;
+  common.clock = o.clock;
+  common.security = o.security;
+  common.seed = o.seed;
+  common.session = static_cast<std::uint64_t>(::getpid());
+  common.trace_path = o.trace_path;
+  common.gait = o.gait;
+  common.frequency_Hz = o.frequency_Hz;
+  common.design = o.design;
+  common.estimator = o.estimator;
+  common.controller = o.controller;
+  common.hide = o.hide;
+  // Varied robots and experiments say themselves who probes.
+  common.no_dither = !o.vary && o.experiment == Experiment::kNone && o.design != "adaptive";
+  return common;
+}
+
+mcap::Text record_facts(const robot::Robot& robot, const TrotOptions& o) {
+  mcap::Text facts = report::recording_facts(robot);
+  facts["seed"] = std::to_string(o.seed);
+  facts["clock"] = o.clock == bus::ClockKind::kLockstep ? "lockstep" : "realtime";
+  facts["design"] = o.design;
+  facts["vendor"] = to_string(o.dds);
+  return facts;
+}
+
+DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::string& title) {
+  DdsRun run;
+  run.dds = o.dds;
+  run.grouping = grouping_of(o);
+  run.common = common_options(o);
+  run.common.ticks = run::ticks_of(o.duration_s, robot);
+  run.executables = processes_directory();
+  run.log_directory = o.out + "/log";
+  run.record_path = o.record_path;
+  run.record_facts = record_facts(robot, o);
+  run.title = title;
+  run.standby = o.standby;
+  run.soak = o.soak;
+  return run;
+}
+
+Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, const std::string& title) {
+  if (o.dds == DdsChoice::kInproc) {
+    trials::HiddenEffect unsaid;
+    const robot::Robot world = o.hide ? trials::hide_effect(robot, *o.hide, unsaid) : robot;
+    return run_in_process(robot, o, supervisor::parse_design(o.design), o.trace_path, title,
+                          {.world = &world, .record_path = o.record_path});
+  }
+  return run_over_dds(robot, dds_run(robot, o, title));
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,78 @@
+#include "cli/trot/trot_security.hpp"
+
+#include <algorithm>
+
+#include "process/process.hpp"
+#include "cli/trot/trot_run.hpp"
+
+namespace farrier::cli {
+namespace {
+
+constexpr double kLatencyRatio = 2.5;
+constexpr double kRun_s = 2.0;
+/// Others may use the computer meanwhile: of as many runs each, the least disturbed is taken.
+constexpr int kTurns = 3;
+
+/// Median time from a sensor sample to the valve command that answers it, in s.
+Result<double> median_latency(const robot::Robot& robot, const TrotOptions& options, const std::string& title) {
+  DdsRun run = dds_run(robot, options, title);
+  run.common.ticks = run::ticks_of(kRun_s, robot);
+  run.common.trace_path.clear();
+  run.record_path.clear();
+  run.log_directory = options.out + (options.security.empty() ? "/log/open" : "/log/secure");
+  const auto ran = run_over_dds(robot, run);
+  if (!ran) {
+    return ran.error();
+  }
+  const double median = ran.value().healths[participant::kSimBridge].latency_s[0];
+  if (!(median > 0.0)) {
+    return Error{"no valve command came back to sim_bridge: see the logs in " + run.log_directory};
+  }
+  return median;
+}
+
+}  // namespace
+
+Result<Done> check_security(const robot::Robot& robot, const TrotOptions& options) {
+  if (options.security.empty()) {
+    return options.security_cost ? Result<Done>(Error{"--security-cost compares with what --security gives: name its folder"})
+                                 : Done{};
+  }
+  if (options.dds == DdsChoice::kInproc || options.vary || options.experiment != Experiment::kNone) {
+    return Error{"--security is for processes that talk over DDS; --dds inproc, --vary and --experiment run in one: leave "
+                 "it out"};
+  }
+  bus::NetworkOptions unused;
+  for (const run::Member& member : run::plan_processes(robot, grouping_of(options), options.standby)) {
+    auto secured = process::secure(unused, options.security, run::role_of(member), vendor_of(options.dds, member));
+    if (!secured) {
+      return secured;
+    }
+  }
+  return Done{};
+}
+
+Result<Done> add_security_cost(const robot::Robot& robot, const TrotOptions& options, report::Figures& figures) {
+  TrotOptions open = options;
+  open.security.clear();
+  double best_open_s = 0.0;
+  double best_secure_s = 0.0;
+  for (int turn = 0; turn < kTurns; ++turn) {
+    const auto without = median_latency(robot, open, "trot, open");
+    if (!without) {
+      return without.error();
+    }
+    const auto with = median_latency(robot, options, "trot, secure");
+    if (!with) {
+      return with.error();
+    }
+    best_open_s = turn == 0 ? without.value() : std::min(best_open_s, without.value());
+    best_secure_s = turn == 0 ? with.value() : std::min(best_secure_s, with.value());
+  }
+  figures.add("trot.security.open_latency_p50_us", best_open_s * 1e6);
+  figures.add("trot.security.latency_p50_us", best_secure_s * 1e6);
+  figures.add("trot.security.latency_p50_ratio", best_secure_s / best_open_s, kLatencyRatio);
+  return Done{};
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,73 @@
+#include "control/law/feedback_linearisation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace farrier::control {
+namespace {
+
+double cube(double x) noexcept { return x * x * x; }
+
+}  // namespace
+
+FeedbackLinearisation::FeedbackLinearisation(const plant::ActuatorParams& actuator,
+                                             const FeedbackLinearisationGains& gains, double operating_position,
+                                             double period_s) noexcept
+    : actuator_(actuator),
+      gains_(gains),
+      operating_position_(operating_position),
+      period_s_(period_s),
+      alpha_(actuator.area_b / actuator.area_a),
+      valve_gain_(actuator.valve_gain / std::sqrt(1.0 + cube(alpha_))) {}
+
+double FeedbackLinearisation::stiffness_per_area(double position) const noexcept {
+  const double inside = std::clamp(operating_position_ + position, 0.0, actuator_.stroke);
+  const double v_a = actuator_.line_volume_m3 + actuator_.area_a * inside;                      // (2.12)
+  const double v_b = actuator_.line_volume_m3 + actuator_.area_b * (actuator_.stroke - inside);  // (2.13)
+  return actuator_.area_a * actuator_.bulk_modulus_Pa * (1.0 / v_a + alpha_ * alpha_ / v_b);     // (3.32)
+}
+
+double FeedbackLinearisation::current_for(double force_rate, const Measurement& measurement) const noexcept {
+  const double k = stiffness_per_area(measurement.position);
+  const double compensation = gains_.velocity_compensation * actuator_.area_a * k * measurement.velocity;
+  const double wanted = force_rate + compensation;
+  // (3.23): p_s - p_l - alpha p_t for u > 0, alpha p_s + p_l - p_t for u < 0, with A_p p_l = F_s + d_p v
+  const double load_pressure_Pa =
+      (measurement.force + actuator_.piston_damping * measurement.velocity) / actuator_.area_a;
+  const double drop_Pa =
+      wanted > 0.0 ? actuator_.supply_pressure_Pa - load_pressure_Pa - alpha_ * actuator_.return_pressure_Pa
+                   : alpha_ * actuator_.supply_pressure_Pa + load_pressure_Pa - actuator_.return_pressure_Pa;
+  return wanted / (valve_gain_ * k * std::sqrt(std::max(drop_Pa, actuator_.laminar_pressure_Pa)));
+}
+
+FeedbackLinearisation::Output FeedbackLinearisation::step(double force_reference,
+                                                          const Measurement& measurement) noexcept {
+  const double error = force_reference - measurement.force;
+  const double proportional = gains_.force_1_s * error;
+  const double k = stiffness_per_area(measurement.position);
+  const double standing = proportional + gains_.velocity_compensation * actuator_.area_a * k * measurement.velocity;
+  const double integral = !has_run_ && gains_.integral_1_s2 > 0.0 ? -standing : integral_;
+  const double wanted_A = current_for(proportional + integral, measurement);
+  if (!std::isfinite(standing) || !std::isfinite(wanted_A)) {
+    return {0.0, false};
+  }
+  integral_ = integral;
+  has_run_ = true;
+  const double limit_A = actuator_.valve_current_max_A;
+  const double current_A = std::clamp(wanted_A, -limit_A, limit_A);
+  const bool saturated = current_A != wanted_A;
+  if (!saturated || error * wanted_A < 0.0) {
+    integral_ += gains_.integral_1_s2 * error * period_s_;
+  }
+  // No more than the open valve can do with all of both drops: a wild measurement leaves nothing behind for long.
+  const double most = valve_gain_ * k * limit_A * std::sqrt((1.0 + alpha_) * actuator_.supply_pressure_Pa);
+  integral_ = std::clamp(integral_, -most, most);
+  return {current_A, saturated};
+}
+
+void FeedbackLinearisation::reset() noexcept {
+  integral_ = 0.0;
+  has_run_ = false;
+}
+
+}  // namespace farrier::control

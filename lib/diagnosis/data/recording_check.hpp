@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/data/recording.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::diagnosis {
+
+/// What is wrong with data that could be read, judged by what this joint can do. At most one finding of a kind in a
+/// column (saturated: one for either end), by line; empty: nothing. A recording in which nothing moves is not a fault
+/// of its data.
+///
+/// wrong_coordinates: of a rotary motor, and the joint's chambers differ in area. wrong_units: position, velocity,
+/// force, current or pressure look like another unit, or like none. out_of_range: positions outside the stroke by more
+/// than 2 % of it. wrong_sign, inconsistent: the velocity against the derivative of the position. saturated: a sensor
+/// at one extreme for 20 samples and more at a time, 1 % of all, while others move; or the valve current at its limit
+/// in more than half of the samples. frozen: a sensor constant throughout while others move, or as long as a saturated
+/// one between its extremes (50 samples and more at a time).
+///
+/// A chamber at the return pressure, where oil cavitates, and a constant supply pressure are not faults.
+std::vector<Finding> check_recording(const Recording& recording, const robot::Joint& joint);
+
+}  // namespace farrier::diagnosis

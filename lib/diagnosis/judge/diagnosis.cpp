@@ -1,0 +1,115 @@
+#include "diagnosis/judge/diagnosis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/judge/not_judged.hpp"
+#include "diagnosis/judge/parallel.hpp"
+#include "diagnosis/data/sample_statistics.hpp"
+#include "diagnosis/model/twin.hpp"
+
+namespace farrier::diagnosis {
+namespace {
+
+/// Effects that the joint's file has: numbers of its own kinds, and what lies in its parameters.
+std::vector<Model::Effect> known_effects(const robot::Joint& joint, const plant::Scales& scales) {
+  std::vector<Model::Effect> known;
+  const auto add = [&](const plant::ActiveEffect& effect) {
+    const auto fitted = plant::fitted_of(effect, scales);
+    known.push_back({effect.id, {fitted.begin(), fitted.begin() + std::ssize(effect.info().parameters)}});
+  };
+  const plant::ActuatorParams& actuator = joint.actuator;
+  if (actuator.valve_deadband_A > 0.0) {
+    add({plant::effect_id<plant::ValveDeadband>(), {actuator.valve_deadband_A}});
+  }
+  if (actuator.spool.on) {
+    add({plant::effect_id<plant::ValveDynamics>(), {actuator.spool.natural_frequency_rad_s, actuator.spool.damping}});
+  }
+  const plant::FrictionParams& friction = joint.swing_load.friction;
+  if (friction.coulomb > 0.0) {
+    add({plant::effect_id<plant::LoadFriction>(),
+         {friction.coulomb, friction.breakaway / friction.coulomb, friction.stribeck_velocity}});
+  }
+  for (const plant::ActiveEffect& effect : joint.effects) {
+    const bool in_load = effect.info().nominal && effect.info().side == plant::Side::kLoad;
+    if (!in_load && std::ranges::find(known, effect.id, &Model::Effect::id) == known.end()) {
+      add(effect);
+    }
+  }
+  return known;
+}
+
+/// How loud a recording is beside its sensors' noise: below this nothing can be judged.
+constexpr double kLeastExcitation = 10.0;
+
+std::vector<plant::EffectId> all_effects() {
+  std::vector<plant::EffectId> all;
+  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+    all.push_back(id);
+  }
+  return all;
+}
+
+}  // namespace
+
+Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const DiagnosisOptions& options) {
+  Diagnosis result;
+  result.remarks = recording.remarks;
+  const SensorNoiseLevels noise{
+      joint.noise.position, recording.velocity_derived ? recording.derived_velocity_noise : joint.noise.velocity,
+      joint.noise.force};
+  const bool moves = standard_deviation(recording.position) > kLeastExcitation * noise.position;
+  const bool pushes = standard_deviation(recording.force) > kLeastExcitation * noise.force;
+  if (!moves && !pushes) {
+    result.judgement.verdict = Verdict::kNotExcited;
+    result.judgement.not_judged = all_effects();
+    result.remarks.push_back(
+        "neither position nor force rises above ten times its sensor's noise: record a joint that moves");
+    return result;
+  }
+  const plant::Scales scales(joint.actuator, joint.swing_load);
+  const JointModel model(joint.actuator, joint.swing_load, known_effects(joint, scales));
+  const JointData data = prepare(recording, joint.actuator, joint.noise.position);
+  const ChannelMask judged{!recording.valve_current_A.empty(), true, !recording.velocity_derived};
+  const JointSimulator simulator(model, data, noise.force);
+  const Bench bench(simulator, judged, options.fit);
+  const auto expected = [&](const Hypothesis& hypothesis) {
+    return expected_residuals(bench, simulator, hypothesis, noise);
+  };
+  result.judgement = judge(bench, expected, options.rules,
+                           by_threads(options.threads, options.progress, options.rules.most_effects));
+  result.judgement.not_judged = not_judged(bench, result.judgement.chosen.halves[0].model, result.judgement.left,
+                                           options.rules.least_reduction);
+  const Judgement& judgement = result.judgement;
+  result.channels = report_channels(bench, simulator, judgement.base, judgement.chosen);
+  for (std::size_t i = 0; i < judgement.alternatives.size(); ++i) {
+    Hypothesis chosen = judgement.rivals[i];
+    chosen.effects.back() = judgement.alternatives[i].first;
+    // The chosen one as it stood in the round in which both were tried.
+    for (std::size_t half = 0; half < 2; ++half) {
+      auto& effects = chosen.halves[half].model.effects;
+      const auto& all = judgement.chosen.halves[half].model.effects;
+      effects.back() = *std::ranges::find(all, chosen.effects.back(), &Model::Effect::id);
+    }
+    result.experiments.push_back(
+        telling_experiment(model, chosen, judgement.rivals[i], noise, 0.5 * joint.actuator.stroke));
+  }
+  const ErrorRatio ratio = bench.error_ratio(judgement.base, judgement.chosen);
+  result.nrmse_before = ratio.before;
+  result.nrmse_after = ratio.after;
+  result.ratio_low = ratio.low;
+  result.ratio_high = ratio.high;
+  options.progress(1.0);
+  return result;
+}
+
+std::vector<plant::ActiveEffect> found_effects(const Diagnosis& diagnosis, const robot::Joint& joint) {
+  const plant::Scales scales(joint.actuator, joint.swing_load);
+  std::vector<plant::ActiveEffect> effects;
+  for (const NamedEffect& effect : diagnosis.judgement.effects) {
+    effects.push_back(plant::active_effect(effect.id, effect.fitted, scales));
+  }
+  return effects;
+}
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "diagnosis/judge/fit.hpp"
+
+namespace farrier::diagnosis {
+
+/// A set of effects, fitted to each half of a recording and judged on the other.
+struct Hypothesis {
+  std::vector<plant::EffectId> effects;
+  std::array<FitResult, 2> halves;
+  /// Sum of squared residuals of each block of the recording, by channel; a block is judged by the other half's fit.
+  std::array<std::vector<double>, kChannels> squares;
+  /// Sum of squared residuals of each half by its own fit, by channel.
+  std::array<std::array<double, 2>, kChannels> fitted_squares{};
+
+  double total(std::size_t channel) const noexcept;
+};
+
+/// By how much the held-out error of `after` is below that of `before`.
+struct Gain {
+  double log_ratio;        ///< sum over the channels of ln(rms before / rms after)
+  double low, high;        ///< its 95 % band under resampled blocks (Kuensch 1989)
+  std::array<double, 2> by_half;
+  std::array<double, kChannels> reduction;  ///< 1 - rms after / rms before
+  double chance;           ///< share of resamplings in which `after` is better
+};
+
+/// Held-out NRMSE of two hypotheses: the root of the mean over channels of squared error over the variance of what was
+/// measured; and the 95 % band of before / after.
+struct ErrorRatio {
+  double before, after, low, high;
+};
+
+/// Everything needed to judge hypotheses about one recording.
+class Bench {
+ public:
+  /// `simulator` outlives this.
+  Bench(const Simulator& simulator, const ChannelMask& judged, const FitOptions& options);
+
+  /// The nominal model, its constants fitted within their band.
+  Hypothesis base() const;
+  /// `from` with one effect more, the best of its starts; nothing when a short fit to the first half brings the second
+  /// less than `least_gain` of log ratio, or a fit its own half, and for an effect that the recording cannot show.
+  std::optional<Hypothesis> with(const Hypothesis& from, plant::EffectId effect, double least_gain) const;
+  /// `from` with one effect less.
+  Hypothesis without(const Hypothesis& from, plant::EffectId effect) const;
+  /// `from` with `other` in place of `effect`, its fits beginning at `fitted` by half; it stands last.
+  Hypothesis exchanged(const Hypothesis& from, plant::EffectId effect, plant::EffectId other,
+                       const std::array<std::vector<double>, 2>& fitted) const;
+
+  Gain gain(const Hypothesis& before, const Hypothesis& after) const;
+  ErrorRatio error_ratio(const Hypothesis& before, const Hypothesis& after) const;
+
+  const Simulator& simulator() const noexcept { return simulator_; }
+  const FitData& fit_data() const noexcept { return fit_data_; }
+  const FitOptions& options() const noexcept { return options_; }
+  std::array<Span, 2> halves() const noexcept;
+
+ private:
+  void judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelMask& changed) const;
+  std::vector<double> block_squares(const Model& model, std::size_t half, std::size_t channel) const;
+  double fitted_gain(const Hypothesis& from, const Hypothesis& with, const ChannelMask& mask) const;
+  double promise(const Hypothesis& from, const Model& model, const ChannelMask& mask) const;
+  ChannelMask closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept;
+
+  const Simulator& simulator_;
+  FitOptions options_;
+  FitData fit_data_;
+};
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,76 @@
+#pragma once
+
+// Rules by which effects are named: docs/decisions/0035-diagnosis.md.
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/judge/hypothesis.hpp"
+
+namespace farrier::diagnosis {
+
+enum class Verdict { kEffects, kNone, kCannotSeparate, kUnknown, kNotExcited, kBadData };
+const char* to_string(Verdict verdict) noexcept;
+
+/// Bounds of the rules.
+struct Rules {
+  std::size_t most_effects = 3;
+  double least_reduction = 0.08;     ///< of a channel's held-out rms, that an effect must bring
+  double neutral_deviations = 2.5;   ///< by which a parameter must lie outside its neutral band
+  double least_step = 0.04;          ///< of a channel's rms before any effect, that the first effect must take away
+  double further_step = 0.08;        ///< the same of further ones, which may be details of the first
+  double structure_ratio = 1.6;      ///< rms over that of a twin, from which what is left has a structure
+  double open_ratio = 1.15;          ///< rms over that of a twin with its sensors' noise, from which there is more
+  double unexplained = 0.2;          ///< of a channel's rms before any effect, above which what is left is no detail
+  double least_nrmse = 0.02;         ///< below which a simulation is as good as its form allows
+  double confidence_if_unknown = 0.5;  ///< factor on the confidence of effects that leave a structure behind
+  double tie_chance = 0.025;         ///< chance of being right above which a rival is not told apart
+  double clear_lead = 0.05;          ///< of a channel's held-out rms, from which a lead over a rival counts in full
+};
+
+/// One effect that was named.
+struct NamedEffect {
+  plant::EffectId id;
+  std::vector<double> fitted;    ///< numbers of its parameters
+  double deviation;              ///< standard deviation of the first
+  double share;                  ///< of the whole log gain
+  double confidence;             ///< chance that it and no rival is there
+};
+
+/// What is left on a channel that the model's sensors do not explain.
+struct Remainder {
+  double rms;       ///< of the held-out residual, N | m/s
+  double expected;  ///< of a twin of the model with its sensors' noise
+  double nrmse;     ///< rms over the standard deviation of what was measured
+};
+
+/// One line of the table of candidates, for reports.
+struct Candidate {
+  plant::EffectId id;
+  Gain gain;
+  double fitted, deviation;
+  bool accepted;
+};
+
+struct Judgement {
+  Verdict verdict = Verdict::kNone;
+  std::vector<NamedEffect> effects;                                      ///< by share, largest first
+  std::vector<std::pair<plant::EffectId, plant::EffectId>> alternatives; ///< that this recording does not tell apart
+  std::vector<Hypothesis> rivals;                                        ///< with the second of each alternative
+  std::vector<plant::EffectId> not_judged;                               ///< that it could not show
+  std::vector<std::vector<Candidate>> rounds;                            ///< of forward selection
+  Hypothesis base, chosen;
+  Gain gain{};                                                           ///< from base to chosen
+  std::array<Remainder, kChannels> left{};                               ///< after `chosen`
+};
+
+/// Runs `count` pieces of work, perhaps at once.
+using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>&)>;
+
+/// Root mean square by channel of what a hypothesis's residuals would be if it were right.
+using ExpectedResiduals = std::function<std::array<double, kChannels>(const Hypothesis& hypothesis)>;
+
+Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each);
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,68 @@
+#include "diagnosis/judge/not_judged.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace farrier::diagnosis {
+namespace {
+
+/// The effect at a usual size; nothing where its fits have no start.
+std::vector<double> usual_size(const Simulator& simulator, plant::EffectId id) {
+  const auto starts = simulator.starts(id);
+  if (starts.empty()) {
+    return {};
+  }
+  std::vector<double> fitted = starts.front();
+  const plant::EffectInfo& info = plant::effect_info(id);
+  const double neutral = simulator.scales().neutral(info.parameters[0]);
+  if (info.nominal && neutral != 0.0) {
+    fitted[0] = 1.2 * neutral;
+  }
+  return fitted;
+}
+
+double rms_between(const std::vector<double>& a, const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    sum += (a[i] - b[i]) * (a[i] - b[i]);
+  }
+  return std::sqrt(sum / static_cast<double>(a.size()));
+}
+
+}  // namespace
+
+std::vector<plant::EffectId> not_judged(const Bench& bench, const Model& model,
+                                        const std::array<Remainder, kChannels>& left, double least_reduction) {
+  const Simulator& simulator = bench.simulator();
+  const Span all{0, simulator.size()};
+  std::array<std::vector<double>, kChannels> without;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (bench.fit_data().judged[c]) {
+      without[c] = residuals(simulator, all, model, static_cast<Channel>(c), bench.options());
+    }
+  }
+  // sqrt(1 + d^2) - 1 of what is left, when the effect adds d of it to what is left.
+  const double kept = 1.0 - least_reduction;
+  const double visible = std::sqrt(1.0 / (kept * kept) - 1.0);
+  std::vector<plant::EffectId> hidden;
+  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+    if (model.has(id) || simulator.known(id) != nullptr) {
+      continue;
+    }
+    Model with = model;
+    with.effects.push_back({id, usual_size(simulator, id)});
+    const ChannelMask mine = channels_of(id);
+    bool shows = false;
+    for (std::size_t c = 0; c < kChannels && !shows && !with.effects.back().fitted.empty(); ++c) {
+      shows = mine[c] && bench.fit_data().judged[c] &&
+              rms_between(residuals(simulator, all, with, static_cast<Channel>(c), bench.options()), without[c]) >
+                  visible * std::max(left[c].rms, left[c].expected);
+    }
+    if (!shows) {
+      hidden.push_back(id);
+    }
+  }
+  return hidden;
+}
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,195 @@
+#include "diagnosis/judge/selection.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace farrier::diagnosis {
+namespace {
+
+/// Whether a fit ended where a parameter may go no further: then it is not what the effect is for.
+bool at_bound(plant::EffectId id, const Estimate& estimate) {
+  const plant::Parameter& first = plant::effect_info(id).parameters[0];
+  const double margin = 0.01 * (first.high - first.low);
+  return estimate.fitted[0] > first.high - margin || (first.low < 0.0 && estimate.fitted[0] < first.low + margin);
+}
+
+/// Whether two effects show on one channel: only then may one stand for the other.
+bool may_be_rivals(plant::EffectId one, plant::EffectId other) { return meet(channels_of(one), channels_of(other)); }
+
+std::ptrdiff_t channel_count(plant::EffectId id) { return std::ranges::count(channels_of(id), true); }
+
+bool holds(const Hypothesis& hypothesis, plant::EffectId id) {
+  return std::ranges::find(hypothesis.effects, id) != hypothesis.effects.end();
+}
+
+}  // namespace
+
+Estimate pooled(const Hypothesis& hypothesis, std::size_t index) {
+  const auto number = [&](std::size_t half) -> const std::vector<double>& {
+    return hypothesis.halves[half].model.effects[index].fitted;
+  };
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < index; ++i) {
+    place += hypothesis.halves[0].model.effects[i].fitted.size();
+  }
+  Estimate estimate{number(0), 0.0};
+  for (std::size_t i = 0; i < estimate.fitted.size(); ++i) {
+    estimate.fitted[i] = 0.5 * (number(0)[i] + number(1)[i]);
+  }
+  const double a = hypothesis.halves[0].deviation[place];
+  const double b = hypothesis.halves[1].deviation[place];
+  estimate.deviation = std::max(0.5 * std::sqrt(a * a + b * b), 0.5 * std::abs(number(0)[0] - number(1)[0]));
+  return estimate;
+}
+
+Selection::Selection(const Bench& bench, const Rules& rules, const ForEach& for_each)
+    : bench_(bench), rules_(rules), for_each_(for_each), base_(bench.base()), chosen_(base_) {
+  confidence_.fill(1.0);
+}
+
+bool Selection::outside_neutral(plant::EffectId id, const Estimate& estimate) const {
+  const Simulator& simulator = bench_.simulator();
+  const plant::EffectInfo& info = plant::effect_info(id);
+  const std::vector<double>* known = simulator.known(id);
+  const double neutral = known != nullptr ? (*known)[0] : simulator.scales().neutral(info.parameters[0]);
+  const double nominal = info.nominal || known != nullptr ? kNominalBand * std::abs(neutral) : 0.0;
+  const double band = std::max(nominal, simulator.least(id));
+  return std::abs(estimate.fitted[0] - neutral) > band + rules_.neutral_deviations * estimate.deviation;
+}
+
+/// Whether a hypothesis takes away enough of some channel of what the chosen one leaves.
+bool Selection::worth_it(const Hypothesis& after) const {
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    const double was = chosen_.total(c);
+    const double is = after.total(c);
+    const double share = chosen_.effects.empty() ? rules_.least_step : rules_.further_step;
+    const double step = share * share * base_.total(c);
+    const double ratio = 1.0 - rules_.least_reduction;
+    if (was > 0.0 && is < ratio * ratio * was && was - is > step) {
+      return true;
+    }
+  }
+  return false;
+}
+
+std::vector<Selection::Tried> Selection::try_all(const ChannelMask& open) const {
+  std::vector<Tried> tried(plant::kEffectCount);
+  for_each_(plant::kEffectCount, [&](std::size_t id) {
+    if (!meet(channels_of(id), open) || holds(chosen_, id)) {
+      return;
+    }
+    Tried& one = tried[id];
+    one.hypothesis = bench_.with(chosen_, id, 0.5 * rules_.least_reduction);
+    if (one.hypothesis) {
+      const Hypothesis& with = *one.hypothesis;
+      one.gain = bench_.gain(chosen_, with);
+      one.estimate = pooled(with, with.effects.size() - 1);
+      one.accepted = !at_bound(id, one.estimate) && one.gain.low > 0.0 && one.gain.by_half[0] > 0.0 &&
+                     one.gain.by_half[1] > 0.0 && worth_it(with) && outside_neutral(id, one.estimate);
+    }
+  });
+  return tried;
+}
+
+bool Selection::add(const ChannelMask& open) {
+  std::vector<Tried> tried = try_all(open);
+  std::vector<Candidate> lines;
+  plant::EffectId best = plant::kEffectCount;
+  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+    const Tried& one = tried[id];
+    if (!one.hypothesis) {
+      continue;
+    }
+    lines.push_back({id, one.gain, one.estimate.fitted[0], one.estimate.deviation, one.accepted});
+    if (one.accepted && (best == plant::kEffectCount || one.gain.log_ratio > tried[best].gain.log_ratio)) {
+      best = id;
+    }
+  }
+  rounds_.push_back(std::move(lines));
+  if (best == plant::kEffectCount) {
+    return false;
+  }
+  note_rivals(tried, best);
+  choose(std::move(*tried[best].hypothesis));
+  return true;
+}
+
+double Selection::chance_of(const Hypothesis& one, const Hypothesis& other) const {
+  const Gain lead = bench_.gain(other, one);
+  double clearest = 0.0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    clearest = std::max(clearest, std::abs(lead.reduction[c]));
+  }
+  return 0.5 + (lead.chance - 0.5) * std::min(1.0, clearest / rules_.clear_lead);
+}
+
+void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId best) {
+  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+    if (id == best || !tried[id].accepted || !may_be_rivals(id, best)) {
+      continue;
+    }
+    const double chance = chance_of(*tried[best].hypothesis, *tried[id].hypothesis);
+    if (1.0 - chance > rules_.tie_chance) {
+      const auto& halves = tried[id].hypothesis->halves;
+      rivals_.push_back(
+          {best, id, {halves[0].model.effects.back().fitted, halves[1].model.effects.back().fitted}});
+    } else {
+      confidence_[best] = std::min(confidence_[best], chance);
+    }
+  }
+}
+
+const Hypothesis& Selection::without(plant::EffectId effect) {
+  const auto known = without_.find(effect);
+  return known != without_.end() ? known->second : without_.emplace(effect, bench_.without(chosen_, effect)).first->second;
+}
+
+void Selection::choose(Hypothesis hypothesis) {
+  chosen_ = std::move(hypothesis);
+  without_.clear();
+}
+
+void Selection::prune() {
+  for (std::size_t i = 0; chosen_.effects.size() > 1 && i < chosen_.effects.size();) {
+    const plant::EffectId id = chosen_.effects[i];
+    if (outside_neutral(id, pooled(chosen_, i)) && bench_.gain(without(id), chosen_).low > 0.0) {
+      ++i;
+    } else {
+      choose(Hypothesis(without(id)));
+      i = 0;
+    }
+  }
+}
+
+double Selection::share_of(plant::EffectId effect) {
+  if (chosen_.effects.size() < 2) {
+    return 1.0;
+  }
+  return bench_.gain(without(effect), chosen_).log_ratio / std::max(bench_.gain(base_, chosen_).log_ratio, 1e-12);
+}
+
+void Selection::compare_rivals() {
+  for (const Rival& pair : rivals_) {
+    if (!holds(chosen_, pair.chosen) || holds(chosen_, pair.rival)) {
+      continue;
+    }
+    Hypothesis with_rival = bench_.exchanged(chosen_, pair.chosen, pair.rival, pair.fitted);
+    Tie tie{pair.chosen, pair.rival, std::move(with_rival)};
+    double chance = chance_of(chosen_, tie.with_rival);
+    const bool simpler = channel_count(pair.rival) < channel_count(pair.chosen);
+    if (chance < 0.5 || (simpler && 1.0 - chance > rules_.tie_chance)) {
+      Hypothesis better = std::exchange(tie.with_rival, chosen_);
+      choose(std::move(better));
+      std::swap(tie.chosen, tie.rival);
+      std::erase_if(ties_, [&](const Tie& earlier) { return earlier.chosen == tie.rival; });
+      chance = std::max(chance, 1.0 - chance);
+    }
+    confidence_[tie.chosen] = std::min(confidence_[tie.chosen], chance);
+    if (1.0 - chance > rules_.tie_chance) {
+      ties_.push_back(std::move(tie));
+    }
+  }
+}
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "diagnosis/model/constants.hpp"
+#include "plant/terms/terms.hpp"
+
+namespace farrier::diagnosis {
+
+/// A command that was recorded by period: held over it, and what it sums up to.
+struct RecordedCommand {
+  const std::vector<double>& values;
+  const std::vector<double>& integral;  ///< values times seconds up to a sample; one more than samples
+  double period_s;
+};
+
+/// A recorded command as it reaches the valve: late by the delay that the terms have.
+template <class T>
+class DelayedCommand {
+ public:
+  /// Before sample `begin` the command was what it is there. What `command` refers to outlives this.
+  DelayedCommand(const RecordedCommand& command, const plant::TermSet<T>& terms, std::size_t begin)
+      : command_(command), begin_(begin) {
+    if (const auto* delay = terms.template find<plant::InputDelay>()) {
+      delayed_ = true;
+      delay_s_ = delay->delay_s();
+    }
+  }
+
+  bool delayed() const noexcept { return delayed_; }
+
+  /// Mean over part `part` of period `k`, which has `parts`.
+  T mean(std::size_t k, std::size_t part = 0, std::size_t parts = 1) const {
+    if (!delayed_) {
+      return T(command_.values[k]);
+    }
+    const double h = command_.period_s / static_cast<double>(parts);
+    const T from = static_cast<double>(k * parts + part) * h - delay_s_;
+    return (integral(from + h) - integral(from)) / h;
+  }
+
+ private:
+  T integral(const T& at_s) const {
+    const double place = value_of(at_s) / command_.period_s;
+    const std::size_t i = place <= static_cast<double>(begin_)
+                              ? begin_
+                              : std::min(static_cast<std::size_t>(place), command_.values.size() - 1);
+    return command_.integral[i] + (at_s - static_cast<double>(i) * command_.period_s) * command_.values[i];
+  }
+
+  RecordedCommand command_;
+  std::size_t begin_;
+  bool delayed_ = false;
+  T delay_s_ = T(0.0);
+};
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "diagnosis/model/constants.hpp"
+#include "diagnosis/model/delayed_command.hpp"
+#include "diagnosis/data/joint_data.hpp"
+#include "plant/terms/terms.hpp"
+
+namespace farrier::diagnosis {
+
+/// The load, from a sample on, driven by the measured force. A copy goes on from where the original stands.
+template <class T>
+class LoadSimulation {
+ public:
+  /// In the measured motion. `data` and `constants` outlive this.
+  LoadSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
+                 std::size_t begin)
+      : data_(&data), c_(&constants), terms_(terms),
+        current_({data.current_A, data.current_integral, data.period_s}, terms, begin) {
+    if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
+      sensor_gain_ = gain->gain();
+    }
+    if (const auto* offset = terms_.template find<plant::ForceSensorOffset>()) {
+      sensor_offset_ = offset->offset();
+    }
+    if (const auto* lag = terms_.template find<plant::ForceSensorLag>()) {
+      lag_.emplace(lag->lag_s(), data.period_s);
+    }
+    valve_moves_ = !data.current_A.empty() &&
+                   (current_.delayed() || terms_.template find<plant::ValveDynamics>() != nullptr);
+    force_ = measured_force(begin);
+    settle(begin);
+  }
+
+  /// The measured motion of sample k.
+  void settle(std::size_t k) {
+    x_ = T(data_->position[k]);
+    v_ = T(data_->velocity[k]);
+  }
+
+  /// Position at the sample where this stands.
+  const T& read() const { return x_; }
+
+  /// On to sample k + 1, drawn to the measured motion by `pull` of the error. Once per sample, in order.
+  void advance(std::size_t k, double pull) {
+    const JointData& data = *data_;
+    const double h = data.load_step_s();
+    x_ += pull * (data.position[k] - x_);
+    v_ += pull * (data.velocity[k] - v_);
+    for (const T& force : forces(k)) {
+      plant::LoadMoment<T> load{x_ + 0.5 * h * v_, v_,      c_->mass, c_->damping, c_->stiffness,
+                                T(c_->slack_position), T(0.0), T(0.0), T(0.0)};
+      terms_.on_load(load);
+      // (2.24) over a step in its mean velocity w:
+      // m (2 w - 2 v) / h = F - d w - C (x + h w / 2 - x_eq) - hold - slope w
+      const T along = load.damping + load.slope + 0.5 * h * load.stiffness;
+      const T push = force + load.external_force - load.stiffness * (x_ - load.slack_position) - load.hold;
+      const T mean = (2.0 / h * load.mass * v_ + push) / (2.0 / h * load.mass + along);
+      terms_.after_load(mean);
+      x_ += h * mean;
+      v_ += 2.0 * (mean - v_);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kParts = JointData::kLoadSubsteps;
+  using Parts = std::array<T, kParts>;
+
+  /// What the cell would have read at sample k without gain and offset.
+  T measured_force(std::size_t k) const { return (data_->force[k] - sensor_offset_) / sensor_gain_; }
+
+  /// Mean force over each substep from sample k on: its chord, bent as the oil bends it. A lagging cell is undone.
+  Parts forces(std::size_t k) {
+    Parts bend{};
+    if (valve_moves_) {
+      bend = bend_by_valve(k);
+    }
+    for (std::size_t j = 0; j < kParts; ++j) {
+      bend[j] += data_->bend[k * kParts + j];
+    }
+    T next = measured_force(std::min(k + 1, data_->size() - 1));
+    if (lag_) {
+      next = lag_->input_for(measured_force(k), next, force_, bend);
+    }
+    Parts force;
+    for (std::size_t j = 0; j < kParts; ++j) {
+      force[j] = force_ + (static_cast<double>(j) + 0.5) / kParts * (next - force_) + bend[j];
+    }
+    force_ = next;
+    return force;
+  }
+
+  /// What a valve that opens differently in both halves of a period does to the force within it, about its chord: the
+  /// flow at half the supply across each land, (2.10) to (2.15).
+  Parts bend_by_valve(std::size_t k) {
+    static_assert(JointData::kSubsteps == 2 && kParts == 4);
+    std::array<T, 2> opening_A;
+    for (std::size_t half = 0; half < 2; ++half) {
+      plant::ValveMoment<T> valve{current_.mean(k, half, 2), T(1.0)};
+      terms_.on_valve(valve);
+      opening_A[half] = valve.opening_A;
+    }
+    const double x = data_->position[k];
+    const T flow_per_A = c_->valve_gain * std::sqrt(0.5 * value_of(c_->supply_pressure_Pa));
+    const T v_a = c_->line_volume_m3 + c_->area_a * x;
+    const T v_b = c_->line_volume_m3 + c_->area_b * (c_->stroke - x);
+    const T stiffness_per_area = c_->bulk_modulus_Pa * (c_->area_a / v_a + c_->area_b / v_b);
+    const T peak = 0.25 * data_->period_s * flow_per_A * stiffness_per_area * (opening_A[0] - opening_A[1]);
+    return {0.25 * peak, 0.75 * peak, 0.75 * peak, 0.25 * peak};
+  }
+
+  const JointData* data_;
+  const Constants<T>* c_;
+  plant::TermSet<T> terms_;
+  DelayedCommand<T> current_;
+  bool valve_moves_ = false;
+  T x_, v_;
+  T sensor_gain_ = T(1.0);
+  T sensor_offset_ = T(0.0);
+  std::optional<plant::FirstOrderLag<T>> lag_;
+  T force_;  ///< on the load, where this stands
+};
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,40 @@
+#include "diagnosis/model/model.hpp"
+
+#include <algorithm>
+
+namespace farrier::diagnosis {
+
+ChannelMask channels_of(plant::Side side) noexcept {
+  switch (side) {
+    case plant::Side::kValveAndOil:
+      return {true, false, false};
+    case plant::Side::kLoad:
+      return {false, true, false};
+    case plant::Side::kForceSensor:
+      return {true, true, false};
+    case plant::Side::kVelocitySensor:
+      return {false, false, true};
+  }
+  return {};
+}
+
+bool meet(const ChannelMask& a, const ChannelMask& b) noexcept {
+  return (a[0] && b[0]) || (a[1] && b[1]) || (a[2] && b[2]);
+}
+
+std::vector<std::vector<double>> starts_of(const plant::EffectInfo& info) {
+  const bool alike = info.parameters[0].starts[0] == info.parameters[0].starts[1];
+  std::vector<std::vector<double>> starts(alike ? 1 : 2);
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    for (const plant::Parameter& parameter : info.parameters) {
+      starts[i].push_back(parameter.starts[i]);
+    }
+  }
+  return starts;
+}
+
+bool Model::has(plant::EffectId id) const noexcept {
+  return std::ranges::any_of(effects, [id](const Effect& effect) { return effect.id == id; });
+}
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,178 @@
+#pragma once
+
+// The two halves of a joint, as the load cell splits it, each simulated with what was measured at the other's end:
+//
+//   current, motion ──▶ valve and oil ──▶ force        force ──▶ load ──▶ motion        position ──▶ velocity sensor
+//
+// T is double, or a number with derivatives.
+
+#include <algorithm>
+#include <cmath>
+
+#include "diagnosis/model/delayed_command.hpp"
+#include "diagnosis/data/joint_data.hpp"
+#include "diagnosis/model/load_simulation.hpp"
+#include "diagnosis/model/model.hpp"
+#include "plant/terms/terms.hpp"
+
+namespace farrier::diagnosis {
+
+/// Flow through one port and how it falls with the pressure behind it.
+template <class T>
+struct PortFlow {
+  T flow, slope;
+};
+
+/// q = K_v y drop / (drop^2 + delta^2)^(1/4), (2.14), (2.15) with plant::orifice_root's laminar range.
+template <class T>
+PortFlow<T> port_flow(const T& conductance, const T& drop_Pa, double laminar_Pa) {
+  using std::sqrt;
+  const T square = drop_Pa * drop_Pa + laminar_Pa * laminar_Pa;
+  const T by_root = conductance / sqrt(sqrt(square));
+  return {by_root * drop_Pa, by_root * (1.0 - 0.5 * drop_Pa * drop_Pa / square)};
+}
+
+/// (1 - e^-x) / x: how far a decaying state goes in a step.
+inline double decaying_share(double x) noexcept { return x > 1e-6 ? (1.0 - std::exp(-x)) / x : 1.0 - 0.5 * x; }
+
+/// Valve and oil, from a sample on. A copy goes on from where the original stands.
+template <class T>
+class OilSimulation {
+ public:
+  /// At rest's pressures for the force that is measured there. `data` and `constants` outlive this.
+  OilSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
+                std::size_t begin)
+      : data_(&data), c_(&constants), terms_(terms),
+        current_({data.current_A, data.current_integral, data.period_s}, terms, begin) {
+    if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
+      sensor_gain_ = gain->gain();
+    }
+    T offset(0.0);
+    if (const auto* term = terms_.template find<plant::ForceSensorOffset>()) {
+      offset = term->offset();
+    }
+    // (3.19), (3.20) for no speed: the pressures add to the supply.
+    const T force = (data.force[begin] - offset) / sensor_gain_;
+    const T& supply = constants.supply_pressure_Pa;
+    p_a_ = (force + constants.area_b * supply) / (constants.area_a + constants.area_b);
+    p_a_ = p_a_ < constants.return_pressure_Pa ? T(constants.return_pressure_Pa) : p_a_ > supply ? supply : p_a_;
+    p_b_ = supply - p_a_;
+  }
+
+  /// What the load cell reads at sample k, where this stands. Once per sample.
+  T read(std::size_t k) {
+    plant::PistonMoment<T> piston{data_->position[k], data_->velocity[k], data_->period_s, T(0.0)};
+    terms_.on_piston(piston);
+    plant::ForceMoment<T> cell{c_->area_a * p_a_ - c_->area_b * p_b_ - c_->piston_damping * data_->velocity[k] -
+                               c_->piston_mass * data_->acceleration[k] + piston.force};
+    terms_.on_force(cell);
+    return cell.force;
+  }
+
+  /// On to sample k + 1, the pressures drawn along the force by `pull` of its error, the measured force less the read.
+  void advance(std::size_t k, const T& error, double pull) {
+    const T areas = c_->area_a * c_->area_a + c_->area_b * c_->area_b;
+    const T drawn = error / sensor_gain_ / areas * (pull / JointData::kSubsteps);
+    for (std::size_t j = 0; j < JointData::kSubsteps; ++j) {
+      substep(k, j);
+      p_a_ += drawn * c_->area_a;
+      p_b_ -= drawn * c_->area_b;
+      p_a_ = p_a_ > 0.0 ? p_a_ : T(0.0);
+      p_b_ = p_b_ > 0.0 ? p_b_ : T(0.0);
+    }
+  }
+
+ private:
+  void substep(std::size_t k, std::size_t part) {
+    using std::abs;
+    const JointData& data = *data_;
+    const std::size_t sub = k * JointData::kSubsteps + part;
+    const Constants<T>& c = *c_;
+    const double h = data.step_s();
+    const double speed = data.middle_velocity[sub];
+    plant::ValveMoment<T> valve{current_.mean(k, part, JointData::kSubsteps), T(1.0)};
+    terms_.on_valve(valve);
+    const bool extends = valve.opening_A > 0.0;
+    const T conductance = c.valve_gain * valve.flow_factor * abs(valve.opening_A);
+
+    const T hydraulic = c.area_a * p_a_ - c.area_b * p_b_;
+    plant::OilMoment<T> oil{p_a_, p_b_, supply_flow_, value_of(hydraulic), value_of(c.bulk_modulus_Pa),
+                            c.supply_pressure_Pa, T(0.0), T(0.0), T(0.0), T(0.0)};
+    terms_.on_oil(oil);
+    const T at_return(c.return_pressure_Pa);
+    const PortFlow<T> a =
+        port_flow<T>(conductance, (extends ? oil.supply_pressure_Pa : at_return) - p_a_, c.laminar_pressure_Pa);
+    const PortFlow<T> b =
+        port_flow<T>(conductance, (extends ? at_return : oil.supply_pressure_Pa) - p_b_, c.laminar_pressure_Pa);
+    supply_flow_ = extends ? a.flow : b.flow;
+    supply_flow_ = supply_flow_ > 0.0 ? supply_flow_ : T(0.0);
+
+    // (2.10), (2.11) with the volumes (2.12), (2.13)
+    const double smallest = 0.25 * value_of(c.line_volume_m3);
+    T v_a = c.line_volume_m3 + c.area_a * data.middle_position[sub];
+    T v_b = c.line_volume_m3 + c.area_b * (c.stroke - data.middle_position[sub]);
+    v_a = v_a > smallest ? v_a : T(smallest);
+    v_b = v_b > smallest ? v_b : T(smallest);
+    const T stiff_a = c.bulk_modulus_Pa / ((1.0 + c.bulk_modulus_Pa * oil.softness_a) * v_a);
+    const T stiff_b = c.bulk_modulus_Pa / ((1.0 + c.bulk_modulus_Pa * oil.softness_b) * v_b);
+    plant::PlayMoment<T> play{hydraulic - c.piston_damping * speed - c.piston_mass * data.acceleration[k],
+                              c.piston_damping, c.area_a * c.area_a * stiff_a + c.area_b * c.area_b * stiff_b, h,
+                              T(0.0)};
+    terms_.on_play(play);
+    const T piston_speed = speed + play.moved / h;
+    const T rate_a = stiff_a * (a.flow - oil.leakage_m3_s - c.area_a * piston_speed);
+    const T rate_b = stiff_b * (b.flow + oil.leakage_m3_s + c.area_b * piston_speed);
+    // Exponential Euler of Rosenbrock's kind (Hochbruck, Ostermann 2010, (1.1)): exact for a linear port.
+    p_a_ += h * decaying_share(h * value_of(stiff_a * a.slope)) * rate_a;
+    p_b_ += h * decaying_share(h * value_of(stiff_b * b.slope)) * rate_b;
+  }
+
+  const JointData* data_;
+  const Constants<T>* c_;
+  plant::TermSet<T> terms_;
+  DelayedCommand<T> current_;
+  T sensor_gain_ = T(1.0);
+  T p_a_, p_b_;
+  T supply_flow_ = T(0.0);
+};
+
+/// Share of an error that a period takes away from a simulation drawn with this time constant.
+inline double pull_of(double period_s, double time_constant_s) noexcept {
+  return 1.0 - std::exp(-period_s / time_constant_s);
+}
+
+/// Whether the load is the one its model knows at a sample.
+inline bool knows_load(const JointData& data, std::size_t k) noexcept {
+  return data.swing.empty() || data.swing[k] != 0;
+}
+
+/// Valve and oil over a span: gives the force each sample's load cell should read to `take(index, force)`.
+template <class T, class Take>
+void simulate_oil(const JointData& data, Span span, const Constants<T>& c, const plant::TermSet<T>& terms,
+                  double observer_s, Take&& take) {
+  OilSimulation<T> oil(data, c, terms, span.begin);
+  const double pull = pull_of(data.period_s, observer_s);
+  for (std::size_t k = span.begin; k < span.end; ++k) {
+    const T force = oil.read(k);
+    take(k, force);
+    oil.advance(k, data.force[k] - force, pull);
+  }
+}
+
+/// The load over a span: gives its position to `take(index, position)`. Where it is not the load its model knows, the
+/// simulation stays at what was measured.
+template <class T, class Take>
+void simulate_load(const JointData& data, Span span, const Constants<T>& c, const plant::TermSet<T>& terms,
+                   double observer_s, Take&& take) {
+  LoadSimulation<T> load(data, c, terms, span.begin);
+  const double pull = pull_of(data.period_s, observer_s);
+  for (std::size_t k = span.begin; k < span.end; ++k) {
+    if (!knows_load(data, k)) {
+      load.settle(k);
+    }
+    take(k, load.read());
+    load.advance(k, pull);
+  }
+}
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,57 @@
+#include "robot/sections/electric_section.hpp"
+
+namespace farrier::robot {
+
+using config::Default;
+using config::Visitor;
+
+void declare(Visitor& v, RotaryStops& stops) {
+  v.number("stiffness_Nm_rad", stops.stiffness_Nm_rad, {1, 1e8}, "Stiffness of the contact with an end of the travel.");
+  v.number("damping_Nms_rad", stops.damping_Nms_rad, {0, 1e6}, "Damping of that contact.");
+}
+
+void declare(Visitor& v, RotaryNoise& noise) {
+  v.number("position_rad", noise.position_rad, {0, 0.1}, "Standard deviation of the measured position.");
+  v.number("velocity_rad_s", noise.velocity_rad_s, {0, 10}, "Standard deviation of the measured velocity.");
+  v.number("torque_Nm", noise.torque_Nm, {0, 100}, "Standard deviation of the torque sensor.");
+}
+
+void declare(Visitor& v, ElectricActuator& a) {
+  v.here(a.place);
+  v.number("torque_constant_Nm_A", a.torque_constant_Nm_A, {1e-4, 10},
+           "Torque of the rotor per current, K; also its back-EMF per speed.");
+  v.number("winding_resistance_Ohm", a.winding_resistance_Ohm, {1e-3, 100}, "Of the winding, R.");
+  v.number("winding_inductance_H", a.winding_inductance_H, {1e-7, 1}, "Of the winding, L.");
+  v.number("supply_voltage_V", a.supply_voltage_V, {1, 1000},
+           "Largest voltage of the drive, V_max; commands are currents up to V_max / R.");
+  v.number("rotor_inertia_kg_m2", a.rotor_inertia_kg_m2, {1e-9, 1}, "Rotor and what turns with it, J.");
+  v.number("gear_ratio", a.gear_ratio, {1, 1000}, "Turns of the rotor per turn of the output, N.");
+  v.number("damping_Nms_rad", a.damping_Nms_rad, {0, 1e4}, "Viscous friction of rotor and gear, at the output, d_r.");
+  v.number("coulomb_Nm", a.coulomb_Nm, {0, 1e3}, Default{0.0}, "Dry friction of rotor and gear, at the output, T_c.");
+  v.number("slip_velocity_rad_s", a.slip_velocity_rad_s, {1e-4, 10}, Default{0.05},
+           "Speed of the output at which dry friction has 0.7 of its size.");
+  v.number("spring_stiffness_Nm_rad", a.spring_stiffness_Nm_rad, {1, 1e6},
+           "Spring between gear and load with the torque sensor, k.");
+  v.number("spring_damping_Nms_rad", a.spring_damping_Nms_rad, {0, 1e3}, Default{0.0}, "Its damping, b.");
+  v.number("travel_rad", a.travel_rad, {1e-2, 100}, "Angle from stop to stop.");
+  v.number("rated_torque_Nm", a.rated_torque_Nm, {1e-2, 1e5}, "Torque the gear and the spring are made for.");
+  v.number("velocity_norm_rad_s", a.velocity_norm_rad_s, {1e-3, 1e3}, "Velocity that counts as 1 (3.52).");
+  v.number("torque_norm_Nm", a.torque_norm_Nm, {1e-2, 1e5}, "Torque that counts as 1 (3.52).");
+  v.group("stops", a.stops, "Contact of the load at both ends of the travel.");
+  v.group("noise", a.noise, "Sensor noise.");
+}
+
+void declare(Visitor& v, RotaryLoad& l) {
+  v.number("inertia_kg_m2", l.inertia_kg_m2, {1e-5, 1e3}, "Inertia the joint moves, m_l.");
+  v.number("damping_Nms_rad", l.damping_Nms_rad, {0, 1e4}, "Viscous friction of the load, d_l.");
+  v.number("stiffness_Nm_rad", l.stiffness_Nm_rad, {0, 1e6}, Default{0.0}, "Springs against the base, C.");
+  v.number("equilibrium_position_rad", l.equilibrium_position_rad, {-10, 10}, Default{0.0},
+           "Actuator position where those are slack.");
+}
+
+void declare(Visitor& v, RotaryLoads& l) {
+  v.group("swing", l.swing, "With the leg in the air.");
+  v.group("stance", l.stance, "With the foot on the ground.");
+}
+
+}  // namespace farrier::robot

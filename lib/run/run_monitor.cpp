@@ -1,0 +1,67 @@
+#include "run/run_monitor.hpp"
+
+#include <algorithm>
+
+#include "signals/tick_of.hpp"
+
+namespace farrier::run {
+
+Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity& identity,
+                                      const std::vector<std::string>& legs) {
+  auto health = bus::Subscription<signals::SystemHealth>::create(
+      bus, participant::endpoint_of(identity, bus::TopicId::kSystemHealth));
+  if (!health) {
+    return health.error();
+  }
+  auto events = bus::Subscription<signals::SystemEvent>::create(
+      bus, participant::endpoint_of(identity, bus::TopicId::kSystemEvent));
+  if (!events) {
+    return events.error();
+  }
+  auto decisions = bus::Subscription<signals::JointUpdateDecision>::create(
+      bus, participant::endpoint_of(identity, bus::TopicId::kJointUpdateDecision));
+  if (!decisions) {
+    return decisions.error();
+  }
+  RunMonitor monitor(std::move(health).value(), std::move(events).value(), std::move(decisions).value(),
+                     identity.participants);
+  if (!legs.empty()) {
+    auto gains = bus::Subscription<signals::JointControllerGains>::create(
+        bus, participant::endpoint_of(identity, bus::TopicId::kJointControllerGains, legs));
+    if (!gains) {
+      return gains.error();
+    }
+    monitor.gains_in_ = std::move(gains).value();
+  }
+  return monitor;
+}
+
+void RunMonitor::poll(Tick now) {
+  health_in_.drain([&](const signals::SystemHealth& health) {
+    if (health.participant < healths_.size()) {
+      healths_[health.participant] = health;
+    }
+  });
+  event_in_.drain([&](const signals::SystemEvent& event) {
+    events_.push_back(event);
+    heard_.push_back(now);
+  });
+  decision_in_.drain([&](const signals::JointUpdateDecision& decision) {
+    if (!signals::is_probe(decision)) {
+      decisions_.push_back(decision);
+    }
+  });
+  if (gains_in_) {
+    gains_in_->drain([&](const signals::JointControllerGains& gains) {
+      if (gains.generation > 0) {  // else a probe of the greeting
+        gains_.push_back(gains);
+      }
+    });
+  }
+}
+
+bool RunMonitor::all_final() const noexcept {
+  return std::all_of(healths_.begin(), healths_.end(), [](const auto& health) { return health.final_report != 0; });
+}
+
+}  // namespace farrier::run

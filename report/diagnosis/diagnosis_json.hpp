@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "core/result.hpp"
+#include "report/diagnosis/diagnosis_result.hpp"
+#include "report/figures/outcome.hpp"
+
+namespace farrier::report {
+
+/// The form of every command, to_json(outcome), with "verdict": "effects" | "none" | "cannot_separate" | "unknown" |
+/// "not_excited" | "bad_data" and beside it:
+///
+/// "robot", "joint", "recording"; "effects": [{"name", "parameter", "value", "unit", "low", "high" (95 %),
+/// "confidence", "share", "parameters": [{"name", "value", "unit"}]}], by their share of the gain; "alternatives":
+/// [[name, name]];
+/// "experiment": {"one", "other", "excitation", "amplitude_A", "frequency_Hz", "duration_s", "difference", "text"} or
+/// null, of the first alternatives, and "experiments", all of them; "not_judged": [name]; "held_out":
+/// {"nrmse_before", "nrmse_after", "low", "high" (95 % of the one over the other)} or null; "control": {"effect",
+/// "old_nrmse", "new_nrmse"} or null; "extended_model": path or null; "channels": [{"name", "unit", "dependences":
+/// [{"driver", "explained", "shape", "from", "mean", "deviation"}], "left": {"rms", "expected", "nrmse"}}];
+/// "remarks": [text]; with bad data "findings": [{"what", "row", "text"}]. Values that are not finite are null.
+std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome);
+
+/// Writes it to `path`; refuses what the disk does not take.
+Result<Done> write_diagnosis_json(const std::string& path, const DiagnosisResult& result, const Outcome& outcome);
+
+}  // namespace farrier::report

@@ -1,0 +1,109 @@
+#include "report/diagnosis/scaled_page.hpp"
+
+#include "report/diagnosis/diagnosis_html.hpp"
+#include "report/diagnosis/diagnosis_text.hpp"
+#include "report/diagnosis/drawing.hpp"
+#include "report/page/gnuplot.hpp"
+#include "report/page/html_page.hpp"
+#include "report/page/html_tables.hpp"
+#include "report/diagnosis/scaled_text.hpp"
+
+namespace farrier::report {
+namespace {
+
+using diagnosis::ScaledDiagnosis;
+
+constexpr const char* kSampleLayout =
+    R"(set terminal svg size 1080,360 font "sans-serif,12" noenhanced background "#ffffff"
+set key at screen 0.985,0.985 right top horizontal samplen 2 noautotitle
+set xlabel "sample" offset 0,0.4; set ylabel "position"; set tmargin 2
+)";
+
+std::string position_picture(Drawing& drawing, const ScaledDiagnosis& d) {
+  constexpr std::size_t kMostPoints = 4000;
+  const std::size_t stride = 1 + d.measured.size() / kMostPoints;
+  std::string lines;
+  for (std::size_t i = 0; i < d.measured.size(); i += stride) {
+    lines += line_of({static_cast<double>(d.held_out_begin + i), d.measured[i], d.before[i], d.after[i]});
+  }
+  const std::string data = drawing.data("position", lines);
+  const std::string path = "pictures/position.svg";
+  drawing.script += std::string(kPictureStart) + kSampleLayout + "set output '" + path + "'\nplot '" + data +
+                    "' using 1:2 with lines ls 1 title 'measured', '' using 1:3 with lines ls 3 title 'linear model', "
+                    "'' using 1:4 with lines ls 2 title 'with the effects found'\n";
+  return path;
+}
+
+struct Pictures {
+  std::string position;
+  std::vector<std::string> rounds;
+};
+
+Result<Pictures> draw_scaled(const std::string& out_dir, const ScaledDiagnosis& d) {
+  if (auto made = make_picture_folders(out_dir); !made) {
+    return made.error();
+  }
+  Drawing drawing{.out_dir = out_dir};
+  Pictures pictures{.position = position_picture(drawing, d), .rounds = {}};
+  for (const auto& round : d.judgement.rounds) {
+    if (!round.empty()) {
+      pictures.rounds.push_back(round_picture(drawing, round, pictures.rounds.size()));
+    }
+  }
+  if (!drawing.kept) {
+    return drawing.kept.error();
+  }
+  if (auto drawn = draw(out_dir, drawing.script); !drawn) {
+    return drawn.error();
+  }
+  return pictures;
+}
+
+std::string fits_html(const ScaledDiagnosis& d) {
+  std::string html = "<table><thead><tr><th>model</th><th>fit of the second half</th><th>found</th><th></th></tr>"
+                     "</thead>\n<tbody>\n";
+  for (const auto& row : fits_table(d)) {
+    html += "<tr><td>" + escape_html(row[0]) + "</td>" + number_cell(row[1]) + number_cell(row[2]) + "<td>" +
+            escape_html(row[3]) + "</td></tr>\n";
+  }
+  return html + "</tbody></table>\n";
+}
+
+std::string body(const ScaledResult& result, const Pictures& pictures) {
+  const ScaledDiagnosis& d = *result.diagnosis;
+  std::string html =
+      list(d.remarks) + "<h2>What each effect brings</h2>\n" +
+      paragraph("Linear model: " + equation_text(d.gain_before, d.drift_before, true) +
+                ". Fits of the second half, simulated freely, by what was fitted to the first.") +
+      fits_html(d) + picture(pictures.position, "the second half, which no fit has seen") +
+      "<h2>The cause</h2>\n" + paragraph(verdict_sentence(d.judgement)) + effects_html(shown_effects(d)) +
+      list(scaled_details(result));
+  for (std::size_t i = 0; i < pictures.rounds.size(); ++i) {
+    html += picture(pictures.rounds[i], round_caption(i));
+  }
+  if (!d.judgement.effects.empty()) {
+    html += "<h2>The gain</h2>\n" +
+            paragraph("Extended model: " + equation_text(d.gain_after, d.drift_after, false) + ".") +
+            paragraph("Held-out fit: " + fit_text(d) + ".") + paragraph("Held-out NRMSE: " + gain_text(d.error));
+  }
+  return html;
+}
+
+}  // namespace
+
+Result<std::string> write_scaled_page(const std::string& out_dir, const ScaledResult& result, const Outcome& outcome) {
+  std::string html = page_head("Recording in scaled units: diagnosis", outcome) +
+                     paragraph("Recording: " + result.recording);
+  if (result.diagnosis == nullptr) {
+    html += "<h2>The cause</h2>\n" + list(scaled_details(result));
+  } else {
+    const auto pictures = draw_scaled(out_dir, *result.diagnosis);
+    if (!pictures) {
+      return pictures.error();
+    }
+    html += body(result, pictures.value());
+  }
+  return write_page(out_dir, html + page_foot(outcome));
+}
+
+}  // namespace farrier::report

@@ -1,0 +1,56 @@
+#include "report/trot/html_report.hpp"
+
+#include "report/page/html_page.hpp"
+#include "report/page/html_tables.hpp"
+#include "report/trot/pictures.hpp"
+
+namespace farrier::report {
+namespace {
+
+std::string picture(const std::string& path, const std::string& what) {
+  return path.empty() ? ""
+                      : "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(what) + "\">\n";
+}
+
+std::string joint_section(const robot::Joint& joint, const JointPictures& pictures) {
+  const std::string name = escape_html(joint.name);
+  std::string html = "<h3 id=\"" + name + "\">" + name + "</h3>\n";
+  if (pictures.tracking.empty()) {
+    html += "<p>The run ended before its judged part began: nothing to show here.</p>\n";
+  }
+  html += picture(pictures.tracking, "force reference, force and error of " + joint.name);
+  html += picture(pictures.adaptation, "gains over time and poles of the estimates of " + joint.name);
+  const bool compliant = joint.form == control::Form::kCompliant;
+  html += "<div class=\"beside\">\n<figure>" +
+          picture(pictures.overview, "reference and error of " + joint.name + " over the whole run") +
+          "</figure>\n<figure class=\"poles\">" + picture(pictures.poles, "closed-loop poles of " + joint.name) +
+          "<figcaption>" +
+          (compliant ? "The joint is free to move: without a load spring its position is the pole at 1." : "") +
+          "</figcaption></figure>\n</div>\n";
+  return html;
+}
+
+std::string page(const ReportInput& input, const std::vector<JointPictures>& pictures) {
+  const Outcome& outcome = input.outcome;
+  std::string html = page_head(input.robot.name + ": " + outcome.command, outcome);
+  html += "<h2>Joints</h2>\n" + joint_table_html(outcome.figures);
+  html += "<h2>Tracking</h2>\n";
+  for (const robot::Joint& joint : input.robot.joints) {
+    html += joint_section(joint, pictures[joint.number]);
+  }
+  html += decisions_html(outcome.run);
+  html += page_foot(outcome);
+  return html;
+}
+
+}  // namespace
+
+Result<std::string> write_report(const std::string& out_dir, const ReportInput& input) {
+  const auto pictures = draw_pictures(out_dir, input);
+  if (!pictures) {
+    return pictures.error();
+  }
+  return write_page(out_dir, page(input, pictures.value()));
+}
+
+}  // namespace farrier::report

@@ -1,0 +1,90 @@
+// The rules of judgement on a few blind trials, and the arithmetic of their score. All trials: farrier diagnose
+// --benchmark.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "trials/blind/score.hpp"
+
+namespace farrier::blind {
+namespace {
+
+Outcome outcome(Kind kind, const char* hidden, const char* named, double confidence, double detectable = 1.0) {
+  Outcome o;
+  o.plan.kind = kind;
+  if (*hidden != '\0') {
+    o.plan.plan.hidden = {{hidden, 1}};
+    o.answers = {{hidden, 1.0}};
+  }
+  o.detectable = detectable;
+  o.verdict = *named != '\0' ? diagnosis::Verdict::kEffects : diagnosis::Verdict::kNone;
+  if (*named != '\0') {
+    o.named = {{named, 1.0, confidence}};
+  }
+  o.error_before = 3.0;
+  o.error_after = 1.0;
+  return o;
+}
+
+TEST(BlindScore, CountsWhatTheEffectChangedAndNotTheRest) {
+  const Score s = score({outcome(Kind::kEffect, "valve_bias", "valve_bias", 1.0),
+                         outcome(Kind::kEffect, "valve_bias", "", 1.0, 0.05),
+                         outcome(Kind::kEffect, "valve_bias", "load_mass", 0.95)});
+  EXPECT_EQ(s.trials, 3u);
+  EXPECT_EQ(s.counted, 2u);
+  EXPECT_DOUBLE_EQ(s.named, 0.5);
+  EXPECT_DOUBLE_EQ(s.first_alone, 0.5);
+  EXPECT_DOUBLE_EQ(s.confidently_wrong, 1.0 / 3.0);
+  EXPECT_DOUBLE_EQ(s.median_gain, 3.0);
+}
+
+TEST(BlindScore, ASetOfTwoNamesTheEffectAndIsNotAlone) {
+  Outcome o = outcome(Kind::kEffect, "valve_bias", "valve_asymmetry", 0.6);
+  o.alternatives = {{"valve_asymmetry", "valve_bias"}};
+  EXPECT_TRUE(named_or_in_pair(o));
+  EXPECT_FALSE(first_alone(o));
+  o.alternatives.emplace_back("valve_asymmetry", "supply_droop");
+  EXPECT_FALSE(named_or_in_pair(o));
+}
+
+TEST(BlindScore, TheGainInControlIsTheMedianOfTrialsThatHaveOne) {
+  Outcome none = outcome(Kind::kEffect, "load_friction", "load_friction", 1.0);
+  Outcome less = outcome(Kind::kEffect, "valve_bias", "valve_bias", 1.0);
+  Outcome more = outcome(Kind::kEffect, "valve_deadband", "valve_deadband", 1.0);
+  less.control = {0.1, 0.1};
+  more.control = {0.3, 0.1};
+  EXPECT_EQ(score({none}).controlled, 0u);
+  EXPECT_TRUE(std::isnan(score({none}).control_gain));
+  const Score s = score({none, less, more, more});
+  EXPECT_EQ(s.controlled, 3u);
+  EXPECT_DOUBLE_EQ(s.control_gain, 3.0);
+  EXPECT_DOUBLE_EQ(score_by_effect({none, less, more})["valve_bias"].control_gain, 1.0);
+}
+
+TEST(BlindScore, FalseAlarmsAreOfTrialsThatHideNothing) {
+  const Score s = score({outcome(Kind::kNone, "", "", 0.0), outcome(Kind::kNone, "", "load_mass", 0.5)});
+  EXPECT_DOUBLE_EQ(s.false_alarms, 0.5);
+}
+
+TEST(BlindTrials, AFewOfThemAreNamedAndNothingIsNamedWhereNothingIsHidden) {
+  const robot::Robot rig = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
+  const robot::Robot legs = robot::load_robot(FARRIER_ROBOTS "hyq.yaml").value();
+  const std::vector<const robot::Joint*> joints{&rig.joints.front(), &legs.joints.front()};
+  std::vector<TrialPlan> plans;
+  for (const char* name : {"valve_deadband", "load_friction", "force_sensor_gain", "velocity_filter_lag"}) {
+    plans.push_back({Kind::kEffect, plans.size() % 2, {90 + plans.size(), truth::Excitation::kRandomSteps, {{name, 2}}}});
+  }
+  plans.push_back({Kind::kNone, 0, {80, truth::Excitation::kMultisine, {}}});
+  plans.push_back({Kind::kNone, 1, {81, truth::Excitation::kForceTracking, {}}});
+  const auto outcomes = run_trials(plans, joints, 2, [](std::size_t) { return true; });
+  const Score s = score(outcomes);
+  EXPECT_EQ(s.counted, 4u);
+  EXPECT_DOUBLE_EQ(s.first_alone, 1.0) << confusion_page(outcomes);
+  EXPECT_DOUBLE_EQ(s.within_tolerance, 1.0) << confusion_page(outcomes);
+  EXPECT_DOUBLE_EQ(s.false_alarms, 0.0) << confusion_page(outcomes);
+  EXPECT_GT(s.median_gain, 3.0);
+}
+
+}  // namespace
+}  // namespace farrier::blind

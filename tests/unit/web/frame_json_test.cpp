@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "core/fault.hpp"
+#include "tests/unit/monitor/feed.hpp"
+#include "tools/web/frame_json.hpp"
+
+namespace farrier::web {
+namespace {
+
+using monitor::testing::Feed;
+using monitor::testing::hyq;
+using nlohmann::json;
+
+TEST(FrameJson, HasEveryJointWithTheSummariesSinceTheFrameBefore) {
+  Feed feed;
+  monitor::testing::walk_for_a_second(feed);
+  feed.frame();
+  feed.walk(1020, 3);
+  const json frame = json::parse(frame_json(feed.frame()));
+  ASSERT_EQ(frame.at("joints").size(), hyq().joints.size());
+  for (const json& joint : frame.at("joints")) {
+    EXPECT_EQ(joint.at("s").size(), 3u);
+    EXPECT_EQ(joint.at("state"), 2);
+    EXPECT_EQ(joint.at("estimate").at("poles").size(), 3u);
+    EXPECT_NEAR(joint.at("nrmse").get<double>(), 0.05, 1e-6);
+  }
+  EXPECT_EQ(frame.at("mode"), "armed");
+  EXPECT_EQ(frame.at("processes").at(1).at("name"), "supervisor");
+}
+
+TEST(FrameJson, SaysNullOfWhatIsNotKnown) {
+  Feed feed;
+  const json frame = json::parse(frame_json(feed.frame()));
+  EXPECT_TRUE(frame.at("tick").is_null());
+  EXPECT_TRUE(frame.at("mode").is_null());
+  EXPECT_TRUE(frame.at("age").is_null());
+  EXPECT_TRUE(frame.at("joints").at(0).at("state").is_null());
+  EXPECT_TRUE(frame.at("joints").at(0).at("estimate").is_null());
+  EXPECT_TRUE(frame.at("joints").at(0).at("gains").at(0).is_null());
+}
+
+TEST(FrameJson, SaysNullOfWhatIsNoFiniteNumber) {
+  Feed feed;
+  monitor::testing::walk_for_a_second(feed);
+  monitor::Frame frame = feed.frame();
+  frame.joints[0].estimate.validity = std::numeric_limits<double>::quiet_NaN();
+  frame.joints[0].poles[0] = {std::numeric_limits<double>::infinity(), 1e-320};
+  const json estimate = json::parse(frame_json(frame)).at("joints").at(0).at("estimate");
+  EXPECT_TRUE(estimate.at("validity").is_null());
+  EXPECT_TRUE(estimate.at("poles").at(0).at(0).is_null());
+}
+
+TEST(FrameJson, RoundsToSixDigits) {
+  Feed feed;
+  monitor::testing::walk_for_a_second(feed);
+  monitor::Frame frame = feed.frame();
+  for (const double value : {1.0 / 3.0, -1234567.8, 6.02214076e23, 1.6e-19, 0.1}) {
+    frame.joints[0].estimate.validity = value;
+    const json said = json::parse(frame_json(frame)).at("joints").at(0).at("estimate").at("validity");
+    EXPECT_NEAR(said.get<double>(), value, 5e-6 * std::abs(value));
+    EXPECT_LE(said.dump().size(), 13u) << said.dump();
+  }
+}
+
+TEST(FrameJson, BearsTextsThatAreNoUtf8) {
+  monitor::EventFrame event;
+  event.text = "caf\xe9 \xff</script>\n";
+  EXPECT_NO_THROW(json::parse(event_json(event)));
+}
+
+TEST(RobotJson, NamesJointsLegsAndFaultsInTheOrderOfTheirNumbers) {
+  const json robot = json::parse(robot_json(hyq(), false));
+  ASSERT_EQ(robot.at("joints").size(), hyq().joints.size());
+  EXPECT_EQ(robot.at("joints").at(4).at("name"), hyq().joints[4].name);
+  EXPECT_EQ(robot.at("legs").size(), hyq().plan.legs.size());
+  EXPECT_EQ(robot.at("faults").at(9), to_string(Fault::kForceLost));
+  EXPECT_FALSE(robot.at("recorded").get<bool>());
+}
+
+}  // namespace
+}  // namespace farrier::web

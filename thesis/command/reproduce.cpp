@@ -1,0 +1,169 @@
+// farrier reproduce: studies of Hubacher (2014), each claim of the text with what was measured and a verdict.
+
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "thesis/studies/registry.hpp"
+#include "participant/loop.hpp"
+#include "cli/base/command.hpp"
+#include "cli/base/help.hpp"
+#include "cli/base/installation.hpp"
+#include "cli/base/output_file.hpp"
+#include "cli/base/progress.hpp"
+#include "cli/trot/trot_options.hpp"
+#include "thesis/report/run_studies.hpp"
+#include "thesis/report/study_page.hpp"
+#include "thesis/report/study_pictures.hpp"
+
+namespace farrier::cli {
+namespace {
+
+struct ReproduceOptions {
+  std::vector<std::string> numbers;
+  bool list = false;
+  std::string out = "out/reproduce";
+  std::string json_path;
+  bool json_to_stdout = false;  ///< the claims in place of the text, besides figures.json
+  std::uint64_t seed = 1;
+  int threads = 2;
+};
+
+int refuse(const std::string& message, int status) {
+  std::fprintf(stderr, "farrier reproduce: %s\n", message.c_str());
+  return status;
+}
+
+/// The studies asked for, in the order of the text; refuses numbers there are none of.
+Result<std::vector<thesis::Study>> chosen(const std::vector<thesis::Study>& all,
+                                           const std::vector<std::string>& numbers) {
+  std::vector<thesis::Study> some;
+  for (const std::string& number : numbers) {
+    if (number != "all" && thesis::find_study(all, number) == nullptr) {
+      std::string near;
+      for (const std::string& one : thesis::near_numbers(all, number)) {
+        near += (near.empty() ? "; near it: " : ", ") + one;
+      }
+      return Error{"there is no study '" + number + "'" + near + "; see 'farrier reproduce --list'"};
+    }
+  }
+  for (const thesis::Study& study : all) {
+    const bool asked = std::ranges::any_of(
+        numbers, [&](const std::string& number) { return number == "all" || number == study.number; });
+    if (asked) {
+      some.push_back(study);
+    }
+  }
+  return some;
+}
+
+std::vector<thesis::StudyRun> run_with_bar(const std::vector<thesis::Study>& some, const ReproduceOptions& o) {
+  constexpr Tick kSteps = 100;
+  participant::install_signal_handlers();
+  const thesis::StudyContext context{
+      robots_directory(), o.seed, {}};
+  Progress bar("reproduce", kSteps, "percent");
+  return thesis::run_studies(some, context, o.threads, [&](double share) {
+    bar.update(static_cast<Tick>(share * static_cast<double>(kSteps)));
+    return !participant::stop_requested();
+  });
+}
+
+void print(const report::Outcome& outcome, const std::vector<thesis::StudyRun>& runs) {
+  int counts[3] = {};
+  for (const report::Claim& claim : outcome.claims) {
+    std::fputs(thesis::claim_text(claim).c_str(), stdout);
+    ++counts[claim.verdict == "holds" ? 0 : claim.verdict == "refuted" ? 1 : 2];
+  }
+  for (const thesis::StudyRun& run : runs) {
+    if (run.result.ok()) {
+      for (const thesis::StudyFigure& figure : run.result.value().figures) {
+        std::fputs(thesis::figure_text(figure).c_str(), stdout);
+      }
+    }
+  }
+  std::printf("%d claims hold, %d are refuted, %d fail\n", counts[0], counts[1], counts[2]);
+}
+
+int reproduce_studies(const ReproduceOptions& o) {
+  const std::vector<thesis::Study> all = thesis::all_studies();
+  if (o.list) {
+    for (const thesis::Study& study : all) {
+      std::fputs(thesis::listing(study).c_str(), stdout);
+    }
+    return kPassed;
+  }
+  if (o.numbers.empty()) {
+    return refuse("name a figure such as 8.9, or all; see 'farrier reproduce --list'", kBadInput);
+  }
+  const auto some = chosen(all, o.numbers);
+  if (!some) {
+    return refuse(some.error().message, kBadInput);
+  }
+  const auto directory = OutputDirectory::claim(o.out);
+  if (!directory) {
+    return refuse(directory.error().message, kBadInput);
+  }
+  const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
+  for (const std::string& path : {json_path, o.out + "/index.html"}) {
+    if (const auto free = make_way(path); !free) {
+      return refuse(free.error().message, kBadInput);
+    }
+  }
+  const auto runs = run_with_bar(some.value(), o);
+  if (participant::stop_requested()) {
+    return refuse("stopped; nothing was written", participant::stop_status());
+  }
+  report::Outcome outcome;
+  outcome.command = "reproduce";
+  outcome.run = report::run_info(o.seed);
+  for (const thesis::StudyRun& run : runs) {
+    thesis::add_claims(outcome, thesis::claims_of(run));
+    thesis::add_figures(outcome, run);
+  }
+  if (const auto drawn = thesis::draw_studies(o.out, runs); !drawn) {
+    return refuse(drawn.error().message, kFailed);
+  }
+  const auto page = thesis::write_study_page(o.out, outcome, runs);
+  if (!page) {
+    return refuse(page.error().message, kFailed);
+  }
+  if (const auto written = report::write_json(json_path, outcome); !written) {
+    return refuse(written.error().message, kFailed);
+  }
+  if (o.json_to_stdout) {
+    std::printf("%s", report::to_json(outcome).c_str());
+    return outcome.passes() ? kPassed : kFailed;
+  }
+  print(outcome, runs);
+  std::printf("report: %s\nfigures: %s\n", page.value().c_str(), json_path.c_str());
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace
+
+std::function<int()> declare_reproduce(CLI::App& app) {
+  auto o = std::make_shared<ReproduceOptions>();
+  app.add_option("studies", o->numbers, "figures and tables by their number, such as 7.8, or all")->type_name("<number>...");
+  app.add_flag("--list", o->list, "name every study and what it must show")->type_name("");
+  app.add_option("--out", o->out, "directory for the page and its pictures")->type_name("<dir>")->capture_default_str();
+  const CLI::Option* json =
+      app.add_option("--json", o->json_path,
+                     "where the claims go (figures.json in --out unless told); without <file>, standard output in place of the text")
+          ->expected(0, 1)
+          ->type_name("[<file>]");
+  app.add_option("--seed", o->seed, "seed of whatever is drawn")
+      ->check(between(0.0, 18446744073709551615.0))
+      ->type_name("<n>")
+      ->capture_default_str();
+  app.add_option("--threads", o->threads, "studies at a time")
+      ->check(between(1, 64))
+      ->type_name("<n>")
+      ->capture_default_str();
+  return [o, json] {
+    o->json_to_stdout = json->count() > 0 && o->json_path.empty();
+    return reproduce_studies(*o);
+  };
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/result.hpp"
+#include "estimation/estimator_params.hpp"
+
+namespace farrier::thesis {
+
+/// Hubacher (2014), Table 6.1: how an estimator does for each combination of the valve signal's frequencies and
+/// amplitude, on the changes of load of Fig. 6.1 (walking_cycle.hpp).
+struct Table61Cell {
+  const char* method;  ///< "rls", "aff" or "greybox"
+  bool rich;           ///< white noise; else 5 and 10 Hz (C.1)
+  bool high;           ///< 100 % of the nominal valve opening; else 5 %
+  bool noisy;          ///< with the sensors of fc1d.yaml
+  /// 60 ms after each of the three changes. Of the discrete transfer function i_v -> F_s, 0.5 to 100 Hz, against the
+  /// true linearisation at home, mean of both signs of the valve; infinite where there is none.
+  std::array<double, 3> gain_error_dB;
+  std::array<double, 3> phase_error_deg;
+  std::array<double, 3> mass_error;  ///< relative; of linear models as 6.3.1 extracts it, infinite where that fails
+};
+
+/// All cells of all methods: 24 of them. The linear methods as in 6.3: lambda 0.85 (aff: its own), the home pose
+/// subtracted, no bias, normalised; the grey-box estimator with its defaults. Refuses nothing but a bug.
+Result<std::vector<Table61Cell>> table_6_1(std::uint64_t seed);
+
+}  // namespace farrier::thesis

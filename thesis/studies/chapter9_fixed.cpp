@@ -1,0 +1,247 @@
+// Hubacher (2014), Figs 1.2 and 9.16 to 9.18: controllers whose gains stay as designed for 2.5 kg, against one
+// another and under added weight.
+
+#include <algorithm>
+#include <cmath>
+
+#include "control/design/closed_loop.hpp"
+#include "thesis/studies/registry.hpp"
+#include "thesis/rig/rig_run.hpp"
+#include "robot/joint_model.hpp"
+
+namespace farrier::thesis {
+namespace {
+
+using control::Kind;
+
+constexpr double kSettled_s = 1.0;
+
+/// RMS of what is quicker than 20 ms in the force, over the RMS of the reference: an oscillation that nobody asked for.
+/// A sine of 3.5 Hz itself leaves 0.008 of it.
+double swing(const RigTrace& run, double from_s, double to_s) {
+  return ripple(run, run.force_N, 0.02, from_s, to_s) / rms(run, run.reference_N, from_s, to_s);
+}
+
+/// From here on an oscillation counts as instability: its RMS is half of the reference's.
+constexpr double kUnstable = 0.5;
+
+// 1.2
+
+constexpr double kExample_Hz = 1.0;
+constexpr double kExample_N = 200.0;
+
+constexpr ClaimSpec kExampleClaims[] = {
+    {"1.2.nominal", "Fig. 1.2", "The blue line shows the response of the controller designed for a system having load mass of 2.5 kg.",
+     "RMS error over RMS reference at 2.5 kg: a quarter.", "1", Relation::kAtMost, 0.25},
+    {"1.2.degraded", "1", "... the force tracking performance using the same controller decreases when adding weight to the test set-up ...",
+     "RMS error with 20 kg added over that without: 1.1 or more.", "1", Relation::kAtLeast, 1.1,
+     Refutation{"a controller that inverts this very valve, without delay, has margin enough for 20 kg, and a mass that moves less is easier "
+                "to push against; one tick later it has none (1.2.degraded_late)", 0.6, 1.0}},
+    {"1.2.degraded_late", "1", "... the force tracking performance using the same controller decreases when adding weight to the test set-up ...",
+     "The same with every current acting one tick late, as the proof of 1.2.degraded asks for: 1.1 or more.", "1", Relation::kAtLeast, 1.1}};
+
+Result<StudyResult> run_example(const StudyContext& context) {
+  const auto rig = load_rig(context);
+  if (!rig) {
+    return rig.error();
+  }
+  std::vector<RigTrace> runs;
+  for (const int delay_ticks : {0, 1}) {
+    for (const double added_kg : {0.0, 20.0}) {
+      auto run = track(rig.value(), {.reference = sine(kExample_N, kExample_Hz), .duration_s = 4.0, .kind = Kind::kFeedbackLinearisation,
+                                     .added = {{0.0, added_kg}}, .delay_ticks = delay_ticks}, context.seed);
+      if (!run) {
+        return run.error();
+      }
+      runs.push_back(std::move(run).value());
+    }
+  }
+  const double late[] = {tracking_error(runs[2], kSettled_s, 4.0), tracking_error(runs[3], kSettled_s, 4.0)};
+  const double nominal = tracking_error(runs[0], kSettled_s, 4.0);
+  StudyResult result;
+  result.measured = {{"1.2.nominal", nominal, ""},
+                     {"1.2.degraded", tracking_error(runs[1], kSettled_s, 4.0) / nominal, ""},
+                     {"1.2.degraded_late", late[1] / late[0], ""}};
+  Panel panel = force_panel("", runs[0]);
+  panel.series[1].label = "2.5 kg";
+  panel.series.push_back(force_panel("", runs[1]).series[1]);
+  panel.series.back().label = "+20 kg";
+  panel.series.back().colour = 3;
+  result.pictures = {{"Feedback linearisation, tuned for 2.5 kg", 1, {std::move(panel)}}};
+  return result;
+}
+
+// 9.16
+
+constexpr const char* kIdentical = "... it can be seen that the force tracking performance is almost identical ...";
+
+constexpr ClaimSpec kComparisonClaims[] = {
+    {"9.16.sine", "9.2.5", kIdentical, "RMS difference of the two forces over RMS reference, sine of 1 Hz: a fifth.", "1",
+     Relation::kAtMost, 0.2},
+    {"9.16.fast_sine", "9.2.5", kIdentical, "The same, sine of 3.5 Hz.", "1", Relation::kAtMost, 0.2},
+    {"9.16.step", "9.2.5", kIdentical, "The same, step of 200 N.", "1", Relation::kAtMost, 0.2},
+    {"9.16.satisfactory", "9.2.5", "... both controllers are able to give satisfactory performance to a well-known system ...",
+     "Largest RMS error over RMS reference of both under all three references: a quarter.", "1", Relation::kAtMost, 0.25}};
+
+Result<StudyResult> run_comparison(const StudyContext& context) {
+  const auto rig = load_rig(context);
+  if (!rig) {
+    return rig.error();
+  }
+  constexpr double kLength_s = 3.0;
+  struct Reference {
+    const char* id;
+    const char* title;
+    Signal signal;
+  };
+  const Reference references[] = {{"9.16.sine", "sine, 1 Hz", sine(120.0, 1.0)},
+                                  {"9.16.fast_sine", "sine, 3.5 Hz", sine(120.0, 3.5)},
+                                  {"9.16.step", "step", [](double t) { return t < 0.5 ? 0.0 : 200.0; }}};
+  StudyResult result;
+  Picture picture{"LQR and feedback linearisation", 1, {}};
+  double worst = 0.0;
+  for (const Reference& reference : references) {
+    const auto lqr = track(rig.value(), {.reference = reference.signal, .duration_s = kLength_s}, context.seed);
+    const auto fl = lqr ? track(rig.value(), {.reference = reference.signal, .duration_s = kLength_s,
+                                              .kind = Kind::kFeedbackLinearisation}, context.seed) : lqr;
+    if (!fl) {
+      return fl.error();
+    }
+    std::vector<double> difference(fl.value().force_N.size());
+    std::ranges::transform(fl.value().force_N, lqr.value().force_N, difference.begin(), std::minus<>());
+    const double error_lqr = tracking_error(lqr.value(), 0.4, kLength_s);
+    const double error_fl = tracking_error(fl.value(), 0.4, kLength_s);
+    worst = std::max({worst, error_lqr, error_fl});
+    const std::string note = text_of("errors: LQR %.3f, ", error_lqr) + text_of("FL %.3f", error_fl);
+    result.measured.push_back({reference.id, rms(fl.value(), difference, 0.4, kLength_s) /
+                                                 rms(fl.value(), fl.value().reference_N, 0.4, kLength_s), note});
+    Panel panel = force_panel(reference.title, lqr.value());
+    panel.series[1].label = "LQR";
+    panel.series.push_back(force_panel("", fl.value()).series[1]);
+    panel.series.back().label = "feedback linearisation";
+    panel.series.back().colour = 2;
+    picture.panels.push_back(std::move(panel));
+  }
+  result.measured.push_back({"9.16.satisfactory", worst, ""});
+  result.pictures = {std::move(picture)};
+  return result;
+}
+
+// 9.17, 9.18: weight is added while the controller tracks.
+
+constexpr double kEach_s = 4.0;
+const std::vector<AddedWeight>& staircase() {
+  static const std::vector<AddedWeight> weights{{0.0, 0.0}, {kEach_s, 5.0}, {2 * kEach_s, 10.0}, {3 * kEach_s, 15.0}, {4 * kEach_s, 20.0}};
+  return weights;
+}
+
+constexpr const char* kTooMuch = "However, 20 kg additional weight (magenta) are too much and the response becomes unstable.";
+constexpr const char* kCopes = "... is able to cope with some small amounts of added weight <= 10 kg without much decrease in tracking performance.";
+
+constexpr Refutation kInTime{
+    "by the thesis's own model (3.51) these gains hold 20 kg as long as the current acts in time (9.17.radius_in_time) and lose them "
+    "only two ticks late (9.17.radius_late), which the text does not quantify; so late, without our filters, the rig itself loses "
+    "20 kg and holds 2.5 kg (9.17.late, 9.17.late_nominal, 9.18.late, 9.18.late_nominal)", 0.0, 0.1};
+
+constexpr ClaimSpec kSlowWeightClaims[] = {
+    {"9.17.cope_5", "Fig. 9.17", "Note that the LQR is able to cope with the 5 kg additional weight (green) due to the phase margin.",
+     "RMS error over RMS reference with 5 kg added: three tenths.", "1", Relation::kAtMost, 0.3},
+    {"9.17.cope_10", "9.2.6", kCopes, "RMS error with 10 kg added over that without: 1.5.", "1", Relation::kAtMost, 1.5},
+    {"9.17.unstable_20", "Fig. 9.17", kTooMuch,
+     "RMS of what is quicker than 20 ms in the force, over the RMS of the reference, with 20 kg added: a half.", "1",
+     Relation::kAtLeast, kUnstable, kInTime},
+    {"9.17.late", "Fig. 9.17", kTooMuch, "The same without filters, every current two ticks late: a half.", "1", Relation::kAtLeast, kUnstable},
+    {"9.17.late_nominal", "Fig. 9.17", kTooMuch, "RMS error over RMS reference then, without added weight: a quarter.", "1", Relation::kAtMost, 0.25},
+    {"9.17.radius_in_time", "Fig. 9.17", kTooMuch, "Spectral radius of (3.51) with 20 kg added under the gains for 2.5 kg: below 1.", "1",
+     Relation::kBelow, 1.0},
+    {"9.17.radius_late", "Fig. 9.17", kTooMuch, "The same, two ticks late: 1 or more.", "1", Relation::kAtLeast, 1.0},
+    {"9.17.radius_late_nominal", "Fig. 9.17", kTooMuch, "The same without added weight, two ticks late: below 1.", "1", Relation::kBelow, 1.0}};
+
+constexpr ClaimSpec kFastWeightClaims[] = {
+    {"9.18.cope_10", "Fig. 9.18", "Note that the LQR is barely able to cope with the 10 kg additional weight (gold) due to its phase margin.",
+     "RMS error over RMS reference with 10 kg added: four tenths.", "1", Relation::kAtMost, 0.4},
+    {"9.18.unstable_20", "Fig. 9.18", "Additional 20 kg weight (magenta) are too much and the response becomes unstable ...",
+     "RMS of what is quicker than 20 ms in the force, over the RMS of the reference, with 20 kg added: a half.", "1",
+     Relation::kAtLeast, kUnstable, kInTime},
+    {"9.18.late", "Fig. 9.18", kTooMuch, "The same without filters, every current two ticks late: a half.", "1", Relation::kAtLeast, kUnstable},
+    {"9.18.late_nominal", "Fig. 9.18", kTooMuch, "RMS error over RMS reference then, without added weight: a quarter.", "1", Relation::kAtMost, 0.25}};
+
+/// Of (3.51) with weight added under the gains for the swing load; NaN without a design.
+double radius(const robot::Robot& rig, double added_kg, int delay_ticks) {
+  const robot::Joint& joint = rig.joints[0];
+  plant::LoadParams load = joint.swing_load;
+  const auto gains = control::design_lqr(robot::model_of(joint, load, rig.period_s), {}, joint.normalisation, control::Form::kCompliant, 0);
+  load.mass += added_kg;
+  return gains ? control::closed_loop_spectral_radius(robot::model_of(joint, load, rig.period_s), gains.value(), delay_ticks) : NAN;
+}
+
+Result<StudyResult> run_weights(const StudyContext& context, double frequency_Hz, const char* figure) {
+  const auto rig = load_rig(context);
+  if (!rig) {
+    return rig.error();
+  }
+  const auto made = track(rig.value(), {.reference = sine(120.0, frequency_Hz), .duration_s = 5 * kEach_s,
+                                        .added = staircase()}, context.seed);
+  if (!made) {
+    return made.error();
+  }
+  const RigTrace& run = made.value();
+  std::vector<double> errors;
+  std::vector<double> swings;
+  Picture picture{"Compliant LQR for 2.5 kg, weight added as it runs", 1, {}};
+  for (std::size_t i = 0; i < staircase().size(); ++i) {
+    const double begin_s = staircase()[i].at_s;
+    errors.push_back(tracking_error(run, begin_s + kSettled_s, begin_s + kEach_s));
+    swings.push_back(swing(run, begin_s + kSettled_s, begin_s + kEach_s));
+  }
+  picture.panels = {force_panel("0, 5, 10, 15 and 20 kg, 4 s each; force cut at three times the reference", run)};
+  const auto text = [](const std::vector<double>& values) {
+    std::string all = "by weight:";
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      all += text_of(" +%g kg", staircase()[i].total_kg) + text_of(" %.3f", values[i]);
+    }
+    return all;
+  };
+  const auto id = [&](const char* name) { return std::string(figure) + "." + name; };
+  StudyResult result;
+  if (std::string_view(figure) == "9.17") {
+    result.measured = {{id("cope_5"), errors[1], text(errors)}, {id("cope_10"), errors[2] / errors[0], ""}};
+  } else {
+    result.measured = {{id("cope_10"), errors[2], text(errors)}};
+  }
+  result.measured.push_back({id("unstable_20"), swings[4], text(swings)});
+  const robot::Robot late = unfiltered(rig.value());
+  std::vector<RigTrace> pair;
+  for (const double added_kg : {0.0, 20.0}) {
+    auto one = track(late, {.reference = sine(120.0, frequency_Hz), .duration_s = kEach_s, .added = {{0.0, added_kg}},
+                            .delay_ticks = kLate_ticks}, context.seed);
+    if (!one) {
+      return one.error();
+    }
+    pair.push_back(std::move(one).value());
+  }
+  result.measured.push_back({id("late"), swing(pair[1], kSettled_s, kEach_s), ""});
+  result.measured.push_back({id("late_nominal"), tracking_error(pair[0], kSettled_s, kEach_s), ""});
+  if (std::string_view(figure) == "9.17") {
+    result.measured.push_back({id("radius_in_time"), radius(rig.value(), 20.0, 0), ""});
+    result.measured.push_back({id("radius_late"), radius(rig.value(), 20.0, kLate_ticks), ""});
+    result.measured.push_back({id("radius_late_nominal"), radius(rig.value(), 0.0, kLate_ticks), ""});
+  }
+  result.pictures = {std::move(picture)};
+  return result;
+}
+
+Result<StudyResult> run_slow_weights(const StudyContext& context) { return run_weights(context, 0.5, "9.17"); }
+Result<StudyResult> run_fast_weights(const StudyContext& context) { return run_weights(context, 3.5, "9.18"); }
+
+constexpr Study kStudies[] = {
+    {"1.2", "Feedback linearisation with fixed gains under added weight", kExampleClaims, run_example},
+    {"9.16", "LQR against feedback linearisation", kComparisonClaims, run_comparison},
+    {"9.17", "Fixed LQR under added weight: sine of 0.5 Hz", kSlowWeightClaims, run_slow_weights},
+    {"9.18", "Fixed LQR under added weight: sine of 3.5 Hz", kFastWeightClaims, run_fast_weights}};
+
+}  // namespace
+
+std::span<const Study> chapter9_fixed() { return kStudies; }
+
+}  // namespace farrier::thesis

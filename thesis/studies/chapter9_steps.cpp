@@ -1,0 +1,289 @@
+// Hubacher (2014), Figs 9.13 and 9.15: steps and chirps of force on the rig, and what the LQR's output is made of.
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "thesis/studies/registry.hpp"
+#include "thesis/rig/rig_run.hpp"
+
+namespace farrier::thesis {
+namespace {
+
+using control::Form;
+
+constexpr double kStep_s = 0.5;
+constexpr double kRun_s = 1.5;
+constexpr double kChirpRun_s = 8.0;
+
+Signal step(double from_N, double to_N) {
+  return [=](double t) { return t < kStep_s ? from_N : to_N; };
+}
+
+/// How far the force goes past the new reference, over the step.
+double overshoot(const RigTrace& run, double from_N, double to_N) {
+  double furthest = 0.0;
+  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
+    if (run.time_s[i] > kStep_s) {
+      furthest = std::max(furthest, (run.force_N[i] - to_N) / (to_N - from_N));
+    }
+  }
+  return furthest;
+}
+
+/// Time from the step until the force has gone nine tenths of the way; the run's length when it never does.
+double rise_s(const RigTrace& run, double from_N, double to_N) {
+  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
+    if (run.time_s[i] > kStep_s && (run.force_N[i] - from_N) / (to_N - from_N) >= 0.9) {
+      return run.time_s[i] - kStep_s;
+    }
+  }
+  return kRun_s;
+}
+
+/// Time from the step from which on the force stays within a tenth of it.
+double settled_s(const RigTrace& run, double from_N, double to_N) {
+  double last = kStep_s;
+  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
+    if (std::abs(run.force_N[i] - to_N) > 0.1 * std::abs(to_N - from_N)) {
+      last = run.time_s[i];
+    }
+  }
+  return last - kStep_s;
+}
+
+double mean(const RigTrace& run, const std::vector<double>& values, double from_s, double to_s) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (run.time_s[i] >= from_s && run.time_s[i] < to_s) {
+      sum += values[i];
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+double steady_error(const RigTrace& run, double from_N, double to_N) {
+  return std::abs(mean(run, run.force_N, kRun_s - 0.2, kRun_s) - to_N) / std::abs(to_N - from_N);
+}
+
+/// Largest of the values' sizes within 0.15 s of the step.
+double largest(const RigTrace& run, const std::vector<double>& values) {
+  double found = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (run.time_s[i] >= kStep_s && run.time_s[i] < kStep_s + 0.15) {
+      found = std::max(found, std::abs(values[i]));
+    }
+  }
+  return found;
+}
+
+/// Lag of the force behind a chirp in degrees about a frequency: of the sums over two periods, each tick with the
+/// chirp's own phase.
+double chirp_lag_deg(const RigTrace& run, double to_Hz, double frequency_Hz) {
+  const double middle = frequency_Hz / to_Hz * kChirpRun_s;
+  const double half = std::min(1.0 / frequency_Hz, kChirpRun_s - middle);
+  double in_phase = 0.0;
+  double quadrature = 0.0;
+  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
+    const double t = run.time_s[i];
+    if (std::abs(t - middle) <= half) {
+      const double angle = 3.14159265358979323846 * to_Hz * t * t / kChirpRun_s;
+      in_phase += run.force_N[i] * std::sin(angle);
+      quadrature += run.force_N[i] * std::cos(angle);
+    }
+  }
+  return -std::atan2(quadrature, in_phase) * 180.0 / 3.14159265358979323846;
+}
+
+/// Share of the time within [from_s, to_s) in which the piston stands: slower than the Stribeck velocity's tenth.
+double standing(const RigTrace& run, double from_s, double to_s) {
+  constexpr double kStanding_m_s = 1e-3;
+  double still = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
+    if (run.time_s[i] >= from_s && run.time_s[i] < to_s) {
+      still += std::abs(run.velocity_m_s[i]) < kStanding_m_s ? 1.0 : 0.0;
+      count += 1.0;
+    }
+  }
+  return still / count;
+}
+
+constexpr const char* kOvershoot = "Note that the controller is able to reach the step very quickly albeit with some overshoot.";
+constexpr const char* kVelocityMost = "... one can see that the velocity channel contributes the most to the total signal.";
+constexpr const char* kLag = "... a slight phase lag appears for frequencies above approximately 3.5 Hz.";
+constexpr const char* kFullOpen =
+    "the valve of Table A.2, \"no physical meaning\", passes a quarter of the data sheet's flow and is full open most of the time "
+    "(9.13.full_open); with the data sheet's the claim holds (9.13.slow_data_sheet, 9.13.fast_data_sheet)";
+constexpr const char* kRipples =
+    "... distinct ripples of the velocity related controller output signal u_vel within the first few seconds of the chirp ...";
+
+constexpr ClaimSpec kStepClaims[] = {
+    {"9.13.rise", "9.2.2", kOvershoot, "Time to nine tenths of the step of 400 N: 0.1 s.", "s", Relation::kAtMost, 0.1},
+    {"9.13.overshoot", "9.2.2", kOvershoot, "There is an overshoot, over the step of 400 N.", "1", Relation::kAtLeast, 0.01},
+    {"9.13.overshoot_is_some", "9.2.2", kOvershoot, "It is three tenths of the step at most.", "1", Relation::kAtMost, 0.3},
+    {"9.13.steady_error", "9.2.2", "The steady-state force tracking is very good and is reached fast.",
+     "Mean error from 0.8 s after the step on, over the step.", "1", Relation::kAtMost, 0.02},
+    {"9.13.velocity_most", "9.2.2", kVelocityMost,
+     "Largest velocity part over the largest of any other part shown, within 0.15 s of the step of 400 N.", "1", Relation::kAtLeast, 1.0},
+    {"9.13.feed_forward_small", "9.2.2", "The feedforward term is very small ...",
+     "Largest feed-forward over the largest velocity part: a quarter.", "1", Relation::kAtMost, 0.25,
+     Refutation{"footnote 3 of 9.2.4 has \"a small amount\" of it in these experiments and no number; the design's own is large, and the "
+                "step does not need it (9.13.feed_forward_omitted)", 0.4, 0.8}},
+    {"9.13.feed_forward_omitted", "9.2.4", "... and hence the feedforward term can also be omitted.",
+     "9.13.rise without feed-forward, as the proof of 9.13.feed_forward_small asks for: 0.1 s.", "s", Relation::kAtMost, 0.1},
+    {"9.13.negative_overshoot", "9.2.2", "Some difference is visible for the negative step, the overshoot is less ...",
+     "Overshoot of the step from 400 to -400 N less that of 0 to 400 N, each over its step: below 0.", "1", Relation::kBelow, 0.0},
+    {"9.13.slow_chirp_lag", "9.2.3", "... able to follow the force reference without loosing phase and with little amplitude distortion.",
+     "Lag at 2.5 Hz of the chirp to 3 Hz: 8 degrees.", "deg", Relation::kAtMost, 8.0,
+     Refutation{kFullOpen, 8.0, 12.0}},
+    {"9.13.full_open", "9.2.3", kLag, "Share of the two periods about 2.5 Hz, chirp to 3 Hz, for which the valve is full open: a half.", "1",
+     Relation::kAtLeast, 0.5},
+    {"9.13.slow_data_sheet", "9.2.3", "... able to follow the force reference without loosing phase and with little amplitude distortion.",
+     "9.13.slow_chirp_lag with four times the valve gain, as its proof asks for: 8 degrees.", "deg", Relation::kAtMost, 8.0},
+    {"9.13.fast_chirp_lag", "9.2.3", kLag, "Lag at 4.5 Hz of the chirp to 5 Hz less that at 1.5 Hz: above 0.", "deg", Relation::kAtLeast, 1.0},
+    {"9.13.fast_chirp_lag_is_slight", "9.2.3", kLag, "Lag at 4.5 Hz: 30 degrees.", "deg", Relation::kAtMost, 30.0,
+     Refutation{kFullOpen, 30.0, 40.0}},
+    {"9.13.fast_data_sheet", "9.2.3", kLag, "The same with four times the valve gain, as its proof asks for: 30 degrees.", "deg",
+     Relation::kAtMost, 30.0},
+    {"9.13.sticks_first", "9.2.3", kRipples,
+     "Share of the first 2.5 s of the chirp to 3 Hz in which the piston stands, over that of the last 2.5 s.", "1", Relation::kAtLeast, 2.0},
+    {"9.13.sticks_less", "9.2.3", "The experiment on the right side shows only little sign of the just described phenomena ...",
+     "Share of the chirp to 5 Hz in which the piston stands less that of the chirp to 3 Hz: below 0.", "1", Relation::kBelow, 0.0}};
+
+Result<StudyResult> run_steps(const StudyContext& context) {
+  const auto rig = load_rig(context);
+  if (!rig) {
+    return rig.error();
+  }
+  const double nominal_A = rig.value().joints[0].normalisation.current_A;
+  const Tracking runs[] = {{.reference = step(0.0, 400.0), .duration_s = kRun_s},
+                           {.reference = step(400.0, -400.0), .duration_s = kRun_s},
+                           {.reference = chirp(400.0, 3.0, kChirpRun_s), .duration_s = kChirpRun_s},
+                           {.reference = chirp(400.0, 5.0, kChirpRun_s), .duration_s = kChirpRun_s},
+                           {.reference = step(0.0, 400.0), .duration_s = kRun_s, .feed_forward_factor = 0.0}};
+  robot::Robot open = rig.value();
+  open.joints[0].actuator.valve_gain *= kDataSheetOverRig;
+  constexpr const char* kTitles[] = {"0 to 400 N", "400 to -400 N", "0 to 3 Hz", "0 to 5 Hz"};
+  std::vector<RigTrace> made;
+  for (const Tracking& one : runs) {
+    auto run = track(rig.value(), one, context.seed);
+    if (!run) {
+      return run.error();
+    }
+    made.push_back(std::move(run).value());
+    if (!keep_going(context, static_cast<double>(made.size()) / std::size(runs))) {
+      return stopped();
+    }
+  }
+  const RigTrace &up = made[0], &down = made[1], &slow = made[2], &fast = made[3];
+  const auto slow_open = track(open, runs[2], context.seed);
+  const auto fast_open = slow_open ? track(open, runs[3], context.seed) : slow_open;
+  if (!fast_open) {
+    return fast_open.error();
+  }
+  const RigTrace without = std::move(made[4]);
+  made.pop_back();  // not drawn
+  const double velocity = largest(up, up.velocity_part_A);
+  const double feed_forward = largest(up, up.feed_forward_part_A);
+  const double others = std::max(largest(up, up.force_part_A), feed_forward);
+  const double rise_up = overshoot(up, 0.0, 400.0);
+  const double last = chirp_lag_deg(fast, 5.0, 4.5);
+  StudyResult result;
+  result.measured = {
+      {"9.13.rise", rise_s(up, 0.0, 400.0), ""},
+      {"9.13.overshoot", rise_up, ""},
+      {"9.13.overshoot_is_some", rise_up, ""},
+      {"9.13.steady_error", steady_error(up, 0.0, 400.0), ""},
+      {"9.13.velocity_most", velocity / others, ""},
+      {"9.13.feed_forward_small", feed_forward / velocity, ""},
+      {"9.13.feed_forward_omitted", rise_s(without, 0.0, 400.0), ""},
+      {"9.13.full_open", share_full_open(slow, nominal_A, 2.5 / 3.0 * kChirpRun_s - 0.4, 2.5 / 3.0 * kChirpRun_s + 0.4), ""},
+      {"9.13.slow_data_sheet", chirp_lag_deg(slow_open.value(), 3.0, 2.5), ""},
+      {"9.13.fast_data_sheet", chirp_lag_deg(fast_open.value(), 5.0, 4.5), ""},
+      {"9.13.negative_overshoot", overshoot(down, 400.0, -400.0) - rise_up, ""},
+      {"9.13.slow_chirp_lag", chirp_lag_deg(slow, 3.0, 2.5), ""},
+      {"9.13.fast_chirp_lag", last - chirp_lag_deg(fast, 5.0, 1.5), ""},
+      {"9.13.fast_chirp_lag_is_slight", last, ""},
+      {"9.13.sticks_first", standing(slow, 0.5, 3.0) / standing(slow, 5.5, 8.0), ""},
+      {"9.13.sticks_less", standing(fast, 0.5, 8.0) - standing(slow, 0.5, 8.0), ""}};
+  Picture steps{"Compliant LQR: steps", 2, {}};
+  Picture chirps{"Compliant LQR: chirps of 400 N", 2, {}};
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    Picture& picture = i < 2 ? steps : chirps;
+    picture.panels.push_back(force_panel(kTitles[i], made[i]));
+  }
+  for (std::size_t i = 0; i < made.size(); ++i) {
+    Picture& picture = i < 2 ? steps : chirps;
+    picture.panels.push_back(parts_panel(made[i], nominal_A));
+  }
+  result.pictures = {std::move(steps), std::move(chirps)};
+  return result;
+}
+
+constexpr const char* kPrevents =
+    "Note again how the position channel of the full LQR controller prevents the force from reaching the commanded steady-state force value.";
+
+constexpr ClaimSpec kFormClaims[] = {
+    {"9.15.against", "9.2.4", "The position channel of the \"non-compliant\" LQR controller is again acting against the velocity and force channel.",
+     "Position part at the full-state form's end, over the nominal current: below 0, against a positive step.", "1", Relation::kBelow, 0.0},
+    {"9.15.prevents", "Fig. 9.15", kPrevents,
+     "Mean error at the end over the step, full-state form without feed-forward and with a thousandth of the integrator's gain, less the "
+     "compliant form's: a fifth or more.", "1", Relation::kAtLeast, 0.2},
+    {"9.15.late", "Fig. 9.15", "The added integrator term eventually drives the system to zero force tracking error.",
+     "Time until the full-state form, without feed-forward, stays within a tenth of the step, over the compliant form's.", "1",
+     Relation::kAtLeast, 2.0,
+     Refutation{"with xi = 6 the integrator makes up for the position part while the compliant form still overshoots; with a sixtieth of "
+                "that (9.15.late_slow_integrator) the claim holds", 0.3, 1.0}},
+    {"9.15.late_slow_integrator", "Fig. 9.15", "The added integrator term eventually drives the system to zero force tracking error.",
+     "9.15.late with xi = 0.1, as its proof asks for: 2.", "1", Relation::kAtLeast, 2.0},
+    {"9.15.integrator", "Fig. 9.15", "The added integrator term eventually drives the system to zero force tracking error.",
+     "Mean error of the full-state form at its end, over the step.", "1", Relation::kAtMost, 0.02},
+    {"9.15.compliant_settles", "9.2.4", "... the \"compliant\" LQR controller has a fast rise time and reaches steady-state behavior quickly.",
+     "Time until the compliant form stays within a tenth of the step: 0.2 s.", "s", Relation::kAtMost, 0.2},
+    {"9.15.compliant_error", "Fig. 9.15", "The rise time is very fast without relevant steady-state error.",
+     "Mean error of the compliant form at its end, over the step.", "1", Relation::kAtMost, 0.02}};
+
+Result<StudyResult> run_forms(const StudyContext& context) {
+  const auto rig = load_rig(context);
+  if (!rig) {
+    return rig.error();
+  }
+  const double nominal_A = rig.value().joints[0].normalisation.current_A;
+  std::vector<RigTrace> runs;  // full state, compliant; for each xi
+  for (const double xi : {6.0, 0.1, 0.006}) {
+    for (const Form form : {Form::kFullState, Form::kCompliant}) {
+      auto run = track(rig.value(), {.reference = step(0.0, 400.0), .duration_s = kRun_s, .form = form, .feed_forward_factor = 0.0,
+                                     .integral_factor = xi}, context.seed);
+      if (!run) {
+        return run.error();
+      }
+      runs.push_back(std::move(run).value());
+    }
+  }
+  const RigTrace &f = runs[0], &c = runs[1];
+  const double quick = settled_s(c, 0.0, 400.0);
+  StudyResult result;
+  result.measured = {{"9.15.against", f.position_part_A.back() / nominal_A, ""},
+                     {"9.15.prevents", steady_error(runs[4], 0.0, 400.0) - steady_error(runs[5], 0.0, 400.0), ""},
+                     {"9.15.late", settled_s(f, 0.0, 400.0) / quick, ""},
+                     {"9.15.late_slow_integrator", settled_s(runs[2], 0.0, 400.0) / settled_s(runs[3], 0.0, 400.0), ""},
+                     {"9.15.integrator", steady_error(f, 0.0, 400.0), ""},
+                     {"9.15.compliant_settles", quick, ""},
+                     {"9.15.compliant_error", steady_error(c, 0.0, 400.0), ""}};
+  result.pictures = {{"Step of 400 N without feed-forward", 2,
+                      {force_panel("full state", f), force_panel("compliant", c), parts_panel(f, nominal_A),
+                       parts_panel(c, nominal_A)}}};
+  return result;
+}
+
+constexpr Study kStudies[] = {{"9.13", "Compliant LQR: steps and chirps", kStepClaims, run_steps},
+                              {"9.15", "Compliant against full-state LQR: step", kFormClaims, run_forms}};
+
+}  // namespace
+
+std::span<const Study> chapter9_steps() { return kStudies; }
+
+}  // namespace farrier::thesis

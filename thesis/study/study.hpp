@@ -1,0 +1,131 @@
+#pragma once
+
+// A study: a figure or table of Hubacher (2014), run anew, with the claims its text makes about it. README.md says how
+// to add one.
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::thesis {
+
+/// How a measured value must relate to a claim's bound.
+enum class Relation { kAtMost, kBelow, kAtLeast };
+
+enum class Verdict {
+  kHolds,
+  kRefuted,  ///< not as the text says, for a reason we know and whose own prediction the value meets
+  kFails,
+};
+
+/// "holds", "refuted", "fails".
+const char* to_string(Verdict verdict) noexcept;
+
+/// Why a claim does not hold as printed, and where the value must lie if that reason is right.
+struct Refutation {
+  const char* reason;  ///< the proof or counter-example, as a sentence
+  double at_least;
+  double at_most;
+};
+
+/// A number or relation from the text.
+struct ClaimSpec {
+  const char* id;        ///< the figure's number and a name: "7.8.quarter_2"; "reproduce." before it names the figure
+  const char* section;   ///< where it is said: "7.5", "Fig. 7.8"
+  const char* sentence;  ///< the text's own words, shortened with "..."
+  const char* claim;     ///< what is measured, and how it must relate to the bound, as a sentence
+  const char* unit;      ///< of value and bound; "1" for ratios, counts and decisions (1 yes, 0 no)
+  Relation relation;
+  double bound;
+  std::optional<Refutation> refutation = std::nullopt;
+};
+
+/// `value` against the claim: holds when its relation does; refuted when not and the value is what the refutation
+/// predicts; fails otherwise, and always when not finite.
+Verdict judge(const ClaimSpec& claim, double value) noexcept;
+
+struct Measured {
+  std::string id;    ///< of a claim of the study
+  double value;      ///< not finite: could not be measured
+  std::string note;  ///< what it was made of, for people; may be empty
+};
+
+/// What a study measures and no claim judges.
+struct StudyFigure {
+  std::string id;      ///< as a claim's; "reproduce." before it names the figure
+  double value;        ///< not finite: there is none
+  const char* unit;
+  const char* meaning; ///< what was measured, as a sentence
+};
+
+// Pictures as data; tools/reproduce draws them.
+
+enum class Style { kLine, kDashed, kPoints, kCrosses };
+
+struct Series {
+  std::string label;                ///< for the key; empty: not in it
+  std::vector<double> x, y;         ///< of one size; points that are not finite part a line
+  Style style = Style::kLine;
+  int colour = 0;                   ///< 0 black, 1 blue, 2 orange, 3 green, 4 purple, 5 grey; next ones begin anew
+  std::vector<double> shade = {};   ///< by point, [0, 1], black to yellow; empty: `colour`
+};
+
+struct Panel {
+  std::string title;
+  std::string x_label, y_label;
+  bool log_x = false, log_y = false;
+  bool unit_circle = false;         ///< draws it, with equal axes
+  std::vector<Series> series = {};
+};
+
+struct Picture {
+  std::string caption;
+  std::size_t columns = 1;          ///< panels side by side, filled row by row
+  std::vector<Panel> panels;
+};
+
+struct StudyResult {
+  std::vector<Measured> measured;
+  std::vector<Picture> pictures;
+  std::vector<StudyFigure> figures = {};
+};
+
+struct StudyContext {
+  std::string robots;                     ///< folder of the shipped robot files
+  std::uint64_t seed = 1;
+  std::function<bool(double)> progress;   ///< told the share done, [0, 1], now and then; false: stop
+};
+
+struct Study {
+  const char* number;  ///< as the text counts: "7.8", "A.2"; a table's begins with T: "T6.1"
+  const char* title;   ///< one line
+  std::span<const ClaimSpec> claims;  ///< not empty
+  /// Refuses when it cannot be run, and with stopped() when progress says stop. May run in any thread.
+  Result<StudyResult> (*run)(const StudyContext& context);
+};
+
+/// The error of a study that was told to stop.
+Error stopped();
+
+/// Reports `share`; false when the study must stop.
+bool keep_going(const StudyContext& context, double share);
+
+/// The robot of a shipped file, such as "fc1d.yaml".
+Result<robot::Robot> load(const StudyContext& context, const std::string& file);
+
+/// One number as a note says it, at most 95 characters; `format` takes a double.
+std::string text_of(const char* format, double value);
+
+/// `count` >= 2 values from low to high; both > 0 for the logarithmic one.
+std::vector<double> linear_space(double low, double high, std::size_t count);
+std::vector<double> log_space(double low, double high, std::size_t count);
+
+}  // namespace farrier::thesis

@@ -1,0 +1,164 @@
+#include "trials/blind/blind_trials.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+#include "control/law/effect_compensation.hpp"
+#include "diagnosis/judge/parallel.hpp"
+#include "trials/blind/score.hpp"
+#include "robot/joint_effects.hpp"
+
+namespace farrier::blind {
+namespace {
+
+constexpr double kPeriod_s = 0.001;
+constexpr int kNone = 60;
+constexpr int kPairs = 30;
+constexpr int kOutside = 36;
+
+diagnosis::Recording recording_of(const truth::Samples& samples) {
+  diagnosis::Recording recording;
+  recording.period_s = samples.period_s;
+  recording.valve_current_A = samples.valve_current_A;
+  recording.position = samples.position;
+  recording.velocity = samples.velocity;
+  recording.force = samples.force;
+  return recording;
+}
+
+/// Held-out rms by channel of the nominal model with its constants fitted.
+std::array<double, diagnosis::kChannels> base_error(const truth::Samples& samples, const robot::Joint& joint) {
+  const diagnosis::JointModel model(joint.actuator, joint.swing_load);
+  const auto data = diagnosis::prepare(recording_of(samples), joint.actuator, joint.noise.position);
+  const diagnosis::JointSimulator simulator(model, data);
+  const diagnosis::Bench bench(simulator, {true, true, true}, {});
+  const diagnosis::Hypothesis base = bench.base();
+  return {std::sqrt(base.total(0)), std::sqrt(base.total(1)), std::sqrt(base.total(2))};
+}
+
+/// What is hidden, as a joint's effects; none where some of it is outside the library.
+std::vector<plant::ActiveEffect> hidden_effects(const std::vector<truth::Answer>& answers, const robot::Joint& joint,
+                                                const std::vector<plant::ActiveEffect>& found) {
+  const plant::Scales scales(joint.actuator, joint.swing_load);
+  std::vector<plant::ActiveEffect> hidden;
+  for (const truth::Answer& answer : answers) {
+    plant::ActiveEffect effect{plant::find_effect(answer.name), {}};
+    if (effect.id == plant::kEffectCount) {
+      return {};
+    }
+    const plant::ActiveEffect* const like = plant::find(found, effect.id);
+    for (std::size_t i = 0; i < effect.info().parameters.size(); ++i) {
+      effect.values[i] = like != nullptr ? like->values[i]
+                                         : plant::default_value(effect.info().parameters[i], scales, joint.actuator,
+                                                                joint.swing_load);
+    }
+    effect.values[0] = answer.value;
+    hidden.push_back(effect);
+  }
+  return hidden;
+}
+
+std::optional<trials::TrackingGain> control_gain(const std::vector<truth::Answer>& answers, const robot::Joint& joint,
+                                              const std::vector<plant::ActiveEffect>& found) {
+  const std::vector<plant::ActiveEffect> hidden = hidden_effects(answers, joint, found);
+  if (hidden.empty() || std::ranges::none_of(found, control::is_compensated, &plant::ActiveEffect::id)) {
+    return std::nullopt;
+  }
+  const auto world = robot::with_effects(joint, hidden);
+  const auto known = robot::with_effects(joint, found);
+  if (!world || !known) {
+    return std::nullopt;
+  }
+  const auto gain = trials::tracking_gain(world.value(), joint, known.value(), {.period_s = kPeriod_s});
+  return gain ? std::optional(gain.value()) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed) {
+  std::vector<TrialPlan> plans;
+  const auto add = [&](Kind kind, std::vector<truth::Hidden> hidden, int excitation) {
+    plans.push_back({kind, plans.size() % joints,
+                     {seed + plans.size(), static_cast<truth::Excitation>(excitation), std::move(hidden)}});
+  };
+  const std::vector<std::string> known = truth::known_effects();
+  const std::vector<std::string> outside = truth::outside_effects();
+  for (const std::string& name : known) {
+    for (int magnitude = 0; magnitude < 3; ++magnitude) {
+      for (int excitation = 0; excitation < 3; ++excitation) {
+        add(Kind::kEffect, {{name, magnitude}}, excitation);
+      }
+    }
+  }
+  for (int i = 0; i < kNone; ++i) {
+    add(Kind::kNone, {}, i % 3);
+  }
+  for (int i = 0; i < kPairs; ++i) {
+    const auto first = static_cast<std::size_t>(i * 7) % known.size();
+    const std::size_t second = (first + 5 + static_cast<std::size_t>(i) % 9) % known.size();
+    add(Kind::kPair, {{known[first], 1 + i % 2}, {known[second], 1 + (i / 2) % 2}}, i % 3);
+  }
+  for (int i = 0; i < kOutside; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    add(Kind::kOutside, {{outside[n % outside.size()], 1 + (i / static_cast<int>(outside.size())) % 2}}, i % 3);
+  }
+  return plans;
+}
+
+Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints) {
+  Outcome outcome;
+  outcome.plan = plan;
+  const robot::Joint& joint = *joints[plan.joint];
+  const auto trial = truth::generate(joint, kPeriod_s, plan.plan);
+  truth::Plan without = plan.plan;
+  without.hidden.clear();
+  const auto twin = truth::generate(joint, kPeriod_s, without);
+  if (!trial || !twin) {
+    outcome.refused = trial ? twin.error().message : trial.error().message;
+    return outcome;
+  }
+  outcome.answers = trial.value().answers;
+  diagnosis::DiagnosisOptions options;
+  options.threads = 1;
+  const diagnosis::Recording recording = recording_of(trial.value().samples);
+  const diagnosis::Diagnosis found = diagnosis::diagnose(recording, joint, options);
+  const auto with_none = base_error(twin.value().samples, joint);
+  for (std::size_t c = 0; c < with_none.size(); ++c) {
+    outcome.detectable =
+        std::max(outcome.detectable, std::sqrt(found.judgement.base.total(c)) / with_none[c] - 1.0);
+  }
+  outcome.verdict = found.judgement.verdict;
+  outcome.error_before = found.nrmse_before;
+  outcome.error_after = found.nrmse_after;
+  const plant::Scales scales(joint.actuator, joint.swing_load);
+  for (const diagnosis::NamedEffect& effect : found.judgement.effects) {
+    const plant::EffectInfo& info = plant::effect_info(effect.id);
+    outcome.named.push_back({info.name, scales.value(info.parameters[0], effect.fitted[0]), effect.confidence});
+  }
+  for (const auto& [one, other] : found.judgement.alternatives) {
+    outcome.alternatives.emplace_back(plant::effect_info(one).name, plant::effect_info(other).name);
+  }
+  outcome.parameter_error = parameter_error(outcome, scales);
+  outcome.control = control_gain(outcome.answers, joint, diagnosis::found_effects(found, joint));
+  return outcome;
+}
+
+std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
+                                int threads, const std::function<bool(std::size_t)>& progress) {
+  std::vector<Outcome> outcomes(plans.size());
+  std::atomic<bool> goes_on{true};
+  std::mutex telling;
+  std::size_t done = 0;
+  diagnosis::by_threads(threads, [](double) {}, 1)(plans.size(), [&](std::size_t i) {
+    if (goes_on) {
+      outcomes[i] = run_trial(plans[i], joints);
+      const std::lock_guard lock(telling);
+      goes_on = progress(++done) && goes_on;
+    }
+  });
+  return outcomes;
+}
+
+}  // namespace farrier::blind

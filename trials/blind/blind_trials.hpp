@@ -1,0 +1,60 @@
+#pragma once
+
+// Trials of the diagnosis against recordings in which an effect is hidden. The recordings come from lab/truth, which
+// shares no equation with what is judged; the diagnosis gets the recording and the nominal joint and nothing else.
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "diagnosis/judge/diagnosis.hpp"
+#include "trials/tracking_gain.hpp"
+#include "trials/truth/truth.hpp"
+
+namespace farrier::blind {
+
+/// What a trial hides.
+enum class Kind { kNone, kEffect, kPair, kOutside };
+
+struct TrialPlan {
+  Kind kind;
+  std::size_t joint;  ///< which of those that trials are made of
+  truth::Plan plan;
+};
+
+struct Named {
+  std::string name;
+  double value, confidence;
+};
+
+struct Outcome {
+  TrialPlan plan;
+  std::vector<truth::Answer> answers;
+  /// By how much the hidden effects change the held-out error of the nominal model, its constants fitted: error with
+  /// them over that without, less one; the largest over channels.
+  double detectable = 0.0;
+  diagnosis::Verdict verdict = diagnosis::Verdict::kNone;
+  std::vector<Named> named;
+  std::vector<std::pair<std::string, std::string>> alternatives;
+  double parameter_error = 0.0;  ///< of the first named, when it is the hidden one: of its distance from neutral
+  double error_before = 0.0, error_after = 0.0;
+  /// What a controller gains that knows what was named, where it can use any of that (control::is_compensated) and what
+  /// is hidden is of the library. The joint that both control is the nominal one with what is hidden: its headline
+  /// parameter as the answer has it, others as they were found, or else as plant::default_value has them.
+  std::optional<trials::TrackingGain> control;
+  std::string refused;           ///< why the trial could not be made; empty: it was
+};
+
+/// Every effect of the library at three magnitudes under three excitations, 60 trials with none, 30 pairs, 36 with an
+/// effect outside the library; of `joints` joints in turn.
+std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
+
+/// `joints` outlive the call; nominal ones.
+Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints);
+
+/// Runs trials on `threads` threads; `progress` gets how many are done, false ends early.
+std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
+                                int threads, const std::function<bool(std::size_t)>& progress);
+
+}  // namespace farrier::blind

@@ -1,0 +1,146 @@
+#include "trials/blind/score.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace farrier::blind {
+namespace {
+
+bool hides(const Outcome& outcome, const std::string& name) {
+  return std::ranges::any_of(outcome.plan.plan.hidden, [&](const truth::Hidden& h) { return h.name == name; });
+}
+
+template <class Of, class If>
+double share(const std::vector<Outcome>& outcomes, Of of, If holds) {
+  std::size_t all = 0;
+  std::size_t good = 0;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.refused.empty() && of(outcome)) {
+      ++all;
+      good += holds(outcome) ? 1 : 0;
+    }
+  }
+  return all > 0 ? static_cast<double>(good) / static_cast<double>(all) : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool counts(const Outcome& outcome) {
+  return outcome.plan.kind == Kind::kEffect && outcome.detectable > kDetectable;
+}
+
+/// Not a number of none.
+double median(std::vector<double> values) {
+  if (values.empty()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const auto middle = values.begin() + std::ssize(values) / 2;
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
+
+}  // namespace
+
+double parameter_error(const Outcome& outcome, const plant::Scales& scales) {
+  if (outcome.named.empty()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const Named& first = outcome.named.front();
+  const auto answer = std::ranges::find(outcome.answers, first.name, &truth::Answer::name);
+  if (answer == outcome.answers.end()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const plant::Parameter& parameter = plant::effect_info(plant::find_effect(first.name)).parameters[0];
+  // A frequency's or a saturation's neutral value is infinite: there the distance is that of the inverses.
+  if (parameter.reciprocal) {
+    return std::abs(answer->value / first.value - 1.0);
+  }
+  const double neutral = scales.value(parameter, scales.neutral(parameter));
+  return std::abs(first.value - answer->value) / std::abs(answer->value - neutral);
+}
+
+bool first_alone(const Outcome& outcome) {
+  if (outcome.named.empty() || !hides(outcome, outcome.named.front().name)) {
+    return false;
+  }
+  return std::ranges::none_of(outcome.alternatives,
+                              [&](const auto& pair) { return pair.first == outcome.named.front().name; });
+}
+
+bool named_or_in_pair(const Outcome& outcome) {
+  if (outcome.named.empty()) {
+    return false;
+  }
+  const std::string& first = outcome.named.front().name;
+  const auto rivals =
+      std::ranges::count_if(outcome.alternatives, [&](const auto& pair) { return pair.first == first; });
+  return hides(outcome, first) || (rivals == 1 && std::ranges::any_of(outcome.alternatives, [&](const auto& pair) {
+                                     return pair.first == first && hides(outcome, pair.second);
+                                   }));
+}
+
+bool all_named(const Outcome& outcome) {
+  return std::ranges::all_of(outcome.plan.plan.hidden, [&](const truth::Hidden& hidden) {
+    return std::ranges::any_of(outcome.named, [&](const Named& named) { return named.name == hidden.name; });
+  });
+}
+
+bool confidently_wrong(const Outcome& outcome) {
+  return std::ranges::any_of(outcome.named, [&](const Named& named) {
+    return named.confidence > kConfident && !hides(outcome, named.name);
+  });
+}
+
+Score score(const std::vector<Outcome>& outcomes) {
+  Score s;
+  s.trials = outcomes.size();
+  s.counted = static_cast<std::size_t>(std::ranges::count_if(outcomes, counts));
+  const auto of_kind = [](Kind kind) { return [kind](const Outcome& o) { return o.plan.kind == kind; }; };
+  const auto detectable = [](Kind kind) {
+    return [kind](const Outcome& o) { return o.plan.kind == kind && o.detectable > kDetectable; };
+  };
+  s.named = share(outcomes, counts, named_or_in_pair);
+  s.first_alone = share(outcomes, counts, first_alone);
+  s.within_tolerance =
+      share(outcomes, [](const Outcome& o) { return counts(o) && first_alone(o); },
+            [](const Outcome& o) { return o.parameter_error <= kParameterTolerance; });
+  s.false_alarms = share(outcomes, of_kind(Kind::kNone), [](const Outcome& o) {
+    return o.verdict != diagnosis::Verdict::kNone;
+  });
+  s.outside_admitted = share(outcomes, detectable(Kind::kOutside), [](const Outcome& o) {
+    return o.verdict == diagnosis::Verdict::kUnknown || o.verdict == diagnosis::Verdict::kCannotSeparate;
+  });
+  s.pairs_named = share(outcomes, detectable(Kind::kPair), all_named);
+  s.confidently_wrong = share(outcomes, [](const Outcome&) { return true; }, confidently_wrong);
+  std::vector<double> gains;
+  for (const Outcome& outcome : outcomes) {
+    if ((counts(outcome) || detectable(Kind::kPair)(outcome)) && outcome.error_after > 0.0) {
+      gains.push_back(outcome.error_before / outcome.error_after);
+    }
+  }
+  s.median_gain = gains.empty() ? 0.0 : median(std::move(gains));
+  std::vector<double> control;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.control) {
+      control.push_back(outcome.control->old_nrmse / outcome.control->new_nrmse);
+    }
+  }
+  s.controlled = control.size();
+  s.control_gain = median(std::move(control));
+  return s;
+}
+
+std::map<std::string, Score> score_by_effect(const std::vector<Outcome>& outcomes) {
+  std::map<std::string, std::vector<Outcome>> by_name;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.plan.kind == Kind::kEffect) {
+      by_name[outcome.plan.plan.hidden.front().name].push_back(outcome);
+    }
+  }
+  std::map<std::string, Score> scores;
+  for (const auto& [name, mine] : by_name) {
+    scores[name] = score(mine);
+  }
+  return scores;
+}
+
+}  // namespace farrier::blind

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "trials/blind/blind_trials.hpp"
+
+namespace farrier::blind {
+
+/// A trial counts when its hidden effects change the held-out error by more than this.
+inline constexpr double kDetectable = 0.10;
+inline constexpr double kParameterTolerance = 0.15;
+inline constexpr double kConfident = 0.9;
+
+/// Distance of the first named value from the hidden one, over the hidden one's distance from neutral; infinite where
+/// the first named effect is not hidden.
+double parameter_error(const Outcome& outcome, const plant::Scales& scales);
+
+/// The hidden effect is named first and no other stands beside it as an alternative.
+bool first_alone(const Outcome& outcome);
+/// It is named first, or in a set of two that the recording does not tell apart.
+bool named_or_in_pair(const Outcome& outcome);
+/// Every hidden effect is among the named.
+bool all_named(const Outcome& outcome);
+/// An effect that is not hidden is named with more than kConfident.
+bool confidently_wrong(const Outcome& outcome);
+
+/// Shares over trials; a share of no trial is not a number.
+struct Score {
+  std::size_t trials = 0, counted = 0;   ///< counted: single effects that change the held-out error enough
+  double named = 0.0, first_alone = 0.0, within_tolerance = 0.0;
+  double false_alarms = 0.0;             ///< of trials with none
+  double outside_admitted = 0.0;         ///< unknown or cannot_separate, of detectable trials with an outside effect
+  double pairs_named = 0.0;              ///< both names, of pairs of which each changes the error
+  double confidently_wrong = 0.0;        ///< of all trials
+  std::size_t controlled = 0;            ///< trials in which something was named that a controller can use
+  double control_gain = 0.0;             ///< of those: tracking error without that knowledge over that with it, median
+  double median_gain = 0.0;              ///< held-out error before over after, of detectable trials with an effect
+};
+
+Score score(const std::vector<Outcome>& outcomes);
+
+/// Score of the single-effect trials of each effect.
+std::map<std::string, Score> score_by_effect(const std::vector<Outcome>& outcomes);
+
+/// What was hidden against what was named first, as Markdown, and every trial that went wrong.
+std::string confusion_page(const std::vector<Outcome>& outcomes);
+
+}  // namespace farrier::blind
