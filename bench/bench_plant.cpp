@@ -47,7 +47,7 @@ Outcome judge(const std::vector<BenchJoint>& joints, const States& states, doubl
   return {elapsed_s / static_cast<double>(states.size()), meter.rms()};
 }
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
+double elapsed_s(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -67,7 +67,7 @@ Outcome run_ours(const std::vector<BenchJoint>& cases, int ticks) {
       states[static_cast<std::size_t>(tick)][j] = joints[j].state();
     }
   }
-  return judge(cases, states, seconds_since(start));
+  return judge(cases, states, elapsed_s(start));
 }
 
 struct Configuration {
@@ -196,7 +196,7 @@ Outcome run_cvode(const std::vector<BenchJoint>& cases, int ticks, const Configu
         states[static_cast<std::size_t>(tick)][j] = joints[j]->step(cases[j].current_A[static_cast<std::size_t>(tick)]);
       }
     }
-    outcome = judge(cases, states, seconds_since(start));
+    outcome = judge(cases, states, elapsed_s(start));
     if (std::any_of(joints.begin(), joints.end(), [](const auto& joint) { return joint->failed(); })) {
       outcome.error = std::numeric_limits<double>::infinity();  // too loose a tolerance to get through
     }

@@ -21,7 +21,7 @@ constexpr double kTolerance = 1e-12;
 constexpr int kMaxIterations = 1000000;
 constexpr int kRiccatiRounds = 20;
 constexpr std::array<double, 5> kMassesKg{0.5, 2.5, 10.0, 25.0, 50.0};
-constexpr control::Normalisation kNormalisation{0.04, 1.2, 5000.0, 0.01};
+constexpr control::Normalisation kRiccatiNormalisation{0.04, 1.2, 5000.0, 0.01};
 
 template <int N>
 struct Equation {
@@ -91,7 +91,7 @@ Set make_set() {
       const plant::LinearModel model =
           plant::linearise_load_cell_force(on_rig ? fc1d() : hyq(), load, {0.04, 0.0, 0.0, 0.0, 1.0});
       const control::DiscreteModel sampled =
-          control::normalise(control::discretise(model.a, model.b, kRiccatiPeriod_s), kNormalisation);
+          control::normalise(control::discretise(model.a, model.b, kRiccatiPeriod_s), kRiccatiNormalisation);
       if (on_rig) {
         set.full_state.push_back(augment<3>(sampled, {}));
       }

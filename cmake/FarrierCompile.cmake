@@ -25,25 +25,8 @@ target_link_libraries(farrier_flags INTERFACE $<BUILD_INTERFACE:farrier_sanitize
 
 find_program(FARRIER_CCACHE ccache)
 if(FARRIER_CCACHE)
-  # What it asks for to keep what was compiled with precompiled headers.
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${FARRIER_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${FARRIER_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${FARRIER_CCACHE})
-endif()
-
-# Headers of others, parsed once for all libraries and once for all tests (position-independent executables, which the
-# compiler keeps apart): a fifth of a build. None of ours, so that a source still includes what it uses.
-set(FARRIER_HEADERS_OF_OTHERS <algorithm> <array> <chrono> <cmath> <complex> <cstdint> <filesystem> <fstream> <functional>
-  <iostream> <limits> <map> <memory> <optional> <set> <span> <sstream> <string> <string_view> <utility> <variant> <vector>
-  <Eigen/Dense>)
-set(farrier_empty ${PROJECT_BINARY_DIR}/empty.cpp)
-file(CONFIGURE OUTPUT ${farrier_empty} CONTENT "// Of targets that only parse headers for others.\n")
-add_library(farrier_library_headers OBJECT ${farrier_empty})
-target_link_libraries(farrier_library_headers PRIVATE farrier_flags Eigen3::Eigen)
-target_precompile_headers(farrier_library_headers PRIVATE ${FARRIER_HEADERS_OF_OTHERS})
-if(BUILD_TESTING)
-  add_executable(farrier_test_headers EXCLUDE_FROM_ALL ${farrier_empty})
-  target_link_libraries(farrier_test_headers PRIVATE farrier_flags Eigen3::Eigen GTest::gtest GTest::gtest_main)
-  target_precompile_headers(farrier_test_headers PRIVATE ${FARRIER_HEADERS_OF_OTHERS} <gtest/gtest.h>)
 endif()
 
 # farrier_library(NAME SOURCES... ) declares lib target `farrier_<NAME>`; its edges stay in
@@ -51,7 +34,6 @@ endif()
 function(farrier_library name)
   add_library(farrier_${name} STATIC ${ARGN})
   target_link_libraries(farrier_${name} PUBLIC farrier_flags)
-  target_precompile_headers(farrier_${name} REUSE_FROM farrier_library_headers)
 endfunction()
 
 # farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary as one CTest entry, which the target tier_<LABEL>
@@ -63,7 +45,6 @@ function(farrier_test name label)
   endif()
   add_dependencies(tier_${label} ${name})
   target_link_libraries(${name} PRIVATE farrier_flags GTest::gtest GTest::gtest_main)
-  target_precompile_headers(${name} REUSE_FROM farrier_test_headers)
   add_test(NAME ${label}/${name} COMMAND ${name})
   set_tests_properties(${label}/${name} PROPERTIES LABELS ${label})
   if(FARRIER_SANITIZE)

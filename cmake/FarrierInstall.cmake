@@ -2,7 +2,7 @@
 # robot files by one rule (cli/base/installation.hpp):
 #
 #   bin/farrier               the command
-#   libexec/farrier/          the processes, whose names are too common for bin
+#   libexec/farrier/          its other programs (farrier-<program>) and the processes
 #   share/farrier/robots/     robot files
 #   share/farrier/monitoring/ configuration and alert rules for Prometheus
 #   share/farrier/page/       the page of farrier monitor --web (tools/web/page)
@@ -10,8 +10,6 @@
 #   include/farrier/, lib/    for programs of the user's
 #
 # Three components, three packages: `cpack` in the build directory makes them.
-set(FARRIER_PROCESSES sim_bridge joint_node estimator_service supervisor gait_source)
-set_target_properties(farrier PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 set_target_properties(${FARRIER_PROCESSES} bare_exchange PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/libexec/farrier)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/farrier)
@@ -19,34 +17,25 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/deploy/robots ${PROJECT_BINARY_DIR}/share
 
 install(TARGETS ${FARRIER_PROCESSES} DESTINATION libexec/farrier COMPONENT runtime)
 install(DIRECTORY deploy/robots DESTINATION share/farrier COMPONENT runtime)
-install(TARGETS farrier DESTINATION bin COMPONENT tools)
 install(DIRECTORY deploy/monitoring DESTINATION share/farrier COMPONENT tools)
 install(TARGETS bare_exchange farrier_wall_clock DESTINATION libexec/farrier COMPONENT tools)
-
-# Manual pages and completions, as the command that was built writes them.
-set(farrier_written ${PROJECT_BINARY_DIR}/share/man/man1/farrier.1.gz
-  ${PROJECT_BINARY_DIR}/share/bash-completion/completions/farrier
-  ${PROJECT_BINARY_DIR}/share/zsh/vendor-completions/_farrier
-  ${PROJECT_BINARY_DIR}/share/fish/vendor_completions.d/farrier.fish)
-add_custom_command(OUTPUT ${farrier_written}
-  COMMAND ${CMAKE_COMMAND} -DCOMMAND=$<TARGET_FILE:farrier> -DSHARE=${PROJECT_BINARY_DIR}/share
-    -P ${PROJECT_SOURCE_DIR}/cmake/write_manual.cmake
-  DEPENDS farrier cmake/write_manual.cmake VERBATIM)
-add_custom_target(farrier_manual ALL DEPENDS ${farrier_written})
-install(DIRECTORY ${PROJECT_BINARY_DIR}/share/man ${PROJECT_BINARY_DIR}/share/bash-completion
-  ${PROJECT_BINARY_DIR}/share/zsh ${PROJECT_BINARY_DIR}/share/fish DESTINATION share COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.
 set(FARRIER_EXPORTED core signals config runtime plant control estimation gait robot bus bus_faults bus_cyclone
   bus_fastdds bus_factory participant process security wire_gains)
 foreach(library IN LISTS FARRIER_EXPORTED)
+  if(NOT TARGET farrier_${library})
+    continue()
+  endif()
   set_target_properties(farrier_${library} PROPERTIES EXPORT_NAME ${library})
   install(TARGETS farrier_${library} EXPORT farrier DESTINATION lib/farrier COMPONENT dev)
   install(DIRECTORY lib/${library} DESTINATION include/farrier COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 endforeach()
 install(TARGETS farrier_flags EXPORT farrier COMPONENT dev)
 set_target_properties(farrier_flags PROPERTIES EXPORT_NAME flags)
-install(TARGETS farrier_wire_fastdds EXPORT farrier DESTINATION lib/farrier COMPONENT dev)
+if(TARGET farrier_wire_fastdds)
+  install(TARGETS farrier_wire_fastdds EXPORT farrier DESTINATION lib/farrier COMPONENT dev)
+endif()
 install(EXPORT farrier NAMESPACE farrier:: DESTINATION lib/cmake/farrier FILE farrier-targets.cmake COMPONENT dev)
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/farrier-config-version.cmake COMPATIBILITY SameMinorVersion)

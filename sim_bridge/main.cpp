@@ -1,16 +1,24 @@
 // sim_bridge: valve_command ──▶ simulated hydraulic joints and bench loads ──▶ joint/sensors; drives the clock
 
-#include "trials/hide.hpp"
 #include "process/process.hpp"
 #include "sim_bridge/sim_bridge_lockstep.hpp"
 #include "sim_bridge/sim_bridge_realtime.hpp"
 
 namespace {
 
-/// What is simulated: the robot, or with --hide a secret one.
-farrier::robot::Robot world_of(const farrier::robot::Robot& robot, const farrier::participant::ProcessOptions& o) {
-  farrier::trials::HiddenEffect unsaid;
-  return o.hide ? farrier::trials::hide_effect(robot, *o.hide, unsaid) : robot;
+using farrier::Result;
+using farrier::robot::Robot;
+
+/// The robot to simulate: the one that everybody knows, or with --world another one.
+Result<Robot> world_of(const Robot& robot, const farrier::participant::ProcessOptions& options) {
+  if (options.world_path.empty()) {
+    return robot;
+  }
+  auto world = farrier::robot::load_robot(options.world_path);
+  if (!world) {
+    return farrier::Error{farrier::config::to_string(world.error())};
+  }
+  return std::move(world).value();
 }
 
 }  // namespace
@@ -20,10 +28,18 @@ int main(int argc, char** argv) {
   const auto o = participant::parse_options("sim_bridge", "Simulates the robot's hydraulic joints", argc, argv);
   return process::run(
       o,
-      [&](auto& member, const auto& robot) {
-        return sim_bridge::create_lockstep(world_of(robot, o), o.seed, o.trace_path, member, o.ticks);
+      [&](auto& member, const auto& robot) -> Result<std::unique_ptr<participant::Application>> {
+        auto world = world_of(robot, o);
+        if (!world) {
+          return world.error();
+        }
+        return sim_bridge::create_lockstep(std::move(world).value(), o.seed, o.trace_path, member, o.ticks);
       },
-      [&](auto& member, const auto& robot) {
-        return sim_bridge::create_realtime(world_of(robot, o), o.seed, o.trace_path, member, o.ticks);
+      [&](auto& member, const auto& robot) -> Result<std::unique_ptr<participant::RealtimeApplication>> {
+        auto world = world_of(robot, o);
+        if (!world) {
+          return world.error();
+        }
+        return sim_bridge::create_realtime(std::move(world).value(), o.seed, o.trace_path, member, o.ticks);
       });
 }

@@ -1,5 +1,6 @@
 #include "trials/load_cycle.hpp"
 
+#include "trace/force_error.hpp"
 #include "trials/grey_box.hpp"
 #include "run/run_plan.hpp"
 #include "robot/robot_builder.hpp"
@@ -55,6 +56,11 @@ run::InprocRun run_of(const LoadCycle& cycle, const LoadCycleCase& one, std::uin
     run.known_loads = cycle.changes;
   }
   return run;
+}
+
+double quarter_error(const LoadCycle& cycle, std::span<const trace::TraceRow> rows, std::size_t quarter) noexcept {
+  const Tick transient = run::ticks_of(trace::kJudgedAfter_s, cycle.robot);
+  return trace::relative_error(rows, cycle.begin[quarter] + transient, cycle.begin[quarter + 1]);
 }
 
 }  // namespace farrier::trials

@@ -2,12 +2,14 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/result.hpp"
 #include "run/inproc_run.hpp"
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
+#include "trace/trace.hpp"
 
 namespace farrier::trials {
 
@@ -63,6 +65,10 @@ inline constexpr LoadCycleCase kGreyBoxNoiselessCase{.name = "greybox_noiseless"
                                                      .dithers = false,
                                                      .grey_box = true,
                                                      .noiseless = true};
+
+/// RMS force error over RMS reference (trace::relative_error) in quarter 0 to 3, from trace::kJudgedAfter_s after its
+/// beginning.
+double quarter_error(const LoadCycle& cycle, std::span<const trace::TraceRow> rows, std::size_t quarter) noexcept;
 
 /// The robot of the case: with its dither, of its own or 0.1 % of the valve's nominal current, or without. The cycle's
 /// reference alone excites nothing above 10 Hz.

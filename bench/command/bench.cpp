@@ -1,5 +1,6 @@
 // farrier bench: speed as ratios in one run against what a user would pick instead.
 
+#include <CLI/CLI.hpp>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>

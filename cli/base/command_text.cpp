@@ -1,5 +1,7 @@
 #include "cli/base/command_text.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <regex>
 

@@ -1,8 +1,11 @@
 #include "cli/base/help.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <cmath>
 
 #include "cli/base/command_text.hpp"
+#include "cli/base/verbs.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -24,10 +27,10 @@ class GitLikeFormatter final : public CLI::Formatter {
   static std::string top_help(const CLI::App& app) {
     std::string text = "usage: " + full_name(app) + " <command> [<options>]\n\n" + app.get_description() +
                        ".\n\nThe commands are:\n\n";
-    for (const CLI::App* command : app.get_subcommands({})) {
-      std::string name = command->get_name();
+    for (const Verb& verb : verbs()) {
+      std::string name(verb.name);
       name.resize(12, ' ');
-      text += "   " + name + command->get_description() + "\n";
+      text += "   " + name + std::string(verb.sentence) + "\n";
     }
     return text + "   test        Run the tests (./farrier test, with --all the long ones too)\n" +
            "   docs        Make the site of the documents (./farrier docs)\n\n" +

@@ -7,11 +7,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path prefix() { return fs::path(this_command()).parent_path().parent_path(); }
+/// This program stands in <prefix>/bin or in <prefix>/libexec/farrier.
+fs::path prefix() {
+  const fs::path folder = fs::canonical("/proc/self/exe").parent_path();
+  return folder.filename() == "bin" ? folder.parent_path() : folder.parent_path().parent_path();
+}
 
 }  // namespace
 
-std::string this_command() { return fs::canonical("/proc/self/exe"); }
+std::string farrier_command() { return prefix() / "bin/farrier"; }
+
+std::string program_path(const std::string& program) {
+  return program == "farrier" ? farrier_command() : processes_directory() + "/farrier-" + program;
+}
 
 std::string processes_directory() { return prefix() / "libexec/farrier"; }
 

@@ -4,12 +4,15 @@
 
 namespace farrier::cli {
 
-// This command stands in bin/ of its installation, the processes in libexec/farrier/, the robot files in
-// share/farrier/robots/ and the monitor's page in share/farrier/page/ beside it: below /usr where the packages put them, below the build directory where they were
-// built.
+// An installation, below /usr where packages put it, below the build directory where it was built: the command in bin/,
+// its other programs and the processes in libexec/farrier/, the robot files in share/farrier/robots/, the monitor's page
+// in share/farrier/page/.
 
-/// Path of this command.
-std::string this_command();
+/// Path of the command `farrier`, whichever of its programs this is.
+std::string farrier_command();
+
+/// Path of the program that runs a verb (Verb::program).
+std::string program_path(const std::string& program);
 
 /// Folder of the processes' executables.
 std::string processes_directory();

@@ -1,5 +1,6 @@
 // farrier deploy: what each computer of a robot needs, rendered from the robot file, and whether this one has it.
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include <cstdio>
@@ -24,11 +25,6 @@ struct DeployOptions {
   std::string at;
   std::string prefix = "/usr";
 };
-
-int refuse(const Error& error) {
-  std::fprintf(stderr, "farrier deploy: %s\n", error.message.c_str());
-  return kBadInput;
-}
 
 std::string this_computer() {
   char name[256] = {};
@@ -60,11 +56,11 @@ std::string instructions(const robot::Robot& robot, const std::string& host, con
 int render(const DeployOptions& o, const robot::Robot& robot, const deploy::Places& places,
            const std::vector<deploy::RenderedFile>& files) {
   if (o.out.empty()) {
-    return refuse({"render needs --out: the folder that gets the files"});
+    return refuse("deploy", "render needs --out: the folder that gets the files");
   }
   const std::string how = instructions(robot, o.host, places);
   if (auto written = deploy::write_folder(o.out, files, how); !written) {
-    return refuse(written.error());
+    return refuse("deploy", written.error().message);
   }
   for (const deploy::RenderedFile& file : files) {
     std::printf("%s/%s\n", o.out.c_str(), file.name.c_str());
@@ -96,7 +92,7 @@ int run_deploy(DeployOptions o) {
   const deploy::Places places = places_of(o, robot.value());
   const auto files = deploy::render_host(robot.value(), deploy::text_of(o.robot_path).value_or(""), o.host, places);
   if (!files) {
-    return refuse(files.error());
+    return refuse("deploy", files.error().message);
   }
   return o.action == "render" ? render(o, robot.value(), places, files.value())
                               : check(robot.value(), o.host, places, files.value());

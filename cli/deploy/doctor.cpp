@@ -1,5 +1,6 @@
 // farrier doctor: why no data comes, or no real time is had, and what to do about it.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
@@ -7,7 +8,7 @@
 #include "runtime/realtime_thread.hpp"
 #include "cli/base/command.hpp"
 #include "cli/deploy/findings.hpp"
-#include "cli/running/guest.hpp"
+#include "cli/record/guest.hpp"
 #include "cli/base/help.hpp"
 #include "cli/base/installation.hpp"
 #include "tools/deploy/bus_findings.hpp"
@@ -26,11 +27,6 @@ struct DoctorOptions {
   std::string shared_memory = "/dev/shm";
   bus::NetworkOptions network;
 };
-
-int refuse(const std::string& message) {
-  std::fprintf(stderr, "farrier doctor: %s\n", message.c_str());
-  return kBadInput;
-}
 
 /// What this computer by itself has to do with it.
 deploy::Findings local_findings(const DoctorOptions& o, const std::string& interface) {
@@ -58,7 +54,7 @@ int run_doctor(DoctorOptions o) {
     const auto& deployment = robot.value().file.deployment;
     const robot::Host* const host = deployment ? config::find(deployment->hosts, o.host) : nullptr;
     if (host == nullptr) {
-      return refuse("--host: " + o.robot_path + " has no deployment with a host '" + o.host + "'");
+      return refuse("doctor", "--host: " + o.robot_path + " has no deployment with a host '" + o.host + "'");
     }
     interface = host->interface;
     o.realtime = o.realtime || deployment->clock == robot::DeployedClock::kRealtime;

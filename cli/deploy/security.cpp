@@ -1,5 +1,6 @@
 // farrier security: makes and checks what --security reads.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -27,11 +28,6 @@ struct SecurityOptions {
   int days = pki::Plan{}.days;
 };
 
-int fail(const Error& error) {
-  std::fprintf(stderr, "farrier security: %s\n", error.message.c_str());
-  return kBadInput;
-}
-
 /// `folder/` names the same as `folder`.
 std::string without_slash(const std::string& folder) {
   const fs::path path = fs::absolute(folder).lexically_normal();
@@ -47,7 +43,7 @@ int init(const SecurityOptions& o) {
   const std::string out = without_slash(o.folder);
   const std::string ca = o.ca.empty() ? out + "-ca" : without_slash(o.ca);
   if (auto made = pki::make({.robot = robot.value().name, .out = out, .ca = ca, .days = o.days}); !made) {
-    return fail(made.error());
+    return refuse("security", made.error().message);
   }
   std::printf("%s: for --security of every process of %s, valid for %d days; what each computer needs of it is in "
               "docs/security.md\n%s: the keys of the CAs, which may issue any right: keep them off the robot\n",
@@ -67,7 +63,7 @@ int check(const SecurityOptions& o) {
       ++found;
       const auto files = security::credentials(o.folder, role, vendor, participant::date_now());
       if (!files) {
-        static_cast<void>(fail(files.error()));
+        static_cast<void>(refuse("security", files.error().message));
         good = false;
         continue;
       }
@@ -77,7 +73,7 @@ int check(const SecurityOptions& o) {
     }
   }
   if (found == 0) {
-    return fail(Error{o.folder + " has no identity in it: give the folder that 'farrier security init' made"});
+    return refuse("security", o.folder + " has no identity in it: give the folder that 'farrier security init' made");
   }
   return good ? kPassed : kBadInput;
 }

@@ -1,5 +1,6 @@
 // farrier diagnose: what a recording says is missing in the model of a joint.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -23,6 +24,7 @@
 #include "report/diagnosis/diagnosis_json.hpp"
 #include "report/diagnosis/diagnosis_page.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
+#include "core/replace_file.hpp"
 #include "report/diagnosis/extended_model.hpp"
 
 namespace farrier::cli {
@@ -31,11 +33,6 @@ namespace {
 namespace fs = std::filesystem;
 using diagnosis::Diagnosis;
 using diagnosis::Recording;
-
-int refuse(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier diagnose: %s\n", message.c_str());
-  return participant::stop_requested() ? participant::stop_status() : status;
-}
 
 /// The joint that was asked for, or the robot's only one.
 Result<const robot::Joint*> joint_of(const robot::Robot& robot, const std::string& name) {
@@ -52,7 +49,7 @@ Result<const robot::Joint*> joint_of(const robot::Robot& robot, const std::strin
 /// A recording, or what is wrong with it.
 Result<Recording, diagnosis::RecordingProblems> read(const DiagnoseOptions& o, const robot::Robot& robot,
                                                      const robot::Joint& joint) {
-  auto recording = offline::is_recording(o.recording)
+  auto recording = playback::is_recording(o.recording)
                        ? offline::read_joint_recording(o.recording, joint.name, long_work("diagnose, reading"))
                    : diagnosis::is_trace(o.recording) ? diagnosis::recording_of_trace(o.recording, robot, joint)
                                                       : diagnosis::read_recording(o.recording);
@@ -71,10 +68,10 @@ Result<robot::Robot> model_of(const DiagnoseOptions& o) {
     auto loaded = robot::load_robot(o.model_path);
     return loaded ? Result<robot::Robot>(std::move(loaded).value()) : Error{config::to_string(loaded.error())};
   }
-  if (!offline::is_recording(o.recording)) {
+  if (!playback::is_recording(o.recording)) {
     return Error{"farrier diagnose: give --model, the robot file of the machine that was recorded\n"};
   }
-  auto run = offline::RecordedRun::open(o.recording);
+  auto run = playback::RecordedRun::open(o.recording);
   return run ? Result<robot::Robot>(run.value().robot()) : Error{"farrier diagnose: " + run.error().message + "\n"};
 }
 
@@ -117,7 +114,7 @@ Result<std::string> write_model(const std::string& path, const robot::Robot& rob
   }
   const std::string head = "# " + robot.name + " with the effects that farrier diagnose found at joint " + joint.name +
                            ".\n";
-  if (auto written = report::replace_file(path, head + model.value()); !written) {
+  if (auto written = replace_file(path, head + model.value()); !written) {
     return written.error();
   }
   if (const auto loaded = robot::load_robot(path); !loaded) {
@@ -138,7 +135,7 @@ int finish(const report::DiagnosisResult& result, const Outputs& outputs, const 
   }
   if (!outputs.json.empty()) {
     if (auto written = report::write_diagnosis_json(outputs.json, result, outcome); !written) {
-      return refuse(written.error().message, kFailed);
+      return fail("diagnose", written.error().message);
     }
   }
   if (bad) {
@@ -149,7 +146,7 @@ int finish(const report::DiagnosisResult& result, const Outputs& outputs, const 
   if (!o.out.empty()) {
     const auto page = report::write_diagnosis_page(o.out, result, outcome);
     if (!page) {
-      return refuse(page.error().message, kFailed);
+      return fail("diagnose", page.error().message);
     }
     std::printf("report: %s\n", page.value().c_str());
   }
@@ -167,10 +164,10 @@ int diagnose(const DiagnoseOptions& o) {
     return o.recording.empty() ? run_diagnose_benchmark(
                                      {o.json_path, o.confusion_path, o.seed, o.trials, o.threads},
                                      robots_directory())
-                               : refuse("--benchmark makes its recordings: name none", kBadInput);
+                               : refuse("diagnose", "--benchmark makes its recordings: name none");
   }
   if (o.recording.empty()) {
-    return refuse("name a recording; see 'farrier diagnose --help'", kBadInput);
+    return refuse("diagnose", "name a recording; see 'farrier diagnose --help'");
   }
   const auto loaded = model_of(o);
   if (!loaded) {
@@ -180,23 +177,23 @@ int diagnose(const DiagnoseOptions& o) {
   const robot::Robot& robot = loaded.value();
   const auto joint = joint_of(robot, o.joint);
   if (!joint) {
-    return refuse(joint.error().message, kBadInput);
+    return refuse("diagnose", joint.error().message);
   }
   if (joint.value()->electric) {
-    return refuse("--model: " + joint.value()->name + " of " + robot.name + " is electric, and only what hydraulic "
-                  "joints have is looked for: name a hydraulic one", kBadInput);
+    return refuse("diagnose", "--model: " + joint.value()->name + " of " + robot.name + " is electric, and only what hydraulic "
+                  "joints have is looked for: name a hydraulic one");
   }
   std::optional<OutputDirectory> directory;
   if (!o.out.empty()) {
     auto claimed = OutputDirectory::claim(o.out);
     if (!claimed) {
-      return refuse(claimed.error().message, kBadInput);
+      return refuse("diagnose", claimed.error().message);
     }
     directory.emplace(std::move(claimed).value());
   }
   const Outputs outputs = outputs_of(o, robot, *joint.value());
   if (const auto free = make_way({outputs.json, outputs.page, outputs.model}, {o.recording, o.model_path}); !free) {
-    return refuse(free.error().message, kBadInput);
+    return refuse("diagnose", free.error().message);
   }
   const auto recording = read(o, robot, *joint.value());
   if (participant::stop_requested()) {
@@ -215,7 +212,7 @@ int diagnose(const DiagnoseOptions& o) {
   const Diagnosis found = diagnose_with_bar(recording.value(), *joint.value(), o.threads);
   const auto model = write_model(outputs.model, robot, *joint.value(), found);
   if (!model) {
-    return refuse(model.error().message, kFailed);
+    return fail("diagnose", model.error().message);
   }
   return finish({.diagnosis = found,
                  .robot = robot,

@@ -12,7 +12,7 @@
 #include "cli/base/output_file.hpp"
 #include "cli/base/progress.hpp"
 #include "report/figures/console.hpp"
-#include "report/diagnosis/extended_model.hpp"
+#include "core/replace_file.hpp"
 #include "report/figures/outcome.hpp"
 
 namespace farrier::cli {
@@ -28,11 +28,6 @@ constexpr double kPairsNamed = 0.80;
 constexpr double kConfidentlyWrong = 0.01;
 constexpr double kMedianGain = 3.0;
 constexpr double kControlGain = 1.3;
-
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier diagnose --benchmark: %s\n", message.c_str());
-  return participant::stop_requested() ? participant::stop_status() : status;
-}
 
 std::vector<blind::TrialPlan> spread(const std::vector<blind::TrialPlan>& all, int count) {
   if (count <= 0 || static_cast<std::size_t>(count) >= all.size()) {
@@ -81,14 +76,14 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
   for (const std::string* path : {&o.json_path, &o.confusion_path}) {
     if (!path->empty()) {
       if (auto free = make_way(*path); !free) {
-        return fail(free.error().message, kBadInput);
+        return refuse("diagnose --benchmark", free.error().message);
       }
     }
   }
   const auto rig = robot::load_robot((std::filesystem::path(robots) / "fc1d.yaml").string());
   const auto legs = robot::load_robot((std::filesystem::path(robots) / "hyq.yaml").string());
   if (!rig || !legs) {
-    return fail(config::to_string(!rig ? rig.error() : legs.error()), kBadInput);
+    return refuse("diagnose --benchmark", config::to_string(!rig ? rig.error() : legs.error()));
   }
   const std::vector<const robot::Joint*> joints{&rig.value().joints.front(), &legs.value().joints.front()};
   const auto plans = spread(blind::all_trials(joints.size(), o.seed), o.trials);
@@ -101,7 +96,7 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
     });
   }
   if (participant::stop_requested()) {
-    return fail("stopped; nothing was written", participant::stop_status());
+    return fail("diagnose --benchmark", "stopped; nothing was written", participant::stop_status());
   }
   report::Outcome outcome;
   outcome.command = "diagnose";
@@ -114,12 +109,12 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
   add_figures(outcome.figures, outcomes);
   if (!o.json_path.empty()) {
     if (auto written = report::write_json(o.json_path, outcome); !written) {
-      return fail(written.error().message, kFailed);
+      return fail("diagnose --benchmark", written.error().message);
     }
   }
   if (!o.confusion_path.empty()) {
-    if (auto written = report::replace_file(o.confusion_path, blind::confusion_page(outcomes)); !written) {
-      return fail(written.error().message, kFailed);
+    if (auto written = replace_file(o.confusion_path, blind::confusion_page(outcomes)); !written) {
+      return fail("diagnose --benchmark", written.error().message);
     }
   }
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);

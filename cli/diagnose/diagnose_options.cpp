@@ -1,5 +1,7 @@
 #include "cli/diagnose/diagnose_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <map>
 
 #include "cli/base/help.hpp"

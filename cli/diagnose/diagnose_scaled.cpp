@@ -17,11 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int refuse(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier diagnose --units scaled: %s\n", message.c_str());
-  return status;
-}
-
 /// What the options ask for that data without units cannot have; empty for nothing.
 std::string refusal(const DiagnoseOptions& o) {
   if (o.benchmark) {
@@ -50,13 +45,13 @@ int finish(const report::ScaledResult& result, const std::string& json, const st
   }
   if (!json.empty()) {
     if (auto written = report::write_scaled_json(json, result, outcome); !written) {
-      return refuse(written.error().message, kFailed);
+      return fail("diagnose --units scaled", written.error().message);
     }
   }
   if (!out.empty()) {
     const auto page = report::write_scaled_page(out, result, outcome);
     if (!page) {
-      return refuse(page.error().message, kFailed);
+      return fail("diagnose --units scaled", page.error().message);
     }
     std::printf("report: %s\n", page.value().c_str());
   }
@@ -70,20 +65,20 @@ int finish(const report::ScaledResult& result, const std::string& json, const st
 
 int diagnose_scaled(const DiagnoseOptions& o) {
   if (const std::string why = refusal(o); !why.empty()) {
-    return refuse(why, kBadInput);
+    return refuse("diagnose --units scaled", why);
   }
   std::optional<OutputDirectory> directory;
   if (!o.out.empty()) {
     auto claimed = OutputDirectory::claim(o.out);
     if (!claimed) {
-      return refuse(claimed.error().message, kBadInput);
+      return refuse("diagnose --units scaled", claimed.error().message);
     }
     directory.emplace(std::move(claimed).value());
   }
   const auto in_out = [&](const char* name) { return o.out.empty() ? "" : (fs::path(o.out) / name).string(); };
   const std::string json = o.json_path.empty() ? in_out("figures.json") : o.json_path;
   if (const auto free = make_way({json, in_out("index.html")}, {o.recording}); !free) {
-    return refuse(free.error().message, kBadInput);
+    return refuse("diagnose --units scaled", free.error().message);
   }
   const auto recording = diagnosis::read_scaled_recording(o.recording);
   if (!recording) {

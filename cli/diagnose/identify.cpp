@@ -1,5 +1,6 @@
 // farrier identify: what the estimators make of a recording, joint by joint.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -11,9 +12,9 @@
 #include "cli/base/command.hpp"
 #include "cli/base/long_work.hpp"
 #include "cli/base/output_file.hpp"
-#include "tools/monitor/joint_row.hpp"
-#include "tools/offline/csv_row.hpp"
-#include "tools/offline/identify.hpp"
+#include "monitor/poles_text.hpp"
+#include "tools/playback/csv_row.hpp"
+#include "tools/playback/identify.hpp"
 #include "report/figures/text_format.hpp"
 
 namespace farrier::cli {
@@ -28,28 +29,23 @@ struct IdentifyOptions {
   std::string csv_path;
 };
 
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier identify: %s\n", message.c_str());
-  return status;
-}
-
 /// Every estimate as a row: its time and the fields of joint/model_estimate.
 class EstimatesFile {
  public:
   EstimatesFile(const std::string& path, double period_s) : file_(path, std::ios::binary), period_s_(period_s) {
     std::string head = "time_s,joint_name";
     JointModelEstimate any;
-    offline::visit_all_columns(any, [&](const std::string& name, const auto&) { head += ',' + name; });
+    playback::visit_all_columns(any, [&](const std::string& name, const auto&) { head += ',' + name; });
     file_ << head << '\n';
   }
 
   void write(const JointModelEstimate& estimate, const std::string& joint) {
     std::string row;
-    offline::append_cell(row, static_cast<double>(estimate.tick) * period_s_);
+    playback::append_cell(row, static_cast<double>(estimate.tick) * period_s_);
     row += ',' + joint;
-    offline::visit_all_columns(estimate, [&](const std::string&, const auto& value) {
+    playback::visit_all_columns(estimate, [&](const std::string&, const auto& value) {
       row += ',';
-      offline::append_cell(row, value);
+      playback::append_cell(row, value);
     });
     file_ << row << '\n';
   }
@@ -62,7 +58,7 @@ class EstimatesFile {
 };
 
 std::string poles_text(const JointModelEstimate& estimate) {
-  return display::poles_text(estimation::poles<3>(control::model_of_rows(estimate.a, estimate.b).a));
+  return monitor::poles_text(estimation::poles<3>(control::model_of_rows(estimate.a, estimate.b).a));
 }
 
 std::string mass_text(const JointModelEstimate& estimate, double period_s) {
@@ -94,20 +90,20 @@ int identify(const IdentifyOptions& o) {
   if (!o.estimator.empty()) {
     overrides.estimator = o.estimator;
   }
-  auto run = offline::RecordedRun::open(o.path, overrides);
+  auto run = playback::RecordedRun::open(o.path, overrides);
   if (!run) {
-    return fail(run.error().message, kBadInput);
+    return refuse("identify", run.error().message);
   }
   const robot::Robot& robot = run.value().robot();
   const robot::Joint* const only = o.joint.empty() ? nullptr : robot.find(o.joint);
   if (!o.joint.empty() && only == nullptr) {
-    return fail("--joint: " + o.path + " is of " + robot.name + ", which has no joint '" + o.joint + "'", kBadInput);
+    return refuse("identify", "--joint: " + o.path + " is of " + robot.name + ", which has no joint '" + o.joint + "'");
   }
   if (auto way = make_way({o.csv_path}, {o.path}); !way) {
-    return fail(way.error().message, kBadInput);
+    return refuse("identify", way.error().message);
   }
   run.value().ask(long_work("identify, reading"));
-  const offline::Measurements measured = offline::read_measurements(run.value());
+  const playback::Measurements measured = playback::read_measurements(run.value());
   if (participant::stop_requested()) {
     return participant::stop_status();
   }
@@ -117,7 +113,7 @@ int identify(const IdentifyOptions& o) {
   }
   Last last(robot.joints.size());
   std::uint64_t estimates = 0;
-  const auto fed = offline::identify(measured, robot, [&](const JointModelEstimate& estimate) {
+  const auto fed = playback::identify(measured, robot, [&](const JointModelEstimate& estimate) {
     if (only != nullptr && estimate.joint != only->number) {
       return;
     }
@@ -132,20 +128,20 @@ int identify(const IdentifyOptions& o) {
     return participant::stop_status();
   }
   if (!fed) {
-    return fail(fed.error().message, kBadInput);
+    return refuse("identify", fed.error().message);
   }
   if (estimates == 0) {
     const std::string whose = only == nullptr ? "" : " of " + o.joint;
-    return fail(o.path + " has no joint/measurement" + whose + ": record that topic", kBadInput);
+    return refuse("identify", o.path + " has no joint/measurement" + whose + ": record that topic");
   }
   print(robot, last);
   if (file && !file->ended_well()) {
-    return fail("cannot write " + o.csv_path + ": is the disk full?", kFailed);
+    return fail("identify", "cannot write " + o.csv_path + ": is the disk full?");
   }
   if (file) {
     std::printf("estimates: %s\n", o.csv_path.c_str());
   }
-  return measured.ending.empty() ? kPassed : fail(o.path + ": " + measured.ending, kFailed);
+  return measured.ending.empty() ? kPassed : fail("identify", o.path + ": " + measured.ending);
 }
 
 }  // namespace

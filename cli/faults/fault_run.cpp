@@ -84,7 +84,7 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
   if (row.member != nullptr) {
     run.faults[member_of(robot, members, row.member)] = faults::arrow_faults(robot, row, span);
   }
-  for (const faults::ProcessAct& act : row.acts) {
+  for (const run::ProcessAct& act : row.acts) {
     run.acts.push_back({.at = span.begin + ticks(act.at_s), .member = member_of(robot, members, act.member),
                         .signal = act.signal});
   }

@@ -1,5 +1,6 @@
 // farrier faults: every row of the table of faults made to happen to a trot of real processes, and judged.
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include <cmath>
@@ -16,7 +17,7 @@
 #include "tools/faults/cells_file.hpp"
 #include "tools/faults/fault_page.hpp"
 #include "report/figures/console.hpp"
-#include "report/diagnosis/extended_model.hpp"
+#include "core/replace_file.hpp"
 #include "report/figures/outcome.hpp"
 #include "report/figures/run_info.hpp"
 
@@ -35,11 +36,6 @@ struct FaultsOptions {
   std::string json_path, page_path;
   bool go_on = false;
 };
-
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier faults: %s\n", message.c_str());
-  return participant::stop_requested() ? participant::stop_status() : status;
-}
 
 std::string place_text(const faults::Cell& cell) {
   return cell.row + ", " + cell.phase + ", " + cell.vendor + ", seed " + std::to_string(cell.seed);
@@ -127,7 +123,7 @@ int run_faults(FaultsOptions o) {
       for (const faults::Row& known : faults::rows()) {
         names += (names.empty() ? "" : ", ") + std::string(known.name);
       }
-      return fail("--rows: no row is called '" + row + "': " + names, kBadInput);
+      return refuse("faults", "--rows: no row is called '" + row + "': " + names);
     }
   }
   participant::ProcessOptions file;
@@ -140,33 +136,33 @@ int run_faults(FaultsOptions o) {
   }
   const auto directory = OutputDirectory::claim(o.out);
   if (!directory) {
-    return fail(directory.error().message, kBadInput);
+    return refuse("faults", directory.error().message);
   }
   o.out = fs::absolute(o.out).lexically_normal().string();
   o.json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
   if (auto way = make_way({o.json_path, o.page_path}, {o.robot_path}); !way) {
-    return fail(way.error().message, kBadInput);
+    return refuse("faults", way.error().message);
   }
   const std::vector<CellPlan> plans = plan_cells(chosen_rows(o), o.vendors, o.seeds);
   const auto ran = run_all(robot.value(), o, plans);
   if (!ran) {
-    return fail(ran.error().message, kFailed);
+    return fail("faults", ran.error().message);
   }
   const std::vector<faults::Cell>& cells = ran.value();
   const report::Outcome outcome = outcome_of(robot.value(), cells, plans.size());
   if (auto written = report::write_json(o.json_path, outcome); !written) {
-    return fail(written.error().message, kFailed);
+    return fail("faults", written.error().message);
   }
   if (!o.page_path.empty()) {
     const std::string page = faults::fault_page_markdown(cells, plans.size(), o.slow);
-    if (auto written = report::replace_file(o.page_path, page); !written) {
-      return fail(written.error().message, kFailed);
+    if (auto written = replace_file(o.page_path, page); !written) {
+      return fail("faults", written.error().message);
     }
   }
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   std::printf("figures: %s\n", o.json_path.c_str());
   if (participant::stop_requested()) {
-    return fail("interrupted; what there is of the table is written; the same with --continue goes on from here", kFailed);
+    return fail("faults", "interrupted; what there is of the table is written; the same with --continue goes on from here");
   }
   return outcome.passes() ? kPassed : kFailed;
 }

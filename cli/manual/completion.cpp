@@ -2,6 +2,8 @@
 
 #include "cli/manual/completion.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 
 #include "cli/base/command.hpp"

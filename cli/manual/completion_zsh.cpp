@@ -15,7 +15,7 @@ std::string inside(const std::string& text) {
 }
 
 /// ":what:how it is completed", nothing for an option that takes no value.
-std::string action_of(const OptionText& option) {
+std::string zsh_action(const OptionText& option) {
   if (!option.takes_value) {
     return "";
   }
@@ -38,12 +38,12 @@ std::string specifications(const CommandText& command, const std::string& indent
     if (option.at_its_place) {
       ++place;
       text += " \\\n" + indent +
-              quoted((option.takes_several ? "*" : std::to_string(place)) + action_of(option));
+              quoted((option.takes_several ? "*" : std::to_string(place)) + zsh_action(option));
       continue;
     }
     for (const std::string& name : option.names) {
       const std::string alternatives = option.names.size() > 1 ? "(" + join(option.names, " ") + ")" : "";
-      text += " \\\n" + indent + quoted(alternatives + name + "[" + inside(option.meaning) + "]" + action_of(option));
+      text += " \\\n" + indent + quoted(alternatives + name + "[" + inside(option.meaning) + "]" + zsh_action(option));
     }
   }
   return text;

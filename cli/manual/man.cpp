@@ -1,5 +1,6 @@
 // farrier man: the manual pages, from the options as they are declared.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>

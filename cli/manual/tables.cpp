@@ -1,5 +1,6 @@
 // farrier tables: what can rot in the documentation is printed from the code; a test compares it with the files.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <map>
 

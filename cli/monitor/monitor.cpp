@@ -1,5 +1,6 @@
 // farrier monitor: a running robot at a glance. Frames of it go to every display: the terminal's table, Prometheus, a page.
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include <algorithm>
@@ -12,7 +13,7 @@
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "cli/base/command.hpp"
-#include "cli/running/guest.hpp"
+#include "cli/record/guest.hpp"
 #include "cli/monitor/monitor_web.hpp"
 #include "tools/monitor/plain_text.hpp"
 #include "tools/monitor/prometheus_exposer.hpp"
@@ -35,11 +36,6 @@ struct MonitorOptions {
 };
 
 using Displays = std::vector<std::unique_ptr<display::Display>>;
-
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier monitor: %s\n", message.c_str());
-  return status;
-}
 
 std::string nothing_comes(const MonitorOptions& o) {
   const std::string domain = std::to_string(o.guest.network.domain);
@@ -124,9 +120,9 @@ int show_once(bus::Bus& bus, monitor::Watch& watch, const robot::Robot& robot, c
     return participant::stop_status();
   }
   if (frame.joints.empty() || std::isinf(frame.age_s)) {
-    return fail(nothing_comes(o), kFailed);
+    return fail("monitor", nothing_comes(o));
   }
-  return display::print_table(frame, robot, events.all()) ? kPassed : fail("what reads its output is gone", kFailed);
+  return display::print_table(frame, robot, events.all()) ? kPassed : fail("monitor", "what reads its output is gone");
 }
 
 int run_monitor(const MonitorOptions& o) {
@@ -141,15 +137,15 @@ int run_monitor(const MonitorOptions& o) {
   }
   auto servers = open_servers(o, robot.value());
   if (!servers) {
-    return fail(servers.error().message, kBadInput);
+    return refuse("monitor", servers.error().message);
   }
   auto bus = join_as_guest(o.guest, bus::Role::kMonitor);
   if (!bus) {
-    return fail(bus.error().message, bus.error().status);
+    return fail("monitor", bus.error().message, bus.error().status);
   }
   auto watch = monitor::Watch::create(*bus.value(), robot.value());
   if (!watch) {
-    return fail(watch.error().message, kFailed);
+    return fail("monitor", watch.error().message);
   }
   if (o.once) {
     return show_once(*bus.value(), watch.value(), robot.value(), o);
@@ -159,11 +155,11 @@ int run_monitor(const MonitorOptions& o) {
     Displays displays = std::move(servers).value();
     const auto screen = open_table(displays, robot.value());
     if (!screen) {
-      return fail(screen.error().message, kFailed);
+      return fail("monitor", screen.error().message);
     }
     return show(*bus.value(), watch.value(), displays, o, screen.value());
   } catch (const std::exception& problem) {
-    return fail(problem.what(), kFailed);
+    return fail("monitor", problem.what());
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include "cli/monitor/monitor_web.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <cstdio>
 #include <thread>
 
@@ -44,11 +46,6 @@ void tell(const std::string& what, const std::string& url) {
   std::fprintf(stderr, "farrier monitor: %s at %s\n", what.c_str(), url.c_str());
 }
 
-int fail(const std::string& message) {
-  std::fprintf(stderr, "farrier monitor: %s\n", message.c_str());
-  return kBadInput;
-}
-
 }  // namespace
 
 CLI::Option* declare_web(CLI::App& app, WebOptions& options) {
@@ -80,17 +77,17 @@ int show_recording(const WebOptions& options) {
   participant::install_signal_handlers();
   auto opened = prepare(options);
   if (!opened) {
-    return fail(opened.error().message);
+    return refuse("monitor", opened.error().message);
   }
   auto frames = web::RecordedFrames::read(options.recording, long_work("monitor, reading"));
   if (!frames) {
-    return participant::stop_requested() ? participant::stop_status() : fail(frames.error().message);
+    return participant::stop_requested() ? participant::stop_status() : refuse("monitor", frames.error().message);
   }
   auto site = web::RecordedFrames::site(std::make_shared<const web::RecordedFrames>(std::move(frames).value()),
                                         std::move(opened.value().page));
   auto server = web::WebServer::create(opened.value().address, std::move(site));
   if (!server) {
-    return fail("--web: " + server.error().message);
+    return refuse("monitor", "--web: " + server.error().message);
   }
   tell(options.recording, server.value()->url());
   while (!participant::stop_requested()) {

@@ -201,7 +201,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     return Error{"cannot write logs to " + run.log_directory + ": " + refused.message()};
   }
   std::optional<HostClock> clock;
-  if (std::ranges::any_of(run.acts, [](const Act& act) { return faults::sets_clock(act.signal); })) {
+  if (std::ranges::any_of(run.acts, [](const Act& act) { return run::sets_clock(act.signal); })) {
     auto created = HostClock::create(run.executables, run.log_directory + "/clock");
     if (!created) {
       return created.error();
@@ -236,7 +236,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   }
   Progress progress(run.title, common.ticks);
   const RunActs::Start start_anew = [&](const std::string& member, const std::string& name) {
-    if (member == faults::kMonitor) {
+    if (member == run::kMonitor) {
       return start_monitor(run, common, name, robot.joints.front().name);
     }
     const auto place = std::ranges::find(outcome.members, member, &run::Member::name);

@@ -23,7 +23,7 @@ Result<Onlookers> Onlookers::start(const DdsRun& run, int domain) {
     std::vector<std::string> arguments = onlooker.arguments;
     arguments.insert(arguments.end(), {"--robot", run.common.robot_path, "--domain", std::to_string(domain), "--dds",
                                        run.dds == DdsChoice::kFast ? "fast" : "cyclone"});
-    auto process = ChildProcess::start(onlooker.name, this_command(), arguments,
+    auto process = ChildProcess::start(onlooker.name, farrier_command(), arguments,
                                        run.log_directory + "/" + onlooker.name + ".log");
     if (!process) {
       return process.error();

@@ -35,12 +35,12 @@ Result<Done> RunActs::perform(Tick due, Tick tick, std::vector<ChildProcess>& ch
       request.count = ++asked_;
       request.request = static_cast<std::uint8_t>(act.request);
       requests_->publish(request);
-    } else if (faults::sets_clock(act.signal)) {
-      if (auto set = clock_->set(act.signal == faults::kClockForward ? kHour_s : -kHour_s); !set) {
+    } else if (run::sets_clock(act.signal)) {
+      if (auto set = clock_->set(act.signal == run::kClockForward ? kHour_s : -kHour_s); !set) {
         return set.error();
       }
-    } else if (act.signal == faults::kStart || act.signal == faults::kStartTwin) {
-      auto started = start(act.member, act.signal == faults::kStart ? act.member : act.member + "_twin");
+    } else if (act.signal == run::kStart || act.signal == run::kStartTwin) {
+      auto started = start(act.member, act.signal == run::kStart ? act.member : act.member + "_twin");
       if (!started) {
         return started.error();
       }

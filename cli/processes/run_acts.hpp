@@ -8,16 +8,16 @@
 #include "participant/participant.hpp"
 #include "cli/processes/child_process.hpp"
 #include "cli/processes/host_clock.hpp"
-#include "tools/faults/fault_rows.hpp"
+#include "run/process_act.hpp"
 
 namespace farrier::cli {
 
 /// What is done to a run while it goes, once its clock has begun tick `at` or would have: a signal to a member's process
-/// or another of faults::ProcessAct, or what an operator asks for.
+/// or another of run::ProcessAct, or what an operator asks for.
 struct Act {
   Tick at = 0;
   std::string member;  ///< empty: an operator's request
-  int signal = 0;      ///< faults::ProcessAct::signal
+  int signal = 0;      ///< run::ProcessAct::signal
   signals::Request request = signals::Request::kArm;
 };
 

@@ -5,7 +5,7 @@
 
 #include "runtime/processors.hpp"
 #include "cli/base/installation.hpp"
-#include "report/diagnosis/extended_model.hpp"
+#include "core/replace_file.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -76,7 +76,7 @@ Result<ChildProcess> start_monitor(const DdsRun& run, const participant::Process
   arguments.insert(arguments.end(), {"--joint", joint, "--robot", common.robot_path, "--domain",
                                      std::to_string(common.network.domain), "--dds",
                                      run.dds == DdsChoice::kCyclone ? "cyclone" : "fast"});
-  return ChildProcess::start(name, this_command(), arguments,
+  return ChildProcess::start(name, farrier_command(), arguments,
                              run.log_directory + "/" + name + ".log");
 }
 
@@ -84,7 +84,7 @@ Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run
                                     const participant::ProcessOptions& common) {
   // The robot as the options of this run have made it, which no file says.
   const std::string robot_path = run.log_directory + "/" + robot.name + ".yaml";
-  if (auto written = report::replace_file(robot_path, robot::print_config(robot)); !written) {
+  if (auto written = replace_file(robot_path, robot::print_config(robot)); !written) {
     return written.error();
   }
   std::vector<std::string> arguments{"record", run.record_path, "--robot", robot_path, "--domain",
@@ -98,7 +98,7 @@ Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run
       arguments.insert(arguments.end(), {"--fact", name + "=" + value});
     }
   }
-  return ChildProcess::start(kRecorder, this_command(), arguments, run.log_directory + "/" + kRecorder + ".log");
+  return ChildProcess::start(kRecorder, farrier_command(), arguments, run.log_directory + "/" + kRecorder + ".log");
 }
 
 std::string standstill(const run::RunListener& listener, const std::vector<ChildProcess>& children) {

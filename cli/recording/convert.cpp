@@ -1,5 +1,6 @@
 // farrier convert: a recording as a folder of CSV files, and back.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -8,34 +9,29 @@
 #include "cli/base/command.hpp"
 #include "cli/base/long_work.hpp"
 #include "cli/base/output_file.hpp"
-#include "tools/offline/csv_files.hpp"
+#include "tools/playback/csv_files.hpp"
 
 namespace farrier::cli {
 namespace {
-
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier convert: %s\n", message.c_str());
-  return status;
-}
 
 int run_convert(const std::string& from, const std::string& to) {
   const bool of_csv = std::filesystem::is_directory(from);
   if (of_csv) {
     if (auto way = make_way({to}, {from}); !way) {
-      return fail(way.error().message, kBadInput);
+      return refuse("convert", way.error().message);
     }
   }
   const KeepOn keep_on = long_work("convert");
-  const auto converted = of_csv ? offline::from_csv(from, to, keep_on) : offline::to_csv(from, to, keep_on);
+  const auto converted = of_csv ? playback::from_csv(from, to, keep_on) : playback::to_csv(from, to, keep_on);
   if (participant::stop_requested()) {
     return participant::stop_status();
   }
   if (!converted) {
-    return fail(converted.error().message, kBadInput);
+    return refuse("convert", converted.error().message);
   }
   std::printf("%s: %llu samples\n", to.c_str(), static_cast<unsigned long long>(converted.value().samples));
   if (!converted.value().ending.empty()) {
-    return fail(from + ": " + converted.value().ending + "; what came before is converted", kFailed);
+    return fail("convert", from + ": " + converted.value().ending + "; what came before is converted");
   }
   return kPassed;
 }

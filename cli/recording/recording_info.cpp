@@ -1,5 +1,6 @@
 // farrier info: what a recording holds, of which run, and what it lacks.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>

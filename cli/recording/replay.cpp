@@ -1,5 +1,6 @@
 // farrier replay: a recording on the bus, as its robot's processes published it.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -9,11 +10,11 @@
 #include "participant/loop.hpp"
 #include "recorder/watching_endpoint.hpp"
 #include "cli/base/command.hpp"
-#include "cli/running/guest.hpp"
+#include "cli/record/guest.hpp"
 #include "cli/recording/rerun.hpp"
-#include "cli/recording/topic_choice.hpp"
-#include "tools/offline/recorded_run.hpp"
-#include "tools/offline/replayer.hpp"
+#include "cli/record/topic_choice.hpp"
+#include "tools/playback/recorded_run.hpp"
+#include "tools/playback/replayer.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -31,11 +32,6 @@ struct ReplayOptions {
   std::string vendor = "cyclone";
   bus::NetworkOptions network;
 };
-
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier replay: %s\n", message.c_str());
-  return status;
-}
 
 /// Refuses where a robot of this name runs: a replay would speak in the name of its processes.
 Result<Done> nobody_is_there(bus::Bus& bus, const robot::Robot& robot, int domain) {
@@ -55,7 +51,7 @@ Result<Done> nobody_is_there(bus::Bus& bus, const robot::Robot& robot, int domai
 }
 
 /// Publishes all samples as far apart as they were recorded; how many.
-std::uint64_t play(bus::Bus& bus, offline::Replayer& replayer, offline::RecordedRun& run, double speed) {
+std::uint64_t play(bus::Bus& bus, playback::Replayer& replayer, playback::RecordedRun& run, double speed) {
   const SteadyTime begin = participant::steady_now();
   std::optional<std::uint64_t> first_ns;
   std::uint64_t published = 0;
@@ -73,9 +69,9 @@ std::uint64_t play(bus::Bus& bus, offline::Replayer& replayer, offline::Recorded
 
 int run_replay(const ReplayOptions& o) {
   participant::install_signal_handlers();
-  auto run = offline::RecordedRun::open(o.path);
+  auto run = playback::RecordedRun::open(o.path);
   if (!run) {
-    return fail(run.error().message, kBadInput);
+    return refuse("replay", run.error().message);
   }
   if (!o.rerun_of.empty()) {
     return rerun_estimator(run.value(), o.path);
@@ -83,14 +79,14 @@ int run_replay(const ReplayOptions& o) {
   const robot::Robot& robot = run.value().robot();
   auto bus = bus_factory::create_bus(bus::parse_vendor(o.vendor).value(), o.network);
   if (!bus) {
-    return fail(bus.error().message, kFailed);
+    return fail("replay", bus.error().message);
   }
   if (auto alone = nobody_is_there(*bus.value(), robot, o.network.domain); !alone) {
-    return fail(alone.error().message, kBadInput);
+    return refuse("replay", alone.error().message);
   }
-  auto replayer = offline::Replayer::create(*bus.value(), robot, topics_of(o.topics));
+  auto replayer = playback::Replayer::create(*bus.value(), robot, topics_of(o.topics));
   if (!replayer) {
-    return fail(replayer.error().message, kFailed);
+    return fail("replay", replayer.error().message);
   }
   std::fprintf(stderr, "farrier replay: %s of robot %s in domain %d\n", o.path.c_str(), robot.name.c_str(),
                o.network.domain);
@@ -101,7 +97,7 @@ int run_replay(const ReplayOptions& o) {
     return participant::stop_status();
   }
   if (!run.value().ending().empty()) {
-    return fail(o.path + ": " + run.value().ending(), kFailed);
+    return fail("replay", o.path + ": " + run.value().ending());
   }
   return kPassed;
 }

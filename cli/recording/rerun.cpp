@@ -6,13 +6,13 @@
 #include "participant/loop.hpp"
 #include "cli/base/command.hpp"
 #include "cli/base/long_work.hpp"
-#include "tools/offline/rerun.hpp"
+#include "tools/playback/rerun.hpp"
 #include "report/figures/text_format.hpp"
 
 namespace farrier::cli {
 namespace {
 
-std::string text_of(const std::optional<offline::Difference>& first) {
+std::string text_of(const std::optional<playback::Difference>& first) {
   if (!first) {
     return "-";
   }
@@ -23,9 +23,9 @@ std::string text_of(const std::optional<offline::Difference>& first) {
 
 }  // namespace
 
-int rerun_estimator(offline::RecordedRun& run, const std::string& path) {
+int rerun_estimator(playback::RecordedRun& run, const std::string& path) {
   run.ask(long_work("replay, reading"));
-  const auto rerun = offline::rerun_estimator(run, long_work("replay --rerun estimator"));
+  const auto rerun = playback::rerun_estimator(run, long_work("replay --rerun estimator"));
   if (participant::stop_requested()) {
     return participant::stop_status();
   }
@@ -37,7 +37,7 @@ int rerun_estimator(offline::RecordedRun& run, const std::string& path) {
       {"joint", "measurements", "missing", "compared", "different", "first difference"}};
   std::uint64_t compared = 0, different = 0, missing = 0;
   for (const robot::Joint& joint : run.robot().joints) {
-    const offline::RerunJoint& sum = rerun.value().joints[joint.number];
+    const playback::RerunJoint& sum = rerun.value().joints[joint.number];
     rows.push_back({joint.name, std::to_string(sum.measurements), std::to_string(sum.missing),
                     std::to_string(sum.compared), std::to_string(sum.different), text_of(sum.first)});
     compared += sum.compared;

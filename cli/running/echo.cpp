@@ -1,5 +1,6 @@
 // farrier echo: prints what a robot's processes publish, a sample a line.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
@@ -8,8 +9,8 @@
 #include "recorder/watching_endpoint.hpp"
 #include "signals/tick_of.hpp"
 #include "cli/base/command.hpp"
-#include "cli/running/guest.hpp"
-#include "cli/recording/topic_choice.hpp"
+#include "cli/record/guest.hpp"
+#include "cli/record/topic_choice.hpp"
 #include "report/figures/sample_text.hpp"
 
 namespace farrier::cli {
@@ -25,11 +26,6 @@ struct EchoOptions {
   std::uint64_t count = 0;
   GuestOptions guest;
 };
-
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier echo: %s\n", message.c_str());
-  return status;
-}
 
 /// The reading end of one topic that prints what comes.
 class Echo {
@@ -103,7 +99,7 @@ int listen(bus::Bus& bus, const std::vector<std::unique_ptr<Echo>>& echoes, cons
       left -= echo->print(left);
     }
     if (std::fflush(stdout) != 0) {
-      return fail("what reads its output is gone", kFailed);
+      return fail("echo", "what reads its output is gone");
     }
     const SteadyTime now = participant::steady_now();
     if (left != before) {
@@ -127,17 +123,17 @@ int run_echo(const EchoOptions& o) {
   }
   const Filter filter{robot.value(), o.joint.empty() ? nullptr : robot.value().find(o.joint)};
   if (!o.joint.empty() && filter.joint == nullptr) {
-    return fail("--joint: " + o.guest.robot_path + " has no joint '" + o.joint + "'", kBadInput);
+    return refuse("echo", "--joint: " + o.guest.robot_path + " has no joint '" + o.joint + "'");
   }
   auto bus = join_as_guest(o.guest, bus::Role::kMonitor);
   if (!bus) {
-    return fail(bus.error().message, bus.error().status);
+    return fail("echo", bus.error().message, bus.error().status);
   }
   std::vector<std::unique_ptr<Echo>> echoes;
   for (const bus::TopicId topic : topics_of(o.topics)) {
     auto echo = kEchoes[static_cast<std::size_t>(topic)](*bus.value(), filter);
     if (!echo) {
-      return fail(echo.error().message, kFailed);
+      return fail("echo", echo.error().message);
     }
     echoes.push_back(std::move(echo).value());
   }

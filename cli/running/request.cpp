@@ -1,5 +1,6 @@
 // farrier request: what an operator asks of a running robot's supervisor.
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -9,7 +10,7 @@
 #include "participant/participant.hpp"
 #include "process/process.hpp"
 #include "cli/base/command.hpp"
-#include "cli/running/guest.hpp"
+#include "cli/record/guest.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -25,11 +26,6 @@ struct RequestOptions {
   std::uint64_t session = 0;
   GuestOptions guest;
 };
-
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier request: %s\n", message.c_str());
-  return participant::stop_requested() ? participant::stop_status() : status;
-}
 
 /// Asks until the supervisor answers with a mode that is newer than those before; that mode.
 std::optional<signals::SystemMode> ask(bus::Bus& bus, bus::Publisher<signals::SystemRequest>& requests,
@@ -71,7 +67,7 @@ int run_request(const RequestOptions& o) {
   }
   auto bus = join_as_guest(o.guest, bus::Role::kOperator);
   if (!bus) {
-    return fail(bus.error().message, bus.error().status);
+    return fail("request", bus.error().message, bus.error().status);
   }
   const participant::Identity identity{.name = "operator",
                                        .robot = robot.value().name,
@@ -82,7 +78,7 @@ int run_request(const RequestOptions& o) {
   auto modes = bus::Subscription<signals::SystemMode>::create(
       *bus.value(), participant::endpoint_of(identity, bus::TopicId::kSystemMode));
   if (!requests || !modes) {
-    return fail(!requests ? requests.error().message : modes.error().message, kFailed);
+    return fail("request", !requests ? requests.error().message : modes.error().message);
   }
   signals::SystemRequest request;
   request.session = o.session;
@@ -90,10 +86,9 @@ int run_request(const RequestOptions& o) {
   request.request = static_cast<std::uint8_t>(o.what == "arm" ? signals::Request::kArm : signals::Request::kStop);
   const auto answer = ask(*bus.value(), requests.value(), modes.value(), request);
   if (!answer) {
-    return fail("no supervisor of " + robot.value().name + ", session " + std::to_string(o.session) + ", domain " +
+    return fail("request", "no supervisor of " + robot.value().name + ", session " + std::to_string(o.session) + ", domain " +
                     std::to_string(o.guest.network.domain) +
-                    " answers: look for its --session and --domain in its command line (ps)",
-                kFailed);
+                    " answers: look for its --session and --domain in its command line (ps)");
   }
   std::printf("%s is %s, epoch %u\n", robot.value().name.c_str(),
               signals::to_string(static_cast<signals::Mode>(answer->mode)), answer->epoch);

@@ -1,5 +1,6 @@
 // farrier topics: who writes and reads what in a domain, how often, and what does not go together.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -13,7 +14,7 @@
 #include "recorder/recorder.hpp"
 #include "cli/base/command.hpp"
 #include "cli/deploy/findings.hpp"
-#include "cli/running/guest.hpp"
+#include "cli/record/guest.hpp"
 #include "cli/base/help.hpp"
 #include "tools/deploy/bus_findings.hpp"
 #include "report/figures/text_format.hpp"
@@ -26,11 +27,6 @@ struct TopicsOptions {
   bool json = false;
   GuestOptions guest;
 };
-
-int fail(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier topics: %s\n", message.c_str());
-  return status;
-}
 
 struct VendorCounts {
   int cyclone = 0, fast = 0, other = 0;
@@ -137,15 +133,15 @@ int run_topics(const TopicsOptions& o) {
   const auto half_ns = std::chrono::duration_cast<Nanoseconds>(half);
   const auto found = bus_factory::discover(o.guest.network, half_ns);
   if (!found) {
-    return fail(found.error().message, kFailed);
+    return fail("topics", found.error().message);
   }
   auto bus = join_as_guest(o.guest, bus::Role::kMonitor);
   if (!bus) {
-    return fail(bus.error().message, bus.error().status);
+    return fail("topics", bus.error().message, bus.error().status);
   }
   auto recorder = recorder::Recorder::create(*bus.value(), robot.value(), {});
   if (!recorder) {
-    return fail(recorder.error().message, kFailed);
+    return fail("topics", recorder.error().message);
   }
   listen(*bus.value(), recorder.value(), half_ns);
   if (participant::stop_requested()) {

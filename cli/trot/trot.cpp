@@ -1,5 +1,6 @@
 // farrier trot: run, judge, report.
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -11,8 +12,6 @@
 #include "process/process.hpp"
 #include "supervisor/joint_design.hpp"
 #include "cli/base/command.hpp"
-#include "cli/compare/experiment.hpp"
-#include "cli/trial/hide.hpp"
 #include "cli/trot/in_process.hpp"
 #include "cli/base/output_file.hpp"
 #include "cli/trot/realtime.hpp"
@@ -20,7 +19,6 @@
 #include "cli/trot/trot_options.hpp"
 #include "cli/trot/trot_run.hpp"
 #include "cli/trot/trot_security.hpp"
-#include "cli/compare/vary.hpp"
 #include "report/trot/adaptation.hpp"
 #include "report/figures/console.hpp"
 #include "report/trot/html_report.hpp"
@@ -31,11 +29,6 @@ namespace farrier::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-int fail(const Error& error) {
-  std::fprintf(stderr, "farrier trot: %s\n", error.message.c_str());
-  return participant::stop_requested() ? participant::stop_status() : kFailed;
-}
 
 /// Joints of the robot file no controller can be designed for, a line each; empty when there are none.
 std::string undesignable(const robot::Robot& robot) {
@@ -51,25 +44,6 @@ std::string undesignable(const robot::Robot& robot) {
     }
   }
   return lines;
-}
-
-/// What of the options an electric joint has no part in; empty when there is none or the robot has no such joint.
-std::string hydraulic_only(const robot::Robot& robot, const TrotOptions& o) {
-  const robot::Joint* const electric = robot.first_electric();
-  if (electric == nullptr) {
-    return "";
-  }
-  const std::string why = ", and " + electric->name + " is electric: leave it out";
-  if (o.vary) {
-    return "--vary draws supplies and valves of hydraulic joints" + why;
-  }
-  if (o.hide) {
-    return "--hide gives a hydraulic joint an effect" + why;
-  }
-  if (o.experiment != Experiment::kNone) {
-    return "--experiment " + name_of(o.experiment) + " is for hydraulic joints" + why;
-  }
-  return "";
 }
 
 /// The runs beside that the options ask for.
@@ -109,34 +83,13 @@ int trot(TrotOptions o) {
     std::fputs(robot::print_config(robot).c_str(), stdout);
     return kPassed;
   }
-  if (const std::string misused = hydraulic_only(robot, o); !misused.empty()) {
-    std::fprintf(stderr, "farrier trot: %s\n", misused.c_str());
-    return kBadInput;
-  }
-  if (o.seeds != 0 && !o.vary && !o.hide && o.experiment != Experiment::kControllers) {
-    std::fputs("farrier trot: --seeds is for --vary, --hide and --experiment controllers: give one of them, or leave "
-               "it out\n",
-               stderr);
-    return kBadInput;
-  }
-  o.seeds = o.seeds != 0 ? o.seeds : o.hide ? 1 : kSeeds;
-  if (o.hide && o.clock == bus::ClockKind::kRealtime) {
-    std::fputs("farrier trot: --hide runs on the lock-step clock only, where no sample is lost: leave --clock realtime "
-               "out\n",
-               stderr);
-    return kBadInput;
-  }
   if (o.standby && o.clock != bus::ClockKind::kRealtime) {
     std::fputs("farrier trot: --standby is for the real-time clock, in lock-step a run waits for a silent supervisor: add "
                "--clock realtime\n", stderr);
     return kBadInput;
   }
-  if (o.soak && (o.dds == DdsChoice::kInproc || o.hide)) {
-    std::fputs("farrier trot: --soak watches the processes of one run over DDS: leave --dds inproc and --hide out\n", stderr);
-    return kBadInput;
-  }
-  if (o.vary && o.clock == bus::ClockKind::kRealtime) {
-    std::fputs("farrier trot: --vary runs on the lock-step clock only: leave --clock realtime out\n", stderr);
+  if (o.soak && o.dds == DdsChoice::kInproc) {
+    std::fputs("farrier trot: --soak watches the processes of one run over DDS: leave --dds inproc out\n", stderr);
     return kBadInput;
   }
   if (o.dds == DdsChoice::kInproc && o.clock == bus::ClockKind::kRealtime) {
@@ -160,39 +113,22 @@ int trot(TrotOptions o) {
     return kBadInput;
   }
   o.json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
-  if (o.hide && o.record_path.empty()) {
-    o.record_path = o.out + "/run.mcap";
-  }
-  const std::string rows_path = o.vary ? o.out + "/vary.csv" : o.trace_path;
-  if (auto way = make_way({rows_path, o.json_path, o.record_path}, {o.robot_path}); !way) {
+  if (auto way = make_way({o.trace_path, o.json_path, o.record_path}, {o.robot_path}); !way) {
     std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
     return kBadInput;
-  }
-  if (o.vary) {
-    return vary(robot, o, rows_path);
-  }
-  if (o.hide) {
-    return hide(robot, o);
-  }
-  switch (o.experiment) {
-    case Experiment::kLoadCycle: return run_load_cycle(robot, o);
-    case Experiment::kSwitching: return run_switching(robot, o);
-    case Experiment::kUpdateLogic: return run_update_logic(robot, o);
-    case Experiment::kControllers: return run_controllers(robot, o);
-    case Experiment::kNone: break;
   }
   const bool lockstep = o.clock == bus::ClockKind::kLockstep;
   Yardstick yardstick;
   if (!lockstep) {
     auto measured = measure_yardstick(robot, o);
     if (!measured) {
-      return fail(measured.error());
+      return fail("trot", measured.error().message);
     }
     yardstick = std::move(measured).value();
   }
   auto ran = run_once(robot, o, "trot");
   if (!ran) {
-    return fail(ran.error());
+    return fail("trot", ran.error().message);
   }
   const int loop_delay = lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime;
   report::Outcome outcome;
@@ -212,14 +148,14 @@ int trot(TrotOptions o) {
     for (const std::string& failure : outcome.failures) {
       std::fprintf(stderr, "farrier trot: %s\n", failure.c_str());
     }
-    return fail(tracking.error());
+    return fail("trot", tracking.error().message);
   }
   report::add_tracking(outcome.figures, robot, tracking.value(),
                        lockstep ? report::Judgement::kLockstep : report::Judgement::kMeasuredOnly);
   report::add_updates(outcome.figures, robot, outcome.run.decisions, tracking.value().ticks,
                       lockstep && o.design == "adaptive");
   if (auto added = report::add_spectral_radii(outcome.figures, robot, loop_delay); !added) {
-    return fail(added.error());
+    return fail("trot", added.error().message);
   }
   outcome.figures.add("trot.ticks_per_s", static_cast<double>(tracking.value().ticks) / ran.value().wall_s);
   if (o.soak) {
@@ -231,7 +167,7 @@ int trot(TrotOptions o) {
   report::add_transport(outcome.figures, outcome.run, lockstep);
   if (!lockstep) {
     if (auto added = add_realtime(outcome, robot, o, yardstick, tracking.value()); !added) {
-      return fail(added.error());
+      return fail("trot", added.error().message);
     }
   }
   if (!report::long_enough(robot, tracking.value())) {
@@ -239,15 +175,15 @@ int trot(TrotOptions o) {
   }
   write_events(o.out + "/events.txt", robot, ran.value(), outcome.run.decisions);
   if (auto beside = add_runs_beside(robot, o, outcome.figures); !beside) {
-    return fail(beside.error());
+    return fail("trot", beside.error().message);
   }
   if (auto written = report::write_json(o.json_path, outcome); !written) {
-    return fail(written.error());
+    return fail("trot", written.error().message);
   }
   const gait::Schedule schedule(robot.plan, o.seed);
   auto page = report::write_report(o.out, {outcome, robot, schedule, rows, loop_delay, ran.value().gains});
   if (!page) {
-    return fail(page.error());
+    return fail("trot", page.error().message);
   }
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   std::printf("report: %s\nfigures: %s\ntrace: %s\n", page.value().c_str(), o.json_path.c_str(), o.trace_path.c_str());

@@ -1,5 +1,7 @@
 #include "cli/trot/trot_options.hpp"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 
 #include "runtime/processors.hpp"
@@ -24,10 +26,6 @@ const std::map<std::string, run::Grouping> kNodes{{"per-leg", run::Grouping::kPe
 constexpr int kProcessorsForLegs = 4;  ///< with fewer, joint_node processes wait for each other and for sim_bridge
 
 const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "stand"}};
-const std::map<std::string, Experiment> kExperiments{{"fig7.8", Experiment::kLoadCycle},
-                                                     {"switching", Experiment::kSwitching},
-                                                     {"update-logic", Experiment::kUpdateLogic},
-                                                     {"controllers", Experiment::kControllers}};
 
 const std::map<std::string, std::string> kDesigns{
     {"adaptive", "adaptive"}, {"stance", "stance"}, {"swing", "swing"}, {"phases", "phases"}};
@@ -39,31 +37,9 @@ const std::map<std::string, std::string> kControllers{{"lqr", "lqr"},
 
 }  // namespace
 
-void declare(CLI::App& app, TrotOptions& o) {
+void declare_gait(CLI::App& app, TrotOptions& o) {
   o.robot_path = shipped_robot("hyq.yaml");
   app.add_option("--robot", o.robot_path, "robot file")->type_name("<file>")->default_str("hyq.yaml, as shipped");
-  add_choice(app, "--dds", o.dds, kDds, "cyclone|fast|mixed|inproc",
-             "DDS vendor; mixed: sim_bridge and estimator_service on Cyclone DDS, the rest on Fast DDS; inproc: all "
-             "nodes in one process")
-      ->envname("FARRIER_DDS")
-      ->default_str("cyclone, or what FARRIER_DDS says");
-  add_choice(app, "--clock", o.clock, kClocks, "lockstep|realtime", "lock-step, which repeats bit for bit, or real time")
-      ->default_str("lockstep");
-  app.add_option("--security", o.security,
-                 "folder of keys and permissions, as farrier security init makes it: processes prove who they are, write "
-                 "their own topics only, and encrypt")
-      ->type_name("<dir>");
-  app.add_flag("--security-cost", o.security_cost,
-               "short runs with --security and without, in turns: figure trot.security.latency_p50_ratio")
-      ->type_name("");
-  add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")
-      ->default_str("per-leg; one with --clock realtime on fewer than " + std::to_string(kProcessorsForLegs) + " processors");
-  CLI::Option* const design =
-      add_choice(app, "--design", o.design, kDesigns, "adaptive|stance|swing|phases",
-                 "gains: adaptive begins with the swing design in both phases and redesigns from what it measures, "
-                 "probing the valves as the robot file says; stance and swing keep one design in both phases, phases "
-                 "keeps one for each; none of the three probes")
-          ->default_str("adaptive; phases with --clock realtime");
   app.add_option("--duration", o.duration_s, "simulated seconds")
       ->check(between(0.1, 3600.0))
       ->type_name("<s>")
@@ -72,64 +48,65 @@ void declare(CLI::App& app, TrotOptions& o) {
   app.add_option("--frequency", o.frequency_Hz, "strides per second, instead of the robot file's")
       ->check(between(0.1, 10.0))
       ->type_name("<Hz>");
+  app.add_option("--seed", o.seed, "seed of sensor noise and touchdown times")
+      ->check(between(0.0, 18446744073709551615.0))
+      ->type_name("<n>")
+      ->capture_default_str();
+  app.add_option("--out", o.out, "directory for the report, the trace and the logs")
+      ->type_name("<dir>")
+      ->capture_default_str();
+  app.add_option("--json", o.json_path, "where the figures go")
+      ->type_name("<file>")
+      ->default_str("figures.json in --out");
+}
+
+void declare_processes(CLI::App& app, TrotOptions& o) {
+  add_choice(app, "--dds", o.dds, kDds, "cyclone|fast|mixed|inproc",
+             "DDS vendor; mixed: sim_bridge and estimator_service on Cyclone DDS, the rest on Fast DDS; inproc: all "
+             "nodes in one process")
+      ->envname("FARRIER_DDS")
+      ->default_str("cyclone, or what FARRIER_DDS says");
+  app.add_option("--security", o.security,
+                 "folder of keys and permissions, as farrier security init makes it: processes prove who they are, write "
+                 "their own topics only, and encrypt")
+      ->type_name("<dir>");
+  add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")
+      ->default_str("per-leg; one with --clock realtime on fewer than " + std::to_string(kProcessorsForLegs) + " processors");
+}
+
+void declare_control(CLI::App& app, TrotOptions& o) {
+  add_choice(app, "--design", o.design, kDesigns, "adaptive|stance|swing|phases",
+             "gains: adaptive begins with the swing design in both phases and redesigns from what it measures, "
+             "probing the valves as the robot file says; stance and swing keep one design in both phases, phases "
+             "keeps one for each; none of the three probes")
+      ->default_str("adaptive; phases with --clock realtime");
   app.add_option("--estimator", o.estimator, "section of the robot file's estimators that every joint uses")
       ->type_name("<name>");
   add_choice(app, "--controller", o.controller, kControllers, "lqr|feedback_linearisation|pid|flow_inversion",
              "kind of every controller, instead of the robot file's");
-  app.add_option("--seed", o.seed, "seed of sensor noise and touchdown times")
-      ->check(between(0.0, 18446744073709551615.0))
-      ->type_name("<n>")->capture_default_str();
-  app.add_option("--out", o.out, "directory for the report, the trace and the logs")->type_name("<dir>")->capture_default_str();
-  CLI::Option* const trace = app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
-  app.add_option("--json", o.json_path, "where the figures go")->type_name("<file>")->default_str("figures.json in --out");
-  CLI::Option* const experiment =
-      add_choice(app, "--experiment", o.experiment, kExperiments, "fig7.8|switching|update-logic|controllers",
-                 "instead of one run, in process: fig7.8, a rig (fc1d.yaml) whose load changes unannounced; switching, "
-                 "what it is worth that gains change at touchdown; update-logic, the four of the thesis on both; "
-                 "controllers, every kind of them on varied robots and on the rig");
-  experiment->excludes(design);
-  CLI::Option* const dither_cost =
-      app.add_flag("--dither-cost", o.dither_cost,
-                   "two more runs in process, each phase with its fixed design, with the dither of the robot file and "
-                   "without: figure trot.dither_cost_ratio")
-          ->type_name("")
-          ->excludes(experiment);
-  CLI::Option* const vary = app.add_flag("--vary", o.vary,
-                   "run robots whose loads, supply, friction and valves are drawn and known to no controller: the "
-                   "adaptive one against perfect knowledge and fixed ones; in process, whatever --dds says, for "
-                   "lock-step traces do not depend on it")
-          ->type_name("")
-          ->excludes(trace)
-          ->excludes(design)
-          ->excludes(dither_cost)
-          ->excludes(experiment);
-  CLI::Option* const record =
-      app.add_option("--record", o.record_path,
-                     "records everything that crosses the bus, as farrier record does; in lock-step no sample is missing")
-          ->type_name("<file>")
-          ->default_str("none; with --hide run.mcap in --out")
-          ->excludes(experiment);
-  app.add_option("--hide", o.hide,
-                 "give one joint of the simulated robot, drawn by this seed, an effect that nobody else is told of; "
-                 "the recordings of the run are diagnosed, and what is found goes into everybody's model")
-      ->check(between(0.0, 18446744073709551615.0))
-      ->type_name("<seed>")
-      ->excludes(experiment)
-      ->excludes(dither_cost)
-      ->excludes(vary);
-  vary->excludes(record);
-  app.add_option("--seeds", o.seeds,
-                 "robots that --vary and --experiment controllers draw, from --seed on; effects that --hide draws, "
-                 "from its seed on")
-      ->check(between(1, 10000))
-      ->type_name("<n>")
-      ->default_str(std::to_string(kSeeds) + "; with --hide 1");
+}
+
+void declare(CLI::App& app, TrotOptions& o) {
+  declare_gait(app, o);
+  declare_processes(app, o);
+  declare_control(app, o);
+  add_choice(app, "--clock", o.clock, kClocks, "lockstep|realtime", "lock-step, which repeats bit for bit, or real time")
+      ->default_str("lockstep");
+  app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
+  app.add_option("--record", o.record_path,
+                 "records everything that crosses the bus, as farrier record does; in lock-step no sample is missing")
+      ->type_name("<file>");
+  app.add_flag("--security-cost", o.security_cost,
+               "short runs with --security and without, in turns: figure trot.security.latency_p50_ratio")
+      ->type_name("");
+  app.add_flag("--dither-cost", o.dither_cost,
+               "two more runs in process, each phase with its fixed design, with the dither of the robot file and "
+               "without: figure trot.dither_cost_ratio")
+      ->type_name("");
   app.add_flag("--soak", o.soak,
                "watch memory, threads and descriptors of every process started, which must not grow after the first tenth of the "
                "run: figures trot.memory_growth_KiB, trot.threads_growth, trot.descriptors_growth")
-      ->type_name("")
-      ->excludes(experiment)
-      ->excludes(vary);
+      ->type_name("");
   app.add_flag("--standby", o.standby,
                "a second supervisor stands by and leads when the first falls silent; real time only")
       ->type_name("");
@@ -139,11 +116,6 @@ void declare(CLI::App& app, TrotOptions& o) {
 run::Grouping grouping_of(const TrotOptions& o) {
   const bool crowded = o.clock == bus::ClockKind::kRealtime && std::ssize(runtime::own_processors()) < kProcessorsForLegs;
   return o.nodes.value_or(crowded ? run::Grouping::kOne : run::Grouping::kPerLeg);
-}
-
-std::string name_of(Experiment experiment) {
-  const auto named = std::ranges::find(kExperiments, experiment, &std::pair<const std::string, Experiment>::second);
-  return named == kExperiments.end() ? "" : named->first;
 }
 
 }  // namespace farrier::cli

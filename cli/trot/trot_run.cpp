@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include "trials/hide.hpp"
 #include "cli/trot/in_process.hpp"
 #include "cli/base/installation.hpp"
 #include "report/figures/recording_facts.hpp"
@@ -22,9 +21,7 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
   common.design = o.design;
   common.estimator = o.estimator;
   common.controller = o.controller;
-  common.hide = o.hide;
-  // Varied robots and experiments say themselves who probes.
-  common.no_dither = !o.vary && o.experiment == Experiment::kNone && o.design != "adaptive";
+  common.no_dither = o.design != "adaptive";
   return common;
 }
 
@@ -53,14 +50,15 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
   return run;
 }
 
-Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, const std::string& title) {
+Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, const std::string& title,
+                            const World& world) {
   if (o.dds == DdsChoice::kInproc) {
-    trials::HiddenEffect unsaid;
-    const robot::Robot world = o.hide ? trials::hide_effect(robot, *o.hide, unsaid) : robot;
     return run_in_process(robot, o, supervisor::parse_design(o.design), o.trace_path, title,
-                          {.world = &world, .record_path = o.record_path});
+                          {.world = world.robot, .record_path = o.record_path});
   }
-  return run_over_dds(robot, dds_run(robot, o, title));
+  DdsRun run = dds_run(robot, o, title);
+  run.common.world_path = world.path;
+  return run_over_dds(robot, run);
 }
 
 }  // namespace farrier::cli

@@ -9,17 +9,17 @@
 namespace farrier::bus_fastdds {
 namespace {
 
-namespace rtps = eprosima::fastdds::rtps;
+namespace fast_rtps = eprosima::fastdds::rtps;
 using eprosima::fastrtps::rtps::LocatorsIterator;
 using eprosima::fastrtps::rtps::octet;
 using eprosima::fastrtps::rtps::SenderResource;
 
-class FastTransport final : public rtps::ChainingTransport {
+class FastTransport final : public fast_rtps::ChainingTransport {
  public:
   explicit FastTransport(const FastTransportDescriptor& descriptor)
       : ChainingTransport(descriptor), descriptor_(descriptor) {}
 
-  rtps::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
+  fast_rtps::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
 
   bool send(SenderResource* udp, const octet* bytes, std::uint32_t size, LocatorsIterator* first,
             LocatorsIterator* last, const std::chrono::steady_clock::time_point& timeout) override {
@@ -32,8 +32,8 @@ class FastTransport final : public rtps::ChainingTransport {
     return udp->send(bytes, size, first, last, timeout);
   }
 
-  void receive(rtps::TransportReceiverInterface* receiver, const octet* bytes, std::uint32_t size,
-               const rtps::Locator& local, const rtps::Locator& remote) override {
+  void receive(fast_rtps::TransportReceiverInterface* receiver, const octet* bytes, std::uint32_t size,
+               const fast_rtps::Locator& local, const fast_rtps::Locator& remote) override {
     // The buffer belongs to the thread that calls, which fills it anew for every datagram.
     const std::span<octet> datagram(const_cast<octet*>(bytes), size);
     if (translate_cyclone_acknacks(datagram)) {
@@ -50,6 +50,6 @@ class FastTransport final : public rtps::ChainingTransport {
 
 }  // namespace
 
-rtps::TransportInterface* FastTransportDescriptor::create_transport() const { return new FastTransport(*this); }
+fast_rtps::TransportInterface* FastTransportDescriptor::create_transport() const { return new FastTransport(*this); }
 
 }  // namespace farrier::bus_fastdds

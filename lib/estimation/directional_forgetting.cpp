@@ -1,11 +1,12 @@
 #include "estimation/directional_forgetting.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+
+#include "control/numerics/symmetric_eigen.hpp"
 
 namespace farrier::estimation {
 namespace {
@@ -82,25 +83,25 @@ RlsStatus VariableDirection<N>::update(const Regressor& h, const Eigen::Vector3d
     return this->status_;
   }
   // R = U S U'; s_i <- lambda s_i where |u_i'h| > epsilon (Goel, Bruce, Bernstein 2020)
-  const Eigen::SelfAdjointEigenSolver<Covariance> solver(this->r_);
-  if (solver.info() != Eigen::Success) {
+  const control::SymmetricEigen<N> eigen = control::symmetric_eigen<N>(this->r_);
+  if (!eigen.converged) {
     this->r_ = Covariance::Identity() / this->params_.initial_covariance;
     return this->status_ = RlsStatus::kCovarianceNotPositiveDefinite;
   }
-  const Regressor along = solver.eigenvectors().transpose() * h;
+  const Regressor along = eigen.vectors.transpose() * h;
   const double lambda = this->params_.forgetting_factor;
   const double floor = this->information_floor();
   Covariance remembered = Covariance::Zero();
   bool limited = false;
   bool forgotten = false;
   for (int i = 0; i < N; ++i) {
-    double s = std::max(solver.eigenvalues()(i), floor);  // below it by rounding only
+    double s = std::max(eigen.values(i), floor);  // below it by rounding only
     if (std::abs(along(i)) > this->params_.excitation_min) {
       limited |= lambda * s < floor;
       s = std::max(lambda * s, floor);
       forgotten = true;
     }
-    const Regressor u = solver.eigenvectors().col(i);
+    const Regressor u = eigen.vectors.col(i);
     remembered += s * (u * u.transpose());
   }
   this->limited_ = limited;

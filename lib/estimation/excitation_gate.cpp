@@ -1,9 +1,10 @@
 #include "estimation/excitation_gate.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
+
+#include "control/numerics/symmetric_eigen.hpp"
 
 namespace farrier::estimation {
 namespace {
@@ -61,9 +62,9 @@ bool PersistenceGate::open() const noexcept {
 }
 
 Eigen::Vector2d PersistenceGate::singular_values() const noexcept {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> solver(gram_, Eigen::EigenvaluesOnly);
+  const control::SymmetricEigen<4> eigen = control::symmetric_eigen<4>(gram_);
   // A column that is not there has the eigenvalue 0, which comes first.
-  return {std::abs(solver.eigenvalues()(4 - columns_)), std::abs(solver.eigenvalues()(3))};
+  return {std::abs(eigen.values(4 - columns_)), std::abs(eigen.values(3))};
 }
 
 SpectrumGate::SpectrumGate(const SpectrumParams& params, int columns)

@@ -11,7 +11,7 @@ namespace {
 using Complex = std::complex<double>;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kLargest = 1e90;  // its cube is finite
+constexpr double kLargestEntry = 1e90;  // its cube is finite
 
 // Similarity by powers of two until rows and columns off the diagonal weigh alike (Osborne 1960; Parlett and Reinsch
 // 1969). Within a factor of 16 they stay as they are; matrices of normalised states do.
@@ -138,7 +138,7 @@ ComplexMatrix<3> adjugate(const Eigen::Matrix3d& b, Complex z) noexcept {
 template <int N>
 Poles<N> poles(const Eigen::Matrix<double, N, N>& a) noexcept {
   Poles<N> z;
-  if (!(a.cwiseAbs().sum() <= kLargest)) {
+  if (!(a.cwiseAbs().sum() <= kLargestEntry)) {
     z.fill({kNaN, kNaN});
     return z;
   }

@@ -50,7 +50,7 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--controller", o.controller, "Kind of every controller, instead of the robot file's")
       ->check(CLI::IsMember({"lqr", "feedback_linearisation", "pid", "flow_inversion"}));
   if (o.name == "sim_bridge") {
-    app.add_option("--hide", o.hide, "Seed of an effect that one simulated joint has and nobody else is told of");
+    app.add_option("--world", o.world_path, "Robot file of the robot that is simulated, where it is not the one of --robot");
   }
   app.add_option_function<std::vector<std::string>>(
          "--fault",
@@ -166,8 +166,8 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
     std::snprintf(exact, sizeof exact, "%.17g", o.frequency_Hz);  // it shapes the trace
     append("--frequency", exact);
   }
-  if (o.hide && o.number == kSimBridge) {
-    append("--hide", std::to_string(*o.hide));
+  if (o.number == kSimBridge) {
+    append("--world", o.world_path);
   }
   append("--estimator", o.estimator);
   append("--controller", o.controller);

@@ -32,7 +32,7 @@ struct ProcessOptions {
   double frequency_Hz = 0;
   std::string estimator;            ///< section of the robot file for every joint, or empty
   std::string controller;           ///< kind of every controller, as in a robot file, or empty
-  std::optional<std::uint64_t> hide;  ///< sim_bridge: seed of an effect that only the simulated robot has
+  std::string world_path;           ///< sim_bridge: robot file of the robot it simulates; empty: robot_path
   std::vector<bus_faults::ArrowFault> faults;  ///< on the way of samples into this process, real time only
   int slow = 1;                     ///< slow motion by this factor, real time only
   bool standby = false;             ///< supervisor: takes over when the one that leads falls silent, real time only

@@ -8,11 +8,11 @@ namespace {
 
 using diagnosis::Diagnosis;
 
-const char* name_of(plant::EffectId id) { return plant::effect_info(id).name; }
+const char* effect_name(plant::EffectId id) { return plant::effect_info(id).name; }
 
-Json json_of(const diagnosis::Experiment& experiment) {
-  return {{"one", name_of(experiment.one)},
-          {"other", name_of(experiment.other)},
+Json experiment_json(const diagnosis::Experiment& experiment) {
+  return {{"one", effect_name(experiment.one)},
+          {"other", effect_name(experiment.other)},
           {"excitation", experiment.excitation},
           {"amplitude_A", experiment.amplitude_A},
           {"frequency_Hz", experiment.frequency_Hz},
@@ -21,7 +21,7 @@ Json json_of(const diagnosis::Experiment& experiment) {
           {"text", experiment_text(experiment)}};
 }
 
-Json json_of(const diagnosis::ChannelReport& channel, const DiagnosisResult& result) {
+Json channel_json(const diagnosis::ChannelReport& channel, const DiagnosisResult& result) {
   const diagnosis::Remainder& left = result.diagnosis.judgement.left[static_cast<std::size_t>(channel.channel)];
   Json dependences = Json::array();
   for (const diagnosis::Dependence& one : channel.dependences) {
@@ -59,9 +59,9 @@ std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome
   }
   add_judgement(json, judgement, effects);
   for (const diagnosis::Experiment& experiment : d.experiments) {
-    json["experiments"].push_back(json_of(experiment));
+    json["experiments"].push_back(experiment_json(experiment));
   }
-  json["experiment"] = d.experiments.empty() ? Json(nullptr) : json_of(d.experiments.front());
+  json["experiment"] = d.experiments.empty() ? Json(nullptr) : experiment_json(d.experiments.front());
   json["held_out"] = d.channels.empty() || bad ? Json(nullptr) : json_of(error_of(d));
   json["control"] = nullptr;
   if (result.control) {
@@ -72,7 +72,7 @@ std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome
   json["extended_model"] = result.extended_model.empty() ? Json(nullptr) : Json(result.extended_model);
   json["channels"] = Json::array();
   for (const diagnosis::ChannelReport& channel : d.channels) {
-    json["channels"].push_back(json_of(channel, result));
+    json["channels"].push_back(channel_json(channel, result));
   }
   json["remarks"] = d.remarks;
   if (bad) {

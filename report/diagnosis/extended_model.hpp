@@ -15,8 +15,4 @@ namespace farrier::report {
 Result<std::string> extended_model(const robot::Robot& robot, const robot::Joint& joint,
                                    std::span<const plant::ActiveEffect> found);
 
-/// Writes text to a file that is either as it was or complete, whenever the program ends. Refuses what the disk does
-/// not take.
-Result<Done> replace_file(const std::string& path, const std::string& text);
-
 }  // namespace farrier::report

@@ -63,20 +63,7 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.descriptors_growth", "1", kAtMost, "The same of its open descriptors."},
     FigureSpec{"trot.lost_samples", "1", kAtMost, "Samples that any process knows it lost, all topics."},
 
-    // trot --experiment fig7.8: Hubacher (2014), Section 7.5; quarters are named quarter1 to quarter4
-    FigureSpec{"trot.fig7_8.fixed.<quarter>_nrmse", "1", kAtLeast,
-               "RMS force error over RMS reference, from 0.2 s after the load's change to the quarter's end: gains fixed, designed for the light load."},
-    FigureSpec{"trot.fig7_8.adaptive.<quarter>_nrmse", "1", kAtMost, "The same with adaptive gains."},
-    FigureSpec{"trot.fig7_8.true_load.<quarter>_nrmse", "1", kNone,
-               "The same with gains designed for the true load of each quarter, switched exactly."},
-    FigureSpec{"trot.fig7_8.true_load_dithered.<quarter>_nrmse", "1", kNone, "The same with the dither that the adaptive run has."},
-    FigureSpec{"trot.fig7_8.greybox.<quarter>_nrmse", "1", kAtMost,
-               "The same with the physics a grey box estimates and the flow law inverted, no dither."},
-    FigureSpec{"trot.fig7_8.greybox_noiseless.<quarter>_nrmse", "1", kAtMost, "The same without sensor noise."},
-    FigureSpec{"trot.fig7_8.light_ratio_<quarter>", "1", kAtMost, "Adaptive over true load, light quarters: the dither's cost is in it."},
-    FigureSpec{"trot.fig7_8.dithered_light_ratio_<quarter>", "1", kNone, "Adaptive over true load with the same dither, light quarters."},
-    FigureSpec{"trot.fig7_8.gain_updates", "1", kNone, "Gain updates of the adaptive run after its first gains."},
-    // trot --experiment switching: what it is worth that gains change with the announced phase
+    // compare switching: what it is worth that gains change with the announced phase
     FigureSpec{"trot.switching.stepped_ratio", "1", kAtMost,
                "Integrated force error over 30 ms after actual touchdowns, hips and knees, switching on over off; gains adapted before, reference and weight step at touchdown. On: both sets, stance_lead_s before planned touchdowns. Off: the adapted swing gains, which act when a leg lands, in both phases. No dither, no redesign."},
     FigureSpec{"trot.switching.ramped_ratio", "1", kNone, "The same with the load transfer of the robot file."},
@@ -88,9 +75,9 @@ constexpr std::array kSpecs{
                "Largest jump of the valve command at a gain switch at unchanged reference and measurement, over the valve's nominal current; of the force controllers, replayed on the trace."},
     FigureSpec{"trot.<joint>.switching_stepped_ratio", "1", kNone, "trot.switching.stepped_ratio of one joint."},
     FigureSpec{"trot.<joint>.switching_ramped_ratio", "1", kNone, "trot.switching.ramped_ratio of one joint."},
-    // trot --experiment update-logic: Hubacher (2014), Section 5.3.1; methods are named as in a robot file
+    // compare update-logic: Hubacher (2014), Section 5.3.1; methods are named as in a robot file
     FigureSpec{"trot.update_logic.<method>.<quarter>_nrmse", "1", kNone,
-               "As trot.fig7_8.adaptive.<quarter>_nrmse, by this update logic, on the shipped rig."},
+               "RMS force error over RMS reference, from 0.2 s after the load's change to the quarter's end, by this update logic, on the shipped rig."},
     FigureSpec{"trot.update_logic.<method>.rig_updates", "1", kNone, "Gains it issued in that run."},
     FigureSpec{"trot.update_logic.<method>.rig_designs", "1", kNone, "Controllers it designed in that run."},
     FigureSpec{"trot.update_logic.<method>.rig_diverged", "1", kAtMost, "Quarters with an NRMSE above 1."},
@@ -104,7 +91,7 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.update_logic.<method>.designs", "1", kNone, "Controllers it designed in the trot."},
     FigureSpec{"trot.update_logic.<method>.looks", "1", kNone, "Estimates it looked at in the trot."},
     FigureSpec{"trot.update_logic.<method>.look_us", "us", kNone, "Mean time of a look, its design included."},
-    // trot --experiment controllers: tests are varied_trot, joints and seeds of --vary, and load_steps, the cycle of
+    // compare controllers: tests are varied_trot, joints and seeds of --vary, and load_steps, the cycle of
     // Fig. 7.8 with the worse heavy quarter as stance and the worse light quarter as swing
     FigureSpec{"trot.controllers.<controller>.<test>.stance_nrmse_median", "1", kNone, "Median stance NRMSE."},
     FigureSpec{"trot.controllers.<controller>.<test>.stance_nrmse_worst", "1", kNone, "Largest stance NRMSE."},
@@ -116,7 +103,7 @@ constexpr std::array kSpecs{
                "Joints and seeds that left tracking or had a stance NRMSE above 1."},
     FigureSpec{"trot.controllers.<controller>.<test>.seeds_failed", "1", kAtMost,
                "Seeds in which any joint diverged or had a stance NRMSE above 0.3."},
-    // trot --vary: stance NRMSE over all pairs of a joint and a seed
+    // compare varied: stance NRMSE over all pairs of a joint and a seed
     FigureSpec{"trot.vary.seeds", "1", kNone, "Robots drawn."},
     FigureSpec{"trot.vary.adaptive_stance_nrmse_median", "1", kNone, "Median stance NRMSE of adaptation over joints and seeds."},
     FigureSpec{"trot.vary.perfect_stance_nrmse_median", "1", kNone,
@@ -138,7 +125,7 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.vary.<baseline>.wins", "1", kNone,
                "Joints and seeds in which a fixed baseline has a smaller stance NRMSE than adaptation."},
 
-    // trot --hide: an effect that only sim_bridge knows, looked for in the recordings of the run
+    // trial: an effect that only sim_bridge knows, looked for in the recordings of the run
     FigureSpec{"hide.seeds", "1", kNone, "Effects that were hidden, one at a time."},
     FigureSpec{"hide.named", "1", kAtLeast,
                "Seeds in which the joint with the largest held-out gain is the hidden one and its first effect the hidden effect."},

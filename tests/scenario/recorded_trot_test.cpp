@@ -9,7 +9,7 @@
 #include "tests/scenario/scenario_run.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "tools/offline/joint_recording.hpp"
-#include "tools/offline/rerun.hpp"
+#include "tools/playback/rerun.hpp"
 #include "report/figures/recording_facts.hpp"
 
 namespace farrier::scenario {
@@ -32,10 +32,10 @@ class RecordedTrot : public testing::Test {
     return recording ? std::move(recording).value() : diagnosis::Recording{};
   }
 
-  offline::Rerun rerun() const {
-    auto run = offline::RecordedRun::open(path_);
+  playback::Rerun rerun() const {
+    auto run = playback::RecordedRun::open(path_);
     EXPECT_TRUE(run.ok()) << (run ? "" : run.error().message);
-    auto rerun = offline::rerun_estimator(run.value());
+    auto rerun = playback::rerun_estimator(run.value());
     EXPECT_TRUE(rerun.ok()) << (rerun ? "" : rerun.error().message);
     return std::move(rerun).value();
   }
@@ -91,11 +91,11 @@ TEST_F(RecordedTrot, ShowsAHiddenLossOfTheLoadCellsGainAndNothingBesideIt) {
 TEST_F(RecordedTrot, GivesTheSameEstimatesAgainToTheLastBit) {
   constexpr Tick kTicks = 3000;
   run(hyq_, recorded(kTicks));
-  const offline::Rerun again = rerun();
+  const playback::Rerun again = rerun();
   EXPECT_EQ(again.first_tick, 0);
   EXPECT_EQ(again.ending, "");
   ASSERT_EQ(again.joints.size(), hyq_.joints.size());
-  for (const offline::RerunJoint& joint : again.joints) {
+  for (const playback::RerunJoint& joint : again.joints) {
     EXPECT_EQ(joint.measurements, static_cast<std::uint64_t>(kTicks));
     EXPECT_EQ(joint.missing, 0u);
     EXPECT_EQ(joint.compared, static_cast<std::uint64_t>(1 + (kTicks - 1) / hyq_.estimate_period_ticks));
@@ -111,7 +111,7 @@ TEST_F(RecordedTrot, TellsAnEstimatorThatHasChanged) {
   other.estimator = "greybox";
   settings.record_facts = report::recording_facts(load("hyq", other));
   run(hyq_, settings);
-  const offline::Rerun again = rerun();
+  const playback::Rerun again = rerun();
   EXPECT_GT(again.joints.front().different, 0u);
   ASSERT_TRUE(again.joints.front().first);
   EXPECT_NE(again.joints.front().first->field, "");

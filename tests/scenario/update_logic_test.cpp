@@ -4,7 +4,6 @@
 
 #include "trials/load_cycle.hpp"
 #include "scenario_run.hpp"
-#include "report/compare/load_cycle.hpp"
 
 namespace farrier::scenario {
 namespace {

@@ -7,7 +7,6 @@ farrier_test(report_test unit
   ${CMAKE_CURRENT_LIST_DIR}/report/growth_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/hide_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/joint_poles_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/report/load_cycle_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/outcome_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/page_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/sample_text_test.cpp

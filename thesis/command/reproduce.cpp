@@ -1,5 +1,6 @@
 // farrier reproduce: studies of Hubacher (2014), each claim of the text with what was measured and a verdict.
 
+#include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include <cstdio>
@@ -28,11 +29,6 @@ struct ReproduceOptions {
   std::uint64_t seed = 1;
   int threads = 2;
 };
-
-int refuse(const std::string& message, int status) {
-  std::fprintf(stderr, "farrier reproduce: %s\n", message.c_str());
-  return status;
-}
 
 /// The studies asked for, in the order of the text; refuses numbers there are none of.
 Result<std::vector<thesis::Study>> chosen(const std::vector<thesis::Study>& all,
@@ -94,25 +90,25 @@ int reproduce_studies(const ReproduceOptions& o) {
     return kPassed;
   }
   if (o.numbers.empty()) {
-    return refuse("name a figure such as 8.9, or all; see 'farrier reproduce --list'", kBadInput);
+    return refuse("reproduce", "name a figure such as 8.9, or all; see 'farrier reproduce --list'");
   }
   const auto some = chosen(all, o.numbers);
   if (!some) {
-    return refuse(some.error().message, kBadInput);
+    return refuse("reproduce", some.error().message);
   }
   const auto directory = OutputDirectory::claim(o.out);
   if (!directory) {
-    return refuse(directory.error().message, kBadInput);
+    return refuse("reproduce", directory.error().message);
   }
   const std::string json_path = o.json_path.empty() ? o.out + "/figures.json" : o.json_path;
   for (const std::string& path : {json_path, o.out + "/index.html"}) {
     if (const auto free = make_way(path); !free) {
-      return refuse(free.error().message, kBadInput);
+      return refuse("reproduce", free.error().message);
     }
   }
   const auto runs = run_with_bar(some.value(), o);
   if (participant::stop_requested()) {
-    return refuse("stopped; nothing was written", participant::stop_status());
+    return fail("reproduce", "stopped; nothing was written", participant::stop_status());
   }
   report::Outcome outcome;
   outcome.command = "reproduce";
@@ -122,14 +118,14 @@ int reproduce_studies(const ReproduceOptions& o) {
     thesis::add_figures(outcome, run);
   }
   if (const auto drawn = thesis::draw_studies(o.out, runs); !drawn) {
-    return refuse(drawn.error().message, kFailed);
+    return fail("reproduce", drawn.error().message);
   }
   const auto page = thesis::write_study_page(o.out, outcome, runs);
   if (!page) {
-    return refuse(page.error().message, kFailed);
+    return fail("reproduce", page.error().message);
   }
   if (const auto written = report::write_json(json_path, outcome); !written) {
-    return refuse(written.error().message, kFailed);
+    return fail("reproduce", written.error().message);
   }
   if (o.json_to_stdout) {
     std::printf("%s", report::to_json(outcome).c_str());

@@ -66,7 +66,7 @@ std::span<const control::DiscreteModel> CycleEstimates::models(std::size_t secti
 }
 
 control::DiscreteModel CycleEstimates::truth(std::size_t section) const {
-  return thesis::model_of(plant::nominal_cylinder(), loads_[section]);
+  return thesis::cycle_model_of(plant::nominal_cylinder(), loads_[section]);
 }
 
 Response CycleEstimates::true_response(std::size_t section, std::span<const double> grid) const {

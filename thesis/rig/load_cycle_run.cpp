@@ -72,8 +72,7 @@ Result<CycleRun> run_cycle_as_printed(const StudyContext& context) {
 }
 
 double quarter_error(const CycleRun& run, std::size_t quarter) {
-  const Tick transient = std::llround(trace::kJudgedAfter_s / run.cycle.robot.period_s);
-  return trace::relative_error(run.rows, run.cycle.begin[quarter - 1] + transient, run.cycle.begin[quarter]);
+  return trials::quarter_error(run.cycle, run.rows, quarter - 1);
 }
 
 const JointControllerGains& acting_before(const CycleRun& run, Tick tick) {

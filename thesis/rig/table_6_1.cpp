@@ -46,7 +46,7 @@ Result<std::unique_ptr<Estimator>> make(EstimationMethod method, const estimatio
   params.bias = false;
   params.operating_point_order = 0;
   params.full_weight_norm = 1e6;
-  const control::DiscreteModel prior = model_of(plant::nominal_cylinder(), walking_cycle()[0]);
+  const control::DiscreteModel prior = cycle_model_of(plant::nominal_cylinder(), walking_cycle()[0]);
   auto made = estimation::JointEstimator::create(params, scales, prior.a, prior.b);
   if (!made) {
     return made.error();
@@ -65,12 +65,12 @@ void judge(const estimation::ModelEstimate& estimate, const plant::LoadParams& t
     actuator.bulk_modulus_Pa = estimate.physics.bulk_modulus;
     plant::LoadParams known = cycle_load(estimate.physics.load_mass, estimate.physics.damping);
     known.stiffness = estimate.physics.stiffness;
-    model = model_of(actuator, known);
+    model = cycle_model_of(actuator, known);
     mass = known.mass;
   } else {
     mass = load_mass_kg(estimate.a);
   }
-  const control::DiscreteModel true_model = model_of(plant::nominal_cylinder(), truth);
+  const control::DiscreteModel true_model = cycle_model_of(plant::nominal_cylinder(), truth);
   double gain = 0.0, phase = 0.0;
   for (double f = 0.5; f <= 100.0; f *= 1.05) {
     const Complex ratio = force_response(model, f) / force_response(true_model, f);

@@ -40,7 +40,7 @@ const std::array<plant::LoadParams, 4>& walking_cycle() {
   return of_fig_6_1;
 }
 
-control::DiscreteModel model_of(const plant::ActuatorParams& actuator, const plant::LoadParams& load) {
+control::DiscreteModel cycle_model_of(const plant::ActuatorParams& actuator, const plant::LoadParams& load) {
   const plant::LinearModel model = plant::linearise_load_cell_force(actuator, load, {.position = kCycleHome_m});
   return control::discretise(model.a, model.b, kCyclePeriod_s);
 }
@@ -87,7 +87,7 @@ std::vector<CycleSample> drive(std::span<const plant::LoadParams> loads, bool ri
 
 std::vector<control::DiscreteModel> identify(std::span<const CycleSample> samples, double forgetting_factor) {
   const Eigen::DiagonalMatrix<double, 3> unit(divisors());
-  const control::DiscreteModel start = model_of(plant::nominal_cylinder(), cycle_load(kStartLoad_kg));
+  const control::DiscreteModel start = cycle_model_of(plant::nominal_cylinder(), cycle_load(kStartLoad_kg));
   Eigen::Matrix<double, 3, 4> theta;  // (3.52), (3.53)
   theta << unit.inverse() * start.a * unit, unit.inverse() * start.b * plant::kNominalCurrent_A;
   auto made = estimation::Rls<4>::create({.forgetting_factor = forgetting_factor,

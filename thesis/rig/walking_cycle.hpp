@@ -32,7 +32,7 @@ plant::LoadParams cycle_load(double mass_kg, double damping_Ns_m = 700.0);
 const std::array<plant::LoadParams, 4>& walking_cycle();
 
 /// The load-cell model at home, mean of both signs of the valve, sampled with kCyclePeriod_s.
-control::DiscreteModel model_of(const plant::ActuatorParams& actuator, const plant::LoadParams& load);
+control::DiscreteModel cycle_model_of(const plant::ActuatorParams& actuator, const plant::LoadParams& load);
 
 /// Valve current (A) of a tick: white noise, uniform, or else 5 and 10 Hz with half the amplitude each (Fig. C.1), within
 /// +-`opening` of the nominal current.

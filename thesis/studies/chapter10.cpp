@@ -10,6 +10,7 @@
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::thesis {
+namespace chapter10_studies {
 namespace {
 
 constexpr double kLength_s = 2.0;
@@ -162,7 +163,8 @@ constexpr Study kStudies[] = {
     {"10.2", "Velocity filters and oversampling: margin, tracking, noise at the valve", kClaims, run_filters}};
 
 }  // namespace
+}  // namespace chapter10_studies
 
-std::span<const Study> chapter10() { return kStudies; }
+std::span<const Study> chapter10() { return chapter10_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -11,6 +11,7 @@
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
+namespace chapter4_loads_studies {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -190,7 +191,8 @@ constexpr Study kStudies[] = {{"4.8", "Load-cell force over the load's mass", kM
                               {"A.2", "Load-cell force over the spring's stiffness", kStiffnessClaims, run_stiffness}};
 
 }  // namespace
+}  // namespace chapter4_loads_studies
 
-std::span<const Study> chapter4_loads() { return kStudies; }
+std::span<const Study> chapter4_loads() { return chapter4_loads_studies::kStudies; }
 
 }  // namespace farrier::thesis

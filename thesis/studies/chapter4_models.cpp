@@ -10,6 +10,7 @@
 #include "plant/nominal.hpp"
 
 namespace farrier::thesis {
+namespace chapter4_models_studies {
 namespace {
 
 using control::responses;
@@ -250,7 +251,8 @@ constexpr Study kStudies[] = {{"4.2", "Transfer functions to position, velocity 
                               {"4.5", "Models at another velocity, and with constant volumes", kVelocityClaims, run_velocity_point}};
 
 }  // namespace
+}  // namespace chapter4_models_studies
 
-std::span<const Study> chapter4_models() { return kStudies; }
+std::span<const Study> chapter4_models() { return chapter4_models_studies::kStudies; }
 
 }  // namespace farrier::thesis

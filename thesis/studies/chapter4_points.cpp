@@ -10,6 +10,7 @@
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
+namespace chapter4_points_studies {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -121,7 +122,8 @@ constexpr Study kStudies[] = {{"4.6", "Load-cell force with the valve shut and f
                               {"4.7", "Load-cell force at 2400 operating points", kPointClaims, run_points}};
 
 }  // namespace
+}  // namespace chapter4_points_studies
 
-std::span<const Study> chapter4_points() { return kStudies; }
+std::span<const Study> chapter4_points() { return chapter4_points_studies::kStudies; }
 
 }  // namespace farrier::thesis

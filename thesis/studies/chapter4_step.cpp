@@ -9,6 +9,7 @@
 #include "plant/nominal.hpp"
 
 namespace farrier::thesis {
+namespace chapter4_step_studies {
 namespace {
 
 constexpr double kPeriod_s = 1e-4;     // fine enough to show the resonance; the input is constant over it
@@ -189,7 +190,8 @@ Result<StudyResult> run_step(const StudyContext&) {
 constexpr Study kStudies[] = {{"4.1", "Nonlinear joint and three linear models after a step", kClaims, run_step}};
 
 }  // namespace
+}  // namespace chapter4_step_studies
 
-std::span<const Study> chapter4_step() { return kStudies; }
+std::span<const Study> chapter4_step() { return chapter4_step_studies::kStudies; }
 
 }  // namespace farrier::thesis

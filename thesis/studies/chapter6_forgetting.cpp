@@ -8,6 +8,7 @@
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
+namespace chapter6_forgetting_studies {
 namespace {
 
 constexpr std::array kForgetting{0.8, 0.85, 0.9, 0.98};
@@ -89,7 +90,8 @@ constexpr Study kStudies[] = {{"6.6", "Estimated transfer functions by forgettin
                               {"6.7", "Estimated load mass by forgetting factor", kMassClaims, run_mass}};
 
 }  // namespace
+}  // namespace chapter6_forgetting_studies
 
-std::span<const Study> chapter6_forgetting() { return kStudies; }
+std::span<const Study> chapter6_forgetting() { return chapter6_forgetting_studies::kStudies; }
 
 }  // namespace farrier::thesis

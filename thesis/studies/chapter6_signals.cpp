@@ -10,6 +10,7 @@
 #include "plant/nominal.hpp"
 
 namespace farrier::thesis {
+namespace chapter6_signals_studies {
 namespace {
 
 using thesis::CycleSample;
@@ -241,7 +242,8 @@ constexpr Study kStudies[] = {{"6.1", "Load of the joint the estimator is tried 
                               {"C.2", "Estimated transfer functions, two frequencies", kLowClaims, run_low}};
 
 }  // namespace
+}  // namespace chapter6_signals_studies
 
-std::span<const Study> chapter6_signals() { return kStudies; }
+std::span<const Study> chapter6_signals() { return chapter6_signals_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -9,6 +9,7 @@
 #include "thesis/rig/table_6_1.hpp"
 
 namespace farrier::thesis {
+namespace chapter6_table_studies {
 namespace {
 
 using thesis::Table61Cell;
@@ -144,7 +145,8 @@ Result<StudyResult> run_table(const StudyContext& context) {
 constexpr Study kStudies[] = {{"T6.1", "Estimators by frequencies and amplitude of the valve's signal", kClaims, run_table}};
 
 }  // namespace
+}  // namespace chapter6_table_studies
 
-std::span<const Study> chapter6_table() { return kStudies; }
+std::span<const Study> chapter6_table() { return chapter6_table_studies::kStudies; }
 
 }  // namespace farrier::thesis

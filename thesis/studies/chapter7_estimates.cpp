@@ -14,6 +14,7 @@
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
+namespace chapter7_estimates_studies {
 namespace {
 
 using signals::JointControllerGains;
@@ -152,7 +153,8 @@ constexpr Study kStudies[] = {{"7.9", "Poles behind the gains of the adaptive ru
                               {"C.4", "Transfer functions behind the gains of the adaptive run", kBodeClaims, run_bode}};
 
 }  // namespace
+}  // namespace chapter7_estimates_studies
 
-std::span<const Study> chapter7_estimates() { return kStudies; }
+std::span<const Study> chapter7_estimates() { return chapter7_estimates_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -7,6 +7,7 @@
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
+namespace chapter7_gain_maps_studies {
 namespace {
 
 using control::LoadParameter;
@@ -177,7 +178,8 @@ constexpr Study kStudies[] = {
     {"C.3", "LQR gains over mass and stiffness", kMassStiffnessClaims, run_mass_stiffness}};
 
 }  // namespace
+}  // namespace chapter7_gain_maps_studies
 
-std::span<const Study> chapter7_gain_maps() { return kStudies; }
+std::span<const Study> chapter7_gain_maps() { return chapter7_gain_maps_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -10,6 +10,7 @@
 #include "supervisor/joint_design.hpp"
 
 namespace farrier::thesis {
+namespace chapter7_load_cycle_studies {
 namespace {
 
 using signals::JointControllerGains;
@@ -217,7 +218,8 @@ constexpr Study kStudies[] = {{"7.6", "The load cycle", kPlanClaims, run_plan},
                               {"7.8", "Force tracking through the load cycle with adaption", kAdaptiveClaims, run_adaptive}};
 
 }  // namespace
+}  // namespace chapter7_load_cycle_studies
 
-std::span<const Study> chapter7_load_cycle() { return kStudies; }
+std::span<const Study> chapter7_load_cycle() { return chapter7_load_cycle_studies::kStudies; }
 
 }  // namespace farrier::thesis

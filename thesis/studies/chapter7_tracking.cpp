@@ -13,6 +13,7 @@
 #include "robot/joint_model.hpp"
 
 namespace farrier::thesis {
+namespace chapter7_tracking_studies {
 namespace {
 
 // Fig. 7.2 names no amplitude: that of one sine of the multisine of 7.5, three of which make 160 N. With 160 N each the
@@ -278,7 +279,8 @@ constexpr Study kStudies[] = {{"7.2", "Force tracking of the LQR: step, sine, mu
                               {"7.3", "Parts of the LQR's output", kPartsClaims, run_parts}};
 
 }  // namespace
+}  // namespace chapter7_tracking_studies
 
-std::span<const Study> chapter7_tracking() { return kStudies; }
+std::span<const Study> chapter7_tracking() { return chapter7_tracking_studies::kStudies; }
 
 }  // namespace farrier::thesis

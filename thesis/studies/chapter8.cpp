@@ -13,6 +13,7 @@
 #include "robot/joint_model.hpp"
 
 namespace farrier::thesis {
+namespace chapter8_studies {
 namespace {
 
 constexpr double kStepTolerance = 0.4;  // RTOL of 8.2.2, on the square of the Frobenius norm
@@ -170,7 +171,8 @@ constexpr Study kStudies[] = {
     {"8.11", "Recursive least squares, two implementations", kRlsClaims, run_rls}};
 
 }  // namespace
+}  // namespace chapter8_studies
 
-std::span<const Study> chapter8() { return kStudies; }
+std::span<const Study> chapter8() { return chapter8_studies::kStudies; }
 
 }  // namespace farrier::thesis

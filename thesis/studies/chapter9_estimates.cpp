@@ -9,6 +9,7 @@
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_estimates_studies {
 namespace {
 
 using estimation::EstimationMethod;
@@ -209,7 +210,8 @@ constexpr Study kStudies[] = {{"9.1", "Estimates on the rig, constant forgetting
                               {"9.3", "Forgetting factors on the rig", kForgettingClaims, run_forgetting}};
 
 }  // namespace
+}  // namespace chapter9_estimates_studies
 
-std::span<const Study> chapter9_estimates() { return kStudies; }
+std::span<const Study> chapter9_estimates() { return chapter9_estimates_studies::kStudies; }
 
 }  // namespace farrier::thesis

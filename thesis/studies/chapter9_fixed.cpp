@@ -10,6 +10,7 @@
 #include "robot/joint_model.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_fixed_studies {
 namespace {
 
 using control::Kind;
@@ -241,7 +242,8 @@ constexpr Study kStudies[] = {
     {"9.18", "Fixed LQR under added weight: sine of 3.5 Hz", kFastWeightClaims, run_fast_weights}};
 
 }  // namespace
+}  // namespace chapter9_fixed_studies
 
-std::span<const Study> chapter9_fixed() { return kStudies; }
+std::span<const Study> chapter9_fixed() { return chapter9_fixed_studies::kStudies; }
 
 }  // namespace farrier::thesis

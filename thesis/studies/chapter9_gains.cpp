@@ -8,6 +8,7 @@
 #include "thesis/rig/rig_estimates.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_gains_studies {
 namespace {
 
 using estimation::GateKind;
@@ -223,7 +224,8 @@ constexpr Study kStudies[] = {{"9.10", "Gains for the estimates", kGainClaims, r
                               {"G.6", "Gains for the estimates behind the FFT gate", kFftGainClaims, run_fft_gains}};
 
 }  // namespace
+}  // namespace chapter9_gains_studies
 
-std::span<const Study> chapter9_gains() { return kStudies; }
+std::span<const Study> chapter9_gains() { return chapter9_gains_studies::kStudies; }
 
 }  // namespace farrier::thesis

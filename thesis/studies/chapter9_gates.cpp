@@ -8,6 +8,7 @@
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_gates_studies {
 namespace {
 
 using estimation::GateKind;
@@ -275,7 +276,8 @@ constexpr Study kStudies[] = {{"9.4", "Estimates behind gates of excitation", kM
                               {"G.2", "Forgetting factors behind the FFT gate", kFftForgettingClaims, run_fft_forgetting}};
 
 }  // namespace
+}  // namespace chapter9_gates_studies
 
-std::span<const Study> chapter9_gates() { return kStudies; }
+std::span<const Study> chapter9_gates() { return chapter9_gates_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -7,6 +7,7 @@
 #include "thesis/rig/rig_run.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_identification_studies {
 namespace {
 
 double mean(const std::vector<double>& values, std::size_t begin, std::size_t end) {
@@ -229,7 +230,8 @@ constexpr Study kStudies[] = {{"9.19", "Friction coefficient over velocity", kFr
                               {"9.21", "Threshold of the valve", kThresholdClaims, run_threshold}};
 
 }  // namespace
+}  // namespace chapter9_identification_studies
 
-std::span<const Study> chapter9_identification() { return kStudies; }
+std::span<const Study> chapter9_identification() { return chapter9_identification_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -8,6 +8,7 @@
 #include "thesis/rig/rig_run.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_pressure_studies {
 namespace {
 
 // 9.22
@@ -241,7 +242,8 @@ constexpr Study kStudies[] = {{"9.22", "Delay of the load pressure by the valve'
                               {"9.23", "Oscillation of the load pressure", kOscillationClaims, run_oscillation}};
 
 }  // namespace
+}  // namespace chapter9_pressure_studies
 
-std::span<const Study> chapter9_pressure() { return kStudies; }
+std::span<const Study> chapter9_pressure() { return chapter9_pressure_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -7,6 +7,7 @@
 #include "thesis/rig/rig_run.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_ramps_studies {
 namespace {
 
 std::string pair_text(double without, double with_20) {
@@ -78,7 +79,8 @@ constexpr Study kStudies[] = {{"G.9", "Fixed LQR under added weight: ramps", kRa
                               {"G.10", "Fixed LQR under added weight: steps", kStepClaims, run_steps}};
 
 }  // namespace
+}  // namespace chapter9_ramps_studies
 
-std::span<const Study> chapter9_ramps() { return kStudies; }
+std::span<const Study> chapter9_ramps() { return chapter9_ramps_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -7,6 +7,7 @@
 #include "thesis/rig/rig_run.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_sines_studies {
 namespace {
 
 using control::Form;
@@ -286,7 +287,8 @@ constexpr Study kStudies[] = {
     {"G.8", "Compliant LQR: sines of 400 N", kStrongClaims, run_strong}};
 
 }  // namespace
+}  // namespace chapter9_sines_studies
 
-std::span<const Study> chapter9_sines() { return kStudies; }
+std::span<const Study> chapter9_sines() { return chapter9_sines_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -8,6 +8,7 @@
 #include "thesis/rig/rig_run.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_steps_studies {
 namespace {
 
 using control::Form;
@@ -283,7 +284,8 @@ constexpr Study kStudies[] = {{"9.13", "Compliant LQR: steps and chirps", kStepC
                               {"9.15", "Compliant against full-state LQR: step", kFormClaims, run_forms}};
 
 }  // namespace
+}  // namespace chapter9_steps_studies
 
-std::span<const Study> chapter9_steps() { return kStudies; }
+std::span<const Study> chapter9_steps() { return chapter9_steps_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -10,6 +10,7 @@
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
+namespace chapter9_weights_studies {
 namespace {
 
 using estimation::GateKind;
@@ -245,7 +246,8 @@ constexpr Study kStudies[] = {{"9.8", "Estimates under added weight", kWeightCla
                               {"G.4", "Estimates behind gates, +5 kg", kMiddleClaims, run_middle}};
 
 }  // namespace
+}  // namespace chapter9_weights_studies
 
-std::span<const Study> chapter9_weights() { return kStudies; }
+std::span<const Study> chapter9_weights() { return chapter9_weights_studies::kStudies; }
 
 }  // namespace farrier::thesis

@@ -188,7 +188,7 @@ const std::vector<Row>& rows() {
        {.reaction = kNull, .within_s = kTripped_s, .latches = true, .event = "tripped"}},
       {"gait_source_restarted", "gait_source, or the planner in its place, dies (kill -9) and is started again.",
        "joint_node of every leg damps, then trips: valve to null until an operator arms it again.", Hit::kAll, nullptr,
-       {}, 1.2, {{kGaitSource, SIGKILL, 0.0}, {kGaitSource, kStart, kStartAgain_s}},
+       {}, 1.2, {{kGaitSource, SIGKILL, 0.0}, {kGaitSource, run::kStart, kStartAgain_s}},
        {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
       {"gait_source_stopped_short", "gait_source, or the planner in its place, stands still for 30 ms (SIGSTOP).",
        "joint_node of every leg damps; by itself back.", Hit::kAll, nullptr, {}, 0.03,
@@ -200,14 +200,14 @@ const std::vector<Row>& rows() {
        {}, 0.1, {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.1}},
        {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
       {"clock_forward", "The computer's clock is set an hour forward.", "Everybody goes on: ages are of the steady clock.",
-       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockForward, 0.0}}, {}},
+       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, run::kClockForward, 0.0}}, {}},
       {"clock_back", "The computer's clock is set an hour back.", "Everybody goes on: ages are of the steady clock.",
-       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, kClockBack, 0.0}}, {}},
+       Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, run::kClockBack, 0.0}}, {}},
       {"estimator_killed", "estimator_service dies (kill -9).", "Gains stay as they are.", Hit::kAll, nullptr, {}, 0.2,
        {{kEstimator, SIGKILL, 0.0}}, says_estimates_silent()},
       {"estimator_restarted", "estimator_service dies (kill -9) and is started again.",
        "Gains stay as they are; it greets the others and estimates anew.", Hit::kAll, nullptr, {}, 1.2,
-       {{kEstimator, SIGKILL, 0.0}, {kEstimator, kStart, kStartAgain_s}},
+       {{kEstimator, SIGKILL, 0.0}, {kEstimator, run::kStart, kStartAgain_s}},
        {.event = "estimates from now on", .event_within_s = kStartAgain_s + kGreeted_s}},
       {"estimator_stopped", "estimator_service stands still for 0.2 s (SIGSTOP).", "Gains stay as they are.", Hit::kAll,
        nullptr, {}, 0.2, {{kEstimator, SIGSTOP, 0.0}, {kEstimator, SIGCONT, 0.2}}, says_estimates_silent()},
@@ -218,22 +218,22 @@ const std::vector<Row>& rows() {
        Hit::kAll, nullptr, {}, 0.2, {{kSupervisor, SIGSTOP, 0.0}, {kSupervisor, SIGCONT, 0.2}}, says_supervisor_silent()},
       {"supervisor_restarted", "supervisor dies (kill -9) and is started again.",
        "Gains and mode stay as they are; it leads under the next authority and issues what estimates ask for.",
-       Hit::kAll, nullptr, {}, 1.2, {{kSupervisor, SIGKILL, 0.0}, {kSupervisor, kStart, kStartAgain_s}},
+       Hit::kAll, nullptr, {}, 1.2, {{kSupervisor, SIGKILL, 0.0}, {kSupervisor, run::kStart, kStartAgain_s}},
        {.event = "leads with authority 2", .event_within_s = kStartAgain_s + kGreeted_s}},
       {"supervisor_replaced", "supervisor dies (kill -9) while another stands by.",
        "The other leads under the next authority and writes every gain and the mode again.", Hit::kAll, nullptr, {},
        0.2, {{kSupervisor, SIGKILL, 0.0}}, {.event = "leads with authority 2", .event_within_s = kTakenOver_s}, true},
       {"monitor_stopped", "A monitor of all streams joins, stands still (SIGSTOP) and dies (kill -9).",
        "Everybody goes on: no writer waits for one who only watches.", Hit::kAll, nullptr, {}, 1.5,
-       {{kMonitor, kStart, 0.0}, {kMonitor, SIGSTOP, 0.8}, {kMonitor, SIGKILL, 1.5}}, {}},
+       {{run::kMonitor, run::kStart, 0.0}, {run::kMonitor, SIGSTOP, 0.8}, {run::kMonitor, SIGKILL, 1.5}}, {}},
       {"monitor_slow", "A monitor of all streams runs for 20 ms of every 0.2 s.",
        "Everybody goes on: what the monitor does not take is overwritten.", Hit::kAll, nullptr, {}, 1.6,
-       {{kMonitor, kStart, 0.0}, {kMonitor, SIGSTOP, 0.8}, {kMonitor, SIGCONT, 1.0}, {kMonitor, SIGSTOP, 1.02},
-        {kMonitor, SIGCONT, 1.2}, {kMonitor, SIGSTOP, 1.22}, {kMonitor, SIGCONT, 1.4}, {kMonitor, SIGSTOP, 1.42},
-        {kMonitor, SIGKILL, 1.6}}, {}},
+       {{run::kMonitor, run::kStart, 0.0}, {run::kMonitor, SIGSTOP, 0.8}, {run::kMonitor, SIGCONT, 1.0}, {run::kMonitor, SIGSTOP, 1.02},
+        {run::kMonitor, SIGCONT, 1.2}, {run::kMonitor, SIGSTOP, 1.22}, {run::kMonitor, SIGCONT, 1.4}, {run::kMonitor, SIGSTOP, 1.42},
+        {run::kMonitor, SIGKILL, 1.6}}, {}},
       {"two_joint_nodes", "A second joint_node claims the joints of a leg.",
        "It finds its place taken, says so and ends with status 1.", Hit::kAll, nullptr, {}, 0.5,
-       {{kJointNode, kStartTwin, 0.0}}, {.event = "of this run already", .event_within_s = 0.5}},
+       {{kJointNode, run::kStartTwin, 0.0}}, {.event = "of this run already", .event_within_s = 0.5}},
       {"supervisor_stale", "supervisor stands still for 0.1 s (SIGSTOP) while another stands by.",
        "The other leads; the first finds that it was replaced and stands by; joints refuse what it still writes.",
        Hit::kAll, nullptr, {}, 0.1, {{kSupervisor, SIGSTOP, 0.0}, {kSupervisor, SIGCONT, 0.1}},
@@ -250,11 +250,11 @@ bool leaves_trace(const Row& row) {
 
 bool starts_process(const Row& row) {
   return std::ranges::any_of(
-      row.acts, [](const ProcessAct& act) { return act.signal == kStart || act.signal == kStartTwin; });
+      row.acts, [](const ProcessAct& act) { return act.signal == run::kStart || act.signal == run::kStartTwin; });
 }
 
 Row paced(Row row, int slow) {
-  const bool sets = std::ranges::any_of(row.acts, [](const ProcessAct& act) { return sets_clock(act.signal); });
+  const bool sets = std::ranges::any_of(row.acts, [](const ProcessAct& act) { return run::sets_clock(act.signal); });
   row.lasts_s /= sets ? slow : 1;
   return row;
 }

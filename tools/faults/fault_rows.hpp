@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "run/process_act.hpp"
 #include "signals/signals.hpp"
 
 namespace farrier::faults {
@@ -14,25 +15,7 @@ namespace farrier::faults {
 /// Which joints a fault is about.
 enum class Hit { kJoint, kLeg, kAll };
 
-/// Members are named as in run::plan_members; "joint_node" is the one that hosts the joint.
-
-/// Member of no run: a process that listens to every stream (farrier echo), once it is started.
-inline constexpr const char* kMonitor = "monitor";
-
-/// In place of a signal: the process is started anew, or a second time while it runs; the wall clock of the computer
-/// that all processes run on is set an hour forward, or back to an hour before what it was.
-inline constexpr int kStart = 0;
-inline constexpr int kStartTwin = -1;
-inline constexpr int kClockForward = -2;
-inline constexpr int kClockBack = -3;
-inline constexpr bool sets_clock(int signal) noexcept { return signal == kClockForward || signal == kClockBack; }
-
-/// What is done to a process, `at_s` after the fault begins.
-struct ProcessAct {
-  const char* member;
-  int signal;  ///< or one of the above
-  double at_s;
-};
+using run::ProcessAct;
 
 /// What a cell of the table must show of the joints that are hit. All others track throughout.
 struct Expectation {

@@ -8,6 +8,7 @@
 
 #include "core/fault.hpp"
 #include "core/text.hpp"
+#include "monitor/poles_text.hpp"
 
 namespace farrier::display {
 namespace {
@@ -66,7 +67,7 @@ Cell cell_of(Column column, const monitor::JointFrame& joint, const robot::Joint
       break;
     case Column::kPoles:
       if (joint.estimate.tick != kNoTick) {
-        return {std::abs(joint.poles[0]), poles_text(joint.poles)};
+        return {std::abs(joint.poles[0]), monitor::poles_text(joint.poles)};
       }
       break;
     case Column::kGeneration:
@@ -125,21 +126,6 @@ bool passes(const JointRow& row, const std::string& leg, const TableView& view) 
 }
 
 }  // namespace
-
-std::string poles_text(const std::array<std::complex<double>, 3>& poles) {
-  std::string text;
-  for (std::size_t i = 0; i < poles.size(); ++i) {
-    if (!std::isfinite(poles[i].real())) {
-      return "-";
-    }
-    text += (text.empty() ? "" : " ") + digits("%.3f", poles[i].real());
-    if (poles[i].imag() != 0.0) {
-      text += "+-" + digits("%.3f", std::abs(poles[i].imag())) + "i";
-      ++i;  // its conjugate
-    }
-  }
-  return text;
-}
 
 std::string printable(std::string_view text) {
   std::string clean(text);

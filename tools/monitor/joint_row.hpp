@@ -25,9 +25,6 @@ struct JointRow {
 /// of `robot`.
 std::vector<JointRow> joint_rows(const monitor::Frame& frame, const robot::Robot& robot, const TableView& view);
 
-/// "0.912 0.3+-0.2i": a conjugate pair once.
-std::string poles_text(const std::array<std::complex<double>, 3>& poles);
-
 /// With a "?" for all that is no printable ASCII: what a process says of itself may be anything.
 std::string printable(std::string_view text);
 

@@ -45,7 +45,7 @@ RecordingProblems problem(const char* what, const std::string& text) { return {{
 
 }  // namespace
 
-Recording joint_recording(const Measurements& measured, const robot::Robot& robot, const robot::Joint& joint) {
+Recording joint_recording(const playback::Measurements& measured, const robot::Robot& robot, const robot::Joint& joint) {
   const std::vector<JointMeasurement>& samples = measured.joints[joint.number];
   Recording recording;
   recording.coordinates = diagnosis::coordinates_of(joint);
@@ -80,7 +80,7 @@ Recording joint_recording(const Measurements& measured, const robot::Robot& robo
 
 Result<Recording, RecordingProblems> read_joint_recording(const std::string& path, const std::string& joint_name,
                                                           KeepOn keep_on) {
-  auto run = RecordedRun::open(path);
+  auto run = playback::RecordedRun::open(path);
   if (!run) {
     return problem("unreadable", run.error().message);
   }
@@ -91,7 +91,7 @@ Result<Recording, RecordingProblems> read_joint_recording(const std::string& pat
                                         "; it has " + join(robot::joint_names(robot), ", ") + ": give --joint one of them");
   }
   run.value().ask(std::move(keep_on));
-  Measurements measured = read_measurements(run.value());
+  playback::Measurements measured = playback::read_measurements(run.value());
   Recording recording = joint_recording(measured, robot, *joint);
   if (recording.time_s.empty()) {
     return problem("no_such_joint", "the recording has no joint/measurement of " + joint_name +

@@ -8,7 +8,7 @@
 
 #include "core/ensure.hpp"
 #include "monitor/robot_view.hpp"
-#include "tools/offline/recorded_run.hpp"
+#include "tools/playback/recorded_run.hpp"
 #include "tools/web/frame_json.hpp"
 
 namespace farrier::web {
@@ -126,7 +126,7 @@ class RecordedFrames::Maker {
 };
 
 Result<RecordedFrames> RecordedFrames::read(const std::string& path, KeepOn keep_on) {
-  auto run = offline::RecordedRun::open(path);
+  auto run = playback::RecordedRun::open(path);
   if (!run) {
     return run.error();
   }

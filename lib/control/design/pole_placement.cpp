@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "control/numerics/francis.hpp"
+#include "control/numerics/spectrum.hpp"
 #include "control/design/gain_design.hpp"
 #include "control/model/plant_polynomials.hpp"
 
@@ -47,54 +47,147 @@ std::array<Complex, 2> roots(const std::array<double, 3>& c) noexcept {
   return {larger, larger != 0.0 ? product / larger : 0.0};
 }
 
-/// (a, b) after orthogonal similarity: a is Hessenberg, b a multiple of e_1; `back` is the product of the reflections.
-template <int N>
+/// (a, b) after orthogonal similarity: h is Hessenberg, b a multiple of e_1; `back` is the product of the reflections.
 struct ControllerHessenberg {
-  Square<N> h;
+  SmallMatrix h;
   double b_1;
-  Square<N> back;
+  SmallMatrix back;
 };
 
-template <int N>
-ControllerHessenberg<N> controller_hessenberg(const Square<N>& a, const Column<N>& b) noexcept {
-  ControllerHessenberg<N> form{a, 0.0, Square<N>::Identity()};
-  Column<N> column = b;
-  for (int first = 0; first < N - 1; ++first) {
-    // Householder: I - 2 w w' / w'w makes the column zero below `first`.
-    Column<N> w = Column<N>::Zero();
-    w.tail(N - first) = column.tail(N - first);
-    const double size = w.norm();
-    w(first) += std::copysign(size, w(first));
-    const double square = w.squaredNorm();
-    if (square > 0.0) {
-      form.h -= (2.0 / square) * w * (w.transpose() * form.h).eval();
-      form.h -= (form.h * w).eval() * ((2.0 / square) * w.transpose());
-      form.back -= (form.back * w).eval() * ((2.0 / square) * w.transpose());
+/// m <- m - 2 m w w' / w'w.
+void reflect_columns(SmallMatrix& m, const SmallColumn& w, double square) noexcept {
+  for (Eigen::Index i = 0; i < m.rows(); ++i) {
+    double sum = 0.0;
+    for (Eigen::Index j = 0; j < m.cols(); ++j) {
+      sum += m(i, j) * w(j);
     }
-    column = form.h.col(first);
+    for (Eigen::Index j = 0; j < m.cols(); ++j) {
+      m(i, j) -= sum * (2.0 / square) * w(j);
+    }
   }
-  form.b_1 = form.back.col(0).dot(b);
+}
+
+ControllerHessenberg controller_hessenberg(const SmallMatrix& a, const SmallColumn& b) noexcept {
+  const Eigen::Index n = a.rows();
+  ControllerHessenberg form{a, 0.0, SmallMatrix(n, n)};
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index i = 0; i < n; ++i) {
+      form.back(i, j) = i == j ? 1.0 : 0.0;
+    }
+  }
+  SmallColumn column = b;
+  for (Eigen::Index first = 0; first < n - 1; ++first) {
+    // Householder: I - 2 w w' / w'w makes the column zero below `first`.
+    SmallColumn w(n);
+    double square = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      w(i) = i < first ? 0.0 : column(i);
+      square += w(i) * w(i);
+    }
+    w(first) += std::copysign(std::sqrt(square), w(first));
+    square = 0.0;
+    for (Eigen::Index i = first; i < n; ++i) {
+      square += w(i) * w(i);
+    }
+    if (square > 0.0) {
+      for (Eigen::Index j = 0; j < n; ++j) {
+        double sum = 0.0;
+        for (Eigen::Index i = first; i < n; ++i) {
+          sum += w(i) * form.h(i, j);
+        }
+        for (Eigen::Index i = first; i < n; ++i) {
+          form.h(i, j) -= sum * (2.0 / square) * w(i);
+        }
+      }
+      reflect_columns(form.h, w, square);
+      reflect_columns(form.back, w, square);
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+      column(i) = form.h(i, first);
+    }
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    form.b_1 += form.back(i, 0) * b(i);
+  }
   return form;
+}
+
+/// row <- row m.
+SmallColumn row_times(const SmallColumn& row, const SmallMatrix& m) noexcept {
+  SmallColumn product(m.cols());
+  for (Eigen::Index j = 0; j < m.cols(); ++j) {
+    product(j) = 0.0;
+    for (Eigen::Index i = 0; i < m.rows(); ++i) {
+      product(j) += row(i) * m(i, j);
+    }
+  }
+  return product;
 }
 
 /// Largest distance of an eigenvalue of `m` from the pole it is paired with, nearest first; infinite when the
 /// eigenvalues cannot be computed.
-template <int N>
-double misplacement(const Square<N>& m, Eigen::Matrix<Complex, N, 1> poles) noexcept {
-  Eigen::Matrix<Complex, N, 1> z;
-  if (!francis_eigenvalues<N>(m, z)) {
+double misplacement(const SmallMatrix& m, const SmallSpectrum& poles) noexcept {
+  SmallSpectrum z = eigenvalues(m);
+  if (z.hasNaN()) {
     return std::numeric_limits<double>::infinity();
   }
   double worst = 0.0;
-  for (int i = 0; i < N; ++i) {
-    int nearest = i;
-    for (int j = i; j < N; ++j) {
+  for (Eigen::Index i = 0; i < z.size(); ++i) {
+    Eigen::Index nearest = i;
+    for (Eigen::Index j = i; j < z.size(); ++j) {
       nearest = std::abs(z(j) - poles(i)) < std::abs(z(nearest) - poles(i)) ? j : nearest;
     }
     worst = std::max(worst, std::abs(z(nearest) - poles(i)));
     std::swap(z(i), z(nearest));
   }
   return worst;
+}
+
+/// place_poles for any number of states up to kMaxStates; `k` is the row.
+DesignStatus place(const SmallMatrix& a, const SmallColumn& b, const SmallSpectrum& poles, SmallColumn& k) noexcept {
+  const Eigen::Index n = a.rows();
+  const ControllerHessenberg form = controller_hessenberg(a, b);
+  const double threshold = kSubdiagonalThreshold * std::sqrt(a.squaredNorm() + b.squaredNorm());
+  // The divisor of each factor's row, from the last subdiagonal up to b: the row stays of the size of the poles.
+  const auto divisor = [&form, n](Eigen::Index factor) {
+    return factor == n - 1 ? form.b_1 : form.h(n - 1 - factor, n - 2 - factor);
+  };
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (!(std::abs(divisor(i)) > threshold)) {
+      return std::isfinite(threshold) ? DesignStatus::kNotControllable : DesignStatus::kModelNotFinite;
+    }
+  }
+  SmallColumn row(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    row(i) = i == n - 1 ? 1.0 : 0.0;
+  }
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const SmallColumn once = row_times(row, form.h);
+    if (poles(i).imag() == 0.0 || i == n - 1) {
+      for (Eigen::Index j = 0; j < n; ++j) {
+        row(j) = (once(j) - poles(i).real() * row(j)) / divisor(i);
+      }
+    } else {
+      // (H - z I)(H - z* I) = H^2 - 2 Re z H + |z|^2 I
+      const SmallColumn twice = row_times(once, form.h);
+      for (Eigen::Index j = 0; j < n; ++j) {
+        row(j) = (twice(j) - 2.0 * poles(i).real() * once(j) + std::norm(poles(i)) * row(j)) / divisor(i) / divisor(i + 1);
+      }
+      ++i;
+    }
+  }
+  k.resize(n);
+  SmallMatrix closed = a;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    k(j) = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      k(j) += row(i) * form.back(j, i);
+    }
+    for (Eigen::Index i = 0; i < n; ++i) {
+      closed(i, j) -= b(i) * k(j);
+    }
+  }
+  return misplacement(closed, poles) <= kPlacedTolerance ? DesignStatus::kSuccessful : DesignStatus::kPolesNotPlaced;
 }
 
 struct PlacementRule {
@@ -129,34 +222,11 @@ std::array<Complex, 6> wanted_poles(const DiscreteModel& model, const PolePlacem
 template <int N>
 Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles(
     const Square<N>& a, const Column<N>& b, const Eigen::Matrix<Complex, N, 1>& poles) noexcept {
-  using Row = Eigen::Matrix<double, 1, N>;
-  const ControllerHessenberg<N> form = controller_hessenberg<N>(a, b);
-  const double threshold = kSubdiagonalThreshold * std::sqrt(a.squaredNorm() + b.squaredNorm());
-  // What each factor's row is divided by, from the last subdiagonal up to b: the row stays of the size of the poles.
-  const auto divisor = [&form](int factor) {
-    return factor == N - 1 ? form.b_1 : form.h(N - 1 - factor, N - 2 - factor);
-  };
-  for (int i = 0; i < N; ++i) {
-    if (!(std::abs(divisor(i)) > threshold)) {
-      return std::isfinite(threshold) ? DesignStatus::kNotControllable : DesignStatus::kModelNotFinite;
-    }
+  SmallColumn k;
+  if (const DesignStatus status = place(a, b, poles, k); status != DesignStatus::kSuccessful) {
+    return status;
   }
-  Row row = Row::Unit(N - 1);
-  for (int i = 0; i < N; ++i) {
-    if (poles(i).imag() == 0.0 || i == N - 1) {
-      row = ((row * form.h - poles(i).real() * row) / divisor(i)).eval();
-    } else {
-      // (H - z I)(H - z* I) = H^2 - 2 Re z H + |z|^2 I
-      const Row once = row * form.h / divisor(i);
-      row = (once * form.h - 2.0 * poles(i).real() * once + (std::norm(poles(i)) / divisor(i)) * row) / divisor(i + 1);
-      ++i;
-    }
-  }
-  const Row k = row * form.back.transpose();
-  if (!(misplacement<N>(a - b * k, poles) <= kPlacedTolerance)) {
-    return DesignStatus::kPolesNotPlaced;
-  }
-  return k;
+  return Eigen::Matrix<double, 1, N>(k.transpose());
 }
 
 #define FARRIER_INSTANTIATE(N)                                                                            \

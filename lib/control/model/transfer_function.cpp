@@ -1,7 +1,6 @@
 #include "control/model/transfer_function.hpp"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +49,44 @@ Complex response_at(const SingleInOut<N>& system, Complex s) noexcept {
   }
   const Eigen::Matrix<Complex, N, 1> x = resolvent.partialPivLu().solve(system.b.template cast<Complex>());
   return (system.c.template cast<Complex>() * x)(0) + system.d;
+}
+
+/// Orthonormal columns that span all that is orthogonal to the `degree` independent columns of `across`, by Householder's
+/// reflections: the last columns of the orthogonal factor of its QR decomposition.
+SmallMatrix orthogonal_complement(SmallMatrix across, Eigen::Index degree) noexcept {
+  const Eigen::Index n = across.rows();
+  SmallMatrix q(n, n);
+  for (Eigen::Index j = 0; j < n; ++j) {
+    for (Eigen::Index i = 0; i < n; ++i) {
+      q(i, j) = i == j ? 1.0 : 0.0;
+    }
+  }
+  for (Eigen::Index k = 0; k < degree; ++k) {
+    SmallColumn v(n);
+    double square = 0.0;
+    for (Eigen::Index i = 0; i < n; ++i) {
+      v(i) = i < k ? 0.0 : across(i, k);
+      square += v(i) * v(i);
+    }
+    v(k) += std::copysign(std::sqrt(square), v(k));
+    square = 0.0;
+    for (Eigen::Index i = k; i < n; ++i) {
+      square += v(i) * v(i);
+    }
+    for (Eigen::Index j = 0; square > 0.0 && j < n; ++j) {
+      double column = 0.0;  // v'across, column j
+      double row = 0.0;     // q v, row j
+      for (Eigen::Index i = k; i < n; ++i) {
+        column += v(i) * across(i, j);
+        row += q(j, i) * v(i);
+      }
+      for (Eigen::Index i = k; i < n; ++i) {
+        across(i, j) -= 2.0 / square * column * v(i);
+        q(j, i) -= 2.0 / square * row * v(i);
+      }
+    }
+  }
+  return q.rightCols(n - degree);
 }
 
 void sort(SmallSpectrum& z) noexcept {
@@ -157,7 +194,7 @@ SmallSpectrum zeros(const SingleInOut<N>& system) noexcept {
     return sorted_eigenvalues(of.a - of.b * of.c / of.d);
   }
   // Rows c, c a, ... until one of them meets b; beside each the sum of moduli that its rounding goes with.
-  SmallMatrix across(N, N);
+  SmallMatrix across = SmallMatrix::Zero(N, N);
   Row row = of.c;
   Row moduli = of.c.cwiseAbs();
   int degree = 0;
@@ -177,9 +214,7 @@ SmallSpectrum zeros(const SingleInOut<N>& system) noexcept {
   }
   // a - b c a^r / (c a^(r-1) b) leaves the kernel of the r rows invariant: its eigenvalues there, orthonormal base.
   const SmallMatrix kept = of.a - of.b * (row * of.a) / markov;
-  const Eigen::HouseholderQR<SmallMatrix> qr(across.leftCols(degree));
-  const SmallMatrix base = qr.householderQ() * SmallMatrix::Identity(N, N);
-  const SmallMatrix kernel = base.rightCols(N - degree);
+  const SmallMatrix kernel = orthogonal_complement(across, degree);
   return sorted_eigenvalues(kernel.transpose() * kept * kernel);
 }
 

@@ -1,11 +1,12 @@
 #include "control/numerics/common_lyapunov.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "control/numerics/symmetric_eigen.hpp"
 
 namespace farrier::control::switching {
 namespace {
@@ -208,7 +209,7 @@ double largest_ratio(const Matrix6& m, const Matrix6& p, const Matrix6& over) no
   if (!g.allFinite()) {
     return std::numeric_limits<double>::infinity();
   }
-  return Eigen::SelfAdjointEigenSolver<Matrix6>(symmetric_part(g), Eigen::EigenvaluesOnly).eigenvalues()(kStates - 1);
+  return symmetric_eigen<kStates>(symmetric_part(g)).values(kStates - 1);
 }
 
 bool is_common(const Matrix6& p, std::span<const Matrix6> loops) noexcept {

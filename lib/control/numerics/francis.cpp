@@ -154,8 +154,19 @@ bool francis_eigenvalues(const Eigen::Matrix<double, N, N>& m, Eigen::Matrix<std
     z.setZero();
     return true;
   }
-  if (!(size <= kLargest && size >= 1.0 / kLargest)) {
+  if (!std::isfinite(size)) {
     return false;
+  }
+  // Scaled by a power of two, which rounds nothing, so that products of a few entries stay finite.
+  const int exponent = size <= kLargest && size >= 1.0 / kLargest ? 0 : std::ilogb(size);
+  if (exponent != 0) {
+    size = 0.0;
+    for (auto& row : h) {
+      for (double& entry : row) {
+        entry = std::scalbn(entry, -exponent);
+        size += std::abs(entry);
+      }
+    }
   }
   to_hessenberg<N>(h);
   int high = N - 1;
@@ -190,6 +201,11 @@ bool francis_eigenvalues(const Eigen::Matrix<double, N, N>& m, Eigen::Matrix<std
       } else {
         shift<N>(h, low, high, h[high - 1][high - 1], h[high][high], h[high][high - 1] * h[high - 1][high]);
       }
+    }
+  }
+  if (exponent != 0) {
+    for (int i = 0; i < N; ++i) {
+      z(i) = {std::scalbn(z(i).real(), exponent), std::scalbn(z(i).imag(), exponent)};
     }
   }
   return z.allFinite();

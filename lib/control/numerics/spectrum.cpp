@@ -1,57 +1,18 @@
 #include "control/numerics/spectrum.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "control/numerics/francis.hpp"
+#include "control/numerics/smallest_singular_value.hpp"
 
 namespace farrier::control {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// Eigenvalues of a double integrator are only known to the root of the machine precision.
-constexpr double kUnitCircleMargin = 1e-7;
-
 using SmallPencil = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxStates + 1, kMaxStates>;
-
-/// Of [a - z I, b].
-template <class Pencil, class A, class B>
-double smallest_singular_value(const A& a, const B& b, std::complex<double> z) {
-  const Eigen::Index n = a.rows();
-  Pencil pencil(n + b.cols(), n);
-  pencil.topRows(n) = a.transpose().template cast<std::complex<double>>();
-  pencil.topRows(n).diagonal().array() -= z;
-  pencil.bottomRows(b.cols()) = b.transpose().template cast<std::complex<double>>();
-  const Eigen::JacobiSVD<Pencil> svd(pencil);
-  return svd.singularValues()(n - 1);
-}
-
-/// Its least over z = 1 and the modes that do not decay.
-template <class Pencil, class A, class B, class Modes>
-double smallest_over(const A& a, const B& b, const Modes& modes) {
-  double distance = smallest_singular_value<Pencil>(a, b, 1.0);
-  for (const std::complex<double>& z : modes) {
-    if (std::abs(z) >= 1.0 - kUnitCircleMargin && z.imag() >= 0.0) {
-      distance = std::min(distance, smallest_singular_value<Pencil>(a, b, z));
-    }
-  }
-  return distance;
-}
-
-Eigen::VectorXcd eigenvalues_of_any_size(const Eigen::MatrixXd& m) {
-  if (m.allFinite()) {
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(m, false);
-    if (solver.info() == Eigen::Success) {
-      return solver.eigenvalues();
-    }
-  }
-  return Eigen::VectorXcd::Constant(m.rows(), kNaN);
-}
 
 // Below this multiple of the threshold the singular values are computed: rounding has no say above it.
 constexpr double kClearly = 2.0;
@@ -107,6 +68,7 @@ SmallSpectrum eigenvalues(const SmallMatrix& m) noexcept {
   SmallSpectrum z;
   bool done = false;
   switch (m.rows()) {
+    case 1: z = m.col(0).cast<std::complex<double>>(); done = m.allFinite(); break;
     case 2: done = francis<2>(m, z); break;
     case 3: done = francis<3>(m, z); break;
     case 4: done = francis<4>(m, z); break;
@@ -114,16 +76,7 @@ SmallSpectrum eigenvalues(const SmallMatrix& m) noexcept {
     case 6: done = francis<6>(m, z); break;
     default: break;
   }
-  if (done) {
-    return z;
-  }
-  if (m.allFinite()) {
-    const Eigen::EigenSolver<SmallMatrix> solver(m, false);
-    if (solver.info() == Eigen::Success) {
-      return solver.eigenvalues();
-    }
-  }
-  return SmallSpectrum::Constant(m.rows(), kNaN);
+  return done ? z : SmallSpectrum::Constant(m.rows(), kNaN);
 }
 
 double spectral_radius(const SmallMatrix& m) noexcept {
@@ -137,16 +90,6 @@ double stabilisability(const SmallMatrix& a, const SmallColumn& b) noexcept {
     return kNaN;
   }
   return smallest_over<SmallPencil>(a, b, modes);
-}
-
-double any_size::spectral_radius(const Eigen::MatrixXd& m) {
-  const Eigen::VectorXcd z = eigenvalues_of_any_size(m);
-  return z.hasNaN() ? kNaN : z.cwiseAbs().maxCoeff();
-}
-
-double any_size::stabilisability(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
-  const Eigen::VectorXcd modes = eigenvalues_of_any_size(a);
-  return modes.hasNaN() || !b.allFinite() ? kNaN : smallest_over<Eigen::MatrixXcd>(a, b, modes);
 }
 
 template <int N>

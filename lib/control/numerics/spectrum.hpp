@@ -12,7 +12,7 @@ using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMa
 using SmallColumn = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxStates, 1>;
 using SmallSpectrum = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, 0, kMaxStates, 1>;
 
-/// Eigenvalues of a square matrix; NaN throughout when they cannot be computed.
+/// Eigenvalues of a square matrix of 1 to 6 rows (francis.hpp); NaN throughout when they cannot be computed.
 SmallSpectrum eigenvalues(const SmallMatrix& m) noexcept;
 
 /// Largest modulus of the eigenvalues; NaN when they cannot be computed.
@@ -26,12 +26,6 @@ inline constexpr double kStabilisabilityThreshold = 1e-8;
 /// [a - z I, b] over z = 1 and the eigenvalues z of `a` on or outside the unit circle (Popov, Belevitch, Hautus
 /// test; Eising 1984). NaN when the eigenvalues cannot be computed.
 double stabilisability(const SmallMatrix& a, const SmallColumn& b) noexcept;
-
-/// The same of any number of states and inputs, for analysis: on the heap.
-namespace any_size {
-double spectral_radius(const Eigen::MatrixXd& m);
-double stabilisability(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b);
-}  // namespace any_size
 
 /// stabilisability(a, b) >= kStabilisabilityThreshold for N = 3..6 states, most often told from a lower bound of the
 /// singular values in a fraction of the time. False when the eigenvalues cannot be computed.

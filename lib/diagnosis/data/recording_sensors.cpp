@@ -17,13 +17,13 @@ constexpr double kLeastShare = 0.01;            // of all samples
 constexpr double kCurrentShare = 0.5;
 
 /// One sensor.
-struct Channel {
+struct SensorChannel {
   std::string column;
   std::span<const double> values;
   double least = 0.0, most = 0.0;
   double movement = 0.0;  ///< a range beyond this is more than its noise and a tenth of what it does at all
 
-  Channel(std::string name, std::span<const double> of, double significant) : column(std::move(name)), values(of) {
+  SensorChannel(std::string name, std::span<const double> of, double significant) : column(std::move(name)), values(of) {
     const auto [low, high] = std::minmax_element(of.begin(), of.end());
     least = *low;
     most = *high;
@@ -80,8 +80,8 @@ class SensorCheck {
   std::size_t line(std::size_t sample) const { return recording_.line.empty() ? 0 : recording_.line[sample]; }
 
   void check_constant(std::size_t of) {
-    const Channel& channel = channels_[of];
-    const auto moving = std::find_if(channels_.begin(), channels_.end(), [](const Channel& c) { return c.moves(); });
+    const SensorChannel& channel = channels_[of];
+    const auto moving = std::find_if(channels_.begin(), channels_.end(), [](const SensorChannel& c) { return c.moves(); });
     std::string evidence = moving == channels_.end() ? "" : moving->column;
     if (evidence.empty() && !recording_.valve_current_A.empty()) {
       const auto& current = recording_.valve_current_A;
@@ -97,10 +97,10 @@ class SensorCheck {
   }
 
   /// What shows that a channel at one value from `begin` to `end` - 1 does not tell the truth; null: nothing.
-  const Channel* evidence_against(std::size_t of, std::size_t begin, std::size_t end) const {
+  const SensorChannel* evidence_against(std::size_t of, std::size_t begin, std::size_t end) const {
     if (of == velocity_) {
       // At a steady speed a good sensor is constant too: the position must say another speed.
-      const Channel& position = channels_[kPosition];
+      const SensorChannel& position = channels_[kPosition];
       const double seconds = static_cast<double>(end - 1 - begin) * recording_.period_s;
       const double error = position.values[end - 1] - position.values[begin] - channels_[of].values[begin] * seconds;
       return std::abs(error) > std::max(0.2 * std::abs(channels_[of].values[begin]) * seconds, position.movement)
@@ -108,7 +108,7 @@ class SensorCheck {
                  : nullptr;
     }
     if (of == kPosition && velocity_ < channels_.size()) {
-      const Channel& velocity = channels_[velocity_];  // forces change on a joint at its end stop, too
+      const SensorChannel& velocity = channels_[velocity_];  // forces change on a joint at its end stop, too
       return velocity.moves(begin, end) ? &velocity : nullptr;
     }
     for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -128,7 +128,7 @@ class SensorCheck {
   };
 
   void check_runs(std::size_t of) {
-    const Channel& channel = channels_[of];
+    const SensorChannel& channel = channels_[of];
     const bool chamber = of > force_;
     const double cavitation = joint_.actuator.return_pressure_Pa + 0.01 * joint_.actuator.supply_pressure_Pa;
     Spells low, high, between;
@@ -142,7 +142,7 @@ class SensorCheck {
           (chamber && value <= cavitation)) {
         continue;
       }
-      if (const Channel* evidence = evidence_against(of, begin, end)) {
+      if (const SensorChannel* evidence = evidence_against(of, begin, end)) {
         spells.places.add(line(begin));
         spells.samples += end - begin;
         spells.longest = std::max(spells.longest, end - begin);
@@ -156,7 +156,7 @@ class SensorCheck {
     report(channel, "frozen", between, "at an unchanging value", "; check its link for lost samples, or cut them out");
   }
 
-  void report(const Channel& channel, const char* what, const Spells& spells, const std::string& where,
+  void report(const SensorChannel& channel, const char* what, const Spells& spells, const std::string& where,
               const std::string& remedy) {
     if (static_cast<double>(spells.samples) < kLeastShare * static_cast<double>(channel.values.size()) ||
         spells.samples == 0) {
@@ -189,7 +189,7 @@ class SensorCheck {
 
   const Recording& recording_;
   const robot::Joint& joint_;
-  std::vector<Channel> channels_;
+  std::vector<SensorChannel> channels_;
   std::size_t velocity_ = static_cast<std::size_t>(-1);  ///< none
   std::size_t force_ = 0;
   std::vector<Finding> findings_;

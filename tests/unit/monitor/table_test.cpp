@@ -1,3 +1,4 @@
+#include "monitor/poles_text.hpp"
 #include "tools/monitor/terminal_table.hpp"
 
 #include <gtest/gtest.h>
@@ -194,9 +195,9 @@ TEST(TableView, DoesWhatItsHelpSays) {
 }
 
 TEST(PolesText, ShowsAConjugatePairOnce) {
-  EXPECT_EQ(poles_text({{{0.999, 0.0}, {0.5, 0.25}, {0.5, -0.25}}}), "0.999 0.500+-0.250i");
-  EXPECT_EQ(poles_text({{{0.5, 0.25}, {0.5, -0.25}, {0.1, 0.0}}}), "0.500+-0.250i 0.100");
-  EXPECT_EQ(poles_text({{{NAN, 0.0}, {0.5, 0.0}, {0.1, 0.0}}}), "-");
+  EXPECT_EQ(monitor::poles_text({{{0.999, 0.0}, {0.5, 0.25}, {0.5, -0.25}}}), "0.999 0.500+-0.250i");
+  EXPECT_EQ(monitor::poles_text({{{0.5, 0.25}, {0.5, -0.25}, {0.1, 0.0}}}), "0.500+-0.250i 0.100");
+  EXPECT_EQ(monitor::poles_text({{{NAN, 0.0}, {0.5, 0.0}, {0.1, 0.0}}}), "-");
 }
 
 }  // namespace

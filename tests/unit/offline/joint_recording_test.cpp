@@ -28,7 +28,7 @@ class JointRecordingTest : public testing::Test {
 
   robot::Robot robot_ = robot::load_robot(std::string(FARRIER_ROBOTS) + "/hyq.yaml").value();
   const robot::Joint& knee_ = *robot_.find("lf_kfe");
-  Measurements measured_{.lockstep = true, .joints = {}, .ending = {}};
+  playback::Measurements measured_{.lockstep = true, .joints = {}, .ending = {}};
 };
 
 TEST_F(JointRecordingTest, HasWhatWasMeasuredTickByTick) {

@@ -4,6 +4,8 @@
 
 #include "report/diagnosis/extended_model.hpp"
 
+#include "core/replace_file.hpp"
+
 namespace farrier::report {
 namespace {
 

@@ -24,7 +24,7 @@ TEST(WalkingCycle, ValveSignalsStayWithinTheirOpening) {
 
 TEST(WalkingCycle, TheMassOfAModelIsThatOfItsLoad) {
   for (const plant::LoadParams& load : walking_cycle()) {
-    EXPECT_NEAR(load_mass_kg(model_of(plant::nominal_cylinder(), load).a) / load.mass, 1.0, 1e-6) << load.mass;
+    EXPECT_NEAR(load_mass_kg(cycle_model_of(plant::nominal_cylinder(), load).a) / load.mass, 1.0, 1e-6) << load.mass;
   }
   EXPECT_TRUE(std::isinf(load_mass_kg(Eigen::Matrix3d::Constant(std::nan("")))));
 }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "cli/trot/trot_options.hpp"
+
+namespace farrier::cli {
+
+/// The command line of `farrier compare`: the gait of one run, made by several contenders.
+struct CompareOptions : TrotOptions {
+  int seeds = 5;  ///< robots that are drawn, from `seed` on
+};
+
+}  // namespace farrier::cli

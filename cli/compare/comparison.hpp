@@ -1,0 +1,49 @@
+#pragma once
+
+#include <vector>
+
+#include "run/inproc_run.hpp"
+#include "trace/trace.hpp"
+#include "cli/compare/compare_options.hpp"
+#include "report/figures/outcome.hpp"
+
+namespace farrier::cli {
+
+/// farrier compare switching: what changing gains with the phase is worth right after touchdown. An adaptive
+/// run of the gait gives every joint its gains of both phases; then nothing is redesigned and nothing dithers. "On":
+/// each phase acts with its own, switched as the product does it: touchdowns are announced as planned, and stance gains
+/// act stance_lead_s earlier. "Off": the swing gains act in both phases, for they act when a leg lands, and estimates
+/// alone would tell of it only later. Both again against the stance gains in both phases. Twice: with a reference and a
+/// weight that step at touchdown, and with the load transfer of the robot file.
+int run_switching(const robot::Robot& robot, const CompareOptions& options);
+
+/// farrier compare update-logic: the four update logics of Hubacher (2014), Section 5.3.1, each with the
+/// parameters of its robot file, on the load cycle of the shipped rig and on an adaptive trot of `robot`.
+int run_update_logic(const robot::Robot& robot, const CompareOptions& options);
+
+/// farrier compare controllers: one linear design, feedback linearisation, PID, adaptive linear gains and the
+/// grey box with flow inversion, on varied robots and on the load cycle of the shipped rig; `options.seeds` of
+/// each.
+int run_controllers(const robot::Robot& robot, const CompareOptions& options);
+
+/// farrier compare varied: robots drawn unlike their file, under adaptation, perfect knowledge and fixed controllers.
+int run_varied(const robot::Robot& robot, const CompareOptions& options);
+
+/// A run in process and its trace.
+struct ComparedRun {
+  std::vector<trace::TraceRow> rows;
+  run::InprocResult result;
+};
+
+/// Runs with a bar called `title`; the trace goes to `trace_path`. Refuses what run::run_inproc does, and when the user
+/// interrupts.
+Result<ComparedRun> run_compared(const robot::Robot& robot, run::InprocRun run, const std::string& trace_path,
+                                     const std::string& title);
+
+/// Adds the run's errors to the failures.
+void add_failures(report::Outcome& outcome, const ComparedRun& run, const std::string& title);
+
+/// Writes the figures, prints them, names the files; gives the exit status.
+int finish_comparison(const report::Outcome& outcome, const CompareOptions& options, const std::string& page);
+
+}  // namespace farrier::cli

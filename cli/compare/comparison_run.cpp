@@ -1,0 +1,51 @@
+#include <unistd.h>
+
+#include <cstdio>
+
+#include "participant/loop.hpp"
+#include "robot/keys.hpp"
+#include "cli/base/command.hpp"
+#include "cli/compare/comparison.hpp"
+#include "cli/base/progress.hpp"
+#include "report/figures/console.hpp"
+
+namespace farrier::cli {
+
+Result<ComparedRun> run_compared(const robot::Robot& robot, run::InprocRun run, const std::string& trace_path,
+                                     const std::string& title) {
+  participant::install_signal_handlers();
+  Progress progress(title, run.ticks);
+  run.trace_path = trace_path;
+  run.progress = [&](Tick tick) {
+    progress.update(tick);
+    return !participant::stop_requested();
+  };
+  auto result = run::run_inproc(robot, run);
+  if (!result) {
+    return result.error();
+  }
+  auto rows = trace::read_trace(trace_path, robot::joint_names(robot));
+  if (!rows) {
+    return rows.error();
+  }
+  return ComparedRun{std::move(rows).value(), std::move(result).value()};
+}
+
+void add_failures(report::Outcome& outcome, const ComparedRun& run, const std::string& title) {
+  for (const signals::SystemEvent& event : run.result.events) {
+    if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {
+      outcome.failures.push_back(title + ": " + std::string(signals::text_of(event.text)));
+    }
+  }
+}
+
+int finish_comparison(const report::Outcome& outcome, const CompareOptions& options, const std::string& page) {
+  if (auto written = report::write_json(options.json_path, outcome); !written) {
+    return fail("compare", written.error().message);
+  }
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  std::printf("report: %s\nfigures: %s\n", page.c_str(), options.json_path.c_str());
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace farrier::cli
