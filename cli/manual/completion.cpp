@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "cli/base/command.hpp"
+#include "cli/manual/all_verbs.hpp"
 #include "cli/base/help.hpp"
 
 namespace farrier::cli {
@@ -31,8 +32,9 @@ std::function<int()> declare_completion(CLI::App& app) {
   add_choice(app, "shell", *shell, kShells, "bash|zsh|fish",
              "the shell; a package installs what this prints, and 'source <(farrier completion bash)' tries it")
       ->required();
-  return [shell, &app] {
-    const CLI::App& farrier = *app.get_parent();
+  return [shell] {
+    const auto app = whole_command_line();
+    const CLI::App& farrier = *app;
     std::fputs((*shell)(command_text(farrier), command_texts(farrier)).c_str(), stdout);
     return kPassed;
   };

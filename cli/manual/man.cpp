@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "cli/base/command.hpp"
+#include "cli/manual/all_verbs.hpp"
 #include "cli/manual/man_page.hpp"
 #include "report/figures/run_info.hpp"
 
@@ -31,7 +32,7 @@ int write_pages(const CLI::App& farrier, const std::string& folder) {
 std::function<int()> declare_man(CLI::App& app) {
   auto folder = std::make_shared<std::string>();
   app.add_option("--out", *folder, "folder for farrier.1 and a page for each command")->required()->type_name("<dir>");
-  return [folder, &app] { return write_pages(*app.get_parent(), *folder); };
+  return [folder] { return write_pages(*whole_command_line(), *folder); };
 }
 
 }  // namespace farrier::cli

@@ -8,6 +8,7 @@
 #include "participant/event_registry.hpp"
 #include "robot/robot.hpp"
 #include "cli/base/command.hpp"
+#include "cli/manual/all_verbs.hpp"
 #include "cli/manual/command_table.hpp"
 #include "cli/base/help.hpp"
 #include "tools/monitor/metric_table.hpp"
@@ -40,8 +41,8 @@ std::function<int()> declare_tables(CLI::App& app) {
              "cli (docs/cli.md), topics (idl/README.md), effects (docs/effects.md), events (docs/events.md), figures (docs/figures.md), "
              "metrics (docs/metrics.md) or parameters (docs/parameters.md)")
       ->required();
-  return [table, &app] {
-    std::fputs((*table)(*app.get_parent()).c_str(), stdout);
+  return [table] {
+    std::fputs((*table)(*whole_command_line()).c_str(), stdout);
     return kPassed;
   };
 }

@@ -8,7 +8,7 @@
 #include "random_signal.hpp"
 
 namespace farrier::contract {
-namespace {
+namespace conformance_delivery_test {
 
 using signals::ClockTickDone;
 using signals::JointSensors;
@@ -200,5 +200,5 @@ TEST_P(Conformance, SampleCanBeTakenOnceItsArrivalIsCounted) {
   }
 }
 
-}  // namespace
+}  // namespace conformance_delivery_test
 }  // namespace farrier::contract

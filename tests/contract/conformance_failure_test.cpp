@@ -8,7 +8,7 @@
 #include "tests/support/slowness.hpp"
 
 namespace farrier::contract {
-namespace {
+namespace conformance_failure_test {
 
 using signals::SystemEvent;
 using signals::SystemMode;
@@ -161,5 +161,5 @@ std::string name_of(const testing::TestParamInfo<Pair>& pair) { return pair.para
 INSTANTIATE_TEST_SUITE_P(Bus, Conformance, testing::ValuesIn(kPairs), name_of);
 INSTANTIATE_TEST_SUITE_P(Bus, Failure, testing::ValuesIn(kPairs), name_of);
 
-}  // namespace
+}  // namespace conformance_failure_test
 }  // namespace farrier::contract

@@ -6,7 +6,7 @@
 #include "conformance.hpp"
 
 namespace farrier::contract {
-namespace {
+namespace conformance_matching_test {
 
 using bus::Durability;
 using signals::JointSensors;
@@ -150,5 +150,5 @@ TEST_P(Conformance, VolatileWriterGivesATransientLocalReaderNothing) {
   EXPECT_EQ(demanding.status().matched_writers, 0);
 }
 
-}  // namespace
+}  // namespace conformance_matching_test
 }  // namespace farrier::contract

@@ -43,6 +43,7 @@ set_tests_properties(contract/security_bus_test PROPERTIES RUN_SERIAL FALSE)
 
 farrier_test(wire_bytes_test contract ${contract_dir}/wire_bytes_test.cpp ${contract_dir}/wire_bytes_cyclone.cpp
   ${contract_dir}/wire_bytes_fast.cpp)
+set_target_properties(wire_bytes_test PROPERTIES UNITY_BUILD OFF)  # two vendors' types of one name
 target_link_libraries(wire_bytes_test PRIVATE farrier_signals farrier_bus_cyclone CycloneDDS::ddsc farrier_bus_fastdds
   farrier_wire_fastdds)
 target_include_directories(wire_bytes_test SYSTEM PRIVATE ${PROJECT_BINARY_DIR}/lib/bus_cyclone)  # its types of idl/

@@ -12,7 +12,7 @@
 #include "bus/topics.hpp"
 
 namespace farrier::contract {
-namespace {
+namespace contract_text_test {
 
 constexpr std::size_t kMaxKeySize = 16;  // a longer key travels as a hash, which Cyclone cannot turn back
 
@@ -160,5 +160,5 @@ TEST(Contract, KeysFitWhereBothVendorsCarryThemInFull) {
 #undef FARRIER_KEY_SIZE
 }
 
-}  // namespace
+}  // namespace contract_text_test
 }  // namespace farrier::contract

@@ -8,7 +8,7 @@
 #include "bus_cyclone/cyclone_bus.hpp"
 
 namespace farrier::bus_cyclone {
-namespace {
+namespace cyclone_bus_test {
 
 bus::NetworkOptions own_network() {
   bus::NetworkOptions options;
@@ -75,5 +75,5 @@ TEST(CycloneBus, RefusesAHistoryWithoutDepth) {
   EXPECT_NE(refused.error().message.find("clock/tick"), std::string::npos) << refused.error().message;
 }
 
-}  // namespace
+}  // namespace cyclone_bus_test
 }  // namespace farrier::bus_cyclone

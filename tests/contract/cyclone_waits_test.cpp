@@ -16,7 +16,7 @@
 #include "cli/processes/host_clock.hpp"
 
 namespace farrier::bus_cyclone {
-namespace {
+namespace cyclone_waits_test {
 
 using namespace std::chrono_literals;
 
@@ -68,5 +68,5 @@ TEST(CycloneWaits, EndInTimeThoughTheWallClockIsSetBack) {
   dds_delete(participant);
 }
 
-}  // namespace
+}  // namespace cyclone_waits_test
 }  // namespace farrier::bus_cyclone

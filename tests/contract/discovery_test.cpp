@@ -6,7 +6,7 @@
 #include "peer.hpp"
 
 namespace farrier::contract {
-namespace {
+namespace discovery_test {
 
 constexpr int kProcesses = 20;
 
@@ -34,5 +34,5 @@ TEST(Discovery, TwentyProcessesOfBothVendorsGreetOneAnotherOnALoopbackWithoutMul
   std::cout << "slowest of " << kProcesses << ": " << slowest_ms << " ms\n";
 }
 
-}  // namespace
+}  // namespace discovery_test
 }  // namespace farrier::contract

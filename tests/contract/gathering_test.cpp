@@ -10,7 +10,7 @@
 #include "tests/unit/security/pki.hpp"
 
 namespace farrier::contract {
-namespace {
+namespace gathering_test {
 
 constexpr int kOthers = 40;  // datagrams of announcements and the like in the second this takes
 
@@ -50,5 +50,5 @@ INSTANTIATE_TEST_SUITE_P(Pairs, Gathering,
                                   to_string(std::get<1>(way.param)) + (std::get<2>(way.param) ? "Encrypted" : "");
                          });
 
-}  // namespace
+}  // namespace gathering_test
 }  // namespace farrier::contract

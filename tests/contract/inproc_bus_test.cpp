@@ -8,7 +8,7 @@
 #include "tests/support/slowness.hpp"
 
 namespace farrier::bus {
-namespace {
+namespace inproc_bus_test {
 
 using namespace std::chrono_literals;
 using signals::JointSensors;
@@ -193,5 +193,5 @@ TEST_F(InprocBus, WriteAndTakeNeitherAllocateNorCostAMicrosecond) {
   EXPECT_LT(per_sample_ns, kBudget_ns);
 }
 
-}  // namespace
+}  // namespace inproc_bus_test
 }  // namespace farrier::bus

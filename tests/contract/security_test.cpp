@@ -13,7 +13,7 @@
 #include "tools/tool_process/tool_process.hpp"
 
 namespace farrier::contract {
-namespace {
+namespace security_test {
 
 using bus::Role;
 using signals::JointValveCommand;
@@ -218,5 +218,5 @@ TEST_P(SecureProcess, MayNotSignItsOwnPermissions) {
 INSTANTIATE_TEST_SUITE_P(On, SecureProcess, testing::Values(bus::Vendor::kCyclone, bus::Vendor::kFast),
                          [](const auto& vendor) { return std::string(bus::to_string(vendor.param)); });
 
-}  // namespace
+}  // namespace security_test
 }  // namespace farrier::contract

@@ -8,7 +8,7 @@
 #include "tests/contract/random_signal.hpp"
 
 namespace farrier::contract {
-namespace {
+namespace wire_bytes_test {
 
 template <class Signal>
 void expect_the_same_everywhere(const char* name) {
@@ -36,5 +36,5 @@ TEST(WireBytes, OfEverySignalAreTheSameForBothVendors) {
 #undef FARRIER_EXPECT
 }
 
-}  // namespace
+}  // namespace wire_bytes_test
 }  // namespace farrier::contract

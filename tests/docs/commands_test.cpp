@@ -6,7 +6,9 @@
 #include <regex>
 
 #include "documents.hpp"
-#include "cli/base/command_line.hpp"
+#include <CLI/CLI.hpp>
+
+#include "cli/manual/all_verbs.hpp"
 #include "cli/base/command_text.hpp"
 
 namespace farrier::docs {
@@ -37,7 +39,7 @@ bool is_of_the_script(const std::string& arguments) {
 /// What the parser says against it, empty for nothing.
 std::string refusal(const std::string& arguments) {
   std::function<int()> run;
-  const auto app = cli::command_line(run);
+  const auto app = cli::command_line(cli::all_verbs(), run);
   try {
     app->parse(arguments, false);
   } catch (const CLI::ParseError& problem) {
@@ -90,7 +92,7 @@ TEST(Commands, InSentencesNameCommandsAndOptionsThatAreThere) {
   static const std::regex command(R"re(^(?:\./)?farrier ([a-z]+))re");
   static const std::regex option(R"re((?:^|\s)(--[a-z-]+))re");
   std::function<int()> run;
-  const auto app = cli::command_line(run);
+  const auto app = cli::command_line(cli::all_verbs(), run);
   const std::vector<cli::CommandText> commands = cli::command_texts(*app);
   for (const Document& document : documents()) {
     for (const Line& line : document.prose) {

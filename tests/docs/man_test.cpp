@@ -7,7 +7,9 @@
 
 #include "documents.hpp"
 #include "tests/support/scratch_directory.hpp"
-#include "cli/base/command_line.hpp"
+#include <CLI/CLI.hpp>
+
+#include "cli/manual/all_verbs.hpp"
 #include "cli/base/command_text.hpp"
 #include "cli/manual/man_page.hpp"
 
@@ -19,7 +21,7 @@ namespace fs = std::filesystem;
 const std::vector<cli::CommandText>& commands() {
   static const std::vector<cli::CommandText> all = [] {
     std::function<int()> run;
-    return cli::command_texts(*cli::command_line(run));
+    return cli::command_texts(*cli::command_line(cli::all_verbs(), run));
   }();
   return all;
 }

@@ -97,17 +97,17 @@ void trace(Bytes bytes) {
 
 void run_file(Bytes bytes) {
   const File file(bytes);
-  auto reader = farrier::run_file::RunFileReader::open(file.path());
+  auto reader = farrier::recording::RunFileReader::open(file.path());
   if (!reader) {
     return require(!reader.error().message.empty(), "a refusal says why");
   }
-  for (farrier::run_file::Sample sample; reader.value().next(sample);) {
+  for (farrier::recording::Sample sample; reader.value().next(sample);) {
     require(static_cast<std::size_t>(sample.topic) < bus::kTopicCount, "a sample is of a topic that there is");
     signals::JointMeasurement measurement;
     require(!signals::from_cdr(sample.cdr, measurement) || sample.cdr.size() >= signals::cdr_size<signals::JointMeasurement>(),
             "what is read is all there");
   }
-  farrier::run_file::Sample none;
+  farrier::recording::Sample none;
   require(!reader.value().next(none), "the end stays the end");
 }
 

@@ -10,6 +10,7 @@ endif()
 function(farrier_fuzz name)
   cmake_parse_arguments(PARSE_ARGV 1 fuzz "" "" "SOURCES;HARNESSES")
   add_library(${name} STATIC ${fuzz_SOURCES})
+  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)  # harnesses have names of their own
   target_link_libraries(${name} PUBLIC farrier_flags)
   target_compile_definitions(${name} PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
   if(NOT FARRIER_FUZZ)

@@ -21,7 +21,7 @@ void journal(Bytes bytes) {
     journal.samples = input.raw<std::uint16_t>();
     journal.bytes.assign(input.rest());
     const recorder::Now now;
-    streams.take(journal, now, [&](const farrier::run_file::Sample& sample) {
+    streams.take(journal, now, [&](const farrier::recording::Sample& sample) {
       require(recorder::is_journalled(sample.topic), "a sample is of a topic with journals");
       require(sample.log_time_ns + journal.closed_after_ns >= now.date_ns, "a sample is no older than its journal says");
       ++handed_on;

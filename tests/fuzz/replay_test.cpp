@@ -16,7 +16,7 @@ namespace farrier::fuzz {
 
 void PrintTo(const Harness& harness, std::ostream* out) { *out << harness.name; }
 
-namespace {
+namespace replay_test {
 
 constexpr std::uint32_t kSeed = 20140701;
 constexpr int kMutationsOfEach = 20;
@@ -102,5 +102,5 @@ TEST_P(Replay, KeptInputsAndMutationsOfThemBreakNothing) {
 INSTANTIATE_TEST_SUITE_P(Fuzz, Replay, testing::ValuesIn(harnesses().begin(), harnesses().end()),
                          [](const auto& instance) { return std::string(instance.param.name); });
 
-}  // namespace
+}  // namespace replay_test
 }  // namespace farrier::fuzz

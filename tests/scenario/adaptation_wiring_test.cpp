@@ -5,7 +5,7 @@
 #include "tests/unit/participant/run.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace adaptation_wiring_test {
 
 using signals::JointUpdateDecision;
 
@@ -93,5 +93,5 @@ TEST_P(Monitor, ThatJoinsLateGetsTheLast64DecisionsOfEachJoint) {
 
 INSTANTIATE_TEST_SUITE_P(Clocks, Monitor, ::testing::Values(bus::ClockKind::kLockstep, bus::ClockKind::kRealtime));
 
-}  // namespace
+}  // namespace adaptation_wiring_test
 }  // namespace farrier::scenario

@@ -7,7 +7,7 @@
 #include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace adaptive_trot_test {
 
 using signals::UpdateVerdict;
 
@@ -107,5 +107,5 @@ TEST(AdaptiveLockstep, GivesTheSameTraceAndDecisionsHoweverJointsAreGrouped) {
   }
 }
 
-}  // namespace
+}  // namespace adaptive_trot_test
 }  // namespace farrier::scenario

@@ -5,7 +5,7 @@
 #include "tests/scenario/scenario_run.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace determinism_test {
 
 // Several strides of every leg.
 constexpr Tick kStrides = 3000;
@@ -57,5 +57,5 @@ TEST(Lockstep, GivesALongerRunThatBeginsAsTheShorterOne) {
   EXPECT_TRUE(longer.compare(0, one.size(), one) == 0);
 }
 
-}  // namespace
+}  // namespace determinism_test
 }  // namespace farrier::scenario

@@ -4,7 +4,7 @@
 #include "tests/scenario/scenario_run.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace lifecycle_test {
 
 using signals::JointState;
 
@@ -129,5 +129,5 @@ TEST(PlanMembers, HostsEveryJointOnceInEveryGrouping) {
   }
 }
 
-}  // namespace
+}  // namespace lifecycle_test
 }  // namespace farrier::scenario

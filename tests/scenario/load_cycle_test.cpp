@@ -2,7 +2,7 @@
 #include "scenario_run.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace load_cycle_test {
 
 constexpr double kShortQuarter_s = 0.4;  // the transient and as much again
 
@@ -115,5 +115,5 @@ TEST(LoadCycle, IsHeldByTheGreyBoxInEveryQuarterWithSensorNoiseAndWithout) {
   }
 }
 
-}  // namespace
+}  // namespace load_cycle_test
 }  // namespace farrier::scenario

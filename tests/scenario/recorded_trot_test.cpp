@@ -13,7 +13,7 @@
 #include "report/figures/recording_facts.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace recorded_trot_test {
 
 class RecordedTrot : public testing::Test {
  protected:
@@ -117,5 +117,5 @@ TEST_F(RecordedTrot, TellsAnEstimatorThatHasChanged) {
   EXPECT_NE(again.joints.front().first->field, "");
 }
 
-}  // namespace
+}  // namespace recorded_trot_test
 }  // namespace farrier::scenario

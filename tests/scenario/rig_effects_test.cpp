@@ -8,7 +8,7 @@
 #include "thesis/rig/force_step.hpp"
 
 namespace farrier::thesis {
-namespace {
+namespace rig_effects_test {
 
 robot::Robot load(const char* name) {
   return robot::load_robot(std::string(FARRIER_ROBOTS) + name + ".yaml").value();
@@ -123,5 +123,5 @@ TEST(LoadPressureOscillation, FindsFrequencyAndDecayOfATone) {
   EXPECT_NEAR(found.begin_s, 0.05, 0.5 * 0.01);  // the centred mean sees what begins half a window ahead
 }
 
-}  // namespace
+}  // namespace rig_effects_test
 }  // namespace farrier::thesis

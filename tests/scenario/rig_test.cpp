@@ -8,7 +8,7 @@
 #include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace rig_test {
 
 using gait::Phase;
 
@@ -78,5 +78,5 @@ TEST(Rig, ChangesGainsAtTheAnnouncedTickWhereverTheTouchdownReallyIs) {
   }
 }
 
-}  // namespace
+}  // namespace rig_test
 }  // namespace farrier::scenario

@@ -10,7 +10,7 @@
 #include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace robots_test {
 
 // Every leg's third stride, from which a run is judged, is over here.
 constexpr Tick kTicks = 4000;
@@ -143,5 +143,5 @@ TEST(ElectricLeg, LeavesNoPressuresInItsTraceAndNoPhysicsInItsGains) {
   EXPECT_TRUE(std::ranges::all_of(outcome.result.gains, [](const auto& gains) { return gains.has_physics == 0; }));
 }
 
-}  // namespace
+}  // namespace robots_test
 }  // namespace farrier::scenario

@@ -7,7 +7,7 @@
 #include "scenario_run.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace switching_test {
 
 constexpr std::uint8_t kSwing = 0;
 constexpr std::uint8_t kStance = 1;
@@ -157,5 +157,5 @@ TEST_F(Switching, HalvesTheForceErrorAfterTouchdownsWithAStepOfTheLoad) {
   EXPECT_LE(sum(on), kAtMost * sum(off));
 }
 
-}  // namespace
+}  // namespace switching_test
 }  // namespace farrier::scenario

@@ -9,7 +9,7 @@
 #include "robot/joint_effects.hpp"
 
 namespace farrier::trials {
-namespace {
+namespace tracking_gain_test {
 
 using plant::effect_id;
 
@@ -108,5 +108,5 @@ TEST(TrackingGain, RefusesAJointThatCannotBe) {
   EXPECT_FALSE(tracking_gain(broken, rig(), rig()));
 }
 
-}  // namespace
+}  // namespace tracking_gain_test
 }  // namespace farrier::trials

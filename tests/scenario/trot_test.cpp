@@ -9,7 +9,7 @@
 #include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace trot_test {
 
 // Every leg's third stride, from which a run is judged, is over here.
 constexpr Tick kTicks = 4000;
@@ -95,5 +95,5 @@ TEST(Stand, HoldsTheRobotStill) {
   }
 }
 
-}  // namespace
+}  // namespace trot_test
 }  // namespace farrier::scenario

@@ -6,7 +6,7 @@
 #include "scenario_run.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace update_logic_test {
 
 constexpr double kShortQuarter_s = 0.4;  // the transient and as much again
 
@@ -55,5 +55,5 @@ TEST(UpdateLogics, AreDistinctPolesUnlessAFileSaysOtherwise) {
   }
 }
 
-}  // namespace
+}  // namespace update_logic_test
 }  // namespace farrier::scenario

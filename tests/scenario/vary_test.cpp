@@ -11,7 +11,7 @@
 #include "report/trot/tracking.hpp"
 
 namespace farrier::scenario {
-namespace {
+namespace vary_test {
 
 constexpr Tick kTicks = 4000;  // every leg's third stride, from which a run is judged, is over here
 constexpr std::uint64_t kSeeds = 200;
@@ -227,5 +227,5 @@ TEST(Controllers, TheGreyBoxWithFlowInversionIsAsGoodAsTheNominalFlowLawOnVaried
   EXPECT_LT(grey.back(), kFailed);
 }
 
-}  // namespace
+}  // namespace vary_test
 }  // namespace farrier::scenario

@@ -14,7 +14,7 @@ namespace farrier::test {
 namespace {
 
 constexpr Tick kStride = 900;
-constexpr std::uint64_t kStep_ns = 20'000'000;
+constexpr std::uint64_t kMadeUpStep_ns = 20'000'000;
 constexpr const char* kProcesses[] = {"sim_bridge", "supervisor", "estimator_service", "joint_node_lf"};
 
 }  // namespace
@@ -178,7 +178,7 @@ void write_made_up_recording(const std::string& path, const robot::Robot& robot,
   const robot::Joint* knee = robot.find("lf_kfe");
   const Tick last = static_cast<Tick>(seconds) * 1000, begin = last / 2, end = begin + 2000;
   while (made_up.tick() < last) {
-    time_ns += kStep_ns;
+    time_ns += kMadeUpStep_ns;
     if (knee != nullptr && (made_up.tick() == begin || made_up.tick() == end)) {
       made_up.set_faults(knee->number, made_up.tick() == begin ? static_cast<std::uint32_t>(Fault::kForceLost) : 0, time_ns);
     }

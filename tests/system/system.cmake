@@ -49,7 +49,7 @@ target_link_libraries(frame_relay_test PRIVATE farrier_core farrier_runtime Thre
 function(farrier_cable_test name label source)
   farrier_hosts_test(${name} ${label} 0 ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${source}
     ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/robot_watch.cpp ${PROJECT_SOURCE_DIR}/cli/processes/pause_watch.cpp DDS ${ARGN})
-  target_link_libraries(${name} PRIVATE farrier_bus_factory farrier_trials farrier_trace farrier_report)
+  target_link_libraries(${name} PRIVATE farrier_bus_factory farrier_report_trot farrier_run farrier_trace)
 endfunction()
 foreach(name IN ITEMS cut_cable_test lossy_cable_test)
   farrier_cable_test(${name} realtime ${name}.cpp mixed)

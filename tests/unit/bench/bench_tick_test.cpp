@@ -6,7 +6,7 @@
 #include "tests/unit/robot/test_files.hpp"
 
 namespace farrier::bench {
-namespace {
+namespace bench_tick_test {
 
 TEST(TickBench, TimesHyQsJointsInATrotWithoutARedesign) {
   const auto bench = bench_tick(robot::load_shipped("hyq"), 1);
@@ -42,5 +42,5 @@ TEST(RedesignBench, RefusesALogicThatAcceptsNothing) {
   EXPECT_NE(bench.error().message.find("no estimate"), std::string::npos) << bench.error().message;
 }
 
-}  // namespace
+}  // namespace bench_tick_test
 }  // namespace farrier::bench

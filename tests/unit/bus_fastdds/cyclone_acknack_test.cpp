@@ -9,7 +9,7 @@
 #include "tests/unit/bus_fastdds/rtps_bytes.hpp"
 
 namespace farrier::bus_fastdds {
-namespace {
+namespace cyclone_acknack_test {
 
 using namespace testing;
 
@@ -72,5 +72,5 @@ TEST(CycloneAcknack, TruncatedDatagramsStayAsTheyAre) {
   }
 }
 
-}  // namespace
+}  // namespace cyclone_acknack_test
 }  // namespace farrier::bus_fastdds

@@ -7,7 +7,7 @@
 #include "tests/unit/bus_fastdds/rtps_bytes.hpp"
 
 namespace farrier::bus_fastdds {
-namespace {
+namespace cyclone_handshake_test {
 
 using namespace testing;
 
@@ -62,5 +62,5 @@ TEST(CycloneHandshake, TruncatedDatagramsAreNoWorse) {
   }
 }
 
-}  // namespace
+}  // namespace cyclone_handshake_test
 }  // namespace farrier::bus_fastdds

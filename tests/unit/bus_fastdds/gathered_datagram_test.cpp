@@ -7,7 +7,7 @@
 #include "tests/unit/bus_fastdds/rtps_bytes.hpp"
 
 namespace farrier::bus_fastdds {
-namespace {
+namespace gathered_datagram_test {
 
 using namespace testing;
 
@@ -93,5 +93,5 @@ TEST(GatheredDatagram, WhatIsSignedOrWithoutALengthGoesAlone) {
   EXPECT_TRUE(datagram.empty());
 }
 
-}  // namespace
+}  // namespace gathered_datagram_test
 }  // namespace farrier::bus_fastdds

@@ -9,7 +9,7 @@
 #include "bus_faults/faulty_bus.hpp"
 
 namespace farrier::bus_faults {
-namespace {
+namespace bus_faults_test {
 
 using namespace std::chrono_literals;
 using signals::JointSensors;
@@ -254,5 +254,5 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"joint/sensors:cut@5..5", "'5..5' is no span of ticks"},
                     Wrong{"joint/sensors:cut@1..2#x", "'x' is no key"}));
 
-}  // namespace
+}  // namespace bus_faults_test
 }  // namespace farrier::bus_faults

@@ -6,7 +6,7 @@
 #include "sample.hpp"
 
 namespace farrier::config::sample {
-namespace {
+namespace output_test {
 
 TEST(ConfigPrinter, PrintsEveryParameterWithItsEffectiveValue) {
   const auto cart = read_text<Cart>(kGood + "gears: [1, 2.5]\ntrailer: {axles: 2}\n", "cart.yaml");
@@ -92,5 +92,5 @@ TEST(ConfigSuggest, StaysSilentWhenNothingIsNear) {
   EXPECT_EQ(suggest(std::string(10000, 'x'), {"mass_kg"}).name, "");
 }
 
-}  // namespace
+}  // namespace output_test
 }  // namespace farrier::config::sample

@@ -3,7 +3,7 @@
 #include "sample.hpp"
 
 namespace farrier::config::sample {
-namespace {
+namespace reader_test {
 
 TEST(ConfigReader, ReadsEveryKindOfParameter) {
   const auto cart = read_text<Cart>(kGood +
@@ -184,5 +184,5 @@ TEST(ConfigReader, AppliesSettingsFromOutsideTheFileAndChecksThem) {
             "cart.yaml: mass_kg: -1 is out of range: give 0.01 to 1000\n");
 }
 
-}  // namespace
+}  // namespace reader_test
 }  // namespace farrier::config::sample

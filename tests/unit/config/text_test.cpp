@@ -7,7 +7,7 @@
 #include "config/reference_table.hpp"
 
 namespace farrier::config {
-namespace {
+namespace text_test {
 
 struct Door {
   std::string hinge;
@@ -65,5 +65,5 @@ TEST(TheTableOfParameters, SaysOfWhatKindATextIs) {
   EXPECT_NE(table.find("| `keys` |  | list of names | empty | What opens it. |"), std::string::npos) << table;
 }
 
-}  // namespace
+}  // namespace text_test
 }  // namespace farrier::config

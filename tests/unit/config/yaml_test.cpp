@@ -6,7 +6,7 @@
 #include "sample.hpp"
 
 namespace farrier::config::sample {
-namespace {
+namespace yaml_test {
 
 std::string refusal(const std::string& text) {
   const auto parsed = parse_yaml(text, "f.yaml");
@@ -96,5 +96,5 @@ TEST(ConfigYaml, ReportsAMistakeInMergedKeysWhereItIsWritten) {
   EXPECT_NE(refusal("a: {<<: 3}\n").find("merges (<<) something that is not a map"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace yaml_test
 }  // namespace farrier::config::sample

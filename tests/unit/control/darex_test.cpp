@@ -21,7 +21,7 @@ extern "C" void bb02ad_(const char* def, const int* nr, double* dpar, int* ipar,
 #endif
 
 namespace farrier::control {
-namespace {
+namespace darex_test {
 
 constexpr double kResidual = 1e-10;
 
@@ -176,5 +176,5 @@ TEST(Darex, EveryExampleWithoutADataFileIsSolvedOrRefusedByName) { GTEST_SKIP() 
 
 #endif
 
-}  // namespace
+}  // namespace darex_test
 }  // namespace farrier::control

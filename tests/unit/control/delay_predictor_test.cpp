@@ -11,7 +11,7 @@
 #include "tests/unit/control/models.hpp"
 
 namespace farrier::control {
-namespace {
+namespace delay_predictor_test {
 
 using testing::kPeriodS;
 
@@ -135,5 +135,5 @@ TEST(DelayPredictor, NeitherAllocatesNorKeepsWhatIsNotFinite) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace delay_predictor_test
 }  // namespace farrier::control

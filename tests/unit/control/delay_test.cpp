@@ -8,7 +8,7 @@
 #include "models.hpp"
 
 namespace farrier::control {
-namespace {
+namespace delay_test {
 
 using testing::fc1d;
 using testing::hyq;
@@ -117,5 +117,5 @@ TEST(ClosedLoopPoles, AreNotNumbersForADelayOutOfRange) {
   EXPECT_TRUE(std::isnan(closed_loop_poles(gains.model, gains, -1)[0].real()));
 }
 
-}  // namespace
+}  // namespace delay_test
 }  // namespace farrier::control

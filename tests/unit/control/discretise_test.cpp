@@ -6,7 +6,7 @@
 #include "models.hpp"
 
 namespace farrier::control {
-namespace {
+namespace discretise_test {
 
 using testing::ContinuousModel;
 using testing::kPeriodS;
@@ -78,5 +78,5 @@ TEST(Discretise, OfANonFiniteModelOrPeriodIsNotFinite) {
   EXPECT_FALSE(discretise(model.a, model.b, INFINITY).a.allFinite());
 }
 
-}  // namespace
+}  // namespace discretise_test
 }  // namespace farrier::control

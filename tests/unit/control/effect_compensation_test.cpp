@@ -11,7 +11,7 @@
 #include "tests/unit/control/effects.hpp"
 
 namespace farrier::control {
-namespace {
+namespace effect_compensation_test {
 
 constexpr CompensationParams kParams{kPeriod_s, 2e-6, 1.5e-3};
 constexpr Measurement kAtRest{0.0, 0.0, 0.0};
@@ -167,5 +167,5 @@ TEST(EffectCompensation, ListsWhatActsOnItAndNoOther) {
   }
 }
 
-}  // namespace
+}  // namespace effect_compensation_test
 }  // namespace farrier::control

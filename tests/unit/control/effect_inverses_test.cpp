@@ -14,7 +14,7 @@
 #include "tests/unit/control/effects.hpp"
 
 namespace farrier::control {
-namespace {
+namespace effect_inverses_test {
 
 /// Ticks by which a spool's mean opening stays behind a step, with the currents of `next`.
 template <class Next>
@@ -108,5 +108,5 @@ TEST(DroopInverse, PassesAsMuchOilAsAStiffSupplyWould) {
   EXPECT_EQ(DroopInverse().opening_A(3e-3, {0.0, 1.0, 500.0}), 3e-3);
 }
 
-}  // namespace
+}  // namespace effect_inverses_test
 }  // namespace farrier::control

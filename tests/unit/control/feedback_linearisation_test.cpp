@@ -10,7 +10,7 @@
 #include "tests/unit/plant/test_joints.hpp"
 
 namespace farrier::control {
-namespace {
+namespace feedback_linearisation_test {
 
 using plant::test::hyq_cylinder;
 using plant::test::kPeriod_s;
@@ -136,5 +136,5 @@ TEST(FeedbackLinearisation, StepDoesNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace feedback_linearisation_test
 }  // namespace farrier::control

@@ -12,7 +12,7 @@
 #include "tests/unit/plant/test_joints.hpp"
 
 namespace farrier::control {
-namespace {
+namespace flow_inversion_test {
 
 using plant::test::kPeriod_s;
 using plant::test::rig_cylinder;
@@ -211,5 +211,5 @@ TEST(FlowInversion, StepDoesNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace flow_inversion_test
 }  // namespace farrier::control

@@ -8,7 +8,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::control {
-namespace {
+namespace force_controller_test {
 
 using testing::fc1d;
 using testing::hyq;
@@ -176,5 +176,5 @@ TEST(ForceController, DesignDoesNotAllocate) {
   EXPECT_TRUE(ok);
 }
 
-}  // namespace
+}  // namespace force_controller_test
 }  // namespace farrier::control

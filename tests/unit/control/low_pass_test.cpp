@@ -8,7 +8,7 @@
 #include <numbers>
 
 namespace farrier::control {
-namespace {
+namespace low_pass_test {
 
 constexpr double kRate_Hz = 1000.0;
 
@@ -81,5 +81,5 @@ TEST(LowPass, IsRefusedOutsideItsRanges) {
   EXPECT_TRUE(design_low_pass({450.0, 2, 0.7}, kRate_Hz).has_value());
 }
 
-}  // namespace
+}  // namespace low_pass_test
 }  // namespace farrier::control

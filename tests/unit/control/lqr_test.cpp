@@ -8,7 +8,7 @@
 #include "models.hpp"
 
 namespace farrier::control {
-namespace {
+namespace lqr_test {
 
 using testing::fc1d;
 using testing::hyq;
@@ -188,5 +188,5 @@ TEST(Lqr, FeedForwardFactorScalesAndSwitchesOff) {
                    0.5 * designed(fc1d(2.5), Form::kFullState, 0).feed_forward);
 }
 
-}  // namespace
+}  // namespace lqr_test
 }  // namespace farrier::control

@@ -13,7 +13,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::control {
-namespace {
+namespace margins_test {
 
 using testing::kNormalisation;
 
@@ -188,5 +188,5 @@ TEST(Margins, AllocateNothing) {
   EXPECT_GT(m.disk + filtered.disk, 0.0);
 }
 
-}  // namespace
+}  // namespace margins_test
 }  // namespace farrier::control

@@ -9,7 +9,7 @@
 #include "plant/nominal.hpp"
 
 namespace farrier::control {
-namespace {
+namespace model_analysis_test {
 
 using plant::nominal_cylinder;
 using plant::nominal_load;
@@ -186,5 +186,5 @@ TEST(Sampled, OfTheFullModelOverTwoPeriodsIsTwiceThatOverOne) {
   EXPECT_LT(input.cwiseAbs().maxCoeff(), kTolerance);
 }
 
-}  // namespace
+}  // namespace model_analysis_test
 }  // namespace farrier::control

@@ -11,7 +11,7 @@
 #include "tests/unit/plant/test_joints.hpp"
 
 namespace farrier::control {
-namespace {
+namespace pid_test {
 
 using plant::test::hyq_cylinder;
 using plant::test::kPeriod_s;
@@ -102,5 +102,5 @@ TEST(Pid, StepDoesNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace pid_test
 }  // namespace farrier::control

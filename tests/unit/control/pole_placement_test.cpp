@@ -14,7 +14,7 @@
 #include "models.hpp"
 
 namespace farrier::control {
-namespace {
+namespace pole_placement_test {
 
 using Complex = std::complex<double>;
 using testing::kNormalisation;
@@ -151,5 +151,5 @@ TEST(Design, ByWeightsIsTheLqr) {
   EXPECT_EQ(by_rule.value().delay, lqr.value().delay);
 }
 
-}  // namespace
+}  // namespace pole_placement_test
 }  // namespace farrier::control

@@ -6,7 +6,7 @@
 #include "models.hpp"
 
 namespace farrier::control {
-namespace {
+namespace probe_test {
 
 using testing::fc1d;
 using testing::kNormalisation;
@@ -90,5 +90,5 @@ TEST(ForceController, PassesAJumpOfTheReferenceThroughTheNewGainsWhileItProbes) 
   }
 }
 
-}  // namespace
+}  // namespace probe_test
 }  // namespace farrier::control

@@ -5,7 +5,7 @@
 #include "bench/slicot.hpp"
 
 namespace farrier::control {
-namespace {
+namespace riccati_slicot_test {
 
 #if FARRIER_HAVE_SLICOT
 
@@ -53,5 +53,5 @@ TEST(RiccatiSlicot, AgreesOnTheForceModelOfTheThesis) { GTEST_SKIP() << "built w
 
 #endif
 
-}  // namespace
+}  // namespace riccati_slicot_test
 }  // namespace farrier::control

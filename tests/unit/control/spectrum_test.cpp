@@ -1,7 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 
 #include <algorithm>
 #include <limits>
@@ -10,9 +8,10 @@
 #include "control/numerics/francis.hpp"
 #include "control/numerics/spectrum.hpp"
 #include "tests/unit/control/models.hpp"
+#include "tests/support/dense_solvers.hpp"
 
 namespace farrier::control {
-namespace {
+namespace spectrum_test {
 
 using testing::kNormalisation;
 using testing::random_matrix;
@@ -50,8 +49,7 @@ void expect_backward_stable() {
     for (int i = 0; i < N; ++i) {
       Eigen::Matrix<std::complex<double>, N, N> shifted = m.template cast<std::complex<double>>();
       shifted.diagonal().array() -= z(i);
-      const Eigen::JacobiSVD<decltype(shifted)> svd(shifted);
-      EXPECT_LE(svd.singularValues()(N - 1), tolerance) << z(i) << " of\n" << m;
+      EXPECT_LE(test::singular_values(shifted)(N - 1), tolerance) << z(i) << " of\n" << m;
     }
   }
 }
@@ -144,7 +142,7 @@ double radius_of_all_states(const DiscreteModel& model, const Gains& gains, int 
     loop.row(1).setZero();
     loop.col(1).setZero();
   }
-  return loop.eigenvalues().cwiseAbs().maxCoeff();
+  return test::eigenvalues(loop).cwiseAbs().maxCoeff();
 }
 
 TEST(ClosedLoopRadius, LeavesOutOnlyStatesThatNobodyReads) {
@@ -178,5 +176,5 @@ TEST(ClosedLoopRadius, IsNotANumberForGainsThatAreNot) {
   }
 }
 
-}  // namespace
+}  // namespace spectrum_test
 }  // namespace farrier::control

@@ -1,7 +1,5 @@
 // Common Lyapunov functions and dwell times, against products of the matrices themselves.
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,9 +10,10 @@
 #include "control/design/switching.hpp"
 #include "models.hpp"
 #include "tests/support/allocation_guard.hpp"
+#include "tests/support/dense_solvers.hpp"
 
 namespace farrier::control {
-namespace {
+namespace switching_test {
 
 using testing::kNormalisation;
 
@@ -49,8 +48,8 @@ TEST(Switching, CommutingLoopsHaveACommonFunction) {
   for (int i = 0; i < 20; ++i) {
     const auto basis = testing::random_matrix<Eigen::Matrix4d>("basis", i);
     const Eigen::Vector4d p(0.9, -0.5, 0.3, 0.7), q(0.2, 0.8, -0.9, 0.6);
-    const SmallMatrix a = basis * p.asDiagonal() * basis.inverse();
-    const SmallMatrix b = basis * q.asDiagonal() * basis.inverse();
+    const SmallMatrix a = basis * p.asDiagonal() * test::inverse(basis);
+    const SmallMatrix b = basis * q.asDiagonal() * test::inverse(basis);
     const SwitchingVerdict verdict = switching_verdict(free_loop(a), free_loop(b));
     EXPECT_TRUE(verdict.common) << i;
     EXPECT_EQ(verdict.dwell_ticks, 1);
@@ -100,8 +99,8 @@ TEST(Switching, FindsAFunctionWhereverOneWasBuiltIn) {
     const auto t = testing::random_matrix<Eigen::Matrix4d>("norm", i);
     const auto contraction = [&](const char* name) {
       const auto m = testing::random_matrix<Eigen::Matrix4d>(name, i);
-      const SmallMatrix inside = 0.95 * m / m.operatorNorm();
-      return SmallMatrix(t * inside * t.inverse());
+      const SmallMatrix inside = 0.95 * m / test::singular_values(m.cast<std::complex<double>>())(0);
+      return SmallMatrix(t * inside * test::inverse(t));
     };
     EXPECT_TRUE(switching_verdict(free_loop(contraction("ca")), free_loop(contraction("cb"))).common) << i;
   }
@@ -199,5 +198,5 @@ TEST(Switching, AllocatesNothing) {
   EXPECT_GT(verdict.dwell_ticks, 0);
 }
 
-}  // namespace
+}  // namespace switching_test
 }  // namespace farrier::control

@@ -9,7 +9,7 @@
 #include "models.hpp"
 
 namespace farrier::control {
-namespace {
+namespace tracking_test {
 
 using testing::fc1d;
 using testing::hyq;
@@ -93,5 +93,5 @@ TEST(ForceTracking, StepErrorIsGoneInFewTicks) {
   EXPECT_LT(tracking_error(hyq(50.0), Form::kCompliant, 0, step_at_100_ms, kAmplitudeN, 0.1, 0.6), 0.051);
 }
 
-}  // namespace
+}  // namespace tracking_test
 }  // namespace farrier::control

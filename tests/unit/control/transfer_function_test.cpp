@@ -11,7 +11,7 @@
 #include "tests/unit/plant/linear_points.hpp"
 
 namespace farrier::control {
-namespace {
+namespace transfer_function_test {
 
 using Complex = std::complex<double>;
 using plant::Output;
@@ -255,5 +255,5 @@ TEST(Responses, OfNonFiniteSystemsAndFrequenciesAreNotFinite) {
   EXPECT_TRUE(z.size() == 0 || z.hasNaN());
 }
 
-}  // namespace
+}  // namespace transfer_function_test
 }  // namespace farrier::control

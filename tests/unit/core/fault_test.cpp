@@ -3,7 +3,7 @@
 #include "core/fault.hpp"
 
 namespace farrier {
-namespace {
+namespace fault_test {
 
 TEST(FaultSet, StartsEmpty) {
   const FaultSet faults;
@@ -47,5 +47,5 @@ TEST(FaultSet, NamesEveryFaultDifferently) {
 
 TEST(FaultSet, SaysSoWhenABitHasNoName) { EXPECT_EQ(to_string(FaultSet(1u << 31)), "unknown fault"); }
 
-}  // namespace
+}  // namespace fault_test
 }  // namespace farrier

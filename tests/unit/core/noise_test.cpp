@@ -6,7 +6,7 @@
 #include "core/noise.hpp"
 
 namespace farrier {
-namespace {
+namespace noise_test {
 
 constexpr std::uint64_t kSeed = 20140901;
 constexpr Tick kSamples = 100'000;
@@ -95,5 +95,5 @@ TEST(NoiseStream, IsWhite) {
   }
 }
 
-}  // namespace
+}  // namespace noise_test
 }  // namespace farrier

@@ -6,7 +6,7 @@
 #include "core/result.hpp"
 
 namespace farrier {
-namespace {
+namespace result_test {
 
 enum class Refusal { kTooSmall, kTooLarge };
 
@@ -60,5 +60,5 @@ TEST(Ensure, NamesTheConditionAndThePlace) {
   EXPECT_DEATH(FARRIER_ENSURE(joints > 0, "a robot has joints"), "bug: a robot has joints \\(joints > 0\\) at .*core_result");
 }
 
-}  // namespace
+}  // namespace result_test
 }  // namespace farrier

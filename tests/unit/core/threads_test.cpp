@@ -10,7 +10,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier {
-namespace {
+namespace threads_test {
 
 /// Larger than a cache line, so that a torn copy would show.
 struct Block {
@@ -169,5 +169,5 @@ TEST(Channels, DoNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace threads_test
 }  // namespace farrier

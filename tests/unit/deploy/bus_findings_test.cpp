@@ -8,7 +8,7 @@
 #include "tools/deploy/bus_findings.hpp"
 
 namespace farrier::deploy {
-namespace {
+namespace bus_findings_test {
 
 using namespace std::chrono_literals;
 using bus::DiscoveredEndpoint;
@@ -151,5 +151,5 @@ TEST(BusFindings, NameClocksThatDifferByMoreThanASampleIsOnItsWay) {
   EXPECT_EQ(only_finding(found), std::string("the clock of process ") + kNode + " is 3600 s ahead of this computer's");
 }
 
-}  // namespace
+}  // namespace bus_findings_test
 }  // namespace farrier::deploy

@@ -4,7 +4,7 @@
 #include "tools/deploy/rendering.hpp"
 
 namespace farrier::deploy {
-namespace {
+namespace findings_test {
 
 /// A computer that is all that host `front` of hyq.yaml asks for.
 HostFacts fit_host() {
@@ -122,5 +122,5 @@ TEST(HostFacts, ReadListsOfProcessorsAsTheKernelWritesThem) {
   EXPECT_TRUE(parse_cpu_list("").empty());
 }
 
-}  // namespace
+}  // namespace findings_test
 }  // namespace farrier::deploy

@@ -4,7 +4,7 @@
 #include "tools/deploy/rendered_folder.hpp"
 
 namespace farrier::deploy {
-namespace {
+namespace folder_test {
 
 namespace fs = std::filesystem;
 
@@ -75,5 +75,5 @@ TEST(RenderedFolder, SaysWhichFilesWereChangedByHand) {
   EXPECT_EQ(differing_files(scratch.file("front"), kFiles), std::vector<std::string>{"a.service"});
 }
 
-}  // namespace
+}  // namespace folder_test
 }  // namespace farrier::deploy

@@ -6,7 +6,7 @@
 #include "files.hpp"
 
 namespace farrier::deploy {
-namespace {
+namespace rendering_test {
 
 std::string text_of(const std::vector<RenderedFile>& files, const std::string& name) {
   const auto file = std::find_if(files.begin(), files.end(), [&](const RenderedFile& f) { return f.name == name; });
@@ -160,5 +160,5 @@ TEST(Rendering, PassesSystemdsOwnCheckWithoutAWarning) {
   }
 }
 
-}  // namespace
+}  // namespace rendering_test
 }  // namespace farrier::deploy

@@ -10,7 +10,7 @@
 #include "tools/deploy/surroundings.hpp"
 
 namespace farrier::deploy {
-namespace {
+namespace surroundings_test {
 
 constexpr int kFirstOfDomain3 = 7400 + 3 * 250;
 constexpr PortRange kUsual{32768, 60999};
@@ -118,5 +118,5 @@ TEST(Multicast, IsNotedWhereTheInterfaceHasNone) {
   EXPECT_TRUE(multicast_findings(facts, "10.0.0.4").empty());
 }
 
-}  // namespace
+}  // namespace surroundings_test
 }  // namespace farrier::deploy

@@ -3,7 +3,7 @@
 #include "recording.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace derive_velocity_test {
 
 constexpr double kPeriod_s = 0.001;
 constexpr double kStroke = 0.08;
@@ -16,9 +16,9 @@ struct Motion {
     const NoiseStream stream(11, "derive", "position");
     for (std::size_t i = 0; i < samples; ++i) {
       const double t = static_cast<double>(i) * kPeriod_s;
-      const double x = Bench::position(kStroke, speed * t) + sigma * stream.normal(static_cast<Tick>(i));
+      const double x = TestBench::position(kStroke, speed * t) + sigma * stream.normal(static_cast<Tick>(i));
       position.push_back(step > 0.0 ? step * std::round(x / step) : x);
-      velocity.push_back(speed * Bench::velocity(kStroke, speed * t));
+      velocity.push_back(speed * TestBench::velocity(kStroke, speed * t));
     }
   }
   double rms_error(const DerivedVelocity& derived, std::size_t margin) const {
@@ -127,5 +127,5 @@ TEST(DeriveVelocity, OfFewOrRestingPositionsIsFinite) {
   }
 }
 
-}  // namespace
+}  // namespace derive_velocity_test
 }  // namespace farrier::diagnosis

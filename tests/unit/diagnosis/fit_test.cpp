@@ -13,7 +13,7 @@
 #include "tests/unit/diagnosis/rig.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace fit_test {
 
 /// The rig under random steps of the current.
 Recording recorded(double duration_s, double mass_factor = 1.0) {
@@ -186,5 +186,5 @@ TEST(Fit, AStartThatMakesNoFiniteSimulationIsAnAnswerAndNoCrash) {
   EXPECT_FALSE(std::isfinite(result.cost));
 }
 
-}  // namespace
+}  // namespace fit_test
 }  // namespace farrier::diagnosis

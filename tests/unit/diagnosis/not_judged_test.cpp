@@ -9,7 +9,7 @@
 #include "tests/unit/diagnosis/rig.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace not_judged_test {
 
 /// The rig under a slow sine of the current.
 Recording slow_sine(double amplitude_A) {
@@ -51,5 +51,5 @@ TEST(NotJudged, ASlowMotionDoesNotShowALagOfTheVelocitySensorButABiasOfTheValve)
   EXPECT_FALSE(lists(names, "valve_bias"));
 }
 
-}  // namespace
+}  // namespace not_judged_test
 }  // namespace farrier::diagnosis

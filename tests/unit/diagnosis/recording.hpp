@@ -20,7 +20,7 @@
 namespace farrier::diagnosis {
 
 /// A joint of HyQ on its load, moved by two sines that leave the stops alone; noise as in the robot file.
-struct Bench {
+struct TestBench {
   std::size_t samples = 2000;
   double period_s = 0.001;
   bool rotary = false;

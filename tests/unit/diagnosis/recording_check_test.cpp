@@ -6,13 +6,13 @@
 #include "recording.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace recording_check_test {
 
 struct Case {
   Recording recording;
   robot::Joint joint;
 
-  explicit Case(const Bench& bench = {}) : recording(bench.recording()), joint(bench.joint()) {}
+  explicit Case(const TestBench& bench = {}) : recording(bench.recording()), joint(bench.joint()) {}
   std::vector<Finding> findings() const { return check_recording(recording, joint); }
   std::string found() const { return summary(findings()); }
   double supply() const { return joint.actuator.supply_pressure_Pa; }
@@ -93,7 +93,7 @@ TEST(RecordingCheck, LeavesCoarseSensorsAlone) {
 
 TEST(RecordingCheck, KnowsACylinderFromAMotor) {
   Case rotary({.rotary = true});
-  EXPECT_EQ(summary(check_recording(rotary.recording, Bench{}.joint())), "wrong_coordinates@0");
+  EXPECT_EQ(summary(check_recording(rotary.recording, TestBench{}.joint())), "wrong_coordinates@0");
 }
 
 TEST(RecordingCheck, NamesTheUnitItLooksLike) {
@@ -168,7 +168,7 @@ TEST(RecordingCheck, ComparesVelocityWithPosition) {
   scale(scaled.recording.velocity, 5.0);
   EXPECT_EQ(scaled.found(), "inconsistent@0");
   Case other;
-  other.recording.velocity = Bench{.samples = 2000, .period_s = 0.00137}.recording().velocity;
+  other.recording.velocity = TestBench{.samples = 2000, .period_s = 0.00137}.recording().velocity;
   EXPECT_EQ(other.found(), "inconsistent@0");
   Case biased;
   scale(biased.recording.velocity, 1.1, 0.05);
@@ -253,5 +253,5 @@ TEST(RecordingCheck, NamesASensorThatStopsForAWhile) {
   EXPECT_TRUE(mentions(found[0].text, "line 502, column force_N: 300 samples at an unchanging value")) << found[0].text;
 }
 
-}  // namespace
+}  // namespace recording_check_test
 }  // namespace farrier::diagnosis

@@ -7,7 +7,7 @@
 #include "recording.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace recording_fuzz_test {
 
 constexpr std::uint32_t kSeed = 20140701;
 
@@ -59,9 +59,9 @@ class RecordingFuzz : public RecordingFile {
   }
 
   std::mt19937 random_{kSeed};
-  const robot::Joint joint_ = Bench{}.joint();
+  const robot::Joint joint_ = TestBench{}.joint();
   const std::string good_ = [] {
-    CsvFile file = CsvFile::of(Bench{.samples = 520, .period_s = 0.002}.recording());
+    CsvFile file = CsvFile::of(TestBench{.samples = 520, .period_s = 0.002}.recording());
     file.add("swing", "1");
     file.add("pressure_a_Pa", "8e6");
     return file.text();
@@ -102,7 +102,7 @@ TEST_F(RecordingFuzz, SurvivesChangedBytes) {
 TEST_F(RecordingFuzz, SurvivesRandomValues) {
   const std::vector<std::string> values = {"0",   "-1",  "1e308", "-1e308", "nan", "-inf", "1e-320", "",  "1e9",
                                            "0.5", "\"1", "\"\"",  "0x10",   "+1",  "+-1",  "1,2",    "-", "5e-324"};
-  const CsvFile whole = CsvFile::of(Bench{.samples = 520, .period_s = 0.002}.recording());
+  const CsvFile whole = CsvFile::of(TestBench{.samples = 520, .period_s = 0.002}.recording());
   for (int i = 0; i < 400; ++i) {
     CsvFile file = whole;
     // A whole column, or one cell.
@@ -148,5 +148,5 @@ TEST_F(RecordingFuzz, OfTracesNamesPlacesToo) {
   EXPECT_GT(accepted, 0);
 }
 
-}  // namespace
+}  // namespace recording_fuzz_test
 }  // namespace farrier::diagnosis

@@ -3,10 +3,10 @@
 #include "recording.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace recording_test {
 
 const Recording& made() {
-  static const Recording recording = Bench{}.recording();
+  static const Recording recording = TestBench{}.recording();
   return recording;
 }
 CsvFile good() { return CsvFile::of(made()); }
@@ -32,7 +32,7 @@ TEST_F(RecordingFile, ReadsBackWhatWasRecorded) {
 }
 
 TEST_F(RecordingFile, ReadsARotaryMotor) {
-  const Recording rotary = Bench{.rotary = true}.recording();
+  const Recording rotary = TestBench{.rotary = true}.recording();
   const auto recording = read(CsvFile::of(rotary));
   ASSERT_TRUE(recording) << to_string(recording.error().findings, path_);
   EXPECT_EQ(recording.value().coordinates, Coordinates::kRotary);
@@ -121,7 +121,7 @@ TEST_F(RecordingFile, WithoutVelocityHasItDerived) {
   ASSERT_EQ(r.velocity.size(), r.position.size());
   double error = 0.0;
   for (std::size_t i = 0; i < r.velocity.size(); ++i) {
-    error = std::max(error, std::abs(r.velocity[i] - Bench::velocity(0.08, r.time_s[i])));
+    error = std::max(error, std::abs(r.velocity[i] - TestBench::velocity(0.08, r.time_s[i])));
   }
   // Six standard deviations, and the ends, where a window reaches to one side and a slope is four times as uncertain.
   EXPECT_LT(error, 4 * 6 * r.derived_velocity_noise);
@@ -221,5 +221,5 @@ TEST_F(RecordingFile, RefusesAFlagThatIsNone) {
   EXPECT_TRUE(mentions(found[0].text, "lines 7 and 8, column swing: 2 values")) << found[0].text;
 }
 
-}  // namespace
+}  // namespace recording_test
 }  // namespace farrier::diagnosis

@@ -3,7 +3,7 @@
 #include "recording.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace recording_times_test {
 
 constexpr std::size_t kTime = 0;
 
@@ -98,7 +98,7 @@ TEST_F(RecordingTimes, AreLongEnough) {
 }
 
 TEST_F(RecordingTimes, AreFoundWrongTogetherWithCells) {
-  CsvFile file = CsvFile::of(Bench{}.recording());
+  CsvFile file = CsvFile::of(TestBench{}.recording());
   file.rows[10][kTime] = "x";
   file.rows[20][3] = "";
   file.rows.erase(file.rows.begin() + 100, file.rows.begin() + 200);
@@ -106,5 +106,5 @@ TEST_F(RecordingTimes, AreFoundWrongTogetherWithCells) {
   EXPECT_EQ(summary(findings(file)), "not_a_number@12 empty_cell@22 gap@102 time_backwards@503");
 }
 
-}  // namespace
+}  // namespace recording_times_test
 }  // namespace farrier::diagnosis

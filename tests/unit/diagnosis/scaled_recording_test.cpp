@@ -8,7 +8,7 @@
 #include "scaled.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace scaled_recording_test {
 
 class ScaledRecordingFile : public ::testing::Test {
  protected:
@@ -132,5 +132,5 @@ TEST_F(ScaledRecordingFile, IsRefusedWithoutItsColumns) {
   EXPECT_EQ(read_scaled_recording(path_ + ".not").error().findings[0].what, "unreadable");
 }
 
-}  // namespace
+}  // namespace scaled_recording_test
 }  // namespace farrier::diagnosis

@@ -7,7 +7,7 @@
 #include "scaled.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace scaled_test {
 
 using testing::arm;
 using testing::kDrift;
@@ -161,5 +161,5 @@ TEST(FitPercent, IsHundredForTheTruthAndNoneForItsMean) {
   EXPECT_LT(fit_percent(truth, std::vector<double>(3, 10.0)), -100.0);
 }
 
-}  // namespace
+}  // namespace scaled_test
 }  // namespace farrier::diagnosis

@@ -6,7 +6,7 @@
 #include "robot/keys.hpp"
 
 namespace farrier::diagnosis {
-namespace {
+namespace trace_recording_test {
 
 class TraceRecording : public RecordingFile {
  protected:
@@ -39,7 +39,7 @@ class TraceRecording : public RecordingFile {
   }
 
   const robot::Robot robot_ = robot::load_shipped("hyq");
-  const Recording made_ = Bench{}.recording();
+  const Recording made_ = TestBench{}.recording();
 };
 
 TEST_F(TraceRecording, HoldsTheRowsOfItsJoint) {
@@ -108,5 +108,5 @@ TEST_F(TraceRecording, RefusesWhatIsNoTrace) {
   EXPECT_TRUE(mentions(refusal("lf_hfe"), "the file holds 100 samples over 0.1 s"));
 }
 
-}  // namespace
+}  // namespace trace_recording_test
 }  // namespace farrier::diagnosis

@@ -2,17 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 
 #include <cmath>
 
 #include "estimation/directional_forgetting.hpp"
 #include "estimation/rls.hpp"
 #include "data.hpp"
+#include "tests/support/dense_solvers.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace directional_test {
 
 using testing::excited;
 using testing::normal;
@@ -30,8 +29,8 @@ Eigen::Matrix<double, 3, N> truth() {
 
 template <class Filter>
 Eigen::Vector2d extremes(const Filter& filter) {
-  const Eigen::SelfAdjointEigenSolver<typename Filter::Covariance> solver(filter.information());
-  return {solver.eigenvalues().minCoeff(), solver.eigenvalues().maxCoeff()};
+  const Eigen::VectorXd values = test::symmetric_eigenvalues(filter.information());
+  return {values.minCoeff(), values.maxCoeff()};
 }
 
 TEST(Forgetting, WithoutExcitationExponentialBlowsUpAndDirectionalStaysInsideItsBounds) {
@@ -125,7 +124,7 @@ TEST(SubspaceOfInformation, IsDirectionalForgettingOfTheCovarianceForOneRegresso
   Eigen::Matrix<double, 3, 4> theta = Eigen::Matrix<double, 3, 4>::Zero();
   for (const auto& [h, y] : excited<4>(truth<4>(), 0.1, 200, 3)) {
     subspace.update(h, y);
-    p += (1.0 - kLambda) / kLambda / h.dot(p.inverse() * h) * h * h.transpose();
+    p += (1.0 - kLambda) / kLambda / h.dot(test::inverse(p) * h) * h * h.transpose();
     const Eigen::Vector4d gain = p * h / (1.0 + h.dot(p * h));
     theta += (y - theta * h) * gain.transpose();
     p -= gain * (p * h).transpose();
@@ -173,5 +172,5 @@ TEST(Directional, RefusesSettingsOutOfRangeByName) {
   }
 }
 
-}  // namespace
+}  // namespace directional_test
 }  // namespace farrier::estimation

@@ -9,7 +9,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace grey_box_safety_test {
 
 using namespace testing;
 
@@ -154,5 +154,5 @@ TEST(GreyBox, AllocatesNothing) {
   EXPECT_EQ(allocations, 0u);
 }
 
-}  // namespace
+}  // namespace grey_box_safety_test
 }  // namespace farrier::estimation

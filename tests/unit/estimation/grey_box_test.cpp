@@ -7,7 +7,7 @@
 #include "grey_box.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace grey_box_test {
 
 using namespace testing;
 
@@ -142,5 +142,5 @@ TEST(GreyBox, AllowsForCommandsThatComeLate) {
   EXPECT_LT(relative(estimator.estimate().physics.load_mass, 20.0), 0.01);
 }
 
-}  // namespace
+}  // namespace grey_box_test
 }  // namespace farrier::estimation

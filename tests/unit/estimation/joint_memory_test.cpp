@@ -5,7 +5,7 @@
 #include "joint.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace joint_memory_test {
 
 using namespace testing;
 
@@ -198,5 +198,5 @@ TEST(JointEstimator, StartsItsFiltersAnewAfterALongGap) {
   EXPECT_GT(estimates.estimate().samples, before.samples);
 }
 
-}  // namespace
+}  // namespace joint_memory_test
 }  // namespace farrier::estimation

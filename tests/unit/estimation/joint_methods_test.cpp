@@ -10,7 +10,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace joint_methods_test {
 
 using namespace testing;
 
@@ -212,5 +212,5 @@ TEST(InstrumentalVariable, IsLessBiasedThanLeastSquaresWhereTheNoiseIsNotKnown) 
   EXPECT_LT(instruments, 0.5 * least_squares) << instruments << " against " << least_squares;
 }
 
-}  // namespace
+}  // namespace joint_methods_test
 }  // namespace farrier::estimation

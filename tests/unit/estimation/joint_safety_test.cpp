@@ -11,7 +11,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace joint_safety_test {
 
 using namespace testing;
 
@@ -192,5 +192,5 @@ TEST(JointEstimator, TakesAndEstimatesWithoutAllocation) {
   EXPECT_GT(sum, 0.0);
 }
 
-}  // namespace
+}  // namespace joint_safety_test
 }  // namespace farrier::estimation

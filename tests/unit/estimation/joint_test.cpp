@@ -8,7 +8,7 @@
 #include "joint.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace joint_test {
 
 using namespace testing;
 
@@ -161,5 +161,5 @@ TEST(JointEstimator, FollowsALoadThatChangesUnannounced) {
   EXPECT_LT(error(estimates.estimate(), linear_joint(kStanceMass_kg)), kExact);
 }
 
-}  // namespace
+}  // namespace joint_test
 }  // namespace farrier::estimation

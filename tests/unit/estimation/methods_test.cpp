@@ -14,7 +14,7 @@
 #include "data.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace methods_test {
 
 using testing::excited;
 using testing::normal;
@@ -226,5 +226,5 @@ TEST(Methods, RefuseSettingsOutOfRangeByName) {
   expect_named("regressor_min", InstrumentalVariable<4>::create({0.9, kStart, kLimit, 1.0}));
 }
 
-}  // namespace
+}  // namespace methods_test
 }  // namespace farrier::estimation

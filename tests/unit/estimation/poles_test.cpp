@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +8,10 @@
 #include "estimation/poles.hpp"
 #include "data.hpp"
 #include "tests/support/allocation_guard.hpp"
+#include "tests/support/dense_solvers.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace poles_test {
 
 using testing::normal;
 using Complex = std::complex<double>;
@@ -21,9 +21,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 template <int N>
 Poles<N> by_qr(const Eigen::Matrix<double, N, N>& a) {
-  const Eigen::EigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(a), false);
+  const Eigen::VectorXcd values = test::eigenvalues(a);
   Poles<N> z;
-  std::copy(solver.eigenvalues().begin(), solver.eigenvalues().end(), z.begin());
+  std::copy(values.begin(), values.end(), z.begin());
   return z;
 }
 
@@ -197,5 +197,5 @@ TEST(Poles, AndTheirErrorsDoNotAllocate) {
   EXPECT_TRUE(std::isfinite(distance + error[0]));
 }
 
-}  // namespace
+}  // namespace poles_test
 }  // namespace farrier::estimation

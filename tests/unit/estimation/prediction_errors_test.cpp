@@ -9,7 +9,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace prediction_errors_test {
 
 constexpr int kSettled = 1000;  // 0.98^1000 = 2e-9 of the start is left
 constexpr int kSeeds = 400;
@@ -106,5 +106,5 @@ TEST(PredictionErrors, StayInTheirRangesWhateverComesAndAllocateNothing) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace prediction_errors_test
 }  // namespace farrier::estimation

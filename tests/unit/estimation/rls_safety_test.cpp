@@ -14,7 +14,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace rls_safety_test {
 
 using testing::excited;
 using testing::normal;
@@ -202,5 +202,5 @@ TEST(Rls, NamesEveryStatusAndKeepsTheNumbersOfTheThesis) {
   EXPECT_EQ(static_cast<int>(RlsStatus::kCovarianceNotPositiveDefinite), 4);  // Table F.1
 }
 
-}  // namespace
+}  // namespace rls_safety_test
 }  // namespace farrier::estimation

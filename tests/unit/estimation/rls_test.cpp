@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +11,10 @@
 #include "estimation/rls.hpp"
 #include "data.hpp"
 #include "bench/textbook_rls.hpp"
+#include "tests/support/dense_solvers.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace rls_test {
 
 using testing::excited;
 using testing::normal;
@@ -31,8 +31,8 @@ Rls<N> estimator(double forgetting_factor, double initial = kInitial) {
 
 template <class Matrix>
 double condition(const Matrix& p) {
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(p, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues().maxCoeff() / solver.eigenvalues().minCoeff();
+  const Eigen::VectorXd values = test::symmetric_eigenvalues(p);
+  return values.maxCoeff() / values.minCoeff();
 }
 
 /// Largest difference of two estimates in one run, over the scale of the parameters.
@@ -117,7 +117,7 @@ TEST(Rls, SolvesTheWeightedNormalEquations) {
     right = kLambda * right + h * y.transpose();
     weight = kLambda * weight + 1.0;
   }
-  const Eigen::Matrix<double, 3, 4> batch = information.ldlt().solve(right).transpose();
+  const Eigen::Matrix<double, 3, 4> batch = (test::inverse(information) * right).transpose();
   const double tolerance = 100.0 * kEps * condition(information);
   EXPECT_LT((rls.parameters() - batch).norm(), tolerance * batch.norm());
   EXPECT_LT((rls.covariance() * information - Eigen::Matrix4d::Identity()).norm(), tolerance);
@@ -183,5 +183,5 @@ TEST(Rls, ParameterVarianceIsTheSpreadOfTheEstimate) {
   EXPECT_LT((claimed.array() / squares.array() - 1.0).abs().maxCoeff(), tolerance);
 }
 
-}  // namespace
+}  // namespace rls_test
 }  // namespace farrier::estimation

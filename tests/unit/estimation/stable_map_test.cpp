@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <cmath>
@@ -12,9 +11,10 @@
 #include "estimation/stable_map.hpp"
 #include "data.hpp"
 #include "tests/support/allocation_guard.hpp"
+#include "tests/support/dense_solvers.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace stable_map_test {
 
 using testing::normal;
 using Complex = std::complex<double>;
@@ -71,7 +71,7 @@ void expect_all_stable() {
     const StabilityStatus status = map_to_stable<N>(a, kLimit);
     ASSERT_NE(status, StabilityStatus::kNotYetSet);
     ASSERT_NE(status, StabilityStatus::kEigenvalueError) << before;
-    EXPECT_LE(a.eigenvalues().cwiseAbs().maxCoeff(), kLimit + kTolerance) << before;
+    EXPECT_LE(test::eigenvalues(a).cwiseAbs().maxCoeff(), kLimit + kTolerance) << before;
     EXPECT_EQ(status == StabilityStatus::kStable, std::abs(poles(before)[0]) <= kLimit);
     mapped += status == StabilityStatus::kMappedToStable ? 1 : 0;
   }
@@ -125,5 +125,5 @@ TEST(StableMap, NamesEveryStatusAndKeepsTheNumbersOfTheThesis) {
   EXPECT_EQ(static_cast<int>(StabilityStatus::kEigenvalueError), 4);  // Table F.1
 }
 
-}  // namespace
+}  // namespace stable_map_test
 }  // namespace farrier::estimation

@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 
 #include <cmath>
 
 #include "data.hpp"
+#include "tests/support/dense_solvers.hpp"
 
 namespace farrier::estimation {
-namespace {
+namespace washout_test {
 
 using testing::normal;
 
@@ -72,7 +72,7 @@ TEST(Washout, OfOrderZeroLetsEverythingThrough) {
 // What least squares relies on: x[k+1] = A x[k] + B u[k] + c of the signals is x[k+1] = A x[k] + B u[k] of what is left.
 TEST(Washout, KeepsALinearModelOfTheSignals) {
   Eigen::Matrix3d a = normal<3, 3>(2, "a", 0);
-  a *= 0.9 / a.eigenvalues().cwiseAbs().maxCoeff();
+  a *= 0.9 / test::eigenvalues(a).cwiseAbs().maxCoeff();
   const Eigen::Vector3d b = normal<3>(2, "b", 0), c(2.0, -3.0, 1.0);
   for (int order = 1; order <= Washout::kMaxOrder; ++order) {
     Washout washout(kSmoothing, order);
@@ -106,5 +106,5 @@ TEST(Washout, StartsAfreshAfterAReset) {
   }
 }
 
-}  // namespace
+}  // namespace washout_test
 }  // namespace farrier::estimation

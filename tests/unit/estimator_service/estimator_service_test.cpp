@@ -11,7 +11,7 @@
 #include "tests/unit/robot/test_files.hpp"
 
 namespace farrier::estimator_service {
-namespace {
+namespace estimator_service_test {
 
 using signals::JointMeasurement;
 using signals::JointModelEstimate;
@@ -217,5 +217,5 @@ TEST(EstimatorService, TakesAndEstimatesWithoutAllocation) {
   EXPECT_TRUE(std::isfinite(sum));
 }
 
-}  // namespace
+}  // namespace estimator_service_test
 }  // namespace farrier::estimator_service

@@ -12,7 +12,7 @@
 #include "tools/faults/tick_times.hpp"
 
 namespace farrier::faults {
-namespace {
+namespace faults_test {
 
 using signals::JointState;
 
@@ -266,5 +266,5 @@ TEST(FaultPage, HasTheWorstOfEveryRowAndTheCellsThatDidNotHold) {
   EXPECT_FALSE(broken.holds());
 }
 
-}  // namespace
+}  // namespace faults_test
 }  // namespace farrier::faults

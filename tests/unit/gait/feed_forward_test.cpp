@@ -10,7 +10,7 @@
 #include "tests/unit/gait/plan.hpp"
 
 namespace farrier::gait {
-namespace {
+namespace feed_forward_test {
 
 constexpr int kLegs = 4;
 constexpr int kJoints = 3;
@@ -241,5 +241,5 @@ TEST(Multisine, HoldsHomeAndComesInSmoothly) {
   EXPECT_LT(std::abs(reference.at(0, 0, 50).torque_ff_Nm), 0.01 * 0.04 * 160.0);
 }
 
-}  // namespace
+}  // namespace feed_forward_test
 }  // namespace farrier::gait

@@ -8,7 +8,7 @@
 #include "tests/unit/gait/plan.hpp"
 
 namespace farrier::gait {
-namespace {
+namespace leg_kinematics_test {
 
 constexpr double kRounding = 1e-12;  // of lengths below 1 m and angles below 3 rad, some operations each
 
@@ -125,5 +125,5 @@ TEST(LegKinematics, GroundForceFoldsTheKnee) {
   }
 }
 
-}  // namespace
+}  // namespace leg_kinematics_test
 }  // namespace farrier::gait

@@ -9,7 +9,7 @@
 #include "tests/unit/gait/plan.hpp"
 
 namespace farrier::gait {
-namespace {
+namespace params_test {
 
 std::string complaint(const std::function<void(RobotPlan&)>& spoil) {
   RobotPlan plan = hyq_plan();
@@ -80,5 +80,5 @@ TEST(GaitPlan, RefusesAMultisineItCannotSample) {
   EXPECT_EQ(complaint(multisine({2.0, 5.0, 10.0})), "");
 }
 
-}  // namespace
+}  // namespace params_test
 }  // namespace farrier::gait

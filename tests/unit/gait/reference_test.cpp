@@ -11,7 +11,7 @@
 #include "tests/unit/gait/plan.hpp"
 
 namespace farrier::gait {
-namespace {
+namespace reference_test {
 
 constexpr int kLegs = 4;
 constexpr int kJoints = 3;
@@ -204,5 +204,5 @@ TEST(Reference, AStandingRobotHoldsStillAtTheHipHeight) {
   }
 }
 
-}  // namespace
+}  // namespace reference_test
 }  // namespace farrier::gait

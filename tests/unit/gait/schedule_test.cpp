@@ -9,7 +9,7 @@
 #include "tests/unit/gait/plan.hpp"
 
 namespace farrier::gait {
-namespace {
+namespace schedule_test {
 
 constexpr std::uint64_t kSeed = 2014;
 constexpr Tick kRun = 12000;
@@ -232,5 +232,5 @@ TEST(Schedule, AStandingRobotNeverSwitches) {
   }
 }
 
-}  // namespace
+}  // namespace schedule_test
 }  // namespace farrier::gait

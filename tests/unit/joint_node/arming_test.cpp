@@ -3,7 +3,7 @@
 #include "tests/unit/joint_node/bench.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace arming_test {
 
 using namespace testing;
 using signals::JointState;
@@ -170,5 +170,5 @@ TEST(JointNode, DampsInsteadOfTrippingBeforeTheFirstCommand) {
   EXPECT_FALSE(has(outputs, Fault::kTripped));
 }
 
-}  // namespace
+}  // namespace arming_test
 }  // namespace farrier::joint_node

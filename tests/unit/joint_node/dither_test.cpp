@@ -5,7 +5,7 @@
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace dither_test {
 
 using namespace testing;
 using signals::JointState;
@@ -120,5 +120,5 @@ TEST(JointNode, LetsAReferenceThatStepsWithThePhaseThroughTheNewGains) {
               n.current_A * (own.force + own.feed_forward) * step / n.force, kRounding);
 }
 
-}  // namespace
+}  // namespace dither_test
 }  // namespace farrier::joint_node

@@ -7,7 +7,7 @@
 #include "tests/unit/joint_node/bench.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace effects_test {
 
 using namespace testing;
 using plant::effect_id;
@@ -105,5 +105,5 @@ TEST(JointNode, NullIsNullWhateverTheValve) {
   expect_null(bench.step(), Fault::kDisarmed);
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace farrier::joint_node

@@ -3,7 +3,7 @@
 #include "joint_node/fault_events.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace fault_events_test {
 
 FaultSet of(std::initializer_list<Fault> faults) {
   FaultSet set;
@@ -48,5 +48,5 @@ TEST(FaultEvents, CountASaturatedValveAsPartOfControl) {
   EXPECT_EQ(events.update(0, of({Fault::kValveSaturated})), std::nullopt);
 }
 
-}  // namespace
+}  // namespace fault_events_test
 }  // namespace farrier::joint_node

@@ -9,7 +9,7 @@
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace flow_inversion_test {
 
 using namespace testing;
 using signals::JointControllerGains;
@@ -206,5 +206,5 @@ TEST(JointNodeFlowInversion, StepDoesNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace flow_inversion_test
 }  // namespace farrier::joint_node

@@ -7,7 +7,7 @@
 #include "tests/unit/joint_node/bench.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace flow_law_test {
 
 using namespace testing;
 using signals::JointState;
@@ -95,5 +95,5 @@ TEST(JointNode, SaysWhenTheFlowLawOpensTheValveFully) {
   EXPECT_TRUE(has(outputs, Fault::kValveSaturated));
 }
 
-}  // namespace
+}  // namespace flow_law_test
 }  // namespace farrier::joint_node

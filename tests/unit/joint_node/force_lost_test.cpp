@@ -7,7 +7,7 @@
 #include "tests/unit/joint_node/bench.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace force_lost_test {
 
 using namespace testing;
 using signals::JointState;
@@ -106,5 +106,5 @@ TEST_P(ForceLostUnder, HoldsAgainstALoadAndComesBackWithoutRinging) {
 INSTANTIATE_TEST_SUITE_P(Either, ForceLostUnder,
                          ::testing::Values(&robot::Joint::swing_load, &robot::Joint::stance_load));
 
-}  // namespace
+}  // namespace force_lost_test
 }  // namespace farrier::joint_node

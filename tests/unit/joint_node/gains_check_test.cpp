@@ -5,7 +5,7 @@
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace gains_check_test {
 
 using namespace testing;
 using signals::JointControllerGains;
@@ -119,5 +119,5 @@ TEST(CheckGains, RefusesCompliantGainsThatLeanOnThePosition) {
   EXPECT_EQ(refusal(signal).find("compliant gains with a position gain"), 0u) << refusal(signal);
 }
 
-}  // namespace
+}  // namespace gains_check_test
 }  // namespace farrier::joint_node

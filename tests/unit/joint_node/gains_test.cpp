@@ -5,7 +5,7 @@
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace gains_test {
 
 using namespace testing;
 using signals::JointState;
@@ -234,5 +234,5 @@ TEST(JointNode, KnowsTheNewestGenerationItHoldsActingOrNot) {
   EXPECT_EQ(bench.node.newest_generation(), 6u);
 }
 
-}  // namespace
+}  // namespace gains_test
 }  // namespace farrier::joint_node

@@ -7,7 +7,7 @@
 #include "tests/unit/joint_node/bench.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace missing_test {
 
 using namespace testing;
 using signals::JointState;
@@ -267,5 +267,5 @@ TEST(JointNode, PutsLostSensorsBeforeALostCommand) {
   EXPECT_TRUE(has(outputs, Fault::kCommandStale)) << "both are said";
 }
 
-}  // namespace
+}  // namespace missing_test
 }  // namespace farrier::joint_node

@@ -4,7 +4,7 @@
 #include "tests/unit/joint_node/bench.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace reference_test {
 
 using namespace testing;
 using signals::JointState;
@@ -135,5 +135,5 @@ TEST(JointNode, AnswersTheSampleItWasGiven) {
   EXPECT_EQ(measurement.phase, valve.phase);
 }
 
-}  // namespace
+}  // namespace reference_test
 }  // namespace farrier::joint_node

@@ -5,7 +5,7 @@
 #include "tests/unit/joint_node/bench.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace stance_lead_test {
 
 using namespace testing;
 using signals::Phase;
@@ -77,5 +77,5 @@ TEST(StanceLead, OfTheShippedRobotsIsAsLongAsTouchdownsMayBeEarly) {
   }
 }
 
-}  // namespace
+}  // namespace stance_lead_test
 }  // namespace farrier::joint_node

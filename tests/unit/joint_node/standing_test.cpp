@@ -10,7 +10,7 @@
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace standing_test {
 
 using namespace testing;
 using signals::JointState;
@@ -138,5 +138,5 @@ TEST(JointNode, StaysBoundedUnderRandomInput) {
   }
 }
 
-}  // namespace
+}  // namespace standing_test
 }  // namespace farrier::joint_node

@@ -10,7 +10,7 @@
 #include "core/fault.hpp"
 
 namespace farrier::joint_node {
-namespace {
+namespace summariser_test {
 
 using signals::JointMeasurement;
 using signals::JointState;
@@ -133,5 +133,5 @@ TEST(SummariserTest, IsSilentBeforeTheFirstTick) {
   EXPECT_EQ(summariser.take(measured(20))->ticks, 20);
 }
 
-}  // namespace
+}  // namespace summariser_test
 }  // namespace farrier::joint_node

@@ -9,7 +9,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 namespace farrier::mcap {
-namespace {
+namespace mcap_test {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -157,5 +157,5 @@ TEST(McapCompression, CrcIsThatOfZip) {
   EXPECT_EQ(crc32(std::span(reinterpret_cast<const std::uint8_t*>(check.data()), check.size())), 0xcbf43926u);
 }
 
-}  // namespace
+}  // namespace mcap_test
 }  // namespace farrier::mcap

@@ -20,7 +20,7 @@
 #include "tools/monitor/prometheus_exposer.hpp"
 
 namespace farrier::display {
-namespace {
+namespace metrics_test {
 
 using namespace monitor::testing;
 using prometheus::MetricFamily;
@@ -228,5 +228,5 @@ TEST(PrometheusExposer, SaysWhyItCannotListen) {
   EXPECT_NE(elsewhere.error().message.find("Cannot assign requested address"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace metrics_test
 }  // namespace farrier::display

@@ -7,7 +7,7 @@
 #include "feed.hpp"
 
 namespace farrier::monitor {
-namespace {
+namespace robot_view_test {
 
 using namespace testing;
 
@@ -227,5 +227,5 @@ TEST(LoadMass, IsUnknownForAModelThatNothingContinuousHas) {
   EXPECT_FALSE(load_mass(e, 1e-3));
 }
 
-}  // namespace
+}  // namespace robot_view_test
 }  // namespace farrier::monitor

@@ -10,7 +10,7 @@
 #include "feed.hpp"
 
 namespace farrier::display {
-namespace {
+namespace table_test {
 
 using namespace monitor::testing;
 
@@ -200,5 +200,5 @@ TEST(PolesText, ShowsAConjugatePairOnce) {
   EXPECT_EQ(monitor::poles_text({{{NAN, 0.0}, {0.5, 0.0}, {0.1, 0.0}}}), "-");
 }
 
-}  // namespace
+}  // namespace table_test
 }  // namespace farrier::display

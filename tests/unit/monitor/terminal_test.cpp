@@ -21,7 +21,7 @@
 #include "participant/loop.hpp"
 
 namespace farrier::display {
-namespace {
+namespace terminal_test {
 
 using namespace monitor::testing;
 using Clock = std::chrono::steady_clock;
@@ -194,5 +194,5 @@ TEST(Terminal, RefusesWhatIsNoTerminal) {
   EXPECT_EQ(WEXITSTATUS(status), 7);
 }
 
-}  // namespace
+}  // namespace terminal_test
 }  // namespace farrier::display

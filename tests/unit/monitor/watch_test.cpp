@@ -10,7 +10,7 @@
 #include "recorder/watching_endpoint.hpp"
 
 namespace farrier::monitor {
-namespace {
+namespace watch_test {
 
 using namespace testing;
 
@@ -96,5 +96,5 @@ TEST_F(Watched, NotesAWriterItCannotHearForItsQos) {
   EXPECT_EQ(frame.events[0].text, "cannot hear a writer of system/mode for its QoS; which: farrier topics");
 }
 
-}  // namespace
+}  // namespace watch_test
 }  // namespace farrier::monitor

@@ -7,7 +7,7 @@
 #include "robot/robot.hpp"
 
 namespace farrier::offline {
-namespace {
+namespace joint_recording_test {
 
 using signals::JointMeasurement;
 using signals::Phase;
@@ -93,5 +93,5 @@ TEST_F(JointRecordingTest, RefusesWhatIsNoRecording) {
   EXPECT_EQ(read.error().findings.front().what, "unreadable");
 }
 
-}  // namespace
+}  // namespace joint_recording_test
 }  // namespace farrier::offline

@@ -7,7 +7,7 @@
 #include "participant/arrival.hpp"
 
 namespace farrier::participant {
-namespace {
+namespace arrival_test {
 
 using namespace std::chrono_literals;
 
@@ -119,5 +119,5 @@ TEST(Arrival, FollowsAClockThatDriftsAway) {
   EXPECT_LT(latest, 1us);
 }
 
-}  // namespace
+}  // namespace arrival_test
 }  // namespace farrier::participant

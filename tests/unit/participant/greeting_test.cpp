@@ -1,7 +1,7 @@
 #include "tests/unit/participant/run.hpp"
 
 namespace farrier::participant {
-namespace {
+namespace greeting_test {
 
 using namespace std::chrono_literals;
 using namespace testing;
@@ -229,5 +229,5 @@ TEST_F(Greeting, NumbersItsEvents) {
   EXPECT_EQ(signals::text_of(heard[1].text), "estimates from now on");
 }
 
-}  // namespace
+}  // namespace greeting_test
 }  // namespace farrier::participant

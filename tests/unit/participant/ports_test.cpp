@@ -2,7 +2,7 @@
 #include "tests/unit/participant/run.hpp"
 
 namespace farrier::participant {
-namespace {
+namespace ports_test {
 
 using namespace testing;
 using signals::JointSensors;
@@ -235,15 +235,15 @@ TEST(ProcessOptions, TakeEveryDesignOfTheSupervisorAndLeaveDitherOnUnlessTold) {
   }
 }
 
-TEST(ProcessOptions, TellSimBridgeAloneWhatIsHidden) {
+TEST(ProcessOptions, NameTheSimulatedWorldToSimBridgeAlone) {
   ProcessOptions options;
   options.name = "sim_bridge";
   options.participants = 8;
   options.number = kSimBridge;
-  options.hide = 0xffff'ffff'ffff'fff0ull;
-  EXPECT_EQ(parsed(to_arguments(options), "sim_bridge").hide, options.hide);
+  options.world_path = "out/log/world.yaml";
+  EXPECT_EQ(parsed(to_arguments(options), "sim_bridge").world_path, options.world_path);
   options.number = kFirstJointNode;
-  EXPECT_EQ(parsed(to_arguments(options)).hide, std::nullopt);
+  EXPECT_EQ(parsed(to_arguments(options)).world_path, "");
 }
 
 TEST(ProcessOptions, RefuseANumberBeyondTheParticipants) {
@@ -251,5 +251,5 @@ TEST(ProcessOptions, RefuseANumberBeyondTheParticipants) {
   EXPECT_EXIT(parsed({"--number", "3", "--participants", "3"}), ::testing::ExitedWithCode(2), "must be below");
 }
 
-}  // namespace
+}  // namespace ports_test
 }  // namespace farrier::participant

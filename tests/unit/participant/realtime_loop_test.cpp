@@ -16,7 +16,7 @@
 #include "tests/unit/participant/run.hpp"
 
 namespace farrier::participant {
-namespace {
+namespace realtime_loop_test {
 
 using namespace std::chrono_literals;
 using namespace testing;
@@ -190,5 +190,5 @@ TEST(PrioritiesTest, OfThreadsThatPublishAreAlikeWhereMessagesAreEncrypted) {
   EXPECT_EQ(priorities_of(yardstick, 2, true).control, open.bus);
 }
 
-}  // namespace
+}  // namespace realtime_loop_test
 }  // namespace farrier::participant

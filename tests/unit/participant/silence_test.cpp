@@ -5,7 +5,7 @@
 #include "participant/silence.hpp"
 
 namespace farrier::participant {
-namespace {
+namespace silence_test {
 
 using namespace std::chrono_literals;
 using enum EventKind;
@@ -40,5 +40,5 @@ TEST(Silence, OfWhoStoodStillItselfIsNone) {
   EXPECT_EQ(silence.look(kStart + 200ms), std::nullopt);
 }
 
-}  // namespace
+}  // namespace silence_test
 }  // namespace farrier::participant

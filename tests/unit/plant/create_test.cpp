@@ -6,7 +6,7 @@
 #include "test_joints.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace create_test {
 
 std::string refusal(const ActuatorParams& actuator, const LoadParams& load, const State& initial) {
   const auto joint = HydraulicJoint::create(actuator, load, initial);
@@ -59,5 +59,5 @@ TEST(SetLoad, KeepsTheOldLoadWhenTheNewOneIsRefused) {
   EXPECT_EQ(joint.load().mass, test::swing_load().mass);
 }
 
-}  // namespace
+}  // namespace create_test
 }  // namespace farrier::plant

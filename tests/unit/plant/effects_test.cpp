@@ -8,7 +8,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace effects_test {
 
 using test::kPeriod_s;
 
@@ -217,5 +217,5 @@ TEST(Effects, TighterToleranceBringsTheTrajectoryCloser) {
   EXPECT_LT(coarse_worst_m, 1e-5 * 300 * finest.actuator().stroke);
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace farrier::plant

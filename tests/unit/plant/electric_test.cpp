@@ -12,7 +12,7 @@
 #include "tests/unit/plant/reference.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace electric_test {
 
 constexpr double kPeriod_s = 1e-3;
 constexpr double kRounding = 1e-12;
@@ -280,5 +280,5 @@ TEST(ElectricJoint, RefusesALoadWithDryFriction) {
   EXPECT_FALSE(ElectricJoint::create(drive(), dry, {.position = 1.0}).ok());
 }
 
-}  // namespace
+}  // namespace electric_test
 }  // namespace farrier::plant

@@ -8,7 +8,7 @@
 #include "test_joints.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace force_dynamics_test {
 
 double jerk(const JointEquations& equations, const IntegrationState& s, const HeldInput& input) {
   // M a' = F_h' - B a - C v, from the rates of the pressures themselves.
@@ -161,5 +161,5 @@ TEST(Forces, OfANonFiniteStateAreNotFinite) {
   EXPECT_TRUE(std::isnan(of.hydraulic_rate) && std::isnan(of.total_rate) && std::isnan(of.load_cell_rate));
 }
 
-}  // namespace
+}  // namespace force_dynamics_test
 }  // namespace farrier::plant

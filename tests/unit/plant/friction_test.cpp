@@ -6,7 +6,7 @@
 #include "test_joints.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace friction_test {
 
 using test::kPeriod_s;
 
@@ -167,5 +167,5 @@ TEST(Friction, ActsOnTheLoadsSideOfTheLoadCell) {
   EXPECT_NEAR(joint.load_cell_force(), before_N, 0.1);
 }
 
-}  // namespace
+}  // namespace friction_test
 }  // namespace farrier::plant

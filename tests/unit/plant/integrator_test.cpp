@@ -11,7 +11,7 @@
 #include "tests/unit/plant/reference.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace integrator_test {
 
 using test::kPeriod_s;
 
@@ -147,5 +147,5 @@ TEST(HydraulicJoint, StepDoesNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace integrator_test
 }  // namespace farrier::plant

@@ -6,7 +6,7 @@
 #include "test_joints.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace joint_test {
 
 using test::kPeriod_s;
 
@@ -182,5 +182,5 @@ TEST(LoadCell, ReadsTheSameFromBothSides) {
   }
 }
 
-}  // namespace
+}  // namespace joint_test
 }  // namespace farrier::plant

@@ -11,7 +11,7 @@
 #include "linear_points.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace linear_forms_test {
 
 using test::complex_step;
 using test::draw;
@@ -260,5 +260,5 @@ TEST(NominalJoint, HasTheMatricesOfChapter3WithTheirErrata) {
               1e-14 * std::abs(simple.a(2, 1)));
 }
 
-}  // namespace
+}  // namespace linear_forms_test
 }  // namespace farrier::plant

@@ -8,7 +8,7 @@
 #include "test_joints.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace linear_model_test {
 
 /// Right-hand side in (x, v, F_s) from the nonlinear equations: F_h = F_s + d_p v (m_p neglected), pressures by
 /// (3.19), (3.20), their rates by (2.10), (2.11), F_s' = A_p p_l' - d_p a (3.40).
@@ -102,5 +102,5 @@ TEST(LinearModel, PredictsTheNonlinearJointForSmallSteps) {
   EXPECT_GT(linear[2], 1.0);
 }
 
-}  // namespace
+}  // namespace linear_model_test
 }  // namespace farrier::plant

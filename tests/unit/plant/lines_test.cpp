@@ -7,7 +7,7 @@
 #include "test_joints.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace lines_test {
 
 constexpr double kSample_s = 1e-5;
 constexpr LineParams kLine{.length_m = 0.6};  // of 3.8 mm, as the rig's
@@ -162,5 +162,5 @@ TEST(Lines, AreNotFeltInASlowMotionBeyondTheirLaminarLoss) {
   EXPECT_NEAR(with.state().velocity / v, 1.0, 2.0 * share + 1e-3);
 }
 
-}  // namespace
+}  // namespace lines_test
 }  // namespace farrier::plant

@@ -9,7 +9,7 @@
 #include "plant/trigonometry.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace linkage_test {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
 
@@ -137,5 +137,5 @@ TEST(Trigonometry, AgreesWithTheLibraryToTheLastBits) {
   }
 }
 
-}  // namespace
+}  // namespace linkage_test
 }  // namespace farrier::plant

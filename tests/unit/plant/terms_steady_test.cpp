@@ -7,7 +7,7 @@
 #include "test_effects.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace terms_steady_test {
 
 using test::effect_of;
 using test::joint_with;
@@ -244,5 +244,5 @@ TEST(LoadEffects, ChangeTheStanceLoadByTheSameDifference) {
   EXPECT_EQ(alike.swing.equilibrium_position, alike.stance.equilibrium_position);
 }
 
-}  // namespace
+}  // namespace terms_steady_test
 }  // namespace farrier::plant

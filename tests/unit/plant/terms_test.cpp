@@ -10,7 +10,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::plant {
-namespace {
+namespace terms_test {
 
 using test::effect_of;
 using test::joint_with;
@@ -189,5 +189,5 @@ TEST(PortableFunctions, AreTheLibrarysToTheLastBits) {
   EXPECT_EQ(portable::tanh(0.0), 0.0);
 }
 
-}  // namespace
+}  // namespace terms_test
 }  // namespace farrier::plant

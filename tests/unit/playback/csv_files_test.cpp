@@ -10,7 +10,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 namespace farrier::playback {
-namespace {
+namespace csv_files_test {
 
 /// Three random samples of every topic, their texts ended.
 void write_recording(const std::string& path) {
@@ -99,5 +99,5 @@ TEST(RecordingCsv, NamesFileLineAndColumnOfWhatItCannotRead) {
   EXPECT_FALSE(std::filesystem::exists(scratch.file("back.mcap")));
 }
 
-}  // namespace
+}  // namespace csv_files_test
 }  // namespace farrier::playback

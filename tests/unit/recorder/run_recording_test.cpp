@@ -10,7 +10,7 @@
 #include "tests/unit/participant/run.hpp"
 
 namespace farrier::recorder {
-namespace {
+namespace run_recording_test {
 
 class RunRecordingTest : public testing::Test {
  protected:
@@ -111,5 +111,5 @@ TEST_F(RunRecordingTest, RefusesAFileThatCannotBe) {
   EXPECT_NE(recording.error().message.find("nowhere/run.mcap"), std::string::npos) << recording.error().message;
 }
 
-}  // namespace
+}  // namespace run_recording_test
 }  // namespace farrier::recorder

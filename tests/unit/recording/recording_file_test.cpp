@@ -14,7 +14,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 namespace farrier::recording {
-namespace {
+namespace recording_file_test {
 
 using bus::TopicId;
 
@@ -223,5 +223,5 @@ TEST(LossCount, IsOfGapsPerKeyAndNotOfANewBeginning) {
   EXPECT_EQ(losses.lost(), 3u);
 }
 
-}  // namespace
+}  // namespace recording_file_test
 }  // namespace farrier::recording

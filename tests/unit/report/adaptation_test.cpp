@@ -13,7 +13,7 @@
 #include "report/trot/html_report.hpp"
 
 namespace farrier::report {
-namespace {
+namespace adaptation_test {
 
 using signals::JointUpdateDecision;
 using signals::UpdateVerdict;
@@ -161,5 +161,5 @@ TEST_F(AdaptivePage, ShowsGainsAndEstimatesOfTheJointsThatWereDecidedOn) {
   EXPECT_NE(picture.str().find("</svg>"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace adaptation_test
 }  // namespace farrier::report

@@ -8,7 +8,7 @@
 #include "report/compare/controllers.hpp"
 
 namespace farrier::report {
-namespace {
+namespace controllers_test {
 
 /// Three seeds of a joint; every contender has 0.04 in stance and 0.1 in swing, the grey box half of it.
 std::vector<VaryRow> rows() {
@@ -90,5 +90,5 @@ TEST(ControllerFigures, HaveALinePerController) {
   }
 }
 
-}  // namespace
+}  // namespace controllers_test
 }  // namespace farrier::report

@@ -13,7 +13,7 @@
 #include "report/diagnosis/effects_table.hpp"
 
 namespace farrier::report {
-namespace {
+namespace diagnosis_test {
 
 using diagnosis::Diagnosis;
 using diagnosis::Verdict;
@@ -278,5 +278,5 @@ TEST(EffectsTable, HasEveryEffectWithASentence) {
   }
 }
 
-}  // namespace
+}  // namespace diagnosis_test
 }  // namespace farrier::report

@@ -7,7 +7,7 @@
 #include "core/replace_file.hpp"
 
 namespace farrier::report {
-namespace {
+namespace extended_model_test {
 
 using testing::active;
 
@@ -59,5 +59,5 @@ TEST_F(ExtendedModel, ItsFileIsReplacedWholeOrNotAtAll) {
   EXPECT_FALSE(replace_file(path_ + "/nowhere/model.yaml", "new").ok());
 }
 
-}  // namespace
+}  // namespace extended_model_test
 }  // namespace farrier::report

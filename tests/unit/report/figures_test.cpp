@@ -7,7 +7,7 @@
 #include "report/figures/figures.hpp"
 
 namespace farrier::report {
-namespace {
+namespace figures_test {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -109,5 +109,5 @@ TEST(FigureRegistry, TheTableListsEveryPatternOnceWithItsSentence) {
   }
 }
 
-}  // namespace
+}  // namespace figures_test
 }  // namespace farrier::report

@@ -5,7 +5,7 @@
 #include "report/figures/run_info.hpp"
 
 namespace farrier::report {
-namespace {
+namespace growth_test {
 
 ProcessInfo process(const char* name, std::optional<Growth> growth) {
   ProcessInfo info;
@@ -37,5 +37,5 @@ TEST(Growth, OfNobodyHoldsNoBound) {
   EXPECT_FALSE(figures.find("trot.memory_growth_KiB")->holds());
 }
 
-}  // namespace
+}  // namespace growth_test
 }  // namespace farrier::report

@@ -11,7 +11,7 @@
 #include "report/diagnosis/hide_result.hpp"
 
 namespace farrier::report {
-namespace {
+namespace hide_test {
 
 /// A deadband hidden in the knee; what the hip's and the knee's recordings said.
 HideTrial trial(JointVerdict hip, JointVerdict knee) {
@@ -137,5 +137,5 @@ TEST(HideResult, WritesARowForEveryJointAndSeed) {
   EXPECT_FALSE(write_hide_csv("/nowhere/hide.csv", trials).ok());
 }
 
-}  // namespace
+}  // namespace hide_test
 }  // namespace farrier::report

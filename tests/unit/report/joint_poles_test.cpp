@@ -4,7 +4,7 @@
 #include "report/trot/joint_poles.hpp"
 
 namespace farrier::report {
-namespace {
+namespace joint_poles_test {
 
 // HAA motors see their leg in either phase.
 bool flexes(const robot::Joint& joint) { return joint.index_in_leg > 0; }
@@ -38,5 +38,5 @@ TEST(JointPoles, WithATickOfDelayStanceGainsGrowMoreSlowlyOnTheSwingLoadThanSwin
   }
 }
 
-}  // namespace
+}  // namespace joint_poles_test
 }  // namespace farrier::report

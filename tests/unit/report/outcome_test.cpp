@@ -9,7 +9,7 @@
 #include "report/figures/outcome.hpp"
 
 namespace farrier::report {
-namespace {
+namespace outcome_test {
 
 using testing::hyq;
 
@@ -144,5 +144,5 @@ TEST(Console, HasEscapeSequencesOnlyInColour) {
   EXPECT_NE(console_text(outcome_with(0.2), true).find('\033'), std::string::npos);
 }
 
-}  // namespace
+}  // namespace outcome_test
 }  // namespace farrier::report

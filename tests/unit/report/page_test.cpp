@@ -9,7 +9,7 @@
 #include "report/trot/joint_poles.hpp"
 
 namespace farrier::report {
-namespace {
+namespace page_test {
 
 using testing::hyq;
 using testing::kSeed;
@@ -108,5 +108,5 @@ TEST_F(PageWithoutGnuplot, IsRefusedInTheWordsOfAGnuplotThatFails) {
   EXPECT_NE(page.error().message.find("status 3: no such terminal"), std::string::npos) << page.error().message;
 }
 
-}  // namespace
+}  // namespace page_test
 }  // namespace farrier::report

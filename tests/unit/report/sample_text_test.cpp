@@ -7,7 +7,7 @@
 #include <limits>
 
 namespace farrier::report {
-namespace {
+namespace sample_text_test {
 
 const robot::Robot& hyq() {
   static const robot::Robot robot = robot::load_robot(FARRIER_ROBOTS "/hyq.yaml").value();
@@ -50,5 +50,5 @@ TEST(SampleText, IsOneLineOfYamlWhateverASampleHolds) {
   EXPECT_NE(text.find("velocity_m_s_or_rad_s: -.inf"), std::string::npos) << text;
 }
 
-}  // namespace
+}  // namespace sample_text_test
 }  // namespace farrier::report

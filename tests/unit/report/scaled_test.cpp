@@ -11,7 +11,7 @@
 #include "report/diagnosis/scaled_text.hpp"
 
 namespace farrier::report {
-namespace {
+namespace scaled_test {
 
 using diagnosis::ScaledDiagnosis;
 using diagnosis::Verdict;
@@ -173,5 +173,5 @@ TEST_F(ScaledReport, PageOfBadDataHasItsFindings) {
   EXPECT_NE(html.str().find("row 17: samples are missing"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace scaled_test
 }  // namespace farrier::report

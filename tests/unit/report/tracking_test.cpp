@@ -4,7 +4,7 @@
 #include "run.hpp"
 
 namespace farrier::report {
-namespace {
+namespace tracking_test {
 
 using testing::hyq;
 using testing::kSeed;
@@ -184,5 +184,5 @@ TEST(Tracking, TakesWellUnderASecondForAHundredThousandRows) {
   EXPECT_LT(taken.count(), 0.5);
 }
 
-}  // namespace
+}  // namespace tracking_test
 }  // namespace farrier::report

@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace farrier::report {
-namespace {
+namespace update_logic_test {
 
 UpdateLogicResult result(const std::string& method, double stance_nrmse) {
   UpdateLogicResult of{.method = method};
@@ -64,5 +64,5 @@ TEST(UpdateLogicTable, HasALinePerMethod) {
   EXPECT_NE(table.find("\nwhite_error "), std::string::npos);
 }
 
-}  // namespace
+}  // namespace update_logic_test
 }  // namespace farrier::report

@@ -15,7 +15,7 @@
 #include "report/compare/vary_result.hpp"
 
 namespace farrier::report {
-namespace {
+namespace vary_test {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -134,5 +134,5 @@ TEST(VaryCsv, HasEveryRowAndRefusesAPathItCannotWrite) {
   EXPECT_FALSE(write_vary_csv("/nowhere/vary.csv", rows()).ok());
 }
 
-}  // namespace
+}  // namespace vary_test
 }  // namespace farrier::report

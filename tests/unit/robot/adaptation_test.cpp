@@ -5,7 +5,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace adaptation_test {
 
 /// A shipped file without a section: the lines from its title to the next blank line.
 std::string without(std::string text, const std::string& title) {
@@ -165,5 +165,5 @@ TEST(AdaptationMistakes, IncludeAnEstimatePeriodThatDoesNotDivideTheDefaultConve
                                    "is 20\n");
 }
 
-}  // namespace
+}  // namespace adaptation_test
 }  // namespace farrier::robot

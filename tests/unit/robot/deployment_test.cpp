@@ -3,7 +3,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace deployment_test {
 
 // One change to the deployment of hyq.yaml and the problem it must cause, at the line of `at`.
 struct Mistake {
@@ -95,5 +95,5 @@ TEST(Deployment, ListsAllItsMistakesAtOnce) {
   EXPECT_TRUE(reports("no process has program estimator_service: a robot needs one"));
 }
 
-}  // namespace
+}  // namespace deployment_test
 }  // namespace farrier::robot

@@ -5,7 +5,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace effects_by_joint_test {
 
 using plant::effect_info;
 using plant::EffectId;
@@ -192,5 +192,5 @@ TEST(JointEffects, StandInTheTableOfParameters) {
   }
 }
 
-}  // namespace
+}  // namespace effects_by_joint_test
 }  // namespace farrier::robot

@@ -4,7 +4,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace effects_test {
 
 const char* const kValve = "    current_max_A: 0.01           # A.1\n";
 const char* const kVolume = "    line_volume_m3: 6.8047e-6";
@@ -108,5 +108,5 @@ TEST(RobotEffects, SwitchedOffSpoolsKeepTheirNumbers) {
   EXPECT_EQ(robot.value().joints[0].actuator.spool.damping, 0.7);
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace farrier::robot

@@ -10,7 +10,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace electric_test {
 
 TEST(ElectricLeg, HasWhatItsFileSaysInEveryJoint) {
   const Robot leg = load_shipped("electric_leg");
@@ -140,5 +140,5 @@ TEST(HydraulicFileMistakes, IncludeTheLoadOfAnElectricJoint) {
             std::string::npos) << told;
 }
 
-}  // namespace
+}  // namespace electric_test
 }  // namespace farrier::robot

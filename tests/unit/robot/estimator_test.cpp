@@ -6,7 +6,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace estimator_test {
 
 using estimation::EstimationMethod;
 using estimation::GateKind;
@@ -123,5 +123,5 @@ TEST(MakeEstimator, RefusesAJointItCannotServeNamingTheCondition) {
   EXPECT_FALSE(make_estimator(load_shipped("hyq").joints[0], 0.001, 3).ok()) << "a delay beyond what is remembered";
 }
 
-}  // namespace
+}  // namespace estimator_test
 }  // namespace farrier::robot

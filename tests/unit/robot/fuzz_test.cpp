@@ -7,7 +7,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace fuzz_test {
 
 constexpr std::uint32_t kSeed = 20140701;
 
@@ -119,5 +119,5 @@ TEST_P(RobotFileFuzz, NeverLoadsAKeyItDoesNotKnow) {
 
 INSTANTIATE_TEST_SUITE_P(Shipped, RobotFileFuzz, testing::Values("hyq", "fc1d", "fc1d_real"));
 
-}  // namespace
+}  // namespace fuzz_test
 }  // namespace farrier::robot

@@ -7,7 +7,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace hyq_test {
 
 class Hyq : public testing::Test {
  protected:
@@ -166,5 +166,5 @@ TEST(LegInertia, TurnsTensorsWithTheLeg) {
   EXPECT_NEAR(leg_inertia_about_haa_kg_m2(body, std::numbers::pi / 4, 0.0), 4.0 + 0.5, kRounding);  // between
 }
 
-}  // namespace
+}  // namespace hyq_test
 }  // namespace farrier::robot

@@ -5,7 +5,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace mistakes_test {
 
 // One change to hyq.yaml and the one problem it must cause, at the line of the change.
 struct Mistake {
@@ -121,5 +121,5 @@ TEST(RobotFileMistakes, IncludeAFileThatIsNotThere) {
             shipped("no_such_robot") + ": cannot be read: check the path and its permissions\n");
 }
 
-}  // namespace
+}  // namespace mistakes_test
 }  // namespace farrier::robot

@@ -4,7 +4,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace rig_test {
 
 TEST(Fc1d, IsTheRigOfTheThesis) {
   const Robot rig = load_shipped("fc1d");
@@ -76,5 +76,5 @@ TEST(Robot, TakesItsWeightsFromTheThesis) {
   }
 }
 
-}  // namespace
+}  // namespace rig_test
 }  // namespace farrier::robot

@@ -6,7 +6,7 @@
 #include "test_files.hpp"
 
 namespace farrier::robot {
-namespace {
+namespace round_trip_test {
 
 // Everything a joint is made of, as bits.
 std::string fingerprint(const Joint& j) {
@@ -136,5 +136,5 @@ TEST(ParameterTable, CoversTheWholeRobotFile) {
   EXPECT_GT(std::count(table.begin(), table.end(), '\n'), 100);
 }
 
-}  // namespace
+}  // namespace round_trip_test
 }  // namespace farrier::robot

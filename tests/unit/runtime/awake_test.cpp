@@ -7,7 +7,7 @@
 #include "runtime/awake_processors.hpp"
 
 namespace farrier::runtime {
-namespace {
+namespace awake_test {
 
 /// The bound of wake-up latency that the kernel keeps now, microseconds; -1 where it cannot be asked.
 std::int32_t bound_us() {
@@ -29,5 +29,5 @@ TEST(AwakeProcessors, HoldTheKernelToNoLatencyWhileTheyAreWanted) {
   EXPECT_EQ(bound_us(), 0);
 }
 
-}  // namespace
+}  // namespace awake_test
 }  // namespace farrier::runtime

@@ -5,7 +5,7 @@
 #include "runtime/deadline.hpp"
 
 namespace farrier::runtime {
-namespace {
+namespace deadline_test {
 
 using namespace std::chrono_literals;
 
@@ -73,5 +73,5 @@ TEST(SleepUntil, DoesNotWakeEarly) {
   EXPECT_GE(std::chrono::steady_clock::now(), until);
 }
 
-}  // namespace
+}  // namespace deadline_test
 }  // namespace farrier::runtime

@@ -9,7 +9,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::runtime {
-namespace {
+namespace histogram_test {
 
 using namespace std::chrono_literals;
 
@@ -68,5 +68,5 @@ TEST(LatencyHistogram, DoesNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace histogram_test
 }  // namespace farrier::runtime

@@ -12,7 +12,7 @@
 #include "pki.hpp"
 
 namespace farrier::security {
-namespace {
+namespace credentials_test {
 
 namespace fs = std::filesystem;
 using test::Pki;
@@ -144,5 +144,5 @@ TEST(Credentials, FileThatIsNoCertificateIsRefused) {
   EXPECT_TRUE(names(refusal(folder), "certificate.pem is not a certificate", "copy the folder anew"));
 }
 
-}  // namespace
+}  // namespace credentials_test
 }  // namespace farrier::security

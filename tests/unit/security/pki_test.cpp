@@ -14,7 +14,7 @@
 #include "pki.hpp"
 
 namespace farrier::pki {
-namespace {
+namespace pki_test {
 
 namespace fs = std::filesystem;
 using test::kRobot;
@@ -184,5 +184,5 @@ TEST(Pki, FailureHalfWayLeavesNothingAndSaysWhatOpensslSaid) {
   EXPECT_TRUE(fs::is_empty(folder.file("")));
 }
 
-}  // namespace
+}  // namespace pki_test
 }  // namespace farrier::pki

@@ -6,7 +6,7 @@
 #include "tests/contract/random_signal.hpp"
 
 namespace farrier::signals {
-namespace {
+namespace cdr_test {
 
 template <class Signal>
 class SignalCdr : public testing::Test {};
@@ -59,5 +59,5 @@ TEST(Sequence, IsOfStreamsAndOfWhatIsCounted) {
   EXPECT_FALSE(sequence_of(JointModelEstimate{.tick = 5}).has_value());
 }
 
-}  // namespace
+}  // namespace cdr_test
 }  // namespace farrier::signals

@@ -7,7 +7,7 @@
 #include "tests/contract/random_signal.hpp"
 
 namespace farrier::signals {
-namespace {
+namespace journal_test {
 
 TEST(Journal, GivesBackEverySampleWithItsAge) {
   std::mt19937_64 random(1);
@@ -63,5 +63,5 @@ TEST(Journal, KnowsTheTopicOfAStream) {
   EXPECT_NE(stream_of(1, 0), stream_of(0, 1));
 }
 
-}  // namespace
+}  // namespace journal_test
 }  // namespace farrier::signals

@@ -7,7 +7,7 @@
 #include "signals/signals.hpp"
 
 namespace farrier::signals {
-namespace {
+namespace signals_test {
 
 TEST(Signals, TextWithoutItsEndIsReadToTheEndOfItsField) {
   Name name;
@@ -98,5 +98,5 @@ TEST(Signals, NameEveryVerdictOfTheUpdateLogicDifferently) {
   EXPECT_STREQ(to_string(static_cast<UpdateVerdict>(kVerdicts)), "unknown verdict");
 }
 
-}  // namespace
+}  // namespace signals_test
 }  // namespace farrier::signals

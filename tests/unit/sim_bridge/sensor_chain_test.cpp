@@ -7,7 +7,7 @@
 #include "tests/unit/sim_bridge/sim_world_bench.hpp"
 
 namespace farrier::sim_bridge {
-namespace {
+namespace sensor_chain_test {
 
 using namespace testing;
 
@@ -155,5 +155,5 @@ TEST(SimWorld, MovesTheSameHoweverOftenItsSensorsConvert) {
   EXPECT_GT(std::abs(row_of(one, 0).position_m_or_rad - 0.04), 1e-4);
 }
 
-}  // namespace
+}  // namespace sensor_chain_test
 }  // namespace farrier::sim_bridge

@@ -4,7 +4,7 @@
 #include "tests/unit/sim_bridge/sim_world_bench.hpp"
 
 namespace farrier::sim_bridge {
-namespace {
+namespace sensor_effects_test {
 
 using namespace testing;
 
@@ -116,5 +116,5 @@ TEST(SimWorld, RefusesEffectsThatNoJointCarriesByItsName) {
   EXPECT_NE(refused.error().message.find("valve_bias: current_A"), std::string::npos) << refused.error().message;
 }
 
-}  // namespace
+}  // namespace sensor_effects_test
 }  // namespace farrier::sim_bridge

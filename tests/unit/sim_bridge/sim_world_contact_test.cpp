@@ -3,7 +3,7 @@
 #include "tests/unit/sim_bridge/sim_world_bench.hpp"
 
 namespace farrier::sim_bridge {
-namespace {
+namespace sim_world_contact_test {
 
 using namespace testing;
 using gait::Phase;
@@ -135,5 +135,5 @@ TEST_F(Trotting, ChangesTheMassWithThePhase) {
   }
 }
 
-}  // namespace
+}  // namespace sim_world_contact_test
 }  // namespace farrier::sim_bridge

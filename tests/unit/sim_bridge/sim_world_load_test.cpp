@@ -1,7 +1,7 @@
 #include "tests/unit/sim_bridge/sim_world_bench.hpp"
 
 namespace farrier::sim_bridge {
-namespace {
+namespace sim_world_load_test {
 
 using namespace testing;
 
@@ -56,5 +56,5 @@ TEST(SimWorldLoads, AreRefusedWhenNoJointCanCarryThem) {
   EXPECT_FALSE(SimWorld::create(hyq(), 1, {{0, 12, of_mass(1.0)}})) << "there is no such joint";
 }
 
-}  // namespace
+}  // namespace sim_world_load_test
 }  // namespace farrier::sim_bridge

@@ -6,7 +6,7 @@
 #include "tests/unit/sim_bridge/sim_world_bench.hpp"
 
 namespace farrier::sim_bridge {
-namespace {
+namespace sim_world_test {
 
 using namespace testing;
 
@@ -191,5 +191,5 @@ TEST(SimWorld, AdvanceDoesNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace sim_world_test
 }  // namespace farrier::sim_bridge

@@ -11,7 +11,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 namespace farrier::sim_bridge {
-namespace {
+namespace trace_thread_test {
 
 using namespace std::chrono_literals;
 
@@ -67,5 +67,5 @@ TEST(TraceThread, LosesRowsRatherThanWaitForADisk) {
   ::close(reader);
 }
 
-}  // namespace
+}  // namespace trace_thread_test
 }  // namespace farrier::sim_bridge

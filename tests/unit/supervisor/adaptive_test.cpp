@@ -12,7 +12,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace adaptive_test {
 
 using namespace testing;
 using signals::JointControllerGains;
@@ -191,5 +191,5 @@ TEST(AdaptiveSupervisor, StepsAndTakesWithoutAllocationAlsoWhenEveryJointIsRedes
   EXPECT_GE(redesigned, 16u) << "both slots of eight joints that flex";
 }
 
-}  // namespace
+}  // namespace adaptive_test
 }  // namespace farrier::supervisor

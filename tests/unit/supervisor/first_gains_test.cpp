@@ -7,7 +7,7 @@
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace first_gains_test {
 
 using namespace testing;
 using signals::JointControllerGains;
@@ -101,5 +101,5 @@ TEST(SupervisorFirstGains, AreRefusedForAnotherDelayThanTheLoopHas) {
   EXPECT_NE(refused.error().message.find(hyq().joints[0].name), std::string::npos) << refused.error().message;
 }
 
-}  // namespace
+}  // namespace first_gains_test
 }  // namespace farrier::supervisor

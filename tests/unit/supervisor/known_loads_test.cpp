@@ -6,7 +6,7 @@
 #include "tests/unit/robot/test_files.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace known_loads_test {
 
 using signals::JointControllerGains;
 
@@ -79,5 +79,5 @@ TEST(SupervisorKnownLoads, AreHandedOutWithoutAllocation) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-}  // namespace
+}  // namespace known_loads_test
 }  // namespace farrier::supervisor

@@ -8,7 +8,7 @@
 #include "estimates.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace orders_test {
 
 using namespace testing;
 using signals::JointControllerGains;
@@ -148,5 +148,5 @@ TEST(SupervisorOrders, WhoStandsDownForgetsWhatItIssued) {
   EXPECT_TRUE(leader.orders().modes.empty());
 }
 
-}  // namespace
+}  // namespace orders_test
 }  // namespace farrier::supervisor

@@ -11,7 +11,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace physics_update_test {
 
 using namespace testing;
 using plant::JointPhysics;
@@ -202,5 +202,5 @@ TEST(SupervisorPhysics, GoesOutWithAnAcceptedEstimateAndItsDecision) {
   EXPECT_EQ(out.decisions[0].generation, 3u);
 }
 
-}  // namespace
+}  // namespace physics_update_test
 }  // namespace farrier::supervisor

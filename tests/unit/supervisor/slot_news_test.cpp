@@ -10,7 +10,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace slot_news_test {
 
 using namespace testing;
 using signals::JointModelEstimate;
@@ -79,5 +79,5 @@ TEST(SlotUpdate, OnlyEverHasGainsThatAreStableOnTheirModel) {
   EXPECT_GT(accepted, 0) << "nothing was tried";
 }
 
-}  // namespace
+}  // namespace slot_news_test
 }  // namespace farrier::supervisor

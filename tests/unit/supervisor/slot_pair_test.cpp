@@ -13,7 +13,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace slot_pair_test {
 
 using namespace testing;
 using signals::JointModelEstimate;
@@ -153,5 +153,5 @@ TEST(SupervisorDwell, IssuesNoGainsToAJointSoonerThanItsLastOnesMustAct) {
   EXPECT_GT(again, 10) << "redesigns that could have come too soon";
 }
 
-}  // namespace
+}  // namespace slot_pair_test
 }  // namespace farrier::supervisor

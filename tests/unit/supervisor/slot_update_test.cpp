@@ -10,7 +10,7 @@
 #include "estimates.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace slot_update_test {
 
 using namespace testing;
 using signals::JointModelEstimate;
@@ -238,5 +238,5 @@ TEST(SlotUpdate, RefusesWhatTheStoredModelForbidsUntilEvidencePersists) {
   EXPECT_GT(refused, 0) << "no transition was forbidden";
 }
 
-}  // namespace
+}  // namespace slot_update_test
 }  // namespace farrier::supervisor

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace farrier::supervisor {
-namespace {
+namespace succession_test {
 
 using namespace std::chrono_literals;
 
@@ -112,5 +112,5 @@ TEST(Succession, OneThatIsStartedAgainLeadsARobotThatNobodyLeads) {
   EXPECT_EQ(again.authority(), 2u);
 }
 
-}  // namespace
+}  // namespace succession_test
 }  // namespace farrier::supervisor

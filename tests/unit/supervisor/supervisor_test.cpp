@@ -12,7 +12,7 @@
 #include "wire_gains/wire_gains.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace supervisor_test {
 
 using signals::JointControllerGains;
 using signals::Phase;
@@ -203,5 +203,5 @@ TEST(PackGains, LosesNothingOnTheWire) {
   }
 }
 
-}  // namespace
+}  // namespace supervisor_test
 }  // namespace farrier::supervisor

@@ -10,7 +10,7 @@
 #include "tests/support/allocation_guard.hpp"
 
 namespace farrier::supervisor {
-namespace {
+namespace update_method_test {
 
 using namespace testing;
 using robot::UpdateMethod;
@@ -212,5 +212,5 @@ TEST(UpdateMethods, LookWithoutAllocationAtWhateverComesAndKeepStableGains) {
   }
 }
 
-}  // namespace
+}  // namespace update_method_test
 }  // namespace farrier::supervisor

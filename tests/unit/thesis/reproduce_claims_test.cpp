@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 namespace farrier::thesis {
-namespace {
+namespace reproduce_claims_test {
 
 using thesis::ClaimSpec;
 using thesis::Relation;
@@ -109,5 +109,5 @@ TEST(Claims, AreListedWithTheirBounds) {
   EXPECT_NE(text.find("9.99.second: second [>= 5 s; 9.9]"), std::string::npos) << text;
 }
 
-}  // namespace
+}  // namespace reproduce_claims_test
 }  // namespace farrier::thesis

@@ -11,7 +11,7 @@
 #include "thesis/report/study_pictures.hpp"
 
 namespace farrier::thesis {
-namespace {
+namespace reproduce_run_test {
 
 using thesis::ClaimSpec;
 using thesis::StudyContext;
@@ -87,5 +87,5 @@ TEST(StudyPage, HasEveryPictureBesideItsClaim) {
   EXPECT_NE(html.str().find(">holds<"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace reproduce_run_test
 }  // namespace farrier::thesis

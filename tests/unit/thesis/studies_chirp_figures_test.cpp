@@ -6,7 +6,7 @@
 #include <numbers>
 
 namespace farrier::thesis {
-namespace {
+namespace studies_chirp_figures_test {
 
 constexpr double kPeriod_s = 1e-3;
 
@@ -99,5 +99,5 @@ TEST(RigVariants, ChangeWhatTheyAreCalled) {
   EXPECT_EQ(rubbing.joints[0].swing_load.mass, 2.5) << "the run adds the weight";
 }
 
-}  // namespace
+}  // namespace studies_chirp_figures_test
 }  // namespace farrier::thesis

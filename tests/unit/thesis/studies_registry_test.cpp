@@ -7,7 +7,7 @@
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
-namespace {
+namespace studies_registry_test {
 
 constexpr ClaimSpec kClaim{"1.2.name", "1.2", "words", "what", "1", Relation::kAtMost, 2.0, Refutation{"because", 3.0, 4.0}};
 
@@ -97,5 +97,5 @@ TEST(Spaces, BeginAndEndWhereTheyAreTold) {
   EXPECT_NEAR(logarithmic[2], 100.0, 100.0 * kRounding);
 }
 
-}  // namespace
+}  // namespace studies_registry_test
 }  // namespace farrier::thesis

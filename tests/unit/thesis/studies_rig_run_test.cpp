@@ -9,7 +9,7 @@
 #include "thesis/rig/gain_map.hpp"
 
 namespace farrier::thesis {
-namespace {
+namespace studies_rig_run_test {
 
 constexpr double kPeriod_s = 1e-3;
 
@@ -114,5 +114,5 @@ TEST(GainMap, SaysHowAGainGoesOverAnAxis) {
   EXPECT_EQ(transposed(map).k[1][2][kVelocity], -1.5);
 }
 
-}  // namespace
+}  // namespace studies_rig_run_test
 }  // namespace farrier::thesis

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -16,9 +15,10 @@
 #include "control/numerics/spectrum.hpp"
 #include "tests/unit/control/models.hpp"
 #include "thesis_rig.hpp"
+#include "tests/support/dense_solvers.hpp"
 
 namespace farrier::thesis {
-namespace {
+namespace thesis_errata_control_test {
 
 using control::DiscreteModel;
 using Matrix4 = Eigen::Matrix4d;
@@ -58,7 +58,7 @@ LoopMargins margins(const Matrix4& a, const Vector4& b, const Eigen::RowVector4d
   const auto loop = [&](double angle) -> std::complex<double> {
     const std::complex<double> z = std::polar(1.0, angle);
     const Eigen::Matrix4cd pencil = z * Eigen::Matrix4cd::Identity() - a.cast<std::complex<double>>();
-    return (k.cast<std::complex<double>>() * pencil.partialPivLu().solve(b.cast<std::complex<double>>()))(0);
+    return (k.cast<std::complex<double>>() * test::solve(pencil, b.cast<std::complex<double>>()))(0);
   };
   constexpr int kPoints = 20000;
   double before = std::abs(loop(1e-4));
@@ -208,5 +208,5 @@ TEST(ThesisErrata, PolesDoNotShowTheValve) {  // 5.3 (d), 8.2.1
   EXPECT_LT((after.b - 0.5 * before.b).norm(), 1e-12 * before.b.norm());
 }
 
-}  // namespace
+}  // namespace thesis_errata_control_test
 }  // namespace farrier::thesis

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
 #include <algorithm>
@@ -12,15 +11,16 @@
 
 #include "plant/hydraulic_joint.hpp"
 #include "thesis_rig.hpp"
+#include "tests/support/dense_solvers.hpp"
 
 namespace farrier::thesis {
-namespace {
+namespace thesis_errata_models_test {
 
 /// Largest natural frequency of a model's oscillating modes, Hz.
 template <class Matrix>
 double resonance_Hz(const Matrix& a) {
   double largest = 0.0;
-  const Eigen::VectorXcd poles = Eigen::MatrixXd(a).eigenvalues();
+  const Eigen::VectorXcd poles = test::eigenvalues(a);
   for (const auto& pole : poles) {
     if (pole.imag() > 0.0) {
       largest = std::max(largest, std::abs(pole) / (2.0 * kPi));
@@ -161,7 +161,7 @@ TEST(ThesisErrata, DenominatorAsPrintedIsUnstableWithAnOpenValve) {  // (4.1)-(4
   }
   // A third-order polynomial with a positive leading and a negative second coefficient has a root to the right.
   EXPECT_LT(friction + total_mass * k.k_pl, 0.0);
-  EXPECT_LT(a.eigenvalues().real().maxCoeff(), 0.0);
+  EXPECT_LT(test::eigenvalues(a).real().maxCoeff(), 0.0);
 }
 
 TEST(ThesisErrata, FiguresFourFourAndFourFiveAreNotDrawnAtSteadyStates) {  // 4.2.1, (3.13)
@@ -196,7 +196,7 @@ TEST(ThesisErrata, LightLoadResonatesBelow430Hertz) {  // 4.3.2: "up to 500 Hz f
 
 TEST(ThesisErrata, OnePoleStaysAtOneWhateverMassAndFriction) {  // 4.3.2, Fig. 4.10
   for (const double mass : {1.0, 10.0, 127.0}) {
-    const Eigen::Vector3cd poles = load_cell_model(mass).eigenvalues();
+    const Eigen::Vector3cd poles = test::eigenvalues(load_cell_model(mass));
     EXPECT_LT(poles.cwiseAbs().minCoeff(), 1e-9 * poles.cwiseAbs().maxCoeff());
   }
 }
@@ -257,5 +257,5 @@ TEST(ThesisErrata, PistonMassTakesTheRingForTheRod) {  // Table A.1
   EXPECT_NEAR(mass(1.0 - alpha(p)), 0.2864, 1e-4);
 }
 
-}  // namespace
+}  // namespace thesis_errata_models_test
 }  // namespace farrier::thesis

@@ -7,7 +7,7 @@
 #include "plant/nominal.hpp"
 
 namespace farrier::thesis {
-namespace {
+namespace walking_cycle_test {
 
 TEST(WalkingCycle, ValveSignalsStayWithinTheirOpening) {
   for (const bool rich : {false, true}) {
@@ -49,5 +49,5 @@ TEST(WalkingCycle, LeastSquaresFindTheMassOfASmallRichSignal) {
   EXPECT_NEAR(load_mass_kg(models.back().a) / kHeavyLoad_kg, 1.0, 0.1);
 }
 
-}  // namespace
+}  // namespace walking_cycle_test
 }  // namespace farrier::thesis

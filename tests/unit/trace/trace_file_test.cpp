@@ -12,7 +12,7 @@
 #include "trace/trace.hpp"
 
 namespace farrier::trace {
-namespace {
+namespace trace_file_test {
 
 const std::vector<std::string> kJoints{"lf_haa", "lf_hfe", "lf_kfe"};
 
@@ -181,5 +181,5 @@ TEST_F(Trace, RefusesANumberThatDoesNotFitItsColumn) {
   EXPECT_EQ(refusal(), path_ + ":2: not a row of a trace");
 }
 
-}  // namespace
+}  // namespace trace_file_test
 }  // namespace farrier::trace

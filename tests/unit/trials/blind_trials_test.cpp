@@ -8,7 +8,7 @@
 #include "trials/blind/score.hpp"
 
 namespace farrier::blind {
-namespace {
+namespace blind_trials_test {
 
 Outcome outcome(Kind kind, const char* hidden, const char* named, double confidence, double detectable = 1.0) {
   Outcome o;
@@ -86,5 +86,5 @@ TEST(BlindTrials, AFewOfThemAreNamedAndNothingIsNamedWhereNothingIsHidden) {
   EXPECT_GT(s.median_gain, 3.0);
 }
 
-}  // namespace
+}  // namespace blind_trials_test
 }  // namespace farrier::blind

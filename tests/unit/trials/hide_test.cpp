@@ -5,7 +5,7 @@
 #include "tests/unit/sim_bridge/sim_world_bench.hpp"
 
 namespace farrier::trials {
-namespace {
+namespace hide_test {
 
 using plant::EffectId;
 
@@ -92,5 +92,5 @@ TEST(HiddenEffect, IsOneThatTheJointLacks) {
   }
 }
 
-}  // namespace
+}  // namespace hide_test
 }  // namespace farrier::trials

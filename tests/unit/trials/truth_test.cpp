@@ -13,7 +13,7 @@
 #include "trials/truth/truth.hpp"
 
 namespace farrier::truth {
-namespace {
+namespace truth_test {
 
 constexpr double kPeriod_s = 1e-3;
 constexpr double kDuration_s = 2.0;
@@ -277,5 +277,5 @@ TEST(Truth, LargerEffectsChangeMore) {
   }
 }
 
-}  // namespace
+}  // namespace truth_test
 }  // namespace farrier::truth

@@ -8,7 +8,7 @@
 #include "tools/web/frame_json.hpp"
 
 namespace farrier::web {
-namespace {
+namespace frame_json_test {
 
 using monitor::testing::Feed;
 using monitor::testing::hyq;
@@ -80,5 +80,5 @@ TEST(RobotJson, NamesJointsLegsAndFaultsInTheOrderOfTheirNumbers) {
   EXPECT_FALSE(robot.at("recorded").get<bool>());
 }
 
-}  // namespace
+}  // namespace frame_json_test
 }  // namespace farrier::web

@@ -6,7 +6,7 @@
 #include "tools/web/recorded_frames.hpp"
 
 namespace farrier::web {
-namespace {
+namespace recording_test {
 
 using nlohmann::json;
 using test::ScratchDirectory;
@@ -116,5 +116,5 @@ TEST(PageFiles, RefusesAPageWithoutItsCharts) {
   EXPECT_EQ(whole.value().at("/").bytes, "page");
 }
 
-}  // namespace
+}  // namespace recording_test
 }  // namespace farrier::web

@@ -6,7 +6,7 @@
 #include "tools/web/access.hpp"
 
 namespace farrier::web {
-namespace {
+namespace server_test {
 
 using namespace std::chrono_literals;
 using monitor::testing::Feed;
@@ -221,5 +221,5 @@ TEST(WebServer, ServesNoMorePagesThanItHasThreadsFor) {
   }
 }
 
-}  // namespace
+}  // namespace server_test
 }  // namespace farrier::web
