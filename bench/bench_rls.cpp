@@ -56,11 +56,11 @@ estimation::Rls<N> rls_estimator() {
 
 /// Takes the time of one round, keeps the least.
 template <class Estimator, int N>
-void time_rls_round(Estimator& rls_estimator, const Samples<N>& samples, double& best_s) {
+void time_rls_round(Estimator& estimator, const Samples<N>& samples, double& best_s) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
   for (std::size_t k = 0; k < samples.h.size(); ++k) {
-    rls_estimator.update(samples.h[k], samples.y[k]);
+    estimator.update(samples.h[k], samples.y[k]);
   }
   const std::chrono::duration<double> spent = Clock::now() - start;
   best_s = std::min(best_s, spent.count() / static_cast<double>(samples.h.size()));

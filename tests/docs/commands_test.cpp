@@ -123,8 +123,8 @@ TEST(Commands, ThatAreNotTakenAreFound) {
   EXPECT_NE(refusal("trot --duraton 4"), "");
   EXPECT_NE(refusal("canter"), "");
   EXPECT_NE(refusal("request arm"), "") << "--session is required";
-  EXPECT_EQ(farrier_commands("FARRIER_DDS=fast ./farrier trot --vary  # why | what"),
-            (std::vector<std::string>{"trot --vary"}));
+  EXPECT_EQ(farrier_commands("FARRIER_DDS=fast ./farrier trot --soak  # why | what"),
+            (std::vector<std::string>{"trot --soak"}));
   EXPECT_EQ(farrier_commands("farrier tables cli > docs/cli.md && sudo farrier doctor"),
             (std::vector<std::string>{"tables cli", "doctor"}));
   EXPECT_TRUE(farrier_commands("cat /etc/farrier/hyq.yaml").empty());

@@ -125,44 +125,58 @@ TEST(BadInput, RefusesUnknownValuesOptionsAndCommandsByName) {
   EXPECT_EQ(run_farrier({"trot", "--clock", "realtime", "--dds", "inproc"}, &output), 2);
   EXPECT_EQ(run_farrier({"trot", "--design", "clever"}, &output), 2);
   EXPECT_NE(output.find("'clever' is not one of adaptive|stance|swing|phases"), std::string::npos) << output;
-  EXPECT_EQ(run_farrier({"trot", "--design", "stance", "--vary"}, &output), 2);
 }
 
-TEST(BadInput, OfAVariedTrotIsRefusedBeforeAnythingMoves) {
+TEST(BadInput, OfAComparisonIsRefusedBeforeAnythingMoves) {
   const ScratchDirectory scratch;
   const std::string out = scratch.file("out");
   std::string output;
-  EXPECT_EQ(run_farrier({"trot", "--vary", "--clock", "realtime", "--out", out}, &output), 2);
-  EXPECT_NE(output.find("--vary runs on the lock-step clock only"), std::string::npos) << output;
-  EXPECT_EQ(run_farrier({"trot", "--vary", "--seeds", "0", "--out", out}, &output), 2);
+  EXPECT_EQ(run_farrier({"compare", "--out", out}, &output), 2);
+  EXPECT_EQ(run_farrier({"compare", "gaits", "--out", out}, &output), 2);
+  EXPECT_NE(output.find("'gaits' is not one of varied|controllers|update-logic|switching"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"compare", "varied", "--clock", "realtime", "--out", out}, &output), 2);
+  EXPECT_EQ(run_farrier({"compare", "varied", "--seeds", "0", "--out", out}, &output), 2);
   EXPECT_NE(output.find("give 1 to 10000"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"trot", "--seeds", "3", "--out", out}, &output), 2);
-  EXPECT_NE(output.find("--seeds is for --vary"), std::string::npos) << output;
-  EXPECT_EQ(run_farrier({"trot", "--vary", "--trace", scratch.file("trace.csv"), "--out", out}, &output), 2);
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST(BadInput, OfAHiddenEffectOrARecordingIsRefusedBeforeAnythingMoves) {
+TEST(BadInput, OfATrialIsRefusedBeforeAnythingMoves) {
   const ScratchDirectory scratch;
   const std::string out = scratch.file("out");
   std::string output;
-  EXPECT_EQ(run_farrier({"trot", "--clock", "realtime", "--hide", "3", "--out", out}, &output), 2);
-  EXPECT_NE(output.find("--hide runs on the lock-step clock only"), std::string::npos) << output;
-  EXPECT_EQ(run_farrier({"trot", "--hide", "-1", "--out", out}, &output), 2);
-  EXPECT_EQ(run_farrier({"trot", "--hide", "knee", "--out", out}, &output), 2);
-  EXPECT_EQ(run_farrier({"trot", "--hide", "3", "--vary", "--out", out}, &output), 2);
-  EXPECT_EQ(run_farrier({"trot", "--hide", "3", "--dither-cost", "--out", out}, &output), 2);
-  EXPECT_EQ(run_farrier({"trot", "--hide", "3", "--experiment", "switching", "--out", out}, &output), 2);
+  EXPECT_EQ(run_farrier({"trial", "--clock", "realtime", "--out", out}, &output), 2);
+  EXPECT_EQ(run_farrier({"trial", "--hide", "-1", "--out", out}, &output), 2);
+  EXPECT_EQ(run_farrier({"trial", "--hide", "knee", "--out", out}, &output), 2);
   EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(OldNames, SayTheNewOnesAndAreTaken) {
+  struct Renamed {
+    std::vector<std::string> old;
+    const char* now;
+  };
+  const ScratchDirectory scratch;
+  for (const Renamed& one : {Renamed{{"trot", "--vary"}, "this is now 'farrier compare varied'"},
+                             Renamed{{"trot", "--experiment", "switching"}, "this is now 'farrier compare switching'"},
+                             Renamed{{"trot", "--experiment", "fig7.8"}, "this is now 'farrier reproduce 7.8'"},
+                             Renamed{{"trot", "--hide", "3"}, "this is now 'farrier trial --hide'"}}) {
+    std::vector<std::string> arguments = one.old;
+    arguments.insert(arguments.end(), {"--out", "/dev/null/out"});  // refused only once the rest has been taken
+    std::string output;
+    EXPECT_EQ(run_farrier(arguments, &output), 2);
+    EXPECT_NE(output.find(one.now), std::string::npos) << output;
+    EXPECT_NE(output.find("/dev/null"), std::string::npos) << output;
+  }
 }
 
 TEST(VariedTrot, WritesARowForEverySeedControllerAndJointAndJudgesAdaptation) {
   constexpr int kControllers = 5;
   const ScratchDirectory scratch;
-  const int status = run_farrier({"trot", "--vary", "--seeds", "1", "--duration", "4", "--out", scratch.file("out")});
+  const int status = run_farrier({"compare", "varied", "--seeds", "1", "--duration", "4", "--out", scratch.file("out")});
   const nlohmann::json run = read_json(scratch.file("out/figures.json"));
   EXPECT_EQ(status == 0, run["verdict"] == "pass");
-  EXPECT_EQ(run["command"], "trot");
+  EXPECT_EQ(run["command"], "compare");
   std::set<std::string> bounded;
   for (const auto& entry : run["figures"]) {
     EXPECT_FALSE(entry["value"].is_null()) << entry;
@@ -195,7 +209,7 @@ TEST(Help, ListsTheCommandsAndTheOptionsOfEach) {
   EXPECT_NE(output.find("usage: farrier <command>"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"trot", "--help"}, &output), 0);
   for (const char* option : {"--robot", "--dds", "--clock", "--nodes", "--duration", "--gait", "--frequency", "--seed",
-                             "--out", "--trace", "--json", "--design", "--dither-cost", "--vary", "--seeds"}) {
+                             "--out", "--trace", "--json", "--design", "--dither-cost"}) {
     EXPECT_NE(output.find(option), std::string::npos) << option;
   }
 }

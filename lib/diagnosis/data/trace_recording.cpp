@@ -41,9 +41,9 @@ void check_trace_names(CsvColumns& csv) {
 }
 
 void refuse_joint(CsvColumns& csv, const std::string& joint) {
-  std::string text = "the file has_column no rows of joint " + joint;
+  std::string text = "the file has no rows of joint " + joint;
   for (std::size_t i = 0; i < csv.others.size(); ++i) {
-    text += (i == 0 ? "; it has_column " : ", ") + shown(csv.others[i]);
+    text += (i == 0 ? "; it has " : ", ") + shown(csv.others[i]);
   }
   csv.findings.push_back({"no_such_joint", 0, text + "; give the robot file of the run, and one of its joints"});
 }

@@ -57,7 +57,7 @@ TEST(Result, CountsTheErrorOfASuccessAsABug) {
 TEST(Ensure, NamesTheConditionAndThePlace) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const int joints = 0;
-  EXPECT_DEATH(FARRIER_ENSURE(joints > 0, "a robot has joints"), "bug: a robot has joints \\(joints > 0\\) at .*core_result");
+  EXPECT_DEATH(FARRIER_ENSURE(joints > 0, "a robot has joints"), "bug: a robot has joints \\(joints > 0\\) at .*result_test");
 }
 
 }  // namespace result_test
