@@ -8,7 +8,7 @@
 
 #include "core/noise.hpp"
 #include "estimation/rls.hpp"
-#include "bench/textbook_rls.hpp"
+#include "textbook/textbook_rls.hpp"
 
 namespace farrier::bench {
 namespace {
@@ -68,7 +68,7 @@ void time_rls_round(Estimator& estimator, const Samples<N>& samples, double& bes
 
 double largest_difference(const Samples<4>& samples) {
   estimation::Rls<4> rls = rls_estimator<4>();
-  TextbookRls<4> textbook(kForgetting, kInitialCovariance);
+  textbook::TextbookRls<4> textbook(kForgetting, kInitialCovariance);
   double largest = 0.0;
   for (std::size_t k = 0; k < samples.h.size(); ++k) {
     rls.update(samples.h[k], samples.y[k]);
@@ -86,7 +86,7 @@ RlsBench bench_rls(int samples, std::int64_t (*allocations_so_far)()) {
   const Samples<5> with_bias = regression_samples<5>(std::max(samples, 1));
   estimation::Rls<4> rls = rls_estimator<4>();
   estimation::Rls<5> rls_bias = rls_estimator<5>();
-  TextbookRls<4> textbook(kForgetting, kInitialCovariance);
+  textbook::TextbookRls<4> textbook(kForgetting, kInitialCovariance);
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   RlsBench bench{kInfinity, kInfinity, kInfinity, 0.0, -1};
   const std::int64_t before = allocations_so_far != nullptr ? allocations_so_far() : 0;

@@ -8,7 +8,7 @@ namespace farrier::bench {
 struct RlsBench {
   double update_s;             ///< wall time per estimation::Rls<4>::update, [A, B] of three states and one input
   double update_bias_s;        ///< per Rls<5>::update: with a constant beside them
-  double textbook_s;           ///< per bench::TextbookRls<4>::update, (6.21) with 12 x 12 matrices
+  double textbook_s;           ///< per textbook::TextbookRls<4>::update, (6.21) with 12 x 12 matrices
   double difference;           ///< largest of the two estimates of [A, B] in one run, over its largest entry
   std::int64_t allocations;    ///< of the updates of Rls, -1 when they were not counted
 };

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <regex>
 
 #include "tests/architecture/target_graph.hpp"
@@ -55,6 +56,20 @@ TEST(Rules, FilesAreShort) {
         << source.path << " has " << source.lines.size() << " lines";
   }
   EXPECT_EQ(exceptions.unused(), "");
+}
+
+// Nobody finds a room in a flat folder of more.
+TEST(Rules, FoldersAreRooms) {
+  constexpr std::size_t kMostFiles = 40;
+  std::map<std::string, std::size_t> files;
+  for (const Source& source : source_tree()) {
+    if (source.is_cpp()) {
+      ++files[source.path.substr(0, source.path.rfind('/'))];
+    }
+  }
+  for (const auto& [folder, count] : files) {
+    EXPECT_LE(count, kMostFiles) << folder;
+  }
 }
 
 TEST(Rules, HeadersAreIncludedOnce) {

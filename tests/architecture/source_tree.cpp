@@ -4,18 +4,29 @@
 #include <filesystem>
 #include <fstream>
 #include <regex>
+#include <set>
+#include <sstream>
 
 namespace farrier::architecture {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFolders[] = {"cmake", "idl",   "lib",  "joint_node", "estimator_service", "supervisor",
-                                    "sim_bridge", "lab", "tools", "tests"};
+/// The first words in parentheses behind `command` in a CMake file.
+std::vector<std::string> arguments_of(const Source& cmake, const std::string& command) {
+  const std::regex call("^\\s*" + command + "\\(([^)]*)\\)");
+  std::vector<std::string> found;
+  for (const std::string& line : cmake.lines) {
+    if (std::smatch match; std::regex_search(line, match, call)) {
+      found.push_back(match[1]);
+    }
+  }
+  return found;
+}
 
 bool is_source(const fs::path& path) {
   const std::string extension = path.extension().string();
-  return extension == ".cpp" || extension == ".hpp" || extension == ".cmake" || extension == ".idl" ||
+  return extension == ".cpp" || extension == ".hpp" || extension == ".def" || extension == ".cmake" || extension == ".idl" ||
          path.filename() == "CMakeLists.txt";
 }
 
@@ -31,7 +42,11 @@ Source read(const fs::path& root, const fs::path& path) {
 std::vector<Source> read_tree() {
   const fs::path root(FARRIER_SOURCE_DIR);
   std::vector<Source> tree{read(root, root / "CMakeLists.txt")};
-  for (const char* folder : kFolders) {
+  std::set<std::string> folders{"cmake", "idl"};
+  for (const std::string& folder : arguments_of(tree.front(), "add_subdirectory")) {
+    folders.insert(folder.substr(0, folder.find('/')));
+  }
+  for (const std::string& folder : folders) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       if (entry.is_regular_file() && is_source(entry.path())) {
         tree.push_back(read(root, entry.path()));
@@ -47,6 +62,21 @@ std::vector<Source> read_tree() {
 const std::vector<Source>& source_tree() {
   static const std::vector<Source> tree = read_tree();
   return tree;
+}
+
+std::vector<std::string> processes() {
+  const Source* const verbs = find_source("cmake/FarrierVerbs.cmake");
+  std::vector<std::string> names;
+  for (const std::string& list : arguments_of(*verbs, "set")) {
+    std::istringstream words(list);
+    std::string word;
+    if (words >> word && word == "FARRIER_PROCESSES") {
+      while (words >> word) {
+        names.push_back(word);
+      }
+    }
+  }
+  return names;
 }
 
 const Source* find_source(const std::string& path) {

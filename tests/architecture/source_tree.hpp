@@ -23,6 +23,9 @@ const std::vector<Source>& source_tree();
 /// The file, null when there is none.
 const Source* find_source(const std::string& path);
 
+/// The processes of a robot: FARRIER_PROCESSES of the build.
+std::vector<std::string> processes();
+
 struct Include {
   std::string target;  ///< as written between the quotes or brackets
   bool quoted;

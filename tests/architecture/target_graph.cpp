@@ -40,7 +40,7 @@ std::string header_of(std::string path) { return path.replace(path.rfind('.'), s
 
 bool is_keyword(const std::string& word) {
   return word == "PUBLIC" || word == "PRIVATE" || word == "INTERFACE" || word == "STATIC" || word == "SHARED" ||
-         word == "OBJECT" || word == "OWN_HEADERS";
+         word == "OBJECT" || word == "RUNS_PROCESSES";
 }
 
 }  // namespace
@@ -75,8 +75,10 @@ void TargetGraph::run(const std::string& command, const std::vector<std::string>
     return;
   }
   const bool ours = command == "farrier_library";
-  if (ours || command == "add_library" || command == "add_executable" || command == "target_sources") {
-    const std::string name = (ours ? "farrier_" : "") + arguments[0];
+  const bool program = command == "farrier_program";
+  if (ours || program || command == "add_library" || command == "add_executable" || command == "target_sources") {
+    const char* const prefix = ours ? "farrier_" : program && arguments[0] != "farrier" ? "farrier_program_" : "";
+    const std::string name = prefix + arguments[0];
     Target& target = targets_[name];
     if (target.name.empty()) {
       target.name = name;

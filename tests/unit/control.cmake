@@ -12,7 +12,7 @@ farrier_test(control_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control/probe_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control/tracking_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
-target_link_libraries(control_test PRIVATE test_solvers farrier_control farrier_control_analysis)
+target_link_libraries(control_test PRIVATE test_solvers farrier_control farrier_textbook)
 
 farrier_test(feedback_linearisation_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control/feedback_linearisation_test.cpp
@@ -24,7 +24,7 @@ farrier_test(control_design_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control/margins_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/control/switching_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
-target_link_libraries(control_design_test PRIVATE test_solvers farrier_control farrier_control_analysis)
+target_link_libraries(control_design_test PRIVATE test_solvers farrier_control farrier_textbook)
 
 farrier_test(control_laws_test unit
   ${CMAKE_CURRENT_LIST_DIR}/control/delay_predictor_test.cpp
@@ -36,7 +36,7 @@ farrier_test(control_laws_test unit
 target_link_libraries(control_laws_test PRIVATE farrier_control farrier_plant)
 
 farrier_test(control_darex_test unit ${CMAKE_CURRENT_LIST_DIR}/control/darex_test.cpp)
-target_link_libraries(control_darex_test PRIVATE farrier_control_analysis)
+target_link_libraries(control_darex_test PRIVATE farrier_textbook)
 
 # SLICOT, where installed, is a second opinion on the Riccati equation.
 find_library(FARRIER_SLICOT_LIBRARY slicot)

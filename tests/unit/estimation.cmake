@@ -14,7 +14,7 @@ farrier_test(estimation_test unit
   ${CMAKE_CURRENT_LIST_DIR}/estimation/washout_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/support/allocation_guard.cpp)
 set_target_properties(estimation_test PROPERTIES UNITY_BUILD_BATCH_SIZE 7)  # Eigen: a compiler process stays below 1.5 GB
-target_link_libraries(estimation_test PRIVATE test_solvers farrier_estimation)
+target_link_libraries(estimation_test PRIVATE test_solvers farrier_textbook farrier_estimation)
 
 farrier_test(estimation_grey_box_test unit
   ${CMAKE_CURRENT_LIST_DIR}/estimation/grey_box_test.cpp

@@ -12,7 +12,6 @@
 #include "cli/base/installation.hpp"
 #include "cli/base/output_file.hpp"
 #include "cli/base/progress.hpp"
-#include "cli/trot/trot_options.hpp"
 #include "thesis/report/run_studies.hpp"
 #include "thesis/report/study_page.hpp"
 #include "thesis/report/study_pictures.hpp"

@@ -8,7 +8,7 @@
 #include "core/noise.hpp"
 #include "estimation/rls.hpp"
 #include "thesis/studies/registry.hpp"
-#include "bench/textbook_rls.hpp"
+#include "textbook/textbook_rls.hpp"
 #include "plant/hydraulic_joint.hpp"
 #include "robot/joint_model.hpp"
 
@@ -130,7 +130,7 @@ Result<StudyResult> run_rls(const StudyContext& context) {
   if (!rls) {
     return rls.error();
   }
-  bench::TextbookRls<4> textbook(kForgetting, kCovariance);
+  textbook::TextbookRls<4> textbook(kForgetting, kCovariance);
   const control::Normalisation& n = joint.normalisation;
   const Eigen::Vector3d scale(n.position, n.velocity, n.force);
   const auto measure = [&]() -> Eigen::Vector3d {

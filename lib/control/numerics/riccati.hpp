@@ -56,7 +56,7 @@ Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& 
 /// (Anderson 1978; Chu, Fan, Lin and Wang 2004, "Structure-preserving algorithms for periodic discrete-time
 /// algebraic Riccati equations", eq. 2.6): step k stands for 2^k steps of (8.1), so convergence is quadratic.
 /// At most 40 doublings and two Newton corrections (Hewer 1971). Units are the caller's; normalise first.
-/// Refuses by name. For loops: N = 3..6 with one input, which allocates nothing. For analysis, with lib/control_analysis
+/// Refuses by name. For loops: N = 3..6 with one input, which allocates nothing. For analysis, with lib/textbook
 /// linked: N = 2 with one input; and N and M both Eigen::Dynamic, any number of states and inputs, on the heap, where
 /// sizes that do not fit each other are a bug.
 template <int N, int M>
@@ -77,7 +77,7 @@ Result<RiccatiSolution<N>, RiccatiStatus> solve_dare(const Eigen::Matrix<double,
 
 /// The thesis's solver: (8.1) from (8.2) until the step of S, which is the residual, falls to relative_tolerance of
 /// S (the thesis uses an absolute 0.4 on its square), or max_iterations. Linear convergence with the square of the
-/// closed loop's spectral radius. The check and the yardstick of solve_dare, for N = 2..6 in lib/control_analysis.
+/// closed loop's spectral radius. The check and the yardstick of solve_dare, for N = 2..6 in lib/textbook.
 template <int N>
 Result<RiccatiSolution<N>, RiccatiStatus> solve_dare_by_iteration(
     const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b, const Eigen::Matrix<double, N, N>& q,

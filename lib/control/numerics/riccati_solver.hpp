@@ -1,7 +1,7 @@
 #pragma once
 
 // The solver of the Riccati equation as a template. Internal to control: riccati.cpp instantiates it for the sizes that
-// designs have, control_analysis for others.
+// designs have, textbook for others.
 
 #include <cmath>
 

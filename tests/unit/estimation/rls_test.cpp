@@ -10,7 +10,7 @@
 
 #include "estimation/rls.hpp"
 #include "data.hpp"
-#include "bench/textbook_rls.hpp"
+#include "textbook/textbook_rls.hpp"
 #include "tests/support/dense_solvers.hpp"
 
 namespace farrier::estimation {
@@ -45,7 +45,7 @@ struct Comparison {
 template <int N>
 Comparison compare(double forgetting_factor, const std::vector<Sample<N>>& samples, double scale) {
   Rls<N> ours = estimator<N>(forgetting_factor);
-  bench::TextbookRls<N> textbook(forgetting_factor, kInitial);
+  textbook::TextbookRls<N> textbook(forgetting_factor, kInitial);
   Comparison result;
   for (const Sample<N>& sample : samples) {
     EXPECT_EQ(ours.update(sample.h, sample.y), RlsStatus::kOk);

@@ -1,4 +1,4 @@
-#include "control_analysis/spectrum.hpp"
+#include "textbook/spectrum.hpp"
 
 #include <Eigen/Eigenvalues>
 

@@ -1,7 +1,7 @@
 #include "control/numerics/riccati.hpp"
 
 #include "control/numerics/riccati_solver.hpp"
-#include "control_analysis/spectrum.hpp"
+#include "textbook/spectrum.hpp"
 
 namespace farrier::control {
 

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 
-namespace farrier::bench {
+namespace farrier::textbook {
 
 /// Hubacher (2014), (6.21) as it stands, for three measurements and N regressors: parameter vector of 3N entries,
 /// regression matrix (6.30), (6.31) of 3 x 3N, covariance of 3N x 3N. What estimation::Rls is checked and timed
@@ -50,4 +50,4 @@ class TextbookRls {
   Eigen::Matrix<double, kParameters, 3> k_;
 };
 
-}  // namespace farrier::bench
+}  // namespace farrier::textbook
