@@ -48,9 +48,6 @@ inline constexpr LoadCycleCase kFixedCase{"fixed", "Gains fixed, designed for th
 inline constexpr LoadCycleCase kAdaptiveCase{"adaptive", "Gains adaptive", supervisor::Design::kAdaptive, false, true};
 inline constexpr LoadCycleCase kTrueLoadCase{"true_load", "Gains for the true load, switched exactly",
                                              supervisor::Design::kSwing, true, false};
-inline constexpr LoadCycleCase kTrueLoadDitheredCase{"true_load_dithered",
-                                                     "Gains for the true load, switched exactly, dithered",
-                                                     supervisor::Design::kSwing, true, true};
 
 inline constexpr LoadCycleCase kGreyBoxCase{.name = "greybox",
                                             .title = "Physics estimated, flow law inverted",

@@ -55,6 +55,8 @@ std::function<int()> declare_compare(CLI::App& app) {
              "gains that change at touchdown")
       ->required();
   declare_gait(app, *options);
+  app.add_option("--estimator", options->estimator, "section of the robot file's estimators that every joint uses")
+      ->type_name("<name>");
   app.add_option("--seeds", options->seeds, "robots that varied and controllers draw, from --seed on")
       ->check(between(1, 10000))
       ->type_name("<n>")

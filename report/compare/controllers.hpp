@@ -1,6 +1,6 @@
 #pragma once
 
-// What `farrier trot --experiment controllers` found: every kind of controller on the same robots.
+// What `farrier compare controllers` found: every kind of controller on the same robots.
 
 #include <array>
 #include <span>
@@ -16,7 +16,7 @@ namespace farrier::report {
 inline constexpr std::array kControllers{Contender::kStance, Contender::kFeedbackLinearisation, Contender::kPid,
                                          Contender::kAdaptive, Contender::kGreyBox};
 
-inline constexpr const char* kVariedTrot = "varied_trot";  ///< rows as --vary has them
+inline constexpr const char* kVariedTrot = "varied_trot";  ///< rows as compare varied has them
 inline constexpr const char* kLoadSteps = "load_steps";    ///< a row per seed: the worse of the heavy quarters of
                                                            ///< Fig. 7.8 as stance, of the light ones as swing
 inline constexpr double kGreyBoxRatioAtMost = 1.05;

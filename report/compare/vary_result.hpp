@@ -1,6 +1,6 @@
 #pragma once
 
-// What `farrier trot --vary` found: one row for every seed, controller and joint.
+// What `farrier compare varied` found: one row for every seed, controller and joint.
 
 #include <array>
 #include <cstdint>
@@ -23,7 +23,7 @@ enum class Contender {
   kPid,                    ///< the gains of the robot file
   kGreyBox,                ///< inverts the flow law with the physics it estimates
 };
-/// Those of --vary.
+/// Those of compare varied.
 inline constexpr std::array kContenders{Contender::kAdaptive, Contender::kPerfect, Contender::kStance,
                                         Contender::kSwing, Contender::kFeedbackLinearisation};
 

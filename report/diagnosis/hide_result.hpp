@@ -1,6 +1,6 @@
 #pragma once
 
-// What `farrier trot --hide` found: one trial for every seed.
+// What `farrier trial` found: one trial for every seed.
 
 #include <cstdint>
 #include <span>

@@ -91,7 +91,7 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.update_logic.<method>.designs", "1", kNone, "Controllers it designed in the trot."},
     FigureSpec{"trot.update_logic.<method>.looks", "1", kNone, "Estimates it looked at in the trot."},
     FigureSpec{"trot.update_logic.<method>.look_us", "us", kNone, "Mean time of a look, its design included."},
-    // compare controllers: tests are varied_trot, joints and seeds of --vary, and load_steps, the cycle of
+    // compare controllers: tests are varied_trot, joints and seeds of compare varied, and load_steps, the cycle of
     // Fig. 7.8 with the worse heavy quarter as stance and the worse light quarter as swing
     FigureSpec{"trot.controllers.<controller>.<test>.stance_nrmse_median", "1", kNone, "Median stance NRMSE."},
     FigureSpec{"trot.controllers.<controller>.<test>.stance_nrmse_worst", "1", kNone, "Largest stance NRMSE."},

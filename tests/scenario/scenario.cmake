@@ -8,6 +8,7 @@ farrier_test(scenario_test scenario
   ${CMAKE_CURRENT_LIST_DIR}/rig_effects_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/rig_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/switching_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/trace_checksum_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/trot_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/update_logic_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/vary_test.cpp)

@@ -24,8 +24,8 @@ INSTANTIATE_TEST_SUITE_P(Shipped, OtherRobot, testing::Values("hexapod", "electr
                          [](const auto& robot) { return std::string(robot.param); });
 
 struct Misuse {
-  const char* option;
-  const char* value;
+  const char* name;
+  std::vector<std::string> arguments;
   const char* problem;
 };
 
@@ -33,11 +33,8 @@ class ElectricLegMisused : public testing::TestWithParam<Misuse> {};
 
 TEST_P(ElectricLegMisused, IsRefusedWithThePlaceAndTheRemedy) {
   const ScratchDirectory scratch;
-  std::vector<std::string> arguments{"trot", "--robot", shipped("electric_leg"), "--out", scratch.file("out"),
-                                     GetParam().option};
-  if (*GetParam().value != '\0') {
-    arguments.emplace_back(GetParam().value);
-  }
+  std::vector<std::string> arguments = GetParam().arguments;
+  arguments.insert(arguments.end(), {"--robot", shipped("electric_leg"), "--out", scratch.file("out")});
   std::string output;
   EXPECT_EQ(run_farrier(arguments, &output), 2);
   EXPECT_NE(output.find(GetParam().problem), std::string::npos) << output;
@@ -45,17 +42,13 @@ TEST_P(ElectricLegMisused, IsRefusedWithThePlaceAndTheRemedy) {
 
 INSTANTIATE_TEST_SUITE_P(
     By, ElectricLegMisused,
-    testing::Values(Misuse{"--controller", "flow_inversion",
+    testing::Values(Misuse{"controller",
+                           {"trot", "--controller", "flow_inversion"},
                            "joints.haa.controller: torque is of kind flow_inversion, which inverts the flow of oil: an "
                            "electric joint takes lqr or pid"},
-                    Misuse{"--vary", "", "--vary draws supplies and valves of hydraulic joints, and haa is electric"},
-                    Misuse{"--hide", "1", "--hide gives a hydraulic joint an effect, and haa is electric"},
-                    Misuse{"--experiment", "controllers",
-                           "--experiment controllers is for hydraulic joints, and haa is electric"}),
-    [](const auto& misuse) {
-      std::string name = std::string(misuse.param.option).substr(2) + "_" + misuse.param.value;
-      return name;
-    });
+                    Misuse{"compare", {"compare", "varied"}, "comparisons are of hydraulic joints, and haa is electric"},
+                    Misuse{"trial", {"trial"}, "the effect is hidden in a hydraulic joint, and haa is electric"}),
+    [](const auto& misuse) { return std::string(misuse.param.name); });
 
 TEST(ElectricLegDiagnosed, IsRefused) {
   std::string output;

@@ -1,6 +1,6 @@
 #pragma once
 
-// Trials of the diagnosis against recordings in which an effect is hidden. The recordings come from lab/truth, which
+// Trials of the diagnosis against recordings in which an effect is hidden. The recordings come from trials/truth, which
 // shares no equation with what is judged; the diagnosis gets the recording and the nominal joint and nothing else.
 
 #include <functional>

@@ -10,7 +10,7 @@ struct Interval {
   double high;
 };
 
-/// Between what a varied robot (`farrier trot --vary`) is drawn, every value uniformly.
+/// Between what a varied robot (`farrier compare varied`) is drawn, every value uniformly.
 struct Variation {
   double body_mass_kg = 0.0;                ///< of the whole robot, the same in every draw; 0: as the body section says
   Interval stance_mass_kg{10.0, 80.0};      ///< on a cylinder that carries the body, per joint

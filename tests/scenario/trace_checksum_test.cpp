@@ -1,0 +1,57 @@
+// The trace of a seed stays what it was, byte for byte. A change that means to change traces changes the numbers here,
+// in a commit that does nothing else.
+
+#include <cstdint>
+
+#include "tests/scenario/scenario_run.hpp"
+
+namespace farrier::scenario {
+namespace trace_checksum_test {
+
+constexpr Tick kRun = 2000;  // two strides: swing, stance and redesigns
+
+struct Kept {
+  const char* robot;
+  gait::Pattern gait;
+  std::uint64_t checksum;
+};
+
+void PrintTo(const Kept& kept, std::ostream* out) { *out << kept.robot; }
+
+/// FNV-1a, 64 bits (Fowler, Noll, Vo 1991).
+std::uint64_t checksum(const std::string& bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char byte : bytes) {
+    hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
+  }
+  return hash;
+}
+
+class Trace : public testing::TestWithParam<Kept> {};
+
+TEST_P(Trace, OfASeedIsWhatItWas) {
+  const Kept& kept = GetParam();
+  robot::Overrides gait;
+  gait.pattern = kept.gait;
+  run::InprocRun settings;
+  settings.ticks = kRun;
+  settings.design = supervisor::Design::kAdaptive;
+  const std::string trace = run(load(kept.robot, gait), settings).trace;
+  ASSERT_GT(trace.size(), 100'000u);
+  EXPECT_EQ(checksum(trace), kept.checksum);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEveryRobotAndGait, Trace,
+                         testing::Values(Kept{"hyq", gait::Pattern::kTrot, 0u}, Kept{"hyq", gait::Pattern::kStand, 0u},
+                                         Kept{"fc1d", gait::Pattern::kTrot, 0u}, Kept{"fc1d", gait::Pattern::kStand, 0u},
+                                         Kept{"hexapod", gait::Pattern::kTrot, 0u},
+                                         Kept{"hexapod", gait::Pattern::kStand, 0u},
+                                         Kept{"electric_leg", gait::Pattern::kTrot, 0u},
+                                         Kept{"electric_leg", gait::Pattern::kStand, 0u}),
+                         [](const auto& kept) {
+                           return std::string(kept.param.robot) +
+                                  (kept.param.gait == gait::Pattern::kTrot ? "_trot" : "_stand");
+                         });
+
+}  // namespace trace_checksum_test
+}  // namespace farrier::scenario
