@@ -57,6 +57,7 @@ TEST_P(MonitorPage, ShowsWhatWasRecorded) {
   ASSERT_TRUE(command.says(path + " at http://127.0.0.1:" + std::to_string(port) + "/", 30s)) << command.output();
   const json recording = json::parse(http_get(port, "/api/recording"));
   EXPECT_GT(recording.at("duration_s").get<double>(), 2.0);
+  EXPECT_GT(recording.at("opens_at_s").get<double>(), 2.0);
   const json frames = json::parse(http_get(port, "/api/frames"));
   EXPECT_EQ(frames.size(), recording.at("frames").get<std::size_t>());
   EXPECT_TRUE(every_joint_tracks(frames.back())) << frames.back().dump();

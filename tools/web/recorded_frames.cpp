@@ -68,6 +68,7 @@ class RecordedFrames::Maker {
       faults.push_back(std::move(faults_[joint].past));
     }
     const json overview = {{"duration_s", end_s_},
+                           {"opens_at_s", opens_at_s_},
                            {"frames", to_.count_},
                            {"frames_per_s", kFramesPerSecond},
                            {"ending", ending},
@@ -85,6 +86,13 @@ class RecordedFrames::Maker {
 
   void put(const monitor::Frame& frame) {
     end_s_ = frame.time_s;
+    const auto said = [](const monitor::JointFrame& joint) { return !joint.summaries.empty(); };
+    const auto heard = std::ranges::count_if(
+        frame.joints, [](const monitor::JointFrame& joint) { return joint.newest.tick != kNoTick; });
+    if (heard >= most_heard_ && std::ranges::any_of(frame.joints, said)) {
+      most_heard_ = heard;
+      opens_at_s_ = end_s_;
+    }
     for (std::size_t joint = 0; joint < frame.joints.size(); ++joint) {
       if (frame.joints[joint].faults != faults_[joint].bits) {
         end_fault(joint, frame.time_s);
@@ -120,6 +128,8 @@ class RecordedFrames::Maker {
   monitor::RobotView view_;
   std::uint64_t next_ns_ = 0;
   double end_s_ = 0.0;
+  double opens_at_s_ = 0.0;
+  std::ptrdiff_t most_heard_ = 0;  ///< joints of one frame
   std::string block_;
   json events_ = json::array();
   std::vector<Faults> faults_;
@@ -153,18 +163,24 @@ Result<RecordedFrames> RecordedFrames::read(const std::string& path, KeepOn keep
   return frames;
 }
 
-std::string RecordedFrames::frames(std::size_t from, std::size_t to) const {
-  to = std::min({to, count_, from + kMostAtOnce});
+std::string RecordedFrames::frames(std::size_t from, std::size_t to, std::size_t every) const {
+  if (every == 0) {
+    return "";
+  }
+  to = std::min(to, count_);
   std::string text;
-  for (std::size_t i = from; i < to;) {
-    const std::string block = expanded(blocks_[i / kFramesPerBlock]);
-    std::size_t line = 0;
-    for (std::size_t before = i % kFramesPerBlock; before > 0; --before) {
-      line = block.find('\n', line) + 1;
-    }
-    for (; line < block.size() && i < to; ++i) {
+  std::size_t wanted = from;
+  std::size_t given = 0;
+  while (wanted < to && given < kMostAtOnce) {
+    const std::string block = expanded(blocks_[wanted / kFramesPerBlock]);
+    std::size_t i = wanted - wanted % kFramesPerBlock;
+    for (std::size_t line = 0; line < block.size() && i < to && given < kMostAtOnce; ++i) {
       const std::size_t end = block.find('\n', line);
-      text += (text.empty() ? "[" : ",") + block.substr(line, end - line);
+      if (i == wanted) {
+        text += (text.empty() ? "[" : ",") + block.substr(line, end - line);
+        wanted += std::min(every, to - wanted);
+        ++given;
+      }
       line = end + 1;
     }
   }
@@ -176,7 +192,8 @@ Site RecordedFrames::site(std::shared_ptr<const RecordedFrames> frames, PageFile
   site.documents["/api/robot"] = [text = robot_json(frames->robot(), true)](const Parameter&) { return text; };
   site.documents["/api/recording"] = [frames](const Parameter&) { return frames->overview(); };
   site.documents["/api/frames"] = [frames](const Parameter& parameter) {
-    return frames->frames(number_of(parameter("from"), 0), number_of(parameter("to"), frames->count()));
+    return frames->frames(number_of(parameter("from"), 0), number_of(parameter("to"), frames->count()),
+                          number_of(parameter("every"), 1));
   };
   return site;
 }

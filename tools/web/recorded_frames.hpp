@@ -22,11 +22,13 @@ class RecordedFrames {
   const robot::Robot& robot() const noexcept { return *robot_; }
   std::size_t count() const noexcept { return count_; }
 
-  /// Length, number of frames, every event, when which joint had which faults.
+  /// Length, number of frames, every event, when which joint had which faults. `opens_at_s` is where a page opens: the
+  /// last frame with summaries among those in which most joints have been heard.
   const std::string& overview() const noexcept { return overview_; }
 
-  /// Frames from number `from` until before `to`, as a JSON array; at most kMostAtOnce, and empty where there are none.
-  std::string frames(std::size_t from, std::size_t to) const;
+  /// Every `every`-th frame from number `from` until before `to`, as a JSON array; at most kMostAtOnce of them. Empty
+  /// where there are none, or `every` is 0.
+  std::string frames(std::size_t from, std::size_t to, std::size_t every = 1) const;
   static constexpr std::size_t kMostAtOnce = 400;
 
   /// As a site, which shares nothing with this.

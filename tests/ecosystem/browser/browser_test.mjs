@@ -144,8 +144,25 @@ await server.stop();
 const recording = join(pictures, "made_up.mcap");
 execFileSync(program, ["--record", robot, recording]);
 const replay = await openPage(browser, await server.start(0, recording));
-await check("opens a recording and scrubs through it", async () => {
-  await until(replay.page, () => document.querySelectorAll("#events li").length > 1 && document.body.dataset.time, 10000);
+await check("opens a recording where data are, with the whole run drawn", async () => {
+  await until(replay.page, () => document.body.dataset.time &&
+                                 document.querySelector("#forces-span").textContent.startsWith("0.0 to 12.0 s"), 10000);
+  assert.ok(Number(await replay.page.evaluate(() => document.body.dataset.time)) > 11.9);
+  const states = await replay.page.$$eval(".joint .state", (all) => all.map((state) => state.textContent));
+  assert.equal(states.length, 12);
+  assert.deepEqual(states.filter((state) => !/^error \d/.test(state)), []);
+  assert.match(await text(replay.page, "#poles-text"), /^Poles of the estimated model/);
+  return drawsTwelve(replay.page);
+});
+await shoot(replay.page, "recording_opened");
+await check("draws the ten seconds before an instant of a recording", async () => {
+  await replay.page.select("#span", "last");
+  await until(replay.page, () => document.querySelector("#forces-span").textContent.startsWith("last 10 s"), 2000);
+  await drawsTwelve(replay.page);
+  await replay.page.select("#span", "whole");
+});
+await check("scrubs through a recording", async () => {
+  await until(replay.page, () => document.querySelectorAll("#events li").length > 1, 10000);
   await replay.page.focus("#slider");
   await replay.page.$eval("#slider", (slider) => {
     slider.value = 7;
@@ -163,6 +180,13 @@ await check("plays it", async () => {
   const before = Number(await replay.page.evaluate(() => document.body.dataset.time));
   await replay.page.keyboard.press("Space");
   await until(replay.page, (time) => Number(document.body.dataset.time) > time + 0.8, 4000, before);
+});
+await check("plays a recording that has just been opened from its beginning", async () => {
+  const again = await openPage(browser, server.url);
+  await until(again.page, () => Number(document.body.dataset.time) > 11.9, 10000);
+  await again.page.keyboard.press("Space");
+  await until(again.page, () => Number(document.body.dataset.time) > 0.3 && Number(document.body.dataset.time) < 5, 4000);
+  await again.page.close();
 });
 await check("asks nobody but its server, and complains of nothing, in a recording too", () => {
   staysHere(replay);

@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "core/fault.hpp"
+#include "report/figures/recording_facts.hpp"
 #include "tests/support/made_up_robot.hpp"
 #include "tests/unit/web/client.hpp"
 #include "tools/web/recorded_frames.hpp"
@@ -50,6 +52,22 @@ TEST_F(Recorded, GivesTheSameFramesInAnyPieces) {
   EXPECT_EQ(pieces, all);
 }
 
+TEST_F(Recorded, GivesOneFrameInSeveral) {
+  const json all = json::parse(frames_->frames(0, frames_->count()));
+  for (const std::size_t every : {2u, 7u, 100u, 130u, 1000u}) {
+    json thinned = json::array();
+    for (std::size_t i = 30; i < 235; i += every) {
+      thinned.push_back(all.at(i));
+    }
+    EXPECT_EQ(json::parse(frames_->frames(30, 235, every)), thinned) << every;
+  }
+}
+
+TEST_F(Recorded, OpensAtItsEnd) {
+  const json overview = json::parse(frames_->overview());
+  EXPECT_EQ(overview.at("opens_at_s"), overview.at("duration_s"));
+}
+
 TEST_F(Recorded, LosesNoSummary) {
   std::size_t summaries = 0;
   for (const json& frame : json::parse(frames_->frames(0, frames_->count()))) {
@@ -76,7 +94,9 @@ TEST_F(Recorded, IsServedInPieces) {
   EXPECT_EQ(json::parse(client.Get("/api/recording")->body), json::parse(frames_->overview()));
   EXPECT_EQ(json::parse(client.Get("/api/frames?from=100&to=120")->body).size(), 20u);
   EXPECT_EQ(json::parse(client.Get("/api/frames?from=240&to=900")->body).size(), 1u);
-  for (const char* nonsense : {"/api/frames?from=999", "/api/frames?from=20&to=10", "/api/frames?from=18446744073709551615"}) {
+  EXPECT_EQ(json::parse(client.Get("/api/frames?from=0&to=240&every=100")->body).size(), 3u);
+  for (const char* nonsense : {"/api/frames?from=999", "/api/frames?from=20&to=10", "/api/frames?every=0",
+                               "/api/frames?from=18446744073709551615"}) {
     EXPECT_EQ(client.Get(nonsense)->status, 400) << nonsense;
   }
 }
@@ -91,6 +111,33 @@ TEST_F(Recorded, OfARecorderThatWasKilledSaysSo) {
 
 TEST_F(Recorded, CanBeInterrupted) {
   EXPECT_FALSE(RecordedFrames::read(path_, [](double) { return false; }).ok());
+}
+
+TEST(RecordedFrames, OpenWhereEveryJointHasBeenHeard) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.file("two_runs.mcap");
+  auto file = recording::RunFileWriter::create(path, report::recording_facts(testing::hyq()));
+  ASSERT_TRUE(file.ok());
+  test::MadeUpRobot made_up(testing::hyq(), [&](const recording::Sample& sample) { file.value().write(sample); });
+  std::uint64_t time_ns = 1'700'000'000'000'000'000;
+  made_up.begin(7, time_ns);
+  for (int step = 0; step < 100; ++step) {
+    made_up.step(time_ns += 20'000'000);
+  }
+  made_up.begin(8, time_ns += 3'000'000'000);  // a second run, of which the recording has no summary
+  made_up.set_faults(0, 0, time_ns += 1'000'000'000);
+  ASSERT_TRUE(file.value().finish({}).ok());
+  const auto frames = read(path);
+  ASSERT_TRUE(frames.ok()) << frames.error().message;
+  const json overview = json::parse(frames.value().overview());
+  EXPECT_NEAR(overview.at("duration_s").get<double>(), 6.0, 0.1);
+  const double opens_at_s = overview.at("opens_at_s").get<double>();
+  EXPECT_NEAR(opens_at_s, 2.0, 0.1);
+  for (const json& frame : json::parse(frames.value().frames(0, frames.value().count()))) {
+    if (frame.at("t").get<double>() == opens_at_s) {
+      EXPECT_TRUE(std::ranges::none_of(frame.at("joints"), [](const json& joint) { return joint.at("state").is_null(); }));
+    }
+  }
 }
 
 TEST(RecordedFrames, RefusesWhatIsNoRecordingOfSummaries) {

@@ -56,10 +56,10 @@ export class Detail {
     Object.values(this.charts).forEach(({ chart }) => chart.build());
   }
 
-  show(frame, frames, selected, span) {
+  /// `frames`: what charts draw; `from`, `to`: the stretch of the robot's time that they show.
+  show(frame, { frames, from, to }, selected) {
     const joint = frame.joints[selected], known = this.robot.joints[selected];
     const period = this.robot.period_s;
-    const to = frame.tick === null ? span : Math.max(span, frame.tick * period);
     say(this.title, `Joint ${known.name}`);
     const estimate = joint.estimate, decision = joint.decision;
     fill(this.numbers, [
@@ -82,7 +82,7 @@ export class Detail {
     };
     for (const [name, { title, read, chart }] of Object.entries(this.charts)) {
       say(title, titles[name]);
-      chart.set(tracks(frames, selected, period, read), to - span, to);
+      chart.set(tracks(frames, selected, period, read), from, to);
     }
     drawPoles(this.canvas, this.words, frames, selected, period);
   }

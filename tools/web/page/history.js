@@ -39,6 +39,20 @@ export class History {
     return tick * this.robot.period_s;
   }
 
+  /// The stretch [from, to] of the robot's time, in seconds, of the whole run of frame `index`; `from` is a whole tenth.
+  ends(index) {
+    let first = index, last = index;
+    while (first > 0 && this.frames[first - 1].tick !== null &&
+           this.frames[first - 1].tick <= this.frames[first].tick) {
+      first -= 1;
+    }
+    while (last + 1 < this.frames.length && this.frames[last + 1].tick >= this.frames[last].tick) {
+      last += 1;
+    }
+    const begins = this.frames[first].joints.map((joint) => joint.s[0]?.[0] ?? this.frames[first].tick);
+    return [Math.floor(10 * this.seconds(Math.min(...begins))) / 10, this.seconds(this.frames[last].tick)];
+  }
+
   /// Frames of the run of frame `index`, up to it and not older than `span` seconds of the robot's time.
   run(index, span) {
     const end = this.frames[index];

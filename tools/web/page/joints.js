@@ -3,8 +3,7 @@ import { Chart } from "./charts.js";
 import { forces } from "./history.js";
 import { faultNames, make, number, say, weight } from "./text.js";
 
-export const kSpan = 10; // seconds
-const kSilent = 0.5;     // seconds without a summary, of which fifty a second come
+const kSilent = 0.5; // seconds without a summary, of which fifty a second come
 
 export class Joints {
   /// chosen(number): the user has picked a joint.
@@ -58,12 +57,12 @@ export class Joints {
     this.joints.forEach(({ chart }) => chart.build());
   }
 
-  show(frame, frames) {
+  /// `frames`: what charts draw; `from`, `to`: the stretch of the robot's time that they show.
+  show(frame, { frames, from, to }) {
     const period = this.robot.period_s;
-    const to = frame.tick === null ? kSpan : Math.max(kSpan, frame.tick * period);
     this.joints.forEach(({ element, state, chart }, i) => {
       const [time, reference, measured] = forces(frames, i, period);
-      chart.set([time, measured, reference], to - kSpan, to);
+      chart.set([time, measured, reference], from, to);
       const joint = frame.joints[i];
       const heard = joint.state !== null;
       const silent = heard && (joint.age === null || joint.age > kSilent);

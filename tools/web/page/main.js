@@ -2,7 +2,7 @@
 import { Detail } from "./detail.js";
 import { Events } from "./events.js";
 import { History, stretches } from "./history.js";
-import { Joints, kSpan } from "./joints.js";
+import { Joints } from "./joints.js";
 import { listenToKeys } from "./keys.js";
 import { Legs } from "./legs.js";
 import { Live } from "./live.js";
@@ -11,6 +11,7 @@ import { fill, say, seconds } from "./text.js";
 import { drawTimeline } from "./timeline.js";
 
 const kKept = 60;        // seconds of a live robot
+const kSpan = 10;        // seconds of the robot's time in charts, unless they show a whole run
 const kQuiet = 1;        // seconds after which a robot that says nothing is said to say nothing
 const kCalm_ms = 500;    // between drawings for who asks for little motion
 const $ = (id) => document.getElementById(id);
@@ -70,6 +71,7 @@ class Page {
 
   async replay() {
     this.recording = await Recording.open();
+    this.recording.fetchWhole(this.robot).then(() => this.draw());
     const { duration_s: duration, events, ending } = this.recording.overview;
     this.events.add(events);
     $("player").hidden = false;
@@ -78,6 +80,7 @@ class Page {
     say($("connection"), ending ? `recording; ${ending}` : "recording");
     $("slider").addEventListener("input", () => this.recording.go(Number($("slider").value)));
     $("speed").addEventListener("change", () => (this.recording.speed = Number($("speed").value)));
+    $("span").addEventListener("change", () => this.draw());
     $("play").addEventListener("click", () => this.pause());
     let before = performance.now(), shown = -1;
     setInterval(() => {
@@ -99,7 +102,7 @@ class Page {
     if (this.recording) {
       const { recording } = this;
       recording.playing = !recording.playing;
-      if (recording.playing && recording.time >= recording.overview.duration_s) {
+      if (recording.playing && (recording.opening || recording.time >= recording.overview.duration_s)) {
         recording.go(0);
       }
     } else {
@@ -130,6 +133,26 @@ class Page {
     }
   }
 
+  /// The frames that charts draw at frame `index`, and the stretch [from, to] of the robot's time that they show, in
+  /// seconds, with words for it.
+  stretch(index) {
+    const { history, robot } = this;
+    const frame = history.frames[index];
+    const whole = $("span").value === "whole" ? this.recording?.whole : null;
+    if (whole && frame.tick !== null) {
+      const newest = whole.at(frame.t);
+      const frames = whole.run(newest, Infinity);
+      if (frames.length > 0 && frames.at(-1).tick <= frame.tick) {
+        const [from, to] = whole.ends(newest);
+        const thinned = this.recording.every > 1 ? `, one frame in ${this.recording.every}` : "";
+        return { frames: [...frames, frame], from, to,
+                 words: `${from.toFixed(1)} to ${to.toFixed(1)} s of the robot’s time${thinned}` };
+      }
+    }
+    const to = frame.tick === null ? kSpan : Math.max(kSpan, frame.tick * robot.period_s);
+    return { frames: history.run(index, kSpan), from: to - kSpan, to, words: `last ${kSpan} s of the robot’s time` };
+  }
+
   drawNow() {
     const { history, robot } = this;
     const time = this.recording ? Math.max(this.recording.time, history.frames[0]?.t ?? 0) : this.pausedAt ?? Infinity;
@@ -138,11 +161,12 @@ class Page {
     if (!frame) {
       return;
     }
-    const frames = history.run(index, kSpan);
+    const stretch = this.stretch(index);
     this.head(frame);
     this.legs.show(frame);
-    this.joints.show(frame, frames);
-    this.detail.show(frame, frames, this.joints.selected, kSpan);
+    say($("forces-span"), stretch.words);
+    this.joints.show(frame, stretch);
+    this.detail.show(frame, stretch, this.joints.selected);
     if (this.recording) {
       const { duration_s: duration, faults } = this.recording.overview;
       say($("faults-span"), "of the whole recording");
