@@ -173,7 +173,7 @@ std::function<int()> declare_monitor(CLI::App& app) {
                  "0.0.0.0:9464 on all its addresses")
       ->type_name("<address:port>")
       ->excludes(once);
-  declare_web(app, o->web)->excludes(once);
+  declare_web(app, o->web, once);
   declare_guest(app, o->guest);
   return [o] { return run_monitor(*o); };
 }

@@ -20,6 +20,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr const char* kUsual = ":8642";
+constexpr int kHighestPort = 65535;
 
 /// Where the page is served and what it is made of.
 struct Opened {
@@ -48,16 +49,23 @@ void tell(const std::string& what, const std::string& url) {
 
 }  // namespace
 
-CLI::Option* declare_web(CLI::App& app, WebOptions& options) {
+void declare_web(CLI::App& app, WebOptions& options, CLI::Option* once) {
   CLI::Option* web = app.add_option("--web", options.address,
                  "serve a page for browsers: of this computer at --web, --web 8642 or --web :8642, of others too at "
                  "--web 0.0.0.0:8642, which asks for the token that is printed; at --web 0 on any port that is free")
       ->expected(0, 1)
       ->default_str(kUsual)
-      ->type_name("<address:port>");
+      ->type_name("<address:port>")
+      ->excludes(once);
+  app.add_option_function<int>(
+         "--port", [&options](const int& port) { options.address = ":" + std::to_string(port); },
+         "short for --web with a port: serve the page at this port of this computer alone")
+      ->type_name("<n>")
+      ->check(CLI::Range(1, kHighestPort))
+      ->excludes(web)
+      ->excludes(once);
   app.add_option("--open", options.recording, "show this recording on the page instead of a robot that runs")
       ->type_name("<file>");
-  return web;
 }
 
 Result<std::unique_ptr<display::Display>> open_web(const WebOptions& options, const robot::Robot& robot) {

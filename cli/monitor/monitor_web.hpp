@@ -12,12 +12,12 @@ namespace farrier::cli {
 
 /// The page of `farrier monitor`.
 struct WebOptions {
-  std::string address;    ///< of its server; empty: none
+  std::string address;    ///< of its server, from --web or --port; empty: none
   std::string recording;  ///< what it shows instead of a robot that runs; empty: that robot
 };
 
-/// The option --web.
-CLI::Option* declare_web(CLI::App& app, WebOptions& options);
+/// The options --web, --port and --open. The first two exclude each other and `once`.
+void declare_web(CLI::App& app, WebOptions& options, CLI::Option* once);
 
 /// Opens the page for a robot that runs, and says where. Refuses, with the option to mend.
 Result<std::unique_ptr<display::Display>> open_web(const WebOptions& options, const robot::Robot& robot);

@@ -120,6 +120,21 @@ TEST(MonitorCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(run_farrier({"monitor", "--robot", "/nowhere.yaml"}, &output), 2);
 }
 
+TEST(MonitorCommand, RefusesAPortThatIsNone) {
+  std::string output;
+  for (const char* port : {"0", "65536", "-1", ":8642", "http"}) {
+    EXPECT_EQ(run_farrier({"monitor", "--port", port}, &output), 2) << port;
+    EXPECT_NE(output.find("--port: "), std::string::npos) << output;
+  }
+}
+
+TEST(MonitorCommand, RefusesAPortBesideTheOptionItIsShortFor) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"monitor", "--port", "8642", "--web", ":8643"}, &output), 2);
+  EXPECT_NE(output.find("--web excludes --port"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"monitor", "--port", "8642", "--once"}, &output), 2);
+}
+
 TEST(MonitorCommand, SaysWhereToAskWhenNothingComes) {
   std::string output;
   EXPECT_EQ(run_farrier({"monitor", "--once", "--domain", "99"}, &output), 1);

@@ -53,7 +53,7 @@ TEST_P(MonitorPage, ShowsWhatWasRecorded) {
   std::string output;
   ASSERT_EQ(run_farrier(record, &output), 0) << output;
   const std::uint16_t port = free_port();
-  FarrierCommand command({"monitor", "--open", path, "--web", std::to_string(port)});
+  FarrierCommand command({"monitor", "--open", path, "--port", std::to_string(port)});
   ASSERT_TRUE(command.says(path + " at http://127.0.0.1:" + std::to_string(port) + "/", 30s)) << command.output();
   const json recording = json::parse(http_get(port, "/api/recording"));
   EXPECT_GT(recording.at("duration_s").get<double>(), 2.0);
