@@ -55,6 +55,13 @@ class RealTimeTrot : public testing::TestWithParam<const char*> {
 TEST_P(RealTimeTrot, EndsWithTheFiguresOfEveryProcess) {
   ASSERT_FALSE(run_.is_discarded()) << output_;
   EXPECT_EQ(run_["run"]["processes"].size(), 9u) << "those of the robot and the launcher";
+  for (const auto& process : run_["run"]["processes"]) {
+    const std::string name = process["name"];
+    const std::string packets = "trot.packets." + name + ".";
+    EXPECT_TRUE(std::ranges::any_of(run_["figures"], [&](const auto& entry) {
+      return entry["name"].template get<std::string>().starts_with(packets) && entry["value"].template get<double>() > 0.0;
+    })) << name << " has no figures of what it sent or received";
+  }
   // Where the bare exchange itself hardly reaches the joints' rate, samples are lost whatever the nodes do.
   const bool fast_enough = bare_rate(GetParam()) >= kReserve * kTicksPerSecond;
   for (const char* leg : {"lf", "rf", "lh", "rh"}) {
