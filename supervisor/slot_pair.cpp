@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "control/design/closed_loop.hpp"
 #include "control/design/margins.hpp"
 #include "control/design/switching.hpp"
 #include "gait/schedule.hpp"
@@ -10,7 +11,11 @@
 namespace farrier::supervisor {
 
 LoopMargins margins_of(const control::Gains& gains, double period_s) noexcept {
-  const control::Margins margins = control::margins(gains.model, gains, gains.delay_ticks);
+  return margins_of(gains, period_s, control::closed_loop_spectrum(gains.model, gains, gains.delay_ticks));
+}
+
+LoopMargins margins_of(const control::Gains& gains, double period_s, const control::SmallSpectrum& poles) noexcept {
+  const control::Margins margins = control::margins(gains.model, gains, gains.delay_ticks, {}, poles);
   return {margins.disk, std::min(margins.delay_ticks * period_s, kLongestDelay_s)};
 }
 

@@ -18,6 +18,9 @@ inline constexpr double kLongestDelay_s = 1.0;
 /// Margins of gains around the model they are designed for, control::margins().
 LoopMargins margins_of(const control::Gains& gains, double period_s) noexcept;
 
+/// The same with the poles of that loop, control::closed_loop_spectrum().
+LoopMargins margins_of(const control::Gains& gains, double period_s, const control::SmallSpectrum& poles) noexcept;
+
 /// Whether they are at least disk_margin_min and delay_margin_min_s.
 bool sufficient(const LoopMargins& margins, const robot::UpdateLogicParams& logic) noexcept;
 

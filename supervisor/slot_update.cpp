@@ -107,7 +107,8 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
 UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const control::DiscreteModel& model,
                                    const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept {
   ++designs_;
-  const auto designed = control::design(cautious, rule_, normalisation_, form_, gains_.delay_ticks, period_s_);
+  control::SmallSpectrum poles;
+  const auto designed = control::design(cautious, rule_, normalisation_, form_, gains_.delay_ticks, period_s_, &poles);
   design_status_ = designed ? control::DesignStatus::kSuccessful : designed.error();
   if (!designed) {
     return UpdateVerdict::kDesignRefused;
@@ -131,7 +132,7 @@ UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const
     contradicted_s_ += estimate_period_s_;
     return UpdateVerdict::kUnstableOnStoredModel;
   }
-  const UpdateVerdict held = hold(gains, pair, decision);
+  const UpdateVerdict held = hold(gains, poles, pair, decision);
   if (held == UpdateVerdict::kAccepted) {
     gains_ = gains;
   }
@@ -139,9 +140,9 @@ UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const
 }
 
 // Margins of the loop, and of the joint that changes between its two.
-UpdateVerdict SlotUpdate::hold(const control::Gains& gains, const SlotPair& pair,
+UpdateVerdict SlotUpdate::hold(const control::Gains& gains, const control::SmallSpectrum& poles, const SlotPair& pair,
                                signals::JointUpdateDecision& decision) const noexcept {
-  const LoopMargins margins = margins_of(gains, period_s_);
+  const LoopMargins margins = margins_of(gains, period_s_, poles);
   decision.disk_margin = margins.disk;
   decision.delay_margin_s = margins.delay_s;
   if (!sufficient(margins, logic_)) {

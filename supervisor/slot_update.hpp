@@ -50,7 +50,7 @@ class SlotUpdate {
                                const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept;
   signals::UpdateVerdict redesign(const control::DiscreteModel& cautious, const control::DiscreteModel& model,
                                   const SlotPair& pair, signals::JointUpdateDecision& decision) noexcept;
-  signals::UpdateVerdict hold(const control::Gains& gains, const SlotPair& pair,
+  signals::UpdateVerdict hold(const control::Gains& gains, const control::SmallSpectrum& poles, const SlotPair& pair,
                               signals::JointUpdateDecision& decision) const noexcept;
   control::DiscreteModel stored_towards(const control::DiscreteModel& model) const noexcept;
 

@@ -69,8 +69,12 @@ SmallMatrix closed_loop_matrix(const DiscreteModel& model, const Gains& gains, i
   return force_loop;
 }
 
+SmallSpectrum closed_loop_spectrum(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
+  return eigenvalues(closed_loop_matrix(model, gains, delay_ticks));
+}
+
 double closed_loop_spectral_radius(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept {
-  return spectral_radius(closed_loop_matrix(model, gains, delay_ticks));
+  return largest_modulus(closed_loop_spectrum(model, gains, delay_ticks));
 }
 
 }  // namespace farrier::control

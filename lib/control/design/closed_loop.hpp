@@ -20,6 +20,9 @@ ClosedLoopPoles closed_loop_poles(const DiscreteModel& model, const Gains& gains
 /// only), velocity, force, then as many past inputs, newest first, as delay and gains reach back to. xi is inside.
 SmallMatrix closed_loop_matrix(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept;
 
+/// Eigenvalues of closed_loop_matrix(): the poles of the states that the loop uses.
+SmallSpectrum closed_loop_spectrum(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept;
+
 /// Largest modulus of the closed-loop poles; below one is stable. For the compliant form the position is left out:
 /// it is not controlled, and for a load without a spring it drifts, which is what the form is for.
 double closed_loop_spectral_radius(const DiscreteModel& model, const Gains& gains, int delay_ticks) noexcept;

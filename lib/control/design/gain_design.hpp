@@ -116,9 +116,10 @@ double unit_gain_feed_forward(const Square<P>& a, const Column<P>& b, const Colu
 }
 
 /// Gains whose row for the augmented, normalised loop is what `rule`, called with an Augmented<P, D>, returns as
-/// Result<GainRow<P, D>, DesignStatus>. The problem has passed check().
+/// Result<GainRow<P, D>, DesignStatus>. The problem has passed check(). `poles`, where not null, gets those of the loop.
 template <class Rule>
-Result<Gains, DesignStatus> find_gains(const Problem& problem, double integral_factor, const Rule& rule) noexcept {
+Result<Gains, DesignStatus> find_gains(const Problem& problem, double integral_factor, const Rule& rule,
+                                       SmallSpectrum* poles) noexcept {
   constexpr double kTrackingAngle = 0.0314;  // rad per period: 5 Hz at 1 kHz
   Gains gains{};
   gains.delay_ticks = problem.delay_ticks;
@@ -144,7 +145,11 @@ Result<Gains, DesignStatus> find_gains(const Problem& problem, double integral_f
     return status;
   }
   gains.feed_forward = problem.feed_forward_factor > 0.0 ? problem.feed_forward_factor * feed_forward : 0.0;
-  gains.spectral_radius = closed_loop_spectral_radius(problem.model, gains, problem.delay_ticks);
+  const SmallSpectrum closed_loop = closed_loop_spectrum(problem.model, gains, problem.delay_ticks);
+  if (poles != nullptr) {
+    *poles = closed_loop;
+  }
+  gains.spectral_radius = largest_modulus(closed_loop);
   if (!(gains.spectral_radius < 1.0) || !std::isfinite(gains.feed_forward)) {
     return DesignStatus::kClosedLoopNotStable;
   }

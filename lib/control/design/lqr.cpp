@@ -59,7 +59,8 @@ struct RiccatiRule {
 }  // namespace
 
 Result<Gains, DesignStatus> design_lqr(const DiscreteModel& model, const LqrWeights& weights,
-                                       const Normalisation& normalisation, Form form, int delay_ticks) noexcept {
+                                       const Normalisation& normalisation, Form form, int delay_ticks,
+                                       SmallSpectrum* poles) noexcept {
   const Problem problem{model, normalisation, form, delay_ticks, weights.feed_forward_factor};
   DesignStatus status = gain_design::check(problem);
   if (status == DesignStatus::kSuccessful) {
@@ -68,7 +69,7 @@ Result<Gains, DesignStatus> design_lqr(const DiscreteModel& model, const LqrWeig
   if (status != DesignStatus::kSuccessful) {
     return status;
   }
-  return find_gains(problem, weights.integral_factor, RiccatiRule{weights});
+  return find_gains(problem, weights.integral_factor, RiccatiRule{weights}, poles);
 }
 
 Result<Gains, DesignStatus> design_lqr(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, double period_s,

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "control/model/discretise.hpp"
+#include "control/numerics/spectrum.hpp"
 #include "core/result.hpp"
 
 namespace farrier::control {
@@ -86,9 +87,11 @@ const char* to_string(DesignStatus status) noexcept;
 /// force (it slides off at F / d_l, and the static gain grows with 1 / d_l), so the compliant form takes the real part
 /// at 0.0314 rad per period, 5 Hz at 1 kHz, in the middle of what a trot asks for; that is finite at any damping.
 ///
-/// delay_ticks in 0..2. Every refusal has its own name; kSuccessful is never one.
+/// delay_ticks in 0..2. Every refusal has its own name; kSuccessful is never one. `poles`, where not null, gets
+/// closed_loop_spectrum() of the model with the gains, which margins() takes.
 Result<Gains, DesignStatus> design_lqr(const DiscreteModel& model, const LqrWeights& weights,
-                                       const Normalisation& normalisation, Form form, int delay_ticks) noexcept;
+                                       const Normalisation& normalisation, Form form, int delay_ticks,
+                                       SmallSpectrum* poles = nullptr) noexcept;
 
 /// Same, from a continuous model (SI) and a period in (0, 0.1] s.
 Result<Gains, DesignStatus> design_lqr(const Eigen::Matrix3d& a, const Eigen::Vector3d& b, double period_s,

@@ -240,8 +240,12 @@ Complex loop_gain(const DiscreteModel& model, const Gains& gains, int delay_tick
 
 Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
                 const MeasurementFilters& filters) noexcept {
+  return margins(model, gains, delay_ticks, filters, closed_loop_spectrum(model, gains, delay_ticks));
+}
+
+Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters,
+                const SmallSpectrum& poles) noexcept {
   const Loop loop(model, gains, delay_ticks, filters);
-  const SmallSpectrum poles = eigenvalues(closed_loop_matrix(model, gains, delay_ticks));
   const bool stable = loop.is_wired() ? poles.cwiseAbs().maxCoeff() < 1.0
                                       : filtered_loop_is_stable(model, gains, delay_ticks, filters);
   if (!stable || !poles.allFinite()) {

@@ -66,4 +66,8 @@ std::complex<double> loop_gain(const DiscreteModel& model, const Gains& gains, i
 Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
                 const MeasurementFilters& filters = {}) noexcept;
 
+/// The same for a caller that knows closed_loop_spectrum() of this loop.
+Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters,
+                const SmallSpectrum& poles) noexcept;
+
 }  // namespace farrier::control

@@ -241,7 +241,8 @@ FARRIER_INSTANTIATE(6)
 
 Result<Gains, DesignStatus> design_pole_placement(const DiscreteModel& model, const PolePlacement& poles,
                                                   double feed_forward_factor, const Normalisation& normalisation,
-                                                  Form form, int delay_ticks, double period_s) noexcept {
+                                                  Form form, int delay_ticks, double period_s,
+                                                  SmallSpectrum* found) noexcept {
   const Problem problem{model, normalisation, form, delay_ticks, feed_forward_factor};
   const DesignStatus status = check(problem);
   if (status != DesignStatus::kSuccessful) {
@@ -254,7 +255,7 @@ Result<Gains, DesignStatus> design_pole_placement(const DiscreteModel& model, co
       !(poles.damping >= kMinDamping && poles.damping <= kMaxDamping)) {
     return DesignStatus::kPolesOutOfBounds;
   }
-  return find_gains(problem, 1.0, PlacementRule{wanted_poles(model, poles, form, period_s)});
+  return find_gains(problem, 1.0, PlacementRule{wanted_poles(model, poles, form, period_s)}, found);
 }
 
 }  // namespace farrier::control

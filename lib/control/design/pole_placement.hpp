@@ -33,9 +33,11 @@ Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles(
     const Eigen::Matrix<std::complex<double>, N, 1>& poles) noexcept;
 
 /// Gains of the same loop as design_lqr's (integrator (7.7), past inputs for a delay, feed-forward), by place_poles().
-/// The integral factor is one: xi would move the poles. `period_s` is that of `model`, in (0, 0.1] s.
+/// The integral factor is one: xi would move the poles. `period_s` is that of `model`, in (0, 0.1] s. `found`, where not
+/// null, gets the poles of the loop, as of design_lqr.
 Result<Gains, DesignStatus> design_pole_placement(const DiscreteModel& model, const PolePlacement& poles,
                                                   double feed_forward_factor, const Normalisation& normalisation,
-                                                  Form form, int delay_ticks, double period_s) noexcept;
+                                                  Form form, int delay_ticks, double period_s,
+                                                  SmallSpectrum* found = nullptr) noexcept;
 
 }  // namespace farrier::control

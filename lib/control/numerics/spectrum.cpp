@@ -79,10 +79,9 @@ SmallSpectrum eigenvalues(const SmallMatrix& m) noexcept {
   return done ? z : SmallSpectrum::Constant(m.rows(), kNaN);
 }
 
-double spectral_radius(const SmallMatrix& m) noexcept {
-  const SmallSpectrum z = eigenvalues(m);
-  return z.hasNaN() ? kNaN : z.cwiseAbs().maxCoeff();
-}
+double largest_modulus(const SmallSpectrum& z) noexcept { return z.hasNaN() ? kNaN : z.cwiseAbs().maxCoeff(); }
+
+double spectral_radius(const SmallMatrix& m) noexcept { return largest_modulus(eigenvalues(m)); }
 
 double stabilisability(const SmallMatrix& a, const SmallColumn& b) noexcept {
   const SmallSpectrum modes = eigenvalues(a);

@@ -15,7 +15,10 @@ using SmallSpectrum = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, 1, 0, 
 /// Eigenvalues of a square matrix of 1 to 6 rows (francis.hpp); NaN throughout when they cannot be computed.
 SmallSpectrum eigenvalues(const SmallMatrix& m) noexcept;
 
-/// Largest modulus of the eigenvalues; NaN when they cannot be computed.
+/// Largest modulus of eigenvalues; NaN when one of them is.
+double largest_modulus(const SmallSpectrum& z) noexcept;
+
+/// largest_modulus(eigenvalues(m)).
 double spectral_radius(const SmallMatrix& m) noexcept;
 
 /// Below this a pair counts as not stabilisable. In the normalised units of the thesis the full-state force model
