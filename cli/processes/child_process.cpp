@@ -145,7 +145,7 @@ std::string ChildProcess::epitaph() {
     text += std::string(", killed by ") + ::strsignal(exit_status_ - 128);
   }
   const auto lines = last_lines(log_path_, kLastLines);
-  text += lines.empty() ? "; it said nothing" : "; its last lines:";
+  text += "; its log " + log_path_ + (lines.empty() ? " is empty" : " ends with:");
   for (const std::string& line : lines) {
     text += "\n  " + line;
   }
@@ -157,14 +157,18 @@ bool ChildProcess::stopped() const {
   return stat && (stat->state == 'T' || stat->state == 't');
 }
 
+std::string ChildProcess::last_line() const {
+  const auto lines = last_lines(log_path_, 1);
+  return lines.empty() ? std::string() : lines.back();
+}
+
 std::string ChildProcess::last_words(std::chrono::seconds silence) const {
   std::error_code unknown;
   const auto written = std::filesystem::last_write_time(log_path_, unknown);
   if (unknown || std::filesystem::file_time_type::clock::now() - written > silence) {
     return {};
   }
-  const auto lines = last_lines(log_path_, 1);
-  return lines.empty() ? std::string() : lines.back();
+  return last_line();
 }
 
 Result<Done> ChildProcess::wait_for_words(const std::string& words, std::chrono::seconds budget) {

@@ -35,7 +35,7 @@ class ChildProcess {
   void terminate();
   /// Ends it (SIGKILL) if it still runs.
   void kill();
-  /// How it ended, with its last lines: "joint_node_lf ended with exit status 2:\n  ...".
+  /// How it ended, with its log and its last lines: "joint_node_lf (pid 12) ended with exit status 2; its log ...".
   std::string epitaph();
 
   /// True while somebody has stopped it: a debugger, Ctrl-Z, SIGSTOP.
@@ -44,8 +44,11 @@ class ChildProcess {
   const std::string& name() const noexcept { return name_; }
   pid_t pid() const noexcept { return pid_; }
   int exit_status() const noexcept { return exit_status_; }
+  const std::string& log_path() const noexcept { return log_path_; }
   /// Waits until its log has `words`. Refuses when it has ended or `budget` is over before.
   Result<Done> wait_for_words(const std::string& words, std::chrono::seconds budget);
+  /// The last line of its log, empty when there is none.
+  std::string last_line() const;
   /// The last line it said, empty when it has said nothing for `silence`.
   std::string last_words(std::chrono::seconds silence) const;
 

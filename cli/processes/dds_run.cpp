@@ -18,6 +18,7 @@
 #include "cli/base/progress.hpp"
 #include "cli/processes/run_children.hpp"
 #include "cli/processes/run_clock.hpp"
+#include "cli/processes/run_limits.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -91,10 +92,10 @@ bool has(const std::vector<ChildProcess>& children, const std::string& name) {
 }
 
 /// Listens until the run is over: everybody has said so or, where sim_bridge has died, it would be by now. Refuses
-/// as bury does, and when the user interrupts.
+/// as bury and RunLimits do, and when the user interrupts.
 Result<double> attend(Seat& seat, run::RunMonitor& monitor, std::vector<ChildProcess>& children,
                       const RunActs::Start& start, Progress& progress, const DdsRun& run, Nanoseconds period,
-                      GrowthWatch& watch, Onlookers& onlookers, RunOutcome& outcome) {
+                      RunLimits& limits, GrowthWatch& watch, Onlookers& onlookers, RunOutcome& outcome) {
   const bool realtime = run.common.clock == bus::ClockKind::kRealtime;
   const Tick ticks = run.common.ticks;
   RunClock clock(realtime ? period : Nanoseconds::zero());
@@ -148,6 +149,9 @@ Result<double> attend(Seat& seat, run::RunMonitor& monitor, std::vector<ChildPro
         return std::chrono::duration<double>(moved - first_tick).count();
       }
       progress.update(last);
+      if (auto within = limits.check(*seat.participant, *seat.listener, monitor, children); !within) {
+        return within.error();
+      }
       if (steady_now() - moved > kSilenceWorthSaying) {
         progress.note(standstill(*seat.listener, children));
         moved = steady_now();
@@ -242,9 +246,10 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     const auto place = std::ranges::find(outcome.members, member, &run::Member::name);
     return start_child(run, common, *place, name, name + "_anew", seen);
   };
+  RunLimits limits(run, common, outcome.members);
   auto attended = attend(seat.value(), monitor.value(), children.value(), start_anew, progress, run,
-                         std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s)), watch,
-                         onlookers.value(), outcome);
+                         std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s)), limits,
+                         watch, onlookers.value(), outcome);
   auto uses = onlookers.value().finish();
   const std::string hard_ends = end_all(children.value());
   if (!attended || !hard_ends.empty()) {

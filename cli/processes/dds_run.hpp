@@ -35,6 +35,8 @@ struct DdsRun {
   std::vector<Act> acts;                                              ///< in the order of their ticks
   std::function<void(Tick)> looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
   std::vector<Onlooker> onlookers;
+  double start_limit_s = 20.0;            ///< within which every participant must have greeted; 0: none
+  double stall_limit_s = 30.0;            ///< lock-step: within which the next tick must begin; 0: none
   bool standby = false;                   ///< a second supervisor stands by, real time only
   bool goes_on_without_the_dead = false;  ///< real time: the death of any member is a warning
   bool soak = false;                      ///< watch what the processes grow by
@@ -58,9 +60,10 @@ struct RunOutcome {
 };
 
 /// Starts every process, listens to them from this one, shows progress, ends every process. Refuses when a process
-/// dies (with its name, exit status and last lines) or the user interrupts; no process is left behind either way. In
-/// real time a run goes on without estimator_service and supervisors, with a warning: gains and mode then stay as they
-/// are; and without others as `run` says.
+/// dies (with its name, exit status and last lines), when the user interrupts, and when a limit of `run` is reached
+/// while no debugger is attached to a process of the run; no process is left behind either way. In real time a run goes
+/// on without estimator_service and supervisors, with a warning: gains and mode then stay as they are; and without
+/// others as `run` says.
 Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run);
 
 }  // namespace farrier::cli

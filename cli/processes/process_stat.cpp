@@ -30,4 +30,15 @@ std::optional<ProcessStat> process_stat(pid_t process) {
   return stat;
 }
 
+bool is_traced(pid_t process) {
+  std::ifstream file("/proc/" + std::to_string(process) + "/status");
+  for (std::string word; file >> word;) {
+    if (word == "TracerPid:") {
+      pid_t tracer = 0;
+      return file >> tracer && tracer != 0;
+    }
+  }
+  return false;
+}
+
 }  // namespace farrier::cli

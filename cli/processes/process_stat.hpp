@@ -15,4 +15,7 @@ struct ProcessStat {
 /// None where there is no such process.
 std::optional<ProcessStat> process_stat(pid_t process);
 
+/// True while a debugger, or another tracer, is attached to the process (proc_pid_status(5)).
+bool is_traced(pid_t process);
+
 }  // namespace farrier::cli

@@ -23,6 +23,7 @@ const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind:
 const std::map<std::string, run::Grouping> kNodes{{"per-leg", run::Grouping::kPerLeg},
                                                   {"per-joint", run::Grouping::kPerJoint},
                                                   {"one", run::Grouping::kOne}};
+constexpr double kLongestLimit_s = 86400.0;
 constexpr int kProcessorsForLegs = 4;  ///< with fewer, joint_node processes wait for each other and for sim_bridge
 
 const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "stand"}};
@@ -72,6 +73,16 @@ void declare_processes(CLI::App& app, TrotOptions& o) {
       ->type_name("<dir>");
   add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")
       ->default_str("per-leg; one with --clock realtime on fewer than " + std::to_string(kProcessorsForLegs) + " processors");
+  app.add_option("--start-limit", o.start_limit_s,
+                 "seconds within which every process must have greeted, else the run ends with status 1; 0: none")
+      ->check(between(0.0, kLongestLimit_s))
+      ->type_name("<s>")
+      ->capture_default_str();
+  app.add_option("--stall-limit", o.stall_limit_s,
+                 "seconds within which the next tick must begin in lock-step, else the run ends with status 1; 0: none")
+      ->check(between(0.0, kLongestLimit_s))
+      ->type_name("<s>")
+      ->capture_default_str();
 }
 
 void declare_control(CLI::App& app, TrotOptions& o) {

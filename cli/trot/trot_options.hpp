@@ -14,6 +14,8 @@ struct TrotOptions {
   DdsChoice dds = DdsChoice::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
   std::string security;     ///< folder of keys and permissions for every process; empty: none
+  double start_limit_s = DdsRun{}.start_limit_s;  ///< as DdsRun has it
+  double stall_limit_s = DdsRun{}.stall_limit_s;  ///< as DdsRun has it
   std::optional<run::Grouping> nodes;  ///< as grouping_of says unless given
   std::string design;       ///< as supervisor::parse_design takes it; empty: adaptive, in real time phases
   double duration_s = 9.0;
@@ -40,7 +42,7 @@ inline constexpr const char* kTooShort =
 /// --robot, --duration, --gait, --frequency, --seed, --out and --json.
 void declare_gait(CLI::App& app, TrotOptions& options);
 
-/// --dds, --nodes and --security: how the processes of a run are started.
+/// --dds, --nodes, --security, --start-limit and --stall-limit: how the processes of a run are started and watched.
 void declare_processes(CLI::App& app, TrotOptions& options);
 
 /// --design, --estimator and --controller.

@@ -46,6 +46,8 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
   run.record_facts = record_facts(robot, o);
   run.title = title;
   run.standby = o.standby;
+  run.start_limit_s = o.start_limit_s;
+  run.stall_limit_s = o.stall_limit_s;
   run.soak = o.soak;
   return run;
 }

@@ -1,8 +1,12 @@
-// A process that dies ends the run with its name; nobody is left behind.
+// A process that dies, stops or does not greet ends the run with its name; nobody is left behind.
 
 #include <gtest/gtest.h>
+#include <sys/ptrace.h>
+#include <sys/wait.h>
 
+#include <cerrno>
 #include <csignal>
+#include <fstream>
 #include <thread>
 
 #include "farrier_command.hpp"
@@ -13,8 +17,11 @@ namespace {
 using namespace std::chrono_literals;
 
 /// Long enough to be interrupted, never meant to end by itself.
-std::vector<std::string> long_trot(const ScratchDirectory& scratch, const std::string& clock = "lockstep") {
-  return {"trot", "--duration", "600", "--clock", clock, "--out", scratch.file("out")};
+std::vector<std::string> long_trot(const ScratchDirectory& scratch, const std::string& clock = "lockstep",
+                                   const std::vector<std::string>& more = {}) {
+  std::vector<std::string> arguments{"trot", "--duration", "600", "--clock", clock, "--out", scratch.file("out")};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
 }
 
 /// True when no node process of the run is left within a generous time.
@@ -91,6 +98,156 @@ TEST(PausedProcess, IsNamedWithTheTickItHoldsUp) {
   EXPECT_NE(trot.output().find("the run stands at tick"), std::string::npos);
   trot.signal(SIGINT);
   EXPECT_EQ(trot.wait(20s), 130);
+  EXPECT_TRUE(all_gone(trot.pid()));
+}
+
+constexpr auto kBeyondTheLimit = 4s;  // of 2 s
+
+/// A run that says when a tenth of it, 2 s, is over.
+std::vector<std::string> begun_trot(const ScratchDirectory& scratch, const std::string& stall_limit_s) {
+  return {"trot", "--duration", "20", "--stall-limit", stall_limit_s, "--out", scratch.file("out")};
+}
+
+bool has_begun(const FarrierCommand& trot) { return trot.says("trot: tick 2"); }
+
+std::string with_pid(const std::string& name, pid_t pid) { return name + " (pid " + std::to_string(pid) + ")"; }
+
+TEST(StallLimit, EndsARunThatAStoppedProcessHoldsUp) {
+  const ScratchDirectory scratch;
+  FarrierCommand trot(begun_trot(scratch, "2"));
+  const pid_t stopped = trot.process("joint_node_rf");
+  ASSERT_NE(stopped, 0);
+  ASSERT_TRUE(has_begun(trot));
+  ASSERT_EQ(::kill(stopped, SIGSTOP), 0);
+  EXPECT_EQ(trot.wait(20s), 1) << trot.output();
+  EXPECT_NE(trot.output().find("no tick has begun for 2 s (--stall-limit); the run stands at tick "), std::string::npos)
+      << trot.output();
+  EXPECT_NE(trot.output().find(with_pid("joint_node_rf", stopped) + " is stopped"), std::string::npos) << trot.output();
+  EXPECT_TRUE(all_gone(trot.pid()));
+}
+
+TEST(StallLimit, DoesNotCountWhileTheLauncherItselfIsStopped) {
+  const ScratchDirectory scratch;
+  FarrierCommand trot(long_trot(scratch, "lockstep", {"--stall-limit", "2"}));
+  ASSERT_NE(trot.process("sim_bridge"), 0);
+  ASSERT_TRUE(runs(trot));
+  std::this_thread::sleep_for(500ms);
+  trot.signal(SIGSTOP);
+  std::this_thread::sleep_for(kBeyondTheLimit);
+  trot.signal(SIGCONT);
+  EXPECT_EQ(trot.wait(kBeyondTheLimit), -1) << trot.output();
+  trot.signal(SIGINT);
+  EXPECT_EQ(trot.wait(20s), 130);
+  EXPECT_TRUE(all_gone(trot.pid()));
+}
+
+TEST(StallLimit, DoesNotCountWhileADebuggerIsAttached) {
+  const ScratchDirectory scratch;
+  FarrierCommand trot(begun_trot(scratch, "2"));
+  const pid_t held = trot.process("supervisor");
+  ASSERT_NE(held, 0);
+  ASSERT_TRUE(has_begun(trot));
+  if (::ptrace(PTRACE_SEIZE, held, nullptr, nullptr) != 0) {
+    GTEST_SKIP() << "this computer does not allow debuggers: errno " << errno;
+  }
+  ASSERT_EQ(::ptrace(PTRACE_INTERRUPT, held, nullptr, nullptr), 0);
+  ASSERT_EQ(::waitpid(held, nullptr, __WALL), held);
+  EXPECT_EQ(trot.wait(kBeyondTheLimit), -1) << trot.output();
+  EXPECT_TRUE(trot.says("stopped: supervisor", 10s)) << trot.output();
+  ASSERT_EQ(::ptrace(PTRACE_DETACH, held, nullptr, nullptr), 0);
+  ASSERT_EQ(::kill(held, SIGSTOP), 0);  // no debugger is attached now
+  EXPECT_EQ(trot.wait(20s), 1) << trot.output();
+  EXPECT_TRUE(all_gone(trot.pid()));
+}
+
+TEST(StallLimit, OfZeroLetsARunWait) {
+  const ScratchDirectory scratch;
+  FarrierCommand trot(begun_trot(scratch, "0"));
+  const pid_t stopped = trot.process("joint_node_rf");
+  ASSERT_NE(stopped, 0);
+  ASSERT_TRUE(has_begun(trot));
+  ASSERT_EQ(::kill(stopped, SIGSTOP), 0);
+  EXPECT_EQ(trot.wait(kBeyondTheLimit), -1) << trot.output();
+  trot.signal(SIGINT);
+  EXPECT_EQ(trot.wait(20s), 130);
+}
+
+TEST(StallLimit, BelowZeroIsRefused) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"trot", "--stall-limit", "-1"}, &output), 2);
+  EXPECT_NE(output.find("--stall-limit"), std::string::npos) << output;
+}
+
+class StoppedAtTheStart : public testing::TestWithParam<const char*> {};
+
+TEST_P(StoppedAtTheStart, EndsTheRunWithinTheStartLimit) {
+  const ScratchDirectory scratch;
+  FarrierCommand trot(long_trot(scratch, GetParam(), {"--start-limit", "2"}));
+  const pid_t stopped = trot.process("supervisor");
+  ASSERT_NE(stopped, 0);
+  ASSERT_EQ(::kill(stopped, SIGSTOP), 0);
+  EXPECT_EQ(trot.wait(20s), 1) << trot.output();
+  EXPECT_NE(trot.output().find("the start is not complete after 2 s (--start-limit); missing:"), std::string::npos)
+      << trot.output();
+  EXPECT_NE(trot.output().find("supervisor"), std::string::npos) << trot.output();
+  EXPECT_NE(trot.output().find(" is stopped"), std::string::npos) << trot.output();
+  EXPECT_TRUE(all_gone(trot.pid()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, StoppedAtTheStart, testing::Values("lockstep", "realtime"),
+                         [](const auto& clock) { return std::string(clock.param); });
+
+/// An installation whose gait_source is `script`.
+class OtherGaitSource {
+ public:
+  explicit OtherGaitSource(const std::string& script) {
+    namespace fs = std::filesystem;
+    const fs::path build = fs::path(FARRIER_COMMAND).parent_path().parent_path();
+    fs::create_directories(scratch_.file("bin"));
+    fs::create_directories(scratch_.file("libexec/farrier"));
+    fs::copy_file(FARRIER_COMMAND, command());  // it looks for the others beside itself
+    fs::create_directory_symlink(build / "share", scratch_.file("share"));
+    for (const auto& program : fs::directory_iterator(build / "libexec/farrier")) {
+      if (program.path().filename() != "gait_source") {
+        fs::create_symlink(program.path(), fs::path(scratch_.file("libexec/farrier")) / program.path().filename());
+      }
+    }
+    const std::string path = scratch_.file("libexec/farrier/gait_source");
+    std::ofstream(path) << "#!/bin/sh\n" << script << '\n';
+    fs::permissions(path, fs::perms::owner_all);
+  }
+
+  std::string command() const { return scratch_.file("bin/farrier"); }
+
+ private:
+  ScratchDirectory scratch_;
+};
+
+TEST(StartLimit, EndsARunOneOfWhoseProcessesRunsAndIsNotHeard) {
+  const ScratchDirectory scratch;
+  const OtherGaitSource other("echo busy with something else; exec sleep 600");
+  // The others must have greeted by then, also on a slow computer.
+  FarrierCommand trot(long_trot(scratch, "lockstep", {"--start-limit", "4"}), {other.command(), nullptr});
+  EXPECT_EQ(trot.wait(20s), 1) << trot.output();
+  const std::string log = scratch.file("out/log/gait_source.log");
+  EXPECT_NE(trot.output().find("gait_source (pid "), std::string::npos) << trot.output();
+  EXPECT_NE(trot.output().find(" runs and is not heard; its log " + log + " ends with: busy with something else"),
+            std::string::npos)
+      << trot.output();
+  EXPECT_EQ(trot.output().find("supervisor"), std::string::npos) << trot.output();
+  EXPECT_NE(trot.output().find("farrier doctor --domain "), std::string::npos) << trot.output();
+  EXPECT_TRUE(all_gone(trot.pid()));
+}
+
+TEST(Start, OfAProcessThatEndsEndsTheRunWithItsLog) {
+  const ScratchDirectory scratch;
+  const OtherGaitSource other("echo no such gait; exit 3");
+  FarrierCommand trot(long_trot(scratch), {other.command(), nullptr});
+  EXPECT_EQ(trot.wait(20s), 1) << trot.output();
+  EXPECT_NE(trot.output().find("ended with exit status 3; its log " + scratch.file("out/log/gait_source.log") +
+                               " ends with:\n  no such gait"),
+            std::string::npos)
+      << trot.output();
   EXPECT_TRUE(all_gone(trot.pid()));
 }
 
