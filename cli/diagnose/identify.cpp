@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "control/model/model_rows.hpp"
+#include "core/replace_file.hpp"
 #include "estimation/poles.hpp"
 #include "monitor/load_mass.hpp"
 #include "participant/loop.hpp"
@@ -29,10 +30,11 @@ struct IdentifyOptions {
   std::string csv_path;
 };
 
-/// Every estimate as a row: its time and the fields of joint/model_estimate.
+/// Every estimate as a row: its time and the fields of joint/model_estimate. The file has its name once it is whole.
 class EstimatesFile {
  public:
-  EstimatesFile(const std::string& path, double period_s) : file_(path, std::ios::binary), period_s_(period_s) {
+  EstimatesFile(const std::string& path, double period_s)
+      : path_(path), file_(part_path(path), std::ios::binary), period_s_(period_s) {
     std::string head = "time_s,joint_name";
     JointModelEstimate any;
     playback::visit_all_columns(any, [&](const std::string& name, const auto&) { head += ',' + name; });
@@ -50,9 +52,14 @@ class EstimatesFile {
     file_ << row << '\n';
   }
 
-  bool ended_well() { return static_cast<bool>(file_.flush()); }
+  ~EstimatesFile() { std::remove(part_path(path_).c_str()); }
+  EstimatesFile(const EstimatesFile&) = delete;
+  EstimatesFile& operator=(const EstimatesFile&) = delete;
+
+  bool ended_well() { return file_.flush() && name_part(path_).ok(); }
 
  private:
+  std::string path_;
   std::ofstream file_;
   double period_s_;
 };
@@ -124,7 +131,6 @@ int identify(const IdentifyOptions& o) {
     }
   }, long_work("identify"));
   if (participant::stop_requested()) {
-    std::remove(o.csv_path.c_str());
     return participant::stop_status();
   }
   if (!fed) {

@@ -253,7 +253,8 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   auto uses = onlookers.value().finish();
   const std::string hard_ends = end_all(children.value());
   if (!attended || !hard_ends.empty()) {
-    return attended ? Error{hard_ends} : attended.error();
+    return Error{(attended ? hard_ends : attended.error().message) +
+                 (seat.value().recording ? recording::left_behind(run.record_path) : "")};
   }
   if (seat.value().recording) {
     if (auto recorded = seat.value().recording->finish(common.ticks); !recorded) {

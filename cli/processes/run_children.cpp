@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "recording/recording_file.hpp"
 #include "runtime/processors.hpp"
 #include "cli/base/installation.hpp"
 #include "core/replace_file.hpp"
@@ -132,7 +133,8 @@ Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const 
     if (!dispensable(child->name()) || !realtime || tick <= 0) {
       return Error{child->epitaph() + (realtime ? "" : "\nIn lock-step every process waits for every other, so the run ends.")};
     }
-    warnings.push_back("without " + child->name() + " after tick " + std::to_string(tick) + ": " + child->epitaph());
+    warnings.push_back("without " + child->name() + " after tick " + std::to_string(tick) + ": " + child->epitaph() +
+                       (child->name() == kRecorder ? recording::left_behind(run.record_path) : ""));
     child = children.erase(child);
   }
   return Done{};

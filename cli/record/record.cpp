@@ -111,14 +111,15 @@ int run_record(const RecordOptions& o) {
     return refuse("record", file.error().message);
   }
   recording::BackgroundWriter writer(std::move(file).value());
-  std::fprintf(stderr, "farrier record: records domain %d into %s; Ctrl-C ends it\n", o.guest.network.domain,
-               o.path.c_str());
+  const std::string part = recording::path_while_written(o.path);
+  std::fprintf(stderr, "farrier record: records domain %d into %s, until its end %s; Ctrl-C ends it\n",
+               o.guest.network.domain, o.path.c_str(), part.c_str());
   record(*bus.value(), recorder.value(), writer, o.duration_s);
   const auto finished = writer.finish(recorder.value().lost());
   const Sum sum = sum_of(recorder.value(), writer);
-  std::printf("%s: %s\n", o.path.c_str(), sum_text(sum, writer).c_str());
+  std::printf("%s: %s\n", (finished ? o.path : part).c_str(), sum_text(sum, writer).c_str());
   if (!finished) {
-    return fail("record", finished.error().message + "; what came before is readable");
+    return fail("record", finished.error().message + "; what came before is readable in " + part);
   }
   if (sum.samples == 0) {
     return fail("record", "nothing came; why: farrier doctor --domain " + std::to_string(o.guest.network.domain));

@@ -1,8 +1,8 @@
 #include "cli/trot/run_events.hpp"
 
 #include <algorithm>
-#include <fstream>
 
+#include "core/replace_file.hpp"
 #include "report/trot/adaptation.hpp"
 
 namespace farrier::cli {
@@ -22,13 +22,14 @@ void write_events(const std::string& path, const robot::Robot& robot, const RunO
     lines.emplace_back(decision.decision.tick, "gains " + report::decision_text(decision));
   }
   std::ranges::stable_sort(lines, {}, &std::pair<Tick, std::string>::first);
-  std::ofstream file(path);
+  std::string text;
   for (const auto& [tick, line] : lines) {
-    file << "tick " << tick << ' ' << line << '\n';
+    text += "tick " + std::to_string(tick) + ' ' + line + '\n';
   }
   for (const std::string& warning : run.warnings) {
-    file << "warning: " << warning << '\n';
+    text += "warning: " + warning + '\n';
   }
+  static_cast<void>(replace_file(path, text));  // a run does not fail for it
 }
 
 }  // namespace farrier::cli

@@ -16,7 +16,7 @@ class BackgroundWriter {
   static constexpr std::size_t kMostWaitingBytes = 64u << 20;
 
   explicit BackgroundWriter(RunFileWriter file, std::size_t most_waiting_bytes = kMostWaitingBytes);
-  /// Without a finish before, the file stays readable up to what was written.
+  /// Without a finish before, the file stays at path_while_written, readable up to what was written.
   ~BackgroundWriter();
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
@@ -24,7 +24,7 @@ class BackgroundWriter {
   /// Copies the sample. False: it is lost, because the disk is behind or refuses.
   bool offer(const Sample& sample);
 
-  /// Writes what waits and ends the file; `lost_before` is what never came to `offer`. Refuses when the disk did not
+  /// Writes what waits, ends the file and gives it its name; `lost_before` is what never came to `offer`. Refuses when the disk did not
   /// take everything. Nothing may be offered after it.
   Result<Done> finish(const TopicCounts& lost_before);
 

@@ -1,7 +1,9 @@
 #include "recording/recording_file.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
+#include "core/replace_file.hpp"
 #include "recording/idl_text.hpp"
 
 namespace farrier::recording {
@@ -16,14 +18,26 @@ const bus::TopicSpec* find_topic(const std::string& name) {
   return found == topics.end() ? nullptr : &*found;
 }
 
+/// A device or a pipe, which is written where it is.
+bool is_special(const std::string& path) {
+  std::error_code unknown;
+  return std::filesystem::exists(path, unknown) && !std::filesystem::is_regular_file(path, unknown);
+}
+
 }  // namespace
 
+std::string path_while_written(const std::string& path) { return is_special(path) ? path : part_path(path); }
+
+std::string left_behind(const std::string& path) {
+  return path.empty() ? "" : "; what was recorded is in " + path_while_written(path);
+}
+
 Result<RunFileWriter> RunFileWriter::create(const std::string& path, const mcap::Text& facts) {
-  auto file = mcap::Writer::create(path, kProfile, "farrier");
+  auto file = mcap::Writer::create(path_while_written(path), kProfile, "farrier");
   if (!file) {
     return file.error();
   }
-  RunFileWriter writer(std::move(file).value());
+  RunFileWriter writer(std::move(file).value(), is_special(path) ? "" : path);
   for (const bus::TopicSpec& topic : bus::topics()) {
     const std::uint16_t schema =
         writer.file_.add_schema({.name = topic.type_name, .encoding = "omgidl", .data = idl_text(topic.id)});
@@ -53,7 +67,10 @@ Result<Done> RunFileWriter::finish(const TopicCounts& lost) {
     losses.values[topic.name] = std::to_string(lost[static_cast<std::size_t>(topic.id)]);
   }
   file_.write(losses);
-  return file_.finish();
+  if (auto finished = file_.finish(); !finished) {
+    return finished;
+  }
+  return path_.empty() ? Result<Done>(Done{}) : name_part(path_);
 }
 
 Result<RunFileReader> RunFileReader::open(const std::string& path) {

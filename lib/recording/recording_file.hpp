@@ -41,11 +41,18 @@ using TopicCounts = std::array<std::uint64_t, bus::kTopicCount>;
 /// As a file has it.
 mcap::Message message_of(const Sample& sample) noexcept;
 
+/// Where the recording of this path is until it is finished, and stays when it never is: readable up to its last whole
+/// chunk. Devices and pipes are written where they are.
+std::string path_while_written(const std::string& path);
+
+/// Ends the reason why a run broke off: "; what was recorded is in run.mcap.part". Empty for no path.
+std::string left_behind(const std::string& path);
+
 class RunFileWriter {
  public:
   static constexpr std::size_t kChunkBytes = mcap::Writer::kChunkBytes;
 
-  /// Refuses a path that cannot be written.
+  /// Writes to path_while_written(path). Refuses a path that cannot be written.
   static Result<RunFileWriter> create(const std::string& path, const mcap::Text& facts);
 
   void write(const Sample& sample);
@@ -53,7 +60,7 @@ class RunFileWriter {
   void write(const mcap::Chunk& chunk) { file_.write(chunk); }
   /// Sends what is buffered to the file.
   void flush() { file_.flush(); }
-  /// Ends the file. Refuses when the disk did not take everything.
+  /// Ends the file and gives it its name, in place of the file that has it. Refuses when the disk did not take everything.
   Result<Done> finish(const TopicCounts& lost);
 
   bool failed() const noexcept { return file_.failed(); }
@@ -61,9 +68,10 @@ class RunFileWriter {
   std::uint64_t bytes() const noexcept { return file_.bytes(); }
 
  private:
-  explicit RunFileWriter(mcap::Writer file) : file_(std::move(file)) {}
+  RunFileWriter(mcap::Writer file, std::string path) : file_(std::move(file)), path_(std::move(path)) {}
 
   mcap::Writer file_;
+  std::string path_;  ///< that it gets; empty: it has its name
 };
 
 class RunFileReader {

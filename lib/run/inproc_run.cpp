@@ -115,10 +115,11 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
       listen();
     }
     if (idle_polls > kStandstill) {
-      return Error{"the run stands still: " + seats[participant::kSimBridge].application->waits_for()};
+      return Error{"the run stands still: " + seats[participant::kSimBridge].application->waits_for() +
+                   recording::left_behind(run.record_path)};
     }
     if (source.tick() != last && source.tick() % 100 == 0 && run.progress && !run.progress(source.tick())) {
-      return Error{"interrupted"};
+      return Error{"interrupted" + recording::left_behind(run.record_path)};
     }
     last = source.tick();
   }

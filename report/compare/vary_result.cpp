@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <map>
 #include <set>
+#include <sstream>
 
 #include "core/median.hpp"
+#include "core/replace_file.hpp"
 #include "report/figures/text_format.hpp"
 
 namespace farrier::report {
@@ -181,7 +182,7 @@ std::string vary_text(std::span<const VaryRow> rows, std::size_t longest) {
 }
 
 Result<Done> write_vary_csv(const std::string& path, std::span<const VaryRow> rows) {
-  std::ofstream file(path);
+  std::ostringstream file;
   file.precision(std::numeric_limits<double>::max_digits10);
   file << "seed,controller,joint,supply_factor,friction_factor,valve_factor,stance_mass_kg_or_kgm2,peak_demand,"
           "stance_nrmse,swing_nrmse,left_tracking\n";
@@ -191,8 +192,7 @@ Result<Done> write_vary_csv(const std::string& path, std::span<const VaryRow> ro
          << row.peak_demand << ',' << row.stance_nrmse << ',' << row.swing_nrmse << ',' << (row.left_tracking ? 1 : 0)
          << '\n';
   }
-  file.flush();
-  return file ? Result<Done>(Done{}) : Result<Done>(Error{"cannot write " + path + ": disk full?"});
+  return replace_file(path, file.str());
 }
 
 }  // namespace farrier::report

@@ -1,13 +1,12 @@
 #include "report/diagnosis/hide_result.hpp"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
-#include <fstream>
+#include <sstream>
 #include <string_view>
 
+#include "core/replace_file.hpp"
 #include "diagnosis/judge/judgement.hpp"
 
 namespace farrier::report {
@@ -125,8 +124,7 @@ std::string hide_text(std::span<const HideTrial> trials) {
 }
 
 Result<Done> write_hide_csv(const std::string& path, std::span<const HideTrial> trials) {
-  errno = 0;
-  std::ofstream file(path, std::ios::binary);
+  std::ostringstream file;
   file << "seed,hidden_joint,hidden_effect,value,unit,nrmse_nominal,nrmse_hidden,nrmse_known,joint,verdict,effects,tied,"
           "gain,suspect\n";
   for (const HideTrial& trial : trials) {
@@ -138,8 +136,7 @@ Result<Done> write_hide_csv(const std::string& path, std::span<const HideTrial> 
            << joined_by(verdict.tied, " ") << line(",%.6g,%d\n", verdict.gain, &verdict == trial.suspect() ? 1 : 0);
     }
   }
-  file.flush();
-  return file ? Result<Done>(Done{}) : Error{"cannot write " + path + ": " + std::strerror(errno)};
+  return replace_file(path, file.str());
 }
 
 }  // namespace farrier::report

@@ -1,9 +1,8 @@
 #include "report/diagnosis/judgement_json.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <utility>
+
+#include "core/replace_file.hpp"
 
 namespace farrier::report {
 
@@ -60,12 +59,7 @@ std::string text_of(const Json& json) {
 }
 
 Result<Done> write_diagnosis_text(const std::string& path, const std::string& text) {
-  std::ofstream file(path);
-  file << text << std::flush;
-  if (!file) {
-    return Error{"cannot write the diagnosis to " + path + ": " + std::strerror(errno)};
-  }
-  return Done{};
+  return replace_file(path, text);
 }
 
 }  // namespace farrier::report

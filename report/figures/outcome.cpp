@@ -1,11 +1,10 @@
 #include "report/figures/outcome.hpp"
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 
 #include <nlohmann/json.hpp>
+
+#include "core/replace_file.hpp"
 
 namespace farrier::report {
 namespace {
@@ -137,12 +136,7 @@ std::string to_json(const Outcome& outcome) {
 }
 
 Result<Done> write_json(const std::string& path, const Outcome& outcome) {
-  std::ofstream file(path);
-  file << to_json(outcome) << std::flush;
-  if (!file) {
-    return Error{"cannot write the figures to " + path + ": " + std::strerror(errno)};
-  }
-  return Done{};
+  return replace_file(path, to_json(outcome));
 }
 
 }  // namespace farrier::report

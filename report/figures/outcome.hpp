@@ -46,7 +46,7 @@ struct Outcome {
 /// "run": {...}}. Values that are not finite are null.
 std::string to_json(const Outcome& outcome);
 
-/// Writes to_json() to `path`; refuses what the disk does not take.
+/// Writes to_json() to `path`, as replace_file does; refuses what the disk does not take.
 Result<Done> write_json(const std::string& path, const Outcome& outcome);
 
 }  // namespace farrier::report

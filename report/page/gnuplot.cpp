@@ -1,10 +1,8 @@
 #include "report/page/gnuplot.hpp"
 
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 
+#include "core/replace_file.hpp"
 #include "tools/tool_process/tool_process.hpp"
 
 namespace farrier::report {
@@ -26,19 +24,12 @@ Result<Done> make_picture_folders(const std::string& out_dir) {
 }
 
 Result<Done> write_plot_data(const std::string& path, const std::string& lines) {
-  std::ofstream file(path);
-  file << lines << std::flush;
-  if (!file) {
-    return Error{"cannot write the data of the report's pictures to " + path + ": " + std::strerror(errno)};
-  }
-  return Done{};
+  return replace_file(path, lines);
 }
 
 Result<Done> draw(const std::string& out_dir, const std::string& script) {
-  std::ofstream file(out_dir + "/" + kScript);
-  file << script << std::flush;
-  if (!file) {
-    return Error{"cannot write " + out_dir + "/" + kScript + ": " + std::strerror(errno)};
+  if (auto written = replace_file(out_dir + "/" + kScript, script); !written) {
+    return written;
   }
   return run_gnuplot(out_dir, kScript);
 }

@@ -1,9 +1,6 @@
 #include "report/page/html_page.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-
+#include "core/replace_file.hpp"
 #include "report/page/html_tables.hpp"
 #include "report/figures/text_format.hpp"
 
@@ -71,10 +68,8 @@ std::string page_foot(const Outcome& outcome) {
 
 Result<std::string> write_page(const std::string& out_dir, const std::string& page) {
   const std::string path = out_dir + "/index.html";
-  std::ofstream file(path);
-  file << page << std::flush;
-  if (!file) {
-    return Error{"cannot write the report " + path + ": " + std::strerror(errno)};
+  if (auto written = replace_file(path, page); !written) {
+    return written.error();
   }
   return path;
 }

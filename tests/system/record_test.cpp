@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -77,8 +78,9 @@ TEST_P(Record, TakesOnlyTheTopicsAskedFor) {
 TEST_P(Record, KilledLeavesAFileThatIsReadableUpToItsLastChunk) {
   const std::string path = scratch_->file("killed.mcap");
   ASSERT_EQ(record_until(SIGKILL, record(path), 3s), 128 + SIGKILL);
+  EXPECT_FALSE(std::filesystem::exists(path)) << "a recording has its name once it is whole";
   std::string output;
-  EXPECT_EQ(run_farrier({"info", path}, &output), 1) << output;
+  EXPECT_EQ(run_farrier({"info", path + ".part"}, &output), 1) << output;
   EXPECT_NE(output.find("cut off"), std::string::npos) << output;
   EXPECT_NE(output.find("joint/measurement"), std::string::npos) << output;
 }
@@ -88,6 +90,7 @@ TEST_P(Record, EndsItsFileWhenAskedToStop) {
   ASSERT_EQ(record_until(SIGINT, record(path), 1s), 0);
   std::string output;
   EXPECT_EQ(run_farrier({"info", path}, &output), 0) << output;
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
 }
 
 TEST_P(Record, ReplayedIsPublishedAgain) {

@@ -272,7 +272,7 @@ Result<Converted> from_csv(const std::string& folder, const std::string& recordi
       advanced = Error{recording::kInterrupted};
     }
     if (!advanced) {
-      std::remove(recording.c_str());
+      std::remove(recording::path_while_written(recording).c_str());
       return advanced.error();
     }
   }

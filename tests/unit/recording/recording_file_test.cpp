@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 
 #include "recording/background_writer.hpp"
@@ -103,7 +104,8 @@ TEST_F(RunFile, WithoutItsEndIsReadableUpToWhatWasWritten) {
       writer.offer(measurement(tick));
     }
   }  // never finished
-  auto reader = RunFileReader::open(path_);
+  EXPECT_FALSE(std::filesystem::exists(path_)) << "a file has its name once it is whole";
+  auto reader = RunFileReader::open(path_while_written(path_));
   ASSERT_TRUE(reader.ok());
   int samples = 0;
   for (Sample sample; reader.value().next(sample);) {
@@ -112,6 +114,20 @@ TEST_F(RunFile, WithoutItsEndIsReadableUpToWhatWasWritten) {
   EXPECT_EQ(samples, 100);
   EXPECT_NE(reader.value().ending(), "");
   EXPECT_TRUE(reader.value().metadata(kLosses).empty());
+}
+
+TEST_F(RunFile, TakesTheNameOfAnEarlierOneWhenItIsWhole) {
+  ASSERT_TRUE(create().finish({}).ok());
+  RunFileWriter later = create();
+  later.write(measurement(1));
+  later.flush();
+  EXPECT_EQ(ending_without_samples(), "") << "until then the earlier one is there";
+  ASSERT_TRUE(later.finish({}).ok());
+  EXPECT_FALSE(std::filesystem::exists(path_while_written(path_)));
+  auto reader = RunFileReader::open(path_);
+  ASSERT_TRUE(reader.ok());
+  Sample sample;
+  EXPECT_TRUE(reader.value().next(sample));
 }
 
 // A pipe that nobody empties takes 64 KiB and then nothing: a disk that stands still.

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <limits>
 
 #include <nlohmann/json.hpp>
@@ -7,6 +8,7 @@
 #include "report/figures/console.hpp"
 #include "report/trot/joint_poles.hpp"
 #include "report/figures/outcome.hpp"
+#include "tests/support/scratch_directory.hpp"
 
 namespace farrier::report {
 namespace outcome_test {
@@ -94,6 +96,19 @@ TEST(OutcomeJson, RefusesAPathThatCannotBeWritten) {
   const auto written = write_json("/nonexistent/figures.json", outcome_with(0.043));
   ASSERT_FALSE(written.ok());
   EXPECT_NE(written.error().message.find("/nonexistent/figures.json"), std::string::npos);
+}
+
+TEST(OutcomeJson, ReplacesItsFileWholeOrNotAtAll) {
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("figures.json");
+  ASSERT_TRUE(write_json(path, outcome_with(0.043)).ok());
+  const auto size = std::filesystem::file_size(path);
+  EXPECT_FALSE(std::filesystem::exists(path + ".part"));
+  std::filesystem::create_directory(path + ".part");  // so that nothing can be written there
+  Outcome longer = outcome_with(0.05);
+  longer.failures = {"joint_node_lf ended with status 1"};
+  EXPECT_FALSE(write_json(path, longer).ok());
+  EXPECT_EQ(std::filesystem::file_size(path), size) << "the earlier one is as it was";
 }
 
 TEST(Transport, BecomesFiguresByProcessAndTopic) {
