@@ -76,18 +76,34 @@ std::vector<const faults::Row*> chosen_rows(const FaultsOptions& o) {
   return chosen;
 }
 
+/// Cells that were run, and why some of them are not kept for --continue; empty: all are.
+struct Ran {
+  std::vector<faults::Cell> cells;
+  std::string not_kept;
+};
+
+report::Outcome outcome_of(const robot::Robot& robot, const Ran& ran, std::size_t planned) {
+  report::Outcome outcome = outcome_of(robot, ran.cells, planned);
+  if (!ran.not_kept.empty()) {
+    outcome.failures.push_back("cells are not kept: " + ran.not_kept);
+  }
+  return outcome;
+}
+
 /// The cells of `plans`, or those until the user interrupts. Cells that held are kept in a file, traces of those that did
-/// not in files of their names; with --continue what held in an earlier run is not run again.
-Result<std::vector<faults::Cell>> run_all(const robot::Robot& robot, const FaultsOptions& o,
-                                          const std::vector<CellPlan>& plans) {
+/// not in files of their names; with --continue what held in an earlier run is not run again. After every cell the figures
+/// so far are written, which do not hold before the last.
+Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector<CellPlan>& plans) {
   const report::RunInfo info = report::run_info(robot, 1);
   const faults::CellsOrigin origin{info.git_revision, info.configuration_hash, o.slow};
   const std::string kept_path = o.out + "/cells.jsonl";
   if (!o.go_on) {
-    fs::remove(kept_path);
+    std::error_code none;
+    fs::remove(kept_path, none);
   }
   const std::vector<faults::Cell> kept = faults::read_cells(kept_path, origin);
-  std::vector<faults::Cell> cells;
+  Ran ran;
+  std::vector<faults::Cell>& cells = ran.cells;
   PauseWatch pauses;
   for (const CellPlan& plan : plans) {
     const std::string place = place_text(plan.cell());
@@ -109,11 +125,12 @@ Result<std::vector<faults::Cell>> run_all(const robot::Robot& robot, const Fault
         fs::copy_file(o.out + "/trace.csv", o.out + "/" + place + ".csv", fs::copy_options::overwrite_existing, refused);
       }
     } else if (auto appended = faults::append_cell(kept_path, origin, cell.value()); !appended) {
-      return appended.error();
+      ran.not_kept = appended.error().message;
     }
     cells.push_back(std::move(cell).value());
+    static_cast<void>(report::write_json(o.json_path, outcome_of(robot, ran, plans.size())));  // the last is checked
   }
-  return cells;
+  return ran;
 }
 
 int run_faults(FaultsOptions o) {
@@ -144,22 +161,18 @@ int run_faults(FaultsOptions o) {
     return refuse("faults", way.error().message);
   }
   const std::vector<CellPlan> plans = plan_cells(chosen_rows(o), o.vendors, o.seeds);
-  const auto ran = run_all(robot.value(), o, plans);
-  if (!ran) {
-    return fail("faults", ran.error().message);
-  }
-  const std::vector<faults::Cell>& cells = ran.value();
-  const report::Outcome outcome = outcome_of(robot.value(), cells, plans.size());
+  const Ran ran = run_all(robot.value(), o, plans);
+  const report::Outcome outcome = outcome_of(robot.value(), ran, plans.size());
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("faults", written.error().message);
   }
   if (!o.page_path.empty()) {
-    const std::string page = faults::fault_page_markdown(cells, plans.size(), o.slow);
+    const std::string page = faults::fault_page_markdown(ran.cells, plans.size(), o.slow);
     if (auto written = replace_file(o.page_path, page); !written) {
       return fail("faults", written.error().message);
     }
   }
-  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   std::printf("figures: %s\n", o.json_path.c_str());
   if (participant::stop_requested()) {
     return fail("faults", "interrupted; what there is of the table is written; the same with --continue goes on from here");
@@ -190,7 +203,7 @@ std::function<int()> declare_faults(CLI::App& app) {
   app.add_option("--json", o->json_path, "figures; figures.json in --out unless told")->type_name("<file>");
   app.add_option("--page", o->page_path, "writes the table with what was measured, as docs/faults.md")
       ->type_name("<file>");
-  app.add_flag("--continue", o->go_on, "goes on from where the last run into --out was interrupted");
+  app.add_flag("--continue", o->go_on, "runs the cells that did not hold or were not reached; those that held in an earlier run of the same build into --out are taken from there");
   return [o] { return run_faults(*o); };
 }
 

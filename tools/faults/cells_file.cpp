@@ -39,13 +39,20 @@ Cell cell_of(const json& line) {
   return cell;
 }
 
+/// The last line of a run that was killed may lack its end.
+bool ends_within_a_line(const std::string& path) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  return file && file.tellg() > 0 && file.seekg(-1, std::ios::end) && file.get() != '\n';
+}
+
 }  // namespace
 
 Result<Done> append_cell(const std::string& path, const CellsOrigin& origin, const Cell& cell) {
   json line = to_json(cell);
   line["origin"] = to_json(origin);
+  const bool cut_off = ends_within_a_line(path);
   std::ofstream file(path, std::ios::app);
-  file << line.dump() << '\n';
+  file << (cut_off ? "\n" : "") << line.dump() << '\n';
   file.flush();
   if (!file) {
     return Error{"cannot write " + path + ": " + std::strerror(errno)};

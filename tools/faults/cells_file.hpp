@@ -17,7 +17,7 @@ struct CellsOrigin {
   int slow = 1;
 };
 
-/// Appends a cell. Refuses a file that cannot be written.
+/// Appends a cell, on a line of its own also behind one that was cut off. Refuses a file that cannot be written.
 Result<Done> append_cell(const std::string& path, const CellsOrigin& origin, const Cell& cell);
 
 /// Cells of this origin; none where there is no file. Passes over a line that was cut off.

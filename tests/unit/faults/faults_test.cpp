@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <set>
 
 #include "core/fault.hpp"
+#include "tests/support/scratch_directory.hpp"
 #include "tests/unit/robot/test_files.hpp"
+#include "tools/faults/cells_file.hpp"
 #include "tools/faults/fault_page.hpp"
 #include "tools/faults/tick_times.hpp"
 
@@ -264,6 +267,24 @@ TEST(FaultPage, HasTheWorstOfEveryRowAndTheCellsThatDidNotHold) {
   EXPECT_NE(page.find("| `sensors_cut` | stance | fast | 2 |"), std::string::npos);
   EXPECT_NE(page.find("supervisor ended with exit status 1"), std::string::npos);
   EXPECT_FALSE(broken.holds());
+}
+
+TEST(CellsFile, GivesBackCellsOfItsOriginAlsoBehindALineThatWasCutOff) {
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("cells.jsonl");
+  const CellsOrigin origin{"abc", "0123", 3};
+  const Cell cell{"sensors_cut", "stance", "fast", 1, 2, "", {{"reaction", "null after", 0.007, 0.005}}};
+  EXPECT_TRUE(read_cells(path, origin).empty());
+  ASSERT_TRUE(append_cell(path, origin, cell).ok());
+  ASSERT_TRUE(append_cell(path, {"def", "0123", 3}, cell).ok());
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 9);
+  ASSERT_TRUE(append_cell(path, origin, cell).ok());
+  const std::vector<Cell> cells = read_cells(path, origin);
+  ASSERT_EQ(cells.size(), 2u) << "the second was cut off, as by the death of the program";
+  EXPECT_EQ(cells[1].row, "sensors_cut");
+  EXPECT_EQ(cells[1].repeats, 2);
+  EXPECT_TRUE(cells[1].holds());
+  EXPECT_FALSE(append_cell(scratch.file("nowhere/cells.jsonl"), origin, cell).ok());
 }
 
 }  // namespace faults_test
