@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -95,29 +96,35 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
       return !participant::stop_requested();
     });
   }
-  if (participant::stop_requested()) {
-    return fail("diagnose --benchmark", "stopped; nothing was written", participant::stop_status());
-  }
   report::Outcome outcome;
   outcome.command = "diagnose";
   outcome.run = report::run_info(rig.value(), o.seed);
+  const auto not_run = std::ranges::count(outcomes, blind::kNotRun, &blind::Outcome::refused);
+  if (not_run > 0) {
+    outcome.failures.push_back("interrupted: " + std::to_string(not_run) + " of " + std::to_string(outcomes.size()) +
+                               " trials were not run");
+    std::erase_if(outcomes, [](const blind::Outcome& trial) { return trial.refused == blind::kNotRun; });
+  }
   for (const blind::Outcome& trial : outcomes) {
     if (!trial.refused.empty()) {
       outcome.failures.push_back("a trial could not be made: " + trial.refused);
     }
   }
   add_figures(outcome.figures, outcomes);
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   if (!o.json_path.empty()) {
     if (auto written = report::write_json(o.json_path, outcome); !written) {
       return fail("diagnose --benchmark", written.error().message);
     }
+  }
+  if (not_run > 0) {
+    return fail("diagnose --benchmark", "stopped; the figures are those of the trials that were run");
   }
   if (!o.confusion_path.empty()) {
     if (auto written = replace_file(o.confusion_path, blind::confusion_page(outcomes)); !written) {
       return fail("diagnose --benchmark", written.error().message);
     }
   }
-  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   return outcome.passes() ? kPassed : kFailed;
 }
 

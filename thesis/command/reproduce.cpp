@@ -64,6 +64,22 @@ std::vector<thesis::StudyRun> run_with_bar(const std::vector<thesis::Study>& som
   });
 }
 
+/// The claims of all studies. Those of a study that a stop kept from its end are left out, and the study is a failure.
+report::Outcome outcome_of(const std::vector<thesis::StudyRun>& runs, const ReproduceOptions& o) {
+  report::Outcome outcome;
+  outcome.command = "reproduce";
+  outcome.run = report::run_info(o.seed);
+  for (const thesis::StudyRun& run : runs) {
+    if (!run.result.ok() && participant::stop_requested()) {
+      outcome.failures.push_back("study " + std::string(run.study.number) + ": " + run.result.error().message);
+      continue;
+    }
+    thesis::add_claims(outcome, thesis::claims_of(run));
+    thesis::add_figures(outcome, run);
+  }
+  return outcome;
+}
+
 void print(const report::Outcome& outcome, const std::vector<thesis::StudyRun>& runs) {
   int counts[3] = {};
   for (const report::Claim& claim : outcome.claims) {
@@ -106,32 +122,30 @@ int reproduce_studies(const ReproduceOptions& o) {
     }
   }
   const auto runs = run_with_bar(some.value(), o);
-  if (participant::stop_requested()) {
-    return fail("reproduce", "stopped; nothing was written", participant::stop_status());
+  const report::Outcome outcome = outcome_of(runs, o);
+  // First what was measured: a page that cannot be drawn loses no figure.
+  const auto written = report::write_json(json_path, outcome);
+  if (o.json_to_stdout) {
+    std::printf("%s", report::to_json(outcome).c_str());
+  } else {
+    print(outcome, runs);
   }
-  report::Outcome outcome;
-  outcome.command = "reproduce";
-  outcome.run = report::run_info(o.seed);
-  for (const thesis::StudyRun& run : runs) {
-    thesis::add_claims(outcome, thesis::claims_of(run));
-    thesis::add_figures(outcome, run);
+  if (!written) {
+    return fail("reproduce", written.error().message);
+  }
+  if (participant::stop_requested()) {
+    return fail("reproduce", "stopped; " + json_path + " has the claims of the studies that ended; there is no page");
   }
   if (const auto drawn = thesis::draw_studies(o.out, runs); !drawn) {
-    return fail("reproduce", drawn.error().message);
+    return fail("reproduce", drawn.error().message + "; the figures are in " + json_path);
   }
   const auto page = thesis::write_study_page(o.out, outcome, runs);
   if (!page) {
-    return fail("reproduce", page.error().message);
+    return fail("reproduce", page.error().message + "; the figures are in " + json_path);
   }
-  if (const auto written = report::write_json(json_path, outcome); !written) {
-    return fail("reproduce", written.error().message);
+  if (!o.json_to_stdout) {
+    std::printf("report: %s\nfigures: %s\n", page.value().c_str(), json_path.c_str());
   }
-  if (o.json_to_stdout) {
-    std::printf("%s", report::to_json(outcome).c_str());
-    return outcome.passes() ? kPassed : kFailed;
-  }
-  print(outcome, runs);
-  std::printf("report: %s\nfigures: %s\n", page.value().c_str(), json_path.c_str());
   return outcome.passes() ? kPassed : kFailed;
 }
 

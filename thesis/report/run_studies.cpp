@@ -2,11 +2,24 @@
 
 #include <algorithm>
 #include <atomic>
+#include <exception>
 #include <mutex>
 #include <numeric>
 #include <thread>
 
 namespace farrier::thesis {
+namespace {
+
+/// An exception, such as of memory that is not there, is that study's failure.
+Result<StudyResult> run_study(const Study& study, const StudyContext& context) {
+  try {
+    return study.run(context);
+  } catch (const std::exception& thrown) {
+    return Error{thrown.what()};
+  }
+}
+
+}  // namespace
 
 std::vector<StudyRun> run_studies(std::span<const thesis::Study> studies, const thesis::StudyContext& context,
                                   int threads, const Progress& progress) {
@@ -32,7 +45,7 @@ std::vector<StudyRun> run_studies(std::span<const thesis::Study> studies, const 
     for (std::size_t i = next++; i < runs.size() && !stop; i = next++) {
       thesis::StudyContext own = context;
       own.progress = [&told, i](double share) { return told(i, share); };
-      runs[i].result = runs[i].study.run(own);
+      runs[i].result = run_study(runs[i].study, own);
       told(i, 1.0);
     }
   };

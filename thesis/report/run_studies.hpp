@@ -12,7 +12,7 @@ namespace farrier::thesis {
 using Progress = std::function<bool(double)>;
 
 /// Runs the studies on `threads` >= 1 threads and returns them in their order. Studies that were never begun because of
-/// a stop hold thesis::stopped(), as those that were interrupted do.
+/// a stop hold thesis::stopped(), as those that were interrupted do; one that throws a std::exception holds what it says.
 std::vector<StudyRun> run_studies(std::span<const thesis::Study> studies, const thesis::StudyContext& context,
                                   int threads, const Progress& progress);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <exception>
 #include <mutex>
 
 #include "control/law/effect_compensation.hpp"
@@ -145,15 +146,35 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
   return outcome;
 }
 
+namespace {
+
+/// An exception, such as of memory that is not there, is that trial's failure.
+Outcome run_or_refuse(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints) {
+  try {
+    return run_trial(plan, joints);
+  } catch (const std::exception& thrown) {
+    Outcome refused;
+    refused.plan = plan;
+    refused.refused = thrown.what();
+    return refused;
+  }
+}
+
+}  // namespace
+
 std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
                                 int threads, const std::function<bool(std::size_t)>& progress) {
   std::vector<Outcome> outcomes(plans.size());
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    outcomes[i].plan = plans[i];
+    outcomes[i].refused = kNotRun;
+  }
   std::atomic<bool> goes_on{true};
   std::mutex telling;
   std::size_t done = 0;
   diagnosis::by_threads(threads, [](double) {}, 1)(plans.size(), [&](std::size_t i) {
     if (goes_on) {
-      outcomes[i] = run_trial(plans[i], joints);
+      outcomes[i] = run_or_refuse(plans[i], joints);
       const std::lock_guard lock(telling);
       goes_on = progress(++done) && goes_on;
     }

@@ -53,7 +53,11 @@ std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
 /// `joints` outlive the call; nominal ones.
 Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints);
 
-/// Runs trials on `threads` threads; `progress` gets how many are done, false ends early.
+/// Outcome::refused of a trial that was not begun.
+inline constexpr const char* kNotRun = "not run";
+
+/// Runs trials on `threads` threads; `progress` gets how many are done, false ends early: the others are then kNotRun. A
+/// trial that throws a std::exception is refused.
 std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
                                 int threads, const std::function<bool(std::size_t)>& progress);
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <stdexcept>
 
 #include <unistd.h>
 
@@ -55,6 +56,20 @@ TEST(RunStudies, StopsAllWhenToldTo) {
     ASSERT_FALSE(run.result.ok());
     EXPECT_EQ(run.result.error().message, thesis::stopped().message);
   }
+}
+
+TEST(RunStudies, OneThatThrowsLosesNoOther) {
+  std::vector<thesis::Study> studies = kStudies;
+  studies[1].run = [](const StudyContext&) -> Result<StudyResult> { throw std::runtime_error("no memory"); };
+  const auto runs = run_studies(studies, {}, 2, [](double) { return true; });
+  EXPECT_TRUE(runs[0].result.ok());
+  ASSERT_FALSE(runs[1].result.ok());
+  EXPECT_EQ(runs[1].result.error().message, "no memory");
+  EXPECT_TRUE(runs[2].result.ok());
+  const auto claims = claims_of(runs[1]);
+  ASSERT_EQ(claims.size(), 1u);
+  EXPECT_EQ(claims[0].verdict, "fails");
+  EXPECT_EQ(claims[0].reason, "the study could not run: no memory");
 }
 
 class Folder {

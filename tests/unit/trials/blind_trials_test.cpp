@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 
 #include "trials/blind/score.hpp"
@@ -84,6 +86,15 @@ TEST(BlindTrials, AFewOfThemAreNamedAndNothingIsNamedWhereNothingIsHidden) {
   EXPECT_DOUBLE_EQ(s.within_tolerance, 1.0) << confusion_page(outcomes);
   EXPECT_DOUBLE_EQ(s.false_alarms, 0.0) << confusion_page(outcomes);
   EXPECT_GT(s.median_gain, 3.0);
+}
+
+TEST(BlindTrials, AfterAStopAreNotRunAndSaySo) {
+  const robot::Robot rig = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
+  const std::vector<TrialPlan> plans(3, {Kind::kNone, 0, {80, truth::Excitation::kMultisine, {}}});
+  const auto outcomes = run_trials(plans, {&rig.joints.front()}, 1, [](std::size_t) { return false; });
+  ASSERT_EQ(outcomes.size(), 3u);
+  EXPECT_EQ(std::ranges::count(outcomes, std::string(), &Outcome::refused), 1);
+  EXPECT_EQ(std::ranges::count(outcomes, kNotRun, &Outcome::refused), 2);
 }
 
 }  // namespace blind_trials_test
