@@ -167,20 +167,14 @@ class VendorBench {
 
 }  // namespace
 
-Result<Done> bench_onlookers(const robot::Robot& robot, const DdsRun& plain, const std::string& out,
-                             report::Figures& figures) {
-  for (const DdsChoice dds : {DdsChoice::kCyclone, DdsChoice::kFast}) {
-    DdsRun of_vendor = plain;
-    of_vendor.dds = dds;
-    VendorBench bench(robot, of_vendor, out, figures);
-    if (auto done = bench.lockstep(); !done) {
-      return done.error();
-    }
-    if (auto done = bench.realtime(); !done) {
-      return done.error();
-    }
-  }
-  return Done{};
+Result<Done> bench_watched(const robot::Robot& robot, const DdsRun& plain, const std::string& out,
+                           report::Figures& figures) {
+  return VendorBench(robot, plain, out, figures).lockstep();
+}
+
+Result<Done> bench_beside(const robot::Robot& robot, const DdsRun& plain, const std::string& out,
+                          report::Figures& figures) {
+  return VendorBench(robot, plain, out, figures).realtime();
 }
 
 }  // namespace farrier::cli

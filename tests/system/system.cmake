@@ -13,6 +13,7 @@ farrier_system_test(trace_identity_test system 1.5 ${CMAKE_CURRENT_LIST_DIR}/tra
 farrier_system_test(long_trace_identity_test long 12 ${CMAKE_CURRENT_LIST_DIR}/trace_identity_test.cpp)
 farrier_system_test(process_failure_test system 0 ${CMAKE_CURRENT_LIST_DIR}/process_failure_test.cpp)
 farrier_system_test(command_line_test system 0 ${CMAKE_CURRENT_LIST_DIR}/command_line_test.cpp)
+farrier_system_test(bench_parts_test system 0 ${CMAKE_CURRENT_LIST_DIR}/bench_parts_test.cpp)
 farrier_system_test(reproduce_test system 0 ${CMAKE_CURRENT_LIST_DIR}/reproduce_test.cpp)
 farrier_system_test(diagnose_test system 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_test.cpp)
 farrier_system_test(diagnose_scaled_test system 0 ${CMAKE_CURRENT_LIST_DIR}/diagnose_scaled_test.cpp)

@@ -1,0 +1,132 @@
+#include "bench/command/computed_parts.hpp"
+
+#include <cstdio>
+
+#include "bench/command/allocation_count.hpp"
+#include "bench/bench_control.hpp"
+#include "bench/bench_estimators.hpp"
+#include "bench/bench_grey_box.hpp"
+#include "bench/bench_plant.hpp"
+#include "bench/bench_redesign.hpp"
+#include "bench/bench_riccati.hpp"
+#include "bench/bench_rls.hpp"
+#include "bench/bench_tick.hpp"
+
+namespace farrier::cli {
+namespace {
+
+// The least the product promises; figures without a bound are for people.
+constexpr double kPlantSpeedup = 20.0;
+constexpr double kRiccatiSpeedup = 3.0;
+constexpr double kRiccatiResidual = 1e-12;
+constexpr double kRlsSpeedup = 20.0;
+constexpr double kRlsDifference = 1e-12;
+constexpr double kGreyBoxUs = 15.0;
+constexpr double kTickUs = 50.0;
+constexpr double kRedesignUs = 10.0;
+
+Result<Done> bench_plant(report::Figures& figures) {
+  std::fputs("plant: ours against CVODE at equal accuracy\n", stderr);
+  const bench::PlantBench bench = bench::bench_plant(400);
+  figures.add("bench.plant.us_per_tick", 1e6 * bench.ours_s_per_tick);
+  figures.add("bench.plant.cvode_us_per_tick", 1e6 * bench.cvode_s_per_tick);
+  figures.add("bench.plant.speedup", bench.cvode_s_per_tick / bench.ours_s_per_tick, kPlantSpeedup);
+  figures.add("bench.plant.error", bench.ours_error);
+  figures.add("bench.plant.cvode_error", bench.cvode_error);
+  return Done{};
+}
+
+Result<Done> bench_riccati(report::Figures& figures) {
+  std::fputs("riccati: doubling against the thesis's iteration and SLICOT SB02OD\n", stderr);
+  const bench::RiccatiBench bench = bench::bench_riccati(50);
+  figures.add("bench.riccati.doubling_us", 1e6 * bench.doubling_s);
+  figures.add("bench.riccati.iteration_us", 1e6 * bench.iteration_s);
+  figures.add("bench.riccati.slicot_us", 1e6 * bench.slicot_s);
+  figures.add("bench.riccati.speedup_iteration", bench.iteration_s / bench.doubling_s, kRiccatiSpeedup);
+  figures.add("bench.riccati.speedup_slicot", bench.slicot_s / bench.doubling_s, kRiccatiSpeedup);
+  figures.add("bench.riccati.relative_residual", bench.doubling_residual, kRiccatiResidual);
+  return Done{};
+}
+
+Result<Done> bench_control(report::Figures& figures) {
+  std::fputs("control: one joint's control step\n", stderr);
+  const bench::ControlBench bench = bench::bench_control(200'000, allocation_count);
+  figures.add("bench.control.step_ns", 1e9 * bench.step_s);
+  figures.add("bench.control.allocations", static_cast<double>(bench.allocations), 0.0);
+  return Done{};
+}
+
+Result<Done> bench_rls(report::Figures& figures) {
+  std::fputs("rls: one covariance for three rows against the thesis's 12 x 12\n", stderr);
+  const bench::RlsBench bench = bench::bench_rls(4000, allocation_count);
+  figures.add("bench.rls.ns_per_update", 1e9 * bench.update_s);
+  figures.add("bench.rls.ns_per_update_bias", 1e9 * bench.update_bias_s);
+  figures.add("bench.rls.textbook_ns_per_update", 1e9 * bench.textbook_s);
+  figures.add("bench.rls.speedup", bench.textbook_s / bench.update_s, kRlsSpeedup);
+  figures.add("bench.rls.difference", bench.difference, kRlsDifference);
+  figures.add("bench.rls.allocations", static_cast<double>(bench.allocations), 0.0);
+  return Done{};
+}
+
+Result<Done> bench_estimators(report::Figures& figures) {
+  std::fputs("estimators: one joint's tick by every method, and what the gates add\n", stderr);
+  const bench::EstimatorsBench bench = bench::bench_estimators(4000, allocation_count);
+  for (const auto& method : bench.methods) {
+    figures.add(std::string("bench.estimator.") + method.name + "_ns", 1e9 * method.take_s);
+  }
+  figures.add("bench.estimator.pe_gate_ns", 1e9 * bench.pe_s);
+  figures.add("bench.estimator.fft_gate_ns", 1e9 * bench.fft_s);
+  figures.add("bench.estimator.allocations", static_cast<double>(bench.allocations), 0.0);
+  return Done{};
+}
+
+Result<Done> bench_grey_box(report::Figures& figures) {
+  std::fputs("greybox: one joint's tick of the grey-box estimator, and one estimate\n", stderr);
+  const bench::GreyBoxBench bench = bench::bench_grey_box(4000, allocation_count);
+  figures.add("bench.greybox.tick_us", 1e6 * bench.take_s, kGreyBoxUs);
+  figures.add("bench.greybox.slowest_tick_us", 1e6 * bench.take_slowest_s);
+  figures.add("bench.greybox.estimate_us", 1e6 * bench.estimate_s);
+  figures.add("bench.greybox.allocations", static_cast<double>(bench.allocations), 0.0);
+  return Done{};
+}
+
+Result<Done> bench_tick(const robot::Robot& robot, report::Figures& figures) {
+  std::fputs("tick: every joint's control, estimation and update logic on one core\n", stderr);
+  const auto tick = bench::bench_tick(robot, 20, allocation_count);
+  if (!tick) {
+    return tick.error();
+  }
+  figures.add("bench.tick.us", 1e6 * tick.value().tick_s, kTickUs);
+  figures.add("bench.tick.estimation_us", 1e6 * tick.value().estimation_s);
+  figures.add("bench.tick.update_logic_us", 1e6 * tick.value().update_logic_s);
+  figures.add("bench.tick.control_us", 1e6 * tick.value().control_s);
+  figures.add("bench.tick.allocations", static_cast<double>(tick.value().allocations), 0.0);
+  return Done{};
+}
+
+Result<Done> bench_redesign(const robot::Robot& robot, report::Figures& figures) {
+  std::fputs("redesign: of one joint's gains, as an update of its estimate asks for\n", stderr);
+  const auto redesign = bench::bench_redesign(robot, 50, allocation_count);
+  if (!redesign) {
+    return redesign.error();
+  }
+  figures.add("bench.redesign.us", 1e6 * redesign.value().redesign_s, kRedesignUs);
+  figures.add("bench.redesign.lqr_us", 1e6 * redesign.value().lqr_s);
+  figures.add("bench.redesign.allocations", static_cast<double>(redesign.value().allocations), 0.0);
+  return Done{};
+}
+
+}  // namespace
+
+std::vector<ComputedPart> computed_parts(const robot::Robot& robot) {
+  return {{"plant", {"plant", bench_plant}},
+          {"riccati", {"riccati", bench_riccati}},
+          {"control", {"control", bench_control}},
+          {"rls", {"rls", bench_rls}},
+          {"estimators", {"estimators", bench_estimators}},
+          {"greybox", {"greybox", bench_grey_box}},
+          {"tick", {"tick", [&robot](report::Figures& figures) { return bench_tick(robot, figures); }}},
+          {"tick", {"redesign", [&robot](report::Figures& figures) { return bench_redesign(robot, figures); }}}};
+}
+
+}  // namespace farrier::cli
