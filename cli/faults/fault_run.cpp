@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/ensure.hpp"
+#include "core/text.hpp"
 #include "participant/loop.hpp"
 #include "trace/trace.hpp"
 #include "robot/keys.hpp"
@@ -100,7 +101,8 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
   const auto trace = faults::leaves_trace(row) ? trace::read_trace(run.common.trace_path, robot::joint_names(robot))
                                                : Result<std::vector<trace::TraceRow>>(std::vector<trace::TraceRow>{});
   if (!ran || !trace) {
-    cell.error = !ran ? ran.error().message : trace.error().message;
+    cell.error = !ran ? ran.error().message : join(ran.value().warnings, "; ");
+    cell.error += !ran ? "" : (cell.error.empty() ? "" : "; ") + trace.error().message;
     return cell;
   }
   const std::vector<Tick>& acted = ran.value().acted;
