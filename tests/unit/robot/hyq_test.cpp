@@ -117,7 +117,7 @@ TEST_F(Hyq, WeighsAndStandsAsPublished) {
 
 TEST_F(Hyq, GivesTheHipItsLegAsLoad) {
   const Joint& haa = joint("lf_haa");
-  EXPECT_NEAR(haa.swing_load.mass, 0.271, 0.001);  // worked by hand from the table, three digits
+  EXPECT_NEAR(haa.swing_load.mass, 0.307, 0.001);  // worked by hand from the table, three digits
   for (const char* other : {"rf_haa", "lh_haa", "rh_haa"}) {
     constexpr double kRounding = 1e-14;  // front and hind legs differ by signs that cancel
     EXPECT_NEAR(joint(other).swing_load.mass, haa.swing_load.mass, kRounding);
