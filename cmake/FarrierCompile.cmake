@@ -36,8 +36,14 @@ function(farrier_library name)
   target_link_libraries(farrier_${name} PUBLIC farrier_flags)
 endfunction()
 
+# Tests of processes whose clock is lock-step: nothing they judge depends on the computer's clock. They run at the same
+# time as others, in network namespaces of their own.
+set(FARRIER_LOCKSTEP_TESTS trace_identity_test process_failure_test process_end_test recorded_run_test command_line_test
+  reproduce_test diagnose_test diagnose_scaled_test robots_system_test security_system_test)
+
 # farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary as one CTest entry, which the target tier_<LABEL>
-# builds. Tiers that start processes or hold leases of a few milliseconds have the machine to themselves.
+# builds. Tests that start processes or hold leases of a few milliseconds have the machine to themselves, but for those of
+# FARRIER_LOCKSTEP_TESTS.
 function(farrier_test name label)
   add_executable(${name} ${ARGN})
   if(NOT TARGET tier_${label})
@@ -45,7 +51,11 @@ function(farrier_test name label)
   endif()
   add_dependencies(tier_${label} ${name})
   target_link_libraries(${name} PRIVATE farrier_flags GTest::gtest GTest::gtest_main)
-  add_test(NAME ${label}/${name} COMMAND ${name})
+  if(name IN_LIST FARRIER_LOCKSTEP_TESTS)
+    add_test(NAME ${label}/${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/support/own_network $<TARGET_FILE:${name}>)
+  else()
+    add_test(NAME ${label}/${name} COMMAND ${name})
+  endif()
   set_tests_properties(${label}/${name} PROPERTIES LABELS ${label})
   if(FARRIER_SANITIZE)
     set(asan_options new_delete_type_mismatch=1)
@@ -58,7 +68,7 @@ function(farrier_test name label)
     set_tests_properties(${label}/${name} PROPERTIES ENVIRONMENT
       "ASAN_OPTIONS=${asan_options};TSAN_OPTIONS=ignore_noninstrumented_modules=1;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/sanitizers/lsan.supp;UBSAN_OPTIONS=print_stacktrace=1")
   endif()
-  if(label MATCHES "^(contract|system|realtime|long)$")
+  if(label MATCHES "^(contract|system|realtime|long)$" AND NOT name IN_LIST FARRIER_LOCKSTEP_TESTS)
     set_tests_properties(${label}/${name} PROPERTIES RUN_SERIAL TRUE)
   endif()
 endfunction()

@@ -72,7 +72,7 @@ class Shells : public ::testing::Test {
 TEST_F(Shells, OfBashOfferCommandsAndOptions) {
   EXPECT_EQ(bash("farrier re"), (Words{"record", "replay", "reproduce", "request"}));
   EXPECT_EQ(bash("farrier --v"), (Words{"--version"}));
-  EXPECT_EQ(bash("farrier trot --see"), (Words{"--seed", "--seeds"}));
+  EXPECT_EQ(bash("farrier trial --see"), (Words{"--seed", "--seeds"}));
   EXPECT_EQ(bash("farrier canter --"), Words{});
 }
 
@@ -112,7 +112,7 @@ TEST_F(Shells, OfZshOfferTheSame) {
   }
   EXPECT_EQ(zsh("farrier re"), (Words{"record", "replay", "reproduce", "request"}));
   EXPECT_EQ(zsh("farrier trot --dds "), (Words{"cyclone", "fast", "mixed", "inproc"}));
-  EXPECT_EQ(zsh("farrier trot --see"), (Words{"--seed", "--seeds"}));
+  EXPECT_EQ(zsh("farrier trial --see"), (Words{"--seed", "--seeds"}));
   EXPECT_EQ(zsh("farrier deploy "), (Words{"render", "check"}));
   EXPECT_EQ(zsh("farrier record --topics clock/tick,gait/"), (Words{"gait/phase"}));
   EXPECT_EQ(zsh("farrier trot --security k").count("keys"), 1u);
