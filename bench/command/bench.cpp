@@ -123,7 +123,7 @@ std::vector<Part> parts_of(const BenchOptions& o, const robot::Robot& robot) {
   return parts;
 }
 
-/// What the figures depend on besides the parts.
+/// The conditions beside the parts on which the figures depend.
 std::string origin_of(const BenchOptions& o, const robot::Robot& robot) {
   const report::RunInfo run = report::run_info(robot, 0);
   return report::build_name() + ", " + run.machine.cpu_model + ", " + robot.name + " " + run.configuration_hash + ", " +

@@ -35,7 +35,7 @@ class ChildProcess {
   void terminate();
   /// Ends it (SIGKILL) if it still runs.
   void kill();
-  /// How it ended, with its log and its last lines: "joint_node_lf (pid 12) ended with exit status 2; its log ...".
+  /// The way it ended, with its log and its last lines: "joint_node_lf (pid 12) ended with exit status 2; its log ...".
   std::string epitaph();
 
   /// True while somebody has stopped it: a debugger, Ctrl-Z, SIGSTOP.

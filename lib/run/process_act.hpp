@@ -13,7 +13,7 @@ inline constexpr int kClockForward = -2;
 inline constexpr int kClockBack = -3;
 inline constexpr bool sets_clock(int signal) noexcept { return signal == kClockForward || signal == kClockBack; }
 
-/// What is done to a process, `at_s` after a fault begins. Members are named as in plan_members; "joint_node" is the one
+/// An act on a process, `at_s` after a fault begins. Members are named as in plan_members; "joint_node" is the one
 /// that hosts the joint.
 struct ProcessAct {
   const char* member;

@@ -58,7 +58,7 @@ TEST(Rules, FilesAreShort) {
   EXPECT_EQ(exceptions.unused(), "");
 }
 
-// Nobody finds a room in a flat folder of more.
+// A reader finds nothing in a flat folder of more files.
 TEST(Rules, FoldersAreRooms) {
   constexpr std::size_t kMostFiles = 40;
   std::map<std::string, std::size_t> files;

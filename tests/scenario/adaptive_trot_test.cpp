@@ -49,7 +49,7 @@ class AdaptiveTrot : public ::testing::Test {
     return accepted;
   }
 
-  /// Of the ticks from `from` to before `to`, from the third stride on.
+  /// Tracking in the ticks from `from` to before `to`, from the third stride on.
   static report::Tracking tracking_between(Tick from, Tick to) {
     std::vector<trace::TraceRow> rows = outcome_->rows;
     std::erase_if(rows, [&](const trace::TraceRow& row) { return row.tick < from || row.tick >= to; });

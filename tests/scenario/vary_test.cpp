@@ -211,7 +211,7 @@ std::vector<double> stance_errors_of_two_seeds(const robot::Robot& believed, sup
   return errors;
 }
 
-// What farrier compare controllers judges on more robots, on two.
+// The judgement of farrier compare controllers, on two robots.
 TEST(Controllers, TheGreyBoxWithFlowInversionIsAsGoodAsTheNominalFlowLawOnVariedRobotsAndLosesNone) {
   constexpr double kRatioAtMost = 1.05;
   constexpr double kFailed = 0.3;
