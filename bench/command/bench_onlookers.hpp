@@ -8,7 +8,7 @@
 
 namespace farrier::cli {
 
-// What those who look on cost, over the vendor of `plain`, Cyclone DDS or Fast DDS: the lock-step run of `robot` that they
+// The cost of passive readers, over the vendor of `plain`, Cyclone DDS or Fast DDS: the lock-step run of `robot` that they
 // are added to. Recordings go to `out`. Each takes half a minute and refuses as run_over_dds does.
 
 /// `farrier record` and `farrier monitor` with a page that is watched, in lock-step (bench.watched).

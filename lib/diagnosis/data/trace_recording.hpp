@@ -7,7 +7,7 @@
 
 namespace farrier::diagnosis {
 
-/// Whether a file has the header of a trace (trace::TraceWriter); false for one that cannot be read.
+/// True if a file has the header of a trace (trace::TraceWriter); false for one that cannot be read.
 bool is_trace(const std::string& path);
 
 /// What moves a joint of this robot, as its file says.
