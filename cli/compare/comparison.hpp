@@ -29,7 +29,7 @@ int run_controllers(const robot::Robot& robot, const CompareOptions& options);
 /// farrier compare varied: robots drawn unlike their file, under adaptation, perfect knowledge and fixed controllers.
 int run_varied(const robot::Robot& robot, const CompareOptions& options);
 
-/// A run in process and its trace.
+/// A run in process and the rows of its trace.
 struct ComparedRun {
   std::vector<trace::TraceRow> rows;
   run::InprocResult result;

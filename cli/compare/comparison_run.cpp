@@ -3,7 +3,6 @@
 #include <cstdio>
 
 #include "participant/loop.hpp"
-#include "robot/keys.hpp"
 #include "cli/base/command.hpp"
 #include "cli/compare/comparison.hpp"
 #include "cli/base/progress.hpp"
@@ -16,6 +15,8 @@ Result<ComparedRun> run_compared(const robot::Robot& robot, run::InprocRun run, 
   participant::install_signal_handlers();
   Progress progress(title, run.ticks);
   run.trace_path = trace_path;
+  std::vector<trace::TraceRow> rows;
+  run.sink = [&rows](const trace::TraceRow& row) { rows.push_back(row); };
   run.progress = [&](Tick tick) {
     progress.update(tick);
     return !participant::stop_requested();
@@ -24,11 +25,7 @@ Result<ComparedRun> run_compared(const robot::Robot& robot, run::InprocRun run, 
   if (!result) {
     return result.error();
   }
-  auto rows = trace::read_trace(trace_path, robot::joint_names(robot));
-  if (!rows) {
-    return rows.error();
-  }
-  return ComparedRun{std::move(rows).value(), std::move(result).value()};
+  return ComparedRun{std::move(rows), std::move(result).value()};
 }
 
 void add_failures(report::Outcome& outcome, const ComparedRun& run, const std::string& title) {

@@ -9,6 +9,7 @@
 #include "run/run_plan.hpp"
 #include "mcap/records.hpp"
 #include "participant/options.hpp"
+#include "trace/trace.hpp"
 #include "cli/processes/growth_watch.hpp"
 #include "cli/processes/onlookers.hpp"
 #include "cli/processes/run_acts.hpp"
@@ -50,6 +51,7 @@ struct RunOutcome {
   std::vector<signals::SystemEvent> events;
   std::vector<Tick> events_heard;  ///< newest tick of the clock then; by event
   std::vector<signals::JointUpdateDecision> decisions;
+  std::vector<trace::TraceRow> rows;  ///< of the trace, in order; empty over DDS, where only the file has them
   std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued
   std::vector<Tick> acted;            ///< when acts were done, in their order
   std::vector<std::string> warnings;  ///< what went wrong and did not end the run

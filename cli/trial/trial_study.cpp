@@ -38,9 +38,8 @@ report::JointVerdict verdict_of(const std::string& joint, const diagnosis::Judge
 
 }  // namespace
 
-Result<std::vector<double>> TrialStudy::stance_nrmse(const std::string& path) {
-  std::vector<trace::TraceRow> rows;
-  const auto tracking = tracking_of(nominal_, path, o_.seed, nominal_.loop_delay_lockstep, rows);
+Result<std::vector<double>> TrialStudy::stance_nrmse(RunOutcome& run, const std::string& trace_path) {
+  const auto tracking = tracking_of(nominal_, run, trace_path, o_.seed, nominal_.loop_delay_lockstep);
   if (!tracking) {
     return tracking.error();
   }
@@ -130,10 +129,11 @@ Result<Done> TrialStudy::run(std::uint64_t seed, const std::vector<double>& nomi
                                                  path.extension().string());
   }
   recordings_.push_back(recorded.record_path);
-  if (auto ran = run_once(nominal_, recorded, at, {&world, world_path.value()}); !ran) {
-    return ran.error();
+  auto hidden = run_once(nominal_, recorded, at, {&world, world_path.value()});
+  if (!hidden) {
+    return hidden.error();
   }
-  const auto hidden_nrmse = stance_nrmse(recorded.trace_path);
+  const auto hidden_nrmse = stance_nrmse(hidden.value(), recorded.trace_path);
   if (!hidden_nrmse) {
     return hidden_nrmse.error();
   }
@@ -158,12 +158,12 @@ Result<Done> TrialStudy::run(std::uint64_t seed, const std::vector<double>& nomi
       return extended.error();
     }
     const std::string path = o_.out + "/trace_known.csv";
-    if (auto ran = run_in_process(extended.value(), o_, supervisor::parse_design(o_.design), path, at + ", known",
-                                  {.world = &world, .record_path = {}});
-        !ran) {
+    auto ran = run_in_process(extended.value(), o_, supervisor::parse_design(o_.design), path, at + ", known",
+                              {.world = &world, .record_path = {}});
+    if (!ran) {
       return ran.error();
     }
-    const auto known = stance_nrmse(path);
+    const auto known = stance_nrmse(ran.value(), path);
     if (!known) {
       return known.error();
     }
@@ -175,10 +175,11 @@ Result<Done> TrialStudy::run(std::uint64_t seed, const std::vector<double>& nomi
 
 Result<Done> TrialStudy::run() {
   const std::string path = o_.out + "/trace_nominal.csv";
-  if (auto ran = run_in_process(nominal_, o_, supervisor::parse_design(o_.design), path, "trot, nominal"); !ran) {
+  auto ran = run_in_process(nominal_, o_, supervisor::parse_design(o_.design), path, "trot, nominal");
+  if (!ran) {
     return ran.error();
   }
-  const auto nominal = stance_nrmse(path);
+  const auto nominal = stance_nrmse(ran.value(), path);
   if (!nominal) {
     return nominal.error();
   }

@@ -36,8 +36,8 @@ class TrialStudy {
   bool long_enough() const noexcept { return long_enough_; }
 
  private:
-  /// Stance NRMSE of every joint in a run that left its trace at `path`.
-  Result<std::vector<double>> stance_nrmse(const std::string& path);
+  /// Stance NRMSE of every joint in a run that left its trace at `trace_path`.
+  Result<std::vector<double>> stance_nrmse(RunOutcome& run, const std::string& trace_path);
   Result<Done> run(std::uint64_t seed, const std::vector<double>& nominal_nrmse);
   Result<std::vector<plant::ActiveEffect>> diagnose_all(const TrotOptions& run, report::HideTrial& trial);
   /// The robot file with the effect of `world`, for sim_bridge alone.

@@ -16,11 +16,11 @@ Result<report::Tracking> track_beside(robot::Robot robot, const TrotOptions& o, 
   for (robot::Joint& joint : robot.joints) {
     joint.kind = control::Kind::kLqr;
   }
-  if (auto run = run_in_process(robot, o, design, trace_path, title); !run) {
+  auto run = run_in_process(robot, o, design, trace_path, title);
+  if (!run) {
     return run.error();
   }
-  std::vector<trace::TraceRow> rows;
-  return tracking_of(robot, trace_path, o.seed, robot.loop_delay_lockstep, rows);
+  return tracking_of(robot, run.value(), trace_path, o.seed, robot.loop_delay_lockstep);
 }
 
 }  // namespace
@@ -37,6 +37,8 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
   run.world = extras.world;
   run.record_path = extras.record_path;
   run.record_facts = record_facts(robot, o);
+  RunOutcome outcome;
+  run.sink = [&outcome](const trace::TraceRow& row) { outcome.rows.push_back(row); };
   Progress progress(title, run.ticks);
   run.progress = [&](Tick tick) {
     progress.update(tick);
@@ -47,7 +49,6 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
   if (!result) {
     return result.error();
   }
-  RunOutcome outcome;
   outcome.members = run::plan_members(robot, run.grouping);
   outcome.hellos = std::move(result.value().hellos);
   outcome.healths = std::move(result.value().healths);
@@ -65,14 +66,16 @@ robot::Robot without_dither(robot::Robot robot) {
   return robot;
 }
 
-Result<report::Tracking> tracking_of(const robot::Robot& robot, const std::string& trace_path, std::uint64_t seed,
-                                     int loop_delay_ticks, std::vector<trace::TraceRow>& rows) {
-  auto read = trace::read_trace(trace_path, robot::joint_names(robot));
-  if (!read) {
-    return read.error();
+Result<report::Tracking> tracking_of(const robot::Robot& robot, RunOutcome& run, const std::string& trace_path,
+                                     std::uint64_t seed, int loop_delay_ticks) {
+  if (run.rows.empty()) {
+    auto read = trace::read_trace(trace_path, robot::joint_names(robot));
+    if (!read) {
+      return read.error();
+    }
+    run.rows = std::move(read).value();
   }
-  rows = std::move(read).value();
-  return report::track(robot, gait::Schedule(robot.plan, seed), rows, loop_delay_ticks);
+  return report::track(robot, gait::Schedule(robot.plan, seed), run.rows, loop_delay_ticks);
 }
 
 Result<Done> add_swing_design(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "trace/trace.hpp"
 #include "supervisor/supervisor.hpp"
 #include "cli/trot/trot_options.hpp"
 #include "report/trot/tracking.hpp"
@@ -24,9 +23,10 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
 /// The same robot that does not probe its valves: what a run with fixed gains needs.
 robot::Robot without_dither(robot::Robot robot);
 
-/// How the joints tracked in the run that left this trace, which goes to `rows`. Refuses a trace that cannot be read.
-Result<report::Tracking> tracking_of(const robot::Robot& robot, const std::string& trace_path, std::uint64_t seed,
-                                     int loop_delay_ticks, std::vector<trace::TraceRow>& rows);
+/// How the joints tracked in this run. The rows of a run over DDS are read from its trace first; refuses a trace that
+/// cannot be read.
+Result<report::Tracking> tracking_of(const robot::Robot& robot, RunOutcome& run, const std::string& trace_path,
+                                     std::uint64_t seed, int loop_delay_ticks);
 
 /// Adds the tracking of the same gait with the swing design in both slots. In process: lock-step traces do not depend
 /// on the transport.

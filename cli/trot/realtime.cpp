@@ -76,13 +76,12 @@ Result<Done> add_realtime(report::Outcome& outcome, const robot::Robot& robot, c
   robot::Robot delayed = robot;
   delayed.loop_delay_lockstep = robot.loop_delay_realtime;
   const std::string path = options.out + "/trace_lockstep.csv";
-  if (auto ran = run_in_process(delayed, options, supervisor::parse_design(options.design), path,
-                                "trot, lock-step with the same delay");
-      !ran) {
+  auto ran = run_in_process(delayed, options, supervisor::parse_design(options.design), path,
+                            "trot, lock-step with the same delay");
+  if (!ran) {
     return ran.error();
   }
-  std::vector<trace::TraceRow> rows;
-  const auto lockstep = tracking_of(delayed, path, options.seed, delayed.loop_delay_lockstep, rows);
+  const auto lockstep = tracking_of(delayed, ran.value(), path, options.seed, delayed.loop_delay_lockstep);
   if (!lockstep) {
     return lockstep.error();
   }

@@ -142,8 +142,7 @@ int trot(TrotOptions o) {
       outcome.failures.emplace_back(signals::text_of(event.text));
     }
   }
-  std::vector<trace::TraceRow> rows;
-  auto tracking = tracking_of(robot, o.trace_path, o.seed, loop_delay, rows);
+  auto tracking = tracking_of(robot, ran.value(), o.trace_path, o.seed, loop_delay);
   if (!tracking) {
     for (const std::string& failure : outcome.failures) {
       std::fprintf(stderr, "farrier trot: %s\n", failure.c_str());
@@ -181,7 +180,7 @@ int trot(TrotOptions o) {
     return fail("trot", written.error().message);
   }
   const gait::Schedule schedule(robot.plan, o.seed);
-  auto page = report::write_report(o.out, {outcome, robot, schedule, rows, loop_delay, ran.value().gains});
+  auto page = report::write_report(o.out, {outcome, robot, schedule, ran.value().rows, loop_delay, ran.value().gains});
   if (!page) {
     return fail("trot", page.error().message);
   }
