@@ -168,14 +168,12 @@ struct ByIteration {
   }
 };
 
-#if FARRIER_HAVE_SLICOT
 struct BySlicot {
   template <int N>
   bool operator()(const Equation<N>& e, Eigen::Matrix<double, N, N>& s) const {
     return solve_dare_by_slicot<N>(e.a, e.b, e.q, e.r, s);
   }
 };
-#endif
 
 }  // namespace
 
@@ -187,13 +185,8 @@ RiccatiBench bench_riccati(int repetitions) {
   bench.doubling_s = seconds_per_equation(set, count, ByDoubling{});
   bench.iteration_residual = worst_residual(set, ByIteration{});
   bench.iteration_s = seconds_per_equation(set, count, ByIteration{});
-#if FARRIER_HAVE_SLICOT
   bench.slicot_residual = worst_residual(set, BySlicot{});
   bench.slicot_s = seconds_per_equation(set, count, BySlicot{});
-#else
-  bench.slicot_residual = kNaN;
-  bench.slicot_s = kNaN;
-#endif
   return bench;
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#if FARRIER_HAVE_SLICOT
-
 #include <Eigen/Core>
 
 #include <algorithm>
@@ -67,5 +65,3 @@ bool solve_dare_by_slicot(const Eigen::Matrix<double, N, N>& a, const Eigen::Mat
 }
 
 }  // namespace farrier::bench
-
-#endif

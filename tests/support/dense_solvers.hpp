@@ -4,7 +4,7 @@
 
 namespace farrier::test {
 
-// Eigen's dense solvers for matrices of any size, compiled once: each takes the compiler ten seconds for every size.
+// LAPACK's dense solvers. Eigen's take the compiler ten seconds for every size.
 
 /// Eigenvalues of a square matrix.
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd& m);

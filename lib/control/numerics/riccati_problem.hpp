@@ -100,6 +100,28 @@ bool is_finite(const Problem<N, M>& p) noexcept {
 }
 
 /// R > 0, judged with a diagonal of ones: inputs may have units of any size.
+/// Cholesky's decomposition of a symmetric matrix, whose lower triangle is read, ends with positive pivots.
+template <int N>
+bool is_positive_definite(Square<N> m) noexcept {
+  for (Eigen::Index j = 0; j < m.rows(); ++j) {
+    double pivot = m(j, j);
+    for (Eigen::Index k = 0; k < j; ++k) {
+      pivot -= m(j, k) * m(j, k);
+    }
+    if (!(pivot > 0.0)) {
+      return false;
+    }
+    m(j, j) = std::sqrt(pivot);
+    for (Eigen::Index i = j + 1; i < m.rows(); ++i) {
+      for (Eigen::Index k = 0; k < j; ++k) {
+        m(i, j) -= m(i, k) * m(j, k);
+      }
+      m(i, j) /= m(j, j);
+    }
+  }
+  return true;
+}
+
 template <int M>
 bool is_positive(const InputWeight<M>& r) noexcept {
   if constexpr (M == 1) {
@@ -111,7 +133,7 @@ bool is_positive(const InputWeight<M>& r) noexcept {
     const Eigen::Matrix<double, M, 1> scale = r.diagonal().cwiseSqrt().cwiseInverse();
     Square<M> scaled = scale.asDiagonal() * r * scale.asDiagonal();
     scaled.diagonal().array() -= kDefiniteTolerance;
-    return scaled.llt().info() == Eigen::Success;
+    return is_positive_definite<M>(scaled);
   }
 }
 
@@ -126,7 +148,7 @@ bool has_definite_weights(const Problem<N, M>& p) noexcept {
   }
   const double trace = reduced.trace();
   reduced.diagonal().array() += kDefiniteTolerance * trace;
-  return trace > 0.0 && reduced.llt().info() == Eigen::Success;
+  return trace > 0.0 && is_positive_definite<N>(reduced);
 }
 
 }  // namespace farrier::control::riccati

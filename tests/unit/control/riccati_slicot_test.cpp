@@ -7,8 +7,6 @@
 namespace farrier::control {
 namespace riccati_slicot_test {
 
-#if FARRIER_HAVE_SLICOT
-
 template <int N>
 void expect_agreement(const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b,
                       const Eigen::Matrix<double, N, N>& q, double r) {
@@ -46,12 +44,6 @@ TEST(RiccatiSlicot, AgreesOnRandomSystems) {
     expect_agreement<6>(a, b, g * g.transpose(), 1.0);
   }
 }
-
-#else
-
-TEST(RiccatiSlicot, AgreesOnTheForceModelOfTheThesis) { GTEST_SKIP() << "built without SLICOT"; }
-
-#endif
 
 }  // namespace riccati_slicot_test
 }  // namespace farrier::control
