@@ -14,6 +14,12 @@ macro(farrier_off_the_loop)
   endif()
 endmacro()
 
+# GCC collects what it no longer needs of its memory from 128 MB on and spends a tenth of its time on it; from 512 MB on, a
+# twentieth.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+  add_compile_options("SHELL:--param ggc-min-heapsize=524288")
+endif()
+
 add_library(farrier_flags INTERFACE)
 target_compile_options(farrier_flags INTERFACE
   "$<BUILD_INTERFACE:$<$<COMPILE_LANGUAGE:CXX>:-Wall;-Wextra;-Wshadow;-Wconversion;-Wno-sign-conversion>>"
@@ -44,26 +50,26 @@ function(farrier_library name)
   target_link_libraries(farrier_${name} PUBLIC farrier_flags)
 endfunction()
 
-# Tests of processes whose clock is lock-step: nothing they judge depends on the computer's clock. They run at the same
-# time as others, in network namespaces of their own.
-set(FARRIER_LOCKSTEP_TESTS trace_identity_test process_failure_test process_end_test recorded_run_test command_line_test
-  reproduce_test diagnose_test diagnose_scaled_test robots_system_test security_system_test)
+# Tests whose judgement does not depend on the computer's clock. They run at the same time as others, in network
+# namespaces of their own, so that DDS domains and ports never meet.
+set(FARRIER_PARALLEL_TESTS trace_identity_test process_failure_test process_end_test recorded_run_test command_line_test
+  reproduce_test diagnose_test diagnose_scaled_test robots_system_test security_system_test echo_test
+  monitor_command_test monitor_page_test network_test traffic_test bench_parts_test surroundings_test
+  prometheus_test)
 
-# farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary as one CTest entry, which the target tier_<LABEL>
-# builds. Tests that start processes or hold leases of a few milliseconds have the machine to themselves, but for those of
-# FARRIER_LOCKSTEP_TESTS.
-function(farrier_test name label)
-  add_executable(${name} ${ARGN})
+# farrier_test_entry(NAME LABEL EXECUTABLE ARGUMENTS...) has CTest run a test executable as <LABEL>/<NAME>; the target
+# tier_<LABEL> builds it. Tests that start processes or hold leases of a few milliseconds have the machine to themselves,
+# but for those of FARRIER_PARALLEL_TESTS.
+function(farrier_test_entry name label executable)
   if(NOT TARGET tier_${label})
     add_custom_target(tier_${label})
   endif()
-  add_dependencies(tier_${label} ${name})
-  target_link_libraries(${name} PRIVATE farrier_flags GTest::gtest GTest::gtest_main)
-  if(name IN_LIST FARRIER_LOCKSTEP_TESTS)
-    add_test(NAME ${label}/${name} COMMAND ${PROJECT_SOURCE_DIR}/tests/support/own_network $<TARGET_FILE:${name}>)
-  else()
-    add_test(NAME ${label}/${name} COMMAND ${name})
+  add_dependencies(tier_${label} ${executable})
+  set(own_network)
+  if(name IN_LIST FARRIER_PARALLEL_TESTS)
+    set(own_network ${PROJECT_SOURCE_DIR}/tests/support/own_network)
   endif()
+  add_test(NAME ${label}/${name} COMMAND ${own_network} $<TARGET_FILE:${executable}> ${ARGN})
   set_tests_properties(${label}/${name} PROPERTIES LABELS ${label})
   if(FARRIER_SANITIZE)
     set(asan_options new_delete_type_mismatch=1)
@@ -76,7 +82,38 @@ function(farrier_test name label)
     set_tests_properties(${label}/${name} PROPERTIES ENVIRONMENT
       "ASAN_OPTIONS=${asan_options};TSAN_OPTIONS=ignore_noninstrumented_modules=1;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/sanitizers/lsan.supp;UBSAN_OPTIONS=print_stacktrace=1")
   endif()
-  if(label MATCHES "^(contract|system|realtime|long)$" AND NOT name IN_LIST FARRIER_LOCKSTEP_TESTS)
+  if(label MATCHES "^(contract|system|realtime|long)$" AND NOT name IN_LIST FARRIER_PARALLEL_TESTS)
     set_tests_properties(${label}/${name} PROPERTIES RUN_SERIAL TRUE)
   endif()
+endfunction()
+
+# farrier_test_executable(NAME SOURCES...) declares a GoogleTest binary.
+function(farrier_test_executable name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE farrier_flags GTest::gtest GTest::gtest_main)
+endfunction()
+
+# farrier_test(NAME LABEL SOURCES...) declares a GoogleTest binary that is one entry of CTest.
+function(farrier_test name label)
+  farrier_test_executable(${name} ${ARGN})
+  farrier_test_entry(${name} ${label} ${name})
+endfunction()
+
+# farrier_suites(EXECUTABLE LABEL SOURCE [NAME name] [ENVIRONMENT NAME=value...]) makes the suites of one source of a test
+# executable one entry of CTest, named as the source unless NAME is given. The suites are read from the source.
+function(farrier_suites executable label source)
+  cmake_parse_arguments(PARSE_ARGV 3 arg "" "NAME" "ENVIRONMENT")
+  cmake_path(GET source STEM name)
+  if(arg_NAME)
+    set(name ${arg_NAME})
+  endif()
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${source})
+  file(STRINGS ${source} suites REGEX "^TEST(_F|_P)?\\(")
+  list(TRANSFORM suites REPLACE "^TEST(_F|_P)?\\(([A-Za-z0-9_]+),.*" "\\2")
+  list(REMOVE_DUPLICATES suites)
+  list(TRANSFORM suites REPLACE "(.+)" "\\1.*:*/\\1.*")
+  list(JOIN suites ":" filter)
+  farrier_test_entry(${name} ${label} ${executable} --gtest_filter=${filter})
+  list(TRANSFORM arg_ENVIRONMENT REPLACE "=" "=set:")
+  set_tests_properties(${label}/${name} PROPERTIES ENVIRONMENT_MODIFICATION "${arg_ENVIRONMENT}")
 endfunction()

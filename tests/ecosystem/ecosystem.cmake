@@ -20,14 +20,4 @@ if(FARRIER_NPM)
   add_dependencies(ecosystem_test ecosystem_readers)
 endif()
 
-# Debian's Prometheus, which the test looks for itself.
-farrier_test(prometheus_test ecosystem ${ecosystem_dir}/prometheus_test.cpp
-  ${ecosystem_dir}/../system/farrier_command.cpp)
-target_include_directories(prometheus_test PRIVATE ${ecosystem_dir}/../system)
-target_link_libraries(prometheus_test PRIVATE farrier_tool_process nlohmann_json::nlohmann_json test_http Threads::Threads)
-target_compile_definitions(prometheus_test PRIVATE FARRIER_COMMAND="$<TARGET_FILE:farrier>"
-  FARRIER_MONITORING="${PROJECT_SOURCE_DIR}/deploy/monitoring")
-add_dependencies(prometheus_test product)
-set_tests_properties(ecosystem/prometheus_test PROPERTIES RUN_SERIAL TRUE)
-
 include(${CMAKE_CURRENT_LIST_DIR}/browser/browser.cmake)

@@ -11,7 +11,7 @@
 #include "tools/tool_process/tool_process.hpp"
 
 namespace farrier::test {
-namespace {
+namespace prometheus_test {
 
 using namespace std::chrono_literals;
 using nlohmann::json;
@@ -99,5 +99,5 @@ TEST_P(Prometheus, ScrapesTwelveJointsOfARobotThatRuns) {
 INSTANTIATE_TEST_SUITE_P(Over, Prometheus, testing::Values("cyclone", "fast"),
                          [](const auto& dds) { return std::string(dds.param); });
 
-}  // namespace
+}  // namespace prometheus_test
 }  // namespace farrier::test

@@ -7,7 +7,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace bench_parts_test {
 
 TEST(Bench, KeepsWhatOtherPartsMeasureWhenAProcessIsKilled) {
   const ScratchDirectory scratch;
@@ -41,5 +41,5 @@ TEST(Bench, KeepsWhatOtherPartsMeasureWhenAProcessIsKilled) {
   EXPECT_EQ(figure(read_json(scratch.file("out/figures.json")), "bench.riccati.doubling_us"), measured);
 }
 
-}  // namespace
+}  // namespace bench_parts_test
 }  // namespace farrier::test

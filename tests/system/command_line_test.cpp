@@ -10,7 +10,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace command_line_test {
 
 constexpr int kJointsPerLeg = 3;
 constexpr int kTicks = 4000;
@@ -221,5 +221,5 @@ TEST(Version, SaysVersionAndRevisionOfThisBuild) {
   EXPECT_NE(output.find("(git "), std::string::npos) << output;
 }
 
-}  // namespace
+}  // namespace command_line_test
 }  // namespace farrier::test

@@ -11,7 +11,7 @@
 #include "undisturbed.hpp"
 
 namespace farrier::test {
-namespace {
+namespace cut_cable_test {
 
 // All in ticks, of 1 ms in slow motion.
 constexpr Tick kUndisturbed = 2500;
@@ -127,8 +127,8 @@ TEST_P(CutCable, StopsTheLegsBehindItUntilTheyAreArmedAndNoOthers) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, CutCable, testing::Values(FARRIER_VENDORS),
+INSTANTIATE_TEST_SUITE_P(Over, CutCable, testing::ValuesIn(tested_vendors("mixed")),
                          [](const auto& dds) { return std::string(dds.param); });
 
-}  // namespace
+}  // namespace cut_cable_test
 }  // namespace farrier::test

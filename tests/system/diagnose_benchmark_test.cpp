@@ -6,7 +6,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace diagnose_benchmark_test {
 
 TEST(DiagnoseBenchmark, EveryBoundHoldsOverAllTrials) {
   const ScratchDirectory scratch;
@@ -22,5 +22,5 @@ TEST(DiagnoseBenchmark, EveryBoundHoldsOverAllTrials) {
   EXPECT_GE(trials, 300.0);
 }
 
-}  // namespace
+}  // namespace diagnose_benchmark_test
 }  // namespace farrier::test

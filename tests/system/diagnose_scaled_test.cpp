@@ -13,7 +13,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace diagnose_scaled_test {
 
 namespace fs = std::filesystem;
 
@@ -151,5 +151,5 @@ TEST(DiagnoseScaled, NeverWritesOverWhatItReads) {
   EXPECT_EQ(read_file(scratch.file("figures.json")), before);
 }
 
-}  // namespace
+}  // namespace diagnose_scaled_test
 }  // namespace farrier::test

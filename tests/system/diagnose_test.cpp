@@ -11,7 +11,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace diagnose_test {
 
 namespace fs = std::filesystem;
 
@@ -165,5 +165,5 @@ TEST(Diagnose, LeavesNoFilesWhenItIsInterrupted) {
   EXPECT_TRUE(fs::is_empty(scratch.file("out")));
 }
 
-}  // namespace
+}  // namespace diagnose_test
 }  // namespace farrier::test

@@ -23,7 +23,7 @@
 #include "cli/processes/host_clock.hpp"
 
 namespace farrier::test {
-namespace {
+namespace doctor_test {
 
 using namespace std::chrono_literals;
 using bus::TopicId;
@@ -258,5 +258,5 @@ TEST_F(DoctorOnAHost, NotesAnInterfaceWithoutMulticastAndFindsACableThatIsCut) {
   expect_in(asked(), "eth0 is down or has no carrier");
 }
 
-}  // namespace
+}  // namespace doctor_test
 }  // namespace farrier::test

@@ -9,7 +9,7 @@
 #include "beside_a_trot.hpp"
 
 namespace farrier::test {
-namespace {
+namespace echo_test {
 
 using namespace std::chrono_literals;
 
@@ -55,7 +55,7 @@ TEST_P(Echo, HearsEveryRouteOfATopic) {
 
 TEST_P(Echo, TopicsListsWritersReadersAndRates) {
   std::string output;
-  ASSERT_EQ(run_farrier({"topics", "--json", "--look", "6", "--domain", std::to_string(trot_->domain()), "--dds",
+  ASSERT_EQ(run_farrier({"topics", "--json", "--look", "3", "--domain", std::to_string(trot_->domain()), "--dds",
                          GetParam()},
                         &output),
             0)
@@ -91,5 +91,5 @@ TEST(EchoCommand, SaysWhereToAskWhenNothingComes) {
   EXPECT_EQ(echo.wait(10s), 130);
 }
 
-}  // namespace
+}  // namespace echo_test
 }  // namespace farrier::test

@@ -11,7 +11,7 @@
 #include "signals/signals.hpp"
 
 namespace farrier::test {
-namespace {
+namespace estimator_death_test {
 
 constexpr long kTicks = 4000;
 // A busy computer loses samples, and a joint damps for some ticks after each: that is no joint that has lost its torque,
@@ -122,5 +122,5 @@ TEST_P(EstimatorDeath, StopsUpdatesAndNothingElse) {
 INSTANTIATE_TEST_SUITE_P(Of, EstimatorDeath, testing::Values("phases", "adaptive"),
                          [](const auto& design) { return std::string(design.param); });
 
-}  // namespace
+}  // namespace estimator_death_test
 }  // namespace farrier::test

@@ -44,7 +44,25 @@ void for_each_process(Use&& use) {
   }
 }
 
+const char* setting(const char* name, const char* otherwise) {
+  const char* value = std::getenv(name);
+  return value != nullptr ? value : otherwise;
+}
+
 }  // namespace
+
+std::vector<const char*> tested_vendors(const char* otherwise) {
+  const std::string chosen = setting("FARRIER_TEST_VENDORS", otherwise);
+  std::vector<const char*> vendors;
+  for (const char* vendor : {"cyclone", "fast", "mixed"}) {
+    if (chosen.find(vendor) != std::string::npos) {
+      vendors.push_back(vendor);
+    }
+  }
+  return vendors;
+}
+
+const char* tested_duration(const char* otherwise) { return setting("FARRIER_TEST_DURATION_S", otherwise); }
 
 FarrierCommand::FarrierCommand(const std::vector<std::string>& arguments, const Surroundings& surroundings) {
   const std::string log = scratch_.file("output");

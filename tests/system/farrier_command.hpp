@@ -15,6 +15,12 @@
 
 namespace farrier::test {
 
+/// Vendors that this run of the tests takes: those of FARRIER_TEST_VENDORS, "cyclone,fast", where it is set, else
+/// `otherwise`.
+std::vector<const char*> tested_vendors(const char* otherwise);
+/// Duration of a run in seconds: FARRIER_TEST_DURATION_S where it is set, else `otherwise`.
+const char* tested_duration(const char* otherwise);
+
 /// What a command starts with besides its arguments.
 struct Surroundings {
   std::string executable = FARRIER_COMMAND;

@@ -8,7 +8,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace faults_command_test {
 
 TEST(Faults, CutAJointsCommandsAndSeeItDampAndCatchItself) {
   const ScratchDirectory scratch;
@@ -77,5 +77,5 @@ TEST(Request, StopsARobotAndArmsItAgain) {
   EXPECT_EQ(trot.wait(std::chrono::seconds(20)), 130);
 }
 
-}  // namespace
+}  // namespace faults_command_test
 }  // namespace farrier::test

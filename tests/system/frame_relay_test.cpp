@@ -13,7 +13,7 @@
 #include "tests/support/needs_network_namespaces.hpp"
 
 namespace farrier::test {
-namespace {
+namespace frame_relay_test {
 
 using namespace std::chrono_literals;
 
@@ -93,5 +93,5 @@ TEST_F(BadCable, DoublesAndReorders) {
   EXPECT_EQ(std::ssize(received) - std::ssize(rest), kDatagrams);
 }
 
-}  // namespace
+}  // namespace frame_relay_test
 }  // namespace farrier::test

@@ -8,7 +8,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace long_pause_test {
 
 using namespace std::chrono_literals;
 
@@ -48,5 +48,5 @@ INSTANTIATE_TEST_SUITE_P(Of, LongPause,
                                          Pause{"mixed", "sim_bridge"}),
                          [](const auto& pause) { return std::string(pause.param.dds) + "_" + pause.param.process; });
 
-}  // namespace
+}  // namespace long_pause_test
 }  // namespace farrier::test

@@ -13,7 +13,7 @@
 #include "undisturbed.hpp"
 
 namespace farrier::test {
-namespace {
+namespace lossy_cable_test {
 
 using namespace std::chrono_literals;
 
@@ -69,8 +69,8 @@ TEST_P(LossyCable, TripsNoJoint) {
   });
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, LossyCable, testing::Values(FARRIER_VENDORS),
+INSTANTIATE_TEST_SUITE_P(Over, LossyCable, testing::ValuesIn(tested_vendors("mixed")),
                          [](const auto& dds) { return std::string(dds.param); });
 
-}  // namespace
+}  // namespace lossy_cable_test
 }  // namespace farrier::test

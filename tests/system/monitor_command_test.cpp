@@ -10,7 +10,7 @@
 #include "tests/support/http_get.hpp"
 
 namespace farrier::test {
-namespace {
+namespace monitor_command_test {
 
 using namespace std::chrono_literals;
 
@@ -141,5 +141,5 @@ TEST(MonitorCommand, SaysWhereToAskWhenNothingComes) {
   EXPECT_NE(output.find("nothing comes in domain 99; why: farrier doctor --domain 99"), std::string::npos) << output;
 }
 
-}  // namespace
+}  // namespace monitor_command_test
 }  // namespace farrier::test

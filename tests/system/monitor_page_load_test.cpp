@@ -8,7 +8,7 @@
 #include "cli/processes/process_stat.hpp"
 
 namespace farrier::test {
-namespace {
+namespace monitor_page_load_test {
 
 using namespace std::chrono_literals;
 
@@ -39,5 +39,5 @@ TEST(MonitorPageLoad, IsAtMostAFewHundredthsOfACore) {
   trot.wait(20s);
 }
 
-}  // namespace
+}  // namespace monitor_page_load_test
 }  // namespace farrier::test

@@ -9,7 +9,7 @@
 #include "tests/support/http_get.hpp"
 
 namespace farrier::test {
-namespace {
+namespace monitor_page_test {
 
 using namespace std::chrono_literals;
 using nlohmann::json;
@@ -77,5 +77,5 @@ TEST(MonitorPageCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(run_farrier({"monitor", "--open", FARRIER_ROBOTS "/hyq.yaml"}, &output), 2);
 }
 
-}  // namespace
+}  // namespace monitor_page_test
 }  // namespace farrier::test

@@ -13,7 +13,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace network_test {
 
 constexpr int kNotPermitted = 77;
 constexpr const char* kShort = "0.5";
@@ -56,5 +56,5 @@ TEST_P(LoopbackWithoutMulticast, CarriesATrotOfSixteenProcesses) {
 INSTANTIATE_TEST_SUITE_P(Over, LoopbackWithoutMulticast, testing::Values("cyclone", "fast", "mixed"),
                          [](const auto& dds) { return std::string(dds.param); });
 
-}  // namespace
+}  // namespace network_test
 }  // namespace farrier::test

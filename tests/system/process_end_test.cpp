@@ -9,7 +9,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace process_end_test {
 
 using namespace std::chrono_literals;
 
@@ -34,7 +34,7 @@ TEST(Termination, EndsTheRunWithStatus143AndLeavesNobodyBehind) {
   EXPECT_TRUE(all_gone(trot.pid()));
 }
 
-TEST(Interrupt, EndsARunThatHasHardlyBegun) {
+TEST(EarlyInterrupt, EndsARunThatHasHardlyBegun) {
   const ScratchDirectory scratch;
   FarrierCommand trot(long_trot(scratch, "fast"));
   ASSERT_NE(trot.process("sim_bridge"), 0);
@@ -43,7 +43,7 @@ TEST(Interrupt, EndsARunThatHasHardlyBegun) {
   EXPECT_TRUE(all_gone(trot.pid()));
 }
 
-TEST(Interrupt, EndsARunInOneProcess) {
+TEST(EarlyInterrupt, EndsARunInOneProcess) {
   const ScratchDirectory scratch;
   FarrierCommand trot(long_trot(scratch, "inproc"));
   ASSERT_TRUE(trot.says("trot: tick"));
@@ -51,7 +51,7 @@ TEST(Interrupt, EndsARunInOneProcess) {
   EXPECT_EQ(trot.wait(20s), 130);
 }
 
-TEST(Interrupt, EndsARunWithAStoppedProcess) {
+TEST(EarlyInterrupt, EndsARunWithAStoppedProcess) {
   const ScratchDirectory scratch;
   FarrierCommand trot(long_trot(scratch));
   const pid_t stopped = trot.process("supervisor");
@@ -75,7 +75,7 @@ TEST(StoppedProcess, IsNamedWithItsPidAndTheTickTheRunStandsAt) {
       << trot.output();
 }
 
-TEST(KilledProcess, IsQuotedWithItsLastWords) {
+TEST(KilledProcessInALog, IsQuotedWithItsLastWords) {
   const ScratchDirectory scratch;
   FarrierCommand trot(long_trot(scratch, "cyclone", "20"));
   const pid_t stopped = trot.process("sim_bridge");
@@ -104,5 +104,5 @@ TEST(Launcher, OutlivesTheShellThatStartedIt) {
   EXPECT_TRUE(shell.says("figures: ")) << shell.output();
 }
 
-}  // namespace
+}  // namespace process_end_test
 }  // namespace farrier::test

@@ -12,7 +12,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace process_failure_test {
 
 using namespace std::chrono_literals;
 
@@ -251,5 +251,5 @@ TEST(Start, OfAProcessThatEndsEndsTheRunWithItsLog) {
   EXPECT_TRUE(all_gone(trot.pid()));
 }
 
-}  // namespace
+}  // namespace process_failure_test
 }  // namespace farrier::test

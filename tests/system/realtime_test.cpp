@@ -10,7 +10,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace realtime_test {
 
 constexpr const char* kDuration = "3";
 constexpr double kTicks = 3000;
@@ -79,8 +79,8 @@ TEST_P(RealTimeTrot, EndsWithTheFiguresOfEveryProcess) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, RealTimeTrot, testing::Values(FARRIER_VENDORS),
+INSTANTIATE_TEST_SUITE_P(Over, RealTimeTrot, testing::ValuesIn(tested_vendors("mixed")),
                          [](const auto& dds) { return std::string(dds.param); });
 
-}  // namespace
+}  // namespace realtime_test
 }  // namespace farrier::test

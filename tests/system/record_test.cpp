@@ -10,7 +10,7 @@
 #include "bus/topics.hpp"
 
 namespace farrier::test {
-namespace {
+namespace record_test {
 
 using namespace std::chrono_literals;
 using nlohmann::json;
@@ -125,7 +125,7 @@ TEST_P(Record, IsNotReplayedWhereARobotRuns) {
   EXPECT_NE(output.find("would speak in its name"), std::string::npos) << output;
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, Record, testing::Values(FARRIER_VENDORS),
+INSTANTIATE_TEST_SUITE_P(Over, Record, testing::ValuesIn(tested_vendors("cyclone")),
                          [](const auto& dds) { return std::string(dds.param); });
 
 TEST(RecordCommand, SaysWhereToAskWhenNothingCame) {
@@ -146,5 +146,5 @@ TEST(RecordCommand, RefusesWhatItCannotWriteAndWhatItDoesNotKnow) {
   EXPECT_NE(output.find("not an MCAP file"), std::string::npos) << output;
 }
 
-}  // namespace
+}  // namespace record_test
 }  // namespace farrier::test

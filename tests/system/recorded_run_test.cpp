@@ -10,7 +10,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace recorded_run_test {
 
 using nlohmann::json;
 
@@ -79,5 +79,5 @@ TEST_P(RecordedRun, IsTakenBesideARunInRealTime) {
 INSTANTIATE_TEST_SUITE_P(Over, RecordedRun, testing::Values("cyclone", "fast"),
                          [](const auto& vendor) { return std::string(vendor.param); });
 
-}  // namespace
+}  // namespace recorded_run_test
 }  // namespace farrier::test

@@ -8,7 +8,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace reproduce_test {
 
 TEST(ReproduceAll, PrintsEveryClaimWithItsVerdictAndNoneFails) {
   const ScratchDirectory scratch;
@@ -39,5 +39,5 @@ TEST(ReproduceAll, PrintsEveryClaimWithItsVerdictAndNoneFails) {
   EXPECT_TRUE(std::filesystem::exists(scratch.file("out/index.html")));
 }
 
-}  // namespace
+}  // namespace reproduce_test
 }  // namespace farrier::test

@@ -5,7 +5,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace robots_system_test {
 
 std::string shipped(const std::string& name) { return std::string(FARRIER_ROBOTS) + "/" + name + ".yaml"; }
 
@@ -57,5 +57,5 @@ TEST(ElectricLegDiagnosed, IsRefused) {
   EXPECT_NE(output.find("kfe of electric_leg is electric"), std::string::npos) << output;
 }
 
-}  // namespace
+}  // namespace robots_system_test
 }  // namespace farrier::test

@@ -5,7 +5,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace security_system_test {
 
 constexpr const char* kDuration = "0.4";
 constexpr int kBadInput = 2;
@@ -69,5 +69,5 @@ TEST(SecurityCommand, DoesNotWriteOverKeys) {
   EXPECT_EQ(read_file(keys() + "/governance.p7s"), before);
 }
 
-}  // namespace
+}  // namespace security_system_test
 }  // namespace farrier::test

@@ -18,7 +18,7 @@
 #include "tools/deploy/rendered_folder.hpp"
 
 namespace farrier::test {
-namespace {
+namespace service_test {
 
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
@@ -246,5 +246,5 @@ TEST(Watchdog, IsFedWhileAProcessWaitsForAnother) {
   rig.process("joint_node").signal(SIGCONT);
 }
 
-}  // namespace
+}  // namespace service_test
 }  // namespace farrier::test

@@ -5,7 +5,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace soak_test {
 
 constexpr std::size_t kStarted = 8;  // all but the launcher
 constexpr auto kPatience = std::chrono::minutes(50);
@@ -15,7 +15,7 @@ class Soak : public testing::TestWithParam<const char*> {};
 TEST_P(Soak, LetsNoProcessGrow) {
   const ScratchDirectory scratch;
   FarrierCommand trot({"trot", "--clock", "realtime", "--soak", "--dds", GetParam(), "--nodes", "per-leg", "--duration",
-                       FARRIER_TRACE_DURATION, "--out", scratch.file("out")});
+                       tested_duration("5"), "--out", scratch.file("out")});
   ASSERT_NE(trot.wait(kPatience), -1);
   const nlohmann::json run = read_json(scratch.file("out/figures.json"));
   ASSERT_FALSE(run.is_discarded()) << trot.output();
@@ -40,8 +40,8 @@ TEST(SoakOption, IsForProcessesOfTheirOwn) {
   EXPECT_NE(output.find("--soak watches the processes of one run over DDS"), std::string::npos) << output;
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, Soak, testing::Values("cyclone", "fast"),
+INSTANTIATE_TEST_SUITE_P(Over, Soak, testing::ValuesIn(tested_vendors("mixed")),
                          [](const auto& dds) { return std::string(dds.param); });
 
-}  // namespace
+}  // namespace soak_test
 }  // namespace farrier::test

@@ -12,7 +12,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace surroundings_test {
 
 namespace fs = std::filesystem;
 using namespace std::chrono_literals;
@@ -153,5 +153,5 @@ TEST(JointNode, RefusesEveryJointTheRobotDoesNotHave) {
   EXPECT_EQ(output.find("'lf_haa'"), std::string::npos) << output;
 }
 
-}  // namespace
+}  // namespace surroundings_test
 }  // namespace farrier::test

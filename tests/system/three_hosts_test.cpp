@@ -11,11 +11,11 @@
 #include "tests/support/needs_network_namespaces.hpp"
 
 namespace farrier::test {
-namespace {
+namespace three_hosts_test {
 
 using namespace std::chrono_literals;
 
-constexpr const char* kDuration = FARRIER_TRACE_DURATION;
+const char* const kDuration = tested_duration("0.3");
 const Tick kTicks = std::lround(std::atof(kDuration) * 1e3);
 
 /// Of a run in one process, with the gains of the deployment.
@@ -56,8 +56,8 @@ TEST_P(ThreeHosts, RunTheTrotInLockstepToTheSameTraceOverBadCables) {
   EXPECT_GT(front.lost() + hind.lost(), packets / 25);
 }
 
-INSTANTIATE_TEST_SUITE_P(Over, ThreeHosts, testing::Values(FARRIER_VENDORS),
+INSTANTIATE_TEST_SUITE_P(Over, ThreeHosts, testing::ValuesIn(tested_vendors("mixed")),
                          [](const auto& dds) { return std::string(dds.param); });
 
-}  // namespace
+}  // namespace three_hosts_test
 }  // namespace farrier::test

@@ -11,11 +11,11 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace trace_identity_test {
 
 using namespace std::chrono_literals;
 
-constexpr const char* kDuration = FARRIER_TRACE_DURATION;
+const char* const kDuration = tested_duration("1.5");
 
 std::string trace_of(const std::string& dds, const std::string& nodes) {
   return trace_of_trot({"--dds", dds, "--nodes", nodes, "--duration", kDuration});
@@ -87,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Of, TraceUnderADebuggersPause,
                                          Pause{"fast", "joint_node_lf"}, Pause{"mixed", "estimator_service"}),
                          [](const auto& pause) { return std::string(pause.param.dds) + "_" + pause.param.process; });
 
-TEST(LoopbackWithoutMulticast, CarriesTheRunOfOneProcessPerJointOverBothVendors) {
+TEST(TraceOnALoopbackWithoutMulticast, CarriesTheRunOfOneProcessPerJointOverBothVendors) {
   if (std::system("unshare -n true 2>/dev/null") != 0) {
     GTEST_SKIP() << "this user may not make a network namespace";
   }
@@ -109,5 +109,5 @@ TEST(TwoRunsAtOnce, DoNotHearEachOther) {
   EXPECT_TRUE(second == reference_trace());
 }
 
-}  // namespace
+}  // namespace trace_identity_test
 }  // namespace farrier::test

@@ -8,7 +8,7 @@
 #include "farrier_command.hpp"
 
 namespace farrier::test {
-namespace {
+namespace traffic_test {
 
 constexpr const char* kDuration = "0.5";
 constexpr long kTicks = 500;
@@ -96,5 +96,5 @@ TEST_P(LockstepTraffic, ReachesEveryoneItIsForAndNobodyElse) {
 INSTANTIATE_TEST_SUITE_P(Over, LockstepTraffic, testing::Values("inproc", "cyclone", "fast", "mixed"),
                          [](const auto& dds) { return std::string(dds.param); });
 
-}  // namespace
+}  // namespace traffic_test
 }  // namespace farrier::test
