@@ -68,12 +68,9 @@ Result<std::vector<Case>> make_cases(const robot::Robot& robot, int delay_ticks)
   std::vector<Case> cases;
   for (const robot::Joint& joint : robot.joints) {
     for (const plant::LoadParams& designed_for : {joint.swing_load, joint.stance_load}) {
-      const auto first = supervisor::design_joint(joint, designed_for, robot.period_s, delay_ticks);
-      if (!first) {
-        return first.error();
-      }
+      const auto first = FARRIER_TRY(supervisor::design_joint(joint, designed_for, robot.period_s, delay_ticks));
       const supervisor::SlotUpdate slot(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks,
-                                        first.value());
+                                        first);
       for (const double mass : kMassFactors) {
         for (const double damping : kDampingFactors) {
           for (const double gain : kGainFactors) {
@@ -101,15 +98,12 @@ Result<RedesignBench> bench_redesign(const robot::Robot& robot, int rounds, std:
   RedesignBench bench{0.0, 0.0, 0, 0};
   volatile double sink = 0.0;
   for (const int delay_ticks : {robot.loop_delay_lockstep, robot.loop_delay_realtime}) {
-    const auto cases = make_cases(robot, delay_ticks);
-    if (!cases) {
-      return cases.error();
-    }
-    const auto count = static_cast<double>(cases.value().size());
+    const auto cases = FARRIER_TRY(make_cases(robot, delay_ticks));
+    const auto count = static_cast<double>(cases.size());
     double redesign_s = kInfinity;
     double lqr_s = kInfinity;
     for (int round = 0; round < std::max(rounds, 1); ++round) {
-      std::vector<Case> ready = cases.value();
+      std::vector<Case> ready = cases;
       std::size_t accepted = 0;
       const std::int64_t before = allocations_so_far != nullptr ? allocations_so_far() : 0;
       const auto start = Clock::now();
@@ -134,7 +128,7 @@ Result<RedesignBench> bench_redesign(const robot::Robot& robot, int rounds, std:
     }
     bench.redesign_s = std::max(bench.redesign_s, redesign_s);
     bench.lqr_s = std::max(bench.lqr_s, lqr_s);
-    bench.redesigns = std::max(bench.redesigns, static_cast<int>(cases.value().size()));
+    bench.redesigns = std::max(bench.redesigns, static_cast<int>(cases.size()));
   }
   static_cast<void>(sink);
   if (allocations_so_far == nullptr) {

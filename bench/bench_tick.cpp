@@ -49,16 +49,13 @@ robot::Robot without_redesign(robot::Robot robot) {
 }
 
 Result<Cores> make_cores(const robot::Robot& robot) {
-  auto service = estimator_service::EstimatorService::create(robot, robot.loop_delay_lockstep);
-  if (!service) {
-    return service.error();
-  }
+  auto service = FARRIER_TRY(estimator_service::EstimatorService::create(robot, robot.loop_delay_lockstep));
   auto supervisor =
       supervisor::Supervisor::create(robot, supervisor::Design::kAdaptive, robot.loop_delay_lockstep, kTickSession);
   if (!supervisor) {
     return supervisor.error();
   }
-  Cores cores{{}, std::move(service).value(), std::move(supervisor).value()};
+  Cores cores{{}, std::move(service), std::move(supervisor).value()};
   for (const robot::Joint& joint : robot.joints) {
     cores.nodes.emplace_back(joint, robot.safety, robot.period_s, robot.loop_delay_lockstep, kTickSession);
   }
@@ -131,14 +128,8 @@ TickInputs record_tick(const robot::Robot& robot, const gait::Schedule& schedule
 }
 
 Result<Recording> record(const robot::Robot& robot) {
-  auto world = sim_bridge::SimWorld::create(robot, kTickSeed);
-  if (!world) {
-    return world.error();
-  }
-  auto cores = make_cores(robot);
-  if (!cores) {
-    return cores.error();
-  }
+  auto world = FARRIER_TRY(sim_bridge::SimWorld::create(robot, kTickSeed));
+  auto cores = FARRIER_TRY(make_cores(robot));
   std::vector<int> legs;
   for (const robot::Joint& joint : robot.joints) {
     legs.push_back(joint.leg);
@@ -146,12 +137,12 @@ Result<Recording> record(const robot::Robot& robot) {
   const gait::Schedule schedule(robot.plan, kTickSeed);
   const gait::Reference reference(robot.plan);
   const Tick begin = schedule.lead_in_ticks() + 2 * schedule.stride_ticks();
-  while (world.value().tick() < begin) {
-    record_tick(robot, schedule, reference, legs, world.value(), cores.value());
+  while (world.tick() < begin) {
+    record_tick(robot, schedule, reference, legs, world, cores);
   }
-  Recording recording{legs, cores.value(), {}};
-  while (world.value().tick() < begin + schedule.stride_ticks()) {
-    recording.ticks.push_back(record_tick(robot, schedule, reference, legs, world.value(), cores.value()));
+  Recording recording{legs, cores, {}};
+  while (world.tick() < begin + schedule.stride_ticks()) {
+    recording.ticks.push_back(record_tick(robot, schedule, reference, legs, world, cores));
   }
   return recording;
 }
@@ -175,11 +166,8 @@ void time_round(const Recording& recording, double& best_s, std::int64_t (*alloc
 }  // namespace
 
 Result<TickBench> bench_tick(const robot::Robot& robot, int rounds, std::int64_t (*allocations_so_far)()) {
-  const auto recorded = record(without_redesign(robot));
-  if (!recorded) {
-    return recorded.error();
-  }
-  const Recording& recording = recorded.value();
+  const auto recorded = FARRIER_TRY(record(without_redesign(robot)));
+  const Recording& recording = recorded;
   TickBench bench{kNever, kNever, kNever, kNever, 0};
   std::size_t decisions = 0;
   volatile double sink = 0.0;

@@ -8,11 +8,8 @@ namespace farrier::estimator_service {
 Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int loop_delay_ticks) {
   std::vector<std::unique_ptr<estimation::Estimator>> estimators;
   for (const robot::Joint& joint : robot.joints) {
-    auto estimator = robot::make_estimator(joint, robot.period_s, loop_delay_ticks);
-    if (!estimator) {
-      return estimator.error();
-    }
-    estimators.push_back(std::move(estimator).value());
+    auto estimator = FARRIER_TRY(robot::make_estimator(joint, robot.period_s, loop_delay_ticks));
+    estimators.push_back(std::move(estimator));
   }
   return EstimatorService(std::move(estimators));
 }

@@ -132,25 +132,13 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
                                                                      participant::Participant& participant,
                                                                      Tick ticks) {
   const bool lockstep = participant.identity().clock == bus::ClockKind::kLockstep;
-  auto service = EstimatorService::create(robot, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime);
-  if (!service) {
-    return service.error();
-  }
+  auto service = FARRIER_TRY(EstimatorService::create(robot, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime));
   const std::vector<std::uint16_t> joints = robot::joint_numbers(robot);
-  auto measurements = participant.subscribe<signals::JointMeasurement>(joints);
-  if (!measurements) {
-    return measurements.error();
-  }
-  auto estimates = participant.publish<signals::JointModelEstimate>(joints);
-  if (!estimates) {
-    return estimates.error();
-  }
-  auto copies = participant.publish<signals::JointModelEstimateCopy>(joints);
-  if (!copies) {
-    return copies.error();
-  }
+  auto measurements = FARRIER_TRY(participant.subscribe<signals::JointMeasurement>(joints));
+  auto estimates = FARRIER_TRY(participant.publish<signals::JointModelEstimate>(joints));
+  auto copies = FARRIER_TRY(participant.publish<signals::JointModelEstimateCopy>(joints));
   return std::unique_ptr<participant::Application>(std::make_unique<EstimatorApplication>(
-      robot, std::move(service).value(), joints, measurements.value(), estimates.value(), copies.value(), participant, ticks));
+      robot, std::move(service), joints, measurements, estimates, copies, participant, ticks));
 }
 
 }  // namespace farrier::estimator_service

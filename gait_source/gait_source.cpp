@@ -132,20 +132,11 @@ Result<std::unique_ptr<GaitSource>> GaitSource::create(const robot::Robot& robot
                                                        participant::Participant& participant, Tick ticks,
                                                        Announce announce) {
   const std::vector<std::uint16_t> numbers = robot::joint_numbers(robot);
-  auto clock = participant.subscribe<signals::ClockTick>({0});
-  if (!clock) {
-    return clock.error();
-  }
-  auto commands = participant.publish<signals::JointCommand>(numbers, robot::legs_of_joints(robot));
-  if (!commands) {
-    return commands.error();
-  }
-  auto phases = participant.publish<signals::GaitPhase>(robot::leg_numbers(robot));
-  if (!phases) {
-    return phases.error();
-  }
+  auto clock = FARRIER_TRY(participant.subscribe<signals::ClockTick>({0}));
+  auto commands = FARRIER_TRY(participant.publish<signals::JointCommand>(numbers, robot::legs_of_joints(robot)));
+  auto phases = FARRIER_TRY(participant.publish<signals::GaitPhase>(robot::leg_numbers(robot)));
   return std::unique_ptr<GaitSource>(std::make_unique<PlannedGait>(
-      robot, seed, Ports{clock.value(), commands.value(), phases.value()}, participant, ticks, announce));
+      robot, seed, Ports{clock, commands, phases}, participant, ticks, announce));
 }
 
 }  // namespace farrier::gait_source

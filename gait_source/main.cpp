@@ -9,10 +9,7 @@ int main(int argc, char** argv) {
   const auto options = participant::parse_options("gait_source", "Plays the robot file's gait", argc, argv);
   using Made = Result<std::unique_ptr<participant::Application>>;
   return process::run(options, [&](auto& member, const auto& robot) -> Made {
-    auto gait = gait_source::GaitSource::create(robot, options.seed, member, options.ticks);
-    if (!gait) {
-      return gait.error();
-    }
-    return std::unique_ptr<participant::Application>(std::move(gait).value());
+    auto gait = FARRIER_TRY(gait_source::GaitSource::create(robot, options.seed, member, options.ticks));
+    return std::unique_ptr<participant::Application>(std::move(gait));
   });
 }

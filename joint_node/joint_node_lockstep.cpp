@@ -159,16 +159,10 @@ Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::R
                                                                   const std::vector<std::string>& joints,
                                                                   participant::Participant& participant,
                                                                   Tick ticks) {
-  auto hosted = host_joints(robot, joints, robot.loop_delay_lockstep, participant.identity().session);
-  if (!hosted) {
-    return hosted.error();
-  }
-  auto ports = Ports::open(participant, hosted.value(), robot);
-  if (!ports) {
-    return ports.error();
-  }
+  auto hosted = FARRIER_TRY(host_joints(robot, joints, robot.loop_delay_lockstep, participant.identity().session));
+  auto ports = FARRIER_TRY(Ports::open(participant, hosted, robot));
   return std::unique_ptr<participant::Application>(std::make_unique<JointNodeLockstep>(
-      std::move(hosted).value(), ports.value(), participant, robot.plan.legs.size(), ticks));
+      std::move(hosted), ports, participant, robot.plan.legs.size(), ticks));
 }
 
 }  // namespace farrier::joint_node

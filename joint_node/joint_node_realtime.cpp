@@ -240,17 +240,11 @@ void JointNodeRealtime::send_at_leisure() {
 Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const robot::Robot& robot,
                                                                           const std::vector<std::string>& joints,
                                                                           participant::Participant& participant) {
-  auto hosted = host_joints(robot, joints, robot.loop_delay_realtime, participant.identity().session);
-  if (!hosted) {
-    return hosted.error();
-  }
-  auto ports = Ports::open(participant, hosted.value(), robot);
-  if (!ports) {
-    return ports.error();
-  }
+  auto hosted = FARRIER_TRY(host_joints(robot, joints, robot.loop_delay_realtime, participant.identity().session));
+  auto ports = FARRIER_TRY(Ports::open(participant, hosted, robot));
   const auto period = std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s));
   return std::unique_ptr<participant::RealtimeApplication>(
-      std::make_unique<JointNodeRealtime>(std::move(hosted).value(), ports.value(), participant, period));
+      std::make_unique<JointNodeRealtime>(std::move(hosted), ports, participant, period));
 }
 
 }  // namespace farrier::joint_node

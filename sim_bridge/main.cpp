@@ -29,17 +29,11 @@ int main(int argc, char** argv) {
   return process::run(
       o,
       [&](auto& member, const auto& robot) -> Result<std::unique_ptr<participant::Application>> {
-        auto world = world_of(robot, o);
-        if (!world) {
-          return world.error();
-        }
-        return sim_bridge::create_lockstep(std::move(world).value(), o.seed, o.trace_path, member, o.ticks);
+        auto world = FARRIER_TRY(world_of(robot, o));
+        return sim_bridge::create_lockstep(std::move(world), o.seed, o.trace_path, member, o.ticks);
       },
       [&](auto& member, const auto& robot) -> Result<std::unique_ptr<participant::RealtimeApplication>> {
-        auto world = world_of(robot, o);
-        if (!world) {
-          return world.error();
-        }
-        return sim_bridge::create_realtime(std::move(world).value(), o.seed, o.trace_path, member, o.ticks);
+        auto world = FARRIER_TRY(world_of(robot, o));
+        return sim_bridge::create_realtime(std::move(world), o.seed, o.trace_path, member, o.ticks);
       });
 }

@@ -15,15 +15,9 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
     port = made.value();
     return Done{};
   };
-  if (auto r = take(ports.valves, participant.subscribe<signals::JointValveCommand>(numbers)); !r) {
-    return r.error();
-  }
-  if (auto r = take(ports.sensors, participant.publish<signals::JointSensors>(numbers, legs)); !r) {
-    return r.error();
-  }
-  if (auto r = take(ports.clock, participant.publish<signals::ClockTick>({0})); !r) {
-    return r.error();
-  }
+  FARRIER_TRY(take(ports.valves, participant.subscribe<signals::JointValveCommand>(numbers)));
+  FARRIER_TRY(take(ports.sensors, participant.publish<signals::JointSensors>(numbers, legs)));
+  FARRIER_TRY(take(ports.clock, participant.publish<signals::ClockTick>({0})));
   if (participant.identity().clock == bus::ClockKind::kRealtime) {
     return ports;
   }
@@ -31,38 +25,23 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
   for (std::uint16_t number = 1; number < participant.identity().participants; ++number) {
     others.push_back(number);
   }
-  if (auto r = take(ports.done, participant.subscribe<signals::ClockTickDone>(others)); !r) {
-    return r.error();
-  }
-  if (auto r = take(ports.gains, participant.subscribe<signals::JointControllerGains>(numbers, legs)); !r) {
-    return r.error();
-  }
-  if (auto r = take(ports.modes, participant.subscribe<signals::SystemMode>({0})); !r) {
-    return r.error();
-  }
+  FARRIER_TRY(take(ports.done, participant.subscribe<signals::ClockTickDone>(others)));
+  FARRIER_TRY(take(ports.gains, participant.subscribe<signals::JointControllerGains>(numbers, legs)));
+  FARRIER_TRY(take(ports.modes, participant.subscribe<signals::SystemMode>({0})));
   return ports;
 }
 
 Result<Parts> Parts::assemble(const robot::Robot& robot, std::uint64_t seed, const std::string& trace_path,
                               participant::Participant& participant,
                               std::vector<robot::LoadChange> load_changes) {
-  auto world = SimWorld::create(robot, seed, std::move(load_changes));
-  if (!world) {
-    return world.error();
-  }
+  auto world = FARRIER_TRY(SimWorld::create(robot, seed, std::move(load_changes)));
   std::optional<trace::TraceWriter> trace;
   if (!trace_path.empty()) {
-    auto writer = trace::TraceWriter::create(trace_path, robot::joint_names(robot));
-    if (!writer) {
-      return writer.error();
-    }
-    trace = std::move(writer).value();
+    auto writer = FARRIER_TRY(trace::TraceWriter::create(trace_path, robot::joint_names(robot)));
+    trace = std::move(writer);
   }
-  auto ports = Ports::open(participant, robot);
-  if (!ports) {
-    return ports.error();
-  }
-  return Parts{std::move(world).value(), std::move(trace), ports.value()};
+  auto ports = FARRIER_TRY(Ports::open(participant, robot));
+  return Parts{std::move(world), std::move(trace), ports};
 }
 
 }  // namespace farrier::sim_bridge

@@ -202,12 +202,9 @@ Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::R
                                                                   participant::Participant& participant, Tick ticks,
                                                                   std::vector<robot::LoadChange> load_changes,
                                                                   RowSink sink) {
-  auto parts = Parts::assemble(robot, seed, trace_path, participant, std::move(load_changes));
-  if (!parts) {
-    return parts.error();
-  }
+  auto parts = FARRIER_TRY(Parts::assemble(robot, seed, trace_path, participant, std::move(load_changes)));
   return std::unique_ptr<participant::Application>(std::make_unique<SimBridgeLockstep>(
-      std::move(parts).value(), robot, participant, ticks, std::move(sink)));
+      std::move(parts), robot, participant, ticks, std::move(sink)));
 }
 
 }  // namespace farrier::sim_bridge

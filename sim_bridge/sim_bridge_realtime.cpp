@@ -237,12 +237,9 @@ Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const 
                                                                           const std::string& trace_path,
                                                                           participant::Participant& participant,
                                                                           Tick ticks) {
-  auto parts = Parts::assemble(robot, seed, trace_path, participant);
-  if (!parts) {
-    return parts.error();
-  }
+  auto parts = FARRIER_TRY(Parts::assemble(robot, seed, trace_path, participant));
   return std::unique_ptr<participant::RealtimeApplication>(std::make_unique<SimBridgeRealtime>(
-      std::move(parts).value(), robot, participant, ticks));
+      std::move(parts), robot, participant, ticks));
 }
 
 }  // namespace farrier::sim_bridge

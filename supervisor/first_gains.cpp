@@ -4,26 +4,13 @@
 
 namespace farrier::supervisor {
 
-Design parse_design(std::string_view name) noexcept {
-  if (name == "swing") {
-    return Design::kSwing;
-  }
-  if (name == "adaptive") {
-    return Design::kAdaptive;
-  }
-  return name == "phases" ? Design::kPhases : Design::kStance;
-}
-
 Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double period_s, int delay_ticks) {
   SlotGains slots;
   for (const signals::Phase phase : kPhases) {
     const bool for_stance =
         design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
-    const auto gains = design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, period_s, delay_ticks);
-    if (!gains) {
-      return gains.error();
-    }
-    slots[static_cast<std::size_t>(phase)] = gains.value();
+    const auto gains = FARRIER_TRY(design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, period_s, delay_ticks));
+    slots[static_cast<std::size_t>(phase)] = gains;
   }
   return slots;
 }

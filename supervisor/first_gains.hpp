@@ -3,7 +3,6 @@
 // What the slots of a joint begin with.
 
 #include <array>
-#include <string_view>
 #include <vector>
 
 #include "control/design/closed_loop.hpp"
@@ -13,13 +12,7 @@
 
 namespace farrier::supervisor {
 
-/// Which bench load the published gains are designed for: one load for both slots of a joint, or each slot its own.
-/// kAdaptive begins with the swing load in both, and redesigns each when its estimate says that it pays; physics for
-/// flow_inversion begin with each phase's own load, as the estimator does.
-enum class Design { kStance, kSwing, kPhases, kAdaptive };
-
-/// "stance", "swing", "phases", "adaptive"; anything else counts as "stance".
-Design parse_design(std::string_view name) noexcept;
+using robot::Design;
 
 /// Gains of a joint's slots, by phase.
 using SlotGains = std::array<control::Gains, signals::kPhaseCount>;

@@ -244,20 +244,11 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
                                                                      std::vector<robot::LoadChange> known_loads,
                                                                      const std::vector<SlotGains>& first_gains) {
   const bool lockstep = participant.identity().clock == bus::ClockKind::kLockstep;
-  auto supervisor = Supervisor::create(robot, design, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime,
-                                       participant.identity().session, std::move(known_loads), first_gains);
-  if (!supervisor) {
-    return supervisor.error();
-  }
+  auto supervisor = FARRIER_TRY(Supervisor::create(robot, design, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime,
+                                       participant.identity().session, std::move(known_loads), first_gains));
   const std::vector<std::uint16_t> numbers = robot::joint_numbers(robot);
-  auto clock = participant.subscribe<signals::ClockTick>({0});
-  if (!clock) {
-    return clock.error();
-  }
-  auto estimates = participant.subscribe<signals::JointModelEstimate>(numbers);
-  if (!estimates) {
-    return estimates.error();
-  }
+  auto clock = FARRIER_TRY(participant.subscribe<signals::ClockTick>({0}));
+  auto estimates = FARRIER_TRY(participant.subscribe<signals::JointModelEstimate>(numbers));
   auto requests = participant.subscribe<signals::SystemRequest>({});  // an operator may come, or never
   if (!requests) {
     return requests.error();
@@ -265,33 +256,18 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
   participant::In<signals::JointControllerGains>* led_gains = nullptr;
   participant::In<signals::SystemMode>* led_modes = nullptr;
   if (!lockstep) {
-    auto led = participant.subscribe<signals::JointControllerGains>(numbers, robot::legs_of_joints(robot));
-    if (!led) {
-      return led.error();
-    }
-    led_gains = led.value();
-    auto modes_led = participant.subscribe<signals::SystemMode>({0});
-    if (!modes_led) {
-      return modes_led.error();
-    }
-    led_modes = modes_led.value();
+    auto led = FARRIER_TRY(participant.subscribe<signals::JointControllerGains>(numbers, robot::legs_of_joints(robot)));
+    led_gains = led;
+    auto modes_led = FARRIER_TRY(participant.subscribe<signals::SystemMode>({0}));
+    led_modes = modes_led;
   }
-  auto gains = participant.publish<signals::JointControllerGains>(numbers, robot::legs_of_joints(robot));
-  if (!gains) {
-    return gains.error();
-  }
-  auto modes = participant.publish<signals::SystemMode>({0});
-  if (!modes) {
-    return modes.error();
-  }
-  auto decisions = participant.publish<signals::JointUpdateDecision>(numbers);
-  if (!decisions) {
-    return decisions.error();
-  }
+  auto gains = FARRIER_TRY(participant.publish<signals::JointControllerGains>(numbers, robot::legs_of_joints(robot)));
+  auto modes = FARRIER_TRY(participant.publish<signals::SystemMode>({0}));
+  auto decisions = FARRIER_TRY(participant.publish<signals::JointUpdateDecision>(numbers));
   return std::unique_ptr<participant::Application>(std::make_unique<SupervisorApplication>(
-      robot, std::move(supervisor).value(),
-      Ports{clock.value(), estimates.value(), requests.value(), led_gains, led_modes, gains.value(), modes.value(),
-            decisions.value()},
+      robot, std::move(supervisor),
+      Ports{clock, estimates, requests.value(), led_gains, led_modes, gains, modes,
+            decisions},
       numbers, participant, ticks, stands_by));
 }
 

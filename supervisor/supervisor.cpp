@@ -48,28 +48,23 @@ void record_shortfalls(const robot::Robot& robot, std::uint16_t joint, const Slo
 Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, int loop_delay_ticks,
                                       std::uint64_t session, std::vector<robot::LoadChange> known_loads,
                                       const std::vector<SlotGains>& first_gains) {
-  if (auto fit = check_first(robot, first_gains, loop_delay_ticks); !fit) {
-    return fit.error();
-  }
+  FARRIER_TRY(check_first(robot, first_gains, loop_delay_ticks));
   std::vector<std::uint32_t> generations(robot.joints.size(), 0);
   std::vector<Batch> batches(1);
   std::vector<JointSlots> slots;
   for (const robot::Joint& joint : robot.joints) {
-    const auto first = first_gains.empty() ? design_slots(joint, design, robot.period_s, loop_delay_ticks)
-                                           : Result<SlotGains>(first_gains[joint.number]);
-    if (!first) {
-      return first.error();
-    }
+    const auto first = FARRIER_TRY(first_gains.empty() ? design_slots(joint, design, robot.period_s, loop_delay_ticks)
+                                           : Result<SlotGains>(first_gains[joint.number]));
     for (const signals::Phase phase : kPhases) {
       batches[0].outputs.gains.push_back(
           wire_gains::with_physics(wire_gains::pack_gains(joint.number, phase, kFirstAuthority, ++generations[joint.number],
-                                                          first.value()[static_cast<std::size_t>(phase)]),
+                                                          first[static_cast<std::size_t>(phase)]),
                                    first_physics(joint, design, phase)));
     }
     const bool changes_slots = robot.plan.gait.pattern != gait::Pattern::kStand;
-    const int dwell = changes_slots ? dwell_ticks(first.value()[0], first.value()[1]) : 0;
+    const int dwell = changes_slots ? dwell_ticks(first[0], first[1]) : 0;
     if (joint.kind != control::Kind::kFlowInversion) {  // there they do not act
-      record_shortfalls(robot, joint.number, first.value(), dwell, batches[0].outputs);
+      record_shortfalls(robot, joint.number, first, dwell, batches[0].outputs);
     }
     if (design == Design::kAdaptive) {
       const auto slot = [&](const control::Gains& gains) {
@@ -79,7 +74,7 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
         return PhysicsUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, loop_delay_ticks,
                              first_physics(joint, design, phase));
       };
-      slots.push_back({.slots = {slot(first.value()[0]), slot(first.value()[1])},
+      slots.push_back({.slots = {slot(first[0]), slot(first[1])},
                        .physics = joint.kind == control::Kind::kFlowInversion
                                       ? std::optional(std::array{physics(signals::Phase::kSwing),
                                                                  physics(signals::Phase::kStance)})
@@ -103,10 +98,7 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     if (known.joint >= robot.joints.size()) {
       return Error{"a known load of joint " + std::to_string(known.joint) + ", which " + robot.name + " does not have"};
     }
-    const auto gains = design_joint(robot.joints[known.joint], known.load, robot.period_s, loop_delay_ticks);
-    if (!gains) {
-      return gains.error();
-    }
+    const auto gains = FARRIER_TRY(design_joint(robot.joints[known.joint], known.load, robot.period_s, loop_delay_ticks));
     const Tick issue_tick = known.tick - robot.update_logic.gain_lead_ticks;
     if (batches.size() == 1 || batches.back().tick != issue_tick) {
       batches.push_back({issue_tick, {}});
@@ -114,7 +106,7 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     for (const signals::Phase phase : kPhases) {
       batches.back().outputs.gains.push_back(
           wire_gains::with_physics(wire_gains::pack_gains(known.joint, phase, kFirstAuthority, ++generations[known.joint],
-                                                          gains.value()),
+                                                          gains),
                                    plant::nominal_physics(robot.joints[known.joint].actuator, known.load)));
     }
   }

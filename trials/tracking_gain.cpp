@@ -121,10 +121,7 @@ Result<Done> arm(joint_node::JointNode& node, const robot::Joint& believed, doub
   constexpr std::uint32_t kFirst = 1;
   node.set_mode({.robot = 0, .epoch = kFirst, .session = 0, .effective_tick = 0,
                  .mode = static_cast<std::uint8_t>(signals::Mode::kArmed)});
-  const auto gains = supervisor::design_joint(believed, believed.swing_load, period_s, 0);
-  if (!gains) {
-    return gains.error();
-  }
+  const auto gains = FARRIER_TRY(supervisor::design_joint(believed, believed.swing_load, period_s, 0));
   signals::JointControllerGains signal;
   signal.joint = believed.number;
   signal.phase = static_cast<std::uint8_t>(signals::Phase::kStance);  // the phase a node begins in
@@ -133,7 +130,7 @@ Result<Done> arm(joint_node::JointNode& node, const robot::Joint& believed, doub
   signal.effective_tick = 0;
   signal.has_physics = 1;
   signal.physics = plant::values_of(plant::nominal_physics(believed.actuator, believed.swing_load));
-  node.store_gains(signal, gains.value());
+  node.store_gains(signal, gains);
   return Done{};
 }
 
@@ -163,9 +160,7 @@ Result<double> tracking_nrmse(const robot::Joint& world, const robot::Joint& bel
   robot::Joint quiet = believed;
   quiet.dither_percent = 0.0;
   joint_node::JointNode node(quiet, {}, run.period_s, 0, 0);
-  if (auto armed = arm(node, quiet, run.period_s); !armed) {
-    return armed.error();
-  }
+  FARRIER_TRY(arm(node, quiet, run.period_s));
   const ReferenceForce reference(world, run.seed);
   const Centring centring = centring_of(load, world.actuator);
   const double lever = world.linkage.lever(world.home_angle_rad);

@@ -33,18 +33,12 @@ Result<UpdateLogicRun> run_update_logic(robot::Robot robot, robot::UpdateMethod 
   settings.design = supervisor::Design::kAdaptive;
   settings.sink = [&](const trace::TraceRow& row) { run.rows.push_back(row); };
   settings.estimates = [&](const signals::JointModelEstimate& estimate) { estimates.push_back(estimate); };
-  auto result = run::run_inproc(robot, settings);
-  if (!result) {
-    return result.error();
-  }
-  run.result = std::move(result).value();
-  auto again = supervisor::Supervisor::create(robot, settings.design, robot.loop_delay_lockstep, kStudySession, {},
-                                              settings.first_gains);
-  if (!again) {
-    return again.error();
-  }
-  again.value().step(0);  // arms
-  replay(again.value(), estimates, run);
+  auto result = FARRIER_TRY(run::run_inproc(robot, settings));
+  run.result = std::move(result);
+  auto again = FARRIER_TRY(supervisor::Supervisor::create(robot, settings.design, robot.loop_delay_lockstep, kStudySession, {},
+                                              settings.first_gains));
+  again.step(0);  // arms
+  replay(again, estimates, run);
   return run;
 }
 

@@ -136,12 +136,9 @@ void BareMember::poll(SteadyTime now) {
 Result<std::unique_ptr<participant::Application>> create_bare(const robot::Robot& robot,
                                                               const std::vector<std::string>& joints,
                                                               participant::Participant& participant, Tick ticks) {
-  auto ports = BarePorts::open(robot, joints, participant);
-  if (!ports) {
-    return ports.error();
-  }
+  auto ports = FARRIER_TRY(BarePorts::open(robot, joints, participant));
   return std::unique_ptr<participant::Application>(
-      std::make_unique<BareMember>(std::move(ports).value(), participant, ticks));
+      std::make_unique<BareMember>(std::move(ports), participant, ticks));
 }
 
 }  // namespace farrier::bench

@@ -174,23 +174,17 @@ TimerLoop bare_timer_loop(Nanoseconds period, Nanoseconds duration) {
 Result<std::unique_ptr<participant::RealtimeApplication>> create_bare_clock(const robot::Robot& robot,
                                                                             participant::Participant& participant,
                                                                             Tick ticks) {
-  auto ports = BarePorts::open(robot, {}, participant);
-  if (!ports) {
-    return ports.error();
-  }
+  auto ports = FARRIER_TRY(BarePorts::open(robot, {}, participant));
   return std::unique_ptr<participant::RealtimeApplication>(
-      std::make_unique<BareClock>(std::move(ports).value(), robot, participant, ticks));
+      std::make_unique<BareClock>(std::move(ports), robot, participant, ticks));
 }
 
 Result<std::unique_ptr<participant::Application>> create_bare_answer(const robot::Robot& robot,
                                                                      const std::vector<std::string>& joints,
                                                                      participant::Participant& participant) {
-  auto ports = BarePorts::open(robot, joints, participant);
-  if (!ports) {
-    return ports.error();
-  }
+  auto ports = FARRIER_TRY(BarePorts::open(robot, joints, participant));
   return std::unique_ptr<participant::Application>(
-      std::make_unique<BareAnswer>(std::move(ports).value(), participant));
+      std::make_unique<BareAnswer>(std::move(ports), participant));
 }
 
 }  // namespace farrier::bench

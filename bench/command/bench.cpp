@@ -55,26 +55,17 @@ Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, Dds
   run.dds = dds;
   run.bare = bare;
   run.title = std::string(dds == DdsChoice::kCyclone ? "cyclone" : "fast") + (bare ? ", bare exchange" : ", whole stack");
-  const auto outcome = run_over_dds(robot, run);
-  if (!outcome) {
-    return outcome.error();
-  }
-  return static_cast<double>(o.ticks) / outcome.value().wall_s;
+  const auto outcome = FARRIER_TRY(run_over_dds(robot, run));
+  return static_cast<double>(o.ticks) / outcome.wall_s;
 }
 
 Result<Done> bench_lockstep(const BenchOptions& o, const robot::Robot& robot, DdsChoice dds, report::Figures& figures) {
-  const auto bare = ticks_per_s(robot, o, dds, true);
-  if (!bare) {
-    return bare.error();
-  }
+  const auto bare = FARRIER_TRY(ticks_per_s(robot, o, dds, true));
   const std::string prefix = std::string("bench.lockstep.") + to_string(dds) + ".";
-  figures.add(prefix + "bare_ticks_per_s", bare.value());
-  const auto whole = ticks_per_s(robot, o, dds, false);
-  if (!whole) {
-    return whole.error();
-  }
-  figures.add(prefix + "ticks_per_s", whole.value());
-  figures.add(prefix + "ratio", whole.value() / bare.value(), kLockstepRatio);
+  figures.add(prefix + "bare_ticks_per_s", bare);
+  const auto whole = FARRIER_TRY(ticks_per_s(robot, o, dds, false));
+  figures.add(prefix + "ticks_per_s", whole);
+  figures.add(prefix + "ratio", whole / bare, kLockstepRatio);
   return Done{};
 }
 

@@ -31,21 +31,18 @@ struct Recorded {
 };
 
 Result<Recorded> read_recording(const std::string& path) {
-  auto file = recording::RunFileReader::open(path);
-  if (!file) {
-    return file.error();
-  }
+  auto file = FARRIER_TRY(recording::RunFileReader::open(path));
   Recorded recorded;
   std::uint64_t first_ns = 0, last_ns = 0;
-  for (recording::Sample sample; file.value().next(sample);) {
+  for (recording::Sample sample; file.next(sample);) {
     first_ns = first_ns == 0 ? sample.log_time_ns : first_ns;
     last_ns = sample.log_time_ns;
     recorded.samples += 1.0;
   }
-  if (!file.value().ending().empty()) {
-    return Error{path + ": " + file.value().ending()};
+  if (!file.ending().empty()) {
+    return Error{path + ": " + file.ending()};
   }
-  for (const auto& [topic, lost] : file.value().metadata(recording::kLosses)) {
+  for (const auto& [topic, lost] : file.metadata(recording::kLosses)) {
     recorded.lost += std::strtod(lost.c_str(), nullptr);
   }
   recorded.seconds = static_cast<double>(last_ns - first_ns) * 1e-9;
@@ -71,11 +68,8 @@ class VendorBench {
     for (int pair = 1; pair <= kPairs; ++pair) {
       // In turns, too, which is first: a speed that rises or falls for a while favours neither.
       for (const bool onlooked : {pair % 2 == 0, pair % 2 == 1}) {
-        const auto ticks_per_s = lockstep_ticks_per_s(onlooked, ", pair " + std::to_string(pair) + " of " + std::to_string(kPairs));
-        if (!ticks_per_s) {
-          return ticks_per_s.error();
-        }
-        (onlooked ? watched : alone).push_back(ticks_per_s.value());
+        const auto ticks_per_s = FARRIER_TRY(lockstep_ticks_per_s(onlooked, ", pair " + std::to_string(pair) + " of " + std::to_string(kPairs)));
+        (onlooked ? watched : alone).push_back(ticks_per_s);
       }
       ratios.push_back(watched.back() / alone.back());
     }
@@ -91,29 +85,20 @@ class VendorBench {
     DdsRun plain = plain_;
     plain.common.clock = bus::ClockKind::kRealtime;
     plain.common.ticks = kRealtimeTicks;
-    const auto alone = run_over_dds(robot_, titled(plain, "real time, alone"));
-    if (!alone) {
-      return alone.error();
-    }
+    const auto alone = FARRIER_TRY(run_over_dds(robot_, titled(plain, "real time, alone")));
     DdsRun watched = titled(plain, "real time, recorded and monitored");
     watched.onlookers = {{.name = "record", .arguments = {"record", recording_}, .listens = "records domain"},
                          monitor_with_page()};
     const PageViewer viewer(watched.log_directory + "/monitor.log");
-    const auto looked_on = run_over_dds(robot_, watched);
-    if (!looked_on) {
-      return looked_on.error();
-    }
-    const auto recorded = read_recording(recording_);
-    if (!recorded) {
-      return recorded.error();
-    }
-    const Recorded& all = recorded.value();
+    const auto looked_on = FARRIER_TRY(run_over_dds(robot_, watched));
+    const auto recorded = FARRIER_TRY(read_recording(recording_));
+    const Recorded& all = recorded;
     const double MiB = static_cast<double>(std::filesystem::file_size(recording_)) / (1 << 20);
-    figures_.add(name("record", "processor_percent"), 1e2 * looked_on.value().onlookers[0].processor_share, kRecordPercent);
+    figures_.add(name("record", "processor_percent"), 1e2 * looked_on.onlookers[0].processor_share, kRecordPercent);
     figures_.add(name("record", "samples_per_s"), all.samples / all.seconds);
     figures_.add(name("record", "MiB_per_s"), MiB / all.seconds);
     figures_.add(name("record", "lost_percent"), 1e2 * all.lost / (all.samples + all.lost));
-    figures_.add(name("monitor", "processor_percent"), 1e2 * looked_on.value().onlookers[1].processor_share, kMonitorPercent);
+    figures_.add(name("monitor", "processor_percent"), 1e2 * looked_on.onlookers[1].processor_share, kMonitorPercent);
     figures_.add(name("monitor", "frames_per_s"), viewer.frames_per_s());
 
     DdsRun ignored = titled(plain, "real time, ten monitors that stand still");
@@ -121,12 +106,9 @@ class VendorBench {
       ignored.onlookers.push_back(monitor_with_page("stopped_" + std::to_string(i)));
       ignored.onlookers.back().stands_still = true;
     }
-    const auto stopped = run_over_dds(robot_, ignored);
-    if (!stopped) {
-      return stopped.error();
-    }
-    const double before_s = alone.value().healths[participant::kSimBridge].latency_s[0];
-    const double beside_s = stopped.value().healths[participant::kSimBridge].latency_s[0];
+    const auto stopped = FARRIER_TRY(run_over_dds(robot_, ignored));
+    const double before_s = alone.healths[participant::kSimBridge].latency_s[0];
+    const double beside_s = stopped.healths[participant::kSimBridge].latency_s[0];
     figures_.add(name("stopped_monitors", "latency_p50_us"), 1e6 * beside_s);
     figures_.add(name("stopped_monitors", "alone_latency_p50_us"), 1e6 * before_s);
     figures_.add(name("stopped_monitors", "latency_p50_ratio"), beside_s / before_s, kStoppedLatencyRatio);
@@ -143,11 +125,8 @@ class VendorBench {
       run.onlookers = {monitor_with_page()};
       viewer.emplace(run.log_directory + "/monitor.log");
     }
-    const auto outcome = run_over_dds(robot_, run);
-    if (!outcome) {
-      return outcome.error();
-    }
-    return static_cast<double>(run.common.ticks) / outcome.value().wall_s;
+    const auto outcome = FARRIER_TRY(run_over_dds(robot_, run));
+    return static_cast<double>(run.common.ticks) / outcome.wall_s;
   }
 
   DdsRun titled(DdsRun run, const std::string& what) const {

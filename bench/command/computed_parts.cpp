@@ -92,27 +92,21 @@ Result<Done> bench_grey_box(report::Figures& figures) {
 
 Result<Done> bench_tick(const robot::Robot& robot, report::Figures& figures) {
   std::fputs("tick: every joint's control, estimation and update logic on one core\n", stderr);
-  const auto tick = bench::bench_tick(robot, 20, allocation_count);
-  if (!tick) {
-    return tick.error();
-  }
-  figures.add("bench.tick.us", 1e6 * tick.value().tick_s, kTickUs);
-  figures.add("bench.tick.estimation_us", 1e6 * tick.value().estimation_s);
-  figures.add("bench.tick.update_logic_us", 1e6 * tick.value().update_logic_s);
-  figures.add("bench.tick.control_us", 1e6 * tick.value().control_s);
-  figures.add("bench.tick.allocations", static_cast<double>(tick.value().allocations), 0.0);
+  const auto tick = FARRIER_TRY(bench::bench_tick(robot, 20, allocation_count));
+  figures.add("bench.tick.us", 1e6 * tick.tick_s, kTickUs);
+  figures.add("bench.tick.estimation_us", 1e6 * tick.estimation_s);
+  figures.add("bench.tick.update_logic_us", 1e6 * tick.update_logic_s);
+  figures.add("bench.tick.control_us", 1e6 * tick.control_s);
+  figures.add("bench.tick.allocations", static_cast<double>(tick.allocations), 0.0);
   return Done{};
 }
 
 Result<Done> bench_redesign(const robot::Robot& robot, report::Figures& figures) {
   std::fputs("redesign: of one joint's gains, as an update of its estimate asks for\n", stderr);
-  const auto redesign = bench::bench_redesign(robot, 50, allocation_count);
-  if (!redesign) {
-    return redesign.error();
-  }
-  figures.add("bench.redesign.us", 1e6 * redesign.value().redesign_s, kRedesignUs);
-  figures.add("bench.redesign.lqr_us", 1e6 * redesign.value().lqr_s);
-  figures.add("bench.redesign.allocations", static_cast<double>(redesign.value().allocations), 0.0);
+  const auto redesign = FARRIER_TRY(bench::bench_redesign(robot, 50, allocation_count));
+  figures.add("bench.redesign.us", 1e6 * redesign.redesign_s, kRedesignUs);
+  figures.add("bench.redesign.lqr_us", 1e6 * redesign.lqr_s);
+  figures.add("bench.redesign.allocations", static_cast<double>(redesign.allocations), 0.0);
   return Done{};
 }
 

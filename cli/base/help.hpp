@@ -1,6 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -24,6 +26,28 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
               throw CLI::ValidationError(name, "'" + given + "' is not one of " + order);
             }
             target = place->second;
+          },
+          text)
+      ->type_name(order);
+}
+
+/// An option that takes one of the names of `options`; refuses others, naming those there are.
+template <class Target, class Options>
+CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target, const Options& options,
+                        const std::string& text) {
+  std::string order;
+  for (const auto& option : options) {
+    order += (order.empty() ? "" : "|") + std::string(option.name);
+  }
+  return app
+      .add_option_function<std::string>(
+          name,
+          [&target, &options, name, order](const std::string& given) {
+            const auto place = std::ranges::find(options, given, [](const auto& option) { return option.name; });
+            if (place == std::ranges::end(options)) {
+              throw CLI::ValidationError(name, "'" + given + "' is not one of " + order);
+            }
+            target = place->value;
           },
           text)
       ->type_name(order);

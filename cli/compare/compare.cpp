@@ -21,7 +21,7 @@ const std::map<std::string, RunComparison> kComparisons{{"varied", run_varied},
                                                      {"switching", run_switching}};
 
 int compare(CompareOptions o, RunComparison run) {
-  o.design = "adaptive";
+  o.design = robot::Design::kAdaptive;
   const auto robot = process::load_robot(common_options(o));
   if (!robot) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);

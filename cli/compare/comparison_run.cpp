@@ -21,11 +21,8 @@ Result<ComparedRun> run_compared(const robot::Robot& robot, run::InprocRun run, 
     progress.update(tick);
     return !participant::stop_requested();
   };
-  auto result = run::run_inproc(robot, run);
-  if (!result) {
-    return result.error();
-  }
-  return ComparedRun{std::move(rows), std::move(result).value()};
+  auto result = FARRIER_TRY(run::run_inproc(robot, run));
+  return ComparedRun{std::move(rows), std::move(result)};
 }
 
 void add_failures(report::Outcome& outcome, const ComparedRun& run, const std::string& title) {

@@ -24,9 +24,7 @@ using Rows = std::vector<report::VaryRow>;
 Result<Rows> varied_trot(const robot::Robot& robot, const CompareOptions& o) {
   const robot::Robot nominal = trials::with_varied_body(robot);
   VariedStudy study(nominal, report::kControllers, o, "controllers, varied trot");
-  if (auto ran = study.run(); !ran) {
-    return ran.error();
-  }
+  FARRIER_TRY(study.run());
   if (!study.long_enough()) {
     return Error{kTooShort};
   }
@@ -42,9 +40,7 @@ Result<report::VaryRow> load_steps(const trials::LoadCycle& cycle, report::Conte
   std::vector<trace::TraceRow> trace;
   run.sink = [&](const trace::TraceRow& row) { trace.push_back(row); };
   run.progress = [](Tick) { return !participant::stop_requested(); };
-  if (auto ran = run::run_inproc(believed_by(contender, cycle.robot), run); !ran) {
-    return ran.error();
-  }
+  FARRIER_TRY(run::run_inproc(believed_by(contender, cycle.robot), run));
   const auto error = [&](std::size_t quarter) { return trials::quarter_error(cycle, trace, quarter); };
   return report::VaryRow{.seed = seed,
                          .contender = contender,
@@ -59,19 +55,13 @@ Result<Rows> load_steps(const CompareOptions& o) {
   if (!rig) {
     return Error{config::to_string(rig.error())};
   }
-  const auto cycle = trials::make_load_cycle(rig.value());
-  if (!cycle) {
-    return cycle.error();
-  }
+  const auto cycle = FARRIER_TRY(trials::make_load_cycle(rig.value()));
   Rows rows;
   Progress progress("controllers, load steps", static_cast<Tick>(report::kControllers.size()) * o.seeds);
   for (int i = 0; i < o.seeds; ++i) {
     for (const report::Contender contender : report::kControllers) {
-      auto row = load_steps(cycle.value(), contender, o.seed + static_cast<std::uint64_t>(i));
-      if (!row) {
-        return row.error();
-      }
-      rows.push_back(row.value());
+      auto row = FARRIER_TRY(load_steps(cycle, contender, o.seed + static_cast<std::uint64_t>(i)));
+      rows.push_back(row);
       progress.update(static_cast<Tick>(rows.size()));
     }
   }

@@ -53,12 +53,9 @@ Result<Gains> adapt(const robot::Robot& robot, const CompareOptions& options, re
   settings.ticks = run::ticks_of(kAdapting_s, robot);
   settings.seed = options.seed;
   settings.design = supervisor::Design::kAdaptive;
-  auto ran = run_compared(robot, settings, options.out + "/trace_adapting.csv", "switching adapting");
-  if (!ran) {
-    return ran.error();
-  }
-  add_failures(outcome, ran.value(), "adapting");
-  const auto& gains = ran.value().result.gains;
+  auto ran = FARRIER_TRY(run_compared(robot, settings, options.out + "/trace_adapting.csv", "switching adapting"));
+  add_failures(outcome, ran, "adapting");
+  const auto& gains = ran.result.gains;
   outcome.figures.add("trot.switching.gain_updates",
                       static_cast<double>(gains.size() - signals::kPhaseCount * robot.joints.size()));
   return trials::last_gains(robot, gains);
@@ -75,27 +72,18 @@ Result<Comparison> compare(const robot::Robot& robot, const Gains& adapted, cons
     settings.seed = options.seed;
     settings.first_gains = gains;
     const std::string name = reference + "_" + slots;
-    auto ran = run_compared(robot, settings, options.out + "/trace_" + name + ".csv", "switching " + name);
-    if (!ran) {
-      return ran.error();
-    }
-    add_failures(outcome, ran.value(), name);
-    errors = trials::touchdown_errors(robot, ran.value().rows, from);
-    const double bump = trials::largest_bump(robot, ran.value().rows, ran.value().result.gains);
+    auto ran = FARRIER_TRY(run_compared(robot, settings, options.out + "/trace_" + name + ".csv", "switching " + name));
+    add_failures(outcome, ran, name);
+    errors = trials::touchdown_errors(robot, ran.rows, from);
+    const double bump = trials::largest_bump(robot, ran.rows, ran.result.gains);
     comparison.bump = larger(comparison.bump, bump);
     return Done{};
   };
-  if (auto measured = measure("switched", adapted, comparison.on); !measured) {
-    return measured.error();
-  }
+  FARRIER_TRY(measure("switched", adapted, comparison.on));
   const Gains swing = trials::in_both_slots(adapted, signals::Phase::kSwing);
-  if (auto measured = measure("swing_gains", swing, comparison.swing_gains); !measured) {
-    return measured.error();
-  }
+  FARRIER_TRY(measure("swing_gains", swing, comparison.swing_gains));
   const Gains stance = trials::in_both_slots(adapted, signals::Phase::kStance);
-  if (auto measured = measure("stance_gains", stance, comparison.stance_gains); !measured) {
-    return measured.error();
-  }
+  FARRIER_TRY(measure("stance_gains", stance, comparison.stance_gains));
   return comparison;
 }
 

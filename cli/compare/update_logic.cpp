@@ -34,14 +34,11 @@ Result<report::LogicWork> measure_rig(const trials::LoadCycle& cycle, robot::Upd
   settings.ticks = cycle.begin.back();
   settings.seed = seed;
   settings.load_changes = cycle.changes;
-  auto ran = run_one(cycle.robot, method, settings, std::string("load cycle ") + robot::to_string(method));
-  if (!ran) {
-    return ran.error();
-  }
+  auto ran = FARRIER_TRY(run_one(cycle.robot, method, settings, std::string("load cycle ") + robot::to_string(method)));
   for (std::size_t quarter = 0; quarter < trials::kQuarters; ++quarter) {
-    result.quarter_nrmse[quarter] = trials::quarter_error(cycle, ran.value().rows, quarter);
+    result.quarter_nrmse[quarter] = trials::quarter_error(cycle, ran.rows, quarter);
   }
-  return report::LogicWork{ran.value().looks, ran.value().designs, ran.value().accepted, ran.value().look_us};
+  return report::LogicWork{ran.looks, ran.designs, ran.accepted, ran.look_us};
 }
 
 Result<report::LogicWork> measure_trot(const robot::Robot& robot, robot::UpdateMethod method, const CompareOptions& o,
@@ -49,16 +46,13 @@ Result<report::LogicWork> measure_trot(const robot::Robot& robot, robot::UpdateM
   run::InprocRun settings;
   settings.ticks = run::ticks_of(o.duration_s, robot);
   settings.seed = o.seed;
-  auto ran = run_one(robot, method, settings, std::string("trot ") + robot::to_string(method));
-  if (!ran) {
-    return ran.error();
-  }
+  auto ran = FARRIER_TRY(run_one(robot, method, settings, std::string("trot ") + robot::to_string(method)));
   const gait::Schedule schedule(robot.plan, o.seed);
-  result.tracking = report::track(robot, schedule, ran.value().rows, robot.loop_delay_lockstep);
+  result.tracking = report::track(robot, schedule, ran.rows, robot.loop_delay_lockstep);
   if (!report::long_enough(robot, result.tracking)) {
     return Error{kTooShort};
   }
-  return report::LogicWork{ran.value().looks, ran.value().designs, ran.value().accepted, ran.value().look_us};
+  return report::LogicWork{ran.looks, ran.designs, ran.accepted, ran.look_us};
 }
 
 }  // namespace

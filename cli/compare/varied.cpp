@@ -21,9 +21,7 @@ Result<std::vector<report::VaryRow>> rows_of_study(const robot::Robot& robot, co
                                                    bool& long_enough) {
   const robot::Robot nominal = trials::with_varied_body(robot);
   VariedStudy study(nominal, report::kContenders, o, "compare varied");
-  if (auto ran = study.run(); !ran) {
-    return ran.error();
-  }
+  FARRIER_TRY(study.run());
   long_enough = study.long_enough();
   return study.rows();
 }

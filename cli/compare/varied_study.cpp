@@ -48,9 +48,7 @@ Result<Done> VariedStudy::run(const Entrant& entrant, std::uint64_t seed, const 
     progress_.update(ticks_done_ + tick);
     return !participant::stop_requested();
   };
-  if (auto ran = run::run_inproc(entrant.believed, run); !ran) {
-    return ran.error();
-  }
+  FARRIER_TRY(run::run_inproc(entrant.believed, run));
   ticks_done_ += ticks_;
   progress_.update(ticks_done_);
   judge(entrant.contender, seed, draw, world, schedule);

@@ -114,9 +114,7 @@ Result<std::string> write_model(const std::string& path, const robot::Robot& rob
   }
   const std::string head = "# " + robot.name + " with the effects that farrier diagnose found at joint " + joint.name +
                            ".\n";
-  if (auto written = replace_file(path, head + model.value()); !written) {
-    return written.error();
-  }
+  FARRIER_TRY(replace_file(path, head + model.value()));
   if (const auto loaded = robot::load_robot(path); !loaded) {
     return Error{"the extended model does not load: " + config::to_string(loaded.error())};
   }

@@ -201,7 +201,7 @@ std::function<int()> declare_faults(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--out", o->out, "directory of logs, the last trace, and traces of cells that did not hold")->type_name("<dir>")->capture_default_str();
   app.add_option("--json", o->json_path, "figures; figures.json in --out unless told")->type_name("<file>");
-  app.add_option("--page", o->page_path, "writes the table with what was measured, as docs/faults.md")
+  app.add_option("--page", o->page_path, "writes the table with what was measured, as docs/results/faults.md")
       ->type_name("<file>");
   app.add_flag("--continue", o->go_on, "runs the cells that did not hold or were not reached; those that held in an earlier run of the same build into --out are taken from there");
   return [o] { return run_faults(*o); };

@@ -11,6 +11,7 @@
 #include "cli/manual/all_verbs.hpp"
 #include "cli/manual/command_table.hpp"
 #include "cli/base/help.hpp"
+#include "tools/faults/fault_page.hpp"
 #include "tools/monitor/metric_table.hpp"
 #include "report/diagnosis/effects_table.hpp"
 #include "report/figures/figures.hpp"
@@ -29,6 +30,7 @@ const std::map<std::string, Table> kTables{{"cli", command_table},
                                            {"topics", without_app(bus::topics_table_markdown)},
                                            {"effects", without_app(report::effects_table_markdown)},
                                            {"events", without_app(participant::events_table_markdown)},
+                                           {"faults", without_app(faults::faults_table_markdown)},
                                            {"figures", without_app(report::figures_table_markdown)},
                                            {"metrics", without_app(display::metrics_table_markdown)},
                                            {"parameters", without_app(robot::parameter_table)}};
@@ -37,8 +39,8 @@ const std::map<std::string, Table> kTables{{"cli", command_table},
 
 std::function<int()> declare_tables(CLI::App& app) {
   auto table = std::make_shared<Table>();
-  add_choice(app, "table", *table, kTables, "cli|topics|effects|events|figures|metrics|parameters",
-             "cli (docs/cli.md), topics (idl/README.md), effects (docs/effects.md), events (docs/events.md), figures (docs/figures.md), "
+  add_choice(app, "table", *table, kTables, "cli|topics|effects|events|faults|figures|metrics|parameters",
+             "cli (docs/cli.md), topics (idl/README.md), effects (docs/effects.md), events (docs/events.md), faults (docs/faults.md), figures (docs/figures.md), "
              "metrics (docs/metrics.md) or parameters (docs/parameters.md)")
       ->required();
   return [table] {

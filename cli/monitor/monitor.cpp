@@ -58,11 +58,8 @@ Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot
     servers.push_back(std::move(server).value());
   }
   if (!o.web.address.empty()) {
-    auto page = open_web(o.web, robot);
-    if (!page) {
-      return page.error();
-    }
-    servers.push_back(std::move(page).value());
+    auto page = FARRIER_TRY(open_web(o.web, robot));
+    servers.push_back(std::move(page));
   }
   return servers;
 }
@@ -71,11 +68,8 @@ Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot
 /// screen, on which nobody else may write.
 Result<bool> open_table(Displays& displays, const robot::Robot& robot) {
   if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
-    auto terminal = display::Terminal::create(robot);
-    if (!terminal) {
-      return terminal.error();
-    }
-    displays.push_back(std::move(terminal).value());
+    auto terminal = FARRIER_TRY(display::Terminal::create(robot));
+    displays.push_back(std::move(terminal));
     return true;
   }
   if (displays.empty()) {

@@ -69,11 +69,8 @@ void declare_web(CLI::App& app, WebOptions& options, CLI::Option* once) {
 }
 
 Result<std::unique_ptr<display::Display>> open_web(const WebOptions& options, const robot::Robot& robot) {
-  auto opened = prepare(options);
-  if (!opened) {
-    return opened.error();
-  }
-  auto display = web::WebDisplay::create(opened.value().address, std::move(opened.value().page), robot);
+  auto opened = FARRIER_TRY(prepare(options));
+  auto display = web::WebDisplay::create(opened.address, std::move(opened.page), robot);
   if (!display) {
     return Error{"--web: " + display.error().message};
   }

@@ -51,9 +51,7 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   }
   bus::NetworkOptions network = participant::network_of(common);
   const bus::Vendor vendor = vendor_of(run.dds, member);
-  if (auto secured = process::secure(network, common.security, run::role_of(member), vendor); !secured) {
-    return secured.error();
-  }
+  FARRIER_TRY(process::secure(network, common.security, run::role_of(member), vendor));
   auto bus = bus_factory::create_bus(vendor, network);
   if (!bus) {
     return bus.error();
@@ -62,27 +60,15 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   participant::Identity identity{member.name, robot.name, member.number, common.participants, common.session,
                                  common.clock, common.slow};
   identity.launches = true;
-  auto participant = participant::Participant::join(*seat.bus, identity);
-  if (!participant) {
-    return participant.error();
-  }
-  seat.participant = std::move(participant).value();
-  auto listener = run::RunListener::create(*seat.participant, common.ticks);
-  if (!listener) {
-    return listener.error();
-  }
-  seat.listener.emplace(std::move(listener).value());
-  auto acts = RunActs::create(run.acts, *seat.participant, clock);
-  if (!acts) {
-    return acts.error();
-  }
-  seat.acts = std::move(acts).value();
+  auto participant = FARRIER_TRY(participant::Participant::join(*seat.bus, identity));
+  seat.participant = std::move(participant);
+  auto listener = FARRIER_TRY(run::RunListener::create(*seat.participant, common.ticks));
+  seat.listener.emplace(std::move(listener));
+  auto acts = FARRIER_TRY(RunActs::create(run.acts, *seat.participant, clock));
+  seat.acts = std::move(acts);
   if (!run.record_path.empty() && common.clock == bus::ClockKind::kLockstep) {
-    auto recording = recorder::RunRecording::create(run.record_path, run.record_facts, robot, *seat.participant);
-    if (!recording) {
-      return recording.error();
-    }
-    seat.recording = std::move(recording).value();
+    auto recording = FARRIER_TRY(recorder::RunRecording::create(run.record_path, run.record_facts, robot, *seat.participant));
+    seat.recording = std::move(recording);
   }
   return seat;
 }
@@ -112,9 +98,7 @@ Result<double> attend(Seat& seat, run::RunMonitor& monitor, std::vector<ChildPro
       seat.recording->poll();  // the others need not wait for it
     }
     clock.heard(seat.listener->tick(), steady_now());
-    if (auto acted = seat.acts->perform(clock.at(steady_now()), seat.listener->tick(), children, start); !acted) {
-      return acted.error();
-    }
+    FARRIER_TRY(seat.acts->perform(clock.at(steady_now()), seat.listener->tick(), children, start));
     if (run.looks_on) {
       run.looks_on(seat.listener->tick());
       monitor.poll(clock.at(steady_now()));
@@ -131,9 +115,7 @@ Result<double> attend(Seat& seat, run::RunMonitor& monitor, std::vector<ChildPro
       if (participant::stop_requested()) {
         return Error{"interrupted"};
       }
-      if (auto buried = bury(children, run, outcome.members, last, outcome.warnings); !buried) {
-        return buried.error();
-      }
+      FARRIER_TRY(bury(children, run, outcome.members, last, outcome.warnings));
       if (!seat.participant->refusal().empty()) {
         return Error{seat.participant->refusal()};
       }
@@ -149,9 +131,7 @@ Result<double> attend(Seat& seat, run::RunMonitor& monitor, std::vector<ChildPro
         return std::chrono::duration<double>(moved - first_tick).count();
       }
       progress.update(last);
-      if (auto within = limits.check(*seat.participant, *seat.listener, monitor, children); !within) {
-        return within.error();
-      }
+      FARRIER_TRY(limits.check(*seat.participant, *seat.listener, monitor, children));
       if (steady_now() - moved > kSilenceWorthSaying) {
         progress.note(standstill(*seat.listener, children));
         moved = steady_now();
@@ -189,14 +169,11 @@ bus::Vendor vendor_of(DdsChoice choice, const run::Member& member) noexcept {
 
 Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   participant::install_signal_handlers();
-  auto lock = DomainLock::acquire();
-  if (!lock) {
-    return lock.error();
-  }
+  auto lock = FARRIER_TRY(DomainLock::acquire());
   RunOutcome outcome;
   outcome.members = run::plan_processes(robot, run.grouping, run.standby);
   participant::ProcessOptions common = run.common;
-  common.network.domain = lock.value().domain();
+  common.network.domain = lock.domain();
   common.participants = static_cast<std::uint16_t>(outcome.members.size());
 
   std::error_code refused;
@@ -206,38 +183,20 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   }
   std::optional<HostClock> clock;
   if (std::ranges::any_of(run.acts, [](const Act& act) { return run::sets_clock(act.signal); })) {
-    auto created = HostClock::create(run.executables, run.log_directory + "/clock");
-    if (!created) {
-      return created.error();
-    }
-    clock = std::move(created).value();
+    auto created = FARRIER_TRY(HostClock::create(run.executables, run.log_directory + "/clock"));
+    clock = std::move(created);
   }
   const HostClock* const seen = clock ? &*clock : nullptr;
-  auto onlookers = Onlookers::start(run, common.network.domain);
-  if (!onlookers) {
-    return onlookers.error();
-  }
-  auto children = start_children(run, common, outcome.members, seen);
-  if (!children) {
-    return children.error();
-  }
+  auto onlookers = FARRIER_TRY(Onlookers::start(run, common.network.domain));
+  auto children = FARRIER_TRY(start_children(run, common, outcome.members, seen));
   if (common.clock == bus::ClockKind::kRealtime && !run.record_path.empty()) {
-    auto recorder = start_recorder(robot, run, common);
-    if (!recorder) {
-      return recorder.error();
-    }
-    children.value().push_back(std::move(recorder).value());
+    auto recorder = FARRIER_TRY(start_recorder(robot, run, common));
+    children.push_back(std::move(recorder));
   }
-  GrowthWatch watch(run.soak ? pids_of(outcome.members, children.value()) : std::vector<pid_t>{}, common.ticks);
-  auto seat = take_seat(robot, run, common, outcome.members.back(), clock);
-  if (!seat) {
-    return seat.error();
-  }
-  auto monitor = run::RunMonitor::create(*seat.value().bus, seat.value().participant->identity(),
-                                         robot::legs_of_joints(robot));
-  if (!monitor) {
-    return monitor.error();
-  }
+  GrowthWatch watch(run.soak ? pids_of(outcome.members, children) : std::vector<pid_t>{}, common.ticks);
+  auto seat = FARRIER_TRY(take_seat(robot, run, common, outcome.members.back(), clock));
+  auto monitor = FARRIER_TRY(run::RunMonitor::create(*seat.bus, seat.participant->identity(),
+                                         robot::legs_of_joints(robot)));
   Progress progress(run.title, common.ticks);
   const RunActs::Start start_anew = [&](const std::string& member, const std::string& name) {
     if (member == run::kMonitor) {
@@ -247,19 +206,17 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
     return start_child(run, common, *place, name, name + "_anew", seen);
   };
   RunLimits limits(run, common, outcome.members);
-  auto attended = attend(seat.value(), monitor.value(), children.value(), start_anew, progress, run,
+  auto attended = attend(seat, monitor, children, start_anew, progress, run,
                          std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s)), limits,
-                         watch, onlookers.value(), outcome);
-  auto uses = onlookers.value().finish();
-  const std::string hard_ends = end_all(children.value());
+                         watch, onlookers, outcome);
+  auto uses = onlookers.finish();
+  const std::string hard_ends = end_all(children);
   if (!attended || !hard_ends.empty()) {
     return Error{(attended ? hard_ends : attended.error().message) +
-                 (seat.value().recording ? recording::left_behind(run.record_path) : "")};
+                 (seat.recording ? recording::left_behind(run.record_path) : "")};
   }
-  if (seat.value().recording) {
-    if (auto recorded = seat.value().recording->finish(common.ticks); !recorded) {
-      return recorded.error();
-    }
+  if (seat.recording) {
+    FARRIER_TRY(seat.recording->finish(common.ticks));
   }
   if (!uses) {
     return uses.error();
@@ -267,13 +224,13 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   outcome.onlookers = std::move(uses).value();
   outcome.wall_s = attended.value();
   outcome.growths = watch.growths();
-  outcome.acted = seat.value().acts->performed();
-  outcome.hellos = seat.value().participant->hellos();
-  outcome.healths = monitor.value().healths();
-  outcome.events = monitor.value().events();
-  outcome.events_heard = monitor.value().heard();
-  outcome.decisions = monitor.value().decisions();
-  outcome.gains = monitor.value().gains();
+  outcome.acted = seat.acts->performed();
+  outcome.hellos = seat.participant->hellos();
+  outcome.healths = monitor.healths();
+  outcome.events = monitor.events();
+  outcome.events_heard = monitor.heard();
+  outcome.decisions = monitor.decisions();
+  outcome.gains = monitor.gains();
   return outcome;
 }
 

@@ -17,9 +17,7 @@ Result<HostClock> HostClock::create(const std::string& executables, const std::s
     return Error{"no " + library + ": install farrier-tools, or build the target 'product'"};
   }
   HostClock clock(library, std::filesystem::absolute(path));
-  if (auto written = clock.set(0); !written) {
-    return written.error();
-  }
+  FARRIER_TRY(clock.set(0));
   return clock;
 }
 

@@ -23,18 +23,13 @@ Result<Onlookers> Onlookers::start(const DdsRun& run, int domain) {
     std::vector<std::string> arguments = onlooker.arguments;
     arguments.insert(arguments.end(), {"--robot", run.common.robot_path, "--domain", std::to_string(domain), "--dds",
                                        run.dds == DdsChoice::kFast ? "fast" : "cyclone"});
-    auto process = ChildProcess::start(onlooker.name, farrier_command(), arguments,
-                                       run.log_directory + "/" + onlooker.name + ".log");
-    if (!process) {
-      return process.error();
-    }
-    onlookers.processes_.push_back(std::move(process).value());
+    auto process = FARRIER_TRY(ChildProcess::start(onlooker.name, farrier_command(), arguments,
+                                       run.log_directory + "/" + onlooker.name + ".log"));
+    onlookers.processes_.push_back(std::move(process));
     onlookers.stands_still_.push_back(onlooker.stands_still);
   }
   for (std::size_t i = 0; i < onlookers.processes_.size(); ++i) {
-    if (auto listens = onlookers.processes_[i].wait_for_words(run.onlookers[i].listens, kStart); !listens) {
-      return listens.error();
-    }
+    FARRIER_TRY(onlookers.processes_[i].wait_for_words(run.onlookers[i].listens, kStart));
   }
   onlookers.uses_.resize(onlookers.processes_.size());
   return onlookers;

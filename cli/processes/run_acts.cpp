@@ -15,12 +15,9 @@ Result<RunActs> RunActs::create(std::vector<Act> acts, participant::Participant&
                                 std::optional<HostClock> clock) {
   RunActs run(std::move(acts), participant.identity().session, std::move(clock));
   if (std::ranges::any_of(run.acts_, [](const Act& act) { return act.member.empty(); })) {
-    auto requests = bus::Publisher<signals::SystemRequest>::create(
-        participant.bus(), participant::endpoint_of(participant.identity(), bus::TopicId::kSystemRequest));
-    if (!requests) {
-      return requests.error();
-    }
-    run.requests_.emplace(std::move(requests).value());
+    auto requests = FARRIER_TRY(bus::Publisher<signals::SystemRequest>::create(
+        participant.bus(), participant::endpoint_of(participant.identity(), bus::TopicId::kSystemRequest)));
+    run.requests_.emplace(std::move(requests));
   }
   return run;
 }
@@ -36,16 +33,11 @@ Result<Done> RunActs::perform(Tick due, Tick tick, std::vector<ChildProcess>& ch
       request.request = static_cast<std::uint8_t>(act.request);
       requests_->publish(request);
     } else if (run::sets_clock(act.signal)) {
-      if (auto set = clock_->set(act.signal == run::kClockForward ? kHour_s : -kHour_s); !set) {
-        return set.error();
-      }
+      FARRIER_TRY(clock_->set(act.signal == run::kClockForward ? kHour_s : -kHour_s));
     } else if (act.signal == run::kStart || act.signal == run::kStartTwin) {
-      auto started = start(act.member, act.signal == run::kStart ? act.member : act.member + "_twin");
-      if (!started) {
-        return started.error();
-      }
-      std::erase_if(children, [&](const ChildProcess& child) { return child.name() == started.value().name(); });
-      children.push_back(std::move(started).value());
+      auto started = FARRIER_TRY(start(act.member, act.signal == run::kStart ? act.member : act.member + "_twin"));
+      std::erase_if(children, [&](const ChildProcess& child) { return child.name() == started.name(); });
+      children.push_back(std::move(started));
     } else if (const auto child = std::ranges::find(children, act.member, &ChildProcess::name); child != children.end()) {
       ::kill(child->pid(), act.signal);
     }

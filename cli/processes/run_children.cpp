@@ -57,11 +57,8 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
     if (member.executable.empty()) {
       continue;
     }
-    auto child = start_child(run, common, member, member.name, member.name, clock);
-    if (!child) {
-      return child.error();
-    }
-    children.push_back(std::move(child).value());
+    auto child = FARRIER_TRY(start_child(run, common, member, member.name, member.name, clock));
+    children.push_back(std::move(child));
   }
   return children;
 }
@@ -85,9 +82,7 @@ Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run
                                     const participant::ProcessOptions& common) {
   // The robot as the options of this run have made it, which no file says.
   const std::string robot_path = run.log_directory + "/" + robot.name + ".yaml";
-  if (auto written = replace_file(robot_path, robot::print_config(robot)); !written) {
-    return written.error();
-  }
+  FARRIER_TRY(replace_file(robot_path, robot::print_config(robot)));
   std::vector<std::string> arguments{"record", run.record_path, "--robot", robot_path, "--domain",
                                      std::to_string(common.network.domain), "--dds",
                                      run.dds == DdsChoice::kFast ? "fast" : "cyclone"};

@@ -35,14 +35,11 @@ struct ReplayOptions {
 
 /// Refuses where a robot of this name runs: a replay would speak in the name of its processes.
 Result<Done> nobody_is_there(bus::Bus& bus, const robot::Robot& robot, int domain) {
-  auto hellos = bus::Subscription<SystemHello>::create(
-      bus, recorder::watching_endpoint(robot, bus::TopicId::kSystemHello));
-  if (!hellos) {
-    return hellos.error();
-  }
+  auto hellos = FARRIER_TRY(bus::Subscription<SystemHello>::create(
+      bus, recorder::watching_endpoint(robot, bus::TopicId::kSystemHello)));
   std::string heard;
   nap(bus, participant::steady_now() + kListen);
-  hellos.value().drain([&](const SystemHello& hello) { heard = signals::text_of(hello.name); });
+  hellos.drain([&](const SystemHello& hello) { heard = signals::text_of(hello.name); });
   if (!heard.empty()) {
     return Error{heard + " of robot " + robot.name + " runs in domain " + std::to_string(domain) +
                  ", and a replay would speak in its name: give a --domain of its own"};

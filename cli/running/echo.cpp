@@ -46,11 +46,8 @@ class TypedEcho final : public Echo {
  public:
   static Result<std::unique_ptr<Echo>> create(bus::Bus& bus, const Filter& filter) {
     const bus::TopicSpec& topic = bus::spec(bus::TopicOf<Signal>::id);
-    auto heard = bus::Subscription<Signal>::create(bus, recorder::watching_endpoint(filter.robot, topic.id));
-    if (!heard) {
-      return heard.error();
-    }
-    return std::unique_ptr<Echo>(new TypedEcho(topic.name, std::move(heard).value(), filter));
+    auto heard = FARRIER_TRY(bus::Subscription<Signal>::create(bus, recorder::watching_endpoint(filter.robot, topic.id)));
+    return std::unique_ptr<Echo>(new TypedEcho(topic.name, std::move(heard), filter));
   }
 
   std::uint64_t print(std::uint64_t most) override {

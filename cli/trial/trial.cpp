@@ -53,7 +53,7 @@ int trial(const robot::Robot& robot, const TrialOptions& o) {
 }
 
 int prepare(TrialOptions o) {
-  o.design = o.design.empty() ? "adaptive" : o.design;
+  o.design = o.design.value_or(robot::Design::kAdaptive);
   const auto robot = process::load_robot(common_options(o));
   if (!robot) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);

@@ -39,13 +39,10 @@ report::JointVerdict verdict_of(const std::string& joint, const diagnosis::Judge
 }  // namespace
 
 Result<std::vector<double>> TrialStudy::stance_nrmse(RunOutcome& run, const std::string& trace_path) {
-  const auto tracking = tracking_of(nominal_, run, trace_path, o_.seed, nominal_.loop_delay_lockstep);
-  if (!tracking) {
-    return tracking.error();
-  }
-  long_enough_ = long_enough_ && report::long_enough(nominal_, tracking.value());
+  const auto tracking = FARRIER_TRY(tracking_of(nominal_, run, trace_path, o_.seed, nominal_.loop_delay_lockstep));
+  long_enough_ = long_enough_ && report::long_enough(nominal_, tracking);
   std::vector<double> nrmse;
-  for (const report::JointTracking& joint : tracking.value().joints) {
+  for (const report::JointTracking& joint : tracking.joints) {
     nrmse.push_back(joint.stance.nrmse);
   }
   return nrmse;
@@ -53,11 +50,8 @@ Result<std::vector<double>> TrialStudy::stance_nrmse(RunOutcome& run, const std:
 
 /// Verdicts of every joint's recording; what was found of the most suspected joint.
 Result<std::vector<plant::ActiveEffect>> TrialStudy::diagnose_all(const TrotOptions& run, report::HideTrial& trial) {
-  auto recorded = playback::RecordedRun::open(run.record_path);
-  if (!recorded) {
-    return recorded.error();
-  }
-  const playback::Measurements measured = playback::read_measurements(recorded.value());
+  auto recorded = FARRIER_TRY(playback::RecordedRun::open(run.record_path));
+  const playback::Measurements measured = playback::read_measurements(recorded);
   std::vector<plant::ActiveEffect> found;
   Progress progress("trial, diagnosing", static_cast<Tick>(nominal_.joints.size()), "joint");
   for (const robot::Joint& joint : nominal_.joints) {
@@ -84,28 +78,18 @@ Result<std::vector<plant::ActiveEffect>> TrialStudy::diagnose_all(const TrotOpti
 }
 
 Result<std::string> TrialStudy::write_world(const robot::Robot& world, const std::string& joint) const {
-  const auto text = report::extended_model(nominal_, *nominal_.find(joint), world.find(joint)->effects);
-  if (!text) {
-    return text.error();
-  }
+  const auto text = FARRIER_TRY(report::extended_model(nominal_, *nominal_.find(joint), world.find(joint)->effects));
   const std::string path = o_.out + "/log/world.yaml";
-  if (auto written = replace_file(path, text.value()); !written) {
-    return written.error();
-  }
+  FARRIER_TRY(replace_file(path, text));
   return path;
 }
 
 Result<robot::Robot> TrialStudy::extend(const robot::Joint& joint, const std::vector<plant::ActiveEffect>& effects,
                                        std::uint64_t seed) {
-  const auto text = report::extended_model(nominal_, joint, effects);
-  if (!text) {
-    return text.error();
-  }
+  const auto text = FARRIER_TRY(report::extended_model(nominal_, joint, effects));
   const std::string path =
       o_.out + "/" + nominal_.name + "_" + joint.name + "_seed_" + std::to_string(seed) + "_extended.yaml";
-  if (auto written = replace_file(path, text.value()); !written) {
-    return written.error();
-  }
+  FARRIER_TRY(replace_file(path, text));
   auto loaded = robot::load_robot(path);
   if (!loaded) {
     return Error{config::to_string(loaded.error())};
@@ -118,10 +102,7 @@ Result<Done> TrialStudy::run(std::uint64_t seed, const std::vector<double>& nomi
   const std::string at = "trial " + std::to_string(seed);
   trials::HiddenEffect what;  // read only by the judgement, after the diagnosis
   const robot::Robot world = trials::hide_effect(nominal_, seed, what);
-  const auto world_path = write_world(world, what.joint);
-  if (!world_path) {
-    return world_path.error();
-  }
+  const auto world_path = FARRIER_TRY(write_world(world, what.joint));
   TrotOptions recorded = o_;
   if (o_.seeds > 1) {
     const std::filesystem::path path = o_.record_path;
@@ -129,20 +110,11 @@ Result<Done> TrialStudy::run(std::uint64_t seed, const std::vector<double>& nomi
                                                  path.extension().string());
   }
   recordings_.push_back(recorded.record_path);
-  auto hidden = run_once(nominal_, recorded, at, {&world, world_path.value()});
-  if (!hidden) {
-    return hidden.error();
-  }
-  const auto hidden_nrmse = stance_nrmse(hidden.value(), recorded.trace_path);
-  if (!hidden_nrmse) {
-    return hidden_nrmse.error();
-  }
+  auto hidden = FARRIER_TRY(run_once(nominal_, recorded, at, {&world, world_path}));
+  const auto hidden_nrmse = FARRIER_TRY(stance_nrmse(hidden, recorded.trace_path));
   report::HideTrial trial;
   trial.seed = seed;
-  const auto found = diagnose_all(recorded, trial);
-  if (!found) {
-    return found.error();
-  }
+  const auto found = FARRIER_TRY(diagnose_all(recorded, trial));
   const std::size_t number = nominal_.find(what.joint)->number;
   trial.joint = what.joint;
   trial.effect = what.effect;
@@ -150,24 +122,18 @@ Result<Done> TrialStudy::run(std::uint64_t seed, const std::vector<double>& nomi
   trial.unit = what.unit;
   trial.value = what.value;
   trial.nrmse_nominal = nominal_nrmse[number];
-  trial.nrmse_hidden = hidden_nrmse.value()[number];
+  trial.nrmse_hidden = hidden_nrmse[number];
   trial.nrmse_known = trial.nrmse_hidden;
-  if (!found.value().empty()) {
-    const auto extended = extend(*nominal_.find(trial.suspect()->joint), found.value(), seed);
-    if (!extended) {
-      return extended.error();
-    }
+  if (!found.empty()) {
+    const auto extended = FARRIER_TRY(extend(*nominal_.find(trial.suspect()->joint), found, seed));
     const std::string path = o_.out + "/trace_known.csv";
-    auto ran = run_in_process(extended.value(), o_, supervisor::parse_design(o_.design), path, at + ", known",
+    auto ran = run_in_process(extended, o_, o_.design.value(), path, at + ", known",
                               {.world = &world, .record_path = {}});
     if (!ran) {
       return ran.error();
     }
-    const auto known = stance_nrmse(ran.value(), path);
-    if (!known) {
-      return known.error();
-    }
-    trial.nrmse_known = known.value()[number];
+    const auto known = FARRIER_TRY(stance_nrmse(ran.value(), path));
+    trial.nrmse_known = known[number];
   }
   trials_.push_back(std::move(trial));
   return Done{};
@@ -175,16 +141,13 @@ Result<Done> TrialStudy::run(std::uint64_t seed, const std::vector<double>& nomi
 
 Result<Done> TrialStudy::run() {
   const std::string path = o_.out + "/trace_nominal.csv";
-  auto ran = run_in_process(nominal_, o_, supervisor::parse_design(o_.design), path, "trot, nominal");
+  auto ran = run_in_process(nominal_, o_, o_.design.value(), path, "trot, nominal");
   if (!ran) {
     return ran.error();
   }
-  const auto nominal = stance_nrmse(ran.value(), path);
-  if (!nominal) {
-    return nominal.error();
-  }
+  const auto nominal = FARRIER_TRY(stance_nrmse(ran.value(), path));
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(o_.seeds); ++i) {
-    if (auto ran = run(o_.hide + i, nominal.value()); !ran) {
+    if (auto ran = run(o_.hide + i, nominal); !ran) {
       return of_seed(o_.hide + i, ran.error());
     }
   }

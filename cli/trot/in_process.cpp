@@ -16,11 +16,8 @@ Result<report::Tracking> track_beside(robot::Robot robot, const TrotOptions& o, 
   for (robot::Joint& joint : robot.joints) {
     joint.kind = control::Kind::kLqr;
   }
-  auto run = run_in_process(robot, o, design, trace_path, title);
-  if (!run) {
-    return run.error();
-  }
-  return tracking_of(robot, run.value(), trace_path, o.seed, robot.loop_delay_lockstep);
+  auto run = FARRIER_TRY(run_in_process(robot, o, design, trace_path, title));
+  return tracking_of(robot, run, trace_path, o.seed, robot.loop_delay_lockstep);
 }
 
 }  // namespace
@@ -45,16 +42,13 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
     return !participant::stop_requested();
   };
   const SteadyTime begin = std::chrono::steady_clock::now();
-  auto result = run::run_inproc(robot, run);
-  if (!result) {
-    return result.error();
-  }
+  auto result = FARRIER_TRY(run::run_inproc(robot, run));
   outcome.members = run::plan_members(robot, run.grouping);
-  outcome.hellos = std::move(result.value().hellos);
-  outcome.healths = std::move(result.value().healths);
-  outcome.events = std::move(result.value().events);
-  outcome.decisions = std::move(result.value().decisions);
-  outcome.gains = std::move(result.value().gains);
+  outcome.hellos = std::move(result.hellos);
+  outcome.healths = std::move(result.healths);
+  outcome.events = std::move(result.events);
+  outcome.decisions = std::move(result.decisions);
+  outcome.gains = std::move(result.gains);
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcome;
 }
@@ -69,39 +63,27 @@ robot::Robot without_dither(robot::Robot robot) {
 Result<report::Tracking> tracking_of(const robot::Robot& robot, RunOutcome& run, const std::string& trace_path,
                                      std::uint64_t seed, int loop_delay_ticks) {
   if (run.rows.empty()) {
-    auto read = trace::read_trace(trace_path, robot::joint_names(robot));
-    if (!read) {
-      return read.error();
-    }
-    run.rows = std::move(read).value();
+    auto read = FARRIER_TRY(trace::read_trace(trace_path, robot::joint_names(robot)));
+    run.rows = std::move(read);
   }
   return report::track(robot, gait::Schedule(robot.plan, seed), run.rows, loop_delay_ticks);
 }
 
 Result<Done> add_swing_design(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
-  const auto tracking = track_beside(without_dither(robot), o, supervisor::Design::kSwing,
-                                     o.out + "/trace_swing_design.csv", "trot, swing design beside");
-  if (!tracking) {
-    return tracking.error();
-  }
-  report::add_swing_design_tracking(figures, robot, tracking.value());
+  const auto tracking = FARRIER_TRY(track_beside(without_dither(robot), o, supervisor::Design::kSwing,
+                                     o.out + "/trace_swing_design.csv", "trot, swing design beside"));
+  report::add_swing_design_tracking(figures, robot, tracking);
   return Done{};
 }
 
 Result<Done> add_dither_cost(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
-  const auto with = track_beside(robot, o, supervisor::Design::kPhases, o.out + "/trace_dithered.csv",
-                                 "trot, fixed gains with dither");
-  if (!with) {
-    return with.error();
-  }
-  const auto without = track_beside(without_dither(robot), o, supervisor::Design::kPhases,
-                                    o.out + "/trace_undithered.csv", "trot, fixed gains without dither");
-  if (!without) {
-    return without.error();
-  }
+  const auto with = FARRIER_TRY(track_beside(robot, o, supervisor::Design::kPhases, o.out + "/trace_dithered.csv",
+                                 "trot, fixed gains with dither"));
+  const auto without = FARRIER_TRY(track_beside(without_dither(robot), o, supervisor::Design::kPhases,
+                                    o.out + "/trace_undithered.csv", "trot, fixed gains without dither"));
   std::vector<double> ratios;
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
-    ratios.push_back(with.value().joints[i].stance.nrmse / without.value().joints[i].stance.nrmse);
+    ratios.push_back(with.joints[i].stance.nrmse / without.joints[i].stance.nrmse);
   }
   figures.add("trot.dither_cost_ratio", median(std::move(ratios)));
   return Done{};

@@ -39,11 +39,8 @@ Result<Yardstick> measure_yardstick(const robot::Robot& robot, const TrotOptions
   run.common.ticks = run::ticks_of(kExchange_s, robot);
   run.log_directory = options.out + "/log/bare_exchange";
   run.bare = true;
-  auto exchange = run_over_dds(robot, run);
-  if (!exchange) {
-    return exchange.error();
-  }
-  yardstick.exchange = std::move(exchange).value();
+  auto exchange = FARRIER_TRY(run_over_dds(robot, run));
+  yardstick.exchange = std::move(exchange);
   return yardstick;
 }
 
@@ -76,16 +73,10 @@ Result<Done> add_realtime(report::Outcome& outcome, const robot::Robot& robot, c
   robot::Robot delayed = robot;
   delayed.loop_delay_lockstep = robot.loop_delay_realtime;
   const std::string path = options.out + "/trace_lockstep.csv";
-  auto ran = run_in_process(delayed, options, supervisor::parse_design(options.design), path,
-                            "trot, lock-step with the same delay");
-  if (!ran) {
-    return ran.error();
-  }
-  const auto lockstep = tracking_of(delayed, ran.value(), path, options.seed, delayed.loop_delay_lockstep);
-  if (!lockstep) {
-    return lockstep.error();
-  }
-  figures.add("trot.realtime_nrmse_ratio", median_ratio(tracking, lockstep.value()), kNrmseRatio);
+  auto ran = FARRIER_TRY(run_in_process(delayed, options, options.design.value(), path,
+                            "trot, lock-step with the same delay"));
+  const auto lockstep = FARRIER_TRY(tracking_of(delayed, ran, path, options.seed, delayed.loop_delay_lockstep));
+  figures.add("trot.realtime_nrmse_ratio", median_ratio(tracking, lockstep), kNrmseRatio);
   return Done{};
 }
 

@@ -68,10 +68,10 @@ Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, re
 }
 
 int trot(TrotOptions o) {
-  if (o.design.empty()) {
+  if (!o.design) {
     // With a tick of delay one design does not hold both loads, and nothing shows yet that adaptation gets by with it
     // while it learns: in real time each slot has the design for its own load.
-    o.design = o.clock == bus::ClockKind::kRealtime ? "phases" : "adaptive";
+    o.design = o.clock == bus::ClockKind::kRealtime ? robot::Design::kPhases : robot::Design::kAdaptive;
   }
   const auto loaded = process::load_robot(common_options(o));
   if (!loaded) {
@@ -152,7 +152,7 @@ int trot(TrotOptions o) {
   report::add_tracking(outcome.figures, robot, tracking.value(),
                        lockstep ? report::Judgement::kLockstep : report::Judgement::kMeasuredOnly);
   report::add_updates(outcome.figures, robot, outcome.run.decisions, tracking.value().ticks,
-                      lockstep && o.design == "adaptive");
+                      lockstep && o.design == robot::Design::kAdaptive);
   if (auto added = report::add_spectral_radii(outcome.figures, robot, loop_delay); !added) {
     return fail("trot", added.error().message);
   }

@@ -28,9 +28,6 @@ constexpr int kProcessorsForLegs = 4;  ///< with fewer, joint_node processes wai
 
 const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "stand"}};
 
-const std::map<std::string, std::string> kDesigns{
-    {"adaptive", "adaptive"}, {"stance", "stance"}, {"swing", "swing"}, {"phases", "phases"}};
-
 const std::map<std::string, std::string> kControllers{{"lqr", "lqr"},
                                                      {"feedback_linearisation", "feedback_linearisation"},
                                                      {"pid", "pid"},
@@ -86,7 +83,7 @@ void declare_processes(CLI::App& app, TrotOptions& o) {
 }
 
 void declare_control(CLI::App& app, TrotOptions& o) {
-  add_choice(app, "--design", o.design, kDesigns, "adaptive|stance|swing|phases",
+  add_choice(app, "--design", o.design, robot::kDesigns,
              "gains: adaptive begins with the swing design in both phases and redesigns from what it measures, "
              "probing the valves as the robot file says; stance and swing keep one design in both phases, phases "
              "keeps one for each; none of the three probes")

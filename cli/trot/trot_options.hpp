@@ -17,7 +17,7 @@ struct TrotOptions {
   double start_limit_s = DdsRun{}.start_limit_s;  ///< as DdsRun has it
   double stall_limit_s = DdsRun{}.stall_limit_s;  ///< as DdsRun has it
   std::optional<run::Grouping> nodes;  ///< as grouping_of says unless given
-  std::string design;       ///< as supervisor::parse_design takes it; empty: adaptive, in real time phases
+  std::optional<robot::Design> design;  ///< adaptive unless given, in real time phases
   double duration_s = 9.0;
   std::string gait;         ///< empty: the robot file's
   double frequency_Hz = 0;  ///< 0: the robot file's

@@ -18,10 +18,10 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
   common.trace_path = o.trace_path;
   common.gait = o.gait;
   common.frequency_Hz = o.frequency_Hz;
-  common.design = o.design;
+  common.design = robot::to_string(o.design.value());
   common.estimator = o.estimator;
   common.controller = o.controller;
-  common.no_dither = o.design != "adaptive";
+  common.no_dither = o.design != robot::Design::kAdaptive;
   return common;
 }
 
@@ -29,7 +29,7 @@ mcap::Text record_facts(const robot::Robot& robot, const TrotOptions& o) {
   mcap::Text facts = report::recording_facts(robot);
   facts["seed"] = std::to_string(o.seed);
   facts["clock"] = o.clock == bus::ClockKind::kLockstep ? "lockstep" : "realtime";
-  facts["design"] = o.design;
+  facts["design"] = robot::to_string(o.design.value());
   facts["vendor"] = to_string(o.dds);
   return facts;
 }
@@ -55,7 +55,7 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
 Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, const std::string& title,
                             const World& world) {
   if (o.dds == DdsChoice::kInproc) {
-    return run_in_process(robot, o, supervisor::parse_design(o.design), o.trace_path, title,
+    return run_in_process(robot, o, o.design.value(), o.trace_path, title,
                           {.world = world.robot, .record_path = o.record_path});
   }
   DdsRun run = dds_run(robot, o, title);

@@ -20,11 +20,8 @@ Result<double> median_latency(const robot::Robot& robot, const TrotOptions& opti
   run.common.trace_path.clear();
   run.record_path.clear();
   run.log_directory = options.out + (options.security.empty() ? "/log/open" : "/log/secure");
-  const auto ran = run_over_dds(robot, run);
-  if (!ran) {
-    return ran.error();
-  }
-  const double median = ran.value().healths[participant::kSimBridge].latency_s[0];
+  const auto ran = FARRIER_TRY(run_over_dds(robot, run));
+  const double median = ran.healths[participant::kSimBridge].latency_s[0];
   if (!(median > 0.0)) {
     return Error{"no valve command came back to sim_bridge: see the logs in " + run.log_directory};
   }
@@ -57,16 +54,10 @@ Result<Done> add_security_cost(const robot::Robot& robot, const TrotOptions& opt
   double best_open_s = 0.0;
   double best_secure_s = 0.0;
   for (int turn = 0; turn < kTurns; ++turn) {
-    const auto without = median_latency(robot, open, "trot, open");
-    if (!without) {
-      return without.error();
-    }
-    const auto with = median_latency(robot, options, "trot, secure");
-    if (!with) {
-      return with.error();
-    }
-    best_open_s = turn == 0 ? without.value() : std::min(best_open_s, without.value());
-    best_secure_s = turn == 0 ? with.value() : std::min(best_secure_s, with.value());
+    const auto without = FARRIER_TRY(median_latency(robot, open, "trot, open"));
+    const auto with = FARRIER_TRY(median_latency(robot, options, "trot, secure"));
+    best_open_s = turn == 0 ? without : std::min(best_open_s, without);
+    best_secure_s = turn == 0 ? with : std::min(best_secure_s, with);
   }
   figures.add("trot.security.open_latency_p50_us", best_open_s * 1e6);
   figures.add("trot.security.latency_p50_us", best_secure_s * 1e6);

@@ -101,11 +101,8 @@ template <class Signal>
 class Publisher {
  public:
   static Result<Publisher> create(Bus& bus, const EndpointSpec& endpoint) {
-    auto writer = bus.create_writer(endpoint);
-    if (!writer) {
-      return writer.error();
-    }
-    return Publisher(std::move(writer).value());
+    auto writer = FARRIER_TRY(bus.create_writer(endpoint));
+    return Publisher(std::move(writer));
   }
 
   bool publish(const Signal& signal) noexcept {
@@ -135,11 +132,8 @@ template <class Signal>
 class Subscription {
  public:
   static Result<Subscription> create(Bus& bus, const EndpointSpec& endpoint) {
-    auto reader = bus.create_reader(endpoint);
-    if (!reader) {
-      return reader.error();
-    }
-    return Subscription(std::move(reader).value());
+    auto reader = FARRIER_TRY(bus.create_reader(endpoint));
+    return Subscription(std::move(reader));
   }
 
   /// Calls consume(signal) for every waiting sample, oldest first; returns how many there were.

@@ -152,19 +152,13 @@ class CycloneBus final : public bus::Bus {
 }  // namespace
 
 Result<std::unique_ptr<bus::Bus>> create_cyclone_bus(const bus::NetworkOptions& options) {
-  const auto domain = open_domain(options);
-  if (!domain) {
-    return domain.error();
-  }
-  auto warnings = log_warnings().of(domain.value().number);
+  const auto domain = FARRIER_TRY(open_domain(options));
+  auto warnings = log_warnings().of(domain.number);
   if (options.security) {
     dds_set_log_sink(on_log, nullptr);
   }
-  const auto participant = join_domain(domain.value(), options);
-  if (!participant) {
-    return participant.error();
-  }
-  return std::unique_ptr<bus::Bus>(std::make_unique<CycloneBus>(domain.value().entity, participant.value(),
+  const auto participant = FARRIER_TRY(join_domain(domain, options));
+  return std::unique_ptr<bus::Bus>(std::make_unique<CycloneBus>(domain.entity, participant,
                                                                 std::move(warnings), bus::refusals_by(options)));
 }
 

@@ -91,15 +91,9 @@ void for_each_alive(dds_entity_t participant, dds_entity_t topic, Use use) {
 }  // namespace
 
 Result<bus::Discovery> discover(const bus::NetworkOptions& options, Nanoseconds how_long) {
-  const auto domain = open_domain(options);
-  if (!domain) {
-    return domain.error();
-  }
-  const auto joined = join_domain(domain.value(), options);
-  if (!joined) {
-    return joined.error();
-  }
-  const dds_entity_t participant = joined.value();
+  const auto domain = FARRIER_TRY(open_domain(options));
+  const auto joined = FARRIER_TRY(join_domain(domain, options));
+  const dds_entity_t participant = joined;
   dds_guid_t self{};
   dds_get_guid(participant, &self);
   const std::string own = prefix_text(self);
@@ -118,7 +112,7 @@ Result<bus::Discovery> discover(const bus::NetworkOptions& options, Nanoseconds 
       }
     });
   }
-  dds_delete(domain.value().entity);
+  dds_delete(domain.entity);
   return found;
 }
 

@@ -42,11 +42,8 @@ Result<std::unique_ptr<bus::Bus>> create_fast_bus(const bus::NetworkOptions& opt
   if (options.max_processes < 1 || options.peers.empty()) {
     return Error{"network: max_processes must be at least 1 and peers must name a computer"};
   }
-  auto session = FastSession::open(options);
-  if (!session) {
-    return session.error();
-  }
-  return std::unique_ptr<bus::Bus>(std::make_unique<FastBus>(std::move(session).value()));
+  auto session = FARRIER_TRY(FastSession::open(options));
+  return std::unique_ptr<bus::Bus>(std::make_unique<FastBus>(std::move(session)));
 }
 
 }  // namespace farrier::bus_fastdds

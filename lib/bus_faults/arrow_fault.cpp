@@ -171,9 +171,7 @@ Result<ArrowFault> parse_arrow_fault(const std::string& text) {
     return refusal(text, kind_name, "is no kind of fault: " + listed(kKinds, [](const auto& k) { return k.first; }));
   }
   ArrowFault fault{.topic = topic->id, .kind = kind->second, .field = {}, .key = {}};
-  if (auto read = read_value(text, value, fault); !read) {
-    return read.error();
-  }
+  FARRIER_TRY(read_value(text, value, fault));
   if (before_key.size() > what.size()) {
     const auto [from, until] = split(span, "..");
     if (!read(from, fault.from) || !read(until, fault.until) || fault.from < 0 || fault.until <= fault.from) {

@@ -48,4 +48,16 @@ class [[nodiscard]] Result {
   std::variant<T, E> state_;
 };
 
+/// The value of a Result; if it was refused, the function around it returns the error:
+///   const robot::Robot robot = FARRIER_TRY(robot::load_robot(path));
+/// A statement expression, which GCC and Clang have in common.
+#define FARRIER_TRY(...)              \
+  ({                                  \
+    auto tried_result = __VA_ARGS__;  \
+    if (!tried_result) {              \
+      return tried_result.error();    \
+    }                                 \
+    std::move(tried_result).value();  \
+  })
+
 }  // namespace farrier

@@ -89,16 +89,10 @@ Result<GreyBoxEstimator> GreyBoxEstimator::create(const EstimatorParams& shared,
   if (shared.gate != GateKind::kNone) {
     return Error{"a gate chooses what a regression learns from: greybox needs gate: none"};
   }
-  if (auto sound = validate(scales); !sound) {
-    return sound.error();
-  }
-  if (auto sound = plant::validate(actuator); !sound) {
-    return sound.error();
-  }
+  FARRIER_TRY(validate(scales));
+  FARRIER_TRY(plant::validate(actuator));
   for (const plant::LoadParams& load : prior) {
-    if (auto sound = plant::validate(load); !sound) {
-      return sound.error();
-    }
+    FARRIER_TRY(plant::validate(load));
     if (!(load.mass > 0.0)) {
       return Error{"grey_box: both prior loads need a mass above 0 kg, for its logarithm is estimated"};
     }

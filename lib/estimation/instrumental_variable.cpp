@@ -12,9 +12,7 @@ constexpr double kLargestRatio = 10.0;
 
 template <int N>
 Result<InstrumentalVariable<N>> InstrumentalVariable<N>::create(const RlsParams& params, const Parameters& theta0) {
-  if (const auto checked = Rls<N>::create(params, theta0); !checked) {
-    return checked.error();
-  }
+  FARRIER_TRY(Rls<N>::create(params, theta0));
   if (params.regressor_min != 0.0) {
     return Error{"regressor_min of instrumental variables must be 0: samples that say nothing are the owner's to leave out"};
   }

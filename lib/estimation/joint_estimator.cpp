@@ -53,23 +53,15 @@ Result<JointEstimator> JointEstimator::create(const EstimatorParams& params, con
       params.min_samples < 1) {
     return Error{"regressor_min and blank_ticks must not be negative, min_samples at least 1"};
   }
-  if (auto valid = validate(scales); !valid) {
-    return valid.error();
-  }
+  FARRIER_TRY(validate(scales));
   // T^-1 A T, T^-1 B V
   const Eigen::Matrix3d a = scales.state.cwiseInverse().asDiagonal() * prior_a * scales.state.asDiagonal();
   const Eigen::Vector3d b = scales.current_A * prior_b.cwiseQuotient(scales.state);
   const Eigen::Vector3d noise_variance = scales.sensor_noise.cwiseQuotient(scales.state).array().square();
-  auto regression = make_regression(params, noise_variance, a, b);
-  if (!regression) {
-    return regression.error();
-  }
-  auto gate = ExcitationGate::create(params);
-  if (!gate) {
-    return gate.error();
-  }
-  return JointEstimator(params, scales, {std::move(regression).value(), Eigen::Vector3d::Zero(), {}},
-                        std::move(gate).value());
+  auto regression = FARRIER_TRY(make_regression(params, noise_variance, a, b));
+  auto gate = FARRIER_TRY(ExcitationGate::create(params));
+  return JointEstimator(params, scales, {std::move(regression), Eigen::Vector3d::Zero(), {}},
+                        std::move(gate));
 }
 
 JointEstimator::JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory,

@@ -5,14 +5,6 @@
 
 namespace farrier::gait {
 
-const char* to_string(Phase phase) noexcept {
-  switch (phase) {
-    case Phase::kSwing: return "swing";
-    case Phase::kStance: return "stance";
-  }
-  return "unknown";
-}
-
 PhaseTicks phase_ticks(const RobotPlan& plan) noexcept {
   const GaitParams& gait = plan.gait;
   const Tick stride = std::llround(1.0 / (gait.frequency_Hz * plan.period_s));

@@ -6,14 +6,12 @@
 
 #include "core/noise.hpp"
 #include "core/time.hpp"
+#include "core/phase.hpp"
 #include "gait/gait_params.hpp"
 
 namespace farrier::gait {
 
-/// Same values as on the wire.
-enum class Phase : std::uint8_t { kSwing = 0, kStance = 1 };
-
-const char* to_string(Phase phase) noexcept;
+using farrier::Phase;
 
 /// A change of phase of one leg. Counts run 1, 2, ...: odd ones are lift-offs, even ones touchdowns.
 struct PhaseSwitch {

@@ -13,11 +13,8 @@ constexpr std::uint64_t kBetweenNotes_ns = 5'000'000'000;  // of one topic: a ba
 }  // namespace
 
 Result<Watch> Watch::create(bus::Bus& bus, const robot::Robot& robot) {
-  auto recorder = recorder::Recorder::create(bus, robot, RobotView::topics());
-  if (!recorder) {
-    return recorder.error();
-  }
-  return Watch(std::move(recorder).value(), robot);
+  auto recorder = FARRIER_TRY(recorder::Recorder::create(bus, robot, RobotView::topics()));
+  return Watch(std::move(recorder), robot);
 }
 
 Frame Watch::look() {

@@ -41,7 +41,6 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--design", o.design,
                  "Load the published gains are for: stance or swing in both slots, phases: each slot its own, or "
                  "adaptive: swing in both at first, then what the estimates say")
-      ->check(CLI::IsMember({"stance", "swing", "phases", "adaptive"}))
       ->capture_default_str();
   app.add_option("--gait", o.gait, "trot or stand, instead of the robot file's")->check(CLI::IsMember({"trot", "stand"}));
   app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's")

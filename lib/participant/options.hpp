@@ -27,7 +27,7 @@ struct ProcessOptions {
   Tick ticks = 0;                   ///< length of the run; 0: until SIGTERM
   std::vector<std::string> joints;  ///< joint_node: the joints it hosts
   std::string trace_path;           ///< sim_bridge: where the trace goes, or empty
-  std::string design = "stance";    ///< supervisor: "stance", "swing", "phases" or "adaptive"
+  std::string design = "stance";    ///< supervisor: a name of robot::kDesigns
   std::string gait;                 ///< overrides of the robot file, or empty
   double frequency_Hz = 0;
   std::string estimator;            ///< section of the robot file for every joint, or empty

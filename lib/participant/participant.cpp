@@ -49,9 +49,7 @@ Participant::Participant(bus::Bus& bus, Identity identity) : bus_(bus), identity
 Result<std::unique_ptr<Participant>> Participant::join(bus::Bus& bus, Identity identity) {
   FARRIER_ENSURE(identity.number < identity.participants, "a participant's number is below their count");
   std::unique_ptr<Participant> participant(new Participant(bus, std::move(identity)));
-  if (auto opened = participant->open(); !opened) {
-    return opened.error();
-  }
+  FARRIER_TRY(participant->open());
   return participant;
 }
 
@@ -83,11 +81,8 @@ Result<Done> Participant::open() {
     return r;
   }
   if (identity_.clock == bus::ClockKind::kLockstep && identity_.number != kSimBridge) {
-    auto made = publish<signals::ClockTickDone>({identity_.number});
-    if (!made) {
-      return made.error();
-    }
-    tick_done_out_ = made.value();
+    auto made = FARRIER_TRY(publish<signals::ClockTickDone>({identity_.number}));
+    tick_done_out_ = made;
   }
   return Done{};
 }

@@ -61,11 +61,8 @@ class Participant {
     bus::EndpointSpec endpoint = endpoint_of(identity_, bus::TopicOf<Signal>::id, legs);
     endpoint.wakes = at_leisure == 0;
     endpoint.qos.history_depth = std::max(endpoint.qos.history_depth, at_leisure);
-    auto made = bus::Subscription<Signal>::create(bus_, endpoint);
-    if (!made) {
-      return made.error();
-    }
-    auto port = std::make_unique<In<Signal>>(std::move(made).value(), std::move(keys));
+    auto made = FARRIER_TRY(bus::Subscription<Signal>::create(bus_, endpoint));
+    auto port = std::make_unique<In<Signal>>(std::move(made), std::move(keys));
     In<Signal>* raw = port.get();
     ports_.push_back(std::move(port));
     return raw;
@@ -84,22 +81,16 @@ class Participant {
       const auto place = std::ranges::find(opened, legs.empty() ? std::string() : legs[i]);
       publisher_of_key.push_back(static_cast<std::size_t>(place - opened.begin()));
       if (place == opened.end()) {
-        auto made = bus::Publisher<Signal>::create(bus_, endpoint_of(identity_, topic, leg));
-        if (!made) {
-          return made.error();
-        }
-        publishers.push_back(std::move(made).value());
+        auto made = FARRIER_TRY(bus::Publisher<Signal>::create(bus_, endpoint_of(identity_, topic, leg)));
+        publishers.push_back(std::move(made));
         opened.push_back(legs.empty() ? std::string() : legs[i]);
       }
     }
     auto port = std::make_unique<Out<Signal>>(std::move(publishers), std::move(keys), std::move(publisher_of_key));
     if constexpr (signals::kJournalled<Signal>) {
-      auto journal = bus::Publisher<signals::SystemJournal>::create(
-          bus_, endpoint_of(identity_, bus::TopicId::kSystemJournal));
-      if (!journal) {
-        return journal.error();
-      }
-      port->keep_journal(std::make_unique<StreamJournal>(std::move(journal).value(), identity_.number, topic,
+      auto journal = FARRIER_TRY(bus::Publisher<signals::SystemJournal>::create(
+          bus_, endpoint_of(identity_, bus::TopicId::kSystemJournal)));
+      port->keep_journal(std::make_unique<StreamJournal>(std::move(journal), identity_.number, topic,
                                                          identity_.clock));
     }
     Out<Signal>* raw = port.get();

@@ -48,11 +48,8 @@ Result<Done> secure(bus::NetworkOptions& network, const std::string& folder, bus
   if (folder.empty()) {
     return Done{};
   }
-  auto files = security::credentials(folder, role, vendor, participant::date_now());
-  if (!files) {
-    return files.error();
-  }
-  network.security = std::move(files).value();
+  auto files = FARRIER_TRY(security::credentials(folder, role, vendor, participant::date_now()));
+  network.security = std::move(files);
   return Done{};
 }
 

@@ -87,11 +87,8 @@ bus::EndpointSpec leisurely_endpoint(const robot::Robot& robot, bus::TopicId top
 template <class Signal>
 Result<std::unique_ptr<Tap>> watch(bus::Bus& bus, const robot::Robot& robot) {
   using Heard = bus::Subscription<Signal>;
-  auto heard = Heard::create(bus, leisurely_endpoint(robot, bus::TopicOf<Signal>::id, kDepth));
-  if (!heard) {
-    return heard.error();
-  }
-  return std::unique_ptr<Tap>(std::make_unique<TypedTap<Signal, Heard>>(std::move(heard).value()));
+  auto heard = FARRIER_TRY(Heard::create(bus, leisurely_endpoint(robot, bus::TopicOf<Signal>::id, kDepth)));
+  return std::unique_ptr<Tap>(std::make_unique<TypedTap<Signal, Heard>>(std::move(heard)));
 }
 
 /// Whom a participant must hear on a topic before the run begins.
@@ -126,13 +123,10 @@ Result<std::unique_ptr<Tap>> take_part(participant::Participant& participant, co
     return watch<Signal>(participant.bus(), robot);
   } else {
     const bool by_leg = bus::spec(bus::TopicOf<Signal>::id).route == bus::Route::kLeg;
-    auto in = participant.subscribe<Signal>(keys_of<Signal>(robot, participant.identity()),
+    auto in = FARRIER_TRY(participant.subscribe<Signal>(keys_of<Signal>(robot, participant.identity()),
                                             by_leg ? robot::legs_of_joints(robot) : std::vector<std::string>{},
-                                            kDepth);
-    if (!in) {
-      return in.error();
-    }
-    return std::unique_ptr<Tap>(std::make_unique<TypedTap<Signal, Port<Signal>>>(Port<Signal>{in.value()}));
+                                            kDepth));
+    return std::unique_ptr<Tap>(std::make_unique<TypedTap<Signal, Port<Signal>>>(Port<Signal>{in}));
   }
 }
 
@@ -174,11 +168,8 @@ Result<Recorder> Recorder::create(bus::Bus& bus, const robot::Robot& robot, cons
     if (!chosen && (!topics.empty() || topic.id == bus::TopicId::kSystemJournal)) {
       continue;
     }
-    auto tap = kTaps[static_cast<std::size_t>(topic.id)].watch(bus, robot);
-    if (!tap) {
-      return tap.error();
-    }
-    taps.push_back(std::move(tap).value());
+    auto tap = FARRIER_TRY(kTaps[static_cast<std::size_t>(topic.id)].watch(bus, robot));
+    taps.push_back(std::move(tap));
   }
   return Recorder(std::move(taps));
 }
@@ -206,18 +197,12 @@ Result<Recorder> Recorder::of_journals(participant::Participant& participant, co
     if (is_journalled(topic.id) || topic.id == bus::TopicId::kSystemJournal) {
       continue;
     }
-    auto tap = kTaps[static_cast<std::size_t>(topic.id)].take_part(participant, robot);
-    if (!tap) {
-      return tap.error();
-    }
-    taps.push_back(std::move(tap).value());
+    auto tap = FARRIER_TRY(kTaps[static_cast<std::size_t>(topic.id)].take_part(participant, robot));
+    taps.push_back(std::move(tap));
   }
-  auto journals = participant.subscribe<signals::SystemJournal>(journalled_streams(participant.identity()), {},
-                                                                  kJournalDepth);
-  if (!journals) {
-    return journals.error();
-  }
-  taps.push_back(make_journal_tap(Port<signals::SystemJournal>{journals.value()}));
+  auto journals = FARRIER_TRY(participant.subscribe<signals::SystemJournal>(journalled_streams(participant.identity()), {},
+                                                                  kJournalDepth));
+  taps.push_back(make_journal_tap(Port<signals::SystemJournal>{journals}));
   return Recorder(std::move(taps));
 }
 

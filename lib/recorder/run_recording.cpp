@@ -16,16 +16,10 @@ constexpr std::array kOfEveryTick{kJointSensors, kJointValveCommand, kJointMeasu
 Result<std::unique_ptr<RunRecording>> RunRecording::create(const std::string& path, const mcap::Text& facts,
                                                            const robot::Robot& robot,
                                                            participant::Participant& participant) {
-  auto recorder = Recorder::of_journals(participant, robot);
-  if (!recorder) {
-    return recorder.error();
-  }
-  auto file = recording::RunFileWriter::create(path, facts);
-  if (!file) {
-    return file.error();
-  }
+  auto recorder = FARRIER_TRY(Recorder::of_journals(participant, robot));
+  auto file = FARRIER_TRY(recording::RunFileWriter::create(path, facts));
   return std::unique_ptr<RunRecording>(
-      new RunRecording(std::move(recorder).value(), std::move(file).value(), robot.joints.size()));
+      new RunRecording(std::move(recorder), std::move(file), robot.joints.size()));
 }
 
 void RunRecording::poll() {

@@ -33,11 +33,8 @@ std::string left_behind(const std::string& path) {
 }
 
 Result<RunFileWriter> RunFileWriter::create(const std::string& path, const mcap::Text& facts) {
-  auto file = mcap::Writer::create(path_while_written(path), kProfile, "farrier");
-  if (!file) {
-    return file.error();
-  }
-  RunFileWriter writer(std::move(file).value(), is_special(path) ? "" : path);
+  auto file = FARRIER_TRY(mcap::Writer::create(path_while_written(path), kProfile, "farrier"));
+  RunFileWriter writer(std::move(file), is_special(path) ? "" : path);
   for (const bus::TopicSpec& topic : bus::topics()) {
     const std::uint16_t schema =
         writer.file_.add_schema({.name = topic.type_name, .encoding = "omgidl", .data = idl_text(topic.id)});
@@ -74,11 +71,8 @@ Result<Done> RunFileWriter::finish(const TopicCounts& lost) {
 }
 
 Result<RunFileReader> RunFileReader::open(const std::string& path) {
-  auto file = mcap::Reader::open(path);
-  if (!file) {
-    return file.error();
-  }
-  return RunFileReader(std::move(file).value());
+  auto file = FARRIER_TRY(mcap::Reader::open(path));
+  return RunFileReader(std::move(file));
 }
 
 bool RunFileReader::next(Sample& sample) {

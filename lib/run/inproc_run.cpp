@@ -39,11 +39,8 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
       return supervisor::create_application(run.designer != nullptr ? *run.designer : robot, run.design, participant,
                                             run.ticks, false, run.known_loads, run.first_gains);
     case participant::kGaitSource: {
-      auto gait = gait_source::GaitSource::create(robot, run.seed, participant, run.ticks, run.announce);
-      if (!gait) {
-        return gait.error();
-      }
-      return std::unique_ptr<participant::Application>(std::move(gait).value());
+      auto gait = FARRIER_TRY(gait_source::GaitSource::create(robot, run.seed, participant, run.ticks, run.announce));
+      return std::unique_ptr<participant::Application>(std::move(gait));
     }
     default: return joint_node::create_lockstep(robot, member.joints, participant, run.ticks);
   }
@@ -59,40 +56,25 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   for (const Member& member : members) {
     Seat& seat = seats[member.number];
     seat.bus = bus::create_inproc_bus(domain);
-    auto joined = participant::Participant::join(
+    auto joined = FARRIER_TRY(participant::Participant::join(
         *seat.bus, {member.name, robot.name, member.number, static_cast<std::uint16_t>(members.size()), kSession,
-                    bus::ClockKind::kLockstep});
-    if (!joined) {
-      return joined.error();
-    }
-    seat.participant = std::move(joined).value();
-    auto application = create_application(member, robot, run, *seat.participant);
-    if (!application) {
-      return application.error();
-    }
-    seat.application = std::move(application).value();
+                    bus::ClockKind::kLockstep}));
+    seat.participant = std::move(joined);
+    auto application = FARRIER_TRY(create_application(member, robot, run, *seat.participant));
+    seat.application = std::move(application);
   }
   Seat& gait = seats[participant::kGaitSource];
-  auto monitor = RunMonitor::create(*gait.bus, gait.participant->identity(), robot::legs_of_joints(robot));
-  if (!monitor) {
-    return monitor.error();
-  }
-  auto estimates = bus::Subscription<signals::JointModelEstimate>::create(
-      *gait.bus, participant::endpoint_of(gait.participant->identity(), bus::TopicId::kJointModelEstimate));
-  if (!estimates) {
-    return estimates.error();
-  }
+  auto monitor = FARRIER_TRY(RunMonitor::create(*gait.bus, gait.participant->identity(), robot::legs_of_joints(robot)));
+  auto estimates = FARRIER_TRY(bus::Subscription<signals::JointModelEstimate>::create(
+      *gait.bus, participant::endpoint_of(gait.participant->identity(), bus::TopicId::kJointModelEstimate)));
   std::unique_ptr<recorder::RunRecording> recording;
   if (!run.record_path.empty()) {
-    auto made = recorder::RunRecording::create(run.record_path, run.record_facts, robot, *gait.participant);
-    if (!made) {
-      return made.error();
-    }
-    recording = std::move(made).value();
+    auto made = FARRIER_TRY(recorder::RunRecording::create(run.record_path, run.record_facts, robot, *gait.participant));
+    recording = std::move(made);
   }
   const auto listen = [&] {
-    monitor.value().poll();
-    estimates.value().drain([&](const signals::JointModelEstimate& estimate) {
+    monitor.poll();
+    estimates.drain([&](const signals::JointModelEstimate& estimate) {
       if (run.estimates && !signals::is_probe(estimate)) {
         run.estimates(estimate);
       }
@@ -125,15 +107,13 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   }
   listen();
   if (recording) {
-    if (auto recorded = recording->finish(run.ticks); !recorded) {
-      return recorded.error();
-    }
+    FARRIER_TRY(recording->finish(run.ticks));
   }
   result.hellos = gait.participant->hellos();
-  result.healths = monitor.value().healths();
-  result.events = monitor.value().events();
-  result.decisions = monitor.value().decisions();
-  result.gains = monitor.value().gains();
+  result.healths = monitor.healths();
+  result.events = monitor.events();
+  result.decisions = monitor.decisions();
+  result.gains = monitor.gains();
   return result;
 }
 

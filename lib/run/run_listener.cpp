@@ -7,11 +7,8 @@ namespace farrier::run {
 using namespace std::chrono_literals;
 
 Result<RunListener> RunListener::create(participant::Participant& participant, Tick ticks) {
-  auto clock = participant.subscribe<signals::ClockTick>({0});
-  if (!clock) {
-    return clock.error();
-  }
-  return RunListener(*clock.value(), participant, ticks);
+  auto clock = FARRIER_TRY(participant.subscribe<signals::ClockTick>({0}));
+  return RunListener(*clock, participant, ticks);
 }
 
 void RunListener::poll(SteadyTime now) {

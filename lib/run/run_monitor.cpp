@@ -8,30 +8,18 @@ namespace farrier::run {
 
 Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity& identity,
                                       const std::vector<std::string>& legs) {
-  auto health = bus::Subscription<signals::SystemHealth>::create(
-      bus, participant::endpoint_of(identity, bus::TopicId::kSystemHealth));
-  if (!health) {
-    return health.error();
-  }
-  auto events = bus::Subscription<signals::SystemEvent>::create(
-      bus, participant::endpoint_of(identity, bus::TopicId::kSystemEvent));
-  if (!events) {
-    return events.error();
-  }
-  auto decisions = bus::Subscription<signals::JointUpdateDecision>::create(
-      bus, participant::endpoint_of(identity, bus::TopicId::kJointUpdateDecision));
-  if (!decisions) {
-    return decisions.error();
-  }
-  RunMonitor monitor(std::move(health).value(), std::move(events).value(), std::move(decisions).value(),
+  auto health = FARRIER_TRY(bus::Subscription<signals::SystemHealth>::create(
+      bus, participant::endpoint_of(identity, bus::TopicId::kSystemHealth)));
+  auto events = FARRIER_TRY(bus::Subscription<signals::SystemEvent>::create(
+      bus, participant::endpoint_of(identity, bus::TopicId::kSystemEvent)));
+  auto decisions = FARRIER_TRY(bus::Subscription<signals::JointUpdateDecision>::create(
+      bus, participant::endpoint_of(identity, bus::TopicId::kJointUpdateDecision)));
+  RunMonitor monitor(std::move(health), std::move(events), std::move(decisions),
                      identity.participants);
   if (!legs.empty()) {
-    auto gains = bus::Subscription<signals::JointControllerGains>::create(
-        bus, participant::endpoint_of(identity, bus::TopicId::kJointControllerGains, legs));
-    if (!gains) {
-      return gains.error();
-    }
-    monitor.gains_in_ = std::move(gains).value();
+    auto gains = FARRIER_TRY(bus::Subscription<signals::JointControllerGains>::create(
+        bus, participant::endpoint_of(identity, bus::TopicId::kJointControllerGains, legs)));
+    monitor.gains_in_ = std::move(gains);
   }
   return monitor;
 }

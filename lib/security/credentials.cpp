@@ -84,13 +84,9 @@ Result<bus::SecurityFiles> credentials(const std::string& folder, bus::Role role
   const bus::SecurityFiles files = files_of(folder, role, vendor);
   for (const std::string* path : {&files.identity_ca, &files.certificate, &files.private_key, &files.permissions_ca,
                                   &files.governance, &files.permissions}) {
-    if (auto readable = is_readable(*path); !readable) {
-      return readable.error();
-    }
+    FARRIER_TRY(is_readable(*path));
   }
-  if (auto closed = is_private(files.private_key); !closed) {
-    return closed.error();
-  }
+  FARRIER_TRY(is_private(files.private_key));
   const auto certificate = read_certificate(files.certificate);
   if (!certificate) {
     return mixed_up(certificate.error());
@@ -100,9 +96,7 @@ Result<bus::SecurityFiles> credentials(const std::string& folder, bus::Role role
     if (!dated) {
       return mixed_up(dated.error());
     }
-    if (auto valid = is_valid(dated.value(), *path, now); !valid) {
-      return valid.error();
-    }
+    FARRIER_TRY(is_valid(dated.value(), *path, now));
   }
   for (const Result<Done>& kinship : {issued_by(files.certificate, files.identity_ca),
                                       belongs_to(files.private_key, files.certificate)}) {

@@ -10,14 +10,6 @@ namespace farrier::signals {
 FARRIER_SIGNALS(FARRIER_CHECK)
 #undef FARRIER_CHECK
 
-const char* to_string(Phase phase) noexcept {
-  switch (phase) {
-    case Phase::kSwing: return "swing";
-    case Phase::kStance: return "stance";
-  }
-  return "unknown phase";
-}
-
 const char* to_string(Mode mode) noexcept {
   switch (mode) {
     case Mode::kIdle: return "idle";

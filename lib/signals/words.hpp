@@ -4,10 +4,11 @@
 
 #include <cstdint>
 
+#include "core/phase.hpp"
+
 namespace farrier::signals {
 
-/// Phase of a leg. Also names the slot of gains that acts in it.
-enum class Phase : std::uint8_t { kSwing = 0, kStance = 1 };
+using farrier::Phase;
 inline constexpr int kPhaseCount = 2;
 
 /// What the whole robot may do; the supervisor publishes it.
@@ -39,7 +40,7 @@ enum class UpdateVerdict : std::uint8_t {
   kDwelling = 13,             ///< the joint's last gains have not acted as long as they must
 };
 
-const char* to_string(Phase phase) noexcept;
+using farrier::to_string;
 const char* to_string(Mode mode) noexcept;
 const char* to_string(Request request) noexcept;
 const char* to_string(JointState state) noexcept;

@@ -85,13 +85,10 @@ std::string gain_html(const DiagnosisResult& result) {
 
 Result<std::string> write_diagnosis_page(const std::string& out_dir, const DiagnosisResult& result,
                                          const Outcome& outcome) {
-  const auto pictures = draw_diagnosis(out_dir, result);
-  if (!pictures) {
-    return pictures.error();
-  }
+  const auto pictures = FARRIER_TRY(draw_diagnosis(out_dir, result));
   const std::string html = page_head(result.robot.name + ", joint " + result.joint.name + ": diagnosis", outcome) +
                            paragraph("Recording: " + result.recording) + list(result.diagnosis.remarks) +
-                           where_html(result.diagnosis, pictures.value()) + cause_html(result, pictures.value()) +
+                           where_html(result.diagnosis, pictures) + cause_html(result, pictures) +
                            gain_html(result) + page_foot(outcome);
   return write_page(out_dir, html);
 }

@@ -130,9 +130,7 @@ WorstWindow worst_second(const std::vector<double>& measured, const std::vector<
 }
 
 Result<DiagnosisPictures> draw_diagnosis(const std::string& out_dir, const DiagnosisResult& result) {
-  if (auto made = make_picture_folders(out_dir); !made) {
-    return made.error();
-  }
+  FARRIER_TRY(make_picture_folders(out_dir));
   Drawing drawing{.out_dir = out_dir};
   DiagnosisPictures pictures;
   for (const ChannelReport& channel : result.diagnosis.channels) {
@@ -150,9 +148,7 @@ Result<DiagnosisPictures> draw_diagnosis(const std::string& out_dir, const Diagn
     return drawing.kept.error();
   }
   if (!drawing.script.empty()) {
-    if (auto drawn = draw(out_dir, drawing.script); !drawn) {
-      return drawn.error();
-    }
+    FARRIER_TRY(draw(out_dir, drawing.script));
   }
   return pictures;
 }

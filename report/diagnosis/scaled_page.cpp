@@ -40,9 +40,7 @@ struct Pictures {
 };
 
 Result<Pictures> draw_scaled(const std::string& out_dir, const ScaledDiagnosis& d) {
-  if (auto made = make_picture_folders(out_dir); !made) {
-    return made.error();
-  }
+  FARRIER_TRY(make_picture_folders(out_dir));
   Drawing drawing{.out_dir = out_dir};
   Pictures pictures{.position = position_picture(drawing, d), .rounds = {}};
   for (const auto& round : d.judgement.rounds) {
@@ -53,9 +51,7 @@ Result<Pictures> draw_scaled(const std::string& out_dir, const ScaledDiagnosis& 
   if (!drawing.kept) {
     return drawing.kept.error();
   }
-  if (auto drawn = draw(out_dir, drawing.script); !drawn) {
-    return drawn.error();
-  }
+  FARRIER_TRY(draw(out_dir, drawing.script));
   return pictures;
 }
 
@@ -97,11 +93,8 @@ Result<std::string> write_scaled_page(const std::string& out_dir, const ScaledRe
   if (result.diagnosis == nullptr) {
     html += "<h2>The cause</h2>\n" + list(scaled_details(result));
   } else {
-    const auto pictures = draw_scaled(out_dir, *result.diagnosis);
-    if (!pictures) {
-      return pictures.error();
-    }
-    html += body(result, pictures.value());
+    const auto pictures = FARRIER_TRY(draw_scaled(out_dir, *result.diagnosis));
+    html += body(result, pictures);
   }
   return write_page(out_dir, html + page_foot(outcome));
 }

@@ -68,9 +68,7 @@ std::string page_foot(const Outcome& outcome) {
 
 Result<std::string> write_page(const std::string& out_dir, const std::string& page) {
   const std::string path = out_dir + "/index.html";
-  if (auto written = replace_file(path, page); !written) {
-    return written.error();
-  }
+  FARRIER_TRY(replace_file(path, page));
   return path;
 }
 

@@ -46,11 +46,8 @@ std::string page(const ReportInput& input, const std::vector<JointPictures>& pic
 }  // namespace
 
 Result<std::string> write_report(const std::string& out_dir, const ReportInput& input) {
-  const auto pictures = draw_pictures(out_dir, input);
-  if (!pictures) {
-    return pictures.error();
-  }
-  return write_page(out_dir, page(input, pictures.value()));
+  const auto pictures = FARRIER_TRY(draw_pictures(out_dir, input));
+  return write_page(out_dir, page(input, pictures));
 }
 
 }  // namespace farrier::report

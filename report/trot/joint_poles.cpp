@@ -30,12 +30,9 @@ Result<JointPoles> joint_poles(const robot::Joint& joint, double period_s, int l
 
 Result<Done> add_spectral_radii(Figures& figures, const robot::Robot& robot, int loop_delay_ticks) {
   for (const robot::Joint& joint : robot.joints) {
-    const auto poles = joint_poles(joint, robot.period_s, loop_delay_ticks);
-    if (!poles) {
-      return poles.error();
-    }
-    figures.add("trot." + joint.name + ".stance_spectral_radius", poles.value().stance_spectral_radius, 1.0);
-    figures.add("trot." + joint.name + ".swing_spectral_radius", poles.value().swing_spectral_radius, 1.0);
+    const auto poles = FARRIER_TRY(joint_poles(joint, robot.period_s, loop_delay_ticks));
+    figures.add("trot." + joint.name + ".stance_spectral_radius", poles.stance_spectral_radius, 1.0);
+    figures.add("trot." + joint.name + ".swing_spectral_radius", poles.swing_spectral_radius, 1.0);
   }
   return Done{};
 }

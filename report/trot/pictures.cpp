@@ -120,9 +120,7 @@ std::string poles_plot(const JointPictures& paths, const JointPoles& poles) {
 
 Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, const ReportInput& input) {
   const robot::Robot& robot = input.robot;
-  if (auto made = make_picture_folders(out_dir); !made) {
-    return made.error();
-  }
+  FARRIER_TRY(make_picture_folders(out_dir));
   const auto by_joint = rows_by_joint(robot, input.rows);
   const Tick ticks = input.rows.empty() ? 0 : std::ranges::max(input.rows, {}, &trace::TraceRow::tick).tick + 1;
   std::vector<JointPictures> pictures;
@@ -147,14 +145,10 @@ Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, con
     const AdaptationPicture adaptation{robot, joint, input.outcome.run.decisions, input.gains, input.loop_delay_ticks, ticks};
     if (adapted(adaptation)) {
       pictures.back().adaptation = stem + "_adaptation.svg";
-      if (auto plotted = plot_adaptation(adaptation, out_dir, data, pictures.back().adaptation, script); !plotted) {
-        return plotted.error();
-      }
+      FARRIER_TRY(plot_adaptation(adaptation, out_dir, data, pictures.back().adaptation, script));
     }
   }
-  if (auto drawn = draw(out_dir, script); !drawn) {
-    return drawn.error();
-  }
+  FARRIER_TRY(draw(out_dir, script));
   return pictures;
 }
 

@@ -124,7 +124,7 @@ TEST(BadInput, RefusesUnknownValuesOptionsAndCommandsByName) {
   EXPECT_NE(output.find("'canter' is not a farrier command"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"trot", "--clock", "realtime", "--dds", "inproc"}, &output), 2);
   EXPECT_EQ(run_farrier({"trot", "--design", "clever"}, &output), 2);
-  EXPECT_NE(output.find("'clever' is not one of adaptive|stance|swing|phases"), std::string::npos) << output;
+  EXPECT_NE(output.find("'clever' is not one of stance|swing|phases|adaptive"), std::string::npos) << output;
 }
 
 TEST(BadInput, OfAComparisonIsRefusedBeforeAnythingMoves) {

@@ -20,10 +20,10 @@ namespace fs = std::filesystem;
 /// Least fit of the measured arm's second half, %.
 constexpr double kArmFit_percent = 80.0;
 
-/// The folder of the measured arm: FARRIER_ARM_DATA, or beside the source tree. It is no part of the product.
+/// The folder of the measured arm, which the repository does not have; empty where FARRIER_ARM_DATA names none.
 fs::path arm_data() {
   const char* const given = std::getenv("FARRIER_ARM_DATA");
-  return given != nullptr ? fs::path(given) : fs::path(FARRIER_SOURCE_DIR) / "../shared/data/hydraulic_arm";
+  return given != nullptr ? fs::path(given) : fs::path();
 }
 
 /// An arm whose valve's flow saturates at 0.4, in a file; `row` has its say about every line.

@@ -153,5 +153,17 @@ TEST(JointNode, RefusesEveryJointTheRobotDoesNotHave) {
   EXPECT_EQ(output.find("'lf_haa'"), std::string::npos) << output;
 }
 
+TEST(SupervisorProcess, RefusesAnUnknownDesign) {
+  std::string output;
+  const std::string supervisor = std::string(FARRIER_PREFIX) + "/libexec/farrier/supervisor";
+  EXPECT_EQ(run_farrier({"--number", "2", "--participants", "8", "--robot", FARRIER_ROBOTS "/hyq.yaml", "--design",
+                         "clever"},
+                        &output, {supervisor, nullptr}),
+            2);
+  EXPECT_NE(output.find("--design: there is no design 'clever': give one of stance, swing, phases, adaptive"),
+            std::string::npos)
+      << output;
+}
+
 }  // namespace surroundings_test
 }  // namespace farrier::test

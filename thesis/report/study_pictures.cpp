@@ -106,9 +106,7 @@ Result<std::string> picture_script(const std::string& out_dir, const thesis::Stu
     for (const Series& series : picture.panels[i].series) {
       blocks += block_of(series) + "\n\n";
     }
-    if (auto written = report::write_plot_data(out_dir + "/" + data, blocks); !written) {
-      return written.error();
-    }
+    FARRIER_TRY(report::write_plot_data(out_dir + "/" + data, blocks));
     script += panel_script(picture.panels[i], data);
   }
   return script + "unset multiplot\nunset output\n";
@@ -121,17 +119,12 @@ std::string picture_path(const thesis::Study& study, std::size_t index) {
 }
 
 Result<Done> draw_studies(const std::string& out_dir, std::span<const StudyRun> runs) {
-  if (auto made = report::make_picture_folders(out_dir); !made) {
-    return made.error();
-  }
+  FARRIER_TRY(report::make_picture_folders(out_dir));
   std::string script;
   for (const StudyRun& run : runs) {
     for (std::size_t i = 0; run.result.ok() && i < run.result.value().pictures.size(); ++i) {
-      auto one = picture_script(out_dir, run.study, run.result.value().pictures[i], i);
-      if (!one) {
-        return one.error();
-      }
-      script += one.value();
+      auto one = FARRIER_TRY(picture_script(out_dir, run.study, run.result.value().pictures[i], i));
+      script += one;
     }
   }
   return script.empty() ? Result<Done>(Done{}) : report::draw(out_dir, script);

@@ -84,13 +84,10 @@ Result<FilterRow> run_case(const robot::Robot& rig, const FilterCase& filter, bo
   run.load_changes = {{0, joint.number, heavy ? joint.stance_load : joint.swing_load}};
   run.world = &world;
   run.sink = [&judge](const trace::TraceRow& at) { judge.take(at); };
-  auto result = run::run_inproc(rig, run);
-  if (!result) {
-    return result.error();
-  }
+  auto result = FARRIER_TRY(run::run_inproc(rig, run));
   judge.tell(row);
-  if (!result.value().gains.empty()) {
-    row.gains = result.value().gains.back();
+  if (!result.gains.empty()) {
+    row.gains = result.gains.back();
   }
   return row;
 }
@@ -118,18 +115,12 @@ Result<std::vector<FilterRow>> filter_study(const robot::Robot& rig, const std::
   if (!(duration_s > kTransient_s && duration_s <= 60.0)) {
     return Error{"the filter study's duration must be above 0.2 s and at most 60 s"};
   }
-  const auto stand = standing(rig);
-  if (!stand) {
-    return stand.error();
-  }
+  const auto stand = FARRIER_TRY(standing(rig));
   std::vector<FilterRow> rows;
   for (const FilterCase& filter : cases) {
     for (const bool heavy : {false, true}) {
-      auto row = run_case(stand.value(), filter, heavy, duration_s, seed);
-      if (!row) {
-        return row.error();
-      }
-      rows.push_back(std::move(row).value());
+      auto row = FARRIER_TRY(run_case(stand, filter, heavy, duration_s, seed));
+      rows.push_back(std::move(row));
     }
   }
   return rows;

@@ -97,11 +97,8 @@ Result<std::vector<ForceStepSample>> run_force_step(const robot::Robot& rig, con
     return Error{"force step: times must be 0 <= begin_s < duration_s <= 10 and rise_s >= 0, with 1 to 1000 samples a "
                  "tick"};
   }
-  auto assembled = Bench::assemble(rig, step);
-  if (!assembled) {
-    return assembled.error();
-  }
-  Bench bench = std::move(assembled).value();
+  auto assembled = FARRIER_TRY(Bench::assemble(rig, step));
+  Bench bench = std::move(assembled);
   const int conversions = bench.sensors.conversions();
   const int each = (step.samples_per_tick + conversions - 1) / conversions;  // samples between conversions
   const int parts = each * conversions;

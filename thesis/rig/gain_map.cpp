@@ -40,12 +40,9 @@ Result<Map> make_map(const robot::Robot& rig, LoadParameter first, LoadParameter
   for (const double one : map.first.values) {
     map.k.emplace_back();
     for (const double other : map.second.values) {
-      const auto gains = gains_for(rig, control::with(control::with(rig.joints[0].swing_load, map.first.parameter, one),
-                                                      map.second.parameter, other));
-      if (!gains) {
-        return gains.error();
-      }
-      map.k.back().push_back(gains.value());
+      const auto gains = FARRIER_TRY(gains_for(rig, control::with(control::with(rig.joints[0].swing_load, map.first.parameter, one),
+                                                      map.second.parameter, other)));
+      map.k.back().push_back(gains);
     }
   }
   return map;

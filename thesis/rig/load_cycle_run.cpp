@@ -17,11 +17,8 @@ using Change = void (*)(robot::Robot&);
 
 Result<CycleRun> run_changed(const StudyContext& context, const trials::LoadCycleCase& one, double from, double to,
                              Change change) {
-  const auto rig = load(context, "fc1d.yaml");
-  if (!rig) {
-    return rig.error();
-  }
-  auto cycle = trials::make_load_cycle(rig.value());
+  const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
+  auto cycle = trials::make_load_cycle(rig);
   if (!cycle) {
     return cycle.error();
   }

@@ -131,15 +131,12 @@ estimation::EstimatorParams params_of(const ChirpCase& one) {
 Result<ChirpEstimates> estimate_chirp(const robot::Robot& rig, const ChirpCase& one, std::uint64_t seed) {
   const robot::Joint& joint = rig.joints[0];
   const control::Normalisation& n = joint.normalisation;
-  const auto trace = drive(rig,
+  const auto trace = FARRIER_TRY(drive(rig,
                            {.current_A = chirp(one.amplitude * n.current_A, kChirp_Hz, kChirp_s),
                             .duration_s = kChirp_s,
                             .added_kg = one.added_kg,
                             .position_m = kStart_m},
-                           seed);
-  if (!trace) {
-    return trace.error();
-  }
+                           seed));
   const estimation::EstimatorParams params = params_of(one);
   const Eigen::Vector3d scale(n.position, n.velocity, n.force);
   const Eigen::Vector3d noise(joint.noise.position, joint.noise.velocity, joint.noise.force);
@@ -154,11 +151,8 @@ Result<ChirpEstimates> estimate_chirp(const robot::Robot& rig, const ChirpCase& 
   if (!regression) {
     return regression.error();
   }
-  auto gate = estimation::ExcitationGate::create(params);
-  if (!gate) {
-    return gate.error();
-  }
-  learn(regression.value(), trace.value(), scale, n.current_A, gate.value(), params, out);
+  auto gate = FARRIER_TRY(estimation::ExcitationGate::create(params));
+  learn(regression.value(), trace, scale, n.current_A, gate, params, out);
   return out;
 }
 

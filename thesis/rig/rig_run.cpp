@@ -114,11 +114,8 @@ robot::Robot unfiltered(robot::Robot rig) {
 Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std::uint64_t seed) {
   const robot::Joint& joint = robot.joints[0];
   plant::LoadParams load = joint.swing_load;
-  auto made = Rig::assemble(robot, load, 0.0, seed);
-  if (!made) {
-    return made.error();
-  }
-  Rig rig = std::move(made).value();
+  auto made = FARRIER_TRY(Rig::assemble(robot, load, 0.0, seed));
+  Rig rig = std::move(made);
   control::LqrWeights weights;
   weights.feed_forward_factor = tracking.feed_forward_factor;
   weights.integral_factor = tracking.integral_factor;
@@ -157,11 +154,8 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
 Result<RigTrace> drive(const robot::Robot& robot, const Driving& driving, std::uint64_t seed) {
   plant::LoadParams load = robot.joints[0].swing_load;
   load.mass += driving.added_kg;
-  auto made = Rig::assemble(robot, load, driving.position_m, seed);
-  if (!made) {
-    return made.error();
-  }
-  Rig rig = std::move(made).value();
+  auto made = FARRIER_TRY(Rig::assemble(robot, load, driving.position_m, seed));
+  Rig rig = std::move(made);
   RigTrace trace;
   trace.period_s = robot.period_s;
   const auto ticks = static_cast<Tick>(std::llround(driving.duration_s / robot.period_s));

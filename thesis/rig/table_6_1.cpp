@@ -35,23 +35,17 @@ Result<std::unique_ptr<Estimator>> make(EstimationMethod method, const estimatio
   estimation::EstimatorParams params;
   params.method = method;
   if (method == EstimationMethod::kGreyBox) {
-    auto made = estimation::GreyBoxEstimator::create(params, scales, plant::nominal_cylinder(),
-                                                    {walking_cycle()[2], walking_cycle()[1]});
-    if (!made) {
-      return made.error();
-    }
-    return std::unique_ptr<Estimator>(std::make_unique<estimation::GreyBoxEstimator>(std::move(made).value()));
+    auto made = FARRIER_TRY(estimation::GreyBoxEstimator::create(params, scales, plant::nominal_cylinder(),
+                                                    {walking_cycle()[2], walking_cycle()[1]}));
+    return std::unique_ptr<Estimator>(std::make_unique<estimation::GreyBoxEstimator>(std::move(made)));
   }
   params.forgetting_factor = 0.85;
   params.bias = false;
   params.operating_point_order = 0;
   params.full_weight_norm = 1e6;
   const control::DiscreteModel prior = cycle_model_of(plant::nominal_cylinder(), walking_cycle()[0]);
-  auto made = estimation::JointEstimator::create(params, scales, prior.a, prior.b);
-  if (!made) {
-    return made.error();
-  }
-  return std::unique_ptr<Estimator>(std::make_unique<estimation::JointEstimator>(std::move(made).value()));
+  auto made = FARRIER_TRY(estimation::JointEstimator::create(params, scales, prior.a, prior.b));
+  return std::unique_ptr<Estimator>(std::make_unique<estimation::JointEstimator>(std::move(made)));
 }
 
 void judge(const estimation::ModelEstimate& estimate, const plant::LoadParams& truth, std::size_t change,
@@ -124,9 +118,7 @@ Result<std::vector<Table61Cell>> table_6_1(std::uint64_t seed) {
         for (const bool high : {false, true}) {
           Table61Cell cell{.method = name, .rich = rich, .high = high, .noisy = noisy, .gain_error_dB = {},
                            .phase_error_deg = {}, .mass_error = {}};
-          if (auto done = run(method, seed, cell); !done) {
-            return done.error();
-          }
+          FARRIER_TRY(run(method, seed, cell));
           cells.push_back(cell);
         }
       }

@@ -74,11 +74,8 @@ Result<std::vector<Row>> rows_of(const StudyContext& context, const robot::Robot
     if (!keep_going(context, static_cast<double>(i) / static_cast<double>(cases.size()))) {
       return stopped();
     }
-    auto ran = thesis::filter_study(rig, {cases[i]}, kLength_s, context.seed);
-    if (!ran) {
-      return ran.error();
-    }
-    for (const thesis::FilterRow& run : ran.value()) {
+    auto ran = FARRIER_TRY(thesis::filter_study(rig, {cases[i]}, kLength_s, context.seed));
+    for (const thesis::FilterRow& run : ran) {
       const control::Gains gains = wire_gains::unpack_gains(run.gains);
       control::MeasurementFilters filters;
       filters.velocity = control::measurement_filter(run.velocity_filter);
@@ -117,11 +114,8 @@ Result<StudyResult> run_filters(const StudyContext& context) {
   if (!rig) {
     return rig.error();
   }
-  const auto made = rows_of(context, rig.value());
-  if (!made) {
-    return made.error();
-  }
-  const std::vector<Row>& rows = made.value();
+  const auto made = FARRIER_TRY(rows_of(context, rig.value()));
+  const std::vector<Row>& rows = made;
   const double light = rig.value().joints[0].swing_load.mass;
   const double heavy = rig.value().joints[0].stance_load.mass;
   Row none;  // a case that was not run measures nothing

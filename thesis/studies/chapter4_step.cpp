@@ -36,19 +36,16 @@ std::vector<double> times() {
 Result<Track> simulate() {
   const plant::ActuatorParams cylinder = plant::nominal_cylinder();
   const plant::State start = plant::nominal_chamber_point(1.0).state;
-  auto joint = plant::HydraulicJoint::create(cylinder, plant::nominal_load(), start);
-  if (!joint) {
-    return joint.error();
-  }
+  auto joint = FARRIER_TRY(plant::HydraulicJoint::create(cylinder, plant::nominal_load(), start));
   const double alpha = cylinder.area_b / cylinder.area_a;
   Track track;
   for (const double t : times()) {
-    const plant::State& s = joint.value().state();
-    track.force_N.push_back(joint.value().load_cell_force());
+    const plant::State& s = joint.state();
+    track.force_N.push_back(joint.load_cell_force());
     track.position_m.push_back(s.position - start.position);
     track.pressure_a_Pa.push_back(s.pressure_a_Pa - start.pressure_a_Pa);
     track.load_pressure_Pa.push_back(s.pressure_a_Pa - alpha * s.pressure_b_Pa);
-    joint.value().step(current_A(t), 0.0, kPeriod_s);
+    joint.step(current_A(t), 0.0, kPeriod_s);
   }
   return track;
 }
@@ -126,11 +123,8 @@ constexpr ClaimSpec kClaims[] = {
      Refutation{kWithoutPiston, 0.1, 0.2}}};
 
 Result<StudyResult> run_step(const StudyContext&) {
-  const auto made = simulate();
-  if (!made) {
-    return made.error();
-  }
-  const Track& truth = made.value();
+  const auto made = FARRIER_TRY(simulate());
+  const Track& truth = made;
   const plant::ActuatorParams cylinder = plant::nominal_cylinder();
   const plant::LoadParams load = plant::nominal_load();
   const double alpha = cylinder.area_b / cylinder.area_a;

@@ -112,11 +112,8 @@ Panel panel_of(const std::vector<Table61Cell>& cells, bool noisy, const char* ti
 }
 
 Result<StudyResult> run_table(const StudyContext& context) {
-  const auto made = thesis::table_6_1(context.seed);
-  if (!made) {
-    return made.error();
-  }
-  const std::vector<Table61Cell>& cells = made.value();
+  const auto made = FARRIER_TRY(thesis::table_6_1(context.seed));
+  const std::vector<Table61Cell>& cells = made;
   StudyResult result;
   for (const Table61Cell& cell : cells) {
     const std::string id = std::string("6.1.") + cell.method + "." + cell_name(cell) + ".";

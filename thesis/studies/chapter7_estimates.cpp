@@ -70,11 +70,8 @@ constexpr ClaimSpec kPoleClaims[] = {
                 0.05, 1.0}}};
 
 Result<StudyResult> run_poles(const StudyContext& context) {
-  const auto made = run_cycle_as_printed(context);
-  if (!made) {
-    return made.error();
-  }
-  const CycleRun& run = made.value();
+  const auto made = FARRIER_TRY(run_cycle_as_printed(context));
+  const CycleRun& run = made;
   Picture picture{"Poles of the models the acting gains were designed for, black to yellow within the quarter; crosses: the true load", 4, {}};
   for (std::size_t quarter = 1; quarter <= trials::kQuarters; ++quarter) {
     Series estimated{"", {}, {}, Style::kPoints, 0};
@@ -118,11 +115,8 @@ constexpr ClaimSpec kBodeClaims[] = {
      Relation::kAtMost, 3.0}};
 
 Result<StudyResult> run_bode(const StudyContext& context) {
-  const auto made = run_cycle_as_printed(context);
-  if (!made) {
-    return made.error();
-  }
-  const CycleRun& run = made.value();
+  const auto made = FARRIER_TRY(run_cycle_as_printed(context));
+  const CycleRun& run = made;
   const std::vector<double> grid = control::logarithmic_grid(0.5, 450.0, 200);
   const auto response_of = [&](const control::DiscreteModel& model) {
     return control::responses<3>({model.a, model.b, Eigen::RowVector3d(0.0, 0.0, 1.0), 0.0, run.cycle.robot.period_s}, grid);

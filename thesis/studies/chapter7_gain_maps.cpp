@@ -53,15 +53,12 @@ constexpr ClaimSpec kMassFrictionClaims[] = {
 };
 
 Result<StudyResult> run_mass_friction(const StudyContext& context) {
-  const auto rig = load(context, "fc1d.yaml");
-  if (!rig) {
-    return rig.error();
-  }
-  const auto made = make_map(rig.value(), LoadParameter::kMass, LoadParameter::kDamping);
-  plant::LoadParams heavy = rig.value().joints[0].swing_load;
+  const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
+  const auto made = make_map(rig, LoadParameter::kMass, LoadParameter::kDamping);
+  plant::LoadParams heavy = rig.joints[0].swing_load;
   heavy.mass = 50.0;
   heavy.damping = 500.0;
-  const auto at = gains_for(rig.value(), heavy);
+  const auto at = gains_for(rig, heavy);
   if (!made || !at) {
     return made ? at.error() : made.error();
   }
@@ -108,15 +105,9 @@ constexpr ClaimSpec kFrictionStiffnessClaims[] = {
      "The same, force.", "1", Relation::kAtLeast, kSlight, Refutation{"with the rig's 2.5 kg it goes from 5.2 to 6.2, a sixth", 0.1, 0.25}}};
 
 Result<StudyResult> run_friction_stiffness(const StudyContext& context) {
-  const auto rig = load(context, "fc1d.yaml");
-  if (!rig) {
-    return rig.error();
-  }
-  const auto made = make_map(rig.value(), LoadParameter::kStiffness, LoadParameter::kDamping);
-  if (!made) {
-    return made.error();
-  }
-  const Map& by_stiffness = made.value();
+  const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
+  const auto made = FARRIER_TRY(make_map(rig, LoadParameter::kStiffness, LoadParameter::kDamping));
+  const Map& by_stiffness = made;
   const Map by_friction = transposed(by_stiffness);
   StudyResult result;
   result.measured = {{"7.5.position_rises_with_stiffness", rising(by_stiffness, kPosition), ""},
@@ -150,15 +141,9 @@ constexpr ClaimSpec kMassStiffnessClaims[] = {
      "Share of steps to a larger stiffness over which |K| of the position rises: all.", "1", Relation::kAtLeast, 1.0}};
 
 Result<StudyResult> run_mass_stiffness(const StudyContext& context) {
-  const auto rig = load(context, "fc1d.yaml");
-  if (!rig) {
-    return rig.error();
-  }
-  const auto made = make_map(rig.value(), LoadParameter::kMass, LoadParameter::kStiffness);
-  if (!made) {
-    return made.error();
-  }
-  const Map& by_mass = made.value();
+  const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
+  const auto made = FARRIER_TRY(make_map(rig, LoadParameter::kMass, LoadParameter::kStiffness));
+  const Map& by_mass = made;
   const Map by_stiffness = transposed(by_mass);
   StudyResult result;
   result.measured = {{"C.3.velocity_rises_with_mass", rising(by_mass, kVelocity), ""},

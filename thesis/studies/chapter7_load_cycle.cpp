@@ -54,11 +54,8 @@ constexpr ClaimSpec kPlanClaims[] = {
      Relation::kAtMost, 1e-12}};
 
 Result<StudyResult> run_plan(const StudyContext& context) {
-  const auto made = run_cycle(context, trials::kFixedCase);
-  if (!made) {
-    return made.error();
-  }
-  const CycleRun& run = made.value();
+  const auto made = FARRIER_TRY(run_cycle(context, trials::kFixedCase));
+  const CycleRun& run = made;
   Series mass{"", {}, {}, Style::kLine, 1};
   Series friction{"", {}, {}, Style::kLine, 2};
   double wrong = 0.0;
@@ -96,23 +93,17 @@ constexpr ClaimSpec kFixedClaims[] = {
     {"7.7.radius_sticky", "7.5", kUnstable, "The same on the fourth quarter's.", "1", Relation::kAtLeast, 1.0}};
 
 Result<StudyResult> run_fixed(const StudyContext& context) {
-  const auto made = run_cycle(context, trials::kFixedCase);
-  if (!made) {
-    return made.error();
-  }
-  const CycleRun& run = made.value();
+  const auto made = FARRIER_TRY(run_cycle(context, trials::kFixedCase));
+  const CycleRun& run = made;
   const robot::Robot& robot = run.cycle.robot;
-  const auto gains = supervisor::design_joint(robot.joints[0], run.cycle.loads[0], robot.period_s, 0);
-  if (!gains) {
-    return gains.error();
-  }
+  const auto gains = FARRIER_TRY(supervisor::design_joint(robot.joints[0], run.cycle.loads[0], robot.period_s, 0));
   StudyResult result;
   result.measured = {{"7.7.quarter_1_error", quarter_error(run, 1), ""},
                      {"7.7.quarter_2_error", quarter_error(run, 2), ""},
                      {"7.7.quarter_3_error", quarter_error(run, 3), ""},
                      {"7.7.quarter_4_error", quarter_error(run, 4), ""},
-                     {"7.7.radius_heavy", control::closed_loop_spectral_radius(truth_of(run, 2), gains.value(), 0), ""},
-                     {"7.7.radius_sticky", control::closed_loop_spectral_radius(truth_of(run, 4), gains.value(), 0), ""}};
+                     {"7.7.radius_heavy", control::closed_loop_spectral_radius(truth_of(run, 2), gains, 0), ""},
+                     {"7.7.radius_sticky", control::closed_loop_spectral_radius(truth_of(run, 4), gains, 0), ""}};
   result.pictures = {force_picture(run, "Gains kept as designed for 0.5 kg")};
   return result;
 }
@@ -172,19 +163,13 @@ double settled_s(const CycleRun& run, const control::Gains& truth) {
 
 Result<StudyResult> run_adaptive(const StudyContext& context) {
   const auto with = run_cycle(context, trials::kAdaptiveCase, 0.0, 0.6);
-  const auto without = with ? run_cycle(context, trials::kFixedCase, 0.6, 1.0) : with;
-  if (!without) {
-    return without.error();
-  }
+  const auto without = FARRIER_TRY(with ? run_cycle(context, trials::kFixedCase, 0.6, 1.0) : with);
   const CycleRun& run = with.value();
   const robot::Robot& robot = run.cycle.robot;
   std::vector<control::Gains> truth;
   for (const plant::LoadParams& load : run.cycle.loads) {
-    const auto gains = supervisor::design_joint(robot.joints[0], load, robot.period_s, 0);
-    if (!gains) {
-      return gains.error();
-    }
-    truth.push_back(gains.value());
+    const auto gains = FARRIER_TRY(supervisor::design_joint(robot.joints[0], load, robot.period_s, 0));
+    truth.push_back(gains);
   }
   double first_s = -1.0;
   for (const JointControllerGains& gains : run.gains) {
@@ -192,7 +177,7 @@ Result<StudyResult> run_adaptive(const StudyContext& context) {
       first_s = static_cast<double>(gains.effective_tick) * robot.period_s;
     }
   }
-  const auto improvement = [&](std::size_t quarter) { return quarter_error(run, quarter) / quarter_error(without.value(), quarter); };
+  const auto improvement = [&](std::size_t quarter) { return quarter_error(run, quarter) / quarter_error(without, quarter); };
   const JointControllerGains& second = at_end_of(run, 2);
   const JointControllerGains& third = at_end_of(run, 3);
   StudyResult result;

@@ -59,19 +59,16 @@ Result<Response> respond(const robot::Robot& rig, const Reference& reference, do
     return Error{std::string("Fig. 7.2: no design: ") + to_string(gains.error())};
   }
   const double home = load.equilibrium_position;
-  auto plant = plant::HydraulicJoint::create(joint.actuator, load, plant::equilibrium(joint.actuator, load, home, 0.0));
-  if (!plant) {
-    return plant.error();
-  }
+  auto plant = FARRIER_TRY(plant::HydraulicJoint::create(joint.actuator, load, plant::equilibrium(joint.actuator, load, home, 0.0)));
   control::ForceController controller;
   controller.set_gains(gains.value(), {0.0, 0.0, 0.0}, 0.0);
   Response response;
   for (double t = 0.0; t < kLength_s; t += rig.period_s) {
     const double wanted = reference(t);
-    const double force = plant.value().load_cell_force();
+    const double force = plant.load_cell_force();
     const auto out = controller.step(
-        wanted, {plant.value().state().position - home, plant.value().state().velocity, force});
-    plant.value().step(out.valve_current_A, 0.0, rig.period_s);
+        wanted, {plant.state().position - home, plant.state().velocity, force});
+    plant.step(out.valve_current_A, 0.0, rig.period_s);
     response.time_s.push_back(t);
     response.reference_N.push_back(wanted);
     response.force_N.push_back(force);
@@ -176,25 +173,16 @@ Result<StudyResult> run_tracking(const StudyContext& context) {
   Picture picture{"Force tracking, gains for the rig's own load", 1, {}};
   std::vector<Response> responses;
   for (const Signal& signal : kSignals) {
-    auto response = respond(rig.value(), signal.reference);
-    if (!response) {
-      return response.error();
-    }
-    const Response& r = response.value();
+    auto response = FARRIER_TRY(respond(rig.value(), signal.reference));
+    const Response& r = response;
     picture.panels.push_back({.title = signal.name, .x_label = "time (s)", .y_label = "force (N)",
                               .series = {{"reference", r.time_s, r.reference_N, Style::kLine, 0},
                                          {"force", r.time_s, r.force_N, Style::kLine, 1}}});
-    responses.push_back(std::move(response).value());
+    responses.push_back(std::move(response));
   }
-  const auto without = respond(rig.value(), step, 0.0);
-  if (!without) {
-    return without.error();
-  }
-  const auto by_signs = respond_by_signs(rig.value());
-  if (!by_signs) {
-    return by_signs.error();
-  }
-  const double of_signs = relative_error(by_signs.value(), period_s);
+  const auto without = FARRIER_TRY(respond(rig.value(), step, 0.0));
+  const auto by_signs = FARRIER_TRY(respond_by_signs(rig.value()));
+  const double of_signs = relative_error(by_signs, period_s);
   const Response& stepped = responses[0];
   const auto tail = static_cast<std::ptrdiff_t>(0.1 / period_s);
   double sum = 0.0;
@@ -208,7 +196,7 @@ Result<StudyResult> run_tracking(const StudyContext& context) {
       {"7.2.multisine_error", relative_error(responses[2], period_s), ""},
       {"7.2.overshoot", overshoot(stepped), ""},
       {"7.2.overshoot_is_slight", overshoot(stepped), ""},
-      {"7.2.overshoot_by_feed_forward", overshoot(stepped) - overshoot(without.value()), ""},
+      {"7.2.overshoot_by_feed_forward", overshoot(stepped) - overshoot(without), ""},
       {"7.2.steady_state_error", std::abs(sum) / static_cast<double>(tail) / kAmplitude_N, ""}};
   result.pictures = {std::move(picture)};
   return result;
@@ -229,10 +217,7 @@ constexpr ClaimSpec kPartsClaims[] = {
      Relation::kAtMost, 0.01}};
 
 Result<StudyResult> run_parts(const StudyContext& context) {
-  const auto rig = load(context, "fc1d.yaml");
-  if (!rig) {
-    return rig.error();
-  }
+  const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
   Picture picture{"Valve current and what it is made of", 1, {}};
   StudyResult result;
   double largest_A = 0.0;
@@ -240,11 +225,8 @@ Result<StudyResult> run_parts(const StudyContext& context) {
   double lag = 0.0;
   constexpr const char* kIds[] = {"7.3.step_states", "7.3.sine_states", "7.3.multisine_states"};
   for (std::size_t i = 0; i < std::size(kSignals); ++i) {
-    const auto response = respond(rig.value(), kSignals[i].reference);
-    if (!response) {
-      return response.error();
-    }
-    const Response& r = response.value();
+    const auto response = FARRIER_TRY(respond(rig, kSignals[i].reference));
+    const Response& r = response;
     const auto mA = [](std::vector<double> values) {
       std::ranges::for_each(values, [](double& value) { value *= 1e3; });
       return values;
@@ -261,11 +243,8 @@ Result<StudyResult> run_parts(const StudyContext& context) {
       largest_A = std::max(largest_A, std::abs(current));
     }
     if (kSignals[i].reference == sine) {
-      const auto without = respond(rig.value(), sine, 0.0);
-      if (!without) {
-        return without.error();
-      }
-      lag = lag_deg(without.value(), rig.value().period_s) - lag_deg(r, rig.value().period_s);
+      const auto without = FARRIER_TRY(respond(rig, sine, 0.0));
+      lag = lag_deg(without, rig.period_s) - lag_deg(r, rig.period_s);
     }
   }
   result.measured.push_back({"7.3.integral_share", share, ""});

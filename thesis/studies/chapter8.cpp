@@ -61,11 +61,8 @@ Equation equation_of(const robot::Joint& joint, double period_s) {
 }
 
 Result<StudyResult> run_riccati(const StudyContext& context) {
-  const auto robot = load(context, "fc1d.yaml");
-  if (!robot) {
-    return robot.error();
-  }
-  const Equation e = equation_of(robot.value().joints[0], robot.value().period_s);
+  const auto robot = FARRIER_TRY(load(context, "fc1d.yaml"));
+  const Equation e = equation_of(robot.joints[0], robot.period_s);
   const auto truth = control::solve_dare<4>(e.a, e.b, e.q, e.r, Row4::Zero());
   if (!truth) {
     return Error{std::string("Fig. 8.9: the Riccati equation has no solution: ") + to_string(truth.error())};
@@ -107,29 +104,20 @@ constexpr ClaimSpec kRlsClaims[] = {
      "1", Relation::kBelow, 2e-14}};
 
 Result<StudyResult> run_rls(const StudyContext& context) {
-  const auto loaded = load(context, "fc1d.yaml");
-  if (!loaded) {
-    return loaded.error();
-  }
-  const robot::Robot& rig = loaded.value();
+  const auto loaded = FARRIER_TRY(load(context, "fc1d.yaml"));
+  const robot::Robot& rig = loaded;
   const robot::Joint& joint = rig.joints[0];
-  auto made = plant::HydraulicJoint::create(
+  auto made = FARRIER_TRY(plant::HydraulicJoint::create(
       joint.actuator, joint.swing_load,
-      plant::equilibrium(joint.actuator, joint.swing_load, joint.swing_load.equilibrium_position, 0.0));
-  if (!made) {
-    return made.error();
-  }
-  plant::HydraulicJoint& plant = made.value();
+      plant::equilibrium(joint.actuator, joint.swing_load, joint.swing_load.equilibrium_position, 0.0)));
+  plant::HydraulicJoint& plant = made;
   // The signals of 6.3.1: white noise of 5 % of the nominal opening, no sensor noise.
   constexpr double kForgetting = 0.85;
   constexpr double kCovariance = 1e3;
   constexpr double kShare = 0.05;
   constexpr int kTicks = 250;
   const NoiseStream white(context.seed, "fig8.11", "valve");
-  auto rls = estimation::Rls<4>::create({kForgetting, kCovariance, 1e30, 0.0});
-  if (!rls) {
-    return rls.error();
-  }
+  auto rls = FARRIER_TRY(estimation::Rls<4>::create({kForgetting, kCovariance, 1e30, 0.0}));
   textbook::TextbookRls<4> textbook(kForgetting, kCovariance);
   const control::Normalisation& n = joint.normalisation;
   const Eigen::Vector3d scale(n.position, n.velocity, n.force);
@@ -147,9 +135,9 @@ Result<StudyResult> run_rls(const StudyContext& context) {
     const Eigen::Vector3d y = measure();
     Eigen::Vector4d h;
     h << x, u / n.current_A;
-    rls.value().update(h, y);
+    rls.update(h, y);
     textbook.update(h, y);
-    const Eigen::Matrix<double, 3, 4> difference = rls.value().parameters() - textbook.parameters();
+    const Eigen::Matrix<double, 3, 4> difference = rls.parameters() - textbook.parameters();
     largest = std::max(largest, difference.cwiseAbs().maxCoeff());
     for (int i = 0; i < difference.size(); ++i) {
       Series& one = series[static_cast<std::size_t>(i)];

@@ -23,11 +23,8 @@ Result<std::vector<ChirpEstimates>> run_amplitudes(const StudyContext& context, 
                                                    EstimationMethod method, double from, double to) {
   std::vector<ChirpEstimates> runs;
   for (const double amplitude : kAmplitudes) {
-    auto run = estimate_chirp(rig, {.amplitude = amplitude, .method = method}, context.seed);
-    if (!run) {
-      return run.error();
-    }
-    runs.push_back(std::move(run).value());
+    auto run = FARRIER_TRY(estimate_chirp(rig, {.amplitude = amplitude, .method = method}, context.seed));
+    runs.push_back(std::move(run));
     if (!keep_going(context, from + (to - from) * static_cast<double>(runs.size()) / std::size(kAmplitudes))) {
       return stopped();
     }
@@ -86,13 +83,10 @@ constexpr ClaimSpec kConstantClaims[] = {
      "The distance at 20 %, over that of the first guess: a half.", "1", Relation::kAtMost, 0.5}};
 
 Result<StudyResult> run_constant(const StudyContext& context) {
-  const auto rig = load_estimation_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto made = run_amplitudes(context, rig.value(), EstimationMethod::kRls, 0.0, 0.5);
+  const auto rig = FARRIER_TRY(load_estimation_rig(context));
+  const auto made = run_amplitudes(context, rig, EstimationMethod::kRls, 0.0, 0.5);
   const auto filtered =
-      made ? run_amplitudes(context, aggressively_filtered(rig.value()), EstimationMethod::kRls, 0.5, 1.0) : made;
+      made ? run_amplitudes(context, aggressively_filtered(rig), EstimationMethod::kRls, 0.5, 1.0) : made;
   if (!filtered) {
     return filtered.error();
   }
@@ -128,13 +122,10 @@ constexpr ClaimSpec kAdaptiveClaims[] = {
      "RMS distance from the nominal response, 30 to 150 Hz, last second, at 5 % less that at 20 %: above 0.", "dB", Relation::kAtLeast, 0.0}};
 
 Result<StudyResult> run_adaptive(const StudyContext& context) {
-  const auto rig = load_estimation_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto adaptive = run_amplitudes(context, rig.value(), EstimationMethod::kAff, 0.0, 0.5);
+  const auto rig = FARRIER_TRY(load_estimation_rig(context));
+  const auto adaptive = run_amplitudes(context, rig, EstimationMethod::kAff, 0.0, 0.5);
   const auto constant =
-      adaptive ? run_amplitudes(context, rig.value(), EstimationMethod::kRls, 0.5, 1.0) : adaptive;
+      adaptive ? run_amplitudes(context, rig, EstimationMethod::kRls, 0.5, 1.0) : adaptive;
   if (!constant) {
     return constant.error();
   }
@@ -180,15 +171,9 @@ constexpr ClaimSpec kForgettingClaims[] = {
      "Least of the mean lambdas of the rows from 0.1 to 0.3 s: 0.9.", "1", Relation::kAtLeast, 0.9}};
 
 Result<StudyResult> run_forgetting(const StudyContext& context) {
-  const auto rig = load_estimation_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto made = estimate_chirp(rig.value(), {.amplitude = 0.2}, context.seed);
-  if (!made) {
-    return made.error();
-  }
-  const ChirpEstimates& run = made.value();
+  const auto rig = FARRIER_TRY(load_estimation_rig(context));
+  const auto made = FARRIER_TRY(estimate_chirp(rig, {.amplitude = 0.2}, context.seed));
+  const ChirpEstimates& run = made;
   double later[3];
   double soon[3];
   for (int row = 0; row < 3; ++row) {

@@ -42,14 +42,11 @@ constexpr ClaimSpec kExampleClaims[] = {
      "The same with every current acting one tick late, as the proof of 1.2.degraded asks for: 1.1 or more.", "1", Relation::kAtLeast, 1.1}};
 
 Result<StudyResult> run_example(const StudyContext& context) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
+  const auto rig = FARRIER_TRY(load_rig(context));
   std::vector<RigTrace> runs;
   for (const int delay_ticks : {0, 1}) {
     for (const double added_kg : {0.0, 20.0}) {
-      auto run = track(rig.value(), {.reference = sine(kExample_N, kExample_Hz), .duration_s = 4.0, .kind = Kind::kFeedbackLinearisation,
+      auto run = track(rig, {.reference = sine(kExample_N, kExample_Hz), .duration_s = 4.0, .kind = Kind::kFeedbackLinearisation,
                                      .added = {{0.0, added_kg}}, .delay_ticks = delay_ticks}, context.seed);
       if (!run) {
         return run.error();
@@ -85,10 +82,7 @@ constexpr ClaimSpec kComparisonClaims[] = {
      "Largest RMS error over RMS reference of both under all three references: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_comparison(const StudyContext& context) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
+  const auto rig = FARRIER_TRY(load_rig(context));
   constexpr double kLength_s = 3.0;
   struct Reference {
     const char* id;
@@ -102,23 +96,20 @@ Result<StudyResult> run_comparison(const StudyContext& context) {
   Picture picture{"LQR and feedback linearisation", 1, {}};
   double worst = 0.0;
   for (const Reference& reference : references) {
-    const auto lqr = track(rig.value(), {.reference = reference.signal, .duration_s = kLength_s}, context.seed);
-    const auto fl = lqr ? track(rig.value(), {.reference = reference.signal, .duration_s = kLength_s,
-                                              .kind = Kind::kFeedbackLinearisation}, context.seed) : lqr;
-    if (!fl) {
-      return fl.error();
-    }
-    std::vector<double> difference(fl.value().force_N.size());
-    std::ranges::transform(fl.value().force_N, lqr.value().force_N, difference.begin(), std::minus<>());
+    const auto lqr = track(rig, {.reference = reference.signal, .duration_s = kLength_s}, context.seed);
+    const auto fl = FARRIER_TRY(lqr ? track(rig, {.reference = reference.signal, .duration_s = kLength_s,
+                                              .kind = Kind::kFeedbackLinearisation}, context.seed) : lqr);
+    std::vector<double> difference(fl.force_N.size());
+    std::ranges::transform(fl.force_N, lqr.value().force_N, difference.begin(), std::minus<>());
     const double error_lqr = tracking_error(lqr.value(), 0.4, kLength_s);
-    const double error_fl = tracking_error(fl.value(), 0.4, kLength_s);
+    const double error_fl = tracking_error(fl, 0.4, kLength_s);
     worst = std::max({worst, error_lqr, error_fl});
     const std::string note = text_of("errors: LQR %.3f, ", error_lqr) + text_of("FL %.3f", error_fl);
-    result.measured.push_back({reference.id, rms(fl.value(), difference, 0.4, kLength_s) /
-                                                 rms(fl.value(), fl.value().reference_N, 0.4, kLength_s), note});
+    result.measured.push_back({reference.id, rms(fl, difference, 0.4, kLength_s) /
+                                                 rms(fl, fl.reference_N, 0.4, kLength_s), note});
     Panel panel = force_panel(reference.title, lqr.value());
     panel.series[1].label = "LQR";
-    panel.series.push_back(force_panel("", fl.value()).series[1]);
+    panel.series.push_back(force_panel("", fl).series[1]);
     panel.series.back().label = "feedback linearisation";
     panel.series.back().colour = 2;
     picture.panels.push_back(std::move(panel));
@@ -177,16 +168,10 @@ double radius(const robot::Robot& rig, double added_kg, int delay_ticks) {
 }
 
 Result<StudyResult> run_weights(const StudyContext& context, double frequency_Hz, const char* figure) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto made = track(rig.value(), {.reference = sine(120.0, frequency_Hz), .duration_s = 5 * kEach_s,
-                                        .added = staircase()}, context.seed);
-  if (!made) {
-    return made.error();
-  }
-  const RigTrace& run = made.value();
+  const auto rig = FARRIER_TRY(load_rig(context));
+  const auto made = FARRIER_TRY(track(rig, {.reference = sine(120.0, frequency_Hz), .duration_s = 5 * kEach_s,
+                                        .added = staircase()}, context.seed));
+  const RigTrace& run = made;
   std::vector<double> errors;
   std::vector<double> swings;
   Picture picture{"Compliant LQR for 2.5 kg, weight added as it runs", 1, {}};
@@ -211,7 +196,7 @@ Result<StudyResult> run_weights(const StudyContext& context, double frequency_Hz
     result.measured = {{id("cope_10"), errors[2], text(errors)}};
   }
   result.measured.push_back({id("unstable_20"), swings[4], text(swings)});
-  const robot::Robot late = unfiltered(rig.value());
+  const robot::Robot late = unfiltered(rig);
   std::vector<RigTrace> pair;
   for (const double added_kg : {0.0, 20.0}) {
     auto one = track(late, {.reference = sine(120.0, frequency_Hz), .duration_s = kEach_s, .added = {{0.0, added_kg}},
@@ -224,9 +209,9 @@ Result<StudyResult> run_weights(const StudyContext& context, double frequency_Hz
   result.measured.push_back({id("late"), swing(pair[1], kSettled_s, kEach_s), ""});
   result.measured.push_back({id("late_nominal"), tracking_error(pair[0], kSettled_s, kEach_s), ""});
   if (std::string_view(figure) == "9.17") {
-    result.measured.push_back({id("radius_in_time"), radius(rig.value(), 20.0, 0), ""});
-    result.measured.push_back({id("radius_late"), radius(rig.value(), 20.0, kLate_ticks), ""});
-    result.measured.push_back({id("radius_late_nominal"), radius(rig.value(), 0.0, kLate_ticks), ""});
+    result.measured.push_back({id("radius_in_time"), radius(rig, 20.0, 0), ""});
+    result.measured.push_back({id("radius_late"), radius(rig, 20.0, kLate_ticks), ""});
+    result.measured.push_back({id("radius_late_nominal"), radius(rig, 0.0, kLate_ticks), ""});
   }
   result.pictures = {std::move(picture)};
   return result;

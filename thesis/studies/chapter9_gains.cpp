@@ -123,12 +123,9 @@ struct GainRun {
 };
 
 Result<GainRun> run_chirp(const robot::Robot& rig, const ChirpCase& one, std::uint64_t seed) {
-  auto estimates = estimate_chirp(rig, one, seed);
-  if (!estimates) {
-    return estimates.error();
-  }
-  GainTrack gains = gains_of(estimates.value());
-  return GainRun{std::move(estimates).value(), std::move(gains)};
+  auto estimates = FARRIER_TRY(estimate_chirp(rig, one, seed));
+  GainTrack gains = gains_of(estimates);
+  return GainRun{std::move(estimates), std::move(gains)};
 }
 
 double settled_s(const GainRun& run) { return settled_s(run.estimates, run.gains.force); }
@@ -159,11 +156,8 @@ Result<StudyResult> run_gains(const StudyContext& context) {
   std::vector<GainRun> runs;
   for (const auto& [robot, one] : {std::pair{&rig, &nominal}, {&rig, &heavy}, {&rig, &nominal_running},
                                    {&rig, &heavy_running}, {&fine, &nominal}}) {
-    auto run = run_chirp(robot->value(), *one, context.seed);
-    if (!run) {
-      return run.error();
-    }
-    runs.push_back(std::move(run).value());
+    auto run = FARRIER_TRY(run_chirp(robot->value(), *one, context.seed));
+    runs.push_back(std::move(run));
   }
   StudyResult result;
   result.measured = {{"9.10.steady_nominal", settled_s(runs[0]), ""},
@@ -187,16 +181,10 @@ constexpr ClaimSpec kFftGainClaims[] = {
      "Largest change of the force gain in 20 ms while the gate is closed.", "1", Relation::kAtMost, 1e-12}};
 
 Result<StudyResult> run_gated_gains(const StudyContext& context, GateKind gate, const char* id) {
-  const auto rig = load_estimation_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto made = run_chirp(rig.value(), weighted_chirp(0.0, gate), context.seed);
-  if (!made) {
-    return made.error();
-  }
-  const ChirpEstimates& run = made.value().estimates;
-  const GainTrack& track = made.value().gains;
+  const auto rig = FARRIER_TRY(load_estimation_rig(context));
+  const auto made = FARRIER_TRY(run_chirp(rig, weighted_chirp(0.0, gate), context.seed));
+  const ChirpEstimates& run = made.estimates;
+  const GainTrack& track = made.gains;
   const auto each = static_cast<std::size_t>(std::llround(kModel_s / run.period_s));
   double largest = 0.0;
   double held = 0.0;

@@ -20,11 +20,8 @@ constexpr std::size_t kShortest = 50;  // ticks; a gate that opens for less has 
 enum class Filters { kRig, kAggressive };
 
 Result<ChirpEstimates> run_gate(const StudyContext& context, GateKind gate, Filters filters = Filters::kRig) {
-  const auto rig = load_estimation_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  return estimate_chirp(filters == Filters::kRig ? rig.value() : aggressively_filtered(rig.value()),
+  const auto rig = FARRIER_TRY(load_estimation_rig(context));
+  return estimate_chirp(filters == Filters::kRig ? rig : aggressively_filtered(rig),
                         {.amplitude = kAmplitude, .gate = gate}, context.seed);
 }
 
@@ -79,24 +76,18 @@ double open_share(const ChirpEstimates& run) {
 Result<StudyResult> run_methods(const StudyContext& context) {
   std::vector<ChirpEstimates> runs;
   for (const GateKind gate : {GateKind::kNone, GateKind::kPe, GateKind::kFft}) {
-    auto run = run_gate(context, gate);
-    if (!run) {
-      return run.error();
-    }
-    runs.push_back(std::move(run).value());
+    auto run = FARRIER_TRY(run_gate(context, gate));
+    runs.push_back(std::move(run));
   }
   const double alone = open_share(runs[0]);
   const double pe = open_share(runs[1]);
   const double fft = open_share(runs[2]);
   const auto slow_alone = run_gate(context, GateKind::kNone, Filters::kAggressive);
-  const auto slow_pe = slow_alone ? run_gate(context, GateKind::kPe, Filters::kAggressive) : slow_alone;
-  if (!slow_pe) {
-    return slow_pe.error();
-  }
+  const auto slow_pe = FARRIER_TRY(slow_alone ? run_gate(context, GateKind::kPe, Filters::kAggressive) : slow_alone);
   StudyResult result;
   result.measured = {{"9.4.misses_beginning", static_cast<double>(std::count(runs[1].open.begin(), runs[1].open.begin() + 500, true)), ""},
                      {"9.4.pe_improves", pe / alone, text_of("%.3f alone, ", alone) + text_of("%.3f behind the gate", pe)},
-                     {"9.4.pe_improves_aggressive", open_share(slow_pe.value()) / open_share(slow_alone.value()), ""},
+                     {"9.4.pe_improves_aggressive", open_share(slow_pe) / open_share(slow_alone.value()), ""},
                      {"9.4.fft_better", fft - pe, text_of("%.3f", fft)}};
   result.pictures = {bode_picture("Estimates of a chirp of 10 %, black to yellow; only those taken while the gate was open",
                                   {estimates_panels("adaptive forgetting", runs[0]), estimates_panels("and PE gate", runs[1]),
@@ -128,13 +119,10 @@ constexpr ClaimSpec kSingularClaims[] = {
 
 Result<StudyResult> run_pe_forgetting(const StudyContext& context) {
   const auto made = run_gate(context, GateKind::kPe);
-  const auto filtered = made ? run_gate(context, GateKind::kPe, Filters::kAggressive) : made;
-  if (!filtered) {
-    return filtered.error();
-  }
+  const auto filtered = FARRIER_TRY(made ? run_gate(context, GateKind::kPe, Filters::kAggressive) : made);
   const ChirpEstimates& run = made.value();
   const std::vector<Span> spans = open_spans(run, kShortest);
-  const std::vector<Span> slow_spans = open_spans(filtered.value(), kShortest);
+  const std::vector<Span> slow_spans = open_spans(filtered, kShortest);
   double least = 1.0;
   for (int row = 0; row < 3; ++row) {
     least = std::min(least, mean(0, run.forgetting.size(), [&](std::size_t i) { return run.forgetting[i](row); }));
@@ -156,11 +144,8 @@ Panel open_panel(const ChirpEstimates& run) {
 }
 
 Result<StudyResult> run_singular(const StudyContext& context) {
-  const auto made = run_gate(context, GateKind::kPe);
-  if (!made) {
-    return made.error();
-  }
-  const ChirpEstimates& run = made.value();
+  const auto made = FARRIER_TRY(run_gate(context, GateKind::kPe));
+  const ChirpEstimates& run = made;
   const estimation::PersistenceParams limits = *params_of({.amplitude = kAmplitude}).pe;
   const auto largest = [&](int which, std::size_t from, std::size_t to) {
     double found = 0.0;
@@ -200,11 +185,8 @@ constexpr ClaimSpec kFrequencyClaims[] = {
      "Times the gate opened for 50 ticks or more after 1 s.", "1", Relation::kAtMost, 1.0}};
 
 Result<StudyResult> run_frequencies(const StudyContext& context) {
-  const auto made = run_gate(context, GateKind::kFft);
-  if (!made) {
-    return made.error();
-  }
-  const ChirpEstimates& run = made.value();
+  const auto made = FARRIER_TRY(run_gate(context, GateKind::kFft));
+  const ChirpEstimates& run = made;
   const auto count = [&](std::size_t i) { return static_cast<double>(run.frequencies[i]); };
   const double quiet = mean(1000, 3000, count);
   const double late = mean(6000, run.frequencies.size(), count);
@@ -238,11 +220,8 @@ constexpr ClaimSpec kFftForgettingClaims[] = {
      "RMS distance in dB from the nominal response, 1 to 100 Hz, mean from 2 to 3 s: 2 dB or more.", "dB", Relation::kAtLeast, 2.0}};
 
 Result<StudyResult> run_alone(const StudyContext& context) {
-  const auto made = run_gate(context, GateKind::kNone);
-  if (!made) {
-    return made.error();
-  }
-  const ChirpEstimates& run = made.value();
+  const auto made = FARRIER_TRY(run_gate(context, GateKind::kNone));
+  const ChirpEstimates& run = made;
   double least = 1.0;
   for (int row = 0; row < 3; ++row) {
     least = std::min(least, mean(1000, run.forgetting.size(), [&](std::size_t i) { return run.forgetting[i](row); }));
@@ -254,11 +233,8 @@ Result<StudyResult> run_alone(const StudyContext& context) {
 }
 
 Result<StudyResult> run_fft_forgetting(const StudyContext& context) {
-  const auto made = run_gate(context, GateKind::kFft);
-  if (!made) {
-    return made.error();
-  }
-  const ChirpEstimates& run = made.value();
+  const auto made = FARRIER_TRY(run_gate(context, GateKind::kFft));
+  const ChirpEstimates& run = made;
   const double first = static_cast<double>(std::count(run.open.begin(), run.open.begin() + 1000, true));
   const double last = static_cast<double>(std::count(run.open.begin() + 5000, run.open.end(), true));
   StudyResult result;

@@ -67,25 +67,19 @@ constexpr ClaimSpec kFrictionClaims[] = {
      "proof of 9.19.viscous asks for.", "1", Relation::kAtMost, 0.1}};
 
 Result<StudyResult> run_friction(const StudyContext& context) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const double damping = rig.value().joints[0].swing_load.damping;
+  const auto rig = FARRIER_TRY(load_rig(context));
+  const double damping = rig.joints[0].swing_load.damping;
   Series there{"extending", {}, {}, Style::kPoints, 1};
   Series back{"retracting", {}, {}, Style::kPoints, 2};
   std::vector<FrictionPoint> points;
   for (const double percent : kPercents) {
     for (const double sign : {1.0, -1.0}) {
-      const auto point = move_evenly(rig.value(), sign * percent / 100.0, context.seed);
-      if (!point) {
-        return point.error();
-      }
+      const auto point = FARRIER_TRY(move_evenly(rig, sign * percent / 100.0, context.seed));
       Series& series = sign > 0.0 ? there : back;
-      series.x.push_back(1e3 * std::abs(point.value().velocity_m_s));
-      series.y.push_back(point.value().coefficient_Ns_m());
+      series.x.push_back(1e3 * std::abs(point.velocity_m_s));
+      series.y.push_back(point.coefficient_Ns_m());
       if (sign > 0.0) {
-        points.push_back(point.value());
+        points.push_back(point);
       }
     }
     if (!keep_going(context, static_cast<double>(points.size()) / std::size(kPercents))) {
@@ -152,12 +146,9 @@ Result<StudyResult> run_springs(const StudyContext& context) {
     for (std::size_t end = 0; end < 2; ++end) {
       const double sign = end == 0 ? 1.0 : -1.0;
       const auto rough = stiffness_at(rig.value(), sign, context.seed + static_cast<std::uint64_t>(set));
-      const auto even = rough ? stiffness_at(smooth, sign, context.seed + static_cast<std::uint64_t>(set)) : rough;
-      if (!even) {
-        return even.error();
-      }
+      const auto even = FARRIER_TRY(rough ? stiffness_at(smooth, sign, context.seed + static_cast<std::uint64_t>(set)) : rough);
       sums[0] += rough.value() / (2.0 * kDataSets);
-      sums[1] += even.value() / (2.0 * kDataSets);
+      sums[1] += even / (2.0 * kDataSets);
       ends[end].x.push_back(set + 1);
       ends[end].y.push_back(rough.value());
     }
@@ -192,16 +183,13 @@ constexpr ClaimSpec kThresholdClaims[] = {
      "Distance of both from the middle of that range, the larger: 0.25.", "%", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_threshold(const StudyContext& context) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const double nominal_A = rig.value().joints[0].normalisation.current_A;
+  const auto rig = FARRIER_TRY(load_rig(context));
+  const double nominal_A = rig.joints[0].normalisation.current_A;
   double found[2];
   Picture picture{"Slowly rising and falling valve input; crosses: the load pressure begins to change", 2, {}};
   for (std::size_t k = 0; k < 2; ++k) {
     const double sign = k == 0 ? 1.0 : -1.0;
-    const auto made = drive(rig.value(), {.current_A = [=](double t) { return sign * 0.01 * kRamp_percent_s * t * nominal_A; },
+    const auto made = drive(rig, {.current_A = [=](double t) { return sign * 0.01 * kRamp_percent_s * t * nominal_A; },
                                           .duration_s = 1.2}, context.seed);
     if (!made) {
       return made.error();

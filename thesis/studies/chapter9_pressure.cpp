@@ -51,11 +51,8 @@ constexpr ClaimSpec kDeadbandClaims[] = {
      "References that rise more slowly than the one before and have a shorter delay.", "1", Relation::kAtMost, 0.0}};
 
 Result<StudyResult> run_deadband(const StudyContext& context) {
-  auto loaded = load_rig(context);
-  if (!loaded) {
-    return loaded.error();
-  }
-  robot::Robot rig = std::move(loaded).value();
+  auto loaded = FARRIER_TRY(load_rig(context));
+  robot::Robot rig = std::move(loaded);
   rig.joints[0].noise = {};
   robot::Robot without = rig;
   without.joints[0].actuator.valve_deadband_A = 0.0;
@@ -72,25 +69,19 @@ Result<StudyResult> run_deadband(const StudyContext& context) {
   std::size_t nearest = 0;
   double shorter = 0.0;
   for (const double rise_s : kRises_s) {
-    auto run = run_rise(rig, rise_s);
-    if (!run) {
-      return run.error();
-    }
-    delays.push_back(delay_of(run.value(), nominal_A));
-    runs.push_back(std::move(run).value());
+    auto run = FARRIER_TRY(run_rise(rig, rise_s));
+    delays.push_back(delay_of(run, nominal_A));
+    runs.push_back(std::move(run));
     const std::size_t i = delays.size() - 1;
     nearest = std::abs(delays[i].delay_s - 0.01) < std::abs(delays[nearest].delay_s - 0.01) ? i : nearest;
     shorter += i > 0 && delays[i].delay_s < delays[i - 1].delay_s ? 1.0 : 0.0;
     note += text_of("%g s: ", rise_s) + text_of("%.0f ms; ", 1e3 * delays[i].delay_s);
   }
-  const auto plain = run_rise(without, kRises_s[nearest]);
-  if (!plain) {
-    return plain.error();
-  }
+  const auto plain = FARRIER_TRY(run_rise(without, kRises_s[nearest]));
   StudyResult result;
   result.measured = {{"9.22.step", std::abs(delays[0].delay_s - 0.01), text_of("%.0f ms", 1e3 * delays[0].delay_s)},
                      {"9.22.rise", std::abs(delays[nearest].delay_s - 0.01), "rise: delay, " + note},
-                     {"9.22.by_deadband", delay_of(plain.value(), nominal_A).delay_s / delays[nearest].delay_s, ""},
+                     {"9.22.by_deadband", delay_of(plain, nominal_A).delay_s / delays[nearest].delay_s, ""},
                      {"9.22.input", std::abs(100.0 * delays[nearest].input - 0.6), text_of("%.2f %%", 100.0 * delays[nearest].input)},
                      {"9.22.rate", shorter, ""}};
   const RigTrace& drawn = runs[nearest];
@@ -179,18 +170,12 @@ constexpr ClaimSpec kOscillationClaims[] = {
      "1", Relation::kAtLeast, 0.1}};
 
 Result<StudyResult> run_oscillation(const StudyContext& context) {
-  auto loaded = load(context, "fc1d_real.yaml");
-  if (!loaded) {
-    return loaded.error();
-  }
-  robot::Robot rig = std::move(loaded).value();
+  auto loaded = FARRIER_TRY(load(context, "fc1d_real.yaml"));
+  robot::Robot rig = std::move(loaded);
   rig.joints[0].actuator.spool.on = true;
   rig.joints[0].noise = {};
-  const auto made = thesis::run_force_step(rig, {.to_N = kTo_N, .rise_s = kRise_s, .seed = context.seed});
-  if (!made) {
-    return made.error();
-  }
-  const std::vector<thesis::ForceStepSample>& run = made.value();
+  const auto made = FARRIER_TRY(thesis::run_force_step(rig, {.to_N = kTo_N, .rise_s = kRise_s, .seed = context.seed}));
+  const std::vector<thesis::ForceStepSample>& run = made;
   const double nominal_A = rig.joints[0].normalisation.current_A;
   const double moves_s = span_of(run, [](const auto& at) { return at.velocity_m_s > kMoving_m_s; }).first;
   const auto open = span_of(run, [=](const auto& at) { return std::abs(at.valve_current_A) >= 0.999 * nominal_A; });

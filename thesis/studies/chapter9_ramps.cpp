@@ -37,10 +37,7 @@ constexpr ClaimSpec kStepClaims[] = {
      "1", Relation::kAtLeast, 1.1}};
 
 Result<StudyResult> run_references(const StudyContext& context, double rise_s, const char* figure) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
+  const auto rig = FARRIER_TRY(load_rig(context));
   StudyResult result;
   Picture picture{"Compliant LQR for 2.5 kg, without and with 20 kg added", 2, {}};
   double late_ratio = HUGE_VAL;
@@ -51,14 +48,11 @@ Result<StudyResult> run_references(const StudyContext& context, double rise_s, c
     std::vector<double> errors, late_errors, peaks;
     for (const double added_kg : {0.0, 20.0}) {
       Tracking one{.reference = reference, .duration_s = kReferenceRun_s, .added = {{0.0, added_kg}}};
-      const auto run = track(rig.value(), one, context.seed);
+      const auto run = track(rig, one, context.seed);
       one.delay_ticks = kLate_ticks;
-      const auto late = run ? track(unfiltered(rig.value()), one, context.seed) : run;
-      if (!late) {
-        return late.error();
-      }
+      const auto late = FARRIER_TRY(run ? track(unfiltered(rig), one, context.seed) : run);
       errors.push_back(tracking_error(run.value(), kBegin_s, kReferenceRun_s));
-      late_errors.push_back(tracking_error(late.value(), kBegin_s, kReferenceRun_s));
+      late_errors.push_back(tracking_error(late, kBegin_s, kReferenceRun_s));
       peaks.push_back(std::ranges::max(run.value().force_N) / to_N - 1.0);
       picture.panels.push_back(force_panel(text_of("%g N, ", to_N) + text_of("+%g kg", added_kg), run.value()));
     }

@@ -20,15 +20,12 @@ Result<std::vector<RigTrace>> run_sines(const StudyContext& context, const robot
                                         std::span<const Sine> sines, Form form) {
   std::vector<RigTrace> runs;
   for (std::size_t i = 0; i < sines.size(); ++i) {
-    auto run = track(rig, {.reference = sine(sines[i].amplitude_N, sines[i].frequency_Hz), .duration_s = kRun_s,
-                           .form = form}, context.seed);
-    if (!run) {
-      return run.error();
-    }
+    auto run = FARRIER_TRY(track(rig, {.reference = sine(sines[i].amplitude_N, sines[i].frequency_Hz), .duration_s = kRun_s,
+                           .form = form}, context.seed));
     if (!keep_going(context, static_cast<double>(i + 1) / static_cast<double>(sines.size()))) {
       return stopped();
     }
-    runs.push_back(std::move(run).value());
+    runs.push_back(std::move(run));
   }
   return runs;
 }
@@ -69,28 +66,19 @@ constexpr ClaimSpec kFrequencyClaims[] = {
      "RMS error over RMS reference at 3.5 Hz: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_frequencies(const StudyContext& context) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto runs = run_sines(context, rig.value(), kFrequencies, Form::kFullState);
-  if (!runs) {
-    return runs.error();
-  }
-  const std::vector<double> errors = errors_of(runs.value());
+  const auto rig = FARRIER_TRY(load_rig(context));
+  const auto runs = FARRIER_TRY(run_sines(context, rig, kFrequencies, Form::kFullState));
+  const std::vector<double> errors = errors_of(runs);
   StudyResult result;
   const auto lines = load(context, "fc1d_real.yaml");
-  const auto swinging = lines ? track(lines.value(), {.reference = sine(120.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState},
-                                      context.seed) : Result<RigTrace>(lines.error());
-  if (!swinging) {
-    return swinging.error();
-  }
+  const auto swinging = FARRIER_TRY(lines ? track(lines.value(), {.reference = sine(120.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState},
+                                      context.seed) : Result<RigTrace>(lines.error()));
   result.measured = {{"9.11.error", std::ranges::max(errors), ""},
                      {"9.11.proportional", std::abs(errors.back() / errors.front() / 3.5 - 1.0), ""},
-                     {"9.11.lines", tracking_error(swinging.value(), kSettled_s, kRun_s), ""},
+                     {"9.11.lines", tracking_error(swinging, kSettled_s, kRun_s), ""},
                      {"9.11.regardless", std::ranges::max(errors) / std::ranges::min(errors), ""},
                      {"9.11.highest", errors.back(), ""}};
-  result.pictures = {force_picture("Full-state LQR, sines of 120 N", kFrequencies, runs.value())};
+  result.pictures = {force_picture("Full-state LQR, sines of 120 N", kFrequencies, runs)};
   return result;
 }
 
@@ -101,17 +89,11 @@ constexpr ClaimSpec kAmplitudeClaims[] = {
      "Largest of the three RMS errors over RMS reference: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_amplitudes(const StudyContext& context) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto runs = run_sines(context, rig.value(), kAmplitudes, Form::kFullState);
-  if (!runs) {
-    return runs.error();
-  }
+  const auto rig = FARRIER_TRY(load_rig(context));
+  const auto runs = FARRIER_TRY(run_sines(context, rig, kAmplitudes, Form::kFullState));
   StudyResult result;
-  result.measured = {{"9.12.error", std::ranges::max(errors_of(runs.value())), ""}};
-  result.pictures = {force_picture("Full-state LQR, sines of three amplitudes", kAmplitudes, runs.value())};
+  result.measured = {{"9.12.error", std::ranges::max(errors_of(runs)), ""}};
+  result.pictures = {force_picture("Full-state LQR, sines of three amplitudes", kAmplitudes, runs)};
   return result;
 }
 
@@ -158,15 +140,12 @@ constexpr ClaimSpec kFormClaims[] = {
      "Lag of the compliant form: 15 degrees.", "deg", Relation::kAtMost, 15.0}};
 
 Result<StudyResult> run_forms(const StudyContext& context) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto full = track(rig.value(), {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState},
+  const auto rig = FARRIER_TRY(load_rig(context));
+  const auto full = track(rig, {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState},
                           context.seed);
-  const auto without = full ? track(rig.value(), {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState,
+  const auto without = full ? track(rig, {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState,
                                                   .feed_forward_factor = 0.0}, context.seed) : full;
-  const auto compliant = without ? track(rig.value(), {.reference = sine(200.0, 1.0), .duration_s = kRun_s,
+  const auto compliant = without ? track(rig, {.reference = sine(200.0, 1.0), .duration_s = kRun_s,
                                                     .form = Form::kCompliant, .feed_forward_factor = 0.0}, context.seed) : without;
   if (!compliant) {
     return compliant.error();
@@ -185,7 +164,7 @@ Result<StudyResult> run_forms(const StudyContext& context) {
       {"9.14.compliant_error", compliant_error - full_error, text_of("compliant %.3f", compliant_error)},
       {"9.14.compliant_lag", lag - lag_deg(f, 1.0, kSettled_s), ""},
       {"9.14.compliant_lag_is_slight", lag, ""}};
-  const double nominal_A = rig.value().joints[0].normalisation.current_A;
+  const double nominal_A = rig.joints[0].normalisation.current_A;
   result.pictures = {{"Sine of 1 Hz, 300 N and 200 N, and what the output is made of", 2,
                       {force_panel("full state", f), force_panel("compliant, no feed-forward", c),
                        parts_panel(f, nominal_A), parts_panel(c, nominal_A)}}};
@@ -203,11 +182,8 @@ double sticking(const RigTrace& run, double frequency_Hz) {
 }
 
 Result<StudyResult> run_compliant(const StudyContext& context, std::span<const Sine> sines, std::string_view figure) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto made = run_sines(context, rig.value(), sines, Form::kCompliant);
+  const auto rig = FARRIER_TRY(load_rig(context));
+  const auto made = run_sines(context, rig, sines, Form::kCompliant);
   if (!made) {
     return made.error();
   }
@@ -219,7 +195,7 @@ Result<StudyResult> run_compliant(const StudyContext& context, std::span<const S
     lags.push_back(lag_deg(runs[i], sines[i].frequency_Hz, kSettled_s));
     sticks.push_back(sticking(runs[i], sines[i].frequency_Hz));
     picture.panels.push_back(force_panel(text_of("%g N, ", sines[i].amplitude_N) + text_of("%g Hz", sines[i].frequency_Hz), runs[i]));
-    picture.panels.push_back(parts_panel(runs[i], rig.value().joints[0].normalisation.current_A));
+    picture.panels.push_back(parts_panel(runs[i], rig.joints[0].normalisation.current_A));
   }
   const auto id = [&](const char* name) { return std::string(figure) + "." + name; };
   StudyResult result;
@@ -229,17 +205,14 @@ Result<StudyResult> run_compliant(const StudyContext& context, std::span<const S
                      {id("sticks"), sticks.front() / sticks.back(), text_of("at 1 Hz %.3f", sticks.front()) + text_of(", at 5 Hz %.3f", sticks.back())}};
   result.pictures = {std::move(picture)};
   if (figure == kStrongFigure) {
-    robot::Robot open = rig.value();
+    robot::Robot open = rig;
     open.joints[0].actuator.valve_gain *= kDataSheetOverRig;
-    const auto again = run_sines(context, open, sines, Form::kCompliant);
-    if (!again) {
-      return again.error();
-    }
-    const std::vector<double> better = errors_of(again.value());
-    result.measured.push_back({id("full_open"), share_full_open(runs[2], rig.value().joints[0].normalisation.current_A, kSettled_s, kRun_s), ""});
+    const auto again = FARRIER_TRY(run_sines(context, open, sines, Form::kCompliant));
+    const std::vector<double> better = errors_of(again);
+    result.measured.push_back({id("full_open"), share_full_open(runs[2], rig.joints[0].normalisation.current_A, kSettled_s, kRun_s), ""});
     result.measured.push_back({id("data_sheet"), *std::max_element(better.begin(), better.end() - 1), ""});
-    result.measured.push_back({id("sticks_data_sheet"), sticking(again.value().front(), sines.front().frequency_Hz) /
-                                                            sticking(again.value().back(), sines.back().frequency_Hz), ""});
+    result.measured.push_back({id("sticks_data_sheet"), sticking(again.front(), sines.front().frequency_Hz) /
+                                                            sticking(again.back(), sines.back().frequency_Hz), ""});
   }
   return result;
 }

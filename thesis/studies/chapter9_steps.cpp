@@ -155,36 +155,27 @@ constexpr ClaimSpec kStepClaims[] = {
      "Share of the chirp to 5 Hz in which the piston stands less that of the chirp to 3 Hz: below 0.", "1", Relation::kBelow, 0.0}};
 
 Result<StudyResult> run_steps(const StudyContext& context) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const double nominal_A = rig.value().joints[0].normalisation.current_A;
+  const auto rig = FARRIER_TRY(load_rig(context));
+  const double nominal_A = rig.joints[0].normalisation.current_A;
   const Tracking runs[] = {{.reference = step(0.0, 400.0), .duration_s = kRun_s},
                            {.reference = step(400.0, -400.0), .duration_s = kRun_s},
                            {.reference = chirp(400.0, 3.0, kChirpRun_s), .duration_s = kChirpRun_s},
                            {.reference = chirp(400.0, 5.0, kChirpRun_s), .duration_s = kChirpRun_s},
                            {.reference = step(0.0, 400.0), .duration_s = kRun_s, .feed_forward_factor = 0.0}};
-  robot::Robot open = rig.value();
+  robot::Robot open = rig;
   open.joints[0].actuator.valve_gain *= kDataSheetOverRig;
   constexpr const char* kTitles[] = {"0 to 400 N", "400 to -400 N", "0 to 3 Hz", "0 to 5 Hz"};
   std::vector<RigTrace> made;
   for (const Tracking& one : runs) {
-    auto run = track(rig.value(), one, context.seed);
-    if (!run) {
-      return run.error();
-    }
-    made.push_back(std::move(run).value());
+    auto run = FARRIER_TRY(track(rig, one, context.seed));
+    made.push_back(std::move(run));
     if (!keep_going(context, static_cast<double>(made.size()) / std::size(runs))) {
       return stopped();
     }
   }
   const RigTrace &up = made[0], &down = made[1], &slow = made[2], &fast = made[3];
   const auto slow_open = track(open, runs[2], context.seed);
-  const auto fast_open = slow_open ? track(open, runs[3], context.seed) : slow_open;
-  if (!fast_open) {
-    return fast_open.error();
-  }
+  const auto fast_open = FARRIER_TRY(slow_open ? track(open, runs[3], context.seed) : slow_open);
   const RigTrace without = std::move(made[4]);
   made.pop_back();  // not drawn
   const double velocity = largest(up, up.velocity_part_A);
@@ -203,7 +194,7 @@ Result<StudyResult> run_steps(const StudyContext& context) {
       {"9.13.feed_forward_omitted", rise_s(without, 0.0, 400.0), ""},
       {"9.13.full_open", share_full_open(slow, nominal_A, 2.5 / 3.0 * kChirpRun_s - 0.4, 2.5 / 3.0 * kChirpRun_s + 0.4), ""},
       {"9.13.slow_data_sheet", chirp_lag_deg(slow_open.value(), 3.0, 2.5), ""},
-      {"9.13.fast_data_sheet", chirp_lag_deg(fast_open.value(), 5.0, 4.5), ""},
+      {"9.13.fast_data_sheet", chirp_lag_deg(fast_open, 5.0, 4.5), ""},
       {"9.13.negative_overshoot", overshoot(down, 400.0, -400.0) - rise_up, ""},
       {"9.13.slow_chirp_lag", chirp_lag_deg(slow, 3.0, 2.5), ""},
       {"9.13.fast_chirp_lag", last - chirp_lag_deg(fast, 5.0, 1.5), ""},
@@ -248,20 +239,14 @@ constexpr ClaimSpec kFormClaims[] = {
      "Mean error of the compliant form at its end, over the step.", "1", Relation::kAtMost, 0.02}};
 
 Result<StudyResult> run_forms(const StudyContext& context) {
-  const auto rig = load_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const double nominal_A = rig.value().joints[0].normalisation.current_A;
+  const auto rig = FARRIER_TRY(load_rig(context));
+  const double nominal_A = rig.joints[0].normalisation.current_A;
   std::vector<RigTrace> runs;  // full state, compliant; for each xi
   for (const double xi : {6.0, 0.1, 0.006}) {
     for (const Form form : {Form::kFullState, Form::kCompliant}) {
-      auto run = track(rig.value(), {.reference = step(0.0, 400.0), .duration_s = kRun_s, .form = form, .feed_forward_factor = 0.0,
-                                     .integral_factor = xi}, context.seed);
-      if (!run) {
-        return run.error();
-      }
-      runs.push_back(std::move(run).value());
+      auto run = FARRIER_TRY(track(rig, {.reference = step(0.0, 400.0), .duration_s = kRun_s, .form = form, .feed_forward_factor = 0.0,
+                                     .integral_factor = xi}, context.seed));
+      runs.push_back(std::move(run));
     }
   }
   const RigTrace &f = runs[0], &c = runs[1];

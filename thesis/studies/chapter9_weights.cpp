@@ -91,11 +91,8 @@ constexpr ClaimSpec kWeightClaims[] = {
 Result<std::vector<ChirpEstimates>> run_each(const StudyContext& context, const robot::Robot& rig, double from, double to) {
   std::vector<ChirpEstimates> runs;
   for (const double added_kg : kWeights_kg) {
-    auto run = estimate_chirp(rig, weighted_chirp(added_kg, GateKind::kNone), context.seed);
-    if (!run) {
-      return run.error();
-    }
-    runs.push_back(std::move(run).value());
+    auto run = FARRIER_TRY(estimate_chirp(rig, weighted_chirp(added_kg, GateKind::kNone), context.seed));
+    runs.push_back(std::move(run));
     if (!keep_going(context, from + (to - from) * static_cast<double>(runs.size()) / std::size(kWeights_kg))) {
       return stopped();
     }
@@ -126,36 +123,27 @@ std::string dips_text(const ChirpEstimates& light, const ChirpEstimates& heavy) 
 }
 
 Result<StudyResult> run_weights(const StudyContext& context) {
-  const auto rig = load_estimation_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
-  const auto made = run_each(context, rig.value(), 0.0, 0.45);
-  const auto clear = made ? run_each(context, with_ideal_sensors(rig.value()), 0.45, 0.9) : made;
-  if (!clear) {
-    return clear.error();
-  }
+  const auto rig = FARRIER_TRY(load_estimation_rig(context));
+  const auto made = run_each(context, rig, 0.0, 0.45);
+  const auto clear = FARRIER_TRY(made ? run_each(context, with_ideal_sensors(rig), 0.45, 0.9) : made);
   const double heaviest_kg = kWeights_kg[2];
-  const auto rubbing = estimate_chirp(with_friction_of_weight(rig.value(), heaviest_kg),
-                                      weighted_chirp(heaviest_kg, GateKind::kNone), context.seed);
-  if (!rubbing) {
-    return rubbing.error();
-  }
+  const auto rubbing = FARRIER_TRY(estimate_chirp(with_friction_of_weight(rig, heaviest_kg),
+                                      weighted_chirp(heaviest_kg, GateKind::kNone), context.seed));
   const std::vector<ChirpEstimates>& runs = made.value();
   const OfWeights filtered = of_weights(runs);
-  const OfWeights ideal = of_weights(clear.value());
+  const OfWeights ideal = of_weights(clear);
   StudyResult result;
   result.measured = {{"9.8.shift_5", filtered.shift_5, filtered.resonances},
                      {"9.8.shift_5_ideal", ideal.shift_5, ideal.resonances},
                      {"9.8.shift_15", filtered.shift_15, ""},
                      {"9.8.shift_15_ideal", ideal.shift_15, ""},
                      {"9.8.anti_resonance", last_dip_dB(runs[0]) - last_dip_dB(runs[2]), dips_text(runs[0], runs[2])},
-                     {"9.8.anti_resonance_friction", last_dip_dB(runs[0]) - last_dip_dB(rubbing.value()),
-                      dips_text(runs[0], rubbing.value())},
+                     {"9.8.anti_resonance_friction", last_dip_dB(runs[0]) - last_dip_dB(rubbing),
+                      dips_text(runs[0], rubbing)},
                      {"9.8.still_visible", std::abs(last_resonance_Hz(runs[2]) - 40.0), ""},
                      {"9.8.quick", filtered.quick, ""},
                      {"9.8.quick_ideal", ideal.quick, ""}};
-  for (const auto& [sensors, some] : {std::pair{"", &runs}, std::pair{", sensors that give the truth", &clear.value()}}) {
+  for (const auto& [sensors, some] : {std::pair{"", &runs}, std::pair{", sensors that give the truth", &clear}}) {
     std::vector<std::vector<Panel>> columns;
     for (std::size_t i = 0; i < some->size(); ++i) {
       columns.push_back(estimates_panels(text_of("+%g kg", kWeights_kg[i]), (*some)[i]));
@@ -182,17 +170,11 @@ double open_share(const ChirpEstimates& run, double from_s, double to_s) {
 
 /// Distances from nominal at the end, and where the gates were open: what Figs 9.9, G.3 and G.4 compare.
 Result<StudyResult> run_methods(const StudyContext& context, double added_kg, const char* figure) {
-  const auto rig = load_estimation_rig(context);
-  if (!rig) {
-    return rig.error();
-  }
+  const auto rig = FARRIER_TRY(load_estimation_rig(context));
   std::vector<ChirpEstimates> runs;
   for (const GateKind gate : {GateKind::kNone, GateKind::kPe, GateKind::kFft}) {
-    auto run = estimate_chirp(rig.value(), weighted_chirp(added_kg, gate), context.seed);
-    if (!run) {
-      return run.error();
-    }
-    runs.push_back(std::move(run).value());
+    auto run = FARRIER_TRY(estimate_chirp(rig, weighted_chirp(added_kg, gate), context.seed));
+    runs.push_back(std::move(run));
     if (!keep_going(context, static_cast<double>(runs.size()) / 3.0)) {
       return stopped();
     }

@@ -138,18 +138,15 @@ std::string unit_of(const robot::Robot& robot, const std::string& process) {
 
 Result<std::vector<RenderedFile>> render_host(const robot::Robot& robot, const std::string& robot_text,
                                               const std::string& host, const Places& places) {
-  const auto processes = processes_of(robot, host, places);
-  if (!processes) {
-    return processes.error();
-  }
+  const auto processes = FARRIER_TRY(processes_of(robot, host, places));
   std::vector<RenderedFile> files;
-  for (const DeployedProcess& process : processes.value()) {
+  for (const DeployedProcess& process : processes) {
     files.push_back({unit_of(robot, process.options.name), unit_text(robot, host, places, process)});
   }
   const auto on_realtime_clock = [](const DeployedProcess& process) {
     return process.options.clock == bus::ClockKind::kRealtime;
   };
-  if (std::ranges::any_of(processes.value(), on_realtime_clock)) {
+  if (std::ranges::any_of(processes, on_realtime_clock)) {
     files.push_back({unit_of(robot, "awake"), awake_text(robot, host)});
   }
   files.push_back({target_of(robot), target_text(robot, host, files)});

@@ -67,6 +67,15 @@ std::string why_not(const Cell& cell) {
   return text;
 }
 
+std::string faults_table_markdown() {
+  std::string table = "| row | fault | answer of the processes | event |\n|---|---|---|---|\n";
+  for (const Row& row : rows()) {
+    table += "| `" + std::string(row.name) + "` | " + row.fault + " | " + row.does + " | " +
+             (row.expected.event == nullptr ? "" : "`" + std::string(row.expected.event) + "`") + " |\n";
+  }
+  return table;
+}
+
 std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t planned, int slow) {
   const auto held = std::ranges::count_if(cells, &Cell::holds);
   int repeats = 0;
@@ -74,8 +83,8 @@ std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t plan
     repeats += cell.repeats;
   }
   std::string page =
-      "# Faults\n\nWritten by `farrier faults --page`, which makes each of these happen to a trot of real processes on "
-      "the real-time\nclock" +
+      "# Faults\n\nWritten by `farrier faults --page`, which makes each fault of [faults.md](../faults.md) happen to a trot "
+      "of real processes on the real-time\nclock" +
       (slow == 1 ? "" : ", in slow motion by " + std::to_string(slow)) + "; where a process starts, in slow motion by " +
       std::to_string(slow * kSlowerWhereProcessesStart) +
       ". Every row is made in stance and in swing, over each\nvendor, by each seed. Times are the longest of a row's "
@@ -87,13 +96,11 @@ std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t plan
       " runs in which the computer\nitself stood still and a check did not hold were made again. Others, which a fault "
       "does not hit, are not judged\nwhile the computer stands still for longer than a period, nor for " +
       std::to_string(kAfterPause) + " periods after.\n\n" +
-      "| row | what happens | what each process does | what an operator sees | measured |\n|---|---|---|---|---|\n";
+      "| row | measured |\n|---|---|\n";
   for (const Row& row : rows()) {
     const auto worst = worst_checks(cells, row.name);
     if (!worst.empty()) {
-      page += "| `" + std::string(row.name) + "` | " + row.fault + " | " + row.does + " | " +
-              (row.expected.event == nullptr ? "" : "an event `" + std::string(row.expected.event) + "`") + " | " +
-              checks_text(worst) + " |\n";
+      page += "| `" + std::string(row.name) + "` | " + checks_text(worst) + " |\n";
     }
   }
   std::string failures;

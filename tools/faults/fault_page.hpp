@@ -10,8 +10,11 @@ namespace farrier::faults {
 /// The longest that a check took over cells of a row, by its words; with the bound it has.
 std::vector<Check> worst_checks(const std::vector<Cell>& cells, const std::string& row);
 
-/// docs/faults.md: every row with what happened in its cells, and the cells that did not hold. The clock went slower
-/// than the machine's by the factor `slow`.
+/// The table of docs/faults.md: each row's fault, the answer of each process, and the event that an operator sees.
+std::string faults_table_markdown();
+
+/// docs/results/faults.md: the checks of each row as they were measured in `cells`, and the cells that did not hold. The
+/// clock went slower than the machine's by the factor `slow`.
 std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t planned, int slow);
 
 /// What a cell that does not hold lacks, in a line.

@@ -143,7 +143,7 @@ const std::vector<Row>& rows() {
       {"estimate_cut_long", "The supervisor hears no estimate for 2 s.", "Gains stay as they are.", Hit::kAll,
        kSupervisor, {"joint/model_estimate:cut"}, 2.0, {}, says_estimates_silent()},
       {"gains_cut", "A leg's gains stop for 2 s.", "joint_node goes on with those it has.", Hit::kLeg, kJointNode,
-       {"joint/controller_gains:cut"}, 2.0, {}, {}, false, "adaptive"},
+       {"joint/controller_gains:cut"}, 2.0, {}, {}, false, robot::Design::kAdaptive},
       {"phase_cut", "A leg does not hear for 0.2 s when it will lift off or land.", "joint_node goes on with the gains it has.",
        Hit::kLeg, kJointNode, {"gait/phase:cut"}, 0.2, {}, {}},
       {"mode_cut", "The mode does not reach a leg for 2 s.", "joint_node goes on in the mode it knows.", Hit::kLeg,

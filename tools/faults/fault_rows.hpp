@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "robot/robot.hpp"
 #include "run/process_act.hpp"
 #include "signals/signals.hpp"
 
@@ -40,7 +41,7 @@ struct Row {
   std::vector<ProcessAct> acts;
   Expectation expected;
   bool standby = false;  ///< a second supervisor stands by
-  const char* design = "phases";  ///< of the supervisor, as of farrier trot
+  robot::Design design = robot::Design::kPhases;  ///< of the supervisor
 };
 
 const std::vector<Row>& rows();

@@ -33,9 +33,7 @@ Result<std::unique_ptr<Display>> expose_to_prometheus(const ListenAddress& addre
     return Error{"any free port is one that Prometheus could not find: give a port, as :9464"};
   }
   // Asked first: the server's own exception has no reason in it.
-  if (auto listens = check_listening(address); !listens) {
-    return listens.error();
-  }
+  FARRIER_TRY(check_listening(address));
   try {
     return std::unique_ptr<Display>(new ExposedMetrics(address, robot));
   } catch (const std::exception& problem) {

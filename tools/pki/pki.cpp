@@ -81,14 +81,9 @@ Result<Done> write(const std::string& path, const std::string& text) {
 class OpenSsl {
  public:
   static Result<OpenSsl> start() {
-    auto drafts = Workplace::beside((fs::temp_directory_path() / "farrier-pki").string());
-    if (!drafts) {
-      return drafts.error();
-    }
-    OpenSsl openssl(std::move(drafts).value());
-    if (auto written = write(openssl.configuration(), kConfiguration); !written) {
-      return written.error();
-    }
+    auto drafts = FARRIER_TRY(Workplace::beside((fs::temp_directory_path() / "farrier-pki").string()));
+    OpenSsl openssl(std::move(drafts));
+    FARRIER_TRY(write(openssl.configuration(), kConfiguration));
     return openssl;
   }
 
@@ -117,23 +112,20 @@ std::vector<std::string> new_key(const std::string& path) {
 }
 
 Result<Done> make_cas(const OpenSsl& openssl, const Plan& plan) {
-  auto folder = Workplace::beside(plan.ca);
-  if (!folder) {
-    return folder.error();
-  }
+  auto folder = FARRIER_TRY(Workplace::beside(plan.ca));
   for (const std::string name : {"identity", "permissions"}) {
-    const std::string key = folder.value().file(name + "_ca.key");
+    const std::string key = folder.file(name + "_ca.key");
     auto made = openssl.run({new_key(key),
                              {"req", "-x509", "-new", "-sha256", "-config", openssl.configuration(), "-key", key,
                               "-days", std::to_string(kCaDays), "-subj",
                               "/O=" + plan.robot + "/CN=" + name + " CA", "-out",
-                              folder.value().file(name + "_ca.pem")}});
+                              folder.file(name + "_ca.pem")}});
     if (!made) {
       return made;
     }
     ::chmod(key.c_str(), S_IRUSR | S_IWUSR);
   }
-  return folder.value().finish();
+  return folder.finish();
 }
 
 /// Signs a document for DDS.
@@ -158,11 +150,8 @@ Result<Done> request(const OpenSsl& openssl, const Plan& plan, bus::Role role, b
     if (!asked) {
       return asked;
     }
-    const auto hash = security::subject_hash_of_request(path);
-    if (!hash) {
-      return hash.error();
-    }
-    if (security::suits(hash.value(), vendor)) {
+    const auto hash = FARRIER_TRY(security::subject_hash_of_request(path));
+    if (security::suits(hash, vendor)) {
       return Done{};
     }
   }
@@ -189,13 +178,10 @@ Result<Done> make_identity(const OpenSsl& openssl, const Plan& plan, const bus::
   if (!issued) {
     return issued;
   }
-  const auto certificate = security::read_certificate(files.certificate);
-  if (!certificate) {
-    return certificate.error();
-  }
+  const auto certificate = FARRIER_TRY(security::read_certificate(files.certificate));
   return sign(openssl, plan,
-              security::permissions_document(certificate.value().subject, role, plan.robot,
-                                             certificate.value().not_before, certificate.value().not_after),
+              security::permissions_document(certificate.subject, role, plan.robot,
+                                             certificate.not_before, certificate.not_after),
               files.permissions);
 }
 
@@ -231,41 +217,35 @@ Result<Done> make(const Plan& plan) {
   if (auto checked = check(plan); !checked) {
     return checked;
   }
-  const auto openssl = OpenSsl::start();
-  if (!openssl) {
-    return openssl.error();
-  }
-  auto folder = Workplace::beside(plan.out);
-  if (!folder) {
-    return folder.error();
-  }
+  const auto openssl = FARRIER_TRY(OpenSsl::start());
+  auto folder = FARRIER_TRY(Workplace::beside(plan.out));
   if (!fs::exists(plan.ca)) {
-    if (auto made = make_cas(openssl.value(), plan); !made) {
+    if (auto made = make_cas(openssl, plan); !made) {
       return made;
     }
   }
   for (const char* name : {"identity_ca.pem", "permissions_ca.pem"}) {
     std::error_code refused;
-    fs::copy_file(fs::path(plan.ca) / name, folder.value().file(name), refused);
+    fs::copy_file(fs::path(plan.ca) / name, folder.file(name), refused);
     if (refused) {
       return Error{"cannot copy " + plan.ca + "/" + name + ": " + refused.message()};
     }
   }
-  if (auto made = sign(openssl.value(), plan, security::governance_document(), folder.value().file("governance.p7s"));
+  if (auto made = sign(openssl, plan, security::governance_document(), folder.file("governance.p7s"));
       !made) {
     return made;
   }
   for (const bus::Role role : bus::kRoles) {
     for (const bus::Vendor vendor : {bus::Vendor::kCyclone, bus::Vendor::kFast}) {
       auto made =
-          make_identity(openssl.value(), plan, security::files_of(folder.value().file(""), role, vendor), role, vendor);
+          make_identity(openssl, plan, security::files_of(folder.file(""), role, vendor), role, vendor);
       if (!made) {
         return made;
       }
     }
   }
-  ::chmod(folder.value().file("").c_str(), 0755);
-  return folder.value().finish();
+  ::chmod(folder.file("").c_str(), 0755);
+  return folder.finish();
 }
 
 }  // namespace farrier::pki

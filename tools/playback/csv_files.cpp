@@ -181,21 +181,18 @@ Result<Metadata> read_metadata(const std::string& path) {
 }  // namespace
 
 Result<Converted> to_csv(const std::string& recording, const std::string& folder, const KeepOn& keep_on) {
-  auto reader = recording::RunFileReader::open(recording);
-  if (!reader) {
-    return reader.error();
-  }
+  auto reader = FARRIER_TRY(recording::RunFileReader::open(recording));
   std::error_code refused;
   fs::create_directories(folder, refused);
   if (refused || !fs::is_empty(folder, refused)) {
     return Error{folder + (refused ? ": " + refused.message() : " is not empty: give a folder of its own")};
   }
   NewFiles made(folder);
-  reader.value().ask(keep_on);
+  reader.ask(keep_on);
   std::array<std::ofstream, bus::kTopicCount> files;
   Converted converted;
   std::string row;
-  for (recording::Sample sample; reader.value().next(sample); ++converted.samples) {
+  for (recording::Sample sample; reader.next(sample); ++converted.samples) {
     std::ofstream& file = files[static_cast<std::size_t>(sample.topic)];
     if (!file.is_open()) {
       file.open(path_of(folder, bus::spec(sample.topic)));
@@ -209,12 +206,12 @@ Result<Converted> to_csv(const std::string& recording, const std::string& folder
     }
     file << row << '\n';
   }
-  converted.ending = reader.value().ending();
+  converted.ending = reader.ending();
   if (converted.ending == recording::kInterrupted) {
     return Error{converted.ending};
   }
   json metadata;
-  for (const mcap::Metadata& one : reader.value().file().metadata()) {
+  for (const mcap::Metadata& one : reader.file().metadata()) {
     metadata[one.name] = one.values;
   }
   std::ofstream facts(folder + "/" + kMetadata);
@@ -231,17 +228,12 @@ Result<Converted> to_csv(const std::string& recording, const std::string& folder
 }
 
 Result<Converted> from_csv(const std::string& folder, const std::string& recording, const KeepOn& keep_on) {
-  const auto metadata = read_metadata(folder + "/" + kMetadata);
-  if (!metadata) {
-    return metadata.error();
-  }
+  const auto metadata = FARRIER_TRY(read_metadata(folder + "/" + kMetadata));
   std::vector<std::unique_ptr<TopicFile>> files;
   for (const bus::TopicSpec& topic : bus::topics()) {
     auto file = std::make_unique<TopicFile>(path_of(folder, topic), topic.id);
     if (file->exists()) {
-      if (auto begun = file->begin(); !begun) {
-        return begun.error();
-      }
+      FARRIER_TRY(file->begin());
       files.push_back(std::move(file));
     }
   }
@@ -253,10 +245,7 @@ Result<Converted> from_csv(const std::string& folder, const std::string& recordi
     }
     return static_cast<double>(read) / static_cast<double>(all);
   };
-  auto writer = recording::RunFileWriter::create(recording, metadata.value().facts);
-  if (!writer) {
-    return writer.error();
-  }
+  auto writer = FARRIER_TRY(recording::RunFileWriter::create(recording, metadata.facts));
   Converted converted;
   for (;; ++converted.samples) {
     TopicFile* first = nullptr;
@@ -266,7 +255,7 @@ Result<Converted> from_csv(const std::string& folder, const std::string& recordi
     if (first == nullptr) {
       break;
     }
-    writer.value().write(first->sample());
+    writer.write(first->sample());
     auto advanced = first->advance();
     if (advanced && keep_on && converted.samples % kAskEvery == 0 && !keep_on(share())) {
       advanced = Error{recording::kInterrupted};
@@ -276,9 +265,7 @@ Result<Converted> from_csv(const std::string& folder, const std::string& recordi
       return advanced.error();
     }
   }
-  if (auto finished = writer.value().finish(metadata.value().lost); !finished) {
-    return finished.error();
-  }
+  FARRIER_TRY(writer.finish(metadata.lost));
   return converted;
 }
 

@@ -11,10 +11,7 @@ constexpr std::size_t kAskEveryMeasurements = 1000;  // measurements
 
 Result<Done> identify(const Measurements& measured, const robot::Robot& robot,
                       const std::function<void(const signals::JointModelEstimate&)>& take, const KeepOn& keep_on) {
-  auto service = estimator_service::EstimatorService::create(robot, measured.loop_delay_ticks(robot));
-  if (!service) {
-    return service.error();
-  }
+  auto service = FARRIER_TRY(estimator_service::EstimatorService::create(robot, measured.loop_delay_ticks(robot)));
   std::size_t all = 0, fed = 0;
   for (const std::vector<signals::JointMeasurement>& joint : measured.joints) {
     all += joint.size();
@@ -25,9 +22,9 @@ Result<Done> identify(const Measurements& measured, const robot::Robot& robot,
         return Error{recording::kInterrupted};
       }
       ++fed;
-      service.value().take(measurement);
+      service.take(measurement);
       if (robot.estimate_due(measurement.tick)) {
-        take(service.value().estimate(measurement.joint, measurement.tick));
+        take(service.estimate(measurement.joint, measurement.tick));
       }
     }
   }

@@ -7,25 +7,22 @@ namespace farrier::playback {
 bool is_recording(const std::string& path) { return mcap::Reader::open(path).ok(); }
 
 Result<RecordedRun> RecordedRun::open(const std::string& path, const robot::Overrides& overrides) {
-  auto file = recording::RunFileReader::open(path);
-  if (!file) {
-    return file.error();
-  }
+  auto file = FARRIER_TRY(recording::RunFileReader::open(path));
   recording::Sample first;
-  const bool any = file.value().next(first);
-  const mcap::Text facts = file.value().metadata(recording::kRunFacts);
+  const bool any = file.next(first);
+  const mcap::Text facts = file.metadata(recording::kRunFacts);
   const auto configuration = facts.find("configuration");
   if (configuration == facts.end()) {
     return Error{path + " does not say of which robot it is: give a recording of farrier record"};
   }
   if (!any) {
-    return Error{path + " has no samples " + file.value().ending()};
+    return Error{path + " has no samples " + file.ending()};
   }
   auto robot = robot::load_robot_text(configuration->second, path, overrides);
   if (!robot) {
     return Error{config::to_string(robot.error())};
   }
-  return RecordedRun(std::move(file).value(), std::move(robot).value(), first);
+  return RecordedRun(std::move(file), std::move(robot).value(), first);
 }
 
 bool RecordedRun::next(recording::Sample& sample) {

@@ -20,19 +20,13 @@ class TypedLine final : public Line {
     // A recording that is paused is no process that died.
     endpoint.qos.deadline = bus::kInfinite;
     endpoint.qos.lease = bus::kInfinite;
-    auto publisher = bus::Publisher<Signal>::create(bus, endpoint);
-    if (!publisher) {
-      return publisher.error();
-    }
-    std::unique_ptr<TypedLine> line(new TypedLine(std::move(publisher).value()));
+    auto publisher = FARRIER_TRY(bus::Publisher<Signal>::create(bus, endpoint));
+    std::unique_ptr<TypedLine> line(new TypedLine(std::move(publisher)));
     if constexpr (signals::kJournalled<Signal>) {
       endpoint.topic = bus::TopicId::kSystemJournal;
       endpoint.partitions = {bus::partition(robot.name)};
-      auto journal = bus::Publisher<signals::SystemJournal>::create(bus, endpoint);
-      if (!journal) {
-        return journal.error();
-      }
-      line->journal_ = std::make_unique<participant::StreamJournal>(std::move(journal).value(), 0, topic.id,
+      auto journal = FARRIER_TRY(bus::Publisher<signals::SystemJournal>::create(bus, endpoint));
+      line->journal_ = std::make_unique<participant::StreamJournal>(std::move(journal), 0, topic.id,
                                                                      bus::ClockKind::kRealtime);
     }
     return std::unique_ptr<Line>(std::move(line));
@@ -71,11 +65,8 @@ Result<Replayer> Replayer::create(bus::Bus& bus, const robot::Robot& robot, cons
   for (const bus::TopicSpec& topic : bus::topics()) {
     replayer.lines_.emplace_back();
     if (topics.empty() || std::ranges::find(topics, topic.id) != topics.end()) {
-      auto line = kLines[static_cast<std::size_t>(topic.id)](bus, robot);
-      if (!line) {
-        return line.error();
-      }
-      replayer.lines_.back() = std::move(line).value();
+      auto line = FARRIER_TRY(kLines[static_cast<std::size_t>(topic.id)](bus, robot));
+      replayer.lines_.back() = std::move(line);
     }
   }
   return replayer;

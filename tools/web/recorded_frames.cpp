@@ -136,30 +136,27 @@ class RecordedFrames::Maker {
 };
 
 Result<RecordedFrames> RecordedFrames::read(const std::string& path, KeepOn keep_on) {
-  auto run = playback::RecordedRun::open(path);
-  if (!run) {
-    return run.error();
-  }
-  run.value().ask(std::move(keep_on));
+  auto run = FARRIER_TRY(playback::RecordedRun::open(path));
+  run.ask(std::move(keep_on));
   RecordedFrames frames;
-  frames.robot_ = std::make_shared<const robot::Robot>(run.value().robot());
+  frames.robot_ = std::make_shared<const robot::Robot>(run.robot());
   Maker maker(frames);
   const auto& topics = monitor::RobotView::topics();
   bool summaries = false;
   recording::Sample sample;
-  while (run.value().next(sample)) {
+  while (run.next(sample)) {
     if (std::ranges::find(topics, sample.topic) != topics.end()) {
       summaries = summaries || sample.topic == bus::TopicId::kJointSummary;
       maker.take(sample);
     }
   }
-  if (run.value().ending() == recording::kInterrupted) {
-    return Error{path + ": " + run.value().ending()};
+  if (run.ending() == recording::kInterrupted) {
+    return Error{path + ": " + run.ending()};
   }
   if (!summaries) {
-    return Error{path + " has no samples of lf/joint/summary, from which pages are drawn " + run.value().ending()};
+    return Error{path + " has no samples of lf/joint/summary, from which pages are drawn " + run.ending()};
   }
-  maker.finish(run.value().ending());
+  maker.finish(run.ending());
   return frames;
 }
 

@@ -15,11 +15,8 @@ Result<std::unique_ptr<WebDisplay>> WebDisplay::create(const display::ListenAddr
   auto frames = std::make_shared<FrameRing>(kFrames, kEvents);
   Site site{.page = std::move(page), .documents = {}, .frames = frames};
   site.documents["/api/robot"] = [text = robot_json(robot, false)](const Parameter&) { return text; };
-  auto server = WebServer::create(address, std::move(site));
-  if (!server) {
-    return server.error();
-  }
-  return std::unique_ptr<WebDisplay>(new WebDisplay(std::move(frames), std::move(server).value()));
+  auto server = FARRIER_TRY(WebServer::create(address, std::move(site)));
+  return std::unique_ptr<WebDisplay>(new WebDisplay(std::move(frames), std::move(server)));
 }
 
 void WebDisplay::show(const monitor::Frame& frame) {

@@ -217,9 +217,7 @@ class WebServer::Impl {
 
 Result<std::unique_ptr<WebServer>> WebServer::create(const display::ListenAddress& address, Site site) {
   auto impl = std::make_unique<Impl>(address, std::move(site));
-  if (auto started = impl->start(); !started) {
-    return started.error();
-  }
+  FARRIER_TRY(impl->start());
   return std::unique_ptr<WebServer>(new WebServer(std::move(impl)));
 }
 

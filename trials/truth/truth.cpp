@@ -91,9 +91,7 @@ Result<Done> check(const robot::Joint& joint, double period_s, const Plan& plan)
 }  // namespace
 
 Result<Trial> generate(const robot::Joint& joint, double period_s, const Plan& plan) {
-  if (auto checked = check(joint, period_s, plan); !checked) {
-    return checked.error();
-  }
+  FARRIER_TRY(check(joint, period_s, plan));
   Machine machine = machine_of(joint, plan.seed);
   const Base base = find_scale(joint, period_s, plan, machine);
   if (base.scale == 0.0) {

@@ -50,10 +50,6 @@ constexpr std::array kPrograms = {Option<Program>{"sim_bridge", Program::kSimBri
                                   Option<Program>{"gait_source", Program::kGaitSource},
                                   Option<Program>{"joint_node", Program::kJointNode}};
 
-constexpr std::array kDesigns = {Option<Design>{"stance", Design::kStance}, Option<Design>{"swing", Design::kSwing},
-                                 Option<Design>{"phases", Design::kPhases},
-                                 Option<Design>{"adaptive", Design::kAdaptive}};
-
 template <class Options, class E>
 const char* name_in(const Options& options, E value) noexcept {
   return std::find_if(options.begin(), options.end(), [&](const auto& option) { return option.value == value; })->name;
@@ -72,6 +68,17 @@ void declare_cpus(Visitor& v, std::vector<int>& cpus) {
 
 const char* to_string(Program program) noexcept { return name_in(kPrograms, program); }
 const char* to_string(Design design) noexcept { return name_in(kDesigns, design); }
+
+Result<Design> parse_design(std::string_view name) {
+  std::string known;
+  for (const Option<Design>& option : kDesigns) {
+    if (option.name == name) {
+      return option.value;
+    }
+    known += (known.empty() ? "" : ", ") + std::string(option.name);
+  }
+  return Error{"there is no design '" + std::string(name) + "': give one of " + known};
+}
 
 void declare(Visitor& v, DeployedProcess& p) {
   v.here(p.place);

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/visitor.hpp"
+#include "core/result.hpp"
 
 namespace farrier::robot {
 
@@ -17,10 +20,17 @@ const char* to_string(Program program) noexcept;
 /// DDS vendors a host's processes may run on.
 enum class DdsVendor { kCyclone, kFast };
 enum class DeployedClock { kLockstep, kRealtime };
-/// What the supervisor's gains are for.
+/// The bench load that the supervisor designs the published gains for: one load for both slots of a joint, or each slot
+/// its own. kAdaptive begins with the swing load in both slots and redesigns each when its estimate says that it pays;
+/// physics for flow_inversion begin with each phase's own load, as the estimator does.
 enum class Design { kStance, kSwing, kPhases, kAdaptive };
-/// As on a command line: "phases".
+/// Names of designs, as robot files and command lines have them.
+inline constexpr std::array kDesigns = {
+    config::Option<Design>{"stance", Design::kStance}, config::Option<Design>{"swing", Design::kSwing},
+    config::Option<Design>{"phases", Design::kPhases}, config::Option<Design>{"adaptive", Design::kAdaptive}};
 const char* to_string(Design design) noexcept;
+/// Refuses a name that kDesigns does not have.
+Result<Design> parse_design(std::string_view name);
 
 /// One process of a host.
 struct DeployedProcess {

@@ -227,12 +227,8 @@ TEST(ProcessOptions, SurviveTheCommandLine) {
   EXPECT_EQ(back.controller, options.controller);
 }
 
-TEST(ProcessOptions, TakeEveryDesignOfTheSupervisorAndLeaveDitherOnUnlessTold) {
-  for (const char* design : {"adaptive", "stance", "swing", "phases"}) {
-    const ProcessOptions options = parsed({"--number", "0", "--participants", "3", "--design", design});
-    EXPECT_EQ(options.design, design);
-    EXPECT_FALSE(options.no_dither);
-  }
+TEST(ProcessOptions, LeaveDitherOnUnlessTold) {
+  EXPECT_FALSE(parsed({"--number", "0", "--participants", "3"}).no_dither);
 }
 
 TEST(ProcessOptions, NameTheSimulatedWorldToSimBridgeAlone) {
