@@ -44,7 +44,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/farrier-config-version.cm
 configure_file(deploy/packaging/farrier-config.cmake.in farrier-config.cmake @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/farrier-config.cmake ${PROJECT_BINARY_DIR}/farrier-config-version.cmake
   DESTINATION lib/cmake/farrier COMPONENT dev)
-install(DIRECTORY deploy/packaging/example DESTINATION share/doc/farrier-dev COMPONENT dev)
+install(DIRECTORY deploy/packaging/example docs/how-to/controller DESTINATION share/doc/farrier-dev COMPONENT dev)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The Farrier authors")
