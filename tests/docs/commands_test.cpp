@@ -12,7 +12,7 @@
 #include "cli/base/command_text.hpp"
 
 namespace farrier::docs {
-namespace {
+namespace commands_test {
 
 /// What follows "farrier" in each simple command of a line for sh.
 std::vector<std::string> farrier_commands(const std::string& line) {
@@ -130,5 +130,5 @@ TEST(Commands, ThatAreNotTakenAreFound) {
   EXPECT_TRUE(farrier_commands("cat /etc/farrier/hyq.yaml").empty());
 }
 
-}  // namespace
+}  // namespace commands_test
 }  // namespace farrier::docs

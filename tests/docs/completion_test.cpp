@@ -11,7 +11,7 @@
 #include "tests/support/scratch_directory.hpp"
 
 namespace farrier::docs {
-namespace {
+namespace completion_test {
 
 using Words = std::set<std::string>;
 
@@ -119,5 +119,5 @@ TEST_F(Shells, OfZshOfferTheSame) {
   EXPECT_EQ(zsh("farrier echo clock/tick gait/"), (Words{"gait/phase"}));
 }
 
-}  // namespace
+}  // namespace completion_test
 }  // namespace farrier::docs

@@ -1,19 +1,19 @@
-# What the documents say, and what is made of them: by the label docs.
-function(farrier_docs_test name)
-  farrier_test(${name} docs ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/${name}.cpp ${ARGN})
-  target_sources(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/documents.cpp)
-  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_FUNCTION_LIST_DIR})
-  target_compile_definitions(${name} PRIVATE FARRIER_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
-    FARRIER_COMMAND="$<TARGET_FILE:farrier>" FARRIER_SITE="${PROJECT_BINARY_DIR}/site")
-endfunction()
-
-farrier_docs_test(links_test)
-farrier_docs_test(site_test)
-farrier_docs_test(commands_test)
-target_link_libraries(commands_test PRIVATE farrier_cli_manual)
-farrier_docs_test(man_test)
-target_link_libraries(man_test PRIVATE farrier_cli_manual)
-farrier_docs_test(completion_test)
-target_compile_definitions(completion_test PRIVATE FARRIER_ASK_ZSH="${CMAKE_CURRENT_LIST_DIR}/ask.zsh")
-add_dependencies(man_test farrier)
-add_dependencies(completion_test farrier)
+# What the documents say, and what is made of them: by the label docs. Each source is an entry of CTest.
+set(docs_dir ${CMAKE_CURRENT_LIST_DIR})
+set(docs_tests links site commands man completion controller prose)
+set(sources ${docs_tests})
+list(TRANSFORM sources REPLACE "(.+)" "${docs_dir}/\\1_test.cpp")
+farrier_test_executable(docs_test ${sources} ${docs_dir}/documents.cpp ${docs_dir}/prose.cpp
+  ${docs_dir}/../architecture/source_tree.cpp)
+target_include_directories(docs_test PRIVATE ${docs_dir})
+target_link_libraries(docs_test PRIVATE farrier_cli_manual)
+target_compile_definitions(docs_test PRIVATE FARRIER_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+  FARRIER_COMMAND="$<TARGET_FILE:farrier>" FARRIER_SITE="${PROJECT_BINARY_DIR}/site"
+  FARRIER_ASK_ZSH="${docs_dir}/ask.zsh" FARRIER_BUILD_DIR="${PROJECT_BINARY_DIR}")
+# The libraries of find_package(farrier), which controller_test installs.
+set(installed ${FARRIER_EXPORTED} wire_fastdds)
+list(TRANSFORM installed PREPEND farrier_)
+add_dependencies(docs_test farrier ${installed})
+foreach(name IN LISTS docs_tests)
+  farrier_suites(docs_test docs ${docs_dir}/${name}_test.cpp)
+endforeach()

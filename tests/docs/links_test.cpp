@@ -8,7 +8,7 @@
 #include "documents.hpp"
 
 namespace farrier::docs {
-namespace {
+namespace links_test {
 
 namespace fs = std::filesystem;
 
@@ -67,5 +67,5 @@ TEST(Links, AreReadAsPeopleWriteThem) {
   EXPECT_EQ(anchors(page), (std::set<std::string>{"the-word-again", "two", "two-1"}));
 }
 
-}  // namespace
+}  // namespace links_test
 }  // namespace farrier::docs

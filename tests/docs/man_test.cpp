@@ -14,7 +14,7 @@
 #include "cli/manual/man_page.hpp"
 
 namespace farrier::docs {
-namespace {
+namespace man_test {
 
 namespace fs = std::filesystem;
 
@@ -95,5 +95,5 @@ TEST(Page, KeepsWhatTheFormatterWouldTakeForItself) {
   EXPECT_NE(shown(scratch.file("odd.1")).find(odd.meaning), std::string::npos) << shown(scratch.file("odd.1"));
 }
 
-}  // namespace
+}  // namespace man_test
 }  // namespace farrier::docs

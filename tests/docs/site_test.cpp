@@ -12,7 +12,7 @@
 #include "documents.hpp"
 
 namespace farrier::docs {
-namespace {
+namespace site_test {
 
 namespace fs = std::filesystem;
 
@@ -91,5 +91,5 @@ TEST_F(Site, HasWhatEveryLinkLeadsTo) {
   EXPECT_GT(checked, 2000) << "the test must find the links";
 }
 
-}  // namespace
+}  // namespace site_test
 }  // namespace farrier::docs
