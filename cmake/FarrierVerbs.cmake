@@ -2,8 +2,10 @@
 file(STRINGS ${PROJECT_SOURCE_DIR}/cli/verbs.def farrier_verb_lines REGEX "^FARRIER_VERB")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/cli/verbs.def)
 
-# Programs of the robot, whose names are too common for bin/.
-set(FARRIER_PROCESSES sim_bridge joint_node estimator_service supervisor gait_source)
+# Programs of the robot, whose names are too common for bin/: those of lib/core/processes.def.
+file(STRINGS ${PROJECT_SOURCE_DIR}/lib/core/processes.def FARRIER_PROCESSES REGEX "^FARRIER_PROCESS")
+list(TRANSFORM FARRIER_PROCESSES REPLACE "^FARRIER_PROCESS\\([A-Za-z]+, ([a-z_]+),.*" "\\1")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/lib/core/processes.def)
 
 # farrier_program(NAME SOURCES... [RUNS_PROCESSES]) declares the program NAME of cli/verbs.def: the command itself for
 # "farrier", else the target farrier_program_<NAME>. For each of its verbs it declares the target verb_<verb>, which builds

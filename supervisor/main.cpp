@@ -8,7 +8,7 @@
 int main(int argc, char** argv) {
   using namespace farrier;
   const auto options = participant::parse_options("supervisor", "Arms the robot and publishes its gains", argc, argv);
-  const auto design = robot::parse_design(options.design);
+  const auto design = parse_choice("design", robot::kDesigns, options.design);
   if (!design) {
     std::fprintf(stderr, "supervisor: --design: %s\n", design.error().message.c_str());
     return 2;

@@ -54,7 +54,7 @@ Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, Dds
   DdsRun run = lockstep_run(o);
   run.dds = dds;
   run.bare = bare;
-  run.title = std::string(dds == DdsChoice::kCyclone ? "cyclone" : "fast") + (bare ? ", bare exchange" : ", whole stack");
+  run.title = std::string(to_string(dds)) + (bare ? ", bare exchange" : ", whole stack");
   const auto outcome = FARRIER_TRY(run_over_dds(robot, run));
   return static_cast<double>(o.ticks) / outcome.wall_s;
 }

@@ -59,7 +59,7 @@ class VendorBench {
   VendorBench(const robot::Robot& robot, DdsRun plain, std::string out, report::Figures& figures)
       : robot_(robot),
         plain_(std::move(plain)),
-        vendor_(plain_.dds == DdsChoice::kFast ? "fast" : "cyclone"),
+        vendor_(to_string(plain_.dds == DdsChoice::kFast ? Vendor::kFast : Vendor::kCyclone)),
         recording_(out + "/" + vendor_ + ".mcap"),
         figures_(figures) {}
 

@@ -2,9 +2,10 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <map>
 #include <string>
+
+#include "core/choice.hpp"
 
 namespace farrier::cli {
 
@@ -31,25 +32,34 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target,
       ->type_name(order);
 }
 
-/// An option that takes one of the names of `options`; refuses others, naming those there are.
+/// An option that takes one of the names of `options`, an array of Option; refuses others, naming those there are.
 template <class Target, class Options>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Target& target, const Options& options,
                         const std::string& text) {
-  std::string order;
-  for (const auto& option : options) {
-    order += (order.empty() ? "" : "|") + std::string(option.name);
-  }
+  const std::string order = names_of(options, "|");
   return app
       .add_option_function<std::string>(
           name,
           [&target, &options, name, order](const std::string& given) {
-            const auto place = std::ranges::find(options, given, [](const auto& option) { return option.name; });
-            if (place == std::ranges::end(options)) {
+            const auto chosen = parse_choice("", options, given);
+            if (!chosen) {
               throw CLI::ValidationError(name, "'" + given + "' is not one of " + order);
             }
-            target = place->value;
+            target = chosen.value();
           },
           text)
+      ->type_name(order);
+}
+
+/// The same where the name itself is kept.
+template <class Options>
+CLI::Option* add_name(CLI::App& app, const std::string& name, std::string& target, const Options& options,
+                      const std::string& text) {
+  const std::string order = names_of(options, "|");
+  return app.add_option(name, target, text)
+      ->check([&options, order](const std::string& given) {
+        return parse_choice("", options, given) ? "" : "'" + given + "' is not one of " + order;
+      })
       ->type_name(order);
 }
 

@@ -57,7 +57,7 @@ int run_doctor(DoctorOptions o) {
       return refuse("doctor", "--host: " + o.robot_path + " has no deployment with a host '" + o.host + "'");
     }
     interface = host->interface;
-    o.realtime = o.realtime || deployment->clock == robot::DeployedClock::kRealtime;
+    o.realtime = o.realtime || deployment->clock == ClockKind::kRealtime;
     o.network.domain = deployment->domain;
     o.network.address = host->address;
     o.network.peers.clear();

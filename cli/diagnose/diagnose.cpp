@@ -160,7 +160,7 @@ int diagnose(const DiagnoseOptions& o) {
   }
   if (o.benchmark) {
     return o.recording.empty() ? run_diagnose_benchmark(
-                                     {o.json_path, o.confusion_path, o.seed, o.trials, o.threads},
+                                     {o.json_path, o.confusion_path, o.seed, o.trials, o.threads, o.go_on},
                                      robots_directory())
                                : refuse("diagnose", "--benchmark makes its recordings: name none");
   }

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 
+#include "trials/blind/outcomes_file.hpp"
 #include "trials/blind/score.hpp"
 #include "participant/loop.hpp"
 #include "cli/base/command.hpp"
@@ -70,6 +72,52 @@ void add_figures(report::Figures& figures, const std::vector<blind::Outcome>& ou
   }
 }
 
+/// Outcomes in the order of the plans, and why some are not kept for --continue; empty: all are.
+struct Trials {
+  std::vector<blind::Outcome> outcomes;
+  std::string not_kept;
+};
+
+/// Runs the trials that are not kept. Every outcome is appended to `kept_path` as it comes, unless the path is empty.
+Trials run_all(const std::vector<blind::TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
+               const DiagnoseBenchmark& o, const std::string& kept_path, const std::string& origin) {
+  std::map<std::size_t, blind::Outcome> kept;
+  if (o.go_on) {
+    kept = blind::read_outcomes(kept_path, origin, plans);
+    std::fprintf(stderr, "%s: has %zu of %zu trials\n", kept_path.c_str(), kept.size(), plans.size());
+  } else if (std::error_code none; !kept_path.empty()) {
+    std::filesystem::remove(kept_path, none);
+  }
+  std::vector<std::size_t> left;
+  std::vector<blind::TrialPlan> left_plans;
+  for (std::size_t i = 0; i < plans.size(); ++i) {
+    if (!kept.contains(i)) {
+      left.push_back(i);
+      left_plans.push_back(plans[i]);
+    }
+  }
+  Trials trials;
+  Progress bar("diagnose --benchmark", static_cast<Tick>(plans.size()), "trials");
+  std::size_t done = kept.size();
+  const auto fresh =
+      blind::run_trials(left_plans, joints, o.threads, [&](std::size_t i, const blind::Outcome& outcome) {
+        if (!kept_path.empty() && outcome.refused.empty()) {
+          if (const auto written = blind::append_outcome(kept_path, origin, left[i], outcome); !written) {
+            trials.not_kept = written.error().message;
+          }
+        }
+        bar.update(static_cast<Tick>(++done));
+        return !participant::stop_requested();
+      });
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    kept.insert_or_assign(left[i], fresh[i]);
+  }
+  for (auto& [index, outcome] : kept) {
+    trials.outcomes.push_back(std::move(outcome));
+  }
+  return trials;
+}
+
 }  // namespace
 
 int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots) {
@@ -88,14 +136,12 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
   }
   const std::vector<const robot::Joint*> joints{&rig.value().joints.front(), &legs.value().joints.front()};
   const auto plans = spread(blind::all_trials(joints.size(), o.seed), o.trials);
-  std::vector<blind::Outcome> outcomes;
-  {
-    Progress bar("diagnose --benchmark", static_cast<Tick>(plans.size()), "trials");
-    outcomes = blind::run_trials(plans, joints, o.threads, [&bar](std::size_t done) {
-      bar.update(static_cast<Tick>(done));
-      return !participant::stop_requested();
-    });
-  }
+  const std::string kept_path = o.json_path.empty() ? "" : o.json_path + ".trials";
+  const std::string origin = report::build_name() + ", " + report::run_info(rig.value(), o.seed).configuration_hash + ", " +
+                             report::run_info(legs.value(), o.seed).configuration_hash + ", seed " +
+                             std::to_string(o.seed) + ", " + std::to_string(plans.size()) + " trials";
+  Trials trials = run_all(plans, joints, o, kept_path, origin);
+  std::vector<blind::Outcome>& outcomes = trials.outcomes;
   report::Outcome outcome;
   outcome.command = "diagnose";
   outcome.run = report::run_info(rig.value(), o.seed);
@@ -104,6 +150,9 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
     outcome.failures.push_back("interrupted: " + std::to_string(not_run) + " of " + std::to_string(outcomes.size()) +
                                " trials were not run");
     std::erase_if(outcomes, [](const blind::Outcome& trial) { return trial.refused == blind::kNotRun; });
+  }
+  if (!trials.not_kept.empty()) {
+    outcome.failures.push_back("trials are not kept: " + trials.not_kept);
   }
   for (const blind::Outcome& trial : outcomes) {
     if (!trial.refused.empty()) {
@@ -118,7 +167,8 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
     }
   }
   if (not_run > 0) {
-    return fail("diagnose --benchmark", "stopped; the figures are those of the trials that were run");
+    return fail("diagnose --benchmark", "stopped; the figures are those of the trials that were run" +
+                                            (kept_path.empty() ? "" : "; the same with --continue goes on from " + kept_path));
   }
   if (!o.confusion_path.empty()) {
     if (auto written = replace_file(o.confusion_path, blind::confusion_page(outcomes)); !written) {

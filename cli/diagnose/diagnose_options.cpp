@@ -43,6 +43,11 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   confusion->type_name("<file>")->needs("--benchmark");
   seed->type_name("<n>")->capture_default_str()->needs("--benchmark");
   trials->check(between(0, 100000))->type_name("<n>")->capture_default_str()->needs("--benchmark");
+  app.add_flag("--continue", o.go_on,
+               "--benchmark takes over the trials that an interrupted run of the same build, --seed and --trials kept beside "
+               "--json")
+      ->needs("--benchmark")
+      ->needs("--json");
   app.add_option("--threads", o.threads, "candidates, or trials of --benchmark, that are fitted at a time")
       ->check(between(1, 64))
       ->type_name("<n>")

@@ -22,6 +22,7 @@ struct DiagnoseOptions {
   std::string confusion_path;  ///< of those: what was taken for what; empty: none
   std::uint64_t seed = 1;
   int trials = 0;              ///< 0: all
+  bool go_on = false;          ///< the benchmark goes on from the trials that are kept
 };
 
 void declare(CLI::App& app, DiagnoseOptions& options);

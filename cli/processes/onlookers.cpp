@@ -22,7 +22,7 @@ Result<Onlookers> Onlookers::start(const DdsRun& run, int domain) {
   for (const Onlooker& onlooker : run.onlookers) {
     std::vector<std::string> arguments = onlooker.arguments;
     arguments.insert(arguments.end(), {"--robot", run.common.robot_path, "--domain", std::to_string(domain), "--dds",
-                                       run.dds == DdsChoice::kFast ? "fast" : "cyclone"});
+                                       to_string(run.dds == DdsChoice::kFast ? Vendor::kFast : Vendor::kCyclone)});
     auto process = FARRIER_TRY(ChildProcess::start(onlooker.name, farrier_command(), arguments,
                                        run.log_directory + "/" + onlooker.name + ".log"));
     onlookers.processes_.push_back(std::move(process));

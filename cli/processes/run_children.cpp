@@ -73,7 +73,7 @@ Result<ChildProcess> start_monitor(const DdsRun& run, const participant::Process
   }
   arguments.insert(arguments.end(), {"--joint", joint, "--robot", common.robot_path, "--domain",
                                      std::to_string(common.network.domain), "--dds",
-                                     run.dds == DdsChoice::kCyclone ? "cyclone" : "fast"});
+                                     to_string(run.dds == DdsChoice::kCyclone ? Vendor::kCyclone : Vendor::kFast)});
   return ChildProcess::start(name, farrier_command(), arguments,
                              run.log_directory + "/" + name + ".log");
 }
@@ -85,7 +85,7 @@ Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run
   FARRIER_TRY(replace_file(robot_path, robot::print_config(robot)));
   std::vector<std::string> arguments{"record", run.record_path, "--robot", robot_path, "--domain",
                                      std::to_string(common.network.domain), "--dds",
-                                     run.dds == DdsChoice::kFast ? "fast" : "cyclone"};
+                                     to_string(run.dds == DdsChoice::kFast ? Vendor::kFast : Vendor::kCyclone)};
   if (!common.security.empty()) {
     arguments.insert(arguments.end(), {"--security", common.security});
   }
@@ -117,8 +117,9 @@ Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const 
   const auto dispensable = [&](const std::string& name) {
     const auto member = std::ranges::find(members, name, &run::Member::name);
     return name == kRecorder || run.goes_on_without_the_dead ||
-           (member != members.end() && (member->number == participant::kEstimatorService ||
-                                        run::role_of(*member) == bus::Role::kSupervisor));
+           (member != members.end() && std::ranges::any_of(kPrograms, [&](const ProgramInfo& program) {
+              return program.name == member->executable && !program.needed;
+            }));
   };
   for (auto child = children.begin(); child != children.end();) {
     if (child->running()) {

@@ -10,6 +10,7 @@
 #include "process/process.hpp"
 #include "runtime/realtime_thread.hpp"
 #include "cli/base/command.hpp"
+#include "cli/base/help.hpp"
 
 namespace farrier::cli {
 
@@ -28,10 +29,7 @@ std::array<CLI::Option*, 3> declare_network(CLI::App& app, bus::NetworkOptions& 
 }
 
 void declare_vendor(CLI::App& app, std::string& vendor) {
-  app.add_option("--dds", vendor, "vendor of this process")
-      ->check(CLI::IsMember({"cyclone", "fast"}))
-      ->type_name("cyclone|fast")
-      ->capture_default_str();
+  add_name(app, "--dds", vendor, kDdsVendors, "vendor of this process")->capture_default_str();
 }
 
 void declare_guest(CLI::App& app, GuestOptions& options) {

@@ -18,20 +18,11 @@ const std::map<std::string, DdsChoice> kDds = [] {
   }
   return names;
 }();
-const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind::kLockstep},
-                                                    {"realtime", bus::ClockKind::kRealtime}};
 const std::map<std::string, run::Grouping> kNodes{{"per-leg", run::Grouping::kPerLeg},
                                                   {"per-joint", run::Grouping::kPerJoint},
                                                   {"one", run::Grouping::kOne}};
 constexpr double kLongestLimit_s = 86400.0;
 constexpr int kProcessorsForLegs = 4;  ///< with fewer, joint_node processes wait for each other and for sim_bridge
-
-const std::map<std::string, std::string> kGaits{{"trot", "trot"}, {"stand", "stand"}};
-
-const std::map<std::string, std::string> kControllers{{"lqr", "lqr"},
-                                                     {"feedback_linearisation", "feedback_linearisation"},
-                                                     {"pid", "pid"},
-                                                     {"flow_inversion", "flow_inversion"}};
 
 }  // namespace
 
@@ -42,7 +33,7 @@ void declare_gait(CLI::App& app, TrotOptions& o) {
       ->check(between(0.1, 3600.0))
       ->type_name("<s>")
       ->capture_default_str();
-  add_choice(app, "--gait", o.gait, kGaits, "trot|stand", "gait, instead of the robot file's");
+  add_name(app, "--gait", o.gait, gait::kPatterns, "gait, instead of the robot file's");
   app.add_option("--frequency", o.frequency_Hz, "strides per second, instead of the robot file's")
       ->check(between(0.1, 10.0))
       ->type_name("<Hz>");
@@ -90,7 +81,7 @@ void declare_control(CLI::App& app, TrotOptions& o) {
       ->default_str("adaptive; phases with --clock realtime");
   app.add_option("--estimator", o.estimator, "section of the robot file's estimators that every joint uses")
       ->type_name("<name>");
-  add_choice(app, "--controller", o.controller, kControllers, "lqr|feedback_linearisation|pid|flow_inversion",
+  add_name(app, "--controller", o.controller, robot::kControllerKinds,
              "kind of every controller, instead of the robot file's");
 }
 
@@ -98,7 +89,7 @@ void declare(CLI::App& app, TrotOptions& o) {
   declare_gait(app, o);
   declare_processes(app, o);
   declare_control(app, o);
-  add_choice(app, "--clock", o.clock, kClocks, "lockstep|realtime", "lock-step, which repeats bit for bit, or real time")
+  add_choice(app, "--clock", o.clock, kClockKinds, "lock-step, which repeats bit for bit, or real time")
       ->default_str("lockstep");
   app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
   app.add_option("--record", o.record_path,

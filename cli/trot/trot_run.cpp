@@ -18,7 +18,7 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
   common.trace_path = o.trace_path;
   common.gait = o.gait;
   common.frequency_Hz = o.frequency_Hz;
-  common.design = robot::to_string(o.design.value());
+  common.design = name_of(robot::kDesigns, o.design.value());
   common.estimator = o.estimator;
   common.controller = o.controller;
   common.no_dither = o.design != robot::Design::kAdaptive;
@@ -28,8 +28,8 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
 mcap::Text record_facts(const robot::Robot& robot, const TrotOptions& o) {
   mcap::Text facts = report::recording_facts(robot);
   facts["seed"] = std::to_string(o.seed);
-  facts["clock"] = o.clock == bus::ClockKind::kLockstep ? "lockstep" : "realtime";
-  facts["design"] = robot::to_string(o.design.value());
+  facts["clock"] = name_of(kClockKinds, o.clock);
+  facts["design"] = name_of(robot::kDesigns, o.design.value());
   facts["vendor"] = to_string(o.dds);
   return facts;
 }

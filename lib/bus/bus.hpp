@@ -15,10 +15,9 @@
 
 namespace farrier::bus {
 
-/// Which implementation carries a process's samples. Its number travels in SystemHello.
-enum class Vendor : std::uint8_t { kInproc = 0, kCyclone = 1, kFast = 2 };
+using farrier::Vendor;
 
-const char* to_string(Vendor vendor) noexcept;
+using farrier::to_string;
 Result<Vendor> parse_vendor(const std::string& text);
 
 struct EndpointSpec {

@@ -4,11 +4,10 @@ namespace farrier::bus {
 
 const char* to_string(Role role) noexcept {
   switch (role) {
-    case Role::kSimBridge: return "sim_bridge";
-    case Role::kEstimatorService: return "estimator_service";
-    case Role::kSupervisor: return "supervisor";
-    case Role::kGaitSource: return "gait_source";
-    case Role::kJointNode: return "joint_node";
+#define FARRIER_PROCESS(constant, program, number, needed) \
+  case Role::constant: return #program;
+#include "core/processes.def"
+#undef FARRIER_PROCESS
     case Role::kLauncher: return "launcher";
     case Role::kOperator: return "operator";
     case Role::kMonitor: return "monitor";

@@ -5,22 +5,28 @@
 #include <initializer_list>
 #include <string>
 
+#include "core/processes.hpp"
+
 namespace farrier::bus {
 
-/// What a process is to the robot: it decides which topics the process may write.
+/// Decides which topics a process may write. The first roles are the programs of core/processes.def.
 enum class Role : std::uint8_t {
-  kSimBridge,
-  kEstimatorService,
-  kSupervisor,
-  kGaitSource,
-  kJointNode,
+#define FARRIER_PROCESS(constant, program, number, needed) constant,
+#include "core/processes.def"
+#undef FARRIER_PROCESS
   kLauncher,  ///< starts the processes of a run on one computer, and listens to it
   kOperator,  ///< asks the supervisor to arm or to stop
   kMonitor,   ///< only reads
 };
 
-inline constexpr std::array kRoles{Role::kSimBridge, Role::kEstimatorService, Role::kSupervisor, Role::kGaitSource,
-                                   Role::kJointNode, Role::kLauncher,         Role::kOperator,   Role::kMonitor};
+/// Every role, in order.
+inline constexpr std::array kRoles{
+#define FARRIER_PROCESS(constant, program, number, needed) Role::constant,
+#include "core/processes.def"
+#undef FARRIER_PROCESS
+    Role::kLauncher, Role::kOperator, Role::kMonitor};
+
+constexpr Role role_of(Program program) noexcept { return static_cast<Role>(program); }
 
 const char* to_string(Role role) noexcept;
 

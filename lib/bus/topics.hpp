@@ -11,6 +11,7 @@
 
 #include "bus/qos.hpp"
 #include "bus/roles.hpp"
+#include "core/transport.hpp"
 #include "signals/fields.hpp"
 
 namespace farrier::bus {
@@ -28,7 +29,7 @@ enum class Route : std::uint8_t { kRobot, kLeg };
 /// When a sample goes out: as it is written, or with others of its writer when that is flushed.
 enum class Sending : std::uint8_t { kAtOnce, kTogether };
 
-enum class ClockKind : std::uint8_t { kLockstep, kRealtime };
+using farrier::ClockKind;
 
 struct TopicSpec {
   TopicId id;

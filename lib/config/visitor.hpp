@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/problem.hpp"
+#include "core/choice.hpp"
 
 namespace farrier::config {
 
@@ -30,12 +31,7 @@ Default(T) -> Default<T>;
 /// Marks a group that may be left out because every parameter in it may: the struct's own initialisers then stand.
 struct Defaults {};
 
-/// Name and meaning of one value of an enum.
-template <class E>
-struct Option {
-  const char* name;
-  E value;
-};
+using farrier::Option;
 
 /// What a text that is no name must be: an address, the name of a device.
 struct TextRule {

@@ -3,17 +3,10 @@
 namespace farrier {
 
 const char* to_string(Fault fault) noexcept {
-  switch (fault) {
-    case Fault::kDisarmed: return "disarmed";
-    case Fault::kTripped: return "tripped";
-    case Fault::kSensorsStale: return "sensors stale";
-    case Fault::kNoGains: return "no gains";
-    case Fault::kCommandStale: return "command stale";
-    case Fault::kGainsRefused: return "gains refused";
-    case Fault::kReferenceClamped: return "reference clamped";
-    case Fault::kValveSaturated: return "valve saturated";
-    case Fault::kActuatorSilent: return "actuator silent";
-    case Fault::kForceLost: return "force lost";
+  for (const FaultInfo& info : kFaults) {
+    if (info.fault == fault) {
+      return info.name;
+    }
   }
   return "unknown fault";
 }

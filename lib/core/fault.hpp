@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -20,6 +21,26 @@ enum class Fault : std::uint32_t {
   kForceLost = 1u << 9,         ///< no force: the joint holds its position, softly
 };
 
+struct FaultInfo {
+  Fault fault;
+  const char* name;
+  bool failed;  ///< the joint does not do what it is asked; with other faults it does, or waits to be armed
+};
+
+/// Every fault in the order of their bits. Terminal, page, metrics and recordings name and colour faults by this table.
+inline constexpr std::array kFaults{
+    FaultInfo{Fault::kDisarmed, "disarmed", false},
+    FaultInfo{Fault::kTripped, "tripped", true},
+    FaultInfo{Fault::kSensorsStale, "sensors stale", true},
+    FaultInfo{Fault::kNoGains, "no gains", false},
+    FaultInfo{Fault::kCommandStale, "command stale", true},
+    FaultInfo{Fault::kGainsRefused, "gains refused", false},
+    FaultInfo{Fault::kReferenceClamped, "reference clamped", false},
+    FaultInfo{Fault::kValveSaturated, "valve saturated", false},
+    FaultInfo{Fault::kActuatorSilent, "actuator silent", true},
+    FaultInfo{Fault::kForceLost, "force lost", true},
+};
+
 /// Set of faults; trivially copyable, travels as its bits.
 class FaultSet {
  public:
@@ -33,6 +54,15 @@ class FaultSet {
   constexpr bool has(Fault fault) const noexcept { return (bits_ & static_cast<std::uint32_t>(fault)) != 0; }
   constexpr bool any() const noexcept { return bits_ != 0; }
   constexpr std::uint32_t bits() const noexcept { return bits_; }
+  /// True if a joint with these faults has failed.
+  constexpr bool failed() const noexcept {
+    for (const FaultInfo& info : kFaults) {
+      if (info.failed && has(info.fault)) {
+        return true;
+      }
+    }
+    return false;
+  }
   friend constexpr bool operator==(FaultSet, FaultSet) = default;
 
  private:

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "core/choice.hpp"
 #include "core/result.hpp"
 #include "plant/actuator.hpp"
 #include "plant/linkage.hpp"
@@ -14,6 +16,8 @@ enum class Pattern {
   kTrot,   ///< legs swing when their phase offset says so
   kStand,  ///< all legs on the ground, no motion
 };
+inline constexpr std::array kPatterns{Option<Pattern>{"trot", Pattern::kTrot},
+                                      Option<Pattern>{"stand", Pattern::kStand}};
 
 enum class ReferenceKind {
   kLegKinematics,  ///< feet follow the pattern, joints by inverse kinematics

@@ -13,6 +13,9 @@
 
 namespace farrier::monitor {
 
+/// A joint or process whose summaries, of which fifty a second come, are older than this counts as silent.
+inline constexpr double kSilent_s = 1.0;
+
 /// One joint. What has not come yet is empty, or has the tick kNoTick or the generation 0.
 struct JointFrame {
   std::vector<signals::JointSummary> summaries;  ///< that came since the last frame, oldest first

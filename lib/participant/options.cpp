@@ -1,6 +1,8 @@
 #include "participant/options.hpp"
 
 #include <CLI/CLI.hpp>
+
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -8,22 +10,43 @@
 namespace farrier::participant {
 namespace {
 
-const std::map<std::string, bus::Vendor> kVendors{
-    {"cyclone", bus::Vendor::kCyclone}, {"fast", bus::Vendor::kFast}};
-const std::map<std::string, bus::ClockKind> kClocks{{"lockstep", bus::ClockKind::kLockstep},
-                                                    {"realtime", bus::ClockKind::kRealtime}};
+/// The values by their names, as CLI11 takes them.
+template <class E, std::size_t N>
+std::map<std::string, E> by_name(const std::array<Option<E>, N>& options) {
+  std::map<std::string, E> values;
+  for (const Option<E>& option : options) {
+    values.emplace(option.name, option.value);
+  }
+  return values;
+}
 
-const std::map<std::string, std::uint16_t> kFixedNumbers{
-    {"sim_bridge", kSimBridge}, {"estimator_service", kEstimatorService}, {"supervisor", kSupervisor},
-    {"gait_source", kGaitSource}};
+/// "sim_bridge is 0, estimator_service 1, ..., joint nodes and a standby 4 and up".
+std::string numbers_text() {
+  std::string text;
+  for (const ProgramInfo& program : kPrograms) {
+    const bool joint_node = program.program == Program::kJointNode;
+    text += (text.empty() ? "" : ", ") + std::string(joint_node ? "joint nodes and a standby" : program.name) +
+            (text.empty() ? " is " : " ") + std::to_string(program.number) + (joint_node ? " and up" : "");
+  }
+  return text;
+}
+
+/// True if a process of this program may have this number. Programs of others may have any.
+bool may_have(const std::string& program, bool stands_by, std::uint16_t number) {
+  const auto known = std::ranges::find_if(kPrograms, [&](const ProgramInfo& one) { return program == one.name; });
+  if (stands_by || (known != kPrograms.end() && known->program == Program::kJointNode)) {
+    return number >= kFirstJointNode;
+  }
+  return known == kPrograms.end() || number == known->number;
+}
 
 void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--name", o.name, "Name the others see")->capture_default_str();
   app.add_option("--robot", o.robot_path, "Robot file")->capture_default_str();
   app.add_option("--dds", o.vendor, "DDS vendor of this process (also FARRIER_DDS): cyclone or fast")
       ->envname("FARRIER_DDS")
-      ->transform(CLI::CheckedTransformer(kVendors));
-  app.add_option("--clock", o.clock, "lockstep or realtime")->transform(CLI::CheckedTransformer(kClocks));
+      ->transform(CLI::CheckedTransformer(by_name(kDdsVendors)));
+  app.add_option("--clock", o.clock, "lockstep or realtime")->transform(CLI::CheckedTransformer(by_name(kClockKinds)));
   app.add_option("--domain", o.network.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
   app.add_option("--address", o.network.address, "Address of the interface DDS uses")->capture_default_str();
   app.add_option("--peers", o.network.peers, "Computers to look for processes on")->delimiter(',');
@@ -42,12 +65,11 @@ void declare(CLI::App& app, ProcessOptions& o) {
                  "Load the published gains are for: stance or swing in both slots, phases: each slot its own, or "
                  "adaptive: swing in both at first, then what the estimates say")
       ->capture_default_str();
-  app.add_option("--gait", o.gait, "trot or stand, instead of the robot file's")->check(CLI::IsMember({"trot", "stand"}));
+  app.add_option("--gait", o.gait, "Gait, instead of the robot file's");
   app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's")
       ->check(CLI::Range(0.1, 10.0));
   app.add_option("--estimator", o.estimator, "Estimator section of the robot file that every joint uses");
-  app.add_option("--controller", o.controller, "Kind of every controller, instead of the robot file's")
-      ->check(CLI::IsMember({"lqr", "feedback_linearisation", "pid", "flow_inversion"}));
+  app.add_option("--controller", o.controller, "Kind of every controller, instead of the robot file's");
   if (o.name == "sim_bridge") {
     app.add_option("--world", o.world_path, "Robot file of the robot that is simulated, where it is not the one of --robot");
   }
@@ -77,16 +99,6 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_flag("--no-dither", o.no_dither, "Valves are not probed, whatever the robot file says");
 }
 
-template <class Value>
-std::string name_in(const std::map<std::string, Value>& names, Value value) {
-  for (const auto& [name, candidate] : names) {
-    if (candidate == value) {
-      return name;
-    }
-  }
-  return {};
-}
-
 }  // namespace
 
 ProcessOptions parse_options(const std::string& process, const std::string& purpose, int argc, char** argv) {
@@ -104,12 +116,9 @@ ProcessOptions parse_options(const std::string& process, const std::string& purp
                  options.participants);
     std::exit(2);
   }
-  if (const auto fixed = kFixedNumbers.find(process);
-      fixed != kFixedNumbers.end() && !options.standby ? options.number != fixed->second
-                                                       : (process == "joint_node" || options.standby) &&
-                                                             options.number < kFirstJointNode) {
-    std::fprintf(stderr, "%s: --number %u is another participant's: sim_bridge is 0, estimator_service 1, supervisor 2, "
-                 "the gait source 3, joint nodes and a standby 4 and up\n", process.c_str(), options.number);
+  if (!may_have(process, options.standby, options.number)) {
+    std::fprintf(stderr, "%s: --number %u is another participant's: %s\n", process.c_str(), options.number,
+                 numbers_text().c_str());
     std::exit(2);
   }
   if (!options.faults.empty() && options.clock == bus::ClockKind::kLockstep) {
@@ -146,7 +155,7 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
     return text;
   };
   std::vector<std::string> arguments{
-      "--name", o.name, "--robot", o.robot_path, "--dds", name_in(kVendors, o.vendor), "--clock", name_in(kClocks, o.clock),
+      "--name", o.name, "--robot", o.robot_path, "--dds", to_string(o.vendor), "--clock", name_of(kClockKinds, o.clock),
       "--domain", std::to_string(o.network.domain), "--address", o.network.address, "--peers", joined(o.network.peers),
       "--number", std::to_string(o.number), "--participants", std::to_string(o.participants),
       "--session", std::to_string(o.session), "--seed", std::to_string(o.seed), "--ticks", std::to_string(o.ticks),

@@ -15,13 +15,10 @@ constexpr auto kGreetingPeriod = 20ms;
 }  // namespace
 
 bus::Role role_of(std::uint16_t number, bool stands_by) noexcept {
-  switch (number) {
-    case kSimBridge: return bus::Role::kSimBridge;
-    case kEstimatorService: return bus::Role::kEstimatorService;
-    case kSupervisor: return bus::Role::kSupervisor;
-    case kGaitSource: return bus::Role::kGaitSource;
-    default: return stands_by ? bus::Role::kSupervisor : bus::Role::kJointNode;
+  if (stands_by) {
+    return bus::Role::kSupervisor;
   }
+  return bus::role_of(number < kFirstJointNode ? kPrograms[number].program : Program::kJointNode);
 }
 
 bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& legs) {

@@ -14,12 +14,12 @@
 
 namespace farrier::participant {
 
-/// Everybody's number in a run. Joint nodes follow one another from kFirstJointNode.
-inline constexpr std::uint16_t kSimBridge = 0;
-inline constexpr std::uint16_t kEstimatorService = 1;
-inline constexpr std::uint16_t kSupervisor = 2;
-inline constexpr std::uint16_t kGaitSource = 3;
-inline constexpr std::uint16_t kFirstJointNode = 4;
+/// Numbers of participants in a run. Those of joint nodes follow one another from kFirstJointNode.
+inline constexpr std::uint16_t kSimBridge = info(Program::kSimBridge).number;
+inline constexpr std::uint16_t kEstimatorService = info(Program::kEstimatorService).number;
+inline constexpr std::uint16_t kSupervisor = info(Program::kSupervisor).number;
+inline constexpr std::uint16_t kGaitSource = info(Program::kGaitSource).number;
+inline constexpr std::uint16_t kFirstJointNode = info(Program::kJointNode).number;
 
 /// The rights a participant needs under DDS Security.
 bus::Role role_of(std::uint16_t number, bool stands_by = false) noexcept;

@@ -22,7 +22,11 @@ int refuse(const char* name, const Error& error, int status = 1) {
 Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOptions& options) {
   robot::Overrides overrides;
   if (!options.gait.empty()) {
-    overrides.pattern = options.gait == "stand" ? gait::Pattern::kStand : gait::Pattern::kTrot;
+    const auto pattern = parse_choice("gait", gait::kPatterns, options.gait);
+    if (!pattern) {
+      return config::Problems{{options.robot_path, 0, "--gait", pattern.error().message}};
+    }
+    overrides.pattern = pattern.value();
   }
   if (options.frequency_Hz > 0) {
     overrides.frequency_Hz = options.frequency_Hz;
@@ -31,10 +35,12 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
   if (!options.estimator.empty()) {
     overrides.estimator = options.estimator;
   }
-  for (const auto& kind : robot::kControllerKinds) {
-    if (options.controller == kind.name) {
-      overrides.controller = kind.value;
+  if (!options.controller.empty()) {
+    const auto kind = parse_choice("controller", robot::kControllerKinds, options.controller);
+    if (!kind) {
+      return config::Problems{{options.robot_path, 0, "--controller", kind.error().message}};
     }
+    overrides.controller = kind.value();
   }
   return robot::load_robot(options.robot_path, overrides);
 }

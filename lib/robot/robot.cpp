@@ -14,7 +14,7 @@ namespace {
 std::vector<config::Setting> settings_of(const Overrides& overrides) {
   std::vector<config::Setting> settings;
   if (overrides.pattern) {
-    settings.push_back({"gait.pattern", *overrides.pattern == gait::Pattern::kTrot ? "trot" : "stand"});
+    settings.push_back({"gait.pattern", name_of(gait::kPatterns, *overrides.pattern)});
   }
   if (overrides.frequency_Hz) {
     settings.push_back({"gait.frequency_Hz", config::number_text(*overrides.frequency_Hz)});

@@ -77,12 +77,10 @@ void declare(Visitor& v, Leg& l) {
 
 void declare(Visitor& v, GaitSection& section) {
   gait::GaitParams& g = *section.params;
-  constexpr std::array kPatterns = {Option<gait::Pattern>{"trot", gait::Pattern::kTrot},
-                                    Option<gait::Pattern>{"stand", gait::Pattern::kStand}};
   constexpr std::array kReferences = {
       Option<gait::ReferenceKind>{"leg_kinematics", gait::ReferenceKind::kLegKinematics},
       Option<gait::ReferenceKind>{"multisine", gait::ReferenceKind::kMultisine}};
-  v.choice<gait::Pattern>("pattern", g.pattern, kPatterns, Default{gait::Pattern::kTrot}, "Which legs stand when.");
+  v.choice<gait::Pattern>("pattern", g.pattern, gait::kPatterns, Default{gait::Pattern::kTrot}, "Which legs stand when.");
   v.number("frequency_Hz", g.frequency_Hz, {0.05, 10}, "Strides per second.");
   v.number("duty", g.duty, {0.05, 0.95}, "Stance part of the stride.");
   v.number("step_length_m", g.step_length_m, {0, 2}, Default{0.0}, "Way of the foot under the hip during stance.");

@@ -5,10 +5,12 @@
 namespace farrier::run {
 
 std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, bool standby) {
-  std::vector<Member> members{{"sim_bridge", "sim_bridge", participant::kSimBridge, {}},
-                              {"estimator_service", "estimator_service", participant::kEstimatorService, {}},
-                              {"supervisor", "supervisor", participant::kSupervisor, {}},
-                              {"gait_source", "gait_source", participant::kGaitSource, {}}};
+  std::vector<Member> members;
+  for (const ProgramInfo& program : kPrograms) {
+    if (program.program != Program::kJointNode) {
+      members.push_back({program.name, program.name, program.number, {}});
+    }
+  }
   std::uint16_t next = participant::kFirstJointNode;
   const auto group_of = [&](const robot::Joint& joint) {
     switch (grouping) {
@@ -21,12 +23,12 @@ std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, b
   for (const robot::Joint& joint : robot.joints) {
     const std::string name = "joint_node_" + group_of(joint);
     if (members.back().name != name) {
-      members.push_back({name, "joint_node", next++, {}});
+      members.push_back({name, to_string(Program::kJointNode), next++, {}});
     }
     members.back().joints.push_back(joint.name);
   }
   if (standby) {
-    members.push_back({"supervisor_standby", "supervisor", next, {}, true});
+    members.push_back({"supervisor_standby", to_string(Program::kSupervisor), next, {}, true});
   }
   return members;
 }

@@ -65,15 +65,11 @@ const std::vector<Source>& source_tree() {
 }
 
 std::vector<std::string> processes() {
-  const Source* const verbs = find_source("cmake/FarrierVerbs.cmake");
+  static const std::regex row(R"re(^FARRIER_PROCESS\(\w+, (\w+),)re");
   std::vector<std::string> names;
-  for (const std::string& list : arguments_of(*verbs, "set")) {
-    std::istringstream words(list);
-    std::string word;
-    if (words >> word && word == "FARRIER_PROCESSES") {
-      while (words >> word) {
-        names.push_back(word);
-      }
+  for (const std::string& line : find_source("lib/core/processes.def")->lines) {
+    if (std::smatch match; std::regex_search(line, match, row)) {
+      names.push_back(match[1]);
     }
   }
   return names;

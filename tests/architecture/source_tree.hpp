@@ -23,7 +23,7 @@ const std::vector<Source>& source_tree();
 /// The file, null when there is none.
 const Source* find_source(const std::string& path);
 
-/// The processes of a robot: FARRIER_PROCESSES of the build.
+/// The programs of a robot's processes, as lib/core/processes.def lists them.
 std::vector<std::string> processes();
 
 struct Include {

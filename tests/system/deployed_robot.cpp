@@ -39,10 +39,10 @@ robot::Robot deployed_robot(const DeployedRun& run) {
   EXPECT_TRUE(loaded.ok()) << (loaded ? "" : config::to_string(loaded.error()));
   robot::Robot robot = std::move(loaded).value();
   robot.file.deployment->clock =
-      run.clock == bus::ClockKind::kLockstep ? robot::DeployedClock::kLockstep : robot::DeployedClock::kRealtime;
+      run.clock;
   for (auto& [name, host] : robot.file.deployment->hosts) {
     if (run.dds != "mixed") {
-      host.vendor = run.dds == "fast" ? robot::DdsVendor::kFast : robot::DdsVendor::kCyclone;
+      host.vendor = run.dds == "fast" ? Vendor::kFast : Vendor::kCyclone;
     }
   }
   return robot;

@@ -55,7 +55,7 @@ TEST_P(Echo, HearsEveryRouteOfATopic) {
 
 TEST_P(Echo, TopicsListsWritersReadersAndRates) {
   std::string output;
-  ASSERT_EQ(run_farrier({"topics", "--json", "--look", "3", "--domain", std::to_string(trot_->domain()), "--dds",
+  ASSERT_EQ(run_farrier({"topics", "--json", "--look", "6", "--domain", std::to_string(trot_->domain()), "--dds",
                          GetParam()},
                         &output),
             0)

@@ -36,7 +36,7 @@ TEST_P(MonitorPage, ShowsEveryJointOfARunningRobot) {
   EXPECT_EQ(json::parse(http_get(port, "/api/robot")).at("joints").size(), 12u);
   const auto until = std::chrono::steady_clock::now() + 30s;
   const auto frames = frames_until(port, [&](const json& frame) {
-    return every_joint_tracks(frame) || std::chrono::steady_clock::now() > until;
+    return (every_joint_tracks(frame) && frame.at("mode") == "armed") || std::chrono::steady_clock::now() > until;
   });
   ASSERT_FALSE(frames.empty());
   EXPECT_TRUE(every_joint_tracks(frames.back())) << frames.back().dump();

@@ -3,25 +3,13 @@
 namespace farrier::deploy {
 namespace {
 
-std::uint16_t seat_of(robot::Program program, std::uint16_t& next_joint_node) {
-  switch (program) {
-    case robot::Program::kSimBridge: return participant::kSimBridge;
-    case robot::Program::kEstimatorService: return participant::kEstimatorService;
-    case robot::Program::kSupervisor: return participant::kSupervisor;
-    case robot::Program::kGaitSource: return participant::kGaitSource;
-    case robot::Program::kJointNode: break;
-  }
-  return next_joint_node++;
-}
-
 participant::ProcessOptions options_for_all(const robot::Robot& robot, const Places& places) {
   const robot::Deployment& deployment = *robot.file.deployment;
   participant::ProcessOptions options;
   options.robot_path = places.robot_file(robot);
-  options.clock = deployment.clock == robot::DeployedClock::kRealtime ? bus::ClockKind::kRealtime
-                                                                       : bus::ClockKind::kLockstep;
+  options.clock = deployment.clock;
   options.session = static_cast<std::uint64_t>(deployment.session);
-  options.design = robot::to_string(deployment.design);
+  options.design = name_of(robot::kDesigns, deployment.design);
   options.no_dither = deployment.design != robot::Design::kAdaptive;  // as farrier trot: nothing to learn, nothing to probe
   options.network.domain = deployment.domain;
   options.network.peers.clear();
@@ -69,12 +57,13 @@ Result<std::vector<DeployedProcess>> processes_of(const robot::Robot& robot, con
   std::vector<DeployedProcess> here;
   for (const auto& [host_name, section] : deployment.hosts) {
     options.network.address = section.address;
-    options.vendor = section.vendor == robot::DdsVendor::kFast ? bus::Vendor::kFast : bus::Vendor::kCyclone;
+    options.vendor = section.vendor;
     options.priority_shift = section.priority_shift;
     for (const auto& [name, process] : section.processes) {
       options.name = name;
       options.joints = process.joints;
-      options.number = seat_of(process.program, next_joint_node);
+      options.number =
+          process.program == Program::kJointNode ? next_joint_node++ : info(process.program).number;
       if (host_name == host) {
         here.push_back({process, options});
       }

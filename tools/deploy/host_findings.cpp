@@ -121,7 +121,7 @@ Findings host_findings(const HostFacts& facts, const robot::Deployment& deployme
     }
   }
   append(findings, buffer_findings(facts));
-  if (deployment.clock == robot::DeployedClock::kRealtime) {
+  if (deployment.clock == ClockKind::kRealtime) {
     append(findings, address_retry_findings(facts, host));
     append(findings, realtime_findings(facts, runtime::kControlPriority + host.priority_shift));
   }

@@ -1,9 +1,8 @@
 #include "tools/faults/cells_file.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "report/figures/kept_lines.hpp"
 
 namespace farrier::faults {
 namespace {
@@ -39,37 +38,18 @@ Cell cell_of(const json& line) {
   return cell;
 }
 
-/// The last line of a run that was killed may lack its end.
-bool ends_within_a_line(const std::string& path) {
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  return file && file.tellg() > 0 && file.seekg(-1, std::ios::end) && file.get() != '\n';
-}
-
 }  // namespace
 
 Result<Done> append_cell(const std::string& path, const CellsOrigin& origin, const Cell& cell) {
-  json line = to_json(cell);
-  line["origin"] = to_json(origin);
-  const bool cut_off = ends_within_a_line(path);
-  std::ofstream file(path, std::ios::app);
-  file << (cut_off ? "\n" : "") << line.dump() << '\n';
-  file.flush();
-  if (!file) {
-    return Error{"cannot write " + path + ": " + std::strerror(errno)};
-  }
-  return Done{};
+  return report::append_kept(path, to_json(origin), to_json(cell));
 }
 
 std::vector<Cell> read_cells(const std::string& path, const CellsOrigin& origin) {
   std::vector<Cell> cells;
-  std::ifstream file(path);
-  for (std::string text; std::getline(file, text);) {
+  for (const json& line : report::read_kept(path, to_json(origin))) {
     try {
-      const json line = json::parse(text);
-      if (line.at("origin") == to_json(origin)) {
-        cells.push_back(cell_of(line));
-      }
-    } catch (const json::exception&) {  // the last one of a run that was killed
+      cells.push_back(cell_of(line));
+    } catch (const json::exception&) {  // no cell, though its origin is right: it is run again
     }
   }
   return cells;

@@ -30,11 +30,11 @@ constexpr double kLeaseAndMore_s = 12.0;  // of machine time: by then who renews
 constexpr double kHeard_s = 0.020;  // an event's way to the operator
 constexpr double kMissed_s = 0.100;  // 50 ms of silence, the period of what is silent, an event's way
 
-constexpr const char* kJointNode = "joint_node";
-constexpr const char* kSimBridge = "sim_bridge";
-constexpr const char* kEstimator = "estimator_service";
-constexpr const char* kSupervisor = "supervisor";
-constexpr const char* kGaitSource = "gait_source";
+constexpr const char* kJointNode = to_string(Program::kJointNode);
+constexpr const char* kSimBridge = to_string(Program::kSimBridge);
+constexpr const char* kEstimator = to_string(Program::kEstimatorService);
+constexpr const char* kSupervisor = to_string(Program::kSupervisor);
+constexpr const char* kGaitSource = to_string(Program::kGaitSource);
 constexpr const char* kEverybody = "every process";
 
 Expectation says(participant::EventKind kind, double within_s) {

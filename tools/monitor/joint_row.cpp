@@ -13,15 +13,6 @@
 namespace farrier::display {
 namespace {
 
-/// Silence of a joint that is worth a colour: its summaries come fifty times a second.
-constexpr double kSilent_s = 1.0;
-
-constexpr std::uint32_t kBadFaults = static_cast<std::uint32_t>(Fault::kTripped) |
-                                     static_cast<std::uint32_t>(Fault::kSensorsStale) |
-                                     static_cast<std::uint32_t>(Fault::kForceLost) |
-                                     static_cast<std::uint32_t>(Fault::kCommandStale) |
-                                     static_cast<std::uint32_t>(Fault::kActuatorSilent);
-
 std::string digits(const char* format, double value) {
   char text[48];
   std::snprintf(text, sizeof text, format, value);
@@ -88,7 +79,7 @@ Cell cell_of(Column column, const monitor::JointFrame& joint, const robot::Joint
       break;
     case Column::kFaults:
       if (heard) {
-        const std::string silent = joint.age_s > kSilent_s ? "silent for " + digits("%.0f", joint.age_s) + " s" : "";
+        const std::string silent = joint.age_s > monitor::kSilent_s ? "silent for " + digits("%.0f", joint.age_s) + " s" : "";
         const std::string faults = to_string(FaultSet(joint.faults));
         return {static_cast<double>(std::popcount(joint.faults) + (silent.empty() ? 0 : 1)),
                 silent + (silent.empty() || faults.empty() ? "" : ", ") + faults};
@@ -102,7 +93,7 @@ Tone tone_of(const monitor::JointFrame& joint) {
   if (joint.newest.tick == kNoTick) {
     return Tone::kFaint;
   }
-  if ((joint.faults & kBadFaults) != 0 || joint.age_s > kSilent_s) {
+  if (FaultSet(joint.faults).failed() || joint.age_s > monitor::kSilent_s) {
     return Tone::kBad;
   }
   const bool tracks = joint.newest.state == static_cast<std::uint8_t>(signals::JointState::kTracking);

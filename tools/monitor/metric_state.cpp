@@ -16,8 +16,8 @@ void MetricState::take(const monitor::Frame& next, double time_s) {
   for (std::size_t joint = 0; joint < next.joints.size(); ++joint) {
     for (const signals::JointSummary& summary : next.joints[joint].summaries) {
       const FaultSet begun(summary.faults & ~last_faults[joint]);
-      for (std::size_t i = 0; i < kJointFaults.size(); ++i) {
-        fault_onsets[joint][i] += begun.has(kJointFaults[i]) ? 1 : 0;
+      for (std::size_t i = 0; i < kFaults.size(); ++i) {
+        fault_onsets[joint][i] += begun.has(kFaults[i].fault) ? 1 : 0;
       }
       last_faults[joint] = summary.faults;
     }

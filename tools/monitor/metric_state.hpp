@@ -10,22 +10,15 @@
 
 namespace farrier::display {
 
-/// Every fault a joint can have, in the order of their bits.
-inline constexpr std::array kJointFaults{
-    Fault::kDisarmed,     Fault::kTripped,          Fault::kSensorsStale,   Fault::kNoGains,
-    Fault::kCommandStale, Fault::kGainsRefused,     Fault::kReferenceClamped, Fault::kValveSaturated,
-    Fault::kActuatorSilent, Fault::kForceLost,
-};
-
-/// What metrics are made of: the newest frame, and counts over all frames, so that nothing that came between two scrapes
-/// is missed.
+/// The state that metrics are made of: the newest frame, and counts over all frames. The counts include frames between
+/// two scrapes.
 struct MetricState {
   const robot::Robot& robot;
   monitor::Frame frame;
   double frame_time_s = 0.0;  ///< date of the frame, since 1970; 0: none yet
   double start_time_s = 0.0;  ///< of the first
   std::array<std::uint64_t, 3> events{};                                      ///< by severity
-  std::vector<std::array<std::uint64_t, kJointFaults.size()>> fault_onsets{};  ///< by joint and fault
+  std::vector<std::array<std::uint64_t, kFaults.size()>> fault_onsets{};  ///< by joint and fault
   std::vector<std::uint32_t> last_faults{};                                    ///< of each joint's last summary
 
   /// Takes the next frame, made at this date.

@@ -91,16 +91,16 @@ constexpr std::array kSpecs{
     MetricSpec{"farrier_joint_fault", kGauge, {"leg", "joint", "fault"}, "1 while the joint has the fault.",
                [](const State& s, const Sample& sample) {
                  each_heard_joint(s, [&](const robot::Joint& joint, const JointFrame& frame, const std::string& leg) {
-                   for (const Fault fault : kJointFaults) {
-                     sample(FaultSet(frame.newest.faults).has(fault) ? 1.0 : 0.0, {leg, joint.name, to_string(fault)});
+                   for (const auto& [fault, name, failed] : kFaults) {
+                     sample(FaultSet(frame.newest.faults).has(fault) ? 1.0 : 0.0, {leg, joint.name, name});
                    }
                  });
                }},
     MetricSpec{"farrier_joint_fault_onsets_total", kCounter, {"leg", "joint", "fault"}, "Times the fault began, those between two scrapes included.",
                [](const State& s, const Sample& sample) {
                  each_joint(s, [&](const robot::Joint& joint, const JointFrame&, const std::string& leg) {
-                   for (std::size_t i = 0; i < kJointFaults.size(); ++i) {
-                     sample(as_double(s.fault_onsets[joint.number][i]), {leg, joint.name, to_string(kJointFaults[i])});
+                   for (std::size_t i = 0; i < kFaults.size(); ++i) {
+                     sample(as_double(s.fault_onsets[joint.number][i]), {leg, joint.name, kFaults[i].name});
                    }
                  });
                }},

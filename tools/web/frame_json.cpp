@@ -129,8 +129,10 @@ std::string robot_json(const robot::Robot& robot, bool recorded) {
     legs.push_back(leg.name);
   }
   json faults = json::array();
-  for (const Fault fault : display::kJointFaults) {
-    faults.push_back(to_string(fault));
+  json failures = json::array();
+  for (const FaultInfo& info : kFaults) {
+    faults.push_back(info.name);
+    failures.push_back(info.failed);
   }
   return text_of({{"name", robot.name},
                   {"period_s", robot.period_s},
@@ -138,6 +140,8 @@ std::string robot_json(const robot::Robot& robot, bool recorded) {
                   {"joints", std::move(joints)},
                   {"legs", std::move(legs)},
                   {"faults", std::move(faults)},
+                  {"failures", std::move(failures)},
+                  {"silent_s", monitor::kSilent_s},
                   {"states",
                    {to_string(signals::JointState::kNull), to_string(signals::JointState::kDamping),
                     to_string(signals::JointState::kTracking)}},

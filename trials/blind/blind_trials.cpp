@@ -163,7 +163,7 @@ Outcome run_or_refuse(const TrialPlan& plan, const std::vector<const robot::Join
 }  // namespace
 
 std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
-                                int threads, const std::function<bool(std::size_t)>& progress) {
+                                int threads, const std::function<bool(std::size_t, const Outcome&)>& done) {
   std::vector<Outcome> outcomes(plans.size());
   for (std::size_t i = 0; i < plans.size(); ++i) {
     outcomes[i].plan = plans[i];
@@ -171,12 +171,11 @@ std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::
   }
   std::atomic<bool> goes_on{true};
   std::mutex telling;
-  std::size_t done = 0;
   diagnosis::by_threads(threads, [](double) {}, 1)(plans.size(), [&](std::size_t i) {
     if (goes_on) {
       outcomes[i] = run_or_refuse(plans[i], joints);
       const std::lock_guard lock(telling);
-      goes_on = progress(++done) && goes_on;
+      goes_on = done(i, outcomes[i]) && goes_on;
     }
   });
   return outcomes;

@@ -56,9 +56,9 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
 /// Outcome::refused of a trial that was not begun.
 inline constexpr const char* kNotRun = "not run";
 
-/// Runs trials on `threads` threads; `progress` gets how many are done, false ends early: the others are then kNotRun. A
-/// trial that throws a std::exception is refused.
+/// Runs trials on `threads` threads. `done` gets each outcome with its index, by one thread at a time; if it returns false,
+/// no other trial begins and the rest are kNotRun. A trial that throws a std::exception is refused.
 std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::vector<const robot::Joint*>& joints,
-                                int threads, const std::function<bool(std::size_t)>& progress);
+                                int threads, const std::function<bool(std::size_t, const Outcome&)>& done);
 
 }  // namespace farrier::blind

@@ -44,17 +44,6 @@ constexpr TextRule kAddress{"IPv4 address of a computer", is_host_address,
 constexpr TextRule kInterface{"network interface", is_interface,
                               "give 1 to 15 letters, digits, \"_\", \"-\" or \".\", as `ip link` shows it"};
 
-constexpr std::array kPrograms = {Option<Program>{"sim_bridge", Program::kSimBridge},
-                                  Option<Program>{"estimator_service", Program::kEstimatorService},
-                                  Option<Program>{"supervisor", Program::kSupervisor},
-                                  Option<Program>{"gait_source", Program::kGaitSource},
-                                  Option<Program>{"joint_node", Program::kJointNode}};
-
-template <class Options, class E>
-const char* name_in(const Options& options, E value) noexcept {
-  return std::find_if(options.begin(), options.end(), [&](const auto& option) { return option.value == value; })->name;
-}
-
 // A list of whole numbers is read as numbers, which is what the visitor knows.
 void declare_cpus(Visitor& v, std::vector<int>& cpus) {
   std::vector<double> numbers(cpus.begin(), cpus.end());
@@ -66,23 +55,12 @@ void declare_cpus(Visitor& v, std::vector<int>& cpus) {
 
 }  // namespace
 
-const char* to_string(Program program) noexcept { return name_in(kPrograms, program); }
-const char* to_string(Design design) noexcept { return name_in(kDesigns, design); }
-
-Result<Design> parse_design(std::string_view name) {
-  std::string known;
-  for (const Option<Design>& option : kDesigns) {
-    if (option.name == name) {
-      return option.value;
-    }
-    known += (known.empty() ? "" : ", ") + std::string(option.name);
-  }
-  return Error{"there is no design '" + std::string(name) + "': give one of " + known};
-}
-
 void declare(Visitor& v, DeployedProcess& p) {
+  std::array<Option<Program>, kPrograms.size()> programs;
+  std::ranges::transform(kPrograms, programs.begin(),
+                         [](const ProgramInfo& one) { return Option<Program>{one.name, one.program}; });
   v.here(p.place);
-  v.choice<Program>("program", p.program, kPrograms, "What it runs; gait_source plays the gait section.");
+  v.choice<Program>("program", p.program, programs, "What it runs; gait_source plays the gait section.");
   v.names("joints", p.joints, config::Defaults{}, "Joints a joint_node hosts.");
   declare_cpus(v, p.cpus);
   v.integer("memory_max_MB", p.memory_max_MB, {32, 65536}, Default{512},
@@ -90,12 +68,10 @@ void declare(Visitor& v, DeployedProcess& p) {
 }
 
 void declare(Visitor& v, Host& h) {
-  constexpr std::array kVendors = {Option<DdsVendor>{"cyclone", DdsVendor::kCyclone},
-                                   Option<DdsVendor>{"fast", DdsVendor::kFast}};
   v.here(h.place);
   v.text("address", h.address, kAddress, "Address at which the other hosts reach this one.");
   v.text("interface", h.interface, kInterface, "The interface that has it, the only one DDS uses.");
-  v.choice<DdsVendor>("vendor", h.vendor, kVendors, Default{DdsVendor::kCyclone}, "DDS vendor of its processes.");
+  v.choice<Vendor>("vendor", h.vendor, kDdsVendors, Default{Vendor::kCyclone}, "DDS vendor of its processes.");
   v.integer("priority_shift", h.priority_shift, {-39, 15}, Default{0},
             "Added to every SCHED_FIFO priority of its processes (control loops 80, their buses 60, services 40), to "
             "stand above or below what else the host runs.");
@@ -103,13 +79,11 @@ void declare(Visitor& v, Host& h) {
 }
 
 void declare(Visitor& v, Deployment& d) {
-  constexpr std::array kClocks = {Option<DeployedClock>{"lockstep", DeployedClock::kLockstep},
-                                  Option<DeployedClock>{"realtime", DeployedClock::kRealtime}};
   v.here(d.place);
   v.integer("domain", d.domain, {0, 232}, Default{0},
             "DDS domain of the robot; 0 to 100 keep clear of Linux's own ports.");
   v.integer("session", d.session, {1, 2147483647}, Default{1}, "Session of the run, which `farrier request` names.");
-  v.choice<DeployedClock>("clock", d.clock, kClocks, Default{DeployedClock::kRealtime}, "What paces the robot.");
+  v.choice<ClockKind>("clock", d.clock, kClockKinds, Default{ClockKind::kRealtime}, "What paces the robot.");
   v.choice<Design>("design", d.design, kDesigns, Default{Design::kPhases},
                    "What the supervisor's gains are for, as --design of farrier trot.");
   v.number("watchdog_s", d.watchdog_s, {0.1, 60}, Default{1.0},

@@ -3,34 +3,26 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "config/visitor.hpp"
-#include "core/result.hpp"
+#include "core/choice.hpp"
+#include "core/processes.hpp"
+#include "core/transport.hpp"
 
 namespace farrier::robot {
 
-/// Which executable a process is.
-enum class Program { kSimBridge, kEstimatorService, kSupervisor, kGaitSource, kJointNode };
+using farrier::Program;
+using farrier::to_string;
 
-/// Name of the executable: "joint_node".
-const char* to_string(Program program) noexcept;
-
-/// DDS vendors a host's processes may run on.
-enum class DdsVendor { kCyclone, kFast };
-enum class DeployedClock { kLockstep, kRealtime };
 /// The bench load that the supervisor designs the published gains for: one load for both slots of a joint, or each slot
 /// its own. kAdaptive begins with the swing load in both slots and redesigns each when its estimate says that it pays;
 /// physics for flow_inversion begin with each phase's own load, as the estimator does.
 enum class Design { kStance, kSwing, kPhases, kAdaptive };
 /// Names of designs, as robot files and command lines have them.
 inline constexpr std::array kDesigns = {
-    config::Option<Design>{"stance", Design::kStance}, config::Option<Design>{"swing", Design::kSwing},
-    config::Option<Design>{"phases", Design::kPhases}, config::Option<Design>{"adaptive", Design::kAdaptive}};
-const char* to_string(Design design) noexcept;
-/// Refuses a name that kDesigns does not have.
-Result<Design> parse_design(std::string_view name);
+    Option<Design>{"stance", Design::kStance}, Option<Design>{"swing", Design::kSwing},
+    Option<Design>{"phases", Design::kPhases}, Option<Design>{"adaptive", Design::kAdaptive}};
 
 /// One process of a host.
 struct DeployedProcess {
@@ -45,7 +37,7 @@ struct DeployedProcess {
 struct Host {
   std::string address;    ///< IPv4, of the interface
   std::string interface;  ///< the one DDS uses
-  DdsVendor vendor = DdsVendor::kCyclone;
+  Vendor vendor = Vendor::kCyclone;
   int priority_shift = 0;  ///< on every real-time priority
   config::Named<DeployedProcess> processes;
   config::Place place;
@@ -55,7 +47,7 @@ struct Host {
 struct Deployment {
   int domain = 0;
   int session = 1;
-  DeployedClock clock = DeployedClock::kRealtime;
+  ClockKind clock = ClockKind::kRealtime;
   Design design = Design::kPhases;
   double watchdog_s = 1.0;
   config::Named<Host> hosts;

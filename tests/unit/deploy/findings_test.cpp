@@ -92,7 +92,7 @@ TEST(HostFindings, AskNothingOfTheClockInLockStep) {
   facts.realtime_kernel = false;
   facts.lacks_priority = "real-time priority";
   robot::Deployment deployment = *hyq().file.deployment;
-  deployment.clock = robot::DeployedClock::kLockstep;
+  deployment.clock = ClockKind::kLockstep;
   EXPECT_TRUE(host_findings(facts, deployment, *config::find(deployment.hosts, "front")).empty());
 }
 

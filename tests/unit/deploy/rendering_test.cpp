@@ -97,7 +97,7 @@ TEST(Rendering, KeepsProcessorsAwakeOnTheRealTimeClockOnly) {
   EXPECT_NE(text_of(rendered("front"), "farrier-hyq.target").find(unit), std::string::npos);
 
   robot::Robot robot = hyq();
-  robot.file.deployment->clock = robot::DeployedClock::kLockstep;
+  robot.file.deployment->clock = ClockKind::kLockstep;
   const auto files = render_host(robot, "", "front", standard_places(robot));
   EXPECT_EQ(text_of(files.value(), unit), "");
   EXPECT_EQ(text_of(files.value(), "farrier-hyq.target").find(unit), std::string::npos);

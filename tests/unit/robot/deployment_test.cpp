@@ -64,7 +64,7 @@ TEST(Deployment, OfHyqSpreadsItsJointsOverTwoOfThreeHosts) {
   ASSERT_NE(lf, nullptr);
   EXPECT_EQ(lf->joints, (std::vector<std::string>{"lf_haa", "lf_hfe", "lf_kfe"}));
   EXPECT_EQ(lf->cpus, std::vector<int>{1});
-  EXPECT_EQ(config::find(deployment.hosts, "brain")->vendor, DdsVendor::kFast);
+  EXPECT_EQ(config::find(deployment.hosts, "brain")->vendor, Vendor::kFast);
 }
 
 TEST(Deployment, IsNoPartOfWhatMakesRobotsEqual) {

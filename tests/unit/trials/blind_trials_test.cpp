@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-
 #include <cmath>
+#include <fstream>
+#include <limits>
 
+#include "tests/support/scratch_directory.hpp"
+#include "trials/blind/outcomes_file.hpp"
 #include "trials/blind/score.hpp"
 
 namespace farrier::blind {
@@ -79,7 +82,7 @@ TEST(BlindTrials, AFewOfThemAreNamedAndNothingIsNamedWhereNothingIsHidden) {
   }
   plans.push_back({Kind::kNone, 0, {80, truth::Excitation::kMultisine, {}}});
   plans.push_back({Kind::kNone, 1, {81, truth::Excitation::kForceTracking, {}}});
-  const auto outcomes = run_trials(plans, joints, 2, [](std::size_t) { return true; });
+  const auto outcomes = run_trials(plans, joints, 2, [](std::size_t, const Outcome&) { return true; });
   const Score s = score(outcomes);
   EXPECT_EQ(s.counted, 4u);
   EXPECT_DOUBLE_EQ(s.first_alone, 1.0) << confusion_page(outcomes);
@@ -91,10 +94,36 @@ TEST(BlindTrials, AFewOfThemAreNamedAndNothingIsNamedWhereNothingIsHidden) {
 TEST(BlindTrials, AfterAStopAreNotRunAndSaySo) {
   const robot::Robot rig = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
   const std::vector<TrialPlan> plans(3, {Kind::kNone, 0, {80, truth::Excitation::kMultisine, {}}});
-  const auto outcomes = run_trials(plans, {&rig.joints.front()}, 1, [](std::size_t) { return false; });
+  const auto outcomes = run_trials(plans, {&rig.joints.front()}, 1, [](std::size_t, const Outcome&) { return false; });
   ASSERT_EQ(outcomes.size(), 3u);
   EXPECT_EQ(std::ranges::count(outcomes, std::string(), &Outcome::refused), 1);
   EXPECT_EQ(std::ranges::count(outcomes, kNotRun, &Outcome::refused), 2);
+}
+
+TEST(OutcomesFile, ReturnsTheOutcomesOfItsOriginAlsoAfterALineThatWasCutOff) {
+  const test::ScratchDirectory scratch;
+  const std::string path = scratch.file("figures.json.trials");
+  const std::vector<TrialPlan> plans(3, {Kind::kEffect, 0, {80, truth::Excitation::kMultisine, {}}});
+  Outcome first = outcome(Kind::kEffect, "load_mass", "load_mass", 0.5);
+  first.parameter_error = std::numeric_limits<double>::infinity();
+  first.alternatives = {{"load_mass", "load_friction"}};
+  first.control = trials::TrackingGain{0.3, 0.1};
+  ASSERT_TRUE(append_outcome(path, "this build", 0, first));
+  std::ofstream(path, std::ios::app) << R"({"trial":1,"detect)";
+  ASSERT_TRUE(append_outcome(path, "this build", 2, outcome(Kind::kEffect, "load_mass", "", 0.0)));
+  ASSERT_TRUE(append_outcome(path, "another build", 1, first));
+  const auto kept = read_outcomes(path, "this build", plans);
+  ASSERT_EQ(kept.size(), 2u);
+  const Outcome& back = kept.at(0);
+  EXPECT_EQ(back.plan.kind, Kind::kEffect);
+  EXPECT_EQ(back.answers.front().name, first.answers.front().name);
+  EXPECT_EQ(back.named.front().confidence, first.named.front().confidence);
+  EXPECT_EQ(back.detectable, first.detectable);
+  EXPECT_EQ(back.parameter_error, first.parameter_error);
+  EXPECT_EQ(back.alternatives, first.alternatives);
+  EXPECT_EQ(back.control->new_nrmse, 0.1);
+  EXPECT_TRUE(kept.at(2).named.empty());
+  EXPECT_TRUE(read_outcomes(scratch.file("no such file"), "this build", plans).empty());
 }
 
 }  // namespace blind_trials_test

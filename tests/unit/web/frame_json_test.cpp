@@ -77,6 +77,9 @@ TEST(RobotJson, NamesJointsLegsAndFaultsInTheOrderOfTheirNumbers) {
   EXPECT_EQ(robot.at("joints").at(4).at("name"), hyq().joints[4].name);
   EXPECT_EQ(robot.at("legs").size(), hyq().plan.legs.size());
   EXPECT_EQ(robot.at("faults").at(9), to_string(Fault::kForceLost));
+  EXPECT_EQ(robot.at("failures").at(9), true);
+  EXPECT_EQ(robot.at("failures").at(0), false) << "a disarmed joint waits, it has not failed";
+  EXPECT_EQ(robot.at("silent_s"), monitor::kSilent_s);
   EXPECT_FALSE(robot.at("recorded").get<bool>());
 }
 

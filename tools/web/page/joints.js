@@ -3,8 +3,6 @@ import { Chart } from "./charts.js";
 import { forces } from "./history.js";
 import { faultNames, make, number, say, weight } from "./text.js";
 
-const kSilent = 0.5; // seconds without a summary, of which fifty a second come
-
 export class Joints {
   /// chosen(number): the user has picked a joint.
   constructor(box, robot, chosen) {
@@ -65,7 +63,7 @@ export class Joints {
       chart.set([time, measured, reference], from, to);
       const joint = frame.joints[i];
       const heard = joint.state !== null;
-      const silent = heard && (joint.age === null || joint.age > kSilent);
+      const silent = heard && (joint.age === null || joint.age > this.robot.silent_s);
       const ill = silent ? "bad" : weight(this.robot, joint.faults);
       element.classList.toggle("bad", ill === "bad");
       element.classList.toggle("warning", ill === "warning");

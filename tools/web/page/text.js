@@ -20,12 +20,10 @@ export function faultNames(robot, bits) {
   return robot.faults.filter((_, bit) => bits & (1 << bit)).join(", ");
 }
 
-// Of a joint that has failed, as on the terminal; the others it bears, or has while it waits to be armed.
-const kBad = ["tripped", "sensors stale", "command stale", "actuator silent", "force lost"];
 
 /// "bad", "warning" or "" for a set of faults.
 export function weight(robot, bits) {
-  if (robot.faults.some((name, bit) => bits & (1 << bit) && kBad.includes(name))) {
+  if (robot.failures.some((failed, bit) => failed && bits & (1 << bit))) {
     return "bad";
   }
   return bits ? "warning" : "";
