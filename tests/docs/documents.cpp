@@ -10,6 +10,7 @@
 #include <fstream>
 #include <map>
 #include <regex>
+#include <sstream>
 
 namespace farrier::docs {
 namespace {
@@ -123,6 +124,26 @@ Ran run(const std::string& command_line) {
   const int status = ::pclose(pipe);
   ran.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return ran;
+}
+
+std::string git(const std::string& arguments) {
+  const Ran ran = run("git -C '" FARRIER_SOURCE_DIR "' " + arguments + " 2>/dev/null");
+  return ran.status == 0 ? ran.output.substr(0, ran.output.find_last_not_of('\n') + 1) : "";
+}
+
+std::string base_of_the_change() {
+  const std::string head = git("rev-parse HEAD");
+  const std::string left = git("merge-base HEAD origin/main");
+  return left.empty() || left == head ? git("rev-parse HEAD~1") : left;
+}
+
+std::vector<std::string> changed_files() {
+  std::vector<std::string> paths;
+  std::istringstream lines(git("diff --name-only --diff-filter=AM " + base_of_the_change()));
+  for (std::string path; std::getline(lines, path);) {
+    paths.push_back(path);
+  }
+  return paths;
 }
 
 }  // namespace farrier::docs

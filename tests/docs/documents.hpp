@@ -48,4 +48,14 @@ struct Ran {
 };
 Ran run(const std::string& command_line);
 
+/// Output of git in the repository; empty where git fails.
+std::string git(const std::string& arguments);
+
+/// The commit that a change is compared with: the one where it left the main branch, on that branch the last commit's
+/// parent. Empty without a history.
+std::string base_of_the_change();
+
+/// Paths of the files that the change adds or modifies, from the repository's root.
+std::vector<std::string> changed_files();
+
 }  // namespace farrier::docs

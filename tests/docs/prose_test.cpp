@@ -43,20 +43,6 @@ std::string text_of(const Source& source, const std::vector<Finding>& findings) 
   return text;
 }
 
-/// Output of git in the repository; empty where git fails.
-std::string git(const std::string& arguments) {
-  const Ran ran = run("git -C '" FARRIER_SOURCE_DIR "' " + arguments + " 2>/dev/null");
-  return ran.status == 0 ? ran.output.substr(0, ran.output.find_last_not_of('\n') + 1) : "";
-}
-
-/// The commit that a change is compared with: where it left the main branch, on that branch the last commit's parent.
-/// Empty without a history.
-std::string base_of_the_change() {
-  const std::string head = git("rev-parse HEAD");
-  const std::string left = git("merge-base HEAD origin/main");
-  return left.empty() || left == head ? git("rev-parse HEAD~1") : left;
-}
-
 TEST(Prose, HasNoMoreFindingsThanArePinned) {
   std::ifstream file(FARRIER_SOURCE_DIR + std::string("/") + kPins);
   const Counts pinned = read_counts(file);
@@ -100,8 +86,7 @@ TEST(Prose, HasNoFindingInAFileThatTheChangeTouches) {
     GTEST_SKIP() << "no history that has this rule";
   }
   const std::vector<std::string> banned = banned_words();
-  std::istringstream touched(git("diff --name-only --diff-filter=AM " + base));
-  for (std::string path; std::getline(touched, path);) {
+  for (const std::string& path : changed_files()) {
     const Source* source = architecture::find_source(path);
     if (source != nullptr && source->is_cpp()) {
       const std::vector<Finding> findings = prose_findings(*source, banned);
