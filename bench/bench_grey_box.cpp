@@ -14,7 +14,6 @@
 namespace farrier::bench {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 
 constexpr int kGreyBoxRounds = 10;
 constexpr double kHome_m = 0.04;
@@ -43,7 +42,9 @@ std::vector<estimation::JointSample> grey_box_samples(int ticks) {
   return samples;
 }
 
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
 
 }  // namespace
 
@@ -63,9 +64,9 @@ GreyBoxBench bench_grey_box(int ticks, std::int64_t (*allocations_so_far)()) {
     estimation::GreyBoxEstimator estimator = fresh;
     const std::int64_t before = allocations_so_far != nullptr ? allocations_so_far() : 0;
     double slowest = 0.0;
-    const auto start = Clock::now();
+    const auto start = std::chrono::steady_clock::now();
     for (const estimation::JointSample& sample : samples) {
-      const auto tick = Clock::now();
+      const auto tick = std::chrono::steady_clock::now();
       estimator.take(sample);
       slowest = std::max(slowest, seconds_since(tick));
     }
@@ -73,7 +74,7 @@ GreyBoxBench bench_grey_box(int ticks, std::int64_t (*allocations_so_far)()) {
     bench.take_slowest_s = std::min(bench.take_slowest_s, slowest);
     constexpr int kEstimates = 200;
     double sum = 0.0;
-    const auto estimates = Clock::now();
+    const auto estimates = std::chrono::steady_clock::now();
     for (int i = 0; i < kEstimates; ++i) {
       sum += estimator.estimate().physics.load_mass;
     }

@@ -16,9 +16,10 @@ struct RedesignBench {
   std::int64_t allocations;  ///< during all of the above, -1 when they were not counted
 };
 
-/// For every joint of the robot and either loop delay it has, first gains for its swing and for its stance load, and
-/// estimates of both with other masses, damping and valve gains; those that the update logic accepts are timed,
-/// `rounds` (>= 1) times. Refuses a robot without one, with the reason, and says so should a timed one be refused.
+/// Times redesigns, `rounds` (>= 1) times each. For every joint of the robot and either loop delay it has, there are
+/// first gains for its swing and for its stance load, and estimates of both with other masses, damping and valve gains.
+/// The estimates that the update logic accepts are timed. Refuses a robot without one, with the reason, and reports a
+/// timed one that is refused.
 Result<RedesignBench> bench_redesign(const robot::Robot& robot, int rounds,
                                      std::int64_t (*allocations_so_far)() = nullptr);
 

@@ -90,7 +90,7 @@ std::size_t whole_tick(Cores& cores, const std::vector<int>& legs, const TickInp
   return cores.supervisor.step(inputs.tick).decisions.size();
 }
 
-/// What the cores get to see in the tick the world is at, and what they make of it; moves the world on.
+/// Steps the cores and the world by one tick; returns the cores' inputs.
 TickInputs record_tick(const robot::Robot& robot, const gait::Schedule& schedule, const gait::Reference& reference,
                        const std::vector<int>& legs, sim_bridge::SimWorld& world, Cores& cores) {
   TickInputs inputs{world.tick(), {}, {}, {}, {}};

@@ -17,10 +17,10 @@ struct TickBench {
   std::int64_t allocations;  ///< during all of the above, -1 when they were not counted
 };
 
-/// Lets the robot trot in simulation and times what its cores do with the recorded sensors and commands of the stride
-/// after the one in which it came up to full length, `rounds` (>= 1) times. `allocations_so_far` reads the program's
-/// counter of allocations; null where there is none. Refuses a robot that cannot be simulated, controlled or
-/// estimated, and says so should a redesign fall into what is timed.
+/// Lets the robot trot in simulation and times its cores, `rounds` (>= 1) times. Their inputs are the recorded sensors
+/// and commands of the stride after the one in which it reached full length. `allocations_so_far` reads the program's
+/// counter of allocations; null if there is none. Refuses a robot that cannot be simulated, controlled or estimated,
+/// and reports a redesign that falls into the timed part.
 Result<TickBench> bench_tick(const robot::Robot& robot, int rounds, std::int64_t (*allocations_so_far)() = nullptr);
 
 }  // namespace farrier::bench

@@ -25,9 +25,9 @@ constexpr std::size_t slicot_doubles(std::size_t n, std::size_t m) {
 }
 constexpr std::size_t slicot_integers(std::size_t n, std::size_t m) { return 4 * n + m; }
 
-/// Stabilising solution of the discrete algebraic Riccati equation (7.4) by SLICOT's SB02OD (Van Dooren 1981:
-/// generalised Schur form of the extended pencil, which needs no inverse of R) into n x n `solution`; matrices by
-/// column, the cross weight `l` n x m, or null for none. False when SLICOT reports a failure.
+/// Stabilising solution of the discrete algebraic Riccati equation (7.4) by SLICOT's SB02OD, into n x n `solution`.
+/// Method: generalised Schur form of the extended pencil, which needs no inverse of R (Van Dooren 1981). Matrices are
+/// stored by column; the cross weight `l` is n x m, or null for none. Returns false if SLICOT reports a failure.
 inline bool solve_dare_by_slicot(int n, int m, const double* a, const double* b, const double* q, const double* r,
                                  const double* l, double* solution, std::span<double> doubles,
                                  std::span<int> integers) {
@@ -55,7 +55,7 @@ inline bool solve_dare_by_slicot(int n, int m, const double* a, const double* b,
   return info == 0;
 }
 
-/// Of one input, without a cross weight; allocates nothing.
+/// The same for one input, without a cross weight; allocates nothing.
 template <int N>
 bool solve_dare_by_slicot(const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b,
                           const Eigen::Matrix<double, N, N>& q, double r, Eigen::Matrix<double, N, N>& solution) {

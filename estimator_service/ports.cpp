@@ -111,7 +111,7 @@ void EstimatorApplication::poll(SteadyTime now) {
   copies_->flush();
   if (!said_) {
     said_ = true;
-    participant_.event(participant::EventKind::kEstimatesBegin, tick_, 0xffff);
+    participant_.event(participant::EventKind::kEstimatesBegin, tick_, signals::kNoJoint);
   }
   if (now >= next_health_) {
     next_health_ = now + 100ms;

@@ -8,8 +8,8 @@
 
 namespace farrier::estimator_service {
 
-/// The service on its ports, on either clock: in lock-step a tick is finished when every joint's measurement of it
-/// has come; in real time each measurement is taken as it comes. `ticks` 0: until told to stop.
+/// The service on its ports, on either clock. In lock-step a tick is finished when every joint's measurement of it has
+/// come. In real time each measurement is taken as it comes. With `ticks` 0 it runs until told to stop.
 Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot,
                                                                      participant::Participant& participant,
                                                                      Tick ticks);

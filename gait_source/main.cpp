@@ -1,5 +1,5 @@
 // gait_source: clock/tick ──▶ the gait section of the robot file ──▶ joint/command, gait/phase
-// A planner of the user's takes its seat on a robot that has one.
+// A user's planner can take its place in the run.
 
 #include "gait_source/gait_source.hpp"
 #include "process/process.hpp"

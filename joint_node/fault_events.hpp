@@ -8,12 +8,12 @@
 
 namespace farrier::joint_node {
 
-/// Turns a joint's faults, tick by tick, into the sentences worth an event: one for every change, with its cause.
-/// A clamped reference comes and goes with the signal: it counts as present until it has been away for a while.
-/// A saturated valve is part of control and no event.
+/// Turns a joint's faults, tick by tick, into the sentences of events: one for every change, with its cause. A clamped
+/// reference may come and go with the signal: it counts as present until it has been absent for a while. A saturated
+/// valve is part of control and no event.
 class FaultEvents {
  public:
-  /// "sensors stale", "sensors stale, command stale" or "well again"; nothing while nothing changes.
+  /// "sensors stale", "sensors stale, command stale" or the message of a recovery; empty while nothing changes.
   std::optional<std::string> update(Tick tick, FaultSet faults);
 
  private:

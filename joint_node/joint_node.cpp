@@ -11,8 +11,8 @@ using signals::Mode;
 using signals::Phase;
 
 constexpr double kPercent = 0.01;
-constexpr double kUniform = 0.28867513459481287;  // standard deviation of what is even over 1
-constexpr std::uint64_t kDitherSeed = 0;  // the controller's own: what it adds does not depend on the world's draws
+constexpr double kUniform = 0.28867513459481287;  // standard deviation of a uniform distribution of width 1 (1/√12)
+constexpr std::uint64_t kDitherSeed = 0;  // the joint's own: the dither does not depend on the world's random numbers
 
 bool finite(const signals::JointCommand& c) noexcept {
   return std::isfinite(c.position_rad) && std::isfinite(c.velocity_rad_s) && std::isfinite(c.torque_ff_Nm) &&
@@ -108,7 +108,7 @@ void JointNode::apply_due(Tick tick) noexcept {
   bool last_was_refused = false;
   for (std::size_t phase = 0; phase < acting_.size(); ++phase) {
     if (const auto slot = upcoming_gains_[phase].take_due(tick)) {
-      // The same gains of the next supervisor: the controller goes on with them as it stands.
+      // The next supervisor repeats the same gains: the controller continues in its state.
       if (controller_issue_ == acting_[phase].issue && same(*slot, acting_[phase])) {
         controller_issue_ = slot->issue;
       }
@@ -139,13 +139,13 @@ void JointNode::assess(const Inputs& inputs) noexcept {
   const bool command_good = finite(inputs.command);
   const bool had_command = inputs.command.tick != kNoTick;
   faults_.set(Fault::kCommandStale, !command_good || !(inputs.command_age_s <= safety_.command_damping_s));
-  // Who stood still for so long obeyed no command meanwhile, whichever have come since.
+  // A node that has not stepped for `command_trip_s` ignored its commands, even if newer ones have arrived.
   const bool obeyed = inputs.command_age_s <= safety_.command_trip_s && inputs.since_last_step_s <= safety_.command_trip_s;
   if (armed && had_command && !obeyed && !faults_.has(Fault::kTripped)) {
     faults_.set(Fault::kTripped);
     tripped_epoch_ = mode_.epoch;
   }
-  // Flow law and PID bring their own.
+  // Flow law and PID have gains of their own.
   const bool needs_gains = joint_.kind == control::Kind::kLqr || joint_.kind == control::Kind::kFlowInversion;
   faults_.set(Fault::kNoGains, needs_gains && acting_[static_cast<std::size_t>(phase_)].issue == 0);
 }

@@ -3,16 +3,17 @@
 // One joint's torque loop (thesis Fig. 1.3 around Fig. 7.1):
 //
 //   joint/command ──▶ tau_ref = tau_ff + k_p (q_ref − q) + k_d (q̇_ref − q̇) ──▶ F_ref = tau_ref / lever(q) ──▶ LQR-I ──▶ valve
-//   joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)
-//                                                          dither while tracking, added to what the controller asks for ──▲
-//   controller_gains ──▶ slot per phase, acts from its effective tick      gait/phase ──▶ which slot acts, stance a little early
+//   joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)      ▲── dither.
+//
+// The dither is added to the controller's output while the joint tracks. Gains from joint/controller_gains enter the
+// slot of their phase and act from their effective tick. The announced gait/phase selects the acting slot, stance a
+// little early.
 //
 // A joint whose kind is feedback_linearisation or pid has the nominal flow law or a PID in place of LQR-I, and needs no
-// gains. One of kind flow_inversion has FlowInversion there, with the physics that come with the gains.
-// Effects that the joint's file has stand between: sensors are corrected before anything reads them, and the current
-// goes through their inverse (control/effect_compensation.hpp).
-// Without a force to close the loop with it creeps back to where it lost it: the valve as a source of speed.
-// What it does when something is missing is the table in docs/architecture.md.
+// gains. One of kind flow_inversion has FlowInversion there, with the physics that come with the gains. Effects of the
+// joint's file are compensated: sensors are corrected before they are read, and the current passes their inverse
+// (control/effect_compensation.hpp). Without a force signal the joint creeps back to where it lost it, with the valve
+// as a source of speed. The table in docs/architecture.md lists the reactions to missing inputs.
 
 #include <array>
 #include <optional>
@@ -35,32 +36,32 @@ namespace farrier::joint_node {
 /// One joint of a joint_node process. No clock, no I/O, no allocation after construction.
 class JointNode {
  public:
-  /// `loop_delay_ticks`: from a sample to the first valve command that knows it. `session`: only a mode of this session
-  /// arms the joint.
+  /// `loop_delay_ticks`: from a sample to the first valve command that depends on it. `session`: only a mode of this
+  /// session arms the joint.
   JointNode(const robot::Joint& joint, const robot::Safety& safety, double period_s, int loop_delay_ticks,
             std::uint64_t session);
 
-  /// Puts checked gains (check_gains) into the slot of their phase; they act from effective_tick on.
-  /// False, and the slot keeps what it has, when they are not newer than the slot's, by authority and then generation, or
-  /// of an older authority than any gains stored before: their supervisor has been replaced.
+  /// Puts checked gains (check_gains) into the slot of their phase; they act from effective_tick on. Returns false and
+  /// leaves the slot unchanged if they are not newer than the slot's, by authority and then generation. Also returns
+  /// false for gains of an older authority than any stored before: their supervisor has been replaced.
   bool store_gains(const signals::JointControllerGains& signal, const control::Gains& gains) noexcept;
 
-  /// A gain update failed its check: from its effective tick the joint says so, until the next good one acts; the last
-  /// good gains go on acting all the while.
+  /// Records that a gain update failed its check: the joint reports it from the update's effective tick until the next
+  /// good one acts. The last good gains keep acting.
   void refuse_gains(const signals::JointControllerGains& signal) noexcept;
 
   void set_mode(const signals::SystemMode& mode) noexcept;
 
-  /// The leg changes phase at the announced tick, at once when it has gone by; the gains of stance act
-  /// Safety::stance_lead_s sooner than announced, rounded to whole periods. Phases there are not are ignored.
+  /// The leg changes phase at the announced tick, or at once if that has passed. The gains of stance act
+  /// Safety::stance_lead_s sooner than announced, rounded to whole periods. Unknown phases are ignored.
   void announce_phase(const signals::GaitPhase& phase) noexcept;
 
   struct Inputs {
     Tick tick = kNoTick;              ///< control tick; selects gains, phase and mode that are due
-    signals::JointSensors sensors;    ///< the newest there is
-    double sensors_age_s = 0;         ///< since it was received; infinite when there was none
-    signals::JointCommand command;    ///< the newest there is
-    double command_age_s = 0;         ///< since it was received; infinite when there was none
+    signals::JointSensors sensors;    ///< the newest available
+    double sensors_age_s = 0;         ///< since it was received; infinite if there was none
+    signals::JointCommand command;    ///< the newest available
+    double command_age_s = 0;         ///< since it was received; infinite if there was none
     double since_last_step_s = 0;     ///< 0 for the first
   };
   struct Outputs {
@@ -68,17 +69,17 @@ class JointNode {
     signals::JointMeasurement measurement;
   };
 
-  /// One control period. Always answers with a valve command within the valve's limits.
+  /// Runs one control period. Always returns a valve command within the valve's limits.
   Outputs step(const Inputs& inputs) noexcept;
 
   FaultSet faults() const noexcept { return faults_; }
   std::uint16_t joint() const noexcept { return joint_.number; }
 
-  /// Newest generation heard of for any slot: acting, waiting or refused.
+  /// Newest generation known for any slot: acting, waiting or refused.
   std::uint32_t newest_generation() const noexcept;
 
  private:
-  /// Order of the gains of a joint: by the authority of who issued them, then by generation; 0: none.
+  /// Order of the gains of a joint: by the issuer's authority, then by generation; 0: none.
   using Issue = std::uint64_t;
   static Issue issue_of(const signals::JointControllerGains& signal) noexcept {
     return (static_cast<Issue>(signal.authority) << 32) | signal.generation;
@@ -97,7 +98,7 @@ class JointNode {
     Tick effective_tick = kNoTick;
   };
 
-  /// Whether they are of one generation and act alike.
+  /// True if both are of one generation and act alike.
   static bool same(const Slot& one, const Slot& other) noexcept;
   void apply_due(Tick tick) noexcept;
   void assess(const Inputs& inputs) noexcept;
@@ -110,7 +111,7 @@ class JointNode {
   double valve_current_by_gains(double reference, const control::Measurement& measured, double probe_A) noexcept;
   double valve_current_by_physics(const control::ForceReference& reference, const control::Measurement& measured,
                                   double probe_A) noexcept;
-  /// What a controller without gains asks for, with the probe and within the valve's limits.
+  /// Current of a controller without gains, with the probe and within the valve's limits.
   double probed(double asked_A, bool saturated, double probe_A) noexcept;
   double holding_current(double position) noexcept;
   void reset_controller() noexcept;

@@ -45,7 +45,7 @@ struct Mailbox {
 /// Two and a half leases of the mode (docs/architecture.md): a supervisor that stands by has taken over by then.
 constexpr Nanoseconds kSupervisorSilence = 50ms;
 
-/// What waits in the sender thread until the valve commands have gone.
+/// Measurement that waits in the sender thread until the valve commands have been sent.
 struct Measured {
   std::size_t joint;  ///< place among the hosted
   signals::JointMeasurement measurement;
@@ -113,7 +113,7 @@ bool JointNodeRealtime::receive(SteadyTime now) {
       if (const auto came = mail.sensors_arrival.take(sensors.tick, sensors.sample_time_ns, now)) {
         mail.sensors.store({sensors, *came});
         mail.newest_sensors = sensors.tick;
-        stepped_for_ = std::min(stepped_for_, sensors.tick - 1);  // a source that begins anew begins at a smaller tick
+        stepped_for_ = std::min(stepped_for_, sensors.tick - 1);  // a restarted source begins at a smaller tick
       }
     });
   });
@@ -167,7 +167,7 @@ bool JointNodeRealtime::receive(SteadyTime now) {
     }
   }
   if (const auto kind = supervisor_.look(now)) {
-    participant_.event(*kind, last_tick_, 0xffff);
+    participant_.event(*kind, last_tick_, signals::kNoJoint);
   }
   if (now >= next_health_) {
     next_health_ = now + 100ms;

@@ -6,8 +6,8 @@
 namespace farrier::joint_node {
 namespace {
 
-// Readings beyond these are no readings of this joint. Its stops give way and its sensors have noise, and a foot that
-// lands may push a closed valve's oil beyond what the supply can.
+// Readings beyond these cannot come from this joint. The margins allow for compliant stops, for noise, and for a foot
+// that lands on the oil behind a closed valve, where the force exceeds that of the supply.
 constexpr double kBeyondStops = 0.1;   // of the stroke
 constexpr double kBeyondLimits = 5.0;  // times the larger force limit
 constexpr double kLargestJump = 0.1;   // of the stroke, in a tick
@@ -35,8 +35,8 @@ bool SensorCheck::position_in_range(const signals::JointSensors& sensors) const 
   return sensors.position_m_or_rad >= -beyond && sensors.position_m_or_rad <= stroke_ + beyond;
 }
 
-/// Whether the joint can have come from where it was. It can from a reading that was none, and from anywhere in more
-/// than a few ticks.
+/// True if the position change is physically possible. Always true after an invalid reading or a gap long enough for a
+/// full stroke.
 bool SensorCheck::reachable(const signals::JointSensors& now) const noexcept {
   if (last_.tick < 0 || !position_in_range(last_) || now.tick <= last_.tick ||
       now.tick - kTicksForTheStroke > last_.tick) {
@@ -57,7 +57,7 @@ SensorCheck::Verdict SensorCheck::take(const signals::JointSensors& newest, doub
   const bool finite = std::isfinite(newest.position_m_or_rad) && std::isfinite(newest.velocity_m_s_or_rad_s);
   const bool motion_good =
       age_s <= safety_.sensors_stale_s && finite && position_in_range(newest) && reachable(newest) && !frozen;
-  // A stop that is hit pushes with whatever it takes. Both are false for no number.
+  // The force of an end stop has no limit. Both are false if the force is not a number.
   const bool at_stop = std::isfinite(newest.force_N_or_Nm) &&
                        (newest.position_m_or_rad <= 0.0 || newest.position_m_or_rad >= stroke_);
   const bool force_good = std::abs(newest.force_N_or_Nm) <= largest_force_ || at_stop;

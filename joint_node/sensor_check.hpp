@@ -5,18 +5,18 @@
 
 namespace farrier::joint_node {
 
-/// Which of a joint's readings can be acted on: the conditions of the table in docs/architecture.md. No allocation.
+/// Decides which of a joint's readings can be used: the conditions of the table in docs/architecture.md. No allocation.
 class SensorCheck {
  public:
   SensorCheck(const robot::Joint& joint, const robot::Safety& safety) noexcept;
 
   struct Verdict {
-    bool motion;  ///< position and velocity, and that there are sensors at all
+    bool motion;  ///< position and velocity; false without sensors
     bool force;
   };
 
-  /// The newest sensors there are, once per control period. What was bad is good again after
-  /// Safety::recovery_samples new samples without a fault.
+  /// Takes the newest sensors, once per control period. A bad reading becomes good again after Safety::recovery_samples
+  /// new samples without a fault.
   Verdict take(const signals::JointSensors& newest, double age_s) noexcept;
 
  private:

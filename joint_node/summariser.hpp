@@ -6,18 +6,19 @@
 
 namespace farrier::joint_node {
 
-/// Makes of one joint's measurements a summary every so many ticks. No allocation.
+/// Makes a summary of one joint's measurements every so many ticks. No allocation.
 class Summariser {
  public:
   static constexpr double kRate_Hz = 50.0;
 
-  /// `turn`: joints of one turn tell in the same tick, in one datagram, and those of different turns in different ticks, so
-  /// that no tick has to carry the summaries of all.
+  /// Joints of the same `turn` send their summaries in the same tick, in one datagram. Those of different turns use
+  /// different ticks, so that no tick carries all summaries.
   explicit Summariser(double period_s, Tick turn = 0) noexcept;
 
-  /// The summary of the ticks before, once a measurement of the next ones comes, whichever is missing between. A joint
-  /// that hears nothing tells its last measurement again and again: as many of them make a summary, too, of what it
-  /// does meanwhile. Measurements before its first tick are left out; a tick that is earlier than the last begins anew.
+  /// Returns the summary of the previous ticks when a measurement of the next ones comes; ticks between may be missing.
+  /// A joint without new inputs repeats its last measurement: an equal number of repetitions also makes a summary, so
+  /// that its state stays visible. Measurements before its first tick are left out; a tick earlier than the last
+  /// restarts the summary.
   std::optional<signals::JointSummary> take(const signals::JointMeasurement& measurement) noexcept;
 
  private:

@@ -11,15 +11,15 @@
 
 namespace farrier::joint_node {
 
-/// What was announced ahead and is not due yet: the next few items, each with a number that rises by one with every
-/// issue (0 is never issued) and the tick from which it holds. Whatever the order of arrival, the newest item that is
-/// due holds; so an item that comes early never takes the place of one that is due before it.
+/// Announced items that are not due yet. Each has a number that rises by one with every issue (0 is never issued) and
+/// the tick from which it holds. The newest item that is due holds, in any order of arrival; an early item never
+/// replaces one that is due before it.
 template <class Item, auto kNumber, Tick Item::*kTick>
 class Upcoming {
  public:
   using Number = std::remove_cvref_t<decltype(std::declval<Item>().*kNumber)>;
 
-  /// Puts an item to wait. When more wait than there are places, the oldest number goes.
+  /// Puts an item to wait. If more wait than there are places, the oldest number is dropped.
   void put(const Item& item) noexcept {
     Item& oldest = *std::min_element(waiting_.begin(), waiting_.end(), older);
     if (item.*kNumber > std::max(taken_, oldest.*kNumber)) {

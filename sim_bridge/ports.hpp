@@ -9,11 +9,11 @@
 
 namespace farrier::sim_bridge {
 
-/// The arrows that end or begin at sim_bridge. On the real-time clock nobody reports ticks done.
+/// The arrows that end or begin at sim_bridge. On the real-time clock no process reports ticks done.
 struct Ports {
   participant::In<signals::JointValveCommand>* valves;
   participant::In<signals::ClockTickDone>* done;            ///< lock-step only, else null
-  participant::In<signals::JointControllerGains>* gains;    ///< lock-step only: to know what each joint must hold
+  participant::In<signals::JointControllerGains>* gains;    ///< lock-step only: the gains that each joint must hold
   participant::In<signals::SystemMode>* modes;              ///< lock-step only
   participant::Out<signals::JointSensors>* sensors;
   participant::Out<signals::ClockTick>* clock;
@@ -21,7 +21,7 @@ struct Ports {
   static Result<Ports> open(participant::Participant& participant, const robot::Robot& robot);
 };
 
-/// What sim_bridge is made of on either clock.
+/// Parts of sim_bridge on either clock.
 struct Parts {
   SimWorld world;
   std::optional<trace::TraceWriter> trace;  ///< none for an empty path

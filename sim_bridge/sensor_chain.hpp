@@ -1,9 +1,9 @@
 #pragma once
 
-// What stands between a joint and its sample, per channel:
+// One channel's path from truth to sample:
 //
 //   truth ──▶ effects ──▶ + noise ──▶ analog low-pass ──▶ resolution ──▶ mean of tick ──▶ digital low-pass ──▶ sample
-//             at each of the tick's conversions, the last at the tick itself               at the tick
+//             at each of the tick's conversions, the last at the tick itself               at the tick.
 //
 // Effects are those of the joint that lie in its load cell (lag, gain, offset) and its velocity sensor (lag).
 
@@ -36,7 +36,7 @@ class SensorChannel {
   };
   explicit SensorChannel(const Parts& parts) noexcept;
 
-  /// As if `truth` had stood there forever.
+  /// Sets the state as if `truth` had always been the input.
   void settle(double truth) noexcept;
   /// Conversion number `number` of the run, `index` of its tick.
   void convert(double truth, Tick number, int index) noexcept;
@@ -56,7 +56,7 @@ class SensorEffects {
   /// Takes those of the joint's effects that lie in sensors; read() is called every `period_s`.
   SensorEffects(const robot::Joint& joint, double period_s) noexcept;
 
-  /// What the sensors make of the truth, without noise.
+  /// Readings of the sensors for the truth, without noise.
   Measured read(const Measured& truth) noexcept;
 
  private:
@@ -68,12 +68,12 @@ class SensorEffects {
 /// samples bit for bit. Without filters, oversampling and resolution a sample is truth + noise of the tick.
 class SensorChain {
  public:
-  /// Refuses filters that their sampling rate does not carry.
+  /// Refuses filters that their sampling rate cannot represent.
   static Result<SensorChain> create(const robot::Joint& joint, double period_s, std::uint64_t seed);
 
   int conversions() const noexcept { return conversions_; }
 
-  /// The first sample: the joint has stood there forever.
+  /// Sets the first sample, as if the joint had always been there.
   void begin(const Measured& truth) noexcept;
   /// Conversion `index` (0 to conversions() - 1, the last at the tick itself) of tick `tick`; with the last comes the
   /// sample.

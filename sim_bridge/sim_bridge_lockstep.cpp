@@ -164,7 +164,7 @@ void SimBridgeLockstep::poll(SteadyTime now) {
     end_tick();
     if (finished()) {
       if (trace_ && !trace_->finish()) {
-        participant_.event(participant::EventKind::kTraceIncomplete, world_.tick(), 0xffff);
+        participant_.event(participant::EventKind::kTraceIncomplete, world_.tick(), signals::kNoJoint);
       }
       report(true);
       return;

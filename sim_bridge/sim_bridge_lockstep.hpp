@@ -13,13 +13,13 @@
 
 namespace farrier::sim_bridge {
 
-/// Takes what the trace would record, tick by tick, joint by joint.
+/// Takes the rows of a trace, tick by tick, joint by joint.
 using RowSink = std::function<void(const trace::TraceRow&)>;
 
-/// The simulated robot in lock-step, and the lock-step clock itself: tick k + 1 begins only when every joint has
-/// answered tick k, every participant has finished it, and all it issued has arrived here.
-/// `trace_path` empty: no trace. `ticks` 0: until told to stop. `load_changes` as SimWorld::create takes them. `sink`,
-/// where there is one, gets every row beside the trace and must not throw.
+/// The simulated robot in lock-step, and the lock-step clock itself. Tick k + 1 begins only when every joint has
+/// answered tick k, every participant has finished it, and all its issued samples have arrived here. Empty
+/// `trace_path`: no trace. With `ticks` 0 it runs until told to stop. The `load_changes` are as SimWorld::create takes
+/// them. The `sink`, if there is one, gets every row beside the trace and must not throw.
 Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::Robot& robot, std::uint64_t seed,
                                                                   const std::string& trace_path,
                                                                   participant::Participant& participant, Tick ticks,

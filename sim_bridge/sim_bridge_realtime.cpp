@@ -115,7 +115,7 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
       !reported_final_) {
     reported_final_ = true;
     if (trace_ && !trace_complete()) {
-      participant_.event(participant::EventKind::kTraceIncomplete, ticks_, 0xffff);
+      participant_.event(participant::EventKind::kTraceIncomplete, ticks_, signals::kNoJoint);
     }
     report(true);
   } else if (now >= next_health_ && !reported_final_) {

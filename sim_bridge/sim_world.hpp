@@ -1,12 +1,15 @@
 #pragma once
 
-// The simulated robot: one joint, hydraulic or electric, and bench load per joint of the robot file.
+// The simulated robot:
 //
-//   valve currents ──▶ plant::Joint ◀── load of the leg's actual phase or of a load change, weight on it
+//   valve currents ──▶ plant::Joint ◀── load by phase or load change, weight
 //                            │ with its effects
 //                            │ position, velocity, load-cell force
 //                            ▼
-//   sensors ◀── SensorChain: effects of sensors, noise (seeded by joint name, addressed by tick), filters
+//   sensors ◀── SensorChain: effects of sensors, noise (seeded by joint name, addressed by tick), filters.
+//
+// Each joint of the robot file has one simulated joint, hydraulic or electric, and a bench load. The load is that of
+// the leg's actual phase or of a load change.
 
 #include <memory>
 #include <vector>
@@ -23,22 +26,22 @@
 
 namespace farrier::sim_bridge {
 
-/// What sim_bridge simulates. The same robot, seed and valve currents give the same numbers bit for bit.
+/// The simulation of sim_bridge. The same robot, seed and valve currents give the same numbers bit for bit.
 class SimWorld {
  public:
-  /// Every joint at rest at its home pose. A joint with `load_changes` (any order; of two at one tick the later in the
-  /// list) has the load of its actual phase until the first and that of the newest from then on. Refuses a robot whose
-  /// joints cannot be simulated, and loads no joint can carry, naming the joint.
+  /// Every joint begins at rest at its home pose. A joint with `load_changes` (any order; of two at one tick the later
+  /// in the list) has the load of its actual phase until the first and that of the newest from then on. Refuses a robot
+  /// whose joints cannot be simulated, and loads no joint can carry, naming the joint.
   static Result<SimWorld> create(const robot::Robot& robot, std::uint64_t seed,
                                  std::vector<robot::LoadChange> load_changes = {});
 
-  /// What the sensors of one joint give at the present tick.
+  /// Readings of one joint's sensors at the present tick.
   signals::JointSensors sample(std::size_t joint) const noexcept;
 
   /// Applies one current per joint over [tick, tick + 1) and moves to the next tick.
   void advance(const std::vector<double>& valve_current_A) noexcept;
 
-  /// What a trace records of one joint at the present tick, before advance(); controller fields are left alone.
+  /// Fills the trace's row of one joint at the present tick, before advance(); controller fields are left unchanged.
   void describe(std::size_t joint, trace::TraceRow& row) const noexcept;
 
   Tick tick() const noexcept { return tick_; }

@@ -9,24 +9,24 @@
 
 namespace farrier::sim_bridge {
 
-/// Gives a trace to the disk on a thread of its own, without priority: a disk may take its time, on which nothing else
-/// waits.
+/// Writes a trace to the disk on a thread of its own, without priority: a slow disk blocks nothing else.
 class TraceThread {
  public:
   explicit TraceThread(trace::TraceWriter writer);
-  /// Writes what has come.
+  /// Writes all rows that have come.
   ~TraceThread();
   TraceThread(const TraceThread&) = delete;
   TraceThread& operator=(const TraceThread&) = delete;
 
-  /// One thread. Rows are lost where the disk is behind by kBlocks: a second and a half of twelve joints at 1 kHz.
+  /// For one thread only. Rows are lost if the disk is behind by kBlocks: a second and a half of twelve joints at 1
+  /// kHz.
   void write(const trace::TraceRow& row) noexcept;
-  /// The same thread: no more rows come.
+  /// Call on the same thread: no more rows come.
   void end() noexcept;
 
-  /// Whether all rows before end() are in the file, or lost.
+  /// True if all rows before end() are in the file, or lost.
   bool finished() const noexcept { return finished_.load(std::memory_order_acquire); }
-  /// Whether none was lost; of a trace that is finished.
+  /// True if no row was lost; only valid for a finished trace.
   bool complete() const noexcept { return blocks_.dropped() == 0 && !refused_.load(std::memory_order_relaxed); }
 
  private:

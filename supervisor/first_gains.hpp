@@ -1,6 +1,6 @@
 #pragma once
 
-// What the slots of a joint begin with.
+// First gains of a joint's slots.
 
 #include <array>
 #include <vector>
@@ -25,7 +25,7 @@ Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double 
 /// Physics of the load that a slot's gains are for, except that adaptation begins with each phase's own.
 plant::JointPhysics first_physics(const robot::Joint& joint, Design design, signals::Phase phase) noexcept;
 
-/// Whether given first gains, empty for none, are for the joints of the robot and this delay.
+/// Checks that given first gains, if not empty, are for the joints of the robot and this delay.
 Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>& first_gains, int delay_ticks);
 
 }  // namespace farrier::supervisor

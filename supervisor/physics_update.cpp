@@ -13,7 +13,7 @@ using signals::UpdateVerdict;
 constexpr double kStepShare = 0.01;      // of the force that counts as 1: well within the valve's range
 constexpr double kSettledAtMost = 0.5;   // of the step: an oscillating loop is beyond the whole of it
 
-/// What a share of a quantity is of when the quantity itself may be zero.
+/// Reference sizes for relative changes of quantities that may be zero.
 std::array<double, plant::kPhysicsCount> least_scales(const robot::Joint& joint) noexcept {
   const control::Normalisation& n = joint.normalisation;
   const plant::ActuatorParams& a = joint.actuator;

@@ -1,9 +1,12 @@
 #pragma once
 
-// Whether an estimate leads to new physics for one slot of a joint whose controller inverts the flow law:
+// Decides about new physics for one slot of a joint with FlowInversion:
 //
-//   estimate ──▶ valid? ──▶ physics far enough from the acting ones, beyond its errors? ──▶ does a short step settle on
-//   the estimate and on the acting physics within their uncertainty? ──▶ accepted: physics and model are stored
+//   estimate ──▶ valid? ──▶ far from the acting physics, beyond errors? ──▶ short step settles on estimate and acting
+//   physics? ──▶ accepted: physics and model are stored.
+//
+// The step is simulated on the estimate and on the acting physics within their uncertainty. FlowInversion inverts the
+// flow law.
 
 #include "control/model/discretise.hpp"
 #include "control/law/flow_inversion_trial.hpp"
@@ -14,8 +17,8 @@
 
 namespace farrier::supervisor {
 
-/// The update logic of one slot of such a joint. No convergence and no dwell time is asked for: what is issued is what
-/// is known of the joint, and the controller that takes it keeps its force through the change
+/// The update logic of one slot of such a joint. It needs no convergence and no dwell time: the issued physics are the
+/// current knowledge of the joint, and the controller that takes them keeps its force through the change
 /// (docs/decisions/0031-physics-updates.md). No clock, no I/O, no allocation.
 class PhysicsUpdate {
  public:
@@ -23,14 +26,14 @@ class PhysicsUpdate {
   PhysicsUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
                 int estimate_period_ticks, int loop_delay_ticks, const plant::JointPhysics& first);
 
-  /// Looks at one estimate of the slot's phase. The decision is complete but for its generation; without poles or
-  /// margins, of which nothing here depends. kAccepted: physics() and model() are the new ones.
+  /// Judges one estimate of the slot's phase. The decision is complete except for its generation. It has no poles or
+  /// margins, because nothing here depends on them. After kAccepted physics() and model() are the new ones.
   signals::JointUpdateDecision look(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
 
-  /// Takes another supervisor's physics, which act, for its own.
+  /// Adopts another supervisor's acting physics.
   void adopt(const plant::JointPhysics& physics, const control::DiscreteModel& model) noexcept;
 
-  /// The physics that act are not known: the next valid estimate is far from them, however near it is.
+  /// Marks the acting physics as unknown: the next valid estimate then counts as far from them at any distance.
   void doubt() noexcept { doubted_ = true; }
 
   const plant::JointPhysics& physics() const noexcept { return physics_; }
@@ -51,14 +54,14 @@ class PhysicsUpdate {
   robot::UpdateLogicParams logic_;
   plant::ActuatorParams actuator_;
   control::FlowInversionGains gains_;
-  std::array<double, plant::kPhysicsCount> least_scale_;  ///< of what may be zero
+  std::array<double, plant::kPhysicsCount> least_scale_;  ///< of quantities that may be zero
   double home_position_, slack_position_, force_step_;
   double period_s_, estimate_period_s_;
   int loop_delay_ticks_;
   plant::JointPhysics physics_;
   control::DiscreteModel model_{};
   bool doubted_ = false;
-  double contradicted_s_ = 0;  // for how long estimates have asked for what the stored physics forbid
+  double contradicted_s_ = 0;  // for how long estimates have contradicted the stored physics
   UpdateNews news_;
 };
 

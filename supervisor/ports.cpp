@@ -21,8 +21,8 @@ struct Ports {
   participant::In<signals::ClockTick>* clock;
   participant::In<signals::JointModelEstimate>* estimates;
   participant::In<signals::SystemRequest>* requests;
-  participant::In<signals::JointControllerGains>* led_gains;  ///< of whoever leads; real time only
-  participant::In<signals::SystemMode>* led_modes;            ///< of whoever leads; real time only
+  participant::In<signals::JointControllerGains>* led_gains;  ///< of the leading supervisor; real time only
+  participant::In<signals::SystemMode>* led_modes;            ///< of the leading supervisor; real time only
   participant::Out<signals::JointControllerGains>* gains;
   participant::Out<signals::SystemMode>* modes;
   participant::Out<signals::JointUpdateDecision>* decisions;
@@ -77,7 +77,7 @@ class SupervisorApplication final : public participant::Application {
   participant::Silence silence_;  ///< of estimates, real time only
 };
 
-// A refused design is an event with its reason; an accepted one is told by its decision.
+// A refused design is an event with its reason; an accepted one is reported by its decision.
 void SupervisorApplication::tell(const signals::JointUpdateDecision& decision, control::DesignStatus status) {
   const auto verdict = static_cast<signals::UpdateVerdict>(decision.verdict);
   if (verdict == signals::UpdateVerdict::kAccepted) {
@@ -127,7 +127,7 @@ void SupervisorApplication::step_lockstep() {
   }
 }
 
-// What the one that leads writes. Own samples come back too: they are not followed.
+// Follows the orders of the leading supervisor. Own samples come back too: they are not followed.
 void SupervisorApplication::follow(SteadyTime now) {
   ports_.led_gains->drain([&](const signals::JointControllerGains& gains) {
     if (!succession_.leads() && gains.authority >= succession_.authority()) {
@@ -152,14 +152,14 @@ void SupervisorApplication::succeed(SteadyTime now) {
     case Duty::kTakeOver:
       supervisor_.take_over(authority, newest.mode_epoch, begun_);
       participant_.obey({authority, newest.mode_epoch}, begun_);
-      participant_.event(participant::EventKind::kSupervisorLeads, begun_, 0xffff, std::to_string(authority));
+      participant_.event(participant::EventKind::kSupervisorLeads, begun_, signals::kNoJoint, std::to_string(authority));
       write(supervisor_.orders());
       break;
     case Duty::kRewrite: write(supervisor_.orders()); break;
     case Duty::kStandDown:
       supervisor_.stand_down();
       mode_ = {};
-      participant_.event(participant::EventKind::kSupervisorStandsBy, begun_, 0xffff, std::to_string(authority));
+      participant_.event(participant::EventKind::kSupervisorStandsBy, begun_, signals::kNoJoint, std::to_string(authority));
       break;
   }
 }
@@ -173,13 +173,13 @@ void SupervisorApplication::step_realtime(SteadyTime now) {
     issue(begun_);
   }
   if (const auto kind = silence_.look(now)) {
-    participant_.event(*kind, begun_, 0xffff);
+    participant_.event(*kind, begun_, signals::kNoJoint);
   }
   if (now >= next_mode_) {
     next_mode_ = now + kModePeriod;
     ports_.gains->assert_liveliness();
     if (mode_.epoch != 0) {
-      ports_.modes->publish(mode_);  // those who stand by listen for it
+      ports_.modes->publish(mode_);  // supervisors that stand by monitor it
     } else {
       ports_.modes->assert_liveliness();
     }
@@ -208,10 +208,10 @@ void SupervisorApplication::poll(SteadyTime now) {
   }
   ports_.requests->drain([&](const signals::SystemRequest& request) {
     if (!lockstep_ && !succession_.leads()) {
-      return;  // whoever leads answers
+      return;  // the leading supervisor answers
     }
     supervisor_.take(request);
-    participant_.event(participant::EventKind::kOperatorRequest, begun_, 0xffff,
+    participant_.event(participant::EventKind::kOperatorRequest, begun_, signals::kNoJoint,
                        signals::to_string(static_cast<signals::Request>(request.request)));
   });
   if (!participant_.started(now)) {

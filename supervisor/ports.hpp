@@ -9,8 +9,9 @@
 
 namespace farrier::supervisor {
 
-/// The supervisor on its ports, on either clock. In lock-step it works on the estimates of tick k - 1 in tick k.
-/// `ticks` 0: until told to stop. `stands_by`: real time only, leads once the supervisor that leads has fallen silent. `known_loads` and `first_gains` as Supervisor::create takes them.
+/// The supervisor on its ports, on either clock. In lock-step it works on the estimates of tick k - 1 in tick k. With
+/// `ticks` 0 it runs until told to stop. With `stands_by`, real time only, it leads once the leading supervisor has
+/// fallen silent. The `known_loads` and `first_gains` are as Supervisor::create takes them.
 Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot, Design design,
                                                                      participant::Participant& participant,
                                                                      Tick ticks, bool stands_by = false,

@@ -15,12 +15,12 @@ using signals::UpdateVerdict;
 
 // Entries of a normalised model smaller than this have the uncertainty of one of this size.
 constexpr double kSmallestEntry = 0.05;
-// Of poles from those of gains that are not known: farther than any two on the unit disk.
+// Pole distance used if the acting gains are unknown. Larger than any distance on the unit disk (at most 2).
 constexpr double kUnknownDistance = 10.0;
-// The valve's gain is taken for at most this share larger than its estimate.
+// The valve's gain is assumed to exceed its estimate by at most this share.
 constexpr double kLargestGainError = 2.0;
 
-// A joint whose force is not what its model predicts oscillates as a rule, and shall not wait for a perfect estimate.
+// A joint whose force its model does not predict usually oscillates, and must not wait for a perfect estimate.
 constexpr double kMisfitLeniency = 0.5;
 
 }  // namespace

@@ -1,10 +1,13 @@
 #pragma once
 
-// Whether an estimate leads to new gains for one slot: a joint in one phase (Hubacher 2014, 8.2.1, Fig. 8.8, F.2):
+// Decides about new gains for one slot:
 //
-//   estimate ──▶ poles ──▶ valid? ──▶ does the method ask for new gains? ──▶ LQR ──▶ does it let them act?
-//            ──▶ stable on the estimate and on the stored model within its uncertainty? ──▶ margins? ──▶ dwell time?
-//            ──▶ accepted: gains and model are stored
+//   estimate ──▶ poles ──▶ valid? ──▶ method asks for new gains? ──▶ LQR ──▶ method lets them act?
+//            ──▶ stable on estimate and stored model? ──▶ margins? ──▶ dwell time?
+//            ──▶ accepted: gains and model are stored.
+//
+// A slot is a joint in one phase (Hubacher 2014, 8.2.1, Fig. 8.8, F.2). The stored model is tested within its
+// uncertainty.
 
 #include "control/design/lqr.hpp"
 #include "robot/robot.hpp"
@@ -18,28 +21,28 @@ namespace farrier::supervisor {
 /// The update logic of one slot, by the method that the robot file names. No clock, no I/O, no allocation.
 class SlotUpdate {
  public:
-  /// `first`: the gains the slot begins with, with the model they are designed for.
+  /// The slot begins with the gains `first`, with the model they are designed for.
   SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
              int estimate_period_ticks, const control::Gains& first);
 
-  /// Looks at one estimate of the slot's phase; `pair` is what new gains must fit. The decision is complete but for
-  /// its generation. kAccepted: gains() are the new ones.
+  /// Judges one estimate of the slot's phase; new gains must fit `pair`. The decision is complete except for its
+  /// generation. After kAccepted gains() are the new ones.
   signals::JointUpdateDecision look(const signals::JointModelEstimate& estimate, Tick tick,
                                     const SlotPair& pair) noexcept;
 
-  /// Takes another supervisor's gains, which act, for its own.
+  /// Adopts another supervisor's acting gains.
   void adopt(const control::Gains& gains) noexcept;
 
-  /// The gains that act are not known: the next estimate that is good enough leads to new ones, however near it is.
+  /// Marks the acting gains as unknown: the next good estimate then leads to new ones at any distance.
   void doubt() noexcept { doubted_ = true; }
 
   /// Last accepted gains, and the model they are designed for.
   const control::Gains& gains() const noexcept { return gains_; }
 
-  /// Controllers designed so far, whatever became of them.
+  /// Controllers designed so far, accepted or not.
   std::uint64_t designs() const noexcept { return designs_; }
 
-  /// Why the last design was refused by name, kSuccessful when it was not.
+  /// Status of the last design: the name of its refusal, or kSuccessful.
   control::DesignStatus design_status() const noexcept { return design_status_; }
 
   /// True when the last decision is news: accepted, or refused for another reason than the one before.
@@ -63,7 +66,7 @@ class SlotUpdate {
   control::Gains gains_;
   PoleSet designed_poles_;
   bool doubted_ = false;
-  double contradicted_s_ = 0;    // for how long estimates have asked for what the stored model forbids
+  double contradicted_s_ = 0;    // for how long estimates have contradicted the stored model
   std::uint64_t designs_ = 0;
   control::DesignStatus design_status_ = control::DesignStatus::kSuccessful;
   UpdateNews news_;

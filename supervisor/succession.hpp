@@ -1,6 +1,6 @@
 #pragma once
 
-// Which of several supervisors leads:
+// Decides which of several supervisors leads:
 //
 //   modes of another, what all processes have heard of, time ──▶ Succession ──▶ take over, write again, stand down
 
@@ -10,7 +10,7 @@
 
 namespace farrier::supervisor {
 
-/// What a supervisor must do now about who leads.
+/// Action a supervisor must take now.
 enum class Duty {
   kNone,
   kTakeOver,   ///< it leads from now on: write every order under authority()
@@ -18,24 +18,24 @@ enum class Duty {
   kStandDown,  ///< another has taken over meanwhile: write nothing more
 };
 
-/// One supervisor's place in the succession. Leadership passes to whoever stands by when the modes that the leader
-/// repeats have failed to come for kSilence; each leader has an authority one above all that any process has heard of,
-/// so one that was replaced while it stood still is known by its own. No clock, no I/O.
+/// One supervisor's place in the succession. Leadership passes to a supervisor that stands by when the modes that the
+/// leader repeats have failed to come for kSilence. Each leader has an authority one above the highest that any process
+/// knows. A replaced leader that was paused is recognised by its lower authority. No clock, no I/O.
 class Succession {
  public:
   /// The lease of topics that carry authority: readers turn to a weaker writer after it, not at once.
   static constexpr Nanoseconds kSilence = std::chrono::milliseconds(20);
-  /// For how long and how often orders are written again: readers notice the silence at other moments than this one.
+  /// Duration and period of writing orders again: readers notice the silence at other moments than this supervisor.
   static constexpr Nanoseconds kRewriteFor = std::chrono::milliseconds(60);
   static constexpr Nanoseconds kRewritePeriod = std::chrono::milliseconds(10);
 
-  /// `stands_by`: does not lead a robot that has no leader yet, but waits for one.
+  /// With `stands_by` it does not lead a robot that has no leader yet, but waits for one.
   explicit Succession(bool stands_by) noexcept : stands_by_(stands_by) {}
 
   /// A mode of this authority has come.
   void heard(std::uint32_t authority, SteadyTime now) noexcept;
 
-  /// `newest`: the highest authority that any process of the run has heard of, 0 for none.
+  /// Argument `newest`: the highest authority that any process of the run knows, 0 for none.
   Duty step(std::uint32_t newest, SteadyTime now) noexcept;
 
   bool leads() const noexcept { return leads_; }

@@ -1,6 +1,6 @@
 #pragma once
 
-// What the robot may do, and with which gains:
+// Controls the robot's mode and gains:
 //
 //   tick ──▶ arm, publish the first gains ──▶ system/mode, joint/controller_gains
 //   joint/model_estimate ──▶ SlotUpdate or PhysicsUpdate of the joint's phase ──▶ joint/controller_gains, joint/update_decision
@@ -21,10 +21,11 @@ namespace farrier::supervisor {
 /// The supervisor's core. No clock, no I/O; nothing is allocated after construction.
 class Supervisor {
  public:
-  /// `known_loads` is perfect knowledge, to measure by: gains designed for that load go into both slots of the joint
-  /// and act exactly from its tick on (never sooner than gain_lead_ticks after the first step). `first_gains`, by
-  /// joint: what the slots begin with in place of designs for bench loads; empty: those designs. Refuses a robot with a
-  /// joint that has no controller, and first gains that are not for these joints or this delay, with the reason.
+  /// The `known_loads` are perfect knowledge, for baselines: gains designed for that load go into both slots of the
+  /// joint and act exactly from its tick on (never sooner than gain_lead_ticks after the first step). The
+  /// `first_gains`, by joint, replace the designs for bench loads in the slots; empty: those designs. Refuses a robot
+  /// with a joint that has no controller. Also refuses first gains that are not for these joints or this delay, with
+  /// the reason.
   static Result<Supervisor> create(const robot::Robot& robot, Design design, int loop_delay_ticks,
                                    std::uint64_t session, std::vector<robot::LoadChange> known_loads = {},
                                    const std::vector<SlotGains>& first_gains = {});
@@ -32,38 +33,38 @@ class Supervisor {
   struct Outputs {
     std::vector<signals::JointControllerGains> gains;
     std::vector<signals::SystemMode> modes;
-    /// Gains accepted, and designs refused for a new reason; with the first gains, what these fall short of.
+    /// Gains accepted, and designs refused for a new reason; with the first gains, the bounds that these miss.
     std::vector<signals::JointUpdateDecision> decisions;
     std::vector<control::DesignStatus> design_statuses;   ///< of the decisions, in their order
 
     void clear() noexcept;
   };
 
-  /// What to publish at this tick: at the first everything; later the gains for known loads, and what came of the
+  /// Outputs to publish at this tick: at the first everything; later the gains for known loads, and the results of the
   /// estimates taken since the last step.
   const Outputs& step(Tick tick) noexcept;
 
-  /// Looks at an estimate. Of one joint, at most one between two steps counts.
+  /// Judges an estimate. Between two steps at most one estimate of a joint counts.
   void take(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
 
   /// Arms or stops the robot as an operator asks, with the next step's mode; requests of other sessions are ignored.
   void take(const signals::SystemRequest& request) noexcept;
 
-  /// Takes the orders of the supervisor that leads for its own, to go on from them.
+  /// Adopts the orders of the leading supervisor, to continue from them.
   void mirror(const signals::JointControllerGains& gains) noexcept;
   void mirror(const signals::SystemMode& mode) noexcept;
 
-  /// Leads from now on under `authority`, with modes after `mode_epoch`. Nothing is issued for the change: what acts
-  /// goes on acting, and of a slot whose gains are not known the next good estimate makes new ones.
+  /// Leads from now on under `authority`, with modes after `mode_epoch`. Nothing is issued for the change: acting
+  /// orders keep acting. The next good estimate leads to new gains for a slot whose gains are not known.
   void take_over(std::uint32_t authority, std::uint32_t mode_epoch, Tick tick) noexcept;
 
-  /// Leads no longer, and knows of no order that acts until it is mirrored.
+  /// Leads no longer, and knows no acting order until it is mirrored.
   void stand_down() noexcept;
 
   /// Every order known to act: gains of all slots and the mode, under this supervisor's authority.
   const Outputs& orders() noexcept;
 
-  /// Controllers designed from estimates so far, whatever became of them.
+  /// Controllers designed from estimates so far, accepted or not.
   std::uint64_t designs() const noexcept;
 
  private:
@@ -79,7 +80,7 @@ class Supervisor {
     std::uint32_t newest_generation;
     int dwell_ticks;             // of the pair of slots
     Tick last_issue = 0;
-    bool looked = false;  // at an estimate since the last step
+    bool looked = false;  // true if an estimate was judged since the last step
   };
 
   Supervisor(std::vector<Batch> batches, std::vector<JointSlots> joints, std::size_t joint_count, int lead_ticks,
@@ -102,7 +103,7 @@ class Supervisor {
   std::vector<signals::JointControllerGains> known_gains_;  // that act, joint by joint and phase by phase; generation 0: not known
   signals::SystemMode known_mode_;                          // epoch 0: not known
   Outputs orders_;
-  Outputs pending_;  // what came of estimates and requests
+  Outputs pending_;  // results of estimates and requests
   Outputs issued_;
 };
 

@@ -1,4 +1,4 @@
-// How a supervisor follows another and goes on from where that one was.
+// Lets a supervisor follow another and continue from its state.
 
 #include <algorithm>
 
@@ -36,7 +36,7 @@ void Supervisor::mirror(const signals::JointControllerGains& gains) noexcept {
   }
   known_gains_[place_of(gains)] = gains;
   if (gains.joint >= joints_.size()) {
-    return;  // not adaptive: nothing goes on from them
+    return;  // not adaptive: no redesign continues from them
   }
   JointSlots& joint = joints_[gains.joint];
   joint.generations[gains.phase] = gains.generation;

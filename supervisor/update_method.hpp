@@ -1,7 +1,7 @@
 #pragma once
 
-// What makes an estimate lead to new gains: the judging part of the update logics (a) to (d) of Hubacher (2014),
-// Section 5.3.1. Each is a class with the same four functions, and Method one of them:
+// Conditions under which an estimate leads to new gains: the judging part of the update logics (a) to (d) of Hubacher
+// (2014), Section 5.3.1. Each is a class with the same four functions, and Method one of them:
 //
 //   estimate ──▶ before_design() ──▶ design ──▶ after_design() ──▶ safe? ──▶ stored, accepted()
 
@@ -13,7 +13,7 @@
 
 namespace farrier::supervisor {
 
-/// What is known of an estimate that is one: finite, of positive validity and valve gain.
+/// Judged properties of a usable estimate: finite, of positive validity and valve gain.
 struct Evidence {
   double prediction_error, whiteness;  ///< of the estimate
   bool valid;                          ///< enough for a design, validity_min
@@ -22,7 +22,7 @@ struct Evidence {
   double gain_ratio;                   ///< of the valve's gain to the one they are designed for, upper end
 };
 
-/// For how long something has held, as the ticks of the estimates tell it.
+/// Duration for which a condition has held, by the ticks of the estimates.
 class Held {
  public:
   explicit Held(int estimate_period_ticks) noexcept : period_ticks_(estimate_period_ticks) {}
@@ -40,8 +40,9 @@ class Held {
   int ticks_ = kNever;
 };
 
-/// (a) A controller is designed for every estimate, and acts when its gains are bounded and have changed slowly from
-/// estimate to estimate for converged_ticks: norm of the state gains, integral gain and feed-forward each by itself.
+/// (a) A controller is designed for every estimate. It acts when its gains are bounded and have changed slowly from
+/// estimate to estimate for converged_ticks. The norm of the state gains, the integral gain and the feed-forward are
+/// judged separately.
 class LimitedGains {
  public:
   LimitedGains(const robot::UpdateLogicParams& logic, int estimate_period_ticks, double estimate_period_s) noexcept;
@@ -86,7 +87,7 @@ class PredictionError {
   Held held_;
 };
 
-/// (d) The estimate's poles are far from those designed for, or its valve gain is, and they have stood still for
+/// (d) The estimate's poles are far from those designed for, or its valve gain is, and they have been steady for
 /// converged_ticks (8.2.1, Fig. 8.8, F.2).
 class DistinctPoles {
  public:
@@ -105,14 +106,14 @@ class DistinctPoles {
   robot::UpdateLogicParams logic_;
   control::Form form_;
   Held held_;
-  PoleSet anchor_{};   // where the poles were when they began to count as still
-  double spread_ = 0;  // how far they have been from there
+  PoleSet anchor_{};   // the poles' places when they began to count as steady
+  double spread_ = 0;  // their largest distance from there
 };
 
-/// One slot's method. before_design(): kAccepted when a controller shall be designed for the estimate. after_design():
-/// kAccepted when it may act, as far as the method is concerned. accepted(): it does. restart(): what came was no
-/// estimate. held_ticks(): for how long what is waited for has held, -1 not at present. spread(): of the poles
-/// meanwhile, 0 for methods that do not look at it.
+/// One slot's method. The call before_design() returns kAccepted if a controller shall be designed for the estimate.
+/// The call after_design() returns kAccepted if the method lets the gains act. Call accepted() when they act, restart()
+/// when the sample was no estimate. The result of held_ticks() is the time for which the method's condition has held,
+/// -1 if it does not at present. The result of spread() is the poles' spread meanwhile, 0 for methods without poles.
 using Method = std::variant<LimitedGains, PredictionError, DistinctPoles>;
 
 Method make_method(const robot::UpdateLogicParams& logic, control::Form form, int estimate_period_ticks,

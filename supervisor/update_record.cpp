@@ -5,7 +5,7 @@ namespace {
 
 using signals::UpdateVerdict;
 
-// Of a design, not of an estimate.
+// True if a design was refused, not an estimate.
 bool is_refusal(UpdateVerdict verdict) noexcept {
   switch (verdict) {
     case UpdateVerdict::kDesignRefused:

@@ -4,16 +4,16 @@
 
 namespace farrier::supervisor {
 
-/// A decision with what it takes over from the estimate it is about; the rest is the judge's.
+/// A decision with the values it copies from its estimate; the judge fills in the rest.
 signals::JointUpdateDecision record_of(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
 
-/// Which decisions of a slot are news: those that are accepted, and refusals of a design for another reason than the one
-/// before. What an estimate lacks is none.
+/// Decides which decisions of a slot are news: accepted ones, and refusals of a design for another reason than the one
+/// before. A deficient estimate is no news.
 class UpdateNews {
  public:
   /// Takes a decision; true when it is news.
   bool take(signals::UpdateVerdict verdict) noexcept;
-  /// What the last take() said.
+  /// Result of the last take().
   bool is_news() const noexcept { return is_news_; }
 
  private:

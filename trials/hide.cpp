@@ -17,14 +17,14 @@ using plant::EffectId;
 /// Places of what is drawn in a joint's stream.
 enum Drawn : Tick { kJoint, kEffect, kSize, kSign };
 
-/// How large an effect is: its first parameter as a fitted number (plant/terms/term.hpp), beside the neutral one. Where
-/// that is 1 it is a factor, on it or under it.
+/// Size of an effect: its first parameter as a fitted number (plant/terms/term.hpp), beside the neutral one. If that is
+/// 1 it is a factor, on it or under it.
 struct Size {
   EffectId id;
   double low, high;
 };
 
-/// Of what HyQ's force loops bear in a trot. An effect that is not here is as large as its fit begins or twice that.
+/// Effect sizes with which HyQ can still trot. Effects not listed use one to two times the fit's start value.
 constexpr std::array kSizes{
     Size{effect_id<plant::InputDelay>(), 0.0003, 0.0009},
     Size{effect_id<plant::ValveBias>(), 0.02, 0.06},
@@ -48,8 +48,8 @@ constexpr std::array kSizes{
     Size{effect_id<plant::ForceSensorOffset>(), 0.03, 0.08},
     Size{effect_id<plant::VelocityFilterLag>(), 0.002, 0.006}};
 
-/// How far inside the ends of its stroke an end stop stands that takes this share of the way off the joint's planned
-/// motion; over the stroke. It leaves the joint where it stands at home.
+/// Distance of an end stop from the ends of its stroke, over the stroke, at which it takes this share of the way off
+/// the joint's planned motion. It leaves the joint where it stands at home.
 double inset(const robot::Robot& robot, const robot::Joint& joint, double share) {
   constexpr double kRoomAtHome = 0.005;
   constexpr double kMotion_s = 6.0;

@@ -7,7 +7,7 @@
 
 namespace farrier::trials {
 
-/// What was hidden where.
+/// A hidden effect and its joint.
 struct HiddenEffect {
   std::string joint;
   std::string effect;     ///< plant::EffectInfo::name

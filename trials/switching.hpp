@@ -22,8 +22,7 @@ struct TouchdownErrors {
 /// where it was announced) at or after `from`, hips and knees of every leg. A window the rows do not cover is left out.
 TouchdownErrors touchdown_errors(const robot::Robot& robot, std::span<const trace::TraceRow> rows, Tick from);
 
-/// What a run's gains have come to, by joint: the last ones issued for each slot. `gains` of a whole run, in the order
-/// of their issue.
+/// Returns the last gains issued for each slot, by joint. `gains` of a whole run, in the order of their issue.
 std::vector<supervisor::SlotGains> last_gains(const robot::Robot& robot,
                                               std::span<const signals::JointControllerGains> gains);
 
@@ -31,9 +30,9 @@ std::vector<supervisor::SlotGains> last_gains(const robot::Robot& robot,
 std::vector<supervisor::SlotGains> in_both_slots(std::vector<supervisor::SlotGains> gains, signals::Phase phase);
 
 /// Largest jump of the valve command at a change of gains, reference and measurement unchanged, over the valve's
-/// nominal current. Found by replaying each joint's force controller on the trace with the gains that were issued;
-/// whenever other gains begin to act, a copy of the controller takes them and steps on what the last step saw. Dither
-/// is no part of the replay. NaN when the trace names gains that were not issued.
+/// nominal current. Each joint's force controller is replayed on the trace with the gains that were issued. Whenever
+/// other gains begin to act, a copy of the controller takes them and steps on the inputs of the last step. Dither is no
+/// part of the replay. NaN if the trace names gains that were not issued.
 double largest_bump(const robot::Robot& robot, std::span<const trace::TraceRow> rows,
                     std::span<const signals::JointControllerGains> gains);
 

@@ -39,7 +39,7 @@ Centring centring_of(const plant::LoadParams& load, const plant::ActuatorParams&
   return {(mass * rate + load.damping) * rate, std::max(0.0, 2.0 * kCentringDamping * mass * rate - load.damping)};
 }
 
-/// How far the valve opens either way at its largest current, of how far it would without effects.
+/// Opening of the valve either way at its largest current, over that without effects.
 double full_opening(const robot::Joint& joint) {
   plant::TermSet<double> terms;
   const plant::Scales scales(joint.actuator, joint.swing_load);

@@ -7,7 +7,7 @@
 
 namespace farrier::trials {
 
-/// What one joint of a varied robot differs in.
+/// Deviations of one joint of a varied robot.
 struct JointDraw {
   double friction_factor;  ///< on the damping of the load, in swing and stance
   double valve_factor;     ///< on the valve gain
@@ -23,12 +23,12 @@ struct Draw {
 /// every controller are asked for. Loads on cylinders are drawn, the leg about a hip stays.
 robot::Robot with_varied_body(robot::Robot nominal);
 
-/// What `seed` draws for this robot between the ends of its `variation`. Addressed by (seed, joint's name, quantity): neither the order of the joints nor
-/// how many there are changes a joint's numbers.
+/// Draws from `seed` for this robot between the ends of its `variation`. Addressed by (seed, joint's name, quantity):
+/// neither the order nor the number of the joints changes a joint's numbers.
 Draw draw_variation(const robot::Robot& nominal, std::uint64_t seed);
 
-/// The robot with these actuators and loads. What the gait and the joints believe (RobotPlan, force limits, scales and
-/// weights of the controller, the file) stays nominal.
+/// The robot with these actuators and loads. The data that the gait and the joints use stay nominal: RobotPlan, force
+/// limits, scales and weights of the controller, and the file.
 robot::Robot varied(const robot::Robot& nominal, const Draw& draw);
 
 }  // namespace farrier::trials

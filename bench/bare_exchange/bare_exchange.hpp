@@ -11,8 +11,8 @@
 namespace farrier::bench {
 
 /// The samples of a lock-step run between the same participants, counted instead of used: nothing is simulated,
-/// controlled or recorded. What the transport alone can do, to hold the stack against.
-/// `joints`: those a joint node hosts; the participant's number says what it is.
+/// controlled or recorded. Shows the speed of the transport alone, as a baseline for the stack. `joints`: those a joint
+/// node hosts; the participant's number gives its role.
 Result<std::unique_ptr<participant::Application>> create_bare(const robot::Robot& robot,
                                                               const std::vector<std::string>& joints,
                                                               participant::Participant& participant, Tick ticks);

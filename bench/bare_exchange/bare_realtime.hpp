@@ -13,7 +13,7 @@
 
 namespace farrier::bench {
 
-/// What a timer on this computer can do: a thread with the control loop's priority that does nothing but wake up.
+/// Baseline of a timer on this computer: a thread with the control loop's priority that does nothing but wake up.
 struct TimerLoop {
   std::array<double, 4> wake_up_s;  ///< after the deadline: p50, p99, p99.9, largest
   std::uint64_t periods, missed;

@@ -1,4 +1,4 @@
-// bare_exchange: one process of farrier bench's yardstick: the samples of a run, and nothing computed from them.
+// bare_exchange: one process of farrier bench's baseline: the samples of a run, and nothing computed from them.
 
 #include "bench/bare_exchange/bare_exchange.hpp"
 #include "bench/bare_exchange/bare_realtime.hpp"

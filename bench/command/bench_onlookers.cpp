@@ -17,7 +17,8 @@ namespace {
 
 constexpr Tick kRealtimeTicks = 10'000;
 constexpr int kStoppedMonitors = 10;
-// Runs in turns, of which the median pair counts: a computer's speed changes within a minute, hence many and short ones.
+// Alternating runs, of which the median pair counts: a computer's speed changes within a minute, hence many and short
+// ones.
 constexpr int kPairs = 15;
 constexpr Tick kOfTheTicks = 2;  // the part that each takes
 constexpr double kRecordPercent = 10.0;
@@ -66,7 +67,7 @@ class VendorBench {
   Result<Done> lockstep() {
     std::vector<double> alone, watched, ratios;  // ticks per second; by pair
     for (int pair = 1; pair <= kPairs; ++pair) {
-      // In turns, too, which is first: a speed that rises or falls for a while favours neither.
+      // The order alternates, too: a speed that rises or falls for a while favours neither.
       for (const bool onlooked : {pair % 2 == 0, pair % 2 == 1}) {
         const auto ticks_per_s = FARRIER_TRY(lockstep_ticks_per_s(onlooked, ", pair " + std::to_string(pair) + " of " + std::to_string(kPairs)));
         (onlooked ? watched : alone).push_back(ticks_per_s);

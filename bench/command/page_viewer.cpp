@@ -17,7 +17,7 @@ constexpr auto kNextLook = 50ms;
 constexpr std::string_view kSaid = "page at ";
 constexpr std::string_view kFrame = "\ndata: {\"";
 
-/// What the monitor's log says of where its page is; nothing yet.
+/// Returns the page's URL from the monitor's log; nothing yet if the log does not have it.
 std::optional<std::string> page_url(const std::string& log_path) {
   std::ifstream log(log_path);
   for (std::string line; std::getline(log, line);) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a command line takes, read from the app that parses it: help, man pages, completions and docs/cli.md are written
+// Text of a command line, read from the app that parses it: help, man pages, completions and docs/cli.md are written
 // from this and cannot say anything else.
 
 #include <CLI/CLI.hpp>
@@ -13,7 +13,7 @@ enum class PathKind { kNone, kFile, kFolder };
 
 /// One option, or one word at its place.
 struct OptionText {
-  std::vector<std::string> names;    ///< "-h", "--help"; of a word at its place its name alone
+  std::vector<std::string> names;    ///< "-h", "--help"; the name alone for a positional argument
   bool at_its_place = false;
   bool required = false;
   bool takes_value = false;
@@ -24,7 +24,7 @@ struct OptionText {
   std::vector<std::string> choices;  ///< all there are; empty where anything may stand
   PathKind path = PathKind::kNone;
   std::string range;                 ///< "0 to 232"; empty without
-  std::string meaning;               ///< with range and choices where `value` does not say them
+  std::string meaning;               ///< with range and choices if `value` does not name them
   std::string unless_told;           ///< empty where nothing stands in for it
 };
 
@@ -38,13 +38,13 @@ struct CommandText {
 
 CommandText command_text(const CLI::App& app);
 
-/// Of every command of `farrier`, in order.
+/// Returns the texts of all commands of `farrier`, in order.
 std::vector<CommandText> command_texts(const CLI::App& farrier);
 
 /// "[--dds cyclone|fast]", "<file>".
 std::string usage_of(const OptionText& option);
 
-/// What stands above its meaning: "-h,--help", "--dds cyclone|fast", "from <file|folder>".
+/// Returns the heading of an option: "-h,--help", "--dds cyclone|fast", "from <file|folder>".
 std::string heading_of(const OptionText& option);
 
 }  // namespace farrier::cli

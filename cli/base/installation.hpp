@@ -4,9 +4,9 @@
 
 namespace farrier::cli {
 
-// An installation, below /usr where packages put it, below the build directory where it was built: the command in bin/,
-// its other programs and the processes in libexec/farrier/, the robot files in share/farrier/robots/, the monitor's page
-// in share/farrier/page/.
+// An installation is below /usr where packages put it, or below the build directory where it was built. The command is
+// in bin/, its other programs and the processes in libexec/farrier/. The robot files are in share/farrier/robots/, the
+// monitor's page in share/farrier/page/.
 
 /// Path of the command `farrier`, whichever of its programs this is.
 std::string farrier_command();

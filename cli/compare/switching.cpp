@@ -47,7 +47,7 @@ Result<robot::Robot> with_load_transfer(const robot::Robot& robot, double fracti
   return std::move(built).value();
 }
 
-/// What the gains come to on this gait.
+/// Returns the gains to which adaptation leads on this gait.
 Result<Gains> adapt(const robot::Robot& robot, const CompareOptions& options, report::Outcome& outcome) {
   run::InprocRun settings;
   settings.ticks = run::ticks_of(kAdapting_s, robot);

@@ -1,4 +1,4 @@
-// farrier deploy: what each computer of a robot needs, rendered from the robot file, and whether this one has it.
+// farrier deploy: renders the files of each computer of a robot from the robot file, and checks this computer.
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
@@ -41,7 +41,7 @@ deploy::Places places_of(const DeployOptions& o, const robot::Robot& robot) {
   return places;
 }
 
-/// What a person does with the folder, once.
+/// Returns the steps by which a person installs the folder, once.
 std::string instructions(const robot::Robot& robot, const std::string& host, const deploy::Places& places) {
   const std::string& folder = places.folder;
   const std::string check = "farrier deploy check " + places.robot_file(robot) + " --host " + host + " --at " + folder;

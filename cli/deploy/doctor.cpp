@@ -1,4 +1,4 @@
-// farrier doctor: why no data comes, or no real time is had, and what to do about it.
+// farrier doctor: finds why no data comes or real time is refused, and the remedy.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -28,7 +28,7 @@ struct DoctorOptions {
   bus::NetworkOptions network;
 };
 
-/// What this computer by itself has to do with it.
+/// Findings about this computer alone.
 deploy::Findings local_findings(const DoctorOptions& o, const std::string& interface) {
   const deploy::HostFacts facts = deploy::this_host(runtime::kControlPriority);
   deploy::Findings findings = deploy::address_findings(facts, o.network.address, interface);

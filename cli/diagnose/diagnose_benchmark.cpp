@@ -21,7 +21,7 @@
 namespace farrier::cli {
 namespace {
 
-// What the diagnosis is held to, over the trials that count.
+// Bounds of the diagnosis, over the trials that count.
 constexpr double kNamed = 0.95;
 constexpr double kFirstAlone = 0.85;
 constexpr double kWithinTolerance = 0.85;
@@ -72,7 +72,7 @@ void add_figures(report::Figures& figures, const std::vector<blind::Outcome>& ou
   }
 }
 
-/// Outcomes in the order of the plans, and why some are not kept for --continue; empty: all are.
+/// Outcomes in the order of the plans, and the reason if some are not kept for --continue; empty: all are.
 struct Trials {
   std::vector<blind::Outcome> outcomes;
   std::string not_kept;

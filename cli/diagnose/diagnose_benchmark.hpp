@@ -5,7 +5,7 @@
 
 namespace farrier::cli {
 
-/// What `farrier diagnose --benchmark` runs.
+/// Options of `farrier diagnose --benchmark`.
 struct DiagnoseBenchmark {
   std::string json_path;       ///< empty: none
   std::string confusion_path;  ///< Markdown of what was taken for what; empty: none

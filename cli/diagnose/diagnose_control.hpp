@@ -8,8 +8,9 @@
 
 namespace farrier::cli {
 
-/// What force control gains by knowing the effects found, on the joint extended by them; none where a controller can
-/// use none of them (control::is_compensated), or where the extended joint cannot be simulated or controlled.
+/// Returns the gain of force control from knowing the effects found, on the joint extended by them. Empty if a
+/// controller can use none of them (control::is_compensated), or if the extended joint cannot be simulated or
+/// controlled.
 std::optional<report::ControlGain> control_gain(const robot::Robot& robot, const robot::Joint& joint,
                                                 const diagnosis::Diagnosis& found);
 

@@ -9,7 +9,7 @@ namespace farrier::cli {
 /// In what a recording was written.
 enum class Units { kSi, kScaled };
 
-/// What the command line of `farrier diagnose` says.
+/// Options of `farrier diagnose`.
 struct DiagnoseOptions {
   std::string recording;
   Units units = Units::kSi;

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What the options ask for that data without units cannot have; empty for nothing.
+/// Returns why an option is impossible for data without units; empty if none is.
 std::string refusal(const DiagnoseOptions& o) {
   if (o.benchmark) {
     return "--benchmark makes recordings in SI units: leave one of the two out";

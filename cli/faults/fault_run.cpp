@@ -18,10 +18,10 @@
 namespace farrier::cli {
 namespace {
 
-/// From a request's fault to the request, and from everything to the end of the run.
+/// Time from the end of a fault to the request to arm, and from the last act to the end of the run.
 constexpr double kUntilArmed_s = 0.1;
 constexpr double kAfterwards_s = 0.25;
-/// How often a cell in which the computer stood still is run again.
+/// Largest number of repetitions of a cell in which the computer was stopped.
 constexpr int kMostRepeats = 10;
 
 constexpr std::array kVendors{DdsChoice::kCyclone, DdsChoice::kFast, DdsChoice::kMixed};
@@ -48,7 +48,7 @@ int slow_of(const CellSettings& settings, const faults::Row& row) {
   return settings.slow * (faults::starts_process(row) ? faults::kSlowerWhereProcessesStart : 1);
 }
 
-/// For how long the computer may stand still in a cell.
+/// Longest pause of the computer in a cell.
 Nanoseconds may_pause(const robot::Robot& robot, int slow) {
   return Nanoseconds(std::llround(1e9 * robot.period_s * slow));
 }

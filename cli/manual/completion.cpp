@@ -33,8 +33,8 @@ std::function<int()> declare_completion(CLI::App& app) {
              "the shell; a package installs what this prints, and 'source <(farrier completion bash)' tries it")
       ->required();
   return [shell] {
-    const auto app = whole_command_line();
-    const CLI::App& farrier = *app;
+    const auto whole = whole_command_line();
+    const CLI::App& farrier = *whole;
     std::fputs((*shell)(command_text(farrier), command_texts(farrier)).c_str(), stdout);
     return kPassed;
   };

@@ -5,7 +5,7 @@
 namespace farrier::cli {
 namespace {
 
-/// What _farrier_offer understands.
+/// Returns the kind of an option's value in the words of _farrier_offer.
 std::string kind_of(const OptionText& option) {
   if (!option.choices.empty()) {
     return (option.separator == ',' ? "list " : "words ") + join(option.choices, " ");

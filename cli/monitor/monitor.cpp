@@ -1,4 +1,5 @@
-// farrier monitor: a running robot at a glance. Frames of it go to every display: the terminal's table, Prometheus, a page.
+// farrier monitor: a running robot at a glance. Every display gets its frames: the terminal's table, Prometheus, a
+// page.
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
@@ -42,7 +43,7 @@ std::string nothing_comes(const MonitorOptions& o) {
   return "nothing comes in domain " + domain + "; why: farrier doctor --domain " + domain;
 }
 
-/// What serves others, opened before anything moves: an address that cannot be had is a mistake in the options.
+/// Servers for other programs, opened before anything moves: an address that cannot be had is a mistake in the options.
 Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot) {
   Displays servers;
   if (!o.prometheus.empty()) {
@@ -64,8 +65,8 @@ Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot
   return servers;
 }
 
-/// The table: on a terminal with keys, elsewhere as text unless a server is all that was asked for. True where it has the
-/// screen, on which nobody else may write.
+/// Opens the table: on a terminal with keys, elsewhere as text unless only a server is asked for. Returns true if it
+/// has the screen, on which nothing else may write.
 Result<bool> open_table(Displays& displays, const robot::Robot& robot) {
   if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
     auto terminal = FARRIER_TRY(display::Terminal::create(robot));
@@ -78,7 +79,7 @@ Result<bool> open_table(Displays& displays, const robot::Robot& robot) {
   return false;
 }
 
-/// Shows frames until somebody asks for the end. `quiet`: says nothing itself.
+/// Shows frames until the user asks for the end. `quiet`: prints nothing itself.
 int show(bus::Bus& bus, monitor::Watch& watch, const Displays& displays, const MonitorOptions& o, bool quiet) {
   SteadyTime complaint = participant::steady_now() + kSilenceWorthSaying;
   while (!participant::stop_requested()) {
@@ -145,7 +146,7 @@ int run_monitor(const MonitorOptions& o) {
     return show_once(*bus.value(), watch.value(), robot.value(), o);
   }
   try {
-    // Here, so that the terminal is a terminal again before anything is said of what went wrong.
+    // Here, so that the terminal is restored before errors are printed.
     Displays displays = std::move(servers).value();
     const auto screen = open_table(displays, robot.value());
     if (!screen) {

@@ -61,7 +61,7 @@ Result<ChildProcess> ChildProcess::start(const std::string& name, const std::str
   envp.push_back(nullptr);
   const pid_t self = ::getpid();
   // Not fork: that copies the page tables of all this process has locked in memory, then faults at every page it
-  // writes. On the real-time clock it held up the receive threads of its processor for 8 ms.
+  // writes. On the real-time clock it delayed the receive threads of its processor by 8 ms.
   const pid_t pid = ::vfork();  // until execve the child has this process's memory, and this thread waits for it
   if (pid == 0) {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -75,7 +75,7 @@ Result<ChildProcess> ChildProcess::start(const std::string& name, const std::str
     }
     ::dup2(log, STDOUT_FILENO);
     ::dup2(log, STDERR_FILENO);
-    // Loading a program is not what the launcher's priority is for: others of the run would wait for it.
+    // Loading a program must not use the launcher's priority: other processes of the run would wait for it.
     runtime::set_no_priority();
     ::execve(executable.c_str(), argv.data(), envp.data());
     ::dprintf(STDERR_FILENO, "cannot run %s: %s\n", executable.c_str(), std::strerror(errno));

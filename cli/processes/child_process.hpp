@@ -15,7 +15,7 @@ namespace farrier::cli {
 /// A process this one started. It is killed when this object goes, and by the kernel when this process dies.
 class ChildProcess {
  public:
-  /// What it has besides what this process has.
+  /// Properties of the child that this process does not have.
   struct Surroundings {
     std::vector<std::string> environment;  ///< `NAME=value`
     std::optional<int> processor;          ///< the only one it may run on
@@ -35,10 +35,11 @@ class ChildProcess {
   void terminate();
   /// Ends it (SIGKILL) if it still runs.
   void kill();
-  /// The way it ended, with its log and its last lines: "joint_node_lf (pid 12) ended with exit status 2; its log ...".
+  /// Returns how it ended, with its log and its last lines: "joint_node_lf (pid 12) ended with exit status 2; its log
+  /// ...".
   std::string epitaph();
 
-  /// True while somebody has stopped it: a debugger, Ctrl-Z, SIGSTOP.
+  /// True while it is stopped by a debugger, Ctrl-Z or SIGSTOP.
   bool stopped() const;
 
   const std::string& name() const noexcept { return name_; }
@@ -49,7 +50,7 @@ class ChildProcess {
   Result<Done> wait_for_words(const std::string& words, std::chrono::seconds budget);
   /// The last line of its log, empty when there is none.
   std::string last_line() const;
-  /// The last line it said, empty when it has said nothing for `silence`.
+  /// The last line of its log, empty if it has printed nothing for `silence`.
   std::string last_words(std::chrono::seconds silence) const;
 
  private:
@@ -60,11 +61,11 @@ class ChildProcess {
   std::string log_path_;
   pid_t pid_;
   bool ended_ = false;
-  int exit_status_ = 0;  ///< of the shell's kind: 128 + signal when killed by one
+  int exit_status_ = 0;  ///< as a shell counts: 128 + signal when killed by one
 };
 
-/// Ends all of them: SIGTERM, then SIGKILL for those that do not go within two seconds. Returns the epitaphs of those
-/// whose status is none of `well`; empty when all did well.
+/// Ends all of them: SIGTERM, then SIGKILL for those that do not end within two seconds. Returns the epitaphs of those
+/// with a status outside `well`; empty if all did well.
 std::string end_all(std::vector<ChildProcess>& children, const std::set<int>& well = {0});
 
 }  // namespace farrier::cli

@@ -26,13 +26,13 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kHousekeeping = 20ms;
-constexpr Tick kRecordedTogether = 16;  // ticks that lie with the bus before they are recorded, of 256 that may
-/// After everybody else has ended: for samples that are still on their way to the recording.
+constexpr Tick kRecordedTogether = 16;  // ticks kept by the bus before they are recorded; it can keep 256
+/// Time after the end of all other processes, for samples that are still on their way to the recording.
 constexpr auto kLastSamples = 2s;
 
 using participant::steady_now;
 
-/// What this process owns of a run besides its children.
+/// Objects of a run that this process owns besides its children.
 struct Seat {
   std::unique_ptr<bus::Bus> bus;
   std::unique_ptr<participant::Participant> participant;
@@ -45,7 +45,7 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
                        const run::Member& member, const std::optional<HostClock>& clock) {
   Seat seat;
   if (common.clock == bus::ClockKind::kRealtime) {
-    // Where the limits forbid it this process listens without: the node processes say so in their logs.
+    // If the limits forbid it this process listens without: the node processes report that in their logs.
     participant::set_slow_motion(common.slow);
     static_cast<void>(runtime::set_priority(runtime::kServicePriority));
   }
@@ -77,8 +77,9 @@ bool has(const std::vector<ChildProcess>& children, const std::string& name) {
   return std::ranges::find(children, name, &ChildProcess::name) != children.end();
 }
 
-/// Listens until the run is over: everybody has said so or, where sim_bridge has died, it would be by now. Refuses
-/// as bury and RunLimits do, and when the user interrupts.
+/// Listens until the run is over. In lock-step every process has then sent its final report. In real time sim_bridge
+/// has, or it has died and the ticks of the run have passed. Refuses as bury and RunLimits do, and when the user
+/// interrupts.
 Result<double> attend(Seat& seat, run::RunMonitor& monitor, std::vector<ChildProcess>& children,
                       const RunActs::Start& start, Progress& progress, const DdsRun& run, Nanoseconds period,
                       RunLimits& limits, GrowthWatch& watch, Onlookers& onlookers, RunOutcome& outcome) {

@@ -16,7 +16,7 @@
 
 namespace farrier::cli {
 
-/// Which vendor each process of a run is on.
+/// Vendors of the processes of a run.
 enum class DdsChoice { kCyclone, kFast, kMixed, kInproc };
 const char* to_string(DdsChoice choice) noexcept;
 
@@ -41,7 +41,7 @@ struct DdsRun {
   bool standby = false;                   ///< a second supervisor stands by, real time only
   bool goes_on_without_the_dead = false;  ///< real time: the death of any member is a warning
   bool soak = false;                      ///< watch what the processes grow by
-  bool bare = false;  ///< exchange the same samples with nothing computed: the yardstick of farrier bench
+  bool bare = false;  ///< exchange the same samples with nothing computed: the baseline of farrier bench
 };
 
 struct RunOutcome {
@@ -61,11 +61,11 @@ struct RunOutcome {
   double wall_s = 0;  ///< from the first tick to the last
 };
 
-/// Starts every process, listens to them from this one, shows progress, ends every process. Refuses when a process
-/// dies (with its name, exit status and last lines), when the user interrupts, and when a limit of `run` is reached
-/// while no debugger is attached to a process of the run; no process is left behind either way. In real time a run goes
-/// on without estimator_service and supervisors, with a warning: gains and mode then stay as they are; and without
-/// others as `run` says.
+/// Starts every process, listens to them from this one, shows progress, ends every process. No process is left behind.
+/// Refuses when a process dies (with its name, exit status and last lines), and when the user interrupts. Also refuses
+/// when a limit of `run` is reached while no debugger is attached to a process of the run. In real time a run continues
+/// with a warning without estimator_service and supervisors, gains and mode staying as they are, and without others as
+/// `run` says.
 Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run);
 
 }  // namespace farrier::cli

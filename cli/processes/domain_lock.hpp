@@ -4,9 +4,9 @@
 
 namespace farrier::cli {
 
-/// A DDS domain no other farrier run uses, held while this object lives by a loopback port of that domain which DDS
-/// leaves alone: it reaches as far as the domain does, whatever file system the runs see. Domains 1 to 100 keep DDS
-/// below the ephemeral ports.
+/// A DDS domain that no other farrier run uses, held while this object lives. The lock is a loopback port of that
+/// domain which DDS does not use: it reaches as far as the domain does, whatever file system the runs see. Domains 1 to
+/// 100 keep DDS below the ephemeral ports.
 class DomainLock {
  public:
   static Result<DomainLock> acquire();

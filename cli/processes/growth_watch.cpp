@@ -12,18 +12,18 @@ namespace fs = std::filesystem;
 using namespace std::chrono_literals;
 
 constexpr Tick kLooks = 100;
-constexpr Tick kWarmUp = 10;  // of which the first are left out: buffers grow to their size
+constexpr Tick kWarmUp = 10;  // looks left out at the beginning: buffers grow to their size
 constexpr auto kLongestSleep = 5s;
 constexpr auto kWakeUp = 20ms;
 
-/// What a process holds; nothing when it is gone.
+/// Returns the resources that a process holds; nothing if it is gone.
 std::optional<Growth> holdings(pid_t process) {
   const fs::path folder = fs::path("/proc") / std::to_string(process);
   std::ifstream status(folder / "status");
   Growth held;
   bool alive = false;
   for (std::string word; status >> word;) {
-    if (word == "VmRSS:") {  // a dead process that nobody has buried has none
+    if (word == "VmRSS:") {  // a zombie has none
       alive = static_cast<bool>(status >> held.memory_KiB);
     } else if (word == "Threads:") {
       status >> held.threads;

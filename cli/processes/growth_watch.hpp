@@ -14,11 +14,10 @@ namespace farrier::cli {
 
 using report::Growth;
 
-/// Looks at what processes hold of their computer (/proc) a hundred times a run, at most every 5 s, by a thread without
-/// priority.
+/// Samples the resources of processes (/proc) a hundred times a run, at most every 5 s, on a thread without priority.
 class GrowthWatch {
  public:
-  /// Of a run of this many ticks; a process 0 is left out. Without processes it looks at nothing.
+  /// Watches a run of this many ticks; a process 0 is left out. Without processes it does nothing.
   GrowthWatch(std::vector<pid_t> processes, Tick ticks);
   ~GrowthWatch();
   GrowthWatch(const GrowthWatch&) = delete;
@@ -27,8 +26,8 @@ class GrowthWatch {
   /// The run is at this tick.
   void tick(Tick now) noexcept { now_ = now; }
 
-  /// From the first look after a tenth of the run to the last one, by process; ends the looking. Nothing for a process
-  /// that was left out or gone by then. Empty when there were fewer than two such looks.
+  /// Ends the watch and returns the growth by process, from the first look after a tenth of the run to the last one.
+  /// Nothing for a process that was left out or had ended by then. Empty if there were fewer than two such looks.
   std::vector<std::optional<Growth>> growths();
 
  private:

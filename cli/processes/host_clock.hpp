@@ -10,11 +10,11 @@ namespace farrier::cli {
 /// The wall clock of a computer that is set while processes run on it (tools/wall_clock).
 class HostClock {
  public:
-  /// `executables`: directory of the library to preload. `path`: the file that processes read the clock's offset from,
-  /// written anew.
+  /// `executables`: directory of the library to preload. `path`: the file from which processes read the clock's offset;
+  /// it is overwritten.
   static Result<HostClock> create(const std::string& executables, const std::string& path);
 
-  /// What a process is started with: `NAME=value`.
+  /// Environment of a process that uses this clock: `NAME=value`.
   std::vector<std::string> environment() const;
 
   /// From now on it shows `offset_s` more than the real one.

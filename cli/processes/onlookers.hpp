@@ -15,16 +15,16 @@ struct DdsRun;
 struct Onlooker {
   std::string name;                    ///< of its log
   std::vector<std::string> arguments;  ///< of the farrier command, to which the run's robot, domain and vendor are added
-  std::string listens;                 ///< what its log says when it is about to listen
+  std::string listens;                 ///< text in its log when it is about to listen
   bool stands_still = false;           ///< stopped (SIGSTOP) when a fourth of the run is over
 };
 
-/// What one of them took from a fourth of the run on.
+/// Use of the processor by one of them after the first quarter of the run.
 struct OnlookerUse {
   double processor_share = 0.0;  ///< of one core, 0..; 0 where the run ended before
 };
 
-/// The onlookers of one run. They are ended with this object, and asked to end first.
+/// The recorders and monitors of one run. The destructor asks them to end, then ends them.
 class Onlookers {
  public:
   /// Returns when all of them listen, so that a run which begins then is not slowed by their start.
@@ -33,7 +33,8 @@ class Onlookers {
   /// The clock has come to `tick`.
   void look(Tick tick, SteadyTime now);
 
-  /// In the order of DdsRun::onlookers, up to the last look. Ends them; refuses where one did not end well.
+  /// Ends them and returns their use up to the last look, in the order of DdsRun's list. Refuses if one did not end
+  /// well.
   Result<std::vector<OnlookerUse>> finish();
 
  private:

@@ -10,14 +10,13 @@
 
 namespace farrier::cli {
 
-/// From when a thread was to wake up to when it did.
+/// From the time at which a thread was due to wake up to the time at which it did.
 struct Pause {
   SteadyTime begin, end;
 };
 
-/// Watches whether this computer stands still: a thread on each processor, above all others of a run unless told
-/// otherwise, that sleeps a millisecond again and again. Where the limits forbid its priority it takes for a pause what is
-/// none.
+/// Detects pauses of this computer. A thread on each processor sleeps for a millisecond repeatedly, by default above
+/// all threads of a run. If the limits forbid its priority, it reports pauses that are only preemptions.
 class PauseWatch {
  public:
   explicit PauseWatch(int priority = runtime::kWatchPriority);
@@ -26,8 +25,7 @@ class PauseWatch {
   PauseWatch& operator=(const PauseWatch&) = delete;
 
   void forget();
-  /// Each time that one of them woke up more than `at_least` late, which is a millisecond or more, since the watch was
-  /// told to forget.
+  /// Pauses of more than `at_least` (>= 1 ms) of any thread since the last call of forget().
   std::vector<Pause> longer_than(Nanoseconds at_least) const;
   /// 0: none was longer than a millisecond.
   Nanoseconds longest() const;

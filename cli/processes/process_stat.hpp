@@ -6,10 +6,10 @@
 
 namespace farrier::cli {
 
-/// What Linux says of a process (proc_pid_stat(5)).
+/// State of a process as Linux reports it (proc_pid_stat(5)).
 struct ProcessStat {
   char state = '?';          ///< T: stopped, t: traced
-  double processor_s = 0.0;  ///< that it has had, in its own code and in the kernel
+  double processor_s = 0.0;  ///< used so far, in its own code and in the kernel
 };
 
 /// None where there is no such process.

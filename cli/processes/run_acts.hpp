@@ -12,8 +12,8 @@
 
 namespace farrier::cli {
 
-/// What is done to a run while it goes, once its clock has begun tick `at` or would have: a signal to a member's process
-/// or another of run::ProcessAct, or what an operator asks for.
+/// An act on a run at the time when its clock begins tick `at` or would have begun it. It is a signal to a member's
+/// process, another act of run::ProcessAct, or a request of an operator.
 struct Act {
   Tick at = 0;
   std::string member;  ///< empty: an operator's request
@@ -24,15 +24,16 @@ struct Act {
 /// Does the acts of one run when they are due.
 class RunActs {
  public:
-  /// `acts` in the order of their ticks. An operator's ear at the supervisor is opened when one of them is a request.
-  /// `clock`: the one that acts set; nothing where none does.
+  /// `acts` in the order of their ticks. Opens a publisher of requests to the supervisor if one of them is a request.
+  /// `clock`: the one that acts set; nothing if none does.
   static Result<RunActs> create(std::vector<Act> acts, participant::Participant& participant,
                                 std::optional<HostClock> clock);
 
   /// Starts the process of a member; `name`: of this start, for its log and the list of children.
   using Start = std::function<Result<ChildProcess>(const std::string& member, const std::string& name)>;
 
-  /// Does what is due at `due`; `tick` is the newest that the clock has begun. Refuses when a process does not start.
+  /// Does the acts that are due at `due`; `tick` is the newest that the clock has begun. Refuses if a process does not
+  /// start.
   Result<Done> perform(Tick due, Tick tick, std::vector<ChildProcess>& children, const Start& start);
 
   /// Newest ticks that the clock had begun when they were done, in their order.

@@ -13,8 +13,8 @@ namespace {
 
 constexpr const char* kRecorder = "record";
 
-/// In real time the processes on the way from sensor to valve have a processor each, as far as there are some: the
-/// threads of one then wake each other where they are, and not by an interrupt of another processor.
+/// In real time the processes on the way from sensor to valve have a processor each, as far as there are some. The
+/// threads of one process then wake each other on their own processor, without an interrupt from another.
 std::optional<int> processor_of(const run::Member& member, bus::ClockKind clock) {
   const bool is_joint_node = !member.joints.empty();
   if (clock != bus::ClockKind::kRealtime || (member.number != participant::kSimBridge && !is_joint_node)) {
@@ -80,7 +80,7 @@ Result<ChildProcess> start_monitor(const DdsRun& run, const participant::Process
 
 Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run,
                                     const participant::ProcessOptions& common) {
-  // The robot as the options of this run have made it, which no file says.
+  // The robot with the options of this run, which is in no other file.
   const std::string robot_path = run.log_directory + "/" + robot.name + ".yaml";
   FARRIER_TRY(replace_file(robot_path, robot::print_config(robot)));
   std::vector<std::string> arguments{"record", run.record_path, "--robot", robot_path, "--domain",

@@ -28,16 +28,17 @@ inline constexpr std::chrono::seconds kSilenceWorthSaying{3};
 Result<ChildProcess> start_monitor(const DdsRun& run, const participant::ProcessOptions& common,
                                    const std::string& name, const std::string& joint);
 
-/// Starts `farrier record` for the whole run, which is then another process's business and not that of control. Refuses
-/// also what it needs to have written.
+/// Starts `farrier record` for the whole run, so that a process without part in control records it. Also refuses if its
+/// file cannot be written.
 Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run,
                                     const participant::ProcessOptions& common);
 
-/// Why nothing moves: who is stopped, or else what sim_bridge waits for, or else this process.
+/// Reason why nothing moves: the stopped processes, or else the input that sim_bridge waits for, or else this process.
 std::string standstill(const run::RunListener& listener, const std::vector<ChildProcess>& children);
 
-/// Takes the dead out of `children`. Refuses when the run cannot do without one: in real time, once it has begun, it
-/// can without estimator, supervisors and recorder, or without any if `run` says so; in lock-step everybody waits for everybody.
+/// Removes processes that have ended from `children`. Refuses if the run cannot do without one. In real time, once it
+/// has begun, it can do without estimator, supervisors and recorder, or without any if `run` says so. In lock-step it
+/// needs all.
 Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const std::vector<run::Member>& members,
                   Tick tick, std::vector<std::string>& warnings);
 

@@ -6,10 +6,11 @@
 
 namespace farrier::cli {
 
-/// The tick of a run: what its clock has begun or, once the clock stands still, what it would have begun since.
+/// The tick of a run. It is the newest that its clock has begun or, once the clock is stopped, the one it would have
+/// begun.
 class RunClock {
  public:
-  /// `tick_time`: of one tick on participant::steady_now; zero where ticks take what they take.
+  /// `tick_time`: duration of one tick on participant::steady_now; zero if ticks have no fixed duration.
   explicit RunClock(Nanoseconds tick_time) noexcept : tick_time_(tick_time) {}
 
   /// The newest tick that the clock has begun is known to be `tick`.
@@ -20,7 +21,7 @@ class RunClock {
     }
   }
 
-  /// Ticks are heard of in bunches: the clock does not stand still for some without.
+  /// Ticks arrive in bunches, so the clock counts as running during a few ticks without news.
   Tick at(SteadyTime now) const noexcept {
     constexpr Tick kStandsStill = 4;
     if (newest_ <= 0 || tick_time_ <= Nanoseconds::zero()) {

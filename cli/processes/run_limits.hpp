@@ -24,7 +24,7 @@ class WaitLimit {
 
   /// A wait begins.
   void begin(SteadyTime now) noexcept;
-  /// True when the wait has reached the limit. While `held` says that a debugger is attached, the wait begins anew;
+  /// True when the wait has reached the limit. While `held` says that a debugger is attached, the wait begins again;
   /// `held` is called ten times a second at most.
   bool reached(SteadyTime now, const std::function<bool()>& held);
 
@@ -41,8 +41,8 @@ class RunLimits {
   /// `common`: the options of the processes of `run`, with the domain they are in. All outlive it.
   RunLimits(const DdsRun& run, const participant::ProcessOptions& common, const std::vector<run::Member>& members);
 
-  /// Refuses when a limit is reached: says which processes have not greeted and why, or who waits for what. It is to be
-  /// called again and again.
+  /// Refuses when a limit is reached: with the processes that have not greeted and the reason, or with those that wait
+  /// and their inputs. Call it repeatedly.
   Result<Done> check(const participant::Participant& launcher, const run::RunListener& listener,
                      const run::RunMonitor& monitor, const std::vector<ChildProcess>& children);
 

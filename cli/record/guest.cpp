@@ -46,7 +46,7 @@ void declare_guest(CLI::App& app, GuestOptions& options) {
 Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& options, bus::Role role) {
   const bus::Vendor vendor = bus::parse_vendor(options.vendor).value();
   if (role == bus::Role::kMonitor) {
-    runtime::give_way();  // who only looks on holds up nobody who works
+    runtime::give_way();  // an observer must not delay the robot
   }
   bus::NetworkOptions network = options.network;
   if (auto secured = process::secure(network, options.security, role, vendor); !secured) {

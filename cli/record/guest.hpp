@@ -13,7 +13,7 @@
 
 namespace farrier::cli {
 
-/// How a command joins a robot that runs already, in which it has no seat.
+/// Options of a command that joins a running robot as an observer.
 struct GuestOptions {
   std::string robot_path = shipped_robot("hyq.yaml");
   std::string vendor = "cyclone";
@@ -21,7 +21,7 @@ struct GuestOptions {
   bus::NetworkOptions network;
 };
 
-/// Why it does not, and the command's exit status then.
+/// Reason of a refusal, and the command's exit status then.
 struct Refused {
   std::string message;
   int status;
@@ -39,7 +39,7 @@ void declare_guest(CLI::App& app, GuestOptions& options);
 /// The robot's bus, with the rights of `role`.
 Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& options, bus::Role role);
 
-/// Rests until this time, or until somebody asks the command to stop.
+/// Waits until this time, or until the command is asked to stop.
 void nap(bus::Bus& bus, SteadyTime until);
 
 }  // namespace farrier::cli

@@ -8,7 +8,7 @@
 
 namespace farrier::cli {
 
-/// What an option takes that names topics.
+/// Returns the names that an option for topics accepts.
 std::vector<std::string> topic_names();
 
 /// --topics

@@ -1,4 +1,4 @@
-// farrier info: what a recording holds, of which run, and what it lacks.
+// farrier info: the content of a recording, its run, and its losses.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -20,7 +20,7 @@ struct InfoOptions {
   bool json = false;
 };
 
-/// What is said of one topic.
+/// Summary of one topic.
 struct TopicSum {
   std::uint64_t samples = 0;
   std::uint64_t first_ns = 0, last_ns = 0;  // logged

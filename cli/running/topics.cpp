@@ -1,4 +1,4 @@
-// farrier topics: who writes and reads what in a domain, how often, and what does not go together.
+// farrier topics: writers, readers and rates of topics in a domain, and QoS that do not match.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -46,11 +46,11 @@ struct TopicView {
   std::string name;
   std::set<std::string> types{}, offered{};  ///< offered: QoS of writers
   VendorCounts writers{}, readers{};
-  double rate_hz = 0.0;                      ///< of samples that were heard; 0 for topics that are not of the contract
+  double rate_hz = 0.0;                      ///< of received samples; 0 for topics that are not of the contract
   std::uint64_t lost = 0;
 };
 
-/// What there is and what moves, in the order of the contract; other people's topics after ours.
+/// Returns topics and their rates: ours in the order of the contract, then those of other systems.
 std::vector<TopicView> views_of(const bus::Discovery& found, const std::vector<recorder::TopicProgress>& heard,
                                 double seconds) {
   std::vector<TopicView> views;
@@ -128,7 +128,7 @@ int run_topics(const TopicsOptions& o) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;
   }
-  // First without readers of its own: what is found is the others'.
+  // First without readers of its own, so that discovery finds only those of others.
   const std::chrono::duration<double> half(o.look_s / 2);
   const auto half_ns = std::chrono::duration_cast<Nanoseconds>(half);
   const auto found = bus_factory::discover(o.guest.network, half_ns);

@@ -1,4 +1,4 @@
-// farrier trial: an effect that only the simulated robot has is looked for in the recording of a run.
+// farrier trial: diagnosis searches an effect that only the simulated robot has, in the recording of a run.
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>

@@ -147,8 +147,8 @@ Result<Done> TrialStudy::run() {
   }
   const auto nominal = FARRIER_TRY(stance_nrmse(ran.value(), path));
   for (std::uint64_t i = 0; i < static_cast<std::uint64_t>(o_.seeds); ++i) {
-    if (auto ran = run(o_.hide + i, nominal); !ran) {
-      return of_seed(o_.hide + i, ran.error());
+    if (auto trial = run(o_.hide + i, nominal); !trial) {
+      return of_seed(o_.hide + i, trial.error());
     }
   }
   return Done{};

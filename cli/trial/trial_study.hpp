@@ -13,23 +13,23 @@ namespace farrier::cli {
 /// The command line of `farrier trial`: a recorded run of the gait, with an effect hidden in the simulated robot.
 struct TrialOptions : TrotOptions {
   std::uint64_t hide = 1;  ///< seed of joint, effect and size
-  int seeds = 1;           ///< effects that are hidden in turn, from `hide` on
+  int seeds = 1;           ///< number of effects, hidden one at a time, from `hide` on
 };
 
-/// `o.seeds` robots with an effect that only their sim_bridge knows, from seed `o.hide` on: each trots and is
-/// recorded, every joint's recording is diagnosed against the nominal robot, and the robot trots again with what was found of the
-/// most suspected joint in everybody's model.
+/// Makes `o.seeds` robots with an effect that only their sim_bridge knows, from seed `o.hide` on. Each trots and is
+/// recorded, and every joint's recording is diagnosed against the nominal robot. The robot then trots again, with the
+/// findings for the most suspected joint in every process's model.
 class TrialStudy {
  public:
-  /// `nominal` outlives the study. Recorded runs are as `o` says, those that they are compared with in process.
-  /// `o` names its trace and its recording, and outlives the study as well.
+  /// `nominal` outlives the study. Recorded runs follow `o`; the runs for comparison are in process. `o` names its
+  /// trace and its recording, and outlives the study as well.
   TrialStudy(const robot::Robot& nominal, const TrialOptions& o) : nominal_(nominal), o_(o) {}
 
-  /// Refuses what a run does, with the seed, and when the user interrupts.
+  /// Refuses if a run does, with the seed, and when the user interrupts.
   Result<Done> run();
 
   const std::vector<report::HideTrial>& trials() const noexcept { return trials_; }
-  /// Robot files with what was found, one per seed in which something was.
+  /// Robot files with the effects found, one per seed with any.
   const std::vector<std::string>& models() const noexcept { return models_; }
   /// One per seed.
   const std::vector<std::string>& recordings() const noexcept { return recordings_; }

@@ -9,22 +9,22 @@
 
 namespace farrier::cli {
 
-/// What a run may have besides.
+/// Options of a run beyond those of TrotOptions.
 struct Extras {
   const robot::Robot* world = nullptr;  ///< what sim_bridge simulates; null: the robot
   std::string record_path;              ///< a recording of everything goes there; empty: none
 };
 
-/// A trot in this process, in lock-step, with a bar called `title`; the trace goes to `trace_path`. Refuses what
+/// A trot in this process, in lock-step, with a bar called `title`; the trace goes to `trace_path`. Refuses if
 /// run::run_inproc does, and when the user interrupts.
 Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& options, supervisor::Design design,
                                   const std::string& trace_path, const std::string& title, const Extras& extras = {});
 
-/// The same robot that does not probe its valves: what a run with fixed gains needs.
+/// The same robot without dither, for runs with fixed gains.
 robot::Robot without_dither(robot::Robot robot);
 
-/// How the joints tracked in this run. The rows of a run over DDS are read from its trace first; refuses a trace that
-/// cannot be read.
+/// Returns the tracking of the joints in this run. The rows of a run over DDS are read from its trace first; refuses a
+/// trace that cannot be read.
 Result<report::Tracking> tracking_of(const robot::Robot& robot, RunOutcome& run, const std::string& trace_path,
                                      std::uint64_t seed, int loop_delay_ticks);
 

@@ -69,8 +69,8 @@ Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, re
 
 int trot(TrotOptions o) {
   if (!o.design) {
-    // With a tick of delay one design does not hold both loads, and nothing shows yet that adaptation gets by with it
-    // while it learns: in real time each slot has the design for its own load.
+    // With a tick of delay one design does not suit both loads, and nothing shows yet that adaptation gets by with it
+    // while it learns. So in real time each slot has the design for its own load.
     o.design = o.clock == bus::ClockKind::kRealtime ? robot::Design::kPhases : robot::Design::kAdaptive;
   }
   const auto loaded = process::load_robot(common_options(o));

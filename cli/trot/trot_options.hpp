@@ -29,13 +29,13 @@ struct TrotOptions {
   std::string estimator;    ///< section of the robot file for every joint; empty: its own
   std::string controller;   ///< kind of every controller; empty: the robot file's
   bool security_cost = false;  ///< short runs with and without `security` beside
-  bool dither_cost = false; ///< two more runs: what the robot file's dither costs
+  bool dither_cost = false; ///< two more runs, for the cost of the robot file's dither
   bool soak = false;        ///< watch what processes grow by
   bool standby = false;     ///< a second supervisor stands by, real time only
   std::string record_path;  ///< a recording of everything goes there; empty: none
 };
 
-/// What a run that has no judged tick fails with.
+/// Error of a run without a judged tick.
 inline constexpr const char* kTooShort =
     "too short to be judged, which begins with every leg's third stride: give a longer --duration";
 

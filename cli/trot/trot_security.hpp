@@ -5,12 +5,12 @@
 
 namespace farrier::cli {
 
-/// Refuses what every process of the run would refuse of `--security`, before any of them starts; and runs that it does
-/// not reach, because they are in process.
+/// Refuses a `--security` that a process of the run would refuse, before any of them starts. Also refuses it for runs
+/// in process, which it does not reach.
 Result<Done> check_security(const robot::Robot& robot, const TrotOptions& options);
 
-/// Adds trot.security.latency_p50_ratio: short runs of the same processes with security and without, in turns. Refuses
-/// what run_over_dds does, and runs in which no valve command came back.
+/// Adds trot.security.latency_p50_ratio: short runs of the same processes, alternately with and without security.
+/// Refuses if run_over_dds does, and if no valve command came back in a run.
 Result<Done> add_security_cost(const robot::Robot& robot, const TrotOptions& options, report::Figures& figures);
 
 }  // namespace farrier::cli

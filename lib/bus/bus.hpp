@@ -1,7 +1,7 @@
 #pragma once
 
-// What a process sees of DDS: untyped endpoints behind one interface, typed ports on top. The in-process bus is a
-// full implementation with the same QoS semantics and the oracle of the conformance suite.
+// DDS as a process sees it: untyped endpoints behind one interface, typed ports on top. The in-process bus is a full
+// implementation with the same QoS semantics and the oracle of the conformance suite.
 
 #include <cstdint>
 #include <memory>
@@ -28,7 +28,7 @@ struct EndpointSpec {
   bool wakes = true;                    ///< of a reader: its samples are arrivals, for which a thread may wait
 };
 
-/// What an endpoint has seen since it was created.
+/// Counters of an endpoint since it was created.
 struct ReaderStatus {
   std::uint64_t received = 0;          ///< samples taken
   std::uint64_t lost = 0;              ///< samples the transport knows it lost
@@ -42,12 +42,12 @@ struct ReaderStatus {
 class RawWriter {
  public:
   virtual ~RawWriter() = default;
-  /// Publishes one signal, at once or with the next flush as its topic says. False when the transport refused it. Not for
-  /// the 1 kHz thread of the real-time clock.
+  /// Publishes one signal, at once or with the next flush as its topic says. Returns false if the transport refused it.
+  /// Not for the 1 kHz thread of the real-time clock.
   virtual bool write(const void* signal) noexcept = 0;
-  /// Sends what was written of a topic whose samples go together (Sending::kTogether) and has not gone yet.
+  /// Sends written samples that have not gone yet, on a topic whose samples go together (Sending::kTogether).
   virtual void flush() noexcept {}
-  /// Says that this writer lives although it has nothing to write: for MANUAL_BY_TOPIC liveliness.
+  /// Asserts MANUAL_BY_TOPIC liveliness of a writer that has nothing to write.
   virtual void assert_liveliness() noexcept = 0;
   virtual int matched_readers() const noexcept = 0;
 };
@@ -56,12 +56,12 @@ class RawWriter {
 class RawReader {
  public:
   virtual ~RawReader() = default;
-  /// Copies the oldest waiting samples, at most `capacity`, into an array of signals; returns how many.
+  /// Copies the oldest waiting samples, at most `capacity`, into an array of signals; returns their number.
   virtual std::size_t take(void* signals, std::size_t capacity) noexcept = 0;
   virtual ReaderStatus status() const noexcept = 0;
 };
 
-/// One process's membership of a DDS domain. Endpoints must be destroyed before their bus.
+/// One process's membership in a DDS domain. Endpoints must be destroyed before their bus.
 class Bus {
  public:
   virtual ~Bus() = default;
@@ -71,9 +71,10 @@ class Bus {
   virtual Result<std::unique_ptr<RawWriter>> create_writer(const EndpointSpec& endpoint) = 0;
   virtual Result<std::unique_ptr<RawReader>> create_reader(const EndpointSpec& endpoint) = 0;
 
-  /// What DDS Security said since the last call about others, whom it keeps out: one sentence each, none twice.
+  /// Returns what DDS Security has reported since the last call about participants that it keeps out. One sentence
+  /// each, without repetition.
   virtual std::vector<std::string> take_security_warnings() { return {}; }
-  /// Which of the faults that are put on this bus on purpose have acted for the first time since the last call.
+  /// Returns the injected faults of this bus that have acted for the first time since the last call.
   virtual std::vector<std::string> take_faults_begun() { return {}; }
 
   /// Arrivals so far; read it before looking for samples, then wait for as many more as are still needed.
@@ -82,14 +83,14 @@ class Bus {
     notifier_->wait_for_arrivals(target, timeout);
   }
   void wake() noexcept { notifier_->wake(); }
-  /// What counts arrivals, for a bus that stands before another.
+  /// Counter of arrivals, for a bus that wraps another.
   const std::shared_ptr<Notifier>& notifier() const noexcept { return notifier_; }
 
  protected:
   Bus() = default;
   explicit Bus(std::shared_ptr<Notifier> notifier) : notifier_(std::move(notifier)) {}
 
-  /// What counts the arrivals of a reader; null where nothing does.
+  /// Counter of a reader's arrivals, or null if its samples do not wake.
   std::shared_ptr<Notifier> notifier_of(const EndpointSpec& reader) const { return reader.wakes ? notifier_ : nullptr; }
 
   std::shared_ptr<Notifier> notifier_ = std::make_shared<Notifier>();
@@ -109,7 +110,7 @@ class Publisher {
     flush();
     return written;
   }
-  /// Of a topic whose samples go together: it goes with the next flush.
+  /// For a topic whose samples go together: the sample leaves with the next flush.
   bool queue(const Signal& signal) noexcept {
     ++sent_;
     return writer_->write(&signal);
@@ -135,7 +136,7 @@ class Subscription {
     return Subscription(std::move(reader));
   }
 
-  /// Calls consume(signal) for every waiting sample, oldest first; returns how many there were.
+  /// Calls consume(signal) for every waiting sample, oldest first; returns the number of samples.
   template <class Consume>
   std::size_t drain(Consume&& consume) {
     std::size_t total = 0;

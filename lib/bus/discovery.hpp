@@ -7,8 +7,8 @@
 
 namespace farrier::bus {
 
-/// A writer or reader of somebody else's, as DDS discovery announces it. What a policy is that this stack does not use
-/// stays at its default.
+/// A writer or reader of another process, as DDS discovery announces it. Policies that this stack does not use stay at
+/// their defaults.
 struct DiscoveredEndpoint {
   bool writes = false;
   std::string participant;  ///< its GUID prefix in hexadecimal digits; the first four are the vendor's
@@ -19,15 +19,15 @@ struct DiscoveredEndpoint {
   int ownership_strength = 0;
 };
 
-/// The clock of day where a process runs, which DDS stamps its samples with.
+/// The wall clock of a process, with which DDS stamps its samples.
 struct DiscoveredClock {
   std::string participant;  ///< GUID prefix
-  Nanoseconds ahead;        ///< of the clock here, less what its quickest sample was on its way
+  Nanoseconds ahead;        ///< compared to the clock here, less the transport time of its quickest sample
 };
 
-/// Who and what is in a domain.
+/// Participants and endpoints in a domain.
 struct Discovery {
-  std::vector<std::string> participants;  ///< GUID prefixes of all but the one that looks
+  std::vector<std::string> participants;  ///< GUID prefixes of all but this process
   std::vector<DiscoveredEndpoint> endpoints;
   std::vector<DiscoveredClock> clocks{};  ///< of those that reported their health meanwhile
 };

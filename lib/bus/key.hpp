@@ -8,7 +8,7 @@
 
 namespace farrier::bus {
 
-/// How many of a signal's first fields form its DDS key (those idl/ marks @key).
+/// Number of a signal's first fields that form its DDS key (those idl/ marks @key).
 template <class Signal>
 inline constexpr std::size_t kKeyFields = 1;
 template <>

@@ -14,8 +14,8 @@ enum class Ownership : std::uint8_t { kShared, kExclusive };
 
 inline constexpr Nanoseconds kInfinite = Nanoseconds::max();
 
-/// What a topic asks of its transport. PRESENTATION, DESTINATION_ORDER and LATENCY_BUDGET are left at their default
-/// on every bus: the vendors do not agree on checking them.
+/// QoS of a topic. PRESENTATION, DESTINATION_ORDER and LATENCY_BUDGET are left at their default on every bus: the
+/// vendors do not agree on checking them.
 struct Qos {
   Reliability reliability = Reliability::kReliable;
   Durability durability = Durability::kVolatile;

@@ -8,8 +8,8 @@
 
 namespace farrier::bus {
 
-/// What a bus has to say to its process while that runs, from any of its threads: each sentence once, and only so many,
-/// that nobody fills the memory by knocking.
+/// Messages from a bus to its process, added by any thread of the bus. Each sentence is kept once. Their number is
+/// limited, so that repeated attempts to join cannot fill the memory.
 class SaidOnce {
  public:
   void add(const std::string& sentence) {

@@ -1,18 +1,21 @@
 #include "bus/topics.hpp"
 
+#include "bus/key.hpp"
 #include "core/ensure.hpp"
 #include "core/noise.hpp"
+#include "signals/idl_text.hpp"
 
 namespace farrier::bus {
 namespace {
 
 using namespace std::chrono_literals;
 
-// Freshness is what counts. Who waits for a stream goes by the age of its samples: a deadline or a lease of DDS's would
-// say later what ages say, and wake a timer thread of the vendor's with every sample (docs/decisions/0047).
+// Freshness is what counts. A reader that waits for a stream judges the age of its samples. A DDS deadline or lease
+// would report the same later, and would wake a timer thread of the vendor with every sample (docs/decisions/0047).
 constexpr Qos kLatest{Reliability::kBestEffort, Durability::kVolatile, 1, kInfinite, Liveliness::kAutomatic,
                         kInfinite, Ownership::kShared};
-// Authority over the robot: a standby supervisor takes over by ownership strength.
+// Authority over the robot. A standby supervisor takes over after silence, and its samples carry a higher authority
+// number (docs/decisions/0040).
 constexpr Qos kAuthority{Reliability::kReliable, Durability::kTransientLocal, 1, kInfinite,
                          Liveliness::kManualByTopic, 20ms, Ownership::kExclusive};
 constexpr Qos announcements(int depth) {
@@ -81,6 +84,17 @@ constexpr bool in_order() {
 }
 static_assert(in_order(), "the registry is indexed by TopicId");
 
+/// "JointCommand: @key unsigned short joint; unsigned long long tick; ...".
+template <class Signal>
+std::string struct_text(const char* name) {
+  std::string text = std::string(name) + ":";
+  std::size_t index = 0;
+  signals::visit_fields(Signal{}, [&](const char* field_name, const auto& field) {
+    text += (index++ < kKeyFields<Signal> ? " @key " : " ") + signals::idl_text(field_name, field) + ';';
+  });
+  return text + '\n';
+}
+
 }  // namespace
 
 std::span<const TopicSpec> topics() { return kTopics; }
@@ -102,17 +116,20 @@ Qos qos_for(const TopicSpec& topic, ClockKind clock) {
   return qos;
 }
 
-std::uint64_t contract_hash() {
+std::string contract_text() {
   std::string text;
   for (const TopicSpec& topic : kTopics) {
-    text += std::string(topic.name) + ' ' + topic.type_name + ' ' + std::to_string(topic.version) + ' ';
+    text += std::string(topic.name) + ' ' + topic.type_name + ' ' + std::to_string(topic.version) + '\n';
   }
-#define FARRIER_FIELD_TEXT(field) #field " "
-#define FARRIER_SIGNAL_TEXT(Signal, file) text += #Signal ": " FARRIER_FIELDS_##Signal(FARRIER_FIELD_TEXT);
+#define FARRIER_SIGNAL_TEXT(Signal, file) text += struct_text<signals::Signal>(#Signal);
   FARRIER_SIGNALS(FARRIER_SIGNAL_TEXT)
 #undef FARRIER_SIGNAL_TEXT
-#undef FARRIER_FIELD_TEXT
-  return stable_hash(text);
+  return text;
+}
+
+std::uint64_t contract_hash() {
+  static const std::uint64_t hash = stable_hash(contract_text());
+  return hash;
 }
 
 std::string partition(const std::string& robot) { return robot; }

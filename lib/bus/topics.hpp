@@ -23,7 +23,7 @@ enum class TopicId : std::uint8_t {
 #undef FARRIER_TOPIC_ID
 };
 
-/// Who gets a sample: everybody of the robot, or only the processes that host joints of the sample's leg.
+/// Receivers of a sample: every process of the robot, or only those that host joints of the sample's leg.
 enum class Route : std::uint8_t { kRobot, kLeg };
 
 /// When a sample goes out: as it is written, or with others of its writer when that is flushed.
@@ -54,7 +54,9 @@ const TopicSpec& spec(TopicId id);
 /// lease infinite, and deep enough that a sample for tick k + 1 does not overwrite the one for tick k.
 Qos qos_for(const TopicSpec& topic, ClockKind clock);
 
-/// Hash over every topic's name, version and fields. Processes that disagree on it do not start together.
+/// Every topic's name, type and version, and every signal's fields with types, array sizes and keys, as IDL has them.
+std::string contract_text();
+/// Hash of the contract's text. Processes that disagree on it do not start together.
 std::uint64_t contract_hash();
 
 /// Markdown table of the registry with its QoS on both clocks, for idl/README.md.

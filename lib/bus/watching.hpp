@@ -4,8 +4,8 @@
 
 namespace farrier::bus {
 
-/// What somebody asks for who only watches, on either clock: no stream's writer waits for him, and what was announced
-/// before he came is told him. `depth`: samples of a key that are kept until he looks.
+/// QoS of an observer, on either clock. Streams are best effort, so no writer waits for it; latched topics still reach
+/// late joiners. `depth`: least number of samples per key that are kept until the observer reads.
 Qos qos_for_watching(const TopicSpec& topic, int depth);
 
 }  // namespace farrier::bus

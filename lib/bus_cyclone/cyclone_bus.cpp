@@ -18,7 +18,8 @@
 namespace farrier::bus_cyclone {
 namespace {
 
-/// Cyclone tells of those it keeps out in its log alone, which is one for the process: who hears of which domain.
+/// Warnings from Cyclone's log, by domain. Cyclone reports the participants that it keeps out only in its log, of which
+/// a process has one.
 class LogWarnings {
  public:
   std::shared_ptr<bus::SaidOnce> of(std::uint32_t local_domain) {
@@ -42,10 +43,10 @@ LogWarnings& log_warnings() {
   return warnings;
 }
 
-/// Said of everybody whose announcement comes once more before the handshake with him is over: nothing to warn of.
+/// Cyclone logs this for a participant that announces itself again before its handshake is over: no warning.
 constexpr std::string_view kNotYetAllowed = "Remote secure participant";
 
-/// Passes the log on to where it goes without this, and keeps what it warns of.
+/// Passes the log on to standard error, as without this function, and keeps its warnings.
 void on_log(void*, const dds_log_data_t* line) {
   std::fputs(line->message - line->hdrsize, stderr);
   if ((line->priority & (DDS_LC_WARNING | DDS_LC_ERROR)) != 0) {

@@ -13,11 +13,11 @@ namespace farrier::bus_cyclone {
 /// Joins the DDS domain of `options` as one participant with sockets of its own, also when the process already
 /// holds another bus of this domain.
 ///
-/// A user's CYCLONEDDS_URI is read after the settings made here, so what it names is changed and all else stays:
+/// A user's CYCLONEDDS_URI is read after the settings made here. It changes only what it names:
 ///   CYCLONEDDS_URI='<Domain Id="any"><Tracing><Verbosity>config</Verbosity></Tracing></Domain>'
 ///
-/// Arrivals are counted on the receive thread, once per sample; the end of a writer, which every key it wrote
-/// reports, may count as one more.
+/// Arrivals are counted on the receive thread, once per sample. The end of a writer, which every key it wrote reports,
+/// may count as one more.
 Result<std::unique_ptr<bus::Bus>> create_cyclone_bus(const bus::NetworkOptions& options);
 
 }  // namespace farrier::bus_cyclone

@@ -12,10 +12,10 @@
 namespace farrier::bus_cyclone {
 namespace {
 
-/// How much later than its arrival a sample may be looked at.
+/// Longest delay between a sample's arrival and its reading.
 constexpr dds_duration_t kLookEvery = DDS_MSECS(1);
 
-/// GUID prefix of who wrote a sample; empty when he has gone since.
+/// GUID prefix of the writer of a sample; empty if it has gone since.
 std::string writer_of(dds_entity_t reader, dds_instance_handle_t publication) {
   dds_builtintopic_endpoint_t* const endpoint = dds_get_matched_publication_data(reader, publication);
   if (endpoint == nullptr) {

@@ -38,7 +38,7 @@ class CycloneWriter final : public bus::RawWriter {
   bus::Sending sending_;
 };
 
-/// What the listener callbacks of a reader write, on Cyclone's receive and event threads.
+/// Counters that the listener callbacks of a reader write, on Cyclone's receive and event threads.
 struct ReaderEvents {
   std::shared_ptr<bus::Notifier> notifier;
   std::atomic<std::uint64_t> liveliness_lost{0};
@@ -151,7 +151,7 @@ Result<std::unique_ptr<bus::RawReader>> make_typed_reader(dds_entity_t subscribe
   return std::unique_ptr<bus::RawReader>(std::move(reader));
 }
 
-/// What a topic needs that depends on its signal type.
+/// Functions of a topic that depend on its signal type.
 struct TopicFactory {
   const dds_topic_descriptor_t& (*descriptor)();
   decltype(&wrap_typed_writer<signals::ClockTick>) writer;

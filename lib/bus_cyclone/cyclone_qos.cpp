@@ -68,7 +68,7 @@ QosPtr endpoint_qos(const bus::EndpointSpec& endpoint) {
   dds_qset_durability(qos.get(), wanted.durability == bus::Durability::kTransientLocal
                                      ? DDS_DURABILITY_TRANSIENT_LOCAL
                                      : DDS_DURABILITY_VOLATILE);
-  // What a transient-local writer keeps for late readers is set here, not by its history.
+  // This, not the history, sets what a transient-local writer keeps for late joiners.
   dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, wanted.history_depth, DDS_LENGTH_UNLIMITED,
                               DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
   dds_qset_deadline(qos.get(), wanted.deadline.count());

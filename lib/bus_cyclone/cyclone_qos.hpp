@@ -23,7 +23,7 @@ QosPtr participant_qos(const std::optional<bus::SecurityFiles>& security);
 /// QoS of a publisher or subscriber that carries the partitions of its endpoints.
 QosPtr partition_qos(const std::vector<std::string>& partitions);
 
-/// QoS of a writer or reader. What one of the two does not know is ignored there by Cyclone.
+/// QoS of a writer or reader. Cyclone ignores policies that the endpoint's kind does not have.
 QosPtr endpoint_qos(const bus::EndpointSpec& endpoint);
 
 }  // namespace farrier::bus_cyclone

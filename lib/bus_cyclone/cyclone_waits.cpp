@@ -11,9 +11,9 @@
 #include <cstdlib>
 #include <ctime>
 
-// Cyclone 0.10 waits until a time of the wall clock (issue 1995 of eclipse-cyclonedds/cyclonedds): where
-// that is set an hour back, its threads stand still for an hour, and the others forget a process that says nothing for
-// a lease. libddsc calls these two by its procedure linkage table, so they stand before its own.
+// Cyclone 0.10 waits until a time of the wall clock (issue 1995 of eclipse-cyclonedds/cyclonedds). If that clock is set
+// back an hour, its threads block for an hour, and the other processes drop this one after a lease. The library libddsc
+// calls these two functions by its procedure linkage table, so they replace its own.
 extern "C" {
 
 bool ddsrt_cond_waitfor(ddsrt_cond_t* condition, ddsrt_mutex_t* mutex, dds_duration_t how_long) {

@@ -41,7 +41,7 @@ void copy_field(std::array<T, kCount>& to, const T (&from)[kCount]) noexcept {
   std::copy(from, from + kCount, to.begin());
 }
 
-// A sequence to be written has the signal's own octets; one that was read keeps what Cyclone allocated.
+// A sequence to be written points to the signal's own bytes; one that was read keeps what Cyclone allocated.
 template <class Sequence, std::size_t kMost>
 void copy_field(Sequence& to, const signals::Octets<kMost>& from) noexcept {
   to = {from.size(), from.size(), const_cast<std::uint8_t*>(from.data()), false};

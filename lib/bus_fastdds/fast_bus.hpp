@@ -17,8 +17,8 @@ namespace farrier::bus_fastdds {
 /// nor endpoints, and samples between two buses of one process cross UDP whatever it says.
 /// ROS_DISCOVERY_SERVER is read by Fast DDS itself and would turn discovery into a client's: leave it unset.
 ///
-/// Arrivals are counted on the receive thread. Fast DDS tells of several samples at once when a gap in a reliable
-/// stream closes; each of them is counted, and in a race with take() some may be counted twice, never less than once.
+/// Arrivals are counted on the receive thread. Fast DDS reports several samples at once when a gap in a reliable stream
+/// closes. Each of them is counted at least once; in a race with take() some may be counted twice.
 Result<std::unique_ptr<bus::Bus>> create_fast_bus(const bus::NetworkOptions& options);
 
 }  // namespace farrier::bus_fastdds

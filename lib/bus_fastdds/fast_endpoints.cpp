@@ -22,8 +22,8 @@ class FastWriter final : public bus::RawWriter {
         writer_(writer),
         sending_(sending),
         asynchronous_(writer->get_qos().publish_mode().kind == dds::ASYNCHRONOUS_PUBLISH_MODE) {}
-  /// A heartbeat between the releases of samples while Fast DDS 2.9 ends a writer that still keeps some looks for a
-  /// sequence number that is no longer there, and never ends: none may be left by then.
+  /// Removes all samples before it deletes the writer. If Fast DDS 2.9 ends a writer that still keeps samples, a
+  /// heartbeat between their releases searches a sequence number that is no longer there, and never ends.
   ~FastWriter() override {
     std::size_t removed = 0;
     writer_->clear_history(&removed);
@@ -116,7 +116,7 @@ class FastReader final : public bus::RawReader {
   std::atomic<std::uint64_t> received_{0};
 };
 
-/// What a topic needs that depends on its signal type.
+/// Functions of a topic that depend on its signal type.
 struct TopicFactory {
   dds::TypeSupport (*type)();
   Result<std::unique_ptr<bus::RawReader>> (*reader)(const std::shared_ptr<FastSession>&, dds::Subscriber*, dds::Topic*,

@@ -19,11 +19,12 @@ constexpr std::uint32_t kInitialAnnouncements = 5;
 constexpr Nanoseconds kInitialAnnouncementPeriod = 20ms;
 
 // Nothing waits for heartbeats while nothing is lost: readers greet the writers they find, and no KEEP_LAST writer
-// waits for acknowledgements. So they are only as frequent as a lost sample may be late, and no sample carries one:
-// with a history of a few samples per key Fast DDS would add one to almost every sample, and an answer to each.
+// waits for acknowledgements. So the period is the longest acceptable delay of a lost sample, and no sample carries a
+// heartbeat. With a history of a few samples per key Fast DDS would add one to almost every sample, and an answer to
+// each.
 constexpr Nanoseconds kHeartbeatPeriod = 50ms;
 constexpr Nanoseconds kFirstAcknowledgement = 5ms;
-// How long after sending a sample requests for it are ignored. Fast DDS wakes its event thread twice per such time
+// Time after sending a sample in which requests for it are ignored. Fast DDS wakes its event thread twice per such time
 // and reader, with zero for every sample, which costs more than the sample.
 constexpr Nanoseconds kRequestsIgnored = 20ms;
 
@@ -71,7 +72,7 @@ void set_security(dds::DomainParticipantQos& qos, const bus::SecurityFiles& file
   }
 }
 
-// What writers and readers are told alike.
+// Policies that writers and readers have in common.
 template <class EndpointQos>
 void set_common(EndpointQos& qos, const bus::EndpointSpec& endpoint) {
   const bus::Qos& wanted = endpoint.qos;
@@ -123,7 +124,7 @@ dds::DomainParticipantQos participant_qos(const bus::NetworkOptions& options, in
     wire.builtin.initialPeersList.push_back(locator(peer));
   }
   wire.participant_id = index;
-  // Another process may take the index's ports first: then the next ones, up to the last.
+  // Another process may take the index's ports first. Then it tries the next ones, up to the last.
   wire.builtin.mutation_tries = static_cast<std::uint32_t>(options.max_processes - index);
   auto& discovery = wire.builtin.discovery_config;
   discovery.leaseDuration = duration(options.lease);
@@ -151,9 +152,9 @@ dds::SubscriberQos subscriber_qos(const std::vector<std::string>& partitions) {
 dds::DataWriterQos writer_qos(const bus::EndpointSpec& endpoint, bool secured) {
   dds::DataWriterQos qos;
   set_common(qos, endpoint);
-  // Samples that go together do so by gathered_sends.hpp, but for encrypted messages, which only Fast DDS's thread for
-  // asynchronous writers puts more than one sample into. It tries a writer's lock again and again without sleeping: the
-  // threads that write must have its priority.
+  // gathered_sends.hpp sends samples together, except encrypted messages. Only Fast DDS's thread for asynchronous
+  // writers puts more than one sample into these. It tries a writer's lock repeatedly without sleeping, so the threads
+  // that write must have its priority.
   const bool encrypted_together = secured && bus::spec(endpoint.topic).sending == bus::Sending::kTogether;
   qos.publish_mode().kind = encrypted_together ? dds::ASYNCHRONOUS_PUBLISH_MODE : dds::SYNCHRONOUS_PUBLISH_MODE;
   qos.ownership_strength().value = static_cast<std::uint32_t>(std::max(0, endpoint.ownership_strength));

@@ -34,7 +34,7 @@ class FastTransport final : public fast_rtps::ChainingTransport {
 
   void receive(fast_rtps::TransportReceiverInterface* receiver, const octet* bytes, std::uint32_t size,
                const fast_rtps::Locator& local, const fast_rtps::Locator& remote) override {
-    // The buffer belongs to the thread that calls, which fills it anew for every datagram.
+    // The buffer belongs to the calling thread, which fills it again for every datagram.
     const std::span<octet> datagram(const_cast<octet*>(bytes), size);
     if (translate_cyclone_acknacks(datagram)) {
       if (const std::vector<octet> first = handshake_without_secured(datagram); !first.empty()) {

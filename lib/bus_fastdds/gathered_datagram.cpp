@@ -11,10 +11,10 @@ using rtps_datagram::kHeaderBytes;
 
 constexpr std::size_t kMostBytes = 1500 - 20 - 8;  // of a frame, behind the headers of IP and UDP
 
-/// What matters here of a message.
+/// Properties of a message that decide if messages can be joined.
 struct Contents {
   bool can_be_followed = true;
-  bool names_receiver = false;          ///< for its submessages from there on, and for those of who follows
+  bool names_receiver = false;          ///< for its submessages from there on, and for those of messages behind it
   bool begins_with_receiver = false;
   std::size_t statistics_bytes = 0;     ///< of the last submessage, if they are that
 };

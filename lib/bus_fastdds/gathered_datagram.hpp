@@ -7,13 +7,13 @@
 namespace farrier::bus_fastdds {
 
 /// One RTPS message made of several. A message is a header and any number of submessages (RTPS 2.2, 8.3.3), so the
-/// submessages of the next one follow those of the one before. Of the statistics with which Fast DDS ends a message only
-/// the last stay: it looks for them at a datagram's end.
+/// submessages of the next one follow those of the one before. Fast DDS ends each message with statistics; only the
+/// last ones stay, because it searches them at a datagram's end.
 class GatheredDatagram {
  public:
-  /// Appends a copy of a message. False, and unchanged, if it cannot follow what is there: it is of another participant,
-  /// together they would not go into a frame of Ethernet, or what an earlier one says of its receiver would hold for it.
-  /// Messages that DDS Security has signed or encrypted go alone, and so does what is longer than a frame.
+  /// Appends a copy of a message. Returns false, and changes nothing, if the message cannot follow: it is of another
+  /// participant, both together exceed an Ethernet frame, or an earlier message names a receiver, which would apply to
+  /// it. Messages that DDS Security has signed or encrypted go alone, and so do messages longer than a frame.
   bool add(std::span<const std::uint8_t> message);
 
   std::span<const std::uint8_t> bytes() const noexcept { return bytes_; }

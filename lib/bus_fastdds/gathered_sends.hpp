@@ -11,11 +11,11 @@
 
 namespace farrier::bus_fastdds {
 
-/// What a writer's samples send, kept until they go together: a datagram costs both sides more than the samples in it.
-/// Used by one thread at a time.
+/// Messages of a writer, kept until they go together: a datagram costs both sides more than the samples in it. Used by
+/// one thread at a time.
 class GatheredSends {
  public:
-  /// While it lives, the transport gives `sends` what this thread sends.
+  /// While it lives, the transport gives `sends` the messages of this thread.
   class Scope {
    public:
     explicit Scope(GatheredSends& sends) noexcept;
@@ -23,16 +23,17 @@ class GatheredSends {
     Scope(const Scope&) = delete;
     Scope& operator=(const Scope&) = delete;
   };
-  /// Of the scope this thread is in, or null.
+  /// Returns the object of the scope this thread is in, or null.
   static GatheredSends* of_this_thread() noexcept;
 
-  /// Keeps a copy of a message to these receivers, whose sending may last until then. What it kept before goes now if the
-  /// two cannot go together, and the message itself if it can go with no other. False: the transport refused to send.
+  /// Keeps a copy of a message to these receivers, whose sending may last until `until`. Earlier messages are sent now
+  /// if they cannot go together with it. The message itself is sent now if it can go with no other. Returns false if
+  /// the transport refused to send.
   bool keep(eprosima::fastrtps::rtps::SenderResource& udp, std::span<const std::uint8_t> message,
             eprosima::fastrtps::rtps::LocatorsIterator& first, const eprosima::fastrtps::rtps::LocatorsIterator& last,
             std::chrono::steady_clock::time_point until);
 
-  /// Sends what it keeps, by the participant's sender it was given, which must still be there.
+  /// Sends the kept messages by the participant's sender it was given, which must still be there.
   bool send() noexcept;
 
  private:

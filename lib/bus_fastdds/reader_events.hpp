@@ -17,7 +17,7 @@ class ReaderEvents final : public dds::DataReaderListener {
  public:
   explicit ReaderEvents(std::shared_ptr<bus::Notifier> notifier) : notifier_(std::move(notifier)) {}
 
-  /// Without data_available where nobody waits for samples.
+  /// Without data_available if no thread waits for samples.
   dds::StatusMask mask() const {
     const dds::StatusMask always = dds::StatusMask::sample_lost() << dds::StatusMask::requested_deadline_missed()
                                                                   << dds::StatusMask::liveliness_changed()
@@ -40,8 +40,8 @@ class ReaderEvents final : public dds::DataReaderListener {
     return status;
   }
 
-  // One call may tell of several samples. How many follows from what waits now, what waited before and what was
-  // taken in between; a take under way makes that a range, of which the upper end is used.
+  // One call may report several samples. Their number follows from the samples that wait now, those that waited before
+  // and those taken in between; a take under way makes that a range, of which the upper end is used.
   void on_data_available(dds::DataReader* reader) override {
     const std::uint64_t at_least = taken_at_least_.load();
     const std::uint64_t at_most = taken_at_most_.load();

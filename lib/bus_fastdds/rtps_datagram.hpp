@@ -1,6 +1,6 @@
 #pragma once
 
-// What is read of RTPS datagrams before Fast DDS reads them: RTPS 2.2, 9.4.
+// Parts of RTPS datagrams that are read before Fast DDS reads them: RTPS 2.2, 9.4.
 
 #include <array>
 #include <cstdint>
@@ -19,8 +19,8 @@ enum Kind : std::uint8_t {
   kInfoDestination = 0x0e,
   kData = 0x15,
   kDataFrag = 0x16,
-  // DDS Security 1.1, 7.3.6: what stands between prefix and postfix is signed or encrypted, and so is the whole
-  // datagram behind the prefix of its own kind.
+  // DDS Security 1.1, 7.3.6: everything between prefix and postfix is signed or encrypted, and so is the whole datagram
+  // behind the prefix of its own kind.
   kSecurePrefix = 0x31,
   kSecurePostfix = 0x32,
   kSecureRtpsPrefix = 0x33,
@@ -46,7 +46,8 @@ inline bool is_from_cyclone(std::span<const std::uint8_t> datagram) noexcept {
          std::memcmp(&datagram[kVendorOffset], kCyclone.data(), kCyclone.size()) == 0;
 }
 
-/// Calls `visit(Submessage)` for each until it returns false. A length beyond the datagram ends with it.
+/// Calls `visit(Submessage)` for each until it returns false. A submessage that is longer than the datagram ends with
+/// it.
 template <class Visitor>
 void for_each_submessage(std::span<std::uint8_t> datagram, Visitor&& visit) {
   std::size_t at = kHeaderBytes;

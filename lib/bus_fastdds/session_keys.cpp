@@ -13,7 +13,7 @@ namespace {
 
 using Key = std::array<std::uint8_t, 32>;
 
-/// What a session key follows from (DDS Security 1.1, 9.5.3.3.3).
+/// Inputs of the derivation of a session key (DDS Security 1.1, 9.5.3.3.3).
 struct Source {
   std::uint32_t session_id;
   bool receiver_specific;
@@ -29,8 +29,8 @@ std::atomic<std::uint64_t> derived{0};
 
 namespace eprosima::fastrtps::rtps::security {
 
-/// Of Fast DDS 2.9's own class that which is needed here: its function of this name is called by the procedure linkage
-/// table, so the one below stands before it.
+/// The needed part of Fast DDS 2.9's own class. Its function of this name is called by the procedure linkage table, so
+/// the one below replaces it.
 class AESGCMGMAC_Transform {
  public:
   void compute_sessionkey(Key& session_key, bool receiver_specific, const Key& master_key, const Key& master_salt,
@@ -45,8 +45,8 @@ void AESGCMGMAC_Transform::compute_sessionkey(Key& session_key, bool receiver_sp
                          "S8_ji"));
   FARRIER_ENSURE(derive != nullptr, "Fast DDS derives session keys by a function of another name");
 
-  // A thread hears the participants of a robot, each with one session at a time. They are on the heap, for what is
-  // thread_local is taken from the stack of every thread, and those of civetweb have 100 KiB with nothing to spare.
+  // A thread hears the participants of a robot, each with one session at a time. The sessions are on the heap, because
+  // thread_local data take space on the stack of every thread, and civetweb's threads have only 100 KiB.
   struct Session {
     Source source;
     Key key;

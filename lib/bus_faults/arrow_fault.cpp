@@ -34,7 +34,7 @@ bool read(std::string_view text, Number& number) {
   return wrong == std::errc{} && end == text.data() + text.size();
 }
 
-/// What stands before `mark` and what after it; the second empty where the mark is not there.
+/// Returns the text before `mark` and the text after it; the second is empty if there is no mark.
 std::pair<std::string_view, std::string_view> split(std::string_view text, std::string_view mark) {
   const auto place = text.find(mark);
   return place == std::string_view::npos

@@ -1,6 +1,6 @@
 #pragma once
 
-// What may go wrong with the samples of one arrow on their way into one process.
+// Faults that can be injected into the samples of one arrow on their way into one process.
 
 #include <cstdint>
 #include <limits>
@@ -15,10 +15,10 @@ namespace farrier::bus_faults {
 
 enum class Kind : std::uint8_t {
   kLoss,       ///< `probability` of a sample to be lost
-  kBurst,      ///< `probability` of a sample to begin a row of `length` that are lost
+  kBurst,      ///< `probability` that `length` samples are lost in a row
   kDuplicate,  ///< `probability` of a sample to come twice
   kReorder,    ///< `probability` of a sample to come after the next one of its key
-  kDelay,      ///< every sample comes later, by what is even between `least` and `most`
+  kDelay,      ///< every sample is late, by a uniform distribution from `least` to `most`
   kCut,        ///< every sample is lost
   kFrozen,     ///< numbers stay what they were when the fault began; ticks and times go on
   kNoise,      ///< `field` gets white noise of standard deviation `amount`
@@ -41,7 +41,7 @@ struct ArrowFault {
   friend bool operator==(const ArrowFault&, const ArrowFault&) = default;
 };
 
-/// Reads "TOPIC:KIND[=VALUE][@FROM..UNTIL][#KEY]", e.g. "joint/sensors:loss=0.05@2000..3000#4", with VALUE by kind:
+/// Reads "TOPIC:KIND[=VALUE][@FROM..UNTIL][#KEY]", e.g. "joint/sensors:loss=0.05@2000..3000#4". VALUE depends on KIND.
 ///
 ///   loss, duplicate, reorder   probability in [0, 1]
 ///   burst                      PROBABILITYxLENGTH

@@ -10,10 +10,10 @@
 
 namespace farrier::bus_faults {
 
-/// `inner`, with faults on the way of samples into this process; whatever the vendor. Probes of the greeting, which
-/// belong to no tick, come through unharmed. What is drawn depends on `seed`, on `name` (of the process) and on how many
-/// samples came before; `clock` is the steady one. For the real-time clock: in lock-step a lost sample holds the run up
-/// for ever.
+/// Wraps `inner`, of any vendor, with faults on the way of samples into this process. Probes of the greeting, which
+/// belong to no tick, come through unharmed. Random numbers depend on `seed`, on `name` (of the process) and on the
+/// number of samples before. `clock` is the steady one. Only for the real-time clock: in lock-step a lost sample blocks
+/// the run for ever.
 std::unique_ptr<bus::Bus> with_faults(std::unique_ptr<bus::Bus> inner, std::vector<ArrowFault> faults,
                                       std::uint64_t seed, const std::string& name, Clock clock);
 

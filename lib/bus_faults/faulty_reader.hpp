@@ -25,8 +25,8 @@ namespace farrier::bus_faults {
 template <class Signal>
 class FaultyReader final : public bus::RawReader {
  public:
-  /// `due`, `newest` and `begun` outlive this. `newest`: the tick that the process has heard of, which is that of orders.
-  /// `begun` is told of each fault when it first acts.
+  /// `due`, `newest` and `begun` outlive this. `newest`: the newest tick that the process has received, used as the
+  /// tick of orders. `begun` receives each fault when it first acts.
   FaultyReader(std::unique_ptr<bus::RawReader> inner, const std::vector<ArrowFault>& faults, std::uint64_t seed,
                const std::string& name, const Clock& clock, DueTimes& due,
                std::atomic<Tick>& newest, bus::SaidOnce& begun)
@@ -101,7 +101,7 @@ class FaultyReader final : public bus::RawReader {
     for (; copies > 0; --copies) {
       send(signal, due, now);
     }
-    // What was held back to come later than its successor.
+    // Samples that were kept back to come later than their successor.
     for (Acting& acting : faults_) {
       if (const auto held = acting.held.extract(bus::key_of(signal))) {
         send(held.mapped(), due, now);
@@ -116,7 +116,7 @@ class FaultyReader final : public bus::RawReader {
     }
   }
 
-  /// What the fault does to a sample; false when it does not go on now.
+  /// Applies the fault to a sample. Returns false if the sample does not go on now.
   static bool survives(Acting& acting, Signal& signal, SteadyTime& due, int& copies) {
     const ArrowFault& fault = acting.fault;
     const std::uint32_t key = bus::key_of(signal);

@@ -27,9 +27,9 @@ struct Value::Entry {
   Value value;
 };
 
-/// Parses exactly one YAML document. Refuses, with file and line, what is not YAML, what is empty, more than one
-/// document, keys that are not plain text, nesting deeper than 32 and more than 100000 nodes (aliases counted each
-/// time they are used). Does not throw.
+/// Parses exactly one YAML document. Refuses, with file and line, text that is not YAML, an empty text, more than one
+/// document and keys that are not plain text. Also refuses nesting deeper than 32 and more than 100000 nodes (aliases
+/// counted each time they are used). Does not throw.
 Result<Value, Problem> parse_yaml(const std::string& text, const std::string& file);
 
 /// Reads the file and parses it. Refuses one that cannot be read or is larger than 4 MB.

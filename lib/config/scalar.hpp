@@ -8,8 +8,8 @@
 
 namespace farrier::config {
 
-// Each function reads one value and returns what is wrong with it and the remedy, or an empty text. `out` changes only
-// when nothing is wrong. A quoted scalar is text, never a number or a flag.
+// Each function reads one value and returns the problem and the remedy, or an empty text. `out` changes only without a
+// problem. A quoted scalar is text, never a number or a flag.
 
 std::string read_number(const Value& value, Range range, double& out);
 std::string read_integer(const Value& value, Range range, int& out);
@@ -25,7 +25,7 @@ std::string read_choice(const Value& value, std::span<const char* const> names, 
 std::string range_remedy(Range range);
 /// "give trot or stand"
 std::string choice_remedy(std::span<const char* const> names);
-/// What the file says, short enough to be repeated in a message.
+/// Returns the text of the value in the file, short enough to be repeated in a message.
 std::string shown(const Value& value);
 
 }  // namespace farrier::config

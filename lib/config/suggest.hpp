@@ -8,7 +8,7 @@ namespace farrier::config {
 /// The unit a parameter's name ends with ("Pa" of "supply_pressure_Pa", "Ns_m" of "damping_Ns_m"); empty for none.
 std::string unit_of(const std::string& name);
 
-/// What an unknown name was probably meant to be.
+/// The name that an unknown name was probably meant to be.
 struct Suggestion {
   std::string name;  ///< a known name; empty when none is near
   std::string unit;  ///< not empty when the stem is right and only the unit is not

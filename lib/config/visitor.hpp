@@ -33,7 +33,7 @@ struct Defaults {};
 
 using farrier::Option;
 
-/// What a text that is no name must be: an address, the name of a device.
+/// Rule for a text that is not a name: an address, the name of a device.
 struct TextRule {
   const char* what;    ///< "IPv4 address"
   bool (*holds)(const std::string& text);
@@ -71,15 +71,16 @@ const T* find(const Named<T>& items, const std::string& name) noexcept {
   return nullptr;
 }
 
-/// A struct of parameters is described once, by a free function found beside it,
+/// A struct of parameters is described once, by a free function found beside it. Example:
 ///
 ///     void declare(config::Visitor& v, Valve& valve) {
 ///       v.number("current_max_A", valve.current_max_A, {1e-4, 1.0}, "Current of the full-open valve.");
 ///       v.number("cut_off_Hz", valve.cut_off_Hz, {1, 1e4}, Default{250.0}, "...");
 ///     }
 ///
-/// and everything else follows from it: reading with checks (reader.hpp), writing (printer.hpp), the table of
-/// parameters (reference_table.hpp). A name ends with its unit; a parameter without Default is required.
+/// Everything else follows from it. The reader checks (reader.hpp), the printer writes (printer.hpp), and the table of
+/// parameters is made from it (reference_table.hpp). A name ends with its unit; a parameter without Default is
+/// required.
 class Visitor {
  public:
   virtual ~Visitor() = default;

@@ -11,7 +11,7 @@
 namespace farrier::estimation {
 namespace {
 
-constexpr double kLargestThreshold = 1e20;  // its square is within what covariances may be
+constexpr double kLargestThreshold = 1e20;  // its square is within the range of covariances
 
 }  // namespace
 
@@ -63,7 +63,7 @@ RlsStatus InformationFilter<N>::absorb(const Covariance& remembered, const Regre
     return this->status_;
   }
   r_ = r;
-  // Of an error the sample leaves 1 - h'R^-1 h.
+  // The sample leaves the share 1 - h'R^-1 h of an error.
   this->account(e, Eigen::Vector3d::Constant(1.0 - h.dot(gain)), Eigen::Vector3d::Constant(lambda));
   return this->status_ = RlsStatus::kOk;
 }

@@ -8,14 +8,14 @@
 
 namespace farrier::estimation {
 
-/// Settings of both. Unit: that of the normalised signals, 1.
+/// Settings of both methods. Unit: that of the normalised signals, 1.
 struct DirectionalParams {
   double forgetting_factor = 0.998;  ///< lambda, (0, 1], of the directions that are forgotten
   double initial_covariance = 1e5;   ///< diagonal of the first P, [1e-40, 1e40]
-  double excitation_min = 1e-3;      ///< epsilon: what of a regressor counts as excitation, [1e-20, 1e20]
+  double excitation_min = 1e-3;      ///< epsilon: excitation threshold of a regressor, [1e-20, 1e20]
 };
 
-/// What the two share: the information matrix R = P^-1 and least squares in its terms. N = 3..5.
+/// Common part of both methods: the information matrix R = P^-1 and least squares in its terms. N = 3..5.
 template <int N>
 class InformationFilter : public Regression<N> {
  public:
@@ -31,7 +31,7 @@ class InformationFilter : public Regression<N> {
   /// R, symmetric.
   const Covariance& information() const noexcept { return r_; }
 
-  /// No eigenvalue of R is ever below it: min(1 / P_0, epsilon^2 / (1 - lambda)), whatever the samples.
+  /// Lower bound of the eigenvalues of R for any samples: min(1 / P_0, epsilon^2 / (1 - lambda)).
   double information_floor() const noexcept;
 
  protected:
@@ -46,9 +46,9 @@ class InformationFilter : public Regression<N> {
 };
 
 /// Variable-direction forgetting (Goel, Bruce, Bernstein 2020, "Recursive least squares with variable-direction
-/// forgetting", IEEE Control Systems Magazine 40(4)): of the eigenvectors of R, those along which the regressor has more
-/// than excitation_min are forgotten. Here no further than to information_floor(): a regressor that lies between several
-/// of them takes more than it brings.
+/// forgetting", IEEE Control Systems Magazine 40(4)). Only those eigenvectors of R are forgotten along which the
+/// regressor has more than excitation_min. Here forgetting stops at information_floor(): a regressor that lies between
+/// several eigenvectors removes more information than it adds.
 template <int N>
 class VariableDirection : public InformationFilter<N> {
  public:
@@ -65,8 +65,8 @@ class VariableDirection : public InformationFilter<N> {
 };
 
 /// SIFt-RLS, forgetting in the subspace of information (Lai and Bernstein 2024, arXiv 2404.10844), with one regressor:
-/// what R knows along h is forgotten and nothing else. A regressor shorter than excitation_min says nothing and is left
-/// out. As long as |h|^2 <= beta no eigenvalue of R is above information_ceiling(beta).
+/// only the information of R along h is forgotten. A regressor shorter than excitation_min is left out. As long as
+/// |h|^2 <= beta no eigenvalue of R is above information_ceiling(beta).
 template <int N>
 class SubspaceOfInformation : public InformationFilter<N> {
  public:

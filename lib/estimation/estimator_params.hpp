@@ -6,10 +6,10 @@
 
 namespace farrier::estimation {
 
-/// What learns the model. docs/estimators.md says which does what, and when to choose it.
+/// Method that learns the model. docs/estimators.md compares the methods and says when to choose which.
 enum class EstimationMethod { kRls, kAff, kKalman, kIv, kVdf, kSift, kGreyBox };
 
-/// Whether a sample may teach.
+/// Test that decides if a sample may teach.
 enum class GateKind { kNone, kPe, kFft };
 
 /// aff: Hubacher (2014), (9.1)-(9.3).
@@ -24,7 +24,7 @@ struct RandomWalkParams {
   double parameter_drift = 1.0;  ///< variance of a parameter's step from tick to tick over that of the noise, >= 0
 };
 
-/// vdf, sift: threshold of what counts as excitation, [1e-20, 1e20].
+/// vdf, sift: threshold of excitation, [1e-20, 1e20].
 struct VariableDirectionParams {
   double excitation_min = 1e-4;  ///< of the regressor's share along an eigenvector of the information matrix
 };
@@ -43,12 +43,12 @@ struct PersistenceParams {
 struct SpectrumParams {
   int window_ticks = 64;          ///< N, 8..1024, even
   double magnitude_min = 1e-3;    ///< M_min, of an amplitude of a normalised signal, > 0
-  int frequencies_min = 6;        ///< f_min: how many of the N/2 - 1 frequencies of all signals must be above it
+  int frequencies_min = 6;        ///< f_min: number of the N/2 - 1 frequencies of all signals that must exceed it
 };
 
-/// How one joint's dynamics are estimated: recursively (Hubacher 2014, 6.1-6.2) on normalised states and input, (3.52),
-/// (3.53). The regressor is velocity, force and current, and what is switched on. Why each is there, with what it was
-/// measured to do: docs/adaptation.md.
+/// Settings of one joint's estimator. It is recursive (Hubacher 2014, 6.1-6.2) and works on normalised states and
+/// input, (3.52), (3.53). The regressor is velocity, force and current, and the entries switched on below.
+/// docs/adaptation.md gives the reason for each and its measured effect.
 struct EstimatorParams {
   EstimationMethod method = EstimationMethod::kRls;
   GateKind gate = GateKind::kNone;
@@ -61,11 +61,11 @@ struct EstimatorParams {
   double innovation_forgetting = 0.9;  ///< of the prediction errors' variance, which weighs states against sensors
   double initial_covariance = 1e5;   ///< of every parameter
   double covariance_limit = 1e6;     ///< of the covariance's trace (6.23); 1e40: none. vdf and sift need none
-  double regressor_min = 0.0;        ///< norm below which a sample says nothing (6.24)
+  double regressor_min = 0.0;        ///< norm below which a sample is left out (6.24)
   int blank_ticks = 22;              ///< no samples this long after a switch of phase
   int min_samples = 40;              ///< before the first estimate of a phase
   double stability_limit = 0.9999;   ///< modulus to which an unstable pole of an estimate is mapped (8.1.1)
-  bool phase_memory = true;          ///< what is known of each phase is kept apart
+  bool phase_memory = true;          ///< each phase has its own memory
   std::optional<AdaptiveForgettingParams> aff;  ///< of the method and the gate chosen; absent: its defaults
   std::optional<RandomWalkParams> kalman;
   std::optional<VariableDirectionParams> vdf;
@@ -77,16 +77,16 @@ struct EstimatorParams {
   /// Length of the regressor, 3 to 5.
   int columns() const noexcept { return 3 + (position ? 1 : 0) + (bias ? 1 : 0); }
 
-  /// Whether the method regresses on what is measured; if not, it uses only blank_ticks, min_samples, phase_memory and
-  /// its own group.
+  /// True if the method regresses on measurements. If not, it uses only blank_ticks, min_samples, phase_memory and its
+  /// own group.
   bool regresses() const noexcept { return method != EstimationMethod::kGreyBox; }
 
-  /// Whether the method has one lambda, forgetting_factor.
+  /// True if the method has one lambda, forgetting_factor.
   bool forgets_evenly() const noexcept {
     return regresses() && method != EstimationMethod::kAff && method != EstimationMethod::kKalman;
   }
 
-  /// Whether covariance_limit is what bounds the covariance.
+  /// True if covariance_limit bounds the covariance.
   bool limits_covariance() const noexcept {
     return regresses() && method != EstimationMethod::kVdf && method != EstimationMethod::kSift;
   }

@@ -1,6 +1,6 @@
 #pragma once
 
-// Whether what a joint does now is worth learning from (Hubacher 2014, 9.1.2). For any estimator.
+// Decides if a joint's present motion is worth learning from (Hubacher 2014, 9.1.2). For any estimator.
 
 #include <Eigen/Core>
 
@@ -17,13 +17,13 @@ namespace farrier::estimation {
 /// printed h'h is not the Gram matrix of the parameters). Closed until the window is full.
 class PersistenceGate {
  public:
-  /// `columns` of a signal, the last ones, are the regressor: 3, or 4 with the position.
+  /// The last `columns` of a signal are the regressor: 3, or 4 with the position.
   PersistenceGate(const PersistenceParams& params, int columns);
 
   void observe(const Eigen::Vector4d& signal) noexcept;
   void reset() noexcept;
 
-  /// By two Cholesky factorisations, of G - alpha I and beta I - G: no singular value is worked out.
+  /// By two Cholesky factorisations, of G - alpha I and beta I - G: no singular value is computed.
   bool open() const noexcept;
 
   /// Smallest and largest singular value of G, Fig. 9.6.
@@ -32,26 +32,26 @@ class PersistenceGate {
  private:
   PersistenceParams params_;
   int columns_;
-  std::vector<Eigen::Vector4d> window_;  // zero where no column of the regressor is
+  std::vector<Eigen::Vector4d> window_;  // zero in columns outside the regressor
   Eigen::Matrix4d gram_ = Eigen::Matrix4d::Zero();
   Eigen::Matrix4d fresh_ = Eigen::Matrix4d::Zero();  // of the samples since the window began at its first place
   std::size_t next_ = 0;
   bool full_ = false;
 };
 
-/// Frequencies of the signals: open while more than f_min of them, counted over all signals, have an amplitude above M_min
-/// (Hubacher 2014, (9.5), whose Y is the "input measurement vector"; the sum over the window that stands there only counts
-/// the same window over and over). Closed until the window is full.
+/// Frequencies of the signals: open while more than f_min of them, counted over all signals, have an amplitude above
+/// M_min. Hubacher (2014), (9.5), whose Y is the "input measurement vector". The printed sum over the window is left
+/// out: it counts the same window repeatedly. Closed until the window is full.
 class SpectrumGate {
  public:
-  /// `columns` of a signal, the last ones: 3, or 4 with the position.
+  /// Uses the last `columns` of a signal: 3, or 4 with the position.
   SpectrumGate(const SpectrumParams& params, int columns);
 
   void observe(const Eigen::Vector4d& signal) noexcept;
   void reset() noexcept;
   bool open() const noexcept { return dfts_.front().full() && frequencies() > params_.frequencies_min; }
 
-  /// How many of the N/2 - 1 frequencies of each signal have an amplitude above M_min, Fig. 9.7.
+  /// Number of the N/2 - 1 frequencies of each signal with an amplitude above M_min, Fig. 9.7.
   int frequencies() const noexcept;
 
  private:
@@ -65,13 +65,13 @@ class ExcitationGate {
   /// Refuses settings out of range by name.
   static Result<ExcitationGate> create(const EstimatorParams& params);
 
-  /// One tick's position, velocity, force and current, normalised, as the estimator sees them; |signal| <= 1e40. Ticks
-  /// follow one another: after a gap, reset() first.
+  /// Takes one tick's position, velocity, force and current, normalised; |signal| <= 1e40. Ticks must be consecutive:
+  /// after a gap, call reset() first.
   void observe(const Eigen::Vector4d& signal) noexcept;
 
   void reset() noexcept;
 
-  /// Whether the last tick may teach.
+  /// True if the last tick may teach.
   bool open() const noexcept;
 
  private:

@@ -16,27 +16,27 @@
 
 namespace farrier::estimation {
 
-/// Estimates what of a hydraulic joint is not known beforehand, with the joint's own nonlinear equations, so that large
-/// motion tells as much as small and the joint need not be excited at its resonance (Hubacher 2014, 9.1.5, 10.3 ask for
-/// such an estimator). docs/derivations/grey-box.md: the filter, and what cannot be told from what.
+/// Estimates the unknown physics of a hydraulic joint with the joint's own nonlinear equations. Large motion is
+/// therefore as informative as small motion, and the joint need not be excited at its resonance (Hubacher 2014, 9.1.5,
+/// 10.3 ask for such an estimator). The filter and its limits of identifiability: docs/derivations/grey-box.md.
 ///
-/// The model it gives is linearised at home with the valve just opening to extend, as robot::model_of is: gains
-/// designed from it do not chase the operating point. Its standard errors and validity are those that the unknowns'
-/// covariance leads to. c is 0: a bias force is in the physics.
+/// The model is linearised at home with the valve just opening to extend, as robot::model_of is: gains designed from it
+/// do not chase the operating point. Its standard errors and validity follow from the covariance of the unknowns. c is
+/// 0: a bias force is in the physics.
 class GreyBoxEstimator final : public Estimator {
  public:
-  /// Of `params`: grey_box (absent: its defaults), blank_ticks, min_samples, phase_memory; a gate is refused.
-  /// `actuator`: nominal. `prior`: the load of either phase before anything was measured; a change of load begins at
-  /// the geometric mean of both. Refuses settings out of range, actuators and loads no machine has, and loads without
-  /// mass, naming each.
+  /// Uses grey_box (absent: its defaults), blank_ticks, min_samples and phase_memory of `params`; a gate is refused.
+  /// The `actuator` is the nominal one. The `prior` is the load of either phase before any measurement; a change of
+  /// load begins at the geometric mean of both. Refuses settings out of range, actuators and loads that no machine has,
+  /// and loads without mass, naming each.
   static Result<GreyBoxEstimator> create(const EstimatorParams& params, const JointScales& scales,
                                          const plant::ActuatorParams& actuator,
                                          const std::array<plant::LoadParams, 2>& prior);
 
-  /// Takes one tick. After a gap the filter begins at what is measured; what is known of the joint stays.
+  /// Takes one tick. After a gap the filter restarts at the measurement; the estimate of the joint stays.
   void take(const JointSample& sample) noexcept override;
 
-  /// What is known of the phase of the last sample.
+  /// Estimate for the phase of the last sample.
   ModelEstimate estimate() const noexcept override;
 
   std::unique_ptr<Estimator> clone() const override { return std::make_unique<GreyBoxEstimator>(*this); }

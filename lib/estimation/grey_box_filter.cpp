@@ -6,14 +6,14 @@
 namespace farrier::estimation {
 namespace {
 
-// Mean surprise is 3, its variance 6: what is summed towards a change of load falls by 3 a tick while nothing happens.
+// Mean surprise is 3, its variance 6. The sum that signals a change of load falls by 3 a tick in normal operation.
 constexpr double kSurpriseAllowed = 6.0;
-// After a change the unknowns are far from settled, and surprises say nothing for as long.
+// After a change the unknowns are unsettled, so surprises are ignored for this long.
 constexpr int kRestTicks = 5;
-// Steps of ln m_l and ln d_l: below the first the correction is linear enough, beyond the second it is not believed.
+// Steps of ln m_l and ln d_l: below the first the correction is linear enough; the second is the longest accepted step.
 constexpr double kSettledStep = 0.1;
 constexpr double kLongestStep = 1.0;
-// ln of how far mass and damping may be from where the filter begins anew: a factor of 150.
+// ln of the largest distance of mass and damping from the restart values: a factor of 150.
 constexpr double kFarthest = 5.0;
 // Chamber pressures are not measured: their standard deviation at the start, share of the supply pressure.
 constexpr double kPressureUnknown = 0.05;
@@ -39,9 +39,9 @@ double dot(const double* x, const double* y) noexcept {
   return sum;
 }
 
-/// Scalar measurement `error = row . (state - mean) + noise` (Bucy and Joseph 1968):
-/// P <- (I - K h^T) P (I - K h^T)^T + K r K^T, which holds for any gain, so also for one that leaves the unknowns alone.
-/// In two steps, A = P - K (P h)^T and A - (A h) K^T + K r K^T, so that what rounding leaves stays positive.
+/// Scalar measurement `error = row . (state - mean) + noise` (Bucy and Joseph 1968): P <- (I - K h^T) P (I - K h^T)^T +
+/// K r K^T, which holds for any gain, so also for one that leaves the unknowns alone. In two steps, A = P - K (P h)^T
+/// and A - (A h) K^T + K r K^T, so that the result stays positive with rounding.
 void correct(GreyBoxCovariance& covariance, Gradient& mean, const Gradient& row, double error, double variance,
              bool learn) noexcept {
   constexpr int n = kGreyBoxStates;
@@ -188,7 +188,7 @@ void GreyBoxFilter::keep_within_bounds() noexcept {
     unknowns_(place) = std::max(unknowns_(place), 0.0);
   }
   const plant::ActuatorParams& act = model_.actuator();
-  for (const int place : {2, 3}) {  // a void of a tenth of its chamber; twice what the pump gives
+  for (const int place : {2, 3}) {  // a void of a tenth of its chamber; twice the supply pressure
     motion_(place) = std::clamp(motion_(place), -0.1 * act.bulk_modulus_Pa, 2.0 * act.supply_pressure_Pa);
   }
 }
@@ -201,8 +201,8 @@ void GreyBoxFilter::begin_anew(const Eigen::Vector3d& measured) noexcept {
   anchor(measured);
 }
 
-// Iterated extended Kalman filter (Jazwinski 1970, 8.3): the prediction is made again about the corrected unknowns until
-// the correction of mass and damping is small, for a mass that is a hundred times off is beyond any first order.
+// Iterated extended Kalman filter (Jazwinski 1970, 8.3). The prediction is repeated about the corrected unknowns until
+// the correction of mass and damping is small. A mass that is wrong by a factor of a hundred is beyond any first order.
 GreyBoxFilter::Outcome GreyBoxFilter::step(const Eigen::Vector3d& measured, double current_A, bool learn) noexcept {
   covariance_.diagonal().tail<kUnknowns>() += noise_.drift_variance;
   ++ticks_since_change_;

@@ -12,7 +12,7 @@ namespace farrier::estimation {
 
 using GreyBoxCovariance = Eigen::Matrix<double, kGreyBoxStates, kGreyBoxStates>;
 
-/// What the filter takes for granted. Variances per tick.
+/// Assumed noise. Variances per tick.
 struct GreyBoxNoise {
   Eigen::Vector3d sensor_variance;  ///< of position, velocity, force; > 0
   double force_variance = 0.0;      ///< of force on the load that no term has
@@ -22,9 +22,9 @@ struct GreyBoxNoise {
   double bent_pressure_variance = 0.0;
 };
 
-/// Where the filter begins anew when the load has changed.
+/// Starting point of the filter after a change of load.
 struct GreyBoxRestart {
-  Unknowns unknowns;             ///< of which mass and damping are taken
+  Unknowns unknowns;             ///< only mass and damping are used
   double mass_variance = 0.0;    ///< of its logarithm
   double damping_variance = 0.0;
   double threshold = 0.0;        ///< GreyBoxParams::change_threshold
@@ -37,11 +37,11 @@ class GreyBoxFilter {
   GreyBoxFilter(const GreyBoxModel& model, const GreyBoxNoise& noise, const GreyBoxRestart& restart,
                 const Unknowns& unknowns, const Unknowns& variance, double period_s) noexcept;
 
-  /// Begins at what was measured; what is known of the unknowns stays.
+  /// Sets the motion to the measurement; the unknowns stay.
   void anchor(const Eigen::Vector3d& measured) noexcept;
 
-  /// A tick: `current_A` acted since the last, `measured` is position, velocity, force now. With `learn` false the
-  /// motion follows and the unknowns stay. All finite. At most kMostPasses predictions.
+  /// Takes a tick: `current_A` acted since the last, `measured` is position, velocity, force now. With `learn` false
+  /// the motion follows and the unknowns stay. All finite. At most kMostPasses predictions.
   Outcome step(const Eigen::Vector3d& measured, double current_A, bool learn) noexcept;
 
   const Unknowns& unknowns() const noexcept { return unknowns_; }
@@ -51,7 +51,7 @@ class GreyBoxFilter {
   /// Squared, normalised prediction error of the last step: 3 on average when the model and the noise are right.
   double surprise() const noexcept { return surprise_; }
 
-  /// What is known of the load alone (the first five unknowns), taken out and put in when the phase of a leg changes.
+  /// The load's share of the estimate (the first five unknowns), saved and restored when the phase of a leg changes.
   struct Load {
     Eigen::Matrix<double, 5, 1> unknowns;
     Eigen::Matrix<double, 5, 5> covariance;
@@ -77,7 +77,7 @@ class GreyBoxFilter {
   Motion motion_ = Motion::Zero();
   Unknowns unknowns_;
   GreyBoxCovariance covariance_;
-  double surplus_ = 0.0;  // of surprise over what noise explains, summed
+  double surplus_ = 0.0;  // surprise beyond the expectation from noise, summed
   double surprise_ = 0.0;
   int ticks_since_change_ = 0;
 };

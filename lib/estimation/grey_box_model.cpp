@@ -56,7 +56,7 @@ void rate_of(const Sensitivity& sensitivity, const GreyBoxModel::Rate& r, Sensit
   }
 }
 
-/// to = from + h rate, for both what moves and its sensitivity.
+/// to = from + h rate, for both the motion and its sensitivity.
 void advance(const Motion& motion, const Sensitivity& by, double h, const Motion& rate, const Sensitivity& by_rate,
              Motion& to, Sensitivity& by_to) noexcept {
   for (int i = 0; i < kMotions; ++i) {
@@ -188,7 +188,7 @@ GreyBoxModel::Passage GreyBoxModel::pass(const Motion& from, const Unknowns& unk
     const Rate k1 = rate(out.motion, physics, current);
     out.bent = out.bent || out.motion(0) < 0.0 || out.motion(0) > actuator_.stroke || out.motion(2) < 0.0 ||
                out.motion(3) < 0.0;
-    // Oil spring on the mass, and what decays: friction on the mass, a chamber filling through its orifice.
+    // Oscillation: oil spring on the mass. Decay: friction on the mass, a chamber filling through its orifice.
     const double oscillation =
         std::sqrt(std::abs(k1.velocity_by(2) * k1.a_by(1)) + std::abs(k1.velocity_by(3) * k1.b_by(1)));
     const double decay = std::max({-k1.velocity_by(1), -k1.a_by(2), -k1.b_by(3)});
@@ -233,7 +233,7 @@ GreyBoxModel::Force GreyBoxModel::load_cell_force(const Motion& at, const Unknow
 }
 
 Motion GreyBoxModel::at_rest(const Eigen::Vector3d& measured) const noexcept {
-  // What holds F_s + d_p v at rest is what would hold a push of as much on a load without spring.
+  // The pressures that hold F_s + d_p v at rest also hold an equal push on a load without spring.
   const plant::State rest =
       plant::equilibrium(actuator_, {}, measured(0), -(measured(2) + actuator_.piston_damping * measured(1)));
   const double most = 2.0 * actuator_.supply_pressure_Pa;

@@ -2,9 +2,9 @@
 
 namespace farrier::estimation {
 
-/// How the grey-box estimator learns. What is 0 among the uncertainties is taken as known and not estimated.
-/// What it shares with other methods (blank_ticks, min_samples, phase_memory) is in EstimatorParams.
-/// Uncertainties of positive quantities are of their natural logarithm, so that 0.1 is about 10 %.
+/// Settings of the grey-box estimator. A quantity with uncertainty 0 is taken as known and not estimated.
+/// EstimatorParams holds the settings shared with other methods (blank_ticks, min_samples, phase_memory). Uncertainties
+/// of positive quantities are of their natural logarithm, so that 0.1 is about 10 %.
 struct GreyBoxParams {
   double mass_uncertainty = 2.0;          ///< of ln m_l, at the start and after a change of load; (0, 5]
   double damping_uncertainty = 1.0;       ///< of ln d_l, at the start and after a change of load; [0, 5]

@@ -6,10 +6,10 @@
 
 namespace farrier::estimation {
 
-/// Recursive instrumental variables (Hubacher 2014, B.3.2, (B.18); Soderstrom and Stoica 1983): where the regressor h is
-/// measured with noise, products with an instrument xi, which follows the true regressor and not its noise, have no bias.
-/// P = (sum xi h')^-1 is not symmetric; what stands for it in errors is P M P' with M = sum xi xi', which is P where
-/// xi = h. N = 3..5.
+/// Recursive instrumental variables (Hubacher 2014, B.3.2, (B.18); Soderstrom and Stoica 1983), for a regressor h
+/// measured with noise. An instrument xi follows the true regressor and not its noise, so products with it have no
+/// bias. P = (sum xi h')^-1 is not symmetric. Errors use P M P' with M = sum xi xi' instead, which equals P if xi = h.
+/// N = 3..5.
 template <int N>
 class InstrumentalVariable : public Regression<N> {
  public:
@@ -20,9 +20,9 @@ class InstrumentalVariable : public Regression<N> {
   /// Forgetting and covariance as in RlsParams, whose regressor_min must be 0. Refuses settings out of range by name.
   static Result<InstrumentalVariable> create(const RlsParams& params, const Parameters& theta0 = Parameters::Zero());
 
-  /// Takes one sample. An instrument that is not finite, much larger than the regressor, or with which the sample would
-  /// take away information (h'P xi < 0) is replaced by h: least squares for this sample, and instrument_refused(). Where
-  /// that takes away information too, P means nothing any more and is begun anew.
+  /// Takes one sample. The instrument is replaced by h if it is not finite, much larger than the regressor, or would
+  /// remove information (h'P xi < 0). The sample is then a least-squares one, and instrument_refused() is true. If h
+  /// removes information too, P has become meaningless and is reset.
   RlsStatus update(const Regressor& h, const Eigen::Vector3d& y, const Regressor& instrument) noexcept;
 
   /// P M P', the same for every row.

@@ -13,14 +13,15 @@ namespace {
 
 // The constant's entry in the regressor: near the other entries' size, so that one initial covariance suits all.
 constexpr double kBiasEntry = 0.1;
-// The prediction error is taken for this many times the sensors' variance at the start: sensors are believed first.
+// The first prediction error variance is this many times the sensors' variance: sensors are trusted first.
 constexpr double kFirstInnovation = 100.0;
-// Least share of a prediction error that corrects the state: a model is never believed altogether.
+// Least share of a prediction error that corrects the state: a model is never trusted completely.
 constexpr double kLeastCorrection = 0.05;
-// From one sample to the next, up to which the washout goes on: what it missed is small against starting anew.
+// Longest step between samples that the washout bridges: the error is small compared with a restart.
 constexpr std::uint64_t kBridgedTicks = 3;
 // Time constants per stage after which the washout's start is forgotten: to 2 % with one stage, to 5e-4 with three.
-// Until then what it leaves is not the linear model's: x[0] is its own mean, and the mean of A x[0] + B u[0] is not x[1].
+// Until then the linear model does not hold for its output: x[0] is its own mean, and the mean of A x[0] + B u[0] is
+// not x[1].
 constexpr double kSettlingTimeConstants = 4.0;
 
 std::uint32_t flags_of(RlsStatus status) noexcept {
@@ -168,7 +169,7 @@ void JointEstimator::update(Engine& engine, PhaseMemory& known, const Eigen::Vec
   const double ratio = norm / params_.full_weight_norm;
   const double weight = 1.0 / std::sqrt(1.0 + ratio * ratio);
   const Regressor instrument = kTakesInstrument<Engine> ? regressor(simulated_) : h;
-  // (6.24) of what moves: the constant says nothing.
+  // (6.24) without the constant, which carries no information.
   if (norm < params_.regressor_min) {
     sample_flags_ |= bit(EstimateFlag::kRegressorTooSmall);
   } else if (!gate_.open()) {
@@ -200,7 +201,7 @@ template <class Engine>
 void JointEstimator::read(const Engine& engine, const PredictionErrors& force_errors, ModelEstimate& out) const noexcept {
   const Columns columns = columns_of(params_.position);
   const auto theta = engine.parameters();
-  // Of the rows that are estimated: velocity and force.
+  // The estimated rows are velocity and force.
   const std::array<typename Engine::Covariance, 2> covariance{engine.covariance(1), engine.covariance(2)};
   const Eigen::Vector3d residual = engine.residual_variance().cwiseMax(0.0);
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
@@ -232,7 +233,7 @@ void JointEstimator::read(const Engine& engine, const PredictionErrors& force_er
   }
   out.b_error(2) += kMisfitError * std::max(0.0, out.prediction_error - kMisfitFree) * std::abs(b(2));
 
-  // Velocity and force are what is uncertain: the position only sums.
+  // Only velocity and force are uncertain: the position is their exact sum.
   Eigen::Matrix2d loop = a.bottomRightCorner<2, 2>();
   switch (map_to_stable<2>(loop, params_.stability_limit)) {
     case StabilityStatus::kMappedToStable:

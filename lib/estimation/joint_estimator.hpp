@@ -1,6 +1,6 @@
 #pragma once
 
-// One joint's estimator, from sensors and commands to a model that says how sure it is:
+// One joint's estimator, from sensors to a model:
 //
 //   x, v, F, u ──▶ normalise ──▶ Washout ──▶ regressor of the tick before ──▶ regression of the phase ──▶ estimate()
 //                                    ├──▶ state filter: prediction against sensors ──▲ ▲
@@ -22,42 +22,43 @@
 
 namespace farrier::estimation {
 
-/// Standard error of a pole, in the z-plane, at which an estimate says nothing any more.
+/// Standard error of a pole, in the z-plane, at which an estimate has no value any more.
 inline constexpr double kUselessPoleError = 0.6;
 
-/// Misfit: the prediction error of ModelEstimate. A joint that oscillates between the
-/// valve's limits answers less than the model's valve gain says near rest; least squares then returns the gain of the
-/// oscillation, confidently, and gains designed for it keep the oscillation up. Beyond kMisfitFree the relative error of
-/// the valve's gain grows by kMisfitError for every further unit.
+/// Misfit is the prediction error of ModelEstimate. A joint that oscillates between the valve's limits responds less
+/// than the model's valve gain near rest. Least squares then returns the gain of the oscillation, with a small error,
+/// and gains designed for it sustain the oscillation. Beyond kMisfitFree the relative error of the valve's gain grows
+/// by kMisfitError for every further unit.
 inline constexpr double kMisfitFree = 3.0;
 inline constexpr double kMisfitError = 0.05;
 
 /// Recursive regression of a joint whose load changes with the phase of its leg (Hubacher 2014, 6.2, 8.1), by the method
 /// the parameters name; docs/estimators.md compares them.
 ///
-/// The first row is not estimated but known: position is summed velocity. Measured states are noisy regressors, which
+/// The first row is known and not estimated: position is summed velocity. Measured states are noisy regressors, which
 /// biases least squares (Soderstrom 2007, "Errors-in-variables methods in system identification"), and here the loop
-/// feeds the noise back into the input. So the regressor holds states corrected towards their prediction, channel by
-/// channel, by 1 - (sensor variance) / (prediction error variance), the gain of a scalar Kalman filter whose innovation
-/// variance is measured: a model that predicts well is believed, one that does not leaves the sensors as they are. With
-/// instruments the regressor is the sensors' and the instrument the model's own simulation: they do what the filter does.
+/// feeds the noise back into the input. So the regressor holds states corrected towards their prediction. The
+/// correction of a channel is 1 - (sensor variance) / (prediction error variance), the gain of a scalar Kalman filter
+/// with measured innovation variance. A model that predicts well is trusted; one that does not leaves the sensors
+/// unchanged. With instruments the regressor is the sensors' and the instrument is the model's own simulation, which
+/// replaces the filter.
 class JointEstimator final : public Estimator {
  public:
   /// `prior_a`, `prior_b`: SI, where both phases start. Refuses settings out of range, naming them.
   static Result<JointEstimator> create(const EstimatorParams& params, const JointScales& scales,
                                        const Eigen::Matrix3d& prior_a, const Eigen::Vector3d& prior_b);
 
-  /// Takes one tick. A gap of more than a tick or two, in which samples that are not finite count as missing, starts
-  /// the filters anew: no samples until they have settled. Estimates stay.
+  /// Takes one tick. A step of more than three ticks from the last sample restarts the filters; samples that are not
+  /// finite count as missing. No samples are used until the filters have settled. Estimates stay.
   void take(const JointSample& sample) noexcept override;
 
-  /// What is known of the phase of the last sample.
+  /// Estimate for the phase of the last sample.
   ModelEstimate estimate() const noexcept override;
 
   std::unique_ptr<Estimator> clone() const override { return std::make_unique<JointEstimator>(*this); }
 
-  /// What the last sample of that phase, 0 or 1, was weighed with against the next one's: lambda of the rows of position,
-  /// velocity and force, Fig. 9.3.
+  /// Forgetting between the last sample of `phase`, 0 or 1, and the next one: lambda of the rows of position, velocity
+  /// and force, Fig. 9.3.
   Eigen::Vector3d forgetting(int phase) const noexcept;
 
  private:
@@ -85,11 +86,11 @@ class JointEstimator final : public Estimator {
   Eigen::Vector3d noise_variance_;  // normalised
   double kinematic_step_;           // normalised velocity to normalised position over a period
   Washout washout_;
-  int settling_ticks_;              // what the washout takes to forget how it started
+  int settling_ticks_;              // until the washout has forgotten its start
   ExcitationGate gate_;
   std::array<PhaseMemory, 2> memories_;
   Eigen::Vector3d filtered_ = Eigen::Vector3d::Zero();  // state of the last tick
-  Eigen::Vector3d simulated_ = Eigen::Vector3d::Zero();  // the same, as the model has it without looking
+  Eigen::Vector3d simulated_ = Eigen::Vector3d::Zero();  // the same by the model's simulation, without sensors
   std::array<double, 3> inputs_{};                      // washed-out, newest first
   int inputs_known_ = 0;
   int unsettled_ticks_ = 0;

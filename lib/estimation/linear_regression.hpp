@@ -1,6 +1,6 @@
 #pragma once
 
-// The recursive estimators a joint may be given, behind one variant, and where its signals stand in the regressor.
+// The recursive estimators available to a joint, behind one variant, and the places of its signals in the regressor.
 
 #include <Eigen/Core>
 
@@ -39,11 +39,11 @@ inline Columns columns_of(bool position) noexcept {
 Result<LinearRegression> make_regression(const EstimatorParams& params, const Eigen::Vector3d& noise_variance,
                                          const Eigen::Matrix3d& a, const Eigen::Vector3d& b);
 
-/// Whether a regression wants the regressor as measured, and an instrument beside it.
+/// True if a regression takes the regressor as measured, with an instrument.
 template <class Engine>
 inline constexpr bool kTakesInstrument = std::is_same_v<Engine, InstrumentalVariable<Engine::kSize>>;
 
-/// One sample, multiplied by `weight`, to a regression; `instrument` is left where it takes none.
+/// Gives a regression one sample, multiplied by `weight`; `instrument` is ignored by methods that take none.
 template <class Engine>
 RlsStatus teach(Engine& engine, double weight, const typename Engine::Regressor& h, const Eigen::Vector3d& y,
                 const typename Engine::Regressor& instrument) noexcept {

@@ -180,8 +180,8 @@ double pole_distance(const Poles<N>& a, const Poles<N>& b) noexcept {
   return std::sqrt(least);
 }
 
-// With G = v w^H / (w^H v) = adj(z I - A) / tr adj(z I - A): dz = tr(G dA), so the error of row r of A comes in
-// through column r of G, and its share is residual_variance(r) g_r^H P g_r.
+// With G = v w^H / (w^H v) = adj(z I - A) / tr adj(z I - A): dz = tr(G dA). The error of row r of A enters through
+// column r of G. Its share is residual_variance(r) g_r^H P g_r.
 template <int N>
 std::array<double, N> pole_standard_error(const Eigen::Matrix<double, N, N>& a, const Poles<N>& z,
                                           const Eigen::Matrix<double, N, 1>& residual_variance,

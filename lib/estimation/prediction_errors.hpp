@@ -7,8 +7,8 @@
 
 namespace farrier::estimation {
 
-/// What one-step prediction errors e[k] say of the model that made them: how large they are, and whether they are white,
-/// that is, whether nothing of one could have been told from those before it. Both over an exponential window.
+/// Statistics of a model's one-step prediction errors e[k]: their size and their whiteness. Errors are white if none
+/// can be predicted from earlier ones. Both over an exponential window.
 class PredictionErrors {
  public:
   static constexpr double kMemory = 0.98;   ///< weight of an error against the next one's: 50 ticks
@@ -43,8 +43,8 @@ class PredictionErrors {
     return variance_ > 0.0 ? std::clamp(covariance_[lag - 1] / variance_, -1.0, 1.0) : 0.0;
   }
 
-  /// Probability that white errors are at least as correlated as these were, 0..1 (Box and Pierce 1970, whose n is that
-  /// of a window of equal weights; here the one that gives r_i its variance):
+  /// Probability that white errors are at least as correlated as these, 0..1 (Box and Pierce 1970). Their n is for a
+  /// window of equal weights; this n gives r_i its variance:
   ///
   ///     Q = n sum_i r_i^2 ~ chi^2(m),   P(chi^2(m) >= Q) = exp(-Q/2) sum_{j < m/2} (Q/2)^j / j!   for even m
   double whiteness() const noexcept {

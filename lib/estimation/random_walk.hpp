@@ -6,9 +6,9 @@
 
 namespace farrier::estimation {
 
-/// The parameters as a random walk and a Kalman filter that follows it (Hubacher 2014, B.3.1, (B.16), (B.17)). Divided by
-/// the variance of the measurement's noise: P and the drift are in units of it, as P is in Rls, so that the three rows
-/// share P and what the sensors do not explain is measured, residual_variance(), rather than assumed. N = 3..5.
+/// The parameters as a random walk, followed by a Kalman filter (Hubacher 2014, B.3.1, (B.16), (B.17)). P and the drift
+/// are divided by the variance of the measurement's noise, as P is in Rls. The three rows therefore share P, and the
+/// noise variance is measured, residual_variance(), and not assumed. N = 3..5.
 template <int N>
 class RandomWalk : public Regression<N> {
  public:

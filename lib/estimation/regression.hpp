@@ -1,6 +1,6 @@
 #pragma once
 
-// What the recursive estimators of y = Theta h + noise have in common.
+// Common part of the recursive estimators of y = Theta h + noise.
 
 #include <Eigen/Core>
 
@@ -12,13 +12,13 @@
 
 namespace farrier::estimation {
 
-/// What one sample did: Hubacher (2014), Table F.1, "Estimator Subclass", with its numbers. Its 5, inputs too small, is
-/// decided before a sample comes here (EstimateFlag::kNotExciting).
+/// Outcome of one sample: Hubacher (2014), Table F.1, "Estimator Subclass", with its numbers. Its 5, inputs too small,
+/// is decided earlier (EstimateFlag::kNotExciting).
 enum class RlsStatus : std::uint8_t {
   kNotYetSet = 1,                      ///< no sample yet
   kOk = 2,                             ///< the sample was taken
-  kRegressorTooSmall = 3,              ///< left out: the regressor tells too little (wind-up, 6.1.3)
-  kCovarianceNotPositiveDefinite = 4,  ///< taken; the covariance was beyond repair and is the initial one again
+  kRegressorTooSmall = 3,              ///< left out: the regressor is too small (wind-up, 6.1.3)
+  kCovarianceNotPositiveDefinite = 4,  ///< taken; the covariance was beyond repair and was reset
   kNotFinite = 6,                      ///< refused: not finite, or regressor or measurement beyond 1e40
 };
 
@@ -26,7 +26,7 @@ enum class RlsStatus : std::uint8_t {
 const char* to_string(RlsStatus status) noexcept;
 
 // With h, y and P up to 1e40 a fit over n samples has |Theta| <= 2 sqrt(n trace P) |y| <= 2e60 sqrt(n), its errors stay
-// below 1e101 sqrt(n), and their squares are finite. What rounding might add to that is refused by its own check.
+// below 1e101 sqrt(n), and their squares are finite. A separate check refuses larger values from rounding.
 inline constexpr double kLargest = 1e40;
 inline constexpr double kLargestSquare = kLargest * kLargest;
 inline constexpr double kLargestSquaredError = 1e250;
@@ -35,8 +35,8 @@ inline constexpr double kLargestParameter = 1e80;
 /// Refuses an initial covariance outside [1e-40, 1e40] and a limit of the trace below `columns` times it or above 1e40.
 std::optional<Error> check_covariance(int columns, double initial, double limit);
 
-/// The estimate and its residuals, for three measurements and a regressor of N entries. What follows a rule of its own is
-/// the covariance: the derived class.
+/// The estimate and its residuals, for three measurements and a regressor of N entries. The derived class adds the rule
+/// of the covariance.
 template <int N>
 class Regression {
  public:
@@ -56,19 +56,19 @@ class Regression {
   /// Samples taken since the start.
   std::int64_t samples() const noexcept { return samples_; }
 
-  /// What the last update() returned.
+  /// Result of the last update().
   RlsStatus status() const noexcept { return status_; }
 
-  /// What the last sample taken was weighed with, by row, [0, 1].
+  /// Forgetting factors of the last sample taken, by row, [0, 1].
   const Eigen::Vector3d& forgetting() const noexcept { return forgetting_; }
 
-  /// Whether a bound of the covariance kept the last sample taken from being forgotten for in full.
+  /// True if a bound of the covariance limited the forgetting of the last sample taken.
   bool forgetting_limited() const noexcept { return limited_; }
 
  protected:
   explicit Regression(const Parameters& theta0) noexcept : theta_(theta0) {}
 
-  /// e = y - Theta h, (6.2). False, and status(): something is not finite or too large.
+  /// e = y - Theta h, (6.2). False, with status() set, if something is not finite or too large.
   bool innovation(const Regressor& h, const Eigen::Vector3d& y, Eigen::Vector3d& e) noexcept {
     e = y - theta_ * h;
     if (h.squaredNorm() <= kLargestSquare && y.squaredNorm() <= kLargestSquare &&
@@ -79,7 +79,7 @@ class Regression {
     return false;
   }
 
-  /// Theta <- theta, unless that is not finite or beyond what errors can be computed from: then false, and status().
+  /// Theta <- theta. False, with status() set, if theta is not finite or too large to compute errors from.
   bool accept(const Parameters& theta) noexcept {
     if (theta.cwiseAbs().maxCoeff() <= kLargestParameter && theta.allFinite()) {
       theta_ = theta;
@@ -89,7 +89,7 @@ class Regression {
     return false;
   }
 
-  /// A sample's share in the residuals: `left` is what the sample leaves of each error, `lambda` the forgetting.
+  /// Adds a sample to the residuals: the sample leaves the share `left` of each error, `lambda` is the forgetting.
   void account(const Eigen::Vector3d& e, const Eigen::Vector3d& left, const Eigen::Vector3d& lambda) noexcept {
     residual_sum_ = lambda.array() * residual_sum_ + e.array().square() * left.array().max(0.0);
     weight_ = lambda.array() * weight_ + 1.0;

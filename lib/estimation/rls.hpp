@@ -23,8 +23,8 @@ struct RlsParams {
 /// regressor h of N entries, Theta 3 x N. For the direct identification of 6.2, y is the state of this tick, h state
 /// and input of the tick before, and Theta is [A, B].
 ///
-/// The three rows share one N x N covariance P, which is the textbook's 3N x 3N one without its zeros and copies
-/// (docs/derivations/shared-covariance.md), kept in factors. N = 3..5.
+/// The three rows share one N x N covariance P, kept in factors. It is the textbook's 3N x 3N one without its zeros and
+/// copies (docs/derivations/shared-covariance.md). N = 3..5.
 template <int N>
 class Rls {
  public:
@@ -33,7 +33,7 @@ class Rls {
   using Parameters = Eigen::Matrix<double, 3, N>;
   using Covariance = Eigen::Matrix<double, N, N>;
 
-  /// An estimator that starts from theta0. Refuses settings out of range and a theta0 that is not finite.
+  /// Returns an estimator that starts from theta0. Refuses settings out of range and a theta0 that is not finite.
   static Result<Rls> create(const RlsParams& params, const Parameters& theta0 = Parameters::Zero());
 
   /// Takes one sample, (6.21). Forgets only while trace(P) / lambda stays within the covariance limit, so that P is
@@ -51,30 +51,30 @@ class Rls {
 
   double covariance_trace() const noexcept { return p_.trace(); }
 
-  /// Variance of the noise of each measurement: weighted sum of the products of prediction errors before and after
-  /// each sample, (1 / weight) sum_k lambda^(n-k) e[k|k-1] e[k|k]; once weight() has settled that is
-  /// s <- lambda s + (1 - lambda) e[k|k-1] e[k|k]. That sum is the residual of the weighted least-squares fit, so it
-  /// comes out (weight - N) / weight too small; it also holds the square of what theta0 was off, over the initial
-  /// covariance, until that is forgotten. Zero before the first sample.
+  /// Variance of the noise of each measurement: weighted sum of the products of prediction errors before and after each
+  /// sample, (1 / weight) sum_k lambda^(n-k) e[k|k-1] e[k|k]. Once weight() has settled the recursion is s <- lambda s
+  /// + (1 - lambda) e[k|k-1] e[k|k]. The sum is the residual of the weighted least-squares fit, so it is too small by
+  /// the factor (weight - N) / weight. It also holds the squared error of theta0, over the initial covariance, until
+  /// that is forgotten. Zero before the first sample.
   Eigen::Vector3d residual_variance() const noexcept;
 
   /// First-order variance of one parameter, row 0..2, column 0..N-1: residual variance of the row times P(column,
   /// column).
   double parameter_variance(int row, int column) const noexcept;
 
-  /// How many samples the estimate rests on: sum of lambda^k over those taken.
+  /// Number of samples that the estimate rests on: sum of lambda^k over those taken.
   double weight() const noexcept { return weight_; }
 
   /// Samples taken since the start or reset().
   std::int64_t samples() const noexcept { return samples_; }
 
-  /// What the last update() returned.
+  /// Result of the last update().
   RlsStatus status() const noexcept { return status_; }
 
-  /// What the last sample taken was weighed with, by row: lambda, or 1 while the covariance is at its limit.
+  /// Forgetting factors of the last sample taken, by row: lambda, or 1 while the covariance is at its limit.
   Eigen::Vector3d forgetting() const noexcept { return Eigen::Vector3d::Constant(limited_ ? 1.0 : params_.forgetting_factor); }
 
-  /// Whether the last sample taken was not forgotten for, because the covariance is at its limit.
+  /// True if the last sample taken was not forgotten for, because the covariance is at its limit.
   bool forgetting_limited() const noexcept { return limited_; }
 
  private:

@@ -5,11 +5,11 @@
 
 namespace farrier::estimation {
 
-/// Discrete Fourier transform of the last N samples of a signal, moved on by a sample in O(N): what enters and what
-/// leaves the window is modulated to each frequency and added, so that the sum has no pole and no phase to drift
-/// (Duda 2010, "Accurate, guaranteed stable, sliding discrete Fourier transform", IEEE Signal Processing Magazine 27(6)).
-/// A second sum, begun anew with every N samples, replaces the first each time it is complete: rounding and the trace of
-/// a huge sample last for 2 N samples at most.
+/// Discrete Fourier transform of the last N samples of a signal, updated by a sample in O(N). Samples that enter and
+/// leave the window are modulated to each frequency and added. The sum therefore has no pole and no phase to drift
+/// (Duda 2010, "Accurate, guaranteed stable, sliding discrete Fourier transform", IEEE Signal Processing Magazine
+/// 27(6)). A second sum restarts with every N samples and replaces the first each time it is complete. Rounding and the
+/// trace of a huge sample therefore last for 2 N samples at most.
 class SlidingDft {
  public:
   /// `window` samples, even, at least 4. Allocates here and nowhere else.
@@ -19,7 +19,7 @@ class SlidingDft {
 
   void reset() noexcept;
 
-  /// Whether the window has been filled.
+  /// True if the window has been filled.
   bool full() const noexcept { return full_; }
 
   /// Frequencies of bins 1 .. N/2 - 1; bin k is k / (N T).

@@ -16,9 +16,9 @@ enum class StabilityStatus : std::uint8_t {
 
 const char* to_string(StabilityStatus status) noexcept;
 
-/// Maps an estimated discrete-time system matrix to a stable one, Hubacher (2014), 8.1.1: A = V diag(z) V^-1, each
-/// |z| > limit scaled to z limit / |z|, eigenvectors kept. A stays real. What comes out has no eigenvalue beyond
-/// limit + 1e-9. N = 2, 3; limit in (0, 1).
+/// Maps an estimated discrete-time system matrix to a stable one, Hubacher (2014), 8.1.1: A = V diag(z) V^-1, each |z|
+/// > limit scaled to z limit / |z|, eigenvectors kept. A stays real. The result has no eigenvalue beyond limit + 1e-9.
+/// N = 2, 3; limit in (0, 1).
 template <int N>
 StabilityStatus map_to_stable(Eigen::Matrix<double, N, N>& a, double limit) noexcept;
 

@@ -11,15 +11,15 @@
 
 namespace farrier::estimation {
 
-/// A covariance P kept as U D U' with U unit upper triangular and D diagonal (Bierman 1977, "Factorization methods for
-/// discrete sequential estimation", V.3), D > 0, so that P is symmetric and positive definite whatever rounding does.
+/// A covariance P kept as U D U' with U unit upper triangular and D diagonal, D > 0 (Bierman 1977, "Factorization
+/// methods for discrete sequential estimation", V.3). P therefore stays symmetric and positive definite under rounding.
 template <int N>
 class UdFactors {
  public:
   using Regressor = Eigen::Matrix<double, N, 1>;
   using Covariance = Eigen::Matrix<double, N, N>;
 
-  /// What a sample asks of the parameters: Theta <- Theta + e (P h)' / (lambda + h'P h), (6.20).
+  /// Gain of a sample: Theta <- Theta + e (P h)' / (lambda + h'P h), (6.20).
   struct Gain {
     double direction[N];  ///< P h
     double inverse;       ///< 1 / (lambda + h'P h)
@@ -78,8 +78,8 @@ class UdFactors {
     return gain;
   }
 
-  /// Above the limit by rounding: back onto it. By more than scaling can mend, because entries of D lie at their floor:
-  /// the factors mean nothing any more, they are begun anew and the answer is false.
+  /// Scales a trace above the limit back to it. If scaling does not suffice, because entries of D lie at their floor,
+  /// the factors have become meaningless: they are reset and the result is false.
   bool hold_limit() noexcept {
     if (trace_ <= limit_) [[likely]] {
       return true;
@@ -137,12 +137,12 @@ class UdFactors {
   }
 
  private:
-  // Standard deviations further apart than 1/eps cannot be told from one another: entries of D stop at eps^2 of the
-  // largest covariance, which without a limit is what estimates ever need.
+  // Standard deviations further apart than 1/eps cannot be distinguished. Entries of D therefore stop at eps^2 of the
+  // largest covariance; without a limit that is the largest one estimates ever need.
   static constexpr double kSmallestShare =
       std::numeric_limits<double>::epsilon() * std::numeric_limits<double>::epsilon();
   static constexpr double kLargestGrowth = 1e12;  // from the first covariance on
-  // What a covariance put on its limit stays short of it: more than the trace's own rounding.
+  // Distance of a covariance put on its limit from it: more than the trace's own rounding.
   static constexpr double kRoom = 1e-14;
 
   void scale(double factor) noexcept {

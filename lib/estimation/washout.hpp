@@ -6,9 +6,9 @@
 
 namespace farrier::estimation {
 
-/// What is left of position, velocity, force and current when their slow means are taken away: a cascade of first-order
-/// high-pass filters, the same for all four, so that a linear model of the signals is one of what is left as well, and
-/// a force that changes slowly (body weight) is gone (Astrom and Wittenmark 1994, 11.5, "data filters").
+/// Removes the slow means of position, velocity, force and current: a cascade of first-order high-pass filters. They
+/// are the same for all four signals, so a linear model of the signals also holds for the output. A slowly changing
+/// force (body weight) disappears (Astrom and Wittenmark 1994, 11.5, "data filters").
 class Washout {
  public:
   static constexpr int kMaxOrder = 4;

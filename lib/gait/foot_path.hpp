@@ -19,10 +19,10 @@ struct PointMotion {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
 };
 
-/// The foot `since_touchdown_s` after touchdown, up to T_s + T_w. In stance it moves backward at the constant speed
-/// S / T_s; negative times continue that line. In swing it comes back so that position, velocity, acceleration and
-/// jerk are continuous at lift-off and touchdown: acceleration is zero at both and still small some milliseconds
-/// before and after, when a touchdown that comes early or late changes the load.
+/// Motion of the foot `since_touchdown_s` after touchdown, up to T_s + T_w. In stance it moves backward at the constant
+/// speed S / T_s; negative times continue that line. In swing it returns with position, velocity, acceleration and jerk
+/// continuous at lift-off and touchdown. The acceleration is zero at both and still small some milliseconds before and
+/// after, when an early or late touchdown changes the load.
 PointMotion foot_motion(const FootPath& path, double since_touchdown_s) noexcept;
 
 }  // namespace farrier::gait

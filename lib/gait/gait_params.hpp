@@ -24,7 +24,7 @@ enum class ReferenceKind {
   kMultisine,      ///< joints hold home, the force reference is a sum of sines (one-joint rig)
 };
 
-/// How the robot shall move. Defaults: trot of HyQ as IIT runs it (1.4 Hz, duty 0.65, step 0.3 of the hip height).
+/// The robot's motion. Defaults: trot of HyQ as IIT runs it (1.4 Hz, duty 0.65, step 0.3 of the hip height).
 struct GaitParams {
   Pattern pattern = Pattern::kTrot;
   double frequency_Hz = 1.4;       ///< strides per second, > 0; rounded to a whole number of ticks per stride
@@ -52,7 +52,7 @@ struct LegGeometry {
   bool front = true;           ///< front knees point backward (KFE < 0), hind knees forward (KFE > 0)
 };
 
-/// What the gait knows of one joint.
+/// Data of one joint that the gait needs.
 struct JointPlan {
   std::uint16_t joint;       ///< number of the joint on the bus
   plant::Linkage linkage;    ///< joint angle to actuator position
@@ -76,8 +76,8 @@ struct RobotPlan {
   std::vector<LegPlan> legs;
 };
 
-/// Refuses a plan that Schedule or Reference could not carry out, naming what stands in the way with its remedy:
-/// ranges, phases shorter than an announcement, jitter not below the announcement, feet out of reach.
+/// Refuses a plan that Schedule or Reference could not carry out, naming the obstacle with its remedy: ranges, phases
+/// shorter than an announcement, jitter not below the announcement, feet out of reach.
 Result<Done> validate(const RobotPlan& plan);
 
 }  // namespace farrier::gait

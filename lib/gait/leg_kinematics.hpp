@@ -7,12 +7,13 @@
 
 namespace farrier::gait {
 
-// Frame of the hip: origin where the HAA axis meets the leg's plane, x forward, y left, z up. Joint angles are
-// (HAA, HFE, KFE) in rad, all zero for a leg hanging straight down; positions are of the foot sphere's centre in m.
-// With s = +1 left, -1 right, and h, l_1, l_2 the hip offset and the lengths of upper and lower leg:
+// Frame of the hip: origin where the HAA axis meets the leg's plane, x forward, y left, z up. Joint angles are (HAA,
+// HFE, KFE) in rad, all zero for a leg hanging straight down; positions are of the foot sphere's centre in m. The foot
+// is at
 //   x = -l_1 sin q_1 - l_2 sin(q_1 + q_2),   d = h + l_1 cos q_1 + l_2 cos(q_1 + q_2),
 //   y = -s d sin q_0,                        z = -d cos q_0.
-// Positive HFE moves the knee backward, negative HAA the foot outward.
+// Here s = +1 left, -1 right, and h, l_1, l_2 are the hip offset and the lengths of upper and lower leg. Positive HFE
+// moves the knee backward, negative HAA the foot outward.
 
 /// Position of the foot.
 Eigen::Vector3d fk(const LegGeometry& geometry, const Eigen::Vector3d& angles_rad) noexcept;

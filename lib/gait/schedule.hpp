@@ -20,8 +20,8 @@ struct PhaseSwitch {
   Phase phase;  ///< that begins with this tick
 };
 
-/// Which leg is in which phase at which tick: pure functions of the tick, the same on every machine. Stride, stance
-/// and offsets are rounded to ticks once, so the pattern repeats exactly every stride_ticks().
+/// Phases of the legs by tick: pure functions of the tick, the same on every machine. Stride, stance and offsets are
+/// rounded to ticks once, so the pattern repeats exactly every stride_ticks().
 ///
 /// All legs stand from tick 0. The leg with the largest phase offset lifts off first, half a stance after the lead-in;
 /// the others follow at their offsets. Ticks before 0 count as 0.
@@ -33,31 +33,31 @@ class Schedule {
   /// Planned phase.
   Phase phase(int leg, Tick tick) const noexcept;
 
-  /// Planned share of the stance gone by, 0..1, at 1/2 in the longest of standing; -1 in swing. The first stance goes
+  /// Planned share of the stance that has passed, 0..1, at 1/2 during a long stand; -1 in swing. The first stance goes
   /// from 0 to 1/2 over the lead-in and stays there until the last half stance before the first lift-off.
   double stance_progress(int leg, Tick tick) const noexcept;
 
-  /// Planned share of the swing gone by, 0..1; -1 in stance.
+  /// Planned share of the swing that has passed, 0..1; -1 in stance.
   double swing_progress(int leg, Tick tick) const noexcept;
 
-  /// Phase and progress with touchdowns where they really happen; lift-offs are as planned.
+  /// Phase and progress with the actual touchdowns; lift-offs are as planned.
   Phase actual_phase(int leg, Tick tick) const noexcept;
   double actual_stance_progress(int leg, Tick tick) const noexcept;
 
-  /// The switch to announce at exactly this tick: the one planned announce_ticks later, and at tick 0 also one
-  /// planned sooner. Each switch is announced once, in order of its count.
+  /// The switch to announce at exactly this tick: the one planned announce_ticks later, and at tick 0 also one planned
+  /// sooner. Each switch is announced once, in order of its count.
   std::optional<PhaseSwitch> announcement(int leg, Tick now) const noexcept;
 
-  /// When the announced switch really happens: touchdowns within +- jitter_ticks() of the plan, drawn from the seed,
-  /// the leg's name and the count.
+  /// Actual tick of the announced switch: touchdowns within +- jitter_ticks() of the plan, drawn from the seed, the
+  /// leg's name and the count.
   Tick actual_switch(int leg, const PhaseSwitch& planned) const noexcept;
 
   /// Strides begin with a touchdown: 0, 1, ...; -1 before the leg's first.
   int stride(int leg, Tick tick) const noexcept;
 
   /// Ticks since the planned touchdown that began this stride, 0..stride_ticks() - 1. In the first stance, which no
-  /// touchdown began, counted from where the pattern would have put one: negative until then, without end for a robot
-  /// that stands.
+  /// touchdown began, they count from where the pattern would have put one: negative until then, and unbounded for a
+  /// robot that stands.
   Tick ticks_since_touchdown(int leg, Tick tick) const noexcept;
 
   Tick stride_ticks() const noexcept { return stride_; }

@@ -46,7 +46,7 @@ class ByteWriter {
       }
     });
   }
-  /// What `fill` appends, behind its length in bytes.
+  /// Appends the bytes that `fill` appends, preceded by their length.
   template <class Length = std::uint32_t, class Fill>
   void prefixed(Fill&& fill) {
     const std::size_t at = data_.size();
@@ -72,7 +72,7 @@ class ByteWriter {
   std::vector<std::uint8_t> data_;
 };
 
-/// Reads bytes from their beginning. Whatever lies behind their end is 0 or empty, and `good` is false from then on.
+/// Reads bytes from their beginning. Reads past the end return 0 or empty, and set `good` to false.
 class ByteReader {
  public:
   explicit ByteReader(std::span<const std::uint8_t> data) : rest_(data) {}

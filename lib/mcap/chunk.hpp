@@ -11,14 +11,14 @@
 
 namespace farrier::mcap {
 
-/// Of a message in a chunk; laid out as MCAP's index of messages has it.
+/// Time and place of a message in a chunk; laid out as MCAP's index of messages has it.
 struct MessagePlace {
   std::uint64_t time_ns;
   std::uint64_t offset;
 };
 static_assert(sizeof(MessagePlace) == 16);
 
-/// Messages that go to a file together, as its records; by whoever makes them, apart from the file.
+/// Messages that go to a file together, as its records. The thread that makes them needs no access to the file.
 class Chunk {
  public:
   void write(const Message& message) {
@@ -46,7 +46,7 @@ class Chunk {
   std::span<const std::uint8_t> records() const noexcept { return records_.view(); }
   std::size_t size() const noexcept { return records_.size(); }
   std::uint64_t messages() const noexcept { return messages_; }
-  /// Of the messages' log times; 0 without one.
+  /// Smallest and largest log time of the messages; 0 without one.
   std::uint64_t first_ns() const noexcept { return first_ns_; }
   std::uint64_t last_ns() const noexcept { return last_ns_; }
   /// By channel; there may be fewer than channels.

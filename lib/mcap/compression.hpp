@@ -29,12 +29,12 @@ class Compressor {
   std::unique_ptr<Context> context_;
 };
 
-/// Of a chunk: "zstd", or "" as it is. Refuses another compression, bytes that are not what they claim to be, and
-/// chunks of more than kLargestChunk bytes.
+/// Decompresses a chunk. `compression`: "zstd", or "" for none. Refuses another compression, bytes that are not valid
+/// for it or have another size, and chunks of more than kLargestChunk bytes.
 Result<std::vector<std::uint8_t>> decompress(std::span<const std::uint8_t> data, const std::string& compression,
                                              std::uint64_t uncompressed_size);
 
-/// Nobody's recorder makes larger ones; a file that claims one is broken.
+/// No known recorder makes larger ones; a file that claims one is broken.
 inline constexpr std::uint64_t kLargestChunk = 1u << 28;
 
 }  // namespace farrier::mcap

@@ -26,10 +26,10 @@ class Reader {
   const std::vector<Metadata>& metadata() const noexcept { return metadata_; }
   const std::string& library() const noexcept { return library_; }
   std::uint64_t chunks() const noexcept { return chunks_; }
-  /// Of the file, 0 to 1: what was read of it.
+  /// Share of the file that was read, 0 to 1.
   double share_read() const noexcept { return 1.0 - static_cast<double>(left_) / static_cast<double>(size_); }
 
-  /// Why no more came. Empty: the file was ended by its writer and all of it was good.
+  /// Reason why there are no more messages. Empty: the writer ended the file and all of it was good.
   const std::string& ending() const noexcept { return ending_; }
 
  private:

@@ -33,7 +33,7 @@ enum class Opcode : std::uint8_t {
 
 using Text = std::map<std::string, std::string>;
 
-/// How the messages of channels look, for readers that know nothing of Farrier.
+/// Layout of the messages of channels, for readers that know nothing of Farrier.
 struct Schema {
   std::uint16_t id = 0;  ///< from 1 on
   std::string name;
@@ -44,9 +44,9 @@ struct Schema {
 struct Channel {
   std::uint16_t id = 0;
   std::uint16_t schema_id = 0;
-  std::string topic;
-  std::string message_encoding;  ///< such as "cdr"
-  Text metadata;
+  std::string topic{};
+  std::string message_encoding{};  ///< such as "cdr"
+  Text metadata{};
 };
 
 struct Message {
@@ -62,15 +62,15 @@ struct Metadata {
   Text values;
 };
 
-/// Where a chunk lies in the file, and what times its messages have.
+/// Place of a chunk in the file, and the range of its messages' times.
 struct ChunkIndex {
   std::uint64_t first_ns = 0;
   std::uint64_t last_ns = 0;
   std::uint64_t offset = 0;
   std::uint64_t length = 0;                               ///< of the whole record
-  std::map<std::uint16_t, std::uint64_t> index_offsets;   ///< of each channel's message index
+  std::map<std::uint16_t, std::uint64_t> index_offsets{};  ///< of each channel's message index
   std::uint64_t index_length = 0;
-  std::string compression;
+  std::string compression{};
   std::uint64_t compressed_size = 0;
   std::uint64_t uncompressed_size = 0;
 };

@@ -14,8 +14,8 @@
 namespace farrier::mcap {
 
 /// Writes an MCAP file: messages gather in a chunk, which goes to the file compressed, with CRC and index, when it is
-/// full. What a crash leaves is readable up to the last chunk that was written. Not for a control loop: writing waits
-/// for the disk.
+/// full. After a crash the file is readable up to the last chunk that was written. Not for a control loop: writing
+/// waits for the disk.
 class Writer {
  public:
   static constexpr std::size_t kChunkBytes = 1u << 20;
@@ -30,17 +30,17 @@ class Writer {
 
   /// `message.channel_id` is one of add_channel's.
   void write(const Message& message);
-  /// A chunk of such messages that was gathered elsewhere; none when it is empty.
+  /// Writes a chunk of messages that was gathered elsewhere; nothing if it is empty.
   void write(const Chunk& chunk);
   void write(const Metadata& metadata);
 
-  /// Sends the messages so far to the file, so that a crash from here on cannot lose them.
+  /// Sends the messages so far to the file, so that a later crash cannot lose them.
   void flush();
 
-  /// Ends the file with its summary. Refuses when the disk did not take everything since create.
+  /// Ends the file with its summary. Refuses if the disk has not taken all bytes since create.
   Result<Done> finish();
 
-  /// Whether the disk has refused bytes: nothing is written any more.
+  /// True if the disk has refused bytes: nothing is written any more.
   bool failed() const noexcept { return !failure_.empty(); }
   const std::string& failure() const noexcept { return failure_; }
   std::uint64_t bytes() const noexcept { return offset_; }

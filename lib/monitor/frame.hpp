@@ -1,7 +1,7 @@
 #pragma once
 
-// What a monitor shows of a robot at one moment. The terminal, the page and Prometheus all show frames, of a robot that
-// runs and of a recording alike.
+// A monitor's view of a robot at one moment. The terminal, the page and Prometheus all show frames, of a running robot
+// and of a recording alike.
 
 #include <array>
 #include <complex>
@@ -13,10 +13,10 @@
 
 namespace farrier::monitor {
 
-/// A joint or process whose summaries, of which fifty a second come, are older than this counts as silent.
+/// A joint or process whose summaries, fifty a second, are older than this counts as silent.
 inline constexpr double kSilent_s = 1.0;
 
-/// One joint. What has not come yet is empty, or has the tick kNoTick or the generation 0.
+/// One joint. A value that has not come yet is empty, or has the tick kNoTick or the generation 0.
 struct JointFrame {
   std::vector<signals::JointSummary> summaries;  ///< that came since the last frame, oldest first
   signals::JointSummary newest;                  ///< summary
@@ -45,7 +45,7 @@ struct ParticipantFrame {
   signals::SystemHealth health;  ///< tick kNoTick: none yet
   double age_s = 0.0;            ///< since its health came; infinite before the first
 
-  std::uint64_t lost() const noexcept {  ///< samples it knows lost, over all topics
+  std::uint64_t lost() const noexcept {  ///< samples that it knows to be lost, over all topics
     std::uint64_t sum = 0;
     for (const std::uint64_t one : health.lost) {
       sum += one;
@@ -54,7 +54,7 @@ struct ParticipantFrame {
   }
 };
 
-/// Something changed, and why. Events of the robot's processes, and the monitor's own.
+/// A change of state with its cause. Events of the robot's processes, and the monitor's own.
 struct EventFrame {
   std::uint64_t number = 0;  ///< from 0 on, in the order in which they came
   double time_s = 0.0;       ///< since the first sample

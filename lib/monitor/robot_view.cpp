@@ -68,7 +68,7 @@ void RobotView::take(const signals::JointSummary& summary) {
   const Tick before = joint.now.newest.tick;
   const double ticks = summary.ticks;
   if (before != kNoTick && summary.tick > before && joint.second.size() > 1) {
-    // Of two summaries in a row; a summary that is itself lost says nothing of control.
+    // Compares two summaries in a row; a summary that is itself lost says nothing about control.
     const Tick expected = summary.tick - before;
     const Tick usual = joint.second.back().tick - joint.second[joint.second.size() - 2].tick;
     joint.now.missed_ticks += expected <= usual + usual / 2 && expected > summary.ticks

@@ -17,18 +17,18 @@ class RobotView {
   /// `robot` must outlive it.
   explicit RobotView(const robot::Robot& robot);
 
-  /// What it reads: joints by their summaries, fifty a second, and by ten copies of their estimates a second, whatever
-  /// the control period is.
+  /// Topics it reads: of joints their summaries, fifty a second, and copies of their estimates, ten a second, at any
+  /// control period.
   static const std::vector<bus::TopicId>& topics();
 
-  /// Samples of other topics, and of joints and legs that the robot does not have, are left out. A new session, which
-  /// a hello tells, begins anew: events stay.
+  /// Samples of other topics, and of joints and legs that the robot does not have, are left out. A new session,
+  /// announced by a hello, resets the view; events stay.
   void take(const recording::Sample& sample);
 
   /// Adds an event of the monitor's own.
   void note(signals::Severity severity, std::string text, std::uint64_t time_ns);
 
-  /// What is known at `time_ns`, not before that of the last sample. What is "since the last frame" begins anew.
+  /// Frame at `time_ns`, which is not before the last sample's time. Everything "since the last frame" is then reset.
   Frame frame(std::uint64_t time_ns);
 
  private:

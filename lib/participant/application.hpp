@@ -21,7 +21,7 @@ class Application {
   /// Lower bound of the samples that must still arrive before poll() can do more; at least 1.
   virtual int missing() const = 0;
 
-  /// What it waits for, for people: "joint/sensors of lf_kfe at tick 1312".
+  /// Returns the input that it waits for, for people: "joint/sensors of lf_kfe at tick 1312".
   virtual std::string waits_for() const = 0;
 };
 

@@ -9,19 +9,21 @@
 
 namespace farrier::participant {
 
-/// Samples of one key as they come from one sender, on the receiver's steady clock. The sender's clock counts by
-/// differences only: the quickest way so far is taken for the way that nothing held up.
+/// Arrival times of one sender's samples of one key, on the receiver's steady clock. Only differences of the sender's
+/// clock count: the shortest transport so far is taken as the transport without delay.
 class Arrival {
  public:
-  /// By how much two steady clocks may drift apart (crystals are within 50 ppm each).
+  /// Largest drift between two steady clocks (crystals are within 50 ppm each).
   static constexpr double kDrift = 1e-4;
 
-  /// No way is longer than the quickest by this while its sender is heard: then the quickest was a wrong stamp's.
+  /// No transport takes longer than the quickest by this while the sender is heard. Otherwise the quickest was a wrong
+  /// stamp's.
   static constexpr Nanoseconds kLongest = std::chrono::seconds(1);
 
-  /// When this sample would have come had nothing held it up, at most `now`; nothing for one whose tick does not count
-  /// (Sequence), whose stamp no steady clock gives, or which is suddenly quicker than any before by more than
-  /// Sequence::kRestart: one wrong stamp must not make all after it late. `sampled_ns`: the sender's steady clock.
+  /// Returns the time at which this sample would have come without delay, at most `now`. Returns nothing if the tick
+  /// does not count (Sequence) or no steady clock gives such a stamp. Also returns nothing if the sample is quicker
+  /// than any before by more than Sequence::kRestart: one wrong stamp must not make all after it late. `sampled_ns`:
+  /// the sender's steady clock.
   std::optional<SteadyTime> take(Tick tick, std::int64_t sampled_ns, SteadyTime now) noexcept {
     constexpr std::int64_t kLatestStamp_ns = std::numeric_limits<std::int64_t>::max() / 4;  // 73 years
     if (sampled_ns < 0 || sampled_ns > kLatestStamp_ns) {
@@ -33,7 +35,8 @@ class Arrival {
     if ((!anew && quickest_ - way > Sequence::kRestart) || !sequence_.take(tick, now)) {
       return std::nullopt;
     }
-    // What was held up while this process or its sender stood still comes late after a silence: the clock is the same.
+    // Samples that were delayed while this process or its sender was stopped come late after a silence: the clock is
+    // the same.
     const bool same_clock = !anew || (before != SteadyTime{} && way >= quickest_ && way - quickest_ <= kLongest);
     const auto drift = std::chrono::duration_cast<Nanoseconds>(kDrift * (now - before));
     const Nanoseconds quickest = same_clock ? std::min(way, quickest_ + drift) : way;

@@ -8,7 +8,7 @@
 
 namespace farrier::participant {
 
-/// What a process of the robot may tell, in the order of docs/events.md.
+/// Events that a process of the robot may report, in the order of docs/events.md.
 enum class EventKind : std::uint8_t {
   kJointNulled,
   kJointFaults,
@@ -33,7 +33,8 @@ enum class EventKind : std::uint8_t {
 
 struct EventSpec {
   EventKind kind;
-  const char* text;     ///< what stands before its first angle bracket is said as it is, then what the brackets are for
+  const char* text;     ///< the text before its first angle bracket is printed as it is, then the values of the
+                        ///< brackets
   const char* writers;  ///< processes
   signals::Severity severity;
   const char* meaning;
@@ -44,7 +45,7 @@ struct EventSpec {
 std::span<const EventSpec> event_specs() noexcept;
 const EventSpec& spec(EventKind kind) noexcept;
 
-/// What an event says.
+/// Returns the text of an event.
 std::string text_of(EventKind kind, std::string_view detail);
 
 /// Markdown table of every kind, for docs/events.md.

@@ -11,10 +11,10 @@ void install_signal_handlers();
 /// True once SIGTERM or SIGINT came.
 bool stop_requested() noexcept;
 
-/// Exit status of a program that they ended, as shells count: 130 after SIGINT, 143 after SIGTERM; 0 before.
+/// Exit status of a program that SIGINT or SIGTERM ended, as shells count: 130 or 143; 0 before.
 int stop_status() noexcept;
 
-/// Of a process whose run is over: 0, or 1 and the reason on standard error when it could not take part.
+/// Exit status of a process after its run: 0, or 1 with the reason on standard error if it could not take part.
 int end_status(const Participant& member);
 
 /// SCHED_FIFO priority of a process's threads until the run has begun for it, and from then on; equal: it stays.
@@ -23,8 +23,8 @@ struct Promotion {
 };
 
 /// Drives an application by one thread that polls it whenever samples arrive, until SIGTERM or until the participant
-/// cannot take part; returns the process's exit status, 0 or 1. When nothing moves for a while it says on standard error
-/// what it waits for. systemd hears when the run has begun, and from then on that the loop turns.
+/// cannot take part. Returns the process's exit status, 0 or 1. If nothing moves for a while, it prints on standard
+/// error which input it waits for. Notifies systemd when the run has begun, and from then on while the loop turns.
 int run(Application& application, Participant& member, const Promotion& promotion);
 
 }  // namespace farrier::participant

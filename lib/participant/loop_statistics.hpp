@@ -9,7 +9,7 @@
 
 namespace farrier::participant {
 
-/// How well a loop on deadlines keeps up, and how soon it is answered: for the health report of its process.
+/// Deadline misses and latencies of a loop on deadlines, for the health report of its process.
 class LoopStatistics {
  public:
   /// Control thread, once per step.
@@ -18,11 +18,11 @@ class LoopStatistics {
     missed_.fetch_add(wake.missed, std::memory_order_relaxed);
     wake_ups_.push(wake.now - wake.due);
   }
-  /// Bus thread: the answer to what was sampled then has come.
+  /// Bus thread: the answer to the sample of this time has come.
   void answered(std::int64_t sampled_ns, SteadyTime now) noexcept {
     latency_.add(now.time_since_epoch() - Nanoseconds(sampled_ns));
   }
-  /// Bus thread, at least every 256 periods or wake-ups go uncounted.
+  /// Bus thread. Call it at least every 256 periods, or wake-ups are not counted.
   void fill(signals::SystemHealth& health) noexcept {
     for (Nanoseconds wake_up; wake_ups_.pop(wake_up);) {
       wake_up_.add(wake_up);

@@ -19,7 +19,7 @@ struct ProcessOptions {
   bus::Vendor vendor = bus::Vendor::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
   bus::NetworkOptions network;
-  std::string security;             ///< folder of keys and permissions; empty: DDS is open to everybody
+  std::string security;             ///< folder of keys and permissions; empty: DDS is not secured
   std::uint16_t number = 0;
   std::uint16_t participants = 0;
   std::uint64_t session = 1;
@@ -35,12 +35,12 @@ struct ProcessOptions {
   std::string world_path;           ///< sim_bridge: robot file of the robot it simulates; empty: robot_path
   std::vector<bus_faults::ArrowFault> faults;  ///< on the way of samples into this process, real time only
   int slow = 1;                     ///< slow motion by this factor, real time only
-  bool standby = false;             ///< supervisor: takes over when the one that leads falls silent, real time only
+  bool standby = false;             ///< supervisor: takes over when the leader falls silent, real time only
   int priority_shift = 0;           ///< added to every SCHED_FIFO priority, real time only
   bool no_dither = false;           ///< joint_node: valves are not probed, whatever the robot file says
 };
 
-/// The network as the clock needs it: in lock-step nobody is forgotten for being held up.
+/// Network options for the clock: in lock-step no process is dropped for being delayed.
 bus::NetworkOptions network_of(const ProcessOptions& options);
 
 /// Parses argv; prints help or every mistake and exits (0 or 2) when there is nothing to run.

@@ -115,7 +115,7 @@ void Participant::hear_hellos() {
     if (hello.participant == identity_.number && hello.pid != own_pid && !started_) {
       refusal_ = "process " + std::to_string(hello.pid) + " (" + std::string(signals::text_of(hello.name)) +
                  ") is participant " + std::to_string(identity_.number) + " of this run already: end it first";
-      event(EventKind::kNumberTaken, kNoTick, 0xffff, refusal_);
+      event(EventKind::kNumberTaken, kNoTick, signals::kNoJoint, refusal_);
       return;
     }
     hellos_[hello.participant] = hello;
@@ -172,7 +172,7 @@ bool Participant::obey(Orders orders, Tick tick) noexcept {
   if (orders.authority < obeyed_.authority) {
     if (orders.authority > refused_authority_) {
       refused_authority_ = orders.authority;
-      event(EventKind::kReplacedSupervisorRefused, tick, 0xffff,
+      event(EventKind::kReplacedSupervisorRefused, tick, signals::kNoJoint,
             std::to_string(orders.authority) + " after " + std::to_string(obeyed_.authority));
     }
     return false;
@@ -223,10 +223,10 @@ void Participant::report_health(Tick tick, bool final_report, const signals::Sys
 
 void Participant::tell_of_the_bus(Tick tick) noexcept {
   for (const std::string& sentence : bus_.take_security_warnings()) {
-    event(EventKind::kSecurity, tick, 0xffff, sentence);
+    event(EventKind::kSecurity, tick, signals::kNoJoint, sentence);
   }
   for (const std::string& fault : bus_.take_faults_begun()) {
-    event(EventKind::kFaultOnPurpose, tick, 0xffff, fault);
+    event(EventKind::kFaultOnPurpose, tick, signals::kNoJoint, fault);
   }
 }
 

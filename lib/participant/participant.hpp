@@ -1,7 +1,7 @@
 #pragma once
 
-// How a process takes part in a run: it opens its ports, greets the others until every route has carried a sample,
-// then reports ticks done, health and events.
+// A process's part in a run: it opens its ports, greets the others until every route has carried a sample, then reports
+// ticks done, health and events.
 
 #include <algorithm>
 #include <memory>
@@ -31,30 +31,30 @@ struct Identity {
   std::uint16_t participants = 1; ///< of the run, numbered 0..participants-1
   std::uint64_t session = 0;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
-  int slow = 1;                   ///< slow motion: what DDS holds times by is stretched by it
+  int slow = 1;                   ///< slow motion: factor of the times in DDS QoS
   int strength = 0;               ///< of its writers of topics that carry authority
-  bool launches = false;          ///< it is no process of the robot: it starts those and listens
+  bool launches = false;          ///< it is the launcher, which starts the robot's processes and listens
 };
 
-/// What a process knows of who leads the robot.
+/// Newest orders that a process has received from a supervisor.
 struct Orders {
   std::uint32_t authority = 0;   ///< newest supervisor's; 0: of none yet
   std::uint32_t mode_epoch = 0;  ///< of the newest mode; 0: of none yet
 };
 
-/// How a process of this identity opens a topic: QoS by its clock, partitions by the topic's route. `legs` names those of
-/// a topic routed by leg; one may stand there several times.
+/// Endpoint of a topic for a process of this identity: QoS by its clock, partitions by the topic's route. `legs` names
+/// those of a topic routed by leg, with repetitions allowed.
 bus::EndpointSpec endpoint_of(const Identity& identity, bus::TopicId topic, const std::vector<std::string>& legs = {});
 
-/// One process's place in a run. Owned by the bus
-/// thread; on the real-time clock the sender thread publishes on ports, whose counters allow it.
+/// One process's place in a run. Owned by the bus thread. On the real-time clock the sender thread also publishes on
+/// ports, whose counters allow it.
 class Participant {
  public:
   static Result<std::unique_ptr<Participant>> join(bus::Bus& bus, Identity identity);
 
-  /// Opens a receiving port and expects each of `keys` to be heard on it before the run starts. `legs`: by key, names for
-  /// topics routed by leg, of which samples of other keys are left out; empty otherwise. `at_leisure`: where not 0, the
-  /// port's samples wake nobody, and as many of a key are kept, if that is more than the topic's depth.
+  /// Opens a receiving port and expects each of `keys` to be heard on it before the run starts. The names in `legs`, by
+  /// key, are for topics routed by leg, without samples of other keys; empty otherwise. If `at_leisure` is > 0, the
+  /// port is polled: samples do not wake the loop, and at least this many per key are kept.
   template <class Signal>
   Result<In<Signal>*> subscribe(std::vector<std::uint16_t> keys, const std::vector<std::string>& legs = {},
                                 int at_leisure = 0) {
@@ -102,20 +102,21 @@ class Participant {
   /// said that it hears all it must.
   bool started(SteadyTime now);
 
-  /// Whether that was so at the last call of started().
+  /// True if the last call of started() returned true.
   bool has_started() const noexcept { return started_; }
 
-  /// What the greeting still lacks, for people; empty when complete.
+  /// Returns what the greeting still lacks, for people; empty when complete.
   std::string greeting_lacks() const;
 
-  /// Why this process cannot take part: another version of the topics, or another process in its place. Or empty.
+  /// Reason why this process cannot take part: another version of the topics, or another process in its place. Empty if
+  /// there is none.
   const std::string& refusal() const noexcept { return refusal_; }
 
-  /// Whether orders of this authority count: not once newer ones have come, which is an event. `mode_epoch`: of a mode,
-  /// 0 otherwise. What is new is told to everybody in the hello.
+  /// True if orders of this authority count. Older authority than the newest received is refused, with an event.
+  /// `mode_epoch`: of a mode, 0 otherwise. A newer authority or epoch is reported to every process in the hello.
   bool obey(Orders orders, Tick tick) noexcept;
 
-  /// The newest that any process of the run has told of, this one included.
+  /// Returns the newest orders that any process of the run has reported, this one included.
   Orders newest_orders() const noexcept;
 
   /// Takes in hellos; started() does so too until the run has started.
@@ -123,7 +124,7 @@ class Participant {
 
   void tick_done(Tick tick, const signals::ClockTickDone& issued = {}) noexcept;
   void report_health(Tick tick, bool final_report, const signals::SystemHealth& measured = {}) noexcept;
-  /// `detail`: what the angle brackets in the kind's text stand for. `joint`: 0xffff for none.
+  /// `detail`: what the angle brackets in the kind's text stand for. `joint`: signals::kNoJoint for none.
   void event(EventKind kind, Tick tick, std::uint16_t joint, std::string_view detail = {}) noexcept;
 
   const std::vector<signals::SystemHello>& hellos() const noexcept { return hellos_; }

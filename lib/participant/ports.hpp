@@ -34,7 +34,7 @@ std::uint16_t key_of(const Signal& s) {
   return key_of(const_cast<Signal&>(s));
 }
 
-/// What the greeting and the health report need of any port.
+/// Interface of any port for the greeting and the health report.
 class Port {
  public:
   virtual ~Port() = default;
@@ -44,7 +44,7 @@ class Port {
   virtual std::string first_unheard() const { return {}; }
   /// The run has started: what was lost while greeting does not count.
   virtual void start() noexcept {}
-  /// The run is over: what is kept back goes out. In lock-step, where a process has one thread.
+  /// The run is over: sends samples that were kept back. In lock-step, where a process has one thread.
   virtual void finish() noexcept {}
   virtual void count(signals::SystemHealth& health) const noexcept = 0;
 };
@@ -56,7 +56,7 @@ class In final : public Port {
   In(bus::Subscription<Signal> subscription, std::vector<std::uint16_t> keys)
       : subscription_(std::move(subscription)), keys_(std::move(keys)), heard_(keys_.size(), false) {}
 
-  /// Calls consume(signal) for every waiting sample, oldest first. Returns how many came.
+  /// Calls consume(signal) for every waiting sample, oldest first. Returns the number of samples.
   template <class Consume>
   std::size_t drain(Consume&& consume) {
     return subscription_.drain([&](const Signal& signal) {
@@ -99,8 +99,8 @@ class In final : public Port {
 
   void forget_lost_probes() noexcept { lost_before_ = subscription_.status().lost; }
 
-  // Sensors come for every tick of a joint: one that is missing was overwritten or dropped on the way, which the
-  // transport does not tell.
+  // Sensors come for every tick of a joint. A missing one was overwritten or dropped on the way, which the transport
+  // does not report.
   void count_gap(const Signal& signal) noexcept {
     if constexpr (std::is_same_v<Signal, signals::JointSensors>) {
       const auto place = std::find(keys_.begin(), keys_.end(), key_of(signal)) - keys_.begin();
@@ -140,7 +140,8 @@ class Out final : public Port {
       std::vector<std::size_t> publisher_of_key)
       : publishers_(std::move(publishers)), keys_(std::move(keys)), publisher_of_key_(std::move(publisher_of_key)) {}
 
-  /// A sample the transport refuses counts as lost. One of a topic whose samples go together goes with the next flush.
+  /// Publishes a sample. One that the transport refuses counts as lost. On a topic whose samples go together it goes
+  /// with the next flush.
   void publish(const Signal& signal) noexcept {
     sent_.fetch_add(1, std::memory_order_relaxed);
     if (!publisher_of(key_of(signal)).queue(signal)) {
@@ -155,7 +156,7 @@ class Out final : public Port {
       }
     }
   }
-  /// What this port publishes goes to recorders by `journal`, too.
+  /// Copies what this port publishes to recorders by `journal`.
   void keep_journal(std::unique_ptr<StreamJournal> journal) noexcept { journal_ = std::move(journal); }
   /// Sends what was published of a topic whose samples go together.
   void flush() noexcept {

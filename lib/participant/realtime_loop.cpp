@@ -20,7 +20,7 @@ constexpr auto kHousekeeping = 5ms;
 constexpr auto kSilenceReportedAfter = 5s;
 constexpr auto kHealthPeriod = 1s;
 
-/// What the threads of a process know of each other.
+/// State that the threads of a process share.
 struct Threads {
   std::atomic<bool> started{false};
   std::atomic<bool> refused{false};
@@ -30,8 +30,8 @@ struct Threads {
   bool over() const noexcept { return stop_requested() || refused.load(std::memory_order_relaxed); }
 };
 
-// Waits for complete inputs until `latest`. A thread that could not run by then does not know what came meanwhile, for
-// the bus thread could not either: it gives it half a period. False when inputs are not complete.
+// Waits for complete inputs until `latest`. If this thread could not run by then, the bus thread could not receive
+// either, so this one waits half a period more. Returns false if inputs are not complete.
 bool wait_for_inputs(RealtimeApplication& application, SteadyTime latest) {
   if (application.inputs_complete.wait_until(machine_time(latest))) {
     return true;
@@ -70,7 +70,8 @@ void control(RealtimeApplication& application, const char* name, const Prioritie
     if (!application.finished()) {
       application.step({steady_now(), deadline.next, deadline.missed});
       application.outputs_waiting.post();
-      runtime::set_priority_of(sender, priorities.bus);  // it may be at leisure
+      runtime::set_priority_of(sender, priorities.bus);  // it may have the lower priority of sends that nothing waits
+                                                         // for
     }
   }
 }
@@ -87,7 +88,7 @@ void send(RealtimeApplication& application, const Priorities& priorities, Thread
     }
     application.send();
     runtime::set_priority_of(self, priorities.leisure);
-    if (!application.outputs_waiting.posted()) {  // what is posted from here on raises this thread
+    if (!application.outputs_waiting.posted()) {  // a post from here on raises this thread
       application.send_at_leisure();
     } else {
       runtime::set_priority_of(self, priorities.bus);

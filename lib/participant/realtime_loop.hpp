@@ -34,10 +34,10 @@ class RealtimeApplication {
   virtual void step(const Wake& wake) noexcept = 0;
   /// Sender thread: publishes what the control thread has left.
   virtual void send() = 0;
-  /// Sender thread, after that, behind every thread on the way from sensor to valve: publishes and writes what none of
-  /// them waits for.
+  /// Sender thread, after send() and below every thread on the way from sensor to valve: publishes and writes what none
+  /// of them waits for.
   virtual void send_at_leisure() {}
-  /// Whether `step` publishes itself, as a yardstick does.
+  /// True if `step` publishes itself, as in a baseline run.
   virtual bool publishes_in_step() const { return false; }
   virtual bool finished() const = 0;
   virtual Nanoseconds period() const = 0;
@@ -53,14 +53,14 @@ struct Priorities {
   int joining, control, bus, leisure;
 };
 
-/// Those of runtime/realtime_thread.hpp, each with `shift` added. Where messages are encrypted all threads that publish
-/// have that of the bus: libcrypto's locks are glibc's, at which a thread waits without sleeping, and for ever if the
-/// owner's priority is lower and its processor the same.
+/// Priorities of runtime/realtime_thread.hpp, each with `shift` added. With encryption all threads that publish have
+/// the priority of the bus. The reason is that libcrypto's locks are glibc's, which spin without sleeping. A thread
+/// would spin for ever if the owner of the lock has a lower priority on the same processor.
 Priorities priorities_of(const RealtimeApplication& application, int shift, bool secured) noexcept;
 
-/// Drives an application on the real-time clock until SIGTERM, or until the participant cannot take part; returns the
-/// process's exit status, as run does. systemd hears when the run has begun, and from then on that the control and the
-/// sender thread turn.
+/// Drives an application on the real-time clock until SIGTERM, or until the participant cannot take part. Returns the
+/// process's exit status, as run does. Notifies systemd when the run has begun, and from then on while the control and
+/// the sender thread turn.
 int run_realtime(RealtimeApplication& application, Participant& member, const Priorities& priorities);
 
 }  // namespace farrier::participant

@@ -7,11 +7,11 @@
 
 namespace farrier::participant {
 
-/// Ticks as they come from one sender. One that is out of order, or so far ahead that no sender can have got there,
-/// would block or mislead whoever acts on the newest.
+/// Ticks as they come from one sender. A tick that is out of order, or farther ahead than any sender can be, would
+/// block or mislead a loop that acts on the newest.
 class Sequence {
  public:
-  /// Silence after which a sender may have begun anew, at any tick.
+  /// Silence after which a sender may have restarted, at any tick.
   static constexpr Nanoseconds kRestart = std::chrono::milliseconds(100);
   /// More ticks than any loop makes within kRestart.
   static constexpr Tick kFarthest = 10'000;
@@ -19,8 +19,8 @@ class Sequence {
   /// Later than any run, and so early that a tick and a time added to it are still ticks.
   static constexpr Tick kLatest = std::numeric_limits<Tick>::max() / 2;
 
-  /// Whether a sample of this tick counts: it is newer than the newest so far and not too far ahead of it, or its
-  /// sender may have begun anew.
+  /// True if a sample of this tick counts: it is newer than the newest so far and not too far ahead of it, or its
+  /// sender may have restarted.
   bool take(Tick tick, SteadyTime now) noexcept {
     const bool may_jump = begins_anew(now);
     if (tick < 0 || tick > kLatest || tick == newest_ ||
@@ -32,7 +32,7 @@ class Sequence {
     return true;
   }
 
-  /// Whether the next sample may be the first of its sender.
+  /// True if the next sample may be the first of its sender.
   bool begins_anew(SteadyTime now) const noexcept { return heard_ == SteadyTime{} || now - heard_ > kRestart; }
 
   SteadyTime heard() const noexcept { return heard_; }  ///< when the last sample counted

@@ -9,8 +9,8 @@
 
 namespace farrier::participant {
 
-/// What a process tells systemd that started it with Type=notify (sd_notify(3)); nothing where nobody asked. Owned by
-/// one thread.
+/// Messages of a process to systemd, if systemd started it with Type=notify (sd_notify(3)). Otherwise it sends nothing.
+/// Owned by one thread.
 class ServiceManager {
  public:
   ServiceManager();
@@ -22,11 +22,11 @@ class ServiceManager {
   /// One line for `systemctl status`.
   void status(const std::string& text);
 
-  /// Says, once, that start-up is complete; the watchdog runs from then on.
+  /// Reports once that start-up is complete; the watchdog runs from then on.
   void ready();
 
-  /// Feeds the watchdog, four times in the time it has, when every one of the loops has turned since it was last fed.
-  /// `turns`: how often each has, always the same number of them. `now` is the steady clock.
+  /// Feeds the watchdog four times per timeout, if every loop has turned since the last feeding. `turns`: number of
+  /// turns of each loop; always of the same size. `now` is the steady clock.
   void alive(std::span<const std::uint64_t> turns, SteadyTime now);
 
  private:

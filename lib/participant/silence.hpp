@@ -7,19 +7,19 @@
 
 namespace farrier::participant {
 
-/// Notices that a stream has fallen silent, and that it is heard again. Before its first sample it is neither: what has
-/// not begun is the greeting's business.
+/// Detects that a stream has fallen silent, and that it is heard again. Before its first sample it is neither: the
+/// greeting handles streams that have not begun.
 class Silence {
  public:
-  /// `after`: how long nothing comes before that counts as silence. The kinds: of the events that tell it and its end.
+  /// `after`: time without a sample that counts as silence. The kinds are the events of its begin and its end.
   Silence(Nanoseconds after, EventKind fell_silent, EventKind heard_again) noexcept
       : after_(after), fell_silent_(fell_silent), heard_again_(heard_again) {}
 
   /// A sample has come, at `at`.
   void heard(SteadyTime at) noexcept { heard_ = at; }
 
-  /// The event to tell, when something has changed since the last look. Call it after samples were taken, so that what
-  /// waited while this process stood still is not missed.
+  /// Returns the event to report if the state has changed since the last call. Call it after samples were taken, so
+  /// that samples that waited while this process was stopped count.
   std::optional<EventKind> look(SteadyTime now) noexcept {
     const bool silent = heard_ != SteadyTime{} && now - heard_ > after_;
     if (silent == silent_) {

@@ -10,8 +10,8 @@
 
 namespace farrier::participant {
 
-/// Gathers what a port publishes for recorders, while there are some: for a recorder one journal is a hundred datagrams
-/// less. Used by the thread that publishes on the port.
+/// Gathers a port's samples for recorders, while there are some: one journal replaces a hundred datagrams to a
+/// recorder. Used by the thread that publishes on the port.
 class StreamJournal {
  public:
   StreamJournal(bus::Publisher<signals::SystemJournal> publisher, std::uint16_t participant, bus::TopicId topic,
@@ -25,7 +25,7 @@ class StreamJournal {
   StreamJournal(const StreamJournal&) = delete;
   StreamJournal& operator=(const StreamJournal&) = delete;
 
-  /// Of the greeting: a journal without samples.
+  /// Probe of the greeting: a journal without samples.
   void probe() noexcept {
     signals::SystemJournal empty;
     empty.stream = journal_.stream;
@@ -60,14 +60,14 @@ class StreamJournal {
     due_ = due_ || many_ticks || most_.bytes - journal_.bytes.size() < kRoomForATick;
   }
 
-  /// Sends what it holds if it is time to. Called when the samples themselves are on their way.
+  /// Sends its content if it is time to. Called when the samples themselves are on their way.
   void flush() noexcept {
     if (due_) {
       send();
     }
   }
 
-  /// Sends what it holds and, from now on, every sample as it comes: the run is over.
+  /// Sends its content and, from now on, every sample as it comes: the run is over.
   void finish() noexcept {
     send();
     over_ = true;
@@ -75,7 +75,7 @@ class StreamJournal {
   }
 
  private:
-  /// What one journal holds: so much a recorder lacks of a process that was killed.
+  /// Largest content of one journal. A recorder loses at most so much of a process that was killed.
   struct Most {
     std::size_t bytes;
     std::uint64_t ticks;

@@ -18,7 +18,7 @@ class WakeUp {
 
   void post() noexcept { sem_post(&semaphore_); }
 
-  /// Whether a wait would return true at once.
+  /// True if a wait would return at once.
   bool posted() noexcept {
     int posts = 0;
     sem_getvalue(&semaphore_, &posts);

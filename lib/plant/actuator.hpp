@@ -8,9 +8,9 @@
 
 namespace farrier::plant {
 
-/// Valve and actuator of one joint. The same equations serve an asymmetric cylinder (lengths in m, forces in N)
-/// and a rotary vane motor, which is the symmetric case (angles in rad, torques in Nm): "position" below is
-/// m (cylinder) or rad (rotary), "force" N or Nm. All values finite; symbols of Hubacher (2014), Table A.1.
+/// Valve and actuator of one joint. The same equations serve an asymmetric cylinder (lengths in m, forces in N) and a
+/// rotary vane motor, which is the symmetric case (angles in rad, torques in Nm). Below, "position" is m (cylinder) or
+/// rad (rotary), "force" N or Nm. All values finite; symbols of Hubacher (2014), Table A.1.
 struct ActuatorParams {
   double area_a = 0.0;              ///< A_p, m^2 or m^3/rad: displacement of chamber a per unit of position; > 0
   double area_b = 0.0;              ///< alpha A_p, m^2 or m^3/rad; > 0; equal to area_a for a rotary motor
@@ -57,9 +57,9 @@ Result<Done> validate(const ActuatorParams& actuator, const State& state);
 /// The natural unit of velocity for tolerances, m/s or rad/s.
 double velocity_scale(const ActuatorParams& actuator) noexcept;
 
-/// Rest state that holds `external_force` (N or Nm, positive along +position) at `position`: velocity 0, load
-/// pressure A_p p_l = C (x - x_eq) - F_ext, chamber pressures the mean of (3.19) and (3.20) over both valve signs,
-/// raised together where that would put one below the return pressure.
+/// Rest state that holds `external_force` (N or Nm, positive along +position) at `position`. The velocity is 0 and the
+/// load pressure A_p p_l = C (x - x_eq) - F_ext. The chamber pressures are the mean of (3.19) and (3.20) over both
+/// valve signs, raised together if one would be below the return pressure.
 State equilibrium(const ActuatorParams& actuator, const LoadParams& load, double position, double external_force);
 
 }  // namespace farrier::plant

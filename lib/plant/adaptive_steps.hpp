@@ -8,16 +8,16 @@
 
 namespace farrier::plant {
 
-/// Substeps are never asked to be shorter than this.
+/// No substep is requested shorter than this; the last one of a period may be.
 inline constexpr double kShortestSubstep_s = 1e-5;
 /// Keeps a remainder of exactly n substeps at n shares.
 inline constexpr double kJustBelowOne = 1.0 - 1e-9;
 /// Real stability interval of RK5(4)7M is 3.3; substeps at the bound must lie inside it.
 inline constexpr double kStabilityInterval = 3.3;
 
-/// Advances `state` and its `derivative` by a period with the input held, in substeps whose errors
-/// `error_ratio(trial, h)`, relative to what they may be, are at most 1 or whose length is the shortest; `substep_s`
-/// is the one that follows. `look()` is called after each. Relative error of the whole.
+/// Advances `state` and its `derivative` by a period with the input held. The errors `error_ratio(trial, h)` of its
+/// substeps, relative to their bounds, are at most 1, or the requested length is the shortest. The next substep's
+/// length is in `substep_s`. After each substep `look()` is called. Returns the relative error of the whole.
 template <class Equations, class State, class ErrorRatio, class Look>
 double advance_adaptively(const Equations& equations, const typename Equations::Input& input, State& state,
                           State& derivative, double period_s, double& substep_s, StepReport& report,

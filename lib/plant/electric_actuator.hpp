@@ -9,19 +9,19 @@
 
 namespace farrier::plant {
 
-// An electric joint: brushless motor, gear, and a spring between gear and load in which the torque sensor sits. Model
-// of Spong (1987), (4) and (5), with the winding in front: a rotor and a load joined by a spring; the spring as what
-// makes a geared motor a torque source: Pratt and Williamson (1995).
+// An electric joint: brushless motor, gear, and a spring between gear and load in which the torque sensor sits. The
+// model is that of Spong (1987), (4) and (5), a rotor and a load joined by a spring, with the winding in front. The
+// spring makes a geared motor a torque source: Pratt and Williamson (1995).
 //
-//   L i'      = R (u - i) - K N w                       winding, driven by a voltage V = R u
-//   J N^2 w'  = N K i - d_r w - T_c phi(w) - T          rotor and gear, seen at the gear's output
-//   delta'    = w - v,   T = k delta + b (w - v)        spring: the torque sensor reads T
-//   m_l v'    = T - d_l v - C (x - x_eq) + T_ext + T_stop
+//   L i'      = R (u - i) - K N w                       winding, driven by a voltage V = R u.
+//   J N^2 w'  = N K i - d_r w - T_c phi(w) - T          rotor and gear, seen at the gear's output.
+//   T         = k delta + b (w - v),   delta' = w - v   spring: the torque sensor reads T.
+//   m_l v'    = T - d_l v - C (x - x_eq) + T_ext + T_stop.
 //
 // The command u is the current that the drive's voltage would drive through a winding at rest, so that the joint's
 // current limit is V_max / R. The drive has no current loop: the back-EMF K N w makes the rotor follow its command in
-// speed, as the valve's flow does with a piston, and (x, v, T) hold the joint as (x, v, F_s) hold a hydraulic one
-// (docs/decisions/0045-electric-joint.md).
+// speed, as the valve's flow does with a piston. So (x, v, T) describe the joint as (x, v, F_s) describe a hydraulic
+// one (docs/decisions/0045-electric-joint.md).
 
 /// Values at the rotor where the name says rotor, else seen at the gear's output. All finite; docs/notation.md.
 struct ElectricParams {
@@ -41,7 +41,7 @@ struct ElectricParams {
   double stop_damping = 0.0;            ///< of the end stops, Nms/rad; >= 0
 };
 
-/// What is integrated.
+/// State of the integration.
 struct ElectricState {
   double position = 0.0;    ///< x of the load, rad
   double velocity = 0.0;    ///< v of the load, rad/s
@@ -64,11 +64,11 @@ inline bool finite(const ElectricState& s) noexcept {
          std::isfinite(s.rotor) && std::isfinite(s.current_A);
 }
 
-/// Refuses values no machine has and springs too stiff for [x v T] to hold the joint, naming every one.
+/// Refuses values no machine has and springs too stiff for the model in [x v T], naming every one.
 Result<Done> validate(const ElectricParams& actuator);
 Result<Done> validate(const ElectricParams& actuator, const ElectricState& state);
 
-/// V_max / R, A: what the drive can command.
+/// V_max / R, A: largest command of the drive.
 inline double current_max_A(const ElectricParams& a) noexcept { return a.supply_voltage_V / a.winding_resistance_Ohm; }
 
 /// N K V_max / R, Nm: at rest.
@@ -81,7 +81,7 @@ inline double no_load_speed(const ElectricParams& a) noexcept {
   return a.supply_voltage_V / (a.gear_ratio * a.torque_constant_Nm_A);
 }
 
-/// D = d_r + (N K)^2 / R, Nms/rad: what holds the rotor back, friction and back-EMF.
+/// D = d_r + (N K)^2 / R, Nms/rad: damping of the rotor by friction and back-EMF.
 inline double rotor_damping(const ElectricParams& a) noexcept {
   const double output_constant = a.gear_ratio * a.torque_constant_Nm_A;
   return a.damping + output_constant * output_constant / a.winding_resistance_Ohm;
@@ -91,7 +91,7 @@ inline double rotor_damping(const ElectricParams& a) noexcept {
 ElectricState equilibrium(const ElectricParams& actuator, const LoadParams& load, double position,
                           double external_force);
 
-/// Model in the torque sensor's reading, states (x, v, T), input u: the rotor and the winding follow at once,
+/// Model in the torque sensor's reading, states (x, v, T), input u, with rotor and winding in equilibrium:
 ///   w = (N K u - T) / D,   (1 + b/D) T' = k (w - v) - b v',   v' as above.
 /// Relative error of the force's rate: of the order of J N^2 k / D^2 (at most 1/4, see validate) and L k / (R D).
 /// Coulomb friction is a bias. Needs m_l > 0.
@@ -130,7 +130,7 @@ class ElectricEquations {
                          a.winding_inductance_H};
   }
 
-  /// T, what the sensor reads, Nm.
+  /// T, the sensor's reading, Nm.
   double spring_torque(const ElectricState& s) const noexcept {
     return actuator_.spring_stiffness * s.deflection + actuator_.spring_damping * (s.rotor - s.velocity);
   }
@@ -140,7 +140,7 @@ class ElectricEquations {
     return actuator_.coulomb * rotor / std::sqrt(rotor * rotor + actuator_.slip_velocity * actuator_.slip_velocity);
   }
 
-  /// Of the end stops on the load: only pushes inward.
+  /// Force of the end stops on the load: only pushes inward.
   double stop_force(const ElectricState& s) const noexcept {
     const double beyond = s.position - actuator_.travel;
     return s.position < 0.0 ? stop_push(-s.position, -s.velocity) : beyond > 0.0 ? -stop_push(beyond, s.velocity) : 0.0;

@@ -7,7 +7,7 @@
 
 namespace farrier::plant {
 
-/// (drop^2 + delta^2)^(1/4), sqrt(Pa): what orifice_root divides by.
+/// (drop^2 + delta^2)^(1/4), sqrt(Pa): the divisor of orifice_root.
 inline double orifice_divisor(double drop_Pa, double laminar_pressure_Pa) noexcept {
   return std::sqrt(std::sqrt(drop_Pa * drop_Pa + laminar_pressure_Pa * laminar_pressure_Pa));
 }
@@ -19,8 +19,8 @@ inline double orifice_root(double drop_Pa, double laminar_pressure_Pa) noexcept 
   return drop_Pa / orifice_divisor(drop_Pa, laminar_pressure_Pa);
 }
 
-/// What is integrated. A chamber's compression is its pressure while oil fills it; below zero the pressure is zero
-/// and -compression / beta_e is the share of the chamber that is void, to be refilled before pressure rises again.
+/// State of the integration. A chamber's compression is its pressure while oil fills it. Below zero the pressure is
+/// zero and -compression / beta_e is the share of the chamber that is void, to be refilled before pressure rises again.
 struct IntegrationState {
   double position;
   double velocity;
@@ -28,7 +28,7 @@ struct IntegrationState {
   double compression_b_Pa;
 };
 
-/// What is held over a step.
+/// Inputs held over a step.
 struct HeldInput {
   double flow_gain;       ///< K_v |u|, m^3/s/sqrt(Pa)
   double port_a_Pa;       ///< pressure the valve connects to chamber a
@@ -58,13 +58,13 @@ class JointEquations {
   HeldInput hold(double valve_current_A, double external_force) const noexcept;
   IntegrationState derivative(const IntegrationState& s, const HeldInput& input) const noexcept;
 
-  /// The valve's flow into chambers, or what stands before them, at these pressures.
+  /// The valve's flow at these pressures, into the chambers or the lines before them.
   ChamberFeed valve_flow(double p_a, double p_b, const HeldInput& input) const noexcept;
   /// Rates of motion and pressures when the chambers get `feed` and the load `load_force`.
   IntegrationState balance(const IntegrationState& s, double p_a, double p_b, const ChamberFeed& feed,
                            double load_force) const noexcept;
 
-  /// With the parts of their lines that belong to them; a quarter of the dead volume at least.
+  /// Volumes of the chambers with their parts of the lines; a quarter of line_volume_m3 at least.
   ChamberVolumes volumes(double position) const noexcept;
   /// F_h = A_p (p_a - alpha p_b), (2.8).
   double hydraulic_force(const IntegrationState& s) const noexcept;

@@ -5,8 +5,9 @@
 
 namespace farrier::plant {
 
-/// exp(-x) for x >= 0, to 1e-15 of its value, from +, -, * alone: what shapes a trace must not depend on a C library.
-/// 0 for x > 700, where the result nears the smallest normal number; NaN and negative x act as 0, which gives 1.
+/// Returns exp(-x) for x >= 0, to 1e-15 of its value, from +, -, * alone: a trace must not depend on a C library.
+/// Returns 0 for x > 700, where the result nears the smallest normal number. NaN and negative x act as 0, which gives
+/// 1.
 inline double exponential_decay(double x) noexcept {
   if (!(x > 0.0)) {
     return 1.0;

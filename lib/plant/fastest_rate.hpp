@@ -4,14 +4,14 @@
 
 namespace farrier::plant {
 
-/// The actuator whose chambers lack what their lines hold behind the valve.
+/// The actuator with chambers reduced by the volume of their lines behind the valve.
 ActuatorParams without_lines(ActuatorParams actuator) noexcept;
 
 /// Upper estimate of the fastest rate of a joint's model with its effects, 1/s.
 double fastest_rate(const ActuatorParams& actuator, const LoadParams& load, const Effects& effects) noexcept;
 
-/// Whether a machine can have this load: what validate() accepts, and not massless together with the piston. Tells it
-/// at run time, without a sentence.
+/// True if a machine can have this load: it passes validate(), and is not massless together with the piston. For run
+/// time, without a sentence.
 bool is_physical(const LoadParams& load, double piston_mass) noexcept;
 
 }  // namespace farrier::plant

@@ -4,7 +4,7 @@
 
 namespace farrier::plant {
 
-/// What drives the hydraulic force, F_h' = K_th (q_e - A_e v): Hubacher (2014) (2.33)-(2.39).
+/// Coefficients of the hydraulic force's rate, F_h' = K_th (q_e - A_e v): Hubacher (2014) (2.33)-(2.39).
 struct TransmissionStiffness {
   double K_tha;  ///< A_p beta_e / V_a, Pa/m | Pa/rad (2.34)
   double K_thb;  ///< alpha A_p beta_e / V_b (2.35)
@@ -13,8 +13,7 @@ struct TransmissionStiffness {
   double A_e;    ///< equivalent area, m^2 | m^3/rad (2.38)
 };
 
-/// The three forces of Hubacher (2014), Chapter 2, which are not the same, and how they change. N and N/s, or Nm and
-/// Nm/s.
+/// The three different forces of Hubacher (2014), Chapter 2, and their rates. N and N/s, or Nm and Nm/s.
 struct Forces {
   double hydraulic;        ///< F_h (2.8)
   double total;            ///< F_t = (m_l + m_p) a (2.40), (2.41) with B y' where B y'' is printed

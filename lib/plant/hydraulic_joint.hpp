@@ -13,14 +13,14 @@
 
 namespace farrier::plant {
 
-/// What the effects of a joint hold now; without them as (2.30) has it.
+/// Present values of a joint's effects; without effects those of (2.30).
 struct EffectReadings {
   double opening_A = 0.0;            ///< current the valve is open for, after spool and deadband
   double line_pressure_a_Pa = 0.0;   ///< behind the valve; the chamber's without lines
   double line_pressure_b_Pa = 0.0;
   double line_flow_a_m3_s = 0.0;     ///< into the chamber through its line; 0 without lines
   double line_flow_b_m3_s = 0.0;
-  double friction = 0.0;             ///< dry friction that holds the load back, N or Nm
+  double friction = 0.0;             ///< dry friction on the load, N or Nm
   double piston_force = 0.0;         ///< of effects left of the load cell, on the piston; N or Nm
 };
 
@@ -30,21 +30,21 @@ struct EffectReadings {
 /// stays finite. Results do not depend on the machine: +, -, *, / and sqrt only.
 class HydraulicJoint {
  public:
-  /// Local error a substep may make: sum over the states, relative to stroke, velocity_scale(), supply pressure.
+  /// Largest local error of a substep: sum over the states, relative to stroke, velocity_scale(), supply pressure.
   static constexpr double kDefaultTolerance = 1e-6;
   static constexpr double kShortestSubstep_s = plant::kShortestSubstep_s;
   /// Periods up to this are stepped.
   static constexpr double kLongestPeriod_s = 0.1;
 
-  /// Refuses non-physical values, naming each, and models with a rate too fast for kShortestSubstep_s.
-  /// `tolerance` in [1e-14, 1e-2]. Of `effects` it has those left and right of the load cell, but for what
-  /// is_in_load(): loads_with_effects() puts that into loads. Effects of sensors are the sensors'.
+  /// Refuses non-physical values, naming each, and models with a rate too fast for kShortestSubstep_s. The `tolerance`
+  /// is in [1e-14, 1e-2]. The joint uses those `effects` left and right of the load cell, except those of is_in_load():
+  /// loads_with_effects() puts them into loads. Effects of sensors belong to the sensors.
   static Result<HydraulicJoint> create(const ActuatorParams& actuator, const LoadParams& load, const State& initial,
                                        double tolerance = kDefaultTolerance,
                                        std::span<const ActiveEffect> effects = {});
 
-  /// Another load from now on: position, velocity and pressures are continuous, and the friction stays where it is an
-  /// effect. False, and the old load kept, for values create() would refuse.
+  /// Sets another load from now on: position, velocity and pressures are continuous, and the friction stays if it is an
+  /// effect. Returns false and keeps the old load for values create() would refuse.
   bool set_load(const LoadParams& load) noexcept;
 
   /// Advances by `period_s` with both inputs held. The current acts within +-valve_current_max_A, the external force
@@ -90,11 +90,11 @@ class HydraulicJoint {
   void publish_state() noexcept;
 
   ActuatorParams actuator_;
-  JointEquations equations_;  ///< of chambers without what their lines hold behind the valve
+  JointEquations equations_;  ///< of chambers without the volume of their lines behind the valve
   Effects effects_;
   bool has_effects_;
   DelayLine delay_;
-  std::optional<FrictionParams> guide_;  ///< of an effect: rules over the load's own
+  std::optional<FrictionParams> guide_;  ///< of an effect: replaces the load's own
   EffectState integrated_;
   CommandInput command_{0.0, 0.0};
   HeldInput input_;

@@ -8,14 +8,14 @@
 
 namespace farrier::plant {
 
-/// What every joint shows, whatever drives it; m, m/s, N or rad, rad/s, Nm.
+/// Readings of every joint, hydraulic or electric; m, m/s, N or rad, rad/s, Nm.
 struct JointReadings {
   double position;
   double velocity;
   double load_cell_force;  ///< of an electric joint the torque sensor's
 };
 
-/// A simulated joint of either kind behind what a simulation of a robot needs of it.
+/// A simulated joint of either kind, with the interface that a simulation of a robot needs.
 class Joint {
  public:
   explicit Joint(HydraulicJoint joint) noexcept : joint_(std::move(joint)) {}
@@ -25,7 +25,7 @@ class Joint {
   bool set_load(const LoadParams& load) noexcept {
     return std::visit([&](auto& joint) noexcept { return joint.set_load(load); }, joint_);
   }
-  /// `current_A`: through the valve, or what an electric joint's drive is asked for.
+  /// Argument `current_A`: through the valve, or the command of an electric joint's drive.
   StepReport step(double current_A, double external_force, double period_s) noexcept {
     return std::visit([&](auto& joint) noexcept { return joint.step(current_A, external_force, period_s); }, joint_);
   }

@@ -8,9 +8,9 @@
 
 namespace farrier::plant {
 
-/// What of a joint changes or is not known beforehand, actuator coordinates (N, m of a cylinder; Nm, rad of a motor).
-/// The load cell splits it in two, Hubacher (2014) (2.22): the first five are the load, right of the cell,
-/// m_l a = F_s - d_l v - F_c sign(v) - C (x - x_eq) + F_bias; the last three the valve and the oil, left of it.
+/// Properties of a joint that change or are not known beforehand, actuator coordinates (N, m of a cylinder; Nm, rad of
+/// a motor). The load cell splits it in two, Hubacher (2014) (2.22). The first five are the load, right of the cell,
+/// m_l a = F_s - d_l v - F_c sign(v) - C (x - x_eq) + F_bias. The last three are the valve and the oil, left of it.
 struct JointPhysics {
   double load_mass = 0.0;      ///< m_l, kg or kg m^2; >= 0
   double damping = 0.0;        ///< d_l, Ns/m or Nms/rad; >= 0
@@ -25,7 +25,7 @@ struct JointPhysics {
 inline constexpr std::size_t kPhysicsCount = 8;
 inline constexpr std::size_t kBiasForce = 4;  ///< place of the only one that has a sign
 
-/// In the order of the declaration: how physics travels.
+/// In the order of the declaration, as physics is transmitted.
 inline std::array<double, kPhysicsCount> values_of(const JointPhysics& p) noexcept {
   return {p.load_mass, p.damping, p.coulomb, p.stiffness, p.bias_force, p.valve_gain, p.bulk_modulus, p.leakage};
 }

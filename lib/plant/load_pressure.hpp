@@ -12,7 +12,7 @@ struct OperatingPoint {
   double valve_sign = 0.0;        ///< +1, -1, or 0 for the mean of both signs
 };
 
-/// Whether a linear model knows that a moving piston changes the chambers' volumes.
+/// Treatment of the chambers' volumes, which a moving piston changes, in a linear model.
 enum class Volumes {
   kMoving,
   kConstant,  ///< the assumption of Hubacher (2014), Section 4.2.1: no derivative with respect to the position

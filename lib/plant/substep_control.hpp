@@ -21,9 +21,9 @@ inline double substep_factor(double ratio) noexcept {
   return std::clamp(kSafety * root, kMostShrink, kMostGrowth);
 }
 
-/// True when a chamber's pressure strides over a place where the right-hand side bends sharply, the start of a void or
-/// the laminar range of its open port, so that a substep's few stages may miss it. The path between both ends lies
-/// within the Bezier polygon of their values and rates.
+/// True if a chamber's pressure strides over a place where the right-hand side bends sharply, so that a substep's few
+/// stages may miss it. Such places are the start of a void and the laminar range of its open port. The path between
+/// both ends lies within the Bezier polygon of their values and rates.
 inline bool strides_over_bend(double start, double start_rate, double end, double end_rate, double port, double laminar,
                        double h) noexcept {
   const double third = h * (1.0 / 3.0);

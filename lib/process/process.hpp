@@ -1,6 +1,6 @@
 #pragma once
 
-// What every main.cpp shares: load the robot, open the bus, take part, run until told to stop.
+// Code that every main.cpp shares: load the robot, open the bus, take part, run until told to stop.
 
 #include <functional>
 #include <memory>
@@ -22,12 +22,13 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
 /// Identity of this process in the run.
 participant::Identity identity_of(const participant::ProcessOptions& options, const robot::Robot& robot);
 
-/// Adds to `network` what a process of this role proves itself by; nothing when `folder` (--security) is empty. Refuses,
-/// with the file and the remedy, what DDS would refuse, or could not agree on with the other vendor.
+/// Adds the proofs of identity of a process of this role to `network`; nothing if `folder` (--security) is empty.
+/// Refuses, with the file and the remedy, files that DDS would refuse, or on which it could not agree with the other
+/// vendor.
 Result<Done> secure(bus::NetworkOptions& network, const std::string& folder, bus::Role role, bus::Vendor vendor);
 
-/// Runs one process to its end, by one thread that polls or, on the real-time clock and where the process has a
-/// control loop, by the three threads of `threaded`; returns its exit status: 0 stopped as told, 1 could not take part, 2 bad input.
+/// Runs one process to its end. One thread polls. On the real-time clock a process with a control loop has the three
+/// threads of `threaded` instead. Returns its exit status: 0 stopped as told, 1 could not take part, 2 bad input.
 int run(const participant::ProcessOptions& options, const Factory<participant::Application>& polled,
         const Factory<participant::RealtimeApplication>& threaded = nullptr);
 

@@ -14,7 +14,7 @@ class TypedJournalledTopic final : public JournalledTopic {
   void take(const signals::SystemJournal& journal, const Now& now, const recording::TakeSample& take) override {
     auto [next, first] = next_.try_emplace(journal.stream, journal.samples_before);
     if (!first && journal.samples_before > next->second) {
-      lost_ += journal.samples_before - next->second;  // a process that begins anew counts from 0
+      lost_ += journal.samples_before - next->second;  // a process that restarts counts from 0
     }
     next->second = journal.samples_before + journal.samples;
     signals::visit_journal<Signal>(journal, [&](const Signal& signal, auto cdr, std::uint32_t age_ns) {

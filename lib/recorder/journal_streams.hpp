@@ -9,7 +9,7 @@
 
 namespace farrier::recorder {
 
-/// Whether processes keep journals of a topic: signals::kJournalled of its signal.
+/// True if processes keep journals of a topic: signals::kJournalled of its signal.
 bool is_journalled(bus::TopicId topic);
 
 /// Samples of one topic out of journals.

@@ -14,10 +14,10 @@
 namespace farrier::recorder {
 namespace {
 
-/// Samples of a key that may wait while this process stands still: a quarter of a second at 1 kHz.
+/// Samples of a key that may wait while this process is stopped: a quarter of a second at 1 kHz.
 constexpr int kDepth = 256;
 
-/// Journals of a stream, likewise: a second and more.
+/// Journals of a stream that may wait meanwhile: a second and more.
 constexpr int kJournalDepth = 128;
 
 /// A port of somebody who takes part.
@@ -58,7 +58,7 @@ class TypedTap final : public Tap {
   std::vector<std::uint8_t> cdr_;
 };
 
-/// What processes keep journals of.
+/// Tap of a topic that processes keep journals of.
 template <class Heard>
 class JournalTap final : public Tap {
  public:
@@ -77,7 +77,7 @@ class JournalTap final : public Tap {
   JournalStreams streams_;
 };
 
-/// Of a reader that is looked at now and then: what comes wakes nobody.
+/// Endpoint of a polled reader: its samples wake no thread.
 bus::EndpointSpec leisurely_endpoint(const robot::Robot& robot, bus::TopicId topic, int depth) {
   bus::EndpointSpec endpoint = watching_endpoint(robot, topic, depth);
   endpoint.wakes = false;
@@ -91,7 +91,7 @@ Result<std::unique_ptr<Tap>> watch(bus::Bus& bus, const robot::Robot& robot) {
   return std::unique_ptr<Tap>(std::make_unique<TypedTap<Signal, Heard>>(std::move(heard)));
 }
 
-/// Whom a participant must hear on a topic before the run begins.
+/// Keys that a participant must hear on a topic before the run begins.
 template <class Signal>
 std::vector<std::uint16_t> keys_of(const robot::Robot& robot, const participant::Identity& identity) {
   if constexpr (std::is_same_v<Signal, signals::GaitPhase>) {
@@ -111,7 +111,7 @@ std::vector<std::uint16_t> keys_of(const robot::Robot& robot, const participant:
   }
 }
 
-/// What every process publishes beside its ports, and the greeting does not probe.
+/// True for signals that every process publishes without a port, so that the greeting does not probe them.
 template <class Signal>
 inline constexpr bool kWithoutPorts = std::is_same_v<Signal, signals::SystemHello> ||
                                       std::is_same_v<Signal, signals::SystemHealth> ||
@@ -149,7 +149,7 @@ std::vector<std::uint16_t> journalled_streams(const participant::Identity& ident
   return streams;
 }
 
-/// Both ways from the bus to a recording, of one topic.
+/// The two kinds of tap of one topic, with and without ports of a participant.
 struct MakeTap {
   Result<std::unique_ptr<Tap>> (*watch)(bus::Bus&, const robot::Robot&);
   Result<std::unique_ptr<Tap>> (*take_part)(participant::Participant&, const robot::Robot&);

@@ -11,11 +11,11 @@
 
 namespace farrier::recorder {
 
-/// What was recorded of one topic.
+/// Counts of one topic's recorded samples.
 struct TopicProgress {
   bus::TopicId topic{};
   std::uint64_t samples = 0;  ///< taken from the bus
-  std::uint64_t lost = 0;     ///< that never came, by the sequence of its streams
+  std::uint64_t lost = 0;     ///< missing in the sequence of its streams
   bus::ReaderStatus reader;   ///< what the transport says of it
 };
 
@@ -23,23 +23,25 @@ struct TopicProgress {
 class Tap {
  public:
   virtual ~Tap() = default;
-  /// Hands every waiting sample on. Probes of the greeting, which nobody acts on, are left out.
+  /// Passes every waiting sample on, without probes of the greeting.
   virtual void drain(const recording::TakeSample& take) = 0;
-  /// Of each topic that comes this way.
+  /// Appends the counts of each topic that comes this way.
   virtual void append_progress(std::vector<TopicProgress>& all) const = 0;
 };
 
 /// Reads topics of a robot's bus as a recording has them.
 class Recorder {
  public:
-  /// Adds readers that no writer waits for. `topics`: those to read; empty: all but journals. Refuses what the bus refuses.
+  /// Adds readers that no writer waits for. `topics`: those to read; empty: all but journals. Refuses if the bus
+  /// refuses.
   static Result<Recorder> create(bus::Bus& bus, const robot::Robot& robot, const std::vector<bus::TopicId>& topics);
 
-  /// Reads every topic: streams by the journals of those who write them (participant/stream_journal.hpp), which costs less
-  /// than reading the streams themselves. Streams of a process that keeps none are not heard.
+  /// Reads every topic: streams by the journals of their writers (participant/stream_journal.hpp), which costs less
+  /// than reading the streams themselves. Streams of a process without journals are not heard.
   static Result<Recorder> of_journals(bus::Bus& bus, const robot::Robot& robot);
 
-  /// The same by ports of `participant`, which outlives it: in lock-step the run begins only when they hear everybody.
+  /// The same by ports of `participant`, which outlives it. In lock-step the run begins only when they hear every
+  /// process.
   static Result<Recorder> of_journals(participant::Participant& participant, const robot::Robot& robot);
 
   /// Hands what has come on.

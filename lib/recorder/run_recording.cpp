@@ -8,7 +8,7 @@ namespace {
 
 using enum bus::TopicId;
 
-/// What every joint sends in every tick.
+/// Topics of which every joint sends a sample in every tick.
 constexpr std::array kOfEveryTick{kJointSensors, kJointValveCommand, kJointMeasurement};
 
 }  // namespace

@@ -9,28 +9,28 @@
 
 namespace farrier::recording {
 
-/// Writes a run file on a thread of its own. Whoever offers samples never waits for the disk: what does not fit into
-/// the memory that may wait for it is lost, and counted.
+/// Writes a run file on a thread of its own. A thread that offers samples never waits for the disk. Samples that do not
+/// fit into the memory of the queue are lost, and counted.
 class BackgroundWriter {
  public:
   static constexpr std::size_t kMostWaitingBytes = 64u << 20;
 
   explicit BackgroundWriter(RunFileWriter file, std::size_t most_waiting_bytes = kMostWaitingBytes);
-  /// Without a finish before, the file stays at path_while_written, readable up to what was written.
+  /// Without a finish before, the file stays at path_while_written, readable up to the last written chunk.
   ~BackgroundWriter();
   BackgroundWriter(const BackgroundWriter&) = delete;
   BackgroundWriter& operator=(const BackgroundWriter&) = delete;
 
-  /// Copies the sample. False: it is lost, because the disk is behind or refuses.
+  /// Copies the sample. Returns false if it is lost, because the disk is behind or refuses.
   bool offer(const Sample& sample);
 
-  /// Writes what waits, ends the file and gives it its name; `lost_before` is what never came to `offer`. Refuses when the disk did not
-  /// take everything. Nothing may be offered after it.
+  /// Writes waiting samples, ends the file and gives it its name. `lost_before`: samples that never came to `offer`.
+  /// Refuses if the disk did not take everything. Nothing may be offered after it.
   Result<Done> finish(const TopicCounts& lost_before);
 
   /// Lost in `offer`, by topic.
   TopicCounts dropped() const;
-  /// Of the file so far.
+  /// Size of the file so far.
   std::uint64_t bytes() const;
   /// Why the disk refuses; empty: it does not.
   std::string failure() const;

@@ -10,8 +10,8 @@
 
 namespace farrier::recording {
 
-/// Samples of one topic that did not come, from the gaps in what its streams count. What was there before the first
-/// sample and after the last is not counted; a stream that begins anew, with another process, is not a loss.
+/// Counts the lost samples of one topic, from the gaps in the sequence numbers of its streams. Samples before the first
+/// and after the last are not counted. A stream that restarts, with another process, is not a loss.
 template <class Signal>
 class LossCount {
  public:

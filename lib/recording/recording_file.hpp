@@ -29,7 +29,7 @@ struct Sample {
 /// Gets samples, which are valid for the call.
 using TakeSample = std::function<void(const Sample&)>;
 
-/// What a recording says beside samples: names of metadata records.
+/// Names of the metadata records of a recording.
 inline constexpr const char* kRunFacts = "farrier.run";    ///< robot, file, vendor, clock, revision, seed: see docs
 inline constexpr const char* kLosses = "farrier.lost";     ///< by topic, samples that the recording does not have
 
@@ -41,11 +41,11 @@ using TopicCounts = std::array<std::uint64_t, bus::kTopicCount>;
 /// As a file has it.
 mcap::Message message_of(const Sample& sample) noexcept;
 
-/// Where the recording of this path is until it is finished, and stays when it never is: readable up to its last whole
-/// chunk. Devices and pipes are written where they are.
+/// Path of a recording until it is finished, and afterwards if it never is: readable up to its last whole chunk.
+/// Devices and pipes are written in place.
 std::string path_while_written(const std::string& path);
 
-/// Ends the reason why a run broke off: "; what was recorded is in run.mcap.part". Empty for no path.
+/// Last part of the reason why a run broke off: "; what was recorded is in run.mcap.part". Empty for no path.
 std::string left_behind(const std::string& path);
 
 class RunFileWriter {
@@ -76,20 +76,20 @@ class RunFileWriter {
 
 class RunFileReader {
  public:
-  /// Refuses a file that cannot be read, is not MCAP or is not of Farrier; topics of another contract are refused where
-  /// they are first met, by `ending`.
+  /// Refuses a file that cannot be read, is not MCAP or is not of Farrier. A topic of another contract ends the reading
+  /// at its first sample, with the reason in `ending`.
   static Result<RunFileReader> open(const std::string& path);
 
-  /// `keep_on` is asked at every chunk until the last sample; at its no the file ends, with kInterrupted.
+  /// `keep_on` is called at every chunk until the last sample. If it returns false the file ends, with kInterrupted.
   void ask(KeepOn keep_on) { keep_on_ = std::move(keep_on); }
 
-  /// The next sample, valid until the next call; samples of topics that this version does not know are passed over.
-  /// False at the end: see `ending`.
+  /// Reads the next sample, valid until the next call. Skips samples of topics that this version does not know. Returns
+  /// false at the end: see `ending`.
   bool next(Sample& sample);
 
-  /// Empty: the file was read to its regular end. Otherwise why not.
+  /// Empty: the file was read to its regular end. Otherwise the reason why not.
   const std::string& ending() const noexcept { return ending_.empty() ? file_.ending() : ending_; }
-  /// Of a metadata record read so far; empty without one. kLosses comes at the end.
+  /// Returns a metadata record read so far; empty without one. kLosses comes at the end.
   mcap::Text metadata(const std::string& name) const;
   const mcap::Reader& file() const noexcept { return file_; }
 

@@ -52,7 +52,8 @@ plant::ElectricParams electric_params(const ElectricActuator& a) {
           .stop_damping = a.stops.damping_Nms_rad};
 }
 
-/// What code that serves both kinds of joint reads of a hydraulic one: travel and largest current. The rest is 0.
+/// The fields of a hydraulic actuator that code for both kinds of joint reads: travel and largest current. The rest is
+/// 0.
 plant::ActuatorParams limits_of_electric(const plant::ElectricParams& electric) {
   plant::ActuatorParams limits;
   limits.stroke = electric.travel;

@@ -10,9 +10,9 @@
 
 namespace farrier::robot {
 
-// Derived quantities, one function each. A rotary motor takes what its data sheet does not give from a cylinder whose
-// force F would act on a lever r: torque r F, angle x / r; so friction and inertia scale with r^2, noise and
-// normalisation of position and velocity with 1 / r, of force with r.
+// Derived quantities, one function each. Values that a rotary motor's data sheet does not give come from a cylinder
+// whose force F would act on a lever r: torque r F, angle x / r. Friction and inertia therefore scale with r^2, noise
+// and normalisation of position and velocity with 1 / r, of force with r.
 
 /// The linkage of a leg that counts angles like a hind one (mirrored false) or the other way.
 Result<plant::Linkage> make_linkage(const LinkageSection& section, bool mirrored);
@@ -29,8 +29,8 @@ plant::LoadParams cylinder_load(const CylinderLoad& load);
 /// The leg as the load of a motor: its inertia, and the viscous friction of a cylinder's load times r^2, its dry friction times r.
 plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_like, double lever_m);
 
-/// Largest force (N or Nm), the less of what the supply can do and what the actuator is made for:
-/// push p_s A_a - p_t A_b, pull p_s A_b - p_t A_a.
+/// Largest force (N or Nm), the smaller of the supply's and the actuator's rated one: push p_s A_a - p_t A_b, pull p_s
+/// A_b - p_t A_a.
 struct ForceLimits {
   double push;
   double pull;
@@ -40,18 +40,20 @@ ForceLimits force_limits(const plant::ActuatorParams& actuator, double rated);
 SensorNoise cylinder_noise(const CylinderNoise& noise);
 SensorNoise motor_noise(const CylinderNoise& noise, double lever_m);
 
-/// As seen on a lever (1 for a cylinder): its filters are those of the section, its steps smaller by the lever.
+/// Sensors as seen on a lever (1 for a cylinder): the filters are those of the section, the steps are divided by the
+/// lever.
 Sensors sensors(const std::optional<SensorSection>& section, double lever);
 
 /// T = W of (3.52): half the stroke, velocity and force by the file; V of (3.53) is the full-open valve's current.
 control::Normalisation cylinder_normalisation(const Cylinder& cylinder, const plant::ActuatorParams& params);
 
-/// Half the travel; the cylinder's velocity divided by the lever and its force multiplied by it, so that one set of
-/// weights asks the same of a hip and a knee: equal power, equal stiffness of the loop at the leg.
+/// Half the travel; the cylinder's velocity divided by the lever and its force multiplied by it. One set of weights
+/// then asks the same of a hip and a knee: equal power, equal stiffness of the loop at the leg.
 control::Normalisation motor_normalisation(const Cylinder& like, const plant::ActuatorParams& params, double lever_m);
 
-/// All that an electric actuator and its loads say of a joint. T = W of (3.52): half the travel, velocity and torque by
-/// the file; V of (3.53) is the largest current its drive can be asked for. Torques up to the rated or stall torque.
+/// Sets the fields of a joint that follow from an electric actuator and its loads. T = W of (3.52): half the travel,
+/// velocity and torque by the file; V of (3.53) is the largest current of its drive. Torques up to the rated or stall
+/// torque.
 void drive_electrically(Joint& joint, const ElectricActuator& actuator, const RotaryLoads& loads);
 
 }  // namespace farrier::robot

@@ -5,9 +5,9 @@
 namespace farrier::robot {
 namespace {
 
-// The HAA axis u lies in the leg's plane, at right angles to the hanging leg. A link turned by q has its axes
-//   e_x = cos q down + sin q u,   e_y = -sin q down + cos q u,
-// so u = sin q e_x + cos q e_y, and with the link's joint at depth h below the axis (Steiner):
+// The HAA axis u lies in the leg's plane, at right angles to the hanging leg. A link turned by q has the axes
+//   e_x = cos q down + sin q u,   e_y = -sin q down + cos q u.
+// So u = sin q e_x + cos q e_y. With the link's joint at depth h below the axis (Steiner):
 //   J = u' I u + m d^2,   d = h + x_com cos q - y_com sin q.
 double link_inertia(const Link& link, double joint_depth_m, double angle_rad) noexcept {
   const double s = std::sin(angle_rad);

@@ -31,7 +31,7 @@ struct SensorNoise {
   double force = 0.0;
 };
 
-/// How a joint's sensors convert and filter, actuator coordinates; default: a sample is the truth with its noise.
+/// Conversion and filters of a joint's sensors, actuator coordinates; default: a sample is the truth with its noise.
 struct Sensors {
   control::LowPassParams position, velocity, force;  ///< digital, at the tick
   control::LowPassParams anti_alias;                 ///< analog, before each conversion of every channel
@@ -46,7 +46,7 @@ struct Joint {
   int leg;                           ///< its place in Robot::plan.legs
   int index_in_leg;
   bool rotary;                       ///< a motor: rad and Nm
-  /// Of an electric joint only `stroke` and `valve_current_max_A`, which is what its drive can be asked for.
+  /// An electric joint uses only `stroke` and `valve_current_max_A`, the largest current of its drive.
   plant::ActuatorParams actuator;
   std::optional<plant::ElectricParams> electric;  ///< of an electric joint
   plant::Linkage linkage;
@@ -56,7 +56,7 @@ struct Joint {
   SensorNoise noise;  ///< of one conversion
   Sensors sensors;
   control::Kind kind;
-  control::FeedbackLinearisationGains feedback_linearisation;  ///< act where the kind says so
+  control::FeedbackLinearisationGains feedback_linearisation;  ///< act if the kind says so
   control::PidGains pid;                                       ///< likewise
   control::FlowInversionGains flow_inversion;                  ///< likewise
   control::Form form;
@@ -66,7 +66,7 @@ struct Joint {
   double stiffness_Nm_rad, damping_Nms_rad;
   double dither_percent;  ///< probing current, plus or minus, of the valve's nominal current; 0: none
   int dither_hold_ticks;  ///< ticks for which it keeps its sign, >= 1
-  std::vector<plant::ActiveEffect> effects;  ///< beside the model; those that are other loads are in the loads above
+  std::vector<plant::ActiveEffect> effects;  ///< beside the model; those that change the load are in the loads above
 };
 
 struct Robot {
@@ -74,14 +74,14 @@ struct Robot {
   std::string path;  ///< of the file it came from
   double period_s;
   int loop_delay_lockstep, loop_delay_realtime;  ///< ticks
-  int estimate_period_ticks;  ///< >= 1; one for all joints, so that the tick alone says in lock-step what is due
+  int estimate_period_ticks;  ///< >= 1; one for all joints, so that in lock-step the tick determines the due estimates
   std::vector<Joint> joints;                     ///< in the order of the file: leg by leg
   gait::RobotPlan plan;
   UpdateLogicParams update_logic;
   Safety safety;
   Bounds bounds;
   Variation variation;
-  RobotFile file;  ///< what all of the above was derived from, defaults and overrides filled in
+  RobotFile file;  ///< source of all of the above, with defaults and overrides
 
   /// The joint of that name, null for none.
   const Joint* find(std::string_view joint_name) const noexcept;
@@ -89,11 +89,11 @@ struct Robot {
   /// The first electric joint, null for none.
   const Joint* first_electric() const noexcept;
 
-  /// Whether every joint's estimate is published at this tick: what the supervisor waits for in lock-step.
+  /// True if every joint's estimate is published at this tick; in lock-step the supervisor waits for it.
   bool estimate_due(Tick tick) const noexcept { return tick % estimate_period_ticks == 0; }
 };
 
-/// What a command line may change.
+/// Settings that a command line may change.
 struct Overrides {
   std::optional<gait::Pattern> pattern;
   std::optional<double> frequency_Hz;
@@ -113,7 +113,8 @@ Result<Robot, config::Problems> load_robot_text(const std::string& text, const s
 /// Effective configuration as YAML: every parameter with its value. Loads again to the same robot.
 std::string print_config(const Robot& robot);
 
-/// Of print_config: equal for robots that behave the same, whatever comments and order of keys their files have.
+/// Hash of print_config: equal for robots that behave the same; comments and order of keys in their files do not
+/// matter.
 std::uint64_t configuration_hash(const Robot& robot);
 
 /// Markdown table of every parameter of a robot file.

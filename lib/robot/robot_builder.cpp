@@ -17,7 +17,7 @@
 namespace farrier::robot {
 namespace {
 
-// What one joint template comes to on a leg that counts its angle the one way or the other.
+// One joint template on a leg of either direction of counting angles.
 struct Instance {
   plant::Linkage linkage;
   double angle_min_rad, angle_max_rad, home_angle_rad;
@@ -90,7 +90,7 @@ class Builder {
   }
 
   void check_limit(const JointTemplate& joint, const char* key, double angle_rad) {
-    constexpr double kRounding = 1e-9;  // of the stroke: a limit may lie exactly on an end
+    constexpr double kLimitRounding = 1e-9;  // of the stroke: a limit may lie exactly on an end
     const LinkageSection& section = *config::find(file_.linkages, joint.linkage);
     const double stroke = stroke_of(file_, joint);
     if (section.triangle) {
@@ -102,7 +102,7 @@ class Builder {
       }
     }
     const double position = make_linkage(section, false).value().position(angle_rad);
-    if (position < -kRounding * stroke || position > (1.0 + kRounding) * stroke) {
+    if (position < -kLimitRounding * stroke || position > (1.0 + kLimitRounding) * stroke) {
       problems_.push_back(joint.place.problem(
           key, config::number_text(angle_rad) + " puts actuator " + joint.actuator + " at " +
                    config::number_text(position) + ", outside its stroke: 0 to " + config::number_text(stroke)));
@@ -135,7 +135,7 @@ class Builder {
     return sum / static_cast<double>(motor.lever_joints.size());
   }
 
-  // Of the leg with its joints at home; the plane's mirror images are alike, so a front leg's angles do.
+  // Inertia of the leg with its joints at home; the plane's mirror images are alike, so a front leg's angles suffice.
   double leg_inertia_kg_m2(const Leg& leg) const {
     const double hfe = home_of(leg, 1);
     const double kfe = home_of(leg, 2);
@@ -245,7 +245,7 @@ class Builder {
     joint.pull_limit = limits.pull;
   }
 
-  // The height at which the legs stand at home.
+  // Sets the height of the hip to that of the legs at home.
   static void set_hip_height(gait::RobotPlan& plan) {
     for (const gait::LegPlan& leg : plan.legs) {
       if (leg.joints.size() == kJointsOfALeg) {

@@ -15,10 +15,10 @@
 
 namespace farrier::robot {
 
-/// HAA, HFE, KFE: what leg kinematics mean by a leg. A rig has one joint.
+/// HAA, HFE, KFE: the joints of a leg in leg kinematics. A rig has one joint.
 inline constexpr std::size_t kJointsOfALeg = 3;
 
-/// What a joint does when something is missing, the table of docs/architecture.md, and when a touchdown may be early.
+/// Reactions of a joint to missing inputs, the table of docs/architecture.md, and the lead for early touchdowns.
 struct Safety {
   double sensors_stale_s = 0.003;        ///< sensors older than this: valve to null
   double command_damping_s = 0.005;      ///< command older than this: damping only
@@ -27,7 +27,7 @@ struct Safety {
   int recovery_samples = 10;             ///< good sensor samples that end a stale spell
   int frozen_samples = 0;                ///< samples alike in every number that make sensors stale; 0: never
   double damping_gain_Nms_rad = 20.0;    ///< of the joint while its command is late: tau = -gain qdot
-  double position_damping_1_s = 5.0;     ///< speed per distance of a joint without a force to where it lost it
+  double position_damping_1_s = 5.0;     ///< speed per distance of the return to where a joint lost its force
   double stance_lead_s = 0.0;            ///< stance gains act this long before the announced touchdown
 };
 
@@ -36,13 +36,13 @@ struct SafetySection {
   config::Place place;
 };
 
-/// What a run is judged by.
+/// Bounds by which a run is judged.
 struct Bounds {
   double stance_nrmse = 0.10;  ///< largest tolerated NRMSE in stance
-  bool judged = true;          ///< whether a run on this robot fails when it is exceeded
+  bool judged = true;          ///< true if a run on this robot fails when it is exceeded
 };
 
-/// Ticks between a sensor sample and the first valve command that knows it; every design is made for it.
+/// Ticks between a sensor sample and the first valve command that depends on it; every design assumes it.
 struct LoopDelay {
   int lockstep = 0;
   int realtime = 1;

@@ -20,7 +20,7 @@ struct InprocRun {
   std::uint64_t seed = 1;
   supervisor::Design design = supervisor::Design::kStance;
   std::vector<robot::LoadChange> load_changes;  ///< of the simulated world
-  std::vector<robot::LoadChange> known_loads;   ///< what the supervisor knows of them and designs for exactly
+  std::vector<robot::LoadChange> known_loads;   ///< load changes that the supervisor knows and designs for exactly
   std::vector<supervisor::SlotGains> first_gains;  ///< by joint: the supervisor's first; empty: as `design` says
   gait_source::Announce announce = gait_source::Announce::kPlanned;    ///< what the gait source says of touchdowns
   const robot::Robot* world = nullptr;       ///< what sim_bridge simulates; null: the robot
@@ -41,8 +41,8 @@ struct InprocResult {
   std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued, in order
 };
 
-/// `robot` is what every participant believes in; `world` and `designer` differ from it in values only, never in its
-/// joints and legs. Refuses with the reason, also when the run stands still (a bug: nothing outside can hold it up).
+/// `robot` is the model that every participant has; `world` and `designer` differ from it in values only, never in
+/// joints and legs. Refuses with the reason, also when the run does not advance (a bug: nothing outside can block it).
 Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run);
 
 }  // namespace farrier::run

@@ -8,7 +8,7 @@
 
 namespace farrier::run {
 
-/// How joints are grouped into joint_node processes.
+/// Grouping of joints into joint_node processes.
 enum class Grouping { kPerLeg, kPerJoint, kOne };
 
 /// One participant of a run.
@@ -20,10 +20,10 @@ struct Member {
   bool stands_by = false;           ///< a supervisor that leads when the other has fallen silent
 };
 
-/// Everybody who takes part, in the order of their numbers; with `standby`, a second supervisor as the last.
+/// All participants, in the order of their numbers; with `standby`, a second supervisor as the last.
 std::vector<Member> plan_members(const robot::Robot& robot, Grouping grouping, bool standby = false);
 
-/// The same as processes, and as the last the launcher, who starts them, greets them and listens.
+/// The same as processes, and as the last the launcher, which starts them, greets them and listens.
 std::vector<Member> plan_processes(const robot::Robot& robot, Grouping grouping, bool standby);
 
 /// The rights that a member needs under DDS Security.

@@ -28,7 +28,7 @@ using Store = std::unique_ptr<X509_STORE, Free<X509_STORE_free>>;
 using StoreContext = std::unique_ptr<X509_STORE_CTX, Free<X509_STORE_CTX_free>>;
 using Pkcs7 = std::unique_ptr<PKCS7, Free<PKCS7_free>>;
 
-/// What libcrypto says about its last failure.
+/// Returns libcrypto's reason of its last failure.
 std::string reason() {
   const unsigned long code = ERR_peek_last_error();
   ERR_clear_error();

@@ -13,12 +13,13 @@
 
 namespace farrier::security {
 
-/// Where the files of a role lie in `folder`, made absolute. Looks at nothing.
+/// Paths of a role's files in `folder`, made absolute. Does not read the disk.
 bus::SecurityFiles files_of(const std::string& folder, bus::Role role, bus::Vendor vendor);
 
-/// The files of a role, checked at the time `now`: they are there and readable, the key is its owner's alone and that of
-/// the certificate, the certificate is valid and of the identity CA, its subject suits the vendor, and both documents
-/// are the permissions CA's, the permissions for that subject. Refuses with the file and the remedy.
+/// Returns the files of a role, checked at the time `now`. They are there and readable. Only its owner has access to
+/// the key, which is that of the certificate. The certificate is valid and of the identity CA, and its subject suits
+/// the vendor. Both documents are the permissions CA's, the permissions for that subject. Refuses with the file and the
+/// remedy.
 Result<bus::SecurityFiles> credentials(const std::string& folder, bus::Role role, bus::Vendor vendor, std::time_t now);
 
 /// "2027-01-31 12:00 UTC"

@@ -45,7 +45,7 @@ std::size_t visit_cdr_numbers(std::size_t offset, Field& field, At&& at) {
   }
 }
 
-/// Size of a signal's bytes, head included; of one that has Octets, which come last: without them.
+/// Size of a signal's bytes, head included. A byte sequence, which comes last, counts as empty.
 template <class Signal>
 std::size_t cdr_size() {
   std::size_t offset = 0;
@@ -55,7 +55,7 @@ std::size_t cdr_size() {
   return kCdrHeadBytes + offset;
 }
 
-/// How many octets a signal has: 0 but where a field is Octets.
+/// Number of bytes in a signal's byte sequence; 0 without such a field.
 template <class Signal>
 std::size_t octets_in(const Signal& signal) noexcept {
   std::size_t count = 0;
@@ -67,7 +67,7 @@ std::size_t octets_in(const Signal& signal) noexcept {
   return count;
 }
 
-/// Writes cdr_size<Signal>() bytes and the octets, padding left as it is: of bytes that are 0 before.
+/// Writes cdr_size<Signal>() bytes and those of a byte sequence. Padding is left as it is, so it must be 0 before.
 template <class Signal>
 void write_cdr(const Signal& signal, std::uint8_t* bytes) noexcept {
   bytes[1] = 1;  // CDR_LE
@@ -87,7 +87,7 @@ void to_cdr(const Signal& signal, std::vector<std::uint8_t>& bytes) {
   write_cdr(signal, bytes.data());
 }
 
-/// How many octets a signal may have: 0 but where a field is Octets.
+/// Largest number of bytes in a signal's byte sequence; 0 without such a field.
 template <class Signal>
 consteval std::size_t most_octets() {
   std::size_t most = 0;

@@ -1,7 +1,7 @@
 #pragma once
 
-// What is in the bytes of a SystemJournal: samples of one stream, one behind the other, each as nanoseconds since the
-// first was published and its CDR.
+// Content of a SystemJournal's bytes: consecutive samples of one stream, each as nanoseconds since the first was
+// published and its CDR.
 
 #include <algorithm>
 #include <cstring>
@@ -11,7 +11,7 @@
 
 namespace farrier::signals {
 
-/// Whose samples are gathered in journals: what comes in every tick, estimates, and the copies for slow networks.
+/// True for signals that are gathered in journals: those of every tick, estimates, and the copies for slow networks.
 template <class Signal>
 inline constexpr bool kJournalled = kOfEveryTick<Signal> || std::is_same_v<Signal, JointModelEstimate> ||
                                     std::is_same_v<Signal, JointModelEstimateCopy> ||
@@ -33,7 +33,7 @@ std::size_t journal_entry_size() {
   return size;
 }
 
-/// Whether another sample has room in a journal of at most `most` bytes.
+/// True if another sample has room in a journal of at most `most` bytes.
 template <class Signal>
 bool has_room(const SystemJournal& journal, std::size_t most = decltype(SystemJournal::bytes)::capacity()) {
   return journal.bytes.size() + journal_entry_size<Signal>() <= most;
@@ -58,8 +58,8 @@ inline void clear(SystemJournal& journal) noexcept {
   journal.bytes.resize(0);
 }
 
-/// Calls use(signal, cdr, age_ns) for every sample, oldest first; age_ns: from its publication to the journal's. False,
-/// and no further call, where the bytes are no such samples.
+/// Calls use(signal, cdr, age_ns) for every sample, oldest first; age_ns: from its publication to the journal's. At
+/// bytes that are no such samples it stops and returns false.
 template <class Signal, class Use>
 bool visit_journal(const SystemJournal& journal, Use&& use) {
   const std::size_t size = journal_entry_size<Signal>();

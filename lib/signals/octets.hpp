@@ -9,16 +9,16 @@
 
 namespace farrier::signals {
 
-/// As many octets as a sample needs, at most kMost: IDL's sequence<octet, kMost>.
+/// A byte sequence of variable size, at most kMost: a sequence with that bound in IDL.
 template <std::size_t kMost>
 class Octets {
  public:
   static constexpr std::size_t capacity() noexcept { return kMost; }
 
   constexpr std::uint32_t size() const noexcept { return size_; }
-  /// At most to its capacity. What is added is what was there before.
+  /// Limits the size to the capacity. Added bytes keep the values that the storage had before.
   constexpr void resize(std::size_t size) noexcept { size_ = static_cast<std::uint32_t>(std::min(size, kMost)); }
-  /// As many of `octets` as there is room for.
+  /// Copies as many bytes as there is room for.
   constexpr void assign(std::span<const std::uint8_t> octets) noexcept {
     resize(octets.size());
     std::copy_n(octets.begin(), size_, begin());

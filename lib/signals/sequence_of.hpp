@@ -8,15 +8,15 @@
 
 namespace farrier::signals {
 
-/// What comes once in every tick from each of its senders.
+/// True for signals that come once per tick from each sender.
 template <class Signal>
 inline constexpr bool kOfEveryTick =
     std::is_same_v<Signal, JointSensors> || std::is_same_v<Signal, JointCommand> ||
     std::is_same_v<Signal, JointValveCommand> || std::is_same_v<Signal, JointMeasurement> ||
     std::is_same_v<Signal, ClockTick> || std::is_same_v<Signal, ClockTickDone>;
 
-/// What rises by one from one sample of a stream to the next, so that a step of more says how many were lost: the tick
-/// of what comes in every tick, the count of what is counted. Empty: a sample that does not tell.
+/// Number that rises by one per sample of a stream, so that a larger step gives the number of lost samples. It is the
+/// tick of signals that come in every tick, and the counter of those that have one. Empty for a sample without either.
 template <class Signal>
 std::optional<std::uint64_t> sequence_of(const Signal& s) noexcept {
   if constexpr (kOfEveryTick<Signal>) {

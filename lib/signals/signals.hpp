@@ -4,7 +4,7 @@
 // each vendor's codec copies field by field from the lists in signals/fields.hpp.
 //
 // Coordinates are the actuator's: a cylinder's piston position in m (from retracted), velocity in m/s and load-cell
-// force in N; for a rotary motor the same fields hold rad, rad/s and Nm, which their names say.
+// force in N. For a rotary motor the same fields hold rad, rad/s and Nm, which their names say.
 
 #include <algorithm>
 #include <array>
@@ -103,7 +103,7 @@ struct JointModelEstimate {
 struct JointControllerGains {
   std::uint16_t joint = 0;      ///< key
   std::uint8_t phase = 0;       ///< key: Phase the gains are for
-  std::uint32_t authority = 0;  ///< of the supervisor that issued them: a joint obeys the highest it has heard of
+  std::uint32_t authority = 0;  ///< of the supervisor that issued them: a joint obeys the highest it has received
   std::uint32_t generation = 0; ///< rises by one with every issue to this joint; 0 is never issued
   Tick effective_tick = kNoTick;
   double k_position = 0;
@@ -139,7 +139,7 @@ struct JointUpdateDecision {
   double whiteness = 0;                 ///< of the estimate, 0..1
   double pole_distance = 0;             ///< of the estimate's poles from those the acting gains are designed for, >= 0
   double pole_spread = 0;               ///< of the estimates' poles over the convergence window, >= 0
-  std::uint32_t converged_ticks = 0;    ///< for how long what the method waits for has held
+  std::uint32_t converged_ticks = 0;    ///< time for which the method's condition has held
   std::array<double, 3> poles_re{};     ///< of the estimate, z-plane, unit circle is 1
   std::array<double, 3> poles_im{};
   std::array<double, 3> designed_poles_re{};  ///< of the model the acting gains are designed for
@@ -147,7 +147,7 @@ struct JointUpdateDecision {
   double estimated_radius = 0;          ///< spectral radius of the new gains' loop on the estimate; 0: not worked out
   double stored_radius = 0;             ///< on the stored model, worst corner of its uncertainty; 0: not worked out
   double disk_margin = 0;               ///< of the new gains' loop on the estimate, 0..2; 0: not worked out
-  double delay_margin_s = 0;            ///< delay it bears on top of its own, >= 0; 0: not worked out
+  double delay_margin_s = 0;            ///< delay it tolerates on top of its own, >= 0; 0: not worked out
   std::uint32_t dwell_ticks = 0;        ///< least time in a phase with the joint's two slots; 0: none, or not worked out
   std::array<double, 9> model_a{};      ///< the estimate, SI, row by row
   std::array<double, 3> model_b{};
@@ -162,7 +162,7 @@ struct GaitPhase {
   std::uint8_t phase = 0;      ///< Phase that begins
 };
 
-/// Every process -> every process: who is there, and whose samples it has received. Matched endpoints prove nothing.
+/// Every process -> every process: its identity, and whose samples it has received. Matched endpoints prove nothing.
 struct SystemHello {
   std::uint16_t participant = 0;    ///< key
   std::uint64_t session = 0;        ///< one per run; others are ignored
@@ -171,12 +171,12 @@ struct SystemHello {
   std::uint8_t vendor = 0;          ///< bus::Vendor
   std::uint16_t routes_expected = 0;  ///< (reader, key) pairs this process must hear before it starts
   std::uint16_t routes_heard = 0;
-  std::uint32_t authority = 0;      ///< newest supervisor's this process has heard of; 0: none
-  std::uint32_t mode_epoch = 0;     ///< of the newest mode it has heard of; 0: none
+  std::uint32_t authority = 0;      ///< highest that this process has received; 0: none
+  std::uint32_t mode_epoch = 0;     ///< of the newest mode it has received; 0: none
   Name name{};
 };
 
-/// Every process -> supervisor, monitors, the run's launcher: is it well, what did it send and receive.
+/// Every process -> supervisor, monitors, the run's launcher: its health, and its numbers of samples.
 struct SystemHealth {
   std::uint16_t participant = 0;  ///< key
   Tick tick = kNoTick;
@@ -184,7 +184,7 @@ struct SystemHealth {
   std::uint64_t periods = 0;         ///< of the control loop that were stepped
   std::uint64_t missed_periods = 0;  ///< that passed without a step
   std::array<double, 4> latency_s{};  ///< sensor sample to valve command, p50, p99, p99.9, largest; sim_bridge only, 0 elsewhere
-  std::array<double, 4> wake_up_s{};  ///< control loop awake after its deadline, likewise; 0 where it has none
+  std::array<double, 4> wake_up_s{};  ///< wake-up of the control loop after its deadline, likewise; 0 where it has none
   std::array<std::uint64_t, kMaxTopics> sent{};      ///< samples by topic number
   std::array<std::uint64_t, kMaxTopics> received{};  ///< samples by topic number
   std::array<std::uint64_t, kMaxTopics> lost{};      ///< samples known lost by topic number
@@ -196,7 +196,7 @@ struct SystemEvent {
   std::uint32_t count = 0;    ///< events of this participant so far
   Tick tick = kNoTick;
   std::uint8_t severity = 0;
-  std::uint16_t joint = 0xffff;  ///< 0xffff: not about one joint
+  std::uint16_t joint = kNoJoint;  ///< 0xffff: not about one joint
   Text text{};
 };
 
@@ -233,12 +233,13 @@ struct ClockTickDone {
   std::uint32_t issued_modes = 0;   ///< samples of system/mode it has published so far
 };
 
-/// joint_node -> monitors: what a joint measured and did in the last fiftieth of a second, for slow networks and eyes.
+/// joint_node -> monitors: a joint's measurements and actions in the last fiftieth of a second, for slow networks and
+/// eyes.
 struct JointSummary {
   std::uint16_t joint = 0;  ///< key
   Tick tick = kNoTick;      ///< of the newest measurement in it; so are the numbers without another word
   std::int64_t sample_time_ns = 0;
-  std::uint16_t ticks = 0;  ///< measurements in it; 0: none came, and the joint told its last one again
+  std::uint16_t ticks = 0;  ///< measurements in it; 0: none came, and the joint repeated its last one
   double position_m_or_rad = 0;
   double velocity_m_s_or_rad_s = 0;
   double force_N_or_Nm = 0;
@@ -255,7 +256,7 @@ struct JointSummary {
 /// estimator_service -> monitors: one of ten or more estimates, for slow networks and eyes.
 struct JointModelEstimateCopy : JointModelEstimate {};
 
-/// Every process -> recorders: many samples of one of its streams at once, for who records everything. Each sample is
+/// Every process -> recorders: many samples of one of its streams at once, for recorders of everything. Each sample is
 /// written as nanoseconds after the first one (4 bytes) and its CDR: signals/journal.hpp.
 struct SystemJournal {
   std::uint16_t stream = 0;           ///< key: participant * kMaxTopics + number of the stream's topic

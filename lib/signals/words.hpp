@@ -1,6 +1,6 @@
 #pragma once
 
-// What the codes in signals stand for. Their numbers travel, and stand in recordings.
+// Meanings of the codes in signals. Their numbers are sent and recorded, so they must not change.
 
 #include <cstdint>
 
@@ -11,18 +11,21 @@ namespace farrier::signals {
 using farrier::Phase;
 inline constexpr int kPhaseCount = 2;
 
-/// What the whole robot may do; the supervisor publishes it.
+/// Number of a joint in an event that is not about one joint.
+inline constexpr std::uint16_t kNoJoint = 0xffff;
+
+/// Modes of the whole robot; the supervisor publishes them.
 enum class Mode : std::uint8_t { kIdle = 0, kArmed = 1, kStopped = 2 };
 
-/// What an operator may ask for.
+/// Requests of an operator.
 enum class Request : std::uint8_t { kArm = 0, kStop = 1 };
 
-/// What one joint does (precedence from the bottom of the table in docs/architecture.md).
+/// Activity of one joint (precedence from the bottom of the table in docs/architecture.md).
 enum class JointState : std::uint8_t { kNull = 0, kDamping = 1, kTracking = 2 };
 
 enum class Severity : std::uint8_t { kInfo = 0, kWarning = 1, kError = 2 };
 
-/// What the update logic made of an estimate (Hubacher 2014, Section 5.3, Fig. 8.8, Table F.2).
+/// Verdict of the update logic on an estimate (Hubacher 2014, Section 5.3, Fig. 8.8, Table F.2).
 enum class UpdateVerdict : std::uint8_t {
   kAccepted = 0,              ///< new gains are issued
   kNotDifferentEnough = 1,    ///< poles too near those the acting gains are designed for

@@ -4,11 +4,11 @@
 
 namespace farrier::textbook {
 
-/// Hubacher (2014), (6.21) as it stands, for three measurements and N regressors: parameter vector of 3N entries,
-/// regression matrix (6.30), (6.31) of 3 x 3N, covariance of 3N x 3N; N is 3, 4 or 5. estimation::Rls is checked and
-/// timed against it. The covariance is taken off as P H'[..]^-1 (H P), 3N x 3 times 3 x 3N: the printed order of the products
-/// costs twice the time, and (P H')' in the place of H P lets an asymmetry grow with 1/lambda a sample until nothing
-/// is left.
+/// Hubacher (2014), (6.21) as printed, for three measurements and N regressors. The parameter vector has 3N entries,
+/// the regression matrix (6.30), (6.31) is 3 x 3N, the covariance 3N x 3N; N is 3, 4 or 5. estimation::Rls is checked
+/// and timed against it. The covariance is reduced by P H'[..]^-1 (H P), 3N x 3 times 3 x 3N. The printed order of the
+/// products costs twice the time. With (P H')' in the place of H P an asymmetry grows by 1/lambda per sample until
+/// nothing is left.
 template <int N>
 class TextbookRls {
  public:

@@ -43,7 +43,7 @@ class TraceWriter {
 
   void write(const TraceRow& row);
 
-  /// What write() gives the file, at most kLongestLine characters, put at `line`; returns its end. A thread may do this
+  /// Formats the line of write(), at most kLongestLine characters, at `line`; returns its end. One thread may do this
   /// while another is in write_lines().
   char* format(const TraceRow& row, char* line) const noexcept;
   void write_lines(std::string_view lines);

@@ -18,7 +18,7 @@ struct ControllerSummary {
   std::size_t seeds_failed;
 };
 
-/// What is not a number counts as worse than any number.
+/// NaN counts as worse than any number.
 double infinite_if_lost(double nrmse) noexcept { return std::isnan(nrmse) ? std::numeric_limits<double>::infinity() : nrmse; }
 
 ControllerSummary summarise(std::span<const VaryRow> rows, Contender contender) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `farrier compare controllers` found: every kind of controller on the same robots.
+// Result of `farrier compare controllers`: every kind of controller on the same robots.
 
 #include <array>
 #include <span>

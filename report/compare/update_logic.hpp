@@ -12,7 +12,7 @@
 
 namespace farrier::report {
 
-/// What an update logic had to do in a run.
+/// Work of an update logic in a run.
 struct LogicWork {
   std::uint64_t looks = 0;     ///< estimates looked at
   std::uint64_t designs = 0;   ///< controllers designed for them

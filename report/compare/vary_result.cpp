@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array kFixed{Contender::kStance, Contender::kSwing, Contender::kFeedbackLinearisation};
 
-/// What is not a number counts as worse than any number.
+/// NaN counts as worse than any number.
 double or_worst(double nrmse) noexcept { return std::isnan(nrmse) ? std::numeric_limits<double>::infinity() : nrmse; }
 
 std::vector<const VaryRow*> of(std::span<const VaryRow> rows, Contender contender) {

@@ -1,6 +1,6 @@
 #pragma once
 
-// What `farrier compare varied` found: one row for every seed, controller and joint.
+// Result of `farrier compare varied`: one row for every seed, controller and joint.
 
 #include <array>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace farrier::report {
 
-/// Who held the joints of a varied robot.
+/// Controllers that are compared on a varied robot.
 enum class Contender {
   kAdaptive,               ///< knows the nominal robot and what it measures
   kPerfect,                ///< designed for the varied robot, switched at the actual touchdowns: no robot can have it
@@ -55,11 +55,11 @@ inline constexpr double kMedianRatioPerfect = 1.3;
 /// Adds trot.vary.*. Every seed has a row for each contender and joint.
 void add_vary(Figures& figures, std::span<const VaryRow> rows);
 
-/// For people: a line per contender, then a line for every joint and seed in which a fixed baseline was better than
-/// adaptation, the widest margins first and at most `longest` of them (the CSV has all).
+/// Text for people: a line per contender, then lines for joints and seeds in which a fixed baseline was better than
+/// adaptation. These begin with the widest margins and are at most `longest` (the CSV has all).
 std::string vary_text(std::span<const VaryRow> rows, std::size_t longest);
 
-/// Every row as CSV with a header line. Refuses what the disk does not take.
+/// Every row as CSV with a header line. Refuses if the disk does not take all of it.
 Result<Done> write_vary_csv(const std::string& path, std::span<const VaryRow> rows);
 
 }  // namespace farrier::report

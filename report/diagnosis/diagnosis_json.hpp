@@ -8,18 +8,17 @@
 
 namespace farrier::report {
 
-/// The form of every command, to_json(outcome), with "verdict": "effects" | "none" | "cannot_separate" | "unknown" |
-/// "not_excited" | "bad_data" and beside it:
+/// The form of every command, to_json(outcome). "verdict" is "effects" | "none" | "cannot_separate" | "unknown" |
+/// "not_excited" | "bad_data". Values that are not finite are null. Further keys:
 ///
-/// "robot", "joint", "recording"; "effects": [{"name", "parameter", "value", "unit", "low", "high" (95 %),
-/// "confidence", "share", "parameters": [{"name", "value", "unit"}]}], by their share of the gain; "alternatives":
-/// [[name, name]];
-/// "experiment": {"one", "other", "excitation", "amplitude_A", "frequency_Hz", "duration_s", "difference", "text"} or
-/// null, of the first alternatives, and "experiments", all of them; "not_judged": [name]; "held_out":
-/// {"nrmse_before", "nrmse_after", "low", "high" (95 % of the one over the other)} or null; "control": {"effect",
-/// "old_nrmse", "new_nrmse"} or null; "extended_model": path or null; "channels": [{"name", "unit", "dependences":
-/// [{"driver", "explained", "shape", "from", "mean", "deviation"}], "left": {"rms", "expected", "nrmse"}}];
-/// "remarks": [text]; with bad data "findings": [{"what", "row", "text"}]. Values that are not finite are null.
+/// "robot", "joint", "recording" are texts, and "extended_model" is a path or null. "effects": [{"name", "parameter",
+/// "value", "unit", "low", "high" (95 %), "confidence", "share", "parameters": [{"name", "value", "unit"}]}], by their
+/// share of the gain. "alternatives" are pairs: [[name, name]]. "experiment": {"one", "other", "excitation",
+/// "amplitude_A", "frequency_Hz", "duration_s", "difference", "text"} or null, of the first alternatives. "experiments"
+/// are all of them, and "not_judged" is [name]. "held_out": {"nrmse_before", "nrmse_after", "low", "high" (95 % of the
+/// one over the other)} or null. "control": {"effect", "old_nrmse", "new_nrmse"} or null. "channels": [{"name", "unit",
+/// "dependences": [{"driver", "explained", "shape", "from", "mean", "deviation"}], "left": {"rms", "expected",
+/// "nrmse"}}]. "remarks" is [text]. With bad data "findings" are [{"what", "row", "text"}].
 std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome);
 
 /// Writes it to `path`; refuses what the disk does not take.

@@ -10,7 +10,7 @@
 
 namespace farrier::report {
 
-/// What force control gains when it knows what was found.
+/// Gain of force control from knowing the effects found.
 struct ControlGain {
   std::string effect;           ///< those it can use, separated by commas
   double old_nrmse, new_nrmse;  ///< of the force, with controllers for the model as given and for the extended one
@@ -28,8 +28,8 @@ struct DiagnosisResult {
   std::optional<ControlGain> control = {};
 };
 
-/// In what the numbers of an effect are shown: the units of a cylinder's file, of a rotary motor's, or those of a
-/// recording without any, whose times are counted in samples.
+/// Units in which the numbers of an effect are shown: of a cylinder's file, of a rotary motor's, or of a recording
+/// without units, in which times are counted in samples.
 enum class Units { kLinear, kRotary, kScaled };
 
 /// An effect for people.
@@ -40,7 +40,7 @@ struct ShownEffect {
     std::string unit;  ///< "1" for ratios
     double value;
   };
-  std::vector<Number> numbers;  ///< its parameters, the one that says how large it is first
+  std::vector<Number> numbers;  ///< its parameters; the first gives its size
   double low, high;             ///< 95 % interval of the first, within what the parameter may be
   double share, confidence;     ///< as in diagnosis::NamedEffect
 };

@@ -11,8 +11,8 @@ namespace farrier::report {
 /// Autocorrelation below which a residual counts as white, ChannelReport::whiteness.
 inline constexpr double kWhite = 4.0;
 
-/// Which of a few simple curves a residual follows over bins of a driver, in words: "grows straight with speed", "jumps
-/// with the sign of speed"; empty where the bins explain less than a tenth of it.
+/// Describes the simple curve that a residual follows over bins of a driver: "grows straight with speed", "jumps with
+/// the sign of speed". Empty if the bins explain less than a tenth of the residual.
 std::string shape_of(const diagnosis::Dependence& dependence);
 
 /// Middle of a bin of Dependence::from; the last is as wide as the one before.
@@ -30,18 +30,19 @@ std::string words_of(const char* name);
 /// The verdict in one sentence.
 std::string verdict_sentence(const diagnosis::Judgement& judgement);
 
-/// What is not told apart, a sentence each, with the experiment that would where there is one of that pair.
+/// Effects that cannot be separated, a sentence each, with the experiment that would separate that pair if there is
+/// one.
 std::vector<std::string> alternatives_text(const diagnosis::Judgement& judgement,
                                            std::span<const diagnosis::Experiment> experiments);
 
-/// What is wrong with bad data, a sentence each, with its row.
+/// Problems of bad data, a sentence each, with its row.
 std::vector<std::string> findings_text(std::span<const diagnosis::Finding> findings);
 
 /// "this recording could not show: ..."; empty where it could show everything.
 std::string not_judged_text(const diagnosis::Judgement& judgement);
 
-/// What goes with it: for effects none, for candidates that are alike the experiment, for an unknown cause the shape of
-/// what is left, for too little excitation what was not judged, for bad data its rows. A sentence each.
+/// Details of the verdict, a sentence each. Effects have none. Candidates that are alike have the experiment, and an
+/// unknown cause has the shape of the residual. Too little excitation has what was not judged, bad data has its rows.
 std::vector<std::string> verdict_details(const DiagnosisResult& result);
 
 /// "load_friction: coulomb_N 143.2 N (95 %: 138 to 148), confidence 0.99, 87 % of the gain".

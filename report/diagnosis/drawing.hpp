@@ -8,10 +8,10 @@
 
 namespace farrier::report {
 
-/// One line of a data file; gnuplot leaves out what is not a number.
+/// One line of a data file; gnuplot leaves out values that are no numbers.
 std::string line_of(const std::vector<double>& values);
 
-/// Whether a line can be drawn through values: two of them are finite.
+/// True if a line can be drawn through values: two of them are finite.
 bool has_points(const std::vector<double>& values);
 
 /// Pictures of one report as they are made ready for gnuplot.
@@ -24,7 +24,8 @@ struct Drawing {
   std::string data(const std::string& name, const std::string& lines);
 };
 
-/// What each candidate would bring in a round of the selection, counted from 0; the picture's path in the report.
+/// Draws the gain of each candidate in a round of the selection, counted from 0; returns the picture's path in the
+/// report.
 std::string round_picture(Drawing& drawing, std::vector<diagnosis::Candidate> candidates, std::size_t round);
 
 }  // namespace farrier::report

@@ -97,7 +97,7 @@ void add_hide(Figures& figures, std::span<const HideTrial> trials) {
   figures.add("hide.false_joints", false_joints, most_false_joints(trials.size()));
   figures.add("hide.nrmse_nominal", nominal / count);
   figures.add("hide.nrmse_hidden", hidden / count);
-  // Of a few seeds the effects may be ones that a stance does not feel.
+  // With a few seeds all effects may be ones that a stance does not feel.
   const bool enough = trials.size() >= kSeedsForTracking;
   figures.add("hide.nrmse_known", known / count,
               enough ? std::optional(0.5 * (nominal + hidden) / count) : std::nullopt);

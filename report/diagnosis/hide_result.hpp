@@ -1,6 +1,6 @@
 #pragma once
 
-// What `farrier trial` found: one trial for every seed.
+// Result of `farrier trial`: one trial for every seed.
 
 #include <cstdint>
 #include <span>
@@ -12,15 +12,15 @@
 
 namespace farrier::report {
 
-/// What the recording of one joint said.
+/// Diagnosis of one joint's recording.
 struct JointVerdict {
   std::string joint;
   std::string verdict;               ///< diagnosis::to_string(Verdict)
   std::vector<std::string> effects;  ///< named, by name, the largest share of the gain first
-  std::vector<std::string> tied;     ///< that the recording does not tell from one of them
+  std::vector<std::string> tied;     ///< that the recording cannot separate from one of them
   double gain = 0.0;                 ///< held out: sum over the channels of ln(rms before / rms after)
 
-  /// It says that the joint is not as its file says.
+  /// True if the diagnosis finds that the joint differs from its file.
   bool suspects() const;
 };
 
@@ -31,7 +31,7 @@ struct HideTrial {
   double value = 0.0;            ///< of it
   std::vector<JointVerdict> verdicts;  ///< of every joint
   /// Stance NRMSE of the hidden joint: in the nominal world, in the hidden one, and there with the model that was found
-  /// in everybody's robot file; the last is that of the hidden world where nothing was found.
+  /// in every process's robot file. If nothing was found, the last is that of the hidden world.
   double nrmse_nominal = 0.0, nrmse_hidden = 0.0, nrmse_known = 0.0;
 
   /// The joint with the largest gain of those that are suspected; null for none.
@@ -44,20 +44,20 @@ struct HideTrial {
   std::size_t false_joints() const;
 };
 
-/// Of twelve trials eleven are to be named.
+/// Bound on named trials: eleven of twelve.
 double least_named(std::size_t trials);
 /// Untouched joints that may be suspected: one in twelve trials.
 double most_false_joints(std::size_t trials);
-/// From so many trials on the model that was found must bring back half of the tracking that the effects took.
+/// Number of trials from which on the model found must restore half of the tracking that the effects took.
 inline constexpr std::size_t kSeedsForTracking = 12;
 
 /// Adds hide.*; at least one trial.
 void add_hide(Figures& figures, std::span<const HideTrial> trials);
 
-/// For people: what was hidden, a line per joint for one trial, a line per trial for several.
+/// Text for people: the hidden effects, a line per joint for one trial, a line per trial for several.
 std::string hide_text(std::span<const HideTrial> trials);
 
-/// Every joint of every trial as CSV with a header line. Refuses what the disk does not take.
+/// Every joint of every trial as CSV with a header line. Refuses if the disk does not take all of it.
 Result<Done> write_hide_csv(const std::string& path, std::span<const HideTrial> trials);
 
 }  // namespace farrier::report

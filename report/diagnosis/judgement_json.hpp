@@ -1,6 +1,6 @@
 #pragma once
 
-// What JSON of diagnoses has in common; the form is in diagnosis_json.hpp.
+// Parts that the JSON of all diagnoses shares; the form is in diagnosis_json.hpp.
 
 #include <span>
 #include <string>

@@ -11,7 +11,7 @@ std::string_view next_part(std::string_view& rest) noexcept {
   return part;
 }
 
-// What the angle brackets stand for in one part: <joint>, light_<quarter>, <quarter>_nrmse; never nothing.
+// Returns the text of the angle brackets in one part: <joint>, light_<quarter>, <quarter>_nrmse; never an empty one.
 std::optional<std::string_view> placeholder(std::string_view wanted, std::string_view given) noexcept {
   const std::size_t open = wanted.find('<');
   const std::size_t close = wanted.find('>');

@@ -63,7 +63,7 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.descriptors_growth", "1", kAtMost, "The same of its open descriptors."},
     FigureSpec{"trot.lost_samples", "1", kAtMost, "Samples that any process knows it lost, all topics."},
 
-    // compare switching: what it is worth that gains change with the announced phase
+    // compare switching: the benefit of changing gains with the announced phase
     FigureSpec{"trot.switching.stepped_ratio", "1", kAtMost,
                "Integrated force error over 30 ms after actual touchdowns, hips and knees, switching on over off; gains adapted before, reference and weight step at touchdown. On: both sets, stance_lead_s before planned touchdowns. Off: the adapted swing gains, which act when a leg lands, in both phases. No dither, no redesign."},
     FigureSpec{"trot.switching.ramped_ratio", "1", kNone, "The same with the load transfer of the robot file."},
@@ -125,7 +125,7 @@ constexpr std::array kSpecs{
     FigureSpec{"trot.vary.<baseline>.wins", "1", kNone,
                "Joints and seeds in which a fixed baseline has a smaller stance NRMSE than adaptation."},
 
-    // trial: an effect that only sim_bridge knows, looked for in the recordings of the run
+    // trial: an effect that only sim_bridge knows, searched in the recordings of the run
     FigureSpec{"hide.seeds", "1", kNone, "Effects that were hidden, one at a time."},
     FigureSpec{"hide.named", "1", kAtLeast,
                "Seeds in which the joint with the largest held-out gain is the hidden one and its first effect the hidden effect."},

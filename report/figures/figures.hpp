@@ -1,7 +1,7 @@
 #pragma once
 
-// The one form of what a command measures: named figures, each declared once in figure_registry.cpp. Tables for
-// people, JSON and the HTML report all show the same Figures.
+// The common form of all results: named figures, each declared once in figure_registry.cpp. Tables for people, JSON and
+// the HTML report all show the same Figures.
 
 #include <optional>
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace farrier::report {
 
-/// How a figure must relate to its bound.
+/// Relation of a figure to its bound.
 enum class Relation {
   kNone,     ///< never bounded
   kAtMost,   ///< value <= bound
@@ -36,7 +36,7 @@ std::span<const FigureSpec> figure_specs() noexcept;
 /// The declaration `name` falls under, null for none.
 const FigureSpec* find_spec(std::string_view name) noexcept;
 
-/// What the angle brackets of `pattern` stand for in `name`, in order; nothing when the name does not fit.
+/// Returns the texts in `name` for the angle brackets of `pattern`, in order; nothing if the name does not fit.
 std::optional<std::vector<std::string_view>> match(std::string_view pattern, std::string_view name);
 
 /// Markdown table of every declared figure, for docs/figures.md.

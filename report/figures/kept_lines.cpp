@@ -8,8 +8,6 @@
 namespace farrier::report {
 namespace {
 
-using nlohmann::json;
-
 /// True if the file's last line lacks its end, as after a run that was killed.
 bool ends_within_a_line(const std::string& path) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
@@ -18,7 +16,7 @@ bool ends_within_a_line(const std::string& path) {
 
 }  // namespace
 
-Result<Done> append_kept(const std::string& path, const json& origin, json line) {
+Result<Done> append_kept(const std::string& path, const nlohmann::json& origin, nlohmann::json line) {
   line["origin"] = origin;
   const bool cut_off = ends_within_a_line(path);
   std::ofstream file(path, std::ios::app);
@@ -30,12 +28,12 @@ Result<Done> append_kept(const std::string& path, const json& origin, json line)
   return Done{};
 }
 
-std::vector<json> read_kept(const std::string& path, const json& origin) {
-  std::vector<json> lines;
+std::vector<nlohmann::json> read_kept(const std::string& path, const nlohmann::json& origin) {
+  std::vector<nlohmann::json> lines;
   std::ifstream file(path);
   for (std::string text; std::getline(file, text);) {
-    json line = json::parse(text, nullptr, false);
-    if (line.is_object() && line.value("origin", json()) == origin) {
+    nlohmann::json line = nlohmann::json::parse(text, nullptr, false);
+    if (line.is_object() && line.value("origin", nlohmann::json()) == origin) {
       lines.push_back(std::move(line));
     }
   }

@@ -25,12 +25,12 @@ struct Claim {
   std::string reason;    ///< why it is refuted or fails; empty when it holds
 };
 
-/// What a command that measures ends with.
+/// Result of a command that measures.
 struct Outcome {
   std::string command;  ///< "trot", "bench", ...
   Figures figures;
   RunInfo run;
-  std::vector<std::string> failures;  ///< what went wrong besides figures: "joint_node_lf ended with status 1"
+  std::vector<std::string> failures;  ///< errors besides figures: "joint_node_lf ended with status 1"
   std::vector<std::string> warnings = {};  ///< what went wrong and fails nothing
   std::vector<Claim> claims = {};          ///< of a command that checks a text's
   std::string finding = {};                ///< the verdict in one word of a command that finds out; empty: pass or fail
@@ -40,10 +40,10 @@ struct Outcome {
   std::string verdict() const { return !finding.empty() ? finding : passes() ? "pass" : "fail"; }
 };
 
-/// {"command", "verdict": "pass"|"fail" or the finding, "failures", "warnings" (only when there are any), "figures": [{"name", "value", "unit"},
-/// with a bound also "relation", "bound", "holds"], "claims" (only when there are any): [{"id", "figure", "section",
-/// "sentence", "claim", "measured": {"name", "value", "unit", "relation", "bound"}, "verdict", "reason"}],
-/// "run": {...}}. Values that are not finite are null.
+/// {"command", "verdict": "pass"|"fail" or the finding, "failures", "warnings" (only when there are any), "figures":
+/// [{"name", "value", "unit"}], "claims" (only when there are any), "run": {...}}. A figure with a bound also has
+/// "relation", "bound", "holds". A claim is {"id", "figure", "section", "sentence", "claim", "measured": {"name",
+/// "value", "unit", "relation", "bound"}, "verdict", "reason"}. Values that are not finite are null.
 std::string to_json(const Outcome& outcome);
 
 /// Writes to_json() to `path`, as replace_file does; refuses what the disk does not take.

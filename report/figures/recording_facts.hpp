@@ -5,7 +5,7 @@
 
 namespace farrier::report {
 
-/// What a recording says of its run: robot, configuration (effective, YAML) and its hash, period_s, version,
+/// Facts of a run in its recording: robot, configuration (effective, YAML) and its hash, period_s, version,
 /// git_revision, contract.
 mcap::Text recording_facts(const robot::Robot& robot);
 

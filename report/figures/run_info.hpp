@@ -35,7 +35,7 @@ struct ProcessInfo {
   std::optional<Growth> growth{};  ///< where it was watched
 };
 
-/// What the supervisor decided about one joint's gains.
+/// The supervisor's decision about one joint's gains.
 struct DecisionInfo {
   std::string joint;
   signals::JointUpdateDecision decision;
@@ -52,7 +52,7 @@ struct Machine {
   std::uint64_t memory_bytes = 0;
 };
 
-/// What a run must record to be repeated.
+/// Facts needed to repeat a run.
 struct RunInfo {
   std::string version;
   std::string git_revision;        ///< of the source at configure time; "unknown" outside a repository
@@ -77,10 +77,10 @@ RunInfo run_info(const robot::Robot& robot, std::uint64_t seed);
 std::vector<DecisionInfo> decision_infos(const robot::Robot& robot,
                                          std::span<const signals::JointUpdateDecision> decisions);
 
-/// What a process told about itself.
+/// Returns the facts that a process reported about itself.
 ProcessInfo process_info(const signals::SystemHello& hello, const signals::SystemHealth& health);
 
-/// Of every participant; both by number.
+/// The same for every participant; both arguments by number.
 std::vector<ProcessInfo> process_infos(const std::vector<signals::SystemHello>& hellos,
                                        const std::vector<signals::SystemHealth>& healths);
 
@@ -88,8 +88,8 @@ std::vector<ProcessInfo> process_infos(const std::vector<signals::SystemHello>& 
 /// clock may lose some), and trot.latency_* where a process measured it.
 void add_transport(Figures& figures, const RunInfo& run, bool judge_losses);
 
-/// Adds what a run's control loops waited and missed: <prefix>.latency_*, .wake_up_* and .missed_periods, held to
-/// `missed_bound`.
+/// Adds latencies and deadline misses of a run's control loops: <prefix>.latency_*, .wake_up_* and .missed_periods,
+/// with the bound `missed_bound`.
 void add_latencies(Figures& figures, const std::string& prefix, const std::vector<ProcessInfo>& processes,
                    std::optional<double> missed_bound = std::nullopt);
 

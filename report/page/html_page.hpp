@@ -7,10 +7,10 @@
 
 namespace farrier::report {
 
-/// How every report begins: head with style, title, verdict, and why it fails where it does.
+/// Beginning of every report: head with style, title, verdict, and the reasons if it fails.
 std::string page_head(const std::string& title, const Outcome& outcome);
 
-/// How every report ends: figures, processes, run, configuration.
+/// End of every report: figures, processes, run, configuration.
 std::string page_foot(const Outcome& outcome);
 
 /// Writes out_dir/index.html, as replace_file does, and returns its path; refuses what the disk does not take.

@@ -1,6 +1,6 @@
 #pragma once
 
-// What adaptation did in a run: which redesigns became gains.
+// Work of adaptation in a run: which redesigns became gains.
 
 #include "robot/robot.hpp"
 #include "report/figures/figures.hpp"
@@ -13,9 +13,9 @@ namespace farrier::report {
 inline constexpr double kUpdatesAtLeast = 3;
 inline constexpr double kUpdatesJudgedFrom_s = 9.0;
 
-/// Adds trot.<joint>.updates and .refused_designs and trot.updates. `judged`: the run adapts on the lock-step clock;
-/// then hips and knees that flex in a three-jointed leg of a judged robot that trots for `ticks` of at least
-/// kUpdatesJudgedFrom_s are bounded. HAA see nearly one load in both phases.
+/// Adds trot.<joint>.updates and .refused_designs and trot.updates. `judged`: the run adapts on the lock-step clock.
+/// Bounds then apply to hips and knees that flex in a three-jointed leg of a judged robot that trots for `ticks` of at
+/// least kUpdatesJudgedFrom_s. HAA see nearly one load in both phases.
 void add_updates(Figures& figures, const robot::Robot& robot, std::span<const DecisionInfo> decisions, Tick ticks,
                  bool judged);
 

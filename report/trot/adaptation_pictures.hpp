@@ -9,7 +9,7 @@
 
 namespace farrier::report {
 
-/// What a picture of one joint's adaptation is made of.
+/// Input of a picture of one joint's adaptation.
 struct AdaptationPicture {
   const robot::Robot& robot;
   const robot::Joint& joint;
@@ -22,9 +22,10 @@ struct AdaptationPicture {
 /// True when the supervisor decided anything about the joint.
 bool adapted(const AdaptationPicture& input);
 
-/// Writes the data beside `stem` and adds to `script` what draws `output`, out_dir being gnuplot's working directory:
-/// velocity and force gain of both slots over time against those for the true loads, and the poles of every estimate
-/// decided on against those of the true loads. Refuses what the disk does not take, and a joint without a controller.
+/// Writes the data beside `stem` and adds commands to `script` that draw `output`; out_dir is gnuplot's working
+/// directory. One panel shows velocity and force gain of both slots over time against those for the true loads. Another
+/// shows the poles of every estimate decided on against those of the true loads. Refuses data that the disk does not
+/// take, and a joint without a controller.
 Result<Done> plot_adaptation(const AdaptationPicture& input, const std::string& out_dir, const std::string& stem,
                              const std::string& output, std::string& script);
 

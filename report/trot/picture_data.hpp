@@ -12,7 +12,7 @@
 
 namespace farrier::report {
 
-/// What the pictures of one joint show, in files beside them.
+/// Data of the pictures of one joint, in files beside them.
 struct JointPictureData {
   double window_start_s = 0.0, window_end_s = 0.0;    ///< of the close look: three strides from the first judged tick
   double run_end_s = 0.0;

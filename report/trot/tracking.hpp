@@ -1,6 +1,6 @@
 #pragma once
 
-// How well the joints of a run were torque sources.
+// Tracking: how well the joints of a run were torque sources.
 
 #include <cstdint>
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace farrier::report {
 
-/// What an actuator is sold for: the scale of its errors.
+/// Rated force of an actuator: the scale of its errors.
 struct Rating {
   double force;  ///< N, or Nm for a rotary motor
   bool rotary;
@@ -45,12 +45,12 @@ struct Tracking {
   Tick ticks = 0;                     ///< of the run
 };
 
-/// Whether every joint has judged ticks in every phase its gait has.
+/// True if every joint has judged ticks in every phase its gait has.
 bool long_enough(const robot::Robot& robot, const Tracking& tracking);
 
-/// One pass over the rows, in any order. Stance and swing are those the schedule plans, whichever gains act and
-/// whenever the leg really lands: runs that switch at different ticks are judged on the same ones. Rows of joints the
-/// robot does not have are a bug.
+/// Judges the rows, in any order, in one pass. Stance and swing are those that the schedule plans, for any gains and
+/// any touchdown: runs that switch at different ticks are judged on the same ones. A row of a joint that the robot does
+/// not have is a bug.
 Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::span<const trace::TraceRow> rows,
                int loop_delay_ticks);
 
@@ -58,14 +58,13 @@ Tracking track(const robot::Robot& robot, const gait::Schedule& schedule, std::s
 /// measured only.
 enum class Judgement { kLockstep, kMeasuredOnly };
 
-/// Adds trot.ticks, trot.strides and each joint's figures; in lock-step bounded where the robot is judged: stance
-/// NRMSE by its file, knees of a trot by kKneeTravel_rad, missed ticks and ticks without tracking by 0; tripped joints
-/// by 0 on either clock. A joint that is its piston has no
-/// travel_rad.
+/// Adds trot.ticks, trot.strides and each joint's figures. A joint that is its piston has no travel_rad. In lock-step
+/// figures of a judged robot have bounds: stance NRMSE by its file, knees of a trot by kKneeTravel_rad, missed ticks
+/// and ticks without tracking by 0. Tripped joints are bounded by 0 on either clock.
 inline constexpr double kKneeTravel_rad = 0.3;
 void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking, Judgement judgement);
 
-/// Adds the errors of a second run in which every joint kept its swing design: what adapting is worth.
+/// Adds the errors of a second run in which every joint kept its swing design: the benefit of adaptation.
 void add_swing_design_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking);
 
 }  // namespace farrier::report

@@ -39,7 +39,7 @@ std::vector<std::string> code_of(const Source& source);
 /// "path:line".
 std::string at(const Source& source, int line);
 
-/// Whether the path is excepted; notes which exceptions are used.
+/// `cover` is true if the path is excepted. It notes which exceptions are used.
 class Exceptions {
  public:
   explicit Exceptions(std::span<const Exception> list) : list_(list), used_(list.size(), false) {}

@@ -25,7 +25,7 @@ class TargetGraph {
   /// Reads the given CMake files.
   explicit TargetGraph(const std::vector<const Source*>& cmake_files);
 
-  /// Of the product: lib/, process folders, lab, tools.
+  /// The graph of the product: lib/, process folders, lab, tools.
   static const TargetGraph& of_product();
 
   const std::map<std::string, Target>& targets() const { return targets_; }

@@ -152,8 +152,8 @@ class Conformance : public testing::TestWithParam<Pair> {
   }
 
  private:
-  /// Cyclone DDS 0.10 takes what the first heartbeat of Fast DDS tells of, and has not come, for older than its reader. It
-  /// asks for that heartbeat a few milliseconds after both know of each other.
+  /// Cyclone DDS 0.10 takes samples that the first heartbeat of Fast DDS reports, and that have not come, for older
+  /// than its reader. It asks for that heartbeat a few milliseconds after both know of each other.
   void await_first_heartbeat() const {
     if (GetParam().writer == bus::Vendor::kFast && GetParam().reader == bus::Vendor::kCyclone) {
       std::this_thread::sleep_for(50ms);

@@ -1,4 +1,4 @@
-// What happens when a process dies, stops or falls silent.
+// Behaviour when a process dies, stops or falls silent.
 
 #include <atomic>
 #include <thread>
@@ -101,8 +101,8 @@ TEST_P(Failure, LossOfLivelinessIsReportedWithinTheBudget) {
   auto reader = subscription<SystemMode>(authority());
   auto only = supervisor(kStrong);
   ASSERT_TRUE(hears(reader, kStrong, kMatchBudget));
-  // Where a machine that stood still has lost it already it cannot be lost again: a sample that comes from now on says it
-  // lives.
+  // If the machine was stopped, the writer may be lost already and cannot be lost again. A sample that comes from now
+  // on shows that it is alive.
   const std::uint64_t before = reader.status().liveliness_lost;
   taken(reader);
   ASSERT_TRUE(hears(reader, kStrong, kDeliveryBudget));
@@ -121,7 +121,7 @@ TEST_P(Conformance, MissedDeadlineIsReported) {
   EXPECT_TRUE(wait_until(reader_bus(), kSilenceBudget, [&] { return reader.status().deadline_missed >= 2; }));
 }
 
-// What a control loop of one millisecond may lose once, not every time.
+// Time that a control loop of one millisecond may lose once, not every time.
 constexpr Nanoseconds kWriteBudget = 1ms * test::kSlowness;
 
 TEST_P(Conformance, WritingDoesNotWaitForAnAbsentReader) {

@@ -1,4 +1,4 @@
-// Who gets it: partitions, durability, and requests that an offer does not satisfy.
+// Matching of readers: partitions, durability, and requests that an offer does not satisfy.
 
 #include <set>
 #include <thread>
@@ -64,7 +64,7 @@ TEST_P(Conformance, LateSubscriberReceivesTheTransientLocalHistoryOfEveryKey) {
   }
 }
 
-// Of a volatile writer: a transient-local one of Cyclone repeats its history to a volatile reader of Fast DDS, too.
+// The writer is volatile: a transient-local one of Cyclone repeats its history to a volatile reader of Fast DDS, too.
 TEST_P(Conformance, LateVolatileSubscriberReceivesOnlyWhatIsNew) {
   auto writer = publisher<SystemMode>(reliable(4));
   auto early = subscription<SystemMode>(reliable(4));

@@ -10,6 +10,7 @@
 
 #include "bus/key.hpp"
 #include "bus/topics.hpp"
+#include "signals/idl_text.hpp"
 
 namespace farrier::contract {
 namespace contract_text_test {
@@ -18,16 +19,13 @@ constexpr std::size_t kMaxKeySize = 16;  // a longer key travels as a hash, whic
 
 struct Field {
   bool key = false;
-  std::string type;
-  std::string name;
-  std::size_t count = 1;  ///< array length
+  std::string text;  ///< "double a[9]"
 
+  std::string name() const { return text.substr(text.rfind(' ') + 1); }  ///< of a key, which is no array
   friend bool operator==(const Field&, const Field&) = default;
 };
 
-void PrintTo(const Field& field, std::ostream* out) {
-  *out << (field.key ? "@key " : "") << field.type << ' ' << field.name << '[' << field.count << ']';
-}
+void PrintTo(const Field& field, std::ostream* out) { *out << (field.key ? "@key " : "") << field.text; }
 
 struct IdlFile {
   std::string text;
@@ -52,48 +50,17 @@ IdlFile read_idl(const std::string& name) {
       R"((@key\s+)?((?:unsigned )?(?:long long|long|short)|octet|char|double|sequence<.*>)\s+(\w+)(?:\[(\d+)\])?;)");
   for (std::sregex_iterator i(code.begin(), code.end(), field), end; i != end; ++i) {
     const std::smatch& found = *i;
-    file.fields.push_back({found[1].matched, found[2], found[3], found[4].matched ? std::stoul(found[4]) : 1});
+    file.fields.push_back({found[1].matched, found[2].str() + ' ' + found[3].str() +
+                                                 (found[4].matched ? '[' + found[4].str() + ']' : std::string())});
   }
   return file;
-}
-
-template <class T>
-struct Idl;
-template <>
-struct Idl<char> { static constexpr const char* name = "char"; };
-template <>
-struct Idl<double> { static constexpr const char* name = "double"; };
-template <>
-struct Idl<std::uint8_t> { static constexpr const char* name = "octet"; };
-template <>
-struct Idl<std::uint16_t> { static constexpr const char* name = "unsigned short"; };
-template <>
-struct Idl<std::uint32_t> { static constexpr const char* name = "unsigned long"; };
-template <>
-struct Idl<std::uint64_t> { static constexpr const char* name = "unsigned long long"; };
-template <>
-struct Idl<std::int64_t> { static constexpr const char* name = "long long"; };
-
-template <class T>
-Field described(const char* name, const T&) {
-  return {false, Idl<T>::name, name, 1};
-}
-template <class T, std::size_t kCount>
-Field described(const char* name, const std::array<T, kCount>&) {
-  return {false, Idl<T>::name, name, kCount};
-}
-
-template <std::size_t kMost>
-Field described(const char* name, const signals::Octets<kMost>&) {
-  return {false, "sequence<octet, " + std::to_string(kMost) + ">", name, 1};
 }
 
 template <class Signal>
 std::vector<Field> fields_of() {
   std::vector<Field> fields;
   signals::visit_fields(Signal{}, [&](const char* name, const auto& field) {
-    fields.push_back(described(name, field));
-    fields.back().key = fields.size() <= bus::kKeyFields<Signal>;
+    fields.push_back({fields.size() < bus::kKeyFields<Signal>, signals::idl_text(name, field)});
   });
   return fields;
 }
@@ -111,7 +78,7 @@ std::size_t key_size() {
 std::string comma_separated_keys(const std::vector<Field>& fields) {
   std::string keys;
   for (const Field& field : fields) {
-    keys += field.key ? (keys.empty() ? "" : ", ") + field.name : "";
+    keys += field.key ? (keys.empty() ? "" : ", ") + field.name() : "";
   }
   return keys;
 }
@@ -126,6 +93,14 @@ TEST(Contract, IdlDeclaresTheFieldsTypesOrderAndKeysOfEverySignal) {
   }
   FARRIER_SIGNALS(FARRIER_COMPARE)
 #undef FARRIER_COMPARE
+}
+
+TEST(Contract, TextThatIsHashedHasTypesArraySizesAndKeys) {
+  const std::string text = bus::contract_text();
+  for (const char* part : {"joint/model_estimate wire::JointModelEstimate ", "\nJointModelEstimate: @key unsigned short joint;",
+                           " double a[9];", "sequence<octet, 32000> bytes;"}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << " is not in:\n" << text;
+  }
 }
 
 TEST(Contract, EveryTopicHasItsFileAndEveryFileItsTopic) {

@@ -1,4 +1,4 @@
-// What Cyclone is told and what it refuses.
+// Cyclone's configuration and its refusals.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// What goes together is one datagram, whichever vendor sends and whichever hears it, encrypted or not.
+// Samples that go together are one datagram, for every vendor of writer and reader, encrypted or not.
 
 #include <gtest/gtest.h>
 

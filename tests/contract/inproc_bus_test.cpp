@@ -1,4 +1,4 @@
-// What only the in-process bus can be asked: a simulated clock decides, and it costs next to nothing.
+// Tests of the in-process bus alone: a simulated clock decides, and it costs next to nothing.
 
 #include <gtest/gtest.h>
 
@@ -93,7 +93,7 @@ TEST_F(InprocBus, MissedDeadlineReleasesTheKey) {
   EXPECT_EQ(epochs(reader), (Epochs{1, 2}));
 }
 
-TEST_F(InprocBus, EveryMissedPeriodCountsOnceAndADepartedWriterOwesNothing) {
+TEST_F(InprocBus, CountsEachMissedPeriodOnceUntilTheWriterLeaves) {
   Qos qos = kSupervision;
   qos.deadline = 10ms;
   auto reader = robot(qos);

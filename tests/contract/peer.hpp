@@ -54,9 +54,9 @@ std::vector<std::string> isolated_greeters(int count);
 inline constexpr std::size_t kGatheredJoints = 3;
 inline constexpr int kGatheredTicks = 200;
 
-/// Starts a process that writes samples which go together, to a bus of its own, in a network namespace of its own:
-/// under DDS Security with the keys of that folder, in the open without one. It prints "<samples received> <datagrams
-/// sent>" or "skip <reason>".
+/// Starts a process that writes samples which go together, to a bus of its own, in a network namespace of its own. With
+/// `keys` it uses DDS Security with the keys of that folder; empty: without encryption. It prints "<samples received>
+/// <datagrams sent>" or "skip <reason>".
 std::vector<std::string> isolated_gatherer(bus::Vendor writer, bus::Vendor reader, const std::string& partition,
                                            const std::string& keys);
 

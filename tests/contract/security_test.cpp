@@ -89,29 +89,29 @@ std::string all_of(const std::vector<std::string>& sentences) {
 
 class Security : public testing::TestWithParam<Pair> {};
 
-TEST_P(Security, SamplesCrossBetweenThoseWhoProveWhoTheyAre) {
+TEST_P(Security, SamplesCrossBetweenProvenIdentities) {
   const auto writer = join_as(Role::kJointNode, GetParam().writer);
   const auto reader = join_as(Role::kSimBridge, GetParam().reader);
   EXPECT_TRUE(crosses(*writer, *reader, kHandshakeBudget));
 }
 
-TEST_P(Security, WhoProvesNothingWritesNothing) {
+TEST_P(Security, ParticipantWithoutIdentityWritesNothing) {
   const auto stranger = required(join(GetParam().writer, std::nullopt));
   const auto reader = join_as(Role::kSimBridge, GetParam().reader);
   EXPECT_FALSE(crosses(*stranger, *reader, kKeptOut));
 }
 
-TEST_P(Security, WhoProvesNothingReadsNothing) {
+TEST_P(Security, ParticipantWithoutIdentityReadsNothing) {
   const auto writer = join_as(Role::kJointNode, GetParam().writer);
   const auto stranger = required(join(GetParam().reader, std::nullopt));
   EXPECT_FALSE(crosses(*writer, *stranger, kKeptOut));
 }
 
-TEST_P(Security, WhoseCaIsAnotherIsKeptOutAndSpokenOf) {
+TEST_P(Security, ParticipantOfAnotherCaIsKeptOutAndReported) {
   const auto impostor = join_as(Role::kJointNode, GetParam().writer, another_pki());
   const auto reader = join_as(Role::kSimBridge, GetParam().reader);
   EXPECT_FALSE(crosses(*impostor, *reader, kKeptOut));
-  // Of two Cyclones only the one that answers a handshake says why it fails; with Fast DDS Cyclone never answers.
+  // With two Cyclones only the one that answers a handshake says why it fails; with Fast DDS Cyclone never answers.
   if (GetParam().reader == bus::Vendor::kFast) {
     EXPECT_NE(all_of(reader->take_security_warnings()), "");
   }

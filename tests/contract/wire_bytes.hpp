@@ -1,6 +1,6 @@
 #pragma once
 
-// What each vendor makes of the bytes that signals::to_cdr writes, and what it would send. Two sources, because idlc and
+// Reads by each vendor of the bytes that signals::to_cdr writes, and its own bytes. Two sources, because idlc and
 // fastddsgen name their headers alike.
 
 #include <cstdint>

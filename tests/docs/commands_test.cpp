@@ -14,7 +14,7 @@
 namespace farrier::docs {
 namespace commands_test {
 
-/// What follows "farrier" in each simple command of a line for sh.
+/// Returns the text after "farrier" in each simple command of a line for sh.
 std::vector<std::string> farrier_commands(const std::string& line) {
   static const std::regex comment(R"re((^|\s)#.*$)re");
   static const std::regex separator(R"re([|;&<>()]+)re");
@@ -36,7 +36,7 @@ bool is_of_the_script(const std::string& arguments) {
   return std::regex_search(arguments, first);
 }
 
-/// What the parser says against it, empty for nothing.
+/// Returns the parser's objection, empty if there is none.
 std::string refusal(const std::string& arguments) {
   std::function<int()> run;
   const auto app = cli::command_line(cli::all_verbs(), run);

@@ -1,4 +1,4 @@
-// What the shells offer, asked of the shells.
+// Runs the shells and checks the completions that they offer.
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ class Shells : public ::testing::Test {
     return run("cd '" + scratch_.file("") + "' && " + shell + " script");
   }
 
-  /// What bash offers for the last of the words; `words` as they stand in COMP_WORDS.
+  /// Returns bash's completions of the last word. `words` is the text in COMP_WORDS.
   Words bash(const std::string& words) const {
     const Ran ran = in_scratch("source ./_bash\nCOMP_WORDS=(" + words +
                                    ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_farrier\n"

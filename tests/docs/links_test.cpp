@@ -17,7 +17,7 @@ const Document* find(const std::string& path) {
   return place == documents().end() ? nullptr : &*place;
 }
 
-/// What is wrong with a link, empty for nothing.
+/// Returns the reason why a link is wrong, empty if it is right.
 std::string fault_of(const Document& from, const std::string& link) {
   if (link.find("://") != std::string::npos || link.starts_with("mailto:")) {
     return "";  // the network is not asked

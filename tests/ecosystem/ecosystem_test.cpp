@@ -1,4 +1,4 @@
-// What others read of a recording: npm's readers of MCAP, IDL and CDR see every sample of every topic as we do.
+// Other software reads recordings: npm's readers of MCAP, IDL and CDR see every sample of every topic as we do.
 
 #include <gtest/gtest.h>
 

@@ -39,7 +39,8 @@ class Input {
   std::uint8_t byte() noexcept { return raw<std::uint8_t>(); }
   std::size_t below(std::size_t bound) noexcept { return byte() % bound; }
 
-  /// Of any size, or one of those that break things, or within +-size: one byte decides, so that mutations reach all.
+  /// A number of any size, one of the values that break things, or one within +-size. One byte decides, so that
+  /// mutations reach all.
   double number(double size) noexcept {
     using Limits = std::numeric_limits<double>;
     static constexpr std::array kExtremes = {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(),
@@ -96,7 +97,7 @@ class Input {
   Bytes left_;
 };
 
-/// Whether two signals are the same, bit for bit in every field.
+/// True if two signals are the same, bit for bit in every field.
 template <class Signal>
 bool alike(const Signal& one, const Signal& other) noexcept {
   bool same = true;

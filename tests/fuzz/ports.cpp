@@ -1,4 +1,4 @@
-// What every process does with a sample before its core sees it: routes, ticks, ages, greetings.
+// The steps of every process with a sample before its core sees it: routes, ticks, ages, greetings.
 
 #include <memory>
 #include <vector>

@@ -1,5 +1,5 @@
-// Every harness on the inputs that are kept for it and on a fixed number of mutations of them: what fuzzing has found
-// stays mended, and whoever has no clang still tries every decoder.
+// Runs every harness on the inputs that are kept for it and on a fixed number of their mutations. Errors that fuzzing
+// has found stay fixed, and a build without clang still tries every decoder.
 
 #include <gtest/gtest.h>
 

@@ -99,7 +99,7 @@ TEST_F(AdaptiveTrot, TracksTorqueInStanceNoWorseAfterMoreUpdates) {
   EXPECT_LE(median(ratios), kNoWorse);
 }
 
-TEST_F(AdaptiveTrot, TellsOfEveryUpdateItMakes) {
+TEST_F(AdaptiveTrot, PublishesGainsForEveryAcceptedUpdate) {
   std::size_t accepted = 0;
   for (const signals::JointUpdateDecision& decision : outcome_->result.decisions) {
     accepted += decision.verdict == static_cast<std::uint8_t>(UpdateVerdict::kAccepted) ? 1u : 0u;

@@ -70,7 +70,7 @@ double ring_Pa(const robot::Robot& rig) {
 }
 
 // Hubacher (2014), 9.4 and Fig. 9.23; docs/derivations/load-pressure-oscillation.md. The valve command is smooth, the
-// piston breaks away, and only then the load pressure swings; without the line, or without the velocity filter, less
+// piston breaks away, and only then the load pressure swings. Without the line, or without the velocity filter, less
 // than a tenth of it is left while the reference still rises.
 TEST(ForceStep, OfTheRealRigMakesTheLoadPressureSwingWhenThePistonBreaksAway) {
   const robot::Robot rig = oscillating_rig();

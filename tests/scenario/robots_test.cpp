@@ -66,7 +66,7 @@ TEST_P(OtherRobot, LeavesTheSameTraceHoweverItsJointsAreGrouped) {
 INSTANTIATE_TEST_SUITE_P(Shipped, OtherRobot, testing::Values("hexapod", "electric_leg"),
                          [](const auto& robot) { return std::string(robot.param); });
 
-// How much of the weight all legs that stand carry, as the reference plans it.
+// Share of the weight that all legs in stance carry together, as the reference plans it.
 double carried_share(const robot::Robot& robot, const gait::Schedule& schedule, const gait::Reference& reference,
                      Tick tick) {
   double shares = 0.0;
@@ -111,7 +111,7 @@ TEST(Hexapod, WalksInAWaveWhenItsOffsetsSaySo) {
   }
 }
 
-// What the leg stands under grows fourfold in mid-run, and nothing says so.
+// Error of the knee in stance. The mass of its stance load grows fourfold in mid-run, and no message says so.
 double knee_error_under_a_growing_load(const robot::Robot& leg, supervisor::Design design) {
   constexpr double kGrowth = 4.0;
   constexpr Tick kGrows = 3500;

@@ -43,7 +43,7 @@ struct Outcome {
   }
 };
 
-/// Runs to the end; a run that is refused or stands still fails the test and gives nothing.
+/// Runs to the end; a run that is refused or stalls fails the test and gives nothing.
 inline Outcome run(const robot::Robot& robot, run::InprocRun settings) {
   static int runs = 0;
   settings.trace_path = (std::filesystem::temp_directory_path() /

@@ -1,4 +1,4 @@
-// What force control gains by knowing an effect: JointNode on the plant and sensors that have it, on a simulated clock.
+// Gain of force control from knowing an effect: JointNode on the plant and sensors that have it, on a simulated clock.
 // Factors are those measured on these seeds, less a tenth to a third.
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ double ratio(const robot::Joint& joint, plant::ActiveEffect effect) {
   return gain ? gain.value().old_nrmse / gain.value().new_nrmse : 0.0;
 }
 
-TEST(TrackingGain, OfANominalJointIsNone) {
+TEST(TrackingGain, OfANominalJointIsZero) {
   for (const robot::Joint* joint : {&rig(), &hip()}) {
     const auto gain = tracking_gain(*joint, *joint, *joint);
     ASSERT_TRUE(gain.ok()) << gain.error().message;
@@ -65,7 +65,7 @@ TEST(TrackingGain, OfASupplyThatFalls) {
   EXPECT_GT(ratio(hip(), {effect_id<plant::SupplyDroop>(), {3.35e11}}), 1.35);
 }
 
-// The hip's nominal loop does not bear a tick of delay: it swings between the valve's limits.
+// The hip's nominal loop does not tolerate a tick of delay: it swings between the valve's limits.
 TEST(TrackingGain, OfADelayAndASlowSpoolIsALoopThatStaysStable) {
   for (const double delay_s : {0.0014, 0.003, 0.006}) {
     const plant::ActiveEffect delay{effect_id<plant::InputDelay>(), {delay_s}};
@@ -80,12 +80,12 @@ TEST(TrackingGain, OfADelayAndASlowSpoolIsALoopThatStaysStable) {
 }
 
 // Integral action has found a steady null shift before anything is judged.
-TEST(TrackingGain, OfANullShiftIsNone) {
+TEST(TrackingGain, OfANullShiftIsNegligible) {
   EXPECT_NEAR(ratio(rig(), {effect_id<plant::ValveBias>(), {2.7e-4}}), 1.0, 0.01);
 }
 
-// What was found is never quite what is there.
-TEST(TrackingGain, BearsNumbersThatAreAFifthOff) {
+// Effects that a diagnosis finds never have exactly the true values.
+TEST(TrackingGain, ToleratesEffectValuesThatAreAFifthOff) {
   for (const plant::ActiveEffect& effect : std::vector<plant::ActiveEffect>{
            {effect_id<plant::InputDelay>(), {0.006}},
            {effect_id<plant::ValveDynamics>(), {190.0, 0.7}},

@@ -16,7 +16,7 @@ thread_local std::size_t allocation_count = 0;
 
 #ifdef FARRIER_COUNTS_BY_HOOK
 
-// clang's thread sanitizer does not let its operators be replaced, but tells of every allocation.
+// clang's thread sanitizer does not let its operators be replaced, but reports every allocation.
 void count(const volatile void*, std::size_t) { ++allocation_count; }
 void ignore(const volatile void*) {}
 [[maybe_unused]] const int installed = __sanitizer_install_malloc_and_free_hooks(count, ignore);

@@ -13,8 +13,8 @@
 
 namespace farrier::test {
 
-/// What happens to the IPv4 packets of a cable, each way by itself; all else, ARP above all, passes at once. By seed: the
-/// n-th packet of a way meets the same whatever the computer does.
+/// Impairments of the IPv4 packets of a cable, for each direction by itself. All other frames, ARP above all, pass at
+/// once. By seed: the n-th packet of a direction is treated the same on every computer.
 struct Impairment {
   double loss = 0;                 ///< probability
   Nanoseconds least{0}, most{0};   ///< delay, even between them; packets keep their order

@@ -59,7 +59,7 @@ void MadeUpRobot::begin(std::uint64_t session, std::uint64_t time_ns) {
   mode.effective_tick = 0;
   mode.mode = static_cast<std::uint8_t>(signals::Mode::kArmed);
   say(mode);
-  say_event(1, signals::Severity::kInfo, 0xffff, "armed");
+  say_event(1, signals::Severity::kInfo, signals::kNoJoint, "armed");
   for (const robot::Joint& joint : robot_.joints) {
     say_gains(joint.number, 0);
     say_gains(joint.number, 1);

@@ -168,7 +168,7 @@ void NetworkNamespaces::await_carrier(const std::string& host, const std::string
       return;
     }
   }
-  // Who is told of the carrier is told under the lock of interfaces, which this waits for.
+  // Listeners for the carrier are notified under the lock of interfaces, which this call waits for.
   ip(host, "link set " + interface + " up\n");
 }
 

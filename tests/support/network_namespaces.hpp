@@ -37,7 +37,7 @@ class NetworkNamespaces {
   /// Why this process can make none, in a sentence; empty when it can.
   static std::string refusal();
 
-  /// What cannot be made fails the test.
+  /// Makes the namespaces. A failure fails the test.
   explicit NetworkNamespaces(const std::vector<Host>& hosts);
 
   /// For Surroundings::prepare: moves a new process to a host, and ends it with the thread that started it.
@@ -50,8 +50,8 @@ class NetworkNamespaces {
   /// Sets a host's "net/..." of sysctl.
   void set(const std::string& host, const std::string& name, const std::string& value) const;
 
-  /// Takes a host's cable off the bridge; the ends between which somebody has to carry its frames from now on, both
-  /// interfaces in the namespace of the bridge: the first is the host's, the second the bridge's.
+  /// Takes a host's cable off the bridge and returns its ends, between which the caller has to carry frames from now
+  /// on. Both are interfaces in the namespace of the bridge: the first is the host's, the second the bridge's.
   std::pair<std::string, std::string> open_cable(const std::string& host);
 
   /// Name of the namespace that the bridge is in, for Visit.

@@ -2,7 +2,7 @@
 
 namespace farrier::test {
 
-/// What a bound on time is multiplied by: programs under sanitizers are several times slower.
+/// Factor of every bound on time: programs under sanitizers are several times slower.
 #if defined(__has_feature)  // clang
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
 #define FARRIER_IS_SLOW 1

@@ -9,8 +9,8 @@
 
 namespace farrier::test {
 
-/// What is done beside one trot of both vendors, which runs while the suite does; the parameter is the vendor it is done
-/// over.
+/// Tests beside one trot of both vendors, which runs while the suite does. The parameter is the vendor of the tested
+/// command.
 class BesideATrot : public testing::TestWithParam<const char*> {
  protected:
   static void SetUpTestSuite() {

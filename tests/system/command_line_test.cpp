@@ -1,4 +1,4 @@
-// What the command takes, refuses and writes.
+// Arguments that the command takes and refuses, and the files it writes.
 
 #include <gtest/gtest.h>
 

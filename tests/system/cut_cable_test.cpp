@@ -1,5 +1,5 @@
-// The trot on three hosts in real time, in slow motion as farrier faults has it, while the cable of the front legs' host
-// is pulled and put back: what the joints do is the table of docs/architecture.md.
+// The trot on three hosts in real time, in slow motion as in farrier faults. The cable of the front legs' host is
+// pulled and put back. The joints must react as in the table of docs/architecture.md.
 
 #include <gtest/gtest.h>
 
@@ -22,10 +22,10 @@ constexpr Tick kAfterwards = 1000;
 constexpr Tick kNulledWithin = 20;     // 5 without valve commands, and what the watch is behind
 constexpr Tick kHeardAgainWithin = 50; // 150 ms of the machine's: DDS goes by its clock
 constexpr Tick kTrackingWithin = 24;   // as docs/faults.md
-/// A computer that others use stands still now and then.
+/// A computer with other users is stopped now and then.
 constexpr double kMayNotTrack = 0.1;
 
-/// When what was done to the cable; ticks of the clock, which may be some more by then.
+/// Times of a cut of the cable, in ticks of the clock, which may be some more by then.
 struct Cut {
   Tick begin, end, armed;
 };
@@ -34,7 +34,7 @@ bool is_heard(const trace::TraceRow& row) { return !is_silent(row); }
 bool is_not_null(const trace::TraceRow& row) { return !is_null(row); }
 bool is_not_tracking(const trace::TraceRow& row) { return !is_tracking(row); }
 
-/// What a run was, and what of it is not as it must be.
+/// Result of a run, and its deviations from what it must be.
 struct CutRun {
   std::vector<Cut> cuts;
   std::size_t trips = 0;  ///< joints that an operator has heard of by an event of theirs, summed over the cuts

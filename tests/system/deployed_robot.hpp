@@ -14,7 +14,7 @@
 
 namespace farrier::test {
 
-/// What a run adds to the deployment.
+/// Settings of a run besides the deployment.
 struct DeployedRun {
   std::string dds;  ///< "cyclone" or "fast" on every host, "mixed": as the file says
   bus::ClockKind clock = bus::ClockKind::kLockstep;
@@ -39,9 +39,9 @@ class DeployedProcesses {
   std::string wait_for_trace(std::size_t bytes, std::chrono::seconds budget) const;
   /// Ends all as systemd would; names of those that did not end with status 0.
   std::string stop();
-  /// What all have said.
+  /// Returns the output of all processes.
   std::string output() const;
-  /// What the process of that name was started with.
+  /// Returns the options with which the process of that name was started.
   const participant::ProcessOptions& options_of(const std::string& name) const;
 
  private:

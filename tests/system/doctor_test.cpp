@@ -1,4 +1,4 @@
-// What keeps data from coming, made on purpose one at a time, and the real command asked why.
+// Faults that keep data from coming, made one at a time, and the real command's diagnosis of each.
 
 #include <arpa/inet.h>
 #include <dds/dds.h>
@@ -31,7 +31,7 @@ using bus::TopicId;
 /// A domain that no run uses, and who is in it.
 class Doctor : public testing::Test {
  protected:
-  /// What the command says of robot hyq in the domain. It must end with that status.
+  /// Returns the command's output about robot hyq in the domain. It must end with that status.
   std::string asked(int status, std::vector<std::string> more = {}, const Surroundings& surroundings = {}) const {
     std::vector<std::string> arguments{"doctor", "--look", "1", "--domain", std::to_string(domain())};
     arguments.insert(arguments.end(), more.begin(), more.end());
@@ -52,7 +52,7 @@ class Doctor : public testing::Test {
   Result<cli::DomainLock> lock_ = cli::DomainLock::acquire();
 };
 
-/// A process of the robot as the contract has it, unless it is spoilt.
+/// A process of the robot as the contract has it, unless it is altered.
 class Somebody {
  public:
   Somebody(bus::Vendor vendor, const bus::NetworkOptions& network)
@@ -142,7 +142,7 @@ TEST_F(Doctor, FindsThePartitionOfAnotherRobot) {
   expect_in(asked(1), "in partition 'hexapod/lf', which is not robot hyq's");
 }
 
-TEST_F(Doctor, FindsATopicThatIsNearlyOne) {
+TEST_F(Doctor, FindsAMisspelledTopic) {
   const Stranger stranger(network(), "joint/sensor", kSensors);
   const std::string output = asked(1);
   expect_in(output, "has topic 'joint/sensor', which nobody else does");

@@ -39,7 +39,7 @@ TEST_P(Echo, PrintsTheSamplesOfOneJoint) {
   }
 }
 
-TEST_P(Echo, TellsOneWhoComesLateWhatWasAnnounced) {
+TEST_P(Echo, GivesALateJoinerTheAnnouncements) {
   const auto lines = lines_of({"system/mode", "joint/controller_gains", "--count", "3"});
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_TRUE(lines[0].find("generation: ") != std::string::npos || lines[0].find("mode: ") != std::string::npos) << lines[0];

@@ -19,7 +19,8 @@ constexpr long kTicks = 4000;
 constexpr double kMayBeLost = 0.05;
 constexpr double kMayNotTrack = 0.25;
 constexpr double kJoints = 12;
-// What the supervisor has received it may still work on, and the launcher looks for the dead every 20 ms.
+// The supervisor may still work on estimates that it has received, and the launcher searches ended processes every 20
+// ms.
 constexpr long kOnTheWayTicks = 100;
 
 /// Rows of a joint, and those in which it tracks its torque.
@@ -55,7 +56,7 @@ class EstimatorDeath : public testing::TestWithParam<const char*> {
     return place == std::string::npos ? -1 : std::stol(warning.substr(place + before.size()));
   }
 
-  /// What the run did not hold, but for how its computer kept up.
+  /// Names of failures and of figures beyond their bound, without those of how the computer kept up.
   std::vector<std::string> broken() const {
     std::vector<std::string> names = run_.value("failures", std::vector<std::string>{});
     for (const auto& entry : run_["figures"]) {

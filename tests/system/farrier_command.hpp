@@ -21,7 +21,7 @@ std::vector<const char*> tested_vendors(const char* otherwise);
 /// Duration of a run in seconds: FARRIER_TEST_DURATION_S where it is set, else `otherwise`.
 const char* tested_duration(const char* otherwise);
 
-/// What a command starts with besides its arguments.
+/// Start conditions of a command besides its arguments.
 struct Surroundings {
   std::string executable = FARRIER_COMMAND;
   std::function<void()> prepare;  ///< runs in the new process before the command; ending there, it ends with its status

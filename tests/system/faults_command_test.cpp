@@ -19,7 +19,7 @@ TEST(Faults, CutAJointsCommandsAndSeeItDampAndCatchItself) {
   const nlohmann::json run = read_json(scratch.file("out/figures.json"));
   ASSERT_FALSE(run.is_discarded()) << output;
   EXPECT_EQ(figure(run, "faults.cells"), 2.0);
-  // Whether all else stands still meanwhile is the computer's matter as much as the stack's.
+  // The rest depends on the computer as much as on the stack, and is not checked.
   EXPECT_GE(figure(run, "faults.command_cut_short.reaction_ms"), 4.0) << output;
   EXPECT_LE(figure(run, "faults.command_cut_short.reaction_ms"), 9.0) << output;
   EXPECT_LE(figure(run, "faults.command_cut_short.event_ms"), 9.0) << output;
@@ -27,7 +27,7 @@ TEST(Faults, CutAJointsCommandsAndSeeItDampAndCatchItself) {
   EXPECT_NE(read_file(scratch.file("page.md")).find("| `command_cut_short` |"), std::string::npos);
 }
 
-TEST(Faults, AreRefusedByNamesThatAreNone) {
+TEST(Faults, RefusesUnknownRowsAndVendors) {
   const ScratchDirectory scratch;
   std::string output;
   EXPECT_EQ(run_farrier({"faults", "--rows", "sensors_gone", "--out", scratch.file("out")}, &output), 2);
@@ -35,7 +35,7 @@ TEST(Faults, AreRefusedByNamesThatAreNone) {
   EXPECT_EQ(run_farrier({"faults", "--dds", "inproc", "--out", scratch.file("out")}, &output), 2);
 }
 
-TEST(Faults, OfAProcessAreRefusedInLockstepAndWhereTheyCannotBeRead) {
+TEST(Faults, OfAProcessAreRefusedInLockstepAndWhenUnreadable) {
   std::string output;
   const std::vector<std::string> node{"--number", "4", "--participants", "8"};
   const auto with = [&](std::vector<std::string> more) {

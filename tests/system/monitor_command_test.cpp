@@ -25,7 +25,7 @@ class Monitor : public BesideATrot {
   }
 };
 
-/// Whether a line begins with these two cells.
+/// True if a line begins with these two cells.
 bool has_row(const std::string& text, const std::string& first, const std::string& second) {
   return std::regex_search(text, std::regex("(^|\\n)" + first + " +" + second + " "));
 }
@@ -78,7 +78,7 @@ TEST_P(Monitor, ServesMetricsWithoutATerminalAndPrintsNoTable) {
 
 class StoppedMonitors : public testing::TestWithParam<const char*> {};
 
-// In lock-step a writer that is held back holds up everybody.
+// In lock-step a delayed writer blocks every process.
 TEST_P(StoppedMonitors, HoldNoWriterBack) {
   constexpr int kMonitors = 10;
   const ScratchDirectory scratch;
@@ -120,7 +120,7 @@ TEST(MonitorCommand, RefusesWhatItCannotDo) {
   EXPECT_EQ(run_farrier({"monitor", "--robot", "/nowhere.yaml"}, &output), 2);
 }
 
-TEST(MonitorCommand, RefusesAPortThatIsNone) {
+TEST(MonitorCommand, RefusesInvalidPorts) {
   std::string output;
   for (const char* port : {"0", "65536", "-1", ":8642", "http"}) {
     EXPECT_EQ(run_farrier({"monitor", "--port", port}, &output), 2) << port;

@@ -1,4 +1,4 @@
-// What farrier monitor --web takes of a processor while a robot runs in real time and a page watches.
+// Processor time of farrier monitor --web while a robot runs in real time and a page watches.
 
 #include <gtest/gtest.h>
 

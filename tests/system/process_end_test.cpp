@@ -1,4 +1,4 @@
-// How a run ends before its time: what the launcher says, and whom it outlives.
+// Ends of a run before its time: the launcher's messages, and the end of its processes.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

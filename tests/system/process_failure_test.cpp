@@ -86,7 +86,7 @@ TEST(KilledLauncher, TakesItsProcessesWithIt) {
   EXPECT_TRUE(all_gone(trot.pid()));
 }
 
-TEST(PausedProcess, IsNamedWithTheTickItHoldsUp) {
+TEST(PausedProcess, IsNamedWithTheTickItBlocks) {
   const ScratchDirectory scratch;
   FarrierCommand trot(long_trot(scratch));
   const pid_t paused = trot.process("joint_node_lh");
@@ -112,7 +112,7 @@ bool has_begun(const FarrierCommand& trot) { return trot.says("trot: tick 2"); }
 
 std::string with_pid(const std::string& name, pid_t pid) { return name + " (pid " + std::to_string(pid) + ")"; }
 
-TEST(StallLimit, EndsARunThatAStoppedProcessHoldsUp) {
+TEST(StallLimit, EndsARunThatAStoppedProcessBlocks) {
   const ScratchDirectory scratch;
   FarrierCommand trot(begun_trot(scratch, "2"));
   const pid_t stopped = trot.process("joint_node_rf");
@@ -223,7 +223,7 @@ class OtherGaitSource {
   ScratchDirectory scratch_;
 };
 
-TEST(StartLimit, EndsARunOneOfWhoseProcessesRunsAndIsNotHeard) {
+TEST(StartLimit, EndsARunWithARunningProcessThatIsNotHeard) {
   const ScratchDirectory scratch;
   const OtherGaitSource other("echo busy with something else; exec sleep 600");
   // The others must have greeted by then, also on a slow computer.

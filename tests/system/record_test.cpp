@@ -52,8 +52,8 @@ TEST_P(Record, TakesEveryTopicThatMovesAndCountsWhatItLost) {
     EXPECT_GT(info.at("topics").at(topic).at("samples"), 0) << topic;
     EXPECT_TRUE(info.at("topics").at(topic).contains("lost")) << topic;
   }
-  // What is published together, a sample of each for every joint and tick, comes at the same rate, with what is said to
-  // be lost, for about as long. Not in the same numbers: topics are found one after another.
+  // Topics of which a sample for every joint and tick is published together must have the same rate, with lost samples,
+  // and about the same duration. Their numbers may differ: topics are found one after another.
   const auto duration_s = [&](const char* topic) { return info.at("topics").at(topic).at("duration_s").get<double>(); };
   const auto rate_hz = [&](const char* topic) {
     const json& of = info.at("topics").at(topic);

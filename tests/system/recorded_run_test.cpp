@@ -66,7 +66,7 @@ TEST_P(RecordedRun, LacksNothingInLockstepAndServesEveryTool) {
 }
 
 TEST_P(RecordedRun, IsTakenBesideARunInRealTime) {
-  // How well a computer of two processors keeps time while it records is not asked here.
+  // The timing of a computer of two processors while it records is not checked here.
   const int status = trot({"--duration", "4", "--clock", "realtime"});
   EXPECT_TRUE(status == 0 || status == 1) << output_;
   const json recorded = info();

@@ -26,13 +26,14 @@ inline DeployedRun slow_run(const std::string& dds) {
 /// Ends the processes. The trace of sim_bridge, or why it cannot be judged.
 Result<std::vector<trace::TraceRow>> trace_after(DeployedProcesses& processes, const robot::Robot& robot);
 
-/// Hears the clock and the events of a running robot. To be made on the host of `seat`, the options of a process there.
+/// Hears the clock and the events of a running robot. To be made on the host of the process whose options it gets.
 class RobotWatch {
  public:
   RobotWatch(const robot::Robot& robot, const participant::ProcessOptions& seat);
   ~RobotWatch();
 
-  /// Hears until the clock has begun `tick`; the newest that it has, kNoTick: none. Less than `tick`: it stands still.
+  /// Hears until the clock has begun `tick`. Returns the newest tick that it has, kNoTick if none. Less than `tick`
+  /// means that the clock is stopped.
   Tick until(Tick tick, std::chrono::seconds budget);
   /// The newest that the clock has begun.
   Tick now();
@@ -49,7 +50,7 @@ class RobotWatch {
   Tick newest_ = kNoTick;
 };
 
-/// What the joints of some legs did, by the trace of sim_bridge.
+/// States of the joints of some legs, by the trace of sim_bridge.
 class JointCourse {
  public:
   JointCourse(const robot::Robot& robot, const std::vector<trace::TraceRow>& trace, std::vector<std::string> legs);

@@ -234,7 +234,7 @@ TEST(Watchdog, IsNotFedWhileTheControlLoopStandsAndIsAgainWhenItTurns) {
   EXPECT_TRUE(rig.manager().hears(node, "WATCHDOG=1"));
 }
 
-// In lock-step everybody waits for one that is held up; that is no reason to kill them.
+// In lock-step every process waits for a blocked one; that is no reason to kill them.
 TEST(Watchdog, IsFedWhileAProcessWaitsForAnother) {
   Rig rig("lockstep");
   rig.start_all();

@@ -18,7 +18,7 @@ using namespace std::chrono_literals;
 const char* const kDuration = tested_duration("0.3");
 const Tick kTicks = std::lround(std::atof(kDuration) * 1e3);
 
-/// Of a run in one process, with the gains of the deployment.
+/// Trace of a run in one process, with the gains of the deployment.
 const std::string& reference_trace() {
   static const std::string trace =
       trace_of_trot({"--dds", "inproc", "--design", "phases", "--duration", kDuration});

@@ -1,5 +1,5 @@
-// A lock-step run gives the same trace bit for bit over every transport, however joints are grouped into processes,
-// and whatever process a debugger holds up.
+// A lock-step run gives the same trace bit for bit over every transport, however joints are grouped into processes, and
+// whatever process a debugger blocks.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Who sends what to whom in lock-step: nothing is lost, nothing goes where it is not wanted.
+// Traffic between processes in lock-step: nothing is lost, nothing goes where it is not wanted.
 
 #include <gtest/gtest.h>
 

@@ -11,9 +11,9 @@
 
 namespace farrier::test {
 
-/// Holds a run in real time to what it must do. `run` gives what is not as it must be, a line each; the watch sees how
-/// long this computer did nothing below the processes' bus threads. A run that is not as it must be while the computer
-/// stood still is made again some times, after which nothing is said of it.
+/// Checks that a run in real time has no problems. `run` returns its problems, a line each. The watch measures how long
+/// this computer did nothing below the processes' bus threads. A run with problems during which the computer was
+/// stopped is repeated some times. If it still has problems, the test is skipped.
 inline void expect_undisturbed(const std::function<std::string(cli::PauseWatch&)>& run) {
   constexpr double kMayPause_ms = 15.0;
   constexpr int kMostRuns = 4;

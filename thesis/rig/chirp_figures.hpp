@@ -1,6 +1,6 @@
 #pragma once
 
-// What Figs 9.1 to 9.10 and G.1 to G.6 show of the estimates of a chirp, as numbers and as panels.
+// Content of Figs 9.1 to 9.10 and G.1 to G.6, the estimates of a chirp, as numbers and as panels.
 
 #include <complex>
 #include <string>
@@ -15,8 +15,8 @@ const std::vector<double>& chirp_grid();
 /// From normalised valve current to normalised load-cell force.
 std::vector<std::complex<double>> force_response(const control::DiscreteModel& model, double period_s);
 
-/// Whether the response has a maximum between 0.3 and 10 Hz that stands 3 dB above what lies to its left and right: a
-/// resonance the rig does not have there.
+/// True if the response has a maximum between 0.3 and 10 Hz that stands 3 dB above its left and right: a resonance the
+/// rig does not have there.
 bool has_fictive_peak(const control::DiscreteModel& model, double period_s);
 /// Share of the models between two times with such a peak.
 double fictive_share(const ChirpEstimates& run, double from_s, double to_s);

@@ -13,8 +13,8 @@
 
 namespace farrier::thesis {
 
-// When an estimate has converged; the text has pictures and no numbers. An open valve's gain differs between its signs by
-// the roots of (3.26), 10 log10(1 / alpha) = 2.15 dB, and which sign the few samples of the memory had is chance: the
+// Bounds of a converged estimate; the text has pictures and no numbers. An open valve's gain differs between its signs
+// by the roots of (3.26), 10 log10(1 / alpha) = 2.15 dB. The sign of the few samples in the memory is chance, so the
 // truth itself is no narrower.
 inline constexpr double kConverged_dB = 2.15;
 inline constexpr double kConvergedMass = 0.05;
@@ -25,9 +25,9 @@ double median(std::vector<double> values);
 /// The pole above the real axis, or the largest one.
 std::complex<double> complex_pole(const Eigen::Matrix3d& a);
 
-/// Sections count from 0, ticks from a section's begin. The error of a model is the median over 1 to 450 Hz, in equal
-/// steps of the logarithm, of the difference of its magnitude from the true one's: it does not hang on a resonance's
-/// height.
+/// Sections count from 0, ticks from a section's begin. The error of a model is the difference of its magnitude from
+/// the true one's, as the median over 1 to 450 Hz in equal steps of the logarithm. It does not depend on the height of
+/// a resonance.
 class CycleEstimates {
  public:
   /// Least squares on `samples` of `loads`, which may be one.

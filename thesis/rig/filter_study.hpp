@@ -9,7 +9,7 @@
 
 namespace farrier::thesis {
 
-/// What sensors of a filter study's run are like.
+/// Properties of the sensors in a run of the filter study.
 struct FilterCase {
   double velocity_cut_off_Hz = 0.0;  ///< 0: none
   int order = 2;                     ///< 1 or 2, with the robot file's damping or 0.7071
@@ -23,7 +23,7 @@ inline constexpr double kStudyAntiAlias_Hz = 1500.0;
 /// oversampled.
 std::vector<FilterCase> filter_cases();
 
-/// What one case came to.
+/// Result of one case.
 struct FilterRow {
   FilterCase filter;
   double load_mass_kg = 0.0;                 ///< on the rig, and what the gains are for

@@ -42,7 +42,7 @@ struct ForceStepSample {
 /// joint, a joint that cannot be simulated, no stable design for it, and times out of range, with the reason.
 Result<std::vector<ForceStepSample>> run_force_step(const robot::Robot& rig, const ForceStep& step);
 
-/// What a quick oscillation of the load pressure looks like.
+/// Properties of a quick oscillation of the load pressure.
 struct Oscillation {
   double frequency_Hz = 0.0;   ///< mean over the crossings while it is above a tenth of its largest; 0: fewer than four
   double peak_Pa = 0.0;        ///< largest deviation from the moving mean

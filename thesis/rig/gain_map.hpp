@@ -13,7 +13,7 @@ namespace farrier::thesis {
 using GainVector = std::array<double, 3>;  ///< K, normalised
 enum Channel : std::size_t { kPosition, kVelocity, kForce };
 
-/// What a map varies, over its set of 4.3.2.
+/// Parameter that a map varies, over its set of 4.3.2.
 struct Axis {
   const char* label;
   std::vector<double> values;

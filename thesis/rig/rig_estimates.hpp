@@ -16,9 +16,9 @@ namespace farrier::thesis {
 inline constexpr double kChirp_s = 8.0;
 inline constexpr double kChirp_Hz = 30.0;
 
-/// Where the piston stands at the beginning, from mid-stroke. The text does not say; a chirp drives the cylinder, whose
-/// sides differ, outwards by some 12 mm in 8 s, and from here the largest singular value of Fig. 9.6 falls at first and
-/// rises at the end, as the text has it.
+/// Position of the piston at the beginning, from mid-stroke. The text does not give it. A chirp drives the cylinder,
+/// whose sides differ, outwards by some 12 mm in 8 s. From here the largest singular value of Fig. 9.6 falls at first
+/// and rises at the end, as the text has it.
 inline constexpr double kStart_m = -0.010;
 
 /// A chirp of 0 to 30 Hz in 8 s, and who learns from it.
@@ -54,13 +54,14 @@ struct ChirpEstimates {
 
 inline constexpr double kModel_s = 0.02;
 
-/// load_rig behind the sensors of the estimator's experiments: a potentiometer, "a relatively noisy measurement, hence the
-/// calculated velocity is even more noisy" (10.2), and a load cell, all of 20 um, 3 mm/s and 10 N, and second-order low
-/// passes of 100 Hz. sigma_v of (9.1) is that of the raw readings, as in 9.1.1. The text gives no numbers
-/// (docs/decisions/0034-sensors-of-the-estimator.md). Refuses as load_rig does.
+/// load_rig behind the sensors of the estimator's experiments. The potentiometer is "a relatively noisy measurement,
+/// hence the calculated velocity is even more noisy" (10.2); the other sensor is a load cell. Here their noise is 20
+/// um, 3 mm/s and 10 N, and the filters are second-order low passes of 100 Hz. The text gives no numbers
+/// (docs/decisions/0034-sensors-of-the-estimator.md). The sigma_v of (9.1) is that of the raw readings, as in 9.1.1.
+/// Refuses as load_rig does.
 Result<robot::Robot> load_estimation_rig(const StudyContext& context);
 
-// What else it may have been. Claims that need one of these are refuted, and measured again with it.
+// Alternatives that the thesis may have used. Claims that need one of these are refuted, and measured again with it.
 
 /// "We used a rather aggressive filter" (10.2): low passes of 20 Hz.
 robot::Robot aggressively_filtered(robot::Robot rig);

@@ -52,8 +52,8 @@ struct Tracking {
   int delay_ticks = 0;                       ///< by which a current acts late, 0 to 8; the gains do not know it
 };
 
-/// What filters, valve and lines delayed the text's rig by is not known. Two ticks in the place of our filters are the
-/// delay with which fixed gains for 2.5 kg hold 2.5 kg and lose 20 kg (9.17.late, 9.17.late_nominal).
+/// The delay of the text's rig by filters, valve and lines is not known. With two ticks in the place of our filters,
+/// fixed gains for 2.5 kg hold 2.5 kg and lose 20 kg (9.17.late, 9.17.late_nominal).
 inline constexpr int kLate_ticks = 2;
 robot::Robot unfiltered(robot::Robot rig);
 
@@ -74,7 +74,7 @@ Result<RigTrace> drive(const robot::Robot& rig, const Driving& driving, std::uin
 Signal chirp(double amplitude, double to_Hz, double duration_s);
 Signal sine(double amplitude, double frequency_Hz);
 
-// What can be said of a run between two times. A range without ticks gives NaN.
+// Measures of a run between two times. A range without ticks gives NaN.
 
 double rms(const RigTrace& run, const std::vector<double>& values, double from_s, double to_s);
 /// Share of the ticks in which the current asks for the full open valve.

@@ -16,8 +16,8 @@ struct Table61Cell {
   bool rich;           ///< white noise; else 5 and 10 Hz (C.1)
   bool high;           ///< 100 % of the nominal valve opening; else 5 %
   bool noisy;          ///< with the sensors of fc1d.yaml
-  /// 60 ms after each of the three changes. Of the discrete transfer function i_v -> F_s, 0.5 to 100 Hz, against the
-  /// true linearisation at home, mean of both signs of the valve; infinite where there is none.
+  /// 60 ms after each of the three changes. Error of the discrete transfer function i_v -> F_s, 0.5 to 100 Hz, against
+  /// the true linearisation at home, mean of both signs of the valve; infinite if there is none.
   std::array<double, 3> gain_error_dB;
   std::array<double, 3> phase_error_deg;
   std::array<double, 3> mass_error;  ///< relative; of linear models as 6.3.1 extracts it, infinite where that fails

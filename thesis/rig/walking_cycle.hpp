@@ -26,9 +26,9 @@ inline constexpr double kStartLoad_kg = 10.5;
 /// The nominal load with another mass and friction.
 plant::LoadParams cycle_load(double mass_kg, double damping_Ns_m = 700.0);
 
-/// Fig. 6.1, one load a section. The figure has no numbers that survive; what the text says of it fixes these: 10.5 kg
-/// (6.3.3), 105 kg (6.3.3: ten times), 1.05 kg ("low again", still within the 1 to 127 kg of 4.3.2), and 2.1 kg with
-/// five times the friction ("increased only little, but the friction greatly").
+/// Fig. 6.1, one load per section. The figure has no numbers that survive, so the text fixes them. The first two are
+/// 10.5 kg (6.3.3) and 105 kg (6.3.3: ten times). The third is 1.05 kg ("low again", still within the 1 to 127 kg of
+/// 4.3.2). The last is 2.1 kg with five times the friction ("increased only little, but the friction greatly").
 const std::array<plant::LoadParams, 4>& walking_cycle();
 
 /// The load-cell model at home, mean of both signs of the valve, sampled with kCyclePeriod_s.
@@ -54,9 +54,9 @@ std::vector<CycleSample> drive(std::span<const plant::LoadParams> loads, bool ri
 /// Least squares (6.21) as 6.3 runs it: the operating point subtracted, normalised, nothing filtered, from the model of
 /// kStartLoad_kg. The model after each sample, SI. `forgetting_factor` in (0, 1].
 ///
-/// The text does not say what the first covariance is, and how long the start is remembered depends on it. It is 0.14 I
-/// here, so that the mass of Fig. 6.7 takes the 90 ms of lambda 0.9; what that figure says of the other lambdas, and
-/// the sections after the first, do not follow from it.
+/// The text does not give the first covariance, on which the memory of the start depends. It is 0.14 I here, so that
+/// the mass of Fig. 6.7 takes the 90 ms of lambda 0.9. The other lambdas of that figure, and the sections after the
+/// first, do not follow from it.
 std::vector<control::DiscreteModel> identify(std::span<const CycleSample> samples, double forgetting_factor);
 
 }  // namespace farrier::thesis

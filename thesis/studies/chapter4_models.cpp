@@ -44,7 +44,7 @@ double slope(const Response& response, double from_Hz, double to_Hz) {
          std::log10(to_Hz / from_Hz);
 }
 
-/// How far the lowest magnitude within [from, to] lies below the lower of the ends.
+/// Returns by how much the lowest magnitude within [from, to] lies below the lower of the ends.
 double dent_dB(const Response& response, double from_Hz, double to_Hz) {
   double lowest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < grid().size(); ++i) {

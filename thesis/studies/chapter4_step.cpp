@@ -84,7 +84,7 @@ double relative_error(const std::vector<double>& model, const std::vector<double
   return rms(error) / rms(truth);
 }
 
-/// What is left of the oscillation half of the time after the valve has shut.
+/// RMS of the oscillation that remains half of the time after the valve has shut.
 double ringing(const std::vector<double>& force_N) {
   const std::size_t from = force_N.size() * 3 / 4;
   double mean = 0.0;

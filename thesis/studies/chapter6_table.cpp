@@ -24,8 +24,8 @@ constexpr const char* kPhase = "Grey box: the same, of the phase.";
 constexpr const char* kMass = "Grey box: the same, of the mass over the mass.";
 constexpr const char* kNoisy = "Grey box: the same, of the mass, with the sensors of fc1d.yaml.";
 
-// "Good", "acceptable" and "limited" are no numbers. Good: within 3 dB. What is beyond 3 dB is not good, and the order
-// of the cells is the table's.
+// "Good", "acceptable" and "limited" are no numbers. Here good is within 3 dB and no more; the order of the cells is
+// the table's.
 constexpr double kGood_dB = 3.0;
 
 constexpr ClaimSpec gain(const char* id) { return {id, "6.3.2", kAsked, kGain, "dB", Relation::kAtMost, 2.0}; }

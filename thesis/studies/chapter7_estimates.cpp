@@ -1,6 +1,6 @@
 // Hubacher (2014), Figs 7.9 and C.4: the models behind the gains of the adaptive run through the load cycle, against
-// the truth. The run is the text's own: with the rig's sensor noise and the house's estimator, which washes out what is
-// slower than 20 Hz, models are not to be held against the truth below that.
+// the truth. The run is the text's own. With the rig's sensor noise and this repository's estimator, which washes out
+// content slower than 20 Hz, models cannot be compared with the truth below that.
 
 #include <algorithm>
 #include <cmath>

@@ -158,7 +158,7 @@ constexpr ClaimSpec kFastWeightClaims[] = {
     {"9.18.late", "Fig. 9.18", kTooMuch, "The same without filters, every current two ticks late: a half.", "1", Relation::kAtLeast, kUnstable},
     {"9.18.late_nominal", "Fig. 9.18", kTooMuch, "RMS error over RMS reference then, without added weight: a quarter.", "1", Relation::kAtMost, 0.25}};
 
-/// Of (3.51) with weight added under the gains for the swing load; NaN without a design.
+/// Spectral radius of (3.51) with weight added under the gains for the swing load; NaN without a design.
 double radius(const robot::Robot& rig, double added_kg, int delay_ticks) {
   const robot::Joint& joint = rig.joints[0];
   plant::LoadParams load = joint.swing_load;

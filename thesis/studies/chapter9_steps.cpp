@@ -21,7 +21,7 @@ Signal step(double from_N, double to_N) {
   return [=](double t) { return t < kStep_s ? from_N : to_N; };
 }
 
-/// How far the force goes past the new reference, over the step.
+/// Overshoot of the force beyond the new reference, over the step.
 double overshoot(const RigTrace& run, double from_N, double to_N) {
   double furthest = 0.0;
   for (std::size_t i = 0; i < run.time_s.size(); ++i) {

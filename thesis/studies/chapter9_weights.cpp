@@ -100,7 +100,7 @@ Result<std::vector<ChirpEstimates>> run_each(const StudyContext& context, const 
   return runs;
 }
 
-/// What 9.8 says of the runs of three weights.
+/// Results that 9.8 gives for the runs of three weights.
 struct OfWeights {
   double shift_5, shift_15, quick;
   std::string resonances;

@@ -1,7 +1,7 @@
 #pragma once
 
-// A study: a figure or table of Hubacher (2014), run anew, with the claims its text makes about it. README.md says how
-// to add one.
+// A study: a figure or table of Hubacher (2014), computed again, with the claims its text makes about it. README.md
+// says how to add one.
 
 #include <array>
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace farrier::thesis {
 
-/// How a measured value must relate to a claim's bound.
+/// Relation of a measured value to a claim's bound.
 enum class Relation { kAtMost, kBelow, kAtLeast };
 
 enum class Verdict {
@@ -58,7 +58,7 @@ struct Measured {
   std::string note;  ///< what it was made of, for people; may be empty
 };
 
-/// What a study measures and no claim judges.
+/// A value that a study measures and no claim judges.
 struct StudyFigure {
   std::string id;      ///< as a claim's; "reproduce." before it names the figure
   double value;        ///< not finite: there is none
@@ -74,7 +74,7 @@ struct Series {
   std::string label;                ///< for the key; empty: not in it
   std::vector<double> x, y;         ///< of one size; points that are not finite part a line
   Style style = Style::kLine;
-  int colour = 0;                   ///< 0 black, 1 blue, 2 orange, 3 green, 4 purple, 5 grey; next ones begin anew
+  int colour = 0;                   ///< 0 black, 1 blue, 2 orange, 3 green, 4 purple, 5 grey; next ones repeat these
   std::vector<double> shade = {};   ///< by point, [0, 1], black to yellow; empty: `colour`
 };
 

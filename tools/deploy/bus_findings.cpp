@@ -16,10 +16,10 @@ namespace {
 using namespace std::chrono_literals;
 using bus::DiscoveredEndpoint;
 
-/// More than a sample is on its way, even to a computer that others use.
+/// Longer than the transport of a sample, even to a computer with other users.
 constexpr Nanoseconds kSkewWorthSaying = 100ms;
 
-/// What is said of an endpoint: "the Cyclone writer of 0110f3a2...".
+/// Name of an endpoint in messages: "the Cyclone writer of 0110f3a2...".
 std::string name_of(const DiscoveredEndpoint& endpoint) {
   const std::string vendor = endpoint.participant.substr(0, 4);
   return std::string("the ") + (vendor == "0110" ? "Cyclone " : vendor == "010f" ? "Fast DDS " : "") +
@@ -127,7 +127,7 @@ class BusCheck {
     }
   }
 
-  // A name that no topic has is somebody else's, unless it is nearly one of ours.
+  // A name that is no topic belongs to another system, unless it is nearly one of ours.
   void check_name(const DiscoveredEndpoint& endpoint) {
     std::vector<std::string> known;
     for (const bus::TopicSpec& spec : bus::topics()) {
@@ -150,7 +150,7 @@ class BusCheck {
     }
   }
 
-  // Topics that one process alone may write, and what authority is decided by where several may.
+  // Checks topics with several writers: those that only one process may write, and those in which authority decides.
   void check_writers() {
     std::map<std::pair<std::string, std::string>, std::vector<const DiscoveredEndpoint*>> writers;
     for (const DiscoveredEndpoint& endpoint : found_.endpoints) {
@@ -191,7 +191,7 @@ class BusCheck {
     }
   }
 
-  // Control goes by ages on the steady clock; what is put side by side afterwards goes by the clock of day.
+  // Control uses ages on the steady clock; comparing records afterwards uses the wall clock.
   void check_clocks() {
     for (const bus::DiscoveredClock& clock : found_.clocks) {
       if (std::chrono::abs(clock.ahead) > kSkewWorthSaying) {

@@ -8,9 +8,10 @@
 
 namespace farrier::deploy {
 
-/// Why a robot's samples do not arrive, as far as discovery shows it: nobody there, endpoints of another robot's
-/// partition, topics and types that are not of the contract, writers and readers whose QoS do not go together, several
-/// writers where one belongs, clocks that differ. `network` is where was looked, for what is said.
+/// Reasons why a robot's samples do not arrive, as far as discovery shows them. There may be no process, or only
+/// endpoints of another robot's partition. Topics and types may differ from the contract, and QoS of writer and reader
+/// may not match. A topic may have several writers instead of one, and clocks may differ. `network` is the place of the
+/// search, for messages.
 Findings bus_findings(const bus::Discovery& found, const std::string& robot, const bus::NetworkOptions& network);
 
 }  // namespace farrier::deploy

@@ -22,10 +22,10 @@ struct PortRange {
 };
 PortRange ephemeral_ports();
 
-/// What keeps another process from joining the domain: no index left for it, or ports that others may have by chance.
+/// Obstacles to another process in the domain: no index left for it, or ports that others may have by chance.
 Findings port_findings(const bus::NetworkOptions& network, const std::set<int>& ports, PortRange ephemeral);
 
-/// Says where DDS processes are when nobody is in the domain that was asked for.
+/// Reports the domains of DDS processes if the requested domain is empty.
 Findings other_domain_findings(const bus::NetworkOptions& network, const std::set<int>& ports);
 
 }  // namespace farrier::deploy

@@ -56,7 +56,7 @@ std::vector<Interface> interfaces() {
   return found;
 }
 
-/// What `attempt` says in a process that ends with it.
+/// Runs `attempt` in a process that ends with it, and returns its text.
 std::string tried_apart(const std::function<std::string()>& attempt) {
   int ends[2];
   if (::pipe(ends) != 0) {

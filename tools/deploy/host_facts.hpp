@@ -15,7 +15,7 @@ struct Interface {
   std::uint64_t address_retry_ms = 0;  ///< net.ipv4.neigh.<name>.retrans_time_ms; 0: not known
 };
 
-/// What a computer says of itself.
+/// Facts of a computer.
 struct HostFacts {
   std::string name;                    ///< of the computer
   std::vector<Interface> interfaces;
@@ -31,8 +31,8 @@ struct HostFacts {
   std::uint64_t memlock_limit = 0;     ///< RLIMIT_MEMLOCK, bytes; all ones: no limit
 };
 
-/// Asks the kernel. Whether a priority, locked memory and awake processors can be had is tried in a process of its own
-/// that ends at once; `priority` is the SCHED_FIFO priority that is tried.
+/// Asks the kernel. A process of its own, which ends at once, tries to get a priority, locked memory and processors
+/// kept out of idle states. `priority` is the SCHED_FIFO priority that is tried.
 HostFacts this_host(int priority);
 
 /// "0-3,6" as /sys and cpusets write processors.

@@ -23,7 +23,7 @@ constexpr const char* kFilesFollow = "files:";
 
 Error failed(const std::string& what) { return Error{what + ": " + std::strerror(errno)}; }
 
-/// What the folder's own list says is in it, itself among them; empty for a folder without one.
+/// Returns the files in the folder's own list, itself among them; empty for a folder without one.
 std::set<std::string> listed_files(const fs::path& folder) {
   std::set<std::string> names;
   std::istringstream lines(text_of(folder / kManifest).value_or(""));
@@ -75,7 +75,7 @@ Result<Done> write_file(const fs::path& path, const std::string& text) {
   return ::close(file) == 0 && safe ? Result<Done>(Done{}) : failed("cannot write " + path.string());
 }
 
-/// A folder that goes when it is not needed any more, whatever happens.
+/// A folder that is removed with this object.
 struct Temporary {
   fs::path path;
   ~Temporary() {

@@ -9,7 +9,7 @@
 namespace farrier::deploy {
 namespace {
 
-// What a break-in could reach is taken away. Real-time priorities come from LimitRTPRIO, so that no capability is needed.
+// Rights that a break-in could use are removed. Real-time priorities come from LimitRTPRIO, so no capability is needed.
 constexpr const char* kHardening = R"(NoNewPrivileges=yes
 CapabilityBoundingSet=
 AmbientCapabilities=

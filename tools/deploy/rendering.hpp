@@ -7,8 +7,8 @@
 
 namespace farrier::deploy {
 
-/// How often a host asks again for the address of one that does not answer. Linux waits a second, so that for as long a
-/// host whose cable was out hears all others and nobody hears it.
+/// Period at which a host asks again for the address of one that does not answer. Linux waits a second. For so long a
+/// host whose cable was out hears all others and no host hears it.
 inline constexpr int kAddressRetry_ms = 20;
 
 struct RenderedFile {

@@ -11,10 +11,10 @@ namespace farrier::deploy {
 /// that do may fail to find each other over it. `folder` is /dev/shm.
 Findings leftover_findings(const std::string& folder);
 
-/// What the environment changes in every DDS process that is started with it.
+/// Effects of the environment on every DDS process that is started with it.
 Findings environment_findings();
 
-/// That an interface has no multicast, which programs need that look for others by it.
+/// Reports that an interface has no multicast, by which some programs search others.
 Findings multicast_findings(const HostFacts& facts, const std::string& address);
 
 }  // namespace farrier::deploy

@@ -8,9 +8,9 @@
 
 namespace farrier::faults {
 
-// Cells that held, a line of JSON each, so that a trial of hours which was interrupted goes on where it was.
+// Cells that held, a line of JSON each, so that an interrupted trial of hours continues.
 
-/// What cells were run with; those of another are not taken over.
+/// Conditions of the cells; cells of other conditions are not taken over.
 struct CellsOrigin {
   std::string git_revision;
   std::string configuration_hash;

@@ -13,16 +13,17 @@ namespace {
 
 using signals::JointState;
 
-/// A process tells what acts on it once in a period of its health, 0.1 s; then comes the event's way to the operator.
+/// A process reports the faults injected into it once per period of its health, 0.1 s. The event's way to the operator
+/// follows.
 constexpr double kTold_s = 0.12;
 
-/// Share of a run that the computer may spoil: what is left shows what a fault does to those that it does not hit.
+/// Share of a run that pauses of the computer may hide. The rest shows how a fault affects joints that it does not hit.
 constexpr double kMayBeExcused = 0.5;
 
 /// At the end of a run in which the processes may already be ending.
 constexpr Tick kAfter = 20;
 
-/// What every joint did, by joint and tick.
+/// State of every joint, by joint and tick.
 class Course {
  public:
   Course(const robot::Robot& robot, const std::vector<trace::TraceRow>& trace, const std::vector<TickSpan>& pauses)
@@ -61,7 +62,7 @@ class Course {
     return std::numeric_limits<double>::infinity();
   }
 
-  /// Of a span, how long some of `joints` were in another state.
+  /// Returns how long some of `joints` were in another state within a span.
   double elsewhere(const std::vector<std::size_t>& joints, JointState wanted, TickSpan span) const {
     Tick ticks = 0;
     for (Tick tick = span.begin; tick < std::min(span.end, end()); ++tick) {
@@ -70,8 +71,8 @@ class Course {
     return seconds(ticks);
   }
 
-  /// Of a span, for how long the computer is to blame for what joints do, and how long some of `joints` did not track
-  /// otherwise.
+  /// Times within a span: how long the computer is to blame for the state of joints, and how long some of `joints` did
+  /// not track otherwise.
   struct Untracked {
     double excused_s, elsewhere_s;
   };

@@ -20,8 +20,8 @@ struct TickSpan {
 /// The joint that rows of Hit::kJoint are about: the last of the first leg.
 const robot::Joint& hit_joint(const robot::Robot& robot);
 
-/// When a row's fault is there, in `phase` of the hit joint's leg: in the middle of the phase where it is short enough,
-/// else from shortly after its beginning on. In the first stride that the leg begins that phase in.
+/// Span of a row's fault, in `phase` of the hit joint's leg: in the middle of the phase if it is short enough, else
+/// from shortly after its beginning on. In the first stride that the leg begins that phase in.
 TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, const Row& row, gait::Phase phase);
 
 /// The row's faults of samples at that time.
@@ -36,38 +36,38 @@ struct Check {
   bool holds() const noexcept { return measured_s <= asked_s; }
 };
 
-/// One cell of the table: what happened in it.
+/// One cell of the table, with its result.
 struct Cell {
   std::string row, phase, vendor;
   std::uint64_t seed = 0;
-  int repeats = 0;    ///< runs before in which the computer itself stood still
+  int repeats = 0;    ///< runs before in which the computer itself was stopped
   std::string error;  ///< why the run ended early; empty: it did not
   std::vector<Check> checks;
   bool holds() const noexcept;
 };
 
-/// When things happened in a run. `armed`: the request to arm, the fault's end where there was none.
+/// Times of the events of a run. `armed`: the request to arm, the fault's end if there was none.
 struct Moments {
   TickSpan fault;
   Tick armed;
-  std::vector<TickSpan> pauses;  ///< in which the computer itself stood still
+  std::vector<TickSpan> pauses;  ///< in which the computer itself was stopped
 };
 
-/// What an operator heard, and the newest tick of the clock then.
+/// An event that an operator heard, and the newest tick of the clock then.
 struct Heard {
   std::string text;
   Tick tick;
 };
 
-/// Before a fault's beginning from which on the joints that it does not hit are looked at.
+/// Time before a fault from which on the joints that it does not hit are judged.
 inline constexpr Tick kBefore = 50;
 
-/// After a pause of the computer for which the joints that a fault does not hit are not judged: what lay waiting is taken,
-/// then a joint that had no sensors needs ten good samples.
+/// Time after a pause of the computer for which the joints that a fault does not hit are not judged. Waiting samples
+/// are taken first, then a joint that had no sensors needs ten good samples.
 inline constexpr Tick kAfterPause = 20;
 
-/// What a run that left this trace and these events shows of the row. Without a trace, as where who writes it was killed,
-/// the events alone.
+/// Judges a row by the trace and the events of its run. Without a trace, which is missing if its writer was killed, the
+/// events alone are judged.
 std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moments& moments,
                          const std::vector<trace::TraceRow>& trace, const std::vector<Heard>& events);
 

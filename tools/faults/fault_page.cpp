@@ -12,7 +12,7 @@ std::string milliseconds(double time_s) {
   return std::isfinite(time_s) ? report::short_number(time_s * 1e3) + " ms" : "never";
 }
 
-/// What there is among the cells, once each, in their order.
+/// Returns the different values among the cells, in their order.
 template <class Of>
 std::string listed(const std::vector<Cell>& cells, Of&& of) {
   std::vector<std::string> names;

@@ -7,7 +7,7 @@
 
 namespace farrier::faults {
 
-/// The longest that a check took over cells of a row, by its words; with the bound it has.
+/// The longest time of a check over the cells of a row, by its words; with its bound.
 std::vector<Check> worst_checks(const std::vector<Cell>& cells, const std::string& row);
 
 /// The table of docs/faults.md: each row's fault, the answer of each process, and the event that an operator sees.
@@ -17,7 +17,7 @@ std::string faults_table_markdown();
 /// clock went slower than the machine's by the factor `slow`.
 std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t planned, int slow);
 
-/// What a cell that does not hold lacks, in a line.
+/// Returns in one line why a cell does not hold.
 std::string why_not(const Cell& cell);
 
 }  // namespace farrier::faults

@@ -10,9 +10,9 @@ namespace {
 
 using enum signals::JointState;
 
-// What a robot file leaves at its defaults: sensors stale after 3 ms and good again after 10 samples, commands damped
-// after 5 ms and tripped after 50 ms, a silent valve command after 5 ms. On top come a control period of each of the
-// two loops, one and a half of the joint's where nothing arrives, and the way between them.
+// Defaults of a robot file: sensors are stale after 3 ms and good again after 10 samples. Commands are damped after 5
+// ms and tripped after 50 ms, and a valve command is silent after 5 ms. On top come a control period of each of the two
+// loops, one and a half of the joint's where nothing arrives, and the way between them.
 constexpr double kReach_s = 0.004;
 constexpr double kStale_s = 0.003 + kReach_s;
 constexpr double kDamped_s = 0.005 + kReach_s;
@@ -26,9 +26,9 @@ constexpr double kStartAgain_s = 0.050;
 constexpr double kGreeted_s = 1.0;  // a process starts, finds the others and hears every route
 constexpr double kCatchesUp_s = 0.006;  // a process that was stopped first takes what has come meanwhile
 constexpr double kAfterStop_s = kGoodAgain_s + kCatchesUp_s;
-constexpr double kLeaseAndMore_s = 12.0;  // of machine time: by then who renews no lease is forgotten
+constexpr double kLeaseAndMore_s = 12.0;  // of machine time: by then a process that renews no lease is dropped
 constexpr double kHeard_s = 0.020;  // an event's way to the operator
-constexpr double kMissed_s = 0.100;  // 50 ms of silence, the period of what is silent, an event's way
+constexpr double kMissed_s = 0.100;  // 50 ms of silence, the period of the silent topic, an event's way
 
 constexpr const char* kJointNode = to_string(Program::kJointNode);
 constexpr const char* kSimBridge = to_string(Program::kSimBridge);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What may go wrong on a robot, what each process must then do, and within what time. docs/faults.md is made from here.
+// Faults of a robot, the reaction of each process, and the time that it has. docs/faults.md is made from here.
 
 #include <optional>
 #include <string>
@@ -18,9 +18,9 @@ enum class Hit { kJoint, kLeg, kAll };
 
 using run::ProcessAct;
 
-/// What a cell of the table must show of the joints that are hit. All others track throughout.
+/// Reaction that a cell of the table must show of the joints that are hit. All others track throughout.
 struct Expectation {
-  /// What they do instead of tracking; kTracking: nothing else than before.
+  /// State instead of tracking; kTracking: they continue as before.
   signals::JointState reaction = signals::JointState::kTracking;
   double within_s = 0.0;        ///< of the beginning
   double recovers_s = 0.0;      ///< tracking again, of the fault's end or of the request to arm; 0: they never do
@@ -35,7 +35,7 @@ struct Row {
   const char* fault;  ///< what happens, for people
   const char* does;   ///< what each process does, for people
   Hit hit;
-  const char* member;               ///< into which samples come spoilt; null: none
+  const char* member;               ///< into which corrupted samples come; null: none
   std::vector<const char*> arrows;  ///< bus_faults::parse_arrow_fault without span and key
   double lasts_s;                   ///< from its beginning to its end; by the computer's clock where that is set
   std::vector<ProcessAct> acts;
@@ -46,17 +46,17 @@ struct Row {
 
 const std::vector<Row>& rows();
 
-/// Whether a run with this fault ends with a trace: not where its writer is killed.
+/// True if a run with this fault ends with a trace: false if its writer is killed.
 bool leaves_trace(const Row& row);
 
-/// Whether a process starts in a run with this fault.
+/// True if a process starts in a run with this fault.
 bool starts_process(const Row& row);
 
-/// Rows in which one does go slower by this factor than the others: loading a program takes a computer as long at any pace
-/// of the robot's clock.
+/// Factor by which rows in which a process starts are slower than the others: loading a program takes a computer as
+/// long at any pace of the robot's clock.
 inline constexpr int kSlowerWhereProcessesStart = 3;
 
-/// The row as it is in slow motion: what lasts by the computer's clock, which is set, is so much shorter by the robot's.
+/// The row in slow motion: times by the computer's clock, which is set, are shorter by this factor on the robot's.
 Row paced(Row row, int slow);
 
 /// Null for none of that name.

@@ -4,13 +4,13 @@
 
 namespace farrier::display {
 
-/// What a monitor's frames are shown on. Several may be on at a time.
+/// A display of a monitor's frames. Several may be on at a time.
 class Display {
  public:
   virtual ~Display() = default;
   /// Gets every frame, in order, some twenty a second.
   virtual void show(const monitor::Frame& frame) = 0;
-  /// Whether its user wants the monitor to end.
+  /// True if its user wants the monitor to end.
   virtual bool ended() const { return false; }
 };
 

@@ -10,7 +10,7 @@
 
 namespace farrier::display {
 
-/// How much a line is to strike the eye.
+/// Emphasis of a line.
 enum class Tone : std::uint8_t { kPlain, kHeading, kFaint, kWarning, kBad };
 
 /// One joint in the table.
@@ -21,11 +21,11 @@ struct JointRow {
   Tone tone;
 };
 
-/// Rows of the joints that the view's filter leaves, in its order; what is not known comes last either way. `frame` is
-/// of `robot`.
+/// Rows of the joints that the view's filter keeps, in its order. Unknown values come last in either direction. `frame`
+/// is of `robot`.
 std::vector<JointRow> joint_rows(const monitor::Frame& frame, const robot::Robot& robot, const TableView& view);
 
-/// With a "?" for all that is no printable ASCII: what a process says of itself may be anything.
+/// Replaces all but printable ASCII by "?": a process may report any bytes.
 std::string printable(std::string_view text);
 
 }  // namespace farrier::display

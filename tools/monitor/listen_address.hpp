@@ -17,8 +17,8 @@ struct ListenAddress {
   std::string text() const { return (v6 ? "[" + ip + "]" : ip) + ":" + std::to_string(port); }
 };
 
-/// Of "127.0.0.1:9464", "[::1]:9464" or ":9464", which is on this computer alone: all of its addresses are "0.0.0.0:9464".
-/// Refuses what is no such thing.
+/// Reads "127.0.0.1:9464", "[::1]:9464" or ":9464", which is the loopback address. "0.0.0.0:9464" is all addresses of
+/// this computer. Refuses any other text.
 Result<ListenAddress> parse_listen_address(const std::string& text);
 
 /// Refuses an address or a port that cannot be had now, with the system's reason.

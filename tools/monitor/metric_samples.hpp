@@ -49,7 +49,7 @@ void each_process(const MetricState& state, Use&& use) {
     }
     std::string name = printable(signals::text_of(process.hello.name));
     if (std::ranges::find(names, name) != names.end()) {
-      name += " (" + std::to_string(process.hello.participant) + ")";  // two alike would spoil the whole scrape
+      name += " (" + std::to_string(process.hello.participant) + ")";  // two alike would invalidate the whole scrape
     }
     names.push_back(name);
     use(process, name);

@@ -38,7 +38,7 @@ enum Key : int {
   kKeyHome,
 };
 
-/// How somebody looks at a robot.
+/// View of a robot that a user has chosen.
 struct TableView {
   int width = 0;             ///< characters; 0: as wide as it gets
   int height = 0;            ///< lines; 0: as many as it takes
@@ -48,15 +48,15 @@ struct TableView {
   bool only_faulty = false;
   int first_row = 0;         ///< joint at the top
   bool typing = false;       ///< the filter is being typed
-  bool paused = false;       ///< the frame at which it was stands still
+  bool paused = false;       ///< the frame at that moment is kept
   bool help = false;
   bool ended = false;
 
-  /// What a key does: a character, or a Key.
+  /// Handles a key: a character, or a Key.
   void press(int key);
 };
 
-/// What the keys do, a line each.
+/// Help on the keys, a line each.
 const std::array<const char*, 9>& help_lines() noexcept;
 
 }  // namespace farrier::display

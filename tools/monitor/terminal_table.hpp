@@ -19,12 +19,12 @@ struct Table {
   int shown = 0;            ///< of those, as many as there is room for
 };
 
-/// What a terminal shows of a frame of `robot`: the run, its joints, its processes where there is room, and the newest
-/// of `events`, which are in the order in which they came.
+/// Table of a frame of `robot` for a terminal: the run, its joints, its processes if there is room, and the newest of
+/// `events`, which are in the order in which they came.
 Table terminal_table(const monitor::Frame& frame, const robot::Robot& robot, std::span<const monitor::EventFrame> events,
                      const TableView& view);
 
-/// The same as text, for what is no terminal.
+/// The same as text, for output that is no terminal.
 std::string text_of(const Table& table);
 
 }  // namespace farrier::display

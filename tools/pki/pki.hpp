@@ -15,7 +15,7 @@ struct Plan {
   int days = 365;     ///< for which the identities are valid
 };
 
-/// Makes an identity and permissions for each role on each vendor, issued by the CAs of `ca`. Each key is drawn anew.
+/// Makes an identity and permissions for each role on each vendor, issued by the CAs of `ca`. Each key is newly drawn.
 /// Refuses an `out` that is there, a `ca` that is there and is not such a folder, or one inside the other; leaves no
 /// half-made folder behind.
 Result<Done> make(const Plan& plan);

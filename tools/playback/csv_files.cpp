@@ -27,7 +27,7 @@ constexpr const char* kFirstColumns[] = {"index", "log_time_ns", "publish_time_n
 constexpr const char* kMetadata = "metadata.json";
 constexpr std::uint64_t kAskEvery = 10'000;  // samples
 
-/// What a topic's file needs that depends on its signal type.
+/// Functions of a topic's file that depend on its signal type.
 struct Format {
   std::string (*header)();
   bool (*append)(std::string& row, std::span<const std::uint8_t> cdr);
@@ -153,7 +153,7 @@ class TopicFile {
   bool present_ = false;
 };
 
-/// What metadata.json says.
+/// Content of metadata.json.
 struct Metadata {
   mcap::Text facts;
   recording::TopicCounts lost{};

@@ -12,18 +12,18 @@ namespace farrier::playback {
 // name[0], name[1], ...; numbers in their shortest form that reads back exactly. There and back nothing changes but the
 // bytes behind the end of a text.
 
-/// What was converted, and why no more: empty when the recording was read to its end.
+/// Number of converted samples, and why the conversion ended early: empty if the recording was read to its end.
 struct Converted {
   std::uint64_t samples = 0;
   std::string ending;
 };
 
-/// Refuses a file that is no recording, a folder that cannot be written or has files of another recording, and when
-/// `keep_on` does; then it leaves no file in the folder.
+/// Refuses a file that is no recording, a folder that cannot be written or has files of another recording. If `keep_on`
+/// returns false it also refuses, and leaves no file in the folder.
 Result<Converted> to_csv(const std::string& recording, const std::string& folder, const KeepOn& keep_on = {});
 
-/// Refuses, with file, line and column, what to_csv would not have written, and when `keep_on` does; then it leaves no
-/// recording.
+/// Refuses, with file, line and column, text that to_csv does not write. If `keep_on` returns false it also refuses,
+/// and leaves no recording.
 Result<Converted> from_csv(const std::string& folder, const std::string& recording, const KeepOn& keep_on = {});
 
 }  // namespace farrier::playback

@@ -15,9 +15,9 @@ class CsvReader {
   bool opened() const { return file_.is_open(); }
   /// False at the end.
   bool next(std::vector<std::string>& cells);
-  /// Of the row that came last, from 1 on.
+  /// Line of the last row, from 1 on.
   std::size_t line() const noexcept { return line_; }
-  /// Bytes of the file before what comes next; past the end, all of them.
+  /// Bytes of the file before the next row; past the end, all of them.
   std::uint64_t position();
 
  private:

@@ -17,7 +17,7 @@ inline constexpr bool kIsText = false;
 template <std::size_t kSize>
 inline constexpr bool kIsText<std::array<char, kSize>> = true;
 
-/// Calls column(name, number, text or octets) for each column of a field.
+/// Calls column(name, number, text or byte sequence) for each column of a field.
 template <class Field, class Column>
 void visit_columns(const std::string& name, Field& field, Column&& column) {
   if constexpr (std::is_arithmetic_v<std::remove_const_t<Field>> || kIsText<std::remove_const_t<Field>> ||
@@ -30,7 +30,7 @@ void visit_columns(const std::string& name, Field& field, Column&& column) {
   }
 }
 
-/// Calls column(name, number, text or octets) for each column of a signal.
+/// Calls column(name, number, text or byte sequence) for each column of a signal.
 template <class Signal, class Column>
 void visit_all_columns(Signal& signal, Column&& column) {
   signals::visit_fields(signal, [&](const char* name, auto& field) { visit_columns(name, field, column); });
@@ -59,7 +59,7 @@ void append_cell(std::string& row, const std::array<char, kSize>& text) {
   row += '"';
 }
 
-/// Two digits an octet.
+/// Appends two digits per byte.
 template <std::size_t kMost>
 void append_cell(std::string& row, const signals::Octets<kMost>& octets) {
   constexpr std::string_view kDigits = "0123456789abcdef";

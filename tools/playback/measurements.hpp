@@ -6,7 +6,7 @@
 
 namespace farrier::playback {
 
-/// What joints measured in a recorded run.
+/// Measurements of all joints in a recorded run.
 struct Measurements {
   bool lockstep = false;  ///< which clock the run had: only lock-step has clock/tick_done
   std::vector<std::vector<signals::JointMeasurement>> joints;  ///< by number, ticks rising
@@ -17,8 +17,7 @@ struct Measurements {
   }
 };
 
-/// Reads a run to its end; a tick that came again, or late, is left out. `others` gets every other topic's samples; may
-/// be empty.
+/// Reads a run to its end, without repeated and late ticks. `others` gets every other topic's samples; may be empty.
 Measurements read_measurements(RecordedRun& run, const recording::TakeSample& others = {});
 
 }  // namespace farrier::playback

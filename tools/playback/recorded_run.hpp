@@ -7,13 +7,13 @@
 
 namespace farrier::playback {
 
-/// Whether a file begins as MCAP does; false for one that cannot be read.
+/// True if a file begins as MCAP does; false for one that cannot be read.
 bool is_recording(const std::string& path);
 
-/// A recording, with the robot that it says it is of.
+/// A recording, with the robot that it names.
 class RecordedRun {
  public:
-  /// Refuses what recording::RunFileReader does, a file without samples, and one that does not say of which robot it is.
+  /// Refuses if recording::RunFileReader does, a file without samples, and one that does not name its robot.
   /// `overrides` change that robot.
   static Result<RecordedRun> open(const std::string& path, const robot::Overrides& overrides = {});
 
@@ -22,10 +22,10 @@ class RecordedRun {
   /// As recording::RunFileReader.
   void ask(KeepOn keep_on) { file_.ask(std::move(keep_on)); }
 
-  /// The next sample, valid until the next call. False at the end: see `ending`.
+  /// Reads the next sample, valid until the next call. Returns false at the end: see `ending`.
   bool next(recording::Sample& sample);
 
-  /// Empty: the file was read to its regular end. Otherwise why not.
+  /// Empty: the file was read to its regular end. Otherwise the reason why not.
   const std::string& ending() const noexcept { return file_.ending(); }
 
  private:
@@ -34,7 +34,7 @@ class RecordedRun {
 
   recording::RunFileReader file_;
   robot::Robot robot_;
-  recording::Sample first_;  ///< facts come before samples: to have the ones the other must be read
+  recording::Sample first_;  ///< read in advance: the facts before it are then known
   bool first_is_next_ = true;
 };
 

@@ -2,7 +2,7 @@
 // that stands in a file they share (FARRIER_WALL_CLOCK, 8 bytes: nanoseconds). As where a kernel's clock is set, the
 // steady clock goes on, and waits that are told a wall-clock time end when this clock shows it.
 //
-// Not faketime: it holds up clock_nanosleep on the steady clock, and with that every loop in real time.
+// Not faketime: it blocks clock_nanosleep on the steady clock, and with that every loop in real time.
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -24,7 +24,7 @@ using Offset = std::atomic<std::int64_t>;
 static_assert(sizeof(Offset) == sizeof(std::int64_t) && Offset::is_always_lock_free);
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
-/// How soon a wait sees that the clock was set.
+/// Longest time until a wait sees that the clock was set.
 constexpr std::int64_t kSlice_ns = 5'000'000;
 
 std::int64_t offset_ns() {

@@ -8,15 +8,15 @@
 
 namespace farrier::web {
 
-// What the page reads; its names are explained in docs/monitoring.md. Numbers have six digits, what is not a finite
-// number is null.
+// JSON for the page; its names are explained in docs/monitoring.md. Numbers have six digits. A number that is not
+// finite is null.
 
-/// What a page needs to know of a robot before its first frame: names, units, and what codes stand for. `recorded`: the
+/// Facts of a robot that a page needs before its first frame: names, units, and the meanings of codes. `recorded`: the
 /// frames come from a recording.
 std::string robot_json(const robot::Robot& robot, bool recorded);
 
-/// One frame. Whole but for summaries and events, which each frame has its own of: who missed the frame before it still
-/// knows all that holds now.
+/// One frame. It is complete except for summaries and events, of which each frame has only its own. A page that missed
+/// the frame before it still knows the whole present state.
 std::string frame_json(const monitor::Frame& frame);
 
 std::string event_json(const monitor::EventFrame& event);

@@ -10,13 +10,13 @@
 
 namespace farrier::web {
 
-/// The newest frames and events of a robot, as text, for pages that each read at their own pace. Whoever puts a frame
-/// in never waits for a page; a page that is too far behind goes on with what is still here.
+/// The newest frames and events of a robot, as text, for pages that each read at their own pace. A thread that adds a
+/// frame never waits for a page; a page that is too far behind goes on with the oldest frame that is still here.
 class FrameRing {
  public:
   using Text = std::shared_ptr<const std::string>;
 
-  /// What a page gets at once.
+  /// Answer to one request of a page.
   struct Piece {
     std::vector<Text> frames;        ///< in order
     std::uint64_t next = 0;          ///< number of the frame behind them: where to read on

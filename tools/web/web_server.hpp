@@ -14,10 +14,10 @@ namespace farrier::web {
 /// Value of a parameter of a request; empty for none.
 using Parameter = std::function<std::string(const std::string& name)>;
 
-/// What is served. Everything is read, nothing can be changed.
+/// Content of the server. Everything is read, nothing can be changed.
 struct Site {
   PageFiles page;
-  /// JSON by path; an empty answer is one to a question that makes no sense.
+  /// JSON by path; an empty answer means that the request is invalid.
   std::map<std::string, std::function<std::string(const Parameter&)>> documents;
   /// Served as events at /api/frames where there is one.
   std::shared_ptr<FrameRing> frames;
@@ -33,7 +33,7 @@ class WebServer {
   WebServer& operator=(const WebServer&) = delete;
 
   int port() const noexcept;
-  /// Of the page, with the token where one is needed.
+  /// URL of the page, with the token if one is needed.
   std::string url() const;
 
  private:

@@ -39,7 +39,7 @@ std::array<double, diagnosis::kChannels> base_error(const truth::Samples& sample
   return {std::sqrt(base.total(0)), std::sqrt(base.total(1)), std::sqrt(base.total(2))};
 }
 
-/// What is hidden, as a joint's effects; none where some of it is outside the library.
+/// Returns the hidden effects as a joint's effects; none if one of them is outside the library.
 std::vector<plant::ActiveEffect> hidden_effects(const std::vector<truth::Answer>& answers, const robot::Joint& joint,
                                                 const std::vector<plant::ActiveEffect>& found) {
   const plant::Scales scales(joint.actuator, joint.swing_load);

@@ -14,7 +14,7 @@
 
 namespace farrier::blind {
 
-/// What a trial hides.
+/// Kinds of hidden content in a trial.
 enum class Kind { kNone, kEffect, kPair, kOutside };
 
 struct TrialPlan {
@@ -39,9 +39,9 @@ struct Outcome {
   std::vector<std::pair<std::string, std::string>> alternatives;
   double parameter_error = 0.0;  ///< of the first named, when it is the hidden one: of its distance from neutral
   double error_before = 0.0, error_after = 0.0;
-  /// What a controller gains that knows what was named, where it can use any of that (control::is_compensated) and what
-  /// is hidden is of the library. The joint that both control is the nominal one with what is hidden: its headline
-  /// parameter as the answer has it, others as they were found, or else as plant::default_value has them.
+  /// Gain of a controller that knows the named effects, if it can use one of them (control::is_compensated) and the
+  /// hidden ones are of the library. Both controllers control the nominal joint with the hidden effects. The headline
+  /// parameter is that of the answer, others are as found, or else plant::default_value.
   std::optional<trials::TrackingGain> control;
   std::string refused;           ///< why the trial could not be made; empty: it was
 };

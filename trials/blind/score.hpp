@@ -44,7 +44,7 @@ Score score(const std::vector<Outcome>& outcomes);
 /// Score of the single-effect trials of each effect.
 std::map<std::string, Score> score_by_effect(const std::vector<Outcome>& outcomes);
 
-/// What was hidden against what was named first, as Markdown, and every trial that went wrong.
+/// Markdown table of hidden effects against those named first, and every trial that went wrong.
 std::string confusion_page(const std::vector<Outcome>& outcomes);
 
 }  // namespace farrier::blind

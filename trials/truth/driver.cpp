@@ -84,7 +84,7 @@ std::vector<double> current_sines(const robot::Joint& joint, const Plan& plan, c
 
 double resonance(const Mechanics& m) { return std::sqrt(m.oil_stiffness / m.mass); }
 
-// How much of a step of current has to be smoothed for the joint not to ring: all but 3 % below a damping ratio of
+// Share of a step of current that has to be smoothed for the joint not to ring: all but 3 % below a damping ratio of
 // 0.12, nothing above 0.22.
 double smoothed_share(const Mechanics& m) {
   const double ratio = (m.load_damping + m.piston_damping) / (2.0 * m.mass * resonance(m));

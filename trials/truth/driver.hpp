@@ -7,7 +7,7 @@
 
 namespace farrier::truth {
 
-/// What linear theory says of a joint in mid-stroke, from its file; to choose frequencies, levels and gains by.
+/// Linear theory of a joint in mid-stroke, from its file; to choose frequencies, levels and gains by.
 struct Mechanics {
   double speed_per_A;      ///< m/s or rad/s per A, unloaded, half the supply across each land
   double oil_stiffness;    ///< both chambers, N/m or Nm/rad
@@ -18,9 +18,9 @@ struct Mechanics {
 };
 Mechanics mechanics_of(const robot::Joint& joint);
 
-/// The current of a run. Open loop it is given by seed and scale but for a slow term that holds mid-stroke; closed loop
-/// a force controller makes it of what it measures, with the same slow term towards where a model of the joint is.
-/// Every run has calm and strong eighths, in both of its halves.
+/// The current of a run. In open loop it is given by seed and scale, with a slow term that holds mid-stroke. In closed
+/// loop a force controller makes it from its measurements; the slow term then tends to the place of a model of the
+/// joint. Every run has calm and strong eighths, in both of its halves.
 class Driver {
  public:
   /// `scale` multiplies the excitation; 1 is lively for a joint that is as its file says.

@@ -9,7 +9,7 @@
 
 namespace farrier::truth {
 
-/// What sizes of effects refer to; the motion is that of the same plan without effect.
+/// Reference values of the sizes of effects; the motion is that of the same plan without effect.
 struct Extents {
   double push;             ///< area_a times half the supply, N or Nm
   double length;           ///< 1 for a stroke of 80 mm: unit of lengths and speeds

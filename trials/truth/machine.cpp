@@ -43,8 +43,9 @@ double slope(double drop, double laminar) {
   return (1.25 - 0.75 * r * r) / std::sqrt(laminar);
 }
 
-// Pressure between the lands of a port and its bore: what the lands let in is what the bore lets through.
-//   o_p f(P - p_n) - o_t f(p_n - T) = u_s f(p_n - p),  falling in p_n: Newton, bisection where it leaves the bracket
+// Pressure between the lands of a port and its bore, by Newton, with bisection if it leaves the bracket. The flow
+// through the lands equals the flow through the bore:
+//   o_p f(P - p_n) - o_t f(p_n - T) = u_s f(p_n - p),  falling in p_n
 double port_node(const Machine& m, double open_supply, double open_return, double supply, double chamber) {
   const double us = m.port_current_A, d = m.laminar_Pa;
   double low = std::min({supply, m.return_Pa, chamber}), high = std::max({supply, m.return_Pa, chamber});
@@ -80,7 +81,7 @@ Flows valve(const Machine& m, const Openings& o, double supply, double pa, doubl
           supply_b - k * o.extend * orifice(pb - m.return_Pa, d), supply_a + supply_b};
 }
 
-// Of oil and air together, per volume at 1 bar:
+// Bulk modulus of oil and air together, per volume at 1 bar:
 //   V(p) = (1 - r) (1 - (p - p0) / beta) + r (p0 / p)^(1/n),   1 / beta_e = -V'(p) / V(p)
 double stiffness_of_mixture(const Machine& m, double pressure_Pa) {
   if (m.air_fraction <= 0.0) {
@@ -182,7 +183,7 @@ Outcome differentiate(const Machine& m, double time_s, const Vector& x, const Ac
   if (x[kPa] <= 0.0) dx[kPa] = std::max(dx[kPa], 0.0);
   if (x[kPb] <= 0.0) dx[kPb] = std::max(dx[kPb], 0.0);
 
-  // What acts on the piston, and what holds the load back.
+  // Forces on the piston, and the resistance of the load.
   const double on_piston = m.area_a * pa - m.area_b * pb + end_stops(m, piston_x, piston_v) -
                            m.piston_damping * piston_v -
                            rub(m.piston_contact, piston_x - middle, piston_v, x[kPistonBristle], dx[kPistonBristle]);

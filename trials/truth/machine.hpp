@@ -16,8 +16,8 @@ struct Contact {
   double wavelength = 1.0;         ///< m or rad
 };
 
-/// Numbers of one joint as it really is. SI; lengths and forces m, N (cylinder) or rad, Nm (rotary). What an effect
-/// does not ask for is neutral.
+/// Numbers of one joint as it really is. SI; lengths and forces m, N (cylinder) or rad, Nm (rotary). Numbers of effects
+/// that are not hidden are neutral.
 struct Machine {
   double area_a, area_b, stroke, line_volume_m3, bulk_modulus_Pa, valve_gain, current_max_A;
   double supply_Pa, return_Pa, laminar_Pa;
@@ -60,13 +60,13 @@ enum Place : std::size_t {
 };
 using Vector = std::array<double, kPlaces>;
 
-/// What acts from outside during a step.
+/// Inputs from outside during a step.
 struct Acting {
   double command_A = 0.0;  ///< after delay and hysteresis, with bias
   double random_force = 0.0;
 };
 
-/// What the equations give beside the state's derivative.
+/// Results of the equations beside the state's derivative.
 struct Outcome {
   double cell_force = 0.0;      ///< at the load cell, before its electronics
   double supply_flow = 0.0;     ///< drawn at the valve, m^3/s, >= 0
@@ -82,8 +82,8 @@ void advance(const Machine& machine, double time_s, double h, const Acting& acti
 /// At rest in mid-stroke, chambers in balance at half the supply pressure in sum.
 Vector at_rest(const Machine& machine);
 
-/// Of the flanks of the play, Ns/m or Nms/rad: 0.3 of critical for the load on a standing piston, as of oiled steel
-/// that rebounds by a third. With less the load rattles in the play without end.
+/// Damping of the flanks of the play, Ns/m or Nms/rad: 0.3 of critical for the load on a standing piston, as of oiled
+/// steel that rebounds by a third. With less the load rattles in the play without end.
 double contact_damping(const Machine& machine);
 
 /// Flow through an orifice of opening 1 per sqrt(Pa), signed as the drop: square root beyond the laminar drop, an odd

@@ -9,7 +9,7 @@ namespace farrier::truth {
 /// down by seed.
 Machine machine_of(const robot::Joint& joint, std::uint64_t seed);
 
-/// What a run went through.
+/// Largest and lowest values in a run.
 struct Went {
   double peak_current_A = 0.0, peak_flow_m3_s = 0.0;
   double excursion = 0.0, stretch = 0.0;    ///< of the load, largest

@@ -9,12 +9,12 @@
 
 namespace farrier::truth {
 
-/// What sensors would give without noise and digits, SI.
+/// Outputs of ideal sensors, without noise and digits, SI.
 struct Reading {
   double position, velocity, force, pressure_a_Pa, pressure_b_Pa, supply_Pa;
 };
 
-/// How ticks are numbered and cut.
+/// Numbers and steps of ticks.
 struct Clock {
   double period_s;
   int lead_ticks;  ///< run before recording begins, for things to settle

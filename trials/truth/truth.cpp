@@ -23,7 +23,7 @@ struct Base {
   Went went;
 };
 
-// How much of what a run may use it used; beyond 1 it used too much.
+// Largest share of its limits that a run used; above 1 it used too much.
 double load_of(const Went& went, const Machine& m) {
   const double used = std::max({went.excursion / (kStrokeUsed * m.stroke),
                                 went.peak_current_A / (kCurrentUsed * m.current_max_A),

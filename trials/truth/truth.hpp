@@ -1,11 +1,13 @@
 #pragma once
 
-// Recordings of a joint in which an effect is hidden, for blind trials of `farrier diagnose`. The machine is written
-// a second time here: of lib/plant only the structs that hold numbers are used, none of its equations.
+// Recordings of a joint in which an effect is hidden, for blind trials of `farrier diagnose`. The machine is written a
+// second time here: of lib/plant only the structs that hold numbers are used, none of its equations.
 //
-//   plan ─▶ hide ─▶ Machine ─▶ Simulator ◀─▶ Driver (current)     one run of `record`
+// A run without effect comes first. It gives the scale of the excitation and of effects that are relative to the run.
+// Data flow of one run of `record`:
+//
+//   plan ─▶ hide ─▶ Machine ─▶ Simulator ◀─▶ Driver (current)
 //                                  └─▶ sensors ─▶ Samples
-//   before it the same without effect, to find the scale of the excitation and of effects that are relative to the run
 
 #include <cstdint>
 #include <string>
@@ -28,8 +30,8 @@ struct Hidden {
   int magnitude;     ///< 0 small, 1 medium, 2 large
 };
 
-/// What to record. `seed` gives the machine's deviation from its file, excitation, noise, and sign and exact size of
-/// every effect, each from a stream of its own: plans that differ in `hidden` alone share all the rest.
+/// Plan of a recording. `seed` gives the machine's deviation from its file, excitation, noise, and sign and exact size
+/// of every effect. Each has a stream of its own: plans that differ in `hidden` alone share all the rest.
 struct Plan {
   std::uint64_t seed;
   Excitation excitation;
@@ -37,13 +39,13 @@ struct Plan {
   double duration_s = 8.0;     ///< in [1, 600]
 };
 
-/// What was hidden.
+/// A hidden effect.
 struct Answer {
   std::string name;
   double value;  ///< headline parameter as simulated; its name and unit are headline()'s
 };
 
-/// What sensors gave: noisy and quantised, SI (m, m/s, N or rad, rad/s, Nm). Row k: sensors at tick k;
+/// Readings of the sensors: noisy and quantised, SI (m, m/s, N or rad, rad/s, Nm). Row k: sensors at tick k;
 /// valve_current_A[k] acts over [k, k + 1).
 struct Samples {
   double period_s;
@@ -55,9 +57,9 @@ struct Trial {
   std::vector<Answer> answers;  ///< in the order of the plan
 };
 
-/// Refuses unknown or repeated effects, magnitudes outside 0..2, a duration or period out of range (period in
-/// [2e-4, 5e-3] s), and joints whose file already has spool, deadband, friction or lines: the nominal machine is the
-/// plain one. The load is the joint's swing load, the motion about mid-stroke, inside [0.1, 0.9] stroke.
+/// Refuses unknown or repeated effects, magnitudes outside 0..2, and a duration or period out of range (period in
+/// [2e-4, 5e-3] s). Refuses joints whose file already has spool, deadband, friction or lines: the nominal machine is
+/// the plain one. The load is the joint's swing load, the motion about mid-stroke, inside [0.1, 0.9] stroke.
 Result<Trial> generate(const robot::Joint& joint, double period_s, const Plan& plan);
 
 /// Effects the library knows, 22 names.

@@ -1,6 +1,6 @@
 // watch_joint ROBOT.yaml JOINT DOMAIN: prints what a joint of a robot measures that runs on this computer in real time,
-// ten lines of it. A process of one's own that only listens: it opens the topic as the robot's do and takes no seat in
-// the run.
+// ten lines of it. A process of one's own that only listens: it opens the topic as the robot's processes do and takes
+// no part in the run.
 
 #include <cstdio>
 #include <cstdlib>
@@ -33,7 +33,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "watch_joint: %s\n", bus.error().message.c_str());
     return 1;
   }
-  // Of the robot's clock: a reader for lock-step asks for more than a writer in real time offers.
+  // The listener has the robot's clock: a reader for lock-step asks for more than a writer in real time offers.
   const participant::Identity listener{
       .name = "watch_joint", .robot = robot.value().name, .clock = bus::ClockKind::kRealtime};
   auto measurements = bus::Subscription<signals::JointMeasurement>::create(

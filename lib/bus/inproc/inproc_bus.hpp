@@ -14,9 +14,9 @@ namespace farrier::bus {
 
 struct InprocState;
 
-/// What the buses of one in-process network share. Thread-safe. Deadlines and leases are judged by `clock` whenever
-/// a sample is written or a reader is polled, so a simulated clock decides them; it is called with a lock held and
-/// must not use the domain.
+/// State that the buses of one in-process network share. Thread-safe. Deadlines and leases are judged by `clock`
+/// whenever a sample is written or a reader is polled, so a simulated clock decides them. The clock is called with a
+/// lock held and must not use the domain.
 class InprocDomain {
  public:
   explicit InprocDomain(std::function<SteadyTime()> clock);
@@ -24,8 +24,8 @@ class InprocDomain {
   InprocDomain(const InprocDomain&) = delete;
   InprocDomain& operator=(const InprocDomain&) = delete;
 
-  /// Samples a newer one of their key replaced in a reader's history before they were taken. KEEP_LAST means it:
-  /// these are not lost.
+  /// Samples that a newer one of their key replaced in a reader's history before they were taken. They are not lost:
+  /// KEEP_LAST asks for it.
   std::uint64_t overwritten() const noexcept;
 
   /// For create_inproc_bus.
@@ -35,7 +35,7 @@ class InprocDomain {
   std::unique_ptr<InprocState> state_;
 };
 
-/// One process's membership of an in-process domain.
+/// One process's membership in an in-process domain.
 ///
 /// Steady state neither allocates nor waits: rings of history_depth samples are allocated per (reader, key), and per
 /// (transient-local writer, key), by the first sample of the key. Samples of one reader are taken in the order in

@@ -27,7 +27,7 @@ struct WriterState {
   std::vector<ReaderState*> readers{};  ///< matched
 };
 
-/// What a reader remembers of one key.
+/// A reader's state of one key.
 struct KeyState {
   const WriterState* owner = nullptr;     ///< EXCLUSIVE: whose samples count
   const WriterState* last_writer = nullptr;
@@ -36,7 +36,7 @@ struct KeyState {
 
 struct ReaderState {
   EndpointSpec endpoint;
-  std::shared_ptr<Notifier> notifier;  ///< null: nobody waits for samples
+  std::shared_ptr<Notifier> notifier;  ///< null: no thread waits for samples
   KeyHistory history;
   std::vector<KeyState> keys{};         ///< by the history's number of the key
   std::vector<WriterState*> writers{};  ///< matched
@@ -134,7 +134,7 @@ inline void InprocState::remove(WriterState& writer) {
     for (KeyState& key : reader->keys) {
       if (key.last_writer == &writer) {
         key.last_writer = nullptr;
-        key.due_from.reset();  // nobody is left who could be late
+        key.due_from.reset();  // no writer is left that could be late
       }
     }
   }

@@ -35,7 +35,7 @@ Matrix6 whole_loop(const DiscreteModel& model, const Gains& gains, int delay_tic
   return loop;
 }
 
-/// How many past inputs the loop reaches back to; further ones are read by nobody and add poles at zero.
+/// Number of past inputs in the loop. Older ones have no effect and add poles at zero.
 int past_inputs(const Gains& gains, int delay_ticks) noexcept {
   const int read_by_gains = gains.delay[1] != 0.0 ? 2 : (gains.delay[0] != 0.0 ? 1 : 0);
   return std::clamp(delay_ticks, read_by_gains, kMaxDelayTicks);

@@ -10,7 +10,7 @@ enum class DesignMethod {
   kPolePlacement,  ///< bandwidth and damping
 };
 
-/// How a joint's gains are found. Of the weights pole placement uses the feed-forward factor alone.
+/// Rule by which a joint's gains are found. Pole placement uses only the feed-forward factor of the weights.
 struct DesignRule {
   DesignMethod method = DesignMethod::kLqr;
   LqrWeights weights;
@@ -18,7 +18,7 @@ struct DesignRule {
 };
 
 /// Gains for a sampled model by the rule's method. `period_s` is that of `model`. Refuses by name, as the methods do.
-/// `poles`, where not null, gets the poles of the loop, as of design_lqr.
+/// `poles`, if not null, receives the poles of the loop, as of design_lqr.
 Result<Gains, DesignStatus> design(const DiscreteModel& model, const DesignRule& rule,
                                    const Normalisation& normalisation, Form form, int delay_ticks,
                                    double period_s, SmallSpectrum* poles = nullptr) noexcept;

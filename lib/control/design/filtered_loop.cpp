@@ -9,7 +9,7 @@ namespace {
 constexpr int kMaxFilteredStates = kMaxStates + 6;
 using FilteredMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxFilteredStates, kMaxFilteredStates>;
 
-/// Whether powers of `m` vanish: squares it until its norm is small or large. A radius within 1e-6 of one is neither,
+/// True if powers of `m` vanish: squares it until its norm is small or large. A radius within 1e-6 of one is neither,
 /// and counts as unstable.
 bool vanishes(FilteredMatrix m) noexcept {
   constexpr int kSquarings = 24;
@@ -33,7 +33,7 @@ bool filtered_loop_is_stable(const DiscreteModel& model, const Gains& gains, int
   Gains silent = gains;
   silent.position = silent.velocity = silent.force = 0.0;
   SmallMatrix own = closed_loop_matrix(model, silent, delay_ticks);
-  own(0, plant) = 0.0;  // what is left reads no measurement; the sum reads the force
+  own(0, plant) = 0.0;  // without measurements; the sum is the only part that reads the force
   FilteredMatrix whole = FilteredMatrix::Zero(states + 2 * plant, states + 2 * plant);
   whole.topLeftCorner(states, states) = own;
   for (int i = 0; i < plant; ++i) {

@@ -9,7 +9,7 @@
 #include "control/design/lqr.hpp"
 #include "control/numerics/spectrum.hpp"
 
-// What every design of Gains has in common: the augmented loop, sorting of its gain, feed-forward, the last check.
+// Common part of every design of Gains: the augmented loop, sorting of its gain, feed-forward, the last check.
 namespace farrier::control::gain_design {
 
 template <int N>
@@ -25,7 +25,7 @@ struct Problem {
   double feed_forward_factor;
 };
 
-/// kSuccessful, or the name of what is wrong with the problem.
+/// Returns kSuccessful, or the name of the defect in the problem.
 DesignStatus check(const Problem& problem) noexcept;
 
 /// The plant with P states, the last of them the force, an integrator (7.7) before them and D past inputs, newest
@@ -89,9 +89,9 @@ DesignStatus solve(const Square<P>& a, const Column<P>& b, int delay_ticks, cons
   }
 }
 
-/// Real part of the feed-forward that makes the gain from reference to force one, without the integrator, at
-/// exp(i angle): from z x = A x + B z^-d u with F = 1, the input wanted is that of the plant plus what the feedback of
-/// the other states and of the past inputs takes away (see design_lqr). A singular balance gives a non-finite value.
+/// Real part of the feed-forward that makes the gain from reference to force one, without the integrator, at exp(i
+/// angle). From z x = A x + B z^-d u with F = 1 follows the plant's input. The feedback of the other states and of the
+/// past inputs is added to it (see design_lqr). A singular balance gives a non-finite value.
 template <int P>
 double unit_gain_feed_forward(const Square<P>& a, const Column<P>& b, const Column<P>& k, const Gains& gains,
                               double angle) noexcept {
@@ -115,8 +115,9 @@ double unit_gain_feed_forward(const Square<P>& a, const Column<P>& b, const Colu
   return feed_forward.real();
 }
 
-/// Gains whose row for the augmented, normalised loop is what `rule`, called with an Augmented<P, D>, returns as
-/// Result<GainRow<P, D>, DesignStatus>. The problem has passed check(). `poles`, where not null, gets those of the loop.
+/// Gains whose row for the augmented, normalised loop is found by `rule`. It is called with an Augmented<P, D> and
+/// returns Result<GainRow<P, D>, DesignStatus>. The problem has passed check(). `poles`, if not null, receives those of
+/// the loop.
 template <class Rule>
 Result<Gains, DesignStatus> find_gains(const Problem& problem, double integral_factor, const Rule& rule,
                                        SmallSpectrum* poles) noexcept {

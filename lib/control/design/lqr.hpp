@@ -22,7 +22,7 @@ struct Normalisation {
   double current_A;  ///< A; also the limit of the valve current
 };
 
-/// What the controller may lean on (9.2.4).
+/// States that the controller uses (9.2.4).
 enum class Form {
   kFullState,  ///< position, velocity, force and integral; needs a load spring
   kCompliant,  ///< designed without the position state: its gain is zero, a leg stays free to move
@@ -51,7 +51,7 @@ struct Gains {
   double integral;      ///< without xi; positive where the thesis's K_I of (7.8) is negative
   double feed_forward;  ///< Gamma
   std::array<double, kMaxDelayTicks> delay;  ///< on the two last currents; zero beyond delay_ticks
-  int delay_ticks;                           ///< loop delay the design is for
+  int delay_ticks;                           ///< loop delay of the design
   Form form;
   double integral_factor;  ///< xi
   Normalisation normalisation;
@@ -80,14 +80,14 @@ enum class DesignStatus {
 const char* to_string(DesignStatus status) noexcept;
 
 /// Designs the LQR of Chapter 7 for a sampled model: normalises it, adds the force integrator (7.7) and, for a loop
-/// with delay, the last inputs as states; solves (7.4) with N = 0; checks the closed loop with xi inside.
+/// with delay, the last inputs as states. Then it solves (7.4) with N = 0 and checks the closed loop with xi inside.
 ///
-/// The feed-forward makes the gain from reference to force one without the integrator ("N-bar" of Franklin, Powell
-/// and Workman 1998, section 8.4.2). The full-state form takes it at rest. A load without a spring never rests under a
-/// force (it slides off at F / d_l, and the static gain grows with 1 / d_l), so the compliant form takes the real part
-/// at 0.0314 rad per period, 5 Hz at 1 kHz, in the middle of what a trot asks for; that is finite at any damping.
+/// The feed-forward makes the gain from reference to force one without the integrator ("N-bar" of Franklin, Powell and
+/// Workman 1998, section 8.4.2). The full-state form computes it at rest. A load without a spring never rests under a
+/// force: it slides off at F / d_l, and the static gain grows with 1 / d_l. The compliant form therefore uses the real
+/// part at 0.0314 rad per period, 5 Hz at 1 kHz, in the middle of a trot's spectrum; that is finite at any damping.
 ///
-/// delay_ticks in 0..2. Every refusal has its own name; kSuccessful is never one. `poles`, where not null, gets
+/// delay_ticks in 0..2. Every refusal has its own name; kSuccessful is never one. `poles`, if not null, receives
 /// closed_loop_spectrum() of the model with the gains, which margins() takes.
 Result<Gains, DesignStatus> design_lqr(const DiscreteModel& model, const LqrWeights& weights,
                                        const Normalisation& normalisation, Form form, int delay_ticks,

@@ -41,7 +41,7 @@ inline Complex polynomial(const std::array<double, N>& c, Complex z) noexcept {
   return sum;
 }
 
-/// A filter as n(z) / d(z), of degree two; a straight wire costs nothing.
+/// A filter as n(z) / d(z), of degree two; a pass-through costs nothing.
 struct FilterRatio {
   explicit FilterRatio(const MeasurementFilter& f) noexcept : wire(f.c.isZero(0.0) && f.d == 1.0) {
     const double trace = f.a.trace();
@@ -74,7 +74,7 @@ class Loop {
     wires_ = position_.wire && velocity_.wire && force_.wire;
   }
 
-  /// Whether every filter is a straight wire.
+  /// True if every filter is a pass-through.
   bool is_wired() const noexcept { return wires_; }
 
   /// `z` on the unit circle.
@@ -178,7 +178,7 @@ void note_gain(double factor, Margins& m) noexcept {
   }
 }
 
-/// Margins at what happens between neighbouring points.
+/// Updates the margins with the crossings between neighbouring points.
 void note_crossings(const Loop& loop, const Point& a, const Point& b, Margins& m) noexcept {
   const auto imaginary = [](const Point& p) { return p.l.imag(); };
   const auto size = [](const Point& p) { return std::norm(p.l) - 1.0; };
@@ -190,14 +190,14 @@ void note_crossings(const Loop& loop, const Point& a, const Point& b, Margins& m
   }
   if ((size(a) < 0.0) != (size(b) < 0.0)) {
     const Point p = crossing(loop, a, b, size);
-    const double lag = std::arg(-p.l);  // of -L from one: what a lag has to take away
+    const double lag = std::arg(-p.l);  // angle of -L: the lag that moves L to -1
     m.phase_rad = std::min(m.phase_rad, std::abs(lag));
     const double turn = lag > 0.0 ? lag : lag + 2.0 * std::numbers::pi;
     m.delay_ticks = std::min(m.delay_ticks, turn / p.angle);
   }
 }
 
-/// Where to look, ascending: the grid and the angles of the loop's poles, each with its place on the unit circle.
+/// Angles to evaluate, ascending: the grid and the angles of the loop's poles, each with its place on the unit circle.
 struct Angle {
   double value;
   Complex z;

@@ -10,8 +10,8 @@
 
 namespace farrier::control {
 
-/// What stands between a sensor and the controller, of up to two states in ticks: s[k+1] = a s[k] + b y[k],
-/// filtered y = c s[k] + d y[k]. Passes everything by default.
+/// Filter between a sensor and the controller, of up to two states in ticks: s[k+1] = a s[k] + b y[k], filtered y = c
+/// s[k] + d y[k]. Passes everything by default.
 struct MeasurementFilter {
   Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
   Eigen::Vector2d b = Eigen::Vector2d::Zero();
@@ -35,8 +35,8 @@ struct MeasurementFilters {
   MeasurementFilter force;
 };
 
-/// How far a loop is from instability when what acts on the plant is not what was sent: f(z) u, f = 1 nominally.
-/// All are zero for a loop that is unstable as it is, or not finite.
+/// Distance of a loop from instability when the input f(z) u acts on the plant instead of u; f = 1 nominally. All
+/// margins are zero for a loop that is unstable at f = 1, or not finite.
 struct Margins {
   /// Balanced disk margin (Seiler, Packard and Gahinet 2020, "An introduction to disk margins", sigma = 0):
   /// alpha = 1 / max |(S - T) / 2|, in [0, 2]. Every f inside the disk through (2 - alpha) / (2 + alpha) and its
@@ -54,15 +54,15 @@ struct Margins {
   double disk_phase_rad() const noexcept { return 2.0 * std::atan(0.5 * disk); }
 };
 
-/// The loop of `gains` around `model`, broken where the current leaves the controller, delay_ticks (0..2) late: what
-/// comes back, negative feedback, for exp(i angle_rad) sent. The compliant form leaves the position out.
+/// The loop of `gains` around `model`, broken where the current leaves the controller, delay_ticks (0..2) late: the
+/// returned signal, negative feedback, for exp(i angle_rad) sent. The compliant form leaves the position out.
 std::complex<double> loop_gain(const DiscreteModel& model, const Gains& gains, int delay_ticks,
                                const MeasurementFilters& filters, double angle_rad) noexcept;
 
-/// Margins of that loop over 0.001 rad per tick to pi: a grid of 32 angles, evenly in their logarithm, with
-/// refinement around the lows of the disk margin and at every crossing. The disk margin is within 1 % of a grid of
-/// 20000 on the loops of shipped robots (control_margins_test); a resonance narrower than the grid can hide, so the
-/// angles of the closed loop's poles are looked at as well.
+/// Margins of that loop over 0.001 rad per tick to pi: a grid of 32 angles, evenly in their logarithm, with refinement
+/// around the lows of the disk margin and at every crossing. The disk margin is within 1 % of a grid of 20000 on the
+/// loops of shipped robots (control_margins_test). A resonance narrower than the grid can hide, so the angles of the
+/// closed loop's poles are evaluated as well.
 Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
                 const MeasurementFilters& filters = {}) noexcept;
 

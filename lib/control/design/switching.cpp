@@ -75,7 +75,7 @@ SwitchingVerdict by_dwell(const Pair& pair) noexcept {
   const std::array<std::array<Matrix6, 2>, 4> choices{
       {own, crossed, {own[0], crossed[1]}, {crossed[0], own[1]}}};
   for (const std::array<Matrix6, 2>& p : choices) {
-    // Certified, and not what a loop that grows leaves in an overflowing sum.
+    // Certifies the functions: for an unstable loop the sum overflows and p is invalid.
     if (!switching::is_common(p[0], {&pair.loop[0], 1}) || !switching::is_common(p[1], {&pair.loop[1], 1})) {
       continue;
     }
@@ -131,7 +131,7 @@ SwitchedLoop switched_loop(const DiscreteModel& model, const Gains& gains, int d
 
   SwitchedLoop result;
   result.loop = to_command.lazyProduct(loop.lazyProduct(to_sum).eval());
-  // Plant and past inputs of the tick before a change follow the old plant and the command, whoever gave it;
+  // Plant and past inputs of the tick before a change follow the old plant and the command, from either controller;
   // then c[k] = c[k-1] - K (x[k] - x[k-1]).
   loop = closed_loop_matrix(before, gains, delay_ticks);
   result.entry = to_command.lazyProduct(loop.lazyProduct(to_sum).eval());

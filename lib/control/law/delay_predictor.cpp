@@ -5,16 +5,16 @@
 namespace farrier::control {
 namespace {
 
-// Shares of what was measured beyond what was expected. A tenth of the velocity's is better on a bench, where noise is
-// all that is not known, and four times worse in a trot, where bodies push.
+// Shares of the difference between measurement and expectation. A velocity share of a tenth is better on a bench, where
+// only noise is unknown, and four times worse in a trot, where bodies push.
 constexpr double kVelocityShare = 0.3;
 constexpr double kForceShare = 0.5;
-// The same, into what is expected beside the model. A correction of the force comes back after the delay: the longer
-// that is, the slower it may be.
+// The same for the disturbances beside the model. A correction of the force comes back after the delay: the longer the
+// delay, the slower the correction must be.
 constexpr double kAccelerationShare = 0.03;
 constexpr double kMostFlowShare = 0.3;
 constexpr double kFlowShareTicks = 0.6;
-// Of the last change of the reference, into the change that is expected again.
+// Share of the reference's last change in the change that is expected next.
 constexpr double kReferenceShare = 0.3;
 
 }  // namespace

@@ -8,13 +8,13 @@
 
 namespace farrier::control {
 
-/// What a joint will measure when a current that is asked for now begins to act, where valve and bus let it wait: the
-/// gains' own model runs over the currents that are on their way, so that a design without that delay is one for the
-/// delay (Manitius and Olbrot 1979). The state it begins at is the model's of a tick ago, corrected by what is measured
-/// with fixed shares; what the joint does beside its model is found likewise and expected again, so that the force that
-/// is measured and not that of the model settles on its reference. Default: no delay.
+/// Predicts a joint's measurement at the time when a current that is asked for now begins to act, if valve and bus
+/// delay it. The gains' own model runs over the currents on their way, so a design without that delay fits the delayed
+/// joint (Manitius and Olbrot 1979). The initial state is the model's of a tick ago, corrected by the measurement with
+/// fixed shares. The joint's deviation from its model is estimated the same way and expected again. The measured force,
+/// and not the model's, therefore settles on its reference. Default: no delay.
 ///
-/// A delay is n ticks and a share f of one: over a tick act 1 - f of the one current and f of the one before it.
+/// A delay is n ticks and a share f of one: in a tick 1 - f of one current and f of the previous one act.
 class DelayPredictor {
  public:
   static constexpr std::size_t kMostTicks = 40;
@@ -27,9 +27,9 @@ class DelayPredictor {
 
   /// Once per period, before sent(). Values that are not finite empty the memory and come back as they are.
   Measurement predict(const DiscreteModel& model, const Measurement& now) noexcept;
-  /// Likewise: the reference when that current acts, if it goes on changing as it did of late.
+  /// Likewise: the reference when that current acts, if it keeps its recent rate of change.
   double predict(double reference) noexcept;
-  /// What was asked for of the valve after predict().
+  /// The current that was asked of the valve after predict().
   void sent(double current_A) noexcept;
 
   /// Forgets currents and measurements.

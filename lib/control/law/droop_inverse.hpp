@@ -8,13 +8,12 @@
 
 namespace farrier::control {
 
-/// Opening at which a valve behind a line of resistance R, plant::SupplyDroop, passes what it would from a stiff
-/// supply. With the drop D of both ports together for the sign of the opening, Hubacher (2014) (3.23), and the flow q
-/// that is wanted from the supply, u' = u / sqrt(1 - R q / D); for u < 0 the load feels alpha of the fall. Default:
-/// none.
+/// Opening at which a valve behind a line of resistance R, plant::SupplyDroop, passes the same flow as from a stiff
+/// supply. D is the drop of both ports together for the sign of the opening, Hubacher (2014) (3.23), and q the flow
+/// wanted from the supply. Then u' = u / sqrt(1 - R q / D); for u < 0 the load feels alpha of the fall. Default: none.
 class DroopInverse {
  public:
-  /// Largest u' / u: beyond it the supply has fallen to where its own estimate is worth little.
+  /// Largest u' / u: beyond it the estimate of the fallen supply is too inaccurate.
   static constexpr double kMostGain = 3.0;
 
   DroopInverse() = default;

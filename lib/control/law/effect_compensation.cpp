@@ -7,9 +7,9 @@ namespace {
 
 using plant::effect_id;
 
-// Bound of what the force's lead makes of noise.
+// Bound of the amplification of noise by the force's lead.
 constexpr double kMostForceLead = 8.0;
-// Of the period: a rest below half of it is less than what sampling costs.
+// Share of the period: a rest below half of it is less than the cost of sampling.
 constexpr double kLeastRestShare = 0.5;
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
 
-// What a force controller does about the effects that its joint has, in front of and behind it:
+// Compensates a joint's known effects around its controller:
 //
 //   sensors ──▶ corrected ──▶ DelayPredictor ──▶ controller ──▶ current_A ──▶ valve
 //               lags, offset,  currents on        as ever        supply, ports, overlap, spool, null shift:
@@ -20,8 +20,8 @@
 
 namespace farrier::control {
 
-/// Effects that EffectCompensation and DelayPredictor know what to do about, and with them what a controller can use.
-/// Why not the others: docs/decisions/0036-effect-compensation.md.
+/// Effects that EffectCompensation and DelayPredictor can compensate. Reasons for leaving out the others:
+/// docs/decisions/0036-effect-compensation.md.
 inline constexpr std::array kCompensatedEffects{
     plant::effect_id<plant::InputDelay>(),      plant::effect_id<plant::ValveBias>(),
     plant::effect_id<plant::ValveDynamics>(),   plant::effect_id<plant::ValveDeadband>(),
@@ -34,15 +34,15 @@ constexpr bool is_compensated(plant::EffectId id) noexcept {
   return std::ranges::find(kCompensatedEffects, id) != kCompensatedEffects.end();
 }
 
-/// What there is to know of a joint's sensors beside their effects.
+/// Properties of a joint's sensors beside their effects.
 struct CompensationParams {
   double period_s;  ///< > 0
   double position_noise, velocity_noise;  ///< standard deviations of a sample, m, m/s or rad, rad/s; >= 0
 };
 
-/// Takes effects of valve and sensors out of what a controller sees and asks for. Without any of kCompensatedEffects
-/// it gives back what it gets, bit for bit. Allocation-free, bounded, cannot fail; corrected and current_A are each
-/// called once per period.
+/// Removes effects of valve and sensors from a controller's inputs and commands. Without any of kCompensatedEffects the
+/// output equals the input, bit for bit. Allocation-free, bounded, cannot fail; corrected and current_A are each called
+/// once per period.
 class EffectCompensation {
  public:
   EffectCompensation() = default;
@@ -50,19 +50,19 @@ class EffectCompensation {
   EffectCompensation(std::span<const plant::ActiveEffect> effects, const plant::ActuatorParams& actuator,
                      const CompensationParams& params) noexcept;
 
-  /// What sensors without effects would have read. Position as it is. A velocity that is read with a lag is not used:
-  /// it comes from the position, smoothed until its noise is that of the velocity's sensor, where that takes less time
-  /// than the lag. Taking the lag back would need its ratio to the period as a gain on that noise.
+  /// Readings of sensors without effects. The position is unchanged. A velocity that is read with a lag is not used: it
+  /// comes from the position, smoothed until its noise is that of the velocity's sensor, if that takes less time than
+  /// the lag. Compensating the lag would need its ratio to the period as a gain on that noise.
   Measurement corrected(const Measurement& read) noexcept;
 
-  /// Current at which as much oil flows as through an ideal valve at `opening_A`, which is what controllers ask for;
-  /// within +-valve_current_max_A. `truth`: what corrected gave.
+  /// Current at which the same oil flows as through an ideal valve at `opening_A`, which controllers ask for; within
+  /// +-valve_current_max_A. `truth`: the output of corrected.
   double current_A(double opening_A, const Measurement& truth) noexcept;
 
-  /// Time until a current asked for now acts: delay of the input, and what is left of the spool's.
+  /// Time until a current asked for now acts: delay of the input, and the rest of the spool's.
   double delay_s() const noexcept { return delay_s_; }
 
-  /// Forgets what was read; the spool stands at null.
+  /// Forgets past readings and sets the spool to null.
   void reset() noexcept;
 
  private:

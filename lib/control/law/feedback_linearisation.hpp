@@ -13,27 +13,28 @@ enum class Kind {
   kFlowInversion,          ///< FlowInversion with physics from the bus
 };
 
-/// What the controller is tuned by. The defaults are for 1 kHz without delay; how they were found:
+/// Tuning of the controller. The defaults are for 1 kHz without delay; their origin:
 /// docs/decisions/0015-fixed-baselines.md.
 struct FeedbackLinearisationGains {
   double force_1_s = 900.0;            ///< k_p, on the force error; in [0, 1e5]
   double integral_1_s2 = 2e5;          ///< k_i, on its integral; in [0, 1e8]; 0 is off
-  double velocity_compensation = 0.95; ///< share of the piston's displacement flow that is made up for; in [0, 2]
+  double velocity_compensation = 0.95; ///< compensated share of the piston's displacement flow; in [0, 2]
 };
 
 /// Force controller as HyQ ran it: feedback linearisation with velocity compensation (Boaventura et al. 2012, "On the
 /// role of load motion compensation in high-performance force control"; Hubacher 2014, 9.2.5). It inverts the flow law
-/// of the actuator it is told, load pressure taken from the force by (3.19), (3.20):
-///   F' = k_p (F_ref - F) + k_i integral(F_ref - F)                  wanted
-///   F' = A_p (K_uv sqrt(drop(u)) u + K_vp v)                        (3.26) with (3.32), (3.33)
-/// so u = (F' - A_p K_vp v) / (A_p K_uv sqrt(drop)), where the drop is that of the sign of u. It knows nothing of the
-/// load and of a delay in the loop, and has one setting for swing and stance.
+/// of the given actuator, with the load pressure from the force by (3.19), (3.20). The wanted rate and the rate of the
+/// oil are
+///   F' = k_p (F_ref - F) + k_i integral(F_ref - F),
+///   F' = A_p (K_uv sqrt(drop(u)) u + K_vp v)                        (3.26) with (3.32), (3.33).
+/// So u = (F' - A_p K_vp v) / (A_p K_uv sqrt(drop)), where the drop is that of the sign of u. It uses no knowledge of
+/// the load or of a delay in the loop, and has one setting for swing and stance.
 ///
-/// Allocation-free, bounded, cannot fail. One call of step per period. The current is within
-/// +-valve_current_max_A; while it is there, an error that would push it further out is not summed, and the integral
-/// never asks for more than the open valve can do. The first step
-/// after construction or reset starts from null current: the integral takes up what stands in the way.
-/// A non-finite reference or measurement gives null current for that tick and leaves the integral as it was.
+/// Allocation-free, bounded, cannot fail. One call of step per period. The current is within +-valve_current_max_A;
+/// while it is there, an error that would push it further out is not summed, and the integral never asks for more than
+/// the open valve can do. The first step after construction or reset starts from null current: the integral takes up
+/// the difference. A non-finite reference or measurement gives null current for that tick and leaves the integral
+/// unchanged.
 class FeedbackLinearisation {
  public:
   struct Output {
@@ -57,7 +58,7 @@ class FeedbackLinearisation {
 
  private:
   double current_for(double force_rate, const Measurement& measurement) const noexcept;
-  /// -K_vp of (3.32), N/m over A_p: what the oil's spring makes of a velocity.
+  /// -K_vp of (3.32), N/m over A_p: the oil's stiffness per area.
   double stiffness_per_area(double position) const noexcept;
 
   plant::ActuatorParams actuator_;

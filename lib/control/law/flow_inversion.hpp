@@ -7,19 +7,18 @@
 
 namespace farrier::control {
 
-/// What the controller is tuned by, for a period of 1 ms. How the defaults were found:
-/// docs/decisions/0029-flow-inversion.md.
+/// Tuning of the controller, for a period of 1 ms. Origin of the defaults: docs/decisions/0029-flow-inversion.md.
 struct FlowInversionGains {
-  double error_share = 0.9;       ///< of the force error, made up for within a tick; in (0, 1]
-  double reference_share = 1.0;   ///< of the last change of what is commanded, expected again; in [0, 1], 0 is off
-  // Shares of what was measured beyond what was predicted, in [0, 1]; the first two above zero:
+  double error_share = 0.9;       ///< of the force error, removed within a tick; in (0, 1]
+  double reference_share = 1.0;   ///< of the command's last change, expected again; in [0, 1], 0 is off
+  // Shares of the difference between measurement and prediction, in [0, 1]; the first two above zero:
   double force_share = 0.7;       ///< into the predicted force
   double velocity_share = 0.3;    ///< into the predicted velocity
-  double flow_share = 0.3;        ///< of the force, into a rate of force nobody asked for (integral action)
+  double flow_share = 0.3;        ///< of the force, into an unexplained rate of force (integral action)
   double load_share = 0.03;       ///< of the velocity, into a force on the load
 };
 
-/// Force that is wanted, and how that depends on the motion: an outer loop of stiffness and damping moves its reference
+/// Force that is wanted, and its dependence on the motion: an outer loop of stiffness and damping moves its reference
 /// within the tick that it takes to get there.
 struct ForceReference {
   // NOLINTNEXTLINE(google-explicit-constructor): a force alone is a reference
@@ -31,19 +30,19 @@ struct ForceReference {
   double damping;    ///< -dF/dv, Ns/m or Nms/rad; >= 0
 };
 
-/// Force controller that inverts the flow law over one tick. It carries FlowModel along with the currents it sent,
-/// corrects state and two disturbances by what is measured (a fixed-gain observer of position, velocity, both chamber
-/// pressures, flow and load), predicts over the loop's delay, and looks for the current at whose end
+/// Force controller that inverts the flow law over one tick. It runs FlowModel with the currents it sent and corrects
+/// state and two disturbances by the measurement: a fixed-gain observer of position, velocity, both chamber pressures,
+/// flow and load. It predicts over the loop's delay and finds the current for which
 ///   F = F_ref(x, v) + (1 - error_share) (F - F_ref)
-/// stands, F_ref being affine in position and velocity at that end, and what commands add to it what they would if they
-/// changed as they did last: feed-forward from their derivative, without the motion's noise in it. What the piston's
-/// motion takes is inside the prediction, and so is what the load
-/// makes of the force within the tick. The disturbance of flow is the integral action; saturation does not wind it up,
-/// as the model knows what was sent. Derivation and measurements: docs/derivations/flow-inversion.md.
+/// holds at the end of the tick. F_ref is affine in position and velocity at that end. Its commanded part is assumed to
+/// change as it did last: feed-forward from the commands' derivative, without the motion's noise in it. The prediction
+/// includes the flow that the piston's motion takes and the load's effect on the force within the tick. The disturbance
+/// of flow is the integral action; saturation does not wind it up, as the model knows the sent current. Derivation and
+/// measurements: docs/derivations/flow-inversion.md.
 ///
 /// Allocation-free, bounded (at most 7 + delay_ticks runs of FlowModel::advance), cannot fail. One call of step per
 /// period. Null current before set_physics. A non-finite reference or measurement gives null current for that tick,
-/// of which the model knows; what cannot be predicted any more starts it afresh.
+/// which the model takes into account; a non-finite prediction restarts it.
 class FlowInversion {
  public:
   struct Output {
@@ -57,11 +56,9 @@ class FlowInversion {
   FlowInversion(const plant::ActuatorParams& actuator, const FlowInversionGains& gains, double operating_position,
                 double slack_position, double period_s, int delay_ticks) noexcept;
 
-  /// Physics from the next step on. Bumpless: the force in the model stays, and so does the sum of bias force and
-  /// what was
-  /// found beside it, which the observer knows better than an estimate that follows. False, and the old physics
-  /// kept, for values
-  /// that are not finite or out of the ranges of JointPhysics, and for a load without mass.
+  /// Physics from the next step on. Bumpless: the force in the model stays, and so does the sum of bias force and the
+  /// disturbance found beside it, which the observer knows better than a later estimate. Returns false and keeps the
+  /// old physics for values that are not finite or out of the ranges of JointPhysics, and for a load without mass.
   bool set_physics(const plant::JointPhysics& physics) noexcept;
 
   /// Force in N or Nm, as the measurement's. probe_A is added to the current before it is limited.

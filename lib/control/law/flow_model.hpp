@@ -6,7 +6,7 @@ namespace farrier::control {
 
 /// Joint as a controller believes it to be, cheap enough to run several times a tick: Hubacher (2014) (2.30a), (2.30b)
 /// with the load of JointPhysics; pressures stop at zero, no voids and no end stops. Position, velocity and pressures
-/// as plant::State has them. Substeps as many as the fastest rate asks for, at most 10 per period.
+/// as plant::State has them. The fastest rate determines the number of substeps, at most 10 per period.
 class FlowModel {
  public:
   /// Values in the ranges that ActuatorParams and JointPhysics state; `period_s` > 0.
@@ -14,10 +14,10 @@ class FlowModel {
   FlowModel(const plant::ActuatorParams& actuator, const plant::JointPhysics& physics, double slack_position,
             double period_s) noexcept;
 
-  /// What is believed of the present beyond the physics, held over the period.
+  /// Estimated disturbances beyond the physics, held over the period.
   struct Disturbance {
     double load_force = 0.0;        ///< on the load, N or Nm
-    double force_rate_per_s = 0.0;  ///< of the hydraulic force, by a flow nobody asked for, N/s or Nm/s
+    double force_rate_per_s = 0.0;  ///< of the hydraulic force, by an unexplained flow, N/s or Nm/s
   };
 
   /// State one period later under a held current (Runge and Kutta's fourth order in equal substeps).

@@ -6,7 +6,7 @@
 
 namespace farrier::control {
 
-/// What the joint measures, SI. Position relative to the operating point of the model (mid-stroke).
+/// Measurements of the joint, SI. Position relative to the operating point of the model (mid-stroke).
 struct Measurement {
   double position;  ///< m
   double velocity;  ///< m/s
@@ -24,7 +24,7 @@ class ForceController {
   struct Output {
     double valve_current_A;  ///< within +-current_A of the normalisation, the probe included
     bool saturated;
-    // Contributions before saturation and probe, A; the delay part is what the past inputs take back.
+    // Contributions before saturation and probe, A; the delay part comes from the past inputs.
     double position_part_A;
     double velocity_part_A;
     double force_part_A;
@@ -33,11 +33,11 @@ class ForceController {
     double delay_part_A;
   };
 
-  /// Changes gains without a bump: the sum is set so that at this measurement and reference the next step, its probe
-  /// apart, repeats the command of the last step, its probe apart. Give what the last step was given, and whatever has
-  /// changed since then passes through the new gains; give what the next step will get, and that change is lost.
-  /// The first gains after construction or reset start with an empty sum. Gains, reference
-  /// or measurement that are not finite, and gains without integral action, are refused: false, the old ones stay.
+  /// Changes gains without a bump: the sum is set so that at this measurement and reference the next step repeats the
+  /// command of the last step, both without their probe. With the arguments of the last step, changes since then pass
+  /// through the new gains; with those of the next step, such a change is lost. The first gains after construction or
+  /// reset start with an empty sum. Returns false and keeps the old gains if gains, reference or measurement are not
+  /// finite, or the gains have no integral action.
   bool set_gains(const Gains& gains, const Measurement& now, double force_reference) noexcept;
 
   /// force_reference in N. probe_A is added to the command before it is limited (dither, to identify by); delay

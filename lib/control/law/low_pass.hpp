@@ -22,9 +22,9 @@ struct FilterCoefficients {
   std::array<double, 2> a{0.0, 0.0};  ///< a1, a2
 };
 
-/// Bilinear transform of 1 / (s / w + 1) or 1 / (s^2 / w^2 + 2 D s / w + 1), bent so that the response at the cut-off
-/// is the continuous one's (Franklin, Powell and Workman 1998, 6.1). `rate_Hz` of sampling, > 0. Nothing for
-/// parameters outside the ranges above. Depends on no machine.
+/// Bilinear transform of 1 / (s / w + 1) or 1 / (s^2 / w^2 + 2 D s / w + 1), prewarped: the response at the cut-off is
+/// the continuous one's (Franklin, Powell and Workman 1998, 6.1). The sampling rate `rate_Hz` is > 0. Empty for
+/// parameters outside the ranges above. The result is the same on every machine.
 std::optional<FilterCoefficients> design_low_pass(const LowPassParams& params, double rate_Hz) noexcept;
 
 /// The filter at run time, transposed direct form II. Finite input gives finite output.
@@ -33,7 +33,7 @@ class LowPass {
   LowPass() = default;
   explicit LowPass(const FilterCoefficients& coefficients) noexcept : c_(coefficients) {}
 
-  /// As if `value` had come in forever.
+  /// Sets the state as if `value` had always been the input.
   void settle(double value) noexcept;
   double take(double value) noexcept;
 

@@ -5,7 +5,7 @@
 namespace farrier::control {
 
 /// Gains of a PID on the normalised force error e: current over its limit per force over Normalisation::force, so that
-/// one setting serves cylinders and rotary motors. How the defaults were found: docs/decisions/0028-pid.md.
+/// one setting serves cylinders and rotary motors. Origin of the defaults: docs/decisions/0028-pid.md.
 struct PidGains {
   double proportional = 0.9;           ///< >= 0
   double integral_1_s = 450.0;         ///< on the integral of e; >= 0, 0 is off
@@ -13,9 +13,9 @@ struct PidGains {
   double derivative_filter_Hz = 200.0; ///< corner of the first-order filter on that derivative; > 0
 };
 
-/// Fixed-gain force controller, what laboratories with HyQ run: u / V = k_p e + k_i int e + k_d s / (1 + s / w_f) e
+/// Fixed-gain force controller, as laboratories with HyQ run it: u / V = k_p e + k_i int e + k_d s / (1 + s / w_f) e
 /// (Astrom and Hagglund 1995, "PID controllers", ch. 3). The filter is sampled exactly for an error held over each
-/// period. It knows neither load, oil, delay nor phase.
+/// period. It uses no knowledge of load, oil, delay or phase.
 ///
 /// Allocation-free, bounded, cannot fail. One call of step per period. The current is within +-Normalisation::current_A;
 /// while it is there, an error that would push it further out is not summed, and the integral alone never asks for

@@ -4,13 +4,13 @@
 
 namespace farrier::control {
 
-/// Makes a spool of second order, plant::ValveDynamics, follow sooner than it does by itself: the spool is carried
-/// along from the currents that were sent, and the current is asked for with which both of its sampled poles move to
-/// one real place (Ackermann 1972), as near to zero as a bounded first jump of the current allows. It feeds nothing
-/// measured back, so noise passes with that bound. A spool faster than that place is left alone. Default: none.
+/// Speeds up a spool of second order, plant::ValveDynamics. The spool is simulated from the sent currents. The current
+/// moves both of its sampled poles to one real place (Ackermann 1972), as near to zero as a bounded first jump of the
+/// current allows. No measurement is fed back, so noise passes with that bound. A spool faster than that place is left
+/// unchanged. Default: none.
 class SpoolLead {
  public:
-  /// Largest first jump of the current per jump of what is asked for.
+  /// Largest first jump of the current per jump of the input.
   static constexpr double kMostLead = 12.0;
 
   SpoolLead() = default;
@@ -19,10 +19,10 @@ class SpoolLead {
 
   /// Current for the coming period, within +-current_max_A, at which the spool goes where `asked_A` wants it.
   double take(double asked_A) noexcept;
-  /// The spool stands at null.
+  /// Sets the spool to null.
   void reset() noexcept { spool_A_ = {}; }
 
-  /// Mean time by which the spool stays behind what is asked for, in periods; 0 by default.
+  /// Mean time by which the spool lags the input, in periods; 0 by default.
   double lag_ticks() const noexcept { return lag_ticks_; }
 
  private:

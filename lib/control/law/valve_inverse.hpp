@@ -8,13 +8,13 @@
 
 namespace farrier::control {
 
-/// Currents by which a valve with overlap, ports of unlike size and a narrow port opens as an ideal one would: inverse
-/// of plant::ValveDeadband, ValveAsymmetry and FlowSaturation in the reverse of the order in which they act. Odd where
-/// the ports are alike.
+/// Currents by which a valve with overlap, ports of unlike size and a narrow port opens as an ideal one would. It
+/// inverts plant::ValveDeadband, ValveAsymmetry and FlowSaturation in the reverse of the order in which they act. Odd
+/// if the ports are alike.
 ///
-/// The overlap d is crossed over `kCrossing` d of asked opening and not at once: a jump would turn the sign of the
-/// smallest noise into 2 d of current, and a width found too large into a limit cycle. What the valve keeps of its
-/// overlap is then a dead zone of less than kCrossing d.
+/// The overlap d is crossed over `kCrossing` d of asked opening and not at once. A jump would turn the sign of the
+/// smallest noise into 2 d of current, and a width found too large into a limit cycle. The rest of the overlap is a
+/// dead zone of less than kCrossing d.
 class ValveInverse {
  public:
   /// Share of the overlap over which it is crossed.
@@ -36,8 +36,8 @@ class ValveInverse {
     }
   }
 
-  /// `opening_A`: current at which an ideal valve would open as is wanted. What the valve cannot do gives its largest
-  /// current; so does what it can do beyond it.
+  /// `opening_A`: current at which an ideal valve would have the wanted opening. An opening beyond the valve's range,
+  /// or beyond the current's limit, gives the largest current.
   double current_A(double opening_A) const noexcept {
     const double asked_A = opening_A / (opening_A > 0.0 ? 1.0 + asymmetry_ : 1.0 - asymmetry_);
     const double share = asked_A * inverse_saturation_1_A_;

@@ -11,7 +11,7 @@
 
 namespace farrier::control {
 
-// How the joint's linear models change with operating point and load: the data of Hubacher (2014), Section 4.3.
+// The joint's linear models as functions of operating point and load: the data of Hubacher (2014), Section 4.3.
 
 /// From valve current (A) to `output` (SI) of one of the three linear models.
 SingleInOut<3> load_cell_system(const plant::ActuatorParams& actuator, const plant::LoadParams& load,
@@ -30,8 +30,8 @@ SingleInOut<N> sampled(const SingleInOut<N>& system, double period_s);
 
 /// Points of Section 4.3.1, drawn by (seed, number): position, velocity, load pressure and valve current each uniform
 /// between 10 % and 190 % of its nominal value, counted from the lower end of its range. Ranges: the stroke;
-/// +-`velocity_range`; +-(alpha p_s - p_t), what the load may ask of both signs of the valve; +-the full current. The
-/// nominal values, the middles, are those of Chapter 3. The sign of the valve is the current's.
+/// +-`velocity_range`; +-(alpha p_s - p_t), the load pressures possible with both signs of the valve; +-the full
+/// current. The nominal values, the middles, are those of Chapter 3. The sign of the valve is the current's.
 std::vector<plant::OperatingPoint> operating_points(const plant::ActuatorParams& actuator, double velocity_range,
                                                     int count, std::uint64_t seed);
 
@@ -41,7 +41,7 @@ std::vector<std::vector<std::complex<double>>> responses_at_points(const plant::
                                                                    std::span<const plant::OperatingPoint> points,
                                                                    std::span<const double> frequencies_Hz);
 
-/// What Section 4.3.2 varies, and between what.
+/// Parameters that Section 4.3.2 varies, with their ranges.
 enum class LoadParameter { kMass, kDamping, kStiffness };
 struct Range {
   double low;

@@ -60,10 +60,10 @@ std::vector<double> unwrapped_degrees(std::span<const std::complex<double>> valu
 template <int N>
 SmallSpectrum poles(const SingleInOut<N>& system) noexcept;
 
-/// Transmission zeros, in the order of poles(): the eigenvalues of the motion that keeps y at zero (Isidori 1995, 4.3;
-/// for d = 0 of a - b c a^r / (c a^(r-1) b) on the kernel of c, ..., c a^(r-1), r the relative degree). N - r of them.
-/// A Markov parameter c a^k b within 64 roundings of zero counts as zero. Empty where the output does not answer the
-/// input; NaN when they cannot be computed.
+/// Transmission zeros, in the order of poles(): the eigenvalues of the motion that keeps y at zero (Isidori 1995, 4.3).
+/// There are N - r of them, r the relative degree. For d = 0 they are those of a - b c a^r / (c a^(r-1) b) on the
+/// kernel of c, ..., c a^(r-1). A Markov parameter c a^k b within 64 roundings of zero counts as zero. Empty if the
+/// output does not depend on the input; NaN if they cannot be computed.
 template <int N>
 SmallSpectrum zeros(const SingleInOut<N>& system) noexcept;
 
@@ -73,8 +73,7 @@ struct Resonance {
 };
 
 /// The highest maximum of the modulus inside (from_Hz, to_Hz), 0 < from_Hz < to_Hz (checked invariant), to 1e-6 of its
-/// frequency; nothing where the modulus has no maximum but at the ends. Maxima nearer than 1 % in frequency count as
-/// one.
+/// frequency; empty if the modulus has no maximum inside. Maxima nearer than 1 % in frequency count as one.
 template <int N>
 std::optional<Resonance> resonance(const SingleInOut<N>& system, double from_Hz, double to_Hz);
 

@@ -21,10 +21,10 @@ Matrix6 lyapunov(const Matrix6& a, const Matrix6& q) noexcept;
 /// is not.
 double largest_ratio(const Matrix6& m, const Matrix6& p, const Matrix6& over) noexcept;
 
-/// Whether p > 0 and m'p m < p for every loop, by Cholesky, with a margin of 1e-10 of p for rounding.
+/// True if p > 0 and m'p m < p for every loop, by Cholesky, with a margin of 1e-10 of p for rounding.
 bool is_common(const Matrix6& p, std::span<const Matrix6> loops) noexcept;
 
-/// A p with is_common(p, loops), or false. Up to kMaxLoops loops.
+/// Finds a p with is_common(p, loops), or returns false. Up to kMaxLoops loops.
 bool find_common(std::span<const Matrix6> loops, Matrix6& p) noexcept;
 
 }  // namespace farrier::control::switching

@@ -3,14 +3,6 @@
 #include "control/numerics/riccati_solver.hpp"
 
 namespace farrier::control {
-namespace riccati {
-
-FARRIER_PARTS_OF_A_SOLVER(, 3)
-FARRIER_PARTS_OF_A_SOLVER(, 4)
-FARRIER_PARTS_OF_A_SOLVER(, 5)
-FARRIER_PARTS_OF_A_SOLVER(, 6)
-
-}  // namespace riccati
 
 const char* to_string(RiccatiStatus status) noexcept {
   switch (status) {

@@ -53,12 +53,12 @@ Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& 
 }
 
 /// Stabilising solution of the discrete-time algebraic Riccati equation (7.4) by the structured doubling algorithm
-/// (Anderson 1978; Chu, Fan, Lin and Wang 2004, "Structure-preserving algorithms for periodic discrete-time
-/// algebraic Riccati equations", eq. 2.6): step k stands for 2^k steps of (8.1), so convergence is quadratic.
-/// At most 40 doublings and two Newton corrections (Hewer 1971). Units are the caller's; normalise first.
-/// Refuses by name. For loops: N = 3..6 with one input, which allocates nothing. For analysis, with lib/textbook
-/// linked: N = 2 with one input; and N and M both Eigen::Dynamic, any number of states and inputs, on the heap, where
-/// sizes that do not fit each other are a bug.
+/// (Anderson 1978; Chu, Fan, Lin and Wang 2004, "Structure-preserving algorithms for periodic discrete-time algebraic
+/// Riccati equations", eq. 2.6). Step k stands for 2^k steps of (8.1), so convergence is quadratic. At most 40
+/// doublings and two Newton corrections (Hewer 1971). Units are the caller's; normalise first. Refuses by name. For
+/// loops: N = 3..6 with one input, which allocates nothing. For analysis, with lib/textbook linked: N = 2 with one
+/// input. Also for analysis: N and M both Eigen::Dynamic, any number of states and inputs, on the heap; mismatched
+/// sizes are a bug.
 template <int N, int M>
 Result<RiccatiSolution<N, M>, RiccatiStatus> solve_dare(const Eigen::Matrix<double, N, N>& a,
                                                         const Eigen::Matrix<double, N, M>& b,
@@ -75,9 +75,9 @@ Result<RiccatiSolution<N>, RiccatiStatus> solve_dare(const Eigen::Matrix<double,
   return solve_dare<N, 1>(a, b, q, r, n);
 }
 
-/// The thesis's solver: (8.1) from (8.2) until the step of S, which is the residual, falls to relative_tolerance of
-/// S (the thesis uses an absolute 0.4 on its square), or max_iterations. Linear convergence with the square of the
-/// closed loop's spectral radius. The check and the yardstick of solve_dare, for N = 2..6 in lib/textbook.
+/// The thesis's solver: (8.1) from (8.2) until the step of S, which is the residual, falls to relative_tolerance of S
+/// (the thesis uses an absolute 0.4 on its square), or max_iterations. Linear convergence with the square of the closed
+/// loop's spectral radius. It is the check and the baseline of solve_dare, for N = 2..6 in lib/textbook.
 template <int N>
 Result<RiccatiSolution<N>, RiccatiStatus> solve_dare_by_iteration(
     const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b, const Eigen::Matrix<double, N, N>& q,

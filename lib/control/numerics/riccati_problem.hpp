@@ -1,6 +1,6 @@
 #pragma once
 
-// What a Riccati equation is to its solvers: weights, gain, residual. Internal to control.
+// Parts of a Riccati equation that its solvers share: weights, gain, residual. Internal to control.
 
 #include <Eigen/Cholesky>
 
@@ -12,7 +12,7 @@
 namespace farrier::control::riccati {
 
 inline constexpr double kSymmetryTolerance = 1e-12;
-inline constexpr double kDefiniteTolerance = 1e-12;  // of the trace: what rounding may take from a semi-definite weight
+inline constexpr double kDefiniteTolerance = 1e-12;  // of the trace: rounding error of a semi-definite weight
 
 template <int N>
 using Square = Eigen::Matrix<double, N, N>;
@@ -100,23 +100,19 @@ bool is_finite(const Problem<N, M>& p) noexcept {
 }
 
 /// R > 0, judged with a diagonal of ones: inputs may have units of any size.
-/// Cholesky's decomposition of a symmetric matrix, whose lower triangle is read, ends with positive pivots.
+/// True if every pivot of an elimination is positive. Reads the lower triangle of a symmetric matrix.
 template <int N>
 bool is_positive_definite(Square<N> m) noexcept {
-  for (Eigen::Index j = 0; j < m.rows(); ++j) {
-    double pivot = m(j, j);
-    for (Eigen::Index k = 0; k < j; ++k) {
-      pivot -= m(j, k) * m(j, k);
-    }
-    if (!(pivot > 0.0)) {
+  for (Eigen::Index k = 0; k < m.rows(); ++k) {
+    if (!(m(k, k) > 0.0)) {
       return false;
     }
-    m(j, j) = std::sqrt(pivot);
-    for (Eigen::Index i = j + 1; i < m.rows(); ++i) {
-      for (Eigen::Index k = 0; k < j; ++k) {
-        m(i, j) -= m(i, k) * m(j, k);
+    const double inverse = 1.0 / m(k, k);
+    for (Eigen::Index i = k + 1; i < m.rows(); ++i) {
+      const double factor = m(i, k) * inverse;
+      for (Eigen::Index j = k + 1; j <= i; ++j) {
+        m(i, j) -= factor * m(j, k);
       }
-      m(i, j) /= m(j, j);
     }
   }
   return true;

@@ -28,20 +28,6 @@ inline constexpr double kAcceptedResidual = 1e-8;
 inline constexpr int kRadiusRounds = 8;  // of three squarings each
 inline constexpr double kMarginalRadius = 1.0 - 1e-5;  // nearer to one, the radius is computed from the eigenvalues
 
-/// Products of matrices of N rows, compiled once for each N: the compiler unrolls them, which takes it long.
-template <int N>
-[[gnu::noinline]] Square<N> product(const Square<N>& a, const Square<N>& b) noexcept {
-  return a * b;
-}
-template <int N>
-[[gnu::noinline]] Square<N> transposed_product(const Square<N>& a, const Square<N>& b) noexcept {  // A'B
-  return a.transpose() * b;
-}
-template <int N>
-[[gnu::noinline]] Square<N> product_transposed(const Square<N>& a, const Square<N>& b) noexcept {  // AB'
-  return a * b.transpose();
-}
-
 /// W^-1 [F G] by Gauss and Jordan's elimination with pivoting on the largest of a column. At these sizes several times
 /// as fast as a general decomposition. A singular W gives non-finite results.
 template <int N>
@@ -85,9 +71,9 @@ double quick_spectral_radius(const Square<N>& m) noexcept {
     logarithm += weight * std::log(norm);
     weight *= 0.125;
     power *= 1.0 / norm;
-    const Square<N> second = product<N>(power, power);
-    const Square<N> fourth = product<N>(second, second);
-    power = product<N>(fourth, fourth);
+    const Square<N> second = power * power;
+    const Square<N> fourth = second * second;
+    power = fourth * fourth;
   }
   const double radius = std::exp(logarithm);
   if (radius < kMarginalRadius) {
@@ -110,12 +96,12 @@ void correct(const Problem<N, M>& p, const Square<N>& residual, Square<N>& s) no
   Square<N> sum = residual;
   const double enough = 1e-3 * residual.norm();
   for (int i = 0; i < kMaxSmithDoublings; ++i) {
-    const Square<N> step = product<N>(transposed_product<N>(power, sum), power);
+    const Square<N> step = power.transpose() * sum * power;
     sum += step;
     if (!(step.norm() > enough)) {
       break;
     }
-    power = product<N>(power, power);
+    power = (power * power).eval();
   }
   if (sum.allFinite()) {
     s += symmetric_part<N>(sum);
@@ -152,16 +138,6 @@ Square<N> residual_of(const Problem<N, M>& p, const Square<N>& s) noexcept {
   return riccati_residual<N, M>(p.a, p.b, p.q, p.r, p.n, s);
 }
 
-// riccati.cpp compiles these for the sizes that designs have.
-#define FARRIER_PARTS_OF_A_SOLVER(LINKAGE, N)                                                               \
-  LINKAGE template bool has_definite_weights<N, 1>(const Problem<N, 1>&) noexcept;                          \
-  LINKAGE template Result<RiccatiSolution<N, 1>, RiccatiStatus> judge<N, 1>(const Problem<N, 1>&,           \
-                                                                           const Square<N>&, int, double) noexcept;
-FARRIER_PARTS_OF_A_SOLVER(extern, 3)
-FARRIER_PARTS_OF_A_SOLVER(extern, 4)
-FARRIER_PARTS_OF_A_SOLVER(extern, 5)
-FARRIER_PARTS_OF_A_SOLVER(extern, 6)
-
 }  // namespace farrier::control::riccati
 
 namespace farrier::control {
@@ -185,10 +161,10 @@ template <int N, int M>
 Square<N> riccati_residual(const Square<N>& a, const Columns<N, M>& b, const Square<N>& q, const InputWeight<M>& r,
                            const Columns<N, M>& n, const Square<N>& s) noexcept {
   const Problem<N, M> p{a, b, q, r, n};
-  const Square<N> sa = riccati::product<N>(s, a);
+  const Square<N> sa = s * a;
   const Columns<N, M> sb = s * b;
   const Columns<N, M> h = a.transpose() * sb + n;
-  return riccati::transposed_product<N>(a, sa) - s - weighted_square<N, M>(h, riccati::total_weight<N, M>(p, sb)) + q;
+  return a.transpose() * sa - s - weighted_square<N, M>(h, riccati::total_weight<N, M>(p, sb)) + q;
 }
 
 template <int N, int M>
@@ -212,12 +188,12 @@ Result<RiccatiSolution<N, M>, RiccatiStatus> solve_dare(const Square<N>& a, cons
     // W = I + G H;  F+ = F W^-1 F,  G+ = G + F W^-1 G F',  H+ = H + F' H W^-1 F
     Square<N> wf;
     Square<N> wg;
-    solve_pair<N>(Square<N>::Identity(a.rows(), a.cols()) + riccati::product<N>(g, h), f, g, wf, wg);
-    const Square<N> step = riccati::transposed_product<N>(wf, riccati::product<N>(h, f));
-    const Square<N> growth = riccati::product_transposed<N>(riccati::product<N>(f, wg), f);
+    solve_pair<N>(Square<N>::Identity(a.rows(), a.cols()) + g * h, f, g, wf, wg);
+    const Square<N> step = wf.transpose() * (h * f);
+    const Square<N> growth = f * wg * f.transpose();
     h += symmetric_part<N>(step);
     g += symmetric_part<N>(growth);
-    f = riccati::product<N>(f, wf);
+    f = (f * wf).eval();
     ++iterations;
     const double size = h.norm();
     if (!std::isfinite(size)) {

@@ -13,9 +13,9 @@ namespace farrier::control {
 // Eigenvalues of a double integrator are only known to the root of the machine precision.
 inline constexpr double kUnitCircleMargin = 1e-7;
 
-/// Turns the columns of a matrix orthogonal by one-sided Jacobi rotations (Hestenes 1958; Golub and Van Loan 2013,
-/// section 8.6.3), after which their norms are the singular values, each to a few rounding errors of the largest.
-/// Sweeps end when no pair of columns is farther from orthogonal than rounding.
+/// Makes the columns of a matrix orthogonal by one-sided Jacobi rotations (Hestenes 1958; Golub and Van Loan 2013,
+/// section 8.6.3). Their norms are then the singular values, each to a few rounding errors of the largest. Sweeps end
+/// when no pair of columns is farther from orthogonal than rounding.
 template <class Pencil>
 void orthogonalise_columns(Pencil& m) noexcept {
   using Complex = std::complex<double>;

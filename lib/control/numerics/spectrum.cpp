@@ -14,11 +14,11 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 using SmallPencil = Eigen::Matrix<std::complex<double>, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxStates + 1, kMaxStates>;
 
-// Below this multiple of the threshold the singular values are computed: rounding has no say above it.
+// Below this multiple of the threshold the singular values are computed; above it rounding cannot change the answer.
 constexpr double kClearly = 2.0;
 
-/// A lower bound of the smallest singular value of [a - z I, b] for real z: with the QR decomposition of its
-/// transpose, 1 / |R^-1| (Frobenius norm); R as backward stable by modified Gram-Schmidt (Bjorck 1967).
+/// A lower bound of the smallest singular value of [a - z I, b] for real z: 1 / |R^-1| (Frobenius norm), from the QR
+/// decomposition of its transpose. Modified Gram-Schmidt gives R with backward stability (Bjorck 1967).
 template <int N>
 double singular_value_bound(const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b,
                             double z) noexcept {

@@ -25,13 +25,13 @@ double spectral_radius(const SmallMatrix& m) noexcept;
 /// gives ~1e-15 without a load spring and ~1e-3 with one of 2e4 N/m, so this refuses springs under ~0.2 N/m.
 inline constexpr double kStabilisabilityThreshold = 1e-8;
 
-/// Distance of (a, b) from a pair with an uncontrollable mode that does not decay: the smallest singular value of
-/// [a - z I, b] over z = 1 and the eigenvalues z of `a` on or outside the unit circle (Popov, Belevitch, Hautus
-/// test; Eising 1984). NaN when the eigenvalues cannot be computed.
+/// Distance of (a, b) from a pair with an uncontrollable mode that does not decay. It is the smallest singular value of
+/// [a - z I, b] over z = 1 and the eigenvalues z of `a` on or outside the unit circle (Popov, Belevitch, Hautus test;
+/// Eising 1984). NaN if the eigenvalues cannot be computed.
 double stabilisability(const SmallMatrix& a, const SmallColumn& b) noexcept;
 
-/// stabilisability(a, b) >= kStabilisabilityThreshold for N = 3..6 states, most often told from a lower bound of the
-/// singular values in a fraction of the time. False when the eigenvalues cannot be computed.
+/// True if stabilisability(a, b) >= kStabilisabilityThreshold, for N = 3..6 states. Usually decided by a lower bound of
+/// the singular values in a fraction of the time. False if the eigenvalues cannot be computed.
 template <int N>
 bool is_stabilisable(const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b) noexcept;
 

@@ -8,19 +8,19 @@
 
 namespace farrier::diagnosis {
 
-/// NRMSE (root mean square of the error over the standard deviation of what was measured) of simulations on held-out
-/// time, by how far they look ahead.
+/// NRMSE (root mean square of the error over the standard deviation of the measurement) of simulations on held-out
+/// time, by prediction horizon.
 struct Horizons {
   double one_step, ahead_50ms, free_running;
 };
 
-/// What a model gets wrong on one channel.
+/// Errors of a model on one channel.
 struct ChannelReport {
   Channel channel;
   const char* name;          ///< "valve_and_oil", "load", "velocity_sensor"
   Horizons before, after;    ///< the nominal model with its constants fitted within 3 %; the chosen model
   double whiteness;          ///< of the residual before, see residual_statistics.hpp
-  double cross_correlation;  ///< of the residual before with what drives the channel
+  double cross_correlation;  ///< of the residual before with the input of the channel
   double whiteness_after, cross_correlation_after;
   std::vector<Dependence> dependences;  ///< of the residual before
   std::vector<double> frequency_Hz, spectrum_before, spectrum_after;      ///< power density of both residuals

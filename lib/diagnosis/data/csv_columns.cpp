@@ -37,7 +37,7 @@ Finding not_text(std::size_t line) {
           "line " + std::to_string(line) + " is not a line of text; save the recording as CSV in UTF-8"};
 }
 
-/// What is wrong with the cells of one column.
+/// Faults in the cells of one column.
 class CellFaults {
  public:
   double read(const std::string& cell, std::size_t line) {

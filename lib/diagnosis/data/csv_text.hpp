@@ -8,8 +8,8 @@
 
 namespace farrier::diagnosis {
 
-/// The lines of a file, one at a time; a line of more than 64 KiB ends them, for a file of no lines must not fill the
-/// memory.
+/// Reads the lines of a file, one at a time. A line of more than 64 KiB ends the reading, so that a file without line
+/// ends cannot fill the memory.
 class CsvLines {
  public:
   explicit CsvLines(const std::string& path);
@@ -17,7 +17,7 @@ class CsvLines {
   /// Goes to the next line that is neither empty nor a comment ("#"); false at the end.
   bool next();
 
-  /// Without its line end and, on the first line, without a UTF-8 byte order mark. Valid until next().
+  /// The line without its line end and, on the first line, without a UTF-8 byte order mark. Valid until next().
   std::string_view text() const { return text_; }
   std::size_t number() const { return number_; }  ///< 1-based; 0 before the first
   bool too_long() const { return too_long_; }     ///< the line after this one is
@@ -36,13 +36,13 @@ class CsvLines {
 /// The cells of a line, at least one, without white space and quotes around them.
 void split(std::string_view line, std::vector<std::string>& cells);
 
-/// What a cell holds.
+/// Content of a cell.
 enum class Cell { kNumber, kEmpty, kText, kNotFinite };
 
-/// Reads a decimal number in the notation of C, whatever the locale; `value` changes unless the cell is empty or text.
+/// Reads a decimal number in the notation of C, in any locale; `value` changes unless the cell is empty or text.
 Cell parse_cell(const std::string& cell, double& value);
 
-/// Whether a line has no control characters but white space.
+/// True if a line has no control characters but white space.
 bool is_text(std::string_view line);
 
 }  // namespace farrier::diagnosis

@@ -14,7 +14,7 @@ namespace {
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
 
-/// How much jerkier than likeliest the motion may be: what is calm in a recording must not smooth away what is quick.
+/// Margin on the likeliest jerk: calm parts of a recording must not smooth away quick ones.
 constexpr double kJerkMargin = 10.0;
 
 struct Kinematics {
@@ -45,7 +45,7 @@ SteadyFilter steady_filter(const Kinematics& k, double density, double noise) {
   for (int i = 0; i < 2000; ++i) {
     f.variance = f.predicted(0, 0) + noise * noise;
     f.gain = f.predicted.col(0) / f.variance;
-    // Joseph's form: symmetric and positive whatever was rounded.
+    // Joseph's form: symmetric and positive with any rounding.
     const Matrix3 left = Matrix3::Identity() - f.gain * Eigen::RowVector3d(1.0, 0.0, 0.0);
     f.updated = left * f.predicted * left.transpose() + f.gain * (noise * noise) * f.gain.transpose();
     const Matrix3 next = k.transition * f.updated * k.transition.transpose() + density * k.process;

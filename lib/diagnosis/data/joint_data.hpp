@@ -10,8 +10,8 @@
 namespace farrier::diagnosis {
 
 /// The motion that fits measured positions best under a white jerk, with the steady gains of Rauch, Tung and Striebel
-/// (1965): position, velocity and acceleration that belong together. Linear: what it makes of a difference of positions
-/// is the difference of what it makes of them.
+/// (1965): position, velocity and acceleration that belong together. Linear: the result for a difference of positions
+/// is the difference of the results.
 class MotionSmoother {
  public:
   /// `jerk_density` m^2/s^5 (or rad), `position_noise` standard deviation of a position.
@@ -29,12 +29,12 @@ class MotionSmoother {
 
 /// A recording made ready for simulations of its two sides.
 struct JointData {
-  /// Substeps of one period in which valve and oil are simulated, and the load: its trapezoidal rule and the force
-  /// between samples must hold a resonance at a seventh of the sampling rate to half a per cent.
+  /// Substeps of one period in the simulation of valve and oil, and in that of the load. The load's trapezoidal rule
+  /// and the force between samples must reproduce a resonance at a seventh of the sampling rate to half a per cent.
   static constexpr std::size_t kSubsteps = 2;
   static constexpr std::size_t kLoadSubsteps = 4;
-  /// What is compared of a load's motion is its velocity plus its position over this: what changes quickly is seen by
-  /// the one, what stays by the other.
+  /// Time constant of the compared motion signal, velocity plus position over this time: the velocity shows quick
+  /// changes, the position lasting ones.
   static constexpr double kMotionTime_s = 0.05;
 
   double period_s = 0.0;
@@ -47,7 +47,7 @@ struct JointData {
   std::vector<double> measured_position, measured_velocity;
   std::vector<double> force;
   std::vector<double> bend;              ///< of the force beyond its chord, mean over each of the load's substeps
-  std::vector<std::uint8_t> swing;       ///< 1 where the load is the one the model knows; empty: everywhere
+  std::vector<std::uint8_t> swing;       ///< 1 where the load is the one in the model; empty: everywhere
   MotionSmoother smoother;
 
   double step_s() const noexcept { return period_s / kSubsteps; }

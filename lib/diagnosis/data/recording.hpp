@@ -9,13 +9,13 @@
 
 namespace farrier::diagnosis {
 
-/// What "position" and "force" of a recording are: m and N of a cylinder, or rad and Nm of a rotary motor.
+/// Units of "position" and "force" in a recording: m and N of a cylinder, or rad and Nm of a rotary motor.
 enum class Coordinates { kLinear, kRotary };
 
-/// Measured samples of one joint at a uniform period, in actuator coordinates: positions from fully retracted
-/// ([0, stroke]), velocities positive where they extend, forces of the load cell positive where they push the load
-/// towards extension. A current is the one that acts from its sample to the next. All vectors are as long as `time_s`
-/// unless they are empty, which position, velocity and force never are; all values are finite.
+/// Measured samples of one joint at a uniform period, in actuator coordinates. Positions count from fully retracted
+/// ([0, stroke]). Velocities are positive where they extend, forces of the load cell where they push the load towards
+/// extension. A current acts from its sample to the next. All vectors are as long as `time_s` or empty; position,
+/// velocity and force are never empty. All values are finite.
 struct Recording {
   std::string source;     ///< the file's name, for messages
   Coordinates coordinates = Coordinates::kLinear;
@@ -27,18 +27,18 @@ struct Recording {
   std::vector<std::uint8_t> swing;      ///< 1 where the joint carries its swing load; empty: one load throughout
   bool velocity_derived = false;        ///< from the position
   double derived_velocity_noise = 0.0;  ///< standard deviation, m/s or rad/s; 0 where velocity was measured
-  std::vector<std::string> remarks;     ///< what the reader made of the file: sentences for its user
+  std::vector<std::string> remarks;     ///< the reader's notes on the file, as sentences for its user
   std::vector<std::size_t> line;        ///< of the file, 1-based, each sample's; empty: not from a file
 };
 
-/// One thing that is wrong with measured data.
+/// One defect of measured data.
 struct Finding {
   std::string what;     ///< its kind, a stable snake_case word
-  std::size_t row = 0;  ///< 1-based line of the file where it is first seen; 0: the file as a whole
+  std::size_t row = 0;  ///< 1-based line of the file where it first occurs; 0: the file as a whole
   std::string text;     ///< a sentence that names the place, how often it was found, and the remedy
 };
 
-/// Everything that was found, in the order of the file's lines; never empty.
+/// All findings, in the order of the file's lines; never empty.
 struct RecordingProblems {
   std::vector<Finding> findings;
 };
@@ -51,11 +51,11 @@ std::string to_string(const std::vector<Finding>& findings, const std::string& s
 /// (0 or 1). Columns in any order, others are ignored with a remark; white space, quotes, CRLF, a UTF-8 byte order
 /// mark, empty lines and lines that begin with "#" are allowed. Without a velocity it is derived from the position.
 ///
-/// Refuses with every finding, at most one of a kind in a column. Of the file: unreadable, directory, empty, not_text,
-/// wrong_separator, no_header, not_a_recording, missing_column, duplicate_column, mixed_coordinates, too_long. Of its
-/// cells: ragged_row, empty_cell, not_a_number, nan, not_a_flag. Of its times: time_backwards, duplicate_time, gap,
-/// jitter (in at most one interval of a hundred), uneven_sampling, wrong_units, too_short. Needs memory for the samples
-/// (at most kMostSamples), not for the file.
+/// Refuses with every finding, at most one of a kind in a column. Kinds of the file: unreadable, directory, empty,
+/// not_text, wrong_separator, no_header, not_a_recording, missing_column, duplicate_column, mixed_coordinates,
+/// too_long. Kinds of its cells: ragged_row, empty_cell, not_a_number, nan, not_a_flag. Kinds of its times:
+/// time_backwards, duplicate_time, gap, jitter (in at most one interval of a hundred), uneven_sampling, wrong_units,
+/// too_short. Needs memory for the samples (at most kMostSamples), not for the file.
 Result<Recording, RecordingProblems> read_recording(const std::string& path);
 
 /// Longest recording that is read: more than an hour at 1 kHz.

@@ -21,7 +21,7 @@ struct SensorChannel {
   std::string column;
   std::span<const double> values;
   double least = 0.0, most = 0.0;
-  double movement = 0.0;  ///< a range beyond this is more than its noise and a tenth of what it does at all
+  double movement = 0.0;  ///< a larger range exceeds its noise and a tenth of its whole range
 
   SensorChannel(std::string name, std::span<const double> of, double significant) : column(std::move(name)), values(of) {
     const auto [low, high] = std::minmax_element(of.begin(), of.end());
@@ -45,7 +45,7 @@ class SensorCheck {
   SensorCheck(const Recording& recording, const robot::Joint& joint) : recording_(recording), joint_(joint) {
     const plant::ActuatorParams& actuator = joint.actuator;
     const double force = std::max(joint.push_limit, joint.pull_limit);
-    // Less than this of full scale may be drift of a joint that stands.
+    // Less than this of full scale may be drift of a joint at rest.
     channels_.emplace_back(position_column(recording.coordinates), recording.position, 0.005 * actuator.stroke);
     if (!recording.velocity_derived) {
       velocity_ = channels_.size();
@@ -96,7 +96,7 @@ class SensorCheck {
     }
   }
 
-  /// What shows that a channel at one value from `begin` to `end` - 1 does not tell the truth; null: nothing.
+  /// Channel that proves a constant channel wrong from `begin` to `end` - 1; null: none.
   const SensorChannel* evidence_against(std::size_t of, std::size_t begin, std::size_t end) const {
     if (of == velocity_) {
       // At a steady speed a good sensor is constant too: the position must say another speed.

@@ -26,7 +26,8 @@ class UnitCheck {
       : recording_(recording), joint_(joint), rotary_(recording.coordinates == Coordinates::kRotary) {}
 
   std::vector<Finding> check() && {
-    // Chambers of a vane motor are alike; so are those of a cylinder with two rods, which nothing else tells apart.
+    // Chambers of a vane motor have equal areas. So have those of a cylinder with two rods, which this test cannot
+    // distinguish.
     if (rotary_ && joint_.actuator.area_a != joint_.actuator.area_b) {
       findings_.push_back({"wrong_coordinates", 0,
                            "the file has angles and torques, but joint " + joint_.name +
@@ -66,7 +67,7 @@ class UnitCheck {
       static constexpr Unit kLengths[] = {{"millimetres", 1e3}, {"centimetres", 1e2}, {"micrometres", 1e6}};
       static constexpr Unit kAngles[] = {{"degrees", kDegrees}, {"milliradians", 1e3}};
       const double largest = std::max(std::abs(low), std::abs(high));
-      // Of two units that fit, the first in which more than a tenth of the stroke is used.
+      // If two units fit, the first one is chosen in which more than a tenth of the stroke is used.
       const Unit* looks_like = nullptr;
       for (const Unit& unit : rotary_ ? std::span<const Unit>(kAngles) : std::span<const Unit>(kLengths)) {
         const double used = largest / unit.per_SI / stroke;
@@ -143,8 +144,8 @@ class UnitCheck {
                               unit_name, nullptr, unit_name);
       return;
     }
-    // A recording in kilonewtons stays below a thousandth of the limit, which one in newtons of a moving joint does
-    // only where its load is next to nothing: then its own damping and spring say so.
+    // A recording in kilonewtons stays below a thousandth of the limit. A moving joint's recording in newtons does so
+    // only with a very small load; then the load's damping and spring give as small a force.
     const double damping = std::min(joint_.swing_load.damping, joint_.stance_load.damping);
     const double stiffness = std::min(joint_.swing_load.stiffness, joint_.stance_load.stiffness);
     const double expected = position_good_ && velocity_good_

@@ -20,7 +20,7 @@ bool is_period(double period_s) {
   return period_s >= kShortestPeriod_s * (1.0 - kDecimalRounding) && period_s <= kLongestPeriod_s * (1.0 + kDecimalRounding);
 }
 
-/// Of the intervals that go forward; 0 for none.
+/// Median of the intervals that go forward; 0 for none.
 double median_interval(std::span<const double> time_s) {
   std::vector<double> intervals;
   for (std::size_t i = 1; i < time_s.size(); ++i) {
@@ -36,7 +36,7 @@ double median_interval(std::span<const double> time_s) {
   return *middle;
 }
 
-/// Intervals by what is wrong with them.
+/// Intervals by kind of defect.
 struct Intervals {
   Places backwards, repeated, gaps, uneven;
   std::size_t judged = 0;

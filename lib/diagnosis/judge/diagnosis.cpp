@@ -11,7 +11,7 @@
 namespace farrier::diagnosis {
 namespace {
 
-/// Effects that the joint's file has: numbers of its own kinds, and what lies in its parameters.
+/// Effects of the joint's file: its listed effects, and those in its parameters.
 std::vector<Model::Effect> known_effects(const robot::Joint& joint, const plant::Scales& scales) {
   std::vector<Model::Effect> known;
   const auto add = [&](const plant::ActiveEffect& effect) {
@@ -39,7 +39,7 @@ std::vector<Model::Effect> known_effects(const robot::Joint& joint, const plant:
   return known;
 }
 
-/// How loud a recording is beside its sensors' noise: below this nothing can be judged.
+/// Least ratio of a recording's signals to its sensors' noise: below it nothing can be judged.
 constexpr double kLeastExcitation = 10.0;
 
 std::vector<plant::EffectId> all_effects() {
@@ -85,7 +85,7 @@ Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const 
   for (std::size_t i = 0; i < judgement.alternatives.size(); ++i) {
     Hypothesis chosen = judgement.rivals[i];
     chosen.effects.back() = judgement.alternatives[i].first;
-    // The chosen one as it stood in the round in which both were tried.
+    // Restores the chosen effect with its numbers in place of the rival.
     for (std::size_t half = 0; half < 2; ++half) {
       auto& effects = chosen.halves[half].model.effects;
       const auto& all = judgement.chosen.halves[half].model.effects;

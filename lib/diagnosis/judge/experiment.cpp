@@ -22,7 +22,7 @@ struct Reading {
   double force, position, velocity;
 };
 
-/// What the sensors of a joint with these effects read; none where it cannot be simulated or leaves its stroke.
+/// Sensor readings of a joint with these effects; empty if it cannot be simulated or leaves its stroke.
 std::optional<std::vector<Reading>> simulate(const JointModel& joint, const Model& model, const Experiment& experiment,
                                              double position) {
   std::vector<plant::ActiveEffect> effects;

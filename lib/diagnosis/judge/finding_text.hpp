@@ -9,7 +9,7 @@
 
 namespace farrier::diagnosis {
 
-/// Where something was found: how often, and the first lines.
+/// Places of a finding: their number, and the first lines.
 class Places {
  public:
   void add(std::size_t line) noexcept {
@@ -44,7 +44,7 @@ const char* force_column(Coordinates coordinates) noexcept;
 /// Puts findings in the order of their lines; those of the file as a whole come first.
 void sort_by_line(std::vector<Finding>& findings);
 
-/// What a file says, short and printable enough to be repeated in a sentence, in quotes.
+/// Text of a file in quotes, short and printable enough for a sentence.
 std::string shown(const std::string& text);
 
 }  // namespace farrier::diagnosis

@@ -10,11 +10,12 @@ namespace farrier::diagnosis {
 struct FitOptions {
   Observer observer;
   double warm_up_s = 0.3;        ///< from a span's beginning that is not judged
-  double block_s = 0.1;          ///< within which residuals may say one thing
-  bool again_at_bounds = false;  ///< what ends at a bound is held there, and the rest is fitted again
+  double block_s = 0.1;          ///< within which residuals count as dependent
+  bool again_at_bounds = false;  ///< a number that ends at a bound is held there, and the rest is fitted again
   int most_iterations = 15;
   double tolerance = 1e-4;       ///< relative change of cost that ends a fit
-  double samples_per_fact = 10;  ///< neighbouring residuals that say one thing: how much the data weigh against priors
+  double samples_per_fact = 10;  ///< neighbouring residuals that count as one fact: sets the weight of the data against
+                                 ///< priors
   double nominal_spread = 0.02;  ///< prior standard deviation of a nominal factor
 };
 
@@ -25,7 +26,7 @@ struct FitData {
   std::array<double, kChannels> weight;  ///< standard deviation that a residual counts as one
 };
 
-/// What a fit found.
+/// Result of a fit.
 struct FitResult {
   Model model;
   double cost = 0.0;

@@ -63,7 +63,7 @@ std::vector<double> Bench::block_squares(const Model& model, std::size_t half, s
 
 void Bench::judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelMask& changed) const {
   for (std::size_t c = 0; c < kChannels; ++c) {
-    // How the valve moves within a period bends the force on the load.
+    // The valve's motion within a period bends the force on the load.
     const bool moved = changed[c] || (c == static_cast<std::size_t>(Channel::kMotion) && changed[0]);
     if (like != nullptr && !moved) {
       hypothesis.squares[c] = like->squares[c];

@@ -30,8 +30,8 @@ struct Gain {
   double chance;           ///< share of resamplings in which `after` is better
 };
 
-/// Held-out NRMSE of two hypotheses: the root of the mean over channels of squared error over the variance of what was
-/// measured; and the 95 % band of before / after.
+/// Held-out NRMSE of two hypotheses: the root of the mean over channels of squared error over the variance of the
+/// measurement; and the 95 % band of before / after.
 struct ErrorRatio {
   double before, after, low, high;
 };
@@ -44,8 +44,9 @@ class Bench {
 
   /// The nominal model, its constants fitted within their band.
   Hypothesis base() const;
-  /// `from` with one effect more, the best of its starts; nothing when a short fit to the first half brings the second
-  /// less than `least_gain` of log ratio, or a fit its own half, and for an effect that the recording cannot show.
+  /// Adds one effect to `from`, with the best of its starts. Empty if a short fit to the first half improves the second
+  /// by less than `least_gain` of log ratio, or a fit its own half. Also empty for an effect that the recording cannot
+  /// show.
   std::optional<Hypothesis> with(const Hypothesis& from, plant::EffectId effect, double least_gain) const;
   /// `from` with one effect less.
   Hypothesis without(const Hypothesis& from, plant::EffectId effect) const;

@@ -26,13 +26,13 @@ std::array<Remainder, kChannels> remainder(const Bench& bench, const Hypothesis&
   return left;
 }
 
-/// Whether what is left of a channel is more than its sensors' noise.
+/// True if a channel's remainder is more than its sensors' noise.
 bool is_structured(const Remainder& left, const Rules& rules) {
   return left.nrmse > rules.least_nrmse && left.rms > rules.structure_ratio * left.expected;
 }
 
-/// Whether an effect beside a larger one shows where something is left that is no noise: then it may be a part of what
-/// the larger one's model lacks.
+/// True if an effect beside a larger one shows where a remainder is no noise. It may then be a part that the larger
+/// one's model lacks.
 bool may_be_a_detail(plant::EffectId id, const std::array<Remainder, kChannels>& left, const Rules& rules) {
   ChannelMask structured{};
   std::ranges::transform(left, structured.begin(), [&](const Remainder& one) { return is_structured(one, rules); });

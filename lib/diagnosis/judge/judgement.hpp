@@ -18,14 +18,14 @@ struct Rules {
   std::size_t most_effects = 3;
   double least_reduction = 0.08;     ///< of a channel's held-out rms, that an effect must bring
   double neutral_deviations = 2.5;   ///< by which a parameter must lie outside its neutral band
-  double least_step = 0.04;          ///< of a channel's rms before any effect, that the first effect must take away
+  double least_step = 0.04;          ///< of a channel's rms before any effect, that the first effect must remove
   double further_step = 0.08;        ///< the same of further ones, which may be details of the first
-  double structure_ratio = 1.6;      ///< rms over that of a twin, from which what is left has a structure
-  double open_ratio = 1.15;          ///< rms over that of a twin with its sensors' noise, from which there is more
-  double unexplained = 0.2;          ///< of a channel's rms before any effect, above which what is left is no detail
-  double least_nrmse = 0.02;         ///< below which a simulation is as good as its form allows
+  double structure_ratio = 1.6;      ///< rms over that of a twin, above which a remainder has a structure
+  double open_ratio = 1.15;          ///< rms over that of a twin with its sensors' noise, above which there may be more
+  double unexplained = 0.2;          ///< of a channel's rms before any effect, above which a remainder is no detail
+  double least_nrmse = 0.02;         ///< NRMSE that a simulation of this form cannot improve
   double confidence_if_unknown = 0.5;  ///< factor on the confidence of effects that leave a structure behind
-  double tie_chance = 0.025;         ///< chance of being right above which a rival is not told apart
+  double tie_chance = 0.025;         ///< chance of being right above which a rival cannot be excluded
   double clear_lead = 0.05;          ///< of a channel's held-out rms, from which a lead over a rival counts in full
 };
 
@@ -35,14 +35,14 @@ struct NamedEffect {
   std::vector<double> fitted;    ///< numbers of its parameters
   double deviation;              ///< standard deviation of the first
   double share;                  ///< of the whole log gain
-  double confidence;             ///< chance that it and no rival is there
+  double confidence;             ///< chance that it is present and no rival is
 };
 
-/// What is left on a channel that the model's sensors do not explain.
+/// Remainder on a channel that the model's sensors do not explain.
 struct Remainder {
   double rms;       ///< of the held-out residual, N | m/s
   double expected;  ///< of a twin of the model with its sensors' noise
-  double nrmse;     ///< rms over the standard deviation of what was measured
+  double nrmse;     ///< rms over the standard deviation of the measurement
 };
 
 /// One line of the table of candidates, for reports.
@@ -65,10 +65,10 @@ struct Judgement {
   std::array<Remainder, kChannels> left{};                               ///< after `chosen`
 };
 
-/// Runs `count` pieces of work, perhaps at once.
+/// Runs `count` pieces of work, possibly in parallel.
 using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>&)>;
 
-/// Root mean square by channel of what a hypothesis's residuals would be if it were right.
+/// Root mean square by channel of a hypothesis's residuals if it were right.
 using ExpectedResiduals = std::function<std::array<double, kChannels>(const Hypothesis& hypothesis)>;
 
 Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each);

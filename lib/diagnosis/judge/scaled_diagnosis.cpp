@@ -13,14 +13,14 @@
 namespace farrier::diagnosis {
 namespace {
 
-/// Blocks that a recording is resampled in: errors of a simulation that runs freely go together for long.
+/// Blocks for resampling a recording: errors of a simulation that runs freely are correlated for long.
 constexpr double kBlocks = 16.0;
 
 constexpr ChannelMask kJudged{true, false, false};
 
 constexpr plant::EffectId kBias = plant::effect_id<plant::ValveBias>();
 
-/// Whether an effect bends what goes through the valve, so that an offset before it is no drift behind it.
+/// True if an effect makes the valve nonlinear, so that an offset before it differs from a drift behind it.
 bool bends(plant::EffectId id) {
   return id == plant::effect_id<plant::ValveDeadband>() || id == plant::effect_id<plant::ValveAsymmetry>() ||
          id == plant::effect_id<plant::FlowSaturation>();

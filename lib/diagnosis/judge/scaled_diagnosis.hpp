@@ -6,8 +6,8 @@
 
 namespace farrier::diagnosis {
 
-/// An effect beside the linear model, alone, fitted to the first half. An offset of a linear valve is a drift and not
-/// tried so.
+/// One effect beside the linear model, alone, fitted to the first half. An offset of a linear valve is a drift and is
+/// not tried.
 struct EffectAlone {
   plant::EffectId id;
   std::vector<double> fitted;  ///< numbers of its parameters
@@ -16,8 +16,8 @@ struct EffectAlone {
   bool accepted;               ///< by the rules, in the first round
 };
 
-/// What a recording in scaled units says of its valve. Fits are 100 (1 - |y - s| / |y - mean y|) % of positions y and
-/// simulations s that run freely over the second half, of models fitted to the first (ScaledSimulator).
+/// Diagnosis of a valve from a recording in scaled units. Fits are 100 (1 - |y - s| / |y - mean y|) % of positions y
+/// and simulations s that run freely over the second half, of models fitted to the first (ScaledSimulator).
 struct ScaledDiagnosis {
   Judgement judgement;
   plant::Scales scales;                           ///< of the effects' numbers; times in ScaledSimulator::kSample_s
@@ -34,7 +34,7 @@ struct ScaledDiagnosis {
 /// 100 (1 - |y - s| / |y - mean y|) % of measured y and simulated s, of one size; y not constant.
 double fit_percent(std::span<const double> measured, std::span<const double> simulated);
 
-/// Diagnoses a recording by the rules of diagnose(), with DiagnosisOptions::fit as it suits data without a time base.
+/// Diagnoses a recording by the rules of diagnose(). DiagnosisOptions::fit is adapted to data without a time base.
 ScaledDiagnosis diagnose_scaled(const ScaledRecording& recording, const DiagnosisOptions& options = {});
 
 }  // namespace farrier::diagnosis

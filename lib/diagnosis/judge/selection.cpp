@@ -7,14 +7,14 @@
 namespace farrier::diagnosis {
 namespace {
 
-/// Whether a fit ended where a parameter may go no further: then it is not what the effect is for.
+/// True if a fit ended at the limit of a parameter: the effect then models something else.
 bool at_bound(plant::EffectId id, const Estimate& estimate) {
   const plant::Parameter& first = plant::effect_info(id).parameters[0];
   const double margin = 0.01 * (first.high - first.low);
   return estimate.fitted[0] > first.high - margin || (first.low < 0.0 && estimate.fitted[0] < first.low + margin);
 }
 
-/// Whether two effects show on one channel: only then may one stand for the other.
+/// True if two effects show on one channel: only then may one stand for the other.
 bool may_be_rivals(plant::EffectId one, plant::EffectId other) { return meet(channels_of(one), channels_of(other)); }
 
 std::ptrdiff_t channel_count(plant::EffectId id) { return std::ranges::count(channels_of(id), true); }
@@ -58,7 +58,7 @@ bool Selection::outside_neutral(plant::EffectId id, const Estimate& estimate) co
   return std::abs(estimate.fitted[0] - neutral) > band + rules_.neutral_deviations * estimate.deviation;
 }
 
-/// Whether a hypothesis takes away enough of some channel of what the chosen one leaves.
+/// True if a hypothesis sufficiently reduces the chosen one's remainder on some channel.
 bool Selection::worth_it(const Hypothesis& after) const {
   for (std::size_t c = 0; c < kChannels; ++c) {
     const double was = chosen_.total(c);

@@ -7,44 +7,44 @@
 
 namespace farrier::diagnosis {
 
-/// Numbers of an effect by both halves' models: their means, and a deviation of the first no smaller than half of what
-/// the halves differ by.
+/// Numbers of an effect by both halves' models: their means, and a deviation of the first no smaller than half of the
+/// halves' difference.
 struct Estimate {
   std::vector<double> fitted;
   double deviation;
 };
 
-/// Of the effect at `index` of a hypothesis.
+/// Estimate of the effect at `index` of a hypothesis.
 Estimate pooled(const Hypothesis& hypothesis, std::size_t index);
 
-/// Choice of effects by their gain on held-out time, step by step: one more, less, or another in its place.
+/// Choice of effects by their gain on held-out time, step by step: adds, removes or exchanges one effect.
 class Selection {
  public:
   /// All outlive this.
   Selection(const Bench& bench, const Rules& rules, const ForEach& for_each);
 
-  /// Tries every effect that concerns an open channel beside the chosen ones and keeps the best that is accepted. False
-  /// when none is.
+  /// Tries every effect that concerns an open channel beside the chosen ones and keeps the best that is accepted.
+  /// Returns false if none is.
   bool add(const ChannelMask& open);
-  /// Leaves out what turned out to be nothing beside effects that came later.
+  /// Removes effects that became negligible beside later ones.
   void prune();
-  /// Puts every rival, fitted anew, in the place of what it was tried beside: the better one stays. A rival that may be
-  /// right by more than tie_chance is not told apart; of these two the one that shows on fewer channels stays.
+  /// Fits every rival in the place of the effect it was tried beside and keeps the better one. A rival that may be
+  /// right by more than tie_chance cannot be excluded; of these two the one that shows on fewer channels stays.
   void compare_rivals();
 
   const Hypothesis& base() const noexcept { return base_; }
   const Hypothesis& chosen() const noexcept { return chosen_; }
   const std::vector<std::vector<Candidate>>& rounds() const noexcept { return rounds_; }
 
-  /// A rival that is not told apart from an effect that is chosen.
+  /// A rival of a chosen effect that cannot be excluded.
   struct Tie {
     plant::EffectId chosen, rival;
     Hypothesis with_rival;  ///< the chosen hypothesis with the rival, at its end, in place of the effect
   };
   const std::vector<Tie>& ties() const noexcept { return ties_; }
-  /// Share of a chosen effect in the log gain of all: what is lost without it.
+  /// Share of a chosen effect in the log gain of all: the loss without it.
   double share_of(plant::EffectId effect);
-  /// Chance that the effect and none of its rivals is there.
+  /// Chance that the effect is present and none of its rivals is.
   double confidence(plant::EffectId effect) const noexcept { return confidence_[effect]; }
 
  private:
@@ -65,8 +65,8 @@ class Selection {
   std::vector<Tried> try_all(const ChannelMask& open) const;
   bool worth_it(const Hypothesis& after) const;
   bool outside_neutral(plant::EffectId id, const Estimate& estimate) const;
-  /// Chance that `one` is right and not `other`, which explains the same: how often it is better under resampled
-  /// blocks, the less the smaller its lead, for small leads come from details that neither has.
+  /// Chance that `one` is right and not `other`, which explains the same. It is the share of resampled blocks in which
+  /// it is better, reduced for a small lead, since small leads come from details that neither has.
   double chance_of(const Hypothesis& one, const Hypothesis& other) const;
   void note_rivals(const std::vector<Tried>& tried, plant::EffectId best);
 

@@ -8,18 +8,18 @@
 
 namespace farrier::diagnosis {
 
-/// A command that was recorded by period: held over it, and what it sums up to.
+/// A command recorded by period: held over it, and its integral.
 struct RecordedCommand {
   const std::vector<double>& values;
   const std::vector<double>& integral;  ///< values times seconds up to a sample; one more than samples
   double period_s;
 };
 
-/// A recorded command as it reaches the valve: late by the delay that the terms have.
+/// A recorded command as it reaches the valve, late by the delay of the terms.
 template <class T>
 class DelayedCommand {
  public:
-  /// Before sample `begin` the command was what it is there. What `command` refers to outlives this.
+  /// Before sample `begin` the command is constant at its value there. The vectors of `command` must outlive this.
   DelayedCommand(const RecordedCommand& command, const plant::TermSet<T>& terms, std::size_t begin)
       : command_(command), begin_(begin) {
     if (const auto* delay = terms.template find<plant::InputDelay>()) {

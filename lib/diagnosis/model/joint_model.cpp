@@ -79,8 +79,8 @@ std::vector<T> JointModel::run(const JointData& data, Span span, const std::arra
       simulate_oil(data, span, c, terms, observer.oil_s, [&](std::size_t, const T& force) { out.push_back(force); });
       break;
     case Channel::kMotion: {
-      // What the smoother makes of the error in position, as linear as it is: the error in velocity, and with a weight
-      // that in position, where a constant force shows.
+      // The smoother turns the error in position into an error in velocity plus a weighted error in position, where a
+      // constant force shows. It is linear.
       simulate_load(data, span, c, terms, observer.load_s,
                     [&](std::size_t k, const T& position) { out.push_back(data.measured_position[k] - position); });
       for (std::size_t from = 0; from < out.size();) {

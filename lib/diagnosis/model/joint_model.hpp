@@ -30,12 +30,13 @@ class JointModel {
   template <class T>
   Constants<T> constants(const std::array<T, kNominals>& factors) const;
 
-  /// Simulated readings over a span: force; velocity of the load; velocity sensor.
+  /// Simulated readings over a span: force; motion of the load, as JointData::motion; velocity sensor.
   std::vector<double> simulate(const JointData& data, Span span, const Model& model, Channel channel,
                                const Observer& observer) const;
 
   /// Errors, measured less simulated, of simulations that leave an observed one every `every` samples of a span and run
-  /// freely for `steps`: by the places where they leave. Of the force, and of the velocity for the load.
+  /// freely for `steps`, by the places where they leave. They are errors of the force, or of the load's position over
+  /// JointData::kMotionTime_s.
   std::vector<double> errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
                                    const Observer& observer, std::size_t steps, std::size_t every) const;
 

@@ -11,11 +11,11 @@
 
 namespace farrier::diagnosis {
 
-/// The load, from a sample on, driven by the measured force. A copy goes on from where the original stands.
+/// Simulates the load from a sample on, driven by the measured force. A copy continues from the state of the original.
 template <class T>
 class LoadSimulation {
  public:
-  /// In the measured motion. `data` and `constants` outlive this.
+  /// Starts in the measured motion. `data` and `constants` must outlive this.
   LoadSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
                  std::size_t begin)
       : data_(&data), c_(&constants), terms_(terms),
@@ -35,16 +35,16 @@ class LoadSimulation {
     settle(begin);
   }
 
-  /// The measured motion of sample k.
+  /// Sets the state to the measured motion of sample k.
   void settle(std::size_t k) {
     x_ = T(data_->position[k]);
     v_ = T(data_->velocity[k]);
   }
 
-  /// Position at the sample where this stands.
+  /// Position at the current sample.
   const T& read() const { return x_; }
 
-  /// On to sample k + 1, drawn to the measured motion by `pull` of the error. Once per sample, in order.
+  /// Advances to sample k + 1, drawn to the measured motion by `pull` of the error. Call once per sample, in order.
   void advance(std::size_t k, double pull) {
     const JointData& data = *data_;
     const double h = data.load_step_s();
@@ -69,10 +69,10 @@ class LoadSimulation {
   static constexpr std::size_t kParts = JointData::kLoadSubsteps;
   using Parts = std::array<T, kParts>;
 
-  /// What the cell would have read at sample k without gain and offset.
+  /// Reading of the cell at sample k without gain and offset.
   T measured_force(std::size_t k) const { return (data_->force[k] - sensor_offset_) / sensor_gain_; }
 
-  /// Mean force over each substep from sample k on: its chord, bent as the oil bends it. A lagging cell is undone.
+  /// Mean force over each substep from sample k on: its chord, bent as the oil bends it. A lag of the cell is inverted.
   Parts forces(std::size_t k) {
     Parts bend{};
     if (valve_moves_) {
@@ -93,8 +93,8 @@ class LoadSimulation {
     return force;
   }
 
-  /// What a valve that opens differently in both halves of a period does to the force within it, about its chord: the
-  /// flow at half the supply across each land, (2.10) to (2.15).
+  /// Bend of the force within a period, about its chord, by a valve that opens differently in both halves: the flow at
+  /// half the supply across each land, (2.10) to (2.15).
   Parts bend_by_valve(std::size_t k) {
     static_assert(JointData::kSubsteps == 2 && kParts == 4);
     std::array<T, 2> opening_A;
@@ -121,7 +121,7 @@ class LoadSimulation {
   T sensor_gain_ = T(1.0);
   T sensor_offset_ = T(0.0);
   std::optional<plant::FirstOrderLag<T>> lag_;
-  T force_;  ///< on the load, where this stands
+  T force_;  ///< on the load, at the current sample
 };
 
 }  // namespace farrier::diagnosis

@@ -15,24 +15,23 @@ struct Span {
   std::size_t size() const noexcept { return end - begin; }
 };
 
-/// What residuals are taken of.
+/// Signals whose residuals are formed.
 enum class Channel { kForce, kMotion, kVelocitySensor };
 inline constexpr std::size_t kChannels = 3;
 
-/// Which channels a fit looks at.
+/// Channels that a fit uses.
 using ChannelMask = std::array<bool, kChannels>;
 
 /// Channels on which an effect on that side shows.
 ChannelMask channels_of(plant::Side side) noexcept;
 inline ChannelMask channels_of(plant::EffectId effect) noexcept { return channels_of(plant::effect_info(effect).side); }
-/// Whether two masks have a channel in common.
+/// True if two masks have a channel in common.
 bool meet(const ChannelMask& a, const ChannelMask& b) noexcept;
 
-/// Numbers of an effect's parameters from which its fits begin, as the library has them; alike ones once.
+/// Numbers of an effect's parameters from which its fits begin, as the library has them; equal ones once.
 std::vector<std::vector<double>> starts_of(const plant::EffectInfo& info);
 
-/// How a simulation is held to the measurement: its state is drawn towards what was measured with this time constant.
-/// Infinite: it runs freely.
+/// Time constants with which a simulation's state is drawn towards the measurement. Infinite: it runs freely.
 struct Observer {
   double oil_s = 0.05;
   double load_s = 0.1;

@@ -25,7 +25,7 @@ constexpr std::array kEffects{
     plant::effect_id<plant::ValveDynamics>(), plant::effect_id<plant::ValveDeadband>(),
     plant::effect_id<plant::ValveAsymmetry>(), plant::effect_id<plant::FlowSaturation>()};
 
-/// Of a valve that is full open at the largest opening of the recording; nothing else of a joint is known.
+/// Scales for a valve that is full open at the largest opening of the recording; nothing else of a joint is known.
 plant::Scales scales_of(const ScaledRecording& recording) {
   const plant::ActuatorParams unit{.area_a = 1.0,
                                    .area_b = 1.0,

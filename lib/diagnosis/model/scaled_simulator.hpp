@@ -6,19 +6,19 @@
 
 namespace farrier::diagnosis {
 
-/// Positions that a valve makes, in units of the recording's own:
+/// Positions that a valve produces, in units of the recording's own:
 ///
 ///   position+ = position + gain q(valve) + drift
 ///
-/// The flow q of the valve is its opening, or what effects make of it: oil that a valve meters moves a piston at a
-/// speed, Merritt (1967), 6.1, and a load that is not seen here lets it sink or creep. Runs freely, for there is no
-/// sensor in between that an observer could use; it begins where the mean of a span's first kFirst positions is met,
-/// for one alone would move the whole span by its noise. Factors 0 and 1 of a Model are gain and drift.
+/// The flow q of the valve is its opening, modified by effects. Oil that a valve meters moves a piston at a speed,
+/// Merritt (1967), 6.1, and the unseen load lets it sink or creep. The simulation runs freely, because no sensor in
+/// between could feed an observer. It starts where the mean of a span's first kFirst positions is met, since a single
+/// one would shift the whole span by its noise. Factors 0 and 1 of a Model are gain and drift.
 class ScaledSimulator final : public Simulator {
  public:
-  /// The one channel: what valve and oil make, which is the position here.
+  /// The only channel: the output of valve and oil, which is the position here.
   static constexpr Channel kChannel = Channel::kForce;
-  /// What a sample counts as, s. The effects' ranges of time are those of joints that are sampled at 1 kHz.
+  /// Nominal duration of a sample, s. The effects' ranges of time are those of joints that are sampled at 1 kHz.
   static constexpr double kSample_s = 1e-3;
   static constexpr std::size_t kFirst = 8;
 
@@ -33,7 +33,7 @@ class ScaledSimulator final : public Simulator {
   const std::vector<double>* known(plant::EffectId) const noexcept override { return nullptr; }
   /// Gain and drift that fit the steps of the position best.
   Model nominal() const override { return nominal_; }
-  /// Of effects on the way of the command to the flow.
+  /// Starts for effects between command and flow.
   std::vector<std::vector<double>> starts(plant::EffectId effect) const override;
   std::vector<FreeNumber> free_numbers(const Model& model, const ChannelMask& mask,
                                        double nominal_spread) const override;

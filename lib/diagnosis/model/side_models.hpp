@@ -1,6 +1,6 @@
 #pragma once
 
-// The two halves of a joint, as the load cell splits it, each simulated with what was measured at the other's end:
+// A joint's two halves, split at the load cell, each driven by the other's measurement:
 //
 //   current, motion ──▶ valve and oil ──▶ force        force ──▶ load ──▶ motion        position ──▶ velocity sensor
 //
@@ -32,14 +32,14 @@ PortFlow<T> port_flow(const T& conductance, const T& drop_Pa, double laminar_Pa)
   return {by_root * drop_Pa, by_root * (1.0 - 0.5 * drop_Pa * drop_Pa / square)};
 }
 
-/// (1 - e^-x) / x: how far a decaying state goes in a step.
+/// (1 - e^-x) / x: share of its way that a decaying state covers in a step.
 inline double decaying_share(double x) noexcept { return x > 1e-6 ? (1.0 - std::exp(-x)) / x : 1.0 - 0.5 * x; }
 
-/// Valve and oil, from a sample on. A copy goes on from where the original stands.
+/// Simulates valve and oil from a sample on. A copy continues from the state of the original.
 template <class T>
 class OilSimulation {
  public:
-  /// At rest's pressures for the force that is measured there. `data` and `constants` outlive this.
+  /// Starts with the pressures at rest for the measured force. `data` and `constants` must outlive this.
   OilSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
                 std::size_t begin)
       : data_(&data), c_(&constants), terms_(terms),
@@ -59,7 +59,7 @@ class OilSimulation {
     p_b_ = supply - p_a_;
   }
 
-  /// What the load cell reads at sample k, where this stands. Once per sample.
+  /// Reading of the load cell at sample k, the current one. Call once per sample.
   T read(std::size_t k) {
     plant::PistonMoment<T> piston{data_->position[k], data_->velocity[k], data_->period_s, T(0.0)};
     terms_.on_piston(piston);
@@ -69,7 +69,8 @@ class OilSimulation {
     return cell.force;
   }
 
-  /// On to sample k + 1, the pressures drawn along the force by `pull` of its error, the measured force less the read.
+  /// Advances to sample k + 1, the pressures drawn along the force by `pull` of its error, the measured force less the
+  /// read.
   void advance(std::size_t k, const T& error, double pull) {
     const T areas = c_->area_a * c_->area_a + c_->area_b * c_->area_b;
     const T drawn = error / sensor_gain_ / areas * (pull / JointData::kSubsteps);
@@ -136,17 +137,17 @@ class OilSimulation {
   T supply_flow_ = T(0.0);
 };
 
-/// Share of an error that a period takes away from a simulation drawn with this time constant.
+/// Share of an error that a simulation drawn with this time constant loses in a period.
 inline double pull_of(double period_s, double time_constant_s) noexcept {
   return 1.0 - std::exp(-period_s / time_constant_s);
 }
 
-/// Whether the load is the one its model knows at a sample.
+/// True if the load at a sample is the one in its model.
 inline bool knows_load(const JointData& data, std::size_t k) noexcept {
   return data.swing.empty() || data.swing[k] != 0;
 }
 
-/// Valve and oil over a span: gives the force each sample's load cell should read to `take(index, force)`.
+/// Valve and oil over a span: gives the simulated reading of each sample's load cell to `take(index, force)`.
 template <class T, class Take>
 void simulate_oil(const JointData& data, Span span, const Constants<T>& c, const plant::TermSet<T>& terms,
                   double observer_s, Take&& take) {
@@ -159,8 +160,8 @@ void simulate_oil(const JointData& data, Span span, const Constants<T>& c, const
   }
 }
 
-/// The load over a span: gives its position to `take(index, position)`. Where it is not the load its model knows, the
-/// simulation stays at what was measured.
+/// The load over a span: gives its position to `take(index, position)`. Where the load is not the one in its model, the
+/// simulation stays at the measurement.
 template <class T, class Take>
 void simulate_load(const JointData& data, Span span, const Constants<T>& c, const plant::TermSet<T>& terms,
                    double observer_s, Take&& take) {

@@ -14,7 +14,7 @@ struct FreeNumber {
   double prior, spread;  ///< spread 0: none
 };
 
-/// A recording and the simulations of it by models: what hypotheses are fitted to and judged by.
+/// A recording and the simulations of it by models, to which hypotheses are fitted and by which they are judged.
 class Simulator {
  public:
   /// Derivatives that one simulation carries.
@@ -24,15 +24,15 @@ class Simulator {
 
   virtual double period_s() const noexcept = 0;
   virtual std::size_t size() const noexcept = 0;
-  /// What was measured of a channel.
+  /// Measured values of a channel.
   virtual const std::vector<double>& measured(Channel channel) const noexcept = 0;
-  /// Whether a model claims to explain a channel at a sample.
+  /// True if a model claims to explain a channel at a sample.
   virtual bool explains(Channel channel, std::size_t sample) const noexcept = 0;
 
   virtual const plant::Scales& scales() const noexcept = 0;
   /// Numbers of an effect that every simulation has unless the model has its own of that kind, null for none.
   virtual const std::vector<double>* known(plant::EffectId id) const noexcept = 0;
-  /// By how much these simulations may be off in the fitted number of an effect's first parameter.
+  /// Error of these simulations in the fitted number of an effect's first parameter.
   virtual double least(plant::EffectId) const noexcept { return 0.0; }
 
   /// The model without effects.
@@ -44,7 +44,7 @@ class Simulator {
   virtual std::vector<FreeNumber> free_numbers(const Model& model, const ChannelMask& mask,
                                                double nominal_spread) const = 0;
 
-  /// What the model makes of a channel over a span.
+  /// The model's simulation of a channel over a span.
   virtual std::vector<double> simulate(Span span, const Model& model, Channel channel,
                                        const Observer& observer) const = 0;
   /// simulate() with derivatives by up to kLanes of the model's numbers. `lanes` name them: below kNominals a factor,

@@ -12,8 +12,8 @@ struct SensorNoiseLevels {
   double position, velocity, force;
 };
 
-/// Root mean square by channel of what a model's residuals would be if it were right and its sensors had `noise`: that
-/// of a twin, a recording the model makes itself over the same motion. `bench` judges hypotheses by `joint`.
+/// Root mean square by channel of a model's residuals if it were right and its sensors had `noise`. It comes from a
+/// twin, a recording that the model produces itself over the same motion. The `bench` judges hypotheses by `joint`.
 std::array<double, kChannels> expected_residuals(const Bench& bench, const JointSimulator& joint,
                                                  const Hypothesis& hypothesis, const SensorNoiseLevels& noise);
 

@@ -12,7 +12,7 @@ struct ChamberFeed {
   double flow_b, root_b;
 };
 
-/// What one evaluation of the joint's equations knows and effects may change, in the order of `Effects`.
+/// Values of one evaluation of the joint's equations that effects may read and change, in the order of `Effects`.
 struct Instant {
   double command_A;        ///< the held current, within the valve's limits
   double velocity;         ///< of piston and load, m/s or rad/s
@@ -33,16 +33,16 @@ struct Instant {
   double piston_force = 0.0;       ///< on the piston, left of the load cell, positive along +position
 };
 
-/// Where the joint stands when it is created: at rest, valve shut.
+/// Pressures of the joint when it is created: at rest, valve shut.
 struct RestPoint {
   double pressure_a_Pa;
   double pressure_b_Pa;
 };
 
-/// An effect of the plant that the thesis's model leaves out. One is a class derived from this (static, no virtual
-/// call) in a file of its own and an entry of the tuple in effects.hpp; it overrides what concerns it. One without
-/// states may be a term of plant/terms instead, and nothing here: see StatelessTerms. An effect with
-/// neutral parameters is not active, and a joint without active effects runs the equations without any.
+/// An effect of the plant that the thesis's model leaves out. Each is a class derived from this (static, no virtual
+/// call) in a file of its own and an entry of the tuple in effects.hpp; it overrides the hooks it needs. One without
+/// states may be a term of plant/terms instead, and nothing here: see StatelessTerms. An effect with neutral parameters
+/// is not active, and a joint without active effects runs the equations without any.
 ///
 /// `x` are its kStates states, `dx` their rates. Hooks are noexcept and use +, -, *, /, sqrt only.
 template <std::size_t States>

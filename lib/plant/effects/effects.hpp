@@ -18,7 +18,7 @@ struct EffectList {
   using Tuple = std::tuple<Terms...>;
   static constexpr std::size_t kStates = (Terms::kStates + ...);
 
-  /// Where the states of one of them begin.
+  /// Place where the states of one of them begin.
   template <class Term>
   static constexpr std::size_t offset() {
     std::size_t before = 0;
@@ -28,8 +28,8 @@ struct EffectList {
   }
 };
 
-/// What of `effects` the parameters of a joint can say is put into them: valve_dynamics is the spool, in place of one
-/// that is there, load_friction the friction of the load.
+/// Puts those `effects` into the parameters of a joint that the parameters can represent: valve_dynamics replaces the
+/// spool, load_friction the friction of the load.
 ActuatorParams with_effects(const ActuatorParams& actuator, std::span<const ActiveEffect> effects) noexcept;
 LoadParams with_effects(const LoadParams& load, const ActuatorParams& actuator,
                         std::span<const ActiveEffect> effects) noexcept;
@@ -38,7 +38,7 @@ LoadParams with_effects(const LoadParams& load, const ActuatorParams& actuator,
 Result<Done> validate(std::span<const ActiveEffect> effects);
 
 /// Every effect of a joint, in the order in which they act: on the way from the command to the valve's opening, then
-/// from the valve to the chambers, then on the load. Their states stand one behind the other.
+/// from the valve to the chambers, then on the load. Their states are stored one after the other.
 class Effects {
  public:
   using List = EffectList<Spool, Deadband, Lines, Friction, SealFriction, StatelessTerms>;
@@ -49,10 +49,10 @@ class Effects {
     return List::offset<Term>();
   }
 
-  /// What the parameters ask for and, of `effects`, those that are not in the parameters.
+  /// Takes the effects in the parameters and, of `effects`, those that are not in them.
   Effects(const ActuatorParams& actuator, const LoadParams& load, std::span<const ActiveEffect> effects) noexcept;
 
-  /// Another load from now on, and what becomes of the states.
+  /// Sets another load from now on; returns the states that follow.
   X set_load(const LoadParams& load, const X& x) noexcept;
 
   bool active() const noexcept;

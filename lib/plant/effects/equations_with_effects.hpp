@@ -5,12 +5,12 @@
 
 namespace farrier::plant {
 
-/// State of a joint with what its effects add.
+/// State of a joint with the states of its effects.
 struct EffectState : IntegrationState {
   Effects::X x;
 };
 
-/// What is held over a step where the valve's opening is not.
+/// Inputs that are held over a step; the valve's opening is not.
 struct CommandInput {
   double command_A;       ///< within the valve's limits
   double external_force;  ///< N or Nm
@@ -36,14 +36,14 @@ class EquationsWithEffects {
     return rate;
   }
 
-  /// The valve as it stands now, for the pressures at its ports.
+  /// The present valve, for the pressures at its ports.
   HeldInput valve(const EffectState& s, const CommandInput& input) const noexcept {
     return valve(before_valve(s, input));
   }
   double opening_A(const EffectState& s, const CommandInput& input) const noexcept {
     return before_valve(s, input).opening_A;
   }
-  /// Of effects on the piston, which the load cell does not read; N or Nm, positive along +position.
+  /// Force of effects on the piston, which the load cell does not read; N or Nm, positive along +position.
   double piston_force(const EffectState& s, const CommandInput& input) const noexcept {
     Effects::X rates;
     return instant(s, input, rates).piston_force;
@@ -82,8 +82,8 @@ class EquationsWithEffects {
     return now;
   }
 
-  /// Rates of the pressures with 1/beta_e + softness for 1/beta_e where no void is, and where the piston gains
-  /// w = slope F_h' on the load: F_h' = F_0' - S w, F_0' that without the gain, S the stiffness of the oil that has
+  /// Rates of the pressures with 1/beta_e + softness in place of 1/beta_e, except in a void. If the piston gains w =
+  /// slope F_h' on the load: F_h' = F_0' - S w. F_0' is the rate without the gain, S the stiffness of the oil that has
   /// pressure.
   void soften(const EffectState& s, const Instant& now, IntegrationState& rate) const noexcept {
     const ActuatorParams& act = joint_.actuator();

@@ -24,14 +24,15 @@ inline Result<Done> validate(const FrictionParams& friction) {
   return refusals.verdict();
 }
 
-/// Coulomb and Stribeck friction that truly sticks: the bristle model of Canudas de Wit, Olsson, Astrom and
-/// Lischinsky (1995), (1) to (3), without bristle damping (the viscous friction does that), written in its force f:
+/// Coulomb and Stribeck friction that truly sticks: the bristle model of Canudas de Wit, Olsson, Astrom and Lischinsky
+/// (1995), (1) to (3). It has no bristle damping, because the viscous friction replaces it. In its force f, which acts
+/// on the load as -f, it is
 ///
-///   f' = (F_s / z_s) (v - |v| f / g(v)),   g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2),   on the load: -f
+///   f' = (F_s / z_s) (v - |v| f / g(v)),   g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).
 ///
-/// In steady sliding f = g(v) sign(v), the curve of Hubacher (2014), 9.3.1. |f| <= F_s always. It takes
-/// f v - d/dt (f^2 z_s / (2 F_s)) = |v| f^2 / g >= 0, and under a steady force below F_s the load comes to rest
-/// -z_s ln(1 - F / F_s) from where it was and creeps no further: docs/derivations/friction.md.
+/// In steady sliding f = g(v) sign(v), the curve of Hubacher (2014), 9.3.1. Always |f| <= F_s. The friction dissipates
+/// f v - d/dt (f^2 z_s / (2 F_s)) = |v| f^2 / g >= 0. Under a steady force below F_s the load comes to rest -z_s ln(1 -
+/// F / F_s) from where it was and creeps no further: docs/derivations/friction.md.
 class Friction : public Effect<1> {
  public:
   /// `force_scale` of tolerances, `largest_speed` the joint reaches; N, m/s or Nm, rad/s.

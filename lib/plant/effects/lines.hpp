@@ -21,11 +21,11 @@ inline double bore_area_m2(const LineParams& line) noexcept {
 }
 
 /// Part of a line's volume that the model puts behind the valve; the rest is the chamber's. A lumped line between a
-/// shut valve and a large chamber swings at 1 / sqrt(I C) = c / (L sqrt(share)): with (2 / pi)^2 as the true one does
-/// in its first mode, at pi c / (2 L), c = sqrt(beta_e / rho).
+/// shut valve and a large chamber swings at 1 / sqrt(I C) = c / (L sqrt(share)), c = sqrt(beta_e / rho). With (2 /
+/// pi)^2 it swings at pi c / (2 L), as the true line does in its first mode.
 inline constexpr double kValveSideShare = 4.0 / (std::numbers::pi * std::numbers::pi);
 
-/// Volume behind the valve, m^3; what chambers have less of dead volume.
+/// Volume behind the valve, m^3; the chambers' dead volume is smaller by it.
 inline double valve_side_volume_m3(const LineParams& line) noexcept {
   return kValveSideShare * line.length_m * bore_area_m2(line);
 }
@@ -43,17 +43,18 @@ inline Result<Done> validate(const LineParams& line, double dead_volume_m3) {
   return refusals.verdict();
 }
 
-/// One lumped mode per line: inertia I = rho L / A between the oil behind the valve and the chamber, the laminar loss
-/// R = 128 mu L / (pi D^4) of Hagen and Poiseuille and that of bends, Merritt (1967), 2-3 and 3-4:
+/// One lumped mode per line: inertia I = rho L / A between the oil behind the valve and the chamber. The laminar loss
+/// is R = 128 mu L / (pi D^4) of Hagen and Poiseuille; bends have a loss of their own, Merritt (1967), 2-3 and 3-4. The
+/// equations are
 ///
-///   I q' = p_v - p - R q - zeta rho q |q| / (2 A^2),   p_v' = beta_e / V_v (Q_valve - q)
+///   I q' = p_v - p - R q - zeta rho q |q| / (2 A^2),   p_v' = beta_e / V_v (Q_valve - q).
 ///
-/// q into the chamber is its inflow; the valve works against p_v. Below 0 Pa, p_v stands for a void as a chamber's
-/// compression does. States: p_va, p_vb (Pa), q_a, q_b (m^3/s).
+/// The chamber's inflow is q; the valve works against p_v. Below 0 Pa, p_v stands for a void as a chamber's compression
+/// does. States: p_va, p_vb (Pa), q_a, q_b (m^3/s).
 class Lines : public Effect<4> {
  public:
-  /// `largest_flow_m3_s` and `supply_pressure_Pa` as units of tolerances; `full_open_gain` K_v u_max / sqrt(delta), the
-  /// most a laminar valve port gives per pressure, m^3/(s Pa).
+  /// Tolerances use `largest_flow_m3_s` and `supply_pressure_Pa` as units. The largest flow of a laminar valve port per
+  /// pressure is `full_open_gain`, K_v u_max / sqrt(delta), m^3/(s Pa).
   Lines(const LineParams& params, double bulk_modulus_Pa, double supply_pressure_Pa, double largest_flow_m3_s,
         double full_open_gain) noexcept
       : active_(params.length_m > 0.0),

@@ -17,14 +17,15 @@ StatelessTerms::StatelessTerms(const ActuatorParams& actuator, const LoadParams&
       active_ = true;
     }
   }
-  // The nominal overlap, behind a null shift and before the ports: the class Deadband then stands aside.
+  // The nominal overlap, behind a null shift and before the ports: the class Deadband is then inactive.
   if (active_ && actuator.valve_deadband_A > 0.0 && find(effects, effect_id<ValveDeadband>()) == nullptr) {
     add_to(terms_, {effect_id<ValveDeadband>(), {actuator.valve_deadband_A}}, scales, 0.0);
   }
 }
 
-/// What the chambers draw where the supply falls by it: q = G sqrt(D - R q), D the drop from the full supply to the
-/// port, G = K_v |u|. Nothing flows back into a line that droops. The drop's laminar range is left out of this.
+/// Flow that the chambers draw from a supply whose pressure falls with it: q = G sqrt(D - R q), D the drop from the
+/// full supply to the port, G = K_v |u|. Nothing flows back into a line that droops. The drop's laminar range is left
+/// out of this.
 double StatelessTerms::supply_flow_m3_s(const Instant& now) const noexcept {
   const auto* droop = terms_.find<SupplyDroop>();
   const double drop = actuator_.supply_pressure_Pa - (now.opening_A > 0.0 ? now.valve_a_Pa : now.valve_b_Pa);

@@ -8,14 +8,14 @@
 
 namespace farrier::plant {
 
-/// Whether an effect has a state that is integrated here: it is then one of the other classes of Effects, or the
-/// DelayLine, and not its term's code, which steps from sample to sample.
+/// True if an effect has a state that is integrated here. It is then one of the other classes of Effects, or the
+/// DelayLine; its term's code, which steps from sample to sample, is not used.
 constexpr bool has_state(EffectId id) noexcept {
   return id == effect_id<ValveDynamics>() || id == effect_id<LoadFriction>() || id == effect_id<PistonFriction>() ||
          id == effect_id<InputDelay>();
 }
 
-/// Whether an effect is part of the plant and its term's own code simulates it: all but those of sensors, those in the
+/// True if an effect is part of the plant and its term's own code simulates it: all but those of sensors, those in the
 /// load's parameters and those above.
 constexpr bool is_stateless(EffectId id) noexcept {
   const Side side = effect_info(id).side;
@@ -23,8 +23,8 @@ constexpr bool is_stateless(EffectId id) noexcept {
 }
 
 /// All stateless effects of a joint, by the code of their terms. It stands last in Effects: after spool and lines have
-/// said what opens the valve and which pressures it meets. A null shift then acts behind the spool, which is the
-/// same: it has been there before.
+/// set the valve's opening and the pressures at it. A null shift then acts behind the spool, which gives the same
+/// result: the shift is constant from the start.
 class StatelessTerms : public Effect<0> {
  public:
   StatelessTerms(const ActuatorParams& actuator, const LoadParams& load,
@@ -33,7 +33,7 @@ class StatelessTerms : public Effect<0> {
   void set(const LoadParams& load) noexcept { load_ = load; }
 
   bool active() const noexcept { return active_; }
-  /// Of springs and dampers on load and piston, of the valve at its largest current and of a leak.
+  /// Fastest rate of springs and dampers on load and piston, of the valve at its largest current and of a leak.
   double fastest_rate(double mass) const noexcept;
   void before_valve(Instant& now, const X& x) const noexcept;
   void after_valve(Instant& now, const X& x, X& dx) const noexcept;
@@ -42,7 +42,7 @@ class StatelessTerms : public Effect<0> {
   double supply_flow_m3_s(const Instant& now) const noexcept;
   double force_at(double position, double velocity) const noexcept;
 
-  mutable TermSet<double> terms_;  ///< whose hooks may change a state, and these have none
+  mutable TermSet<double> terms_;  ///< mutable: hooks may change a term's state, but these have none
   bool active_ = false;
   ActuatorParams actuator_;
   LoadParams load_;

@@ -52,7 +52,7 @@ inline std::optional<double> parameter_value(const ActiveEffect& effect, std::st
   return place < effect.info().parameters.size() ? std::optional(effect.values[place]) : std::nullopt;
 }
 
-/// What the parameters are fitted by, for other numbers of the same effect, and back.
+/// Converts the parameters of an effect to fitted numbers, and back.
 inline std::array<double, kMostParameters> fitted_of(const ActiveEffect& effect, const Scales& scales) noexcept {
   std::array<double, kMostParameters> fitted{};
   for (std::size_t i = 0; i < effect.info().parameters.size(); ++i) {
@@ -69,14 +69,14 @@ inline ActiveEffect active_effect(EffectId id, std::span<const double> fitted, c
   return effect;
 }
 
-/// What a parameter may be, in the unit of the file.
+/// Range of a parameter, in the unit of the file.
 inline ParameterRange range_of(const Parameter& parameter, const Scales& scales) noexcept {
   const ParameterRange multiples = parameter.multiples();
   return {multiples.low * scales.of(parameter.scale), multiples.high * scales.of(parameter.scale)};
 }
 
-/// What a parameter is that is not given: where its fit begins. Slack of a spring: the nominal load's, or mid-stroke of
-/// a load without a spring.
+/// Value of a parameter that is not given: the start of its fit. Slack of a spring: the nominal load's, or mid-stroke
+/// of a load without a spring.
 inline double default_value(const Parameter& parameter, const Scales& scales, const ActuatorParams& actuator,
                             const LoadParams& load) noexcept {
   if (std::string_view(parameter.name).starts_with("slack_position")) {

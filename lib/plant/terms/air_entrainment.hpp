@@ -6,7 +6,7 @@
 namespace farrier::plant {
 
 /// Free air in the oil, compressed along p V^n, n = 1.4: 1/beta(p) = 1/beta + r p0^(1/n) / (n p^(1 + 1/n)), Merritt
-/// (1967), 1-4, with the volume of Watton (2009), 2.3. p is taken no lower than p0 = 1 bar. Neutral at 0.
+/// (1967), 1-4, with the volume of Watton (2009), 2.3. The pressure p is taken no lower than p0 = 1 bar. Neutral at 0.
 template <class T>
 class AirEntrainment {
  public:

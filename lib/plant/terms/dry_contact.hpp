@@ -15,7 +15,7 @@ struct DryContact {
     const T ratio = speed / stribeck_velocity;
     return coulomb * (1.0 + (breakaway_ratio - 1.0) * exp(-ratio * ratio));
   }
-  /// What is left of f after a step, and what comes per speed: f+ = keep f + give v.
+  /// Coefficients of a step, f+ = keep f + give v: the rest of f, and the gain per speed.
   struct Step {
     T keep, give;
   };

@@ -26,8 +26,8 @@ class FirstOrderLag {
     return output_;
   }
 
-  /// Input at the end of a period over which the output went from `from` to `to`, and the input from `last` along a
-  /// straight line and beyond it by `bend`, means over equal parts of the period.
+  /// Input at the end of a period over which the output went from `from` to `to`. The input went from `last` along a
+  /// straight line, plus `bend`, given as means over equal parts of the period.
   template <std::size_t kParts>
   T input_for(const T& from, const T& to, const T& last, const std::array<T, kParts>& bend) const noexcept {
     using portable::exp;

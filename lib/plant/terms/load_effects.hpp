@@ -11,14 +11,14 @@ struct Loads {
   LoadParams swing, stance;
 };
 
-/// Whether an effect is another number of the nominal load (its mass, damping, stiffness): such a one is in the
-/// LoadParams that a joint gets, and HydraulicJoint does nothing for it.
+/// True if an effect changes a number of the nominal load (its mass, damping, stiffness). It is then in the LoadParams
+/// that a joint gets, and HydraulicJoint does nothing for it.
 constexpr bool is_in_load(EffectId id) noexcept {
   return effect_info(id).side == Side::kLoad && effect_info(id).nominal;
 }
 
-/// The loads of a joint that has these effects. The swing load becomes what they say; the stance load changes by the
-/// same differences of mass, damping and force of the spring, which may leave it with numbers that validate() refuses.
+/// The loads of a joint that has these effects. The swing load gets their values; the stance load changes by the same
+/// differences of mass, damping and force of the spring, which may leave it with numbers that validate() refuses.
 Loads loads_with_effects(const Loads& nominal, const ActuatorParams& actuator, std::span<const ActiveEffect> effects);
 
 }  // namespace farrier::plant

@@ -17,7 +17,7 @@ enum class Side {
   kVelocitySensor,  ///< shows between position and velocity
 };
 
-/// What a parameter of an effect is measured in: fitted numbers are multiples of it and of order one.
+/// Unit of a parameter of an effect: fitted numbers are multiples of it and of order one.
 enum class Scale {
   kOne,
   kCurrent,    ///< valve_current_max_A
@@ -34,7 +34,7 @@ enum class Scale {
   kCubic,      ///< kStiffness over kLength squared
 };
 
-/// What a parameter may be.
+/// Range of a parameter.
 struct ParameterRange {
   double low, high;
 };
@@ -58,11 +58,11 @@ struct Parameter {
   }
 };
 
-/// What there is to know of an effect. The first parameter is the one that says how large it is.
+/// Description of an effect. The first parameter says how large it is.
 struct EffectInfo {
   const char* name;
   Side side;
-  bool nominal;   ///< its neutral value is a parameter of the nominal joint, so that 3 % beside it is no effect
+  bool nominal;   ///< its neutral value is a parameter of the nominal joint: 3 % from it is no effect
   bool either_sign;
   std::span<const Parameter> parameters;
   const char* meaning;  ///< a sentence, for reports
@@ -118,14 +118,14 @@ class Scales {
   std::array<double, 13> sizes_;
 };
 
-// What the terms of a joint read and change. T is double, or a number that carries derivatives; all values in SI,
-// actuator coordinates. A term is a class template with one constructor (the fitted numbers of its parameters, scales,
-// step) and those of the hooks below that concern it; it holds its own state.
+// Values that the terms of a joint read and change. T is double, or a number that carries derivatives; all values in
+// SI, actuator coordinates. A term is a class template with one constructor (the fitted numbers of its parameters,
+// scales, step) and the hooks below that it needs; it holds its own state.
 
 /// on_valve: the way of the current to the ports, over one substep.
 template <class T>
 struct ValveMoment {
-  T opening_A;     ///< the command's mean, then what opens the ports
+  T opening_A;     ///< the command's mean, then the current that opens the ports
   T flow_factor;   ///< on the valve gain
 };
 
@@ -145,14 +145,14 @@ struct OilMoment {
 /// on_play: the piston beside the load over one substep.
 template <class T>
 struct PlayMoment {
-  T drive;      ///< what would reach the load if the piston stood still on it
+  T drive;      ///< force that would reach the load if the piston did not move against it
   T damping;    ///< of the piston
   T stiffness;  ///< of the oil
   double step_s;
-  T moved;      ///< by how much the piston goes further than the load
+  T moved;      ///< travel of the piston beyond the load's
 };
 
-/// on_piston: what of the hydraulic force does not reach the load cell, at a sample.
+/// on_piston: the part of the hydraulic force that does not reach the load cell, at a sample.
 template <class T>
 struct PistonMoment {
   double position, velocity;
@@ -160,7 +160,7 @@ struct PistonMoment {
   T force;  ///< N or Nm, on the piston, positive along +position
 };
 
-/// on_load: what acts on the load over one substep, written in its mean velocity w: hold + slope w holds it back.
+/// on_load: forces on the load over one substep, written in its mean velocity w: hold + slope w holds it back.
 template <class T>
 struct LoadMoment {
   T position, velocity;  ///< of the load: middle of the substep, beginning of it

@@ -35,11 +35,11 @@ class ValveDynamics {
     const T error = opening_A_ - now.opening_A;
     const T opening = now.opening_A + by_error_[0] * error + by_rate_[0] * rate_A_;
     rate_A_ = by_error_[1] * error + by_rate_[1] * rate_A_;
-    // What acts over the substep is the mean of the spool's way.
+    // The mean of the spool's way acts over the substep.
     now.opening_A = 0.5 * (opening_A_ + opening);
     opening_A_ = opening;
   }
-  /// What a step makes of an opening beside the current and of the rate u_v' / w: opening beside it, rate.
+  /// Coefficients of a step: {error, rate} after it per error (opening less current) and per rate (u_v' / w) before it.
   const std::array<T, 2>& by_error() const noexcept { return by_error_; }
   const std::array<T, 2>& by_rate() const noexcept { return by_rate_; }
 

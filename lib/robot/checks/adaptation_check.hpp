@@ -5,10 +5,10 @@
 
 namespace farrier::robot {
 
-/// Adds the estimator of joints that name none, when no section has its name.
+/// Adds the estimator of joints that name none, if no section has its name.
 void add_default_estimator(RobotFile& file);
 
-/// What the estimators and the update logic ask that does not fit the periods and the gait of the file.
+/// Returns the problems of estimators and update logic with the periods and the gait of the file.
 config::Problems check_adaptation(const RobotFile& file);
 
 }  // namespace farrier::robot

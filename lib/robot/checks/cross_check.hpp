@@ -4,8 +4,8 @@
 
 namespace farrier::robot {
 
-/// What sections ask of each other besides references and adaptation: the stance lead fits into the announcement, the
-/// body of varied robots is one that these legs can carry. References must be good.
+/// Returns the problems between sections other than references and adaptation: the stance lead must fit into the
+/// announcement, and these legs must be able to carry the body of varied robots. References must be good.
 config::Problems check_between_sections(const RobotFile& file);
 
 }  // namespace farrier::robot

@@ -5,9 +5,9 @@
 
 namespace farrier::robot {
 
-/// What the deployment section asks of the robot and of itself: every joint is hosted once; sim_bridge,
-/// estimator_service and supervisor run once, gait_source at most once; processes and addresses differ, and addresses
-/// of several hosts can be reached from each other. References must be good.
+/// Returns the problems of the deployment section. Every joint must be hosted once. The processes sim_bridge,
+/// estimator_service and supervisor must run once, gait_source at most once. Processes and addresses must differ, and
+/// addresses of several hosts must be reachable from each other. References must be good.
 config::Problems check_deployment(const RobotFile& file);
 
 }  // namespace farrier::robot

@@ -15,8 +15,8 @@
 
 namespace farrier::robot {
 
-// What a robot file says about actuators and what hangs on them. The sentence, unit and range of every parameter are
-// in the `declare` functions (actuator_section.cpp); docs and checks come from there.
+// Sections of a robot file about actuators and their loads. The sentence, unit and range of every parameter are in the
+// `declare` functions (actuator_section.cpp); docs and checks come from there.
 
 inline constexpr std::size_t kLongestName = 15;  ///< of a joint, leg or section: they travel as bus keys and labels
 
@@ -60,7 +60,7 @@ struct Cylinder {
   std::optional<SensorSection> sensors;
 };
 
-/// A vane motor. What no data sheet gives is taken from a cylinder whose force would act on a mean lever.
+/// A vane motor. Values that no data sheet gives come from a cylinder whose force would act on a mean lever.
 struct RotaryMotor {
   double displacement_m3_rad = 0.0;
   double travel_rad = 0.0;
@@ -120,10 +120,10 @@ struct Load {
   config::Place place;
 };
 
-/// As a group of its own in the file.
+/// A group of its own in the file.
 struct PidSection : control::PidGains {};
 
-/// As a group of its own in the file.
+/// A group of its own in the file.
 struct FlowInversionSection : control::FlowInversionGains {};
 
 /// As in a robot file.

@@ -7,24 +7,24 @@ namespace farrier::robot {
 
 using estimation::EstimatorParams;
 
-/// What makes an estimate lead to new gains: (a) to (d) of Hubacher (2014), Section 5.3.1, in that order.
+/// Condition under which an estimate leads to new gains: (a) to (d) of Hubacher (2014), Section 5.3.1, in that order.
 enum class UpdateMethod {
   kLimits,         ///< new gains are bounded and change slowly from one estimate to the next
   kSmallError,     ///< the estimate predicts well
   kWhiteError,     ///< and its errors are white
-  kDistinctPoles,  ///< it is distinctively different from what the acting gains are for, and has converged
+  kDistinctPoles,  ///< it differs distinctly from the model of the acting gains, and has converged
 };
 
 /// As in a robot file.
 const char* to_string(UpdateMethod method) noexcept;
 
-/// When an estimate leads to new gains (Hubacher 2014, 8.2.1, Fig. 8.8), and what else new gains must hold.
+/// Conditions for new gains from an estimate (Hubacher 2014, 8.2.1, Fig. 8.8), and bounds that new gains must hold.
 struct UpdateLogicParams {
   UpdateMethod method = UpdateMethod::kDistinctPoles;
   double pole_distance_min = 0.1;   ///< to the poles the acting gains are designed for, z-plane
   double gain_ratio_min = 1.2;      ///< of the valve's gain to the one they are designed for, or its inverse; > 1
   double pole_spread_max = 0.05;    ///< of the poles that count as converged, z-plane
-  int converged_ticks = 20;         ///< for which they, or what another method asks for, must
+  int converged_ticks = 20;         ///< for which these poles, or another method's condition, must hold
   double prediction_error_max = 100;  ///< small_error, white_error: of the estimate
   double whiteness_min = 1e-24;    ///< white_error: of its errors
   double state_gain_max = 20.0;     ///< limits: norm of the normalised gains on position, velocity and force
@@ -38,12 +38,12 @@ struct UpdateLogicParams {
   double uncertainty_growth_1_s = 10.0;  ///< by which that grows while valid, converged estimates speak against it
   double error_sigmas = 2.0;        ///< standard errors of the valve's gain that new gains must survive
   double disk_margin_min = 0.05;    ///< of new gains around the model they are for, balanced, 0..2
-  double delay_margin_min_s = 0.0;  ///< delay they must bear on top of the loop's own
+  double delay_margin_min_s = 0.0;  ///< delay they must tolerate beyond the loop's own
   double physics_change_min = 0.03; ///< relative, of any of a joint's physics, for controllers that invert the flow law
   int gain_lead_ticks = 2;          ///< from the issue of gains to the tick from which they act
 };
 
-/// The sections of a robot file, and where they stand; an empty place: not in the file.
+/// The sections of a robot file, with their places; an empty place: not in the file.
 struct EstimatorSection {
   EstimatorParams params;
   config::Place place;

@@ -16,8 +16,8 @@ using farrier::Program;
 using farrier::to_string;
 
 /// The bench load that the supervisor designs the published gains for: one load for both slots of a joint, or each slot
-/// its own. kAdaptive begins with the swing load in both slots and redesigns each when its estimate says that it pays;
-/// physics for flow_inversion begin with each phase's own load, as the estimator does.
+/// its own. With kAdaptive both slots begin with the swing load, and each is redesigned when its estimate justifies it.
+/// Physics for flow_inversion begin with each phase's own load, as the estimator does.
 enum class Design { kStance, kSwing, kPhases, kAdaptive };
 /// Names of designs, as robot files and command lines have them.
 inline constexpr std::array kDesigns = {
@@ -43,7 +43,7 @@ struct Host {
   config::Place place;
 };
 
-/// How a robot's processes are spread over its computers.
+/// Distribution of a robot's processes over its computers.
 struct Deployment {
   int domain = 0;
   int session = 1;

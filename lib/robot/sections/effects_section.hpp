@@ -4,8 +4,8 @@
 
 namespace farrier::robot {
 
-// What a robot file may say beyond the thesis's model: effects of valve, lines and guides, and how sensors filter. Each
-// group may be absent, and then its effect is.
+// Sections of a robot file beyond the thesis's model: effects of valve, lines and guides, and filters of sensors. Each
+// group may be absent; its effect is then off.
 
 struct SpoolSection {
   double natural_frequency_rad_s = 1570.0;

@@ -4,8 +4,8 @@
 
 namespace farrier::robot {
 
-// What a robot file says about electric actuators and what hangs on them. The sentence, unit and range of every
-// parameter are in the `declare` functions (electric_section.cpp); docs and checks come from there.
+// Sections of a robot file about electric actuators and their loads. The sentence, unit and range of every parameter
+// are in the `declare` functions (electric_section.cpp); docs and checks come from there.
 
 /// As Stops, about a joint.
 struct RotaryStops {
@@ -48,7 +48,7 @@ struct RotaryLoad {
   double equilibrium_position_rad = 0.0;
 };
 
-/// Of an electric joint.
+/// Loads of an electric joint.
 struct RotaryLoads {
   RotaryLoad swing;
   RotaryLoad stance;

@@ -26,7 +26,7 @@ const char* text_of(plant::Side side) {
   return "";
 }
 
-/// What ranges of a scale are multiples of; empty: of 1 in the parameter's unit, and so the same for every joint.
+/// Unit of a scale's ranges, as text. Empty: the parameter's own unit, the same for every joint.
 std::string text_of(Scale scale) {
   switch (scale) {
     case Scale::kOne:

@@ -3,7 +3,7 @@
 #include "config/visitor.hpp"
 #include "estimation/estimator_params.hpp"
 
-// What a method or a gate of an estimator is told. Beside the structs, where the visitor looks for them.
+// Settings of the methods and gates of an estimator. Declared beside the structs, where the visitor finds them.
 namespace farrier::estimation {
 
 void declare(config::Visitor& v, AdaptiveForgettingParams& aff);

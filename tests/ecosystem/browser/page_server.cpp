@@ -1,8 +1,9 @@
-// Serves the page for a browser's test: of a robot that is made up, or of a recording. What the robot shall do comes as
-// lines of the standard input:
+// Serves the page for a browser's test, of a made-up robot or of a recording. Lines of the standard input command the
+// made-up robot:
 //
-//   faults <joint> <bits>     quiet     begin     (a new run; ends quiet)
+//   faults <joint> <bits>     quiet     begin     (a new run; ends quiet).
 //
+// Usage:
 // page_server <page> <robot file> <port> [<recording>]     serves; a line says where
 // page_server --record <robot file> <recording>            makes one of twelve seconds
 

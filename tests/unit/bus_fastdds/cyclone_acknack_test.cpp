@@ -1,4 +1,4 @@
-// What the Fast DDS bus changes in the acknowledgements of Cyclone, byte by byte.
+// The Fast DDS bus's changes to Cyclone's acknowledgements, byte by byte.
 
 #include "bus_fastdds/cyclone_acknack.hpp"
 

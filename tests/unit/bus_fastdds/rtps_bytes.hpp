@@ -16,7 +16,7 @@ inline constexpr std::uint8_t kInfoTimestamp = 0x09;
 inline constexpr std::uint8_t kInfoDestination = 0x0e;
 inline constexpr std::uint8_t kData = 0x15;
 
-/// What a message of a vendor's participant begins with.
+/// The first bytes of a message of a vendor's participant.
 inline Bytes header(std::uint8_t vendor = kFastDds, std::uint8_t participant = 1) {
   return {'R', 'T', 'P', 'S', 2, 1, 1, vendor, 0, 0, 0, 0, 0, 0, 0, participant, 0, 0, 0, 0};
 }

@@ -114,7 +114,7 @@ TEST(FaultyBus, CutsRepeatedOrdersByTheTickThatOthersTell) {
   EXPECT_EQ(faulty.orders(), 1u);
 }
 
-TEST(FaultyBus, TellsOfAFaultOnceWhenItFirstActs) {
+TEST(FaultyBus, ReportsAFaultOnceWhenItFirstActs) {
   const std::string cut = "joint/sensors:cut@1..3", never = "joint/sensors:loss=0", later = "joint/sensors:cut@5..9#1";
   Faulty faulty({cut, never, later});
   using Texts = std::vector<std::string>;
@@ -196,7 +196,7 @@ TEST(FaultyBus, HoldsADelayedSampleBackAndWakesTheSleeperForIt) {
   EXPECT_EQ(faulty.ticks(), Ticks{0});
 }
 
-TEST(FaultyBus, SpoilsNumbers) {
+TEST(FaultyBus, CorruptsNumbers) {
   Faulty faulty({"joint/sensors:nan=force_N_or_Nm@1..2", "joint/sensors:offset=force_N_or_Nm-0.25@2..3",
                  "joint/sensors:noise=force_N_or_Nm+0.5@3..4", "joint/sensors:frozen@4..7"});
   faulty.send_all(8);

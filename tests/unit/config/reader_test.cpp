@@ -104,7 +104,7 @@ TEST(ConfigReader, ListsTheChoicesOfAnEnum) {
   EXPECT_EQ(mistakes_with("colour: pink\n"), "cart.yaml:9: colour: pink is not known: give red, green or blue\n");
 }
 
-TEST(ConfigReader, RefusesNamesThatAreNone) {
+TEST(ConfigReader, RejectsInvalidNames) {
   EXPECT_EQ(mistakes("name: cart", "name: my cart"),
             "cart.yaml:1: name: my cart is not a name: give 1 to 8 letters, digits, \"_\" or \"-\"\n");
   EXPECT_EQ(mistakes("name: cart", "name: wheelbarrow"),

@@ -1,6 +1,6 @@
 #pragma once
 
-// What tests of the compensation of effects have in common: the plant's own terms, in SI.
+// Shared by tests of the compensation of effects: the plant's own terms, in SI.
 
 #include <vector>
 
@@ -34,7 +34,7 @@ inline plant::TermSet<double> terms_of(const std::vector<ActiveEffect>& effects)
   return terms;
 }
 
-/// What opens the plant's ports at a current, as an ideal valve's current.
+/// Current with which an ideal valve would open the plant's ports as they open at `current_A`.
 inline double opening_A(plant::TermSet<double>& terms, double current_A) {
   plant::ValveMoment<double> valve{current_A, 1.0};
   terms.on_valve(valve);

@@ -39,8 +39,8 @@ plant::HydraulicJoint held(const plant::ActuatorParams& a, double load_pressure_
 }
 
 TEST(FeedbackLinearisation, MakesTheForceRateItWantsEitherWay) {
-  // The plant's root is 0.25 % below sqrt at a drop of ten laminar pressures, here at least sixty; over 10 us the
-  // pressures move by a thousandth of the drop; damping of the piston is not in play at rest.
+  // The plant's root is 0.25 % below sqrt at a drop of ten laminar pressures; here the drop is at least sixty. Over
+  // 10 us the pressures move by a thousandth of the drop. Damping of the piston has no effect at rest.
   constexpr double kTolerance = 0.01;
   constexpr double kShort_s = 1e-5;
   const FeedbackLinearisationGains proportional{.force_1_s = 900.0, .integral_1_s2 = 0.0, .velocity_compensation = 1.0};

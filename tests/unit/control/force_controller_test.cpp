@@ -55,7 +55,7 @@ TEST(ForceController, SumsTheContributionsOfItsLayout) {
   EXPECT_FALSE(output.saturated);
 }
 
-TEST(ForceController, TakesBackItsPastCurrentsInALoopWithDelay) {
+TEST(ForceController, SubtractsItsPastCurrentsInALoopWithDelay) {
   const Gains g = stance(2);
   ForceController controller = controller_with(g);
   const double older = controller.step(40.0, kAtRest).valve_current_A;

@@ -61,7 +61,7 @@ TEST(LowPass, RunsAsItsTransferFunctionSays) {
   }
 }
 
-TEST(LowPass, OnceSettledStandsStill) {
+TEST(LowPass, OnceSettledIsConstant) {
   for (const int order : {1, 2}) {
     LowPass filter(design_low_pass({50.0, order, 0.7071}, kRate_Hz).value());
     filter.settle(0.04);

@@ -26,8 +26,8 @@ DesignStatus refusal(const DiscreteModel& model, const LqrWeights& weights = {},
   return gains.ok() ? DesignStatus::kSuccessful : gains.error();
 }
 
-// Gains of Hubacher (2014), Figs 7.4 and 7.8, read there as about [0, -4, 8]; the digits are of this implementation
-// for u > 0 in (3.51b) and V_pl of 0.6 m of line, where SLICOT agrees on the Riccati matrix.
+// Gains of Hubacher (2014), Figs 7.4 and 7.8, read there as about [0, -4, 8]. The digits are of this implementation
+// for u > 0 in (3.51b) and V_pl of 0.6 m of line. SLICOT agrees on the Riccati matrix for these.
 TEST(Lqr, GivesTheGainsOfTheThesisAtFiftyKilograms) {
   constexpr double kLastDigit = 6e-4;
   const Gains gains = designed(fc1d(50.0), Form::kFullState, 0);

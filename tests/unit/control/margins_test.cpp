@@ -169,7 +169,7 @@ TEST(Margins, ALoopThatAFilterMakesUnstableHasNone) {
 }
 
 TEST(Margins, OfTheThesissOwnSwingGainsAreAboutAFifth) {
-  // What its weights leave in swing on HyQ at 1 kHz: of the order that a careful engineer refuses (0.4 is usual).
+  // The margin that its weights leave in swing on HyQ at 1 kHz. Careful engineers refuse this order (0.4 is usual).
   const DiscreteModel leg = testing::sampled(testing::hyq(2.5));
   const Gains gains = design_lqr(leg, {}, kNormalisation, Form::kCompliant, 0).value();
   const Margins m = margins(leg, gains, 0);

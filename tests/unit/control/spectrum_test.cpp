@@ -19,7 +19,7 @@ using testing::random_matrix;
 constexpr int kCases = 400;
 // A backward stable method finds eigenvalues of a matrix a few N rounding errors of its norm away.
 constexpr double kBackwardErrorPerRow = 16.0 * std::numeric_limits<double>::epsilon();
-// What closed_loop_spectral_radius promises.
+// Tolerance that closed_loop_spectral_radius promises.
 constexpr double kRadiusTolerance = 1e-6;
 
 /// Dense, with zeros, badly scaled, or with a last row of zeros, by number.
@@ -71,7 +71,8 @@ TEST(FrancisEigenvalues, AreExactForTriangularMatricesAndCyclesTakeExceptionalSh
   }
   ASSERT_TRUE(francis_eigenvalues<4>(Eigen::Matrix4d::Zero(), z));
   EXPECT_TRUE(z.isZero(0.0));
-  // Without exceptional shifts a permutation stands still; its eigenvalues are the fourth roots of one.
+  // Without exceptional shifts the iteration leaves a permutation as it is. Its eigenvalues are the fourth roots of
+  // one.
   Eigen::Matrix4d cycle = Eigen::Matrix4d::Zero();
   cycle(0, 3) = cycle(1, 0) = cycle(2, 1) = cycle(3, 2) = 1.0;
   ASSERT_TRUE(francis_eigenvalues<4>(cycle, z));

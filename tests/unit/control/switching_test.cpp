@@ -37,7 +37,7 @@ double worst_periodic(const SwitchedLoop& a, const SwitchedLoop& b, int shortest
   return worst;
 }
 
-/// Two damped turns in ellipses across each other: each decays, and in turns they grow.
+/// Two damped turns in ellipses across each other: each decays, and alternately they grow.
 SmallMatrix turn(double stretch, double angle, double decay) {
   SmallMatrix m(2, 2);
   m << std::cos(angle), -stretch * std::sin(angle), std::sin(angle) / stretch, std::cos(angle);
@@ -58,7 +58,7 @@ TEST(Switching, CommutingLoopsHaveACommonFunction) {
   }
 }
 
-TEST(Switching, LoopsThatGrowInTurnsGetADwellTimeThatStabilisesThem) {
+TEST(Switching, LoopsThatGrowWhenAlternatedGetADwellTimeThatStabilisesThem) {
   const SwitchedLoop a = free_loop(turn(4.0, 0.5, 0.95));
   const SwitchedLoop b = free_loop(turn(0.25, 0.5, 0.95));
   ASSERT_LT(spectral_radius(a.loop), 1.0);

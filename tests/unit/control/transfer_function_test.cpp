@@ -185,7 +185,7 @@ TEST(Resonance, OfAnOscillatorIsWhereTheTextbookHasIt) {
   }
 }
 
-TEST(Resonance, IsNoneWithoutAMaximumInside) {
+TEST(Resonance, IsEmptyWithoutAMaximumInside) {
   EXPECT_FALSE(resonance(oscillator(400.0, 0.8), 1.0, 1000.0).has_value());  // zeta > 1 / sqrt(2): falls throughout
   EXPECT_FALSE(resonance(oscillator(400.0, 0.1), 100.0, 1000.0).has_value());  // it lies at 63 Hz
   SingleInOut<3> broken = oscillator(400.0, 0.1);

@@ -17,7 +17,7 @@ bool has_line(const std::string& text, const std::string& line) {
   return ("\n" + text).find("\n" + line + "\n") != std::string::npos;
 }
 
-/// What follows `flag` in a unit's command line.
+/// Returns the argument after `flag` in a unit's command line.
 std::string argument(const std::string& unit, const std::string& flag) {
   const auto at = unit.find(" " + flag + " ");
   if (at == std::string::npos) {
@@ -91,7 +91,7 @@ TEST(Rendering, LetsTheUnitAllowPrioritiesAndTheProcessSetThem) {
   EXPECT_EQ(lf.find("RestrictRealtime"), std::string::npos) << "no thread would get one";
 }
 
-TEST(Rendering, KeepsProcessorsAwakeOnTheRealTimeClockOnly) {
+TEST(Rendering, KeepsProcessorsOutOfIdleStatesOnTheRealTimeClockOnly) {
   const std::string unit = "farrier-hyq-awake.service";
   EXPECT_TRUE(has_line(text_of(rendered("front"), unit), "DeviceAllow=/dev/cpu_dma_latency rw"));
   EXPECT_NE(text_of(rendered("front"), "farrier-hyq.target").find(unit), std::string::npos);

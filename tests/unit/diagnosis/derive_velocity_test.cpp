@@ -38,7 +38,7 @@ TEST(WhiteNoise, IsFoundBeneathMotion) {
   }
 }
 
-TEST(WhiteNoise, IsNoneWithoutNoise) {
+TEST(WhiteNoise, IsZeroWithoutNoise) {
   EXPECT_LT(white_noise(Motion(5000, 0.0, 0.0).position), 1e-12);
   EXPECT_EQ(white_noise(std::vector<double>(100, 0.04)), 0.0);
   EXPECT_EQ(white_noise(std::vector<double>{1, 2, 1}), 0.0);

@@ -132,7 +132,7 @@ class RecordingFile : public ::testing::Test {
   }
   auto read(const CsvFile& file) const { return read(file.text()); }
 
-  /// What a text is refused for; empty for an accepted one.
+  /// Returns the reasons why a text is refused; empty for an accepted one.
   std::vector<Finding> findings(const std::string& text) const {
     auto recording = read(text);
     return recording ? std::vector<Finding>{} : recording.error().findings;

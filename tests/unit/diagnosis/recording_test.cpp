@@ -129,7 +129,7 @@ TEST_F(RecordingFile, WithoutVelocityHasItDerived) {
   EXPECT_TRUE(mentions(r.remarks[0], "No velocity_m_s is recorded: it is derived from position_m")) << r.remarks[0];
 }
 
-TEST_F(RecordingFile, RefusesAFileThatIsNone) {
+TEST_F(RecordingFile, RejectsFilesThatAreNoRecordings) {
   const auto refusal = [](const std::string& path) {
     const auto recording = read_recording(path);
     return recording ? "accepted" : summary(recording.error().findings) + " " + recording.error().findings[0].text;
@@ -210,7 +210,7 @@ TEST_F(RecordingFile, NamesRaggedRowsOnceAndFindsNoGapThere) {
   EXPECT_TRUE(mentions(findings(commas)[0].text, "with a decimal point, not a comma"));
 }
 
-TEST_F(RecordingFile, RefusesAFlagThatIsNone) {
+TEST_F(RecordingFile, RejectsFlagsOtherThanZeroAndOne) {
   CsvFile file = good();
   file.add("swing", "0");
   file.rows[4].back() = "1";

@@ -62,7 +62,7 @@ TEST_F(RecordingTimes, NameTimesThatGoBackAndTimesTwice) {
   EXPECT_EQ(summary(found), "duplicate_time@802 gap@803 time_backwards@1202");
 }
 
-TEST_F(RecordingTimes, NameARecordingBegunAnew) {
+TEST_F(RecordingTimes, NameARecordingThatBeginsAgain) {
   const auto found = findings_at([](double i) { return 0.001 * std::fmod(i, 1000.0); });
   ASSERT_EQ(summary(found), "time_backwards@1002");
   EXPECT_TRUE(mentions(found[0].text, "keep one recording of several")) << found[0].text;

@@ -86,7 +86,7 @@ TEST_F(ScaledRecordingFile, IsRefusedForTimesInPlaceOfNumbers) {
   EXPECT_NE(read.error().findings[0].text.find("--model"), std::string::npos);
 }
 
-TEST_F(ScaledRecordingFile, IsRefusedForValuesThatAreNone) {
+TEST_F(ScaledRecordingFile, IsRefusedForMissingOrInvalidValues) {
   EXPECT_EQ(refused(10, "10,nan,0.5,0.1").what, "nan");
   EXPECT_EQ(refused(10, "10,0.1,inf,0.1").what, "nan");
   EXPECT_EQ(refused(10, "10,,0.5,0.1").what, "empty_cell");

@@ -133,7 +133,7 @@ TEST(SubspaceOfInformation, IsDirectionalForgettingOfTheCovarianceForOneRegresso
   }
 }
 
-// What SIFt-RLS is for: a parameter that changes is followed where it is seen, what is not seen stays. Seen one at a
+// SIFt-RLS follows a changed parameter that is excited and keeps those that are not. Parameters are excited one at a
 // time, so that the information has no part that concerns two of them.
 TEST(SubspaceOfInformation, FollowsWhatIsExcitedAndKeepsWhatIsNot) {
   auto subspace = SubspaceOfInformation<4>::create(kParams).value();
@@ -149,8 +149,8 @@ TEST(SubspaceOfInformation, FollowsWhatIsExcitedAndKeepsWhatIsNot) {
   for (int k = 0; k < 400; ++k) {
     see(changed, 0, k);
   }
-  // Each parameter's information is 1 / P_0 = 1e-3 at the start, forgotten by 0.9 in each of 100 samples of 0.25 or more:
-  // 1e-3 0.9^100 against 2.5. What was known of the first is forgotten by 0.9^400.
+  // Each parameter's information is 1 / P_0 = 1e-3 at the start, forgotten by 0.9 in each of 100 samples of 0.25 or
+  // more: 1e-3 0.9^100 against 2.5. The first parameter's old information is forgotten by 0.9^400.
   constexpr double kStartLeft = 1e-6;
   EXPECT_LT((subspace.parameters() - changed).norm(), kStartLeft);
 }

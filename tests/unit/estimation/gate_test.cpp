@@ -141,7 +141,7 @@ ExcitationGate gate_of(GateKind kind) {
   return ExcitationGate::create(params).value();
 }
 
-TEST(ExcitationGate, IsOpenWithoutAGateAndClosesAnewAfterAReset) {
+TEST(ExcitationGate, IsOpenWithoutAGateAndClosesAgainAfterAReset) {
   for (const GateKind kind : {GateKind::kNone, GateKind::kPe, GateKind::kFft}) {
     ExcitationGate gate = gate_of(kind);
     EXPECT_EQ(gate.open(), kind == GateKind::kNone);

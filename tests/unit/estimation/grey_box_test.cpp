@@ -1,4 +1,4 @@
-// What the grey-box estimator learns from a joint whose physics is known.
+// Estimates of the grey-box estimator for a joint whose physics is known.
 
 #include <gtest/gtest.h>
 
@@ -72,8 +72,8 @@ TEST(GreyBox, KnowsTheMassWithin20PercentWithTheRigsNoise) {
 }
 
 TEST(GreyBox, SaysHowSureItIs) {
-  // Ten noisy runs: the mean square of (error / standard error) is 1 for a consistent estimate. What the filter
-  // allows for beside the sensors' noise (flow_error, force_error) makes it less; 4 would be overconfidence by two.
+  // Ten noisy runs: the mean square of (error / standard error) is 1 for a consistent estimate. The filter's allowances
+  // beside the sensors' noise (flow_error, force_error) make it less; 4 would be overconfidence by two.
   double sum = 0.0;
   constexpr int kRuns = 10;
   for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {

@@ -1,4 +1,4 @@
-// What a joint's estimator remembers, and when it says that it knows.
+// The memory of a joint's estimator, and when its estimate is valid.
 
 #include <gtest/gtest.h>
 
@@ -12,8 +12,8 @@ using namespace testing;
 constexpr int kSwing = 0, kStance = 1;
 constexpr int kEnough = 3000;
 constexpr double kExact = 1e-3;  // as in estimation_joint_test.cpp
-// A sample or two that are missing shift the mean by up to 1 - (5/6)^2 of itself for a dozen ticks of the 500 that are
-// remembered: a tenth of the distance of poles that counts as a change.
+// One or two missing samples shift the mean by up to 1 - (5/6)^2 of itself for a dozen ticks of the 500 that are
+// remembered. The bound is a tenth of the distance of poles that counts as a change.
 constexpr double kBridged = 0.01;
 
 EstimatorParams without_position() {
@@ -22,7 +22,7 @@ EstimatorParams without_position() {
   return params;
 }
 
-/// Samples that say nothing: the joint stands still, and its valve is shut.
+/// Samples without information: the joint does not move, and its valve is shut.
 JointSample still(Tick tick, int phase = kSwing) {
   return {.tick = tick, .state = {kHome_m, 0.0, 0.0}, .current_A = 0.0, .phase = phase};
 }
@@ -178,7 +178,7 @@ TEST(JointEstimator, LearnsNothingWrongFromAMissingTick) {
   }
 }
 
-TEST(JointEstimator, StartsItsFiltersAnewAfterALongGap) {
+TEST(JointEstimator, RestartsItsFiltersAfterALongGap) {
   JointEstimator estimates = estimator(without_position());
   Joint joint(linear_joint(kStanceMass_kg));
   feed(estimates, joint, kEnough);

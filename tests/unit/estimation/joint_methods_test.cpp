@@ -46,8 +46,9 @@ void expect_same_model(const ModelEstimate& a, const ModelEstimate& b) {
   EXPECT_EQ(a.samples, b.samples);
 }
 
-// Exact sensors and a linear joint: the start is the only error, and its share of the information is
-// 1 / P_0 = 1e-5 against 3000 samples of (2e-3)^2 in the input, less where the regressor's columns are alike.
+// Sensors are exact and the joint is linear, so the start is the only error. Its share of the information is
+// 1 / P_0 = 1e-5 against 3000 samples of (2e-3)^2 in the input. Samples inform less where the regressor's columns are
+// alike.
 TEST_P(EveryMethod, FindsALinearJointThatIsDithered) {
   JointEstimator estimates = estimator(params());
   const LinearModel truth = linear_joint(kStanceMass_kg);
@@ -126,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryMethod,
                                             ::testing::Values(GateKind::kNone, GateKind::kPe, GateKind::kFft)),
                          name_of);
 
-// A joint that stands still, its sensors exact: nothing can be learnt, and the gate sees it.
+// A joint at rest with exact sensors: nothing can be learnt, and the gate sees it.
 TEST(Gate, LeavesOutWhatDoesNotExciteAndSaysSo) {
   for (const EstimationMethod method : kEveryMethod) {
     for (const GateKind gate : {GateKind::kPe, GateKind::kFft}) {

@@ -1,4 +1,4 @@
-// What a joint's estimator does with nonsense.
+// A joint's estimator with invalid settings and samples.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What a joint's estimator finds out.
+// Estimates of a joint's estimator and their standard errors.
 
 #include <gtest/gtest.h>
 
@@ -98,7 +98,7 @@ TEST(JointEstimator, IsLessBiasedByNoiseThatTheLoopFeedsBackThanWithoutItsStateF
     EXPECT_NEAR(estimate.b(2) / truth.b(2), 1.0, 0.05);
     EXPECT_GT(estimate.validity, 0.5) << "it is of use";
   }
-  // What the update logic is told to take for a change.
+  // Pole distance that the update logic takes for a change.
   constexpr double kPoleDistance = 0.1;
   EXPECT_LT(filtered, kPoleDistance);
   EXPECT_GT(unfiltered, 5.0 * kPoleDistance);

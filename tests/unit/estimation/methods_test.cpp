@@ -53,7 +53,7 @@ TEST(AdaptiveForgetting, ForgetsInTheRowThatChangedAndOnlyThere) {
   for (const auto& [h, y] : excited<4>(truth(), 1e-3, 300, 3)) {
     adaptive.update(h, y);
   }
-  // What the start's errors left in (9.2): 0.9^300 = 2e-14 of errors of 10, over 4 sigma_v^2 = 4e-4.
+  // The start's errors leave in (9.2) 0.9^300 = 2e-14 of errors of 10, over 4 sigma_v^2 = 4e-4.
   constexpr double kLeft = 1e-8;
   EXPECT_LT((adaptive.forgetting() - Eigen::Vector3d::Ones()).norm(), kLeft) << "a tenth of the noise allowed for";
   Theta changed = truth();
@@ -188,7 +188,7 @@ TEST(InstrumentalVariable, HasNoBiasWhereTheRegressorIsNoisy) {
   EXPECT_LT(refused, kSamples / 10);
 }
 
-TEST(InstrumentalVariable, RefusesAnInstrumentThatIsNoneAndTakesTheSampleAllTheSame) {
+TEST(InstrumentalVariable, RejectsAnInvalidInstrumentAndTakesTheSampleAllTheSame) {
   auto instrumental = InstrumentalVariable<4>::create({0.95, kStart, kLimit, 0.0}).value();
   Rls<4> rls = Rls<4>::create({0.95, kStart, kLimit, 0.0}).value();
   const double kNaN = std::nan("");

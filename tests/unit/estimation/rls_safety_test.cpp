@@ -1,4 +1,4 @@
-// What the estimator does with samples that tell it nothing, or nonsense.
+// The estimator with samples that are invalid or hold no information.
 
 #include <gtest/gtest.h>
 

@@ -158,7 +158,7 @@ TEST(Rls, FollowsAChangeOfTheSystemWithinItsMemory) {
   for (const auto& [h, y] : excited<4>(after, 0.0, 100, 63)) {
     rls.update(h, y);
   }
-  // What is left of the old samples is their weight 0.9^100; an order of magnitude for the spread of the excitation.
+  // The old samples keep a weight of 0.9^100; an order of magnitude allows for the spread of the excitation.
   EXPECT_LT((rls.parameters() - after).norm(), 10.0 * std::pow(0.9, 100) * start);
 }
 

@@ -69,7 +69,8 @@ TEST(Washout, OfOrderZeroLetsEverythingThrough) {
   }
 }
 
-// What least squares relies on: x[k+1] = A x[k] + B u[k] + c of the signals is x[k+1] = A x[k] + B u[k] of what is left.
+// Least squares relies on this: if signals obey x[k+1] = A x[k] + B u[k] + c, the washed-out signals obey
+// x[k+1] = A x[k] + B u[k].
 TEST(Washout, KeepsALinearModelOfTheSignals) {
   Eigen::Matrix3d a = normal<3, 3>(2, "a", 0);
   a *= 0.9 / test::eigenvalues(a).cwiseAbs().maxCoeff();

@@ -37,7 +37,7 @@ const robot::Robot& hyq() {
 
 EstimatorService service(int delay_ticks = kNoDelay) { return EstimatorService::create(hyq(), delay_ticks).value(); }
 
-/// What a joint measures that is exactly the linear model of its load, the valve driven by white noise.
+/// Measurements of a joint that is exactly the linear model of its load. White noise drives the valve.
 class LinearJoint {
  public:
   LinearJoint(std::uint16_t number, const control::DiscreteModel& model, std::uint8_t phase = kSwing)
@@ -80,8 +80,8 @@ JointModelEstimate estimate_of(EstimatorService& estimators, LinearJoint joint, 
 
 double relative_error(double value, double truth) { return std::abs(value / truth - 1.0); }
 
-// Least squares on exact data; what is left is the prior's weight 1e-5, of which 0.998^4000 = 3e-4 remains, over an
-// information of 500 samples of full weight, (6e-3)^2, a tenth of it in the weakest direction.
+// Least squares on exact data. The error left is the prior's weight 1e-5, of which 0.998^4000 = 3e-4 remains, over the
+// information. This is 500 samples of full weight, (6e-3)^2, a tenth of it in the weakest direction.
 constexpr double kExact = 1e-5;
 // A sample that is missing moves the mean by an eighth of itself for a dozen ticks of the 500 that are remembered.
 constexpr double kOneMissing = 1e-3;

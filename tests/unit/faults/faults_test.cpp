@@ -176,7 +176,7 @@ TEST(FaultJudge, RefusesOthersThatLeaveTrackingAndTrips) {
   EXPECT_EQ(wrong(Trace().joint_is(other, JointState::kDamping, 700, 701).judged("clock_forward")), Keys{"others"});
 }
 
-TEST(FaultJudge, ExcusesOthersAfterTheComputerStoodStill) {
+TEST(FaultJudge, ExcusesOtherJointsAfterThePauseOfTheComputer) {
   const auto other = static_cast<std::uint16_t>(hit_joint(hyq()).number + 1);
   const auto untracked = [&](Tick begin, Tick end) { return Trace().joint_is(other, JointState::kNull, begin, end); };
   EXPECT_EQ(wrong(untracked(705, 724).computer_stood_still(700, 704).judged("clock_forward")), Keys{});
@@ -206,7 +206,7 @@ TEST(FaultJudge, WantsTheEventInTimeAndNotOneOfBefore) {
   EXPECT_EQ(judged_with(300), Keys{"event"});
 }
 
-TEST(FaultJudge, RefusesAFaultThatNobodyTellsOf) {
+TEST(FaultJudge, RejectsAFaultThatNoEventReports) {
   const Row& row = *find_row("loss_1");
   const auto judged_with = [&](const std::vector<std::string>& texts) {
     return wrong(judge(hyq(), row, {{400, 500}, 500, {}}, Trace().rows(), told_at(410, texts)));

@@ -97,7 +97,7 @@ TEST(JointNode, TripsWhenTheCommandIsOlderThanFiftyMilliseconds) {
   expect_null(bench.step(), Fault::kTripped);
 }
 
-TEST(JointNode, TripsWhenItStoodStillForFiftyMillisecondsThoughCommandsHaveComeSince) {
+TEST(JointNode, TripsAfterAPauseOfFiftyMillisecondsEvenIfNewerCommandsHaveArrived) {
   Bench bench = Bench::tracking();
   bench.step();
   bench.inputs.since_last_step_s = 0.050;

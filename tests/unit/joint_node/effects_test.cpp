@@ -1,5 +1,5 @@
-// A joint whose robot file has effects: sensors are corrected and the valve's effects taken back; what is published is
-// what was read and sent.
+// A joint whose robot file has effects: sensors are corrected and the valve's effects compensated. The joint publishes
+// the values that it read and sent.
 
 #include <cmath>
 

@@ -131,7 +131,7 @@ TEST(JointNodeFlowInversion, FollowsTheForceItIsAskedForFromTwentyMillisecondsOn
   }
 }
 
-// The outer loop's stiffness and damping are k / r^2 on the piston, with the lever r, and reach it in a tick: their
+// The outer loop's stiffness and damping are k / r^2 on the piston, with the lever r, and reach it in a tick. Their
 // reference must not be led like a command, which would excite the leg against them.
 TEST(JointNodeFlowInversion, HoldsALightLegUnderAStiffOuterLoopStill) {
   Bench bench = tracking();

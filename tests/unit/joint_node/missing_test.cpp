@@ -49,7 +49,7 @@ TEST(JointNode, NullsValveWhenPositionOrVelocityIsNotFinite) {
   }
 }
 
-TEST(JointNode, ActsOnNoReadingThatIsNoneOfThisJoint) {
+TEST(JointNode, IgnoresReadingsOutsideTheJointsRange) {
   const robot::Joint& joint = joint_named("lf_kfe");
   const double stroke = joint.actuator.stroke;
   const double home = joint.linkage.position(joint.home_angle_rad);
@@ -135,7 +135,7 @@ TEST(JointNode, RecoversAfterTenGoodSamples) {
   EXPECT_EQ(bench.state(), JointState::kTracking);
 }
 
-TEST(JointNode, StartsCountingAnewAfterAnotherBadSample) {
+TEST(JointNode, StartsCountingAgainAfterAnotherBadSample) {
   Bench bench = Bench::tracking();
   bench.inputs.sensors_age_s = 0.010;
   bench.step();

@@ -151,7 +151,7 @@ TEST(McapCompression, RefusesFalseSizesAndOtherCompressions) {
   EXPECT_FALSE(decompress(data, "", data.size() - 1).ok());
 }
 
-// Of the text that names the polynomial (Cook, "Catalogue of parametrised CRC algorithms", CRC-32/ISO-HDLC).
+// The check value of the polynomial's entry (Cook, "Catalogue of parametrised CRC algorithms", CRC-32/ISO-HDLC).
 TEST(McapCompression, CrcIsThatOfZip) {
   const std::string check = "123456789";
   EXPECT_EQ(crc32(std::span(reinterpret_cast<const std::uint8_t*>(check.data()), check.size())), 0xcbf43926u);

@@ -49,7 +49,7 @@ void walk_for_a_second(Feed& feed) {
   for (const robot::Joint& joint : hyq().joints) {
     feed.take(estimate(joint.number, 400, 5.0 + joint.number));
   }
-  for (const std::uint16_t joint : {std::uint16_t{0xffff}, std::uint16_t{2}}) {
+  for (const std::uint16_t joint : {signals::kNoJoint, std::uint16_t{2}}) {
     signals::SystemEvent event;
     event.participant = 1;
     event.count = joint == 2 ? 2 : 1;

@@ -186,7 +186,7 @@ TEST(ListenAddress, IsThisComputerAloneUnlessToldOtherwise) {
   EXPECT_EQ(parse_listen_address("[::1]:9464").value().text(), "[::1]:9464");
 }
 
-TEST(ListenAddress, RefusesWhatIsNone) {
+TEST(ListenAddress, RejectsInvalidAddresses) {
   for (const char* text : {"", "9464", ":", ":65536", ":94x", "1.2.3:9464", "robot:9464", "::1:9464", "[::1:9464",
                            "127.0.0.1:9464 "}) {
     const auto address = parse_listen_address(text);

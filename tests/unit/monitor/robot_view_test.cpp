@@ -147,7 +147,7 @@ TEST(RobotView, SwitchesPhasesAtTheirTick) {
   EXPECT_EQ(feed.frame().phases[1], signals::Phase::kStance);
 }
 
-TEST(RobotView, BeginsAnewWithAnotherSession) {
+TEST(RobotView, BeginsAgainWithAnotherSession) {
   Feed feed;
   walk_for_a_second(feed);
   feed.take(hello(0, "sim_bridge", kSession + 1));

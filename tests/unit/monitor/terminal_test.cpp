@@ -83,7 +83,7 @@ class OnTerminal {
     return -1;
   }
 
-  /// Whether lines are edited and keys echoed as they were at the beginning.
+  /// True if lines are edited and keys echoed as they were at the beginning.
   bool restored() const {
     termios now{};
     ::tcgetattr(end_, &now);

@@ -34,14 +34,14 @@ class Watched : public ::testing::Test {
   Watch watch_ = Watch::create(*bus_, hyq()).value();
 };
 
-TEST_F(Watched, IsHeldUpByNoReader) {
+TEST_F(Watched, BlocksNoWriter) {
   for (const bus::TopicId topic : RobotView::topics()) {
     const bus::Qos asked = recorder::watching_endpoint(hyq(), topic).qos;
     const bool stream = bus::spec(topic).realtime.durability == bus::Durability::kVolatile;
     EXPECT_EQ(asked.reliability, stream ? bus::Reliability::kBestEffort : bus::Reliability::kReliable);
     EXPECT_EQ(asked.liveliness, bus::Liveliness::kAutomatic);
   }
-  // Nobody takes these: writers go on, and the newest are there for whoever looks.
+  // No process takes these samples: writers go on, and the next look finds the newest.
   auto summaries = writer<signals::JointSummary>();
   for (Tick tick = 20; tick <= 20'000; tick += kTicksPerSummary) {
     EXPECT_TRUE(summaries.publish(summary(0, tick)));
@@ -62,7 +62,7 @@ TEST_F(Watched, IsSeenInTheNextFrame) {
   EXPECT_TRUE(frame.events.empty());
 }
 
-TEST_F(Watched, TellsOneWhoComesLateWhatWasAnnounced) {
+TEST_F(Watched, GivesALateJoinerTheAnnouncements) {
   auto hellos = writer<signals::SystemHello>();
   hellos.publish(hello(1, "supervisor"));
   Watch late = Watch::create(*bus_, hyq()).value();

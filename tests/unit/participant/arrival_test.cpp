@@ -19,7 +19,7 @@ class Sender {
  public:
   explicit Sender(Arrival& arrival) : arrival_(arrival) {}
 
-  /// How late it is held to be; nothing when it is not taken.
+  /// Returns how late the sample is held to be; nothing if it is not taken.
   std::optional<Nanoseconds> late(Tick tick, Nanoseconds way, Nanoseconds drift = 0ns) {
     const SteadyTime came = kStart + tick * 1ms + way;
     const auto at = arrival_.take(tick, kSendersStart_ns + (tick * 1ms + drift).count(), came);
@@ -30,7 +30,7 @@ class Sender {
   Arrival& arrival_;
 };
 
-TEST(Arrival, HoldsTheQuickestWayForTheOneThatNothingHeldUp) {
+TEST(Arrival, TakesTheShortestDelayForTheUndisturbedOne) {
   Arrival arrival;
   Sender sender(arrival);
   EXPECT_EQ(sender.late(0, 300us), 0us);
@@ -48,7 +48,7 @@ TEST(Arrival, TakesNoSampleThatIsNotNewer) {
   EXPECT_TRUE(sender.late(6, 100us));
 }
 
-TEST(Arrival, TakesASenderThatBeganAnewAfterASilence) {
+TEST(Arrival, TakesASenderThatRestartedAfterASilence) {
   Arrival arrival;
   Sender sender(arrival);
   EXPECT_TRUE(sender.late(5000, 100us));
@@ -63,7 +63,7 @@ TEST(Arrival, HoldsForLateWhatWaitedThroughASilence) {
   for (Tick tick = 0; tick < 10; ++tick) {
     sender.late(tick, 200us);
   }
-  // Whoever of the two was stopped for 0.15 s: the first that comes is as old as that, the next is not.
+  // Either of the two was stopped for 0.15 s: the first sample that comes is as old as that, the next is not.
   EXPECT_GT(*sender.late(10, 150ms), 149ms);
   EXPECT_LT(*sender.late(161, 250us), 100us);
 }

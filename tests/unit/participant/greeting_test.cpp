@@ -216,7 +216,7 @@ TEST_F(Greeting, NumbersItsEvents) {
                     *listener.bus, endpoint_of(run.identity(1, ""), bus::TopicId::kSystemEvent))
                     .value();
   clock->event(EventKind::kGainsRefused, 12, 4, "not finite");
-  clock->event(EventKind::kEstimatesBegin, 13, 0xffff);
+  clock->event(EventKind::kEstimatesBegin, 13, signals::kNoJoint);
   std::vector<signals::SystemEvent> heard;
   events.drain([&](const signals::SystemEvent& event) { heard.push_back(event); });
   ASSERT_EQ(heard.size(), 2u);

@@ -1,5 +1,5 @@
-// What the sender thread does at leisure, and that it is called back from it; what a control thread does that could not
-// run.
+// The sender thread has a lower priority until outputs call it back. A control thread that could not run lets in the
+// inputs that came meanwhile.
 
 #include "participant/realtime_loop.hpp"
 

@@ -32,7 +32,7 @@ TEST(Silence, IsToldOnceAndItsEndOnce) {
   EXPECT_EQ(silence.look(kStart + 2s + 10ms), std::nullopt);
 }
 
-TEST(Silence, OfWhoStoodStillItselfIsNone) {
+TEST(Silence, IsNotReportedAfterAPauseOfTheListenerItself) {
   Silence silence(50ms, kEstimatesSilent, kEstimatesHeard);
   silence.heard(kStart);
   EXPECT_EQ(silence.look(kStart + 10ms), std::nullopt);

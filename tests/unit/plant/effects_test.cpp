@@ -168,7 +168,7 @@ TEST(Effects, StayPhysicalTogetherUnderViolentValveNoise) {
     const EffectReadings e = joint.effects();
     ASSERT_GE(std::min({s.pressure_a_Pa, s.pressure_b_Pa, e.line_pressure_a_Pa, e.line_pressure_b_Pa}), 0.0);
     ASSERT_LT(std::max({s.pressure_a_Pa, s.pressure_b_Pa, e.line_pressure_a_Pa, e.line_pressure_b_Pa}), 100e6);
-    // Of the friction's state a step states an error of 1e-6 of the supply's full push, 2500 N, per substep.
+    // A step states an error of the friction's state: 1e-6 of the supply's full push, 2500 N, per substep.
     ASSERT_LE(std::abs(e.friction), kRigFriction.breakaway + 0.05) << "tick " << tick;
     ASSERT_LE(std::abs(e.opening_A), joint.actuator().valve_current_max_A);
     ASSERT_TRUE(std::isfinite(joint.load_cell_force()));
@@ -197,7 +197,7 @@ TEST(Effects, StepDoesNotAllocate) {
   EXPECT_EQ(guard.allocations(), 0u);
 }
 
-// What reaches the integrator with every effect at once must be as good as it says: against itself at a finer tolerance.
+// With every effect at once the integrator must be as accurate as it states, compared with a finer tolerance.
 TEST(Effects, TighterToleranceBringsTheTrajectoryCloser) {
   HydraulicJoint finest = test::joint_at_rest(with_everything(), sticky_load(), 1e-11);
   HydraulicJoint fine = test::joint_at_rest(with_everything(), sticky_load(), 1e-8);

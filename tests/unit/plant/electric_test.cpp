@@ -17,7 +17,7 @@ namespace electric_test {
 constexpr double kPeriod_s = 1e-3;
 constexpr double kRounding = 1e-12;
 
-/// Of deploy/robots/electric_leg.yaml.
+/// The drive of deploy/robots/electric_leg.yaml.
 ElectricParams drive() {
   return {.torque_constant_Nm_A = 0.1,
           .winding_resistance_Ohm = 0.16,
@@ -54,7 +54,7 @@ ElectricJoint joint_at(const ElectricParams& actuator, const LoadParams& load, E
 double output_constant(const ElectricParams& a) { return a.gear_ratio * a.torque_constant_Nm_A; }
 double output_inertia(const ElectricParams& a) { return a.rotor_inertia_kg_m2 * a.gear_ratio * a.gear_ratio; }
 
-/// Of load, rotor, springs and winding. With the command at 0 nothing adds to it:
+/// The energy of load, rotor, springs and winding. With the command at 0 nothing adds to it:
 ///   E' = -d_l v^2 - d_r w^2 - T_c phi(w) w - b (w - v)^2 - R i^2.
 double stored_energy_J(const ElectricJoint& joint) {
   const ElectricParams& a = joint.actuator();

@@ -84,8 +84,9 @@ TEST(FullModel, IsTheJacobianOfTheSimulatedJointInItsLaminarRangeToo) {
     }
     const StateSpace<4> model = linearise_full(one.actuator, one.load, one.chambers);
     const Eigen::Vector4d size = rate(x, u).cwiseAbs() + Eigen::Vector4d{1.0, 1e3, 1e10, 1e10};
-    // Richardson's extrapolation of central differences: (h / scale)^4 with scales 1 mm of stroke, 1 m/s, delta = 1e5
-    // Pa and the current; h is 1e-2 of them, so 1e-8 of slopes that are themselves within a few of the largest.
+    // Richardson's extrapolation of central differences has the error (h / scale)^4 with scales 1 mm of stroke, 1 m/s,
+    // delta = 1e5 Pa and the current. The step h is 1e-2 of them, so the error is 1e-8 of slopes that are themselves
+    // within a few of the largest.
     const Eigen::Vector<double, 5> step{1e-5, 1e-2, 500.0, 500.0, 5e-7};
     constexpr double kTruncation = 1e-7;
     for (int column = 0; column < 5; ++column) {

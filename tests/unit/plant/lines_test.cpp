@@ -71,7 +71,7 @@ TEST(Lines, SwingAtTheirAnalyticFrequencyAndDecay) {
   EXPECT_NEAR(swing.decay_1_s, decay_1_s, 0.02 * decay_1_s);  // extremes are read at samples: within 1 - cos(w h / 2)
 }
 
-// Into a chamber so large that its pressure stands still the line's first mode is the quarter wave, c / (4 L).
+// Into a chamber so large that its pressure is constant the line's first mode is the quarter wave, c / (4 L).
 TEST(Lines, HaveTheQuarterWaveOfATrueLineBeforeALargeChamber) {
   ActuatorParams actuator = test::rig_cylinder();
   actuator.line = kLine;
@@ -82,7 +82,7 @@ TEST(Lines, HaveTheQuarterWaveOfATrueLineBeforeALargeChamber) {
   EXPECT_NEAR(swing_of(actuator, 4000).frequency_Hz, quarter_Hz, 3e-3 * quarter_Hz);
 }
 
-// V_v c_v + V_a c_a stands still where volumes do: (2.10) with the line's flow from one to the other.
+// V_v c_v + V_a c_a is constant where volumes are: (2.10) with the line's flow from one to the other.
 TEST(Lines, KeepTheOilThatIsInThemWhenTheValveIsShut) {
   ActuatorParams actuator = test::rig_cylinder();
   actuator.line = kLine;

@@ -118,7 +118,7 @@ TEST(Linkage, RotaryMotorCountsFromItsZero) {
   EXPECT_EQ(motor.lever_slope(0.3), 0.0);
 }
 
-TEST(Linkage, RefusesTrianglesThatAreNone) {
+TEST(Linkage, RejectsImpossibleTriangles) {
   const auto refused = Linkage::triangle({0.3, 0.0, 4.0, 0.5, 1.0, 0.281});
   ASSERT_FALSE(refused.ok());
   for (const char* word : {"side_b_m", "angle_at_zero_rad", "angle_sign"}) {

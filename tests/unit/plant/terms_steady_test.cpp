@@ -32,7 +32,7 @@ void settle(HydraulicJoint& joint, double current_A, double force, int ticks = 3
   }
 }
 
-/// Whether a joint with the effect is the nominal one under another command, bit for bit.
+/// Expects a joint with the effect to be the nominal one under another command, bit for bit.
 template <class Command>
 void expect_same_as_command(const ActiveEffect& effect, Command command) {
   HydraulicJoint with = joint_with(kCylinder, kLoad, {effect});

@@ -27,7 +27,7 @@ ActiveEffect with_first(EffectId id, double fitted) {
   return effect;
 }
 
-/// Of those in the plant, each as large as its fit begins.
+/// Every effect in the plant, each as large as its fit begins.
 std::vector<ActiveEffect> everything() {
   std::vector<ActiveEffect> effects;
   for (EffectId id = 0; id < kEffectCount; ++id) {

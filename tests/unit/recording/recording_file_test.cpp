@@ -38,7 +38,7 @@ class RunFile : public testing::Test {
             .cdr = cdr_};
   }
 
-  /// How reading it ends, which must give no sample.
+  /// Returns the ending that the reader states. Reading must give no sample.
   std::string ending_without_samples() const {
     auto reader = RunFileReader::open(path_);
     EXPECT_TRUE(reader.ok());
@@ -130,8 +130,8 @@ TEST_F(RunFile, TakesTheNameOfAnEarlierOneWhenItIsWhole) {
   EXPECT_TRUE(reader.value().next(sample));
 }
 
-// A pipe that nobody empties takes 64 KiB and then nothing: a disk that stands still.
-TEST_F(RunFile, ADiskThatStandsStillCostsSamplesAndNeverTime) {
+// A pipe that no process empties takes 64 KiB and then nothing, like a stalled disk.
+TEST_F(RunFile, AStalledDiskCostsSamplesAndNeverTime) {
   ASSERT_EQ(::mkfifo(path_.c_str(), 0600), 0);
   const int reading = ::open(path_.c_str(), O_RDONLY | O_NONBLOCK);
   ASSERT_GE(reading, 0);

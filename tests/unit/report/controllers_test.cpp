@@ -1,4 +1,4 @@
-// What the comparison of controllers comes to, from rows of known size.
+// Results of the comparison of controllers, from rows of known size.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What processes grow by is judged by the one that grows most, which is named.
+// Growth of processes is judged by the one that grows most, which is named.
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What hidden effects that were looked for come to.
+// Results of searches for hidden effects.
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-// What farrier echo prints of a sample.
+// The text that farrier echo prints for a sample.
 
 #include "report/figures/sample_text.hpp"
 

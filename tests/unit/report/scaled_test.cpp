@@ -17,7 +17,7 @@ using diagnosis::ScaledDiagnosis;
 using diagnosis::Verdict;
 using testing::id_of;
 
-/// Of a valve that is full open at 2.
+/// The scales of a joint whose valve is fully open at 2.
 plant::Scales scales() {
   return {plant::ActuatorParams{.area_a = 1.0,
                                 .area_b = 1.0,

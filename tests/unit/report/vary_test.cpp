@@ -1,4 +1,4 @@
-// What a varied trot comes to, from rows of known size.
+// Results of a varied trot, from rows of known size.
 
 #include <gtest/gtest.h>
 
@@ -57,7 +57,7 @@ double value(const Figures& figures, const std::string& name) {
   return figure == nullptr ? kNaN : figure->value;
 }
 
-TEST(VaryFigures, HoldWhereAdaptationIsAsGoodAsPerfectKnowledge) {
+TEST(VaryFigures, HoldWhereAdaptationEqualsPerfectKnowledge) {
   const Figures figures = figures_of(rows());
   EXPECT_TRUE(figures.all_hold());
   EXPECT_EQ(value(figures, "seeds"), 3);

@@ -1,4 +1,4 @@
-// What a robot file says about estimators, the update logic and the dither.
+// Estimators, update logic and dither in a robot file.
 
 #include <gtest/gtest.h>
 

@@ -65,7 +65,7 @@ TEST(JointEffects, AreNoneInRobotsThatSayNothingOfThem) {
   }
 }
 
-// All 22 on a cylinder and on a motor: whoever adds one gets its place in files with it.
+// All 22 on a cylinder and on a motor. A new effect gets its place in files without a change here.
 TEST(JointEffects, CanAllBeSaidAndComeBackFromThePrintedConfiguration) {
   const Robot plain = load_shipped("hyq");
   for (const char* name : {"lf_hfe", "rh_haa"}) {

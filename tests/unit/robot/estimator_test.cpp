@@ -1,4 +1,4 @@
-// What a robot file says about the method and the gate of an estimator, and the estimator it gets.
+// Method and gate of an estimator in a robot file, and the estimator that they make.
 
 #include <gtest/gtest.h>
 

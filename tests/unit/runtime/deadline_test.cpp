@@ -46,8 +46,8 @@ TEST(NextDeadline, ToleratesAClockReadBeforeThePreviousDeadline) {
   EXPECT_EQ(deadline.missed, 0u);
 }
 
-// Whatever the lateness: the deadline is on the grid, after now, within a period of it, and every grid point is
-// either woken up for or counted as missed.
+// With any lateness the deadline is on the grid, after now and within a period of it. Every grid point is either woken
+// up for or counted as missed.
 TEST(NextDeadline, AccountsForEveryPeriodUnderRandomLateness) {
   std::mt19937_64 random(7);
   std::exponential_distribution<double> lateness_ms(0.7);

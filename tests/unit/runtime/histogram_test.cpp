@@ -13,7 +13,7 @@ namespace histogram_test {
 
 using namespace std::chrono_literals;
 
-// What the class states. Half a bin, 2^(1/32) - 1 = 2.2 %, is what the middle of the right bin can be off.
+// The error that the class states. The middle of the right bin can be off by half a bin, 2^(1/32) - 1 = 2.2 %.
 constexpr double kStatedError = 0.045;
 
 TEST(LatencyHistogram, IsZeroWithoutSamples) {

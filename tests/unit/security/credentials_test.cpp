@@ -1,4 +1,4 @@
-// What a process refuses to start with, before DDS sees it.
+// Credentials with which a process refuses to start, before DDS sees them.
 
 #include "security/credentials.hpp"
 

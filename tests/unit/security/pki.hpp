@@ -1,6 +1,6 @@
 #pragma once
 
-// Keys and permissions for tests, made once per binary; copies of them to spoil.
+// Keys and permissions for tests, made once per binary; copies of them to corrupt.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ class Pki {
   std::string out() const { return folder_.file("keys"); }
   std::string ca() const { return folder_.file("ca"); }
 
-  /// A copy of what they issued, to spoil; it goes with this object.
+  /// A copy of the issued folder, to corrupt; it goes with this object.
   std::string copy() {
     const std::string path = folder_.file("copy" + std::to_string(++copies_));
     std::filesystem::copy(out(), path, std::filesystem::copy_options::recursive);

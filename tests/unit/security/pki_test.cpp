@@ -1,4 +1,4 @@
-// What `farrier security init` makes.
+// The files that `farrier security init` makes.
 
 #include "tools/pki/pki.hpp"
 
@@ -30,7 +30,7 @@ bus::SecurityFiles files(bus::Role role, bus::Vendor vendor) {
   return security::files_of(shared().out(), role, vendor);
 }
 
-/// What stands between the tags, once per occurrence.
+/// The texts between the tags, one per occurrence.
 std::multiset<std::string> all_between(const std::string& text, const std::string& open, const std::string& close) {
   std::multiset<std::string> found;
   for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at + 1)) {

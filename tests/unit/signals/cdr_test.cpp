@@ -43,7 +43,7 @@ TYPED_TEST(SignalCdr, RefusesBytesOfAnotherLengthOrEncoding) {
   EXPECT_FALSE(from_cdr(bytes, back));
 }
 
-// Of idl/clock_tick.idl: two bytes, padding up to eight, eight bytes.
+// The struct of idl/clock_tick.idl: two bytes, padding up to eight, eight bytes.
 TEST(SignalCdrBytes, LieAtMultiplesOfTheirSize) {
   std::vector<std::uint8_t> bytes;
   to_cdr(ClockTick{.clock = 0x0102, .tick = 0x0a}, bytes);

@@ -104,9 +104,9 @@ TEST(SimWorld, IsNotDisturbedByBeingLookedAt) {
   EXPECT_TRUE(same_state(row_of(watched, 4), row_of(alone, 4)));
 }
 
-// The cart's springs are slack at home, so the shut rig is in equilibrium: what it moves is the rounding of pressures
-// of 1e7 Pa (2e-9 Pa) that act on 2e-4 m^2, 4e-13 N against more than 1e6 N/m, over and over.
-TEST(SimWorld, StandsStillWithAShutValveAndNoForce) {
+// The cart's springs are slack at home, so the shut rig is in equilibrium. It moves by the rounding of pressures of
+// 1e7 Pa (2e-9 Pa) that act on 2e-4 m^2. This is 4e-13 N against more than 1e6 N/m, over and over.
+TEST(SimWorld, DoesNotMoveWithAShutValveAndNoForce) {
   robot::Robot rig = robot::load_shipped("fc1d");
   SimWorld world = world_of(rig);
   const double start = row_of(world, 0).position_m_or_rad;

@@ -89,7 +89,7 @@ inline signals::UpdateVerdict verdict_of(const signals::JointUpdateDecision& dec
   return static_cast<signals::UpdateVerdict>(decision.verdict);
 }
 
-/// What comes of the same estimate time and again, until it is accepted or `looks` are over.
+/// Returns the decisions on the same estimate, shown until it is accepted or `looks` are over.
 inline std::vector<signals::JointUpdateDecision> insist(SlotUpdate& slot, const signals::JointModelEstimate& estimate,
                                                         int looks) {
   std::vector<signals::JointUpdateDecision> decisions;

@@ -73,7 +73,7 @@ TEST(SupervisorOrders, WhoTakesOverWritesWhatActsUnderItsOwnAuthority) {
   EXPECT_EQ(written.effective_tick, newest.effective_tick);
 }
 
-TEST(SupervisorOrders, WhoTakesOverKeepsTheEpochOfTheModeSoThatNothingIsArmedAnew) {
+TEST(SupervisorOrders, TakingOverKeepsTheEpochOfTheModeSoThatNothingIsArmedAgain) {
   Supervisor leader = adaptive();
   Supervisor standby = adaptive();
   mirror_all(standby, leader.step(0));

@@ -1,4 +1,4 @@
-// What of a slot's decisions is worth telling, and what they cost.
+// Decisions of a slot that are worth reporting, and their cost.
 
 #include <gtest/gtest.h>
 
@@ -59,7 +59,7 @@ TEST(SlotUpdate, OnlyEverHasGainsThatAreStableOnTheirModel) {
   const NoiseStream noise(3, "slot", "model");
   int accepted = 0;
   for (int look = 0; look < 3000; ++look) {
-    // A model that stands still for long enough, and is then quite another one.
+    // A model that stays the same for long enough, and is then quite another one.
     control::DiscreteModel model = model_of(cart(20.0));
     for (int i = 0; i < 9; ++i) {
       model.a(i) *= 1.0 + 2.0 * noise.normal(look / 5 * 16 + i);

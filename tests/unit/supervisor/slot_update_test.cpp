@@ -52,7 +52,7 @@ TEST(SlotUpdate, AcceptsAConvergedEstimateWithTheGainsAnLqrForItHas) {
       << "it is what the gains are designed for now";
 }
 
-TEST(SlotUpdate, WaitsUntilThePolesHaveStoodStill) {
+TEST(SlotUpdate, WaitsUntilThePolesHaveConverged) {
   SlotUpdate slot = slot_for(cart(20.0), credulous());
   const auto decisions = insist(slot, estimate_of(model_of(cart(kHeavy_kg))), kLong);
   const auto waited = static_cast<std::size_t>(rig().update_logic.converged_ticks / rig().estimate_period_ticks);

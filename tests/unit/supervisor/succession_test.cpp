@@ -1,4 +1,4 @@
-// Who leads when several supervisors are there, on a clock of the test's own.
+// The choice of a leader among several supervisors, on a clock of the test's own.
 
 #include "supervisor/succession.hpp"
 
@@ -65,7 +65,7 @@ TEST(Succession, NewLeaderWritesAgainUntilEveryReaderHasNoticedTheSilence) {
   EXPECT_GT(last, 21ms + Succession::kSilence) << "a reader may declare the old leader dead a lease later";
 }
 
-TEST(Succession, OneThatWasReplacedWhileItStoodStillStandsDown) {
+TEST(Succession, OneThatWasReplacedDuringAPauseStandsDown) {
   Succession stale(false);
   ASSERT_EQ(stale.step(0, at(0ms)), Duty::kNone);
   EXPECT_EQ(stale.step(2, at(300ms)), Duty::kStandDown);

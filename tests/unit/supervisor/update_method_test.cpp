@@ -53,7 +53,7 @@ TEST(UpdateMethods, AcceptTheSameGainsOfAGoodEstimateAfterTheSameWait) {
   }
 }
 
-// What the thesis holds against (a) to (c), and for (d).
+// The argument of the thesis against (a) to (c), and for (d).
 TEST(UpdateMethods, GoOnDesigningForTheSameEstimateUnlessTheyAskWhetherItIsDifferent) {
   for (const UpdateMethod method : kMethods) {
     SlotUpdate slot = slot_for(cart(20.0), by(method));
@@ -94,7 +94,7 @@ TEST(UpdateMethods, ByWhitenessWaitUntilNothingIsLeftInTheErrors) {
   }
 }
 
-TEST(UpdateMethods, ByErrorBeginToWaitAnewAfterABadOne) {
+TEST(UpdateMethods, ByErrorBeginToWaitAgainAfterABadOne) {
   SlotUpdate slot = slot_for(cart(20.0), by(UpdateMethod::kSmallError));
   JointModelEstimate bad = good();
   bad.prediction_error = 1e6;
@@ -159,7 +159,7 @@ TEST(UpdateMethods, ByLimitsWaitWhileGainsChangeFasterThanEachRate) {
   EXPECT_EQ(accepted_with([](auto& l) { l.feed_forward_rate_max_1_s = 1e-3; }), 0);
 }
 
-TEST(UpdateMethods, ByLimitsBeginToWaitAnewAfterADesignThatWasRefused) {
+TEST(UpdateMethods, ByLimitsBeginToWaitAgainAfterADesignThatWasRefused) {
   SlotUpdate slot = slot_for(cart(20.0), by(UpdateMethod::kLimits));
   for (int look = 0; look < kLong; ++look) {
     const bool often_enough = look % static_cast<int>(waited() + 1) == 0;
@@ -168,7 +168,7 @@ TEST(UpdateMethods, ByLimitsBeginToWaitAnewAfterADesignThatWasRefused) {
   }
 }
 
-// Whatever asks for a design, these are asked of it.
+// These are asked of a design of every method.
 TEST(UpdateMethods, HaveTheSafetyOfNewGainsInCommon) {
   for (const UpdateMethod method : kMethods) {
     SCOPED_TRACE(robot::to_string(method));

@@ -49,7 +49,7 @@ TEST(FictivePeak, SharesAreOfTheModelsBetweenTwoTimes) {
   EXPECT_DOUBLE_EQ(fictive_share(run, 0.03, 1.0), 0.0);
 }
 
-TEST(Distance, IsNoneToTheModelItselfAndThatOfAFactorInDecibels) {
+TEST(Distance, IsZeroToTheModelItselfAndThatOfAFactorInDecibels) {
   control::DiscreteModel doubled = resonant(100.0, 0.3);
   doubled.b *= 2.0;
   const ChirpEstimates run = run_of({resonant(100.0, 0.3), doubled, doubled});

@@ -105,7 +105,7 @@ TEST(ThesisErrata, GainGrowsUnderWeakExcitationInsteadOfVanishing) {  // (6.23)
 }
 
 TEST(ThesisErrata, SamplingAHeldInputDoesNotAlias) {  // 6.3.1
-  // The light load of Fig. 6.2, column three: its response has not decayed at half the sampling rate, and least squares
+  // The light load of Fig. 6.2, column three: its response has not decayed at half the sampling rate. Least squares
   // still finds the sampled model to rounding, since the input is held and the whole state is measured.
   const auto model = control::normalise(control::testing::sampled(control::testing::fc1d(0.5)),
                                         control::testing::kNormalisation);

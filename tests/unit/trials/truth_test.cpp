@@ -154,7 +154,7 @@ TEST(Truth, HalvingTheStepChangesLessThanSensorsSee) {
   }
 }
 
-/// Flow into chamber a of a piston that stands still, m^3/s.
+/// Flow into chamber a of a piston at rest, m^3/s.
 double flow_a(const Machine& m, const Vector& x, double current_A, double time_s = 0.0) {
   Vector dx;
   differentiate(m, time_s, x, {current_A, 0.0}, dx);

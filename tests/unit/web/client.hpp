@@ -1,6 +1,6 @@
 #pragma once
 
-// What a browser would ask of the page's server, and a page in miniature.
+// Requests of a browser to the page's server, and a page in miniature.
 
 #include <filesystem>
 #include <fstream>
@@ -31,7 +31,7 @@ inline httplib::Client client(const WebDisplay& display) {
   return client;
 }
 
-/// What /api/frames sends until `enough` frames and gaps have come.
+/// Returns the text that /api/frames sends until `enough` frames and gaps have come.
 inline std::string stream(const WebDisplay& display, std::size_t enough, const httplib::Headers& headers = {}) {
   std::string text;
   client(display).Get("/api/frames", headers, [&](const char* data, std::size_t size) {

@@ -65,7 +65,7 @@ TEST(FrameJson, RoundsToSixDigits) {
   }
 }
 
-TEST(FrameJson, BearsTextsThatAreNoUtf8) {
+TEST(FrameJson, AcceptsTextsThatAreNoUtf8) {
   monitor::EventFrame event;
   event.text = "caf\xe9 \xff</script>\n";
   EXPECT_NO_THROW(json::parse(event_json(event)));
