@@ -31,7 +31,8 @@ std::size_t comment_at(const std::string& line) {
       } else if (line[i] == quote) {
         quote = 0;
       }
-    } else if (line[i] == '"' || (line[i] == '\'' && (i == 0 || std::isalnum(static_cast<unsigned char>(line[i - 1])) == 0))) {
+    } else if (line[i] == '"' ||
+               (line[i] == '\'' && (i == 0 || std::isalnum(static_cast<unsigned char>(line[i - 1])) == 0))) {
       quote = line[i];
     } else if (line.compare(i, 2, "//") == 0) {
       return i;
@@ -92,6 +93,9 @@ std::vector<Sentence> sentences_of(const architecture::Source& source) {
     std::size_t text = place;
     while (text < line.size() && (line[text] == '/' || line[text] == '<')) {
       ++text;
+    }
+    if (line.compare(text, 11, " namespace ") == 0) {
+      continue;  // the comment behind a closing brace
     }
     std::istringstream stream(line.substr(text));
     for (std::string word; stream >> word;) {
