@@ -27,7 +27,7 @@ class GrowthWatch {
   void tick(Tick now) noexcept { now_ = now; }
 
   /// Ends the watch and returns the growth by process, from the first look after a tenth of the run to the last one.
-  /// Nothing for a process that was left out or had ended by then. Empty if there were fewer than two such looks.
+  /// A process that was left out or had ended by then has no value. Empty if there were fewer than two such looks.
   std::vector<std::optional<Growth>> growths();
 
  private:
