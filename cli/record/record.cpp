@@ -5,6 +5,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
@@ -24,6 +25,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kNextLook = 5ms;  // the deepest history is of 256 samples at 1 kHz
+
+/// A recording with a duration ends if nothing has come by then. Discovery can take seconds on a busy computer.
+constexpr auto kFirstSampleLimit = 10s;
 
 struct RecordOptions {
   std::string path;
@@ -55,14 +59,18 @@ std::string sum_text(const Sum& sum, const recording::BackgroundWriter& file) {
          report::short_number(static_cast<double>(file.bytes()) / 1e6) + " MB";
 }
 
-/// Records until somebody asks it to stop, the time is over or the disk refuses.
+/// Records until somebody asks it to stop, the time is over or the disk refuses. `duration_s` counts from the first
+/// sample, because discovery takes a part of a second or, on a busy computer, several.
 void record(bus::Bus& bus, recorder::Recorder& recorder, recording::BackgroundWriter& file, double duration_s) {
   const bool terminal = ::isatty(STDERR_FILENO) == 1;
-  const SteadyTime begin = participant::steady_now();
-  SteadyTime next_line = begin + 1s;
+  const SteadyTime joined = participant::steady_now();
+  std::optional<SteadyTime> first_sample;
+  SteadyTime next_line = joined + 1s;
   while (!participant::stop_requested() && file.failure().empty()) {
     const SteadyTime now = participant::steady_now();
-    if (duration_s > 0.0 && std::chrono::duration<double>(now - begin).count() >= duration_s) {
+    const bool over = first_sample ? std::chrono::duration<double>(now - *first_sample).count() >= duration_s
+                                   : now - joined >= kFirstSampleLimit;
+    if (duration_s > 0.0 && over) {
       break;
     }
     if (terminal && now >= next_line) {
@@ -71,7 +79,10 @@ void record(bus::Bus& bus, recorder::Recorder& recorder, recording::BackgroundWr
     }
     // Not at every arrival: twenty thousand of them come in a second.
     bus.wait_for_arrivals(~std::uint64_t{0}, kNextLook);
-    recorder.drain([&](const recording::Sample& sample) { file.offer(sample); });
+    recorder.drain([&](const recording::Sample& sample) {
+      first_sample = first_sample.value_or(now);
+      file.offer(sample);
+    });
   }
   if (terminal) {
     std::fputs("\r\033[K", stderr);
@@ -133,7 +144,7 @@ std::function<int()> declare_record(CLI::App& app) {
   auto o = std::make_shared<RecordOptions>();
   app.add_option("file", o->path, "where the recording goes, such as run.mcap")->required()->type_name("<file>");
   declare_topic_choice(app, o->topics);
-  app.add_option("--duration", o->duration_s, "ends after so many seconds; with Ctrl-C unless told")
+  app.add_option("--duration", o->duration_s, "seconds from the first sample; without it, Ctrl-C ends the recording")
       ->check(CLI::PositiveNumber)
       ->type_name("<s>");
   app.add_option("--fact", o->facts, "something else that the recording is to say of the run")

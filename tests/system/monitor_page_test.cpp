@@ -47,19 +47,20 @@ TEST_P(MonitorPage, ShowsEveryJointOfARunningRobot) {
 
 TEST_P(MonitorPage, ShowsWhatWasRecorded) {
   const std::string path = scratch_->file(std::string(GetParam()) + ".mcap");
-  std::vector<std::string> record{"record", path, "--duration", "3"};
-  const std::vector<std::string> where = beside();
-  record.insert(record.end(), where.begin(), where.end());
   std::string output;
-  ASSERT_EQ(run_farrier(record, &output), 0) << output;
+  ASSERT_EQ(run_farrier({"trot", "--dds", GetParam(), "--duration", "4", "--record", path, "--out",
+                         scratch_->file(std::string("recorded_") + GetParam())},
+                        &output),
+            0)
+      << output;
   const std::uint16_t port = free_port();
   FarrierCommand command({"monitor", "--open", path, "--port", std::to_string(port)});
   ASSERT_TRUE(command.says(path + " at http://127.0.0.1:" + std::to_string(port) + "/", 30s)) << command.output();
   const json recording = json::parse(http_get(port, "/api/recording"));
-  EXPECT_GT(recording.at("duration_s").get<double>(), 2.0);
-  EXPECT_GT(recording.at("opens_at_s").get<double>(), 2.0);
-  const json frames = json::parse(http_get(port, "/api/frames"));
-  EXPECT_EQ(frames.size(), recording.at("frames").get<std::size_t>());
+  EXPECT_GT(recording.at("opens_at_s").get<double>(), 0.5 * recording.at("duration_s").get<double>());
+  const std::size_t count = recording.at("frames");
+  const json frames = json::parse(http_get(port, "/api/frames?from=" + std::to_string(count - 1)));
+  ASSERT_EQ(frames.size(), 1u);
   EXPECT_TRUE(every_joint_tracks(frames.back())) << frames.back().dump();
   command.signal(SIGTERM);
   EXPECT_EQ(command.wait(2s), 143);
