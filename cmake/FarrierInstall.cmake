@@ -32,6 +32,8 @@ foreach(library IN LISTS FARRIER_EXPORTED)
   install(DIRECTORY lib/${library} DESTINATION include/farrier COMPONENT dev FILES_MATCHING
     PATTERN "*.hpp" PATTERN "*.def")
 endforeach()
+install(DIRECTORY ${PROJECT_BINARY_DIR}/from_idl/signals DESTINATION include/farrier COMPONENT dev FILES_MATCHING
+  PATTERN "structs.hpp" PATTERN "field_lists.hpp")
 install(TARGETS farrier_flags EXPORT farrier COMPONENT dev)
 set_target_properties(farrier_flags PROPERTIES EXPORT_NAME flags)
 set(FARRIER_HAS_FAST_DDS OFF)

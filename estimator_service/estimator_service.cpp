@@ -14,7 +14,7 @@ Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int
   return EstimatorService(std::move(estimators));
 }
 
-EstimatorService::EstimatorService(const EstimatorService& other) {
+EstimatorService::EstimatorService(const EstimatorService& other) : taken_(other.taken_) {
   for (const auto& estimator : other.estimators_) {
     estimators_.push_back(estimator->clone());
   }
@@ -22,11 +22,12 @@ EstimatorService::EstimatorService(const EstimatorService& other) {
 
 void EstimatorService::take(const signals::JointMeasurement& measurement) noexcept {
   if (measurement.joint < estimators_.size()) {
-    estimators_[measurement.joint]->take({.tick = measurement.tick,
-                                         .state = {measurement.position_m_or_rad, measurement.velocity_m_s_or_rad_s,
-                                                   measurement.force_N_or_Nm},
-                                         .current_A = measurement.valve_current_A,
-                                         .phase = measurement.phase});
+    taken_[measurement.joint].add(measurement.tick);
+    estimators_[measurement.joint]->take(
+        {.tick = measurement.tick,
+         .state = {measurement.position_m_or_rad, measurement.velocity_m_s_or_rad_s, measurement.force_N_or_Nm},
+         .current_A = measurement.valve_current_A,
+         .phase = measurement.phase});
   }
 }
 
@@ -37,6 +38,7 @@ signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick
   if (joint >= estimators_.size()) {
     return signal;
   }
+  signal.measurements = taken_[joint].bits_at(tick);
   const estimation::ModelEstimate estimate = estimators_[joint]->estimate();
   signal.phase = static_cast<std::uint8_t>(estimate.phase);
   signal.a = control::rows_of(estimate.a);

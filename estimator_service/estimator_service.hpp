@@ -5,6 +5,8 @@
 //   joint/measurement ──▶ Estimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
 //                                                 └──▶ lf/joint/model_estimate (ten a second)
 
+#include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -13,6 +15,28 @@
 #include "signals/signals.hpp"
 
 namespace farrier::estimator_service {
+
+/// The ticks of the last 64 of which a measurement was taken.
+class TakenTicks {
+ public:
+  void add(Tick tick) noexcept {
+    if (tick > newest_) {
+      bits_ = bits_at(tick);
+      newest_ = tick;
+    }
+    bits_ |= shifted(1, newest_ - tick);
+  }
+  /// Bit i is 1 if the measurement of `tick - i` was taken. `tick`: the newest that was added, or later.
+  std::uint64_t bits_at(Tick tick) const noexcept { return shifted(bits_, tick - newest_); }
+
+ private:
+  static std::uint64_t shifted(std::uint64_t bits, Tick ticks) noexcept {
+    return ticks < std::numeric_limits<std::uint64_t>::digits ? bits << ticks : 0;
+  }
+
+  Tick newest_ = kNoTick;
+  std::uint64_t bits_ = 0;
+};
 
 /// The service's core. No clock, no I/O, no allocation after construction.
 class EstimatorService {
@@ -36,9 +60,10 @@ class EstimatorService {
 
  private:
   explicit EstimatorService(std::vector<std::unique_ptr<estimation::Estimator>> estimators)
-      : estimators_(std::move(estimators)) {}
+      : estimators_(std::move(estimators)), taken_(estimators_.size()) {}
 
   std::vector<std::unique_ptr<estimation::Estimator>> estimators_;  // by joint number
+  std::vector<TakenTicks> taken_;                                   // likewise
 };
 
 }  // namespace farrier::estimator_service

@@ -31,9 +31,9 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
       home_position_(joint.linkage.position(joint.home_angle_rad)),
       dither_amplitude_A_(kPercent * joint.dither_percent * joint.actuator.valve_current_max_A),
       dither_sign_(kDitherSeed, joint.name, "dither"),
-      compensation_(joint.effects, joint.actuator,
-                    {period_s, std::hypot(joint.noise.position, kUniform * joint.sensors.position_step),
-                     joint.noise.velocity}),
+      compensation_(
+          joint.effects, joint.actuator,
+          {period_s, std::hypot(joint.noise.position, kUniform * joint.sensors.position_step), joint.noise.velocity}),
       predictor_(compensation_.delay_s(), period_s, loop_delay_ticks),
       pid_(joint.pid, joint.normalisation, period_s),
       sensor_check_(joint, safety) {
@@ -122,6 +122,7 @@ void JointNode::apply_due(Tick tick) noexcept {
   faults_.set(Fault::kGainsRefused, last_was_refused);
   if (const auto phase = upcoming_phases_.take_due(tick)) {
     phase_ = static_cast<Phase>(phase->phase);
+    phase_count_ = phase->count;
   }
 }
 
@@ -140,7 +141,8 @@ void JointNode::assess(const Inputs& inputs) noexcept {
   const bool had_command = inputs.command.tick != kNoTick;
   faults_.set(Fault::kCommandStale, !command_good || !(inputs.command_age_s <= safety_.command_damping_s));
   // A node that has not stepped for `command_trip_s` ignored its commands, even if newer ones have arrived.
-  const bool obeyed = inputs.command_age_s <= safety_.command_trip_s && inputs.since_last_step_s <= safety_.command_trip_s;
+  const bool obeyed =
+      inputs.command_age_s <= safety_.command_trip_s && inputs.since_last_step_s <= safety_.command_trip_s;
   if (armed && had_command && !obeyed && !faults_.has(Fault::kTripped)) {
     faults_.set(Fault::kTripped);
     tripped_epoch_ = mode_.epoch;
@@ -212,9 +214,8 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
     reset_controller();
     current_A = without_force ? holding_current(inputs.sensors.position_m_or_rad) : 0.0;
   } else {
-    control::Measurement measured = compensation_.corrected({inputs.sensors.position_m_or_rad,
-                                                             inputs.sensors.velocity_m_s_or_rad_s,
-                                                             inputs.sensors.force_N_or_Nm});
+    control::Measurement measured = compensation_.corrected(
+        {inputs.sensors.position_m_or_rad, inputs.sensors.velocity_m_s_or_rad_s, inputs.sensors.force_N_or_Nm});
     reference = force_reference(measured, inputs.command, now);
     // Designs are linearised at the home pose; the controller sees the deviation from there.
     measured.position -= home_position_;
@@ -245,6 +246,9 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   measurement.force_reference_N_or_Nm = reference.force;
   measurement.generation = valve.generation;
   measurement.faults = valve.faults;
+  measurement.command_tick = inputs.command.tick;
+  measurement.mode_epoch = mode_.epoch;
+  measurement.phase_count = phase_count_;
   measurement.state = valve.state;
   measurement.phase = valve.phase;
   return out;

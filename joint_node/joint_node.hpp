@@ -2,8 +2,9 @@
 
 // One joint's torque loop (thesis Fig. 1.3 around Fig. 7.1):
 //
-//   joint/command ──▶ tau_ref = tau_ff + k_p (q_ref − q) + k_d (q̇_ref − q̇) ──▶ F_ref = tau_ref / lever(q) ──▶ LQR-I ──▶ valve
-//   joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)      ▲── dither.
+//   joint/command ──▶ tau_ref = tau_ff + k_p (q_ref − q) + k_d (q̇_ref − q̇) ──▶ F_ref = tau_ref / lever(q) ──▶ LQR-I ──▶
+//   valve joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)      ▲──
+//   dither.
 //
 // The dither is added to the controller's output while the joint tracks. Gains from joint/controller_gains enter the
 // slot of their phase and act from their effective tick. The announced gait/phase selects the acting slot, stance a
@@ -57,12 +58,12 @@ class JointNode {
   void announce_phase(const signals::GaitPhase& phase) noexcept;
 
   struct Inputs {
-    Tick tick = kNoTick;              ///< control tick; selects gains, phase and mode that are due
-    signals::JointSensors sensors;    ///< the newest available
-    double sensors_age_s = 0;         ///< since it was received; infinite if there was none
-    signals::JointCommand command;    ///< the newest available
-    double command_age_s = 0;         ///< since it was received; infinite if there was none
-    double since_last_step_s = 0;     ///< 0 for the first
+    Tick tick = kNoTick;            ///< control tick; selects gains, phase and mode that are due
+    signals::JointSensors sensors;  ///< the newest available
+    double sensors_age_s = 0;       ///< since it was received; infinite if there was none
+    signals::JointCommand command;  ///< the newest available
+    double command_age_s = 0;       ///< since it was received; infinite if there was none
+    double since_last_step_s = 0;   ///< 0 for the first
   };
   struct Outputs {
     signals::JointValveCommand valve;
@@ -126,22 +127,22 @@ class JointNode {
   control::EffectCompensation compensation_;
   control::DelayPredictor predictor_;
   control::ForceController controller_;
-  control::Measurement last_measured_{};  ///< of the controller's last step
-  double last_reference_ = 0.0;           ///< of the controller's last step, N or Nm
+  control::Measurement last_measured_{};                    ///< of the controller's last step
+  double last_reference_ = 0.0;                             ///< of the controller's last step, N or Nm
   std::optional<control::FeedbackLinearisation> flow_law_;  ///< where the joint is of that kind
   control::Pid pid_;
-  std::optional<control::FlowInversion> flow_inversion_;    ///< likewise
+  std::optional<control::FlowInversion> flow_inversion_;  ///< likewise
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::issue, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
   std::uint32_t newest_authority_ = 0;  ///< of gains
   std::array<Refusal, signals::kPhaseCount> refused_{};
-  std::array<Upcoming<Refusal, &Refusal::issue, &Refusal::effective_tick>, signals::kPhaseCount>
-      upcoming_refusals_{};
+  std::array<Upcoming<Refusal, &Refusal::issue, &Refusal::effective_tick>, signals::kPhaseCount> upcoming_refusals_{};
   signals::SystemMode mode_{};
   Upcoming<signals::SystemMode, &signals::SystemMode::epoch, &signals::SystemMode::effective_tick> upcoming_modes_;
   Upcoming<signals::GaitPhase, &signals::GaitPhase::count, &signals::GaitPhase::switch_tick> upcoming_phases_;
   signals::Phase phase_ = signals::Phase::kStance;
-  Issue controller_issue_ = 0;  ///< of the gains the controller runs with; 0: none
+  std::uint32_t phase_count_ = 0;  ///< of the announcement in effect; 0: none
+  Issue controller_issue_ = 0;     ///< of the gains the controller runs with; 0: none
   signals::Phase controller_phase_ = signals::Phase::kStance;
   FaultSet faults_;
   std::uint32_t tripped_epoch_ = 0;

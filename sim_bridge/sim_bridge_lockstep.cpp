@@ -26,6 +26,7 @@ class SimBridgeLockstep final : public participant::Application {
         loop_delay_(robot.loop_delay_lockstep),
         valves_(robot::joint_numbers(robot)),
         valve_current_A_(robot.joints.size(), 0.0),
+        valve_command_tick_(robot.joints.size(), kNoTick),
         generation_(robot.joints.size(), 0) {
     std::vector<std::uint16_t> others;
     for (std::uint16_t number = 1; number < participant.identity().participants; ++number) {
@@ -58,6 +59,7 @@ class SimBridgeLockstep final : public participant::Application {
   participant::TickInbox<signals::JointValveCommand> valves_;
   participant::TickInbox<signals::ClockTickDone> done_{{}};
   std::vector<double> valve_current_A_;
+  std::vector<Tick> valve_command_tick_;   ///< of the commands behind valve_current_A_
   std::vector<std::uint32_t> generation_;  ///< newest issued to each joint, as seen here
   std::uint32_t received_gains_ = 0;
   std::uint32_t received_modes_ = 0;
@@ -102,6 +104,7 @@ bool SimBridgeLockstep::complete() const {
 void SimBridgeLockstep::begin_tick() {
   for (std::size_t i = 0; i < world_.joints(); ++i) {
     signals::JointSensors sensors = world_.sample(i);
+    sensors.valve_command_tick = valve_command_tick_[i];
     sensors.required_generation = generation_[i];
     sensors.required_epoch = mode_epoch_;
     sensors.sample_time_ns = to_ns(std::chrono::steady_clock::now());
@@ -137,6 +140,7 @@ void SimBridgeLockstep::end_tick() {
   for (std::size_t i = 0; i < world_.joints(); ++i) {
     const signals::JointValveCommand* acting = valves_.find(i, world_.tick() - loop_delay_);
     valve_current_A_[i] = acting != nullptr ? acting->valve_current_A : 0.0;
+    valve_command_tick_[i] = acting != nullptr ? acting->tick : kNoTick;
   }
   if (trace_ || sink_) {
     record();
@@ -203,8 +207,8 @@ Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::R
                                                                   std::vector<robot::LoadChange> load_changes,
                                                                   RowSink sink) {
   auto parts = FARRIER_TRY(Parts::assemble(robot, seed, trace_path, participant, std::move(load_changes)));
-  return std::unique_ptr<participant::Application>(std::make_unique<SimBridgeLockstep>(
-      std::move(parts), robot, participant, ticks, std::move(sink)));
+  return std::unique_ptr<participant::Application>(
+      std::make_unique<SimBridgeLockstep>(std::move(parts), robot, participant, ticks, std::move(sink)));
 }
 
 }  // namespace farrier::sim_bridge

@@ -32,22 +32,22 @@ struct Mailbox {
   SpscRing<signals::JointSensors, 16> sensors;
   SpscRing<trace::TraceRow, 64> rows;
   participant::Arrival arrival;  ///< bus thread
-  ReceivedValve last_valve;  ///< control thread
-  trace::TraceRow row;      ///< control thread: the newest, until the reference that answers it is there
+  ReceivedValve last_valve;      ///< control thread
+  Tick acting_tick = kNoTick;    ///< control thread: of the valve command that acts; none while commands are silent
+  trace::TraceRow row;           ///< control thread: the newest, until the reference that answers it is there
   std::atomic<bool> fell_silent{false};  ///< the valve commands, by the control thread, which puts the spool to null
-  bool told_silent = false;  ///< bus thread
+  bool told_silent = false;              ///< bus thread
 };
 
 class SimBridgeRealtime final : public participant::RealtimeApplication {
  public:
-  SimBridgeRealtime(Parts parts, const robot::Robot& robot,
-                    participant::Participant& participant, Tick ticks)
+  SimBridgeRealtime(Parts parts, const robot::Robot& robot, participant::Participant& participant, Tick ticks)
       : world_(std::move(parts.world)),
         ports_(parts.ports),
         participant_(participant),
         period_(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.period_s))),
-        silent_after_(std::chrono::duration_cast<Nanoseconds>(
-            std::chrono::duration<double>(robot.safety.valve_silent_s))),
+        silent_after_(
+            std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(robot.safety.valve_silent_s))),
         ticks_(ticks),
         numbers_(robot::joint_numbers(robot)),
         mail_(numbers_.size()),
@@ -126,8 +126,7 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
 }
 
 bool SimBridgeRealtime::trace_complete() const {
-  return trace_->complete() &&
-         std::ranges::all_of(mail_, [](const Mailbox& mail) { return mail.rows.dropped() == 0; });
+  return trace_->complete() && std::ranges::all_of(mail_, [](const Mailbox& mail) { return mail.rows.dropped() == 0; });
 }
 
 void SimBridgeRealtime::tell_silences() {
@@ -164,6 +163,7 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
   const bool silent = !begun || now - mail.last_valve.received > silent_after_;
   mail.fell_silent.store(begun && silent, std::memory_order_relaxed);
   valve_current_A_[index] = silent ? 0.0 : valve.valve_current_A;
+  mail.acting_tick = silent ? kNoTick : valve.tick;
 
   trace::TraceRow& row = mail.row;
   world_.describe(index, row);
@@ -193,6 +193,7 @@ void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
   for (std::size_t i = 0; i < mail_.size(); ++i) {
     signals::JointSensors sensors = world_.sample(i);
     sensors.sample_time_ns = sampled;
+    sensors.valve_command_tick = mail_[i].acting_tick;
     mail_[i].sensors.push(sensors);
     apply_valve(i, wake.now);
   }
@@ -232,14 +233,13 @@ void SimBridgeRealtime::send_at_leisure() {
 
 }  // namespace
 
-Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const robot::Robot& robot,
-                                                                          std::uint64_t seed,
+Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const robot::Robot& robot, std::uint64_t seed,
                                                                           const std::string& trace_path,
                                                                           participant::Participant& participant,
                                                                           Tick ticks) {
   auto parts = FARRIER_TRY(Parts::assemble(robot, seed, trace_path, participant));
-  return std::unique_ptr<participant::RealtimeApplication>(std::make_unique<SimBridgeRealtime>(
-      std::move(parts), robot, participant, ticks));
+  return std::unique_ptr<participant::RealtimeApplication>(
+      std::make_unique<SimBridgeRealtime>(std::move(parts), robot, participant, ticks));
 }
 
 }  // namespace farrier::sim_bridge

@@ -13,7 +13,8 @@ bool is_refusal(UpdateVerdict verdict) noexcept {
     case UpdateVerdict::kUnstableOnStoredModel:
     case UpdateVerdict::kGainsTooLarge:
     case UpdateVerdict::kMarginTooSmall:
-    case UpdateVerdict::kDwellTooLong: return true;
+    case UpdateVerdict::kDwellTooLong:
+      return true;
     case UpdateVerdict::kAccepted:
     case UpdateVerdict::kNotDifferentEnough:
     case UpdateVerdict::kNotConverged:
@@ -21,7 +22,8 @@ bool is_refusal(UpdateVerdict verdict) noexcept {
     case UpdateVerdict::kGainsChangeFast:
     case UpdateVerdict::kErrorTooLarge:
     case UpdateVerdict::kErrorNotWhite:
-    case UpdateVerdict::kDwelling: break;
+    case UpdateVerdict::kDwelling:
+      break;
   }
   return false;
 }
@@ -32,6 +34,7 @@ signals::JointUpdateDecision record_of(const signals::JointModelEstimate& estima
   signals::JointUpdateDecision decision;
   decision.joint = estimate.joint;
   decision.tick = tick;
+  decision.estimate_tick = estimate.tick;
   decision.phase = estimate.phase;
   decision.estimate_samples = estimate.samples;
   decision.validity = estimate.validity;

@@ -8,12 +8,6 @@
 
 namespace farrier::bus {
 
-/// Number of a signal's first fields that form its DDS key (those idl/ marks @key).
-template <class Signal>
-inline constexpr std::size_t kKeyFields = 1;
-template <>
-inline constexpr std::size_t kKeyFields<signals::JointControllerGains> = 2;
-
 /// The DDS key of a signal as one number: samples with the same number share a history.
 template <class Signal>
 std::uint32_t key_of(const Signal& signal) noexcept {
@@ -22,7 +16,7 @@ std::uint32_t key_of(const Signal& signal) noexcept {
   signals::visit_fields(signal, [&](const char*, const auto& field) {
     using Field = std::remove_cvref_t<decltype(field)>;
     if constexpr (std::is_integral_v<Field> && sizeof(Field) <= sizeof(std::uint16_t)) {
-      if (index < kKeyFields<Signal>) {
+      if (index < signals::kTopicText<Signal>.key_fields) {
         key = (key << 16) | field;
       }
     }

@@ -1,6 +1,7 @@
 #pragma once
 
-// The registry: every topic with its message, name, version, route and QoS, once. idl/README.md is generated from it.
+// The registry: every topic with its writers, route and QoS. Name, version, readers and fields come from its file in
+// idl/. idl/README.md is generated from it.
 
 #include <array>
 #include <cstddef>
@@ -31,20 +32,15 @@ enum class Sending : std::uint8_t { kAtOnce, kTogether };
 
 using farrier::ClockKind;
 
-struct TopicSpec {
+/// A topic as idl/ states it, with its writers, route and QoS.
+struct TopicSpec : signals::TopicText {
   TopicId id;
-  const char* name;        ///< DDS topic name
-  const char* type_name;   ///< DDS type name, "wire::X"
-  const char* idl;         ///< file in idl/
-  RoleSet writers;         ///< who may write it; DDS Security's permissions come from here
-  const char* readers;     ///< whom it is for, for people: everybody may read
-  const char* key;         ///< key fields, for people
-  std::uint32_t version;   ///< raised with every change of the fields or of their meaning
+  RoleSet writers;  ///< processes that may write it; DDS Security's permissions come from here
   Route route;
   Sending sending;
-  std::size_t signal_size; ///< sizeof of our struct
-  Qos realtime;            ///< QoS on the real-time clock
-  int lockstep_depth;      ///< history in lock-step, where nothing ever expires
+  std::size_t signal_size;  ///< sizeof of our struct
+  Qos realtime;             ///< QoS on the real-time clock
+  int lockstep_depth;       ///< history in lock-step, where nothing ever expires
 };
 
 std::span<const TopicSpec> topics();
@@ -54,12 +50,12 @@ const TopicSpec& spec(TopicId id);
 /// lease infinite, and deep enough that a sample for tick k + 1 does not overwrite the one for tick k.
 Qos qos_for(const TopicSpec& topic, ClockKind clock);
 
-/// Every topic's name, type and version, and every signal's fields with types, array sizes and keys, as IDL has them.
+/// Name, type, version and fields of every topic, with types, array sizes and keys, as IDL has them.
 std::string contract_text();
 /// Hash of the contract's text. Processes that disagree on it do not start together.
 std::uint64_t contract_hash();
 
-/// Markdown table of the registry with its QoS on both clocks, for idl/README.md.
+/// Text of idl/README.md: the subset of IDL, and a table of the registry with its QoS on both clocks.
 std::string topics_table_markdown();
 
 /// DDS partition of a robot's topics that go to everybody, and of one leg's.
@@ -69,9 +65,9 @@ std::string partition(const std::string& robot, const std::string& leg);
 /// TopicId of a signal type.
 template <class Signal>
 struct TopicOf;
-#define FARRIER_TOPIC_OF(Signal, file)             \
-  template <>                                      \
-  struct TopicOf<signals::Signal> {                \
+#define FARRIER_TOPIC_OF(Signal, file)                \
+  template <>                                         \
+  struct TopicOf<signals::Signal> {                   \
     static constexpr TopicId id = TopicId::k##Signal; \
   };
 FARRIER_SIGNALS(FARRIER_TOPIC_OF)

@@ -2,24 +2,7 @@
 
 // The types idlc generates from idl/, paired with our signals.
 
-#include <clock_tick.h>
-#include <clock_tick_done.h>
-#include <gait_phase.h>
-#include <joint_command.h>
-#include <joint_controller_gains.h>
-#include <joint_measurement.h>
-#include <joint_model_estimate.h>
-#include <joint_model_estimate_copy.h>
-#include <joint_sensors.h>
-#include <joint_summary.h>
-#include <joint_update_decision.h>
-#include <joint_valve_command.h>
-#include <system_event.h>
-#include <system_health.h>
-#include <system_hello.h>
-#include <system_journal.h>
-#include <system_mode.h>
-#include <system_request.h>
+#include "signals/cyclone_types.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,17 +39,13 @@ template <class Signal>
 struct Wire;
 
 #define FARRIER_COPY_FIELD(field) copy_field(to.field, from.field);
-#define FARRIER_WIRE(Signal, file)                                                   \
-  template <>                                                                        \
-  struct Wire<signals::Signal> {                                                     \
-    using Type = wire_##Signal;                                                      \
-    static const dds_topic_descriptor_t& descriptor() { return wire_##Signal##_desc; } \
-    static void copy(Type& to, const signals::Signal& from) noexcept {               \
-      FARRIER_FIELDS_##Signal(FARRIER_COPY_FIELD)                                    \
-    }                                                                                \
-    static void copy(signals::Signal& to, const Type& from) noexcept {               \
-      FARRIER_FIELDS_##Signal(FARRIER_COPY_FIELD)                                    \
-    }                                                                                \
+#define FARRIER_WIRE(Signal, file)                                                                                   \
+  template <>                                                                                                        \
+  struct Wire<signals::Signal> {                                                                                     \
+    using Type = wire_##Signal;                                                                                      \
+    static const dds_topic_descriptor_t& descriptor() { return wire_##Signal##_desc; }                               \
+    static void copy(Type& to, const signals::Signal& from) noexcept { FARRIER_FIELDS_##Signal(FARRIER_COPY_FIELD) } \
+    static void copy(signals::Signal& to, const Type& from) noexcept { FARRIER_FIELDS_##Signal(FARRIER_COPY_FIELD) } \
   };
 FARRIER_SIGNALS(FARRIER_WIRE)
 #undef FARRIER_WIRE

@@ -2,26 +2,9 @@
 
 // The types fastddsgen generates from idl/, paired with our signals and made safe for two threads.
 
-#include <clock_tickPubSubTypes.h>
-#include <clock_tick_donePubSubTypes.h>
+#include "signals/fast_types.hpp"
 #include <fastcdr/Cdr.h>
 #include <fastcdr/FastBuffer.h>
-#include <gait_phasePubSubTypes.h>
-#include <joint_commandPubSubTypes.h>
-#include <joint_controller_gainsPubSubTypes.h>
-#include <joint_measurementPubSubTypes.h>
-#include <joint_model_estimatePubSubTypes.h>
-#include <joint_model_estimate_copyPubSubTypes.h>
-#include <joint_sensorsPubSubTypes.h>
-#include <joint_summaryPubSubTypes.h>
-#include <joint_update_decisionPubSubTypes.h>
-#include <joint_valve_commandPubSubTypes.h>
-#include <system_eventPubSubTypes.h>
-#include <system_healthPubSubTypes.h>
-#include <system_helloPubSubTypes.h>
-#include <system_journalPubSubTypes.h>
-#include <system_modePubSubTypes.h>
-#include <system_requestPubSubTypes.h>
 
 #include <array>
 #include <cstring>
@@ -55,17 +38,13 @@ struct Wire;
 
 #define FARRIER_TO_WIRE(field) to.field(to_wire(from.field));
 #define FARRIER_FROM_WIRE(field) from_wire(from.field(), to.field);
-#define FARRIER_WIRE(Signal, file)                                             \
-  template <>                                                                  \
-  struct Wire<signals::Signal> {                                               \
-    using Type = wire::Signal;                                                 \
-    using Codec = wire::Signal##PubSubType;                                    \
-    static void copy(Type& to, const signals::Signal& from) noexcept {         \
-      FARRIER_FIELDS_##Signal(FARRIER_TO_WIRE)                                 \
-    }                                                                          \
-    static void copy(signals::Signal& to, const Type& from) noexcept {         \
-      FARRIER_FIELDS_##Signal(FARRIER_FROM_WIRE)                               \
-    }                                                                          \
+#define FARRIER_WIRE(Signal, file)                                                                                  \
+  template <>                                                                                                       \
+  struct Wire<signals::Signal> {                                                                                    \
+    using Type = wire::Signal;                                                                                      \
+    using Codec = wire::Signal##PubSubType;                                                                         \
+    static void copy(Type& to, const signals::Signal& from) noexcept { FARRIER_FIELDS_##Signal(FARRIER_TO_WIRE) }   \
+    static void copy(signals::Signal& to, const Type& from) noexcept { FARRIER_FIELDS_##Signal(FARRIER_FROM_WIRE) } \
   };
 FARRIER_SIGNALS(FARRIER_WIRE)
 #undef FARRIER_WIRE
@@ -108,7 +87,8 @@ class SignalType final : public Wire<Signal>::Codec {
   }
 
   // The generated getKey works in one buffer of the type, which the writing and the receiving thread share.
-  bool getKey(void* data, Handle* handle, bool /*force_md5: of protected payloads, which no governance of ours has*/) override {
+  bool getKey(void* data, Handle* handle,
+              bool /*force_md5: of protected payloads, which no governance of ours has*/) override {
     WireSignal signal;
     Wire<Signal>::copy(signal, *static_cast<const Signal*>(data));
     std::array<char, kKeyBytes> key{};

@@ -1,7 +1,8 @@
 #pragma once
 
-// The bytes of a signal on the wire: plain CDR (XCDR1) of its final struct in idl/, little-endian, behind the four bytes
-// that say so (OMG DDS-XTypes 1.3, 7.4; DDSI-RTPS 2.3, 10). Both vendors write the same, which a test holds them to.
+// The bytes of a signal on the wire: plain CDR (XCDR1) of its final struct in idl/, little-endian, behind the four
+// bytes that say so (OMG DDS-XTypes 1.3, 7.4; DDSI-RTPS 2.3, 10). Both vendors write the same, which a test holds them
+// to.
 
 #include <bit>
 #include <cstddef>

@@ -13,9 +13,9 @@ namespace farrier::signals {
 
 /// True for signals that are gathered in journals: those of every tick, estimates, and the copies for slow networks.
 template <class Signal>
-inline constexpr bool kJournalled = kOfEveryTick<Signal> || std::is_same_v<Signal, JointModelEstimate> ||
-                                    std::is_same_v<Signal, JointModelEstimateCopy> ||
-                                    std::is_same_v<Signal, JointSummary>;
+inline constexpr bool kJournalled =
+    kOfEveryTick<Signal> || std::is_same_v<Signal, JointModelEstimate> ||
+    std::is_same_v<Signal, JointModelEstimateCopy> || std::is_same_v<Signal, JointSummary>;
 
 /// Number of a stream: of one participant's samples of one topic.
 constexpr std::uint16_t stream_of(std::uint16_t participant, std::uint8_t topic) noexcept {

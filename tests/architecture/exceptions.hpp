@@ -13,12 +13,14 @@ struct Exception {
 
 /// Where a vendor's or a generated header may be included.
 inline constexpr Exception kVendorHeaders[] = {
+    {"lib/signals", "the structs and field lists that from_idl writes"},
     {"lib/bus_cyclone", "the Cyclone DDS bus"},
     {"lib/bus_fastdds", "the Fast DDS bus"},
     {"tests/fuzz/cyclone_codec.cpp", "feeds bytes to Cyclone's decoder, which no bus exposes"},
     {"tests/contract/wire_bytes_cyclone.cpp", "the same, to hold recordings to what Cyclone reads"},
     {"tests/contract/cyclone_waits_test.cpp", "waits by a call of Cyclone's, which no bus exposes"},
-    {"tests/system/doctor_test.cpp", "is somebody else's program, with topics and types that no bus of ours would make"},
+    {"tests/system/doctor_test.cpp",
+     "is somebody else's program, with topics and types that no bus of ours would make"},
 };
 
 /// Where below lib/ and in process cores a clock may be read or a random number drawn.

@@ -128,6 +128,9 @@ const Target* TargetGraph::owner(const std::string& path) const {
   const auto& candidates = of_folder_.at(folder);
   for (const std::string& name : candidates) {
     for (const std::string& source : targets_.at(name).sources) {
+      if (source.find('$') != std::string::npos) {
+        continue;  // written at build time
+      }
       if (includes(find_source(source), path) || includes(find_source(header_of(source)), path)) {
         return &targets_.at(name);
       }

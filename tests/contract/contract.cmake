@@ -17,7 +17,6 @@ target_link_libraries(gathering_test PRIVATE contract_support farrier_pki)
 
 farrier_test(contract_text_test contract ${contract_dir}/contract_text_test.cpp)
 target_link_libraries(contract_text_test PRIVATE farrier_bus)
-target_compile_definitions(contract_text_test PRIVATE FARRIER_IDL_DIR="${PROJECT_SOURCE_DIR}/idl")
 
 farrier_test(cyclone_bus_test contract ${contract_dir}/cyclone_bus_test.cpp)
 target_link_libraries(cyclone_bus_test PRIVATE farrier_bus_cyclone)

@@ -4,6 +4,8 @@ farrier_test(core_test unit
   ${CMAKE_CURRENT_LIST_DIR}/core/result_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/core/threads_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/signals/signals_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/signals/from_idl_test.cpp
+  ${PROJECT_SOURCE_DIR}/lib/signals/from_idl/idl_file.cpp
   ${CMAKE_CURRENT_LIST_DIR}/runtime/awake_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/runtime/deadline_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/runtime/histogram_test.cpp

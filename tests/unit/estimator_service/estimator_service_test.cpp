@@ -20,7 +20,7 @@ constexpr int kNoDelay = 0;
 constexpr std::uint16_t kKnee = 2, kOtherKnee = 5;
 constexpr auto kSwing = static_cast<std::uint8_t>(signals::Phase::kSwing);
 constexpr auto kStance = static_cast<std::uint8_t>(signals::Phase::kStance);
-constexpr Tick kEnough = 4000;  // eight times what 0.998 remembers
+constexpr Tick kEnough = 4000;       // eight times what 0.998 remembers
 constexpr double kExcitation = 0.2;  // of the valve's nominal current
 
 /// Without sensor noise, so that what is left is the algorithm.
@@ -35,6 +35,21 @@ const robot::Robot& hyq() {
   return robot;
 }
 
+TEST(TakenTicks, HasABitForEachOfTheLast64Ticks) {
+  TakenTicks taken;
+  EXPECT_EQ(taken.bits_at(0), 0u);
+  taken.add(0);
+  EXPECT_EQ(taken.bits_at(0), 1u);
+  taken.add(1);
+  taken.add(4);
+  EXPECT_EQ(taken.bits_at(4), 0b11001u);
+  taken.add(3);  // late
+  EXPECT_EQ(taken.bits_at(4), 0b11011u);
+  EXPECT_EQ(taken.bits_at(6), 0b1101100u);
+  taken.add(100);
+  EXPECT_EQ(taken.bits_at(100), 1u);
+}
+
 EstimatorService service(int delay_ticks = kNoDelay) { return EstimatorService::create(hyq(), delay_ticks).value(); }
 
 /// Measurements of a joint that is exactly the linear model of its load. White noise drives the valve.
@@ -46,14 +61,13 @@ class LinearJoint {
   JointMeasurement next() {
     const double sign = valve_.normal(tick_) > 0.0 ? 1.0 : -1.0;
     const double current = kExcitation * joint_.actuator.valve_current_max_A * sign;
-    const JointMeasurement measurement{
-        .joint = joint_.number,
-        .tick = tick_++,
-        .position_m_or_rad = joint_.linkage.position(joint_.home_angle_rad) + state_(0),
-        .velocity_m_s_or_rad_s = state_(1),
-        .force_N_or_Nm = state_(2),
-        .valve_current_A = current,
-        .phase = phase_};
+    const JointMeasurement measurement{.joint = joint_.number,
+                                       .tick = tick_++,
+                                       .position_m_or_rad = joint_.linkage.position(joint_.home_angle_rad) + state_(0),
+                                       .velocity_m_s_or_rad_s = state_(1),
+                                       .force_N_or_Nm = state_(2),
+                                       .valve_current_A = current,
+                                       .phase = phase_};
     state_ = model_.a * state_ + model_.b * current;
     return measurement;
   }

@@ -51,7 +51,8 @@ TEST(RecordingCsv, HasAColumnForEveryNumber) {
   std::ifstream file(scratch.file("csv/joint_model_estimate.csv"));
   std::string header;
   std::getline(file, header);
-  EXPECT_TRUE(header.starts_with("index,log_time_ns,publish_time_ns,joint,tick,phase,a[0],a[1],")) << header;
+  EXPECT_TRUE(header.starts_with("index,log_time_ns,publish_time_ns,joint,tick,measurements,phase,a[0],a[1],"))
+      << header;
 }
 
 TEST(RecordingCsv, RefusesAFolderWithFilesAndOneWithout) {

@@ -16,8 +16,8 @@ class RunRecordingTest : public testing::Test {
  protected:
   RunRecordingTest() : member_(run_.join(0, "gait_source")) {
     const std::vector<std::uint16_t> joints = robot::joint_numbers(robot_);
-    sensors_ = participant::testing::opened(
-        member_->publish<signals::JointSensors>(joints, robot::legs_of_joints(robot_)));
+    sensors_ =
+        participant::testing::opened(member_->publish<signals::JointSensors>(joints, robot::legs_of_joints(robot_)));
     valves_ = participant::testing::opened(member_->publish<signals::JointValveCommand>(joints));
     measurements_ = participant::testing::opened(member_->publish<signals::JointMeasurement>(joints));
   }
@@ -92,8 +92,8 @@ TEST_F(RunRecordingTest, SaysWhatWasOverwrittenBecauseNobodyPolled) {
   member_->report_health(kTicks, true);
   const auto finished = recording->finish(kTicks);
   ASSERT_FALSE(finished.ok());
-  EXPECT_EQ(finished.error().message, "the recording lacks 58560 samples of joint/sensors")
-      << "122 of 250 journals that came after the last look, 128 are kept; forty ticks of twelve joints in each";
+  EXPECT_EQ(finished.error().message, "the recording lacks 65232 samples of joint/sensors")
+      << "151 of 279 journals that came after the last look, 128 are kept; thirty-six ticks of twelve joints in each";
 }
 
 TEST_F(RunRecordingTest, SaysThatTheEndIsMissing) {
@@ -105,8 +105,7 @@ TEST_F(RunRecordingTest, SaysThatTheEndIsMissing) {
 }
 
 TEST_F(RunRecordingTest, RefusesAFileThatCannotBe) {
-  const auto recording =
-      RunRecording::create(scratch_.file("nowhere/run.mcap"), {}, robot_, *member_.participant);
+  const auto recording = RunRecording::create(scratch_.file("nowhere/run.mcap"), {}, robot_, *member_.participant);
   ASSERT_FALSE(recording.ok());
   EXPECT_NE(recording.error().message.find("nowhere/run.mcap"), std::string::npos) << recording.error().message;
 }

@@ -37,9 +37,9 @@ TEST(Signals, VisitEveryFieldOnceInWireOrder) {
   JointSensors sensors;
   std::vector<std::string> names;
   visit_fields(sensors, [&](const char* name, auto&) { names.emplace_back(name); });
-  EXPECT_EQ(names, (std::vector<std::string>{"joint", "tick", "sample_time_ns", "position_m_or_rad",
-                                             "velocity_m_s_or_rad_s", "force_N_or_Nm", "required_generation",
-                                             "required_epoch"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"joint", "tick", "sample_time_ns", "position_m_or_rad", "velocity_m_s_or_rad_s",
+                                      "force_N_or_Nm", "valve_command_tick", "required_generation", "required_epoch"}));
 }
 
 // The bytes of a struct's fields cannot exceed the struct, and with padding below 8 bytes a field nothing leaves out.
