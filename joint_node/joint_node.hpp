@@ -1,10 +1,12 @@
 #pragma once
 
 // One joint's torque loop (thesis Fig. 1.3 around Fig. 7.1):
-//
+
+// clang-format off
 //   joint/command ──▶ tau_ref = tau_ff + k_p (q_ref − q) + k_d (q̇_ref − q̇) ──▶ F_ref = tau_ref / lever(q) ──▶ LQR-I ──▶ valve
 //   joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)      ▲── dither.
-//
+// clang-format on
+
 // The dither is added to the controller's output while the joint tracks. Gains from joint/controller_gains enter the
 // slot of their phase and act from their effective tick. The announced gait/phase selects the acting slot, stance a
 // little early.
@@ -13,7 +15,7 @@
 // gains. One of kind flow_inversion has FlowInversion there, with the physics that come with the gains. Effects of the
 // joint's file are compensated: sensors are corrected before they are read, and the current passes their inverse
 // (control/effect_compensation.hpp). Without a force signal the joint creeps back to where it lost it, with the valve
-// as a source of speed. The table in docs/architecture.md lists the reactions to missing inputs.
+// as a source of speed. The safety table (core/fault.hpp) has the reactions to missing inputs.
 
 #include <array>
 #include <optional>
@@ -26,6 +28,7 @@
 #include "control/law/pid.hpp"
 #include "core/fault.hpp"
 #include "core/noise.hpp"
+#include "joint_node/fault_assessor.hpp"
 #include "joint_node/sensor_check.hpp"
 #include "joint_node/upcoming.hpp"
 #include "robot/robot.hpp"
@@ -57,12 +60,12 @@ class JointNode {
   void announce_phase(const signals::GaitPhase& phase) noexcept;
 
   struct Inputs {
-    Tick tick = kNoTick;              ///< control tick; selects gains, phase and mode that are due
-    signals::JointSensors sensors;    ///< the newest available
-    double sensors_age_s = 0;         ///< since it was received; infinite if there was none
-    signals::JointCommand command;    ///< the newest available
-    double command_age_s = 0;         ///< since it was received; infinite if there was none
-    double since_last_step_s = 0;     ///< 0 for the first
+    Tick tick = kNoTick;            ///< control tick; selects gains, phase and mode that are due
+    signals::JointSensors sensors;  ///< the newest available
+    double sensors_age_s = 0;       ///< since it was received; infinite if there was none
+    signals::JointCommand command;  ///< the newest available
+    double command_age_s = 0;       ///< since it was received; infinite if there was none
+    double since_last_step_s = 0;   ///< 0 for the first
   };
   struct Outputs {
     signals::JointValveCommand valve;
@@ -102,7 +105,6 @@ class JointNode {
   static bool same(const Slot& one, const Slot& other) noexcept;
   void apply_due(Tick tick) noexcept;
   void assess(const Inputs& inputs) noexcept;
-  signals::JointState state() const noexcept;
   control::ForceReference force_reference(const control::Measurement& measured, const signals::JointCommand& command,
                                           signals::JointState state) noexcept;
   double dither_A(Tick tick) const noexcept;
@@ -126,17 +128,16 @@ class JointNode {
   control::EffectCompensation compensation_;
   control::DelayPredictor predictor_;
   control::ForceController controller_;
-  control::Measurement last_measured_{};  ///< of the controller's last step
-  double last_reference_ = 0.0;           ///< of the controller's last step, N or Nm
+  control::Measurement last_measured_{};                    ///< of the controller's last step
+  double last_reference_ = 0.0;                             ///< of the controller's last step, N or Nm
   std::optional<control::FeedbackLinearisation> flow_law_;  ///< where the joint is of that kind
   control::Pid pid_;
-  std::optional<control::FlowInversion> flow_inversion_;    ///< likewise
+  std::optional<control::FlowInversion> flow_inversion_;  ///< likewise
   std::array<Slot, signals::kPhaseCount> acting_{};
   std::array<Upcoming<Slot, &Slot::issue, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
   std::uint32_t newest_authority_ = 0;  ///< of gains
   std::array<Refusal, signals::kPhaseCount> refused_{};
-  std::array<Upcoming<Refusal, &Refusal::issue, &Refusal::effective_tick>, signals::kPhaseCount>
-      upcoming_refusals_{};
+  std::array<Upcoming<Refusal, &Refusal::issue, &Refusal::effective_tick>, signals::kPhaseCount> upcoming_refusals_{};
   signals::SystemMode mode_{};
   Upcoming<signals::SystemMode, &signals::SystemMode::epoch, &signals::SystemMode::effective_tick> upcoming_modes_;
   Upcoming<signals::GaitPhase, &signals::GaitPhase::count, &signals::GaitPhase::switch_tick> upcoming_phases_;
@@ -144,8 +145,8 @@ class JointNode {
   Issue controller_issue_ = 0;  ///< of the gains the controller runs with; 0: none
   signals::Phase controller_phase_ = signals::Phase::kStance;
   FaultSet faults_;
-  std::uint32_t tripped_epoch_ = 0;
   SensorCheck sensor_check_;
+  FaultAssessor fault_assessor_;
   double held_position_ = 0.0;  ///< where the force was lost, m or rad
 };
 
