@@ -5,6 +5,7 @@
 // docs/architecture.md and the rows of `farrier faults` take names, severities, outputs and events from here.
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <string>
 
@@ -83,23 +84,20 @@ inline constexpr std::array kFaults = [] {
   // clang-format on
 }();
 
-constexpr bool in_order_of_bits() noexcept {
-  for (std::size_t i = 0; i < kFaults.size(); ++i) {
-    if (static_cast<std::uint32_t>(kFaults[i].fault) != 1u << i) {
-      return false;
-    }
-  }
-  return true;
-}
-static_assert(in_order_of_bits(), "the table is indexed by the bits of Fault");
+static_assert(
+    [] {
+      for (std::size_t bit = 0; bit < kFaults.size(); ++bit) {
+        if (static_cast<std::uint32_t>(kFaults[bit].fault) != 1u << bit) {
+          return false;
+        }
+      }
+      return true;
+    }(),
+    "the table is indexed by the bits of Fault");
 
-/// The row of a fault that is in the table.
+/// The row of a fault, which must be in the table.
 constexpr const FaultInfo& info_of(Fault fault) noexcept {
-  std::size_t row = 0;
-  while (row + 1 < kFaults.size() && kFaults[row].fault != fault) {
-    ++row;
-  }
-  return kFaults[row];
+  return kFaults[static_cast<std::size_t>(std::countr_zero(static_cast<std::uint32_t>(fault)))];
 }
 
 /// Set of faults; trivially copyable, travels as its bits.
