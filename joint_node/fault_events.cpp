@@ -3,21 +3,33 @@
 namespace farrier::joint_node {
 namespace {
 
-constexpr Tick kClampedLingers = 100;
+std::string event_text(FaultSet faults) {
+  std::string text;
+  for (const FaultInfo& info : kFaults) {
+    if (faults.has(info.fault)) {
+      text += (text.empty() ? "" : ", ") + std::string(info.event.text);
+    }
+  }
+  return faults.any() ? text : "no fault";
+}
 
 }  // namespace
 
 std::optional<std::string> FaultEvents::update(Tick tick, FaultSet faults) {
-  faults.set(Fault::kValveSaturated, false);
-  if (faults.has(Fault::kReferenceClamped)) {
-    last_clamped_ = tick;
+  FaultSet present;
+  for (std::size_t row = 0; row < kFaults.size(); ++row) {
+    const FaultInfo& info = kFaults[row];
+    if (faults.has(info.fault)) {
+      last_[row] = tick;
+    }
+    const bool lingers = last_[row] != kNoTick && tick - last_[row] < info.event.lingers;
+    present.set(info.fault, info.event.text != nullptr && (faults.has(info.fault) || lingers));
   }
-  faults.set(Fault::kReferenceClamped, last_clamped_ != kNoTick && tick - last_clamped_ < kClampedLingers);
-  if (faults == reported_) {
+  if (present == reported_) {
     return std::nullopt;
   }
-  reported_ = faults;
-  return faults.any() ? to_string(faults) : std::string("well again");
+  reported_ = present;
+  return event_text(present);
 }
 
 }  // namespace farrier::joint_node

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -8,17 +9,22 @@
 
 namespace farrier::joint_node {
 
-/// Turns a joint's faults, tick by tick, into the sentences of events: one for every change, with its cause. A clamped
-/// reference may come and go with the signal: it counts as present until it has been absent for a while. A saturated
-/// valve is part of control and no event.
+/// Turns a joint's faults, tick by tick, into the sentences of events: one for every change, with its cause. The safety
+/// table has the text of each fault, and for how long a fault that comes and goes counts as present.
 class FaultEvents {
  public:
-  /// "sensors stale", "sensors stale, command stale" or the message of a recovery; empty while nothing changes.
+  /// "sensors stale", "sensors stale, command stale" or "no fault"; empty while nothing changes.
   std::optional<std::string> update(Tick tick, FaultSet faults);
 
  private:
+  static constexpr std::array<Tick, kFaults.size()> never() noexcept {
+    std::array<Tick, kFaults.size()> ticks{};
+    ticks.fill(kNoTick);
+    return ticks;
+  }
+
   FaultSet reported_;
-  Tick last_clamped_ = kNoTick;
+  std::array<Tick, kFaults.size()> last_ = never();  ///< tick with the fault
 };
 
 }  // namespace farrier::joint_node

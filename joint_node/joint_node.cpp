@@ -7,18 +7,11 @@ namespace farrier::joint_node {
 namespace {
 
 using signals::JointState;
-using signals::Mode;
 using signals::Phase;
 
 constexpr double kPercent = 0.01;
 constexpr double kUniform = 0.28867513459481287;  // standard deviation of a uniform distribution of width 1 (1/√12)
 constexpr std::uint64_t kDitherSeed = 0;  // the joint's own: the dither does not depend on the world's random numbers
-
-bool finite(const signals::JointCommand& c) noexcept {
-  return std::isfinite(c.position_rad) && std::isfinite(c.velocity_rad_s) && std::isfinite(c.torque_ff_Nm) &&
-         std::isfinite(c.stiffness_Nm_rad) && std::isfinite(c.damping_Nms_rad) && c.stiffness_Nm_rad >= 0 &&
-         c.damping_Nms_rad >= 0;
-}
 
 }  // namespace
 
@@ -36,7 +29,8 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
           {period_s, std::hypot(joint.noise.position, kUniform * joint.sensors.position_step), joint.noise.velocity}),
       predictor_(compensation_.delay_s(), period_s, loop_delay_ticks),
       pid_(joint.pid, joint.normalisation, period_s),
-      sensor_check_(joint, safety) {
+      sensor_check_(joint, safety),
+      fault_assessor_(safety) {
   if (joint.kind == control::Kind::kFeedbackLinearisation) {
     flow_law_.emplace(joint.actuator, joint.feedback_linearisation, home_position_, period_s);
   }
@@ -105,7 +99,6 @@ void JointNode::apply_due(Tick tick) noexcept {
   if (const auto mode = upcoming_modes_.take_due(tick)) {
     mode_ = *mode;
   }
-  bool last_was_refused = false;
   for (std::size_t phase = 0; phase < acting_.size(); ++phase) {
     if (const auto slot = upcoming_gains_[phase].take_due(tick)) {
       // The next supervisor repeats the same gains: the controller continues in its state.
@@ -117,48 +110,29 @@ void JointNode::apply_due(Tick tick) noexcept {
     if (const auto refusal = upcoming_refusals_[phase].take_due(tick)) {
       refused_[phase] = *refusal;
     }
-    last_was_refused = last_was_refused || refused_[phase].issue > acting_[phase].issue;
   }
-  faults_.set(Fault::kGainsRefused, last_was_refused);
   if (const auto phase = upcoming_phases_.take_due(tick)) {
     phase_ = static_cast<Phase>(phase->phase);
     phase_count_ = phase->count;
   }
 }
 
-// The table of docs/architecture.md: condition, latch, clear condition.
 void JointNode::assess(const Inputs& inputs) noexcept {
-  const bool armed = mode_.epoch != 0 && mode_.mode == static_cast<std::uint8_t>(Mode::kArmed);
-  faults_.set(Fault::kDisarmed, !armed);
-  if (faults_.has(Fault::kTripped) && armed && mode_.epoch > tripped_epoch_) {
-    faults_.set(Fault::kTripped, false);
+  bool last_was_refused = false;
+  for (std::size_t phase = 0; phase < acting_.size(); ++phase) {
+    last_was_refused = last_was_refused || refused_[phase].issue > acting_[phase].issue;
   }
-  const SensorCheck::Verdict sensors = sensor_check_.take(inputs.sensors, inputs.sensors_age_s);
-  faults_.set(Fault::kSensorsStale, !sensors.motion);
-  faults_.set(Fault::kForceLost, !sensors.force);
-
-  const bool command_good = finite(inputs.command);
-  const bool had_command = inputs.command.tick != kNoTick;
-  faults_.set(Fault::kCommandStale, !command_good || !(inputs.command_age_s <= safety_.command_damping_s));
-  // A node that has not stepped for `command_trip_s` ignored its commands, even if newer ones have arrived.
-  const bool obeyed =
-      inputs.command_age_s <= safety_.command_trip_s && inputs.since_last_step_s <= safety_.command_trip_s;
-  if (armed && had_command && !obeyed && !faults_.has(Fault::kTripped)) {
-    faults_.set(Fault::kTripped);
-    tripped_epoch_ = mode_.epoch;
-  }
-  // Flow law and PID have gains of their own.
-  const bool needs_gains = joint_.kind == control::Kind::kLqr || joint_.kind == control::Kind::kFlowInversion;
-  faults_.set(Fault::kNoGains, needs_gains && acting_[static_cast<std::size_t>(phase_)].issue == 0);
-}
-
-JointState JointNode::state() const noexcept {
-  if (faults_.has(Fault::kDisarmed) || faults_.has(Fault::kTripped) || faults_.has(Fault::kSensorsStale) ||
-      faults_.has(Fault::kNoGains)) {
-    return JointState::kNull;
-  }
-  const bool damps = faults_.has(Fault::kForceLost) || faults_.has(Fault::kCommandStale);
-  return damps ? JointState::kDamping : JointState::kTracking;
+  fault_assessor_.assess({.joint = joint_,
+                          .limits = safety_,
+                          .mode = mode_,
+                          .sensors = inputs.sensors,
+                          .command = inputs.command,
+                          .command_age_s = inputs.command_age_s,
+                          .since_last_step_s = inputs.since_last_step_s,
+                          .readings = sensor_check_.take(inputs.sensors, inputs.sensors_age_s),
+                          .has_gains = acting_[static_cast<std::size_t>(phase_)].issue != 0,
+                          .gains_refused = last_was_refused},
+                         faults_);
 }
 
 control::ForceReference JointNode::force_reference(const control::Measurement& measured,
@@ -202,11 +176,12 @@ double JointNode::dither_A(Tick tick) const noexcept {
 JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   apply_due(inputs.tick);
   assess(inputs);
-  const JointState now = state();
+  const SafeOutput output = faults_.output();
+  const JointState now = state_of(output);
 
   control::ForceReference reference = 0.0;
   double current_A = 0;
-  const bool without_force = now == JointState::kDamping && faults_.has(Fault::kForceLost);
+  const bool without_force = output == SafeOutput::kPositionDamping;
   if (!without_force) {
     held_position_ = inputs.sensors.position_m_or_rad;
   }

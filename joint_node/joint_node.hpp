@@ -2,9 +2,8 @@
 
 // One joint's torque loop (thesis Fig. 1.3 around Fig. 7.1):
 //
-//   joint/command ──▶ tau_ref = tau_ff + k_p (q_ref − q) + k_d (q̇_ref − q̇) ──▶ F_ref = tau_ref / lever(q) ──▶ LQR-I ──▶
-//   valve joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)      ▲──
-//   dither.
+//   joint/command ──▶ tau_ref = tau_ff + k_p (q_ref − q) + k_d (q̇_ref − q̇) ──▶ F_ref = tau_ref / lever(q) ──▶ LQR-I ──▶ valve
+//   joint/sensors ──▶ q = angle(x), q̇ = v / lever(q) ───────────────────────────────────▲ (x, v, F)      ▲── dither.
 //
 // The dither is added to the controller's output while the joint tracks. Gains from joint/controller_gains enter the
 // slot of their phase and act from their effective tick. The announced gait/phase selects the acting slot, stance a
@@ -14,7 +13,7 @@
 // gains. One of kind flow_inversion has FlowInversion there, with the physics that come with the gains. Effects of the
 // joint's file are compensated: sensors are corrected before they are read, and the current passes their inverse
 // (control/effect_compensation.hpp). Without a force signal the joint creeps back to where it lost it, with the valve
-// as a source of speed. The table in docs/architecture.md lists the reactions to missing inputs.
+// as a source of speed. The safety table (core/fault.hpp) has the reactions to missing inputs.
 
 #include <array>
 #include <optional>
@@ -27,6 +26,7 @@
 #include "control/law/pid.hpp"
 #include "core/fault.hpp"
 #include "core/noise.hpp"
+#include "joint_node/fault_assessor.hpp"
 #include "joint_node/sensor_check.hpp"
 #include "joint_node/upcoming.hpp"
 #include "robot/robot.hpp"
@@ -103,7 +103,6 @@ class JointNode {
   static bool same(const Slot& one, const Slot& other) noexcept;
   void apply_due(Tick tick) noexcept;
   void assess(const Inputs& inputs) noexcept;
-  signals::JointState state() const noexcept;
   control::ForceReference force_reference(const control::Measurement& measured, const signals::JointCommand& command,
                                           signals::JointState state) noexcept;
   double dither_A(Tick tick) const noexcept;
@@ -145,8 +144,8 @@ class JointNode {
   Issue controller_issue_ = 0;     ///< of the gains the controller runs with; 0: none
   signals::Phase controller_phase_ = signals::Phase::kStance;
   FaultSet faults_;
-  std::uint32_t tripped_epoch_ = 0;
   SensorCheck sensor_check_;
+  FaultAssessor fault_assessor_;
   double held_position_ = 0.0;  ///< where the force was lost, m or rad
 };
 

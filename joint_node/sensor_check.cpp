@@ -26,9 +26,7 @@ bool alike(const signals::JointSensors& a, const signals::JointSensors& b) noexc
 SensorCheck::SensorCheck(const robot::Joint& joint, const robot::Safety& safety) noexcept
     : stroke_(joint.actuator.stroke),
       largest_force_(kBeyondLimits * std::max(joint.push_limit, joint.pull_limit)),
-      safety_(safety),
-      good_motion_(safety.recovery_samples),
-      good_force_(safety.recovery_samples) {}
+      safety_(safety) {}
 
 bool SensorCheck::position_in_range(const signals::JointSensors& sensors) const noexcept {
   const double beyond = kBeyondStops * stroke_;
@@ -46,10 +44,6 @@ bool SensorCheck::reachable(const signals::JointSensors& now) const noexcept {
   return std::abs(now.position_m_or_rad - last_.position_m_or_rad) <= kLargestJump * ticks * stroke_;
 }
 
-int SensorCheck::counted(int good, bool is_good, int new_samples) const noexcept {
-  return is_good ? std::min(good + new_samples, safety_.recovery_samples) : 0;
-}
-
 SensorCheck::Verdict SensorCheck::take(const signals::JointSensors& newest, double age_s) noexcept {
   const int new_samples = newest.tick != last_.tick ? 1 : 0;
   alike_ = alike(newest, last_) ? alike_ + new_samples : 0;
@@ -58,13 +52,11 @@ SensorCheck::Verdict SensorCheck::take(const signals::JointSensors& newest, doub
   const bool motion_good =
       age_s <= safety_.sensors_stale_s && finite && position_in_range(newest) && reachable(newest) && !frozen;
   // The force of an end stop has no limit. Both are false if the force is not a number.
-  const bool at_stop = std::isfinite(newest.force_N_or_Nm) &&
-                       (newest.position_m_or_rad <= 0.0 || newest.position_m_or_rad >= stroke_);
+  const bool at_stop =
+      std::isfinite(newest.force_N_or_Nm) && (newest.position_m_or_rad <= 0.0 || newest.position_m_or_rad >= stroke_);
   const bool force_good = std::abs(newest.force_N_or_Nm) <= largest_force_ || at_stop;
   last_ = newest;
-  good_motion_ = counted(good_motion_, motion_good, new_samples);
-  good_force_ = counted(good_force_, force_good, new_samples);
-  return {good_motion_ >= safety_.recovery_samples, good_force_ >= safety_.recovery_samples};
+  return {motion_good, force_good, new_samples};
 }
 
 }  // namespace farrier::joint_node

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "bus/topics.hpp"
+#include "core/fault.hpp"
 #include "participant/event_registry.hpp"
 #include "robot/robot.hpp"
 #include "cli/base/command.hpp"
@@ -33,15 +34,17 @@ const std::map<std::string, Table> kTables{{"cli", command_table},
                                            {"faults", without_app(faults::faults_table_markdown)},
                                            {"figures", without_app(report::figures_table_markdown)},
                                            {"metrics", without_app(display::metrics_table_markdown)},
-                                           {"parameters", without_app(robot::parameter_table)}};
+                                           {"parameters", without_app(robot::parameter_table)},
+                                           {"safety", without_app(safety_table_markdown)}};
 
 }  // namespace
 
 std::function<int()> declare_tables(CLI::App& app) {
   auto table = std::make_shared<Table>();
-  add_choice(app, "table", *table, kTables, "cli|topics|effects|events|faults|figures|metrics|parameters",
-             "cli (docs/cli.md), topics (idl/README.md), effects (docs/effects.md), events (docs/events.md), faults (docs/faults.md), figures (docs/figures.md), "
-             "metrics (docs/metrics.md) or parameters (docs/parameters.md)")
+  add_choice(app, "table", *table, kTables, "cli|topics|effects|events|faults|figures|metrics|parameters|safety",
+             "cli (docs/cli.md), topics (idl/README.md), effects (docs/effects.md), events (docs/events.md), faults "
+             "(docs/faults.md), figures (docs/figures.md), "
+             "metrics (docs/metrics.md), parameters (docs/parameters.md) or safety (docs/architecture.md)")
       ->required();
   return [table] {
     std::fputs((*table)(*whole_command_line()).c_str(), stdout);

@@ -1,6 +1,48 @@
 #include "core/fault.hpp"
 
+#include <algorithm>
+
 namespace farrier {
+namespace {
+
+const char* effect_of(SafeOutput output) noexcept {
+  switch (output) {
+    case SafeOutput::kTracking:
+      return "tracking";
+    case SafeOutput::kDamping:
+      return "damping: `τ = −damping_gain_Nms_rad · q̇` through the force loop";
+    case SafeOutput::kPositionDamping:
+      return "position damping: the valve as a source of speed, `ẋ = −position_damping_1_s · (x − x₀)` from where the "
+             "force was lost";
+    case SafeOutput::kNull:
+      return "valve to null";
+  }
+  return "?";
+}
+
+const char* text_of(Clears clears) noexcept {
+  switch (clears) {
+    case Clears::kWithCondition:
+      return "with its condition";
+    case Clears::kAfterGoodSamples:
+      return "after `recovery_samples` good new samples";
+    case Clears::kByArming:
+      return "latched: by a newer mode that arms, which the supervisor publishes when an operator asks "
+             "(`system/request` with the session)";
+  }
+  return "?";
+}
+
+std::string text_of(const FaultEvent& event) {
+  if (event.text == nullptr) {
+    return "none";
+  }
+  const std::string lingers =
+      event.lingers > 0 ? ", present for " + std::to_string(event.lingers) + " ticks after its last" : "";
+  return "`" + std::string(event.text) + "`" + lingers;
+}
+
+}  // namespace
 
 const char* to_string(Fault fault) noexcept {
   for (const FaultInfo& info : kFaults) {
@@ -9,6 +51,20 @@ const char* to_string(Fault fault) noexcept {
     }
   }
   return "unknown fault";
+}
+
+const char* to_string(FaultSeverity severity) noexcept {
+  switch (severity) {
+    case FaultSeverity::kInfo:
+      return "info";
+    case FaultSeverity::kWarning:
+      return "warning";
+    case FaultSeverity::kError:
+      return "error";
+    case FaultSeverity::kCritical:
+      return "critical";
+  }
+  return "?";
 }
 
 std::string to_string(FaultSet faults) {
@@ -20,6 +76,18 @@ std::string to_string(FaultSet faults) {
     }
   }
   return text;
+}
+
+std::string safety_table_markdown() {
+  auto rows = kFaults;
+  std::ranges::stable_sort(rows, std::ranges::greater{}, &FaultInfo::output);
+  std::string table = "| condition | fault | output | clears | severity | event |\n|---|---|---|---|---|---|\n";
+  for (const FaultInfo& row : rows) {
+    table += "| " + std::string(row.condition) + " | `" + row.name + "` | " +
+             (row.effect != nullptr ? row.effect : effect_of(row.output)) + " | " + text_of(row.clears) + " | " +
+             to_string(row.severity) + " | " + text_of(row.event) + " |\n";
+  }
+  return table;
 }
 
 }  // namespace farrier

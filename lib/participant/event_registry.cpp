@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "core/fault.hpp"
 #include "signals/words.hpp"
 
 namespace farrier::participant {
@@ -13,8 +14,8 @@ using enum signals::Severity;
 // clang-format off
 constexpr std::array kEvents{
     EventSpec{kJointNulled, "<faults>", "joint_node", kWarning, "The joint's valve is at null for these faults.",
-              "Mend the first of them; if it says `tripped`, then `farrier request arm`."},
-    EventSpec{kJointFaults, "<faults>; well again", "joint_node", kInfo, "The joint's faults have changed, and it goes on as they let it.", "See the table of [architecture.md](architecture.md#what-a-joint-does-when-something-is-missing)."},
+              "Fix the first of them; if it says `tripped`, then `farrier request arm`."},
+    EventSpec{kJointFaults, "<faults>; no fault", "joint_node", kInfo, "The joint's faults have changed, and it goes on as they let it.", "See the table of [architecture.md](architecture.md#what-a-joint-does-when-something-is-missing)."},
     EventSpec{kGainsRefused, "gains refused: <why>", "joint_node", kWarning, "Gains came that a joint does not take up; it keeps those it has.", "Supervisor and joint_node of one version; somebody else may write the topic: `farrier topics`."},
     EventSpec{kReplacedSupervisorRefused, "orders of a supervisor that has been replaced are refused: authority <number> after <number>", "joint_node, sim_bridge", kWarning, "A supervisor that another one has taken over from still gives orders.", "End it; started again it stands by."},
     EventSpec{kGainsKept, "<phase> gains kept: <verdict>", "supervisor", kInfo, "An estimate asked for new gains, and no design for it was good enough.", ""},
@@ -22,7 +23,7 @@ constexpr std::array kEvents{
     EventSpec{kSupervisorStandsBy, "stands by: another supervisor leads with authority <number>", "supervisor", kWarning, "It led, and has been replaced.", "See why it was silent."},
     EventSpec{kOperatorRequest, "an operator's request: <request>", "supervisor", kWarning, "Somebody has asked for it by `farrier request`.", ""},
     EventSpec{kEstimatesBegin, "estimates from now on", "estimator_service", kInfo, "It hears the joints.", ""},
-    EventSpec{kValveSilent, "valve commands silent", "sim_bridge", kWarning, "None has come for `safety.valve_silent_s`: the joint's spool is at null.", "See whether its joint_node runs: `farrier topics`."},
+    EventSpec{kValveSilent, info_of(Fault::kActuatorSilent).event.text, "sim_bridge", kWarning, "None has come for `safety.valve_silent_s`: the joint's spool is at null.", "See whether its joint_node runs: `farrier topics`."},
     EventSpec{kValveHeard, "valve commands heard again", "sim_bridge", kInfo, "The spool follows them.", ""},
     EventSpec{kEstimatesSilent, "estimates silent", "supervisor", kWarning, "None has come for five of their periods: gains stay as they are.", "See whether estimator_service runs, and hears the joints: `farrier topics`."},
     EventSpec{kEstimatesHeard, "estimates heard again", "supervisor", kInfo, "Gains follow them.", ""},
@@ -59,8 +60,8 @@ std::string text_of(EventKind kind, std::string_view detail) {
 std::string events_table_markdown() {
   std::string table = "| text | of | severity | means | what to do |\n|---|---|---|---|---|\n";
   for (const EventSpec& event : kEvents) {
-    table += std::string("| `") + event.text + "` | " + event.writers + " | " + signals::to_string(event.severity) + " | " +
-             event.meaning + " | " + event.remedy + " |\n";
+    table += std::string("| `") + event.text + "` | " + event.writers + " | " + signals::to_string(event.severity) +
+             " | " + event.meaning + " | " + event.remedy + " |\n";
   }
   return table;
 }

@@ -75,7 +75,7 @@ TEST_F(ShortRun, TellsWhyEachJointWasNullAndWhenItWasWell) {
   for (const signals::SystemEvent& event : outcome_->result.events) {
     told.at(event.joint).push_back(std::to_string(event.tick) + " " + std::string(signals::text_of(event.text)));
   }
-  const std::string armed = std::to_string(hyq().update_logic.gain_lead_ticks) + " well again";
+  const std::string armed = std::to_string(hyq().update_logic.gain_lead_ticks) + " no fault";
   for (const auto& of_joint : told) {
     EXPECT_EQ(of_joint, (std::vector<std::string>{"0 disarmed, no gains", armed}));
   }

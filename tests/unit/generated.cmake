@@ -1,5 +1,5 @@
 # Tables the documentation prints from the code.
-foreach(table IN ITEMS cli:docs/cli.md topics:idl/README.md effects:docs/effects.md events:docs/events.md faults:docs/faults.md figures:docs/figures.md metrics:docs/metrics.md parameters:docs/parameters.md)
+foreach(table IN ITEMS cli:docs/cli.md topics:idl/README.md effects:docs/effects.md events:docs/events.md faults:docs/faults.md figures:docs/figures.md metrics:docs/metrics.md parameters:docs/parameters.md safety:docs/architecture.md)
   string(REPLACE ":" ";" parts ${table})
   list(GET parts 0 name)
   list(GET parts 1 file)

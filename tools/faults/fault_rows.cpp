@@ -3,32 +3,35 @@
 #include <algorithm>
 #include <csignal>
 
+#include "core/fault.hpp"
+#include "joint_node/fault_assessor.hpp"
 #include "participant/event_registry.hpp"
 
 namespace farrier::faults {
 namespace {
 
-using enum signals::JointState;
-
-// Defaults of a robot file: sensors are stale after 3 ms and good again after 10 samples. Commands are damped after 5
-// ms and tripped after 50 ms, and a valve command is silent after 5 ms. On top come a control period of each of the two
-// loops, one and a half of the joint's where nothing arrives, and the way between them.
+// Limits of the shipped robots. On top of each come a control period of each of the two loops, one and a half of the
+// joint's where nothing arrives, and the way between them.
+constexpr robot::Safety kLimits{.frozen_samples = 10};
+constexpr double kPeriod_s = 0.001;
 constexpr double kReach_s = 0.004;
-constexpr double kStale_s = 0.003 + kReach_s;
-constexpr double kDamped_s = 0.005 + kReach_s;
-constexpr double kTripped_s = 0.050 + kReach_s;
-constexpr double kSilent_s = 0.005 + kReach_s;
+constexpr double kStale_s = kLimits.sensors_stale_s + kReach_s;
+constexpr double kFrozen_s = kLimits.frozen_samples * kPeriod_s + kReach_s;
+constexpr double kDamped_s = kLimits.command_damping_s + kReach_s;
+constexpr double kTripped_s = kLimits.command_trip_s + kReach_s;
+constexpr double kSilent_s = kLimits.valve_silent_s + kReach_s;
 constexpr double kAtOnce_s = kReach_s;
-constexpr double kGoodAgain_s = 0.010 + kReach_s;
+constexpr double kGoodAgain_s = kLimits.recovery_samples * kPeriod_s + kReach_s;
+constexpr double kNever = 0.0;
 constexpr double kArmed_s = 0.020 + kReach_s;  // a request's way over two processes, and gain_lead_ticks
 constexpr double kTakenOver_s = 0.050;
 constexpr double kStartAgain_s = 0.050;
-constexpr double kGreeted_s = 1.0;  // a process starts, finds the others and hears every route
+constexpr double kGreeted_s = 1.0;      // a process starts, finds the others and hears every route
 constexpr double kCatchesUp_s = 0.006;  // a process that was stopped first takes what has come meanwhile
 constexpr double kAfterStop_s = kGoodAgain_s + kCatchesUp_s;
 constexpr double kLeaseAndMore_s = 12.0;  // of machine time: by then a process that renews no lease is dropped
-constexpr double kHeard_s = 0.020;  // an event's way to the operator
-constexpr double kMissed_s = 0.100;  // 50 ms of silence, the period of the silent topic, an event's way
+constexpr double kHeard_s = 0.020;        // an event's way to the operator
+constexpr double kMissed_s = 0.100;       // 50 ms of silence, the period of the silent topic, an event's way
 
 constexpr const char* kJointNode = to_string(Program::kJointNode);
 constexpr const char* kSimBridge = to_string(Program::kSimBridge);
@@ -43,44 +46,53 @@ Expectation says(participant::EventKind kind, double within_s) {
 Expectation says_estimates_silent() { return says(participant::EventKind::kEstimatesSilent, kMissed_s); }
 Expectation says_supervisor_silent() { return says(participant::EventKind::kSupervisorSilent, kMissed_s); }
 
+/// Output, latch and event of the fault's row in the safety table.
+Expectation reacts(Fault fault, double within_s, double recovers_s) {
+  const FaultInfo& info = info_of(fault);
+  return {.reaction = joint_node::state_of(info.output),
+          .within_s = within_s,
+          .recovers_s = recovers_s,
+          .latches = info.latched(),
+          .event = info.event.text};
+}
+
 /// `recovers_s`: after the valve's commands come again; 0: they do not.
 Expectation spool_to_null(double recovers_s) {
-  Expectation expected = says(participant::EventKind::kValveSilent, kSilent_s + kHeard_s);
-  expected.reaction = kNull;
-  expected.within_s = kSilent_s;
-  expected.recovers_s = recovers_s;
+  Expectation expected = reacts(Fault::kActuatorSilent, kSilent_s, recovers_s);
+  expected.event_within_s = kSilent_s + kHeard_s;
   return expected;
 }
 
 }  // namespace
 
 const std::vector<Row>& rows() {
+  // clang-format off
   static const std::vector<Row> all{
       {"sensors_cut", "A joint's sensors stop.",
        "joint_node puts its valve to null; by itself back after 10 good samples.",
        Hit::kJoint, kJointNode, {"joint/sensors:cut"}, 0.1, {},
-       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
+       reacts(Fault::kSensorsStale, kStale_s, kGoodAgain_s)},
       {"sensors_cut_short", "A joint's sensors stop for 10 ms.", "As when they stop for longer.", Hit::kJoint,
        kJointNode, {"joint/sensors:cut"}, 0.01, {},
-       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
+       reacts(Fault::kSensorsStale, kStale_s, kGoodAgain_s)},
       {"sensors_cut_long", "A joint's sensors stop for 2 s.", "As when they stop for shorter.", Hit::kJoint, kJointNode,
        {"joint/sensors:cut"}, 2.0, {},
-       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
+       reacts(Fault::kSensorsStale, kStale_s, kGoodAgain_s)},
       {"sensors_nan", "A joint's encoder reads no number.", "joint_node puts its valve to null; by itself back.",
        Hit::kJoint, kJointNode, {"joint/sensors:nan=position_m_or_rad"}, 0.1, {},
-       {.reaction = kNull, .within_s = kAtOnce_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
+       reacts(Fault::kSensorsStale, kAtOnce_s, kGoodAgain_s)},
       {"force_cell_lost", "A joint's load cell reads no number.",
        "joint_node damps by position: back to where the force was lost, slowly; by itself back.", Hit::kJoint,
        kJointNode, {"joint/sensors:nan=force_N_or_Nm"}, 0.1, {},
-       {.reaction = kDamping, .within_s = kAtOnce_s, .recovers_s = kGoodAgain_s, .event = "force lost"}},
+       reacts(Fault::kForceLost, kAtOnce_s, kGoodAgain_s)},
       {"sensors_frozen", "A joint's readings stay what they are while samples go on coming.",
        "joint_node takes 10 samples alike for stale ones: valve to null; by itself back.", Hit::kJoint, kJointNode,
        {"joint/sensors:frozen"}, 0.1, {},
-       {.reaction = kNull, .within_s = 0.010 + kReach_s, .recovers_s = kGoodAgain_s, .event = "sensors stale"}},
+       reacts(Fault::kSensorsStale, kFrozen_s, kGoodAgain_s)},
       {"sensors_late", "A joint's sensors come 6 ms late.",
        "joint_node measures how much longer than ever their way is: valve to null; by itself back.", Hit::kJoint,
        kJointNode, {"joint/sensors:delay=6"}, 0.1, {},
-       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kGoodAgain_s + 0.006, .event = "sensors stale"}},
+       reacts(Fault::kSensorsStale, kStale_s, kGoodAgain_s + 0.006)},
       {"sensors_jitter", "A joint's sensors come 1 to 5 ms late, each by its own.",
        "joint_node puts the valve to null while they are more than 3 ms old.", Hit::kJoint, kJointNode,
        {"joint/sensors:delay=1..5"}, 0.1, {}, {.recovers_s = kGoodAgain_s + 0.006, .may_stutter = true}},
@@ -90,18 +102,18 @@ const std::vector<Row>& rows() {
        {"joint/sensors:offset=force_N_or_Nm+50"}, 0.1, {}, {}},
       {"command_cut_short", "A joint's commands stop for 20 ms.", "joint_node damps; by itself back.", Hit::kJoint,
        kJointNode, {"joint/command:cut"}, 0.02, {},
-       {.reaction = kDamping, .within_s = kDamped_s, .recovers_s = kReach_s, .event = "command stale"}},
+       reacts(Fault::kCommandStale, kDamped_s, kReach_s)},
       {"command_cut_long", "A joint's commands stop for 0.1 s.",
        "joint_node damps, then trips: valve to null until an operator arms it again.", Hit::kJoint, kJointNode,
        {"joint/command:cut"}, 0.1, {},
-       {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+       reacts(Fault::kTripped, kTripped_s, kArmed_s)},
       {"command_cut_for_seconds", "A joint's commands stop for 2 s.", "As when they stop for 0.1 s.", Hit::kJoint,
        kJointNode, {"joint/command:cut"}, 2.0, {},
-       {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+       reacts(Fault::kTripped, kTripped_s, kArmed_s)},
       {"command_nan", "A joint's commands are no numbers.",
        "joint_node damps; by itself back.", Hit::kJoint, kJointNode,
        {"joint/command:nan=torque_ff_Nm"}, 0.02, {},
-       {.reaction = kDamping, .within_s = kAtOnce_s, .recovers_s = kReach_s, .event = "command stale"}},
+       reacts(Fault::kCommandStale, kAtOnce_s, kReach_s)},
       {"valve_cut", "A joint's valve commands do not reach the valve.",
        "sim_bridge puts the spool to null; by itself back.",
        Hit::kJoint, kSimBridge, {"joint/valve_command:cut"}, 0.1, {},
@@ -151,11 +163,11 @@ const std::vector<Row>& rows() {
       {"clock_cut_short", "The gait source does not hear the clock for 20 ms.",
        "It commands nothing: joint_node of every leg damps; by itself back.", Hit::kAll, kGaitSource,
        {"clock/tick:cut"}, 0.02, {},
-       {.reaction = kDamping, .within_s = kDamped_s, .recovers_s = kReach_s, .event = "command stale"}},
+       reacts(Fault::kCommandStale, kDamped_s, kReach_s)},
       {"clock_cut_long", "The gait source does not hear the clock for 2 s.",
        "It commands nothing: joint_node of every leg damps, then trips: valve to null until an operator arms it again.",
        Hit::kAll, "gait_source", {"clock/tick:cut"}, 2.0, {},
-       {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+       reacts(Fault::kTripped, kTripped_s, kArmed_s)},
       {"joint_node_killed", "joint_node of a leg dies (kill -9).",
        "sim_bridge puts its three spools to null.", Hit::kLeg,
        nullptr, {}, 0.1, {{kJointNode, SIGKILL, 0.0}},
@@ -168,37 +180,36 @@ const std::vector<Row>& rows() {
        "sim_bridge puts its three spools to null; its joints, which obeyed no command for more than 50 ms when it goes "
        "on, trip: null until an operator arms them again.",
        Hit::kLeg, nullptr, {}, 0.1, {{kJointNode, SIGSTOP, 0.0}, {kJointNode, SIGCONT, 0.1}},
-       {.reaction = kNull, .within_s = kSilent_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+       reacts(Fault::kTripped, kSilent_s, kArmed_s)},
       {"sim_bridge_killed", "sim_bridge, or the driver in its place, dies (kill -9).",
        "joint_node has no sensors: its commands are null. No clock: the gait source is silent, joints trip.", Hit::kAll,
        nullptr, {}, 0.2, {{kSimBridge, SIGKILL, 0.0}},
-       {.event = "sensors stale", .event_within_s = kStale_s + kHeard_s}},
+       {.event = info_of(Fault::kSensorsStale).event.text, .event_within_s = kStale_s + kHeard_s}},
       {"sim_bridge_stopped_short", "sim_bridge, or the driver in its place, stands still for 30 ms (SIGSTOP).",
        "joint_node puts its valves to null; by itself back.", Hit::kAll, nullptr, {}, 0.03,
        {{kSimBridge, SIGSTOP, 0.0}, {kSimBridge, SIGCONT, 0.03}},
-       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kAfterStop_s, .event = "sensors stale"}},
+       reacts(Fault::kSensorsStale, kStale_s, kAfterStop_s)},
       {"sim_bridge_stopped_long", "sim_bridge, or the driver in its place, stands still for 0.1 s (SIGSTOP).",
        "joint_node puts its valves to null. No clock: the gait source is silent, joints trip: null until an operator arms "
        "them again.",
        Hit::kAll, nullptr, {}, 0.1, {{kSimBridge, SIGSTOP, 0.0}, {kSimBridge, SIGCONT, 0.1}},
-       {.reaction = kNull, .within_s = kStale_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+       reacts(Fault::kTripped, kStale_s, kArmed_s)},
       {"gait_source_killed", "gait_source, or the planner in its place, dies (kill -9).",
        "joint_node of every leg damps, then trips: valve to null.", Hit::kAll, nullptr, {}, 0.2,
        {{kGaitSource, SIGKILL, 0.0}},
-       {.reaction = kNull, .within_s = kTripped_s, .latches = true, .event = "tripped"}},
+       reacts(Fault::kTripped, kTripped_s, kNever)},
       {"gait_source_restarted", "gait_source, or the planner in its place, dies (kill -9) and is started again.",
        "joint_node of every leg damps, then trips: valve to null until an operator arms it again.", Hit::kAll, nullptr,
        {}, 1.2, {{kGaitSource, SIGKILL, 0.0}, {kGaitSource, run::kStart, kStartAgain_s}},
-       {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+       reacts(Fault::kTripped, kTripped_s, kArmed_s)},
       {"gait_source_stopped_short", "gait_source, or the planner in its place, stands still for 30 ms (SIGSTOP).",
        "joint_node of every leg damps; by itself back.", Hit::kAll, nullptr, {}, 0.03,
        {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.03}},
-       {.reaction = kDamping, .within_s = kDamped_s, .recovers_s = kReach_s + kCatchesUp_s,
-        .event = "command stale"}},
+       reacts(Fault::kCommandStale, kDamped_s, kReach_s + kCatchesUp_s)},
       {"gait_source_stopped_long", "gait_source, or the planner in its place, stands still for 0.1 s (SIGSTOP).",
        "joint_node of every leg damps, then trips: valve to null until an operator arms it again.", Hit::kAll, nullptr,
        {}, 0.1, {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.1}},
-       {.reaction = kNull, .within_s = kTripped_s, .recovers_s = kArmed_s, .latches = true, .event = "tripped"}},
+       reacts(Fault::kTripped, kTripped_s, kArmed_s)},
       {"clock_forward", "The computer's clock is set an hour forward.", "Everybody goes on: ages are of the steady clock.",
        Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, run::kClockForward, 0.0}}, {}},
       {"clock_back", "The computer's clock is set an hour back.", "Everybody goes on: ages are of the steady clock.",
@@ -239,6 +250,7 @@ const std::vector<Row>& rows() {
        Hit::kAll, nullptr, {}, 0.1, {{kSupervisor, SIGSTOP, 0.0}, {kSupervisor, SIGCONT, 0.1}},
        {.event = "stands by: another supervisor leads", .event_within_s = 0.1 + kTakenOver_s}, true},
   };
+  // clang-format on
   return all;
 }
 

@@ -88,19 +88,19 @@ constexpr std::array kSpecs{
                    }
                  });
                }},
-    MetricSpec{"farrier_joint_fault", kGauge, {"leg", "joint", "fault"}, "1 while the joint has the fault.",
+    MetricSpec{"farrier_joint_fault", kGauge, {"leg", "joint", "fault", "severity"}, "1 while the joint has the fault; its severity is that of the safety table.",
                [](const State& s, const Sample& sample) {
                  each_heard_joint(s, [&](const robot::Joint& joint, const JointFrame& frame, const std::string& leg) {
-                   for (const auto& [fault, name, failed] : kFaults) {
-                     sample(FaultSet(frame.newest.faults).has(fault) ? 1.0 : 0.0, {leg, joint.name, name});
+                   for (const FaultInfo& fault : kFaults) {
+                     sample(FaultSet(frame.newest.faults).has(fault.fault) ? 1.0 : 0.0, {leg, joint.name, fault.name, to_string(fault.severity)});
                    }
                  });
                }},
-    MetricSpec{"farrier_joint_fault_onsets_total", kCounter, {"leg", "joint", "fault"}, "Times the fault began, those between two scrapes included.",
+    MetricSpec{"farrier_joint_fault_onsets_total", kCounter, {"leg", "joint", "fault", "severity"}, "Times the fault began, those between two scrapes included.",
                [](const State& s, const Sample& sample) {
                  each_joint(s, [&](const robot::Joint& joint, const JointFrame&, const std::string& leg) {
                    for (std::size_t i = 0; i < kFaults.size(); ++i) {
-                     sample(as_double(s.fault_onsets[joint.number][i]), {leg, joint.name, kFaults[i].name});
+                     sample(as_double(s.fault_onsets[joint.number][i]), {leg, joint.name, kFaults[i].name, to_string(kFaults[i].severity)});
                    }
                  });
                }},

@@ -20,8 +20,8 @@ using Sample = std::function<void(double value, std::initializer_list<std::strin
 struct MetricSpec {
   const char* name;
   MetricKind kind;
-  std::array<const char*, 3> labels;  ///< null: no more
-  const char* help;  ///< one sentence
+  std::array<const char*, 4> labels;                             ///< null: no more
+  const char* help;                                              ///< one sentence
   void (*fill)(const MetricState& state, const Sample& sample);  ///< values there are; what is not known is left out
 };
 

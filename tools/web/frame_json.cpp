@@ -13,9 +13,7 @@ using nlohmann::json;
 constexpr int kDigits = 6;
 
 // Others may say anything in a name or a text: what is no UTF-8 is replaced, never thrown at.
-std::string text_of(const json& document) {
-  return document.dump(-1, ' ', false, json::error_handler_t::replace);
-}
+std::string text_of(const json& document) { return document.dump(-1, ' ', false, json::error_handler_t::replace); }
 
 json number(double value) {
   if (!std::isfinite(value)) {
@@ -36,26 +34,24 @@ json number(double value) {
 json tick(Tick value) { return value == kNoTick ? json(nullptr) : json(value); }
 
 json event_of(const monitor::EventFrame& event) {
-  return {{"n", event.number},   {"t", number(event.time_s)}, {"tick", tick(event.tick)},
-          {"severity", static_cast<int>(event.severity)},     {"who", event.who},
-          {"joint", event.joint}, {"text", event.text}};
+  return {{"n", event.number},        {"t", number(event.time_s)},
+          {"tick", tick(event.tick)}, {"severity", static_cast<int>(event.severity)},
+          {"who", event.who},         {"joint", event.joint},
+          {"text", event.text}};
 }
 
 json gains_of(const signals::JointControllerGains& gains) {
   if (gains.generation == 0) {
     return nullptr;
   }
-  return {gains.generation,        number(gains.k_position), number(gains.k_velocity),
-          number(gains.k_force),   number(gains.k_integral), number(gains.feed_forward)};
+  return {gains.generation,      number(gains.k_position), number(gains.k_velocity),
+          number(gains.k_force), number(gains.k_integral), number(gains.feed_forward)};
 }
 
 json summary_of(const signals::JointSummary& one) {
-  return {one.tick,
-          number(one.force_reference_N_or_Nm),
-          number(one.force_N_or_Nm),
-          number(one.valve_current_A),
-          one.phase,
-          one.faults};
+  return {
+      one.tick,  number(one.force_reference_N_or_Nm), number(one.force_N_or_Nm), number(one.valve_current_A), one.phase,
+      one.faults};
 }
 
 json estimate_of(const monitor::JointFrame& joint) {
@@ -132,7 +128,7 @@ std::string robot_json(const robot::Robot& robot, bool recorded) {
   json failures = json::array();
   for (const FaultInfo& info : kFaults) {
     faults.push_back(info.name);
-    failures.push_back(info.failed);
+    failures.push_back(info.failed());
   }
   return text_of({{"name", robot.name},
                   {"period_s", robot.period_s},

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <set>
+#include <string>
+
 #include "core/fault.hpp"
 
 namespace farrier {
@@ -35,14 +39,50 @@ TEST(FaultSet, ReadsInOrderOfPrecedence) {
   EXPECT_EQ(to_string(faults), "disarmed, command stale");
 }
 
-TEST(FaultSet, NamesEveryFaultDifferently) {
-  std::string all;
-  for (std::uint32_t bit = 1; bit <= static_cast<std::uint32_t>(Fault::kActuatorSilent); bit <<= 1) {
-    const std::string name = to_string(static_cast<Fault>(bit));
-    EXPECT_NE(name, "unknown fault");
-    EXPECT_EQ(all.find(name + ";"), std::string::npos) << name << " twice";
-    all += name + ";";
+TEST(FaultSet, TakesTheMostCarefulOutput) {
+  FaultSet faults;
+  EXPECT_EQ(faults.output(), SafeOutput::kTracking);
+  faults.set(Fault::kValveSaturated);
+  EXPECT_EQ(faults.output(), SafeOutput::kTracking);
+  faults.set(Fault::kCommandStale);
+  EXPECT_EQ(faults.output(), SafeOutput::kDamping);
+  faults.set(Fault::kForceLost);
+  EXPECT_EQ(faults.output(), SafeOutput::kPositionDamping);
+  faults.set(Fault::kNoGains);
+  EXPECT_EQ(faults.output(), SafeOutput::kNull);
+}
+
+TEST(FaultSet, HasFailedFromAnErrorOn) {
+  for (const FaultInfo& info : kFaults) {
+    FaultSet faults;
+    faults.set(info.fault);
+    EXPECT_EQ(faults.failed(), info.severity >= FaultSeverity::kError) << info.name;
+    EXPECT_EQ(faults.output(), info.output) << info.name;
   }
+}
+
+TEST(SafetyTable, NamesEveryFaultDifferently) {
+  std::set<std::string> names;
+  for (const FaultInfo& info : kFaults) {
+    EXPECT_TRUE(names.insert(info.name).second) << info.name << " twice";
+    EXPECT_STREQ(to_string(info.fault), info.name);
+    EXPECT_EQ(&info_of(info.fault), &info);
+  }
+}
+
+TEST(SafetyTable, LetsAnOperatorKnowOfEveryLatchedFault) {
+  for (const FaultInfo& info : kFaults) {
+    EXPECT_EQ(info.latched(), info.severity == FaultSeverity::kCritical) << info.name;
+    EXPECT_TRUE(info.event.text != nullptr || info.severity == FaultSeverity::kInfo) << info.name;
+  }
+}
+
+TEST(SafetyTable, PrintsALineForEachFaultTheMostCarefulFirst) {
+  const std::string table = safety_table_markdown();
+  EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(table, '\n')), kFaults.size() + 2);
+  EXPECT_LT(table.find("`disarmed`"), table.find("`force lost`"));
+  EXPECT_LT(table.find("`force lost`"), table.find("`command stale`"));
+  EXPECT_LT(table.find("`command stale`"), table.find("`gains refused`"));
 }
 
 TEST(FaultSet, SaysSoWhenABitHasNoName) { EXPECT_EQ(to_string(FaultSet(1u << 31)), "unknown fault"); }

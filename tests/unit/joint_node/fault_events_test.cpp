@@ -25,7 +25,7 @@ TEST(FaultEvents, TellAChangeOnceWithItsCause) {
   EXPECT_EQ(events.update(0, of({Fault::kSensorsStale})), "sensors stale");
   EXPECT_EQ(events.update(1, of({Fault::kSensorsStale})), std::nullopt);
   EXPECT_EQ(events.update(2, of({Fault::kSensorsStale, Fault::kCommandStale})), "sensors stale, command stale");
-  EXPECT_EQ(events.update(3, {}), "well again");
+  EXPECT_EQ(events.update(3, {}), "no fault");
   EXPECT_EQ(events.update(4, {}), std::nullopt);
 }
 
@@ -38,7 +38,7 @@ TEST(FaultEvents, TellAReferenceThatFlickersAtItsLimitOnce) {
   }
   int told = 0;
   for (; tick < 1000; ++tick) {
-    told += events.update(tick, {}) == "well again" ? 1 : 0;
+    told += events.update(tick, {}) == "no fault" ? 1 : 0;
   }
   EXPECT_EQ(told, 1);
 }

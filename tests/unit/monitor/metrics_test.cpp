@@ -149,7 +149,8 @@ TEST_F(Metrics, AreFineByPromtool) {
   take();
   const test::ScratchDirectory scratch;
   std::ofstream(scratch.file("metrics")) << prometheus::TextSerializer().Serialize(metrics_.Collect());
-  const std::string command = "promtool check metrics <" + scratch.file("metrics") + " >" + scratch.file("said") + " 2>&1";
+  const std::string command =
+      "promtool check metrics <" + scratch.file("metrics") + " >" + scratch.file("said") + " 2>&1";
   const int status = std::system(command.c_str());
   std::ostringstream said;
   said << std::ifstream(scratch.file("said")).rdbuf();
@@ -173,6 +174,39 @@ TEST(AlertRules, NameOnlyMetricsThatThereAre) {
   EXPECT_GT(found, 20);
 }
 
+TEST(AlertRules, ChooseFaultsBySeverityAndNotByName) {
+  std::ostringstream text;
+  text << std::ifstream(FARRIER_MONITORING "farrier.rules.yml").rdbuf();
+  const std::string rules = text.str();
+  static const std::regex by_name("fault *[!=]~?\"");
+  EXPECT_FALSE(std::regex_search(rules, by_name));
+  static const std::regex by_severity("farrier_joint_fault[a-z_]*\\{severity!?=\"([a-z]+)\"");
+  int found = 0;
+  for (auto one = std::sregex_iterator(rules.begin(), rules.end(), by_severity); one != std::sregex_iterator(); ++one) {
+    EXPECT_TRUE(std::ranges::any_of(kFaults, [&](const FaultInfo& info) {
+      return to_string(info.severity) == (*one)[1].str();
+    })) << one->str();
+    ++found;
+  }
+  EXPECT_EQ(found, 2);
+}
+
+TEST(AlertRules, AreTestedWithTheSeveritiesOfTheSafetyTable) {
+  std::ostringstream text;
+  text << std::ifstream(FARRIER_MONITORING "farrier.rules.test.yml").rdbuf();
+  const std::string rules = text.str();
+  static const std::regex series("farrier_joint_fault[^}]*fault=\"([^\"]+)\",severity=\"([a-z]+)\"");
+  int found = 0;
+  for (auto one = std::sregex_iterator(rules.begin(), rules.end(), series); one != std::sregex_iterator(); ++one) {
+    const auto info =
+        std::ranges::find(kFaults, (*one)[1].str(), [](const FaultInfo& row) { return std::string(row.name); });
+    ASSERT_NE(info, kFaults.end()) << one->str();
+    EXPECT_EQ(to_string(info->severity), (*one)[2].str()) << one->str();
+    ++found;
+  }
+  EXPECT_EQ(found, 5);
+}
+
 TEST(MetricsTable, HasALineForEachMetric) {
   const std::string table = metrics_table_markdown();
   EXPECT_EQ(static_cast<std::size_t>(std::ranges::count(table, '\n')), metric_specs().size() + 2);
@@ -187,8 +221,8 @@ TEST(ListenAddress, IsThisComputerAloneUnlessToldOtherwise) {
 }
 
 TEST(ListenAddress, RejectsInvalidAddresses) {
-  for (const char* text : {"", "9464", ":", ":65536", ":94x", "1.2.3:9464", "robot:9464", "::1:9464", "[::1:9464",
-                           "127.0.0.1:9464 "}) {
+  for (const char* text :
+       {"", "9464", ":", ":65536", ":94x", "1.2.3:9464", "robot:9464", "::1:9464", "[::1:9464", "127.0.0.1:9464 "}) {
     const auto address = parse_listen_address(text);
     ASSERT_FALSE(address.ok()) << text;
     EXPECT_NE(address.error().message.find("0.0.0.0:9464"), std::string::npos) << address.error().message;
@@ -211,7 +245,8 @@ TEST(PrometheusExposer, ServesTheNewestFrame) {
   exposer.value()->show(feed.frame());
   const std::string served = test::http_get(address.port, "/metrics");
   for (const char* line : {"# HELP farrier_robot_mode 1 for the mode", "# TYPE farrier_joint_redesigns_total counter\n",
-                           "\nfarrier_robot_mode{mode=\"armed\"} 1\n", "\nfarrier_joint_missed_ticks_total{leg=\"lf\",joint=\"lf_haa\"} 0\n"}) {
+                           "\nfarrier_robot_mode{mode=\"armed\"} 1\n",
+                           "\nfarrier_joint_missed_ticks_total{leg=\"lf\",joint=\"lf_haa\"} 0\n"}) {
     EXPECT_NE(served.find(line), std::string::npos) << line << "\n" << served;
   }
 }

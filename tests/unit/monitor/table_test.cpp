@@ -39,10 +39,9 @@ TEST_F(Table, ShowsTheRunItsJointsItsProcessesAndEvents) {
   for (const robot::Joint& joint : hyq().joints) {
     EXPECT_NE(shown.find('\n' + joint.name), std::string::npos) << shown;
   }
-  for (const char* part :
-       {"hyq  armed  tick 1020 (1.02 s)  latency p50 450 us, p99 900 us  lost 3  missed periods 3", "tracking  stance",
-        "10 N", "10 Nm", "0.050", "5 kgm2", "6 kg", " 1000 ", "joint_node_lf", "90 us",
-        "error    supervisor lf_kfe: design refused"}) {
+  for (const char* part : {"hyq  armed  tick 1020 (1.02 s)  latency p50 450 us, p99 900 us  lost 3  missed periods 3",
+                           "tracking  stance", "10 N", "10 Nm", "0.050", "5 kgm2", "6 kg", " 1000 ", "joint_node_lf",
+                           "90 us", "error    supervisor lf_kfe: design refused"}) {
     EXPECT_NE(shown.find(part), std::string::npos) << part << "\n" << shown;
   }
 }
@@ -96,6 +95,16 @@ TEST_F(Table, LeavesTheJointsThatHaveEveryWordOfTheFilter) {
   view.filter = "";
   view.only_faulty = true;
   EXPECT_EQ(order(frame, view), std::vector<std::string>{hyq().joints[4].name});
+}
+
+TEST(JointRows, HaveTheToneOfTheFaultsSeverity) {
+  for (const FaultInfo& info : kFaults) {
+    Feed feed;
+    feed.walk(0, 1, [&](signals::JointSummary& s) { s.faults = static_cast<std::uint32_t>(info.fault); });
+    for (const JointRow& row : joint_rows(feed.frame(), hyq(), {})) {
+      EXPECT_EQ(row.tone, info.severity >= FaultSeverity::kError ? Tone::kBad : Tone::kWarning) << info.name;
+    }
+  }
 }
 
 TEST_F(Table, FitsAnyTerminal) {
