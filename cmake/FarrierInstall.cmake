@@ -10,7 +10,7 @@
 #   include/farrier/, lib/    for programs of the user's
 #
 # Three components, three packages: `cpack` in the build directory makes them.
-set_target_properties(${FARRIER_PROCESSES} bare_exchange PROPERTIES
+set_target_properties(${FARRIER_PROCESSES} ${FARRIER_FAULTY_PROGRAMS} bare_exchange PROPERTIES
   RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/libexec/farrier)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/farrier)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/deploy/robots ${PROJECT_BINARY_DIR}/share/farrier/robots SYMBOLIC)
@@ -18,10 +18,10 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/deploy/robots ${PROJECT_BINARY_DIR}/share
 install(TARGETS ${FARRIER_PROCESSES} DESTINATION libexec/farrier COMPONENT runtime)
 install(DIRECTORY deploy/robots DESTINATION share/farrier COMPONENT runtime)
 install(DIRECTORY deploy/monitoring DESTINATION share/farrier COMPONENT tools)
-install(TARGETS bare_exchange farrier_wall_clock DESTINATION libexec/farrier COMPONENT tools)
+install(TARGETS bare_exchange farrier_wall_clock ${FARRIER_FAULTY_PROGRAMS} DESTINATION libexec/farrier COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.
-set(FARRIER_EXPORTED core signals config runtime plant control estimation gait robot bus bus_faults bus_cyclone
+set(FARRIER_EXPORTED core signals config runtime plant control estimation gait robot bus bus_cyclone
   bus_fastdds bus_factory participant process security wire_gains)
 foreach(library IN LISTS FARRIER_EXPORTED)
   if(NOT TARGET farrier_${library})

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "bus_faults/arrow_fault.hpp"
 #include "run/run_plan.hpp"
 #include "mcap/records.hpp"
 #include "participant/options.hpp"
@@ -29,12 +30,13 @@ struct DdsRun {
   participant::ProcessOptions common;
   std::string executables;  ///< directory of the node executables
   std::string log_directory;
-  std::string record_path;   ///< a recording of everything goes there; empty: none
-  mcap::Text record_facts;   ///< recording::kRunFacts of it
+  std::string record_path;  ///< a recording of everything goes there; empty: none
+  mcap::Text record_facts;  ///< recording::kRunFacts of it
   std::string title;
   std::map<std::string, std::vector<bus_faults::ArrowFault>> faults;  ///< by member, real time only
   std::vector<Act> acts;                                              ///< in the order of their ticks
-  std::function<void(Tick)> looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
+  std::function<void(Tick)>
+      looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
   std::vector<Onlooker> onlookers;
   double start_limit_s = 20.0;            ///< within which every participant must have greeted; 0: none
   double stall_limit_s = 30.0;            ///< lock-step: within which the next tick must begin; 0: none
@@ -45,7 +47,7 @@ struct DdsRun {
 };
 
 struct RunOutcome {
-  std::vector<run::Member> members;  ///< the last is the launcher, where there are processes
+  std::vector<run::Member> members;            ///< the last is the launcher, where there are processes
   std::vector<signals::SystemHello> hellos;    ///< by participant
   std::vector<signals::SystemHealth> healths;  ///< by participant
   std::vector<signals::SystemEvent> events;
@@ -53,12 +55,13 @@ struct RunOutcome {
   std::vector<signals::JointUpdateDecision> decisions;
   std::vector<trace::TraceRow> rows;  ///< of the trace, in order; empty over DDS, where only the file has them
   std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued
-  std::vector<Tick> acted;            ///< when acts were done, in their order
-  std::vector<std::string> warnings;  ///< what went wrong and did not end the run
-  std::vector<std::optional<Growth>> growths;  ///< by participant; nothing for one that died and for the launcher, which
-                                               ///< keeps the record of the run. Empty where not watched
-  std::vector<OnlookerUse> onlookers;        ///< as DdsRun has them
-  double wall_s = 0;  ///< from the first tick to the last
+  std::vector<Tick> acted;                           ///< when acts were done, in their order
+  std::vector<std::string> warnings;                 ///< what went wrong and did not end the run
+  std::vector<std::optional<Growth>>
+      growths;                         ///< by participant; nothing for one that died and for the launcher, which
+                                       ///< keeps the record of the run. Empty where not watched
+  std::vector<OnlookerUse> onlookers;  ///< as DdsRun has them
+  double wall_s = 0;                   ///< from the first tick to the last
 };
 
 /// Starts every process, listens to them from this one, shows progress, ends every process. No process is left behind.

@@ -21,7 +21,8 @@ std::optional<int> processor_of(const run::Member& member, bus::ClockKind clock)
     return std::nullopt;
   }
   const std::vector<int> processors = runtime::own_processors();
-  const std::size_t place = is_joint_node ? static_cast<std::size_t>(member.number - participant::kFirstJointNode + 1) : 0;
+  const std::size_t place =
+      is_joint_node ? static_cast<std::size_t>(member.number - participant::kFirstJointNode + 1) : 0;
   return processors.empty() ? std::nullopt : std::optional(processors[place % processors.size()]);
 }
 
@@ -40,9 +41,12 @@ Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOp
     options.trace_path.clear();
   }
   if (const auto faults = run.faults.find(member.name); faults != run.faults.end()) {
-    options.faults = faults->second;
+    for (const bus_faults::ArrowFault& fault : faults->second) {
+      options.faults.push_back(bus_faults::to_string(fault));
+    }
   }
-  const std::string program = run.bare ? "bare_exchange" : member.executable;
+  const std::string program =
+      run.bare ? "bare_exchange" : member.executable + (options.faults.empty() ? "" : "_with_faults");
   const std::string executable = run.executables + "/" + program;
   return ChildProcess::start(name, executable, participant::to_arguments(options),
                              run.log_directory + "/" + log_name + ".log",
@@ -71,11 +75,10 @@ Result<ChildProcess> start_monitor(const DdsRun& run, const participant::Process
       arguments.emplace_back(topic.name);
     }
   }
-  arguments.insert(arguments.end(), {"--joint", joint, "--robot", common.robot_path, "--domain",
-                                     std::to_string(common.network.domain), "--dds",
-                                     to_string(run.dds == DdsChoice::kCyclone ? Vendor::kCyclone : Vendor::kFast)});
-  return ChildProcess::start(name, farrier_command(), arguments,
-                             run.log_directory + "/" + name + ".log");
+  arguments.insert(arguments.end(),
+                   {"--joint", joint, "--robot", common.robot_path, "--domain", std::to_string(common.network.domain),
+                    "--dds", to_string(run.dds == DdsChoice::kCyclone ? Vendor::kCyclone : Vendor::kFast)});
+  return ChildProcess::start(name, farrier_command(), arguments, run.log_directory + "/" + name + ".log");
 }
 
 Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run,
@@ -83,9 +86,11 @@ Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run
   // The robot with the options of this run, which is in no other file.
   const std::string robot_path = run.log_directory + "/" + robot.name + ".yaml";
   FARRIER_TRY(replace_file(robot_path, robot::print_config(robot)));
-  std::vector<std::string> arguments{"record", run.record_path, "--robot", robot_path, "--domain",
-                                     std::to_string(common.network.domain), "--dds",
-                                     to_string(run.dds == DdsChoice::kFast ? Vendor::kFast : Vendor::kCyclone)};
+  std::vector<std::string> arguments{
+      "record",   run.record_path,
+      "--robot",  robot_path,
+      "--domain", std::to_string(common.network.domain),
+      "--dds",    to_string(run.dds == DdsChoice::kFast ? Vendor::kFast : Vendor::kCyclone)};
   if (!common.security.empty()) {
     arguments.insert(arguments.end(), {"--security", common.security});
   }
@@ -107,7 +112,8 @@ std::string standstill(const run::RunListener& listener, const std::vector<Child
   if (!stopped.empty()) {
     return "stopped: " + stopped + "; the run stands at tick " + std::to_string(listener.tick());
   }
-  const std::string said = listener.tick() == 0 || children.empty() ? "" : children.front().last_words(kSilenceWorthSaying);
+  const std::string said =
+      listener.tick() == 0 || children.empty() ? "" : children.front().last_words(kSilenceWorthSaying);
   return said.empty() ? "waiting for " + listener.waits_for() : said;
 }
 
@@ -127,7 +133,8 @@ Result<Done> bury(std::vector<ChildProcess>& children, const DdsRun& run, const 
       continue;
     }
     if (!dispensable(child->name()) || !realtime || tick <= 0) {
-      return Error{child->epitaph() + (realtime ? "" : "\nIn lock-step every process waits for every other, so the run ends.")};
+      return Error{child->epitaph() +
+                   (realtime ? "" : "\nIn lock-step every process waits for every other, so the run ends.")};
     }
     warnings.push_back("without " + child->name() + " after tick " + std::to_string(tick) + ": " + child->epitaph() +
                        (child->name() == kRecorder ? recording::left_behind(run.record_path) : ""));

@@ -7,6 +7,8 @@
 #include <cstdlib>
 #include <map>
 
+#include "participant/fault_injection.hpp"
+
 namespace farrier::participant {
 namespace {
 
@@ -40,6 +42,40 @@ bool may_have(const std::string& program, bool stands_by, std::uint16_t number) 
   return known == kPrograms.end() || number == known->number;
 }
 
+/// True if the options of this program concern a process of that name. Other programs stand in for any process.
+bool concerns(Program program, const std::string& process) {
+  const auto known = std::ranges::find_if(kPrograms, [&](const ProgramInfo& one) { return process == one.name; });
+  return known == kPrograms.end() || known->program == program;
+}
+
+void declare_of_sim_bridge(CLI::App& app, ProcessOptions& o) {
+  app.add_option("--trace", o.trace_path, "Trace file to write (CSV)");
+  app.add_option("--world", o.world_path,
+                 "Robot file of the robot that is simulated, where it is not the one of --robot");
+}
+
+void declare_of_supervisor(CLI::App& app, ProcessOptions& o) {
+  app.add_option("--design", o.design,
+                 "Load the published gains are for: stance or swing in both slots, phases: each slot its own, or "
+                 "adaptive: swing in both at first, then what the estimates say")
+      ->capture_default_str();
+  app.add_flag("--standby", o.standby, "Leads only when the supervisor that leads has fallen silent");
+}
+
+void declare_faults(CLI::App& app, ProcessOptions& o) {
+  const FaultInjection* const injection = fault_injection();
+  if (injection == nullptr) {
+    return;
+  }
+  app.add_option("--fault", o.faults,
+                 "Fault of samples on their way into this process, as TOPIC:KIND[=VALUE][@FROM..UNTIL][#KEY]")
+      ->check([injection](const std::string& fault) {
+        const auto checked = injection->check(fault);
+        return checked ? std::string() : checked.error().message;
+      })
+      ->allow_extra_args(false);
+}
+
 void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--name", o.name, "Name the others see")->capture_default_str();
   app.add_option("--robot", o.robot_path, "Robot file")->capture_default_str();
@@ -50,8 +86,9 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--domain", o.network.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
   app.add_option("--address", o.network.address, "Address of the interface DDS uses")->capture_default_str();
   app.add_option("--peers", o.network.peers, "Computers to look for processes on")->delimiter(',');
-  app.add_option("--security", o.security,
-                 "Folder of keys and permissions, as farrier security init makes it; without, DDS is open to everybody");
+  app.add_option(
+      "--security", o.security,
+      "Folder of keys and permissions, as farrier security init makes it; without, DDS is open to everybody");
   app.add_option("--number", o.number, "This participant's number in the run")->required();
   app.add_option("--participants", o.participants, "How many take part in the run")->required();
   app.add_option("--session", o.session, "Session of the run; others are ignored")->capture_default_str();
@@ -59,39 +96,24 @@ void declare(CLI::App& app, ProcessOptions& o) {
   app.add_option("--ticks", o.ticks, "Length of the run; 0: until SIGTERM")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  app.add_option("--joints", o.joints, "Joints this process hosts")->delimiter(',');
-  app.add_option("--trace", o.trace_path, "Trace file to write (CSV)");
-  app.add_option("--design", o.design,
-                 "Load the published gains are for: stance or swing in both slots, phases: each slot its own, or "
-                 "adaptive: swing in both at first, then what the estimates say")
-      ->capture_default_str();
+  if (concerns(Program::kJointNode, o.name)) {
+    app.add_option("--joints", o.joints, "Joints this process hosts")->delimiter(',');
+  }
+  if (concerns(Program::kSimBridge, o.name)) {
+    declare_of_sim_bridge(app, o);
+  }
+  if (concerns(Program::kSupervisor, o.name)) {
+    declare_of_supervisor(app, o);
+  }
+  declare_faults(app, o);
   app.add_option("--gait", o.gait, "Gait, instead of the robot file's");
   app.add_option("--frequency", o.frequency_Hz, "Stride frequency in Hz, instead of the robot file's")
       ->check(CLI::Range(0.1, 10.0));
   app.add_option("--estimator", o.estimator, "Estimator section of the robot file that every joint uses");
   app.add_option("--controller", o.controller, "Kind of every controller, instead of the robot file's");
-  if (o.name == "sim_bridge") {
-    app.add_option("--world", o.world_path, "Robot file of the robot that is simulated, where it is not the one of --robot");
-  }
-  app.add_option_function<std::vector<std::string>>(
-         "--fault",
-         [&o](const std::vector<std::string>& texts) {
-           for (const std::string& text : texts) {
-             const auto fault = bus_faults::parse_arrow_fault(text);
-             if (!fault) {
-               throw CLI::ValidationError("--fault", fault.error().message);
-             }
-             o.faults.push_back(fault.value());
-           }
-         },
-         "What goes wrong with samples on their way into this process, as TOPIC:KIND[=VALUE][@FROM..UNTIL][#KEY]")
-      ->allow_extra_args(false);
   app.add_option("--slow", o.slow, "Slow motion: the clock goes slower than the machine's by this factor")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  if (o.name == "supervisor") {
-    app.add_flag("--standby", o.standby, "Leads only when the supervisor that leads has fallen silent");
-  }
   app.add_option("--priority-shift", o.priority_shift,
                  "Added to every SCHED_FIFO priority of the process, real time only")
       ->check(CLI::Range(-39, 15))
@@ -100,6 +122,11 @@ void declare(CLI::App& app, ProcessOptions& o) {
 }
 
 }  // namespace
+
+const FaultInjection*& fault_injection() noexcept {
+  static const FaultInjection* linked = nullptr;
+  return linked;
+}
 
 ProcessOptions parse_options(const std::string& process, const std::string& purpose, int argc, char** argv) {
   CLI::App app(purpose, process);
@@ -122,12 +149,14 @@ ProcessOptions parse_options(const std::string& process, const std::string& purp
     std::exit(2);
   }
   if (!options.faults.empty() && options.clock == bus::ClockKind::kLockstep) {
-    std::fprintf(stderr, "%s: --fault is for the real-time clock: in lock-step a lost sample holds the run up for ever\n",
+    std::fprintf(stderr,
+                 "%s: --fault is for the real-time clock: in lock-step a lost sample holds the run up for ever\n",
                  process.c_str());
     std::exit(2);
   }
   if (options.standby && options.clock == bus::ClockKind::kLockstep) {
-    std::fprintf(stderr, "%s: --standby is for the real-time clock: in lock-step a run waits for a supervisor that is silent\n",
+    std::fprintf(stderr,
+                 "%s: --standby is for the real-time clock: in lock-step a run waits for a supervisor that is silent\n",
                  process.c_str());
     std::exit(2);
   }
@@ -154,28 +183,43 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
     }
     return text;
   };
-  std::vector<std::string> arguments{
-      "--name", o.name, "--robot", o.robot_path, "--dds", to_string(o.vendor), "--clock", name_of(kClockKinds, o.clock),
-      "--domain", std::to_string(o.network.domain), "--address", o.network.address, "--peers", joined(o.network.peers),
-      "--number", std::to_string(o.number), "--participants", std::to_string(o.participants),
-      "--session", std::to_string(o.session), "--seed", std::to_string(o.seed), "--ticks", std::to_string(o.ticks),
-      "--design", o.design};
+  std::vector<std::string> arguments{"--name",         o.name,
+                                     "--robot",        o.robot_path,
+                                     "--dds",          to_string(o.vendor),
+                                     "--clock",        name_of(kClockKinds, o.clock),
+                                     "--domain",       std::to_string(o.network.domain),
+                                     "--address",      o.network.address,
+                                     "--peers",        joined(o.network.peers),
+                                     "--number",       std::to_string(o.number),
+                                     "--participants", std::to_string(o.participants),
+                                     "--session",      std::to_string(o.session),
+                                     "--seed",         std::to_string(o.seed),
+                                     "--ticks",        std::to_string(o.ticks)};
   const auto append = [&](const char* flag, const std::string& value) {
     if (!value.empty()) {
       arguments.insert(arguments.end(), {flag, value});
     }
   };
   append("--security", o.security);
-  append("--joints", joined(o.joints));
-  append("--trace", o.trace_path);
+  switch (role_of(o.number, o.standby)) {
+    case bus::Role::kJointNode:
+      append("--joints", joined(o.joints));
+      break;
+    case bus::Role::kSimBridge:
+      append("--trace", o.trace_path);
+      append("--world", o.world_path);
+      break;
+    case bus::Role::kSupervisor:
+      append("--design", o.design);
+      break;
+    default:
+      break;
+  }
   append("--gait", o.gait);
   if (o.frequency_Hz > 0) {
     char exact[32];
     std::snprintf(exact, sizeof exact, "%.17g", o.frequency_Hz);  // it shapes the trace
     append("--frequency", exact);
-  }
-  if (o.number == kSimBridge) {
-    append("--world", o.world_path);
   }
   append("--estimator", o.estimator);
   append("--controller", o.controller);
@@ -185,8 +229,8 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
   if (o.priority_shift != 0) {
     append("--priority-shift", std::to_string(o.priority_shift));
   }
-  for (const bus_faults::ArrowFault& fault : o.faults) {
-    append("--fault", bus_faults::to_string(fault));
+  for (const std::string& fault : o.faults) {
+    append("--fault", fault);
   }
   if (o.standby) {
     arguments.push_back("--standby");

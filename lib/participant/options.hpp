@@ -7,7 +7,6 @@
 
 #include "bus/bus.hpp"
 #include "bus/network.hpp"
-#include "bus_faults/arrow_fault.hpp"
 #include "participant/participant.hpp"
 
 namespace farrier::participant {
@@ -19,7 +18,7 @@ struct ProcessOptions {
   bus::Vendor vendor = bus::Vendor::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
   bus::NetworkOptions network;
-  std::string security;             ///< folder of keys and permissions; empty: DDS is not secured
+  std::string security;  ///< folder of keys and permissions; empty: DDS is not secured
   std::uint16_t number = 0;
   std::uint16_t participants = 0;
   std::uint64_t session = 1;
@@ -33,7 +32,7 @@ struct ProcessOptions {
   std::string estimator;            ///< section of the robot file for every joint, or empty
   std::string controller;           ///< kind of every controller, as in a robot file, or empty
   std::string world_path;           ///< sim_bridge: robot file of the robot it simulates; empty: robot_path
-  std::vector<bus_faults::ArrowFault> faults;  ///< on the way of samples into this process, real time only
+  std::vector<std::string> faults;  ///< on the way of samples into this process (FaultInjection), real time only
   int slow = 1;                     ///< slow motion by this factor, real time only
   bool standby = false;             ///< supervisor: takes over when the leader falls silent, real time only
   int priority_shift = 0;           ///< added to every SCHED_FIFO priority, real time only

@@ -3,7 +3,7 @@
 #include <cstdio>
 
 #include "bus_factory/bus_factory.hpp"
-#include "bus_faults/faulty_bus.hpp"
+#include "participant/fault_injection.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "runtime/realtime_thread.hpp"
@@ -46,8 +46,8 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
 }
 
 participant::Identity identity_of(const participant::ProcessOptions& options, const robot::Robot& robot) {
-  return {options.name, robot.name, options.number, options.participants, options.session, options.clock,
-          options.slow, options.standby ? 0 : 1};
+  return {options.name,    robot.name,    options.number, options.participants,
+          options.session, options.clock, options.slow,   options.standby ? 0 : 1};
 }
 
 Result<Done> secure(bus::NetworkOptions& network, const std::string& folder, bus::Role role, bus::Vendor vendor) {
@@ -59,7 +59,8 @@ Result<Done> secure(bus::NetworkOptions& network, const std::string& folder, bus
   return Done{};
 }
 
-int run(const participant::ProcessOptions& options, const Factory<participant::Application>& polled, const Factory<participant::RealtimeApplication>& threaded) {
+int run(const participant::ProcessOptions& options, const Factory<participant::Application>& polled,
+        const Factory<participant::RealtimeApplication>& threaded) {
   participant::install_signal_handlers();
   const char* const name = options.name.c_str();
   const auto robot = load_robot(options);
@@ -96,8 +97,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
   }
   if (!options.faults.empty()) {
     std::fprintf(stderr, "%s: runs with %zu faults on purpose\n", name, options.faults.size());
-    bus = bus_faults::with_faults(std::move(bus).value(), options.faults, options.seed, options.name,
-                                  {participant::steady_now, options.slow});
+    bus = participant::fault_injection()->into(std::move(bus).value(), options);
   }
   auto member = participant::Participant::join(*bus.value(), identity_of(options, robot.value()));
   if (!member) {

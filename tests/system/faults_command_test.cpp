@@ -13,8 +13,8 @@ namespace faults_command_test {
 TEST(Faults, CutAJointsCommandsAndSeeItDampAndCatchItself) {
   const ScratchDirectory scratch;
   std::string output;
-  run_farrier({"faults", "--rows", "command_cut_short", "--dds", "cyclone", "--seeds", "1", "--out", scratch.file("out"),
-               "--page", scratch.file("page.md")},
+  run_farrier({"faults", "--rows", "command_cut_short", "--dds", "cyclone", "--seeds", "1", "--out",
+               scratch.file("out"), "--page", scratch.file("page.md")},
               &output);
   const nlohmann::json run = read_json(scratch.file("out/figures.json"));
   ASSERT_FALSE(run.is_discarded()) << output;
@@ -40,12 +40,21 @@ TEST(Faults, OfAProcessAreRefusedInLockstepAndWhenUnreadable) {
   const std::vector<std::string> node{"--number", "4", "--participants", "8"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), node.begin(), node.end());
-    return run_farrier(more, &output, {FARRIER_JOINT_NODE, {}});
+    return run_farrier(more, &output, {FARRIER_JOINT_NODE "_with_faults", {}});
   };
   EXPECT_EQ(with({"--fault", "joint/sensors:cut"}), 2);
   EXPECT_NE(output.find("in lock-step a lost sample holds the run up"), std::string::npos) << output;
   EXPECT_EQ(with({"--clock", "realtime", "--fault", "joint/sensor:cut"}), 2);
   EXPECT_NE(output.find("'joint/sensor' is no topic"), std::string::npos) << output;
+}
+
+TEST(Faults, AreNoOptionOfAProgramThatShips) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"--number", "4", "--participants", "8", "--clock", "realtime", "--fault", "joint/sensors:cut"},
+                        &output, {FARRIER_JOINT_NODE, {}}),
+            2);
+  EXPECT_NE(output.find("--fault"), std::string::npos) << output;
+  EXPECT_EQ(output.find("TOPIC:KIND"), std::string::npos) << output;
 }
 
 TEST(Request, SaysWhereNobodyAnswers) {
@@ -57,8 +66,8 @@ TEST(Request, SaysWhereNobodyAnswers) {
 
 TEST(Request, StopsARobotAndArmsItAgain) {
   const ScratchDirectory scratch;
-  FarrierCommand trot({"trot", "--clock", "realtime", "--nodes", "one", "--duration", "600",
-                       "--out", scratch.file("out")});
+  FarrierCommand trot(
+      {"trot", "--clock", "realtime", "--nodes", "one", "--duration", "600", "--out", scratch.file("out")});
   ASSERT_TRUE(trot.says("trot: tick 0 of")) << trot.output();
   const pid_t supervisor = trot.process("supervisor");
   ASSERT_NE(supervisor, 0);

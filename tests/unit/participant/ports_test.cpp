@@ -77,9 +77,8 @@ std::vector<std::vector<Tick>> journals_of(bus::Subscription<signals::SystemJour
     EXPECT_EQ(journal.stream, signals::stream_of(0, static_cast<std::uint8_t>(bus::TopicId::kJointSensors)));
     EXPECT_EQ(journal.contract, bus::contract_hash());
     journals.emplace_back();
-    EXPECT_TRUE(signals::visit_journal<JointSensors>(journal, [&](const JointSensors& sensors, auto, std::uint32_t) {
-      journals.back().push_back(sensors.tick);
-    }));
+    EXPECT_TRUE(signals::visit_journal<JointSensors>(
+        journal, [&](const JointSensors& sensors, auto, std::uint32_t) { journals.back().push_back(sensors.tick); }));
     EXPECT_EQ(journal.tick, journals.back().back());
   });
   return journals;
@@ -110,7 +109,8 @@ TEST(Ports, GatherWhatTheyPublishForRecorders) {
   out->publish(sensors_of(3, kTicks));
   out->flush();
   std::vector<std::pair<std::uint64_t, int>> last;
-  recorder.drain([&](const signals::SystemJournal& journal) { last.emplace_back(journal.samples_before, journal.samples); });
+  recorder.drain(
+      [&](const signals::SystemJournal& journal) { last.emplace_back(journal.samples_before, journal.samples); });
   EXPECT_EQ(last, (std::vector<std::pair<std::uint64_t, int>>{{193, 7}, {200, 1}}));
 }
 
@@ -197,8 +197,6 @@ TEST(ProcessOptions, SurviveTheCommandLine) {
   options.seed = 9;
   options.ticks = 4000;
   options.joints = {"lf_haa", "lf_hfe"};
-  options.trace_path = "trace.csv";
-  options.design = "swing";
   options.gait = "stand";
   options.frequency_Hz = 4.0 / 3.0;
   options.no_dither = true;
@@ -218,8 +216,6 @@ TEST(ProcessOptions, SurviveTheCommandLine) {
   EXPECT_EQ(back.seed, options.seed);
   EXPECT_EQ(back.ticks, options.ticks);
   EXPECT_EQ(back.joints, options.joints);
-  EXPECT_EQ(back.trace_path, options.trace_path);
-  EXPECT_EQ(back.design, options.design);
   EXPECT_EQ(back.gait, options.gait);
   EXPECT_EQ(back.frequency_Hz, options.frequency_Hz) << "to the last bit: it shapes the trace";
   EXPECT_TRUE(back.no_dither);
@@ -231,15 +227,30 @@ TEST(ProcessOptions, LeaveDitherOnUnlessTold) {
   EXPECT_FALSE(parsed({"--number", "0", "--participants", "3"}).no_dither);
 }
 
-TEST(ProcessOptions, NameTheSimulatedWorldToSimBridgeAlone) {
+TEST(ProcessOptions, GoToTheProcessThatTheyConcern) {
   ProcessOptions options;
-  options.name = "sim_bridge";
   options.participants = 8;
-  options.number = kSimBridge;
+  options.joints = {"lf_haa"};
+  options.trace_path = "trace.csv";
   options.world_path = "out/log/world.yaml";
-  EXPECT_EQ(parsed(to_arguments(options), "sim_bridge").world_path, options.world_path);
+  options.design = "swing";
+  options.number = kSimBridge;
+  const ProcessOptions sim_bridge = parsed(to_arguments(options), "sim_bridge");
+  EXPECT_EQ(sim_bridge.world_path, options.world_path);
+  EXPECT_EQ(sim_bridge.trace_path, options.trace_path);
+  options.number = kSupervisor;
+  EXPECT_EQ(parsed(to_arguments(options), "supervisor").design, options.design);
   options.number = kFirstJointNode;
-  EXPECT_EQ(parsed(to_arguments(options)).world_path, "");
+  const ProcessOptions joint_node = parsed(to_arguments(options), "joint_node");
+  EXPECT_EQ(joint_node.joints, options.joints);
+  EXPECT_EQ(joint_node.world_path, "");
+  EXPECT_EQ(joint_node.trace_path, "");
+}
+
+TEST(ProcessOptions, RefuseTheOptionOfAnotherProcess) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(parsed({"--number", "2", "--participants", "3", "--joints", "lf_haa"}, "supervisor"),
+              ::testing::ExitedWithCode(2), "--joints");
 }
 
 TEST(ProcessOptions, RefuseANumberBeyondTheParticipants) {
