@@ -59,19 +59,18 @@ TEST(JointNode, IgnoresReadingsOutsideTheJointsRange) {
     JointState makes;
   };
   using enum JointState;
-  for (const Reading& reading : {Reading{home, 4.9 * force, kTracking}, Reading{home, -4.9 * force, kTracking},
-                                 Reading{home, 5.1 * force, kDamping}, Reading{home, -5.1 * force, kDamping},
-                                 Reading{1.02 * stroke, -20.0 * force, kTracking},
-                                 Reading{-0.09 * stroke, 0, kTracking}, Reading{1.09 * stroke, 0, kTracking},
-                                 Reading{-0.11 * stroke, 0, kNull}, Reading{1.11 * stroke, 0, kNull},
-                                 Reading{1e308, 0, kNull}, Reading{home, -1e308, kDamping}}) {
+  for (const Reading& reading :
+       {Reading{home, 4.9 * force, kTracking}, Reading{home, -4.9 * force, kTracking},
+        Reading{home, 5.1 * force, kDamping}, Reading{home, -5.1 * force, kDamping},
+        Reading{1.02 * stroke, -20.0 * force, kTracking}, Reading{-0.09 * stroke, 0, kTracking},
+        Reading{1.09 * stroke, 0, kTracking}, Reading{-0.11 * stroke, 0, kNull}, Reading{1.11 * stroke, 0, kNull},
+        Reading{1e308, 0, kNull}, Reading{home, -1e308, kDamping}}) {
     Bench bench = Bench::tracking();
     bench.step();
     bench.next_tick += 20;  // long enough to get there
     bench.inputs.sensors.position_m_or_rad = reading.position;
     bench.inputs.sensors.force_N_or_Nm = reading.force;
-    EXPECT_EQ(bench.state(), reading.makes)
-        << reading.position << " m, " << reading.force << " N";
+    EXPECT_EQ(bench.state(), reading.makes) << reading.position << " m, " << reading.force << " N";
   }
 }
 
