@@ -8,18 +8,11 @@
 
 namespace farrier::plant {
 
-/// True if an effect has a state that is integrated here. It is then one of the other classes of Effects, or the
-/// DelayLine; its term's code, which steps from sample to sample, is not used.
-constexpr bool has_state(EffectId id) noexcept {
-  return id == effect_id<ValveDynamics>() || id == effect_id<LoadFriction>() || id == effect_id<PistonFriction>() ||
-         id == effect_id<InputDelay>();
-}
-
 /// True if an effect is part of the plant and its term's own code simulates it: all but those of sensors, those in the
-/// load's parameters and those above.
+/// load's parameters and those with a state.
 constexpr bool is_stateless(EffectId id) noexcept {
   const Side side = effect_info(id).side;
-  return (side == Side::kValveAndOil || side == Side::kLoad) && !is_in_load(id) && !has_state(id);
+  return (side == Side::kValveAndOil || side == Side::kLoad) && !is_in_load(id) && !effect_info(id).has_state;
 }
 
 /// All stateless effects of a joint, by the code of their terms. It stands last in Effects: after spool and lines have
@@ -43,6 +36,7 @@ class StatelessTerms : public Effect<0> {
   double force_at(double position, double velocity) const noexcept;
 
   mutable TermSet<double> terms_;  ///< mutable: hooks may change a term's state, but these have none
+  TermSet<double>::Hooks hooks_;   ///< those without a term are skipped
   bool active_ = false;
   ActuatorParams actuator_;
   LoadParams load_;
