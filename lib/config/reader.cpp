@@ -42,7 +42,7 @@ class Reader final : public Visitor {
   void moved(const char* key, const char* remedy) override {
     if (const Value::Entry* entry = entry_of(key)) {
       report(entry->line, path(key), std::string("is no longer a parameter: ") + remedy);
-      frames_.back().moved.emplace_back(key);
+      frames_.back().known.emplace_back(key);
     }
   }
 
@@ -59,11 +59,10 @@ class Reader final : public Visitor {
     bool any_key = false;  // a map of names the author chose
     std::vector<std::string> known;
     std::vector<Missing> missing;
-    std::vector<std::string> moved;  // given, and reported
   };
 
   void open(const Value& value, std::string where, int line) {
-    frames_.push_back({&value, std::move(where), line, problems_.size(), false, {}, {}, {}});
+    frames_.push_back({&value, std::move(where), line, problems_.size(), false, {}, {}});
   }
 
   void report(int line, const std::string& where, std::string message) {
@@ -233,10 +232,6 @@ class Reader final : public Visitor {
     return true;
   }
 
-  static bool contains(const std::vector<std::string>& names, const std::string& name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  }
-
   // Closes a group: what is there twice, what is not known, what is not there.
   void leave() override {
     Frame& frame = frames_.back();
@@ -247,7 +242,7 @@ class Reader final : public Visitor {
       if (!is_new) {
         report(entry.line, path(entry.key),
                "is given twice, first in line " + std::to_string(seen->second) + ": remove one");
-      } else if (!frame.any_key && !contains(frame.known, entry.key) && !contains(frame.moved, entry.key)) {
+      } else if (!frame.any_key && std::find(frame.known.begin(), frame.known.end(), entry.key) == frame.known.end()) {
         report_unknown(frame, entry, explained);
       }
     }
@@ -285,12 +280,6 @@ class Reader final : public Visitor {
 };
 
 }  // namespace
-
-Problem Place::problem(const std::string& key, std::string message) const {
-  const auto found = lines.find(key);
-  const std::string separator = where.empty() || key.empty() ? "" : ".";
-  return {file, found == lines.end() ? line : found->second, where + separator + key, std::move(message)};
-}
 
 Problems apply(const std::vector<Setting>& settings, const std::string& file, Value& root) {
   Problems problems;

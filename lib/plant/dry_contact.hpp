@@ -7,8 +7,8 @@
 namespace farrier::plant {
 
 /// Bristles in a dry contact, for effects of friction: Canudas de Wit, Olsson, Astrom and Lischinsky (1995), (1) to
-/// (3). The viscous friction replaces the bristles' damping. In the contact's force f, which acts on the sliding side
-/// as -f, with Coulomb friction F_c, breakaway friction F_s, Stribeck velocity v_s and presliding way z_s it is
+/// (3). The viscous friction replaces the bristles' damping. The contact's force f acts on the sliding side as -f. It
+/// has Coulomb friction F_c, breakaway friction F_s, Stribeck velocity v_s and presliding way z_s:
 ///
 ///   f' = (F_s / z_s) (v - |v| f / g(v)),   g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).
 ///

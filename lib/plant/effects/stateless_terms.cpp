@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plant/oil.hpp"
+
 namespace farrier::plant {
 
 // Out of the integrator's loop, which is as fast as its code is short: most joints have none of these.
@@ -39,17 +41,15 @@ double StatelessTerms::supply_flow_m3_s(const Instant& now) const noexcept {
   return by_drop / (half + std::sqrt(half * half + by_drop));
 }
 
-void StatelessTerms::before_valve(Instant& now, const X&) const noexcept {
-  if (hooks_.valve) {
-    ValveMoment<double> valve{now.opening_A, 1.0};
-    terms_.on_valve(valve);
-    now.opening_A = valve.opening_A;
-    now.flow_factor = valve.flow_factor;
-  }
-  if (!hooks_.oil) {
-    return;
-  }
-  const double force = actuator_.area_a * now.chamber_a_Pa - actuator_.area_b * now.chamber_b_Pa;
+void StatelessTerms::act_on_valve(Instant& now) const noexcept {
+  ValveMoment<double> valve{now.opening_A, 1.0};
+  terms_.on_valve(valve);
+  now.opening_A = valve.opening_A;
+  now.flow_factor = valve.flow_factor;
+}
+
+void StatelessTerms::act_on_oil(Instant& now) const noexcept {
+  const double force = hydraulic_force(actuator_, now.chamber_a_Pa, now.chamber_b_Pa);
   OilMoment<double> oil{now.chamber_a_Pa,
                         now.chamber_b_Pa,
                         supply_flow_m3_s(now),
@@ -68,11 +68,7 @@ void StatelessTerms::before_valve(Instant& now, const X&) const noexcept {
   now.play_slope = oil.play_slope;
 }
 
-void StatelessTerms::after_valve(Instant& now, const X&, X&) const noexcept {
-  if (hooks_.oil) {
-    now.feed.flow_a -= now.leakage_m3_s * now.feed.root_a;
-    now.feed.flow_b += now.leakage_m3_s * now.feed.root_b;
-  }
+void StatelessTerms::act_on_forces(Instant& now) const noexcept {
   if (hooks_.piston) {
     PistonMoment<double> piston{now.position, now.velocity, 0.0, 0.0};
     terms_.on_piston(piston);

@@ -28,10 +28,28 @@ class StatelessTerms : public Effect<0> {
   bool active() const noexcept { return active_; }
   /// Fastest rate of springs and dampers on load and piston, of the valve at its largest current and of a leak.
   double fastest_rate(double mass) const noexcept;
-  void before_valve(Instant& now, const X& x) const noexcept;
-  void after_valve(Instant& now, const X& x, X& dx) const noexcept;
+  void before_valve(Instant& now, const X&) const noexcept {
+    if (hooks_.valve) {
+      act_on_valve(now);
+    }
+    if (hooks_.oil) {
+      act_on_oil(now);
+    }
+  }
+  void after_valve(Instant& now, const X&, X&) const noexcept {
+    if (hooks_.oil) {
+      now.feed.flow_a -= now.leakage_m3_s * now.feed.root_a;
+      now.feed.flow_b += now.leakage_m3_s * now.feed.root_b;
+    }
+    if (hooks_.piston || hooks_.load) {
+      act_on_forces(now);
+    }
+  }
 
  private:
+  void act_on_valve(Instant& now) const noexcept;
+  void act_on_oil(Instant& now) const noexcept;
+  void act_on_forces(Instant& now) const noexcept;
   double supply_flow_m3_s(const Instant& now) const noexcept;
   double force_at(double position, double velocity) const noexcept;
 
