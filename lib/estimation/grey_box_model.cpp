@@ -122,6 +122,7 @@ void GreyBoxModel::add_oil(Rate& r, const Motion& at, const JointPhysics& p, dou
   const plant::ActuatorParams& act = actuator_;
   const double x = at(0), v = at(1);
   const double beta = p.bulk_modulus;
+  const double inverse_beta = 1.0 / beta;
   const auto ports = plant::port_pressures(current_A > 0.0, act.supply_pressure_Pa, act.return_pressure_Pa);
   const auto volumes = plant::chamber_volumes(act, x);
   const double gain = p.valve_gain * std::abs(current_A);
@@ -133,13 +134,13 @@ void GreyBoxModel::add_oil(Rate& r, const Motion& at, const JointPhysics& p, dou
                            double& value, double& by_x, double& by_v, double& by_own, double& by_other,
                            Eigen::Vector3d& by_oil, double leak_sign) noexcept {
     const auto [flow, flow_slope] = plant::port_flow(gain, port - pressure, act.laminar_pressure_Pa);
-    const double filled = plant::filled_share(compression, pressure, 1.0 / beta);
+    const double filled = plant::filled_share(compression, pressure, inverse_beta);
     const bool shrunk = volume < smallest;
     const double stiffness = beta / (shrunk ? smallest : volume);
     value = plant::pressure_rate(stiffness, flow - leaving, area * v * filled);
     by_x = shrunk ? 0.0 : -value * area / volume;
     by_v = -stiffness * area * filled;
-    by_own = compression > 0.0 ? -stiffness * (flow_slope + p.leakage) : -stiffness * area * v / beta;
+    by_own = compression > 0.0 ? -stiffness * (flow_slope + p.leakage) : -stiffness * area * v * inverse_beta;
     by_other = stiffness * p.leakage;
     by_oil << stiffness * flow, stiffness * (flow - area * v - leaving), -leak_sign * stiffness * (p_a - p_b);
   };
