@@ -24,28 +24,19 @@ struct Size {
   double low, high;
 };
 
-/// Effect sizes with which HyQ can still trot. Effects not listed use one to two times the fit's start value.
+/// Effect sizes with which HyQ can still trot. Effects not listed begin where the second fit begins (Parameter::starts)
+/// and go to twice its distance from the neutral value.
 constexpr std::array kSizes{
-    Size{effect_id<plant::InputDelay>(), 0.0003, 0.0009},
-    Size{effect_id<plant::ValveBias>(), 0.02, 0.06},
-    Size{effect_id<plant::ValveDynamics>(), 0.0003, 0.0007},
-    Size{effect_id<plant::ValveDeadband>(), 0.02, 0.06},
-    Size{effect_id<plant::ValveAsymmetry>(), 0.15, 0.35},
-    Size{effect_id<plant::FlowSaturation>(), 2.0, 5.0},
-    Size{effect_id<plant::SupplyDroop>(), 0.3, 1.0},
-    Size{effect_id<plant::InternalLeakage>(), 0.02, 0.06},
-    Size{effect_id<plant::AirEntrainment>(), 0.02, 0.08},
-    Size{effect_id<plant::Backlash>(), 0.004, 0.012},
-    Size{effect_id<plant::PistonFriction>(), 0.02, 0.06},
-    Size{effect_id<plant::LoadMass>(), 1.5, 3.0},
-    Size{effect_id<plant::LoadStiffness>(), 0.2, 0.8},
-    Size{effect_id<plant::LoadDamping>(), 1.5, 3.0},
-    Size{effect_id<plant::SpringHardening>(), 3.0, 12.0},
-    Size{effect_id<plant::ExternalForce>(), 0.03, 0.08},
-    Size{effect_id<plant::LoadFriction>(), 0.02, 0.06},
-    Size{effect_id<plant::ForceSensorLag>(), 0.0015, 0.004},
-    Size{effect_id<plant::ForceSensorGain>(), 1.06, 1.12},
-    Size{effect_id<plant::ForceSensorOffset>(), 0.03, 0.08},
+    Size{effect_id<plant::InputDelay>(), 0.0003, 0.0009},     Size{effect_id<plant::ValveBias>(), 0.02, 0.06},
+    Size{effect_id<plant::ValveDynamics>(), 0.0003, 0.0007},  Size{effect_id<plant::ValveDeadband>(), 0.02, 0.06},
+    Size{effect_id<plant::ValveAsymmetry>(), 0.15, 0.35},     Size{effect_id<plant::FlowSaturation>(), 2.0, 5.0},
+    Size{effect_id<plant::SupplyDroop>(), 0.3, 1.0},          Size{effect_id<plant::InternalLeakage>(), 0.02, 0.06},
+    Size{effect_id<plant::AirEntrainment>(), 0.02, 0.08},     Size{effect_id<plant::Backlash>(), 0.004, 0.012},
+    Size{effect_id<plant::PistonFriction>(), 0.02, 0.06},     Size{effect_id<plant::LoadMass>(), 1.5, 3.0},
+    Size{effect_id<plant::LoadStiffness>(), 0.2, 0.8},        Size{effect_id<plant::LoadDamping>(), 1.5, 3.0},
+    Size{effect_id<plant::SpringHardening>(), 3.0, 12.0},     Size{effect_id<plant::ExternalForce>(), 0.03, 0.08},
+    Size{effect_id<plant::LoadFriction>(), 0.02, 0.06},       Size{effect_id<plant::ForceSensorLag>(), 0.0015, 0.004},
+    Size{effect_id<plant::ForceSensorGain>(), 1.06, 1.12},    Size{effect_id<plant::ForceSensorOffset>(), 0.03, 0.08},
     Size{effect_id<plant::VelocityFilterLag>(), 0.002, 0.006}};
 
 /// Distance of an end stop from the ends of its stroke, over the stroke, at which it takes this share of the way off
@@ -59,12 +50,18 @@ double inset(const robot::Robot& robot, const robot::Joint& joint, double share)
   double least = home;
   double most = home;
   for (Tick tick = 0; tick < static_cast<Tick>(kMotion_s / robot.period_s); ++tick) {
-    const double at =
-        joint.linkage.position(reference.at(joint.leg, joint.index_in_leg, tick).position_rad) / stroke;
+    const double at = joint.linkage.position(reference.at(joint.leg, joint.index_in_leg, tick).position_rad) / stroke;
     least = std::min(least, at);
     most = std::max(most, at);
   }
   return std::min(std::min(least, 1.0 - most) + share * (most - least), std::min(home, 1.0 - home) - kRoomAtHome);
+}
+
+/// Size of an effect that is not listed. A factor on a nominal value `neutral` goes from its start to twice the
+/// distance from 1, another size from its start to twice that.
+Size default_size(EffectId id, const plant::Parameter& size, double neutral) {
+  const double start = size.starts[1];
+  return neutral > 0.0 ? Size{id, start / neutral, 2.0 * start / neutral - 1.0} : Size{id, start, 2.0 * start};
 }
 
 double fitted_size(const robot::Robot& robot, const robot::Joint& joint, EffectId id, const plant::Scales& scales,
@@ -75,11 +72,11 @@ double fitted_size(const robot::Robot& robot, const robot::Joint& joint, EffectI
   if (id == effect_id<plant::EndStop>()) {
     return std::clamp(inset(robot, joint, 0.1 + 0.2 * share), size.low, size.high);
   }
+  const double neutral = scales.neutral(size);
   const auto listed = std::ranges::find(kSizes, id, &Size::id);
-  const Size range = listed != kSizes.end() ? *listed : Size{id, size.starts[1], 2.0 * size.starts[1]};
+  const Size range = listed != kSizes.end() ? *listed : default_size(id, size, info.nominal ? neutral : 0.0);
   const double drawn = range.low + share * (range.high - range.low);
   const bool below = info.either_sign && stream.uniform(kSign) < 0.5;
-  const double neutral = scales.neutral(size);
   if (info.nominal && neutral > 0.0) {
     return std::clamp(below ? neutral / drawn : neutral * drawn, size.low, size.high);
   }
@@ -102,8 +99,8 @@ robot::Robot hide_effect(const robot::Robot& nominal, std::size_t place, EffectI
   for (std::size_t i = 1; i < info.parameters.size(); ++i) {
     effect.values[i] = plant::default_value(info.parameters[i], scales, joint.actuator, joint.swing_load);
   }
-  const plant::Loads loads = plant::loads_with_effects({joint.swing_load, joint.stance_load}, joint.actuator,
-                                                       std::span(&effect, 1));
+  const plant::Loads loads =
+      plant::loads_with_effects({joint.swing_load, joint.stance_load}, joint.actuator, std::span(&effect, 1));
   joint.swing_load = loads.swing;
   joint.stance_load = loads.stance;
   joint.effects.push_back(effect);

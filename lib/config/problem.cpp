@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "config/visitor.hpp"
+
 namespace farrier::config {
 
 std::string to_string(const Problem& problem) {
@@ -27,6 +29,12 @@ std::string to_string(const Problems& problems) {
 void sort_by_line(Problems& problems) {
   std::stable_sort(problems.begin(), problems.end(),
                    [](const Problem& a, const Problem& b) { return a.line < b.line; });
+}
+
+Problem Place::problem(const std::string& key, std::string message) const {
+  const auto found = lines.find(key);
+  const std::string separator = where.empty() || key.empty() ? "" : ".";
+  return {file, found == lines.end() ? line : found->second, where + separator + key, std::move(message)};
 }
 
 }  // namespace farrier::config

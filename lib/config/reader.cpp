@@ -39,6 +39,13 @@ class Reader final : public Visitor {
     }
   }
 
+  void moved(const char* key, const char* remedy) override {
+    if (const Value::Entry* entry = entry_of(key)) {
+      report(entry->line, path(key), std::string("is no longer a parameter: ") + remedy);
+      frames_.back().known.emplace_back(key);
+    }
+  }
+
  private:
   struct Missing {
     std::string key;
@@ -273,12 +280,6 @@ class Reader final : public Visitor {
 };
 
 }  // namespace
-
-Problem Place::problem(const std::string& key, std::string message) const {
-  const auto found = lines.find(key);
-  const std::string separator = where.empty() || key.empty() ? "" : ".";
-  return {file, found == lines.end() ? line : found->second, where + separator + key, std::move(message)};
-}
 
 Problems apply(const std::vector<Setting>& settings, const std::string& file, Value& root) {
   Problems problems;

@@ -35,7 +35,7 @@ using farrier::Option;
 
 /// Rule for a text that is not a name: an address, the name of a device.
 struct TextRule {
-  const char* what;    ///< "IPv4 address"
+  const char* what;  ///< "IPv4 address"
   bool (*holds)(const std::string& text);
   const char* remedy;  ///< "give four numbers ..."
 };
@@ -104,9 +104,7 @@ class Visitor {
   void integer(const char* name, int& value, Range range, Default<int> fallback, const char* sentence) {
     visit_integer({name, sentence}, value, range, fallback.value);
   }
-  void flag(const char* name, bool& value, const char* sentence) {
-    visit_flag({name, sentence}, value, std::nullopt);
-  }
+  void flag(const char* name, bool& value, const char* sentence) { visit_flag({name, sentence}, value, std::nullopt); }
   void flag(const char* name, bool& value, Default<bool> fallback, const char* sentence) {
     visit_flag({name, sentence}, value, fallback.value);
   }
@@ -193,6 +191,9 @@ class Visitor {
   virtual void here(Place&) {}
   /// A condition between parameters of the present group, checked once they are all good.
   virtual void check(bool, const char* /*key*/, const std::string& /*message*/) {}
+  /// A key of the present group that files no longer have. A file that gives it is refused; `remedy` says what replaces
+  /// it: "give effects.<joint>....".
+  virtual void moved(const char* /*key*/, const char* /*remedy*/) {}
 
  protected:
   /// A fallback that is no number: the value may be absent, and is no number then.

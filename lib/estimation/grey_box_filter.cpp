@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plant/oil.hpp"
+
 namespace farrier::estimation {
 namespace {
 
@@ -127,8 +129,8 @@ GreyBoxFilter::Prediction GreyBoxFilter::predict(const Unknowns& about, double c
   const double T = period_s_;
   const bool loose = out.passage.bent || !learn;
   // A force held over the tick moves velocity by F T / m and position by half as much times T.
-  const double velocity = noise_.force_variance * std::pow(T * out.passage.inverse_mass, 2) +
-                          (loose ? noise_.bent_velocity_variance : 0.0);
+  const double velocity =
+      noise_.force_variance * std::pow(T * out.passage.inverse_mass, 2) + (loose ? noise_.bent_velocity_variance : 0.0);
   out.covariance(0, 0) += 0.25 * T * T * velocity;
   out.covariance(0, 1) += 0.5 * T * velocity;
   out.covariance(1, 0) += 0.5 * T * velocity;
@@ -139,8 +141,9 @@ GreyBoxFilter::Prediction GreyBoxFilter::predict(const Unknowns& about, double c
                       std::sqrt(act.supply_pressure_Pa) * act.bulk_modulus_Pa * T;
   const double x = std::clamp(motion_(0), 0.0, act.stroke);
   const double least = loose ? noise_.bent_pressure_variance : 0.0;
-  out.covariance(2, 2) += least + std::pow(flow / (act.line_volume_m3 + act.area_a * x), 2);
-  out.covariance(3, 3) += least + std::pow(flow / (act.line_volume_m3 + act.area_b * (act.stroke - x)), 2);
+  const auto [volume_a, volume_b] = plant::chamber_volumes(act, x);
+  out.covariance(2, 2) += least + std::pow(flow / volume_a, 2);
+  out.covariance(3, 3) += least + std::pow(flow / volume_b, 2);
   return out;
 }
 
@@ -181,8 +184,8 @@ void GreyBoxFilter::load_changed() noexcept {
 
 void GreyBoxFilter::keep_within_bounds() noexcept {
   for (const int place : {kMass, kDamping}) {
-    unknowns_(place) = std::clamp(unknowns_(place), restart_.unknowns(place) - kFarthest,
-                                  restart_.unknowns(place) + kFarthest);
+    unknowns_(place) =
+        std::clamp(unknowns_(place), restart_.unknowns(place) - kFarthest, restart_.unknowns(place) + kFarthest);
   }
   for (const int place : {kCoulomb, kStiffness, kLeakage}) {
     unknowns_(place) = std::max(unknowns_(place), 0.0);
@@ -257,10 +260,12 @@ GreyBoxFilter::Outcome GreyBoxFilter::step(const Eigen::Vector3d& measured, doub
     }
     about = unknowns;
     for (const int place : {kMass, kDamping}) {
-      about(place) = std::clamp(about(place), restart_.unknowns(place) - kFarthest, restart_.unknowns(place) + kFarthest);
+      about(place) =
+          std::clamp(about(place), restart_.unknowns(place) - kFarthest, restart_.unknowns(place) + kFarthest);
     }
   }
-  if (!motion.allFinite() || !unknowns.allFinite() || !covariance.allFinite() || !(covariance.diagonal().array() >= 0).all()) {
+  if (!motion.allFinite() || !unknowns.allFinite() || !covariance.allFinite() ||
+      !(covariance.diagonal().array() >= 0).all()) {
     begin_anew(measured);
     return Outcome::kRepaired;
   }

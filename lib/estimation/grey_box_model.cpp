@@ -3,6 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plant/coulomb_friction.hpp"
+#include "plant/end_stop.hpp"
+#include "plant/oil.hpp"
+
 namespace farrier::estimation {
 namespace {
 
@@ -16,24 +20,6 @@ constexpr int kFewestSubsteps = 4;
 // No damping is below this share of the piston's: its logarithm would not be finite.
 constexpr double kLeastDamping = 1e-6;
 constexpr double kLeastMass = 1e-9;
-
-/// Force of an end stop that is `depth` pressed in and approached at `speed`, as plant::JointEquations has it, and its
-/// derivatives with respect to both.
-struct Push {
-  double force = 0.0, by_depth = 0.0, by_speed = 0.0;
-};
-
-Push push_of(const plant::ActuatorParams& act, double depth, double speed) noexcept {
-  const double steepness = 1000.0 / act.stroke;
-  const double ramp = depth * steepness;
-  const double engaged = ramp < 1.0 ? ramp * ramp * (3.0 - 2.0 * ramp) : 1.0;
-  const double slope = ramp < 1.0 ? 6.0 * ramp * (1.0 - ramp) * steepness : 0.0;
-  const double full = act.stop_stiffness * depth + act.stop_damping * speed;
-  if (!(full > 0.0)) {
-    return {};
-  }
-  return {engaged * full, slope * full + engaged * act.stop_stiffness, engaged * act.stop_damping};
-}
 
 /// S' = J S + J_theta, J's zeros left out. Plain loops: they become vector code, and compile in no time.
 void rate_of(const Sensitivity& sensitivity, const GreyBoxModel::Rate& r, Sensitivity& rate) noexcept {
@@ -110,18 +96,18 @@ void GreyBoxModel::add_load(Rate& r, const Motion& at, const JointPhysics& p) co
   r.stop_force = r.stop_by_position = r.stop_by_velocity = 0.0;
   if (x < 0.0 || x > act.stroke) {
     const double side = x < 0.0 ? 1.0 : -1.0;  // direction of the push
-    const Push push = push_of(act, x < 0.0 ? -x : x - act.stroke, -side * v);
+    const plant::StopPush push = plant::stop_push_and_slopes(x < 0.0 ? -x : x - act.stroke, -side * v,
+                                                             1000.0 / act.stroke, act.stop_stiffness, act.stop_damping);
     r.stop_force = side * push.force;
     r.stop_by_position = -push.by_depth;
     r.stop_by_velocity = -push.by_speed;
   }
-  const double slip_squared = v * v + slip_velocity_ * slip_velocity_;
-  const double slip = v / std::sqrt(slip_squared);
-  const double slip_slope = slip_velocity_ * slip_velocity_ / (slip_squared * std::sqrt(slip_squared));
+  const auto [slip, slip_slope] = plant::smooth_sign(v, slip_velocity_);
   const double stretch = x - equilibrium_position_;
   const double w = 1.0 / (p.load_mass + act.piston_mass);
-  const double a = w * (act.area_a * full_a * at(2) - act.area_b * full_b * at(3) - (p.damping + act.piston_damping) * v -
-                        p.stiffness * stretch - p.coulomb * slip + p.bias_force + r.stop_force);
+  const double a =
+      w * (act.area_a * full_a * at(2) - act.area_b * full_b * at(3) - (p.damping + act.piston_damping) * v -
+           p.stiffness * stretch - p.coulomb * slip + p.bias_force + r.stop_force);
   r.value(0) = v;
   r.value(1) = a;
   r.velocity_by << w * (r.stop_by_position - p.stiffness),
@@ -136,36 +122,32 @@ void GreyBoxModel::add_oil(Rate& r, const Motion& at, const JointPhysics& p, dou
   const plant::ActuatorParams& act = actuator_;
   const double x = at(0), v = at(1);
   const double beta = p.bulk_modulus;
-  const bool extends = current_A > 0.0;
-  const double port_a = extends ? act.supply_pressure_Pa : act.return_pressure_Pa;
-  const double port_b = extends ? act.return_pressure_Pa : act.supply_pressure_Pa;
+  const double inverse_beta = 1.0 / beta;
+  const auto ports = plant::port_pressures(current_A > 0.0, act.supply_pressure_Pa, act.return_pressure_Pa);
+  const auto volumes = plant::chamber_volumes(act, x);
   const double gain = p.valve_gain * std::abs(current_A);
   const double p_a = std::max(at(2), 0.0), p_b = std::max(at(3), 0.0);
-  const double smallest = 0.25 * act.line_volume_m3;
+  const double smallest = plant::kSmallestVolumeShare * act.line_volume_m3;
   const double leak = p.leakage * (p_a - p_b);
 
   const auto chamber = [&](double compression, double pressure, double port, double volume, double area, double leaving,
                            double& value, double& by_x, double& by_v, double& by_own, double& by_other,
                            Eigen::Vector3d& by_oil, double leak_sign) noexcept {
-    const double drop = port - pressure;
-    const double squares = drop * drop + act.laminar_pressure_Pa * act.laminar_pressure_Pa;
-    const double root = plant::orifice_divisor(drop, act.laminar_pressure_Pa);
-    const double flow = gain * drop / root;
-    const double flow_slope = gain / root * (1.0 - 0.5 * drop * drop / squares);
-    const double filled = 1.0 + (compression - pressure) / beta;
+    const auto [flow, flow_slope] = plant::port_flow(gain, port - pressure, act.laminar_pressure_Pa);
+    const double filled = plant::filled_share(compression, pressure, inverse_beta);
     const bool shrunk = volume < smallest;
     const double stiffness = beta / (shrunk ? smallest : volume);
-    value = stiffness * (flow - area * v * filled - leaving);
+    value = plant::pressure_rate(stiffness, flow - leaving, area * v * filled);
     by_x = shrunk ? 0.0 : -value * area / volume;
     by_v = -stiffness * area * filled;
-    by_own = compression > 0.0 ? -stiffness * (flow_slope + p.leakage) : -stiffness * area * v / beta;
+    by_own = compression > 0.0 ? -stiffness * (flow_slope + p.leakage) : -stiffness * area * v * inverse_beta;
     by_other = stiffness * p.leakage;
     by_oil << stiffness * flow, stiffness * (flow - area * v - leaving), -leak_sign * stiffness * (p_a - p_b);
   };
-  chamber(at(2), p_a, port_a, act.line_volume_m3 + act.area_a * x, act.area_a, leak, r.value(2), r.a_by(0), r.a_by(1),
-          r.a_by(2), r.a_by(3), r.a_by_oil, 1.0);
-  chamber(at(3), p_b, port_b, act.line_volume_m3 + act.area_b * (act.stroke - x), -act.area_b, -leak, r.value(3),
-          r.b_by(0), r.b_by(1), r.b_by(3), r.b_by(2), r.b_by_oil, -1.0);
+  chamber(at(2), p_a, ports.a_Pa, volumes.a_m3, act.area_a, leak, r.value(2), r.a_by(0), r.a_by(1), r.a_by(2),
+          r.a_by(3), r.a_by_oil, 1.0);
+  chamber(at(3), p_b, ports.b_Pa, volumes.b_m3, -act.area_b, -leak, r.value(3), r.b_by(0), r.b_by(1), r.b_by(3),
+          r.b_by(2), r.b_by_oil, -1.0);
   r.a_by(3) *= at(3) > 0.0 ? 1.0 : 0.0;
   r.b_by(2) *= at(2) > 0.0 ? 1.0 : 0.0;
 }
@@ -222,8 +204,8 @@ GreyBoxModel::Force GreyBoxModel::load_cell_force(const Motion& at, const Unknow
   add_load(r, at, physics_of(unknowns));
   const double p_a = std::max(at(2), 0.0), p_b = std::max(at(3), 0.0);
   Force force;
-  force.value = act.area_a * p_a - act.area_b * p_b + r.stop_force - act.piston_damping * at(1) -
-                act.piston_mass * r.value(1);
+  force.value =
+      plant::hydraulic_force(act, p_a, p_b) + r.stop_force - act.piston_damping * at(1) - act.piston_mass * r.value(1);
   force.by.setZero();
   force.by.head<kMotions>() << r.stop_by_position, r.stop_by_velocity - act.piston_damping,
       at(2) > 0.0 ? act.area_a : 0.0, at(3) > 0.0 ? -act.area_b : 0.0;
@@ -237,7 +219,8 @@ Motion GreyBoxModel::at_rest(const Eigen::Vector3d& measured) const noexcept {
   const plant::State rest =
       plant::equilibrium(actuator_, {}, measured(0), -(measured(2) + actuator_.piston_damping * measured(1)));
   const double most = 2.0 * actuator_.supply_pressure_Pa;
-  return {measured(0), measured(1), std::clamp(rest.pressure_a_Pa, 0.0, most), std::clamp(rest.pressure_b_Pa, 0.0, most)};
+  return {measured(0), measured(1), std::clamp(rest.pressure_a_Pa, 0.0, most),
+          std::clamp(rest.pressure_b_Pa, 0.0, most)};
 }
 
 }  // namespace farrier::estimation

@@ -41,9 +41,9 @@ Result<Done> validate(const ActuatorParams& actuator) {
                    actuator.stop_stiffness, "finite and >= 100 supply_pressure_Pa area / stroke");
   refusals.not_negative("stop_damping", actuator.stop_damping);
   refusals.positive("laminar_pressure_Pa", actuator.laminar_pressure_Pa);
-  return together({refusals.verdict(), validate(actuator.spool),
-                   validate_deadband(actuator.valve_deadband_A, actuator.valve_current_max_A),
-                   validate(actuator.line, actuator.line_volume_m3)});
+  refusals.require(actuator.valve_deadband_A >= 0.0 && actuator.valve_deadband_A < actuator.valve_current_max_A,
+                   "valve_deadband_A", actuator.valve_deadband_A, "finite, >= 0 and < valve_current_max_A");
+  return together({refusals.verdict(), validate(actuator.spool), validate(actuator.line, actuator.line_volume_m3)});
 }
 
 Result<Done> validate(const LoadParams& load) {

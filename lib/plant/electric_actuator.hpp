@@ -4,6 +4,7 @@
 
 #include "core/result.hpp"
 #include "plant/actuator.hpp"
+#include "plant/coulomb_friction.hpp"
 #include "plant/end_stop.hpp"
 #include "plant/state_space.hpp"
 
@@ -137,7 +138,7 @@ class ElectricEquations {
 
   /// T_c phi(w), phi = w / sqrt(w^2 + w_s^2): smooth, odd, of the sign of w.
   double dry_friction(double rotor) const noexcept {
-    return actuator_.coulomb * rotor / std::sqrt(rotor * rotor + actuator_.slip_velocity * actuator_.slip_velocity);
+    return coulomb_friction(actuator_.coulomb, rotor, actuator_.slip_velocity);
   }
 
   /// Force of the end stops on the load: only pushes inward.

@@ -122,9 +122,8 @@ CommandInput HydraulicJoint::admit(double valve_current_A, double external_force
   const bool force_good = std::abs(external_force) <= external_force_limit_;
   report.input_refused = !current_good || !force_good;
   const double current = current_good ? std::clamp(valve_current_A, -current_max, current_max) : 0.0;
-  const double force = std::isfinite(external_force)
-                           ? std::clamp(external_force, -external_force_limit_, external_force_limit_)
-                           : 0.0;
+  const double force =
+      std::isfinite(external_force) ? std::clamp(external_force, -external_force_limit_, external_force_limit_) : 0.0;
   return {current, force};
 }
 
@@ -235,14 +234,13 @@ double HydraulicJoint::load_cell_force() const noexcept {
 }
 
 double HydraulicJoint::void_volume_a_m3() const noexcept {
-  const double volume = equations_.actuator().line_volume_m3 + actuator().area_a * integrated_.position;
+  const double volume = chamber_volumes(equations_.actuator(), integrated_.position).a_m3;
   return std::max(0.0, -integrated_.compression_a_Pa) * volume / actuator().bulk_modulus_Pa +
          effects_.lines().void_volume_m3(integrated_.x[Effects::at<Lines>()]);
 }
 
 double HydraulicJoint::void_volume_b_m3() const noexcept {
-  const double volume =
-      equations_.actuator().line_volume_m3 + actuator().area_b * (actuator().stroke - integrated_.position);
+  const double volume = chamber_volumes(equations_.actuator(), integrated_.position).b_m3;
   return std::max(0.0, -integrated_.compression_b_Pa) * volume / actuator().bulk_modulus_Pa +
          effects_.lines().void_volume_m3(integrated_.x[Effects::at<Lines>() + 1]);
 }

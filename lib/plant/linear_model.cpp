@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "plant/equations.hpp"
+#include "plant/oil.hpp"
 
 namespace farrier::plant {
 namespace {
@@ -32,8 +32,8 @@ LinearModel load_cell_model(const ActuatorParams& actuator, const LoadParams& lo
   const double m_l = load.mass;
   const double d_p = actuator.piston_damping;
   LinearModel model;
-  model.a << 0.0, 1.0, 0.0,                    //
-      -C / m_l, -d_l / m_l, 1.0 / m_l,         // (3.47)
+  model.a << 0.0, 1.0, 0.0,                                                                  //
+      -C / m_l, -d_l / m_l, 1.0 / m_l,                                                       // (3.47)
       G_xp + d_p * C / m_l, G_Fs * d_p + d_p * d_l / m_l + A_p * of.K_vp, G_Fs - d_p / m_l;  // (3.48)
   model.b << 0.0, 0.0, G_uv;
   return model;
@@ -52,20 +52,6 @@ StateSpace<3> load_pressure_model(const ActuatorParams& actuator, const LoadPara
   return model;
 }
 
-/// Flow through an orifice that is `gain` open and its slope over the drop.
-struct Flow {
-  double root;   ///< d q / d gain, sqrt(Pa)
-  double slope;  ///< d root / d drop, 1/sqrt(Pa); 1 / (2 sqrt(drop)) where the flow is turbulent
-};
-
-Flow flow(double drop_Pa, double laminar_pressure_Pa) {
-  // r = D (D^2 + delta^2)^(-1/4),  r' = (D^2 / 2 + delta^2) (D^2 + delta^2)^(-5/4)
-  const double square = drop_Pa * drop_Pa + laminar_pressure_Pa * laminar_pressure_Pa;
-  const double divisor = orifice_divisor(drop_Pa, laminar_pressure_Pa);
-  return {drop_Pa / divisor,
-          (0.5 * drop_Pa * drop_Pa + laminar_pressure_Pa * laminar_pressure_Pa) / (square * divisor)};
-}
-
 StateSpace<4> full_model(const ActuatorParams& actuator, const LoadParams& load, const ChamberPoint& point,
                          Volumes volumes) {
   const bool extends = point.valve_sign > 0.0;
@@ -74,33 +60,31 @@ StateSpace<4> full_model(const ActuatorParams& actuator, const LoadParams& load,
   const double beta_e = actuator.bulk_modulus_Pa;
   const double x = point.state.position;
   const double v = point.state.velocity;
-  const double V_a = actuator.line_volume_m3 + x * A_a;                      // (2.12)
-  const double V_b = actuator.line_volume_m3 + (actuator.stroke - x) * A_b;  // (2.13)
-  const double M = load.mass + actuator.piston_mass;                         // (2.25)
-  const double B = load.damping + actuator.piston_damping;                   // (2.26)
+  const auto [V_a, V_b] = chamber_volumes(actuator, x);
+  const double M = load.mass + actuator.piston_mass;        // (2.25)
+  const double B = load.damping + actuator.piston_damping;  // (2.26)
 
   // Flows into the chambers; the ports carry the sign of u, so that both signs are one form.
-  const double port_a = extends ? actuator.supply_pressure_Pa : actuator.return_pressure_Pa;
-  const double port_b = extends ? actuator.return_pressure_Pa : actuator.supply_pressure_Pa;
+  const auto [port_a, port_b] = port_pressures(extends, actuator.supply_pressure_Pa, actuator.return_pressure_Pa);
   const double gain = actuator.valve_gain * std::abs(point.valve_current_A);
-  const Flow into_a = flow(port_a - point.state.pressure_a_Pa, actuator.laminar_pressure_Pa);
-  const Flow into_b = flow(port_b - point.state.pressure_b_Pa, actuator.laminar_pressure_Pa);
+  const auto into_a = port_flow(1.0, port_a - point.state.pressure_a_Pa, actuator.laminar_pressure_Pa);  // per gain
+  const auto into_b = port_flow(1.0, port_b - point.state.pressure_b_Pa, actuator.laminar_pressure_Pa);
   const double sign = extends ? 1.0 : -1.0;
 
   StateSpace<4> model;
   model.a(0, 1) = 1.0;
   model.a.row(1) << -load.stiffness / M, -B / M, A_a / M, -A_b / M;
   if (volumes == Volumes::kMoving) {
-    model.a(2, 0) = -beta_e * A_a / (V_a * V_a) * (gain * into_a.root - A_a * v);  // (A.5), (A.13)
-    model.a(3, 0) = beta_e * A_b / (V_b * V_b) * (gain * into_b.root + A_b * v);   // (A.8), (A.16)
+    model.a(2, 0) = -beta_e * A_a / (V_a * V_a) * (gain * into_a.flow - A_a * v);  // (A.5), (A.13)
+    model.a(3, 0) = beta_e * A_b / (V_b * V_b) * (gain * into_b.flow + A_b * v);   // (A.8), (A.16)
   }
   model.a(2, 1) = -beta_e * A_a / V_a;                  // (A.6), (A.14)
   model.a(3, 1) = beta_e * A_b / V_b;                   // (A.9), (A.17)
   model.a(2, 2) = -beta_e / V_a * gain * into_a.slope;  // (A.7), (A.15)
   model.a(3, 3) = -beta_e / V_b * gain * into_b.slope;  // (A.10), (A.18)
   // (A.11), (A.19): d|u| = sign du
-  model.b << 0.0, 0.0, sign * beta_e / V_a * actuator.valve_gain * into_a.root,
-      sign * beta_e / V_b * actuator.valve_gain * into_b.root;
+  model.b << 0.0, 0.0, sign * beta_e / V_a * actuator.valve_gain * into_a.flow,
+      sign * beta_e / V_b * actuator.valve_gain * into_b.flow;
   return model;
 }
 

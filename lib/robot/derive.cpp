@@ -15,24 +15,11 @@ plant::ActuatorParams common_params(const Supply& supply, const Valve& valve, co
   params.supply_pressure_Pa = supply.supply_pressure_Pa;
   params.return_pressure_Pa = supply.return_pressure_Pa;
   params.laminar_pressure_Pa = supply.laminar_pressure_Pa;
-  params.valve_deadband_A = valve.deadband_percent / 100.0 * valve.current_max_A;
-  if (valve.spool) {
-    params.spool = {valve.spool->on, valve.spool->natural_frequency_rad_s, valve.spool->damping};
-  }
   if (actuator.lines) {
     const LineSection& line = *actuator.lines;
     params.line = {line.length_m, line.bore_m, line.density_kg_m3, line.viscosity_Pa_s, line.loss_coefficient};
   }
   return params;
-}
-
-/// Dry friction on a lever r: forces times r, ways and speeds over it. On a cylinder r is 1.
-plant::FrictionParams dry_friction(const CylinderLoad& load, double lever) {
-  if (!load.friction) {
-    return {};
-  }
-  const DryFrictionSection& dry = *load.friction;
-  return {dry.coulomb_N * lever, dry.static_N * lever, dry.stribeck_velocity_m_s / lever, dry.presliding_m / lever};
 }
 
 plant::ElectricParams electric_params(const ElectricActuator& a) {
@@ -110,12 +97,11 @@ plant::ActuatorParams motor_params(const Supply& supply, const Valve& valve, con
 }
 
 plant::LoadParams cylinder_load(const CylinderLoad& load) {
-  return {load.mass_kg, load.damping_Ns_m, load.stiffness_N_m, load.equilibrium_position_m, dry_friction(load, 1.0)};
+  return {load.mass_kg, load.damping_Ns_m, load.stiffness_N_m, load.equilibrium_position_m, {}};
 }
 
 plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_like, double lever_m) {
-  return {inertia_kg_m2, damping_like.damping_Ns_m * lever_m * lever_m, 0.0, 0.0,
-          dry_friction(damping_like, lever_m)};
+  return {inertia_kg_m2, damping_like.damping_Ns_m * lever_m * lever_m, 0.0, 0.0, {}};
 }
 
 ForceLimits force_limits(const plant::ActuatorParams& a, double rated) {

@@ -6,16 +6,15 @@
 
 #include "thesis/rig/filter_study.hpp"
 #include "thesis/rig/force_step.hpp"
+#include "thesis/rig/rig_run.hpp"
 
 namespace farrier::thesis {
 namespace rig_effects_test {
 
-robot::Robot load(const char* name) {
-  return robot::load_robot(std::string(FARRIER_ROBOTS) + name + ".yaml").value();
-}
+robot::Robot load(const char* name) { return robot::load_robot(std::string(FARRIER_ROBOTS) + name + ".yaml").value(); }
 
-// Hubacher (2014), 10.2: a velocity filter's lag costs tracking of the light load, whose loop is fast; 10.3: oversampling
-// behind an anti-aliasing filter gives the heavy load's large force gain less noise to act on.
+// Hubacher (2014), 10.2: a velocity filter's lag costs tracking of the light load, whose loop is fast; 10.3:
+// oversampling behind an anti-aliasing filter gives the heavy load's large force gain less noise to act on.
 TEST(FilterStudy, ShowsWhatLagCostsAndWhatOversamplingGives) {
   const auto study = filter_study(load("fc1d"), {{0.0, 2, false}, {50.0, 2, false}, {0.0, 2, true}}, 1.0);
   ASSERT_TRUE(study.ok()) << (study ? "" : study.error().message);
@@ -55,8 +54,7 @@ TEST(FilterStudy, RefusesWhatItCannotRunWithTheReason) {
 }
 
 robot::Robot oscillating_rig() {
-  robot::Robot rig = load("fc1d_real");
-  rig.joints[0].actuator.spool.on = true;
+  robot::Robot rig = with_spool(load("fc1d_real"));
   rig.joints[0].noise = {};
   return rig;
 }
@@ -114,8 +112,8 @@ TEST(LoadPressureOscillation, FindsFrequencyAndDecayOfATone) {
     const double t = static_cast<double>(i) * kSample_s;
     tone[i].time_s = t;
     tone[i].load_pressure_Pa =
-        20e5 + (t < 0.05 ? 0.0
-                         : 1e5 * std::exp(-(t - 0.05) / 0.01) * std::sin(2.0 * std::numbers::pi * 300.0 * (t - 0.05)));
+        20e5 +
+        (t < 0.05 ? 0.0 : 1e5 * std::exp(-(t - 0.05) / 0.01) * std::sin(2.0 * std::numbers::pi * 300.0 * (t - 0.05)));
   }
   const Oscillation found = load_pressure_oscillation(tone, 0.02, 0.18);
   EXPECT_NEAR(found.frequency_Hz, 300.0, 10.0);

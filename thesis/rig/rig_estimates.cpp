@@ -16,9 +16,7 @@ using estimation::GateKind;
 constexpr int kColumns = 4;  // x, v, F, u
 
 /// A current answered by a force of its own size, with the memory of a tick: phase zero, no resonance.
-control::DiscreteModel wrong_model() {
-  return {0.5 * Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.0, 0.0, 0.5)};
-}
+control::DiscreteModel wrong_model() { return {0.5 * Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.0, 0.0, 0.5)}; }
 
 template <class Engine>
 control::DiscreteModel model_of(const Engine& engine) {
@@ -99,10 +97,12 @@ robot::Robot with_ideal_sensors(robot::Robot rig) {
 }
 
 robot::Robot with_friction_of_weight(robot::Robot rig, double added_kg) {
-  plant::LoadParams& load = rig.joints[0].swing_load;
-  const double heavier = 1.0 + added_kg / load.mass;
-  load.friction.coulomb *= heavier;
-  load.friction.breakaway *= heavier;
+  robot::Joint& joint = rig.joints[0];
+  for (plant::ActiveEffect& effect : joint.effects) {
+    if (effect.id == plant::effect_id<plant::LoadFriction>()) {
+      effect.values[0] *= 1.0 + added_kg / joint.swing_load.mass;  // the breakaway friction is a multiple of it
+    }
+  }
   return rig;
 }
 
@@ -132,11 +132,11 @@ Result<ChirpEstimates> estimate_chirp(const robot::Robot& rig, const ChirpCase& 
   const robot::Joint& joint = rig.joints[0];
   const control::Normalisation& n = joint.normalisation;
   const auto trace = FARRIER_TRY(drive(rig,
-                           {.current_A = chirp(one.amplitude * n.current_A, kChirp_Hz, kChirp_s),
-                            .duration_s = kChirp_s,
-                            .added_kg = one.added_kg,
-                            .position_m = kStart_m},
-                           seed));
+                                       {.current_A = chirp(one.amplitude * n.current_A, kChirp_Hz, kChirp_s),
+                                        .duration_s = kChirp_s,
+                                        .added_kg = one.added_kg,
+                                        .position_m = kStart_m},
+                                       seed));
   const estimation::EstimatorParams params = params_of(one);
   const Eigen::Vector3d scale(n.position, n.velocity, n.force);
   const Eigen::Vector3d noise(joint.noise.position, joint.noise.velocity, joint.noise.force);

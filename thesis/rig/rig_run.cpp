@@ -26,9 +26,9 @@ struct Rig {
                               std::uint64_t seed) {
     const robot::Joint& joint = robot.joints[0];
     const double middle = joint.linkage.position(joint.home_angle_rad);
-    auto plant = plant::HydraulicJoint::create(
-        joint.actuator, load, plant::equilibrium(joint.actuator, load, middle + position_m, 0.0),
-        plant::HydraulicJoint::kDefaultTolerance, joint.effects);
+    auto plant = plant::HydraulicJoint::create(joint.actuator, load,
+                                               plant::equilibrium(joint.actuator, load, middle + position_m, 0.0),
+                                               plant::HydraulicJoint::kDefaultTolerance, joint.effects);
     if (!plant) {
       return Error{joint.name + ": " + plant.error().message};
     }
@@ -111,6 +111,16 @@ robot::Robot unfiltered(robot::Robot rig) {
   return rig;
 }
 
+robot::Robot without_effect(robot::Robot rig, plant::EffectId effect) {
+  std::erase_if(rig.joints[0].effects, [=](const plant::ActiveEffect& has) { return has.id == effect; });
+  return rig;
+}
+
+robot::Robot with_spool(robot::Robot rig) {
+  rig.joints[0].effects.push_back({plant::effect_id<plant::ValveDynamics>(), {1570.0, 0.5}});
+  return rig;
+}
+
 Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std::uint64_t seed) {
   const robot::Joint& joint = robot.joints[0];
   plant::LoadParams load = joint.swing_load;
@@ -119,8 +129,8 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
   control::LqrWeights weights;
   weights.feed_forward_factor = tracking.feed_forward_factor;
   weights.integral_factor = tracking.integral_factor;
-  const auto gains = control::design_lqr(robot::model_of(joint, load, robot.period_s), weights, joint.normalisation,
-                                         tracking.form, 0);
+  const auto gains =
+      control::design_lqr(robot::model_of(joint, load, robot.period_s), weights, joint.normalisation, tracking.form, 0);
   if (!gains) {
     return Error{joint.name + ": no gains for this load: " + control::to_string(gains.error())};
   }
@@ -131,7 +141,8 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
   trace.period_s = robot.period_s;
   const auto ticks = static_cast<Tick>(std::llround(tracking.duration_s / robot.period_s));
   std::size_t weight = 0;
-  std::vector<double> late(static_cast<std::size_t>(tracking.delay_ticks), 0.0);  // every current, after those of before
+  std::vector<double> late(static_cast<std::size_t>(tracking.delay_ticks),
+                           0.0);  // every current, after those of before
   while (rig.tick < ticks) {
     while (weight < tracking.added.size() && rig.time_s() >= tracking.added[weight].at_s) {
       load.mass = joint.swing_load.mass + tracking.added[weight++].total_kg;
@@ -237,15 +248,20 @@ std::vector<double> scaled(const std::vector<double>& values, double factor) {
 Panel force_panel(const std::string& title, const RigTrace& run) {
   const double highest = std::ranges::max(run.reference_N, {}, [](double f) { return std::abs(f); });
   std::vector<double> force(run.force_N);
-  std::ranges::for_each(force, [=](double& f) { f = std::clamp(f, -3.0 * std::abs(highest), 3.0 * std::abs(highest)); });
-  return {.title = title, .x_label = "time (s)", .y_label = "force (N)",
+  std::ranges::for_each(force,
+                        [=](double& f) { f = std::clamp(f, -3.0 * std::abs(highest), 3.0 * std::abs(highest)); });
+  return {.title = title,
+          .x_label = "time (s)",
+          .y_label = "force (N)",
           .series = {{"reference", run.time_s, run.reference_N, Style::kLine, 0},
                      {"force", run.time_s, std::move(force), Style::kLine, 1}}};
 }
 
 Panel parts_panel(const RigTrace& run, double current_max_A) {
   const double percent = 100.0 / current_max_A;
-  return {.title = "", .x_label = "time (s)", .y_label = "of the valve opening (%)",
+  return {.title = "",
+          .x_label = "time (s)",
+          .y_label = "of the valve opening (%)",
           .series = {{"total", run.time_s, scaled(run.current_A, percent), Style::kLine, 0},
                      {"force", run.time_s, scaled(run.force_part_A, percent), Style::kLine, 1},
                      {"feed-forward", run.time_s, scaled(run.feed_forward_part_A, percent), Style::kLine, 2},

@@ -1,8 +1,8 @@
 #pragma once
 
-// The real-time rig of Hubacher (2014), Chapter 9, as deploy/robots/fc1d_real.yaml has it: one joint between its sensors
-// and a controller, or a current that nobody controls. Nothing else of the loop, so that a run of seconds takes a
-// fraction of one.
+// The real-time rig of Hubacher (2014), Chapter 9, as deploy/robots/fc1d_real.yaml has it: one joint between its
+// sensors and a controller, or a current that nobody controls. Nothing else of the loop, so that a run of seconds takes
+// a fraction of one.
 
 #include <functional>
 #include <vector>
@@ -18,17 +18,17 @@ using Signal = std::function<double(double)>;  ///< of the time in s
 /// (docs/decisions/0033-rig-without-line-inertia.md). Fig. 9.23 alone is about them.
 Result<robot::Robot> load_rig(const StudyContext& context);
 
-/// Table A.2 fits a quarter of the data sheet's valve gain to the rig, "no physical meaning": by how much a study opens the
-/// valve to see what that quarter costs.
+/// Table A.2 fits a quarter of the data sheet's valve gain to the rig, "no physical meaning": by how much a study opens
+/// the valve to see what that quarter costs.
 inline constexpr double kDataSheetOverRig = 4.0;
 
 /// A run, a value a tick, SI. Forces and motion are the truth; what the controller saw is measured_*.
 struct RigTrace {
   double period_s = 0.0;
   std::vector<double> time_s, reference_N, force_N;
-  std::vector<double> position_m;               ///< from mid-stroke
+  std::vector<double> position_m;  ///< from mid-stroke
   std::vector<double> velocity_m_s, pressure_a_Pa, pressure_b_Pa;
-  std::vector<double> load_pressure_Pa;         ///< p_a - alpha p_b
+  std::vector<double> load_pressure_Pa;  ///< p_a - alpha p_b
   std::vector<double> measured_position_m, measured_velocity_m_s, measured_force_N;
   std::vector<double> current_A;
   std::vector<double> position_part_A, velocity_part_A, force_part_A, integral_part_A, feed_forward_part_A;
@@ -47,15 +47,21 @@ struct Tracking {
   control::Kind kind = control::Kind::kLqr;  ///< kLqr, or kFeedbackLinearisation with the robot file's gains
   control::Form form = control::Form::kCompliant;
   double feed_forward_factor = 1.0;
-  double integral_factor = 6.0;              ///< xi (7.11)
-  std::vector<AddedWeight> added = {};       ///< in order of time
-  int delay_ticks = 0;                       ///< by which a current acts late, 0 to 8; the gains do not know it
+  double integral_factor = 6.0;         ///< xi (7.11)
+  std::vector<AddedWeight> added = {};  ///< in order of time
+  int delay_ticks = 0;                  ///< by which a current acts late, 0 to 8; the gains do not know it
 };
 
 /// The delay of the text's rig by filters, valve and lines is not known. With two ticks in the place of our filters,
 /// fixed gains for 2.5 kg hold 2.5 kg and lose 20 kg (9.17.late, 9.17.late_nominal).
 inline constexpr int kLate_ticks = 2;
 robot::Robot unfiltered(robot::Robot rig);
+
+/// The rig without one of its effects; no other changes.
+robot::Robot without_effect(robot::Robot rig, plant::EffectId effect);
+
+/// The rig with the spool of Table A.1, which the text leaves out (2.4).
+robot::Robot with_spool(robot::Robot rig);
 
 /// Runs `tracking` with weights (7.9) to (7.11), which are the defaults of LqrWeights. Refuses joints that cannot be
 /// simulated and loads without a design, with the reason.

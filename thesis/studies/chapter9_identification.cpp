@@ -35,8 +35,11 @@ Result<FrictionPoint> move_evenly(robot::Robot rig, double share, std::uint64_t 
   const double nominal_A = rig.joints[0].normalisation.current_A;
   // About 2 mm/s for each percent of opening beyond the deadband: long enough for the judged piece, and no longer.
   const double duration_s = 2.5 * kFrom_m / (0.0015 * (100.0 * std::abs(share) - 0.6));
-  const auto run = drive(rig, {.current_A = [=](double) { return share * nominal_A; }, .duration_s = duration_s,
-                               .position_m = share > 0.0 ? -kFrom_m : kFrom_m}, seed);
+  const auto run = drive(rig,
+                         {.current_A = [=](double) { return share * nominal_A; },
+                          .duration_s = duration_s,
+                          .position_m = share > 0.0 ? -kFrom_m : kFrom_m},
+                         seed);
   if (!run) {
     return run.error();
   }
@@ -52,19 +55,27 @@ Result<FrictionPoint> move_evenly(robot::Robot rig, double share, std::uint64_t 
   return FrictionPoint{mean(r.measured_velocity_m_s, begin, end), mean(r.measured_force_N, begin, end)};
 }
 
-constexpr const char* kDependent = "As can be seen, the viscous friction coefficient is quite heavily velocity dependent.";
+constexpr const char* kDependent =
+    "As can be seen, the viscous friction coefficient is quite heavily velocity dependent.";
 
 constexpr ClaimSpec kFrictionClaims[] = {
-    {"9.19.dependent", "9.3.1", kDependent, "(9.6) at the lowest velocity over that at the highest: two.", "1", Relation::kAtLeast, 2.0},
+    {"9.19.dependent", "9.3.1", kDependent, "(9.6) at the lowest velocity over that at the highest: two.", "1",
+     Relation::kAtLeast, 2.0},
     {"9.19.stribeck", "9.3.1", "It seems that there is Stribeck friction present at low velocities ...",
-     "Force without its viscous part d_l v at the lowest velocity, less that at the highest.", "N", Relation::kAtLeast, 1.0},
+     "Force without its viscous part d_l v at the lowest velocity, less that at the highest.", "N", Relation::kAtLeast,
+     1.0},
     {"9.19.viscous", "9.3.1", "The coefficient of viscous friction is then calculated using d_l = |F_s| / |v|.",
      "Distance of (9.6) at the highest velocity from the rig's d_l, over it: a tenth.", "1", Relation::kAtMost, 0.1,
-     Refutation{"with dry friction F_c the quotient is d_l + F_c / |v|: at the velocities a valve a fifth open gives, F_c / |v| is "
-                "not small against d_l", 0.5, 4.0}},
-    {"9.19.slope", "9.3.1", "... the following expression for identifying the viscous friction coefficient is obtained ...",
-     "Distance of the slope of force over velocity between the two highest velocities from the rig's d_l, over it: a tenth, as the "
-     "proof of 9.19.viscous asks for.", "1", Relation::kAtMost, 0.1}};
+     Refutation{"with dry friction F_c the quotient is d_l + F_c / |v|: at the velocities a valve a fifth open gives, "
+                "F_c / |v| is "
+                "not small against d_l",
+                0.5, 4.0}},
+    {"9.19.slope", "9.3.1",
+     "... the following expression for identifying the viscous friction coefficient is obtained ...",
+     "Distance of the slope of force over velocity between the two highest velocities from the rig's d_l, over it: a "
+     "tenth, as the "
+     "proof of 9.19.viscous asks for.",
+     "1", Relation::kAtMost, 0.1}};
 
 Result<StudyResult> run_friction(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load_rig(context));
@@ -94,12 +105,17 @@ Result<StudyResult> run_friction(const StudyContext& context) {
       {"9.19.dependent", slow.coefficient_Ns_m() / fast.coefficient_Ns_m(),
        text_of("%.0f Ns/m at ", slow.coefficient_Ns_m()) + text_of("%.1f mm/s, ", 1e3 * slow.velocity_m_s) +
            text_of("%.0f Ns/m at ", fast.coefficient_Ns_m()) + text_of("%.1f mm/s", 1e3 * fast.velocity_m_s)},
-      {"9.19.stribeck", dry(slow) - dry(fast), text_of("%.1f N at the lowest, ", dry(slow)) + text_of("%.1f N at the highest", dry(fast))},
+      {"9.19.stribeck", dry(slow) - dry(fast),
+       text_of("%.1f N at the lowest, ", dry(slow)) + text_of("%.1f N at the highest", dry(fast))},
       {"9.19.viscous", std::abs(fast.coefficient_Ns_m() / damping - 1.0), ""},
       {"9.19.slope", std::abs(slope / damping - 1.0), text_of("%.0f Ns/m", slope)}};
   Series truth{"d_l", {0.0, there.x.back()}, {damping, damping}, Style::kDashed, 5};
-  result.pictures = {{"Friction coefficient of (9.6), springs removed", 1,
-                      {{.title = "", .x_label = "velocity (mm/s)", .y_label = "|F_s| / |v| (Ns/m)", .log_y = true,
+  result.pictures = {{"Friction coefficient of (9.6), springs removed",
+                      1,
+                      {{.title = "",
+                        .x_label = "velocity (mm/s)",
+                        .y_label = "|F_s| / |v| (Ns/m)",
+                        .log_y = true,
                         .series = {std::move(there), std::move(back), std::move(truth)}}}}};
   return result;
 }
@@ -109,15 +125,21 @@ Result<StudyResult> run_friction(const StudyContext& context) {
 constexpr double kSprings = 4.0;
 constexpr int kDataSets = 4;
 
-constexpr const char* kStiffness = "The mean spring stiffness value for a single spring of about 5278 N/m is almost identical to the value ... [5360 N/m].";
+constexpr const char* kStiffness =
+    "The mean spring stiffness value for a single spring of about 5278 N/m is almost identical to the value ... [5360 "
+    "N/m].";
 
 constexpr ClaimSpec kSpringClaims[] = {
     {"9.20.mean", "9.3.2", kStiffness,
-     "Distance of the mean over both ends and all data sets from the springs' stiffness, over it: 2 %, the text's own being 1.5 %.", "1",
-     Relation::kAtMost, 0.02,
-     Refutation{"at rest the dry friction holds up to F_s = 60 N, 7 % of the springs' 860 N at an end; how much of it stays is a "
-                "matter of how the piston came to rest, which the text does not say", 0.02, 0.07}},
-    {"9.20.without_friction", "9.3.2", kStiffness, "The same without dry friction, as the proof of 9.20.mean asks for.", "1", Relation::kAtMost, 0.02}};
+     "Distance of the mean over both ends and all data sets from the springs' stiffness, over it: 2 %, the text's own "
+     "being 1.5 %.",
+     "1", Relation::kAtMost, 0.02,
+     Refutation{"at rest the dry friction holds up to F_s = 60 N, 7 % of the springs' 860 N at an end; how much of it "
+                "stays is a "
+                "matter of how the piston came to rest, which the text does not say",
+                0.02, 0.07}},
+    {"9.20.without_friction", "9.3.2", kStiffness, "The same without dry friction, as the proof of 9.20.mean asks for.",
+     "1", Relation::kAtMost, 0.02}};
 
 /// Mean of |F_s| / |y| (9.7) at rest at one end, of a single spring.
 Result<double> stiffness_at(const robot::Robot& rig, double sign, std::uint64_t seed) {
@@ -137,8 +159,7 @@ Result<StudyResult> run_springs(const StudyContext& context) {
   if (!rig) {
     return rig.error();
   }
-  robot::Robot smooth = rig.value();
-  smooth.joints[0].swing_load.friction = {};
+  const robot::Robot smooth = without_effect(rig.value(), plant::effect_id<plant::LoadFriction>());
   const double truth = rig.value().joints[0].swing_load.stiffness / kSprings;
   double sums[2] = {};
   Series ends[2] = {{"extended", {}, {}, Style::kPoints, 1}, {"retracted", {}, {}, Style::kPoints, 2}};
@@ -146,7 +167,8 @@ Result<StudyResult> run_springs(const StudyContext& context) {
     for (std::size_t end = 0; end < 2; ++end) {
       const double sign = end == 0 ? 1.0 : -1.0;
       const auto rough = stiffness_at(rig.value(), sign, context.seed + static_cast<std::uint64_t>(set));
-      const auto even = FARRIER_TRY(rough ? stiffness_at(smooth, sign, context.seed + static_cast<std::uint64_t>(set)) : rough);
+      const auto even =
+          FARRIER_TRY(rough ? stiffness_at(smooth, sign, context.seed + static_cast<std::uint64_t>(set)) : rough);
       sums[0] += rough.value() / (2.0 * kDataSets);
       sums[1] += even / (2.0 * kDataSets);
       ends[end].x.push_back(set + 1);
@@ -157,12 +179,17 @@ Result<StudyResult> run_springs(const StudyContext& context) {
     }
   }
   StudyResult result;
-  result.measured = {{"9.20.mean", std::abs(sums[0] / truth - 1.0), text_of("%.0f N/m", sums[0]) + text_of(" of %.0f N/m", truth)},
-                     {"9.20.without_friction", std::abs(sums[1] / truth - 1.0), text_of("%.0f N/m", sums[1])}};
+  result.measured = {
+      {"9.20.mean", std::abs(sums[0] / truth - 1.0), text_of("%.0f N/m", sums[0]) + text_of(" of %.0f N/m", truth)},
+      {"9.20.without_friction", std::abs(sums[1] / truth - 1.0), text_of("%.0f N/m", sums[1])}};
   const std::vector<double> across{0.5, kDataSets + 0.5};
-  result.pictures = {{"Stiffness of a single spring, (9.7)", 1,
-                      {{.title = "", .x_label = "data set", .y_label = "stiffness (N/m)",
-                        .series = {std::move(ends[0]), std::move(ends[1]),
+  result.pictures = {{"Stiffness of a single spring, (9.7)",
+                      1,
+                      {{.title = "",
+                        .x_label = "data set",
+                        .y_label = "stiffness (N/m)",
+                        .series = {std::move(ends[0]),
+                                   std::move(ends[1]),
                                    {"springs of the rig", across, {truth, truth}, Style::kDashed, 5},
                                    {"mean", across, {sums[0], sums[0]}, Style::kLine, 3}}}}}};
   return result;
@@ -176,10 +203,13 @@ constexpr double kNoticed_Pa = 2e4;  // of 125 bar: what a pressure sensor of 0.
 constexpr const char* kThreshold = "The identified threshold is about 0.6 % of the valve opening ...";
 
 constexpr ClaimSpec kThresholdClaims[] = {
-    {"9.21.positive", "9.3.4", kThreshold, "Distance from 0.6 of the opening in % at which the load pressure begins to rise: 0.1.", "%",
+    {"9.21.positive", "9.3.4", kThreshold,
+     "Distance from 0.6 of the opening in % at which the load pressure begins to rise: 0.1.", "%", Relation::kAtMost,
+     0.1},
+    {"9.21.negative", "9.3.4", kThreshold, "The same of the negative opening at which it begins to fall.", "%",
      Relation::kAtMost, 0.1},
-    {"9.21.negative", "9.3.4", kThreshold, "The same of the negative opening at which it begins to fall.", "%", Relation::kAtMost, 0.1},
-    {"9.21.specification", "9.3.4", "... a threshold of 0.5 % - 1 % (in percentage of the valve opening) depending on the supply pressure.",
+    {"9.21.specification", "9.3.4",
+     "... a threshold of 0.5 % - 1 % (in percentage of the valve opening) depending on the supply pressure.",
      "Distance of both from the middle of that range, the larger: 0.25.", "%", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_threshold(const StudyContext& context) {
@@ -189,21 +219,26 @@ Result<StudyResult> run_threshold(const StudyContext& context) {
   Picture picture{"Slowly rising and falling valve input; crosses: the load pressure begins to change", 2, {}};
   for (std::size_t k = 0; k < 2; ++k) {
     const double sign = k == 0 ? 1.0 : -1.0;
-    const auto made = drive(rig, {.current_A = [=](double t) { return sign * 0.01 * kRamp_percent_s * t * nominal_A; },
-                                          .duration_s = 1.2}, context.seed);
+    const auto made = drive(
+        rig, {.current_A = [=](double t) { return sign * 0.01 * kRamp_percent_s * t * nominal_A; }, .duration_s = 1.2},
+        context.seed);
     if (!made) {
       return made.error();
     }
     const RigTrace& run = made.value();
     const auto changed = std::ranges::find_if(
         run.load_pressure_Pa, [&](double p) { return sign * (p - run.load_pressure_Pa[0]) > kNoticed_Pa; });
-    const std::size_t at = std::min<std::size_t>(static_cast<std::size_t>(changed - run.load_pressure_Pa.begin()), run.time_s.size() - 1);
+    const std::size_t at =
+        std::min<std::size_t>(static_cast<std::size_t>(changed - run.load_pressure_Pa.begin()), run.time_s.size() - 1);
     found[k] = 100.0 * std::abs(run.current_A[at]) / nominal_A;
     const std::vector<double> opening = scaled(run.current_A, 100.0 / nominal_A);
-    picture.panels.push_back({.title = sign > 0.0 ? "rising" : "falling", .x_label = "valve input (%)", .y_label = "pressure (bar)",
-                              .series = {{"p_a", opening, scaled(run.pressure_a_Pa, 1e-5), Style::kLine, 1},
-                                         {"p_b", opening, scaled(run.pressure_b_Pa, 1e-5), Style::kLine, 2},
-                                         {"threshold", {opening[at]}, {1e-5 * run.pressure_a_Pa[at]}, Style::kCrosses, 3}}});
+    picture.panels.push_back(
+        {.title = sign > 0.0 ? "rising" : "falling",
+         .x_label = "valve input (%)",
+         .y_label = "pressure (bar)",
+         .series = {{"p_a", opening, scaled(run.pressure_a_Pa, 1e-5), Style::kLine, 1},
+                    {"p_b", opening, scaled(run.pressure_b_Pa, 1e-5), Style::kLine, 2},
+                    {"threshold", {opening[at]}, {1e-5 * run.pressure_a_Pa[at]}, Style::kCrosses, 3}}});
   }
   StudyResult result;
   result.measured = {{"9.21.positive", std::abs(found[0] - 0.6), text_of("%.2f %%", found[0])},

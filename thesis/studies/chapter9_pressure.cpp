@@ -16,12 +16,13 @@ namespace {
 constexpr double kBegin_s = 0.1;
 constexpr double kTo_N = 400.0;
 constexpr double kRises_s[] = {0.0, 0.1, 0.2, 0.4, 0.6, 0.8, 1.0, 1.5, 2.0};
-// The truth has no noise: 1 kPa is when the pressure begins to rise. A sensor's 20 kPa would add the time the oil takes.
+// The truth has no noise: 1 kPa is when the pressure begins to rise. A sensor's 20 kPa would add the time the oil
+// takes.
 constexpr double kNoticed_Pa = 1e3;
 
 struct Delay {
-  double delay_s;   ///< from the reference's start until the load pressure has risen by kNoticed_Pa
-  double input;     ///< of the nominal valve opening, a tick before that
+  double delay_s;  ///< from the reference's start until the load pressure has risen by kNoticed_Pa
+  double input;    ///< of the nominal valve opening, a tick before that
 };
 
 Delay delay_of(const RigTrace& run, double nominal_A) {
@@ -33,35 +34,48 @@ Delay delay_of(const RigTrace& run, double nominal_A) {
   return {run.time_s[i] - run.time_s[begin], run.current_A[i - 1] / nominal_A};
 }
 
-constexpr const char* kDelay = "However, there is a 10 ms time-delay until the valve opens enough permitting an increase in the load pressure.";
+constexpr const char* kDelay =
+    "However, there is a 10 ms time-delay until the valve opens enough permitting an increase in the load pressure.";
 
 constexpr ClaimSpec kDeadbandClaims[] = {
-    {"9.22.step", "9.3.4", kDelay, "Delay of the load pressure after a reference that steps within a tick, distance from 10 ms: 3 ms.", "s",
+    {"9.22.step", "9.3.4", kDelay,
+     "Delay of the load pressure after a reference that steps within a tick, distance from 10 ms: 3 ms.", "s",
      Relation::kAtMost, 0.003,
-     Refutation{"a step of 400 N asks for more than the deadband within the tick it comes in; the text does not say how its "
-                "reference rose", 0.003, 0.01}},
+     Refutation{
+         "a step of 400 N asks for more than the deadband within the tick it comes in; the text does not say how its "
+         "reference rose",
+         0.003, 0.01}},
     {"9.22.rise", "9.3.4", kDelay,
-     "Smallest distance of the delay from 10 ms over references that rise to 400 N in 0 to 2 s: 3 ms, the value that would make 9.22.step true.",
+     "Smallest distance of the delay from 10 ms over references that rise to 400 N in 0 to 2 s: 3 ms, the value that "
+     "would make 9.22.step true.",
      "s", Relation::kAtMost, 0.003},
-    {"9.22.by_deadband", "9.3.4", "The load pressure follows the commands with a 10 ms time-delay due to the valve deadband.",
+    {"9.22.by_deadband", "9.3.4",
+     "The load pressure follows the commands with a 10 ms time-delay due to the valve deadband.",
      "The same delay without the deadband over the delay with it: a half.", "1", Relation::kAtMost, 0.5},
-    {"9.22.input", "9.3.4", "... this point of increase is exactly related to the amount of valve deadband, which is again ... at around 0.6 % ...",
-     "Distance from 0.6 of the valve input in % when the load pressure begins to rise, same reference: 0.2.", "%", Relation::kAtMost, 0.2},
-    {"9.22.rate", "9.3.4", "Valve inputs rising faster result in a lower time-delay, whereas slower inputs experience a longer time-delay.",
+    {"9.22.input", "9.3.4",
+     "... this point of increase is exactly related to the amount of valve deadband, which is again ... at around 0.6 "
+     "% ...",
+     "Distance from 0.6 of the valve input in % when the load pressure begins to rise, same reference: 0.2.", "%",
+     Relation::kAtMost, 0.2},
+    {"9.22.rate", "9.3.4",
+     "Valve inputs rising faster result in a lower time-delay, whereas slower inputs experience a longer time-delay.",
      "References that rise more slowly than the one before and have a shorter delay.", "1", Relation::kAtMost, 0.0}};
 
 Result<StudyResult> run_deadband(const StudyContext& context) {
   auto loaded = FARRIER_TRY(load_rig(context));
   robot::Robot rig = std::move(loaded);
   rig.joints[0].noise = {};
-  robot::Robot without = rig;
-  without.joints[0].actuator.valve_deadband_A = 0.0;
+  const robot::Robot without = without_effect(rig, plant::effect_id<plant::ValveDeadband>());
   const double nominal_A = rig.joints[0].normalisation.current_A;
   const auto run_rise = [&](const robot::Robot& robot, double rise_s) {
-    return track(robot, {.reference = [=](double t) {
-                           return rise_s > 0.0 ? kTo_N * std::clamp((t - kBegin_s) / rise_s, 0.0, 1.0)
-                                               : (t < kBegin_s ? 0.0 : kTo_N);
-                         }, .duration_s = 2.4}, context.seed);
+    return track(robot,
+                 {.reference =
+                      [=](double t) {
+                        return rise_s > 0.0 ? kTo_N * std::clamp((t - kBegin_s) / rise_s, 0.0, 1.0)
+                                            : (t < kBegin_s ? 0.0 : kTo_N);
+                      },
+                  .duration_s = 2.4},
+                 context.seed);
   };
   std::vector<Delay> delays;
   std::vector<RigTrace> runs;
@@ -79,29 +93,42 @@ Result<StudyResult> run_deadband(const StudyContext& context) {
   }
   const auto plain = FARRIER_TRY(run_rise(without, kRises_s[nearest]));
   StudyResult result;
-  result.measured = {{"9.22.step", std::abs(delays[0].delay_s - 0.01), text_of("%.0f ms", 1e3 * delays[0].delay_s)},
-                     {"9.22.rise", std::abs(delays[nearest].delay_s - 0.01), "rise: delay, " + note},
-                     {"9.22.by_deadband", delay_of(plain, nominal_A).delay_s / delays[nearest].delay_s, ""},
-                     {"9.22.input", std::abs(100.0 * delays[nearest].input - 0.6), text_of("%.2f %%", 100.0 * delays[nearest].input)},
-                     {"9.22.rate", shorter, ""}};
+  result.measured = {
+      {"9.22.step", std::abs(delays[0].delay_s - 0.01), text_of("%.0f ms", 1e3 * delays[0].delay_s)},
+      {"9.22.rise", std::abs(delays[nearest].delay_s - 0.01), "rise: delay, " + note},
+      {"9.22.by_deadband", delay_of(plain, nominal_A).delay_s / delays[nearest].delay_s, ""},
+      {"9.22.input", std::abs(100.0 * delays[nearest].input - 0.6), text_of("%.2f %%", 100.0 * delays[nearest].input)},
+      {"9.22.rate", shorter, ""}};
   const RigTrace& drawn = runs[nearest];
   const auto from = static_cast<std::ptrdiff_t>(std::llround((kBegin_s - 0.02) / drawn.period_s));
   const auto to = static_cast<std::ptrdiff_t>(std::llround((kBegin_s + 0.06) / drawn.period_s));
-  const auto cut = [&](const std::vector<double>& values) { return std::vector<double>(values.begin() + from, values.begin() + to); };
+  const auto cut = [&](const std::vector<double>& values) {
+    return std::vector<double>(values.begin() + from, values.begin() + to);
+  };
   const std::vector<double> time = cut(drawn.time_s);
   const double risen_s = kBegin_s + delays[nearest].delay_s;
-  result.pictures = {
-      {text_of("Reference that rises to 400 N in %g s", kRises_s[nearest]), 2,
-       {force_panel("all of it", drawn),
-        {.title = "its beginning", .x_label = "time (s)", .y_label = "reference (N)", .series = {{"", time, cut(drawn.reference_N), Style::kLine, 0}}},
-        {.title = "valve input", .x_label = "time (s)", .y_label = "of the opening (%)",
-         .series = {{"input", time, scaled(cut(drawn.current_A), 100.0 / nominal_A), Style::kLine, 1},
-                    {"0.6 %", {time.front(), time.back()}, {0.6, 0.6}, Style::kDashed, 5}}},
-        {.title = "load pressure; dashed: it begins to rise", .x_label = "time (s)", .y_label = "load pressure (bar)",
-         .series = {{"", time, scaled(cut(drawn.load_pressure_Pa), 1e-5), Style::kLine, 2},
-                    {"", {risen_s, risen_s},
-                     {1e-5 * std::ranges::min(cut(drawn.load_pressure_Pa)), 1e-5 * std::ranges::max(cut(drawn.load_pressure_Pa))},
-                     Style::kDashed, 3}}}}}};
+  result.pictures = {{text_of("Reference that rises to 400 N in %g s", kRises_s[nearest]),
+                      2,
+                      {force_panel("all of it", drawn),
+                       {.title = "its beginning",
+                        .x_label = "time (s)",
+                        .y_label = "reference (N)",
+                        .series = {{"", time, cut(drawn.reference_N), Style::kLine, 0}}},
+                       {.title = "valve input",
+                        .x_label = "time (s)",
+                        .y_label = "of the opening (%)",
+                        .series = {{"input", time, scaled(cut(drawn.current_A), 100.0 / nominal_A), Style::kLine, 1},
+                                   {"0.6 %", {time.front(), time.back()}, {0.6, 0.6}, Style::kDashed, 5}}},
+                       {.title = "load pressure; dashed: it begins to rise",
+                        .x_label = "time (s)",
+                        .y_label = "load pressure (bar)",
+                        .series = {{"", time, scaled(cut(drawn.load_pressure_Pa), 1e-5), Style::kLine, 2},
+                                   {"",
+                                    {risen_s, risen_s},
+                                    {1e-5 * std::ranges::min(cut(drawn.load_pressure_Pa)),
+                                     1e-5 * std::ranges::max(cut(drawn.load_pressure_Pa))},
+                                    Style::kDashed,
+                                    3}}}}}};
   return result;
 }
 
@@ -109,12 +136,12 @@ Result<StudyResult> run_deadband(const StudyContext& context) {
 
 constexpr double kRise_s = 0.05;
 constexpr double kBegin23_s = 0.05;
-constexpr double kMoving_m_s = 5e-3;     // faster than this the piston does not stick
+constexpr double kMoving_m_s = 5e-3;  // faster than this the piston does not stick
 constexpr double kMoving_s[] = {0.066, 0.12};
 constexpr double kEnd_s = 0.28;
 constexpr double kWindow_s = 0.01;
-constexpr double kShortWindow_s = 0.005; // fits between the reference's start and the start of motion
-constexpr double kPassing_s = 0.01;      // what starts and saturation themselves do to the pressure
+constexpr double kShortWindow_s = 0.005;  // fits between the reference's start and the start of motion
+constexpr double kPassing_s = 0.01;       // what starts and saturation themselves do to the pressure
 
 /// Times at which what holds of a sample first does, and last.
 template <typename Holds>
@@ -130,7 +157,8 @@ std::pair<double, double> span_of(std::span<const thesis::ForceStepSample> sampl
 }
 
 /// RMS of what is quicker than the window.
-double quick(std::span<const thesis::ForceStepSample> samples, double from_s, double to_s, double thesis::ForceStepSample::*value) {
+double quick(std::span<const thesis::ForceStepSample> samples, double from_s, double to_s,
+             double thesis::ForceStepSample::*value) {
   const double sample_s = samples[1].time_s - samples[0].time_s;
   const auto half = static_cast<std::ptrdiff_t>(std::round(0.5 * kWindow_s / sample_s));
   double sum = 0.0;
@@ -153,26 +181,39 @@ double quick(std::span<const thesis::ForceStepSample> samples, double from_s, do
 
 constexpr ClaimSpec kOscillationClaims[] = {
     {"9.23.on_motion", "9.4", "The issue seems to be related to the begin of piston movement ...",
-     "Largest swing of the load pressure quicker than 5 ms, from 10 ms after the start of motion on, over that while the piston sticks: three.", "1", Relation::kAtLeast, 3.0},
+     "Largest swing of the load pressure quicker than 5 ms, from 10 ms after the start of motion on, over that while "
+     "the piston sticks: three.",
+     "1", Relation::kAtLeast, 3.0},
     {"9.23.velocity", "9.4", "This oscillation begins to be visible in the velocity signal ...",
-     "RMS of what is quicker than 10 ms in the true velocity, after the start of motion.", "m/s", Relation::kAtLeast, 1e-3},
-    {"9.23.control", "9.4", "The oscillation also penetrates the control signal (comment (4)) because the piston's velocity is a direct feedback signal.",
-     "RMS of what is quicker than 10 ms in the velocity part over that in the whole valve current: a half.", "1", Relation::kAtLeast, 0.5},
+     "RMS of what is quicker than 10 ms in the true velocity, after the start of motion.", "m/s", Relation::kAtLeast,
+     1e-3},
+    {"9.23.control", "9.4",
+     "The oscillation also penetrates the control signal (comment (4)) because the piston's velocity is a direct "
+     "feedback signal.",
+     "RMS of what is quicker than 10 ms in the velocity part over that in the whole valve current: a half.", "1",
+     Relation::kAtLeast, 0.5},
     {"9.23.decay", "Fig. 9.23", "After about 55 ms the controller managed to dampen the oscillation.",
-     "Distance from 55 ms of the time from the largest swing, whenever the piston moves, until less than a tenth of it is left: 20 ms.", "s", Relation::kAtMost, 0.02,
-     Refutation{"the swing does not die by itself: it is gone while the valve is full open (9.23.wide_open) and comes back when that ends "
+     "Distance from 55 ms of the time from the largest swing, whenever the piston moves, until less than a tenth of it "
+     "is left: 20 ms.",
+     "s", Relation::kAtMost, 0.02,
+     Refutation{"the swing does not die by itself: it is gone while the valve is full open (9.23.wide_open) and comes "
+                "back when that ends "
                 "(9.23.returns), so its length is a matter of how the reference rose, which the text does not say "
-                "(docs/derivations/load-pressure-oscillation.md)", 0.02, 0.15}},
-    {"9.23.wide_open", "9.4", "The inertia of the piston and the magnitude of valve input command seem to somehow dampen these high frequency oscillations.",
-     "Largest swing quicker than 5 ms while the valve is full open over that before: a quarter.", "1", Relation::kAtMost, 0.25},
+                "(docs/derivations/load-pressure-oscillation.md)",
+                0.02, 0.15}},
+    {"9.23.wide_open", "9.4",
+     "The inertia of the piston and the magnitude of valve input command seem to somehow dampen these high frequency "
+     "oscillations.",
+     "Largest swing quicker than 5 ms while the valve is full open over that before: a quarter.", "1",
+     Relation::kAtMost, 0.25},
     {"9.23.returns", "9.4", "... after about 55 ms the oscillations have disappeared.",
-     "The same after the valve was full open over that before, as the proof of 9.23.decay asks for: a tenth, where it counts as gone.",
+     "The same after the valve was full open over that before, as the proof of 9.23.decay asks for: a tenth, where it "
+     "counts as gone.",
      "1", Relation::kAtLeast, 0.1}};
 
 Result<StudyResult> run_oscillation(const StudyContext& context) {
   auto loaded = FARRIER_TRY(load(context, "fc1d_real.yaml"));
-  robot::Robot rig = std::move(loaded);
-  rig.joints[0].actuator.spool.on = true;
+  robot::Robot rig = with_spool(std::move(loaded));
   rig.joints[0].noise = {};
   const auto made = FARRIER_TRY(thesis::run_force_step(rig, {.to_N = kTo_N, .rise_s = kRise_s, .seed = context.seed}));
   const std::vector<thesis::ForceStepSample>& run = made;
@@ -184,14 +225,18 @@ Result<StudyResult> run_oscillation(const StudyContext& context) {
   };
   const double stuck_Pa = swing(kBegin23_s, moves_s - 0.6 * kShortWindow_s);
   const double before_Pa = swing(moves_s + kPassing_s, open.first);
-  const thesis::Oscillation moving = thesis::load_pressure_oscillation(run, moves_s + kPassing_s, kEnd_s, kShortWindow_s);
+  const thesis::Oscillation moving =
+      thesis::load_pressure_oscillation(run, moves_s + kPassing_s, kEnd_s, kShortWindow_s);
   StudyResult result;
   result.measured = {
       {"9.23.on_motion", moving.peak_Pa / stuck_Pa,
-       text_of("moves at %.1f ms; ", 1e3 * moves_s) + text_of("%.2f bar, ", 1e-5 * moving.peak_Pa) + text_of("%.0f Hz", moving.frequency_Hz)},
+       text_of("moves at %.1f ms; ", 1e3 * moves_s) + text_of("%.2f bar, ", 1e-5 * moving.peak_Pa) +
+           text_of("%.0f Hz", moving.frequency_Hz)},
       {"9.23.velocity", quick(run, kMoving_s[0], kMoving_s[1], &thesis::ForceStepSample::velocity_m_s), ""},
-      {"9.23.control", quick(run, kMoving_s[0], kMoving_s[1], &thesis::ForceStepSample::velocity_part_A) /
-                           quick(run, kMoving_s[0], kMoving_s[1], &thesis::ForceStepSample::valve_current_A), ""},
+      {"9.23.control",
+       quick(run, kMoving_s[0], kMoving_s[1], &thesis::ForceStepSample::velocity_part_A) /
+           quick(run, kMoving_s[0], kMoving_s[1], &thesis::ForceStepSample::valve_current_A),
+       ""},
       {"9.23.decay", std::abs(moving.decay_s - 0.055), text_of("%.0f ms", 1e3 * moving.decay_s)},
       {"9.23.wide_open", swing(open.first + kPassing_s, open.second - kPassing_s) / before_Pa,
        text_of("full open from %.0f ", 1e3 * open.first) + text_of("to %.0f ms", 1e3 * open.second)},
@@ -215,16 +260,22 @@ Result<StudyResult> run_oscillation(const StudyContext& context) {
       }
     }
   }
-  result.pictures = {{text_of("Reference that rises to 400 N in %g s, spool dynamics on", kRise_s), 1,
-                      {{.title = "all of it", .x_label = "time (s)", .y_label = "force (N)", .series = {std::move(reference), std::move(force)}},
-                       {.title = "", .x_label = "time (s)", .y_label = "load pressure (bar)", .series = {std::move(pressure)}},
-                       {.title = "", .x_label = "time (s)", .y_label = "velocity (mm/s)", .series = {std::move(velocity)}},
-                       {.title = "", .x_label = "time (s)", .y_label = "valve input (%)", .series = {std::move(current)}}}}};
+  result.pictures = {
+      {text_of("Reference that rises to 400 N in %g s, spool dynamics on", kRise_s),
+       1,
+       {{.title = "all of it",
+         .x_label = "time (s)",
+         .y_label = "force (N)",
+         .series = {std::move(reference), std::move(force)}},
+        {.title = "", .x_label = "time (s)", .y_label = "load pressure (bar)", .series = {std::move(pressure)}},
+        {.title = "", .x_label = "time (s)", .y_label = "velocity (mm/s)", .series = {std::move(velocity)}},
+        {.title = "", .x_label = "time (s)", .y_label = "valve input (%)", .series = {std::move(current)}}}}};
   return result;
 }
 
-constexpr Study kStudies[] = {{"9.22", "Delay of the load pressure by the valve's deadband", kDeadbandClaims, run_deadband},
-                              {"9.23", "Oscillation of the load pressure", kOscillationClaims, run_oscillation}};
+constexpr Study kStudies[] = {
+    {"9.22", "Delay of the load pressure by the valve's deadband", kDeadbandClaims, run_deadband},
+    {"9.23", "Oscillation of the load pressure", kOscillationClaims, run_oscillation}};
 
 }  // namespace
 }  // namespace chapter9_pressure_studies

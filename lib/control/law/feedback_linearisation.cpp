@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plant/oil.hpp"
+
 namespace farrier::control {
 namespace {
 
@@ -22,9 +24,8 @@ FeedbackLinearisation::FeedbackLinearisation(const plant::ActuatorParams& actuat
 
 double FeedbackLinearisation::stiffness_per_area(double position) const noexcept {
   const double inside = std::clamp(operating_position_ + position, 0.0, actuator_.stroke);
-  const double v_a = actuator_.line_volume_m3 + actuator_.area_a * inside;                      // (2.12)
-  const double v_b = actuator_.line_volume_m3 + actuator_.area_b * (actuator_.stroke - inside);  // (2.13)
-  return actuator_.area_a * actuator_.bulk_modulus_Pa * (1.0 / v_a + alpha_ * alpha_ / v_b);     // (3.32)
+  const auto [v_a, v_b] = plant::chamber_volumes(actuator_, inside);
+  return actuator_.area_a * actuator_.bulk_modulus_Pa * (1.0 / v_a + alpha_ * alpha_ / v_b);  // (3.32)
 }
 
 double FeedbackLinearisation::current_for(double force_rate, const Measurement& measurement) const noexcept {
@@ -34,9 +35,9 @@ double FeedbackLinearisation::current_for(double force_rate, const Measurement& 
   // (3.23): p_s - p_l - alpha p_t for u > 0, alpha p_s + p_l - p_t for u < 0, with A_p p_l = F_s + d_p v
   const double load_pressure_Pa =
       (measurement.force + actuator_.piston_damping * measurement.velocity) / actuator_.area_a;
-  const double drop_Pa =
-      wanted > 0.0 ? actuator_.supply_pressure_Pa - load_pressure_Pa - alpha_ * actuator_.return_pressure_Pa
-                   : alpha_ * actuator_.supply_pressure_Pa + load_pressure_Pa - actuator_.return_pressure_Pa;
+  const double drop_Pa = wanted > 0.0
+                             ? actuator_.supply_pressure_Pa - load_pressure_Pa - alpha_ * actuator_.return_pressure_Pa
+                             : alpha_ * actuator_.supply_pressure_Pa + load_pressure_Pa - actuator_.return_pressure_Pa;
   return wanted / (valve_gain_ * k * std::sqrt(std::max(drop_Pa, actuator_.laminar_pressure_Pa)));
 }
 

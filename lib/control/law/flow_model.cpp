@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plant/equations.hpp"
+#include "plant/coulomb_friction.hpp"
+#include "plant/oil.hpp"
 
 namespace farrier::control {
 namespace {
@@ -29,12 +30,11 @@ FlowModel::FlowModel(const plant::ActuatorParams& actuator, const plant::JointPh
       slack_position_(slack_position),
       inverse_mass_(1.0 / (physics.load_mass + actuator.piston_mass)),
       friction_speed_(kFrictionTurn * plant::velocity_scale(actuator)),
-      smallest_volume_m3_(0.25 * actuator.line_volume_m3) {
-  const double middle = 0.5 * actuator.stroke;
-  const double v_a = actuator.line_volume_m3 + actuator.area_a * middle;
-  const double v_b = actuator.line_volume_m3 + actuator.area_b * middle;
-  const double stiffness = physics.bulk_modulus * (actuator.area_a * actuator.area_a / v_a +
-                                                   actuator.area_b * actuator.area_b / v_b) + physics.stiffness;
+      smallest_volume_m3_(plant::kSmallestVolumeShare * actuator.line_volume_m3) {
+  const auto [v_a, v_b] = plant::chamber_volumes(actuator, 0.5 * actuator.stroke);
+  const double stiffness =
+      physics.bulk_modulus * (actuator.area_a * actuator.area_a / v_a + actuator.area_b * actuator.area_b / v_b) +
+      physics.stiffness;
   const double damping = physics.damping + actuator.piston_damping + physics.coulomb / friction_speed_;
   const double rate = std::max(std::sqrt(stiffness * inverse_mass_), damping * inverse_mass_);
   substeps_ = static_cast<int>(std::clamp(std::ceil(rate * period_s / kRateTimesSubstep),
@@ -44,16 +44,14 @@ FlowModel::FlowModel(const plant::ActuatorParams& actuator, const plant::JointPh
 
 double FlowModel::load_and_piston_force(const plant::State& s, const Disturbance& d) const noexcept {
   const double v = s.velocity;
-  const double friction = physics_.coulomb * v / std::sqrt(v * v + friction_speed_ * friction_speed_);
+  const double friction = plant::coulomb_friction(physics_.coulomb, v, friction_speed_);
   const double spring = physics_.stiffness * (s.position - slack_position_);
   return -(physics_.damping + actuator_.piston_damping) * v - friction - spring + physics_.bias_force + d.load_force;
 }
 
 plant::State FlowModel::derivative(const plant::State& s, double flow_gain, double port_a, double port_b,
                                    const Disturbance& d) const noexcept {
-  const double v_a = std::max(actuator_.line_volume_m3 + actuator_.area_a * s.position, smallest_volume_m3_);
-  const double v_b =
-      std::max(actuator_.line_volume_m3 + actuator_.area_b * (actuator_.stroke - s.position), smallest_volume_m3_);
+  const auto [v_a, v_b] = plant::at_least(smallest_volume_m3_, plant::chamber_volumes(actuator_, s.position));
   const double leak = physics_.leakage * (s.pressure_a_Pa - s.pressure_b_Pa);
   // (2.14), (2.15)
   const double q_a = flow_gain * plant::orifice_root(port_a - s.pressure_a_Pa, actuator_.laminar_pressure_Pa) - leak;
@@ -63,18 +61,18 @@ plant::State FlowModel::derivative(const plant::State& s, double flow_gain, doub
   // F_h' = A_p (p_a' - alpha p_b') = d: a flow q into a and alpha q out of b.
   const double per_flow = actuator_.area_a * stiff_a + actuator_.area_b * stiff_b * actuator_.area_b / actuator_.area_a;
   const double q_d = d.force_rate_per_s / per_flow;
-  const double hydraulic = actuator_.area_a * s.pressure_a_Pa - actuator_.area_b * s.pressure_b_Pa;
-  return {s.velocity, (hydraulic + load_and_piston_force(s, d)) * inverse_mass_,
-          stiff_a * (q_a + q_d - actuator_.area_a * s.velocity),
-          stiff_b * (q_b - q_d * actuator_.area_b / actuator_.area_a + actuator_.area_b * s.velocity)};
+  const double hydraulic = plant::hydraulic_force(actuator_, s.pressure_a_Pa, s.pressure_b_Pa);
+  return {
+      s.velocity, (hydraulic + load_and_piston_force(s, d)) * inverse_mass_,
+      plant::pressure_rate(stiff_a, q_a + q_d, actuator_.area_a * s.velocity),
+      plant::pressure_rate(stiff_b, q_b - q_d * actuator_.area_b / actuator_.area_a, -actuator_.area_b * s.velocity)};
 }
 
 plant::State FlowModel::advance(const plant::State& start, double valve_current_A,
                                 const Disturbance& d) const noexcept {
-  const bool extends = valve_current_A > 0.0;
   const double gain = physics_.valve_gain * std::abs(valve_current_A);
-  const double port_a = extends ? actuator_.supply_pressure_Pa : actuator_.return_pressure_Pa;
-  const double port_b = extends ? actuator_.return_pressure_Pa : actuator_.supply_pressure_Pa;
+  const auto [port_a, port_b] =
+      plant::port_pressures(valve_current_A > 0.0, actuator_.supply_pressure_Pa, actuator_.return_pressure_Pa);
   const double h = substep_s_;
   plant::State s = start;
   for (int i = 0; i < substeps_; ++i) {
@@ -90,7 +88,7 @@ plant::State FlowModel::advance(const plant::State& start, double valve_current_
 }
 
 double FlowModel::load_cell_force(const plant::State& s, const Disturbance& d) const noexcept {
-  const double hydraulic = actuator_.area_a * s.pressure_a_Pa - actuator_.area_b * s.pressure_b_Pa;
+  const double hydraulic = plant::hydraulic_force(actuator_, s.pressure_a_Pa, s.pressure_b_Pa);
   const double acceleration = (hydraulic + load_and_piston_force(s, d)) * inverse_mass_;
   return hydraulic - actuator_.piston_damping * s.velocity - actuator_.piston_mass * acceleration;
 }
@@ -98,9 +96,7 @@ double FlowModel::load_cell_force(const plant::State& s, const Disturbance& d) c
 void FlowModel::set_force(plant::State& s, double force, const Disturbance& d) const noexcept {
   // dF_s / dF_h = m_l / (m_l + m_p)
   const double change = (force - load_cell_force(s, d)) / (physics_.load_mass * inverse_mass_);
-  const double v_a = std::max(actuator_.line_volume_m3 + actuator_.area_a * s.position, smallest_volume_m3_);
-  const double v_b =
-      std::max(actuator_.line_volume_m3 + actuator_.area_b * (actuator_.stroke - s.position), smallest_volume_m3_);
+  const auto [v_a, v_b] = plant::at_least(smallest_volume_m3_, plant::chamber_volumes(actuator_, s.position));
   const double alpha = actuator_.area_b / actuator_.area_a;
   const double oil = change / (actuator_.area_a / v_a + actuator_.area_b * alpha / v_b);
   const double most = 2.0 * actuator_.supply_pressure_Pa;

@@ -7,33 +7,18 @@
 #include "diagnosis/judge/parallel.hpp"
 #include "diagnosis/data/sample_statistics.hpp"
 #include "diagnosis/model/twin.hpp"
+#include "plant/terms/load_effects.hpp"
 
 namespace farrier::diagnosis {
 namespace {
 
-/// Effects of the joint's file: its listed effects, and those in its parameters.
+/// Effects of the joint's file, except those that are in its load.
 std::vector<Model::Effect> known_effects(const robot::Joint& joint, const plant::Scales& scales) {
   std::vector<Model::Effect> known;
-  const auto add = [&](const plant::ActiveEffect& effect) {
-    const auto fitted = plant::fitted_of(effect, scales);
-    known.push_back({effect.id, {fitted.begin(), fitted.begin() + std::ssize(effect.info().parameters)}});
-  };
-  const plant::ActuatorParams& actuator = joint.actuator;
-  if (actuator.valve_deadband_A > 0.0) {
-    add({plant::effect_id<plant::ValveDeadband>(), {actuator.valve_deadband_A}});
-  }
-  if (actuator.spool.on) {
-    add({plant::effect_id<plant::ValveDynamics>(), {actuator.spool.natural_frequency_rad_s, actuator.spool.damping}});
-  }
-  const plant::FrictionParams& friction = joint.swing_load.friction;
-  if (friction.coulomb > 0.0) {
-    add({plant::effect_id<plant::LoadFriction>(),
-         {friction.coulomb, friction.breakaway / friction.coulomb, friction.stribeck_velocity}});
-  }
   for (const plant::ActiveEffect& effect : joint.effects) {
-    const bool in_load = effect.info().nominal && effect.info().side == plant::Side::kLoad;
-    if (!in_load && std::ranges::find(known, effect.id, &Model::Effect::id) == known.end()) {
-      add(effect);
+    if (!plant::is_in_load(effect.id)) {
+      const auto fitted = plant::fitted_of(effect, scales);
+      known.push_back({effect.id, {fitted.begin(), fitted.begin() + std::ssize(effect.info().parameters)}});
     }
   }
   return known;
@@ -55,9 +40,9 @@ std::vector<plant::EffectId> all_effects() {
 Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const DiagnosisOptions& options) {
   Diagnosis result;
   result.remarks = recording.remarks;
-  const SensorNoiseLevels noise{
-      joint.noise.position, recording.velocity_derived ? recording.derived_velocity_noise : joint.noise.velocity,
-      joint.noise.force};
+  const SensorNoiseLevels noise{joint.noise.position,
+                                recording.velocity_derived ? recording.derived_velocity_noise : joint.noise.velocity,
+                                joint.noise.force};
   const bool moves = standard_deviation(recording.position) > kLeastExcitation * noise.position;
   const bool pushes = standard_deviation(recording.force) > kLeastExcitation * noise.force;
   if (!moves && !pushes) {
@@ -76,10 +61,10 @@ Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const 
   const auto expected = [&](const Hypothesis& hypothesis) {
     return expected_residuals(bench, simulator, hypothesis, noise);
   };
-  result.judgement = judge(bench, expected, options.rules,
-                           by_threads(options.threads, options.progress, options.rules.most_effects));
-  result.judgement.not_judged = not_judged(bench, result.judgement.chosen.halves[0].model, result.judgement.left,
-                                           options.rules.least_reduction);
+  result.judgement =
+      judge(bench, expected, options.rules, by_threads(options.threads, options.progress, options.rules.most_effects));
+  result.judgement.not_judged =
+      not_judged(bench, result.judgement.chosen.halves[0].model, result.judgement.left, options.rules.least_reduction);
   const Judgement& judgement = result.judgement;
   result.channels = report_channels(bench, simulator, judgement.base, judgement.chosen);
   for (std::size_t i = 0; i < judgement.alternatives.size(); ++i) {

@@ -27,15 +27,21 @@ std::optional<std::vector<Reading>> simulate(const JointModel& joint, const Mode
                                              double position) {
   std::vector<plant::ActiveEffect> effects;
   plant::TermSet<double> sensors;
-  for (const Model::Effect& effect : model.effects) {
+  const auto add = [&](const Model::Effect& effect) {
     effects.push_back(plant::active_effect(effect.id, effect.fitted, joint.scales()));
     plant::add_to(sensors, effects.back(), joint.scales(), kPeriod_s);
+  };
+  std::ranges::for_each(model.effects, add);
+  for (const Model::Effect& known : joint.known()) {
+    if (!model.has(known.id)) {
+      add(known);
+    }
   }
   const plant::Loads loads = plant::loads_with_effects({joint.load(), joint.load()}, joint.actuator(), effects);
   const plant::ActuatorParams& actuator = joint.actuator();
-  auto plant = plant::HydraulicJoint::create(actuator, loads.swing,
-                                             plant::equilibrium(actuator, loads.swing, position, 0.0),
-                                             plant::HydraulicJoint::kDefaultTolerance, effects);
+  auto plant =
+      plant::HydraulicJoint::create(actuator, loads.swing, plant::equilibrium(actuator, loads.swing, position, 0.0),
+                                    plant::HydraulicJoint::kDefaultTolerance, effects);
   if (!plant) {
     return std::nullopt;
   }

@@ -21,6 +21,7 @@ class JointModel {
 
   /// Numbers of an effect that the joint is known to have, null for none.
   const std::vector<double>* known(plant::EffectId id) const noexcept;
+  const std::vector<Model::Effect>& known() const noexcept { return known_; }
 
   const plant::Scales& scales() const noexcept { return scales_; }
   const plant::ActuatorParams& actuator() const noexcept { return actuator_; }

@@ -7,6 +7,7 @@
 #include "diagnosis/model/constants.hpp"
 #include "diagnosis/model/delayed_command.hpp"
 #include "diagnosis/data/joint_data.hpp"
+#include "plant/oil.hpp"
 #include "plant/terms/terms.hpp"
 
 namespace farrier::diagnosis {
@@ -18,7 +19,9 @@ class LoadSimulation {
   /// Starts in the measured motion. `data` and `constants` must outlive this.
   LoadSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
                  std::size_t begin)
-      : data_(&data), c_(&constants), terms_(terms),
+      : data_(&data),
+        c_(&constants),
+        terms_(terms),
         current_({data.current_A, data.current_integral, data.period_s}, terms, begin) {
     if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
       sensor_gain_ = gain->gain();
@@ -29,8 +32,8 @@ class LoadSimulation {
     if (const auto* lag = terms_.template find<plant::ForceSensorLag>()) {
       lag_.emplace(lag->lag_s(), data.period_s);
     }
-    valve_moves_ = !data.current_A.empty() &&
-                   (current_.delayed() || terms_.template find<plant::ValveDynamics>() != nullptr);
+    valve_moves_ =
+        !data.current_A.empty() && (current_.delayed() || terms_.template find<plant::ValveDynamics>() != nullptr);
     force_ = measured_force(begin);
     settle(begin);
   }
@@ -51,8 +54,8 @@ class LoadSimulation {
     x_ += pull * (data.position[k] - x_);
     v_ += pull * (data.velocity[k] - v_);
     for (const T& force : forces(k)) {
-      plant::LoadMoment<T> load{x_ + 0.5 * h * v_, v_,      c_->mass, c_->damping, c_->stiffness,
-                                T(c_->slack_position), T(0.0), T(0.0), T(0.0)};
+      plant::LoadMoment<T> load{x_ + 0.5 * h * v_,     v_,     c_->mass, c_->damping, c_->stiffness,
+                                T(c_->slack_position), T(0.0), T(0.0),   T(0.0)};
       terms_.on_load(load);
       // (2.24) over a step in its mean velocity w:
       // m (2 w - 2 v) / h = F - d w - C (x + h w / 2 - x_eq) - hold - slope w
@@ -105,8 +108,7 @@ class LoadSimulation {
     }
     const double x = data_->position[k];
     const T flow_per_A = c_->valve_gain * std::sqrt(0.5 * value_of(c_->supply_pressure_Pa));
-    const T v_a = c_->line_volume_m3 + c_->area_a * x;
-    const T v_b = c_->line_volume_m3 + c_->area_b * (c_->stroke - x);
+    const auto [v_a, v_b] = plant::chamber_volumes(*c_, x);
     const T stiffness_per_area = c_->bulk_modulus_Pa * (c_->area_a / v_a + c_->area_b / v_b);
     const T peak = 0.25 * data_->period_s * flow_per_A * stiffness_per_area * (opening_A[0] - opening_A[1]);
     return {0.25 * peak, 0.75 * peak, 0.75 * peak, 0.25 * peak};

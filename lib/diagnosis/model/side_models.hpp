@@ -13,24 +13,10 @@
 #include "diagnosis/data/joint_data.hpp"
 #include "diagnosis/model/load_simulation.hpp"
 #include "diagnosis/model/model.hpp"
+#include "plant/oil.hpp"
 #include "plant/terms/terms.hpp"
 
 namespace farrier::diagnosis {
-
-/// Flow through one port and how it falls with the pressure behind it.
-template <class T>
-struct PortFlow {
-  T flow, slope;
-};
-
-/// q = K_v y drop / (drop^2 + delta^2)^(1/4), (2.14), (2.15) with plant::orifice_root's laminar range.
-template <class T>
-PortFlow<T> port_flow(const T& conductance, const T& drop_Pa, double laminar_Pa) {
-  using std::sqrt;
-  const T square = drop_Pa * drop_Pa + laminar_Pa * laminar_Pa;
-  const T by_root = conductance / sqrt(sqrt(square));
-  return {by_root * drop_Pa, by_root * (1.0 - 0.5 * drop_Pa * drop_Pa / square)};
-}
 
 /// (1 - e^-x) / x: share of its way that a decaying state covers in a step.
 inline double decaying_share(double x) noexcept { return x > 1e-6 ? (1.0 - std::exp(-x)) / x : 1.0 - 0.5 * x; }
@@ -40,9 +26,10 @@ template <class T>
 class OilSimulation {
  public:
   /// Starts with the pressures at rest for the measured force. `data` and `constants` must outlive this.
-  OilSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms,
-                std::size_t begin)
-      : data_(&data), c_(&constants), terms_(terms),
+  OilSimulation(const JointData& data, const Constants<T>& constants, const plant::TermSet<T>& terms, std::size_t begin)
+      : data_(&data),
+        c_(&constants),
+        terms_(terms),
         current_({data.current_A, data.current_integral, data.period_s}, terms, begin) {
     if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
       sensor_gain_ = gain->gain();
@@ -63,7 +50,7 @@ class OilSimulation {
   T read(std::size_t k) {
     plant::PistonMoment<T> piston{data_->position[k], data_->velocity[k], data_->period_s, T(0.0)};
     terms_.on_piston(piston);
-    plant::ForceMoment<T> cell{c_->area_a * p_a_ - c_->area_b * p_b_ - c_->piston_damping * data_->velocity[k] -
+    plant::ForceMoment<T> cell{plant::hydraulic_force(*c_, p_a_, p_b_) - c_->piston_damping * data_->velocity[k] -
                                c_->piston_mass * data_->acceleration[k] + piston.force};
     terms_.on_force(cell);
     return cell.force;
@@ -96,24 +83,19 @@ class OilSimulation {
     const bool extends = valve.opening_A > 0.0;
     const T conductance = c.valve_gain * valve.flow_factor * abs(valve.opening_A);
 
-    const T hydraulic = c.area_a * p_a_ - c.area_b * p_b_;
-    plant::OilMoment<T> oil{p_a_, p_b_, supply_flow_, value_of(hydraulic), value_of(c.bulk_modulus_Pa),
-                            c.supply_pressure_Pa, T(0.0), T(0.0), T(0.0), T(0.0)};
+    const T hydraulic = plant::hydraulic_force(c, p_a_, p_b_);
+    plant::OilMoment<T> oil{
+        p_a_,   p_b_,   supply_flow_, value_of(hydraulic), value_of(c.bulk_modulus_Pa), c.supply_pressure_Pa, T(0.0),
+        T(0.0), T(0.0), T(0.0)};
     terms_.on_oil(oil);
-    const T at_return(c.return_pressure_Pa);
-    const PortFlow<T> a =
-        port_flow<T>(conductance, (extends ? oil.supply_pressure_Pa : at_return) - p_a_, c.laminar_pressure_Pa);
-    const PortFlow<T> b =
-        port_flow<T>(conductance, (extends ? at_return : oil.supply_pressure_Pa) - p_b_, c.laminar_pressure_Pa);
+    const auto ports = plant::port_pressures(extends, oil.supply_pressure_Pa, T(c.return_pressure_Pa));
+    const auto a = plant::port_flow<T>(conductance, ports.a_Pa - p_a_, c.laminar_pressure_Pa);
+    const auto b = plant::port_flow<T>(conductance, ports.b_Pa - p_b_, c.laminar_pressure_Pa);
     supply_flow_ = extends ? a.flow : b.flow;
     supply_flow_ = supply_flow_ > 0.0 ? supply_flow_ : T(0.0);
 
-    // (2.10), (2.11) with the volumes (2.12), (2.13)
-    const double smallest = 0.25 * value_of(c.line_volume_m3);
-    T v_a = c.line_volume_m3 + c.area_a * data.middle_position[sub];
-    T v_b = c.line_volume_m3 + c.area_b * (c.stroke - data.middle_position[sub]);
-    v_a = v_a > smallest ? v_a : T(smallest);
-    v_b = v_b > smallest ? v_b : T(smallest);
+    const auto [v_a, v_b] = plant::at_least(plant::kSmallestVolumeShare * value_of(c.line_volume_m3),
+                                            plant::chamber_volumes(c, data.middle_position[sub]));
     const T stiff_a = c.bulk_modulus_Pa / ((1.0 + c.bulk_modulus_Pa * oil.softness_a) * v_a);
     const T stiff_b = c.bulk_modulus_Pa / ((1.0 + c.bulk_modulus_Pa * oil.softness_b) * v_b);
     plant::PlayMoment<T> play{hydraulic - c.piston_damping * speed - c.piston_mass * data.acceleration[k],
@@ -121,8 +103,8 @@ class OilSimulation {
                               T(0.0)};
     terms_.on_play(play);
     const T piston_speed = speed + play.moved / h;
-    const T rate_a = stiff_a * (a.flow - oil.leakage_m3_s - c.area_a * piston_speed);
-    const T rate_b = stiff_b * (b.flow + oil.leakage_m3_s + c.area_b * piston_speed);
+    const T rate_a = plant::pressure_rate<T>(stiff_a, a.flow - oil.leakage_m3_s, c.area_a * piston_speed);
+    const T rate_b = plant::pressure_rate<T>(stiff_b, b.flow + oil.leakage_m3_s, -c.area_b * piston_speed);
     // Exponential Euler of Rosenbrock's kind (Hochbruck, Ostermann 2010, (1.1)): exact for a linear port.
     p_a_ += h * decaying_share(h * value_of(stiff_a * a.slope)) * rate_a;
     p_b_ += h * decaying_share(h * value_of(stiff_b * b.slope)) * rate_b;

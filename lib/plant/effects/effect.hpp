@@ -14,23 +14,23 @@ struct ChamberFeed {
 
 /// Values of one evaluation of the joint's equations that effects may read and change, in the order of `Effects`.
 struct Instant {
-  double command_A;        ///< the held current, within the valve's limits
-  double velocity;         ///< of piston and load, m/s or rad/s
-  double chamber_a_Pa;     ///< pressures in the chambers
+  double command_A;     ///< the held current, within the valve's limits
+  double velocity;      ///< of piston and load, m/s or rad/s
+  double chamber_a_Pa;  ///< pressures in the chambers
   double chamber_b_Pa;
-  double opening_A;        ///< current that opens the valve: the command until effects change it
-  double valve_a_Pa;       ///< pressures behind the valve: those of the chambers until effects change them
+  double opening_A;   ///< current that opens the valve: the command until effects change it
+  double valve_a_Pa;  ///< pressures behind the valve: those of the chambers until effects change them
   double valve_b_Pa;
-  ChamberFeed feed;        ///< inflow of the chambers: the valve's until effects change it
-  double load_force;       ///< on the load, positive along +position: the external force until effects add theirs
-  double position = 0.0;   ///< of piston and load, m or rad
-  double flow_factor = 1.0;        ///< on the valve gain
-  double supply_fall_Pa = 0.0;     ///< by which the valve's supply is below the nominal one
-  double leakage_m3_s = 0.0;       ///< from chamber a to b
-  double softness_a = 0.0;         ///< 1/beta beyond the oil's own, 1/Pa
+  ChamberFeed feed;             ///< inflow of the chambers: the valve's until effects change it
+  double load_force;            ///< on the load, positive along +position: the external force until effects add theirs
+  double position = 0.0;        ///< of piston and load, m or rad
+  double flow_factor = 1.0;     ///< on the valve gain
+  double supply_fall_Pa = 0.0;  ///< by which the valve's supply is below the nominal one
+  double leakage_m3_s = 0.0;    ///< from chamber a to b
+  double softness_a = 0.0;      ///< 1/beta beyond the oil's own, 1/Pa
   double softness_b = 0.0;
-  double play_slope = 0.0;         ///< d(piston - load) / d(force), m/N or rad/Nm
-  double piston_force = 0.0;       ///< on the piston, left of the load cell, positive along +position
+  double play_slope = 0.0;    ///< d(piston - load) / d(force), m/N or rad/Nm
+  double piston_force = 0.0;  ///< on the piston, left of the load cell, positive along +position
 };
 
 /// Pressures of the joint when it is created: at rest, valve shut.
@@ -39,10 +39,11 @@ struct RestPoint {
   double pressure_b_Pa;
 };
 
-/// An effect of the plant that the thesis's model leaves out. Each is a class derived from this (static, no virtual
-/// call) in a file of its own and an entry of the tuple in effects.hpp; it overrides the hooks it needs. One without
-/// states may be a term of plant/terms instead, and nothing here: see StatelessTerms. An effect with neutral parameters
-/// is not active, and a joint without active effects runs the equations without any.
+/// Integration of an effect whose term in plant/terms has a state (EffectInfo::has_state), and of the lines. Each is a
+/// class derived from this (static, no virtual call) in a file of its own and an entry of the tuple in effects.hpp; it
+/// overrides the hooks it needs. The term has the equation's source and the parameters. An effect without a state has
+/// no class here: see StatelessTerms. An effect with neutral parameters is not active, and a joint without active
+/// effects runs the equations without any.
 ///
 /// `x` are its kStates states, `dx` their rates. Hooks are noexcept and use +, -, *, /, sqrt only.
 template <std::size_t States>

@@ -19,10 +19,6 @@ double full_push(const ActuatorParams& actuator) noexcept {
   return actuator.supply_pressure_Pa * std::max(actuator.area_a, actuator.area_b);
 }
 
-bool any_stateless(std::span<const ActiveEffect> effects) noexcept {
-  return std::ranges::any_of(effects, [](const ActiveEffect& effect) { return is_stateless(effect.id); });
-}
-
 /// The contact of a friction effect; none for null. It bends as the term's does, or further where sliding at the full
 /// speed would be too fast for the shortest substep.
 FrictionParams contact(const ActuatorParams& actuator, const ActiveEffect* effect) noexcept {
@@ -86,8 +82,7 @@ Result<Done> validate(std::span<const ActiveEffect> effects) {
 }
 
 Effects::Effects(const ActuatorParams& actuator, const LoadParams& load, std::span<const ActiveEffect> effects) noexcept
-    : terms_(Spool(actuator.spool, actuator.valve_current_max_A),
-             Deadband(any_stateless(effects) ? 0.0 : actuator.valve_deadband_A), make_lines(actuator),
+    : terms_(Spool(actuator.spool, actuator.valve_current_max_A), make_lines(actuator),
              Friction(load.friction, full_push(actuator), velocity_scale(actuator)),
              SealFriction(contact(actuator, find(effects, effect_id<PistonFriction>())), full_push(actuator),
                           velocity_scale(actuator)),

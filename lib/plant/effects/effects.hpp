@@ -41,7 +41,7 @@ Result<Done> validate(std::span<const ActiveEffect> effects);
 /// from the valve to the chambers, then on the load. Their states are stored one after the other.
 class Effects {
  public:
-  using List = EffectList<Spool, Deadband, Lines, Friction, SealFriction, StatelessTerms>;
+  using List = EffectList<Spool, Lines, Friction, SealFriction, StatelessTerms>;
   using X = std::array<double, List::kStates>;
 
   template <class Term>

@@ -87,7 +87,7 @@ class EquationsWithEffects {
   /// pressure.
   void soften(const EffectState& s, const Instant& now, IntegrationState& rate) const noexcept {
     const ActuatorParams& act = joint_.actuator();
-    const ChamberVolumes volume = joint_.volumes(s.position);
+    const ChamberVolumes<double> volume = joint_.volumes(s.position);
     const bool full_a = s.compression_a_Pa > 0.0;
     const bool full_b = s.compression_b_Pa > 0.0;
     const double share_a = full_a ? 1.0 / (1.0 + act.bulk_modulus_Pa * now.softness_a) : 1.0;
@@ -100,8 +100,8 @@ class EquationsWithEffects {
     const double by_a = act.area_a * act.bulk_modulus_Pa * share_a / volume.a_m3;  // -dp_a'/dw, dp_b'/dw below
     const double by_b = act.area_b * act.bulk_modulus_Pa * share_b / volume.b_m3;
     const double stiffness = (full_a ? act.area_a * by_a : 0.0) + (full_b ? act.area_b * by_b : 0.0);
-    const double force_rate = (full_a ? act.area_a * rate.compression_a_Pa : 0.0) -
-                              (full_b ? act.area_b * rate.compression_b_Pa : 0.0);
+    const double force_rate =
+        (full_a ? act.area_a * rate.compression_a_Pa : 0.0) - (full_b ? act.area_b * rate.compression_b_Pa : 0.0);
     const double gained = now.play_slope * force_rate / (1.0 + stiffness * now.play_slope);
     rate.compression_a_Pa -= by_a * gained;
     rate.compression_b_Pa += by_b * gained;

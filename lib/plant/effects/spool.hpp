@@ -21,8 +21,8 @@ inline Result<Done> validate(const SpoolParams& spool) {
   return refusals.verdict();
 }
 
-/// Hubacher (2014), (2.18) and (2.19): u_v'' / omega_v^2 + 2 D_v u_v' / omega_v + u_v = u. States u_v (A) and
-/// u_v' / omega_v (A). The ports are full open at the valve's largest current, wherever the spool overshoots to.
+/// The equation of plant::ValveDynamics, integrated: states u_v (A) and u_v' / omega_v (A). The ports are full open at
+/// the valve's largest current, wherever the spool overshoots to.
 class Spool : public Effect<2> {
  public:
   Spool(const SpoolParams& params, double current_max_A) noexcept : params_(params), current_max_A_(current_max_A) {}

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "plant/oil.hpp"
+
 namespace farrier::plant {
 
 // Out of the integrator's loop, which is as fast as its code is short: most joints have none of these.
@@ -17,10 +19,11 @@ StatelessTerms::StatelessTerms(const ActuatorParams& actuator, const LoadParams&
       active_ = true;
     }
   }
-  // The nominal overlap, behind a null shift and before the ports: the class Deadband is then inactive.
-  if (active_ && actuator.valve_deadband_A > 0.0 && find(effects, effect_id<ValveDeadband>()) == nullptr) {
+  if (actuator.valve_deadband_A > 0.0 && find(effects, effect_id<ValveDeadband>()) == nullptr) {
     add_to(terms_, {effect_id<ValveDeadband>(), {actuator.valve_deadband_A}}, scales, 0.0);
+    active_ = true;
   }
+  hooks_ = terms_.hooks();
 }
 
 /// Flow that the chambers draw from a supply whose pressure falls with it: q = G sqrt(D - R q), D the drop from the
@@ -38,14 +41,25 @@ double StatelessTerms::supply_flow_m3_s(const Instant& now) const noexcept {
   return by_drop / (half + std::sqrt(half * half + by_drop));
 }
 
-void StatelessTerms::before_valve(Instant& now, const X&) const noexcept {
+void StatelessTerms::act_on_valve(Instant& now) const noexcept {
   ValveMoment<double> valve{now.opening_A, 1.0};
   terms_.on_valve(valve);
   now.opening_A = valve.opening_A;
   now.flow_factor = valve.flow_factor;
-  const double force = actuator_.area_a * now.chamber_a_Pa - actuator_.area_b * now.chamber_b_Pa;
-  OilMoment<double> oil{now.chamber_a_Pa, now.chamber_b_Pa, supply_flow_m3_s(now), force, actuator_.bulk_modulus_Pa,
-                        actuator_.supply_pressure_Pa, 0.0, 0.0, 0.0, 0.0};
+}
+
+void StatelessTerms::act_on_oil(Instant& now) const noexcept {
+  const double force = hydraulic_force(actuator_, now.chamber_a_Pa, now.chamber_b_Pa);
+  OilMoment<double> oil{now.chamber_a_Pa,
+                        now.chamber_b_Pa,
+                        supply_flow_m3_s(now),
+                        force,
+                        actuator_.bulk_modulus_Pa,
+                        actuator_.supply_pressure_Pa,
+                        0.0,
+                        0.0,
+                        0.0,
+                        0.0};
   terms_.on_oil(oil);
   now.supply_fall_Pa = actuator_.supply_pressure_Pa - oil.supply_pressure_Pa;
   now.leakage_m3_s = oil.leakage_m3_s;
@@ -54,21 +68,18 @@ void StatelessTerms::before_valve(Instant& now, const X&) const noexcept {
   now.play_slope = oil.play_slope;
 }
 
-void StatelessTerms::after_valve(Instant& now, const X&, X&) const noexcept {
-  now.feed.flow_a -= now.leakage_m3_s * now.feed.root_a;
-  now.feed.flow_b += now.leakage_m3_s * now.feed.root_b;
-  PistonMoment<double> piston{now.position, now.velocity, 0.0, 0.0};
-  terms_.on_piston(piston);
-  now.piston_force += piston.force;
-  LoadMoment<double> load{now.position,
-                          now.velocity,
-                          load_.mass,
-                          load_.damping,
-                          load_.stiffness,
-                          load_.equilibrium_position,
-                          0.0,
-                          0.0,
-                          0.0};
+void StatelessTerms::act_on_forces(Instant& now) const noexcept {
+  if (hooks_.piston) {
+    PistonMoment<double> piston{now.position, now.velocity, 0.0, 0.0};
+    terms_.on_piston(piston);
+    now.piston_force += piston.force;
+  }
+  if (!hooks_.load) {
+    return;
+  }
+  LoadMoment<double> load{
+      now.position, now.velocity, load_.mass, load_.damping, load_.stiffness, load_.equilibrium_position,
+      0.0,          0.0,          0.0};
   terms_.on_load(load);
   now.load_force += load.external_force - load.hold - load.slope * now.velocity;
 }

@@ -8,18 +8,11 @@
 
 namespace farrier::plant {
 
-/// True if an effect has a state that is integrated here. It is then one of the other classes of Effects, or the
-/// DelayLine; its term's code, which steps from sample to sample, is not used.
-constexpr bool has_state(EffectId id) noexcept {
-  return id == effect_id<ValveDynamics>() || id == effect_id<LoadFriction>() || id == effect_id<PistonFriction>() ||
-         id == effect_id<InputDelay>();
-}
-
 /// True if an effect is part of the plant and its term's own code simulates it: all but those of sensors, those in the
-/// load's parameters and those above.
+/// load's parameters and those with a state.
 constexpr bool is_stateless(EffectId id) noexcept {
   const Side side = effect_info(id).side;
-  return (side == Side::kValveAndOil || side == Side::kLoad) && !is_in_load(id) && !has_state(id);
+  return (side == Side::kValveAndOil || side == Side::kLoad) && !is_in_load(id) && !effect_info(id).has_state;
 }
 
 /// All stateless effects of a joint, by the code of their terms. It stands last in Effects: after spool and lines have
@@ -35,14 +28,33 @@ class StatelessTerms : public Effect<0> {
   bool active() const noexcept { return active_; }
   /// Fastest rate of springs and dampers on load and piston, of the valve at its largest current and of a leak.
   double fastest_rate(double mass) const noexcept;
-  void before_valve(Instant& now, const X& x) const noexcept;
-  void after_valve(Instant& now, const X& x, X& dx) const noexcept;
+  void before_valve(Instant& now, const X&) const noexcept {
+    if (hooks_.valve) {
+      act_on_valve(now);
+    }
+    if (hooks_.oil) {
+      act_on_oil(now);
+    }
+  }
+  void after_valve(Instant& now, const X&, X&) const noexcept {
+    if (hooks_.oil) {
+      now.feed.flow_a -= now.leakage_m3_s * now.feed.root_a;
+      now.feed.flow_b += now.leakage_m3_s * now.feed.root_b;
+    }
+    if (hooks_.piston || hooks_.load) {
+      act_on_forces(now);
+    }
+  }
 
  private:
+  void act_on_valve(Instant& now) const noexcept;
+  void act_on_oil(Instant& now) const noexcept;
+  void act_on_forces(Instant& now) const noexcept;
   double supply_flow_m3_s(const Instant& now) const noexcept;
   double force_at(double position, double velocity) const noexcept;
 
   mutable TermSet<double> terms_;  ///< mutable: hooks may change a term's state, but these have none
+  TermSet<double>::Hooks hooks_;   ///< those without a term are skipped
   bool active_ = false;
   ActuatorParams actuator_;
   LoadParams load_;

@@ -10,8 +10,10 @@ class InputDelay {
  public:
   static constexpr std::array kParameters{
       Parameter{"delay_s", "delay_s", "s", "s", Scale::kSecond, false, 0.0, 0.03, {0.0012, 0.005}, "The delay."}};
-  static constexpr EffectInfo kInfo{"input_delay", Side::kValveAndOil, false, false, kParameters,
-                                    "The valve has a current later than it was commanded."};
+  static constexpr EffectInfo kInfo{"input_delay", Side::kValveAndOil,
+                                    false,         false,
+                                    kParameters,   "The valve has a current later than it was commanded.",
+                                    true};
 
   InputDelay(const T* fitted, const Scales&, double) noexcept : delay_s_(fitted[0]) {}
 

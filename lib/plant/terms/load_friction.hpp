@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plant/terms/dry_contact.hpp"
+#include "plant/terms/contact_parameters.hpp"
 #include "plant/terms/term.hpp"
 
 namespace farrier::plant {
@@ -11,12 +11,12 @@ template <class T>
 class LoadFriction {
  public:
   static constexpr std::array kParameters = kContactParameters;
-  static constexpr EffectInfo kInfo{"load_friction", Side::kLoad, false, false, kParameters,
-                                    "The load sticks and slips on its guides."};
+  static constexpr EffectInfo kInfo{
+      "load_friction", Side::kLoad, false, false, kParameters, "The load sticks and slips on its guides.", true};
 
   LoadFriction(const T* fitted, const Scales& scales, double step_s) noexcept
-      : contact_{fitted[0] * scales.of(Scale::kForce), fitted[1], fitted[2] * scales.of(Scale::kSpeed),
-                 kPreslidingShare * scales.of(Scale::kLength)},
+      : contact_(fitted[0] * scales.of(Scale::kForce), fitted[0] * scales.of(Scale::kForce) * fitted[1],
+                 fitted[2] * scales.of(Scale::kSpeed), kPreslidingShare * scales.of(Scale::kLength)),
         step_s_(step_s) {}
 
   // The mean of the contact's force over the step: half of what it was and half of what it will be.

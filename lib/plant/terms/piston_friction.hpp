@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plant/terms/dry_contact.hpp"
+#include "plant/terms/contact_parameters.hpp"
 #include "plant/terms/term.hpp"
 
 namespace farrier::plant {
@@ -10,12 +10,12 @@ template <class T>
 class PistonFriction {
  public:
   static constexpr std::array kParameters = kContactParameters;
-  static constexpr EffectInfo kInfo{"piston_friction", Side::kValveAndOil, false, false, kParameters,
-                                    "The piston's seals stick and slip."};
+  static constexpr EffectInfo kInfo{
+      "piston_friction", Side::kValveAndOil, false, false, kParameters, "The piston's seals stick and slip.", true};
 
   PistonFriction(const T* fitted, const Scales& scales, double) noexcept
-      : contact_{fitted[0] * scales.of(Scale::kForce), fitted[1], fitted[2] * scales.of(Scale::kSpeed),
-                 kPreslidingShare * scales.of(Scale::kLength)} {}
+      : contact_(fitted[0] * scales.of(Scale::kForce), fitted[0] * scales.of(Scale::kForce) * fitted[1],
+                 fitted[2] * scales.of(Scale::kSpeed), kPreslidingShare * scales.of(Scale::kLength)) {}
 
   void on_piston(PistonMoment<T>& now) noexcept {
     const auto step = contact_.over(T(now.velocity), now.period_s);

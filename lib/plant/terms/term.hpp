@@ -20,10 +20,10 @@ enum class Side {
 /// Unit of a parameter of an effect: fitted numbers are multiples of it and of order one.
 enum class Scale {
   kOne,
-  kCurrent,    ///< valve_current_max_A
-  kForce,      ///< supply pressure times the larger area, N or Nm
-  kLength,     ///< stroke, m or rad
-  kSpeed,      ///< velocity_scale(), m/s or rad/s
+  kCurrent,  ///< valve_current_max_A
+  kForce,    ///< supply pressure times the larger area, N or Nm
+  kLength,   ///< stroke, m or rad
+  kSpeed,    ///< velocity_scale(), m/s or rad/s
   kSecond,
   kRate,       ///< 1/s
   kLeakage,    ///< full flow of the valve at supply pressure, per supply pressure, m^3/s/Pa
@@ -62,10 +62,13 @@ struct Parameter {
 struct EffectInfo {
   const char* name;
   Side side;
-  bool nominal;   ///< its neutral value is a parameter of the nominal joint: 3 % from it is no effect
+  bool nominal;  ///< its neutral value is a parameter of the nominal joint: 3 % from it is no effect
   bool either_sign;
   std::span<const Parameter> parameters;
   const char* meaning;  ///< a sentence, for reports
+  /// True if the plant integrates a state of it: by a class of plant/effects or the delay line. The term's own code,
+  /// which steps from sample to sample, is then for fits alone.
+  bool has_state = false;
 };
 
 /// Sizes that make the parameters of a joint's effects comparable.
@@ -125,21 +128,21 @@ class Scales {
 /// on_valve: the way of the current to the ports, over one substep.
 template <class T>
 struct ValveMoment {
-  T opening_A;     ///< the command's mean, then the current that opens the ports
-  T flow_factor;   ///< on the valve gain
+  T opening_A;    ///< the command's mean, then the current that opens the ports
+  T flow_factor;  ///< on the valve gain
 };
 
 /// on_oil: at the beginning of a substep.
 template <class T>
 struct OilMoment {
   T pressure_a_Pa, pressure_b_Pa;
-  T supply_flow_m3_s;       ///< drawn from the supply a substep earlier
-  double hydraulic_force;   ///< N or Nm
+  T supply_flow_m3_s;      ///< drawn from the supply a substep earlier
+  double hydraulic_force;  ///< N or Nm
   double bulk_modulus_Pa;
   T supply_pressure_Pa;
-  T leakage_m3_s;           ///< from a to b
-  T softness_a, softness_b; ///< 1/beta beyond the oil's own, 1/Pa
-  T play_slope;             ///< d(piston - load)/d(force), m/N
+  T leakage_m3_s;            ///< from a to b
+  T softness_a, softness_b;  ///< 1/beta beyond the oil's own, 1/Pa
+  T play_slope;              ///< d(piston - load)/d(force), m/N
 };
 
 /// on_play: the piston beside the load over one substep.
@@ -149,7 +152,7 @@ struct PlayMoment {
   T damping;    ///< of the piston
   T stiffness;  ///< of the oil
   double step_s;
-  T moved;      ///< travel of the piston beyond the load's
+  T moved;  ///< travel of the piston beyond the load's
 };
 
 /// on_piston: the part of the hydraulic force that does not reach the load cell, at a sample.

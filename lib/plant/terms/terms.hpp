@@ -40,8 +40,8 @@ struct TermList {
 };
 
 /// Every effect, in the order in which those of one hook act. A new one is its file and a line here, and
-/// robot files, the simulated plant and sensors have it. One of the plant with a state of its own needs a class in
-/// plant/effects beside, which integrates it: has_state() in plant/effects/stateless_terms.hpp.
+/// robot files, the simulated plant and sensors have it. One of the plant with a state says so (EffectInfo::has_state)
+/// and needs a class in plant/effects, which integrates it.
 template <class T>
 using AllTerms = TermList<T, InputDelay, ValveBias, ValveDynamics, ValveDeadband, ValveAsymmetry, FlowSaturation,
                           SupplyDroop, InternalLeakage, AirEntrainment, Backlash, PistonFriction, EndStop, LoadMass,
@@ -78,33 +78,70 @@ class TermSet {
   }
 
   void on_valve(ValveMoment<T>& now) noexcept {
-    each([&](auto& term) { if constexpr (requires { term.on_valve(now); }) { term.on_valve(now); } });
+    each([&](auto& term) {
+      if constexpr (requires { term.on_valve(now); }) {
+        term.on_valve(now);
+      }
+    });
   }
   void on_oil(OilMoment<T>& now) noexcept {
-    each([&](auto& term) { if constexpr (requires { term.on_oil(now); }) { term.on_oil(now); } });
+    each([&](auto& term) {
+      if constexpr (requires { term.on_oil(now); }) {
+        term.on_oil(now);
+      }
+    });
   }
   void on_play(PlayMoment<T>& now) noexcept {
-    each([&](auto& term) { if constexpr (requires { term.on_play(now); }) { term.on_play(now); } });
+    each([&](auto& term) {
+      if constexpr (requires { term.on_play(now); }) {
+        term.on_play(now);
+      }
+    });
   }
   void on_piston(PistonMoment<T>& now) noexcept {
-    each([&](auto& term) { if constexpr (requires { term.on_piston(now); }) { term.on_piston(now); } });
+    each([&](auto& term) {
+      if constexpr (requires { term.on_piston(now); }) {
+        term.on_piston(now);
+      }
+    });
   }
   void on_load(LoadMoment<T>& now) noexcept {
-    each([&](auto& term) { if constexpr (requires { term.on_load(now); }) { term.on_load(now); } });
+    each([&](auto& term) {
+      if constexpr (requires { term.on_load(now); }) {
+        term.on_load(now);
+      }
+    });
   }
   void after_load(const T& mean_velocity) noexcept {
     each([&](auto& term) {
-      if constexpr (requires { term.after_load(mean_velocity); }) { term.after_load(mean_velocity); }
+      if constexpr (requires { term.after_load(mean_velocity); }) {
+        term.after_load(mean_velocity);
+      }
     });
   }
   void on_force(ForceMoment<T>& now) noexcept {
-    each([&](auto& term) { if constexpr (requires { term.on_force(now); }) { term.on_force(now); } });
+    each([&](auto& term) {
+      if constexpr (requires { term.on_force(now); }) {
+        term.on_force(now);
+      }
+    });
   }
   T on_velocity(T velocity) noexcept {
     each([&](auto& term) {
-      if constexpr (requires { term.on_velocity(velocity); }) { velocity = term.on_velocity(velocity); }
+      if constexpr (requires { term.on_velocity(velocity); }) {
+        velocity = term.on_velocity(velocity);
+      }
     });
     return velocity;
+  }
+  /// Hooks of the plant that a term of the joint has.
+  struct Hooks {
+    bool valve = false, oil = false, piston = false, load = false;
+  };
+  Hooks hooks() const noexcept {
+    Hooks any;
+    std::apply([&](const auto&... term) { ((term ? note(*term, any) : void()), ...); }, terms_);
+    return any;
   }
   /// The term of that kind, null for none.
   template <template <class> class Term>
@@ -114,10 +151,17 @@ class TermSet {
   }
 
  private:
+  template <class Term>
+  static void note(const Term&, Hooks& any) noexcept {
+    any.valve |= requires(Term & term, ValveMoment<T> & now) { term.on_valve(now); };
+    any.oil |= requires(Term & term, OilMoment<T> & now) { term.on_oil(now); };
+    any.piston |= requires(Term & term, PistonMoment<T> & now) { term.on_piston(now); };
+    any.load |= requires(Term & term, LoadMoment<T> & now) { term.on_load(now); };
+  }
   template <class F>
   static void for_each_place(F&& f) noexcept {
-    [&]<std::size_t... I>(std::index_sequence<I...>) { (f.template operator()<I>(), ...); }(
-        std::make_index_sequence<kEffectCount>());
+    [&]<std::size_t... I>(std::index_sequence<I...>) { (f.template operator()<I>(), ...); }
+    (std::make_index_sequence<kEffectCount>());
   }
   template <class F>
   void each(F&& f) noexcept {

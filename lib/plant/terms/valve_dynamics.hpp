@@ -10,11 +10,24 @@ template <class T>
 class ValveDynamics {
  public:
   static constexpr std::array kParameters{
-      Parameter{"natural_frequency_rad_s", "natural_frequency_rad_s", "rad/s", "rad/s", Scale::kRate, true, 1e-5,
-                0.03, {0.001, 0.004}, "Natural frequency of the spool, w."},
+      Parameter{"natural_frequency_rad_s",
+                "natural_frequency_rad_s",
+                "rad/s",
+                "rad/s",
+                Scale::kRate,
+                true,
+                1e-5,
+                0.03,
+                {0.001, 0.004},
+                "Natural frequency of the spool, w."},
       Parameter{"damping", "damping", "1", "1", Scale::kOne, false, 0.3, 1.5, {0.7, 0.7}, "Its damping, D."}};
-  static constexpr EffectInfo kInfo{"valve_dynamics", Side::kValveAndOil, false, false, kParameters,
-                                    "The spool follows the current as a mass on a spring does."};
+  static constexpr EffectInfo kInfo{"valve_dynamics",
+                                    Side::kValveAndOil,
+                                    false,
+                                    false,
+                                    kParameters,
+                                    "The spool follows the current as a mass on a spring does.",
+                                    true};
 
   ValveDynamics(const T* fitted, const Scales&, double step_s) noexcept {
     using std::abs, std::cos, std::cosh, std::exp, std::sin, std::sinh, std::sqrt;

@@ -22,9 +22,8 @@ void declare(Visitor& v, Valve& valve) {
   v.number("gain_m3_s_AsqrtPa", valve.gain_m3_s_AsqrtPa, {1e-9, 1e-3},
            "Flow per current and root of pressure drop, K_v: Q = K_v u sqrt(dp).");
   v.number("current_max_A", valve.current_max_A, {1e-4, 1}, "Current of the full-open valve; the controller's limit.");
-  v.number("deadband_percent", valve.deadband_percent, {0, 50}, Default{0.0},
-           "Share of current_max_A on either side of 0 within which the valve stays shut.");
-  v.group("spool", valve.spool, "Dynamics of the spool; absent, it follows its command at once.");
+  v.moved("deadband_percent", "give effects.<joint>.valve_deadband.half_width_A, in A");
+  v.moved("spool", "give effects.<joint>.valve_dynamics with natural_frequency_rad_s and damping");
 }
 
 void declare(Visitor& v, Stops& stops) {
@@ -99,7 +98,9 @@ void declare(Visitor& v, CylinderLoad& l) {
   v.number("stiffness_N_m", l.stiffness_N_m, {0, 1e7}, Default{0.0}, "Springs against the base, C = k_1 + k_2.");
   v.number("equilibrium_position_m", l.equilibrium_position_m, {-10, 10}, Default{0.0},
            "Piston position where those are slack.");
-  v.group("friction", l.friction, "Dry friction of the load's guide, beside the viscous one; absent: none.");
+  v.moved("friction",
+          "give effects.<joint>.load_friction with coulomb_N, breakaway_ratio (static over Coulomb friction) and "
+          "stribeck_velocity_m_s");
 }
 
 void declare(Visitor& v, LegLoad& l) {
@@ -178,7 +179,8 @@ void declare(Visitor& v, Controller& c) {
            "pole_placement: natural frequency of the pair that force and integral share; below pi over the period.");
   v.number("pole_damping", p.damping, {0.1, 5}, Default{p.damping}, "pole_placement: damping of that pair.");
   v.group("pid", c.pid, Defaults{}, "pid: fixed gains.");
-  v.group("flow_inversion", c.flow_inversion, Defaults{}, "flow_inversion: what its observer and its law are tuned by.");
+  v.group("flow_inversion", c.flow_inversion, Defaults{},
+          "flow_inversion: what its observer and its law are tuned by.");
   v.number("force_rate_1_s", f.force_1_s, {0, 1e5}, Default{f.force_1_s},
            "feedback_linearisation: rate at which a force error is to vanish.");
   v.number("integral_rate_1_s2", f.integral_1_s2, {0, 1e8}, Default{f.integral_1_s2},

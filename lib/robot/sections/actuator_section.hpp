@@ -30,8 +30,6 @@ struct Supply {
 struct Valve {
   double gain_m3_s_AsqrtPa = 0.0;
   double current_max_A = 0.0;
-  double deadband_percent = 0.0;
-  std::optional<SpoolSection> spool;
 };
 
 /// End stops: a stiff contact.
@@ -103,7 +101,6 @@ struct CylinderLoad {
   double damping_Ns_m = 0.0;
   double stiffness_N_m = 0.0;
   double equilibrium_position_m = 0.0;
-  std::optional<DryFrictionSection> friction;
 };
 
 /// The load of a rotary hip: the leg itself.

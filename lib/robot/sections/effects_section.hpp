@@ -4,14 +4,8 @@
 
 namespace farrier::robot {
 
-// Sections of a robot file beyond the thesis's model: effects of valve, lines and guides, and filters of sensors. Each
-// group may be absent; its effect is then off.
-
-struct SpoolSection {
-  double natural_frequency_rad_s = 1570.0;
-  double damping = 0.5;
-  bool on = true;
-};
+// Sections of a robot file beyond the thesis's model that are measures of parts: the lines before the chambers and the
+// filters of sensors. Each group may be absent. Effects of joints are in joint_effects_section.hpp.
 
 struct LineSection {
   double length_m = 0.0;
@@ -19,13 +13,6 @@ struct LineSection {
   double density_kg_m3 = 870.0;
   double viscosity_Pa_s = 0.04;
   double loss_coefficient = 0.0;
-};
-
-struct DryFrictionSection {
-  double coulomb_N = 0.0;
-  double static_N = 0.0;
-  double stribeck_velocity_m_s = 0.01;
-  double presliding_m = 1e-5;
 };
 
 struct SensorSection {
@@ -40,9 +27,7 @@ struct SensorSection {
   config::Place place;
 };
 
-void declare(config::Visitor& v, SpoolSection& spool);
 void declare(config::Visitor& v, LineSection& line);
-void declare(config::Visitor& v, DryFrictionSection& friction);
 void declare(config::Visitor& v, SensorSection& sensors);
 
 }  // namespace farrier::robot

@@ -24,19 +24,18 @@ std::string everything_of(const Joint& joint, EffectId id) {
   std::string text = "    " + std::string(effect_info(id).name) + ": {";
   for (const plant::Parameter& p : effect_info(id).parameters) {
     const plant::ParameterRange range = range_of(p, scales);
-    text += std::string(&p == effect_info(id).parameters.data() ? "" : ", ") +
-            (joint.rotary ? p.rotary_name : p.name) + ": " +
-            config::number_text(range.low + 0.25 * (range.high - range.low));
+    text += std::string(&p == effect_info(id).parameters.data() ? "" : ", ") + (joint.rotary ? p.rotary_name : p.name) +
+            ": " + config::number_text(range.low + 0.25 * (range.high - range.low));
   }
   return text + "}\n";
 }
 
 TEST(JointEffects, AreReadWithDefaultsForWhatIsLeftOut) {
-  const Robot robot = loaded(with_effects(
-      "  lf_kfe:\n"
-      "    valve_deadband: {half_width_A: 2.1e-4}\n"
-      "    load_friction: {coulomb_N: 80, stribeck_velocity_m_s: 0.02}\n"
-      "    spring_hardening: {cubic_N_m3: 1e6}\n"));
+  const Robot robot =
+      loaded(with_effects("  lf_kfe:\n"
+                          "    valve_deadband: {half_width_A: 2.1e-4}\n"
+                          "    load_friction: {coulomb_N: 80, stribeck_velocity_m_s: 0.02}\n"
+                          "    spring_hardening: {cubic_N_m3: 1e6}\n"));
   const Joint& joint = *robot.find("lf_kfe");
   ASSERT_EQ(joint.effects.size(), 3u);
   const auto value = [&](const char* effect, const char* parameter) {
@@ -55,7 +54,7 @@ TEST(JointEffects, AreReadWithDefaultsForWhatIsLeftOut) {
 }
 
 TEST(JointEffects, AreNoneInRobotsThatSayNothingOfThem) {
-  for (const char* name : {"hyq", "fc1d", "fc1d_real"}) {
+  for (const char* name : {"hyq", "fc1d", "hexapod"}) {
     const Robot robot = load_shipped(name);
     EXPECT_EQ(print_config(robot).find("effects:"), std::string::npos);
     for (const Joint& joint : robot.joints) {
@@ -87,17 +86,17 @@ TEST(JointEffects, CanAllBeSaidAndComeBackFromThePrintedConfiguration) {
 
 TEST(JointEffects, PrintTheirDefaults) {
   const std::string printed = print_config(loaded(with_effects("  lf_haa:\n    end_stop: {inset_rad: 0.1}\n")));
-  const auto at = printed.find(
-      "effects:\n  \"lf_haa\":\n    end_stop:\n      inset_rad: 0.1\n      stiffness_Nm_rad: ");
+  const auto at =
+      printed.find("effects:\n  \"lf_haa\":\n    end_stop:\n      inset_rad: 0.1\n      stiffness_Nm_rad: ");
   EXPECT_NE(at, std::string::npos) << printed;
   EXPECT_EQ(printed.find("inset_m:"), std::string::npos);
 }
 
 TEST(JointEffects, ThatAreOtherLoadsChangeWhatIsDesignedFor) {
   const Robot plain = load_shipped("hyq");
-  const Robot robot = loaded(with_effects(
-      "  lf_kfe:\n    load_mass: {mass_kg: 4}\n    load_damping: {damping_Ns_m: 300}\n"
-      "    load_stiffness: {stiffness_N_m: 2000}\n  lf_haa:\n    load_mass: {inertia_kg_m2: 0.5}\n"));
+  const Robot robot = loaded(
+      with_effects("  lf_kfe:\n    load_mass: {mass_kg: 4}\n    load_damping: {damping_Ns_m: 300}\n"
+                   "    load_stiffness: {stiffness_N_m: 2000}\n  lf_haa:\n    load_mass: {inertia_kg_m2: 0.5}\n"));
   const Joint& joint = *robot.find("lf_kfe");
   EXPECT_DOUBLE_EQ(joint.swing_load.mass, 4.0);
   EXPECT_DOUBLE_EQ(joint.stance_load.mass, 51.5);
@@ -144,35 +143,35 @@ TEST_P(JointEffectsMistake, IsReportedWithItsLineAndRemedy) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, JointEffectsMistake,
-    testing::Values(
-        Mistake{"  lf_kne:\n    valve_bias: {current_A: 1e-4}\n", "  lf_kne",
-                "lf_kne: is not a joint of a leg: did you mean lf_kfe?"},
-        Mistake{"  lf_kfe:\n    valve_dedband: {half_width_A: 1e-4}\n", "    valve_dedband",
-                "lf_kfe.valve_dedband: is not a known parameter: did you mean valve_deadband?"},
-        Mistake{"  lf_kfe:\n    valve_deadband: {half_widht_A: 1e-4, half_width_A: 1e-4}\n", "    valve_dead",
-                "lf_kfe.valve_deadband.half_widht_A: is not a known parameter: did you mean half_width_A?"},
-        Mistake{"  lf_kfe:\n    valve_deadband: {half_width_mA: 0.1, half_width_A: 1e-4}\n", "    valve_dead",
-                "lf_kfe.valve_deadband.half_width_mA: is given in A: half_width_A"},
-        Mistake{"  lf_kfe:\n    valve_deadband: {half_width_A: 0.008}\n", "    valve_dead",
-                "lf_kfe.valve_deadband.half_width_A: 0.008 is out of this joint's range: give 0 to 0.004"},
-        Mistake{"  lf_kfe:\n    valve_deadband: {half_width_A: wide}\n", "    valve_dead",
-                "lf_kfe.valve_deadband.half_width_A: wide is not a number: give a number"},
-        Mistake{"  lf_kfe:\n    load_friction: {coulomb_N: 80, breakaway_ratio: 3}\n", "    load_fri",
-                "lf_kfe.load_friction.breakaway_ratio: 3 is out of range: give 1 to 2.5"},
-        Mistake{"  lf_kfe:\n    input_delay: {}\n", "    input",
-                "lf_kfe.input_delay.delay_s: is missing: give 0 to 0.03 (The delay.)"},
-        Mistake{"  lf_kfe:\n    external_force: {torque_Nm: 5, force_N: 3}\n", "    external",
-                "lf_kfe.external_force.torque_Nm: is for a rotary motor: of this joint it is force_N"},
-        Mistake{"  lf_haa:\n    external_force: {force_N: 5}\n", "    external",
-                "lf_haa.external_force.force_N: is for a cylinder: of this joint it is torque_Nm"},
-        Mistake{"  lf_haa: {}\n", "  lf_haa", "lf_haa: is empty: name an effect, or leave the joint out"},
-        Mistake{"  lf_kfe: [valve_bias]\n", "  lf_kfe", "lf_kfe: is a list: give a group of parameters"}));
+    testing::Values(Mistake{"  lf_kne:\n    valve_bias: {current_A: 1e-4}\n", "  lf_kne",
+                            "lf_kne: is not a joint of a leg: did you mean lf_kfe?"},
+                    Mistake{"  lf_kfe:\n    valve_dedband: {half_width_A: 1e-4}\n", "    valve_dedband",
+                            "lf_kfe.valve_dedband: is not a known parameter: did you mean valve_deadband?"},
+                    Mistake{"  lf_kfe:\n    valve_deadband: {half_widht_A: 1e-4, half_width_A: 1e-4}\n",
+                            "    valve_dead",
+                            "lf_kfe.valve_deadband.half_widht_A: is not a known parameter: did you mean half_width_A?"},
+                    Mistake{"  lf_kfe:\n    valve_deadband: {half_width_mA: 0.1, half_width_A: 1e-4}\n",
+                            "    valve_dead", "lf_kfe.valve_deadband.half_width_mA: is given in A: half_width_A"},
+                    Mistake{"  lf_kfe:\n    valve_deadband: {half_width_A: 0.008}\n", "    valve_dead",
+                            "lf_kfe.valve_deadband.half_width_A: 0.008 is out of this joint's range: give 0 to 0.004"},
+                    Mistake{"  lf_kfe:\n    valve_deadband: {half_width_A: wide}\n", "    valve_dead",
+                            "lf_kfe.valve_deadband.half_width_A: wide is not a number: give a number"},
+                    Mistake{"  lf_kfe:\n    load_friction: {coulomb_N: 80, breakaway_ratio: 3}\n", "    load_fri",
+                            "lf_kfe.load_friction.breakaway_ratio: 3 is out of range: give 1 to 2.5"},
+                    Mistake{"  lf_kfe:\n    input_delay: {}\n", "    input",
+                            "lf_kfe.input_delay.delay_s: is missing: give 0 to 0.03 (The delay.)"},
+                    Mistake{"  lf_kfe:\n    external_force: {torque_Nm: 5, force_N: 3}\n", "    external",
+                            "lf_kfe.external_force.torque_Nm: is for a rotary motor: of this joint it is force_N"},
+                    Mistake{"  lf_haa:\n    external_force: {force_N: 5}\n", "    external",
+                            "lf_haa.external_force.force_N: is for a cylinder: of this joint it is torque_Nm"},
+                    Mistake{"  lf_haa: {}\n", "  lf_haa", "lf_haa: is empty: name an effect, or leave the joint out"},
+                    Mistake{"  lf_kfe: [valve_bias]\n", "  lf_kfe", "lf_kfe: is a list: give a group of parameters"}));
 
 // A stance load with less damping than swing has: what swing lost it cannot lose.
 TEST(JointEffects, ThatLeaveNoLoadInStanceAreRefused) {
-  const std::string text = replaced(with_effects("  lf_kfe:\n    load_damping: {damping_Ns_m: 50}\n"),
-                                    "stance: {mass_kg: 50, damping_Ns_m: 500}",
-                                    "stance: {mass_kg: 50, damping_Ns_m: 100}");
+  const std::string text =
+      replaced(with_effects("  lf_kfe:\n    load_damping: {damping_Ns_m: 50}\n"),
+               "stance: {mass_kg: 50, damping_Ns_m: 500}", "stance: {mass_kg: 50, damping_Ns_m: 100}");
   const auto robot = load_robot_text(text, "hyq.yaml");
   ASSERT_FALSE(robot.ok());
   EXPECT_NE(to_string(robot.error()).find("effects.lf_kfe: leave no load in swing or stance: load: damping = -350"),

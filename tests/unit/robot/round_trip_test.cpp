@@ -15,15 +15,18 @@ std::string fingerprint(const Joint& j) {
   const plant::ActuatorParams& a = j.actuator;
   for (const double x : {a.area_a, a.area_b, a.stroke, a.line_volume_m3, a.bulk_modulus_Pa, a.valve_gain,
                          a.valve_current_max_A, a.supply_pressure_Pa, a.return_pressure_Pa, a.piston_mass,
-                         a.piston_damping, a.stop_stiffness, a.stop_damping, a.laminar_pressure_Pa, a.valve_deadband_A,
-                         a.spool.on ? 1.0 : 0.0, a.spool.natural_frequency_rad_s, a.spool.damping, a.line.length_m,
+                         a.piston_damping, a.stop_stiffness, a.stop_damping, a.laminar_pressure_Pa, a.line.length_m,
                          a.line.bore_m, a.line.density_kg_m3, a.line.viscosity_Pa_s, a.line.loss_coefficient}) {
     text << x << ' ';
   }
   for (const plant::LoadParams& load : {j.swing_load, j.stance_load}) {
-    text << load.mass << ' ' << load.damping << ' ' << load.stiffness << ' ' << load.equilibrium_position << ' '
-         << load.friction.coulomb << ' ' << load.friction.breakaway << ' ' << load.friction.stribeck_velocity << ' '
-         << load.friction.presliding << ' ';
+    text << load.mass << ' ' << load.damping << ' ' << load.stiffness << ' ' << load.equilibrium_position << ' ';
+  }
+  for (const plant::ActiveEffect& effect : j.effects) {
+    text << effect.id << ' ';
+    for (const double value : effect.values) {
+      text << value << ' ';
+    }
   }
   for (const control::LowPassParams& f :
        {j.sensors.position, j.sensors.velocity, j.sensors.force, j.sensors.anti_alias}) {
@@ -36,9 +39,8 @@ std::string fingerprint(const Joint& j) {
   const control::LqrWeights& w = j.design.weights;
   const control::Normalisation& n = j.normalisation;
   for (const double x : {j.push_limit, j.pull_limit, j.noise.position, j.noise.velocity, j.noise.force, w.integral,
-                         w.position, w.velocity, w.force, w.input, w.integral_factor, w.feed_forward_factor,
-                         n.position, n.velocity, n.force, n.current_A, j.stiffness_Nm_rad, j.damping_Nms_rad,
-                         j.dither_percent}) {
+                         w.position, w.velocity, w.force, w.input, w.integral_factor, w.feed_forward_factor, n.position,
+                         n.velocity, n.force, n.current_A, j.stiffness_Nm_rad, j.damping_Nms_rad, j.dither_percent}) {
     text << x << ' ';
   }
   const EstimatorParams& e = j.estimator;
@@ -95,8 +97,7 @@ TEST(Overrides, ArePartOfTheEffectiveConfigurationAndAreChecked) {
   EXPECT_NE(configuration_hash(robot), configuration_hash(load_shipped("hyq")));
   const auto refused = load_robot(shipped("hyq"), {std::nullopt, 900.0});
   ASSERT_FALSE(refused.ok());
-  EXPECT_EQ(to_string(refused.error()),
-            shipped("hyq") + ": gait.frequency_Hz: 900 is out of range: give 0.05 to 10\n");
+  EXPECT_EQ(to_string(refused.error()), shipped("hyq") + ": gait.frequency_Hz: 900 is out of range: give 0.05 to 10\n");
 }
 
 TEST(Overrides, TakeTheDitherFromEveryJointAndNothingElse) {

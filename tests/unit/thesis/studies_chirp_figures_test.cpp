@@ -16,7 +16,7 @@ control::DiscreteModel resonant(double frequency_Hz, double damping) {
   const double radius = std::exp(-damping * w);
   const double angle = w * std::sqrt(1.0 - damping * damping);
   control::DiscreteModel model;
-  model.a << 0.1, 0.0, 0.0,  //
+  model.a << 0.1, 0.0, 0.0,                                      //
       0.0, radius * std::cos(angle), -radius * std::sin(angle),  //
       0.0, radius * std::sin(angle), radius * std::cos(angle);
   model.b << 0.0, 1.0, 0.0;
@@ -94,8 +94,10 @@ TEST(RigVariants, ChangeWhatTheyAreCalled) {
   EXPECT_EQ(ideal.joints[0].noise.force, 0.0);
   EXPECT_EQ(ideal.joints[0].sensors.force.cut_off_Hz, 0.0);
   const robot::Robot rubbing = with_friction_of_weight(rig, 5.0);
-  EXPECT_DOUBLE_EQ(rubbing.joints[0].swing_load.friction.coulomb, 120.0);
-  EXPECT_DOUBLE_EQ(rubbing.joints[0].swing_load.friction.breakaway, 180.0);
+  const plant::ActiveEffect* friction = plant::find(rubbing.joints[0].effects, plant::effect_id<plant::LoadFriction>());
+  ASSERT_NE(friction, nullptr);
+  EXPECT_DOUBLE_EQ(plant::parameter_value(*friction, "coulomb_N").value_or(0.0), 120.0);
+  EXPECT_EQ(plant::parameter_value(*friction, "breakaway_ratio"), 1.5);
   EXPECT_EQ(rubbing.joints[0].swing_load.mass, 2.5) << "the run adds the weight";
 }
 

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cmath>
+
+#include "plant/terms/portable.hpp"
+
+namespace farrier::plant {
+
+/// Bristles in a dry contact, for effects of friction: Canudas de Wit, Olsson, Astrom and Lischinsky (1995), (1) to
+/// (3). The viscous friction replaces the bristles' damping. The contact's force f acts on the sliding side as -f. It
+/// has Coulomb friction F_c, breakaway friction F_s, Stribeck velocity v_s and presliding way z_s:
+///
+///   f' = (F_s / z_s) (v - |v| f / g(v)),   g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).
+///
+/// In steady sliding f = g(v) sign(v), the curve of Hubacher (2014), 9.3.1. Always |f| <= F_s. The friction dissipates
+/// f v - d/dt (f^2 z_s / (2 F_s)) = |v| f^2 / g >= 0. Under a steady force below F_s the load comes to rest -z_s ln(1 -
+/// F / F_s) from where it was and creeps no further: docs/derivations/friction.md. Forces are in N or Nm, speeds in m/s
+/// or rad/s, ways in m or rad.
+template <class T>
+class DryContact {
+ public:
+  /// All > 0, and breakaway >= coulomb; or coulomb = breakaway = 0 for a contact that carries nothing.
+  DryContact(const T& coulomb, const T& breakaway, const T& stribeck_velocity, double presliding) noexcept
+      : coulomb_(coulomb),
+        stiffness_(breakaway / presliding),
+        drop_(breakaway - coulomb),
+        inverse_stribeck_(1.0 / stribeck_velocity) {}
+
+  /// Steady friction at a speed: Stribeck's curve g.
+  T steady(const T& speed) const noexcept {
+    using portable::exp;
+    const T ratio = speed * inverse_stribeck_;
+    return coulomb_ + drop_ * exp(-(ratio * ratio));
+  }
+  /// f', N/s or Nm/s.
+  T rate(const T& force, const T& speed) const noexcept {
+    using std::abs;
+    return stiffness_ * (speed - abs(speed) * force / steady(speed));
+  }
+  /// Coefficients of a step at constant speed, f+ = keep f + give v: the rest of f, and the gain per speed. With a = s
+  /// |v| h / g and s = F_s / z_s it is f e^-a + s h phi(a) v, phi(a) = (1 - e^-a) / a.
+  struct Step {
+    T keep, give;
+  };
+  Step over(const T& speed, double step_s) const noexcept {
+    using portable::exp;
+    using std::abs;
+    const T a = stiffness_ * abs(speed) * step_s / steady(speed);
+    const T keep = exp(-a);
+    const T phi = a > 1e-6 ? T((1.0 - keep) / a) : T(1.0 - 0.5 * a);
+    return {keep, stiffness_ * step_s * phi};
+  }
+
+  /// F_s / z_s, N/m or Nm/rad.
+  const T& stiffness() const noexcept { return stiffness_; }
+
+ private:
+  T coulomb_, stiffness_, drop_, inverse_stribeck_;
+};
+
+}  // namespace farrier::plant

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "plant/dry_contact.hpp"
+#include "plant/terms/term.hpp"
+
+namespace farrier::plant {
+
+/// Parameters of effects of friction.
+inline constexpr std::array kContactParameters{
+    Parameter{
+        "coulomb_N", "coulomb_Nm", "N", "Nm", Scale::kForce, false, 1e-6, 0.5, {0.01, 0.05}, "Friction in motion."},
+    Parameter{"breakaway_ratio",
+              "breakaway_ratio",
+              "1",
+              "1",
+              Scale::kOne,
+              false,
+              1.0,
+              2.5,
+              {1.3, 1.3},
+              "Friction that holds at rest, over that in motion."},
+    Parameter{"stribeck_velocity_m_s",
+              "stribeck_velocity_rad_s",
+              "m/s",
+              "rad/s",
+              Scale::kSpeed,
+              false,
+              0.001,
+              0.1,
+              {0.01, 0.01},
+              "Speed over which the one falls to the other."}};
+
+/// Share of the stroke over which contacts bend: 10 um of 80 mm.
+inline constexpr double kPreslidingShare = 1.25e-4;
+
+}  // namespace farrier::plant
