@@ -44,7 +44,7 @@ constexpr std::array kConditions{
 // clang-format on
 
 static_assert(std::ranges::equal(kConditions, kFaults, {}, &Condition::fault, &FaultInfo::fault),
-              "every row of the safety table has its condition, in the table's order");
+              "every row of the safety table has its condition, in the order of kFaults");
 
 }  // namespace
 

@@ -16,7 +16,7 @@ struct Situation {
   const signals::SystemMode& mode;       ///< in effect
   const signals::JointSensors& sensors;  ///< the newest available
   const signals::JointCommand& command;  ///< the newest available
-  double command_age_s;                  ///< since it was received; infinite if there was none
+  double command_age_s;                  ///< since an undelayed one would have arrived; infinite for none
   double since_last_step_s;              ///< 0 for the first
   SensorCheck::Verdict readings;         ///< of the sensors
   bool has_gains;                        ///< for the acting phase

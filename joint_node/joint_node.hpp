@@ -60,9 +60,9 @@ class JointNode {
   struct Inputs {
     Tick tick = kNoTick;            ///< control tick; selects gains, phase and mode that are due
     signals::JointSensors sensors;  ///< the newest available
-    double sensors_age_s = 0;       ///< since it was received; infinite if there was none
+    double sensors_age_s = 0;       ///< since an undelayed one would have arrived; infinite for none
     signals::JointCommand command;  ///< the newest available
-    double command_age_s = 0;       ///< since it was received; infinite if there was none
+    double command_age_s = 0;       ///< since an undelayed one would have arrived; infinite for none
     double since_last_step_s = 0;   ///< 0 for the first
   };
   struct Outputs {

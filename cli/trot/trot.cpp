@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include "gait/stepping.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
 #include "supervisor/joint_design.hpp"
@@ -21,6 +22,7 @@
 #include "cli/trot/trot_security.hpp"
 #include "report/trot/adaptation.hpp"
 #include "report/figures/console.hpp"
+#include "report/figures/text_format.hpp"
 #include "report/trot/html_report.hpp"
 #include "report/trot/joint_poles.hpp"
 #include "report/trot/tracking.hpp"
@@ -84,8 +86,10 @@ int trot(TrotOptions o) {
     return kPassed;
   }
   if (o.standby && o.clock != bus::ClockKind::kRealtime) {
-    std::fputs("farrier trot: --standby is for the real-time clock, in lock-step a run waits for a silent supervisor: add "
-               "--clock realtime\n", stderr);
+    std::fputs(
+        "farrier trot: --standby is for the real-time clock, in lock-step a run waits for a silent supervisor: add "
+        "--clock realtime\n",
+        stderr);
     return kBadInput;
   }
   if (o.soak && o.dds == DdsChoice::kInproc) {
@@ -117,6 +121,9 @@ int trot(TrotOptions o) {
     std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
     return kBadInput;
   }
+  if (const std::string order = gait::stepping_order(robot.plan); !order.empty()) {
+    std::fprintf(stderr, "trot: legs step in the order %s\n", order.c_str());
+  }
   const bool lockstep = o.clock == bus::ClockKind::kLockstep;
   Yardstick yardstick;
   if (!lockstep) {
@@ -137,6 +144,10 @@ int trot(TrotOptions o) {
   outcome.run.processes = report::process_infos(ran.value().hellos, ran.value().healths);
   outcome.run.decisions = report::decision_infos(robot, ran.value().decisions);
   outcome.warnings = ran.value().warnings;
+  if (const double flight = gait::flight_share(robot.plan); flight > 0.0) {
+    outcome.warnings.push_back("no leg stands in " + report::short_number(100.0 * flight) +
+                               " % of the stride: see phase_offset of the legs and duty of the gait");
+  }
   for (const signals::SystemEvent& event : ran.value().events) {
     if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {
       outcome.failures.emplace_back(signals::text_of(event.text));

@@ -14,8 +14,8 @@ using enum signals::Severity;
 // clang-format off
 constexpr std::array kEvents{
     EventSpec{kJointNulled, "<faults>", "joint_node", kWarning, "The joint's valve is at null for these faults.",
-              "Fix the first of them; if it says `tripped`, then `farrier request arm`."},
-    EventSpec{kJointFaults, "<faults>; no fault", "joint_node", kInfo, "The joint's faults have changed, and it goes on as they let it.", "See the table of [architecture.md](architecture.md#what-a-joint-does-when-something-is-missing)."},
+              "Fix the causes beside `tripped`; then `farrier request arm --session <number>`."},
+    EventSpec{kJointFaults, "<faults>; no fault", "joint_node", kInfo, "The joint's faults have changed, and its valve is not at null.", "See the table of [architecture.md](architecture.md#what-a-joint-does-when-something-is-missing)."},
     EventSpec{kGainsRefused, "gains refused: <why>", "joint_node", kWarning, "Gains came that a joint does not take up; it keeps those it has.", "Supervisor and joint_node of one version; somebody else may write the topic: `farrier topics`."},
     EventSpec{kReplacedSupervisorRefused, "orders of a supervisor that has been replaced are refused: authority <number> after <number>", "joint_node, sim_bridge", kWarning, "A supervisor that another one has taken over from still gives orders.", "End it; started again it stands by."},
     EventSpec{kGainsKept, "<phase> gains kept: <verdict>", "supervisor", kInfo, "An estimate asked for new gains, and no design for it was good enough.", ""},

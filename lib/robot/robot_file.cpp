@@ -80,7 +80,7 @@ void declare(Visitor& v, GaitSection& section) {
   constexpr std::array kReferences = {
       Option<gait::ReferenceKind>{"leg_kinematics", gait::ReferenceKind::kLegKinematics},
       Option<gait::ReferenceKind>{"multisine", gait::ReferenceKind::kMultisine}};
-  v.choice<gait::Pattern>("pattern", g.pattern, gait::kPatterns, Default{gait::Pattern::kTrot}, "Which legs stand when.");
+  v.choice<gait::Pattern>("pattern", g.pattern, gait::kPatterns, Default{gait::Pattern::kTrot}, "`trot`: legs step as `phase_offset` and `duty` say. `stand`: all legs stand.");
   v.number("frequency_Hz", g.frequency_Hz, {0.05, 10}, "Strides per second.");
   v.number("duty", g.duty, {0.05, 0.95}, "Stance part of the stride.");
   v.number("step_length_m", g.step_length_m, {0, 2}, Default{0.0}, "Way of the foot under the hip during stance.");

@@ -1,6 +1,7 @@
 #include "control/numerics/riccati.hpp"
 
 #include "control/numerics/riccati_solver.hpp"
+#include "control/numerics/sizes.hpp"
 
 namespace farrier::control {
 
@@ -34,11 +35,7 @@ Result<RiccatiSolution<N>, RiccatiStatus> solve_dare_by_iteration(const Square<N
 #define FARRIER_INSTANTIATE(N)                                                                         \
   template Result<RiccatiSolution<N>, RiccatiStatus> solve_dare_by_iteration<N>(                       \
       const Square<N>&, const Columns<N, 1>&, const Square<N>&, double, const Columns<N, 1>&, int, double) noexcept;
-FARRIER_INSTANTIATE(2)
-FARRIER_INSTANTIATE(3)
-FARRIER_INSTANTIATE(4)
-FARRIER_INSTANTIATE(5)
-FARRIER_INSTANTIATE(6)
+FARRIER_FOR_EACH_SIZE(FARRIER_INSTANTIATE)
 #undef FARRIER_INSTANTIATE
 
 }  // namespace farrier::control

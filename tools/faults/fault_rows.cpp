@@ -195,7 +195,7 @@ const std::vector<Row>& rows() {
        Hit::kAll, nullptr, {}, 0.1, {{kSimBridge, SIGSTOP, 0.0}, {kSimBridge, SIGCONT, 0.1}},
        reacts(Fault::kTripped, kStale_s, kArmed_s)},
       {"gait_source_killed", "gait_source, or the planner in its place, dies (kill -9).",
-       "joint_node of every leg damps, then trips: valve to null.", Hit::kAll, nullptr, {}, 0.2,
+       "joint_node of every leg damps, then trips: valve to null until an operator arms it again.", Hit::kAll, nullptr, {}, 0.2,
        {{kGaitSource, SIGKILL, 0.0}},
        reacts(Fault::kTripped, kTripped_s, kNever)},
       {"gait_source_restarted", "gait_source, or the planner in its place, dies (kill -9) and is started again.",

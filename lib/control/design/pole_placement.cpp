@@ -9,6 +9,7 @@
 #include "control/numerics/spectrum.hpp"
 #include "control/design/gain_design.hpp"
 #include "control/model/plant_polynomials.hpp"
+#include "control/numerics/sizes.hpp"
 
 namespace farrier::control {
 namespace {
@@ -232,11 +233,7 @@ Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles(
 #define FARRIER_INSTANTIATE(N)                                                                            \
   template Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles<N>(                              \
       const Square<N>&, const Column<N>&, const Eigen::Matrix<Complex, N, 1>&) noexcept;
-FARRIER_INSTANTIATE(2)
-FARRIER_INSTANTIATE(3)
-FARRIER_INSTANTIATE(4)
-FARRIER_INSTANTIATE(5)
-FARRIER_INSTANTIATE(6)
+FARRIER_FOR_EACH_SIZE(FARRIER_INSTANTIATE)
 #undef FARRIER_INSTANTIATE
 
 Result<Gains, DesignStatus> design_pole_placement(const DiscreteModel& model, const PolePlacement& poles,

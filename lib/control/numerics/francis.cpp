@@ -1,4 +1,5 @@
 #include "control/numerics/francis.hpp"
+#include "control/numerics/sizes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -214,11 +215,7 @@ bool francis_eigenvalues(const Eigen::Matrix<double, N, N>& m, Eigen::Matrix<std
 #define FARRIER_INSTANTIATE(N)                                             \
   template bool francis_eigenvalues<N>(const Eigen::Matrix<double, N, N>&, \
                                        Eigen::Matrix<std::complex<double>, N, 1>&) noexcept;
-FARRIER_INSTANTIATE(2)
-FARRIER_INSTANTIATE(3)
-FARRIER_INSTANTIATE(4)
-FARRIER_INSTANTIATE(5)
-FARRIER_INSTANTIATE(6)
+FARRIER_FOR_EACH_SIZE(FARRIER_INSTANTIATE)
 #undef FARRIER_INSTANTIATE
 
 }  // namespace farrier::control
