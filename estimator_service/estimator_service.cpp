@@ -8,8 +8,7 @@ namespace farrier::estimator_service {
 Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int loop_delay_ticks) {
   std::vector<std::unique_ptr<estimation::Estimator>> estimators;
   for (const robot::Joint& joint : robot.joints) {
-    auto estimator = FARRIER_TRY(robot::make_estimator(joint, robot.period_s, loop_delay_ticks));
-    estimators.push_back(std::move(estimator));
+    estimators.push_back(FARRIER_TRY(robot::make_estimator(joint, robot.period_s, loop_delay_ticks)));
   }
   return EstimatorService(std::move(estimators));
 }

@@ -7,7 +7,7 @@ std::string event_text(FaultSet faults) {
   std::string text;
   for (const FaultInfo& info : kFaults) {
     if (faults.has(info.fault)) {
-      text += (text.empty() ? "" : ", ") + std::string(info.event.text);
+      text += (text.empty() ? "" : ", ") + std::string(info.event_text());
     }
   }
   return faults.any() ? text : "no fault";
@@ -23,7 +23,7 @@ std::optional<std::string> FaultEvents::update(Tick tick, FaultSet faults) {
       last_[row] = tick;
     }
     const bool lingers = last_[row] != kNoTick && tick - last_[row] < info.event.lingers;
-    present.set(info.fault, info.event.text != nullptr && (faults.has(info.fault) || lingers));
+    present.set(info.fault, info.event.reported && (faults.has(info.fault) || lingers));
   }
   if (present == reported_) {
     return std::nullopt;

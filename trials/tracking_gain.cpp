@@ -21,8 +21,8 @@ constexpr double kRise_s = 0.02;
 constexpr double kStrokeShare = 0.25;
 constexpr double kSpeedShare = 0.5;
 constexpr double kForceShare = 0.25;
-constexpr double kLongStep_s = 1.0;      ///< in which any spool is where it goes
-constexpr double kCentring_Hz = 1.0;     ///< of a load that has no spring
+constexpr double kLongStep_s = 1.0;   ///< in which any spool is where it goes
+constexpr double kCentring_Hz = 1.0;  ///< of a load that has no spring
 constexpr double kCentringDamping = 0.7;
 
 /// Spring and damper that lead a load home, by the joint's command.
@@ -119,7 +119,10 @@ class Judge {
 
 Result<Done> arm(joint_node::JointNode& node, const robot::Joint& believed, double period_s) {
   constexpr std::uint32_t kFirst = 1;
-  node.set_mode({.robot = 0, .epoch = kFirst, .session = 0, .effective_tick = 0,
+  node.set_mode({.robot = 0,
+                 .epoch = kFirst,
+                 .session = 0,
+                 .effective_tick = 0,
                  .mode = static_cast<std::uint8_t>(signals::Mode::kArmed)});
   const auto gains = FARRIER_TRY(supervisor::design_joint(believed, believed.swing_load, period_s, 0));
   signals::JointControllerGains signal;
@@ -140,9 +143,9 @@ Result<double> tracking_nrmse(const robot::Joint& world, const robot::Joint& bel
   const double home = world.linkage.position(world.home_angle_rad);
   const plant::LoadParams& load = world.swing_load;
   const double stand = load.stiffness > 0.0 ? load.equilibrium_position : home;
-  auto created = plant::HydraulicJoint::create(world.actuator, load,
-                                               plant::equilibrium(world.actuator, load, stand, 0.0),
-                                               plant::HydraulicJoint::kDefaultTolerance, world.effects);
+  auto created =
+      plant::HydraulicJoint::create(world.actuator, load, plant::equilibrium(world.actuator, load, stand, 0.0),
+                                    plant::HydraulicJoint::kDefaultTolerance, world.effects);
   if (!created) {
     return Error{world.name + ": " + created.error().message};
   }
@@ -194,12 +197,9 @@ Result<double> tracking_nrmse(const robot::Joint& world, const robot::Joint& bel
 
 Result<TrackingGain> tracking_gain(const robot::Joint& world, const robot::Joint& nominal, const robot::Joint& known,
                                    const ForceTracking& run) {
-  const auto with_nominal = tracking_nrmse(world, nominal, run);
-  const auto with_known = tracking_nrmse(world, known, run);
-  if (!with_nominal || !with_known) {
-    return !with_nominal ? with_nominal.error() : with_known.error();
-  }
-  return TrackingGain{with_nominal.value(), with_known.value()};
+  const double with_nominal = FARRIER_TRY(tracking_nrmse(world, nominal, run));
+  const double with_known = FARRIER_TRY(tracking_nrmse(world, known, run));
+  return TrackingGain{with_nominal, with_known};
 }
 
 }  // namespace farrier::trials

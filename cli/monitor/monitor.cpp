@@ -59,8 +59,7 @@ Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot
     servers.push_back(std::move(server).value());
   }
   if (!o.web.address.empty()) {
-    auto page = FARRIER_TRY(open_web(o.web, robot));
-    servers.push_back(std::move(page));
+    servers.push_back(FARRIER_TRY(open_web(o.web, robot)));
   }
   return servers;
 }
@@ -69,8 +68,7 @@ Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot
 /// has the screen, on which nothing else may write.
 Result<bool> open_table(Displays& displays, const robot::Robot& robot) {
   if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
-    auto terminal = FARRIER_TRY(display::Terminal::create(robot));
-    displays.push_back(std::move(terminal));
+    displays.push_back(FARRIER_TRY(display::Terminal::create(robot)));
     return true;
   }
   if (displays.empty()) {

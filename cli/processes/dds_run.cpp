@@ -57,8 +57,8 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
     return bus.error();
   }
   seat.bus = std::move(bus).value();
-  participant::Identity identity{member.name, robot.name, member.number, common.participants, common.session,
-                                 common.clock, common.slow};
+  participant::Identity identity{member.name,    robot.name,   member.number, common.participants,
+                                 common.session, common.clock, common.slow};
   identity.launches = true;
   auto participant = FARRIER_TRY(participant::Participant::join(*seat.bus, identity));
   seat.participant = std::move(participant);
@@ -67,7 +67,8 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   auto acts = FARRIER_TRY(RunActs::create(run.acts, *seat.participant, clock));
   seat.acts = std::move(acts);
   if (!run.record_path.empty() && common.clock == bus::ClockKind::kLockstep) {
-    auto recording = FARRIER_TRY(recorder::RunRecording::create(run.record_path, run.record_facts, robot, *seat.participant));
+    auto recording =
+        FARRIER_TRY(recorder::RunRecording::create(run.record_path, run.record_facts, robot, *seat.participant));
     seat.recording = std::move(recording);
   }
   return seat;
@@ -146,24 +147,31 @@ Result<double> attend(Seat& seat, run::RunMonitor& monitor, std::vector<ChildPro
 
 const char* to_string(DdsChoice choice) noexcept {
   switch (choice) {
-    case DdsChoice::kCyclone: return "cyclone";
-    case DdsChoice::kFast: return "fast";
-    case DdsChoice::kMixed: return "mixed";
-    case DdsChoice::kInproc: return "inproc";
+    case DdsChoice::kCyclone:
+      return "cyclone";
+    case DdsChoice::kFast:
+      return "fast";
+    case DdsChoice::kMixed:
+      return "mixed";
+    case DdsChoice::kInproc:
+      return "inproc";
   }
   return "";
 }
 
 bus::Vendor vendor_of(DdsChoice choice, const run::Member& member) noexcept {
   switch (choice) {
-    case DdsChoice::kCyclone: return bus::Vendor::kCyclone;
-    case DdsChoice::kFast: return bus::Vendor::kFast;
+    case DdsChoice::kCyclone:
+      return bus::Vendor::kCyclone;
+    case DdsChoice::kFast:
+      return bus::Vendor::kFast;
     case DdsChoice::kMixed:
       return member.number == participant::kSimBridge || member.number == participant::kEstimatorService ||
                      member.stands_by
                  ? bus::Vendor::kCyclone
                  : bus::Vendor::kFast;
-    case DdsChoice::kInproc: break;
+    case DdsChoice::kInproc:
+      break;
   }
   return bus::Vendor::kInproc;
 }
@@ -191,13 +199,12 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   auto onlookers = FARRIER_TRY(Onlookers::start(run, common.network.domain));
   auto children = FARRIER_TRY(start_children(run, common, outcome.members, seen));
   if (common.clock == bus::ClockKind::kRealtime && !run.record_path.empty()) {
-    auto recorder = FARRIER_TRY(start_recorder(robot, run, common));
-    children.push_back(std::move(recorder));
+    children.push_back(FARRIER_TRY(start_recorder(robot, run, common)));
   }
   GrowthWatch watch(run.soak ? pids_of(outcome.members, children) : std::vector<pid_t>{}, common.ticks);
   auto seat = FARRIER_TRY(take_seat(robot, run, common, outcome.members.back(), clock));
-  auto monitor = FARRIER_TRY(run::RunMonitor::create(*seat.bus, seat.participant->identity(),
-                                         robot::legs_of_joints(robot)));
+  auto monitor =
+      FARRIER_TRY(run::RunMonitor::create(*seat.bus, seat.participant->identity(), robot::legs_of_joints(robot)));
   Progress progress(run.title, common.ticks);
   const RunActs::Start start_anew = [&](const std::string& member, const std::string& name) {
     if (member == run::kMonitor) {

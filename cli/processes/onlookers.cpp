@@ -23,9 +23,8 @@ Result<Onlookers> Onlookers::start(const DdsRun& run, int domain) {
     std::vector<std::string> arguments = onlooker.arguments;
     arguments.insert(arguments.end(), {"--robot", run.common.robot_path, "--domain", std::to_string(domain), "--dds",
                                        to_string(run.dds == DdsChoice::kFast ? Vendor::kFast : Vendor::kCyclone)});
-    auto process = FARRIER_TRY(ChildProcess::start(onlooker.name, farrier_command(), arguments,
-                                       run.log_directory + "/" + onlooker.name + ".log"));
-    onlookers.processes_.push_back(std::move(process));
+    onlookers.processes_.push_back(FARRIER_TRY(ChildProcess::start(onlooker.name, farrier_command(), arguments,
+                                                                   run.log_directory + "/" + onlooker.name + ".log")));
     onlookers.stands_still_.push_back(onlooker.stands_still);
   }
   for (std::size_t i = 0; i < onlookers.processes_.size(); ++i) {

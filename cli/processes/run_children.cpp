@@ -61,8 +61,7 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
     if (member.executable.empty()) {
       continue;
     }
-    auto child = FARRIER_TRY(start_child(run, common, member, member.name, member.name, clock));
-    children.push_back(std::move(child));
+    children.push_back(FARRIER_TRY(start_child(run, common, member, member.name, member.name, clock)));
   }
   return children;
 }

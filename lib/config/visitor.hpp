@@ -28,6 +28,11 @@ struct Default {
 template <class T>
 Default(T) -> Default<T>;
 
+/// Marks a parameter that may be left out of the file: the struct's own initialiser is its default. Use Default only where
+/// the default depends on something else.
+struct Initial {};
+inline constexpr Initial kInitial;
+
 /// Marks a group that may be left out because every parameter in it may: the struct's own initialisers then stand.
 struct Defaults {};
 
@@ -75,12 +80,12 @@ const T* find(const Named<T>& items, const std::string& name) noexcept {
 ///
 ///     void declare(config::Visitor& v, Valve& valve) {
 ///       v.number("current_max_A", valve.current_max_A, {1e-4, 1.0}, "Current of the full-open valve.");
-///       v.number("cut_off_Hz", valve.cut_off_Hz, {1, 1e4}, Default{250.0}, "...");
+///       v.number("cut_off_Hz", valve.cut_off_Hz, {1, 1e4}, kInitial, "...");
 ///     }
 ///
 /// Everything else follows from it. The reader checks (reader.hpp), the printer writes (printer.hpp), and the table of
-/// parameters is made from it (reference_table.hpp). A name ends with its unit; a parameter without Default is
-/// required.
+/// parameters is made from it (reference_table.hpp). A name ends with its unit; a parameter without kInitial or
+/// Default is required.
 class Visitor {
  public:
   virtual ~Visitor() = default;
@@ -90,6 +95,9 @@ class Visitor {
   }
   void number(const char* name, double& value, Range range, Default<double> fallback, const char* sentence) {
     visit_number({name, sentence}, value, range, fallback.value);
+  }
+  void number(const char* name, double& value, Range range, Initial, const char* sentence) {
+    visit_number({name, sentence}, value, range, value);
   }
   /// A number that has no value where the file gives none.
   void number(const char* name, std::optional<double>& value, Range range, const char* sentence) {
@@ -104,9 +112,15 @@ class Visitor {
   void integer(const char* name, int& value, Range range, Default<int> fallback, const char* sentence) {
     visit_integer({name, sentence}, value, range, fallback.value);
   }
+  void integer(const char* name, int& value, Range range, Initial, const char* sentence) {
+    visit_integer({name, sentence}, value, range, value);
+  }
   void flag(const char* name, bool& value, const char* sentence) { visit_flag({name, sentence}, value, std::nullopt); }
   void flag(const char* name, bool& value, Default<bool> fallback, const char* sentence) {
     visit_flag({name, sentence}, value, fallback.value);
+  }
+  void flag(const char* name, bool& value, Initial, const char* sentence) {
+    visit_flag({name, sentence}, value, value);
   }
   /// Text that is a name: letters, digits, "_" and "-", at most `longest` characters.
   void name(const char* name, std::string& value, std::size_t longest, const char* sentence) {
@@ -140,6 +154,11 @@ class Visitor {
   void choice(const char* name, E& value, std::span<const Option<E>> options, Default<E> fallback,
               const char* sentence) {
     choose<E>({name, sentence}, value, options, fallback.value);
+  }
+
+  template <class E>
+  void choice(const char* name, E& value, std::span<const Option<E>> options, Initial, const char* sentence) {
+    choose<E>({name, sentence}, value, options, value);
   }
 
   template <class T>

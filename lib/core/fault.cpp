@@ -33,13 +33,13 @@ const char* text_of(Clears clears) noexcept {
   return "?";
 }
 
-std::string text_of(const FaultEvent& event) {
-  if (event.text == nullptr) {
+std::string text_of_event(const FaultInfo& row) {
+  if (row.event_text() == nullptr) {
     return "none";
   }
   const std::string lingers =
-      event.lingers > 0 ? ", present for " + std::to_string(event.lingers) + " ticks after its last" : "";
-  return "`" + std::string(event.text) + "`" + lingers;
+      row.event.lingers > 0 ? ", present for " + std::to_string(row.event.lingers) + " ticks after its last" : "";
+  return "`" + std::string(row.event_text()) + "`" + lingers;
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ std::string safety_table_markdown() {
   for (const FaultInfo& row : rows) {
     table += "| " + std::string(row.condition) + " | `" + row.name + "` | " +
              (row.effect != nullptr ? row.effect : effect_of(row.output)) + " | " + text_of(row.clears) + " | " +
-             to_string(row.severity) + " | " + text_of(row.event) + " |\n";
+             to_string(row.severity) + " | " + text_of_event(row) + " |\n";
   }
   return table;
 }

@@ -42,10 +42,11 @@ enum class FaultSeverity : std::uint8_t { kInfo, kWarning, kError, kCritical };
 
 /// The report of a fault in the joint's events.
 struct FaultEvent {
-  const char* text;  ///< null: none
-  Tick lingers = 0;  ///< the fault counts as present for this many ticks after its last one
+  const char* text = nullptr;  ///< null: the fault's name
+  Tick lingers = 0;            ///< the fault counts as present for this many ticks after its last one
+  bool reported = true;
 };
-inline constexpr FaultEvent kNoEvent{nullptr};
+inline constexpr FaultEvent kNoEvent{nullptr, 0, false};
 
 struct FaultInfo {
   Fault fault;
@@ -55,8 +56,12 @@ struct FaultInfo {
   FaultSeverity severity;
   const char* condition;         ///< Markdown; limits by their names in section `safety` of the robot file
   const char* effect = nullptr;  ///< Markdown; null: the output's
-  FaultEvent event{name};
+  FaultEvent event{};
 
+  /// Text of the fault's event; null for none.
+  constexpr const char* event_text() const noexcept {
+    return event.reported ? (event.text != nullptr ? event.text : name) : nullptr;
+  }
   /// True if a joint with this fault does not do what it is asked. With other faults it does, or waits to be armed.
   constexpr bool failed() const noexcept { return severity >= FaultSeverity::kError; }
   constexpr bool latched() const noexcept { return clears == Clears::kByArming; }

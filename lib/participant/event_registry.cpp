@@ -23,7 +23,7 @@ constexpr std::array kEvents{
     EventSpec{kSupervisorStandsBy, "stands by: another supervisor leads with authority <number>", "supervisor", kWarning, "It led, and has been replaced.", "See why it was silent."},
     EventSpec{kOperatorRequest, "an operator's request: <request>", "supervisor", kWarning, "Somebody has asked for it by `farrier request`.", ""},
     EventSpec{kEstimatesBegin, "estimates from now on", "estimator_service", kInfo, "It hears the joints.", ""},
-    EventSpec{kValveSilent, info_of(Fault::kActuatorSilent).event.text, "sim_bridge", kWarning, "None has come for `safety.valve_silent_s`: the joint's spool is at null.", "See whether its joint_node runs: `farrier topics`."},
+    EventSpec{kValveSilent, info_of(Fault::kActuatorSilent).event_text(), "sim_bridge", kWarning, "None has come for `safety.valve_silent_s`: the joint's spool is at null.", "See whether its joint_node runs: `farrier topics`."},
     EventSpec{kValveHeard, "valve commands heard again", "sim_bridge", kInfo, "The spool follows them.", ""},
     EventSpec{kEstimatesSilent, "estimates silent", "supervisor", kWarning, "None has come for five of their periods: gains stay as they are.", "See whether estimator_service runs, and hears the joints: `farrier topics`."},
     EventSpec{kEstimatesHeard, "estimates heard again", "supervisor", kInfo, "Gains follow them.", ""},

@@ -25,15 +25,15 @@ inline constexpr std::uint16_t kFirstJointNode = info(Program::kJointNode).numbe
 bus::Role role_of(std::uint16_t number, bool stands_by = false) noexcept;
 
 struct Identity {
-  std::string name;               ///< "sim_bridge", "joint_node lf", ...
-  std::string robot;              ///< partition prefix
-  std::uint16_t number = 0;       ///< this participant
-  std::uint16_t participants = 1; ///< of the run, numbered 0..participants-1
+  std::string name;                ///< "sim_bridge", "joint_node lf", ...
+  std::string robot;               ///< partition prefix
+  std::uint16_t number = 0;        ///< this participant
+  std::uint16_t participants = 1;  ///< of the run, numbered 0..participants-1
   std::uint64_t session = 0;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
-  int slow = 1;                   ///< slow motion: factor of the times in DDS QoS
-  int strength = 0;               ///< of its writers of topics that carry authority
-  bool launches = false;          ///< it is the launcher, which starts the robot's processes and listens
+  int slow = 1;           ///< slow motion: factor of the times in DDS QoS
+  int strength = 0;       ///< of its writers of topics that carry authority
+  bool launches = false;  ///< it is the launcher, which starts the robot's processes and listens
 };
 
 /// Newest orders that a process has received from a supervisor.
@@ -81,17 +81,15 @@ class Participant {
       const auto place = std::ranges::find(opened, legs.empty() ? std::string() : legs[i]);
       publisher_of_key.push_back(static_cast<std::size_t>(place - opened.begin()));
       if (place == opened.end()) {
-        auto made = FARRIER_TRY(bus::Publisher<Signal>::create(bus_, endpoint_of(identity_, topic, leg)));
-        publishers.push_back(std::move(made));
+        publishers.push_back(FARRIER_TRY(bus::Publisher<Signal>::create(bus_, endpoint_of(identity_, topic, leg))));
         opened.push_back(legs.empty() ? std::string() : legs[i]);
       }
     }
     auto port = std::make_unique<Out<Signal>>(std::move(publishers), std::move(keys), std::move(publisher_of_key));
     if constexpr (signals::kJournalled<Signal>) {
-      auto journal = FARRIER_TRY(bus::Publisher<signals::SystemJournal>::create(
-          bus_, endpoint_of(identity_, bus::TopicId::kSystemJournal)));
-      port->keep_journal(std::make_unique<StreamJournal>(std::move(journal), identity_.number, topic,
-                                                         identity_.clock));
+      auto journal = FARRIER_TRY(
+          bus::Publisher<signals::SystemJournal>::create(bus_, endpoint_of(identity_, bus::TopicId::kSystemJournal)));
+      port->keep_journal(std::make_unique<StreamJournal>(std::move(journal), identity_.number, topic, identity_.clock));
     }
     Out<Signal>* raw = port.get();
     ports_.push_back(std::move(port));

@@ -113,9 +113,9 @@ std::vector<std::uint16_t> keys_of(const robot::Robot& robot, const participant:
 
 /// True for signals that every process publishes without a port, so that the greeting does not probe them.
 template <class Signal>
-inline constexpr bool kWithoutPorts = std::is_same_v<Signal, signals::SystemHello> ||
-                                      std::is_same_v<Signal, signals::SystemHealth> ||
-                                      std::is_same_v<Signal, signals::SystemEvent>;
+inline constexpr bool kWithoutPorts =
+    std::is_same_v<Signal, signals::SystemHello> || std::is_same_v<Signal, signals::SystemHealth> ||
+    std::is_same_v<Signal, signals::SystemEvent>;
 
 template <class Signal>
 Result<std::unique_ptr<Tap>> take_part(participant::Participant& participant, const robot::Robot& robot) {
@@ -123,9 +123,9 @@ Result<std::unique_ptr<Tap>> take_part(participant::Participant& participant, co
     return watch<Signal>(participant.bus(), robot);
   } else {
     const bool by_leg = bus::spec(bus::TopicOf<Signal>::id).route == bus::Route::kLeg;
-    auto in = FARRIER_TRY(participant.subscribe<Signal>(keys_of<Signal>(robot, participant.identity()),
-                                            by_leg ? robot::legs_of_joints(robot) : std::vector<std::string>{},
-                                            kDepth));
+    auto in = FARRIER_TRY(
+        participant.subscribe<Signal>(keys_of<Signal>(robot, participant.identity()),
+                                      by_leg ? robot::legs_of_joints(robot) : std::vector<std::string>{}, kDepth));
     return std::unique_ptr<Tap>(std::make_unique<TypedTap<Signal, Port<Signal>>>(Port<Signal>{in}));
   }
 }
@@ -168,8 +168,7 @@ Result<Recorder> Recorder::create(bus::Bus& bus, const robot::Robot& robot, cons
     if (!chosen && (!topics.empty() || topic.id == bus::TopicId::kSystemJournal)) {
       continue;
     }
-    auto tap = FARRIER_TRY(kTaps[static_cast<std::size_t>(topic.id)].watch(bus, robot));
-    taps.push_back(std::move(tap));
+    taps.push_back(FARRIER_TRY(kTaps[static_cast<std::size_t>(topic.id)].watch(bus, robot)));
   }
   return Recorder(std::move(taps));
 }
@@ -181,13 +180,10 @@ Result<Recorder> Recorder::of_journals(bus::Bus& bus, const robot::Robot& robot)
       others.push_back(topic.id);
     }
   }
-  auto recorder = create(bus, robot, others);
-  auto journals = bus::Subscription<signals::SystemJournal>::create(
-      bus, leisurely_endpoint(robot, bus::TopicId::kSystemJournal, kJournalDepth));
-  if (!recorder || !journals) {
-    return recorder ? journals.error() : recorder.error();
-  }
-  recorder.value().taps_.push_back(make_journal_tap(std::move(journals).value()));
+  auto recorder = FARRIER_TRY(create(bus, robot, others));
+  auto journals = FARRIER_TRY(bus::Subscription<signals::SystemJournal>::create(
+      bus, leisurely_endpoint(robot, bus::TopicId::kSystemJournal, kJournalDepth)));
+  recorder.taps_.push_back(make_journal_tap(std::move(journals)));
   return recorder;
 }
 
@@ -197,11 +193,10 @@ Result<Recorder> Recorder::of_journals(participant::Participant& participant, co
     if (is_journalled(topic.id) || topic.id == bus::TopicId::kSystemJournal) {
       continue;
     }
-    auto tap = FARRIER_TRY(kTaps[static_cast<std::size_t>(topic.id)].take_part(participant, robot));
-    taps.push_back(std::move(tap));
+    taps.push_back(FARRIER_TRY(kTaps[static_cast<std::size_t>(topic.id)].take_part(participant, robot)));
   }
-  auto journals = FARRIER_TRY(participant.subscribe<signals::SystemJournal>(journalled_streams(participant.identity()), {},
-                                                                  kJournalDepth));
+  auto journals = FARRIER_TRY(
+      participant.subscribe<signals::SystemJournal>(journalled_streams(participant.identity()), {}, kJournalDepth));
   taps.push_back(make_journal_tap(Port<signals::SystemJournal>{journals}));
   return Recorder(std::move(taps));
 }

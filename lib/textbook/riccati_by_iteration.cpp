@@ -32,8 +32,8 @@ Result<RiccatiSolution<N>, RiccatiStatus> solve_dare_by_iteration(const Square<N
   return name_failure<N, 1>(p, RiccatiStatus::kNotConverged);
 }
 
-#define FARRIER_INSTANTIATE(N)                                                                         \
-  template Result<RiccatiSolution<N>, RiccatiStatus> solve_dare_by_iteration<N>(                       \
+#define FARRIER_INSTANTIATE(N)                                                   \
+  template Result<RiccatiSolution<N>, RiccatiStatus> solve_dare_by_iteration<N>( \
       const Square<N>&, const Columns<N, 1>&, const Square<N>&, double, const Columns<N, 1>&, int, double) noexcept;
 FARRIER_FOR_EACH_SIZE(FARRIER_INSTANTIATE)
 #undef FARRIER_INSTANTIATE

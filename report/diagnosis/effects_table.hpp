@@ -6,9 +6,6 @@
 
 namespace farrier::report {
 
-/// Where it sits: "valve and oil", "load", "force sensor", "velocity sensor".
-const char* place_of(plant::Side side) noexcept;
-
 /// Markdown table of every effect with its parameters, for docs/effects.md.
 std::string effects_table_markdown();
 

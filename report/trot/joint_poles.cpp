@@ -6,11 +6,8 @@
 namespace farrier::report {
 
 Result<JointPoles> joint_poles(const robot::Joint& joint, double period_s, int loop_delay_ticks) {
-  const auto stance = supervisor::design_joint(joint, joint.stance_load, period_s, loop_delay_ticks);
-  const auto swing = supervisor::design_joint(joint, joint.swing_load, period_s, loop_delay_ticks);
-  if (!stance || !swing) {
-    return stance ? swing.error() : stance.error();
-  }
+  const auto stance = FARRIER_TRY(supervisor::design_joint(joint, joint.stance_load, period_s, loop_delay_ticks));
+  const auto swing = FARRIER_TRY(supervisor::design_joint(joint, joint.swing_load, period_s, loop_delay_ticks));
   const control::DiscreteModel stance_model = robot::model_of(joint, joint.stance_load, period_s);
   const control::DiscreteModel swing_model = robot::model_of(joint, joint.swing_load, period_s);
   const auto poles = [&](const control::DiscreteModel& model, const control::Gains& gains) {
@@ -19,13 +16,13 @@ Result<JointPoles> joint_poles(const robot::Joint& joint, double period_s, int l
   const auto radius = [&](const control::DiscreteModel& model, const control::Gains& gains) {
     return control::closed_loop_spectral_radius(model, gains, loop_delay_ticks);
   };
-  return JointPoles{.stance_on_stance = poles(stance_model, stance.value()),
-                    .stance_on_swing = poles(swing_model, stance.value()),
-                    .swing_on_stance = poles(stance_model, swing.value()),
-                    .stance_spectral_radius = radius(stance_model, stance.value()),
-                    .swing_spectral_radius = radius(swing_model, swing.value()),
-                    .stance_on_swing_spectral_radius = radius(swing_model, stance.value()),
-                    .swing_on_stance_spectral_radius = radius(stance_model, swing.value())};
+  return JointPoles{.stance_on_stance = poles(stance_model, stance),
+                    .stance_on_swing = poles(swing_model, stance),
+                    .swing_on_stance = poles(stance_model, swing),
+                    .stance_spectral_radius = radius(stance_model, stance),
+                    .swing_spectral_radius = radius(swing_model, swing),
+                    .stance_on_swing_spectral_radius = radius(swing_model, stance),
+                    .swing_on_stance_spectral_radius = radius(stance_model, swing)};
 }
 
 Result<Done> add_spectral_radii(Figures& figures, const robot::Robot& robot, int loop_delay_ticks) {

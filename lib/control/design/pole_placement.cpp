@@ -172,7 +172,8 @@ DesignStatus place(const SmallMatrix& a, const SmallColumn& b, const SmallSpectr
       // (H - z I)(H - z* I) = H^2 - 2 Re z H + |z|^2 I
       const SmallColumn twice = row_times(once, form.h);
       for (Eigen::Index j = 0; j < n; ++j) {
-        row(j) = (twice(j) - 2.0 * poles(i).real() * once(j) + std::norm(poles(i)) * row(j)) / divisor(i) / divisor(i + 1);
+        row(j) =
+            (twice(j) - 2.0 * poles(i).real() * once(j) + std::norm(poles(i)) * row(j)) / divisor(i) / divisor(i + 1);
       }
       ++i;
     }
@@ -221,8 +222,8 @@ std::array<Complex, 6> wanted_poles(const DiscreteModel& model, const PolePlacem
 }
 
 template <int N>
-Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles(
-    const Square<N>& a, const Column<N>& b, const Eigen::Matrix<Complex, N, 1>& poles) noexcept {
+Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles(const Square<N>& a, const Column<N>& b,
+                                                              const Eigen::Matrix<Complex, N, 1>& poles) noexcept {
   SmallColumn k;
   if (const DesignStatus status = place(a, b, poles, k); status != DesignStatus::kSuccessful) {
     return status;
@@ -230,8 +231,8 @@ Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles(
   return Eigen::Matrix<double, 1, N>(k.transpose());
 }
 
-#define FARRIER_INSTANTIATE(N)                                                                            \
-  template Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles<N>(                              \
+#define FARRIER_INSTANTIATE(N)                                               \
+  template Result<Eigen::Matrix<double, 1, N>, DesignStatus> place_poles<N>( \
       const Square<N>&, const Column<N>&, const Eigen::Matrix<Complex, N, 1>&) noexcept;
 FARRIER_FOR_EACH_SIZE(FARRIER_INSTANTIATE)
 #undef FARRIER_INSTANTIATE

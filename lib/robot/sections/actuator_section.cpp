@@ -6,14 +6,15 @@ namespace farrier::robot {
 
 using config::Default;
 using config::Defaults;
+using config::kInitial;
 using config::Option;
 using config::Visitor;
 
 void declare(Visitor& v, Supply& s) {
   v.number("supply_pressure_Pa", s.supply_pressure_Pa, {1e5, 5e7}, "Pressure of the pump at the valves, p_s.");
-  v.number("return_pressure_Pa", s.return_pressure_Pa, {0, 1e7}, Default{0.0}, "Pressure of the reservoir, p_t.");
+  v.number("return_pressure_Pa", s.return_pressure_Pa, {0, 1e7}, kInitial, "Pressure of the reservoir, p_t.");
   v.number("bulk_modulus_Pa", s.bulk_modulus_Pa, {1e7, 5e9}, "Effective bulk modulus of oil and lines, beta_e.");
-  v.number("laminar_pressure_Pa", s.laminar_pressure_Pa, {1, 1e6}, Default{1e5},
+  v.number("laminar_pressure_Pa", s.laminar_pressure_Pa, {1, 1e6}, kInitial,
            "Pressure drop below which an orifice is laminar.");
   v.check(s.return_pressure_Pa < s.supply_pressure_Pa, "return_pressure_Pa", "must be below supply_pressure_Pa");
 }
@@ -44,8 +45,8 @@ void declare(Visitor& v, Cylinder& c) {
   v.number("piston_mass_kg", c.piston_mass_kg, {0, 100}, "Piston and rod, m_p.");
   v.number("piston_damping_Ns_m", c.piston_damping_Ns_m, {0, 1e6}, "Viscous friction of the piston, d_p.");
   v.number("rated_force_N", c.rated_force_N, {1, 1e6}, "Force the cylinder and its mounting are made for.");
-  v.number("velocity_norm_m_s", c.velocity_norm_m_s, {1e-3, 100}, Default{1.2}, "Velocity that counts as 1 (3.52).");
-  v.number("force_norm_N", c.force_norm_N, {1, 1e6}, Default{5000.0}, "Force that counts as 1 (3.52).");
+  v.number("velocity_norm_m_s", c.velocity_norm_m_s, {1e-3, 100}, kInitial, "Velocity that counts as 1 (3.52).");
+  v.number("force_norm_N", c.force_norm_N, {1, 1e6}, kInitial, "Force that counts as 1 (3.52).");
   v.group("stops", c.stops, "Contact at both ends of the stroke.");
   v.group("noise", c.noise, "Sensor noise.");
   v.group("sensors", c.sensors, "How sensors convert and filter; absent, a sample is the truth with its noise.");
@@ -81,8 +82,8 @@ void declare(Visitor& v, Triangle& t) {
 }
 
 void declare(Visitor& v, Direct& d) {
-  v.number("lever", d.lever, {1e-3, 1e3}, Default{1.0}, "Actuator position per joint angle: m/rad, or 1 for a motor.");
-  v.number("zero_angle_rad", d.zero_angle_rad, {-10, 10}, Default{0.0}, "Joint angle at actuator position 0.");
+  v.number("lever", d.lever, {1e-3, 1e3}, kInitial, "Actuator position per joint angle: m/rad, or 1 for a motor.");
+  v.number("zero_angle_rad", d.zero_angle_rad, {-10, 10}, kInitial, "Joint angle at actuator position 0.");
 }
 
 void declare(Visitor& v, LinkageSection& l) {
@@ -95,8 +96,8 @@ void declare(Visitor& v, LinkageSection& l) {
 void declare(Visitor& v, CylinderLoad& l) {
   v.number("mass_kg", l.mass_kg, {0.01, 1000}, "Mass the piston moves, m_l.");
   v.number("damping_Ns_m", l.damping_Ns_m, {0, 1e5}, "Viscous friction of the load, d_l.");
-  v.number("stiffness_N_m", l.stiffness_N_m, {0, 1e7}, Default{0.0}, "Springs against the base, C = k_1 + k_2.");
-  v.number("equilibrium_position_m", l.equilibrium_position_m, {-10, 10}, Default{0.0},
+  v.number("stiffness_N_m", l.stiffness_N_m, {0, 1e7}, kInitial, "Springs against the base, C = k_1 + k_2.");
+  v.number("equilibrium_position_m", l.equilibrium_position_m, {-10, 10}, kInitial,
            "Piston position where those are slack.");
   v.moved("friction",
           "give effects.<joint>.load_friction with coulomb_N, breakaway_ratio (static over Coulomb friction) and "
@@ -158,7 +159,7 @@ void declare(Visitor& v, Controller& c) {
   control::LqrWeights& w = c.design.weights;
   control::PolePlacement& p = c.design.poles;
   control::FeedbackLinearisationGains& f = c.feedback_linearisation;
-  v.choice<control::Kind>("kind", c.kind, kControllerKinds, Default{control::Kind::kLqr},
+  v.choice<control::Kind>("kind", c.kind, kControllerKinds, kInitial,
                           "lqr runs the designs that come over the bus; feedback_linearisation inverts the flow law, "
                           "as HyQ ran it (9.2.5), and takes the last three numbers of this section; pid runs the gains "
                           "of that group; flow_inversion inverts it with the physics that come over the bus. Those "
@@ -173,8 +174,7 @@ void declare(Visitor& v, Controller& c) {
   v.number("force_weight", w.force, {0, 1e6}, "On the force (7.9).");
   v.number("input_weight", w.input, {1e-6, 1e6}, "On the valve current (7.10).");
   v.number("integral_factor", w.integral_factor, {1e-3, 50}, "Multiplies the integral gain at run time, xi (7.11).");
-  v.number("feed_forward_factor", w.feed_forward_factor, {0, 2}, Default{1.0},
-           "Multiplies the feed-forward; 0 is off.");
+  v.number("feed_forward_factor", w.feed_forward_factor, {0, 2}, kInitial, "Multiplies the feed-forward; 0 is off.");
   v.number("pole_bandwidth_rad_s", p.bandwidth_rad_s, {1, 3e3}, Default{p.bandwidth_rad_s},
            "pole_placement: natural frequency of the pair that force and integral share; below pi over the period.");
   v.number("pole_damping", p.damping, {0.1, 5}, Default{p.damping}, "pole_placement: damping of that pair.");

@@ -51,8 +51,8 @@ struct Cylinder {
   double piston_mass_kg = 0.0;
   double piston_damping_Ns_m = 0.0;
   double rated_force_N = 0.0;
-  double velocity_norm_m_s = 0.0;
-  double force_norm_N = 0.0;
+  double velocity_norm_m_s = 1.2;
+  double force_norm_N = 5000.0;
   Stops stops;
   CylinderNoise noise;
   std::optional<SensorSection> sensors;

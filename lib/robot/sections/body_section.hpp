@@ -25,7 +25,7 @@ struct Link {
 
 /// Rigid body of the robot; legs are mirror images of each other, links given for a front left one.
 struct Body {
-  double gravity_m_s2 = 0.0;
+  double gravity_m_s2 = 9.81;
   double trunk_mass_kg = 0.0;
   double hip_offset_m = 0.0;
   double upper_leg_m = 0.0;

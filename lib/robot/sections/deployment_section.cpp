@@ -11,7 +11,7 @@
 namespace farrier::robot {
 namespace {
 
-using config::Default;
+using config::kInitial;
 using config::Option;
 using config::TextRule;
 using config::Visitor;
@@ -39,8 +39,7 @@ bool is_interface(const std::string& text) {
          std::all_of(text.begin(), text.end(), plain);
 }
 
-constexpr TextRule kAddress{"IPv4 address of a computer", is_host_address,
-                            "give four numbers such as 192.168.10.11"};
+constexpr TextRule kAddress{"IPv4 address of a computer", is_host_address, "give four numbers such as 192.168.10.11"};
 constexpr TextRule kInterface{"network interface", is_interface,
                               "give 1 to 15 letters, digits, \"_\", \"-\" or \".\", as `ip link` shows it"};
 
@@ -57,13 +56,14 @@ void declare_cpus(Visitor& v, std::vector<int>& cpus) {
 
 void declare(Visitor& v, DeployedProcess& p) {
   std::array<Option<Program>, kPrograms.size()> programs;
-  std::ranges::transform(kPrograms, programs.begin(),
-                         [](const ProgramInfo& one) { return Option<Program>{one.name, one.program}; });
+  std::ranges::transform(kPrograms, programs.begin(), [](const ProgramInfo& one) {
+    return Option<Program>{one.name, one.program};
+  });
   v.here(p.place);
   v.choice<Program>("program", p.program, programs, "What it runs; gait_source plays the gait section.");
   v.names("joints", p.joints, config::Defaults{}, "Joints a joint_node hosts.");
   declare_cpus(v, p.cpus);
-  v.integer("memory_max_MB", p.memory_max_MB, {32, 65536}, Default{512},
+  v.integer("memory_max_MB", p.memory_max_MB, {32, 65536}, kInitial,
             "Beyond this the kernel ends it: a leak must not take the host with it.");
 }
 
@@ -71,8 +71,8 @@ void declare(Visitor& v, Host& h) {
   v.here(h.place);
   v.text("address", h.address, kAddress, "Address at which the other hosts reach this one.");
   v.text("interface", h.interface, kInterface, "The interface that has it, the only one DDS uses.");
-  v.choice<Vendor>("vendor", h.vendor, kDdsVendors, Default{Vendor::kCyclone}, "DDS vendor of its processes.");
-  v.integer("priority_shift", h.priority_shift, {-39, 15}, Default{0},
+  v.choice<Vendor>("vendor", h.vendor, kDdsVendors, kInitial, "DDS vendor of its processes.");
+  v.integer("priority_shift", h.priority_shift, {-39, 15}, kInitial,
             "Added to every SCHED_FIFO priority of its processes (control loops 80, their buses 60, services 40), to "
             "stand above or below what else the host runs.");
   v.groups("processes", h.processes, kLongestProcess, "Processes it runs, by the name the others see.");
@@ -80,13 +80,13 @@ void declare(Visitor& v, Host& h) {
 
 void declare(Visitor& v, Deployment& d) {
   v.here(d.place);
-  v.integer("domain", d.domain, {0, 232}, Default{0},
+  v.integer("domain", d.domain, {0, 232}, kInitial,
             "DDS domain of the robot; 0 to 100 keep clear of Linux's own ports.");
-  v.integer("session", d.session, {1, 2147483647}, Default{1}, "Session of the run, which `farrier request` names.");
-  v.choice<ClockKind>("clock", d.clock, kClockKinds, Default{ClockKind::kRealtime}, "What paces the robot.");
-  v.choice<Design>("design", d.design, kDesigns, Default{Design::kPhases},
+  v.integer("session", d.session, {1, 2147483647}, kInitial, "Session of the run, which `farrier request` names.");
+  v.choice<ClockKind>("clock", d.clock, kClockKinds, kInitial, "What paces the robot.");
+  v.choice<Design>("design", d.design, kDesigns, kInitial,
                    "What the supervisor's gains are for, as --design of farrier trot.");
-  v.number("watchdog_s", d.watchdog_s, {0.1, 60}, Default{1.0},
+  v.number("watchdog_s", d.watchdog_s, {0.1, 60}, kInitial,
            "A process whose loop stands still for this long is killed and started anew.");
   v.groups("hosts", d.hosts, kLongestName, "Computers, by name.");
 }

@@ -2,7 +2,7 @@
 
 namespace farrier::robot {
 
-using config::Default;
+using config::kInitial;
 using config::Visitor;
 
 void declare(Visitor& v, RotaryStops& stops) {
@@ -27,12 +27,12 @@ void declare(Visitor& v, ElectricActuator& a) {
   v.number("rotor_inertia_kg_m2", a.rotor_inertia_kg_m2, {1e-9, 1}, "Rotor and what turns with it, J.");
   v.number("gear_ratio", a.gear_ratio, {1, 1000}, "Turns of the rotor per turn of the output, N.");
   v.number("damping_Nms_rad", a.damping_Nms_rad, {0, 1e4}, "Viscous friction of rotor and gear, at the output, d_r.");
-  v.number("coulomb_Nm", a.coulomb_Nm, {0, 1e3}, Default{0.0}, "Dry friction of rotor and gear, at the output, T_c.");
-  v.number("slip_velocity_rad_s", a.slip_velocity_rad_s, {1e-4, 10}, Default{0.05},
+  v.number("coulomb_Nm", a.coulomb_Nm, {0, 1e3}, kInitial, "Dry friction of rotor and gear, at the output, T_c.");
+  v.number("slip_velocity_rad_s", a.slip_velocity_rad_s, {1e-4, 10}, kInitial,
            "Speed of the output at which dry friction has 0.7 of its size.");
   v.number("spring_stiffness_Nm_rad", a.spring_stiffness_Nm_rad, {1, 1e6},
            "Spring between gear and load with the torque sensor, k.");
-  v.number("spring_damping_Nms_rad", a.spring_damping_Nms_rad, {0, 1e3}, Default{0.0}, "Its damping, b.");
+  v.number("spring_damping_Nms_rad", a.spring_damping_Nms_rad, {0, 1e3}, kInitial, "Its damping, b.");
   v.number("travel_rad", a.travel_rad, {1e-2, 100}, "Angle from stop to stop.");
   v.number("rated_torque_Nm", a.rated_torque_Nm, {1e-2, 1e5}, "Torque the gear and the spring are made for.");
   v.number("velocity_norm_rad_s", a.velocity_norm_rad_s, {1e-3, 1e3}, "Velocity that counts as 1 (3.52).");
@@ -44,8 +44,8 @@ void declare(Visitor& v, ElectricActuator& a) {
 void declare(Visitor& v, RotaryLoad& l) {
   v.number("inertia_kg_m2", l.inertia_kg_m2, {1e-5, 1e3}, "Inertia the joint moves, m_l.");
   v.number("damping_Nms_rad", l.damping_Nms_rad, {0, 1e4}, "Viscous friction of the load, d_l.");
-  v.number("stiffness_Nm_rad", l.stiffness_Nm_rad, {0, 1e6}, Default{0.0}, "Springs against the base, C.");
-  v.number("equilibrium_position_rad", l.equilibrium_position_rad, {-10, 10}, Default{0.0},
+  v.number("stiffness_Nm_rad", l.stiffness_Nm_rad, {0, 1e6}, kInitial, "Springs against the base, C.");
+  v.number("equilibrium_position_rad", l.equilibrium_position_rad, {-10, 10}, kInitial,
            "Actuator position where those are slack.");
 }
 

@@ -29,7 +29,7 @@ struct ElectricActuator {
   double gear_ratio = 0.0;
   double damping_Nms_rad = 0.0;
   double coulomb_Nm = 0.0;
-  double slip_velocity_rad_s = 0.0;
+  double slip_velocity_rad_s = 0.05;
   double spring_stiffness_Nm_rad = 0.0;
   double spring_damping_Nms_rad = 0.0;
   double travel_rad = 0.0;

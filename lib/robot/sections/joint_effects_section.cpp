@@ -4,58 +4,14 @@
 #include <string>
 #include <string_view>
 
+#include "plant/terms/term_text.hpp"
+
 namespace farrier::robot {
 namespace {
 
 using config::Range;
 using config::Visitor;
 using plant::Parameter;
-using plant::Scale;
-
-const char* text_of(plant::Side side) {
-  switch (side) {
-    case plant::Side::kValveAndOil:
-      return "Effect between the current and the load cell.";
-    case plant::Side::kLoad:
-      return "Effect behind the load cell.";
-    case plant::Side::kForceSensor:
-      return "Effect of the load cell.";
-    case plant::Side::kVelocitySensor:
-      return "Effect of the velocity sensor.";
-  }
-  return "";
-}
-
-/// Unit of a scale's ranges, as text. Empty: the parameter's own unit, the same for every joint.
-std::string text_of(Scale scale) {
-  switch (scale) {
-    case Scale::kOne:
-    case Scale::kSecond:
-    case Scale::kRate:
-      return "";
-    case Scale::kCurrent:
-      return "the valve's current_max_A";
-    case Scale::kForce:
-      return "the supply pressure times the larger area";
-    case Scale::kLength:
-      return "the stroke";
-    case Scale::kSpeed:
-      return "the speed that the full valve gives";
-    case Scale::kLeakage:
-      return "the full valve's flow at supply pressure over that pressure";
-    case Scale::kDroop:
-      return "the supply pressure over the full valve's flow at it";
-    case Scale::kMass:
-      return "the mass or inertia of the swing load";
-    case Scale::kDamping:
-      return "the damping of the swing load, or a hundredth of full push over full speed";
-    case Scale::kStiffness:
-      return "the stiffness of the swing load, or a fifth of full push over stroke";
-    case Scale::kCubic:
-      return "the stiffness of the swing load, or a fifth of full push over stroke, over the stroke's square";
-  }
-  return "";
-}
 
 std::string fallback_text(const Parameter& p, bool first, const std::string& scale) {
   if (first) {
@@ -76,7 +32,7 @@ void declare(Visitor& v, EffectSection& effect) {
   const plant::EffectInfo& info = plant::effect_info(effect.id);
   for (std::size_t i = 0; i < info.parameters.size(); ++i) {
     const Parameter& p = info.parameters[i];
-    const std::string scale = text_of(p.scale);
+    const std::string scale = plant::text_of(p.scale).phrase;
     const plant::ParameterRange allowed = p.multiples();
     std::string sentence = p.meaning;
     if (!scale.empty()) {
@@ -97,7 +53,7 @@ void declare(Visitor& v, JointEffectsSection& joint) {
   for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
     const plant::EffectInfo& info = plant::effect_info(id);
     v.group(info.name, joint.effects[id], EffectSection{.id = id, .values = {}, .rotary_values = {}, .place = {}},
-            text_of(info.side));
+            plant::text_of(info.side).sentence);
   }
 }
 

@@ -5,7 +5,7 @@
 namespace farrier::robot {
 namespace {
 
-using config::Default;
+using config::kInitial;
 using config::Visitor;
 
 std::string interval_text(const Interval& interval) {
@@ -29,7 +29,7 @@ void declare_interval(Visitor& v, const char* name, Interval& interval, config::
 void declare(Visitor& v, VariationSection& section) {
   Variation& d = section.params;
   v.here(section.place);
-  v.number("body_mass_kg", d.body_mass_kg, {0, 1e4}, Default{0.0},
+  v.number("body_mass_kg", d.body_mass_kg, {0, 1e4}, kInitial,
            "Mass of the whole robot, trunk and legs, in every draw; 0 is what the body section adds up to.");
   declare_interval(v, "stance_mass_kg", d.stance_mass_kg, {0.01, 1000},
                    "Stance load of a cylinder whose load grows in stance, each joint its own.");

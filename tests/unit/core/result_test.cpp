@@ -49,6 +49,19 @@ TEST(Result, CountsTheValueOfARefusalAsABug) {
   EXPECT_DEATH(static_cast<void>(checked(-1).value()), "value\\(\\) of a refused Result");
 }
 
+TEST(Result, PrintsTheErrorBehindAValueThatWasRefused) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const Result<int> result = Error{"robots/x.yaml is not there"};
+  EXPECT_DEATH(static_cast<void>(result.value()), "value\\(\\) of a refused Result: robots/x.yaml is not there");
+}
+
+TEST(Result, GoesOnWithTheValueOrKeepsTheRefusal) {
+  const auto half = [](int value) -> Result<double, Refusal> { return 0.5 * value; };
+  EXPECT_EQ(checked(3).and_then(half).value(), 1.5);
+  EXPECT_EQ(checked(10).and_then(half).error(), Refusal::kTooLarge);
+  EXPECT_EQ(checked(3).and_then([](int value) { return checked(value - 4); }).error(), Refusal::kTooSmall);
+}
+
 TEST(Result, CountsTheErrorOfASuccessAsABug) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   EXPECT_DEATH(static_cast<void>(checked(1).error()), "error\\(\\) of a successful Result");
@@ -57,7 +70,8 @@ TEST(Result, CountsTheErrorOfASuccessAsABug) {
 TEST(Ensure, NamesTheConditionAndThePlace) {
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const int joints = 0;
-  EXPECT_DEATH(FARRIER_ENSURE(joints > 0, "a robot has joints"), "bug: a robot has joints \\(joints > 0\\) at .*result_test");
+  EXPECT_DEATH(FARRIER_ENSURE(joints > 0, "a robot has joints"),
+               "bug: a robot has joints \\(joints > 0\\) at .*result_test");
 }
 
 }  // namespace result_test
