@@ -1,6 +1,6 @@
 // estimator_service: joint/measurement ──▶ one estimator per joint ──▶ joint/model_estimate
 
-#include "estimator_service/ports.hpp"
+#include "participant/plain_processes.hpp"
 #include "process/process.hpp"
 
 int main(int argc, char** argv) {

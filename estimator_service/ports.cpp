@@ -1,4 +1,4 @@
-#include "estimator_service/ports.hpp"
+#include "participant/plain_processes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,8 @@ class EstimatorApplication final : public participant::Application {
   EstimatorApplication(const robot::Robot& robot, EstimatorService service, std::vector<std::uint16_t> joints,
                        participant::In<signals::JointMeasurement>* measurements,
                        participant::Out<signals::JointModelEstimate>* estimates,
-                       participant::Out<signals::JointModelEstimateCopy>* copies,
-                       participant::Participant& participant, Tick ticks)
+                       participant::Out<signals::JointModelEstimateCopy>* copies, participant::Participant& participant,
+                       Tick ticks)
       : robot_(robot),
         service_(std::move(service)),
         measurements_(measurements),
@@ -132,7 +132,8 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
                                                                      participant::Participant& participant,
                                                                      Tick ticks) {
   const bool lockstep = participant.identity().clock == bus::ClockKind::kLockstep;
-  auto service = FARRIER_TRY(EstimatorService::create(robot, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime));
+  auto service =
+      FARRIER_TRY(EstimatorService::create(robot, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime));
   const std::vector<std::uint16_t> joints = robot::joint_numbers(robot);
   auto measurements = FARRIER_TRY(participant.subscribe<signals::JointMeasurement>(joints));
   auto estimates = FARRIER_TRY(participant.publish<signals::JointModelEstimate>(joints));

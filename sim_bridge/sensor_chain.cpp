@@ -1,11 +1,44 @@
 #include "sim_bridge/sensor_chain.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 
 namespace farrier::sim_bridge {
 namespace {
+
+/// A simulated joint, as channels see it.
+struct Truth {
+  plant::JointReadings read;
+  const plant::HydraulicJoint* hydraulic;  ///< null for an electric joint
+};
+
+/// Declaration of one channel.
+struct Row {
+  const char* name;  ///< addresses the channel's noise
+  double Measured::*value;
+  double signals::JointSensors::*field;
+  double (*truth)(const Truth& joint);
+  double (*noise)(const robot::Joint& joint);      ///< standard deviation of a conversion
+  control::LowPassParams robot::Sensors::*filter;  ///< at the tick; null: none
+  double robot::Sensors::*step;                    ///< resolution; null: none
+};
+
+constexpr std::array<Row, kChannels> kRows{{
+    {"position", &Measured::position, &signals::JointSensors::position_m_or_rad,
+     [](const Truth& joint) { return joint.read.position; },
+     [](const robot::Joint& joint) { return joint.noise.position; }, &robot::Sensors::position,
+     &robot::Sensors::position_step},
+    {"velocity", &Measured::velocity, &signals::JointSensors::velocity_m_s_or_rad_s,
+     [](const Truth& joint) { return joint.read.velocity; },
+     [](const robot::Joint& joint) { return joint.noise.velocity; }, &robot::Sensors::velocity, nullptr},
+    {"force", &Measured::force, &signals::JointSensors::force_N_or_Nm,
+     [](const Truth& joint) { return joint.read.load_cell_force; },
+     [](const robot::Joint& joint) { return joint.noise.force; }, &robot::Sensors::force, nullptr},
+}};
+static_assert(std::ranges::all_of(kRows, [](const Row& row) { return row.name != nullptr; }),
+              "each member of Measured needs a row");
 
 bool is_filter(const control::FilterCoefficients& c) noexcept {
   return c.b[0] != 1.0 || c.b[1] != 0.0 || c.b[2] != 0.0 || c.a[0] != 0.0 || c.a[1] != 0.0;
@@ -59,9 +92,27 @@ Measured SensorEffects::read(const Measured& truth) noexcept {
   if (!any_) {
     return truth;
   }
+  Measured read = truth;
   plant::ForceMoment<double> cell{truth.force};
   terms_.on_force(cell);
-  return {truth.position, terms_.on_velocity(truth.velocity), cell.force};
+  read.velocity = terms_.on_velocity(truth.velocity);
+  read.force = cell.force;
+  return read;
+}
+
+Measured truth_of(const plant::Joint& joint) noexcept {
+  const Truth seen{joint.readings(), joint.hydraulic()};
+  Measured truth;
+  for (const Row& row : kRows) {
+    truth.*row.value = row.truth(seen);
+  }
+  return truth;
+}
+
+void put(const Measured& sample, signals::JointSensors& sensors) noexcept {
+  for (const Row& row : kRows) {
+    sensors.*row.field = sample.*row.value;
+  }
 }
 
 Result<SensorChain> SensorChain::create(const robot::Joint& joint, double period_s, std::uint64_t seed) {
@@ -70,27 +121,26 @@ Result<SensorChain> SensorChain::create(const robot::Joint& joint, double period
     return Error{"sensors: oversampling must be at least 1 and the period above 0"};
   }
   const auto anti_alias = control::design_low_pass(s.anti_alias, s.oversampling / period_s);
-  const auto position = control::design_low_pass(s.position, 1.0 / period_s);
-  const auto velocity = control::design_low_pass(s.velocity, 1.0 / period_s);
-  const auto force = control::design_low_pass(s.force, 1.0 / period_s);
-  if (!anti_alias || !position || !velocity || !force) {
-    return Error{"sensors: a filter's cut-off must be 0 or within 0.45 of its sampling rate, its order 1 or 2 and its "
-                 "damping positive"};
+  std::vector<SensorChannel> channels;
+  for (const Row& row : kRows) {
+    const auto filter =
+        control::design_low_pass(row.filter != nullptr ? s.*row.filter : control::LowPassParams{}, 1.0 / period_s);
+    if (!anti_alias || !filter) {
+      return Error{
+          "sensors: a filter's cut-off must be 0 or within 0.45 of its sampling rate, its order 1 or 2 and its "
+          "damping positive"};
+    }
+    channels.push_back(SensorChannel({row.noise(joint), NoiseStream(seed, joint.name, row.name), *anti_alias, *filter,
+                                      row.step != nullptr ? s.*row.step : 0.0}));
   }
-  const auto channel = [&](double noise, const char* name, const control::FilterCoefficients& filter, double step) {
-    return SensorChannel({noise, NoiseStream(seed, joint.name, name), *anti_alias, filter, step});
-  };
-  return SensorChain({channel(joint.noise.position, "position", *position, s.position_step),
-                      channel(joint.noise.velocity, "velocity", *velocity, 0.0),
-                      channel(joint.noise.force, "force", *force, 0.0)},
-                     SensorEffects(joint, period_s / s.oversampling), s.oversampling);
+  return SensorChain(std::move(channels), SensorEffects(joint, period_s / s.oversampling), s.oversampling);
 }
 
 void SensorChain::begin(const Measured& truth) noexcept {
   const Measured read = effects_.read(truth);
-  channels_[0].settle(read.position);
-  channels_[1].settle(read.velocity);
-  channels_[2].settle(read.force);
+  for (std::size_t i = 0; i < kChannels; ++i) {
+    channels_[i].settle(read.*kRows[i].value);
+  }
   for (int i = 0; i < conversions_; ++i) {
     convert(truth, 0, i);
   }
@@ -99,11 +149,12 @@ void SensorChain::begin(const Measured& truth) noexcept {
 void SensorChain::convert(const Measured& truth, Tick tick, int index) noexcept {
   const Tick number = tick * conversions_ + index;
   const Measured read = effects_.read(truth);
-  channels_[0].convert(read.position, number, index);
-  channels_[1].convert(read.velocity, number, index);
-  channels_[2].convert(read.force, number, index);
-  if (index == conversions_ - 1) {
-    sample_ = {channels_[0].sample(conversions_), channels_[1].sample(conversions_), channels_[2].sample(conversions_)};
+  const bool last = index == conversions_ - 1;
+  for (std::size_t i = 0; i < kChannels; ++i) {
+    channels_[i].convert(read.*kRows[i].value, number, index);
+    if (last) {
+      sample_.*kRows[i].value = channels_[i].sample(conversions_);
+    }
   }
 }
 

@@ -7,32 +7,45 @@
 //
 // Effects are those of the joint that lie in its load cell (lag, gain, offset) and its velocity sensor (lag).
 
-#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
 
 #include "control/law/low_pass.hpp"
 #include "core/noise.hpp"
 #include "core/result.hpp"
+#include "plant/joint.hpp"
 #include "plant/terms/active_effect.hpp"
 #include "robot/robot.hpp"
+#include "signals/signals.hpp"
 
 namespace farrier::sim_bridge {
 
-/// Position, velocity and force of a joint, in actuator coordinates.
+/// One number per channel of a joint, in actuator coordinates. Each member has a row in sensor_chain.cpp, which declares
+/// the channel.
 struct Measured {
   double position = 0.0;
   double velocity = 0.0;
   double force = 0.0;
 };
 
+inline constexpr std::size_t kChannels = sizeof(Measured) / sizeof(double);
+
+/// Returns the true values that a joint's sensors measure.
+Measured truth_of(const plant::Joint& joint) noexcept;
+
+/// Writes a sample into the fields of its channels; the other fields are left unchanged.
+void put(const Measured& sample, signals::JointSensors& sensors) noexcept;
+
 /// One channel.
 class SensorChannel {
  public:
   struct Parts {
-    double noise;                             ///< standard deviation of a conversion
+    double noise;  ///< standard deviation of a conversion
     NoiseStream stream;
-    control::FilterCoefficients anti_alias;   ///< at the rate of conversions
-    control::FilterCoefficients filter;       ///< at the rate of ticks
-    double step;                              ///< resolution; 0: none
+    control::FilterCoefficients anti_alias;  ///< at the rate of conversions
+    control::FilterCoefficients filter;      ///< at the rate of ticks
+    double step;                             ///< resolution; 0: none
   };
   explicit SensorChannel(const Parts& parts) noexcept;
 
@@ -81,10 +94,10 @@ class SensorChain {
   const Measured& sample() const noexcept { return sample_; }
 
  private:
-  SensorChain(const std::array<SensorChannel, 3>& channels, const SensorEffects& effects, int conversions) noexcept
-      : channels_(channels), effects_(effects), conversions_(conversions) {}
+  SensorChain(std::vector<SensorChannel> channels, const SensorEffects& effects, int conversions) noexcept
+      : channels_(std::move(channels)), effects_(effects), conversions_(conversions) {}
 
-  std::array<SensorChannel, 3> channels_;
+  std::vector<SensorChannel> channels_;  // in the order of the rows
   SensorEffects effects_;
   int conversions_;
   Measured sample_;

@@ -21,8 +21,8 @@ Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed,
     if (!sensors) {
       return Error{joint.name + ": " + sensors.error().message};
     }
-    world.joints_.push_back({joint, std::move(plant).value(), std::move(sensors).value(), gait::Phase::kStance, 0.0,
-                             false});
+    world.joints_.push_back(
+        {joint, std::move(plant).value(), std::move(sensors).value(), gait::Phase::kStance, 0.0, false});
   }
   for (const robot::LoadChange& change : load_changes) {
     if (change.joint >= world.joints_.size()) {
@@ -39,7 +39,7 @@ Result<SimWorld> SimWorld::create(const robot::Robot& robot, std::uint64_t seed,
   world.load_changes_ = std::move(load_changes);
   world.apply_loads();
   for (Joint& joint : world.joints_) {
-    joint.sensors.begin(truth(joint));
+    joint.sensors.begin(truth_of(joint.plant));
   }
   return world;
 }
@@ -92,20 +92,12 @@ void SimWorld::apply_loads() noexcept {
   }
 }
 
-Measured SimWorld::truth(const Joint& joint) noexcept {
-  const plant::JointReadings read = joint.plant.readings();
-  return {read.position, read.velocity, read.load_cell_force};
-}
-
 signals::JointSensors SimWorld::sample(std::size_t index) const noexcept {
   const Joint& joint = joints_[index];
-  const Measured& measured = joint.sensors.sample();
   signals::JointSensors sensors;
   sensors.joint = joint.parameters.number;
   sensors.tick = tick_;
-  sensors.position_m_or_rad = measured.position;
-  sensors.velocity_m_s_or_rad_s = measured.velocity;
-  sensors.force_N_or_Nm = measured.force;
+  put(joint.sensors.sample(), sensors);
   return sensors;
 }
 
@@ -137,7 +129,7 @@ void SimWorld::step(Joint& joint, double valve_current_A) noexcept {
     worst_.substeps = std::max(worst_.substeps, report.substeps);
     worst_.bound_hit = worst_.bound_hit || report.bound_hit;
     if (part + 1 < parts) {
-      joint.sensors.convert(truth(joint), tick_ + 1, part);
+      joint.sensors.convert(truth_of(joint.plant), tick_ + 1, part);
     }
   }
 }
@@ -149,7 +141,7 @@ void SimWorld::advance(const std::vector<double>& valve_current_A) noexcept {
   ++tick_;
   apply_loads();
   for (Joint& joint : joints_) {
-    joint.sensors.convert(truth(joint), tick_, joint.sensors.conversions() - 1);
+    joint.sensors.convert(truth_of(joint.plant), tick_, joint.sensors.conversions() - 1);
   }
 }
 

@@ -4,7 +4,7 @@
 //
 //   valve currents ──▶ plant::Joint ◀── load by phase or load change, weight
 //                            │ with its effects
-//                            │ position, velocity, load-cell force
+//                            │ truth of each channel
 //                            ▼
 //   sensors ◀── SensorChain: effects of sensors, noise (seeded by joint name, addressed by tick), filters.
 //
@@ -63,7 +63,6 @@ class SimWorld {
   SimWorld(const robot::Robot& robot, std::uint64_t seed);
   void apply_loads() noexcept;
   void step(Joint& joint, double valve_current_A) noexcept;
-  static Measured truth(const Joint& joint) noexcept;
   void apply_load_changes() noexcept;
 
   gait::RobotPlan plan_;

@@ -41,14 +41,15 @@ Result<BarePorts> BarePorts::open(const robot::Robot& robot, const std::vector<s
     case participant::kEstimatorService:
       take(ports.measurements, member.subscribe<JointMeasurement>(ports.joints));
       break;
-    case participant::kSupervisor:
-      take(ports.clock, member.subscribe<ClockTick>({0}));
-      break;
     case participant::kGaitSource:
       take(ports.clock, member.subscribe<ClockTick>({0}));
       take(ports.commands_out, member.publish<JointCommand>(ports.joints, legs));
       break;
     default:
+      if (member.identity().number < participant::kFirstJointNode) {
+        take(ports.clock, member.subscribe<ClockTick>({0}));
+        break;
+      }
       take(ports.sensors, member.subscribe<JointSensors>(ports.joints, legs));
       take(ports.commands, member.subscribe<JointCommand>(ports.joints, legs));
       take(ports.valves_out, member.publish<JointValveCommand>(ports.joints));

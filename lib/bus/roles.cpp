@@ -4,13 +4,17 @@ namespace farrier::bus {
 
 const char* to_string(Role role) noexcept {
   switch (role) {
-#define FARRIER_PROCESS(constant, program, number, needed) \
-  case Role::constant: return #program;
+#define FARRIER_PROCESS(constant, program, number, needed, made) \
+  case Role::constant:                                           \
+    return #program;
 #include "core/processes.def"
 #undef FARRIER_PROCESS
-    case Role::kLauncher: return "launcher";
-    case Role::kOperator: return "operator";
-    case Role::kMonitor: return "monitor";
+    case Role::kLauncher:
+      return "launcher";
+    case Role::kOperator:
+      return "operator";
+    case Role::kMonitor:
+      return "monitor";
   }
   return "unknown role";
 }

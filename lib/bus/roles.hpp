@@ -11,7 +11,7 @@ namespace farrier::bus {
 
 /// Decides which topics a process may write. The first roles are the programs of core/processes.def.
 enum class Role : std::uint8_t {
-#define FARRIER_PROCESS(constant, program, number, needed) constant,
+#define FARRIER_PROCESS(constant, program, number, needed, made) constant,
 #include "core/processes.def"
 #undef FARRIER_PROCESS
   kLauncher,  ///< starts the processes of a run on one computer, and listens to it
@@ -21,7 +21,7 @@ enum class Role : std::uint8_t {
 
 /// Every role, in order.
 inline constexpr std::array kRoles{
-#define FARRIER_PROCESS(constant, program, number, needed) Role::constant,
+#define FARRIER_PROCESS(constant, program, number, needed, made) Role::constant,
 #include "core/processes.def"
 #undef FARRIER_PROCESS
     Role::kLauncher, Role::kOperator, Role::kMonitor};
@@ -37,6 +37,12 @@ class RoleSet {
       bits_ |= bit(role);
     }
   }
+  /// The roles of this set without one.
+  constexpr RoleSet without(Role role) const noexcept {
+    RoleSet rest = *this;
+    rest.bits_ &= ~bit(role);
+    return rest;
+  }
   constexpr bool contains(Role role) const noexcept { return (bits_ & bit(role)) != 0; }
   friend constexpr bool operator==(RoleSet, RoleSet) = default;
 
@@ -47,8 +53,11 @@ class RoleSet {
 };
 
 /// Those that take part in a run.
-inline constexpr RoleSet kParticipantRoles{Role::kSimBridge, Role::kEstimatorService, Role::kSupervisor,
-                                           Role::kGaitSource, Role::kJointNode,        Role::kLauncher};
+inline constexpr RoleSet kParticipantRoles{
+#define FARRIER_PROCESS(constant, program, number, needed, made) Role::constant,
+#include "core/processes.def"
+#undef FARRIER_PROCESS
+    Role::kLauncher};
 
 /// For people: the roles' names, or "all" for those that take part in a run.
 std::string to_string(RoleSet roles);

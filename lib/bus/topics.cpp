@@ -47,8 +47,7 @@ constexpr int kEventsLockstep = 1000;
   }
 
 // All but the clock itself.
-constexpr RoleSet kTickers{Role::kEstimatorService, Role::kSupervisor, Role::kGaitSource, Role::kJointNode,
-                           Role::kLauncher};
+constexpr RoleSet kTickers = kParticipantRoles.without(Role::kSimBridge);
 
 constexpr RoleSet kRequesters{Role::kOperator, Role::kLauncher};
 

@@ -7,7 +7,7 @@ namespace farrier {
 
 /// The programs of a robot's processes, as core/processes.def lists them.
 enum class Program : std::uint8_t {
-#define FARRIER_PROCESS(constant, program, number, needed) constant,
+#define FARRIER_PROCESS(constant, program, number, needed, made) constant,
 #include "core/processes.def"
 #undef FARRIER_PROCESS
 };
@@ -20,7 +20,8 @@ struct ProgramInfo {
 };
 
 inline constexpr std::array kPrograms{
-#define FARRIER_PROCESS(constant, program, number, needed) ProgramInfo{Program::constant, #program, number, needed},
+#define FARRIER_PROCESS(constant, program, number, needed, made) \
+  ProgramInfo{Program::constant, #program, number, needed},
 #include "core/processes.def"
 #undef FARRIER_PROCESS
 };

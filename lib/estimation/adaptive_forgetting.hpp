@@ -25,6 +25,14 @@ class AdaptiveForgetting : public Regression<N> {
                                            double covariance_limit, const Eigen::Vector3d& noise_variance,
                                            const Parameters& theta0 = Parameters::Zero());
 
+  /// Its method, and create() with the settings of a joint's estimator; `noise_variance` is the sensors', normalised.
+  static constexpr EstimationMethod kMethod = EstimationMethod::kAff;
+  static Result<AdaptiveForgetting> of(const EstimatorParams& params, const Eigen::Vector3d& noise_variance,
+                                       const Parameters& theta0) {
+    return create(params.aff.value_or(AdaptiveForgettingParams{}), params.initial_covariance, params.covariance_limit,
+                  noise_variance, theta0);
+  }
+
   /// Takes one sample, which has been multiplied by `weight` > 0 (and its noise with it).
   RlsStatus update(const Regressor& h, const Eigen::Vector3d& y, double weight = 1.0) noexcept;
 
@@ -40,8 +48,8 @@ class AdaptiveForgetting : public Regression<N> {
 
   AdaptiveForgettingParams params_;
   double covariance_limit_;
-  Eigen::Array3d noise_floor_;                              // c_1 sigma_v^2
-  Eigen::Array3d error_power_ = Eigen::Array3d::Zero();     // sigma_k of (9.2)
+  Eigen::Array3d noise_floor_;                           // c_1 sigma_v^2
+  Eigen::Array3d error_power_ = Eigen::Array3d::Zero();  // sigma_k of (9.2)
   std::array<UdFactors<N>, 3> p_;
 };
 

@@ -4,6 +4,7 @@
 // excitation and without a limit imposed on it. Bounds and their proofs: docs/derivations/directional-forgetting.md.
 
 #include "core/result.hpp"
+#include "estimation/estimator_params.hpp"
 #include "estimation/regression.hpp"
 
 namespace farrier::estimation {
@@ -14,6 +15,13 @@ struct DirectionalParams {
   double initial_covariance = 1e5;   ///< diagonal of the first P, [1e-40, 1e40]
   double excitation_min = 1e-3;      ///< epsilon: excitation threshold of a regressor, [1e-20, 1e20]
 };
+
+/// Settings of a joint's estimator.
+inline DirectionalParams directional_params_of(const EstimatorParams& params, double excitation_min) noexcept {
+  return {.forgetting_factor = params.forgetting_factor,
+          .initial_covariance = params.initial_covariance,
+          .excitation_min = excitation_min};
+}
 
 /// Common part of both methods: the information matrix R = P^-1 and least squares in its terms. N = 3..5.
 template <int N>
@@ -56,7 +64,14 @@ class VariableDirection : public InformationFilter<N> {
   using typename InformationFilter<N>::Parameters;
   using typename InformationFilter<N>::Covariance;
 
-  static Result<VariableDirection> create(const DirectionalParams& params, const Parameters& theta0 = Parameters::Zero());
+  static Result<VariableDirection> create(const DirectionalParams& params,
+                                          const Parameters& theta0 = Parameters::Zero());
+
+  /// Its method, and create() with the settings of a joint's estimator; `noise_variance` is the sensors', normalised.
+  static constexpr EstimationMethod kMethod = EstimationMethod::kVdf;
+  static Result<VariableDirection> of(const EstimatorParams& params, const Eigen::Vector3d&, const Parameters& theta0) {
+    return create(directional_params_of(params, params.vdf.value_or(VariableDirectionParams{}).excitation_min), theta0);
+  }
 
   RlsStatus update(const Regressor& h, const Eigen::Vector3d& y) noexcept;
 
@@ -76,6 +91,13 @@ class SubspaceOfInformation : public InformationFilter<N> {
 
   static Result<SubspaceOfInformation> create(const DirectionalParams& params,
                                               const Parameters& theta0 = Parameters::Zero());
+
+  /// Its method, and create() with the settings of a joint's estimator; `noise_variance` is the sensors', normalised.
+  static constexpr EstimationMethod kMethod = EstimationMethod::kSift;
+  static Result<SubspaceOfInformation> of(const EstimatorParams& params, const Eigen::Vector3d&,
+                                          const Parameters& theta0) {
+    return create(directional_params_of(params, params.sift.value_or(SubspaceParams{}).excitation_min), theta0);
+  }
 
   RlsStatus update(const Regressor& h, const Eigen::Vector3d& y) noexcept;
 

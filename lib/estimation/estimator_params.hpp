@@ -2,12 +2,19 @@
 
 #include <optional>
 
+#include "core/choice.hpp"
 #include "estimation/grey_box_params.hpp"
 
 namespace farrier::estimation {
 
 /// Method that learns the model. docs/estimators.md compares the methods and says when to choose which.
 enum class EstimationMethod { kRls, kAff, kKalman, kIv, kVdf, kSift, kGreyBox };
+
+/// Every method, by its name in a robot file.
+inline constexpr Option<EstimationMethod> kEstimationMethods[] = {
+    {"rls", EstimationMethod::kRls},        {"aff", EstimationMethod::kAff}, {"kalman", EstimationMethod::kKalman},
+    {"iv", EstimationMethod::kIv},          {"vdf", EstimationMethod::kVdf}, {"sift", EstimationMethod::kSift},
+    {"greybox", EstimationMethod::kGreyBox}};
 
 /// Test that decides if a sample may teach.
 enum class GateKind { kNone, kPe, kFft };
@@ -41,9 +48,9 @@ struct PersistenceParams {
 
 /// fft: Hubacher (2014), (9.5).
 struct SpectrumParams {
-  int window_ticks = 64;          ///< N, 8..1024, even
-  double magnitude_min = 1e-3;    ///< M_min, of an amplitude of a normalised signal, > 0
-  int frequencies_min = 6;        ///< f_min: number of the N/2 - 1 frequencies of all signals that must exceed it
+  int window_ticks = 64;        ///< N, 8..1024, even
+  double magnitude_min = 1e-3;  ///< M_min, of an amplitude of a normalised signal, > 0
+  int frequencies_min = 6;      ///< f_min: number of the N/2 - 1 frequencies of all signals that must exceed it
 };
 
 /// Settings of one joint's estimator. It is recursive (Hubacher 2014, 6.1-6.2) and works on normalised states and
@@ -56,16 +63,16 @@ struct EstimatorParams {
   bool bias = true;                  ///< a constant in the regressor, for forces no state explains
   bool position = true;              ///< the position in the regressor; a joint without a spring does not need it
   double operating_point_time_constant_s = 0.006;  ///< of the moving mean that is subtracted, >= a period
-  int operating_point_order = 2;     ///< times it is subtracted, 0..4; 0: the home pose is subtracted instead
-  double full_weight_norm = 0.006;   ///< norm up to which a regressor has full weight, > 0; larger ones are scaled to it
+  int operating_point_order = 2;    ///< times it is subtracted, 0..4; 0: the home pose is subtracted instead
+  double full_weight_norm = 0.006;  ///< norm up to which a regressor has full weight, > 0; larger ones are scaled to it
   double innovation_forgetting = 0.9;  ///< of the prediction errors' variance, which weighs states against sensors
-  double initial_covariance = 1e5;   ///< of every parameter
-  double covariance_limit = 1e6;     ///< of the covariance's trace (6.23); 1e40: none. vdf and sift need none
-  double regressor_min = 0.0;        ///< norm below which a sample is left out (6.24)
-  int blank_ticks = 22;              ///< no samples this long after a switch of phase
-  int min_samples = 40;              ///< before the first estimate of a phase
-  double stability_limit = 0.9999;   ///< modulus to which an unstable pole of an estimate is mapped (8.1.1)
-  bool phase_memory = true;          ///< each phase has its own memory
+  double initial_covariance = 1e5;     ///< of every parameter
+  double covariance_limit = 1e6;       ///< of the covariance's trace (6.23); 1e40: none. vdf and sift need none
+  double regressor_min = 0.0;          ///< norm below which a sample is left out (6.24)
+  int blank_ticks = 22;                ///< no samples this long after a switch of phase
+  int min_samples = 40;                ///< before the first estimate of a phase
+  double stability_limit = 0.9999;     ///< modulus to which an unstable pole of an estimate is mapped (8.1.1)
+  bool phase_memory = true;            ///< each phase has its own memory
   std::optional<AdaptiveForgettingParams> aff;  ///< of the method and the gate chosen; absent: its defaults
   std::optional<RandomWalkParams> kalman;
   std::optional<VariableDirectionParams> vdf;

@@ -20,6 +20,13 @@ class InstrumentalVariable : public Regression<N> {
   /// Forgetting and covariance as in RlsParams, whose regressor_min must be 0. Refuses settings out of range by name.
   static Result<InstrumentalVariable> create(const RlsParams& params, const Parameters& theta0 = Parameters::Zero());
 
+  /// Its method, and create() with the settings of a joint's estimator; `noise_variance` is the sensors', normalised.
+  static constexpr EstimationMethod kMethod = EstimationMethod::kIv;
+  static Result<InstrumentalVariable> of(const EstimatorParams& params, const Eigen::Vector3d&,
+                                         const Parameters& theta0) {
+    return create(rls_params_of(params), theta0);
+  }
+
   /// Takes one sample. The instrument is replaced by h if it is not finite, much larger than the regressor, or would
   /// remove information (h'P xi < 0). The sample is then a least-squares one, and instrument_refused() is true. If h
   /// removes information too, P has become meaningless and is reset.

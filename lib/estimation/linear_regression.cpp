@@ -1,5 +1,9 @@
 #include "estimation/linear_regression.hpp"
 
+#include <string>
+#include <type_traits>
+#include <utility>
+
 namespace farrier::estimation {
 namespace {
 
@@ -16,56 +20,36 @@ Eigen::Matrix<double, 3, N> first_estimate(bool position, const Eigen::Matrix3d&
   return theta;
 }
 
-template <class Engine>
-Result<LinearRegression> any(Result<Engine> engine) {
-  if (!engine) {
-    return engine.error();
-  }
-  return LinearRegression(std::move(engine).value());
-}
-
-template <int N>
-Result<LinearRegression> make(const EstimatorParams& params, const Eigen::Vector3d& noise_variance,
-                              const Eigen::Matrix3d& a, const Eigen::Vector3d& b) {
-  const auto theta = first_estimate<N>(params.position, a, b);
-  const RlsParams rls{.forgetting_factor = params.forgetting_factor,
-                      .initial_covariance = params.initial_covariance,
-                      .covariance_limit = params.covariance_limit,
-                      .regressor_min = 0.0};
-  const auto directional = [&](double excitation_min) {
-    return DirectionalParams{.forgetting_factor = params.forgetting_factor,
-                             .initial_covariance = params.initial_covariance,
-                             .excitation_min = excitation_min};
+/// Creates that of the alternatives whose method and size are asked for.
+template <int N, class... Engines>
+Result<LinearRegression> make(std::type_identity<std::variant<Engines...>>, const EstimatorParams& params,
+                              const Eigen::Vector3d& noise_variance, const Eigen::Matrix3d& a,
+                              const Eigen::Vector3d& b) {
+  Result<LinearRegression> made = Error{std::string(name_of(kEstimationMethods, params.method)) + " is no regression"};
+  const auto try_one = [&]<class Engine>(std::type_identity<Engine>) {
+    if constexpr (Engine::kSize == N) {
+      if (Engine::kMethod == params.method) {
+        auto engine = Engine::of(params, noise_variance, first_estimate<N>(params.position, a, b));
+        made = engine ? Result<LinearRegression>(LinearRegression(std::move(engine).value())) : engine.error();
+      }
+    }
   };
-  switch (params.method) {
-    case EstimationMethod::kRls: break;
-    case EstimationMethod::kGreyBox: return Error{"greybox is no regression: GreyBoxEstimator is it"};
-    case EstimationMethod::kAff:
-      return any(AdaptiveForgetting<N>::create(params.aff.value_or(AdaptiveForgettingParams{}),
-                                               params.initial_covariance, params.covariance_limit, noise_variance,
-                                               theta));
-    case EstimationMethod::kKalman:
-      return any(RandomWalk<N>::create(params.kalman.value_or(RandomWalkParams{}), params.initial_covariance,
-                                       params.covariance_limit, theta));
-    case EstimationMethod::kIv: return any(InstrumentalVariable<N>::create(rls, theta));
-    case EstimationMethod::kVdf:
-      return any(VariableDirection<N>::create(
-          directional(params.vdf.value_or(VariableDirectionParams{}).excitation_min), theta));
-    case EstimationMethod::kSift:
-      return any(SubspaceOfInformation<N>::create(directional(params.sift.value_or(SubspaceParams{}).excitation_min),
-                                                  theta));
-  }
-  return any(Rls<N>::create(rls, theta));
+  (try_one(std::type_identity<Engines>{}), ...);
+  return made;
 }
 
 }  // namespace
 
 Result<LinearRegression> make_regression(const EstimatorParams& params, const Eigen::Vector3d& noise_variance,
                                          const Eigen::Matrix3d& a, const Eigen::Vector3d& b) {
+  constexpr std::type_identity<LinearRegression> every;
   switch (params.columns()) {
-    case 3: return make<3>(params, noise_variance, a, b);
-    case 4: return make<4>(params, noise_variance, a, b);
-    default: return make<5>(params, noise_variance, a, b);
+    case 3:
+      return make<3>(every, params, noise_variance, a, b);
+    case 4:
+      return make<4>(every, params, noise_variance, a, b);
+    default:
+      return make<5>(every, params, noise_variance, a, b);
   }
 }
 

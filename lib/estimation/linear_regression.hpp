@@ -17,12 +17,13 @@
 
 namespace farrier::estimation {
 
-/// A joint's regression by any method, with 3 to 5 regressors.
+template <template <int> class... Methods>
+using InEverySize = std::variant<Methods<3>..., Methods<4>..., Methods<5>...>;
+
+/// A joint's regression by any method, with 3 to 5 regressors. The class of a method has its kMethod, and `of`, which
+/// creates it.
 using LinearRegression =
-    std::variant<Rls<3>, Rls<4>, Rls<5>, AdaptiveForgetting<3>, AdaptiveForgetting<4>, AdaptiveForgetting<5>,
-                 RandomWalk<3>, RandomWalk<4>, RandomWalk<5>, InstrumentalVariable<3>, InstrumentalVariable<4>,
-                 InstrumentalVariable<5>, VariableDirection<3>, VariableDirection<4>, VariableDirection<5>,
-                 SubspaceOfInformation<3>, SubspaceOfInformation<4>, SubspaceOfInformation<5>>;
+    InEverySize<Rls, AdaptiveForgetting, RandomWalk, InstrumentalVariable, VariableDirection, SubspaceOfInformation>;
 
 /// Places in the regressor [x] v F u [1].
 struct Columns {

@@ -20,6 +20,13 @@ class RandomWalk : public Regression<N> {
   static Result<RandomWalk> create(const RandomWalkParams& params, double initial_covariance, double covariance_limit,
                                    const Parameters& theta0 = Parameters::Zero());
 
+  /// Its method, and create() with the settings of a joint's estimator; `noise_variance` is the sensors', normalised.
+  static constexpr EstimationMethod kMethod = EstimationMethod::kKalman;
+  static Result<RandomWalk> of(const EstimatorParams& params, const Eigen::Vector3d&, const Parameters& theta0) {
+    return create(params.kalman.value_or(RandomWalkParams{}), params.initial_covariance, params.covariance_limit,
+                  theta0);
+  }
+
   /// Takes one sample. The parameters drift only while trace(P) stays within the covariance limit.
   RlsStatus update(const Regressor& h, const Eigen::Vector3d& y) noexcept;
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/result.hpp"
+#include "estimation/estimator_params.hpp"
 #include "estimation/regression.hpp"
 #include "estimation/ud_factors.hpp"
 
@@ -13,11 +14,19 @@ namespace farrier::estimation {
 
 /// Settings of an estimator. Unit: that of the normalised signals, 1.
 struct RlsParams {
-  double forgetting_factor = 0.9;    ///< lambda of (6.7), (0, 1]; remembers 1/(1 - lambda) samples (6.22)
-  double initial_covariance = 1e3;   ///< diagonal of the first P, [1e-40, 1e40]
-  double covariance_limit = 1e6;     ///< largest trace of P, [N * initial_covariance, 1e40]; 1e40: none
-  double regressor_min = 0.0;        ///< norm below which a regressor is left out, [0, 1e40)
+  double forgetting_factor = 0.9;   ///< lambda of (6.7), (0, 1]; remembers 1/(1 - lambda) samples (6.22)
+  double initial_covariance = 1e3;  ///< diagonal of the first P, [1e-40, 1e40]
+  double covariance_limit = 1e6;    ///< largest trace of P, [N * initial_covariance, 1e40]; 1e40: none
+  double regressor_min = 0.0;       ///< norm below which a regressor is left out, [0, 1e40)
 };
+
+/// Settings of a joint's estimator; the joint leaves out small regressors itself.
+inline RlsParams rls_params_of(const EstimatorParams& params) noexcept {
+  return {.forgetting_factor = params.forgetting_factor,
+          .initial_covariance = params.initial_covariance,
+          .covariance_limit = params.covariance_limit,
+          .regressor_min = 0.0};
+}
 
 /// Recursive least squares with forgetting (Hubacher 2014, (6.21)) for y = Theta h + noise: three measurements y, one
 /// regressor h of N entries, Theta 3 x N. For the direct identification of 6.2, y is the state of this tick, h state
@@ -35,6 +44,12 @@ class Rls {
 
   /// Returns an estimator that starts from theta0. Refuses settings out of range and a theta0 that is not finite.
   static Result<Rls> create(const RlsParams& params, const Parameters& theta0 = Parameters::Zero());
+
+  /// Its method, and create() with the settings of a joint's estimator; `noise_variance` is the sensors', normalised.
+  static constexpr EstimationMethod kMethod = EstimationMethod::kRls;
+  static Result<Rls> of(const EstimatorParams& params, const Eigen::Vector3d&, const Parameters& theta0) {
+    return create(rls_params_of(params), theta0);
+  }
 
   /// Takes one sample, (6.21). Forgets only while trace(P) / lambda stays within the covariance limit, so that P is
   /// bounded without excitation (6.24). A sample that is left out or refused changes nothing but status().
@@ -72,7 +87,9 @@ class Rls {
   RlsStatus status() const noexcept { return status_; }
 
   /// Forgetting factors of the last sample taken, by row: lambda, or 1 while the covariance is at its limit.
-  Eigen::Vector3d forgetting() const noexcept { return Eigen::Vector3d::Constant(limited_ ? 1.0 : params_.forgetting_factor); }
+  Eigen::Vector3d forgetting() const noexcept {
+    return Eigen::Vector3d::Constant(limited_ ? 1.0 : params_.forgetting_factor);
+  }
 
   /// True if the last sample taken was not forgotten for, because the covariance is at its limit.
   bool forgetting_limited() const noexcept { return limited_; }
@@ -81,7 +98,7 @@ class Rls {
   explicit Rls(const RlsParams& params) noexcept;
 
   RlsParams params_;
-  double forget_below_ = 0.0;              // trace up to which a sample is taken with forgetting
+  double forget_below_ = 0.0;  // trace up to which a sample is taken with forgetting
   double inverse_forgetting_ = 1.0;
   double regressor_min_squared_ = 0.0;
   std::array<Eigen::Array4d, N> theta_{};  // column of Theta, and a zero that fills the vector register

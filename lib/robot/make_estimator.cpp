@@ -51,16 +51,8 @@ Made make_grey_box_estimator(const Joint& joint, const estimation::JointScales& 
 
 Made make_estimator(const Joint& joint, double period_s, int loop_delay_ticks) {
   const estimation::JointScales scales = scales_of(joint, period_s, loop_delay_ticks);
-  switch (joint.estimator.method) {
-    case estimation::EstimationMethod::kRls:
-    case estimation::EstimationMethod::kAff:
-    case estimation::EstimationMethod::kKalman:
-    case estimation::EstimationMethod::kIv:
-    case estimation::EstimationMethod::kVdf:
-    case estimation::EstimationMethod::kSift: return make_regression_estimator(joint, scales);
-    case estimation::EstimationMethod::kGreyBox: return make_grey_box_estimator(joint, scales);
-  }
-  return refused(joint, "estimator.method has no such value");
+  return joint.estimator.regresses() ? make_regression_estimator(joint, scales)
+                                     : make_grey_box_estimator(joint, scales);
 }
 
 }  // namespace farrier::robot

@@ -3,9 +3,9 @@
 #include <algorithm>
 
 #include "bus/inproc/inproc_bus.hpp"
-#include "estimator_service/ports.hpp"
 #include "joint_node/joint_node_lockstep.hpp"
 #include "run/run_monitor.hpp"
+#include "participant/plain_processes.hpp"
 #include "recorder/run_recording.hpp"
 #include "robot/keys.hpp"
 #include "signals/tick_of.hpp"
@@ -34,7 +34,6 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
     case participant::kSimBridge:
       return sim_bridge::create_lockstep(run.world != nullptr ? *run.world : robot, run.seed, run.trace_path,
                                          participant, run.ticks, run.load_changes, run.sink);
-    case participant::kEstimatorService: return estimator_service::create_application(robot, participant, run.ticks);
     case participant::kSupervisor:
       return supervisor::create_application(run.designer != nullptr ? *run.designer : robot, run.design, participant,
                                             run.ticks, false, run.known_loads, run.first_gains);
@@ -42,7 +41,17 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
       auto gait = FARRIER_TRY(gait_source::GaitSource::create(robot, run.seed, participant, run.ticks, run.announce));
       return std::unique_ptr<participant::Application>(std::move(gait));
     }
-    default: return joint_node::create_lockstep(robot, member.joints, participant, run.ticks);
+#define FARRIER_MAKE_plain(constant, program) \
+  case info(Program::constant).number:        \
+    return program::create_application(robot, participant, run.ticks);
+#define FARRIER_MAKE_specially(constant, program)
+#define FARRIER_PROCESS(constant, program, number, needed, made) FARRIER_MAKE_##made(constant, program)
+#include "core/processes.def"
+#undef FARRIER_PROCESS
+#undef FARRIER_MAKE_specially
+#undef FARRIER_MAKE_plain
+    default:
+      return joint_node::create_lockstep(robot, member.joints, participant, run.ticks);
   }
 }
 
@@ -69,7 +78,8 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
       *gait.bus, participant::endpoint_of(gait.participant->identity(), bus::TopicId::kJointModelEstimate)));
   std::unique_ptr<recorder::RunRecording> recording;
   if (!run.record_path.empty()) {
-    auto made = FARRIER_TRY(recorder::RunRecording::create(run.record_path, run.record_facts, robot, *gait.participant));
+    auto made =
+        FARRIER_TRY(recorder::RunRecording::create(run.record_path, run.record_facts, robot, *gait.participant));
     recording = std::move(made);
   }
   const auto listen = [&] {

@@ -61,8 +61,8 @@ TEST(Layering, EveryIncludeLeadsToALinkedLibrary) {
       ASSERT_NE(to, nullptr) << header->path;
       ++checked;
       EXPECT_TRUE(visible.count(to->name) > 0 || exceptions.cover(source.path))
-          << at(source, include.line) << ": \"" << include.target << "\" is of " << to->name << ", which "
-          << from->name << " does not link";
+          << at(source, include.line) << ": \"" << include.target << "\" is of " << to->name << ", which " << from->name
+          << " does not link";
     }
   }
   EXPECT_GT(checked, 300) << "the test must find the includes";
@@ -118,11 +118,11 @@ TEST(Layering, NoProcessCoreReachesABusOrARuntime) {
 // The numerics serve any transport, any process and any file format.
 TEST(Layering, NoNumericalLibraryReachesSignalsConfigurationOrTransport) {
   const TargetGraph& graph = TargetGraph::of_product();
-  for (const char* library : {"farrier_core", "farrier_plant", "farrier_control", "farrier_estimation",
-                              "farrier_gait"}) {
+  for (const char* library :
+       {"farrier_core", "farrier_plant", "farrier_control", "farrier_estimation", "farrier_gait"}) {
     ASSERT_EQ(graph.targets().count(library), 1u) << library;
-    for (const char* forbidden : {"farrier_signals", "farrier_config", "farrier_robot", "farrier_bus", "farrier_runtime",
-                                  "farrier_trace", "farrier_participant", "yaml-cpp"}) {
+    for (const char* forbidden : {"farrier_signals", "farrier_config", "farrier_robot", "farrier_bus",
+                                  "farrier_runtime", "farrier_trace", "farrier_participant", "yaml-cpp"}) {
       EXPECT_EQ(graph.reachable(library).count(forbidden), 0u) << library << " reaches " << forbidden;
     }
   }
@@ -130,20 +130,23 @@ TEST(Layering, NoNumericalLibraryReachesSignalsConfigurationOrTransport) {
 
 // Folders from the bottom up: a target links only targets of its own layer and of those below. Where a folder is part of
 // another one, the longer name counts. docs/architecture.md draws this.
-const std::vector<std::vector<std::string_view>> kLayers{
-    {"lib"},
-    {"joint_node", "estimator_service", "supervisor", "sim_bridge", "gait_source"},
-    {"lib/run"},
-    {"trials", "tools", "report", "bench/bare_exchange"},
-    {"bench", "thesis", "cli"},
-    {"cli/manual"},  // reads every verb's options
-};
+const std::vector<std::vector<std::string>>& layers() {
+  static const std::vector<std::vector<std::string>> all{
+      {"lib"},
+      processes(),
+      {"lib/run"},
+      {"trials", "tools", "report", "bench/bare_exchange"},
+      {"bench", "thesis", "cli"},
+      {"cli/manual"},  // reads every verb's options
+  };
+  return all;
+}
 
 int layer_of(const std::string& folder) {
   int layer = -1;
   std::size_t longest = 0;
-  for (std::size_t i = 0; i < kLayers.size(); ++i) {
-    for (const std::string_view room : kLayers[i]) {
+  for (std::size_t i = 0; i < layers().size(); ++i) {
+    for (const std::string& room : layers()[i]) {
       const bool inside = folder == room || (folder.starts_with(room) && folder[room.size()] == '/');
       if (inside && room.size() > longest) {
         longest = room.size();
@@ -173,7 +176,7 @@ TEST(Layering, NoArrowRunsBackUp) {
 TEST(Layering, NothingLinksAProcess) {
   const TargetGraph& graph = TargetGraph::of_product();
   const std::vector<std::string> all = processes();
-  ASSERT_EQ(all.size(), 5u);
+  ASSERT_GE(all.size(), 5u);
   for (const std::string& process : all) {
     EXPECT_EQ(graph.targets().count(process), 1u) << process;
     for (const auto& [name, target] : graph.targets()) {

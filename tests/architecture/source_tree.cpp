@@ -26,8 +26,20 @@ std::vector<std::string> arguments_of(const Source& cmake, const std::string& co
 
 bool is_source(const fs::path& path) {
   const std::string extension = path.extension().string();
-  return extension == ".cpp" || extension == ".hpp" || extension == ".def" || extension == ".cmake" || extension == ".idl" ||
-         path.filename() == "CMakeLists.txt";
+  return extension == ".cpp" || extension == ".hpp" || extension == ".def" || extension == ".cmake" ||
+         extension == ".idl" || path.filename() == "CMakeLists.txt";
+}
+
+/// Names of the programs in core/processes.def, in its order.
+std::vector<std::string> processes_of(const Source& list) {
+  static const std::regex row(R"re(^FARRIER_PROCESS\(\w+, (\w+),)re");
+  std::vector<std::string> names;
+  for (const std::string& line : list.lines) {
+    if (std::smatch match; std::regex_search(line, match, row)) {
+      names.push_back(match[1]);
+    }
+  }
+  return names;
 }
 
 Source read(const fs::path& root, const fs::path& path) {
@@ -44,7 +56,12 @@ std::vector<Source> read_tree() {
   std::vector<Source> tree{read(root, root / "CMakeLists.txt")};
   std::set<std::string> folders{"cmake", "idl"};
   for (const std::string& folder : arguments_of(tree.front(), "add_subdirectory")) {
-    folders.insert(folder.substr(0, folder.find('/')));
+    if (!folder.starts_with("$")) {
+      folders.insert(folder.substr(0, folder.find('/')));
+    }
+  }
+  for (const std::string& process : processes_of(read(root, root / "lib/core/processes.def"))) {
+    folders.insert(process);
   }
   for (const std::string& folder : folders) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
@@ -64,21 +81,12 @@ const std::vector<Source>& source_tree() {
   return tree;
 }
 
-std::vector<std::string> processes() {
-  static const std::regex row(R"re(^FARRIER_PROCESS\(\w+, (\w+),)re");
-  std::vector<std::string> names;
-  for (const std::string& line : find_source("lib/core/processes.def")->lines) {
-    if (std::smatch match; std::regex_search(line, match, row)) {
-      names.push_back(match[1]);
-    }
-  }
-  return names;
-}
+std::vector<std::string> processes() { return processes_of(*find_source("lib/core/processes.def")); }
 
 const Source* find_source(const std::string& path) {
   const auto& tree = source_tree();
-  const auto place =
-      std::lower_bound(tree.begin(), tree.end(), path, [](const Source& s, const std::string& p) { return s.path < p; });
+  const auto place = std::lower_bound(tree.begin(), tree.end(), path,
+                                      [](const Source& s, const std::string& p) { return s.path < p; });
   return place != tree.end() && place->path == path ? &*place : nullptr;
 }
 

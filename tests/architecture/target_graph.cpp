@@ -43,6 +43,20 @@ bool is_keyword(const std::string& word) {
          word == "OBJECT" || word == "RUNS_PROCESSES";
 }
 
+/// Words for which an argument stands in a loop over FARRIER_PROCESSES: the argument itself if it names no process.
+std::vector<std::string> of_each_process(const std::string& argument) {
+  static const std::string kVariable = "${process}";
+  const std::size_t place = argument.find(kVariable);
+  if (place == std::string::npos) {
+    return {argument};
+  }
+  std::vector<std::string> expanded;
+  for (const std::string& process : processes()) {
+    expanded.push_back(std::string(argument).replace(place, kVariable.size(), process));
+  }
+  return expanded;
+}
+
 }  // namespace
 
 TargetGraph::TargetGraph(const std::vector<const Source*>& cmake_files) {
@@ -100,9 +114,11 @@ void TargetGraph::run(const std::string& command, const std::vector<std::string>
         passes_on = arguments[i] != "PRIVATE";
         continue;
       }
-      target.links.insert(arguments[i]);
-      if (passes_on) {
-        target.passed_on.insert(arguments[i]);
+      for (const std::string& link : of_each_process(arguments[i])) {
+        target.links.insert(link);
+        if (passes_on) {
+          target.passed_on.insert(link);
+        }
       }
     }
   }

@@ -15,10 +15,6 @@ using estimation::GateKind;
 
 namespace {
 
-constexpr Option<EstimationMethod> kEstimationMethods[] = {
-    {"rls", EstimationMethod::kRls}, {"aff", EstimationMethod::kAff}, {"kalman", EstimationMethod::kKalman},
-    {"iv", EstimationMethod::kIv},   {"vdf", EstimationMethod::kVdf}, {"sift", EstimationMethod::kSift},
-    {"greybox", EstimationMethod::kGreyBox}};
 constexpr Option<GateKind> kGates[] = {{"none", GateKind::kNone}, {"pe", GateKind::kPe}, {"fft", GateKind::kFft}};
 
 /// A group that belongs to one choice of `key`, which is called `choice` or as the group is: there with its defaults when
@@ -45,10 +41,14 @@ const config::Option<UpdateMethod> kMethods[] = {option(UpdateMethod::kLimits), 
 
 const char* to_string(UpdateMethod method) noexcept {
   switch (method) {
-    case UpdateMethod::kLimits: return "limits";
-    case UpdateMethod::kSmallError: return "small_error";
-    case UpdateMethod::kWhiteError: return "white_error";
-    case UpdateMethod::kDistinctPoles: return "distinct_poles";
+    case UpdateMethod::kLimits:
+      return "limits";
+    case UpdateMethod::kSmallError:
+      return "small_error";
+    case UpdateMethod::kWhiteError:
+      return "white_error";
+    case UpdateMethod::kDistinctPoles:
+      return "distinct_poles";
   }
   return "unknown method";
 }
@@ -57,7 +57,7 @@ void declare(Visitor& v, EstimatorSection& section) {
   const EstimatorParams d;
   EstimatorParams& e = section.params;
   v.here(section.place);
-  v.choice<EstimationMethod>("method", e.method, kEstimationMethods, Default{d.method},
+  v.choice<EstimationMethod>("method", e.method, estimation::kEstimationMethods, Default{d.method},
                              "What learns the model: docs/estimators.md compares the methods.");
   v.choice<GateKind>("gate", e.gate, kGates, Default{d.gate},
                      "Which samples may teach: all, those of a window that excites (9.4), or with frequencies (9.5).");
@@ -69,19 +69,21 @@ void declare(Visitor& v, EstimatorSection& section) {
     v.flag("bias", e.bias, Default{d.bias}, "A constant in the regressor, for forces that no state explains.");
     v.flag("position", e.position, Default{d.position}, "The position in the regressor; a load spring needs it.");
     v.number("operating_point_time_constant_s", e.operating_point_time_constant_s, {1e-6, 10},
-             Default{d.operating_point_time_constant_s},
-             "Of the moving mean of states and input that is subtracted.");
+             Default{d.operating_point_time_constant_s}, "Of the moving mean of states and input that is subtracted.");
     v.integer("operating_point_order", e.operating_point_order, {0, 4}, Default{d.operating_point_order},
               "How often the moving mean is subtracted; 0 subtracts the home pose once and for all.");
-    v.number("full_weight_norm", e.full_weight_norm, {1e-9, 1e6}, Default{d.full_weight_norm},
-             "Norm of the normalised regressor up to which a sample has full weight; larger ones are scaled down to it.");
-    v.number("innovation_forgetting", e.innovation_forgetting, {0, 0.9999}, Default{d.innovation_forgetting},
-             "Of the variance of prediction errors, by which measured states are corrected before they are regressed on.");
+    v.number(
+        "full_weight_norm", e.full_weight_norm, {1e-9, 1e6}, Default{d.full_weight_norm},
+        "Norm of the normalised regressor up to which a sample has full weight; larger ones are scaled down to it.");
+    v.number(
+        "innovation_forgetting", e.innovation_forgetting, {0, 0.9999}, Default{d.innovation_forgetting},
+        "Of the variance of prediction errors, by which measured states are corrected before they are regressed on.");
     v.number("initial_covariance", e.initial_covariance, {1e-6, 1e12}, Default{d.initial_covariance},
              "Of every parameter at the start, in normalised units.");
     if (e.limits_covariance()) {
       v.number("covariance_limit", e.covariance_limit, {1e-6, 1e40}, Default{d.covariance_limit},
-               "Largest trace of the covariance; beyond it nothing is forgotten (6.23); 1e40: no limit. Not for vdf and sift.");
+               "Largest trace of the covariance; beyond it nothing is forgotten (6.23); 1e40: no limit. Not for vdf "
+               "and sift.");
     }
     v.number("regressor_min", e.regressor_min, {0, 10}, Default{d.regressor_min},
              "Norm of the normalised regressor below which a sample says nothing (6.24).");
@@ -95,8 +97,10 @@ void declare(Visitor& v, EstimatorSection& section) {
              "Modulus to which an unstable pole of an estimate is mapped (8.1.1). Not for greybox.");
   }
   v.flag("phase_memory", e.phase_memory, Default{d.phase_memory}, "Whether what is known of each phase is kept apart.");
-  group_of(v, "aff", e.aff, e.method == EstimationMethod::kAff, "method", "Adaptive forgetting of each row (9.1)-(9.3).");
-  group_of(v, "kalman", e.kalman, e.method == EstimationMethod::kKalman, "method", "Parameters as a random walk (B.17).");
+  group_of(v, "aff", e.aff, e.method == EstimationMethod::kAff, "method",
+           "Adaptive forgetting of each row (9.1)-(9.3).");
+  group_of(v, "kalman", e.kalman, e.method == EstimationMethod::kKalman, "method",
+           "Parameters as a random walk (B.17).");
   group_of(v, "vdf", e.vdf, e.method == EstimationMethod::kVdf, "method",
            "Variable-direction forgetting (Goel, Bruce, Bernstein 2020).");
   group_of(v, "sift", e.sift, e.method == EstimationMethod::kSift, "method",
@@ -124,7 +128,7 @@ void declare(Visitor& v, UpdateLogicSection& section) {
            "Distance in the z-plane over which the poles of a converged estimate may move.");
   v.integer("converged_ticks", u.converged_ticks, {1, 100000}, Default{d.converged_ticks},
             "How long they must stay within it, or what the method asks for must hold; a multiple of "
-           "estimate_period_ticks.");
+            "estimate_period_ticks.");
   v.number("prediction_error_max", u.prediction_error_max, {0, 1000}, Default{d.prediction_error_max},
            "Methods small_error and white_error: RMS error of force predictions over what the sensors' noise "
            "explains.");

@@ -17,16 +17,27 @@ using namespace testing;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-constexpr EstimationMethod kEveryMethod[] = {EstimationMethod::kRls, EstimationMethod::kAff, EstimationMethod::kKalman,
-                                             EstimationMethod::kIv,  EstimationMethod::kVdf, EstimationMethod::kSift};
-constexpr const char* kNames[] = {"rls", "aff", "kalman", "iv", "vdf", "sift"};
+/// Every regression.
+std::vector<EstimationMethod> every_method() {
+  std::vector<EstimationMethod> methods;
+  for (const auto& option : kEstimationMethods) {
+    EstimatorParams params;
+    params.method = option.value;
+    if (params.regresses()) {
+      methods.push_back(option.value);
+    }
+  }
+  return methods;
+}
+
+const char* name(EstimationMethod method) { return farrier::name_of(kEstimationMethods, method); }
+
 constexpr const char* kGateNames[] = {"none", "pe", "fft"};
 
 using Choice = std::tuple<EstimationMethod, GateKind>;
 
 std::string name_of(const ::testing::TestParamInfo<Choice>& info) {
-  return std::string(kNames[static_cast<int>(std::get<0>(info.param))]) + "_" +
-         kGateNames[static_cast<int>(std::get<1>(info.param))];
+  return std::string(name(std::get<0>(info.param))) + "_" + kGateNames[static_cast<int>(std::get<1>(info.param))];
 }
 
 class EveryMethod : public ::testing::TestWithParam<Choice> {
@@ -123,13 +134,13 @@ TEST_P(EveryMethod, StaysFiniteWhateverItIsGiven) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EveryMethod,
-                         ::testing::Combine(::testing::ValuesIn(kEveryMethod),
+                         ::testing::Combine(::testing::ValuesIn(every_method()),
                                             ::testing::Values(GateKind::kNone, GateKind::kPe, GateKind::kFft)),
                          name_of);
 
 // A joint at rest with exact sensors: nothing can be learnt, and the gate sees it.
 TEST(Gate, LeavesOutWhatDoesNotExciteAndSaysSo) {
-  for (const EstimationMethod method : kEveryMethod) {
+  for (const EstimationMethod method : every_method()) {
     for (const GateKind gate : {GateKind::kPe, GateKind::kFft}) {
       EstimatorParams params;
       params.position = false;
@@ -141,7 +152,7 @@ TEST(Gate, LeavesOutWhatDoesNotExciteAndSaysSo) {
       EXPECT_FALSE(has(estimates.estimate(), EstimateFlag::kNotExciting));
       joint.dithered_with(0.0);
       feed(estimates, joint, 400);  // the window empties, the washout settles
-      ASSERT_TRUE(has(estimates.estimate(), EstimateFlag::kNotExciting)) << kNames[static_cast<int>(method)];
+      ASSERT_TRUE(has(estimates.estimate(), EstimateFlag::kNotExciting)) << name(method);
       const ModelEstimate before = estimates.estimate();
       feed(estimates, joint, 1000);
       EXPECT_TRUE(has(estimates.estimate(), EstimateFlag::kNotExciting));
@@ -155,8 +166,8 @@ TEST(Gate, LeavesOutWhatDoesNotExciteAndSaysSo) {
 }
 
 TEST(EstimateFlag, SaysThatACovarianceIsAtItsBound) {
-  for (const EstimationMethod method : {EstimationMethod::kRls, EstimationMethod::kAff, EstimationMethod::kKalman,
-                                        EstimationMethod::kIv}) {
+  for (const EstimationMethod method :
+       {EstimationMethod::kRls, EstimationMethod::kAff, EstimationMethod::kKalman, EstimationMethod::kIv}) {
     EstimatorParams params;
     params.position = false;
     params.method = method;
@@ -172,7 +183,7 @@ TEST(EstimateFlag, SaysThatACovarianceIsAtItsBound) {
       estimates.take(sample);
       limited += has(estimates.estimate(), EstimateFlag::kForgettingAtLimit) ? 1 : 0;
     }
-    EXPECT_GT(limited, 500) << kNames[static_cast<int>(method)];
+    EXPECT_GT(limited, 500) << name(method);
   }
 }
 

@@ -191,7 +191,7 @@ TEST(ProcessOptions, SurviveTheCommandLine) {
   options.network.domain = 42;
   options.network.address = "127.0.0.1";
   options.network.peers = {"10.0.0.1", "10.0.0.2"};
-  options.number = 4;
+  options.number = kFirstJointNode;
   options.participants = 8;
   options.session = 0xffff'ffff'ffff'fff0ull;
   options.seed = 9;
