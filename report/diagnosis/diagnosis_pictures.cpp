@@ -2,30 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "config/visitor.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
-#include "report/diagnosis/drawing.hpp"
-#include "report/page/gnuplot.hpp"
+#include "report/diagnosis/round_pictures.hpp"
 
 namespace farrier::report {
 namespace {
 
 using diagnosis::ChannelReport;
 
-constexpr const char* kTimeLayout =
-    R"(set terminal svg size 1080,460 font "sans-serif,12" noenhanced background "#ffffff"
-set lmargin at screen 0.085; set rmargin at screen 0.985
-set key at screen 0.985,0.985 right top horizontal samplen 2 noautotitle
-)";
-constexpr const char* kSpectrumLayout =
-    R"(set terminal svg size 640,320 font "sans-serif,11" noenhanced background "#ffffff"
-set key right top samplen 2 noautotitle
-set logscale xy; set format y "%.0e"
-set xlabel "frequency / Hz" offset 0,0.4
-)";
+/// True if a line can be drawn through values: two of them are finite.
+bool has_points(const std::vector<double>& values) {
+  return std::ranges::count_if(values, [](double value) { return std::isfinite(value); }) >= 2;
+}
 
-std::string time_picture(Drawing& drawing, const ChannelReport& c, const char* unit, double period_s) {
+std::string add_time_picture(Drawing& drawing, const ChannelReport& c, const std::string& unit, double period_s) {
   const std::size_t count = std::min({c.measured.size(), c.simulated_before.size(), c.simulated_after.size()});
   if (!has_points(c.measured) || count < 2 || !(period_s > 0.0)) {
     return "";
@@ -33,75 +26,77 @@ std::string time_picture(Drawing& drawing, const ChannelReport& c, const char* u
   const WorstWindow window = worst_second(c.measured, c.simulated_before, period_s);
   constexpr std::size_t kMostPoints = 4000;
   const std::size_t stride = 1 + window.size / kMostPoints;
-  std::string lines;
+  Series measured{.label = "measured"}, before{.label = "model as given", .colour = 2};
+  Series after{.label = "extended model", .colour = 1}, error_before{.colour = 2}, error_after{.colour = 1};
   for (std::size_t i = window.begin; i < std::min(window.begin + window.size, count); i += stride) {
-    lines += line_of({static_cast<double>(i) * period_s, c.measured[i], c.simulated_before[i], c.simulated_after[i],
-                      c.measured[i] - c.simulated_before[i], c.measured[i] - c.simulated_after[i]});
+    const double time_s = static_cast<double>(i) * period_s;
+    measured.add(time_s, c.measured[i]);
+    before.add(time_s, c.simulated_before[i]);
+    after.add(time_s, c.simulated_after[i]);
+    error_before.add(time_s, c.measured[i] - c.simulated_before[i]);
+    error_after.add(time_s, c.measured[i] - c.simulated_after[i]);
   }
-  const std::string data = drawing.data(std::string(c.name) + "_time", lines);
-  const std::string path = "pictures/" + std::string(c.name) + "_time.svg";
-  drawing.script += std::string(kPictureStart) + kTimeLayout + "set output '" + path + "'\nset multiplot\n" +
-                    "set tmargin at screen 0.92; set bmargin at screen 0.49; set format x ''\nset ylabel '" +
-                    words_of(c.name) + " / " + unit + "'\nplot '" + data +
-                    "' using 1:2 with lines ls 1 title 'measured', '' using 1:3 with lines ls 3 title 'model as "
-                    "given', '' using 1:4 with lines ls 2 title 'extended model'\n" +
-                    "set tmargin at screen 0.45; set bmargin at screen 0.13\nset xlabel 'time / s' offset 0,0.4\n"
-                    "set format x '%g'\nset ylabel 'error / " +
-                    unit + "'\nplot '" + data + "' using 1:5 with lines ls 3, '' using 1:6 with lines ls 2\n" +
-                    "unset multiplot\n";
-  return path;
+  const double from_s = static_cast<double>(window.begin) * period_s;
+  const Range range{from_s, from_s + static_cast<double>(window.size) * period_s};
+  return drawing.add(std::string(c.name) + "_time",
+                     {.panels = {{.y_label = words_of(c.name) + " / " + unit,
+                                  .series = {std::move(measured), std::move(before), std::move(after)},
+                                  .x_range = range},
+                                 {.x_label = "time / s",
+                                  .y_label = "error / " + unit,
+                                  .series = {std::move(error_before), std::move(error_after)},
+                                  .x_range = range}},
+                      .key = Key::kAbove,
+                      .stacked = true,
+                      .height_px = 460.0});
 }
 
-std::string dependence_picture(Drawing& drawing, const ChannelReport& c, const char* unit) {
-  std::vector<std::string> plots;
+std::string add_dependence_picture(Drawing& drawing, const ChannelReport& c, const std::string& unit) {
+  std::vector<Panel> panels;
   for (const diagnosis::Dependence& one : c.dependences) {
-    std::string lines;
+    Series bars{.style = Style::kErrorBars, .colour = 5}, line{.colour = 2},
+        means{.style = Style::kPoints, .colour = 2};
     for (std::size_t i = 0; i < std::min({one.from.size(), one.mean.size(), one.deviation.size()}); ++i) {
-      lines += line_of({bin_centre(one.from, i), one.mean[i], one.deviation[i]});
+      for (Series* series : {&bars, &line, &means}) {
+        series->add(bin_centre(one.from, i), one.mean[i]);
+      }
+      bars.low.push_back(one.mean[i] - one.deviation[i]);
+      bars.high.push_back(one.mean[i] + one.deviation[i]);
     }
     if (has_points(one.mean)) {
-      const std::string data = drawing.data(std::string(c.name) + "_over_" + one.driver, lines);
-      plots.push_back("set xlabel '" + std::string(one.driver) + "' offset 0,0.4\nset title 'explains " +
-                      config::number_text(std::round(100.0 * one.explained)) + " %'\nplot '" + data +
-                      "' using 1:2:3 with yerrorbars pt 7 ps 0.3 lc rgb '#9aa5ad', '' using 1:2 with linespoints pt 7 "
-                      "ps 0.4 lc rgb '#d55e00'\n");
+      panels.push_back({.title = "explains " + config::number_text(std::round(100.0 * one.explained)) + " %",
+                        .x_label = std::string(one.driver),
+                        .y_label = "residual / " + unit,
+                        .series = {std::move(bars), std::move(line), std::move(means)}});
     }
   }
-  if (plots.empty()) {
+  if (panels.empty()) {
     return "";
   }
-  const std::string path = "pictures/" + std::string(c.name) + "_dependence.svg";
-  drawing.script += std::string(kPictureStart) +
-                    "set terminal svg size 1080,260 font \"sans-serif,11\" noenhanced background \"#ffffff\"\n"
-                    "set key off\nset output '" + path + "'\nset multiplot layout 1," + std::to_string(plots.size()) +
-                    "\nset ylabel 'residual / " + unit + "'\nset xtics rotate by -40\n";
-  for (const std::string& plot : plots) {
-    drawing.script += plot;
-  }
-  drawing.script += "unset multiplot\n";
-  return path;
+  return drawing.add(std::string(c.name) + "_dependence",
+                     {.columns = panels.size(), .panels = panels, .height_px = 260.0});
 }
 
-std::string spectrum_picture(Drawing& drawing, const ChannelReport& c, const char* unit) {
-  std::string lines;
-  int points = 0;
+std::string add_spectrum_picture(Drawing& drawing, const ChannelReport& c, const std::string& unit) {
+  Series before{.label = "model as given", .colour = 2}, after{.label = "extended model", .colour = 1};
   const std::size_t count = std::min({c.frequency_Hz.size(), c.spectrum_before.size(), c.spectrum_after.size()});
   for (std::size_t i = 0; i < count; ++i) {
     if (c.frequency_Hz[i] > 0.0 && c.spectrum_before[i] > 0.0 && c.spectrum_after[i] > 0.0) {
-      lines += line_of({c.frequency_Hz[i], c.spectrum_before[i], c.spectrum_after[i]});
-      ++points;
+      before.add(c.frequency_Hz[i], c.spectrum_before[i]);
+      after.add(c.frequency_Hz[i], c.spectrum_after[i]);
     }
   }
-  if (points < 2) {
+  if (before.x.size() < 2) {
     return "";
   }
-  const std::string data = drawing.data(std::string(c.name) + "_spectrum", lines);
-  const std::string path = "pictures/" + std::string(c.name) + "_spectrum.svg";
-  drawing.script += std::string(kPictureStart) + kSpectrumLayout + "set output '" + path +
-                    "'\nset ylabel 'power density of the error / (" + unit + ")^2/Hz'\nplot '" + data +
-                    "' using 1:2 with lines ls 3 title 'model as given', '' using 1:3 with lines ls 2 title "
-                    "'extended model'\n";
-  return path;
+  return drawing.add(std::string(c.name) + "_spectrum",
+                     {.panels = {{.x_label = "frequency / Hz",
+                                  .y_label = "power density of the error / (" + unit + ")^2/Hz",
+                                  .log_x = true,
+                                  .log_y = true,
+                                  .series = {std::move(before), std::move(after)}}},
+                      .width_px = 640.0,
+                      .height_px = 320.0});
 }
 
 }  // namespace
@@ -130,26 +125,16 @@ WorstWindow worst_second(const std::vector<double>& measured, const std::vector<
 }
 
 Result<DiagnosisPictures> draw_diagnosis(const std::string& out_dir, const DiagnosisResult& result) {
-  FARRIER_TRY(make_picture_folders(out_dir));
-  Drawing drawing{.out_dir = out_dir};
+  Drawing drawing(out_dir);
   DiagnosisPictures pictures;
   for (const ChannelReport& channel : result.diagnosis.channels) {
     const char* const unit = unit_of(channel.channel, result.joint);
-    pictures.channels.push_back({.time = time_picture(drawing, channel, unit, result.period_s),
-                                 .dependence = dependence_picture(drawing, channel, unit),
-                                 .spectrum = spectrum_picture(drawing, channel, unit)});
+    pictures.channels.push_back({.time = add_time_picture(drawing, channel, unit, result.period_s),
+                                 .dependence = add_dependence_picture(drawing, channel, unit),
+                                 .spectrum = add_spectrum_picture(drawing, channel, unit)});
   }
-  for (const auto& round : result.diagnosis.judgement.rounds) {
-    if (!round.empty()) {
-      pictures.rounds.push_back(round_picture(drawing, round, pictures.rounds.size()));
-    }
-  }
-  if (!drawing.kept) {
-    return drawing.kept.error();
-  }
-  if (!drawing.script.empty()) {
-    FARRIER_TRY(draw(out_dir, drawing.script));
-  }
+  pictures.rounds = add_round_pictures(drawing, result.diagnosis.judgement);
+  FARRIER_TRY(drawing.draw());
   return pictures;
 }
 

@@ -28,8 +28,7 @@ struct DiagnosisPictures {
   std::vector<std::string> rounds;        ///< candidates' gains with their intervals, one per round that has any
 };
 
-/// Draws them below `out_dir` with one gnuplot process; its script and data stay in out_dir/data. Refuses when gnuplot
-/// is missing or fails, or the disk does not take the files.
+/// Draws them. Refuses as Drawing::draw does.
 Result<DiagnosisPictures> draw_diagnosis(const std::string& out_dir, const DiagnosisResult& result);
 
 }  // namespace farrier::report

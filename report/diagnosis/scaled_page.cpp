@@ -1,9 +1,10 @@
 #include "report/diagnosis/scaled_page.hpp"
 
+#include <utility>
+
 #include "report/diagnosis/diagnosis_html.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
-#include "report/diagnosis/drawing.hpp"
-#include "report/page/gnuplot.hpp"
+#include "report/diagnosis/round_pictures.hpp"
 #include "report/page/html_page.hpp"
 #include "report/page/html_tables.hpp"
 #include "report/diagnosis/scaled_text.hpp"
@@ -13,25 +14,23 @@ namespace {
 
 using diagnosis::ScaledDiagnosis;
 
-constexpr const char* kSampleLayout =
-    R"(set terminal svg size 1080,360 font "sans-serif,12" noenhanced background "#ffffff"
-set key at screen 0.985,0.985 right top horizontal samplen 2 noautotitle
-set xlabel "sample" offset 0,0.4; set ylabel "position"; set tmargin 2
-)";
-
-std::string position_picture(Drawing& drawing, const ScaledDiagnosis& d) {
+Picture position_picture(const ScaledDiagnosis& d) {
   constexpr std::size_t kMostPoints = 4000;
   const std::size_t stride = 1 + d.measured.size() / kMostPoints;
-  std::string lines;
-  for (std::size_t i = 0; i < d.measured.size(); i += stride) {
-    lines += line_of({static_cast<double>(d.held_out_begin + i), d.measured[i], d.before[i], d.after[i]});
+  Series measured{.label = "measured"}, before{.label = "linear model", .colour = 2};
+  Series after{.label = "with the effects found", .colour = 1};
+  const std::pair<Series*, const std::vector<double>*> sources[] = {
+      {&measured, &d.measured}, {&before, &d.before}, {&after, &d.after}};
+  for (const auto& [series, values] : sources) {
+    for (std::size_t i = 0; i < d.measured.size(); i += stride) {
+      series->add(static_cast<double>(d.held_out_begin + i), (*values)[i]);
+    }
   }
-  const std::string data = drawing.data("position", lines);
-  const std::string path = "pictures/position.svg";
-  drawing.script += std::string(kPictureStart) + kSampleLayout + "set output '" + path + "'\nplot '" + data +
-                    "' using 1:2 with lines ls 1 title 'measured', '' using 1:3 with lines ls 3 title 'linear model', "
-                    "'' using 1:4 with lines ls 2 title 'with the effects found'\n";
-  return path;
+  return {.panels = {{.x_label = "sample",
+                      .y_label = "position",
+                      .series = {std::move(measured), std::move(before), std::move(after)}}},
+          .key = Key::kAbove,
+          .height_px = 360.0};
 }
 
 struct Pictures {
@@ -40,24 +39,17 @@ struct Pictures {
 };
 
 Result<Pictures> draw_scaled(const std::string& out_dir, const ScaledDiagnosis& d) {
-  FARRIER_TRY(make_picture_folders(out_dir));
-  Drawing drawing{.out_dir = out_dir};
-  Pictures pictures{.position = position_picture(drawing, d), .rounds = {}};
-  for (const auto& round : d.judgement.rounds) {
-    if (!round.empty()) {
-      pictures.rounds.push_back(round_picture(drawing, round, pictures.rounds.size()));
-    }
-  }
-  if (!drawing.kept) {
-    return drawing.kept.error();
-  }
-  FARRIER_TRY(draw(out_dir, drawing.script));
+  Drawing drawing(out_dir);
+  Pictures pictures{.position = drawing.add("position", position_picture(d)),
+                    .rounds = add_round_pictures(drawing, d.judgement)};
+  FARRIER_TRY(drawing.draw());
   return pictures;
 }
 
 std::string fits_html(const ScaledDiagnosis& d) {
-  std::string html = "<table><thead><tr><th>model</th><th>fit of the second half</th><th>found</th><th></th></tr>"
-                     "</thead>\n<tbody>\n";
+  std::string html =
+      "<table><thead><tr><th>model</th><th>fit of the second half</th><th>found</th><th></th></tr>"
+      "</thead>\n<tbody>\n";
   for (const auto& row : fits_table(d)) {
     html += "<tr><td>" + escape_html(row[0]) + "</td>" + number_cell(row[1]) + number_cell(row[2]) + "<td>" +
             escape_html(row[3]) + "</td></tr>\n";
@@ -67,13 +59,12 @@ std::string fits_html(const ScaledDiagnosis& d) {
 
 std::string body(const ScaledResult& result, const Pictures& pictures) {
   const ScaledDiagnosis& d = *result.diagnosis;
-  std::string html =
-      list(d.remarks) + "<h2>What each effect brings</h2>\n" +
-      paragraph("Linear model: " + equation_text(d.gain_before, d.drift_before, true) +
-                ". Fits of the second half, simulated freely, by what was fitted to the first.") +
-      fits_html(d) + picture(pictures.position, "the second half, which no fit has seen") +
-      "<h2>The cause</h2>\n" + paragraph(verdict_sentence(d.judgement)) + effects_html(shown_effects(d)) +
-      list(scaled_details(result));
+  std::string html = list(d.remarks) + "<h2>What each effect brings</h2>\n" +
+                     paragraph("Linear model: " + equation_text(d.gain_before, d.drift_before, true) +
+                               ". Fits of the second half, simulated freely, by what was fitted to the first.") +
+                     fits_html(d) + picture(pictures.position, "the second half, which no fit has seen") +
+                     "<h2>The cause</h2>\n" + paragraph(verdict_sentence(d.judgement)) +
+                     effects_html(shown_effects(d)) + list(scaled_details(result));
   for (std::size_t i = 0; i < pictures.rounds.size(); ++i) {
     html += picture(pictures.rounds[i], round_caption(i));
   }
@@ -88,8 +79,8 @@ std::string body(const ScaledResult& result, const Pictures& pictures) {
 }  // namespace
 
 Result<std::string> write_scaled_page(const std::string& out_dir, const ScaledResult& result, const Outcome& outcome) {
-  std::string html = page_head("Recording in scaled units: diagnosis", outcome) +
-                     paragraph("Recording: " + result.recording);
+  std::string html =
+      page_head("Recording in scaled units: diagnosis", outcome) + paragraph("Recording: " + result.recording);
   if (result.diagnosis == nullptr) {
     html += "<h2>The cause</h2>\n" + list(scaled_details(result));
   } else {

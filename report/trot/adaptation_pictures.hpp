@@ -1,32 +1,25 @@
 #pragma once
 
-#include <span>
 #include <string>
+#include <vector>
 
 #include "core/result.hpp"
-#include "robot/robot.hpp"
-#include "report/figures/run_info.hpp"
+#include "report/page/draw_pictures.hpp"
+#include "report/trot/html_report.hpp"
 
 namespace farrier::report {
 
-/// Input of a picture of one joint's adaptation.
-struct AdaptationPicture {
-  const robot::Robot& robot;
-  const robot::Joint& joint;
-  std::span<const DecisionInfo> decisions;                    ///< of the run, all joints
-  std::span<const signals::JointControllerGains> gains;       ///< likewise
-  int loop_delay_ticks;
-  Tick ticks;                                                 ///< of the run
-};
+/// True if the supervisor decided anything about the joint.
+bool adapted(const ReportInput& input, const robot::Joint& joint);
 
-/// True when the supervisor decided anything about the joint.
-bool adapted(const AdaptationPicture& input);
+/// Adds velocity and force gain of both slots over time, against those for the true loads. Returns the picture's path.
+/// Refuses a joint without a controller.
+Result<std::string> add_gains_picture(Drawing& drawing, const ReportInput& input, const robot::Joint& joint);
 
-/// Writes the data beside `stem` and adds commands to `script` that draw `output`; out_dir is gnuplot's working
-/// directory. One panel shows velocity and force gain of both slots over time against those for the true loads. Another
-/// shows the poles of every estimate decided on against those of the true loads. Refuses data that the disk does not
-/// take, and a joint without a controller.
-Result<Done> plot_adaptation(const AdaptationPicture& input, const std::string& out_dir, const std::string& stem,
-                             const std::string& output, std::string& script);
+/// Adds the poles of every estimate decided on, against those of the true loads. Returns the picture's path.
+std::string add_estimates_picture(Drawing& drawing, const ReportInput& input, const robot::Joint& joint);
+
+/// A picture of poles in the complex plane up to `radius`, with the unit circle.
+Picture pole_picture(std::vector<Series> poles, double radius);
 
 }  // namespace farrier::report

@@ -8,8 +8,7 @@ namespace farrier::report {
 namespace {
 
 std::string picture(const std::string& path, const std::string& what) {
-  return path.empty() ? ""
-                      : "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(what) + "\">\n";
+  return path.empty() ? "" : "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(what) + "\">\n";
 }
 
 std::string joint_section(const robot::Joint& joint, const JointPictures& pictures) {
@@ -19,7 +18,11 @@ std::string joint_section(const robot::Joint& joint, const JointPictures& pictur
     html += "<p>The run ended before its judged part began: nothing to show here.</p>\n";
   }
   html += picture(pictures.tracking, "force reference, force and error of " + joint.name);
-  html += picture(pictures.adaptation, "gains over time and poles of the estimates of " + joint.name);
+  if (!pictures.gains.empty()) {
+    html += "<div class=\"beside\">\n<figure>" + picture(pictures.gains, "gains of " + joint.name + " over time") +
+            "</figure>\n<figure class=\"poles\">" +
+            picture(pictures.estimates, "poles of the estimates of " + joint.name) + "</figure>\n</div>\n";
+  }
   const bool compliant = joint.form == control::Form::kCompliant;
   html += "<div class=\"beside\">\n<figure>" +
           picture(pictures.overview, "reference and error of " + joint.name + " over the whole run") +

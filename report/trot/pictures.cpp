@@ -2,153 +2,173 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "report/trot/adaptation_pictures.hpp"
-#include "report/page/gnuplot.hpp"
-#include "report/trot/html_report.hpp"
-#include "report/trot/joint_poles.hpp"
-#include "report/trot/picture_data.hpp"
+#include "core/ensure.hpp"
 #include "report/figures/text_format.hpp"
+#include "report/trot/adaptation_pictures.hpp"
+#include "report/trot/joint_poles.hpp"
 #include "report/trot/tracking.hpp"
 
 namespace farrier::report {
 namespace {
 
-// Panels lie one above the other and share their x axis; the legend stands above both.
-constexpr const char* kTrackingLayout =
-    R"(set terminal svg size 1080,460 font "sans-serif,12" noenhanced background "#ffffff"
-set lmargin at screen 0.075; set rmargin at screen 0.985
-set key at screen 0.985,0.985 right top horizontal samplen 2 noautotitle
-)";
+using Rows = std::vector<const trace::TraceRow*>;
 
-constexpr const char* kOverviewLayout =
-    R"(set terminal svg size 640,250 font "sans-serif,11" noenhanced background "#ffffff"
-set lmargin at screen 0.125; set rmargin at screen 0.98; set tmargin at screen 0.88; set bmargin at screen 0.2
-set key at screen 0.98,0.985 right top horizontal samplen 2 noautotitle
-set xlabel "time / s" offset 0,0.4
-)";
-
-constexpr const char* kPolesLayout =
-    R"(set terminal svg size 420,470 font "sans-serif,11" noenhanced background "#ffffff"
-set lmargin at screen 0.13; set rmargin at screen 0.97; set tmargin at screen 0.98; set bmargin at screen 0.27
-set size ratio -1
-set key at screen 0.13,0.01 left bottom vertical Left reverse samplen 1 noautotitle
-set xlabel "real part of z" offset 0,0.3; set ylabel "imaginary part of z" offset 1,0
-set xtics 0.5; set ytics 0.5
-)";
-
-std::string number(double value) { return config::number_text(value); }
-
-std::string x_range(double from, double to) { return "set xrange [" + number(from) + ":" + number(to) + "]\n"; }
-
-std::string quantity(const Rating& rating) { return rating.rotary ? "torque / Nm" : "force / N"; }
-
-std::string tracking_plot(const JointPictures& paths, const std::string& data, const JointPictureData& content,
-                          const Rating& rating) {
-  std::string script = std::string(kPictureStart) + kTrackingLayout;
-  script += "set output '" + paths.tracking + "'\nset multiplot\n";
-  script += x_range(content.window_start_s, content.window_end_s);
-  for (const auto& [from, to] : content.stance_s) {
-    script += "set object rectangle from " + number(from) + ", graph 0 to " + number(to) +
-              ", graph 1 behind fillcolor rgb \"#e9eff3\" fillstyle solid noborder\n";
+/// Rows of each joint in the order of Robot::joints, each in the order of the trace.
+std::vector<Rows> rows_by_joint(const robot::Robot& robot, std::span<const trace::TraceRow> rows) {
+  std::vector<Rows> by_joint(robot.joints.size());
+  for (const trace::TraceRow& row : rows) {
+    FARRIER_ENSURE(row.joint < by_joint.size(), "a trace row of a joint the robot does not have");
+    by_joint[row.joint].push_back(&row);
   }
-  script += "set tmargin at screen 0.92; set bmargin at screen 0.49; set format x ''\n";
-  script += "set ylabel '" + quantity(rating) + "'\n";
-  script += "plot keyentry with boxes fillstyle solid noborder fillcolor rgb '#dbe5eb' title 'stance (planned)', '" +
-            data + "_window.dat' using 1:2 with lines ls 1 title 'reference', '' using 1:3 with lines ls 2 title '" +
-            (rating.rotary ? "torque" : "force") + "', keyentry with lines ls 3 title 'reference − " +
-            (rating.rotary ? "torque" : "force") + "'\n";
-  script += "set tmargin at screen 0.45; set bmargin at screen 0.13\n";
-  script += "set xlabel 'time / s' offset 0,0.4; set format x '%g'\n";
-  script += "set ylabel 'error / " + std::string(rating.rotary ? "Nm" : "N") + "'\n";
-  script += "plot '" + data + "_window.dat' using 1:4 with lines ls 3\n";
-  return script + "unset multiplot\n";
+  return by_joint;
 }
 
-std::string overview_plot(const JointPictures& paths, const std::string& data, const JointPictureData& content,
-                          const Rating& rating) {
-  std::string script = std::string(kPictureStart) + kOverviewLayout;
-  script += "set output '" + paths.overview + "'\n" + x_range(0.0, content.run_end_s);
-  script += "set ylabel '" + quantity(rating) + "'\n";
-  script += "set object rectangle from " + number(content.window_start_s) + ", graph 0 to " +
-            number(content.window_end_s) + ", graph 1 behind fillcolor rgb '#f3ead3' fillstyle solid noborder\n";
-  const auto band = [](const char* colour) {
-    return std::string(" with filledcurves fillstyle solid border lc rgb '") + colour + "' fillcolor rgb '" + colour +
-           "'";
-  };
-  script += "plot keyentry with boxes fillstyle solid noborder fillcolor rgb '#eadbb4' title 'shown above', '" + data +
-            "_run.dat' using 1:2:3" + band("#9aa5ad") + " title 'reference', '' using 1:4:5" + band("#d55e00") +
-            " title 'error'\n";
-  return script;
+/// Length of the close look.
+Tick window_ticks(const ReportInput& input) {
+  constexpr int kStrides = 3;
+  constexpr double kStanding_s = 2.0;
+  return input.robot.plan.gait.pattern == gait::Pattern::kStand ? std::llround(kStanding_s / input.robot.period_s)
+                                                                : kStrides * input.schedule.stride_ticks();
 }
 
-std::string datablock(const char* name, const control::ClosedLoopPoles& poles, double& largest) {
+/// The rows of one joint, and the close look at them: from the first judged tick to `last`, which is not in it.
+struct JointRun {
+  const ReportInput& input;
+  const robot::Joint& joint;
+  Rows rows;
+  Tick ticks = rows.empty() ? 0 : rows.back()->tick + 1;
+  Tick first = first_judged_tick(input.robot, input.schedule, joint.leg);
+  Tick last = std::min(ticks, first + window_ticks(input));
+  bool rotary = rating_of(input.robot, joint).rotary;
+  std::string quantity = rotary ? "torque" : "force", unit = rotary ? "Nm" : "N";
+
+  double seconds(Tick tick) const { return static_cast<double>(tick) * input.robot.period_s; }
+  Range window_s() const { return {seconds(first), seconds(last)}; }
+};
+
+double error_of(const trace::TraceRow& row) { return row.force_reference_N_or_Nm - row.force_N_or_Nm; }
+
+std::string add_tracking_picture(Drawing& drawing, const JointRun& run) {
+  Series stances{.label = "stance (planned)", .style = Style::kSpans, .colour = 1};
+  Series reference{.label = "reference"}, force{.label = run.quantity, .colour = 1}, error{.colour = 2};
+  bool in_stance = false;
+  for (const trace::TraceRow* row : run.rows) {
+    if (row->tick < run.first || row->tick >= run.last) {
+      continue;
+    }
+    const double time_s = run.seconds(row->tick);
+    reference.add(time_s, row->force_reference_N_or_Nm);
+    force.add(time_s, row->force_N_or_Nm);
+    error.add(time_s, error_of(*row));
+    const bool stance = run.input.schedule.phase(run.joint.leg, row->tick) == gait::Phase::kStance;
+    if (stance && !in_stance) {
+      stances.add(time_s, time_s);
+    }
+    if (stance) {
+      stances.y.back() = run.seconds(row->tick + 1);
+    }
+    in_stance = stance;
+  }
+  if (error.x.empty()) {
+    return "";
+  }
+  Panel above{.y_label = run.quantity + " / " + run.unit,
+              .series = {stances, reference, force, {.label = "reference − " + run.quantity, .colour = 2}},
+              .x_range = run.window_s()};
+  stances.label.clear();
+  Panel below{
+      .x_label = "time / s", .y_label = "error / " + run.unit, .series = {stances, error}, .x_range = run.window_s()};
+  return drawing.add(run.joint.name + "_tracking",
+                     {.panels = {above, below}, .key = Key::kAbove, .stacked = true, .height_px = 460.0});
+}
+
+/// Adds the lowest and the highest of `values` at one point of a band.
+void extend(Series& band, bool begins, double time_s, double value) {
+  if (begins) {
+    band.add(time_s, value);
+    band.high.push_back(value);
+  }
+  band.y.back() = std::min(band.y.back(), value);
+  band.high.back() = std::max(band.high.back(), value);
+}
+
+/// Bands from the lowest to the highest value of each of a few hundred intervals of the whole run.
+std::string add_overview_picture(Drawing& drawing, const JointRun& run) {
+  if (run.rows.empty()) {
+    return "";
+  }
+  constexpr Tick kIntervals = 400;
+  const Tick per_interval = std::max<Tick>(1, (run.ticks + kIntervals - 1) / kIntervals);
+  const auto [from, to] = run.window_s();
+  const Series window{.label = "shown above", .x = {from}, .y = {to}, .style = Style::kSpans, .colour = 2};
+  Series reference{.label = "reference", .style = Style::kBand, .colour = 5};
+  Series error{.label = "error", .style = Style::kBand, .colour = 2};
+  Tick interval = -1;
+  for (const trace::TraceRow* row : run.rows) {
+    const bool begins = row->tick / per_interval != interval;
+    interval = row->tick / per_interval;
+    extend(reference, begins, run.seconds(interval * per_interval), row->force_reference_N_or_Nm);
+    extend(error, begins, run.seconds(interval * per_interval), error_of(*row));
+  }
+  return drawing.add(run.joint.name + "_overview", {.panels = {{.x_label = "time / s",
+                                                                .y_label = run.quantity + " / " + run.unit,
+                                                                .series = {window, reference, error},
+                                                                .x_range = Range{0.0, run.seconds(run.ticks)}}},
+                                                    .key = Key::kAbove,
+                                                    .width_px = 640.0,
+                                                    .height_px = 250.0});
+}
+
+Series poles_of(const char* design, const control::ClosedLoopPoles& poles, double radius, Style style, int colour) {
   // A loop without delay leaves states unused: poles at zero, up to the root of the rounding of a double one.
   constexpr double kUnused = 1e-6;
-  std::string block = std::string("$") + name + " << EOD\nNaN NaN\n";  // never empty, which gnuplot refuses
+  Series series{
+      .label = std::string(design) + ": spectral radius " + short_number(radius), .style = style, .colour = colour};
   for (const std::complex<double>& pole : poles) {
     if (std::abs(pole) > kUnused) {
-      block += number(pole.real()) + " " + number(pole.imag()) + "\n";
-      largest = std::max(largest, std::abs(pole));
+      series.add(pole.real(), pole.imag());
     }
   }
-  return block + "EOD\n";
+  return series;
 }
 
-std::string poles_plot(const JointPictures& paths, const JointPoles& poles) {
-  constexpr double kRoom = 1.12;
+std::string add_poles_picture(Drawing& drawing, const robot::Joint& joint, const JointPoles& poles) {
+  std::vector<Series> series{
+      poles_of("stance design, stance load", poles.stance_on_stance, poles.stance_spectral_radius, Style::kDiscs, 1),
+      poles_of("stance design, swing load", poles.stance_on_swing, poles.stance_on_swing_spectral_radius,
+               Style::kTriangles, 3),
+      poles_of("swing design, stance load", poles.swing_on_stance, poles.swing_on_stance_spectral_radius,
+               Style::kCrosses, 2)};
   double largest = 1.0;
-  std::string script = kPictureStart + datablock("own", poles.stance_on_stance, largest) +
-                       datablock("lifted", poles.stance_on_swing, largest) +
-                       datablock("landed", poles.swing_on_stance, largest) + kPolesLayout;
-  const std::string range = "[" + number(-kRoom * largest) + ":" + number(kRoom * largest) + "]\n";
-  const auto title = [](const char* design, double spectral_radius) {
-    return std::string(" title '") + design + ": spectral radius " + short_number(spectral_radius) + "'";
-  };
-  script += "set output '" + paths.poles + "'\nset xrange " + range + "set yrange " + range;
-  script += "set object circle at 0,0 size 1 behind fillstyle solid 0.08 fillcolor rgb '#0072b2' linewidth 1\n";
-  script += "plot $own using 1:2 with points pt 7 ps 0.8 lc rgb '#0072b2'" +
-            title("stance design, stance load", poles.stance_spectral_radius) +
-            ", $lifted using 1:2 with points pt 8 ps 1.2 lw 1.3 lc rgb '#009e73'" +
-            title("stance design, swing load", poles.stance_on_swing_spectral_radius) +
-            ", $landed using 1:2 with points pt 2 ps 1.1 lw 1.5 lc rgb '#d55e00'" +
-            title("swing design, stance load", poles.swing_on_stance_spectral_radius) + "\n";
-  return script;
+  for (const Series& one : series) {
+    for (std::size_t i = 0; i < one.x.size(); ++i) {
+      largest = std::max(largest, std::hypot(one.x[i], one.y[i]));
+    }
+  }
+  constexpr double kRoom = 1.12;
+  return drawing.add(joint.name + "_poles", pole_picture(std::move(series), kRoom * largest));
 }
 
 }  // namespace
 
 Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, const ReportInput& input) {
-  const robot::Robot& robot = input.robot;
-  FARRIER_TRY(make_picture_folders(out_dir));
-  const auto by_joint = rows_by_joint(robot, input.rows);
-  const Tick ticks = input.rows.empty() ? 0 : std::ranges::max(input.rows, {}, &trace::TraceRow::tick).tick + 1;
+  Drawing drawing(out_dir);
+  auto by_joint = rows_by_joint(input.robot, input.rows);
   std::vector<JointPictures> pictures;
-  std::string script;
-  for (const robot::Joint& joint : robot.joints) {
-    const std::string data = "data/" + joint.name;
-    const auto content =
-        write_picture_data(out_dir + "/" + data, robot, input.schedule, joint, by_joint[joint.number]);
-    const auto poles = joint_poles(joint, robot.period_s, input.loop_delay_ticks);
-    if (!content || !poles) {
-      return content ? poles.error() : content.error();
-    }
-    const bool has_run = !by_joint[joint.number].empty();
-    const std::string stem = "pictures/" + joint.name;
-    pictures.push_back({.tracking = content.value().empty ? "" : stem + "_tracking.svg",
-                        .overview = has_run ? stem + "_overview.svg" : "",
-                        .poles = stem + "_poles.svg"});
-    const Rating rating = rating_of(robot, joint);
-    script += content.value().empty ? "" : tracking_plot(pictures.back(), data, content.value(), rating);
-    script += has_run ? overview_plot(pictures.back(), data, content.value(), rating) : "";
-    script += poles_plot(pictures.back(), poles.value());
-    const AdaptationPicture adaptation{robot, joint, input.outcome.run.decisions, input.gains, input.loop_delay_ticks, ticks};
-    if (adapted(adaptation)) {
-      pictures.back().adaptation = stem + "_adaptation.svg";
-      FARRIER_TRY(plot_adaptation(adaptation, out_dir, data, pictures.back().adaptation, script));
+  for (const robot::Joint& joint : input.robot.joints) {
+    const JointRun run{input, joint, std::move(by_joint[joint.number])};
+    const JointPoles poles = FARRIER_TRY(joint_poles(joint, input.robot.period_s, input.loop_delay_ticks));
+    pictures.push_back({.tracking = add_tracking_picture(drawing, run),
+                        .overview = add_overview_picture(drawing, run),
+                        .poles = add_poles_picture(drawing, joint, poles)});
+    if (adapted(input, joint)) {
+      pictures.back().gains = FARRIER_TRY(add_gains_picture(drawing, input, joint));
+      pictures.back().estimates = add_estimates_picture(drawing, input, joint);
     }
   }
-  FARRIER_TRY(draw(out_dir, script));
+  FARRIER_TRY(drawing.draw());
   return pictures;
 }
 

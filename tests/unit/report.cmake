@@ -9,6 +9,7 @@ farrier_test(report_test unit
   ${CMAKE_CURRENT_LIST_DIR}/report/joint_poles_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/outcome_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/page_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/report/pictures_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/sample_text_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/scaled_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/tracking_test.cpp

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "report/page/picture.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::thesis {
@@ -60,37 +61,16 @@ struct Measured {
 
 /// A value that a study measures and no claim judges.
 struct StudyFigure {
-  std::string id;      ///< as a claim's; "reproduce." before it names the figure
-  double value;        ///< not finite: there is none
+  std::string id;  ///< as a claim's; "reproduce." before it names the figure
+  double value;    ///< not finite: there is none
   const char* unit;
-  const char* meaning; ///< what was measured, as a sentence
+  const char* meaning;  ///< what was measured, as a sentence
 };
 
-// Pictures as data; tools/reproduce draws them.
-
-enum class Style { kLine, kDashed, kPoints, kCrosses };
-
-struct Series {
-  std::string label;                ///< for the key; empty: not in it
-  std::vector<double> x, y;         ///< of one size; points that are not finite part a line
-  Style style = Style::kLine;
-  int colour = 0;                   ///< 0 black, 1 blue, 2 orange, 3 green, 4 purple, 5 grey; next ones repeat these
-  std::vector<double> shade = {};   ///< by point, [0, 1], black to yellow; empty: `colour`
-};
-
-struct Panel {
-  std::string title;
-  std::string x_label, y_label;
-  bool log_x = false, log_y = false;
-  bool unit_circle = false;         ///< draws it, with equal axes
-  std::vector<Series> series = {};
-};
-
-struct Picture {
-  std::string caption;
-  std::size_t columns = 1;          ///< panels side by side, filled row by row
-  std::vector<Panel> panels;
-};
+using report::Panel;
+using report::Picture;
+using report::Series;
+using report::Style;
 
 struct StudyResult {
   std::vector<Measured> measured;
@@ -99,14 +79,14 @@ struct StudyResult {
 };
 
 struct StudyContext {
-  std::string robots;                     ///< folder of the shipped robot files
+  std::string robots;  ///< folder of the shipped robot files
   std::uint64_t seed = 1;
-  std::function<bool(double)> progress;   ///< told the share done, [0, 1], now and then; false: stop
+  std::function<bool(double)> progress;  ///< told the share done, [0, 1], now and then; false: stop
 };
 
 struct Study {
-  const char* number;  ///< as the text counts: "7.8", "A.2"; a table's begins with T: "T6.1"
-  const char* title;   ///< one line
+  const char* number;                 ///< as the text counts: "7.8", "A.2"; a table's begins with T: "T6.1"
+  const char* title;                  ///< one line
   std::span<const ClaimSpec> claims;  ///< not empty
   /// Refuses when it cannot be run, and with stopped() when progress says stop. May run in any thread.
   Result<StudyResult> (*run)(const StudyContext& context);

@@ -51,9 +51,9 @@ std::size_t bounded(const Figures& figures) {
 TEST(Updates, AreCountedByJointAndVerdict) {
   const robot::Robot robot = hyq();
   const robot::Joint& knee = robot.joints[2];
-  const auto decisions = decision_infos(
-      robot, std::vector{decision(knee, 500), decision(knee, 900, UpdateVerdict::kUnstableOnEstimate),
-                         decision(robot.joints[4], 950)});
+  const auto decisions =
+      decision_infos(robot, std::vector{decision(knee, 500), decision(knee, 900, UpdateVerdict::kUnstableOnEstimate),
+                                        decision(robot.joints[4], 950)});
   Figures figures;
   add_updates(figures, robot, decisions, kJudged, false);
   EXPECT_EQ(figures.find("trot." + knee.name + ".updates")->value, 1.0);
@@ -156,9 +156,12 @@ TEST_F(AdaptivePage, ShowsGainsAndEstimatesOfTheJointsThatWereDecidedOn) {
   EXPECT_NE(html.str().find("pictures/lf_kfe_adaptation.svg"), std::string::npos);
   EXPECT_NE(html.str().find("All of them: 1<"), std::string::npos);
   EXPECT_EQ(html.str().find("pictures/lf_hfe_adaptation.svg"), std::string::npos);
-  std::ostringstream picture;
-  picture << std::ifstream(path_ + "/pictures/lf_kfe_adaptation.svg").rdbuf();
-  EXPECT_NE(picture.str().find("</svg>"), std::string::npos);
+  for (const char* name : {"pictures/lf_kfe_adaptation.svg", "pictures/lf_kfe_estimates.svg"}) {
+    EXPECT_NE(html.str().find(name), std::string::npos) << name;
+    std::ostringstream picture;
+    picture << std::ifstream(path_ + "/" + name).rdbuf();
+    EXPECT_NE(picture.str().find("</svg>"), std::string::npos) << name;
+  }
 }
 
 }  // namespace adaptation_test
