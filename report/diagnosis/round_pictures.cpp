@@ -20,7 +20,7 @@ Picture round_picture(std::vector<diagnosis::Candidate> candidates) {
   panel.series = {std::move(accepted), std::move(others)};
   return {.panels = {std::move(panel)},
           .width_px = 720.0,
-          .height_px = 90.0 + 22.0 * static_cast<double>(candidates.size())};
+          .height_px = 100.0 + 22.0 * static_cast<double>(candidates.size())};
 }
 
 }  // namespace
