@@ -53,7 +53,7 @@ Expectation reacts(Fault fault, double within_s, double recovers_s) {
           .within_s = within_s,
           .recovers_s = recovers_s,
           .latches = info.latched(),
-          .event = info.event.text};
+          .event = info.event_text()};
 }
 
 /// `recovers_s`: after the valve's commands come again; 0: they do not.
@@ -184,7 +184,7 @@ const std::vector<Row>& rows() {
       {"sim_bridge_killed", "sim_bridge, or the driver in its place, dies (kill -9).",
        "joint_node has no sensors: its commands are null. No clock: the gait source is silent, joints trip.", Hit::kAll,
        nullptr, {}, 0.2, {{kSimBridge, SIGKILL, 0.0}},
-       {.event = info_of(Fault::kSensorsStale).event.text, .event_within_s = kStale_s + kHeard_s}},
+       {.event = info_of(Fault::kSensorsStale).event_text(), .event_within_s = kStale_s + kHeard_s}},
       {"sim_bridge_stopped_short", "sim_bridge, or the driver in its place, stands still for 30 ms (SIGSTOP).",
        "joint_node puts its valves to null; by itself back.", Hit::kAll, nullptr, {}, 0.03,
        {{kSimBridge, SIGSTOP, 0.0}, {kSimBridge, SIGCONT, 0.03}},

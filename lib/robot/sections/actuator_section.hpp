@@ -24,7 +24,7 @@ struct Supply {
   double supply_pressure_Pa = 0.0;
   double return_pressure_Pa = 0.0;
   double bulk_modulus_Pa = 0.0;
-  double laminar_pressure_Pa = 0.0;
+  double laminar_pressure_Pa = 1e5;
 };
 
 struct Valve {
