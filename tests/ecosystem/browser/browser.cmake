@@ -25,7 +25,8 @@ if(FARRIER_NPM AND FARRIER_NODE)
   add_dependencies(tier_realtime browser_driver product)
   add_test(NAME ecosystem/browser_test COMMAND ${FARRIER_NODE} ${browser_build}/browser_test.mjs $<TARGET_FILE:page_server>
     ${PROJECT_BINARY_DIR}/share/farrier/page ${PROJECT_SOURCE_DIR}/deploy/robots/hyq.yaml ${browser_build})
-  set_tests_properties(ecosystem/browser_test PROPERTIES LABELS ecosystem SKIP_RETURN_CODE 77 TIMEOUT 300)
+  # Its frame rate is of real time.
+  set_tests_properties(ecosystem/browser_test PROPERTIES LABELS ecosystem RUN_SERIAL TRUE SKIP_RETURN_CODE 77 TIMEOUT 300)
   add_test(NAME realtime/trot_page_test COMMAND ${FARRIER_NODE} ${browser_build}/trot_page_test.mjs $<TARGET_FILE:farrier>
     ${browser_build})
   set_tests_properties(realtime/trot_page_test PROPERTIES LABELS realtime RUN_SERIAL TRUE SKIP_RETURN_CODE 77 TIMEOUT 300)
