@@ -36,7 +36,7 @@ std::string topics_table_markdown() {
       "  unsigned `short`, `long` and `long long`, arrays of these, and `sequence<octet, N>` as the last field.\n"
       "- A `long long` with the name `tick` or `..._tick` counts control periods. It is -1 for none.\n"
       "- A comment behind a field, or in the lines before it, becomes the comment of the C++ field.\n\n"
-      "How to add a field or a topic: [a sensor channel](../docs/how-to/new-sensor-channel.md).\n\n"
+      "The page [Add a sensor channel](../docs/how-to/new-sensor-channel.md) adds a field to a topic.\n\n"
       "| topic | file | from → to | key | version | reaches | QoS in real time | QoS in lock-step |\n"
       "|---|---|---|---|---|---|---|---|\n";
   for (const TopicSpec& topic : topics()) {

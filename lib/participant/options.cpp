@@ -33,19 +33,25 @@ std::string numbers_text() {
   return text;
 }
 
-/// True if a process of this program may have this number. Programs of others may have any.
-bool may_have(const std::string& program, bool stands_by, std::uint16_t number) {
-  const auto known = std::ranges::find_if(kPrograms, [&](const ProgramInfo& one) { return program == one.name; });
-  if (stands_by || (known != kPrograms.end() && known->program == Program::kJointNode)) {
-    return number >= kFirstJointNode;
-  }
-  return known == kPrograms.end() || number == known->number;
+/// The program of that name. Null for programs of others, which may stand in for any process.
+const ProgramInfo* find_program(const std::string& name) {
+  const auto found = std::ranges::find(kPrograms, name, &ProgramInfo::name);
+  return found == kPrograms.end() ? nullptr : &*found;
 }
 
-/// True if the options of this program concern a process of that name. Other programs stand in for any process.
+/// True if a process of this program may have this number.
+bool may_have(const std::string& program, bool stands_by, std::uint16_t number) {
+  const ProgramInfo* const known = find_program(program);
+  if (stands_by || (known != nullptr && known->program == Program::kJointNode)) {
+    return number >= kFirstJointNode;
+  }
+  return known == nullptr || number == known->number;
+}
+
+/// True if the options of this program concern a process of that name.
 bool concerns(Program program, const std::string& process) {
-  const auto known = std::ranges::find_if(kPrograms, [&](const ProgramInfo& one) { return process == one.name; });
-  return known == kPrograms.end() || known->program == program;
+  const ProgramInfo* const known = find_program(process);
+  return known == nullptr || known->program == program;
 }
 
 void declare_of_sim_bridge(CLI::App& app, ProcessOptions& o) {

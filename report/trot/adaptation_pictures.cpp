@@ -19,14 +19,9 @@ using signals::Phase;
 constexpr int kStance = 1;
 constexpr int kSwing = 2;
 
-double end_of_run_s(const ReportInput& input) {
-  const Tick ticks = input.rows.empty() ? 0 : std::ranges::max(input.rows, {}, &trace::TraceRow::tick).tick + 1;
-  return static_cast<double>(ticks) * input.robot.period_s;
-}
-
 /// One gain of one slot over time; the last value again at the end of the run.
-Series gain_steps(const ReportInput& input, const robot::Joint& joint, Phase phase,
-                  double JointControllerGains::*gain) {
+Series gain_steps(const ReportInput& input, const robot::Joint& joint, Phase phase, double JointControllerGains::*gain,
+                  double end_s) {
   std::vector<JointControllerGains> slot;
   std::ranges::copy_if(input.gains, std::back_inserter(slot), [&](const JointControllerGains& gains) {
     return gains.joint == joint.number && gains.phase == static_cast<std::uint8_t>(phase);
@@ -39,23 +34,22 @@ Series gain_steps(const ReportInput& input, const robot::Joint& joint, Phase pha
     steps.add(static_cast<double>(gains.effective_tick) * input.robot.period_s, gains.*gain);
   }
   if (!slot.empty()) {
-    steps.add(end_of_run_s(input), slot.back().*gain);
+    steps.add(end_s, slot.back().*gain);
   }
   return steps;
 }
 
 /// One gain of both slots, and its values for the true loads.
 Panel gain_panel(const ReportInput& input, const robot::Joint& joint, const char* name,
-                 double JointControllerGains::*gain, double for_stance, double for_swing) {
-  const double end_s = end_of_run_s(input);
+                 double JointControllerGains::*gain, double for_stance, double for_swing, double end_s) {
   const auto level = [&](double value, int colour) {
     return Series{.x = {0.0, end_s}, .y = {value, value}, .style = Style::kDashed, .colour = colour};
   };
   return {.y_label = name,
           .series = {level(for_stance, kStance),
                      level(for_swing, kSwing),
-                     gain_steps(input, joint, Phase::kStance, gain),
-                     gain_steps(input, joint, Phase::kSwing, gain),
+                     gain_steps(input, joint, Phase::kStance, gain, end_s),
+                     gain_steps(input, joint, Phase::kSwing, gain, end_s),
                      {.label = "for the true load", .style = Style::kDashed, .colour = 5}},
           .x_range = Range{0.0, end_s}};
 }
@@ -92,13 +86,15 @@ bool adapted(const ReportInput& input, const robot::Joint& joint) {
                              [&](const DecisionInfo& info) { return info.joint == joint.name; });
 }
 
-Result<std::string> add_gains_picture(Drawing& drawing, const ReportInput& input, const robot::Joint& joint) {
+Result<std::string> add_gains_picture(Drawing& drawing, const ReportInput& input, const robot::Joint& joint,
+                                      double end_s) {
   const double period_s = input.robot.period_s;
   const auto stance = FARRIER_TRY(supervisor::design_joint(joint, joint.stance_load, period_s, input.loop_delay_ticks));
   const auto swing = FARRIER_TRY(supervisor::design_joint(joint, joint.swing_load, period_s, input.loop_delay_ticks));
-  Panel velocity =
-      gain_panel(input, joint, "velocity gain", &JointControllerGains::k_velocity, stance.velocity, swing.velocity);
-  Panel force = gain_panel(input, joint, "force gain", &JointControllerGains::k_force, stance.force, swing.force);
+  Panel velocity = gain_panel(input, joint, "velocity gain", &JointControllerGains::k_velocity, stance.velocity,
+                              swing.velocity, end_s);
+  Panel force =
+      gain_panel(input, joint, "force gain", &JointControllerGains::k_force, stance.force, swing.force, end_s);
   force.x_label = "time / s";
   for (Series& series : force.series) {
     series.label.clear();

@@ -156,6 +156,8 @@ std::string add_poles_picture(Drawing& drawing, const robot::Joint& joint, const
 Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, const ReportInput& input) {
   Drawing drawing(out_dir);
   auto by_joint = rows_by_joint(input.robot, input.rows);
+  const Tick ticks = input.rows.empty() ? 0 : std::ranges::max(input.rows, {}, &trace::TraceRow::tick).tick + 1;
+  const double end_s = static_cast<double>(ticks) * input.robot.period_s;
   std::vector<JointPictures> pictures;
   for (const robot::Joint& joint : input.robot.joints) {
     const JointRun run{input, joint, std::move(by_joint[joint.number])};
@@ -164,7 +166,7 @@ Result<std::vector<JointPictures>> draw_pictures(const std::string& out_dir, con
                         .overview = add_overview_picture(drawing, run),
                         .poles = add_poles_picture(drawing, joint, poles)});
     if (adapted(input, joint)) {
-      pictures.back().gains = FARRIER_TRY(add_gains_picture(drawing, input, joint));
+      pictures.back().gains = FARRIER_TRY(add_gains_picture(drawing, input, joint, end_s));
       pictures.back().estimates = add_estimates_picture(drawing, input, joint);
     }
   }
