@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <array>
+#include <chrono>
 #include <memory>
 #include <string>
 
@@ -12,6 +13,9 @@
 #include "cli/base/installation.hpp"
 
 namespace farrier::cli {
+
+/// A guest that counts from the first sample waits this long for it. Discovery can take seconds on a busy computer.
+constexpr std::chrono::seconds kFirstSampleLimit{10};
 
 /// Options of a command that joins a running robot as an observer.
 struct GuestOptions {

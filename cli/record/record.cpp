@@ -26,9 +26,6 @@ using namespace std::chrono_literals;
 
 constexpr auto kNextLook = 5ms;  // the deepest history is of 256 samples at 1 kHz
 
-/// A recording with a duration ends if nothing has come by then. Discovery can take seconds on a busy computer.
-constexpr auto kFirstSampleLimit = 10s;
-
 struct RecordOptions {
   std::string path;
   std::vector<std::string> topics;

@@ -112,13 +112,44 @@ void print_json(const std::vector<TopicView>& views) {
   std::printf("%s\n", all.dump(2).c_str());
 }
 
-/// Counts what comes for that long.
-void listen(bus::Bus& bus, recorder::Recorder& recorder, Nanoseconds how_long) {
-  const SteadyTime end = participant::steady_now() + how_long;
-  while (participant::steady_now() < end && !participant::stop_requested()) {
-    bus.wait_for_arrivals(~std::uint64_t{0}, std::chrono::milliseconds(5));
-    recorder.drain([](const recording::Sample&) {});
+/// Returns the streams that writers of `found` offer: topics that come many times a second while a robot runs.
+std::vector<bus::TopicId> offered_streams(const bus::Discovery& found) {
+  std::vector<bus::TopicId> streams;
+  for (const bus::TopicSpec& topic : bus::topics()) {
+    const bool offered = std::ranges::any_of(found.endpoints, [&](const bus::DiscoveredEndpoint& endpoint) {
+      return endpoint.writes && endpoint.topic == topic.name;
+    });
+    if (offered && topic.sending == bus::Sending::kTogether) {
+      streams.push_back(topic.id);
+    }
   }
+  return streams;
+}
+
+/// Counts what comes for `how_long` after every one of `streams` was heard, or after kFirstSampleLimit. The counts
+/// leave out what came before: announcements from before this command joined, and a late discovery.
+std::vector<recorder::TopicProgress> listen(bus::Bus& bus, recorder::Recorder& recorder,
+                                            const std::vector<bus::TopicId>& streams, Nanoseconds how_long) {
+  const auto drain_until = [&](SteadyTime end, const auto& enough) {
+    while (participant::steady_now() < end && !participant::stop_requested() && !enough()) {
+      bus.wait_for_arrivals(~std::uint64_t{0}, std::chrono::milliseconds(5));
+      recorder.drain([](const recording::Sample&) {});
+    }
+  };
+  const auto all_heard = [&] {
+    const std::vector<recorder::TopicProgress> heard = recorder.progress();
+    return std::ranges::all_of(streams, [&](bus::TopicId stream) {
+      return std::ranges::any_of(heard, [&](const auto& topic) { return topic.topic == stream && topic.samples > 0; });
+    });
+  };
+  drain_until(participant::steady_now() + kFirstSampleLimit, all_heard);
+  const std::vector<recorder::TopicProgress> before = recorder.progress();
+  drain_until(participant::steady_now() + how_long, [] { return false; });
+  std::vector<recorder::TopicProgress> counted = recorder.progress();
+  for (std::size_t i = 0; i < counted.size(); ++i) {
+    counted[i].samples -= before[i].samples;
+  }
+  return counted;
 }
 
 int run_topics(const TopicsOptions& o) {
@@ -143,11 +174,11 @@ int run_topics(const TopicsOptions& o) {
   if (!recorder) {
     return fail("topics", recorder.error().message);
   }
-  listen(*bus.value(), recorder.value(), half_ns);
+  const auto heard = listen(*bus.value(), recorder.value(), offered_streams(found.value()), half_ns);
   if (participant::stop_requested()) {
     return participant::stop_status();
   }
-  const std::vector<TopicView> views = views_of(found.value(), recorder.value().progress(), half.count());
+  const std::vector<TopicView> views = views_of(found.value(), heard, half.count());
   if (o.json) {
     print_json(views);
     return kPassed;
