@@ -3,8 +3,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <regex>
+#include <sstream>
 
+#include "core/pattern.hpp"
 #include "core/text.hpp"
 
 namespace farrier::cli {
@@ -30,15 +31,17 @@ PathKind path_kind(const std::string& value) {
 
 /// CLI11 says "<type>:<check>:<check>", where a check is "{a,b}", "INT in [0 - 232]" or a word.
 void read_type(const std::string& type, OptionText& option) {
-  static const std::regex check(R"re(:(\{([^}]*)\}|[A-Z]+ in \[([^ ]+) - ([^\]]+)\]|[A-Z]+))re");
+  // Groups: 2 the choices, 3 and 4 the range.
+  static const Pattern check(R"(^:(\{([^}]*)\}|[A-Z]+ in \[([^ ]+) - ([^]]+)\]|[A-Z]+))");
   const std::size_t named_end = type.rfind('>');  // a name may have a colon: "<address:port>"
   const std::size_t colon = type.find(':', named_end == std::string::npos ? 0 : named_end);
   option.value = type.substr(0, colon);
-  for (std::sregex_iterator found(type.begin(), type.end(), check), end; found != end; ++found) {
-    if ((*found)[2].length() > 0) {
+  for (std::size_t at = colon; at != std::string::npos; at = type.find(':', at + 1)) {
+    const auto found = check.find(type.substr(at));
+    if (found && !(*found)[2].empty()) {
       option.choices = split((*found)[2], ',');
-    } else if ((*found)[3].length() > 0) {
-      option.range = (*found)[3].str() + " to " + (*found)[4].str();
+    } else if (found && !(*found)[3].empty()) {
+      option.range = (*found)[3] + " to " + (*found)[4];
     }
   }
   const bool named = option.value.find('<') != std::string::npos;

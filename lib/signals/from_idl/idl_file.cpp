@@ -1,17 +1,19 @@
 #include "signals/from_idl/idl_file.hpp"
 
 #include <fstream>
-#include <regex>
 #include <stdexcept>
+
+#include "core/pattern.hpp"
 
 namespace farrier::from_idl {
 namespace {
 
-const std::regex kTopic(R"(// Topic (\d+): ([a-z_/]+), version (\d+)\.)");
-const std::regex kReaders(R"([^>]* -> ([^:]+): .*)");
-const std::regex kStruct(R"(struct (\w+) \{)");
-const std::regex kField(R"(  (@key )?((?:unsigned )?(?:short|long long|long)|octet|char|double|sequence<octet, \d+>) )"
-                        R"((\w+)(?:\[(\d+)\])?;(?:  // (.*))?)");
+const Pattern kTopic(R"(^// Topic ([0-9]+): ([a-z_/]+), version ([0-9]+)\.$)");
+const Pattern kReaders(R"(^[^>]* -> ([^:]+): )");
+const Pattern kStruct(R"(^struct ([A-Za-z0-9_]+) \{$)");
+// Groups: 1 the key, 2 the type, 3 the name, 5 the count of an array, 7 the comment.
+const Pattern kField(R"(^  (@key )?(unsigned short|unsigned long|unsigned long long|short|long|long long|octet|char|)"
+                     R"(double|sequence<octet, [0-9]+>) ([A-Za-z0-9_]+)(\[([0-9]+)\])?;(  // (.*))?$)");
 
 [[noreturn]] void refuse(const std::filesystem::path& path, std::size_t line, const std::string& remedy) {
   throw std::runtime_error(path.string() + ':' + std::to_string(line) + ": " + remedy);
@@ -42,28 +44,29 @@ IdlFile read(const std::filesystem::path& path) {
   bool closed = false;
   while (std::getline(in, line)) {
     ++number;
-    std::smatch found;
     if (number == 1) {
-      if (!std::regex_match(line, found, kTopic)) {
+      const auto topic = kTopic.find(line);
+      if (!topic) {
         refuse(path, number, "the first line names the topic: // Topic 3: joint/measurement, version 1.");
       }
-      file.number = std::stoi(found[1]);
-      file.topic = found[2];
-      file.version = found[3];
+      file.number = std::stoi((*topic)[1]);
+      file.topic = (*topic)[2];
+      file.version = (*topic)[3];
     } else if (line.starts_with("// ")) {
       file.comment.push_back(line.substr(3));
-      if (number == 2 && std::regex_match(line, found, kReaders)) {
-        file.readers = found[1];
+      if (const auto readers = kReaders.find(line); number == 2 && readers) {
+        file.readers = (*readers)[1];
       }
     } else if (line == "@final") {
       final_struct = true;
-    } else if (file.structure.empty() && std::regex_match(line, found, kStruct)) {
-      file.structure = found[1];
-    } else if (!closed && !file.structure.empty() && std::regex_match(line, found, kField)) {
-      if (found[1].matched && !file.fields.empty() && !file.fields.back().key) {
+    } else if (const auto opened = kStruct.find(line); file.structure.empty() && opened) {
+      file.structure = (*opened)[1];
+    } else if (const auto field = kField.find(line); field && !closed && !file.structure.empty()) {
+      const bool key = !(*field)[1].empty();
+      if (key && !file.fields.empty() && !file.fields.back().key) {
         refuse(path, number, "key fields come first");
       }
-      file.fields.push_back({found[1].matched, found[2], found[3], found[4], comment + found[5].str()});
+      file.fields.push_back({key, (*field)[2], (*field)[3], (*field)[5], comment + (*field)[7]});
       comment.clear();
     } else if (!file.structure.empty() && line.starts_with("  // ")) {
       comment += line.substr(5) + ' ';
