@@ -48,6 +48,14 @@ std::string undesignable(const robot::Robot& robot) {
   return lines;
 }
 
+/// Empty if a leg stands at every moment of the stride.
+std::string flight_warning(const gait::RobotPlan& plan) {
+  const double flight = gait::flight_share(plan);
+  return flight > 0.0 ? "no leg stands in " + report::short_number(100.0 * flight) +
+                            " % of the stride: see phase_offset of the legs and duty of the gait"
+                      : "";
+}
+
 /// The runs beside that the options ask for.
 Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
   if (o.dither_cost) {
@@ -124,6 +132,10 @@ int trot(TrotOptions o) {
   if (const std::string order = gait::stepping_order(robot.plan); !order.empty()) {
     std::fprintf(stderr, "trot: legs step in the order %s\n", order.c_str());
   }
+  const std::string flight = flight_warning(robot.plan);
+  if (!flight.empty()) {
+    std::fprintf(stderr, "trot: warning: %s\n", flight.c_str());
+  }
   const bool lockstep = o.clock == bus::ClockKind::kLockstep;
   Yardstick yardstick;
   if (!lockstep) {
@@ -144,9 +156,8 @@ int trot(TrotOptions o) {
   outcome.run.processes = report::process_infos(ran.value().hellos, ran.value().healths);
   outcome.run.decisions = report::decision_infos(robot, ran.value().decisions);
   outcome.warnings = ran.value().warnings;
-  if (const double flight = gait::flight_share(robot.plan); flight > 0.0) {
-    outcome.warnings.push_back("no leg stands in " + report::short_number(100.0 * flight) +
-                               " % of the stride: see phase_offset of the legs and duty of the gait");
+  if (!flight.empty()) {
+    outcome.warnings.push_back(flight);
   }
   for (const signals::SystemEvent& event : ran.value().events) {
     if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {

@@ -1,6 +1,6 @@
 # What the documents say, and what is made of them: by the label docs. Each source is an entry of CTest.
 set(docs_dir ${CMAKE_CURRENT_LIST_DIR})
-set(docs_tests links site commands man completion format tidy controller prose touched_files)
+set(docs_tests links site commands man completion format tidy controller prose touched_files readme)
 set(sources ${docs_tests})
 list(TRANSFORM sources REPLACE "(.+)" "${docs_dir}/\\1_test.cpp")
 farrier_test_executable(docs_test ${sources} ${docs_dir}/documents.cpp ${docs_dir}/prose.cpp
