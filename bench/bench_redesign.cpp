@@ -23,8 +23,6 @@ constexpr double kGainError = 0.02;  // one sigma, of the valve's gain
 constexpr double kValidity = 0.9;
 constexpr std::uint32_t kSamples = 500;
 constexpr int kMaxLooks = 100;
-constexpr std::uint8_t kAccepted = static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted);
-constexpr std::uint8_t kNotConverged = static_cast<std::uint8_t>(signals::UpdateVerdict::kNotConverged);
 
 /// A slot that needs one more look at its estimate.
 struct Case {
@@ -35,7 +33,7 @@ struct Case {
 };
 
 // As on a robot that stands: no dwell time of the joint's two loops is worked out.
-std::uint8_t look(Case& one, Tick tick) {
+signals::UpdateVerdict look(Case& one, Tick tick) {
   return one.slot.look(one.estimate, tick, {one.slot.gains(), control::kNoDwell, false}).verdict;
 }
 
@@ -54,11 +52,11 @@ signals::JointModelEstimate estimate_of(const robot::Joint& joint, const control
 void keep_if_accepted(Case candidate, std::vector<Case>& cases) {
   for (int i = 0; i < kMaxLooks; ++i) {
     const Case before = candidate;
-    const std::uint8_t verdict = look(candidate, i);
-    if (verdict == kAccepted) {
+    const signals::UpdateVerdict verdict = look(candidate, i);
+    if (verdict == signals::UpdateVerdict::kAccepted) {
       cases.push_back(before);
     }
-    if (verdict != kNotConverged) {
+    if (verdict != signals::UpdateVerdict::kNotConverged) {
       return;
     }
   }
@@ -69,8 +67,7 @@ Result<std::vector<Case>> make_cases(const robot::Robot& robot, int delay_ticks)
   for (const robot::Joint& joint : robot.joints) {
     for (const plant::LoadParams& designed_for : {joint.swing_load, joint.stance_load}) {
       const auto first = FARRIER_TRY(supervisor::design_joint(joint, designed_for, robot.period_s, delay_ticks));
-      const supervisor::SlotUpdate slot(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks,
-                                        first);
+      const supervisor::SlotUpdate slot(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, first);
       for (const double mass : kMassFactors) {
         for (const double damping : kDampingFactors) {
           for (const double gain : kGainFactors) {
@@ -108,7 +105,7 @@ Result<RedesignBench> bench_redesign(const robot::Robot& robot, int rounds, std:
       const std::int64_t before = allocations_so_far != nullptr ? allocations_so_far() : 0;
       const auto start = Clock::now();
       for (Case& each : ready) {
-        accepted += look(each, kMaxLooks) == kAccepted ? 1 : 0;
+        accepted += look(each, kMaxLooks) == signals::UpdateVerdict::kAccepted ? 1 : 0;
       }
       const auto between = Clock::now();
       for (const Case& each : ready) {

@@ -28,7 +28,7 @@ struct Cores {
 
 struct TickInputs {
   Tick tick;
-  std::vector<signals::GaitPhase> phases;               // announced in this tick
+  std::vector<signals::GaitPhase> phases;  // announced in this tick
   std::vector<joint_node::JointNode::Inputs> joints;
   std::vector<signals::JointMeasurement> measurements;  // what the nodes make of them
   std::vector<signals::JointModelEstimate> estimates;   // and the estimators of that
@@ -96,8 +96,8 @@ TickInputs record_tick(const robot::Robot& robot, const gait::Schedule& schedule
   TickInputs inputs{world.tick(), {}, {}, {}, {}};
   for (std::size_t leg = 0; leg < robot.plan.legs.size(); ++leg) {
     if (const auto planned = schedule.announcement(static_cast<int>(leg), inputs.tick)) {
-      inputs.phases.push_back({static_cast<std::uint16_t>(leg), planned->count, inputs.tick, planned->tick,
-                               static_cast<std::uint8_t>(planned->phase)});
+      inputs.phases.push_back(
+          {static_cast<std::uint16_t>(leg), planned->count, inputs.tick, planned->tick, planned->phase});
     }
   }
   announce(cores.nodes, legs, inputs.phases);
@@ -175,9 +175,8 @@ Result<TickBench> bench_tick(const robot::Robot& robot, int rounds, std::int64_t
     time_round(recording, best_s, allocations_so_far, bench.allocations, tick);
   };
   for (int round = 0; round < std::max(rounds, 1); ++round) {
-    time(bench.tick_s, [&](Cores& cores, const TickInputs& inputs) {
-      decisions += whole_tick(cores, recording.legs, inputs);
-    });
+    time(bench.tick_s,
+         [&](Cores& cores, const TickInputs& inputs) { decisions += whole_tick(cores, recording.legs, inputs); });
     time(bench.control_s, [&](Cores& cores, const TickInputs& inputs) {
       announce(cores.nodes, recording.legs, inputs.phases);
       for (std::size_t i = 0; i < cores.nodes.size(); ++i) {

@@ -26,7 +26,7 @@ void EstimatorService::take(const signals::JointMeasurement& measurement) noexce
         {.tick = measurement.tick,
          .state = {measurement.position_m_or_rad, measurement.velocity_m_s_or_rad_s, measurement.force_N_or_Nm},
          .current_A = measurement.valve_current_A,
-         .phase = measurement.phase});
+         .phase = static_cast<int>(measurement.phase)});
   }
 }
 
@@ -39,7 +39,7 @@ signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick
   }
   signal.measurements = taken_[joint].bits_at(tick);
   const estimation::ModelEstimate estimate = estimators_[joint]->estimate();
-  signal.phase = static_cast<std::uint8_t>(estimate.phase);
+  signal.phase = static_cast<Phase>(estimate.phase);
   signal.a = control::rows_of(estimate.a);
   signal.b = control::entries_of(estimate.b);
   signal.c = control::entries_of(estimate.c);

@@ -65,10 +65,9 @@ void PlannedGait::announce(Tick tick) {
   for (std::size_t leg = 0; leg < announced_.size(); ++leg) {
     if (const auto planned = schedule_.announcement(static_cast<int>(leg), tick)) {
       announced_[leg] = planned->count;
-      const Tick at = announce_ == Announce::kActual ? schedule_.actual_switch(static_cast<int>(leg), *planned)
-                                                     : planned->tick;
-      ports_.phases->publish({static_cast<std::uint16_t>(leg), planned->count, tick, at,
-                              static_cast<std::uint8_t>(planned->phase)});
+      const Tick at =
+          announce_ == Announce::kActual ? schedule_.actual_switch(static_cast<int>(leg), *planned) : planned->tick;
+      ports_.phases->publish({static_cast<std::uint16_t>(leg), planned->count, tick, at, planned->phase});
     }
   }
 }
@@ -135,8 +134,8 @@ Result<std::unique_ptr<GaitSource>> GaitSource::create(const robot::Robot& robot
   auto clock = FARRIER_TRY(participant.subscribe<signals::ClockTick>({0}));
   auto commands = FARRIER_TRY(participant.publish<signals::JointCommand>(numbers, robot::legs_of_joints(robot)));
   auto phases = FARRIER_TRY(participant.publish<signals::GaitPhase>(robot::leg_numbers(robot)));
-  return std::unique_ptr<GaitSource>(std::make_unique<PlannedGait>(
-      robot, seed, Ports{clock, commands, phases}, participant, ticks, announce));
+  return std::unique_ptr<GaitSource>(
+      std::make_unique<PlannedGait>(robot, seed, Ports{clock, commands, phases}, participant, ticks, announce));
 }
 
 }  // namespace farrier::gait_source

@@ -48,9 +48,7 @@ static_assert(std::ranges::equal(kConditions, kFaults, {}, &Condition::fault, &F
 
 }  // namespace
 
-bool Situation::armed() const noexcept {
-  return mode.epoch != 0 && mode.mode == static_cast<std::uint8_t>(signals::Mode::kArmed);
-}
+bool Situation::armed() const noexcept { return mode.epoch != 0 && mode.mode == signals::Mode::kArmed; }
 
 void FaultAssessor::assess(const Situation& now, FaultSet& faults) noexcept {
   for (std::size_t row = 0; row < kFaults.size(); ++row) {

@@ -54,7 +54,7 @@ bool JointNode::store_gains(const signals::JointControllerGains& signal, const c
 }
 
 void JointNode::refuse_gains(const signals::JointControllerGains& signal) noexcept {
-  const std::size_t phase = signal.phase < signals::kPhaseCount ? signal.phase : 0;
+  const Phase phase = known(signal.phase) ? signal.phase : Phase::kSwing;
   upcoming_refusals_[phase].put({issue_of(signal), signal.effective_tick});
 }
 
@@ -65,11 +65,11 @@ void JointNode::set_mode(const signals::SystemMode& mode) noexcept {
 }
 
 void JointNode::announce_phase(const signals::GaitPhase& phase) noexcept {
-  if (phase.phase >= signals::kPhaseCount) {
+  if (!known(phase.phase)) {
     return;
   }
   signals::GaitPhase acting = phase;
-  if (static_cast<Phase>(phase.phase) == Phase::kStance) {
+  if (phase.phase == Phase::kStance) {
     // Swing gains are unstable on the stance load, stance gains stable on the swing load: a leg may land early, so be
     // early (docs/decisions/0016). Ticks before 0 are as due as 0.
     acting.switch_tick = std::max<Tick>(phase.switch_tick, 0) - stance_lead_ticks_;
@@ -112,7 +112,7 @@ void JointNode::apply_due(Tick tick) noexcept {
     }
   }
   if (const auto phase = upcoming_phases_.take_due(tick)) {
-    phase_ = static_cast<Phase>(phase->phase);
+    phase_ = phase->phase;
     phase_count_ = phase->count;
   }
 }
@@ -207,8 +207,8 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
   valve.force_reference_N_or_Nm = reference.force;
   valve.generation = generation_of(controller_issue_);
   valve.faults = faults_.bits();
-  valve.state = static_cast<std::uint8_t>(now);
-  valve.phase = static_cast<std::uint8_t>(phase_);
+  valve.state = now;
+  valve.phase = phase_;
 
   signals::JointMeasurement& measurement = out.measurement;
   measurement.joint = joint_.number;

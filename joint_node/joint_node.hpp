@@ -131,11 +131,11 @@ class JointNode {
   std::optional<control::FeedbackLinearisation> flow_law_;  ///< where the joint is of that kind
   control::Pid pid_;
   std::optional<control::FlowInversion> flow_inversion_;  ///< likewise
-  std::array<Slot, signals::kPhaseCount> acting_{};
-  std::array<Upcoming<Slot, &Slot::issue, &Slot::effective_tick>, signals::kPhaseCount> upcoming_gains_{};
+  PerPhase<Slot> acting_{};
+  PerPhase<Upcoming<Slot, &Slot::issue, &Slot::effective_tick>> upcoming_gains_{};
   std::uint32_t newest_authority_ = 0;  ///< of gains
-  std::array<Refusal, signals::kPhaseCount> refused_{};
-  std::array<Upcoming<Refusal, &Refusal::issue, &Refusal::effective_tick>, signals::kPhaseCount> upcoming_refusals_{};
+  PerPhase<Refusal> refused_{};
+  PerPhase<Upcoming<Refusal, &Refusal::issue, &Refusal::effective_tick>> upcoming_refusals_{};
   signals::SystemMode mode_{};
   Upcoming<signals::SystemMode, &signals::SystemMode::epoch, &signals::SystemMode::effective_tick> upcoming_modes_;
   Upcoming<signals::GaitPhase, &signals::GaitPhase::count, &signals::GaitPhase::switch_tick> upcoming_phases_;

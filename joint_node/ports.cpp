@@ -8,9 +8,13 @@ Result<std::vector<HostedJoint>> host_joints(const robot::Robot& robot, const st
                                              int loop_delay_ticks, std::uint64_t session) {
   std::vector<HostedJoint> hosted;
   const auto host = [&](const robot::Joint& joint) {
-    hosted.push_back({JointNode(joint, robot.safety, robot.period_s, loop_delay_ticks, session), {},
-                      Summariser(robot.period_s, static_cast<Tick>(joint.leg)), joint.number, static_cast<std::uint16_t>(joint.leg),
-                      joint.kind, joint.name});
+    hosted.push_back({JointNode(joint, robot.safety, robot.period_s, loop_delay_ticks, session),
+                      {},
+                      Summariser(robot.period_s, static_cast<Tick>(joint.leg)),
+                      joint.number,
+                      static_cast<std::uint16_t>(joint.leg),
+                      joint.kind,
+                      joint.name});
   };
   for (const std::string& name : names) {
     const robot::Joint* joint = robot.find(name);
@@ -32,10 +36,9 @@ void report_faults(HostedJoint& joint, const signals::JointValveCommand& answere
   const FaultSet faults(answered.faults);
   if (const auto change = joint.fault_events.update(answered.tick, faults)) {
     // A joint that is not armed is at null because nobody has asked it for more.
-    const bool nulled = answered.state == static_cast<std::uint8_t>(signals::JointState::kNull) &&
-                        !faults.has(Fault::kDisarmed);
-    participant.event(nulled ? participant::EventKind::kJointNulled : participant::EventKind::kJointFaults, answered.tick,
-                      joint.number, *change);
+    const bool nulled = answered.state == signals::JointState::kNull && !faults.has(Fault::kDisarmed);
+    participant.event(nulled ? participant::EventKind::kJointNulled : participant::EventKind::kJointFaults,
+                      answered.tick, joint.number, *change);
   }
 }
 
@@ -55,11 +58,10 @@ Result<Ports> Ports::open(participant::Participant& participant, const std::vect
   const auto valves = participant.publish<signals::JointValveCommand>(numbers);
   const auto measurements = participant.publish<signals::JointMeasurement>(numbers);
   const auto summaries = participant.publish<signals::JointSummary>(numbers);
-  for (const auto* refused : {sensors ? nullptr : &sensors.error(), commands ? nullptr : &commands.error(),
-                              gains ? nullptr : &gains.error(), phases ? nullptr : &phases.error(),
-                              modes ? nullptr : &modes.error(), valves ? nullptr : &valves.error(),
-                              measurements ? nullptr : &measurements.error(),
-                              summaries ? nullptr : &summaries.error()}) {
+  for (const auto* refused :
+       {sensors ? nullptr : &sensors.error(), commands ? nullptr : &commands.error(), gains ? nullptr : &gains.error(),
+        phases ? nullptr : &phases.error(), modes ? nullptr : &modes.error(), valves ? nullptr : &valves.error(),
+        measurements ? nullptr : &measurements.error(), summaries ? nullptr : &summaries.error()}) {
     if (refused != nullptr) {
       return *refused;
     }

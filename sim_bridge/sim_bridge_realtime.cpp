@@ -169,7 +169,7 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
   world_.describe(index, row);
   row.valve_current_A = valve_current_A_[index];
   row.phase = valve.phase;
-  row.state = silent ? static_cast<std::uint8_t>(signals::JointState::kNull) : valve.state;
+  row.state = silent ? signals::JointState::kNull : valve.state;
   row.generation = valve.generation;
   FaultSet faults(valve.faults);
   faults.set(Fault::kActuatorSilent, silent);

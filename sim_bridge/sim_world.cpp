@@ -115,7 +115,7 @@ void SimWorld::describe(std::size_t index, trace::TraceRow& row) const noexcept 
   }
   row.external_force_N_or_Nm = joint.external_force;
   row.load_mass_kg_or_kgm2 = joint.plant.load().mass;
-  row.actual_phase = static_cast<std::uint8_t>(joint.load_phase);
+  row.actual_phase = joint.load_phase;
 }
 
 // One period in as many parts as the sensors convert in it; the last conversion waits for the load of the next tick.

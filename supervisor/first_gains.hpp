@@ -15,7 +15,7 @@ namespace farrier::supervisor {
 using robot::Design;
 
 /// Gains of a joint's slots, by phase.
-using SlotGains = std::array<control::Gains, signals::kPhaseCount>;
+using SlotGains = PerPhase<control::Gains>;
 
 inline constexpr std::array kPhases{signals::Phase::kSwing, signals::Phase::kStance};
 

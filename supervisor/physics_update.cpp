@@ -10,8 +10,8 @@ namespace {
 
 using signals::UpdateVerdict;
 
-constexpr double kStepShare = 0.01;      // of the force that counts as 1: well within the valve's range
-constexpr double kSettledAtMost = 0.5;   // of the step: an oscillating loop is beyond the whole of it
+constexpr double kStepShare = 0.01;     // of the force that counts as 1: well within the valve's range
+constexpr double kSettledAtMost = 0.5;  // of the step: an oscillating loop is beyond the whole of it
 
 /// Reference sizes for relative changes of quantities that may be zero.
 std::array<double, plant::kPhysicsCount> least_scales(const robot::Joint& joint) noexcept {
@@ -53,7 +53,7 @@ void PhysicsUpdate::adopt(const plant::JointPhysics& physics, const control::Dis
 signals::JointUpdateDecision PhysicsUpdate::look(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
   signals::JointUpdateDecision decision = record_of(estimate, tick);
   const UpdateVerdict verdict = judge(estimate);
-  decision.verdict = static_cast<std::uint8_t>(verdict);
+  decision.verdict = verdict;
   news_.take(verdict);
   return decision;
 }

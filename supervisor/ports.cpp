@@ -41,8 +41,8 @@ class SupervisorApplication final : public participant::Application {
         ticks_(ticks),
         succession_(stands_by),
         estimates_(std::move(joints)),
-        silence_(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(
-                     kMissedEstimates * robot.estimate_period_ticks * robot.period_s)),
+        silence_(std::chrono::duration_cast<Nanoseconds>(
+                     std::chrono::duration<double>(kMissedEstimates * robot.estimate_period_ticks * robot.period_s)),
                  participant::EventKind::kEstimatesSilent, participant::EventKind::kEstimatesHeard) {}
 
   void poll(SteadyTime now) override;
@@ -79,12 +79,11 @@ class SupervisorApplication final : public participant::Application {
 
 // A refused design is an event with its reason; an accepted one is reported by its decision.
 void SupervisorApplication::tell(const signals::JointUpdateDecision& decision, control::DesignStatus status) {
-  const auto verdict = static_cast<signals::UpdateVerdict>(decision.verdict);
+  const auto verdict = decision.verdict;
   if (verdict == signals::UpdateVerdict::kAccepted) {
     return;
   }
-  std::string text = std::string(signals::to_string(static_cast<signals::Phase>(decision.phase))) + " gains kept: " +
-                     signals::to_string(verdict);
+  std::string text = std::string(signals::to_string(decision.phase)) + " gains kept: " + signals::to_string(verdict);
   if (status != control::DesignStatus::kSuccessful) {
     text += std::string(" (") + control::to_string(status) + ")";
   }
@@ -148,18 +147,23 @@ void SupervisorApplication::succeed(SteadyTime now) {
   const Duty duty = succession_.step(newest.authority, now);
   const std::uint32_t authority = succession_.authority();
   switch (duty) {
-    case Duty::kNone: break;
+    case Duty::kNone:
+      break;
     case Duty::kTakeOver:
       supervisor_.take_over(authority, newest.mode_epoch, begun_);
       participant_.obey({authority, newest.mode_epoch}, begun_);
-      participant_.event(participant::EventKind::kSupervisorLeads, begun_, signals::kNoJoint, std::to_string(authority));
+      participant_.event(participant::EventKind::kSupervisorLeads, begun_, signals::kNoJoint,
+                         std::to_string(authority));
       write(supervisor_.orders());
       break;
-    case Duty::kRewrite: write(supervisor_.orders()); break;
+    case Duty::kRewrite:
+      write(supervisor_.orders());
+      break;
     case Duty::kStandDown:
       supervisor_.stand_down();
       mode_ = {};
-      participant_.event(participant::EventKind::kSupervisorStandsBy, begun_, signals::kNoJoint, std::to_string(authority));
+      participant_.event(participant::EventKind::kSupervisorStandsBy, begun_, signals::kNoJoint,
+                         std::to_string(authority));
       break;
   }
 }
@@ -198,8 +202,7 @@ void SupervisorApplication::poll(SteadyTime now) {
       return;
     }
     silence_.heard(now);
-    if (succession_.leads() && estimate.tick >= 0 &&
-               estimate.tick <= begun_ + participant::Sequence::kFarthest) {
+    if (succession_.leads() && estimate.tick >= 0 && estimate.tick <= begun_ + participant::Sequence::kFarthest) {
       supervisor_.take(estimate, estimate.tick);
     }
   });
@@ -212,7 +215,7 @@ void SupervisorApplication::poll(SteadyTime now) {
     }
     supervisor_.take(request);
     participant_.event(participant::EventKind::kOperatorRequest, begun_, signals::kNoJoint,
-                       signals::to_string(static_cast<signals::Request>(request.request)));
+                       signals::to_string(request.request));
   });
   if (!participant_.started(now)) {
     return;
@@ -239,13 +242,14 @@ std::string SupervisorApplication::waits_for() const {
 }  // namespace
 
 Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot, Design design,
-                                                                     participant::Participant& participant,
-                                                                     Tick ticks, bool stands_by,
+                                                                     participant::Participant& participant, Tick ticks,
+                                                                     bool stands_by,
                                                                      std::vector<robot::LoadChange> known_loads,
                                                                      const std::vector<SlotGains>& first_gains) {
   const bool lockstep = participant.identity().clock == bus::ClockKind::kLockstep;
-  auto supervisor = FARRIER_TRY(Supervisor::create(robot, design, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime,
-                                       participant.identity().session, std::move(known_loads), first_gains));
+  auto supervisor =
+      FARRIER_TRY(Supervisor::create(robot, design, lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime,
+                                     participant.identity().session, std::move(known_loads), first_gains));
   const std::vector<std::uint16_t> numbers = robot::joint_numbers(robot);
   auto clock = FARRIER_TRY(participant.subscribe<signals::ClockTick>({0}));
   auto estimates = FARRIER_TRY(participant.subscribe<signals::JointModelEstimate>(numbers));
@@ -266,9 +270,8 @@ Result<std::unique_ptr<participant::Application>> create_application(const robot
   auto decisions = FARRIER_TRY(participant.publish<signals::JointUpdateDecision>(numbers));
   return std::unique_ptr<participant::Application>(std::make_unique<SupervisorApplication>(
       robot, std::move(supervisor),
-      Ports{clock, estimates, requests.value(), led_gains, led_modes, gains, modes,
-            decisions},
-      numbers, participant, ticks, stands_by));
+      Ports{clock, estimates, requests.value(), led_gains, led_modes, gains, modes, decisions}, numbers, participant,
+      ticks, stands_by));
 }
 
 }  // namespace farrier::supervisor

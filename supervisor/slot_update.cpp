@@ -50,7 +50,7 @@ signals::JointUpdateDecision SlotUpdate::look(const signals::JointModelEstimate&
   const control::DiscreteModel model = control::model_of_rows(estimate.a, estimate.b);
   signals::JointUpdateDecision decision = record_of(estimate, tick);
   const UpdateVerdict verdict = judge(estimate, model, pair, decision);
-  decision.verdict = static_cast<std::uint8_t>(verdict);
+  decision.verdict = verdict;
   news_.take(verdict);
   return decision;
 }
@@ -163,7 +163,8 @@ control::DiscreteModel SlotUpdate::stored_towards(const control::DiscreteModel& 
   const control::DiscreteModel stored = control::normalise(gains_.model, normalisation_);
   const control::DiscreteModel estimated = control::normalise(model, normalisation_);
   const Eigen::Vector3d scale(normalisation_.position, normalisation_.velocity, normalisation_.force);
-  const control::DiscreteModel between{stored.a.binaryExpr(estimated.a, moved), stored.b.binaryExpr(estimated.b, moved)};
+  const control::DiscreteModel between{stored.a.binaryExpr(estimated.a, moved),
+                                       stored.b.binaryExpr(estimated.b, moved)};
   return {scale.asDiagonal() * between.a * scale.cwiseInverse().asDiagonal(),
           scale.cwiseProduct(between.b) / normalisation_.current_A};
 }

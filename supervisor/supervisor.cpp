@@ -29,9 +29,8 @@ void record_shortfalls(const robot::Robot& robot, std::uint16_t joint, const Slo
     }
     signals::JointUpdateDecision decision;
     decision.joint = joint;
-    decision.phase = static_cast<std::uint8_t>(phase);
-    decision.verdict = static_cast<std::uint8_t>(too_small ? signals::UpdateVerdict::kMarginTooSmall
-                                                           : signals::UpdateVerdict::kDwellTooLong);
+    decision.phase = phase;
+    decision.verdict = too_small ? signals::UpdateVerdict::kMarginTooSmall : signals::UpdateVerdict::kDwellTooLong;
     decision.generation = issued[static_cast<std::size_t>(phase)].generation;
     decision.disk_margin = margins.disk;
     decision.delay_margin_s = margins.delay_s;
@@ -54,12 +53,12 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
   std::vector<JointSlots> slots;
   for (const robot::Joint& joint : robot.joints) {
     const auto first = FARRIER_TRY(first_gains.empty() ? design_slots(joint, design, robot.period_s, loop_delay_ticks)
-                                           : Result<SlotGains>(first_gains[joint.number]));
+                                                       : Result<SlotGains>(first_gains[joint.number]));
     for (const signals::Phase phase : kPhases) {
-      batches[0].outputs.gains.push_back(
-          wire_gains::with_physics(wire_gains::pack_gains(joint.number, phase, kFirstAuthority, ++generations[joint.number],
-                                                          first[static_cast<std::size_t>(phase)]),
-                                   first_physics(joint, design, phase)));
+      batches[0].outputs.gains.push_back(wire_gains::with_physics(
+          wire_gains::pack_gains(joint.number, phase, kFirstAuthority, ++generations[joint.number],
+                                 first[static_cast<std::size_t>(phase)]),
+          first_physics(joint, design, phase)));
     }
     const bool changes_slots = robot.plan.gait.pattern != gait::Pattern::kStand;
     const int dwell = changes_slots ? dwell_ticks(first[0], first[1]) : 0;
@@ -76,8 +75,8 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
       };
       slots.push_back({.slots = {slot(first[0]), slot(first[1])},
                        .physics = joint.kind == control::Kind::kFlowInversion
-                                      ? std::optional(std::array{physics(signals::Phase::kSwing),
-                                                                 physics(signals::Phase::kStance)})
+                                      ? std::optional(PerPhase<PhysicsUpdate>{physics(signals::Phase::kSwing),
+                                                                              physics(signals::Phase::kStance)})
                                       : std::nullopt,
                        .generations = {1, 2},
                        .first_physics = {first_physics(joint, design, signals::Phase::kSwing),
@@ -90,7 +89,7 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
   armed.authority = kFirstAuthority;
   armed.epoch = kFirstEpoch;
   armed.session = session;
-  armed.mode = static_cast<std::uint8_t>(signals::Mode::kArmed);
+  armed.mode = signals::Mode::kArmed;
   batches[0].outputs.modes.push_back(armed);
 
   std::ranges::stable_sort(known_loads, {}, &robot::LoadChange::tick);
@@ -98,16 +97,16 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     if (known.joint >= robot.joints.size()) {
       return Error{"a known load of joint " + std::to_string(known.joint) + ", which " + robot.name + " does not have"};
     }
-    const auto gains = FARRIER_TRY(design_joint(robot.joints[known.joint], known.load, robot.period_s, loop_delay_ticks));
+    const auto gains =
+        FARRIER_TRY(design_joint(robot.joints[known.joint], known.load, robot.period_s, loop_delay_ticks));
     const Tick issue_tick = known.tick - robot.update_logic.gain_lead_ticks;
     if (batches.size() == 1 || batches.back().tick != issue_tick) {
       batches.push_back({issue_tick, {}});
     }
     for (const signals::Phase phase : kPhases) {
-      batches.back().outputs.gains.push_back(
-          wire_gains::with_physics(wire_gains::pack_gains(known.joint, phase, kFirstAuthority, ++generations[known.joint],
-                                                          gains),
-                                   plant::nominal_physics(robot.joints[known.joint].actuator, known.load)));
+      batches.back().outputs.gains.push_back(wire_gains::with_physics(
+          wire_gains::pack_gains(known.joint, phase, kFirstAuthority, ++generations[known.joint], gains),
+          plant::nominal_physics(robot.joints[known.joint].actuator, known.load)));
     }
   }
   return Supervisor(std::move(batches), std::move(slots), robot.joints.size(), robot.update_logic.gain_lead_ticks,
@@ -136,17 +135,17 @@ void Supervisor::take(const signals::SystemRequest& request) noexcept {
   if (request.session != session_) {
     return;
   }
-  const bool arms = request.request == static_cast<std::uint8_t>(signals::Request::kArm);
+  const bool arms = request.request == signals::Request::kArm;
   signals::SystemMode mode;
   mode.authority = authority_;
   mode.epoch = ++epoch_;
   mode.session = session_;
-  mode.mode = static_cast<std::uint8_t>(arms ? signals::Mode::kArmed : signals::Mode::kStopped);
+  mode.mode = arms ? signals::Mode::kArmed : signals::Mode::kStopped;
   pending_.modes.assign(1, mode);  // of several requests the last counts
 }
 
 void Supervisor::take(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
-  if (estimate.joint >= joints_.size() || estimate.phase >= signals::kPhaseCount) {
+  if (estimate.joint >= joints_.size() || !known(estimate.phase)) {
     return;
   }
   JointSlots& joint = joints_[estimate.joint];
@@ -163,20 +162,19 @@ void Supervisor::take(const signals::JointModelEstimate& estimate, Tick tick) no
 
 void Supervisor::take_gains(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept {
   SlotUpdate& slot = joint.slots[estimate.phase];
-  const SlotPair pair{.other = joint.slots[1 - estimate.phase].gains(),
+  const SlotPair pair{.other = joint.slots[other(estimate.phase)].gains(),
                       .shortest_phase_ticks = shortest_phase_ticks_,
                       .dwelling = tick - joint.last_issue < std::min(joint.dwell_ticks, shortest_phase_ticks_)};
   const signals::JointUpdateDecision decision = slot.look(estimate, tick, pair);
-  if (decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted)) {
+  if (decision.verdict == signals::UpdateVerdict::kAccepted) {
     joint.last_issue = tick;
     joint.dwell_ticks = static_cast<int>(decision.dwell_ticks);
     // With physics that no joint has, the joint would refuse the gains.
     const plant::JointPhysics estimated = plant::physics_of(estimate.physics);
     const bool physical = estimate.has_physics != 0 && plant::first_unphysical(estimated) == nullptr;
-    issue(joint, wire_gains::with_physics(
-                     wire_gains::pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), authority_, 0,
-                                            slot.gains()),
-                     physical ? estimated : joint.first_physics[estimate.phase]));
+    issue(joint,
+          wire_gains::with_physics(wire_gains::pack_gains(estimate.joint, estimate.phase, authority_, 0, slot.gains()),
+                                   physical ? estimated : joint.first_physics[estimate.phase]));
   }
   if (slot.is_news()) {
     tell(joint, decision, slot.design_status());
@@ -186,14 +184,12 @@ void Supervisor::take_gains(JointSlots& joint, const signals::JointModelEstimate
 void Supervisor::take_physics(JointSlots& joint, const signals::JointModelEstimate& estimate, Tick tick) noexcept {
   PhysicsUpdate& slot = (*joint.physics)[estimate.phase];
   const signals::JointUpdateDecision decision = slot.look(estimate, tick);
-  if (decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted)) {
+  if (decision.verdict == signals::UpdateVerdict::kAccepted) {
     // The gains do not act; they go on as they were, with the model that came with the physics.
     control::Gains gains = joint.slots[estimate.phase].gains();
     gains.model = slot.model();
-    issue(joint, wire_gains::with_physics(
-                     wire_gains::pack_gains(estimate.joint, static_cast<signals::Phase>(estimate.phase), authority_, 0,
-                                            gains),
-                     slot.physics()));
+    issue(joint, wire_gains::with_physics(wire_gains::pack_gains(estimate.joint, estimate.phase, authority_, 0, gains),
+                                          slot.physics()));
   }
   if (slot.is_news()) {
     tell(joint, decision, control::DesignStatus::kSuccessful);
@@ -223,8 +219,7 @@ std::uint64_t Supervisor::designs() const noexcept {
 }
 
 const Supervisor::Outputs& Supervisor::step(Tick tick) noexcept {
-  const bool batch_due =
-      next_batch_ < batches_.size() && (next_batch_ == 0 || batches_[next_batch_].tick <= tick);
+  const bool batch_due = next_batch_ < batches_.size() && (next_batch_ == 0 || batches_[next_batch_].tick <= tick);
   Outputs& due = batch_due ? batches_[next_batch_++].outputs : issued_;
   if (!batch_due) {
     for (JointSlots& joint : joints_) {

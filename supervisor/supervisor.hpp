@@ -35,7 +35,7 @@ class Supervisor {
     std::vector<signals::SystemMode> modes;
     /// Gains accepted, and designs refused for a new reason; with the first gains, the bounds that these miss.
     std::vector<signals::JointUpdateDecision> decisions;
-    std::vector<control::DesignStatus> design_statuses;   ///< of the decisions, in their order
+    std::vector<control::DesignStatus> design_statuses;  ///< of the decisions, in their order
 
     void clear() noexcept;
   };
@@ -73,12 +73,12 @@ class Supervisor {
     Outputs outputs;
   };
   struct JointSlots {
-    std::array<SlotUpdate, signals::kPhaseCount> slots;  // by phase
-    std::optional<std::array<PhysicsUpdate, signals::kPhaseCount>> physics;  // decides in their place where there
-    std::array<std::uint32_t, signals::kPhaseCount> generations;
-    std::array<plant::JointPhysics, signals::kPhaseCount> first_physics;
+    PerPhase<SlotUpdate> slots;                      // by phase
+    std::optional<PerPhase<PhysicsUpdate>> physics;  // decides in their place where there
+    PerPhase<std::uint32_t> generations;
+    PerPhase<plant::JointPhysics> first_physics;
     std::uint32_t newest_generation;
-    int dwell_ticks;             // of the pair of slots
+    int dwell_ticks;  // of the pair of slots
     Tick last_issue = 0;
     bool looked = false;  // true if an estimate was judged since the last step
   };
@@ -100,8 +100,9 @@ class Supervisor {
   std::uint64_t session_;
   std::uint32_t authority_;
   std::uint32_t epoch_;  // of the newest mode
-  std::vector<signals::JointControllerGains> known_gains_;  // that act, joint by joint and phase by phase; generation 0: not known
-  signals::SystemMode known_mode_;                          // epoch 0: not known
+  std::vector<signals::JointControllerGains>
+      known_gains_;                 // that act, joint by joint and phase by phase; generation 0: not known
+  signals::SystemMode known_mode_;  // epoch 0: not known
   Outputs orders_;
   Outputs pending_;  // results of estimates and requests
   Outputs issued_;

@@ -9,7 +9,7 @@ namespace farrier::supervisor {
 namespace {
 
 std::size_t place_of(const signals::JointControllerGains& gains) noexcept {
-  return gains.joint * kPhases.size() + gains.phase;
+  return gains.joint * kPhases.size() + static_cast<std::size_t>(gains.phase);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ void Supervisor::remember(const Outputs& issued) noexcept {
 }
 
 void Supervisor::mirror(const signals::JointControllerGains& gains) noexcept {
-  if (gains.phase >= kPhases.size() || place_of(gains) >= known_gains_.size()) {
+  if (!known(gains.phase) || place_of(gains) >= known_gains_.size()) {
     return;
   }
   known_gains_[place_of(gains)] = gains;

@@ -13,8 +13,8 @@ namespace {
 
 using JointRows = std::vector<const trace::TraceRow*>;
 
-constexpr auto kSwing = static_cast<std::uint8_t>(signals::Phase::kSwing);
-constexpr auto kTracking = static_cast<std::uint8_t>(signals::JointState::kTracking);
+constexpr auto kSwing = signals::Phase::kSwing;
+constexpr auto kTracking = signals::JointState::kTracking;
 
 std::vector<JointRows> by_joint(const robot::Robot& robot, std::span<const trace::TraceRow> rows) {
   std::vector<JointRows> sorted(robot.joints.size());
@@ -106,9 +106,9 @@ TouchdownErrors touchdown_errors(const robot::Robot& robot, std::span<const trac
 std::vector<supervisor::SlotGains> last_gains(const robot::Robot& robot,
                                               std::span<const signals::JointControllerGains> gains) {
   std::vector<supervisor::SlotGains> last(robot.joints.size());
-  std::vector<std::array<bool, signals::kPhaseCount>> given(robot.joints.size(), {false, false});
+  std::vector<PerPhase<bool>> given(robot.joints.size());
   for (const signals::JointControllerGains& update : gains) {
-    FARRIER_ENSURE(update.joint < last.size() && update.phase < signals::kPhaseCount, "gains of a slot that is none");
+    FARRIER_ENSURE(update.joint < last.size() && known(update.phase), "gains of a slot that is none");
     last[update.joint][update.phase] = wire_gains::unpack_gains(update);
     given[update.joint][update.phase] = true;
   }
@@ -119,7 +119,7 @@ std::vector<supervisor::SlotGains> last_gains(const robot::Robot& robot,
 
 std::vector<supervisor::SlotGains> in_both_slots(std::vector<supervisor::SlotGains> gains, signals::Phase phase) {
   for (supervisor::SlotGains& slots : gains) {
-    slots.fill(control::Gains(slots[static_cast<std::size_t>(phase)]));
+    slots.fill(control::Gains(slots[phase]));
   }
   return gains;
 }

@@ -119,15 +119,11 @@ class Judge {
 
 Result<Done> arm(joint_node::JointNode& node, const robot::Joint& believed, double period_s) {
   constexpr std::uint32_t kFirst = 1;
-  node.set_mode({.robot = 0,
-                 .epoch = kFirst,
-                 .session = 0,
-                 .effective_tick = 0,
-                 .mode = static_cast<std::uint8_t>(signals::Mode::kArmed)});
+  node.set_mode({.robot = 0, .epoch = kFirst, .session = 0, .effective_tick = 0, .mode = signals::Mode::kArmed});
   const auto gains = FARRIER_TRY(supervisor::design_joint(believed, believed.swing_load, period_s, 0));
   signals::JointControllerGains signal;
   signal.joint = believed.number;
-  signal.phase = static_cast<std::uint8_t>(signals::Phase::kStance);  // the phase a node begins in
+  signal.phase = signals::Phase::kStance;  // the phase a node begins in
   signal.authority = kFirst;
   signal.generation = kFirst;
   signal.effective_tick = 0;

@@ -11,7 +11,7 @@
 namespace farrier::cli {
 
 Result<ComparedRun> run_compared(const robot::Robot& robot, run::InprocRun run, const std::string& trace_path,
-                                     const std::string& title) {
+                                 const std::string& title) {
   participant::install_signal_handlers();
   Progress progress(title, run.ticks);
   run.trace_path = trace_path;
@@ -27,7 +27,7 @@ Result<ComparedRun> run_compared(const robot::Robot& robot, run::InprocRun run, 
 
 void add_failures(report::Outcome& outcome, const ComparedRun& run, const std::string& title) {
   for (const signals::SystemEvent& event : run.result.events) {
-    if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {
+    if (event.severity == signals::Severity::kError) {
       outcome.failures.push_back(title + ": " + std::string(signals::text_of(event.text)));
     }
   }

@@ -74,7 +74,7 @@ std::string mass_text(const JointModelEstimate& estimate, double period_s) {
 }
 
 /// The last estimate of every joint and phase.
-using Last = std::vector<std::array<JointModelEstimate, signals::kPhaseCount>>;
+using Last = std::vector<PerPhase<JointModelEstimate>>;
 
 void print(const robot::Robot& robot, const Last& last) {
   std::vector<std::vector<std::string>> rows{
@@ -82,10 +82,9 @@ void print(const robot::Robot& robot, const Last& last) {
   for (const robot::Joint& joint : robot.joints) {
     for (const JointModelEstimate& estimate : last[joint.number]) {
       if (estimate.tick != kNoTick) {
-        rows.push_back({joint.name, to_string(static_cast<signals::Phase>(estimate.phase)),
-                        std::to_string(estimate.samples), report::short_number(estimate.validity),
-                        report::short_number(estimate.prediction_error), mass_text(estimate, robot.period_s),
-                        poles_text(estimate)});
+        rows.push_back({joint.name, to_string(estimate.phase), std::to_string(estimate.samples),
+                        report::short_number(estimate.validity), report::short_number(estimate.prediction_error),
+                        mass_text(estimate, robot.period_s), poles_text(estimate)});
       }
     }
   }
@@ -120,16 +119,19 @@ int identify(const IdentifyOptions& o) {
   }
   Last last(robot.joints.size());
   std::uint64_t estimates = 0;
-  const auto fed = playback::identify(measured, robot, [&](const JointModelEstimate& estimate) {
-    if (only != nullptr && estimate.joint != only->number) {
-      return;
-    }
-    ++estimates;
-    last[estimate.joint][estimate.phase] = estimate;
-    if (file) {
-      file->write(estimate, robot.joints[estimate.joint].name);
-    }
-  }, long_work("identify"));
+  const auto fed = playback::identify(
+      measured, robot,
+      [&](const JointModelEstimate& estimate) {
+        if (only != nullptr && estimate.joint != only->number) {
+          return;
+        }
+        ++estimates;
+        last[estimate.joint][estimate.phase] = estimate;
+        if (file) {
+          file->write(estimate, robot.joints[estimate.joint].name);
+        }
+      },
+      long_work("identify"));
   if (participant::stop_requested()) {
     return participant::stop_status();
   }

@@ -30,7 +30,7 @@ Result<Done> RunActs::perform(Tick due, Tick tick, std::vector<ChildProcess>& ch
       request.session = session_;
       request.tick = tick;
       request.count = ++asked_;
-      request.request = static_cast<std::uint8_t>(act.request);
+      request.request = act.request;
       requests_->publish(request);
     } else if (run::sets_clock(act.signal)) {
       FARRIER_TRY(clock_->set(act.signal == run::kClockForward ? kHour_s : -kHour_s));
@@ -38,7 +38,8 @@ Result<Done> RunActs::perform(Tick due, Tick tick, std::vector<ChildProcess>& ch
       auto started = FARRIER_TRY(start(act.member, act.signal == run::kStart ? act.member : act.member + "_twin"));
       std::erase_if(children, [&](const ChildProcess& child) { return child.name() == started.name(); });
       children.push_back(std::move(started));
-    } else if (const auto child = std::ranges::find(children, act.member, &ChildProcess::name); child != children.end()) {
+    } else if (const auto child = std::ranges::find(children, act.member, &ChildProcess::name);
+               child != children.end()) {
       ::kill(child->pid(), act.signal);
     }
     performed_.push_back(tick);

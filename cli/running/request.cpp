@@ -29,8 +29,7 @@ struct RequestOptions {
 
 /// Asks until the supervisor answers with a mode that is newer than those before; that mode.
 std::optional<signals::SystemMode> ask(bus::Bus& bus, bus::Publisher<signals::SystemRequest>& requests,
-                                       bus::Subscription<signals::SystemMode>& modes,
-                                       signals::SystemRequest request) {
+                                       bus::Subscription<signals::SystemMode>& modes, signals::SystemRequest request) {
   const SteadyTime end = participant::steady_now() + kPatience;
   SteadyTime next{};
   std::optional<std::uint32_t> before;
@@ -69,10 +68,8 @@ int run_request(const RequestOptions& o) {
   if (!bus) {
     return fail("request", bus.error().message, bus.error().status);
   }
-  const participant::Identity identity{.name = "operator",
-                                       .robot = robot.value().name,
-                                       .session = o.session,
-                                       .clock = bus::ClockKind::kRealtime};
+  const participant::Identity identity{
+      .name = "operator", .robot = robot.value().name, .session = o.session, .clock = bus::ClockKind::kRealtime};
   auto requests = bus::Publisher<signals::SystemRequest>::create(
       *bus.value(), participant::endpoint_of(identity, bus::TopicId::kSystemRequest));
   auto modes = bus::Subscription<signals::SystemMode>::create(
@@ -83,15 +80,14 @@ int run_request(const RequestOptions& o) {
   signals::SystemRequest request;
   request.session = o.session;
   request.tick = 0;
-  request.request = static_cast<std::uint8_t>(o.what == "arm" ? signals::Request::kArm : signals::Request::kStop);
+  request.request = o.what == "arm" ? signals::Request::kArm : signals::Request::kStop;
   const auto answer = ask(*bus.value(), requests.value(), modes.value(), request);
   if (!answer) {
-    return fail("request", "no supervisor of " + robot.value().name + ", session " + std::to_string(o.session) + ", domain " +
-                    std::to_string(o.guest.network.domain) +
-                    " answers: look for its --session and --domain in its command line (ps)");
+    return fail("request", "no supervisor of " + robot.value().name + ", session " + std::to_string(o.session) +
+                               ", domain " + std::to_string(o.guest.network.domain) +
+                               " answers: look for its --session and --domain in its command line (ps)");
   }
-  std::printf("%s is %s, epoch %u\n", robot.value().name.c_str(),
-              signals::to_string(static_cast<signals::Mode>(answer->mode)), answer->epoch);
+  std::printf("%s is %s, epoch %u\n", robot.value().name.c_str(), signals::to_string(answer->mode), answer->epoch);
   return kPassed;
 }
 

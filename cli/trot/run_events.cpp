@@ -11,7 +11,7 @@ void write_events(const std::string& path, const robot::Robot& robot, const RunO
                   std::span<const report::DecisionInfo> decisions) {
   std::vector<std::pair<Tick, std::string>> lines;
   for (const signals::SystemEvent& event : run.events) {
-    std::string line = signals::to_string(static_cast<signals::Severity>(event.severity));
+    std::string line = signals::to_string(event.severity);
     line += ' ' + (event.participant < run.members.size() ? run.members[event.participant].name : "?");
     if (event.joint < robot.joints.size()) {
       line += ' ' + robot.joints[event.joint].name;

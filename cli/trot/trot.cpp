@@ -160,7 +160,7 @@ int trot(TrotOptions o) {
     outcome.warnings.push_back(flight);
   }
   for (const signals::SystemEvent& event : ran.value().events) {
-    if (event.severity == static_cast<std::uint8_t>(signals::Severity::kError)) {
+    if (event.severity == signals::Severity::kError) {
       outcome.failures.emplace_back(signals::text_of(event.text));
     }
   }

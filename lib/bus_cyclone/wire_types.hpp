@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <type_traits>
 
 #include "signals/fields.hpp"
 
@@ -15,6 +17,12 @@ template <class T>
 void copy_field(T& to, const T& from) noexcept {
   to = from;
 }
+template <class Enum>
+requires std::is_enum_v<Enum>
+void copy_field(std::uint8_t& to, const Enum& from) noexcept { to = static_cast<std::uint8_t>(from); }
+template <class Enum>
+requires std::is_enum_v<Enum>
+void copy_field(Enum& to, const std::uint8_t& from) noexcept { to = static_cast<Enum>(from); }
 template <class T, std::size_t kCount>
 void copy_field(T (&to)[kCount], const std::array<T, kCount>& from) noexcept {
   std::copy(from.begin(), from.end(), to);

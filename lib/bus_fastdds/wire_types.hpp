@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cstring>
+#include <type_traits>
 #include <vector>
 
 #include "signals/cdr.hpp"
@@ -19,6 +20,9 @@ template <class Field>
 const Field& to_wire(const Field& field) noexcept {
   return field;
 }
+template <class Enum>
+requires std::is_enum_v<Enum> std::uint8_t to_wire(const Enum& field)
+noexcept { return static_cast<std::uint8_t>(field); }
 template <std::size_t kMost>
 std::vector<std::uint8_t> to_wire(const signals::Octets<kMost>& octets) {
   return {octets.begin(), octets.end()};
@@ -27,6 +31,9 @@ template <class Field>
 void from_wire(const Field& wire, Field& field) noexcept {
   field = wire;
 }
+template <class Enum>
+requires std::is_enum_v<Enum>
+void from_wire(std::uint8_t wire, Enum& field) noexcept { field = static_cast<Enum>(wire); }
 template <std::size_t kMost>
 void from_wire(const std::vector<std::uint8_t>& wire, signals::Octets<kMost>& octets) noexcept {
   octets.assign(wire);

@@ -21,17 +21,17 @@ struct JointFrame {
   std::vector<signals::JointSummary> summaries;  ///< that came since the last frame, oldest first
   signals::JointSummary newest;                  ///< summary
   double age_s = 0.0;                            ///< since it came; infinite before the first
-  double rate_Hz = 0.0;                          ///< control ticks per second of this monitor's clock, over the last second
-  std::uint64_t missed_ticks = 0;                ///< of control that are in no summary, since the first
-  double force_error_rms = 0.0;                  ///< reference less force over the last second, N or Nm
-  double force_reference_rms = 0.0;              ///< over the last second, N or Nm
-  std::uint32_t faults = 0;                      ///< farrier::FaultSet bits: any since the last frame
-  std::array<signals::JointControllerGains, signals::kPhaseCount> gains{};  ///< newest, by phase
-  signals::JointModelEstimate estimate;          ///< newest
-  std::array<std::complex<double>, 3> poles{};   ///< of the estimate, z-plane, largest modulus first
-  std::optional<double> mass_kg_or_kgm2;         ///< of the load, as the estimate has it
-  signals::JointUpdateDecision decision;         ///< newest
-  std::uint32_t redesigns = 0;                   ///< decisions to redesign, since the first sample
+  double rate_Hz = 0.0;              ///< control ticks per second of this monitor's clock, over the last second
+  std::uint64_t missed_ticks = 0;    ///< of control that are in no summary, since the first
+  double force_error_rms = 0.0;      ///< reference less force over the last second, N or Nm
+  double force_reference_rms = 0.0;  ///< over the last second, N or Nm
+  std::uint32_t faults = 0;          ///< farrier::FaultSet bits: any since the last frame
+  PerPhase<signals::JointControllerGains> gains{};  ///< newest, by phase
+  signals::JointModelEstimate estimate;             ///< newest
+  std::array<std::complex<double>, 3> poles{};      ///< of the estimate, z-plane, largest modulus first
+  std::optional<double> mass_kg_or_kgm2;            ///< of the load, as the estimate has it
+  signals::JointUpdateDecision decision;            ///< newest
+  std::uint32_t redesigns = 0;                      ///< decisions to redesign, since the first sample
 
   /// RMS error over RMS reference over the last second; empty without a reference.
   std::optional<double> nrmse() const noexcept {
@@ -60,21 +60,21 @@ struct EventFrame {
   double time_s = 0.0;       ///< since the first sample
   Tick tick = kNoTick;
   signals::Severity severity{};
-  std::string who;           ///< the process; "monitor": this one
-  std::string joint;         ///< empty: not about one joint
+  std::string who;    ///< the process; "monitor": this one
+  std::string joint;  ///< empty: not about one joint
   std::string text;
 };
 
 struct Frame {
-  double time_s = 0.0;       ///< since the first sample came; by the recorder's clock in a recording
-  Tick tick = kNoTick;       ///< newest heard of
-  double age_s = 0.0;        ///< since any sample came; infinite before the first
-  signals::SystemMode mode;  ///< epoch 0: none yet
-  std::vector<signals::Phase> phases;           ///< by leg, as announced for `tick`
-  std::vector<JointFrame> joints;               ///< by number
-  std::vector<ParticipantFrame> participants;   ///< by number; a hello of tick-less default: not heard of
-  std::vector<EventFrame> events;               ///< since the last frame
-  std::uint64_t lost_samples = 0;               ///< on the way to this monitor, as far as it can tell
+  double time_s = 0.0;                         ///< since the first sample came; by the recorder's clock in a recording
+  Tick tick = kNoTick;                         ///< newest heard of
+  double age_s = 0.0;                          ///< since any sample came; infinite before the first
+  signals::SystemMode mode;                    ///< epoch 0: none yet
+  std::vector<signals::Phase> phases;          ///< by leg, as announced for `tick`
+  std::vector<JointFrame> joints;              ///< by number
+  std::vector<ParticipantFrame> participants;  ///< by number; a hello of tick-less default: not heard of
+  std::vector<EventFrame> events;              ///< since the last frame
+  std::uint64_t lost_samples = 0;              ///< on the way to this monitor, as far as it can tell
 };
 
 }  // namespace farrier::monitor

@@ -27,9 +27,9 @@ RobotView::RobotView(const robot::Robot& robot) : robot_(robot) { begin_anew(); 
 
 const std::vector<bus::TopicId>& RobotView::topics() {
   using enum bus::TopicId;
-  static const std::vector<bus::TopicId> topics{kJointSummary, kJointControllerGains, kJointModelEstimateCopy,
-                                                kJointUpdateDecision, kGaitPhase, kSystemMode, kSystemHello,
-                                                kSystemHealth, kSystemEvent};
+  static const std::vector<bus::TopicId> topics{
+      kJointSummary, kJointControllerGains, kJointModelEstimateCopy, kJointUpdateDecision, kGaitPhase,
+      kSystemMode,   kSystemHello,          kSystemHealth,           kSystemEvent};
   return topics;
 }
 
@@ -77,7 +77,8 @@ void RobotView::take(const signals::JointSummary& summary) {
   }
   const double error = summary.force_error_rms_N_or_Nm;
   const double reference = summary.force_reference_rms_N_or_Nm;
-  joint.second.push_back({newest_ns_, summary.tick, summary.ticks, ticks * error * error, ticks * reference * reference});
+  joint.second.push_back(
+      {newest_ns_, summary.tick, summary.ticks, ticks * error * error, ticks * reference * reference});
   joint.heard_ns = newest_ns_;
   joint.now.newest = summary;
   joint.now.faults |= summary.faults;
@@ -85,7 +86,7 @@ void RobotView::take(const signals::JointSummary& summary) {
 }
 
 void RobotView::take(const signals::JointControllerGains& gains) {
-  if (gains.joint < joints_.size() && gains.phase < signals::kPhaseCount) {
+  if (gains.joint < joints_.size() && known(gains.phase)) {
     joints_[gains.joint].now.gains[gains.phase] = gains;
   }
 }
@@ -103,13 +104,13 @@ void RobotView::take(const signals::JointUpdateDecision& decision) {
   if (decision.joint < joints_.size()) {
     JointFrame& joint = joints_[decision.joint].now;
     joint.decision = decision;
-    joint.redesigns += decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted) ? 1 : 0;
+    joint.redesigns += decision.verdict == signals::UpdateVerdict::kAccepted ? 1 : 0;
   }
 }
 
 void RobotView::take(const signals::GaitPhase& phase) {
-  if (phase.leg < switches_.size() && phase.phase < signals::kPhaseCount) {
-    switches_[phase.leg].push_back({phase.switch_tick, static_cast<signals::Phase>(phase.phase)});
+  if (phase.leg < switches_.size() && known(phase.phase)) {
+    switches_[phase.leg].push_back({phase.switch_tick, phase.phase});
   }
 }
 
@@ -148,8 +149,8 @@ void RobotView::take(const signals::SystemEvent& event) {
   if (event.participant < participants_.size() && participants_[event.participant].now.hello.session != 0) {
     who = signals::text_of(participants_[event.participant].now.hello.name);
   }
-  events_.push_back({event_count_++, since_first_s(newest_ns_), event.tick, static_cast<signals::Severity>(event.severity),
-                     std::move(who), event.joint < robot_.joints.size() ? robot_.joints[event.joint].name : std::string(),
+  events_.push_back({event_count_++, since_first_s(newest_ns_), event.tick, event.severity, std::move(who),
+                     event.joint < robot_.joints.size() ? robot_.joints[event.joint].name : std::string(),
                      std::string(signals::text_of(event.text))});
 }
 

@@ -61,19 +61,23 @@ Result<Done> Participant::open() {
   using bus::Publisher;
   using bus::Subscription;
   using bus::TopicId;
-  if (auto r = open_port(hello_out_, Publisher<SystemHello>::create(bus_, endpoint_of(identity_, TopicId::kSystemHello))); !r) {
-    return r;
-  }
-  if (auto r = open_port(hello_in_, Subscription<SystemHello>::create(bus_, endpoint_of(identity_, TopicId::kSystemHello))); !r) {
-    return r;
-  }
-  if (auto r = open_port(health_out_,
-                         Publisher<signals::SystemHealth>::create(bus_, endpoint_of(identity_, TopicId::kSystemHealth)));
+  if (auto r =
+          open_port(hello_out_, Publisher<SystemHello>::create(bus_, endpoint_of(identity_, TopicId::kSystemHello)));
       !r) {
     return r;
   }
   if (auto r =
-          open_port(event_out_, Publisher<signals::SystemEvent>::create(bus_, endpoint_of(identity_, TopicId::kSystemEvent)));
+          open_port(hello_in_, Subscription<SystemHello>::create(bus_, endpoint_of(identity_, TopicId::kSystemHello)));
+      !r) {
+    return r;
+  }
+  if (auto r = open_port(
+          health_out_, Publisher<signals::SystemHealth>::create(bus_, endpoint_of(identity_, TopicId::kSystemHealth)));
+      !r) {
+    return r;
+  }
+  if (auto r = open_port(event_out_,
+                         Publisher<signals::SystemEvent>::create(bus_, endpoint_of(identity_, TopicId::kSystemEvent)));
       !r) {
     return r;
   }
@@ -235,7 +239,7 @@ void Participant::event(EventKind kind, Tick tick, std::uint16_t joint, std::str
   event.participant = identity_.number;
   event.count = ++events_;
   event.tick = tick;
-  event.severity = static_cast<std::uint8_t>(spec(kind).severity);
+  event.severity = spec(kind).severity;
   event.joint = joint;
   signals::assign(event.text, text_of(kind, detail));
   event_out_->publish(event);

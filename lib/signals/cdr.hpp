@@ -24,7 +24,7 @@ inline constexpr std::size_t kCdrHeadBytes = 4;
 /// Offsets count from behind the head; a number lies at a multiple of its size.
 template <class Field, class At>
 std::size_t visit_cdr_numbers(std::size_t offset, Field& field, At&& at) {
-  if constexpr (std::is_arithmetic_v<std::remove_const_t<Field>>) {
+  if constexpr (std::is_arithmetic_v<std::remove_const_t<Field>> || std::is_enum_v<std::remove_const_t<Field>>) {
     offset = (offset + sizeof(Field) - 1) / sizeof(Field) * sizeof(Field);
     at(offset, field);
     return offset + sizeof(Field);

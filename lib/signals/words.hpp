@@ -8,8 +8,8 @@
 
 namespace farrier::signals {
 
+using farrier::kPhaseCount;
 using farrier::Phase;
-inline constexpr int kPhaseCount = 2;
 
 /// Number of a joint in an event that is not about one joint.
 inline constexpr std::uint16_t kNoJoint = 0xffff;

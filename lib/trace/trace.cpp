@@ -54,7 +54,7 @@ char* TraceWriter::format(const TraceRow& row, char* line) const noexcept {
   at = std::copy_n(name.data(), std::min<std::size_t>(name.size(), 64), at);
   visit_columns(row, [&](auto field) {
     *at++ = ',';
-    if constexpr (std::is_same_v<decltype(field), std::uint8_t>) {
+    if constexpr (std::is_enum_v<decltype(field)>) {
       at = std::to_chars(at, end, static_cast<unsigned>(field)).ptr;
     } else {
       at = std::to_chars(at, end, field).ptr;
@@ -97,7 +97,15 @@ Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vec
     if (good) {
       row.joint = static_cast<std::uint16_t>(name - joint_names.begin());
       at = comma + 1;
-      visit_columns(row, [&](auto& field) { parse(field); });
+      visit_columns(row, [&]<class Field>(Field& field) {
+        if constexpr (std::is_enum_v<Field>) {
+          std::uint8_t value = 0;
+          parse(value);
+          field = static_cast<Field>(value);
+        } else {
+          parse(field);
+        }
+      });
     }
     if (!good || at != end || line.back() == ',') {
       return Error{path + ":" + std::to_string(number) + ": not a row of a trace"};

@@ -9,6 +9,7 @@
 
 #include "core/result.hpp"
 #include "core/time.hpp"
+#include "signals/words.hpp"
 
 namespace farrier::trace {
 
@@ -16,18 +17,18 @@ namespace farrier::trace {
 struct TraceRow {
   Tick tick = kNoTick;
   std::uint16_t joint = 0;
-  double position_m_or_rad = 0;   ///< true, not measured
+  double position_m_or_rad = 0;  ///< true, not measured
   double velocity_m_s_or_rad_s = 0;
-  double force_N_or_Nm = 0;       ///< load cell, true
+  double force_N_or_Nm = 0;  ///< load cell, true
   double pressure_a_Pa = 0;
   double pressure_b_Pa = 0;
   double force_reference_N_or_Nm = 0;  ///< of the newest valve command that answers this tick or one before
-  double valve_current_A = 0;     ///< acts from this tick on
+  double valve_current_A = 0;          ///< acts from this tick on
   double external_force_N_or_Nm = 0;
   double load_mass_kg_or_kgm2 = 0;
-  std::uint8_t phase = 0;         ///< phase whose gains act
-  std::uint8_t actual_phase = 0;  ///< phase of the simulated leg
-  std::uint8_t state = 0;         ///< signals::JointState
+  Phase phase = Phase::kSwing;         ///< phase whose gains act
+  Phase actual_phase = Phase::kSwing;  ///< phase of the simulated leg
+  signals::JointState state{};
   std::uint32_t generation = 0;
   std::uint32_t faults = 0;
   std::uint32_t command_age_ticks = 0;  ///< this tick less the tick the valve command answers

@@ -8,7 +8,7 @@ signals::JointControllerGains pack_gains(std::uint16_t joint, signals::Phase pha
                                          std::uint32_t generation, const control::Gains& gains) noexcept {
   signals::JointControllerGains signal;
   signal.joint = joint;
-  signal.phase = static_cast<std::uint8_t>(phase);
+  signal.phase = phase;
   signal.authority = authority;
   signal.generation = generation;
   signal.k_position = gains.position;
@@ -38,8 +38,8 @@ signals::JointControllerGains with_physics(signals::JointControllerGains gains,
 
 control::Gains unpack_gains(const signals::JointControllerGains& signal) noexcept {
   control::Gains gains{};
-  gains.normalisation = {signal.position_scale_m_or_rad, signal.velocity_scale_m_s_or_rad_s,
-                         signal.force_scale_N_or_Nm, signal.current_scale_A};
+  gains.normalisation = {signal.position_scale_m_or_rad, signal.velocity_scale_m_s_or_rad_s, signal.force_scale_N_or_Nm,
+                         signal.current_scale_A};
   gains.position = signal.k_position;
   gains.velocity = signal.k_velocity;
   gains.force = signal.k_force;

@@ -71,8 +71,8 @@ Json json_of(const DecisionInfo& info) {
   const signals::JointUpdateDecision& decision = info.decision;
   return {{"tick", decision.tick},
           {"joint", info.joint},
-          {"phase", signals::to_string(static_cast<signals::Phase>(decision.phase))},
-          {"verdict", signals::to_string(static_cast<signals::UpdateVerdict>(decision.verdict))},
+          {"phase", signals::to_string(decision.phase)},
+          {"verdict", signals::to_string(decision.verdict)},
           {"generation", decision.generation},
           {"validity", decision.validity},
           {"excitation", decision.excitation},

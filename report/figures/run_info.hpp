@@ -26,7 +26,7 @@ struct ProcessInfo {
   std::string name;
   std::uint16_t number = 0;
   std::uint32_t pid = 0;
-  std::string vendor;  ///< of its DDS
+  std::string vendor;         ///< of its DDS
   std::uint64_t periods = 0;  ///< of its control loop; 0 where it has none
   std::uint64_t missed_periods = 0;
   std::array<double, 4> latency_s{};  ///< as signals::SystemHealth has them; 0 where not measured
@@ -40,9 +40,7 @@ struct DecisionInfo {
   std::string joint;
   signals::JointUpdateDecision decision;
 
-  bool accepted() const noexcept {
-    return decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted);
-  }
+  bool accepted() const noexcept { return decision.verdict == signals::UpdateVerdict::kAccepted; }
 };
 
 struct Machine {

@@ -35,19 +35,20 @@ class FieldsText {
   }
 
   template <class Integer>
-    requires std::is_integral_v<Integer>
-  std::string value_text(std::string_view name, Integer value) const {
+  requires std::is_integral_v<Integer> std::string value_text(std::string_view name, Integer value)
+  const {
     if (name == "joint") {
       const auto joint = std::ranges::find(robot_.joints, value, &robot::Joint::number);
       return joint == robot_.joints.end() ? std::to_string(value) : joint->name;
     }
-    if (name == "state" && value <= static_cast<Integer>(signals::JointState::kTracking)) {
-      return signals::to_string(static_cast<signals::JointState>(value));
-    }
-    if (name == "phase" && value < signals::kPhaseCount) {
-      return signals::to_string(static_cast<signals::Phase>(value));
-    }
     return std::to_string(value);
+  }
+
+  template <class Enum>
+  requires std::is_enum_v<Enum>
+  static std::string value_text(std::string_view, Enum value) {
+    const std::string_view text = signals::to_string(value);
+    return text.starts_with("unknown ") ? std::to_string(static_cast<int>(value)) : std::string(text);
   }
 
   template <std::size_t kSize>
@@ -61,7 +62,7 @@ class FieldsText {
   }
 
   template <class List>
-    requires requires(const List& values) { values.begin(); }
+  requires requires(const List& values) { values.begin(); }
   std::string value_text(std::string_view, const List& values) const {
     std::string list;
     for (const auto& value : values) {
@@ -76,11 +77,11 @@ class FieldsText {
 
 }  // namespace
 
-#define FARRIER_SAMPLE_TEXT(Signal, file)                                               \
-  std::string sample_text(const signals::Signal& signal, const robot::Robot& robot) {   \
-    FieldsText fields(robot);                                                           \
-    signals::visit_fields(signal, fields);                                              \
-    return std::move(fields).text();                                                    \
+#define FARRIER_SAMPLE_TEXT(Signal, file)                                             \
+  std::string sample_text(const signals::Signal& signal, const robot::Robot& robot) { \
+    FieldsText fields(robot);                                                         \
+    signals::visit_fields(signal, fields);                                            \
+    return std::move(fields).text();                                                  \
   }
 FARRIER_SIGNALS(FARRIER_SAMPLE_TEXT)
 #undef FARRIER_SAMPLE_TEXT

@@ -28,14 +28,14 @@ struct Column {
   const char* figure;
 };
 constexpr std::array kPageColumns{Column{"updates", "updates"},
-                              Column{"stance NRMSE", "stance_nrmse"},
-                              Column{"with swing design", "swing_design_stance_nrmse"},
-                              Column{"swing NRMSE", "swing_nrmse"},
-                              Column{"with swing design", "swing_design_swing_nrmse"},
-                              Column{"missed ticks", "missed_ticks"},
-                              Column{"travel / rad", "travel_rad"},
-                              Column{"spectral radius, stance", "stance_spectral_radius"},
-                              Column{"spectral radius, swing", "swing_spectral_radius"}};
+                                  Column{"stance NRMSE", "stance_nrmse"},
+                                  Column{"with swing design", "swing_design_stance_nrmse"},
+                                  Column{"swing NRMSE", "swing_nrmse"},
+                                  Column{"with swing design", "swing_design_swing_nrmse"},
+                                  Column{"missed ticks", "missed_ticks"},
+                                  Column{"travel / rad", "travel_rad"},
+                                  Column{"spectral radius, stance", "stance_spectral_radius"},
+                                  Column{"spectral radius, swing", "swing_spectral_radius"}};
 
 }  // namespace
 
@@ -43,12 +43,23 @@ std::string escape_html(std::string_view text) {
   std::string escaped;
   for (const char c : text) {
     switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&#39;"; break;
-      default: escaped += c;
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      case '\'':
+        escaped += "&#39;";
+        break;
+      default:
+        escaped += c;
     }
   }
   return escaped;
@@ -100,8 +111,7 @@ std::string decisions_html(const RunInfo& run) {
     const signals::JointUpdateDecision& decision = info.decision;
     const auto number = [](double value) { return cell(short_number(value), "number"); };
     html += "<tr>" + cell(std::to_string(decision.tick), "number") + cell(escape_html(info.joint)) +
-            cell(signals::to_string(static_cast<signals::Phase>(decision.phase))) +
-            cell(signals::to_string(static_cast<signals::UpdateVerdict>(decision.verdict))) +
+            cell(signals::to_string(decision.phase)) + cell(signals::to_string(decision.verdict)) +
             cell(std::to_string(decision.generation), "number") + number(decision.pole_distance) +
             number(decision.pole_spread) + number(decision.validity) + number(decision.excitation) +
             number(decision.estimated_radius) + number(decision.stored_radius) + number(decision.disk_margin) +
@@ -120,8 +130,8 @@ std::string processes_table_html(const RunInfo& run) {
       samples += (samples.empty() ? "" : "<br>") + escape_html(text);
     }
     html += "<tr><th>" + escape_html(process.name) + "</th>" + cell(std::to_string(process.pid), "number") +
-            cell(escape_html(process.vendor)) + cell(std::to_string(process.missed_periods), "number") +
-            cell(samples) + "</tr>\n";
+            cell(escape_html(process.vendor)) + cell(std::to_string(process.missed_periods), "number") + cell(samples) +
+            "</tr>\n";
   }
   return html + "</tbody></table>\n";
 }

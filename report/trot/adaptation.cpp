@@ -11,7 +11,8 @@ namespace {
 constexpr std::size_t kFlexingLegJoints = 3;  // HAA, HFE, KFE
 
 bool flexes(const robot::Robot& robot, const robot::Joint& joint) {
-  return joint.index_in_leg != 0 && robot.plan.legs[static_cast<std::size_t>(joint.leg)].joints.size() == kFlexingLegJoints;
+  return joint.index_in_leg != 0 &&
+         robot.plan.legs[static_cast<std::size_t>(joint.leg)].joints.size() == kFlexingLegJoints;
 }
 
 }  // namespace
@@ -35,9 +36,8 @@ void add_updates(Figures& figures, const robot::Robot& robot, std::span<const De
 
 std::string decision_text(const DecisionInfo& info) {
   const signals::JointUpdateDecision& decision = info.decision;
-  return info.joint + ' ' + signals::to_string(static_cast<signals::Phase>(decision.phase)) + ": " +
-         signals::to_string(static_cast<signals::UpdateVerdict>(decision.verdict)) + ", generation " +
-         std::to_string(decision.generation) + ", poles " + short_number(decision.pole_distance) +
+  return info.joint + ' ' + signals::to_string(decision.phase) + ": " + signals::to_string(decision.verdict) +
+         ", generation " + std::to_string(decision.generation) + ", poles " + short_number(decision.pole_distance) +
          " from the designed, spread " + short_number(decision.pole_spread) + ", validity " +
          short_number(decision.validity);
 }

@@ -24,7 +24,7 @@ Series gain_steps(const ReportInput& input, const robot::Joint& joint, Phase pha
                   double end_s) {
   std::vector<JointControllerGains> slot;
   std::ranges::copy_if(input.gains, std::back_inserter(slot), [&](const JointControllerGains& gains) {
-    return gains.joint == joint.number && gains.phase == static_cast<std::uint8_t>(phase);
+    return gains.joint == joint.number && gains.phase == phase;
   });
   std::ranges::stable_sort(slot, {}, &JointControllerGains::effective_tick);
   Series steps{.label = phase == Phase::kStance ? "stance slot" : "swing slot",
@@ -58,7 +58,7 @@ Panel gain_panel(const ReportInput& input, const robot::Joint& joint, const char
 void add_estimates(Series& poles, const ReportInput& input, const robot::Joint& joint, Phase phase, bool accepted) {
   for (const DecisionInfo& info : input.outcome.run.decisions) {
     const signals::JointUpdateDecision& decision = info.decision;
-    if (info.joint == joint.name && info.accepted() == accepted && decision.phase == static_cast<std::uint8_t>(phase)) {
+    if (info.joint == joint.name && info.accepted() == accepted && decision.phase == phase) {
       for (std::size_t i = 0; i < decision.poles_re.size(); ++i) {
         if (decision.poles_re[i] != 0.0 || decision.poles_im[i] != 0.0) {  // the compliant form has two states
           poles.add(decision.poles_re[i], decision.poles_im[i]);

@@ -56,12 +56,11 @@ struct JointSums {
   bool tripped = false;
 
   void add(const trace::TraceRow& row, gait::Phase planned, int loop_delay_ticks) noexcept {
-    (planned == gait::Phase::kStance ? stance : swing)
-        .add(row.force_reference_N_or_Nm, row.force_N_or_Nm);
+    (planned == gait::Phase::kStance ? stance : swing).add(row.force_reference_N_or_Nm, row.force_N_or_Nm);
     lowest = std::min(lowest, row.position_m_or_rad);
     highest = std::max(highest, row.position_m_or_rad);
     position_finite = position_finite && std::isfinite(row.position_m_or_rad);
-    not_tracking_ticks += row.state != static_cast<std::uint8_t>(signals::JointState::kTracking) ? 1 : 0;
+    not_tracking_ticks += row.state != signals::JointState::kTracking ? 1 : 0;
     missed_ticks += row.command_age_ticks > static_cast<std::uint32_t>(loop_delay_ticks) ? 1 : 0;
   }
 
@@ -151,8 +150,7 @@ bool long_enough(const robot::Robot& robot, const Tracking& tracking) {
   });
 }
 
-void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking,
-                  Judgement judgement) {
+void add_tracking(Figures& figures, const robot::Robot& robot, const Tracking& tracking, Judgement judgement) {
   const bool lockstep = judgement == Judgement::kLockstep;
   const auto judged = [&](bool applies, double bound) {
     return applies && lockstep && robot.bounds.judged ? std::optional(bound) : std::nullopt;

@@ -34,19 +34,19 @@ std::map<int, std::vector<Tick>> ticks_by_joint(const std::vector<JointSensors>&
 TEST_P(Conformance, EverySignalArrivesWithEveryFieldUnchanged) {
   constexpr int kSamples = 20;
   std::mt19937_64 random(kSeed);
-#define FARRIER_ROUND_TRIP(Signal, file)                                                \
-  {                                                                                     \
-    SCOPED_TRACE(#Signal);                                                              \
-    auto writer = publisher<signals::Signal>(reliable(kSamples));                       \
-    auto reader = subscription<signals::Signal>(reliable(kSamples));                    \
-    ASSERT_TRUE(matched(writer, reader));                                               \
-    for (int i = 0; i < kSamples; ++i) {                                                \
-      const auto sent = random_signal<signals::Signal>(random);                         \
-      ASSERT_TRUE(writer.publish(sent));                                                \
-      const auto received = receive(reader, 1);                                         \
-      ASSERT_EQ(received.size(), 1u) << "sample " << i << ", seed " << kSeed;           \
+#define FARRIER_ROUND_TRIP(Signal, file)                                                        \
+  {                                                                                             \
+    SCOPED_TRACE(#Signal);                                                                      \
+    auto writer = publisher<signals::Signal>(reliable(kSamples));                               \
+    auto reader = subscription<signals::Signal>(reliable(kSamples));                            \
+    ASSERT_TRUE(matched(writer, reader));                                                       \
+    for (int i = 0; i < kSamples; ++i) {                                                        \
+      const auto sent = random_signal<signals::Signal>(random);                                 \
+      ASSERT_TRUE(writer.publish(sent));                                                        \
+      const auto received = receive(reader, 1);                                                 \
+      ASSERT_EQ(received.size(), 1u) << "sample " << i << ", seed " << kSeed;                   \
       EXPECT_EQ(bytes_of(received[0]), bytes_of(sent)) << "sample " << i << ", seed " << kSeed; \
-    }                                                                                   \
+    }                                                                                           \
   }
   FARRIER_SIGNALS(FARRIER_ROUND_TRIP)
 #undef FARRIER_ROUND_TRIP
@@ -97,7 +97,7 @@ TEST_P(Conformance, BothKeyFieldsOfTheGainsTellSlotsApart) {
   auto writer = publisher<signals::JointControllerGains>(reliable(1));
   auto reader = subscription<signals::JointControllerGains>(reliable(1));
   ASSERT_TRUE(matched(writer, reader));
-  for (const std::uint8_t phase : {std::uint8_t{0}, std::uint8_t{1}}) {
+  for (const signals::Phase phase : {signals::Phase::kSwing, signals::Phase::kStance}) {
     signals::JointControllerGains gains;
     gains.joint = 3;
     gains.phase = phase;

@@ -14,8 +14,9 @@ using namespace std::chrono_literals;
 using signals::JointSensors;
 using signals::SystemMode;
 
-constexpr Qos kSupervision{Reliability::kReliable, Durability::kVolatile, 4, kInfinite, Liveliness::kManualByTopic,
-                           20ms, Ownership::kExclusive};
+constexpr Qos kSupervision{
+    Reliability::kReliable, Durability::kVolatile, 4, kInfinite, Liveliness::kManualByTopic, 20ms,
+    Ownership::kExclusive};
 
 class InprocBus : public testing::Test {
  protected:
@@ -160,8 +161,8 @@ TEST_F(InprocBus, SamplesOfDifferentKeysAreTakenInTheOrderTheyWereWritten) {
 }
 
 TEST_F(InprocBus, KeyOfTheGainsHoldsJointAndPhase) {
-  EXPECT_NE(key_of(signals::JointControllerGains{.joint = 1, .phase = 0}),
-            key_of(signals::JointControllerGains{.joint = 1, .phase = 1}));
+  EXPECT_NE(key_of(signals::JointControllerGains{.joint = 1, .phase = signals::Phase::kSwing}),
+            key_of(signals::JointControllerGains{.joint = 1, .phase = signals::Phase::kStance}));
   EXPECT_EQ(key_of(JointSensors{.joint = 7, .tick = 3}), 7u);
 }
 

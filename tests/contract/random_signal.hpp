@@ -16,10 +16,11 @@ inline void randomise(double& field, std::mt19937_64& random) {
   field = std::uniform_real_distribution<double>(-1e6, 1e6)(random);
 }
 template <class Integer>
-  requires std::is_integral_v<Integer>
-void randomise(Integer& field, std::mt19937_64& random) {
-  field = static_cast<Integer>(random());
-}
+requires std::is_integral_v<Integer>
+void randomise(Integer& field, std::mt19937_64& random) { field = static_cast<Integer>(random()); }
+template <class Enum>
+requires std::is_enum_v<Enum>
+void randomise(Enum& field, std::mt19937_64& random) { field = static_cast<Enum>(static_cast<std::uint8_t>(random())); }
 template <class T, std::size_t kCount>
 void randomise(std::array<T, kCount>& field, std::mt19937_64& random) {
   for (T& element : field) {

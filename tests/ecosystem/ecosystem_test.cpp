@@ -23,10 +23,11 @@ struct TopicSum {
 
 double sum_of(double field) { return field; }
 template <class Integer>
-  requires std::is_integral_v<Integer>
-double sum_of(Integer field) {
-  return static_cast<double>(field);
-}
+requires std::is_integral_v<Integer>
+double sum_of(Integer field) { return static_cast<double>(field); }
+template <class Enum>
+requires std::is_enum_v<Enum>
+double sum_of(Enum field) { return static_cast<double>(field); }
 template <std::size_t kCount>
 double sum_of(const std::array<char, kCount>& text) {  // up to 255 each
   double sum = 0.0;
@@ -36,7 +37,7 @@ double sum_of(const std::array<char, kCount>& text) {  // up to 255 each
   return sum;
 }
 template <class List>
-  requires requires(const List& fields) { fields.begin(); }
+requires requires(const List& fields) { fields.begin(); }
 double sum_of(const List& fields) {
   double sum = 0.0;
   for (const auto& field : fields) {
@@ -62,7 +63,8 @@ TEST(Ecosystem, NpmsReadersSeeEverySampleOfEveryTopicAsWeDo) {
   const ScratchDirectory scratch;
   const std::string path = scratch.file("run.mcap");
   const auto sums = write_recording(path);
-  const auto ran = run_tool({"node", "nodejs"}, {"decode_recording.mjs", path}, FARRIER_ECOSYSTEM, scratch.file("read.json"));
+  const auto ran =
+      run_tool({"node", "nodejs"}, {"decode_recording.mjs", path}, FARRIER_ECOSYSTEM, scratch.file("read.json"));
   ASSERT_TRUE(ran.ok()) << ran.error().message;
   const json read = json::parse(std::ifstream(scratch.file("read.json")));
   ASSERT_EQ(sums.size(), bus::kTopicCount);

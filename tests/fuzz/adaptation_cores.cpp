@@ -53,8 +53,8 @@ const Supervisor& fresh_supervisor(std::size_t which) {
   static const auto made = [] {
     std::vector<Supervisor> supervisors;
     for (const control::Kind kind : {control::Kind::kLqr, control::Kind::kFlowInversion}) {
-      auto supervisor = Supervisor::create(load_hyq({}, kind), farrier::supervisor::Design::kAdaptive,
-                                           kDelayTicks, kSession);
+      auto supervisor =
+          Supervisor::create(load_hyq({}, kind), farrier::supervisor::Design::kAdaptive, kDelayTicks, kSession);
       require(supervisor.ok(), "a shipped robot has gains");
       supervisors.push_back(std::move(supervisor).value());
     }
@@ -66,7 +66,7 @@ const Supervisor& fresh_supervisor(std::size_t which) {
 void require_estimate(const signals::JointModelEstimate& estimate) {
   require(finite(estimate), "an estimate is finite");
   require(estimate.validity >= 0.0 && estimate.validity <= 1.0, "validity is 0 to 1");
-  require(estimate.phase < signals::kPhaseCount, "an estimate is of a phase there is");
+  require(known(estimate.phase), "an estimate is of a phase there is");
 }
 
 }  // namespace
@@ -85,7 +85,7 @@ void estimator_service(Bytes bytes) {
     measurement.velocity_m_s_or_rad_s = odd == 1 ? input.number(5) : 1e-3 * input.byte();
     measurement.force_N_or_Nm = odd == 2 ? input.number(1e4) : 10.0 * input.byte();
     measurement.valve_current_A = odd == 3 ? input.number(0.02) : 1e-5 * input.byte();
-    measurement.phase = odd == 4 ? input.byte() : measurement.phase;
+    measurement.phase = odd == 4 ? static_cast<signals::Phase>(input.byte()) : measurement.phase;
     service.take(measurement);
     if (i % 10 == 9 || input.empty()) {
       require_estimate(service.estimate(measurement.joint, measurement.tick));
@@ -109,7 +109,7 @@ void supervisor(Bytes bytes) {
   while (!input.empty()) {
     auto estimate = input.byte() % 2 == 0 ? input.signal<signals::JointModelEstimate>() : signals::JointModelEstimate{};
     estimate.joint = input.byte() == 0 ? estimate.joint : kJoint;
-    estimate.phase = static_cast<std::uint8_t>(input.below(3));
+    estimate.phase = static_cast<signals::Phase>(input.below(3));
     if (estimate.validity == 0.0) {  // a sure estimate of a joint that is near the nominal one
       estimate.a = control::rows_of(model.a);
       estimate.b = control::entries_of(model.b);

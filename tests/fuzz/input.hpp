@@ -26,8 +26,8 @@ class Input {
   Bytes rest() const noexcept { return left_; }
 
   template <class Number>
-    requires std::is_arithmetic_v<Number>
-  Number raw() noexcept {
+  requires std::is_arithmetic_v<Number> Number raw()
+  noexcept {
     Number value{};
     const std::size_t size = std::min(sizeof(Number), left_.size());
     if (size > 0) {  // nothing has no place
@@ -43,9 +43,15 @@ class Input {
   /// mutations reach all.
   double number(double size) noexcept {
     using Limits = std::numeric_limits<double>;
-    static constexpr std::array kExtremes = {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(),
-                                             Limits::max(),       Limits::lowest(),   Limits::denorm_min(),
-                                             Limits::min(),       0.0,                -0.0};
+    static constexpr std::array kExtremes = {Limits::quiet_NaN(),
+                                             Limits::infinity(),
+                                             -Limits::infinity(),
+                                             Limits::max(),
+                                             Limits::lowest(),
+                                             Limits::denorm_min(),
+                                             Limits::min(),
+                                             0.0,
+                                             -0.0};
     const std::uint8_t kind = byte();
     if (kind < kExtremes.size()) {
       return kExtremes[kind];
@@ -61,12 +67,18 @@ class Input {
     using Limits = std::numeric_limits<Tick>;
     const std::uint8_t kind = byte();
     switch (kind) {
-      case 0: return Limits::max();
-      case 1: return Limits::min();
-      case 2: return Limits::max() - 1;
-      case 3: return kNoTick;
-      case 4: return raw<Tick>();
-      default: return std::clamp<Tick>(last, Limits::min() + 8, Limits::max() - 8) + kind % 8 - 1;
+      case 0:
+        return Limits::max();
+      case 1:
+        return Limits::min();
+      case 2:
+        return Limits::max() - 1;
+      case 3:
+        return kNoTick;
+      case 4:
+        return raw<Tick>();
+      default:
+        return std::clamp<Tick>(last, Limits::min() + 8, Limits::max() - 8) + kind % 8 - 1;
     }
   }
 
@@ -85,6 +97,8 @@ class Input {
       field = number(1.0);
     } else if constexpr (std::is_arithmetic_v<Field>) {
       field = raw<Field>();
+    } else if constexpr (std::is_enum_v<Field>) {
+      field = static_cast<Field>(byte());
     } else if constexpr (signals::kIsOctets<Field>) {
       field.assign(left_.first(std::min<std::size_t>(left_.size(), raw<std::uint16_t>())));
     } else {
@@ -109,9 +123,9 @@ bool alike(const Signal& one, const Signal& other) noexcept {
     }
   };
 #define FARRIER_COMPARE(field) compare(one.field, other.field);
-#define FARRIER_COMPARE_IF(Of, file)                        \
-  if constexpr (std::is_same_v<Signal, signals::Of>) {      \
-    FARRIER_FIELDS_##Of(FARRIER_COMPARE)                    \
+#define FARRIER_COMPARE_IF(Of, file)                   \
+  if constexpr (std::is_same_v<Signal, signals::Of>) { \
+    FARRIER_FIELDS_##Of(FARRIER_COMPARE)               \
   }
   FARRIER_SIGNALS(FARRIER_COMPARE_IF)
 #undef FARRIER_COMPARE_IF
@@ -123,9 +137,9 @@ bool alike(const Signal& one, const Signal& other) noexcept {
 template <class Use>
 void with_signal_of(std::size_t topic, Use&& use) {
   std::size_t place = 0;
-#define FARRIER_USE(Signal, file)   \
-  if (topic == place++) {           \
-    use(signals::Signal{});         \
+#define FARRIER_USE(Signal, file) \
+  if (topic == place++) {         \
+    use(signals::Signal{});       \
   }
   FARRIER_SIGNALS(FARRIER_USE)
 #undef FARRIER_USE

@@ -35,9 +35,9 @@ const Kind& kind_of(control::Kind kind) {
   for (const robot::Joint& joint : made.robot.joints) {
     const auto designed = supervisor::design_joint(joint, joint.stance_load, made.robot.period_s, kDelayTicks);
     require(designed.ok(), "a shipped joint has gains");
-    made.gains.push_back(wire_gains::with_physics(
-        wire_gains::pack_gains(joint.number, signals::Phase::kStance, 1, 1, designed.value()),
-        plant::nominal_physics(joint.actuator, joint.stance_load)));
+    made.gains.push_back(
+        wire_gains::with_physics(wire_gains::pack_gains(joint.number, signals::Phase::kStance, 1, 1, designed.value()),
+                                 plant::nominal_physics(joint.actuator, joint.stance_load)));
   }
   return kinds.emplace(kind, std::move(made)).first->second;
 }
@@ -48,9 +48,9 @@ class Bench {
       : joint_(joint),
         good_gains_(kind.gains[joint.number]),
         node_(joint, kind.robot.safety, kind.robot.period_s, kDelayTicks, kSession) {
-    node_.set_mode({.robot = 0, .epoch = 1, .session = kSession, .effective_tick = 0, .mode = 1});
+    node_.set_mode({.robot = 0, .epoch = 1, .session = kSession, .effective_tick = 0, .mode = signals::Mode::kArmed});
     for (signals::JointControllerGains gains = good_gains_; gains.generation <= 2; ++gains.generation) {
-      gains.phase = static_cast<std::uint8_t>(gains.generation - 1);
+      gains.phase = static_cast<signals::Phase>(gains.generation - 1);
       gains.effective_tick = 0;
       offer(gains);
     }
@@ -68,8 +68,12 @@ class Bench {
 
   void next(Input& input) {
     switch (input.below(8)) {
-      case 0: offer(input.signal<signals::JointControllerGains>()); return;
-      case 1: offer(gains_with_one_odd_field(input)); return;
+      case 0:
+        offer(input.signal<signals::JointControllerGains>());
+        return;
+      case 1:
+        offer(gains_with_one_odd_field(input));
+        return;
       case 2: {
         auto mode = input.signal<signals::SystemMode>();
         mode.session = input.byte() % 4 != 0 ? kSession : mode.session;
@@ -79,13 +83,17 @@ class Bench {
       }
       case 3: {
         auto phase = input.signal<signals::GaitPhase>();
-        phase.phase = static_cast<std::uint8_t>(input.below(3));
+        phase.phase = static_cast<signals::Phase>(input.below(3));
         phase.switch_tick = input.tick(inputs_.tick);
         node_.announce_phase(phase);
         return;
       }
-      case 4: command(input); break;
-      default: sensors(input); break;
+      case 4:
+        command(input);
+        break;
+      default:
+        sensors(input);
+        break;
     }
     step();
   }
@@ -102,7 +110,7 @@ class Bench {
   signals::JointControllerGains gains_with_one_odd_field(Input& input) {
     signals::JointControllerGains gains = good_gains_;
     gains.generation = node_.newest_generation() + 1;
-    gains.phase = static_cast<std::uint8_t>(input.below(signals::kPhaseCount));
+    gains.phase = static_cast<signals::Phase>(input.below(signals::kPhaseCount));
     gains.effective_tick = input.tick(inputs_.tick);
     const std::size_t odd = input.below(32);
     std::size_t place = 0;
@@ -152,8 +160,7 @@ class Bench {
     require(outputs.valve.force_reference_N_or_Nm <= joint_.push_limit &&
                 outputs.valve.force_reference_N_or_Nm >= -joint_.pull_limit,
             "a force reference is within what the actuator can do");
-    require(outputs.valve.state <= static_cast<std::uint8_t>(signals::JointState::kTracking) &&
-                outputs.valve.phase < signals::kPhaseCount,
+    require(outputs.valve.state <= signals::JointState::kTracking && known(outputs.valve.phase),
             "state and phase are some there are");
     require(outputs.measurement.valve_current_A == outputs.valve.valve_current_A, "what is measured is what is sent");
   }

@@ -36,7 +36,7 @@ JointUpdateDecision decision(std::uint16_t joint, Tick tick) {
   JointUpdateDecision decision;
   decision.joint = joint;
   decision.tick = tick;
-  decision.verdict = static_cast<std::uint8_t>(signals::UpdateVerdict::kDesignRefused);
+  decision.verdict = signals::UpdateVerdict::kDesignRefused;
   return decision;
 }
 
@@ -67,7 +67,7 @@ TEST_P(Monitor, CollectsDecisionsButNoProbes) {
   EXPECT_EQ(monitor.value().decisions()[0].joint, 1);
   EXPECT_EQ(monitor.value().decisions()[0].tick, 500);
   EXPECT_EQ(monitor.value().decisions()[1].tick, 700);
-  EXPECT_EQ(monitor.value().decisions()[1].verdict, static_cast<std::uint8_t>(signals::UpdateVerdict::kDesignRefused));
+  EXPECT_EQ(monitor.value().decisions()[1].verdict, signals::UpdateVerdict::kDesignRefused);
 }
 
 TEST_P(Monitor, ThatJoinsLateGetsTheLast64DecisionsOfEachJoint) {

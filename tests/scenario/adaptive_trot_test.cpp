@@ -16,7 +16,7 @@ constexpr Tick kTrot = 9000;
 constexpr Tick kLater = 6000;
 constexpr Tick kShort = 3000;
 constexpr int kFewestUpdates = 3;
-constexpr double kNoWorse = 1.05;       // error after over error before, median over the joints
+constexpr double kNoWorse = 1.05;  // error after over error before, median over the joints
 constexpr double kNoWorseForAny = 1.25;
 
 run::InprocRun adaptive(Tick ticks) {
@@ -41,10 +41,7 @@ class AdaptiveTrot : public ::testing::Test {
   static int updates(const robot::Joint& joint) {
     int accepted = 0;
     for (const signals::JointUpdateDecision& decision : outcome_->result.decisions) {
-      accepted += decision.joint == joint.number &&
-                          decision.verdict == static_cast<std::uint8_t>(UpdateVerdict::kAccepted)
-                      ? 1
-                      : 0;
+      accepted += decision.joint == joint.number && decision.verdict == UpdateVerdict::kAccepted ? 1 : 0;
     }
     return accepted;
   }
@@ -82,9 +79,7 @@ TEST_F(AdaptiveTrot, RedesignsEveryJointThatFlexesUnderTheRobot) {
   }
 }
 
-TEST_F(AdaptiveTrot, TracksTorqueInStanceFromTheThirdStrideOnAsWellAsIsAskedOfADesignForStance) {
-  expect_tracking(0);
-}
+TEST_F(AdaptiveTrot, TracksTorqueInStanceFromTheThirdStrideOnAsWellAsIsAskedOfADesignForStance) { expect_tracking(0); }
 
 // The same joints in the same run, before and after most of their updates.
 TEST_F(AdaptiveTrot, TracksTorqueInStanceNoWorseAfterMoreUpdates) {
@@ -102,7 +97,7 @@ TEST_F(AdaptiveTrot, TracksTorqueInStanceNoWorseAfterMoreUpdates) {
 TEST_F(AdaptiveTrot, PublishesGainsForEveryAcceptedUpdate) {
   std::size_t accepted = 0;
   for (const signals::JointUpdateDecision& decision : outcome_->result.decisions) {
-    accepted += decision.verdict == static_cast<std::uint8_t>(UpdateVerdict::kAccepted) ? 1u : 0u;
+    accepted += decision.verdict == UpdateVerdict::kAccepted ? 1u : 0u;
   }
   EXPECT_EQ(outcome_->result.gains.size(), 2u * hyq_->joints.size() + accepted) << "the first ones, and one each";
 }

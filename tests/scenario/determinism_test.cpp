@@ -20,7 +20,7 @@ run::InprocRun settings(Tick ticks, std::uint64_t seed = 3) {
 }
 
 std::ptrdiff_t updates_in(const Outcome& outcome) {
-  return std::ranges::count(outcome.result.decisions, static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted),
+  return std::ranges::count(outcome.result.decisions, signals::UpdateVerdict::kAccepted,
                             &signals::JointUpdateDecision::verdict);
 }
 

@@ -34,7 +34,7 @@ Outcome* ShortRun::outcome_ = nullptr;
 TEST_F(ShortRun, StartsWithShutValves) {
   for (Tick tick = 0; tick < hyq().update_logic.gain_lead_ticks; ++tick) {
     for (std::size_t joint = 0; joint < hyq().joints.size(); ++joint) {
-      EXPECT_EQ(row(tick, joint).state, static_cast<std::uint8_t>(JointState::kNull));
+      EXPECT_EQ(row(tick, joint).state, JointState::kNull);
       EXPECT_EQ(row(tick, joint).valve_current_A, 0.0);
       EXPECT_EQ(row(tick, joint).generation, 0u);
       EXPECT_TRUE(FaultSet(row(tick, joint).faults).has(Fault::kDisarmed));
@@ -45,7 +45,7 @@ TEST_F(ShortRun, StartsWithShutValves) {
 TEST_F(ShortRun, ArmsEveryJointAtTheSupervisorsEffectiveTick) {
   for (std::size_t joint = 0; joint < hyq().joints.size(); ++joint) {
     const auto& armed = row(hyq().update_logic.gain_lead_ticks, joint);
-    EXPECT_EQ(armed.state, static_cast<std::uint8_t>(JointState::kTracking)) << hyq().joints[joint].name;
+    EXPECT_EQ(armed.state, JointState::kTracking) << hyq().joints[joint].name;
     EXPECT_EQ(armed.generation, 2u) << "stance gains are the second issue";
   }
 }

@@ -18,11 +18,11 @@ run::InprocRun settings(const trials::LoadCycle& cycle) {
   return run;
 }
 
-constexpr double kFixedAtLeast = 1.0;      // heavy quarters: gains for the light load do not hold the heavy one
-constexpr double kAdaptiveAtMost = 0.08;   // heavy quarters
-constexpr double kGreyBoxAtMost = 0.08;    // every quarter, with the sensors' noise
-constexpr double kNoiselessAtMost = 0.05;  // every quarter, without
-constexpr double kLightRatioAtMost = 1.05; // light quarters: adaptation must not cost what it need not
+constexpr double kFixedAtLeast = 1.0;       // heavy quarters: gains for the light load do not hold the heavy one
+constexpr double kAdaptiveAtMost = 0.08;    // heavy quarters
+constexpr double kGreyBoxAtMost = 0.08;     // every quarter, with the sensors' noise
+constexpr double kNoiselessAtMost = 0.05;   // every quarter, without
+constexpr double kLightRatioAtMost = 1.05;  // light quarters: adaptation must not cost what it need not
 
 double quarter_error(const Outcome& outcome, const trials::LoadCycle& cycle, std::size_t quarter) {
   return trials::quarter_error(cycle, outcome.rows, quarter);
@@ -59,7 +59,7 @@ TEST(LoadCycle, ChangesTheLoadAndWithPerfectKnowledgeTheGainsAtTheTickOfEveryQua
     if (now.generation != before.generation && now.tick >= of_rig.begin[0]) {
       other_gains.push_back(now.tick);
     }
-    ASSERT_EQ(now.phase, static_cast<std::uint8_t>(signals::Phase::kStance));
+    ASSERT_EQ(now.phase, signals::Phase::kStance);
   }
   const std::vector<Tick> begins(of_rig.begin.begin() + 1, of_rig.begin.end() - 1);
   EXPECT_EQ(heavier_or_lighter, begins);
@@ -93,7 +93,8 @@ TEST(LoadCycle, IsHeldByAdaptiveGainsAndCostsNothingInTheLightQuarters) {
     EXPECT_LE(quarter_error(adaptive, of_rig, heavy), kAdaptiveAtMost) << heavy;
   }
   for (const std::size_t light : {0u, 2u}) {
-    EXPECT_LE(quarter_error(adaptive, of_rig, light) / quarter_error(true_load, of_rig, light), kLightRatioAtMost) << light;
+    EXPECT_LE(quarter_error(adaptive, of_rig, light) / quarter_error(true_load, of_rig, light), kLightRatioAtMost)
+        << light;
   }
 }
 
@@ -104,13 +105,12 @@ TEST(LoadCycle, IsHeldByTheGreyBoxInEveryQuarterWithSensorNoiseAndWithout) {
   for (const trials::LoadCycleCase& one : {trials::kGreyBoxCase, trials::kGreyBoxNoiselessCase}) {
     const Outcome outcome = run(trials::robot_of(of_rig, one), trials::run_of(of_rig, one, kSeed));
     for (std::size_t quarter = 0; quarter < trials::kQuarters; ++quarter) {
-      EXPECT_LE(quarter_error(outcome, of_rig, quarter),
-                one.noiseless ? kNoiselessAtMost : kGreyBoxAtMost)
+      EXPECT_LE(quarter_error(outcome, of_rig, quarter), one.noiseless ? kNoiselessAtMost : kGreyBoxAtMost)
           << one.name << ", quarter " << quarter + 1;
     }
     EXPECT_GT(outcome.result.gains.size(), 2u) << "physics went out";
     for (const trace::TraceRow& row : outcome.rows) {
-      ASSERT_TRUE(row.tick < 10 || row.state == static_cast<std::uint8_t>(signals::JointState::kTracking)) << row.tick;
+      ASSERT_TRUE(row.tick < 10 || row.state == signals::JointState::kTracking) << row.tick;
     }
   }
 }

@@ -27,8 +27,7 @@ TEST(Rig, RunsWithEitherDesign) {
     for (const trace::TraceRow& row : run(rig, settings(design)).rows) {
       ASSERT_TRUE(std::isfinite(row.position_m_or_rad) && std::isfinite(row.force_N_or_Nm));
       ASSERT_TRUE(std::abs(row.valve_current_A) <= rig.joints[0].actuator.valve_current_max_A);
-      ASSERT_EQ(row.state == static_cast<std::uint8_t>(signals::JointState::kTracking),
-                row.tick >= rig.update_logic.gain_lead_ticks);
+      ASSERT_EQ(row.state == signals::JointState::kTracking, row.tick >= rig.update_logic.gain_lead_ticks);
     }
   }
 }
@@ -46,9 +45,9 @@ TEST(Rig, TracksTheHeavyCartBetterWithTheDesignForIt) {
   RecordProperty("swing_design", std::to_string(nrmse[supervisor::Design::kSwing]));
 }
 
-std::vector<Tick> changes(const Outcome& outcome, std::uint8_t trace::TraceRow::*phase) {
+std::vector<Tick> changes(const Outcome& outcome, Phase trace::TraceRow::*phase) {
   std::vector<Tick> ticks;
-  std::uint8_t last = static_cast<std::uint8_t>(Phase::kStance);
+  Phase last = Phase::kStance;
   for (const trace::TraceRow& row : outcome.rows) {
     if (row.*phase != last) {
       ticks.push_back(row.tick);
@@ -71,9 +70,9 @@ TEST(Rig, ChangesGainsAtTheAnnouncedTickWhereverTheTouchdownReallyIs) {
 
   const gait::Schedule schedule(exact.plan, 1);
   for (const trace::TraceRow& row : early_or_late.rows) {
-    ASSERT_EQ(row.phase, static_cast<std::uint8_t>(schedule.phase(0, row.tick))) << "tick " << row.tick;
+    ASSERT_EQ(row.phase, schedule.phase(0, row.tick)) << "tick " << row.tick;
     if (row.tick >= exact.update_logic.gain_lead_ticks) {
-      ASSERT_EQ(row.generation, row.phase == static_cast<std::uint8_t>(Phase::kSwing) ? 1u : 2u);
+      ASSERT_EQ(row.generation, row.phase == Phase::kSwing ? 1u : 2u);
     }
   }
 }

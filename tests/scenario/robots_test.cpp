@@ -27,8 +27,7 @@ run::InprocRun adaptive(Tick ticks) {
 
 std::ptrdiff_t updates_of(const Outcome& outcome, const robot::Joint& joint) {
   return std::ranges::count_if(outcome.result.decisions, [&](const signals::JointUpdateDecision& decision) {
-    return decision.joint == joint.number &&
-           decision.verdict == static_cast<std::uint8_t>(signals::UpdateVerdict::kAccepted);
+    return decision.joint == joint.number && decision.verdict == signals::UpdateVerdict::kAccepted;
   });
 }
 
@@ -71,8 +70,8 @@ double carried_share(const robot::Robot& robot, const gait::Schedule& schedule, 
                      Tick tick) {
   double shares = 0.0;
   for (std::size_t leg = 0; leg < robot.plan.legs.size(); ++leg) {
-    shares += gait::load_share(schedule.stance_progress(static_cast<int>(leg), tick),
-                               robot.plan.gait.load_transfer_fraction);
+    shares +=
+        gait::load_share(schedule.stance_progress(static_cast<int>(leg), tick), robot.plan.gait.load_transfer_fraction);
   }
   return shares * reference.weight_per_share_N(tick) / robot.plan.body_weight_N;
 }

@@ -9,8 +9,8 @@
 namespace farrier::scenario {
 namespace switching_test {
 
-constexpr std::uint8_t kSwing = 0;
-constexpr std::uint8_t kStance = 1;
+constexpr signals::Phase kSwing = signals::Phase::kSwing;
+constexpr signals::Phase kStance = signals::Phase::kStance;
 constexpr Tick kLanding = 50;
 constexpr Tick kWindow = 30;
 constexpr double kRounding = 1e-12;
@@ -52,7 +52,7 @@ TEST(TouchdownErrors, LeaveOutWhatCameTooEarlyAndWhatTheRunCutShort) {
   EXPECT_EQ(trials::touchdown_errors(robot, rows, 0).touchdowns, 0);
 }
 
-signals::JointControllerGains update(std::uint16_t joint, std::uint8_t phase, double k_force) {
+signals::JointControllerGains update(std::uint16_t joint, Phase phase, double k_force) {
   signals::JointControllerGains gains;
   gains.joint = joint;
   gains.phase = phase;
@@ -99,7 +99,8 @@ class Switching : public ::testing::Test {
     return run(robot, settings);
   }
 
-  static trials::TouchdownErrors errors_with(const robot::Robot& robot, const std::vector<supervisor::SlotGains>& gains) {
+  static trials::TouchdownErrors errors_with(const robot::Robot& robot,
+                                             const std::vector<supervisor::SlotGains>& gains) {
     return trials::touchdown_errors(robot, run_with(robot, gains).rows, kJudgedFrom);
   }
 
@@ -117,7 +118,7 @@ TEST_F(Switching, ActsWithTheGainsThatWereGivenAndNoOthers) {
   const Outcome outcome = run_with(undithered(), adapted_);
   ASSERT_EQ(outcome.result.gains.size(), signals::kPhaseCount * adapted_.size());
   for (const signals::JointControllerGains& gains : outcome.result.gains) {
-    EXPECT_EQ(gains.k_force, adapted_.at(gains.joint).at(gains.phase).force);
+    EXPECT_EQ(gains.k_force, adapted_.at(gains.joint)[gains.phase].force);
   }
 }
 

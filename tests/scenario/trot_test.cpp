@@ -58,7 +58,7 @@ TEST(Trot, NeverHasSwingGainsOnALegThatStands) {
     settings.design = supervisor::Design::kPhases;
     const Outcome outcome = run(hyq, settings);
     return std::ranges::count_if(outcome.rows, [](const trace::TraceRow& row) {
-      return row.actual_phase == static_cast<std::uint8_t>(gait::Phase::kStance) && row.phase != row.actual_phase;
+      return row.actual_phase == gait::Phase::kStance && row.phase != row.actual_phase;
     });
   };
   const robot::Robot hyq = load("hyq");
@@ -82,8 +82,8 @@ TEST(Stand, HoldsTheRobotStill) {
   const gait::Reference reference(hyq.plan);
   const Tick settled = settings.ticks - 1000;
   for (const trace::TraceRow& row : outcome.rows) {
-    ASSERT_EQ(row.phase, static_cast<std::uint8_t>(gait::Phase::kStance));
-    ASSERT_EQ(row.actual_phase, static_cast<std::uint8_t>(gait::Phase::kStance));
+    ASSERT_EQ(row.phase, gait::Phase::kStance);
+    ASSERT_EQ(row.actual_phase, gait::Phase::kStance);
     if (row.tick >= settled) {
       const robot::Joint& joint = hyq.joints[row.joint];
       const double q = joint.linkage.angle(row.position_m_or_rad);

@@ -22,7 +22,11 @@ constexpr const char* kProcesses[] = {"sim_bridge", "supervisor", "estimator_ser
 template <class Signal>
 void MadeUpRobot::say(const Signal& signal) {
   signals::to_cdr(signal, cdr_);
-  take_({.topic = bus::TopicOf<Signal>::id, .sequence = 0, .log_time_ns = time_ns_, .publish_time_ns = time_ns_, .cdr = cdr_});
+  take_({.topic = bus::TopicOf<Signal>::id,
+         .sequence = 0,
+         .log_time_ns = time_ns_,
+         .publish_time_ns = time_ns_,
+         .cdr = cdr_});
 }
 
 void MadeUpRobot::say_event(std::uint16_t participant, signals::Severity severity, std::uint16_t joint,
@@ -31,7 +35,7 @@ void MadeUpRobot::say_event(std::uint16_t participant, signals::Severity severit
   event.participant = participant;
   event.count = ++events_;
   event.tick = tick_;
-  event.severity = static_cast<std::uint8_t>(severity);
+  event.severity = severity;
   event.joint = joint;
   signals::assign(event.text, text);
   say(event);
@@ -57,12 +61,12 @@ void MadeUpRobot::begin(std::uint64_t session, std::uint64_t time_ns) {
   mode.epoch = 1;
   mode.session = session;
   mode.effective_tick = 0;
-  mode.mode = static_cast<std::uint8_t>(signals::Mode::kArmed);
+  mode.mode = signals::Mode::kArmed;
   say(mode);
   say_event(1, signals::Severity::kInfo, signals::kNoJoint, "armed");
   for (const robot::Joint& joint : robot_.joints) {
-    say_gains(joint.number, 0);
-    say_gains(joint.number, 1);
+    say_gains(joint.number, Phase::kSwing);
+    say_gains(joint.number, Phase::kStance);
   }
 }
 
@@ -77,7 +81,7 @@ void MadeUpRobot::step(std::uint64_t time_ns) {
       phase.leg = static_cast<std::uint16_t>(leg);
       phase.count = ++announcements_;
       phase.announced_tick = phase.switch_tick = tick_;
-      phase.phase = static_cast<std::uint8_t>(now);
+      phase.phase = now;
       say(phase);
     }
   }
@@ -95,7 +99,7 @@ void MadeUpRobot::step(std::uint64_t time_ns) {
   if (tick_ % 1500 == 0) {
     const auto joint = static_cast<std::uint16_t>(tick_ / 1500 % robot_.joints.size());
     ++generation_;
-    say_gains(joint, 1);
+    say_gains(joint, Phase::kStance);
     say_event(1, signals::Severity::kInfo, joint, "new gains in stance");
   }
 }
@@ -119,13 +123,13 @@ void MadeUpRobot::say_summaries() {
     s.force_reference_rms_N_or_Nm = std::abs(s.force_reference_N_or_Nm);
     s.generation = generation_;
     s.faults = faults_[joint.number];
-    s.state = static_cast<std::uint8_t>(lost ? signals::JointState::kDamping : signals::JointState::kTracking);
-    s.phase = static_cast<std::uint8_t>(phase);
+    s.state = lost ? signals::JointState::kDamping : signals::JointState::kTracking;
+    s.phase = phase;
     say(s);
   }
 }
 
-void MadeUpRobot::say_gains(std::uint16_t joint, std::uint8_t phase) {
+void MadeUpRobot::say_gains(std::uint16_t joint, Phase phase) {
   signals::JointControllerGains gains;
   gains.joint = joint;
   gains.phase = phase;
@@ -134,9 +138,9 @@ void MadeUpRobot::say_gains(std::uint16_t joint, std::uint8_t phase) {
   gains.effective_tick = tick_;
   const double change = 1.0 + 0.1 * std::sin(generation_);
   gains.k_position = 0.02 * change;
-  gains.k_velocity = (phase == 0 ? 0.3 : 0.8) * change;
-  gains.k_force = (phase == 0 ? 0.6 : 1.4) / change;
-  gains.k_integral = (phase == 0 ? 0.1 : 0.25) * change;
+  gains.k_velocity = (phase == Phase::kSwing ? 0.3 : 0.8) * change;
+  gains.k_force = (phase == Phase::kSwing ? 0.6 : 1.4) / change;
+  gains.k_integral = (phase == Phase::kSwing ? 0.1 : 0.25) * change;
   gains.feed_forward = 1.0;
   say(gains);
 }
@@ -151,7 +155,7 @@ void MadeUpRobot::say_estimates() {
     signals::JointModelEstimateCopy estimate;
     estimate.joint = joint.number;
     estimate.tick = tick_;
-    estimate.phase = static_cast<std::uint8_t>(phase_of(joint.leg, tick_));
+    estimate.phase = phase_of(joint.leg, tick_);
     estimate.a = control::rows_of(model.a);
     estimate.b = control::entries_of(model.b);
     estimate.validity = 0.85 + 0.1 * drift;
@@ -180,7 +184,8 @@ void write_made_up_recording(const std::string& path, const robot::Robot& robot,
   while (made_up.tick() < last) {
     time_ns += kMadeUpStep_ns;
     if (knee != nullptr && (made_up.tick() == begin || made_up.tick() == end)) {
-      made_up.set_faults(knee->number, made_up.tick() == begin ? static_cast<std::uint32_t>(Fault::kForceLost) : 0, time_ns);
+      made_up.set_faults(knee->number, made_up.tick() == begin ? static_cast<std::uint32_t>(Fault::kForceLost) : 0,
+                         time_ns);
     }
     made_up.step(time_ns);
   }

@@ -34,7 +34,7 @@ class MadeUpRobot {
   void say(const Signal& signal);
   void say_event(std::uint16_t participant, signals::Severity severity, std::uint16_t joint, const std::string& text);
   void say_summaries();
-  void say_gains(std::uint16_t joint, std::uint8_t phase);
+  void say_gains(std::uint16_t joint, signals::Phase phase);
   void say_estimates();
   signals::Phase phase_of(int leg, Tick tick) const;
 

@@ -29,7 +29,7 @@ struct Tracked {
 
   void count(const trace::TraceRow& row) {
     ++all;
-    tracking += row.state == static_cast<std::uint8_t>(signals::JointState::kTracking) ? 1 : 0;
+    tracking += row.state == signals::JointState::kTracking ? 1 : 0;
   }
   double share() const { return all > 0 ? static_cast<double>(tracking) / all : 0.0; }
 };
@@ -61,8 +61,8 @@ class EstimatorDeath : public testing::TestWithParam<const char*> {
     std::vector<std::string> names = run_.value("failures", std::vector<std::string>{});
     for (const auto& entry : run_["figures"]) {
       const std::string name = entry["name"];
-      const bool of_the_computer = name == "trot.missed_periods" || name == "trot.latency_p99_ratio" ||
-                                   name == "trot.realtime_nrmse_ratio";
+      const bool of_the_computer =
+          name == "trot.missed_periods" || name == "trot.latency_p99_ratio" || name == "trot.realtime_nrmse_ratio";
       if (!entry.value("holds", true) && !of_the_computer) {
         names.push_back(name);
       }
@@ -84,7 +84,8 @@ TEST_P(EstimatorDeath, StopsUpdatesAndNothingElse) {
                                 ") ended with exit status 137, killed by Killed"),
             std::string::npos)
       << trot_.output();
-  if (const double lost = figure(run_, "trot.lost_samples"); lost > kMayBeLost * static_cast<double>(kTicks) * kJoints) {
+  if (const double lost = figure(run_, "trot.lost_samples");
+      lost > kMayBeLost * static_cast<double>(kTicks) * kJoints) {
     GTEST_SKIP() << "this computer lost " << lost << " samples on their way: that joints then miss ticks or trip says "
                  << "nothing of the estimator's death";
   }

@@ -14,9 +14,7 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-bool in_state(const trace::TraceRow& row, signals::JointState state) {
-  return row.state == static_cast<std::uint8_t>(state);
-}
+bool in_state(const trace::TraceRow& row, signals::JointState state) { return row.state == state; }
 
 }  // namespace
 
@@ -42,15 +40,15 @@ RobotWatch::RobotWatch(const robot::Robot& robot, const participant::ProcessOpti
     return;
   }
   bus_ = std::move(bus).value();
-  clock_ = bus::Subscription<signals::ClockTick>::create(
-               *bus_, participant::endpoint_of(identity, bus::TopicId::kClockTick))
-               .value();
+  clock_ =
+      bus::Subscription<signals::ClockTick>::create(*bus_, participant::endpoint_of(identity, bus::TopicId::kClockTick))
+          .value();
   requests_ = bus::Publisher<signals::SystemRequest>::create(
                   *bus_, participant::endpoint_of(identity, bus::TopicId::kSystemRequest))
                   .value();
   monitor_ = run::RunMonitor::create(*bus_, identity).value();
   request_.session = seat.session;
-  request_.request = static_cast<std::uint8_t>(signals::Request::kArm);
+  request_.request = signals::Request::kArm;
 }
 
 RobotWatch::~RobotWatch() = default;

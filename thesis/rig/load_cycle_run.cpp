@@ -37,7 +37,7 @@ Result<CycleRun> run_changed(const StudyContext& context, const trials::LoadCycl
     return stop ? stopped() : ran.error();
   }
   for (const JointControllerGains& gains : ran.value().gains) {
-    if (gains.phase == static_cast<std::uint8_t>(signals::Phase::kStance)) {
+    if (gains.phase == signals::Phase::kStance) {
       run.gains.push_back(gains);
     }
   }

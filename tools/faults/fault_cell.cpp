@@ -41,7 +41,7 @@ class Course {
       joint.resize(static_cast<std::size_t>(ticks_));
     }
     for (const trace::TraceRow& row : trace) {
-      rows_[row.joint][static_cast<std::size_t>(row.tick)] = {static_cast<JointState>(row.state), FaultSet(row.faults)};
+      rows_[row.joint][static_cast<std::size_t>(row.tick)] = {row.state, FaultSet(row.faults)};
     }
   }
 
@@ -149,8 +149,8 @@ TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, con
   while (schedule.phase(leg, begin) != phase) {
     ++begin;
   }
-  const Tick length = phase == gait::Phase::kStance ? schedule.stance_ticks()
-                                                    : schedule.stride_ticks() - schedule.stance_ticks();
+  const Tick length =
+      phase == gait::Phase::kStance ? schedule.stance_ticks() : schedule.stride_ticks() - schedule.stance_ticks();
   const Tick lasts = std::llround(row.lasts_s / robot.period_s);
   begin += std::max(kShortlyAfter, (length - lasts) / 2);
   return {begin, begin + lasts};
@@ -178,8 +178,8 @@ std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moment
   const Expectation& expected = row.expected;
   std::vector<std::size_t> hit, others;
   for (const robot::Joint& joint : robot.joints) {
-    const bool spared = !is_hit(robot, row, joint) ||
-                        (expected.reaction == JointState::kTracking && !expected.may_stutter);
+    const bool spared =
+        !is_hit(robot, row, joint) || (expected.reaction == JointState::kTracking && !expected.may_stutter);
     (spared ? others : hit).push_back(joint.number);
   }
   std::vector<Check> checks;
@@ -204,8 +204,8 @@ std::vector<Check> judge(const robot::Robot& robot, const Row& row, const Moment
     const TickSpan looked_at{fault.begin - kBefore, course.end()};
     const auto [excused_s, elsewhere_s] = course.untracked(others, looked_at);
     checks.push_back({"others", "others not tracking", 0.0, elsewhere_s});
-    checks.push_back({"excused", "others not judged", kMayBeExcused * course.seconds(looked_at.end - looked_at.begin),
-                      excused_s});
+    checks.push_back(
+        {"excused", "others not judged", kMayBeExcused * course.seconds(looked_at.end - looked_at.begin), excused_s});
   }
   if (!expected.latches && has_trace) {
     checks.push_back({"tripped", "tripped", 0.0, course.tripped_time(fault.begin)});

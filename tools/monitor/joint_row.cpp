@@ -28,17 +28,16 @@ struct Cell {
 Cell cell_of(Column column, const monitor::JointFrame& joint, const robot::Joint& of) {
   const bool heard = joint.newest.tick != kNoTick;
   switch (column) {
-    case Column::kJoint: return {static_cast<double>(of.number), of.name};
+    case Column::kJoint:
+      return {static_cast<double>(of.number), of.name};
     case Column::kState:
-      if (heard && joint.newest.state <= static_cast<std::uint8_t>(signals::JointState::kTracking)) {
-        return {static_cast<double>(joint.newest.state),
-                signals::to_string(static_cast<signals::JointState>(joint.newest.state))};
+      if (heard && joint.newest.state <= signals::JointState::kTracking) {
+        return {static_cast<double>(joint.newest.state), signals::to_string(joint.newest.state)};
       }
       break;
     case Column::kPhase:
-      if (heard && joint.newest.phase < signals::kPhaseCount) {
-        return {static_cast<double>(joint.newest.phase),
-                signals::to_string(static_cast<signals::Phase>(joint.newest.phase))};
+      if (heard && known(joint.newest.phase)) {
+        return {static_cast<double>(joint.newest.phase), signals::to_string(joint.newest.phase)};
       }
       break;
     case Column::kError:
@@ -66,7 +65,8 @@ Cell cell_of(Column column, const monitor::JointFrame& joint, const robot::Joint
         return {static_cast<double>(joint.newest.generation), std::to_string(joint.newest.generation)};
       }
       break;
-    case Column::kRedesigns: return {static_cast<double>(joint.redesigns), std::to_string(joint.redesigns)};
+    case Column::kRedesigns:
+      return {static_cast<double>(joint.redesigns), std::to_string(joint.redesigns)};
     case Column::kRate:
       if (heard) {
         return {joint.rate_Hz, digits("%.0f", joint.rate_Hz)};
@@ -79,7 +79,8 @@ Cell cell_of(Column column, const monitor::JointFrame& joint, const robot::Joint
       break;
     case Column::kFaults:
       if (heard) {
-        const std::string silent = joint.age_s > monitor::kSilent_s ? "silent for " + digits("%.0f", joint.age_s) + " s" : "";
+        const std::string silent =
+            joint.age_s > monitor::kSilent_s ? "silent for " + digits("%.0f", joint.age_s) + " s" : "";
         const std::string faults = to_string(FaultSet(joint.faults));
         return {static_cast<double>(std::popcount(joint.faults) + (silent.empty() ? 0 : 1)),
                 silent + (silent.empty() || faults.empty() ? "" : ", ") + faults};
@@ -96,7 +97,7 @@ Tone tone_of(const monitor::JointFrame& joint) {
   if (FaultSet(joint.faults).failed() || joint.age_s > monitor::kSilent_s) {
     return Tone::kBad;
   }
-  const bool tracks = joint.newest.state == static_cast<std::uint8_t>(signals::JointState::kTracking);
+  const bool tracks = joint.newest.state == signals::JointState::kTracking;
   return joint.faults != 0 || !tracks ? Tone::kWarning : Tone::kPlain;
 }
 
@@ -120,7 +121,8 @@ bool passes(const JointRow& row, const std::string& leg, const TableView& view) 
 
 std::string printable(std::string_view text) {
   std::string clean(text);
-  std::ranges::replace_if(clean, [](char c) { return c < ' ' || c > '~'; }, '?');
+  std::ranges::replace_if(
+      clean, [](char c) { return c < ' ' || c > '~'; }, '?');
   return clean;
 }
 

@@ -68,7 +68,7 @@ constexpr std::array kSpecs{
                [](const State& s, const Sample& sample) {
                  for (const auto mode : {signals::Mode::kIdle, signals::Mode::kArmed, signals::Mode::kStopped}) {
                    if (s.frame.mode.epoch != 0) {
-                     sample(s.frame.mode.mode == static_cast<std::uint8_t>(mode) ? 1.0 : 0.0, {signals::to_string(mode)});
+                     sample(s.frame.mode.mode == mode ? 1.0 : 0.0, {signals::to_string(mode)});
                    }
                  }
                }},
@@ -84,7 +84,7 @@ constexpr std::array kSpecs{
                [](const State& s, const Sample& sample) {
                  each_heard_joint(s, [&](const robot::Joint& joint, const JointFrame& frame, const std::string& leg) {
                    for (const auto state : {signals::JointState::kNull, signals::JointState::kDamping, signals::JointState::kTracking}) {
-                     sample(frame.newest.state == static_cast<std::uint8_t>(state) ? 1.0 : 0.0, {leg, joint.name, signals::to_string(state)});
+                     sample(frame.newest.state == state ? 1.0 : 0.0, {leg, joint.name, signals::to_string(state)});
                    }
                  });
                }},

@@ -9,9 +9,9 @@
 namespace farrier::display {
 namespace {
 
-constexpr double kRobotSilent_s = 1.0;        // of a robot that runs: summaries come fifty times a second
-constexpr int kFewestEvents = 3;         // lines kept for them before anything else gives way
-constexpr int kMostEvents = 20;          // where the height is not limited
+constexpr double kRobotSilent_s = 1.0;  // of a robot that runs: summaries come fifty times a second
+constexpr int kFewestEvents = 3;        // lines kept for them before anything else gives way
+constexpr int kMostEvents = 20;         // where the height is not limited
 
 std::string number(const char* format, double value) {
   char text[48];
@@ -63,10 +63,11 @@ Line run_line(const monitor::Frame& frame, const robot::Robot& robot) {
     return {robot.name + "  nothing heard yet; farrier doctor says why", Tone::kFaint};
   }
   std::string text = robot.name;
-  const bool moded = frame.mode.epoch != 0 && frame.mode.mode <= static_cast<std::uint8_t>(signals::Mode::kStopped);
-  text += std::string("  ") + (moded ? signals::to_string(static_cast<signals::Mode>(frame.mode.mode)) : "no mode");
+  const bool moded = frame.mode.epoch != 0 && frame.mode.mode <= signals::Mode::kStopped;
+  text += std::string("  ") + (moded ? signals::to_string(frame.mode.mode) : "no mode");
   if (frame.tick != kNoTick) {
-    text += "  tick " + std::to_string(frame.tick) + number(" (%.2f s)", static_cast<double>(frame.tick) * robot.period_s);
+    text +=
+        "  tick " + std::to_string(frame.tick) + number(" (%.2f s)", static_cast<double>(frame.tick) * robot.period_s);
   }
   std::uint64_t lost = 0, missed = 0;
   bool reported = false;
@@ -152,7 +153,9 @@ std::vector<Line> process_lines(const monitor::Frame& frame) {
                   : "?",
               heard ? std::to_string(health.tick) : "-", count(health.periods), count(health.missed_periods),
               count(process.lost()), health.wake_up_s[1] > 0.0 ? microseconds(health.wake_up_s[1]) : "-",
-              !heard ? "-" : health.final_report != 0 ? "ended" : number("%.1f s ago", process.age_s)},
+              !heard                     ? "-"
+              : health.final_report != 0 ? "ended"
+                                         : number("%.1f s ago", process.age_s)},
              bad ? Tone::kWarning : Tone::kPlain);
   }
   return grid.lines();
@@ -183,8 +186,8 @@ void append(std::vector<Line>& to, const std::vector<Line>& lines) { to.insert(t
 
 }  // namespace
 
-Table terminal_table(const monitor::Frame& frame, const robot::Robot& robot, std::span<const monitor::EventFrame> events,
-                     const TableView& view) {
+Table terminal_table(const monitor::Frame& frame, const robot::Robot& robot,
+                     std::span<const monitor::EventFrame> events, const TableView& view) {
   std::vector<JointRow> rows = joint_rows(frame, robot, view);
   const bool limited = view.height > 0;
   const std::vector<Line> processes = process_lines(frame);

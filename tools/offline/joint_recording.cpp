@@ -45,7 +45,8 @@ RecordingProblems problem(const char* what, const std::string& text) { return {{
 
 }  // namespace
 
-Recording joint_recording(const playback::Measurements& measured, const robot::Robot& robot, const robot::Joint& joint) {
+Recording joint_recording(const playback::Measurements& measured, const robot::Robot& robot,
+                          const robot::Joint& joint) {
   const std::vector<JointMeasurement>& samples = measured.joints[joint.number];
   Recording recording;
   recording.coordinates = diagnosis::coordinates_of(joint);
@@ -63,7 +64,7 @@ Recording joint_recording(const playback::Measurements& measured, const robot::R
     recording.position.push_back(sample.position_m_or_rad);
     recording.velocity.push_back(sample.velocity_m_s_or_rad_s);
     recording.force.push_back(sample.force_N_or_Nm);
-    const bool swing = sample.phase == static_cast<std::uint8_t>(signals::Phase::kSwing);
+    const bool swing = sample.phase == signals::Phase::kSwing;
     if (!swing) {
       const std::size_t rows = recording.swing.size();
       std::fill(recording.swing.end() - static_cast<std::ptrdiff_t>(std::min(unsure, rows)), recording.swing.end(), 0);
@@ -88,14 +89,14 @@ Result<Recording, RecordingProblems> read_joint_recording(const std::string& pat
   const robot::Joint* const joint = robot.find(joint_name);
   if (joint == nullptr) {
     return problem("no_such_joint", "the recording is of " + robot.name + ", which has no joint " + joint_name +
-                                        "; it has " + join(robot::joint_names(robot), ", ") + ": give --joint one of them");
+                                        "; it has " + join(robot::joint_names(robot), ", ") +
+                                        ": give --joint one of them");
   }
   run.value().ask(std::move(keep_on));
   playback::Measurements measured = playback::read_measurements(run.value());
   Recording recording = joint_recording(measured, robot, *joint);
   if (recording.time_s.empty()) {
-    return problem("no_such_joint", "the recording has no joint/measurement of " + joint_name +
-                                        ": record that topic");
+    return problem("no_such_joint", "the recording has no joint/measurement of " + joint_name + ": record that topic");
   }
   const double duration_s = static_cast<double>(recording.time_s.size()) * recording.period_s;
   if (recording.time_s.size() < diagnosis::kFewestSamples || duration_s < diagnosis::kShortestDuration_s) {

@@ -20,8 +20,8 @@ inline constexpr bool kIsText<std::array<char, kSize>> = true;
 /// Calls column(name, number, text or byte sequence) for each column of a field.
 template <class Field, class Column>
 void visit_columns(const std::string& name, Field& field, Column&& column) {
-  if constexpr (std::is_arithmetic_v<std::remove_const_t<Field>> || kIsText<std::remove_const_t<Field>> ||
-                signals::kIsOctets<Field>) {
+  if constexpr (std::is_arithmetic_v<std::remove_const_t<Field>> || std::is_enum_v<std::remove_const_t<Field>> ||
+                kIsText<std::remove_const_t<Field>> || signals::kIsOctets<Field>) {
     column(name, field);
   } else {
     for (std::size_t i = 0; i < field.size(); ++i) {
@@ -37,7 +37,7 @@ void visit_all_columns(Signal& signal, Column&& column) {
 }
 
 template <class Number>
-  requires std::is_arithmetic_v<Number>
+requires std::is_arithmetic_v<Number>
 void append_cell(std::string& row, Number number) {
   char text[40];
   if constexpr (std::is_integral_v<Number> && sizeof(Number) == 1) {
@@ -46,6 +46,10 @@ void append_cell(std::string& row, Number number) {
     row.append(text, std::to_chars(text, text + sizeof text, number).ptr);
   }
 }
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+void append_cell(std::string& row, Enum value) { append_cell(row, static_cast<std::uint8_t>(value)); }
 
 template <std::size_t kSize>
 void append_cell(std::string& row, const std::array<char, kSize>& text) {
@@ -71,7 +75,7 @@ void append_cell(std::string& row, const signals::Octets<kMost>& octets) {
 
 /// False for a cell that is not such a number, or not one in its range.
 template <class Number>
-  requires std::is_arithmetic_v<Number>
+requires std::is_arithmetic_v<Number>
 bool parse_cell(const std::string& cell, Number& number) {
   std::conditional_t<std::is_integral_v<Number> && sizeof(Number) == 1, int, Number> read{};
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), read);
@@ -81,6 +85,15 @@ bool parse_cell(const std::string& cell, Number& number) {
 inline bool parse_cell(const std::string& cell, double& number) {
   const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
   return error == std::errc{} && end == cell.data() + cell.size();
+}
+
+template <class Enum>
+requires std::is_enum_v<Enum>
+bool parse_cell(const std::string& cell, Enum& value) {
+  std::uint8_t number = 0;
+  const bool parsed = parse_cell(cell, number);
+  value = static_cast<Enum>(number);
+  return parsed;
 }
 
 template <std::size_t kSize>

@@ -76,7 +76,7 @@ json decision_of(const signals::JointUpdateDecision& decision) {
     return nullptr;
   }
   return {{"tick", tick(decision.tick)},
-          {"verdict", to_string(static_cast<signals::UpdateVerdict>(decision.verdict))},
+          {"verdict", to_string(decision.verdict)},
           {"phase", decision.phase},
           {"radius", number(decision.estimated_radius)}};
 }
@@ -167,7 +167,7 @@ std::string frame_json(const monitor::Frame& frame) {
   return text_of({{"t", number(frame.time_s)},
                   {"tick", tick(frame.tick)},
                   {"age", number(frame.age_s)},
-                  {"mode", known ? json(to_string(static_cast<signals::Mode>(frame.mode.mode))) : json(nullptr)},
+                  {"mode", known ? json(to_string(frame.mode.mode)) : json(nullptr)},
                   {"lost", frame.lost_samples},
                   {"phases", std::move(phases)},
                   {"joints", std::move(joints)},

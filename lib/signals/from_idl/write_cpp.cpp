@@ -5,6 +5,8 @@
 #include <ostream>
 #include <stdexcept>
 
+#include "core/pattern.hpp"
+
 namespace farrier::from_idl {
 namespace {
 
@@ -20,6 +22,14 @@ const IdlFile* copied(const Files& files, const IdlFile& file) {
     }
   }
   return nullptr;
+}
+
+/// The enum of signals/words.hpp whose values an octet has: "Phase" for the comment "enum Phase: whose gains acted".
+/// Empty for any other field.
+std::string enum_of(const Field& field) {
+  static const Pattern kEnum("^enum ([A-Za-z]+):");
+  const auto found = kEnum.find(field.comment);
+  return found && field.type == "octet" ? (*found)[1] : "";
 }
 
 /// The type of this field's numbers. A `long long` called tick or *_tick is a Tick.
@@ -41,6 +51,9 @@ std::string member(const Field& field) {
   if (field.type.starts_with("sequence")) {
     const std::size_t comma = field.type.find(", ");
     return "Octets<" + field.type.substr(comma + 2, field.type.size() - comma - 3) + "> " + field.name + ';';
+  }
+  if (const std::string type = enum_of(field); !type.empty()) {
+    return type + ' ' + field.name + "{};";
   }
   const std::string type = number_type(field);
   if (!field.count.empty()) {

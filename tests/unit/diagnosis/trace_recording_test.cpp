@@ -26,8 +26,8 @@ class TraceRecording : public RecordingFile {
                               .pressure_a_Pa = made_.pressure_a_Pa[i],
                               .pressure_b_Pa = made_.pressure_b_Pa[i],
                               .valve_current_A = made_.valve_current_A[i],
-                              .phase = 1,
-                              .actual_phase = static_cast<std::uint8_t>(tick >= 500 && tick < 1000 ? 0 : 1)});
+                              .phase = Phase::kStance,
+                              .actual_phase = tick >= 500 && tick < 1000 ? Phase::kSwing : Phase::kStance});
       }
     }
     ASSERT_TRUE(writer.value().finish());
@@ -89,14 +89,16 @@ TEST_F(TraceRecording, IsToldFromARecordingByItsHeader) {
 
 TEST_F(TraceRecording, NamesMissingTicks) {
   write([](Tick tick) { return tick != 700 && (tick < 900 || tick > 909); });
-  EXPECT_EQ(refusal("lf_hfe"), ":2103: lines 2103 and 2700, time: 2 gaps before, up to 0.011 s where samples are "
-                               "0.001 s apart; keep the longest part without one, or record without loss\n");
+  EXPECT_EQ(refusal("lf_hfe"),
+            ":2103: lines 2103 and 2700, time: 2 gaps before, up to 0.011 s where samples are "
+            "0.001 s apart; keep the longest part without one, or record without loss\n");
 }
 
 TEST_F(TraceRecording, NamesTheJointsItHasWhenOneIsMissing) {
   write();
-  EXPECT_EQ(refusal("rh_kfe"), ": the file has no rows of joint rh_kfe; it has 'lf_haa', 'lf_hfe', 'lf_kfe'; give the "
-                               "robot file of the run, and one of its joints\n");
+  EXPECT_EQ(refusal("rh_kfe"),
+            ": the file has no rows of joint rh_kfe; it has 'lf_haa', 'lf_hfe', 'lf_kfe'; give the "
+            "robot file of the run, and one of its joints\n");
 }
 
 TEST_F(TraceRecording, RefusesWhatIsNoTrace) {

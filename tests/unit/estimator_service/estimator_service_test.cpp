@@ -18,8 +18,8 @@ using signals::JointModelEstimate;
 
 constexpr int kNoDelay = 0;
 constexpr std::uint16_t kKnee = 2, kOtherKnee = 5;
-constexpr auto kSwing = static_cast<std::uint8_t>(signals::Phase::kSwing);
-constexpr auto kStance = static_cast<std::uint8_t>(signals::Phase::kStance);
+constexpr auto kSwing = signals::Phase::kSwing;
+constexpr auto kStance = signals::Phase::kStance;
 constexpr Tick kEnough = 4000;       // eight times what 0.998 remembers
 constexpr double kExcitation = 0.2;  // of the valve's nominal current
 
@@ -55,7 +55,7 @@ EstimatorService service(int delay_ticks = kNoDelay) { return EstimatorService::
 /// Measurements of a joint that is exactly the linear model of its load. White noise drives the valve.
 class LinearJoint {
  public:
-  LinearJoint(std::uint16_t number, const control::DiscreteModel& model, std::uint8_t phase = kSwing)
+  LinearJoint(std::uint16_t number, const control::DiscreteModel& model, signals::Phase phase = kSwing)
       : joint_(hyq().joints[number]), model_(model), phase_(phase), valve_(7, joint_.name, "valve") {}
 
   JointMeasurement next() {
@@ -75,7 +75,7 @@ class LinearJoint {
  private:
   const robot::Joint& joint_;
   control::DiscreteModel model_;
-  std::uint8_t phase_;
+  signals::Phase phase_;
   NoiseStream valve_;
   Tick tick_ = 0;
   Eigen::Vector3d state_ = Eigen::Vector3d::Zero();

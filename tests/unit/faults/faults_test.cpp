@@ -90,7 +90,7 @@ class Trace {
         trace::TraceRow row;
         row.tick = tick;
         row.joint = joint.number;
-        row.state = static_cast<std::uint8_t>(JointState::kTracking);
+        row.state = JointState::kTracking;
         rows_.push_back(row);
       }
     }
@@ -99,7 +99,7 @@ class Trace {
   Trace& joint_is(std::uint16_t joint, JointState state, Tick begin, Tick end, FaultSet faults = {}) {
     for (trace::TraceRow& row : rows_) {
       if (row.joint == joint && row.tick >= begin && row.tick < end) {
-        row.state = static_cast<std::uint8_t>(state);
+        row.state = state;
         row.faults = faults.bits();
       }
     }
@@ -199,7 +199,8 @@ TEST(FaultJudge, ExcusesOnlyOthersAndNotMostOfARun) {
 TEST(FaultJudge, WantsTheEventInTimeAndNotOneOfBefore) {
   const std::string event = "leads with authority 2";
   const auto judged_with = [&](Tick tick) {
-    return wrong(judge(hyq(), *find_row("supervisor_replaced"), {{400, 500}, 600, {}}, Trace().rows(), told_at(tick, {event})));
+    return wrong(
+        judge(hyq(), *find_row("supervisor_replaced"), {{400, 500}, 600, {}}, Trace().rows(), told_at(tick, {event})));
   };
   EXPECT_EQ(judged_with(445), Keys{});
   EXPECT_EQ(judged_with(455), Keys{"event"});
@@ -241,13 +242,8 @@ TEST(FaultJudge, LetsAJointStutterThatMay) {
 }
 
 TEST(FaultPage, HasTheWorstOfEveryRowAndTheCellsThatDidNotHold) {
-  Cell good{.row = "sensors_cut",
-            .phase = "stance",
-            .vendor = "fast",
-            .seed = 1,
-            .repeats = 0,
-            .error = {},
-            .checks = {}};
+  Cell good{
+      .row = "sensors_cut", .phase = "stance", .vendor = "fast", .seed = 1, .repeats = 0, .error = {}, .checks = {}};
   good.checks.push_back({"reaction", "null after", 0.007, 0.004});
   Cell bad = good;
   bad.seed = 2;
@@ -258,8 +254,10 @@ TEST(FaultPage, HasTheWorstOfEveryRowAndTheCellsThatDidNotHold) {
   const std::vector<Cell> cells{good, bad, broken};
   EXPECT_EQ(worst_checks(cells, "sensors_cut").at(0).measured_s, 0.009);
   const std::string page = fault_page_markdown(cells, 4, 2);
-  EXPECT_NE(page.find("clock, in slow motion by 2; where a process starts, in slow motion by 6."), std::string::npos) << page;
-  EXPECT_NE(fault_page_markdown(cells, 4, 1).find("clock; where a process starts, in slow motion by 3."), std::string::npos);
+  EXPECT_NE(page.find("clock, in slow motion by 2; where a process starts, in slow motion by 6."), std::string::npos)
+      << page;
+  EXPECT_NE(fault_page_markdown(cells, 4, 1).find("clock; where a process starts, in slow motion by 3."),
+            std::string::npos);
   EXPECT_NE(page.find("1 of 4 cells held, 1 were not run"), std::string::npos);
   EXPECT_EQ(why_not(bad), "null after 9 ms of 7 ms");
   EXPECT_EQ(why_not(broken), "supervisor ended with exit status 1");

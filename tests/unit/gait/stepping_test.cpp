@@ -9,7 +9,8 @@ namespace stepping_test {
 
 RobotPlan plan(double duty, std::vector<double> offsets) {
   constexpr const char* kNames[] = {"lf", "rf", "lh", "rh"};
-  RobotPlan plan{.period_s = 0.001, .body_weight_N = 0.0, .gait = {.duty = duty}, .legs = {}};
+  RobotPlan plan{.period_s = 0.001, .body_weight_N = 0.0, .gait = {}, .legs = {}};
+  plan.gait.duty = duty;
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     plan.legs.push_back({.name = kNames[i], .geometry = {}, .joints = {}, .phase_offset = offsets[i]});
   }

@@ -166,7 +166,7 @@ TEST(JointNode, DampsInsteadOfTrippingBeforeTheFirstCommand) {
   bench.inputs.command = {};
   bench.inputs.command_age_s = kInfinity;
   const auto outputs = bench.node.step(bench.inputs);
-  EXPECT_EQ(outputs.valve.state, static_cast<std::uint8_t>(JointState::kDamping));
+  EXPECT_EQ(outputs.valve.state, JointState::kDamping);
   EXPECT_FALSE(has(outputs, Fault::kTripped));
 }
 

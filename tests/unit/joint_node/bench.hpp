@@ -46,8 +46,7 @@ inline signals::JointControllerGains gains_of(const robot::Joint& joint, signals
 
 inline signals::SystemMode mode_of(signals::Mode mode, std::uint32_t epoch, Tick effective_tick = 0,
                                    std::uint64_t session = kSession) {
-  return {.robot = 0, .epoch = epoch, .session = session, .effective_tick = effective_tick,
-          .mode = static_cast<std::uint8_t>(mode)};
+  return {.robot = 0, .epoch = epoch, .session = session, .effective_tick = effective_tick, .mode = mode};
 }
 
 class Bench {
@@ -84,8 +83,11 @@ class Bench {
   }
 
   void announce(signals::Phase phase, std::uint32_t count, Tick switch_tick) {
-    node.announce_phase({.leg = static_cast<std::uint16_t>(joint.leg), .count = count, .announced_tick = 0,
-                         .switch_tick = switch_tick, .phase = static_cast<std::uint8_t>(phase)});
+    node.announce_phase({.leg = static_cast<std::uint16_t>(joint.leg),
+                         .count = count,
+                         .announced_tick = 0,
+                         .switch_tick = switch_tick,
+                         .phase = phase});
   }
 
   /// One period with fresh sensors.
@@ -115,7 +117,7 @@ inline bool has(const JointNode::Outputs& outputs, Fault fault) { return FaultSe
 
 /// The valve does nothing, and says why.
 inline void expect_null(const JointNode::Outputs& outputs, Fault cause) {
-  EXPECT_EQ(outputs.valve.state, static_cast<std::uint8_t>(signals::JointState::kNull));
+  EXPECT_EQ(outputs.valve.state, signals::JointState::kNull);
   EXPECT_EQ(outputs.valve.valve_current_A, 0.0);
   EXPECT_EQ(outputs.valve.force_reference_N_or_Nm, 0.0);
   EXPECT_EQ(outputs.valve.generation, 0u);

@@ -84,7 +84,7 @@ TEST(JointNode, DoesNotDitherUnlessItTracks) {
   with.inputs.command_age_s = without.inputs.command_age_s = 0.01;
   for (int i = 0; i < 20; ++i) {
     const auto damped = with.step();
-    ASSERT_EQ(damped.valve.state, static_cast<std::uint8_t>(JointState::kDamping));
+    ASSERT_EQ(damped.valve.state, JointState::kDamping);
     EXPECT_EQ(damped.valve.valve_current_A, without.step().valve.valve_current_A);
   }
   with.inputs.sensors_age_s = 1.0;
@@ -113,7 +113,7 @@ TEST(JointNode, LetsAReferenceThatStepsWithThePhaseThroughTheNewGains) {
   const auto before = bench.step_to(kSwitch - 1).valve;
   bench.inputs.command.torque_ff_Nm = kStep_Nm;
   const auto after = bench.step().valve;
-  ASSERT_EQ(after.phase, static_cast<std::uint8_t>(Phase::kSwing));
+  ASSERT_EQ(after.phase, Phase::kSwing);
   const double step = after.force_reference_N_or_Nm - before.force_reference_N_or_Nm;
   const control::Normalisation& n = own.normalisation;
   EXPECT_NEAR(after.valve_current_A - before.valve_current_A,

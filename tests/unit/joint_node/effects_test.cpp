@@ -42,8 +42,8 @@ TEST(JointNode, SendsTheNullShiftLessThanTheControllerAsksFor) {
 }
 
 TEST(JointNode, ControlsTheForceThatItsCellDistortsAndPublishesWhatItRead) {
-  const robot::Joint distorted = with({{effect_id<plant::ForceSensorGain>(), {1.25}},
-                                       {effect_id<plant::ForceSensorOffset>(), {-40.0}}});
+  const robot::Joint distorted =
+      with({{effect_id<plant::ForceSensorGain>(), {1.25}}, {effect_id<plant::ForceSensorOffset>(), {-40.0}}});
   Bench bench = Bench::tracking(distorted);
   Bench nominal = Bench::tracking();
   for (int k = 0; k < 10; ++k) {
@@ -92,7 +92,7 @@ TEST(JointNode, StaysBoundedAndDoesNotAllocateWithEveryEffectAndEveryController)
       bench.inputs.command.torque_ff_Nm = 20.0 * std::sin(0.05 * k);
       const auto out = bench.step();
       ASSERT_TRUE(std::abs(out.valve.valve_current_A) <= joint.actuator.valve_current_max_A) << k;
-      tracked += out.valve.state == static_cast<std::uint8_t>(JointState::kTracking) ? 1 : 0;
+      tracked += out.valve.state == JointState::kTracking ? 1 : 0;
     }
     EXPECT_EQ(guard.allocations(), 0u);
     EXPECT_EQ(tracked, 2000);

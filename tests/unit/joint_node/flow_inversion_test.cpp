@@ -64,8 +64,8 @@ TEST(JointNodeFlowInversion, RefusesGainsWithoutPhysicsAndWithPhysicsThatNoJoint
             "no physics, which flow_inversion needs: give has_physics and physics");
   const JointControllerGains good = physics_of(inverting().stance_load, Phase::kStance, 1);
   EXPECT_EQ(refusal(good), "accepted");
-  const char* names[] = {"load_mass", "damping", "coulomb", "stiffness", "bias_force", "valve_gain", "bulk_modulus",
-                         "leakage"};
+  const char* names[] = {"load_mass",  "damping",    "coulomb",      "stiffness",
+                         "bias_force", "valve_gain", "bulk_modulus", "leakage"};
   for (std::size_t i = 0; i < plant::kPhysicsCount; ++i) {
     JointControllerGains bad = good;
     bad.physics[i] = kNaN;
@@ -188,7 +188,7 @@ TEST(JointNodeFlowInversion, NullsTheValveOnSensorsThatAreNotNumbersAndStartsAfr
     expect_null(bench.step(), Fault::kSensorsStale);
     *sensor = sound;
     const auto back = bench.step_to(bench.next_tick + hyq().safety.recovery_samples - 1);
-    EXPECT_EQ(back.valve.state, static_cast<std::uint8_t>(JointState::kTracking));
+    EXPECT_EQ(back.valve.state, JointState::kTracking);
     EXPECT_TRUE(std::isfinite(back.valve.valve_current_A));
   }
 }

@@ -30,7 +30,7 @@ Bench armed() {
 TEST(JointNode, TracksByTheFlowLawWithoutGains) {
   Bench bench = armed();
   const auto first = bench.step();
-  EXPECT_EQ(first.valve.state, static_cast<std::uint8_t>(JointState::kTracking));
+  EXPECT_EQ(first.valve.state, JointState::kTracking);
   EXPECT_EQ(first.valve.faults, 0u);
   bench.inputs.command.torque_ff_Nm = 20.0;
   const auto second = bench.step();
@@ -58,7 +58,7 @@ TEST(JointNode, NullsTheFlowLawsValveAndStartsItAfreshWhenSensorsReturn) {
   expect_null(bench.step(), Fault::kSensorsStale);
   bench.inputs.sensors.velocity_m_s_or_rad_s = 0.0;
   const auto back = bench.step_to(bench.next_tick + hyq().safety.recovery_samples - 1);
-  EXPECT_EQ(back.valve.state, static_cast<std::uint8_t>(JointState::kTracking));
+  EXPECT_EQ(back.valve.state, JointState::kTracking);
   EXPECT_EQ(back.valve.valve_current_A, 0.0);
   EXPECT_NE(bench.step().valve.valve_current_A, 0.0);
 }
@@ -71,10 +71,10 @@ TEST(JointNode, RunsThePidOfItsFileWithoutGainsAndStartsItAfreshAfterNull) {
   bench.node.set_mode(mode_of(signals::Mode::kArmed, 1));
   bench.inputs.command.torque_ff_Nm = 20.0;
   const auto first = bench.step();
-  EXPECT_EQ(first.valve.state, static_cast<std::uint8_t>(JointState::kTracking));
+  EXPECT_EQ(first.valve.state, JointState::kTracking);
   EXPECT_EQ(first.valve.faults, 0u);
-  const double error = (first.valve.force_reference_N_or_Nm - bench.inputs.sensors.force_N_or_Nm) /
-                       joint.normalisation.force;
+  const double error =
+      (first.valve.force_reference_N_or_Nm - bench.inputs.sensors.force_N_or_Nm) / joint.normalisation.force;
   EXPECT_NEAR(first.valve.valve_current_A, joint.normalisation.current_A * error, 1e-15);
   EXPECT_NE(bench.step().valve.valve_current_A, first.valve.valve_current_A) << "integrates";
   bench.inputs.sensors.velocity_m_s_or_rad_s = std::numeric_limits<double>::quiet_NaN();

@@ -25,7 +25,7 @@ Bench without_force() {
 TEST(ForceLost, DampsAtOnceAndSaysSo) {
   Bench bench = without_force();
   const auto outputs = bench.step();
-  EXPECT_EQ(static_cast<JointState>(outputs.valve.state), JointState::kDamping);
+  EXPECT_EQ(outputs.valve.state, JointState::kDamping);
   EXPECT_TRUE(FaultSet(outputs.valve.faults).has(Fault::kForceLost));
   EXPECT_FALSE(FaultSet(outputs.valve.faults).has(Fault::kSensorsStale));
   EXPECT_EQ(outputs.valve.generation, 0u) << "no gains act";
@@ -40,7 +40,8 @@ TEST(ForceLost, DrivesBackToWhereTheForceWasLost) {
     bench.inputs.sensors.position_m_or_rad = held + moved_m;
     const double rate = hyq().safety.position_damping_1_s;
     const control::Normalisation& unit = bench.joint.normalisation;
-    EXPECT_DOUBLE_EQ(bench.step().valve.valve_current_A, -rate * ((held + moved_m) - held) / unit.velocity * unit.current_A);
+    EXPECT_DOUBLE_EQ(bench.step().valve.valve_current_A,
+                     -rate * ((held + moved_m) - held) / unit.velocity * unit.current_A);
   }
 }
 

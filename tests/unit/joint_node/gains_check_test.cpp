@@ -71,7 +71,7 @@ TEST(CheckGains, RefusesADelayTheControllerCannotHold) {
 
 TEST(CheckGains, RefusesAPhaseThereIsNoSlotFor) {
   JointControllerGains signal = good();
-  signal.phase = 2;
+  signal.phase = static_cast<signals::Phase>(2);
   EXPECT_EQ(refusal(signal), "phase is 2: give 0 (swing) or 1 (stance)");
 }
 
@@ -96,7 +96,8 @@ TEST(CheckGains, RefusesAnUnstableClosedLoop) {
 
 // The pole of the unused sum lies at one, by rounding on either side of it.
 TEST(CheckGains, RefusesGainsWithoutIntegralAction) {
-  for (double JointControllerGains::*part : {&JointControllerGains::k_integral, &JointControllerGains::integral_factor}) {
+  for (double JointControllerGains::*part :
+       {&JointControllerGains::k_integral, &JointControllerGains::integral_factor}) {
     for (const double value : {0.0, -1.0}) {
       JointControllerGains signal = good();
       signal.*part = value;

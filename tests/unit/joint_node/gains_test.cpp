@@ -11,8 +11,8 @@ using namespace testing;
 using signals::JointState;
 using signals::Phase;
 
-constexpr auto kSwing = static_cast<std::uint8_t>(Phase::kSwing);
-constexpr auto kStance = static_cast<std::uint8_t>(Phase::kStance);
+constexpr auto kSwing = Phase::kSwing;
+constexpr auto kStance = Phase::kStance;
 
 signals::JointControllerGains swing_design(const Bench& bench, Phase phase, std::uint32_t generation,
                                            Tick effective_tick) {
@@ -127,7 +127,7 @@ TEST(JointNode, ActsOnAsIfNothingHadComeWhenAnUpdateIsRefused) {
     const auto outputs = bench.step();
     EXPECT_EQ(outputs.valve.valve_current_A, undisturbed.step().valve.valve_current_A);
     EXPECT_EQ(outputs.valve.generation, 2u);
-    EXPECT_EQ(outputs.valve.state, static_cast<std::uint8_t>(JointState::kTracking));
+    EXPECT_EQ(outputs.valve.state, JointState::kTracking);
     EXPECT_TRUE(has(outputs, Fault::kGainsRefused));
   }
 }
@@ -185,7 +185,7 @@ TEST(JointNode, KeepsTrackThroughManyStrides) {
     const Phase phase = count % 2 == 1 ? Phase::kSwing : Phase::kStance;
     bench.announce(phase, count, 10 * count);
     EXPECT_EQ(bench.step_to(10 * count - 1).valve.phase, phase == Phase::kSwing ? kStance : kSwing);
-    EXPECT_EQ(bench.step().valve.phase, static_cast<std::uint8_t>(phase));
+    EXPECT_EQ(bench.step().valve.phase, phase);
   }
 }
 

@@ -19,7 +19,7 @@ constexpr double kNotFinite[] = {kNan, kInfinity, -kInfinity};
 TEST(JointNode, TracksWhileNothingIsMissing) {
   Bench bench = Bench::tracking();
   const auto outputs = bench.step();
-  EXPECT_EQ(outputs.valve.state, static_cast<std::uint8_t>(JointState::kTracking));
+  EXPECT_EQ(outputs.valve.state, JointState::kTracking);
   EXPECT_EQ(FaultSet(outputs.valve.faults), FaultSet{});
 }
 
@@ -198,7 +198,7 @@ TEST(JointNode, DampsWhenTheCommandIsOlderThanFiveMilliseconds) {
   EXPECT_EQ(bench.state(), JointState::kTracking);
   bench.inputs.command_age_s = 0.0051;
   const auto outputs = bench.step();
-  EXPECT_EQ(outputs.valve.state, static_cast<std::uint8_t>(JointState::kDamping));
+  EXPECT_EQ(outputs.valve.state, JointState::kDamping);
   EXPECT_TRUE(has(outputs, Fault::kCommandStale));
   bench.inputs.command_age_s = 0;
   EXPECT_EQ(bench.state(), JointState::kTracking) << "clears by itself";

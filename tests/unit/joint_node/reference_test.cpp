@@ -57,7 +57,7 @@ TEST(JointNode, ClampsTheForceToWhatTheActuatorCanPushAndPull) {
   bench.inputs.command.torque_ff_Nm = -bench.inputs.command.torque_ff_Nm;
   outputs = bench.step();
   EXPECT_EQ(outputs.valve.force_reference_N_or_Nm, -bench.joint.pull_limit);
-  EXPECT_EQ(outputs.valve.state, static_cast<std::uint8_t>(JointState::kTracking)) << "a clamped reference is tracked";
+  EXPECT_EQ(outputs.valve.state, JointState::kTracking) << "a clamped reference is tracked";
   bench.inputs.command.torque_ff_Nm = 0;
   EXPECT_FALSE(has(bench.step(), Fault::kReferenceClamped)) << "clears by itself";
 }

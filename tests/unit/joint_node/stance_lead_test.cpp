@@ -11,8 +11,8 @@ using namespace testing;
 using signals::Phase;
 
 constexpr Tick kLead = 10;
-constexpr auto kStance = static_cast<std::uint8_t>(Phase::kStance);
-constexpr auto kSwing = static_cast<std::uint8_t>(Phase::kSwing);
+constexpr auto kStance = Phase::kStance;
+constexpr auto kSwing = Phase::kSwing;
 
 Bench early() {
   robot::Safety safety = hyq().safety;

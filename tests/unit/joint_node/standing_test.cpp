@@ -39,8 +39,14 @@ class Numbers {
 
  private:
   using Limits = std::numeric_limits<double>;
-  static constexpr double kExtremes[] = {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(), Limits::max(),
-                                         Limits::lowest(),    Limits::denorm_min(), 0.0, -0.0};
+  static constexpr double kExtremes[] = {Limits::quiet_NaN(),
+                                         Limits::infinity(),
+                                         -Limits::infinity(),
+                                         Limits::max(),
+                                         Limits::lowest(),
+                                         Limits::denorm_min(),
+                                         0.0,
+                                         -0.0};
   std::mt19937_64 random_;
 };
 
@@ -107,7 +113,7 @@ TEST(JointNode, StaysBoundedWhenFiniteInputOverflows) {
     }
     const auto outputs = bench.step();
     expect_bounded(outputs, bench.joint);
-    tracked += outputs.valve.state == static_cast<std::uint8_t>(JointState::kTracking) ? 1 : 0;
+    tracked += outputs.valve.state == JointState::kTracking ? 1 : 0;
   }
   EXPECT_GT(tracked, 1000);
 }

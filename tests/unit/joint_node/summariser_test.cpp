@@ -21,7 +21,7 @@ JointMeasurement measured(Tick tick, double reference_N = 300.0, double force_N 
           .position_m_or_rad = 0.001 * static_cast<double>(tick),
           .force_N_or_Nm = force_N,
           .force_reference_N_or_Nm = reference_N,
-          .state = static_cast<std::uint8_t>(JointState::kTracking)};
+          .state = JointState::kTracking};
 }
 
 TEST(SummariserTest, SumsUpEveryTwentyTicksAtOneKilohertz) {
@@ -62,14 +62,14 @@ TEST(SummariserTest, HidesNoFaultAndNoCareOfAnyTick) {
     JointMeasurement m = measured(tick);
     if (tick == 7) {
       m.faults = static_cast<std::uint32_t>(Fault::kForceLost);
-      m.state = static_cast<std::uint8_t>(JointState::kDamping);
+      m.state = JointState::kDamping;
     }
     summariser.take(m);
   }
   const auto summary = summariser.take(measured(20));
   ASSERT_TRUE(summary);
   EXPECT_EQ(summary->faults, static_cast<std::uint32_t>(Fault::kForceLost));
-  EXPECT_EQ(summary->state, static_cast<std::uint8_t>(JointState::kDamping));
+  EXPECT_EQ(summary->state, JointState::kDamping);
 }
 
 TEST(SummariserTest, CountsWhatItGotWhereTicksAreMissing) {
@@ -90,7 +90,7 @@ TEST(SummariserTest, TellsWhatAJointDoesThatHearsNothing) {
   }
   JointMeasurement stale = measured(4, 0.0, 250.0);
   stale.faults = static_cast<std::uint32_t>(Fault::kSensorsStale);
-  stale.state = static_cast<std::uint8_t>(JointState::kNull);
+  stale.state = JointState::kNull;
   std::vector<signals::JointSummary> told;
   for (int i = 0; i < 60; ++i) {
     if (const auto summary = summariser.take(stale)) {

@@ -9,7 +9,7 @@ signals::JointModelEstimateCopy estimate(std::uint16_t joint, Tick tick, double 
   // (3.47) and a line of oil between the piston's velocity and the load cell's force.
   constexpr double kStiffness = 5e6, kDamping = 20.0, kLeak = 50.0, kGain = 2e7;
   Eigen::Matrix3d a;
-  a << 0.0, 1.0, 0.0,  //
+  a << 0.0, 1.0, 0.0,                     //
       0.0, -kDamping / mass, 1.0 / mass,  //
       0.0, -kStiffness, -kLeak;
   const control::DiscreteModel model = control::discretise(a, {0.0, 0.0, kGain}, hyq().period_s);
@@ -44,7 +44,7 @@ void walk_for_a_second(Feed& feed) {
   mode.epoch = 1;
   mode.session = kSession;
   mode.effective_tick = 0;
-  mode.mode = static_cast<std::uint8_t>(signals::Mode::kArmed);
+  mode.mode = signals::Mode::kArmed;
   feed.take(mode);
   for (const robot::Joint& joint : hyq().joints) {
     feed.take(estimate(joint.number, 400, 5.0 + joint.number));
@@ -54,7 +54,7 @@ void walk_for_a_second(Feed& feed) {
     event.participant = 1;
     event.count = joint == 2 ? 2 : 1;
     event.tick = 450;
-    event.severity = static_cast<std::uint8_t>(joint == 2 ? signals::Severity::kError : signals::Severity::kInfo);
+    event.severity = joint == 2 ? signals::Severity::kError : signals::Severity::kInfo;
     event.joint = joint;
     signals::assign(event.text, joint == 2 ? "design refused" : "armed");
     feed.take(event);

@@ -25,8 +25,8 @@ inline signals::JointSummary summary(std::uint16_t joint, Tick tick) {
   s.force_error_rms_N_or_Nm = 10.0;
   s.force_reference_rms_N_or_Nm = 200.0;
   s.generation = 3;
-  s.state = static_cast<std::uint8_t>(signals::JointState::kTracking);
-  s.phase = static_cast<std::uint8_t>(signals::Phase::kStance);
+  s.state = signals::JointState::kTracking;
+  s.phase = signals::Phase::kStance;
   return s;
 }
 

@@ -132,10 +132,10 @@ TEST(RobotView, SwitchesPhasesAtTheirTick) {
   phase.leg = 1;
   phase.announced_tick = 100;
   phase.switch_tick = 160;
-  phase.phase = static_cast<std::uint8_t>(signals::Phase::kSwing);
+  phase.phase = signals::Phase::kSwing;
   feed.take(phase);
   phase.switch_tick = 400;
-  phase.phase = static_cast<std::uint8_t>(signals::Phase::kStance);
+  phase.phase = signals::Phase::kStance;
   feed.take(phase);
   EXPECT_EQ(feed.frame().phases[1], signals::Phase::kStance);
   feed.walk(100, 2);
@@ -170,7 +170,7 @@ TEST(RobotView, LeavesOutWhatTheRobotDoesNotHave) {
   phase.announced_tick = 1;
   feed.take(phase);
   phase.leg = 0;
-  phase.phase = 2;
+  phase.phase = static_cast<signals::Phase>(2);
   phase.switch_tick = 0;
   feed.take(phase);
   feed.take(hello(5000, "nobody"));

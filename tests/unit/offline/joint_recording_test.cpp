@@ -22,7 +22,7 @@ class JointRecordingTest : public testing::Test {
                                               .position_m_or_rad = 0.01 * static_cast<double>(tick),
                                               .force_N_or_Nm = 100.0 + static_cast<double>(tick),
                                               .valve_current_A = 1e-3 * static_cast<double>(tick + 1),
-                                              .phase = static_cast<std::uint8_t>(phase)});
+                                              .phase = phase});
   }
   diagnosis::Recording recording() const { return joint_recording(measured_, robot_, knee_); }
 
@@ -81,8 +81,9 @@ TEST_F(JointRecordingTest, TakesTheLongestStretchWithoutAHoleAndSaysSo) {
   const diagnosis::Recording r = recording();
   EXPECT_EQ(r.force, (std::vector<double>{103.0, 104.0, 105.0}));
   ASSERT_EQ(r.remarks.size(), 1u);
-  EXPECT_EQ(r.remarks.front(), "The recording of lf_kfe has holes: of 6 samples the 3 from tick 3 on, which are in a "
-                               "row, are taken.");
+  EXPECT_EQ(r.remarks.front(),
+            "The recording of lf_kfe has holes: of 6 samples the 3 from tick 3 on, which are in a "
+            "row, are taken.");
 }
 
 TEST_F(JointRecordingTest, IsEmptyWithoutMeasurements) { EXPECT_TRUE(recording().time_s.empty()); }

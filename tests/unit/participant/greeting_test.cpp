@@ -223,7 +223,7 @@ TEST_F(Greeting, NumbersItsEvents) {
   EXPECT_EQ(heard[0].count, 1u);
   EXPECT_EQ(heard[0].tick, 12);
   EXPECT_EQ(heard[0].joint, 4);
-  EXPECT_EQ(heard[0].severity, static_cast<std::uint8_t>(signals::Severity::kWarning));
+  EXPECT_EQ(heard[0].severity, signals::Severity::kWarning);
   EXPECT_EQ(signals::text_of(heard[0].text), "gains refused: not finite");
   EXPECT_EQ(heard[1].count, 2u);
   EXPECT_EQ(signals::text_of(heard[1].text), "estimates from now on");

@@ -26,8 +26,8 @@ JointUpdateDecision decision(const robot::Joint& joint, Tick tick, UpdateVerdict
   JointUpdateDecision decision;
   decision.joint = joint.number;
   decision.tick = tick;
-  decision.phase = static_cast<std::uint8_t>(signals::Phase::kStance);
-  decision.verdict = static_cast<std::uint8_t>(verdict);
+  decision.phase = signals::Phase::kStance;
+  decision.verdict = verdict;
   decision.generation = 3;
   return decision;
 }

@@ -33,17 +33,17 @@ using FillForces = std::function<void(const robot::Joint&, trace::TraceRow&)>;
 
 /// Rows of all joints, tick by tick: joints swing sinusoidally by +-0.25 rad about home, commands are on time.
 inline std::vector<trace::TraceRow> rows_of(const robot::Robot& robot, const gait::Schedule& schedule, Tick ticks,
-                                             const FillForces& fill) {
+                                            const FillForces& fill) {
   std::vector<trace::TraceRow> rows;
   rows.reserve(static_cast<std::size_t>(ticks) * robot.joints.size());
   for (Tick tick = 0; tick < ticks; ++tick) {
     for (const robot::Joint& joint : robot.joints) {
-      const double angle = 2.0 * std::numbers::pi * robot.plan.gait.frequency_Hz * static_cast<double>(tick) *
-                           robot.period_s;
+      const double angle =
+          2.0 * std::numbers::pi * robot.plan.gait.frequency_Hz * static_cast<double>(tick) * robot.period_s;
       trace::TraceRow row;
       row.tick = tick;
       row.joint = joint.number;
-      row.phase = static_cast<std::uint8_t>(schedule.phase(joint.leg, tick));
+      row.phase = schedule.phase(joint.leg, tick);
       row.position_m_or_rad = joint.linkage.position(joint.home_angle_rad + 0.25 * std::sin(angle));
       fill(joint, row);
       rows.push_back(row);
@@ -74,10 +74,10 @@ class OwnFolder : public ::testing::Test {
   void SetUp() override { std::filesystem::create_directories(path_); }
   void TearDown() override { std::filesystem::remove_all(path_); }
 
-  const std::string path_ = (std::filesystem::temp_directory_path() /
-                             ("farrier_report_" + std::to_string(::getpid()) + "_" +
-                              ::testing::UnitTest::GetInstance()->current_test_info()->name()))
-                                .string();
+  const std::string path_ =
+      (std::filesystem::temp_directory_path() / ("farrier_report_" + std::to_string(::getpid()) + "_" +
+                                                 ::testing::UnitTest::GetInstance()->current_test_info()->name()))
+          .string();
 };
 
 }  // namespace farrier::report::testing

@@ -19,8 +19,8 @@ TEST(SampleText, NamesEveryFieldAndSaysWordsForWhatHasSome) {
   valve.joint = hyq().joints[2].number;
   valve.tick = 155;
   valve.valve_current_A = -0.002;
-  valve.state = static_cast<std::uint8_t>(signals::JointState::kTracking);
-  valve.phase = static_cast<std::uint8_t>(signals::Phase::kStance);
+  valve.state = signals::JointState::kTracking;
+  valve.phase = signals::Phase::kStance;
   EXPECT_EQ(sample_text(valve, hyq()),
             "{joint: lf_kfe, tick: 155, sample_time_ns: 0, valve_current_A: -0.002, force_reference_N_or_Nm: 0, "
             "generation: 0, faults: 0, state: tracking, phase: stance}");
@@ -29,8 +29,8 @@ TEST(SampleText, NamesEveryFieldAndSaysWordsForWhatHasSome) {
 TEST(SampleText, LeavesNumbersWhatHasNoWord) {
   signals::JointValveCommand valve;
   valve.joint = 999;
-  valve.state = 77;
-  valve.phase = 9;
+  valve.state = static_cast<signals::JointState>(77);
+  valve.phase = static_cast<signals::Phase>(9);
   const std::string text = sample_text(valve, hyq());
   EXPECT_TRUE(text.starts_with("{joint: 999, ")) << text;
   EXPECT_TRUE(text.ends_with("state: 77, phase: 9}")) << text;

@@ -31,7 +31,7 @@ TEST(Tracking, ErrorIsRelativeToTheReferenceAboutItsMean) {
   const Rehearsal run;
   const auto rows = rows_of(run.robot, run.schedule, run.ticks(), [&](const robot::Joint& joint, auto& row) {
     const double amplitude = 0.5 * rating_of(run.robot, joint).force;
-    const double error = row.phase == 1 ? 0.04 : 0.15;
+    const double error = row.phase == gait::Phase::kStance ? 0.04 : 0.15;
     row.force_reference_N_or_Nm = amplitude * (3.0 + square_wave(row.tick));
     row.force_N_or_Nm = row.force_reference_N_or_Nm + amplitude * error;
   });
@@ -48,8 +48,8 @@ TEST(Tracking, JudgesPlannedPhasesWhicheverGainsActed) {
     const double amplitude = 0.5 * rating_of(run.robot, joint).force;
     row.force_reference_N_or_Nm = amplitude * square_wave(row.tick);
     row.force_N_or_Nm = row.force_reference_N_or_Nm + amplitude * (stance ? 0.04 : 0.15);
-    row.phase = static_cast<std::uint8_t>(run.schedule.phase(joint.leg, row.tick + 10));
-    row.actual_phase = static_cast<std::uint8_t>(run.schedule.phase(joint.leg, row.tick - 7));
+    row.phase = run.schedule.phase(joint.leg, row.tick + 10);
+    row.actual_phase = run.schedule.phase(joint.leg, row.tick - 7);
   });
   for (const JointTracking& joint : track(run.robot, run.schedule, rows, 0).joints) {
     EXPECT_NEAR(joint.stance.nrmse, 0.04, 0.04 * kOddTick);

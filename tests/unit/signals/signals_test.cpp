@@ -29,8 +29,8 @@ TEST(Signals, AreInvalidUntilFilledIn) {
   EXPECT_EQ(JointModelEstimate{}.samples, 0u) << "nothing behind it";
   EXPECT_EQ(JointUpdateDecision{}.tick, kNoTick);
   EXPECT_EQ(JointUpdateDecision{}.generation, 0u) << "0 is never issued";
-  EXPECT_EQ(JointValveCommand{}.state, static_cast<std::uint8_t>(JointState::kNull));
-  EXPECT_EQ(SystemMode{}.mode, static_cast<std::uint8_t>(Mode::kIdle));
+  EXPECT_EQ(JointValveCommand{}.state, JointState::kNull);
+  EXPECT_EQ(SystemMode{}.mode, Mode::kIdle);
 }
 
 TEST(Signals, VisitEveryFieldOnceInWireOrder) {

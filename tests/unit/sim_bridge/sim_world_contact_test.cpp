@@ -42,7 +42,9 @@ TEST(SimWorld, KeepsItsVelocityWhenTheMassJumpsAtTouchdown) {
   SimWorld one = world_of(rig, 1);
   SimWorld other = world_of(rig, other_seed);
   const std::vector<double> opening{0.002};  // keeps the piston moving
-  const auto masses_differ = [&] { return row_of(one, 0).load_mass_kg_or_kgm2 != row_of(other, 0).load_mass_kg_or_kgm2; };
+  const auto masses_differ = [&] {
+    return row_of(one, 0).load_mass_kg_or_kgm2 != row_of(other, 0).load_mass_kg_or_kgm2;
+  };
   while (!masses_differ()) {
     ASSERT_LT(one.tick(), 3000) << "no touchdown";
     // Back and forth about mid-stroke, fast when the leg lands.
@@ -69,7 +71,7 @@ class Trotting : public ::testing::Test {
 
 TEST_F(Trotting, TouchesDownWithinTheJitterOfThePlanAndLiftsOffOnTime) {
   std::vector<std::vector<Tick>> switched(robot_.plan.legs.size());
-  std::vector<std::uint8_t> phase(robot_.plan.legs.size(), static_cast<std::uint8_t>(Phase::kStance));
+  std::vector<Phase> phase(robot_.plan.legs.size(), Phase::kStance);
   for (; world_.tick() < kTicks; world_.advance(shut(world_))) {
     for (const robot::Joint& joint : robot_.joints) {
       const auto leg = static_cast<std::size_t>(joint.leg);
@@ -107,7 +109,7 @@ TEST_F(Trotting, PutsWeightOnALegOnlyWhileItStands) {
     for (const robot::Joint& joint : robot_.joints) {
       const auto row = row_of(world_, joint.number);
       const auto leg = static_cast<std::size_t>(joint.leg);
-      const bool stands = row.actual_phase == static_cast<std::uint8_t>(Phase::kStance);
+      const bool stands = row.actual_phase == Phase::kStance;
       if (joint.index_in_leg == 0) {
         since_touchdown[leg] = stands ? since_touchdown[leg] + 1 : 0;
       }
@@ -129,7 +131,7 @@ TEST_F(Trotting, ChangesTheMassWithThePhase) {
   for (; world_.tick() < kTicks; world_.advance(shut(world_))) {
     for (const robot::Joint& joint : robot_.joints) {
       const auto row = row_of(world_, joint.number);
-      const bool stands = row.actual_phase == static_cast<std::uint8_t>(Phase::kStance);
+      const bool stands = row.actual_phase == Phase::kStance;
       ASSERT_EQ(row.load_mass_kg_or_kgm2, stands ? joint.stance_load.mass : joint.swing_load.mass);
     }
   }

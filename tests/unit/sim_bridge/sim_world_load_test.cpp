@@ -42,7 +42,7 @@ TEST(SimWorldLoads, ThatChangedStayWhateverThePhase) {
     const auto row = row_of(changed, 2);
     ASSERT_EQ(row.load_mass_kg_or_kgm2, 20.0) << "at tick " << row.tick;
     ASSERT_EQ(row.actual_phase, row_of(usual, 2).actual_phase) << "the phase is told as it is";
-    swung = swung || row.actual_phase == static_cast<std::uint8_t>(gait::Phase::kSwing);
+    swung = swung || row.actual_phase == gait::Phase::kSwing;
     changed.advance(shut(changed));
     usual.advance(shut(usual));
   }

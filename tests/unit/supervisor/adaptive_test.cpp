@@ -22,7 +22,7 @@ using signals::UpdateVerdict;
 
 constexpr std::uint64_t kSession = 31;
 constexpr std::uint16_t kKnee = 2, kOtherKnee = 5;
-constexpr std::uint8_t kSwing = 0, kStance = 1;
+constexpr signals::Phase kSwing = signals::Phase::kSwing, kStance = signals::Phase::kStance;
 constexpr Tick kLong = 2000;
 
 Supervisor adaptive(std::vector<robot::LoadChange> known = {}) {
@@ -30,7 +30,7 @@ Supervisor adaptive(std::vector<robot::LoadChange> known = {}) {
 }
 
 /// A sure estimate of what a joint of HyQ carries in stance.
-JointModelEstimate stance_of(std::uint16_t joint, std::uint8_t phase = kStance) {
+JointModelEstimate stance_of(std::uint16_t joint, signals::Phase phase = kStance) {
   const robot::Joint& of = hyq().joints[joint];
   return estimate_of(robot::model_of(of, of.stance_load, hyq().period_s), joint, phase);
 }
@@ -92,7 +92,7 @@ TEST(AdaptiveSupervisor, RedesignsTheSlotThatTheEstimateIsAbout) {
 TEST(AdaptiveSupervisor, NumbersTheGainsOfAJointOneByOneWhateverTheSlot) {
   Supervisor supervisor = adaptive();
   const Issued issued = run(supervisor, kLong, [](Tick tick) {
-    const std::uint8_t phase = tick / 200 % 2 == 0 ? kSwing : kStance;
+    const signals::Phase phase = tick / 200 % 2 == 0 ? kSwing : kStance;
     const std::uint16_t joint = tick / 500 % 2 == 0 ? kKnee : kOtherKnee;
     return std::vector{stance_of(joint, phase)};
   });
@@ -107,8 +107,8 @@ TEST(AdaptiveSupervisor, NumbersTheGainsOfAJointOneByOneWhateverTheSlot) {
 TEST(AdaptiveSupervisor, TellsWhatItDecidedWithTheGenerationAndTheEvidence) {
   Supervisor supervisor = adaptive();
   const Issued issued = run(supervisor, kLong, [](Tick) { return std::vector{stance_of(kKnee)}; });
-  const auto accepted = std::ranges::find_if(
-      issued.decisions, [](const auto& d) { return verdict_of(d) == UpdateVerdict::kAccepted; });
+  const auto accepted =
+      std::ranges::find_if(issued.decisions, [](const auto& d) { return verdict_of(d) == UpdateVerdict::kAccepted; });
   ASSERT_NE(accepted, issued.decisions.end());
   EXPECT_EQ(accepted->joint, kKnee);
   EXPECT_EQ(accepted->phase, kStance);
@@ -148,7 +148,7 @@ TEST(AdaptiveSupervisor, IgnoresEstimatesOfWhatTheRobotDoesNotHave) {
   const Issued issued = run(supervisor, kLong, [](Tick) {
     JointModelEstimate no_joint = stance_of(kKnee), no_phase = stance_of(kKnee);
     no_joint.joint = 12;
-    no_phase.phase = 2;
+    no_phase.phase = static_cast<signals::Phase>(2);
     return std::vector{no_joint, no_phase};
   });
   EXPECT_TRUE(issued.gains.empty());

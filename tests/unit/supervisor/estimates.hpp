@@ -52,7 +52,8 @@ inline robot::UpdateLogicParams credulous() {
 
 /// A sure estimate of `model`: valid, its valve gain known to a standard error of `relative_error`.
 inline signals::JointModelEstimate estimate_of(const control::DiscreteModel& model, std::uint16_t joint = 0,
-                                               std::uint8_t phase = 0, double relative_error = 0.0) {
+                                               signals::Phase phase = signals::Phase::kSwing,
+                                               double relative_error = 0.0) {
   signals::JointModelEstimate estimate;
   estimate.joint = joint;
   estimate.phase = phase;
@@ -74,8 +75,7 @@ inline control::Gains gains_for(const plant::LoadParams& load) {
 }
 
 /// One slot of the rig whose gains are designed for a load.
-inline SlotUpdate slot_for(const plant::LoadParams& load,
-                           const robot::UpdateLogicParams& logic = rig().update_logic) {
+inline SlotUpdate slot_for(const plant::LoadParams& load, const robot::UpdateLogicParams& logic = rig().update_logic) {
   const int period = rig().estimate_period_ticks;
   return SlotUpdate(rig().joints[0], logic, rig().period_s, period, gains_for(load));
 }
@@ -85,9 +85,7 @@ inline signals::JointUpdateDecision show(SlotUpdate& slot, const signals::JointM
   return slot.look(estimate, tick, {slot.gains(), control::kNoDwell, false});
 }
 
-inline signals::UpdateVerdict verdict_of(const signals::JointUpdateDecision& decision) {
-  return static_cast<signals::UpdateVerdict>(decision.verdict);
-}
+inline signals::UpdateVerdict verdict_of(const signals::JointUpdateDecision& decision) { return decision.verdict; }
 
 /// Returns the decisions on the same estimate, shown until it is accepted or `looks` are over.
 inline std::vector<signals::JointUpdateDecision> insist(SlotUpdate& slot, const signals::JointModelEstimate& estimate,

@@ -15,7 +15,7 @@ using signals::Phase;
 
 constexpr std::uint64_t kSession = 31;
 constexpr std::uint16_t kKnee = 2;
-constexpr std::uint8_t kStance = 1;
+constexpr signals::Phase kStance = signals::Phase::kStance;
 constexpr Tick kLong = 2000;
 
 /// Gains that no design has: every slot of every joint its own.
@@ -66,11 +66,12 @@ TEST(SupervisorFirstGains, AreIssuedInTheirSlotsAsTheyAre) {
   const std::vector<JointControllerGains>& issued = supervisor.step(0).gains;
   ASSERT_EQ(issued.size(), signals::kPhaseCount * hyq().joints.size());
   for (std::size_t i = 0; i < issued.size(); ++i) {
-    const auto phase = static_cast<Phase>(issued[i].phase);
-    const control::Gains& gains = first.at(issued[i].joint).at(issued[i].phase);
-    const JointControllerGains expected = wire_gains::pack_gains(issued[i].joint, phase, 1, issued[i].phase + 1u, gains);
+    const auto phase = issued[i].phase;
+    const control::Gains& gains = first.at(issued[i].joint)[issued[i].phase];
+    const JointControllerGains expected =
+        wire_gains::pack_gains(issued[i].joint, phase, 1, static_cast<unsigned>(phase) + 1, gains);
     EXPECT_EQ(issued[i].joint, i / signals::kPhaseCount);
-    EXPECT_EQ(issued[i].phase, i % signals::kPhaseCount);
+    EXPECT_EQ(static_cast<std::size_t>(issued[i].phase), i % signals::kPhaseCount);
     EXPECT_EQ(issued[i].generation, expected.generation);
     EXPECT_EQ(issued[i].k_force, expected.k_force);
     EXPECT_EQ(issued[i].k_integral, expected.k_integral);
@@ -78,9 +79,7 @@ TEST(SupervisorFirstGains, AreIssuedInTheirSlotsAsTheyAre) {
   }
 }
 
-TEST(SupervisorFirstGains, StayWithoutAdaptation) {
-  EXPECT_EQ(updates(begun_with(distinct(), Design::kStance)), 0u);
-}
+TEST(SupervisorFirstGains, StayWithoutAdaptation) { EXPECT_EQ(updates(begun_with(distinct(), Design::kStance)), 0u); }
 
 TEST(SupervisorFirstGains, AreWhatAdaptationHoldsEstimatesAgainst) {
   EXPECT_EQ(updates(begun_with(for_stance(), Design::kAdaptive)), 0u) << "they are for what is estimated";

@@ -44,7 +44,7 @@ TEST(SupervisorKnownLoads, GetTheirGainsInBothSlotsExactlyAtTheirTick) {
   for (std::size_t i = 0; i < issued.size(); ++i) {
     const double mass = i < 2 ? 20.0 : 7.0;
     EXPECT_EQ(issued[i].effective_tick, i < 2 ? kFirst : kSecond);
-    EXPECT_EQ(issued[i].phase, i % 2);
+    EXPECT_EQ(issued[i].phase, i % 2 == 0 ? signals::Phase::kSwing : signals::Phase::kStance);
     EXPECT_EQ(issued[i].generation, 3 + i) << "after the two of the start";
     EXPECT_EQ(issued[i].k_force, design_joint(hyq().joints[2], of_mass(mass), hyq().period_s, 0).value().force);
   }

@@ -16,12 +16,12 @@ using signals::JointModelEstimate;
 
 constexpr std::uint64_t kSession = 31;
 constexpr std::uint16_t kKnee = 2;
-constexpr std::uint8_t kSwing = 0, kStance = 1;
+constexpr signals::Phase kSwing = signals::Phase::kSwing, kStance = signals::Phase::kStance;
 constexpr Tick kLong = 2000;
 
 Supervisor adaptive() { return Supervisor::create(hyq(), Design::kAdaptive, kNoDelay, kSession).value(); }
 
-JointModelEstimate knee_estimate(const plant::LoadParams& load, std::uint8_t phase) {
+JointModelEstimate knee_estimate(const plant::LoadParams& load, signals::Phase phase) {
   return estimate_of(robot::model_of(hyq().joints[kKnee], load, hyq().period_s), kKnee, phase);
 }
 
@@ -51,7 +51,7 @@ std::vector<JointControllerGains> issued_by(Supervisor& supervisor, Tick begin, 
   return issued;
 }
 
-JointControllerGains order_of(Supervisor& supervisor, std::uint16_t joint, std::uint8_t phase) {
+JointControllerGains order_of(Supervisor& supervisor, std::uint16_t joint, signals::Phase phase) {
   const auto& gains = supervisor.orders().gains;
   const auto found = std::ranges::find_if(gains, [&](const auto& g) { return g.joint == joint && g.phase == phase; });
   return found == gains.end() ? JointControllerGains{} : *found;
@@ -132,8 +132,8 @@ TEST(SupervisorOrders, WhoKnowsOfNoGainsDesignsThemFromTheFirstGoodEstimateHowev
 TEST(SupervisorOrders, RequestsAfterATakeOverFollowTheNewestModeThatAnybodyHasHeardOf) {
   Supervisor restarted = adaptive();
   restarted.take_over(2, 7, 500);
-  restarted.take(signals::SystemRequest{.session = kSession, .tick = 500, .count = 1,
-                                        .request = static_cast<std::uint8_t>(signals::Request::kArm)});
+  restarted.take(
+      signals::SystemRequest{.session = kSession, .tick = 500, .count = 1, .request = signals::Request::kArm});
   const auto& modes = restarted.step(501).modes;
   ASSERT_EQ(modes.size(), 1u);
   EXPECT_EQ(modes[0].epoch, 8u);

@@ -57,8 +57,8 @@ TEST(PhysicsUpdate, LeavesPhysicsAloneThatAreWhatIsEstimated) {
 
 TEST(PhysicsUpdate, TakesAChangeOfAnyOneBeyondItsLeastShareAtOnce) {
   const double least = rig().update_logic.physics_change_min;
-  for (const auto member : {&JointPhysics::load_mass, &JointPhysics::damping, &JointPhysics::valve_gain,
-                            &JointPhysics::bulk_modulus}) {
+  for (const auto member :
+       {&JointPhysics::load_mass, &JointPhysics::damping, &JointPhysics::valve_gain, &JointPhysics::bulk_modulus}) {
     const JointPhysics first = physics_for(10.0);
     JointPhysics changed = first;
     changed.*member *= 1.0 + 0.9 * least;
@@ -160,7 +160,7 @@ TEST(SupervisorPhysics, ComesWithEveryFirstSetOfGainsAsTheNominalLoadHasIt) {
   for (const Design design : {Design::kStance, Design::kSwing, Design::kPhases, Design::kAdaptive}) {
     Supervisor supervisor = Supervisor::create(inverting(), design, kNoDelay, 1).value();
     for (const signals::JointControllerGains& gains : supervisor.step(0).gains) {
-      const bool stance = gains.phase == static_cast<std::uint8_t>(signals::Phase::kStance);
+      const bool stance = gains.phase == signals::Phase::kStance;
       const bool heavy = design == Design::kStance || (stance && design != Design::kSwing);
       const JointPhysics expected =
           plant::nominal_physics(joint.actuator, heavy ? joint.stance_load : joint.swing_load);

@@ -48,7 +48,7 @@ TEST(SlotUpdate, LooksWithoutAllocationEvenWhenItRedesigns) {
   const test::AllocationGuard guard;
   for (int look = 0; look < 60; ++look) {
     const JointModelEstimate& estimate = look < 20 ? heavy : look < 40 ? light : refused;
-    accepted += show(slot, estimate, look).verdict == static_cast<int>(UpdateVerdict::kAccepted) ? 1 : 0;
+    accepted += show(slot, estimate, look).verdict == UpdateVerdict::kAccepted ? 1 : 0;
   }
   EXPECT_EQ(guard.allocations(), 0u);
   EXPECT_GE(accepted, 1);

@@ -132,7 +132,7 @@ TEST(SupervisorDwell, IssuesNoGainsToAJointSoonerThanItsLastOnesMustAct) {
   int again = 0;
   for (Tick tick = 1; tick < 3000; ++tick) {
     for (const robot::Joint& joint : hyq().joints) {
-      const auto phase = static_cast<std::uint8_t>(tick / 370 % 2);
+      const auto phase = static_cast<signals::Phase>(tick / 370 % 2);
       const plant::LoadParams& load = tick / 130 % 2 == 0 ? joint.swing_load : joint.stance_load;
       if (hyq().estimate_due(tick - 1)) {
         supervisor.take(estimate_of(robot::model_of(joint, load, hyq().period_s), joint.number, phase), tick);

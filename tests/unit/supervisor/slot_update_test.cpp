@@ -48,7 +48,7 @@ TEST(SlotUpdate, AcceptsAConvergedEstimateWithTheGainsAnLqrForItHas) {
   EXPECT_EQ(gains.feed_forward, fresh.feed_forward);
   EXPECT_EQ(gains.model.a, model.a);
   EXPECT_EQ(gains.spectral_radius, fresh.spectral_radius);
-  EXPECT_EQ(show(slot, estimate_of(model), 0).verdict, static_cast<int>(UpdateVerdict::kNotDifferentEnough))
+  EXPECT_EQ(show(slot, estimate_of(model), 0).verdict, UpdateVerdict::kNotDifferentEnough)
       << "it is what the gains are designed for now";
 }
 
@@ -148,7 +148,8 @@ TEST(SlotUpdate, DesignsForTheUpperEndOfTheValveGain) {
   logic.error_sigmas = 2.0;
   SlotUpdate slot = slot_for(cart(20.0), logic);
   const control::DiscreteModel model = model_of(cart(kHeavy_kg));
-  ASSERT_EQ(verdict_of(insist(slot, estimate_of(model, 0, 0, kError), kLong).back()), UpdateVerdict::kAccepted);
+  ASSERT_EQ(verdict_of(insist(slot, estimate_of(model, 0, signals::Phase::kSwing, kError), kLong).back()),
+            UpdateVerdict::kAccepted);
   const double upper = 1.0 + logic.error_sigmas * kError;
   EXPECT_NEAR(slot.gains().model.b(2), upper * model.b(2), 1e-12 * model.b(2));
   const control::Gains sure = gains_for(cart(kHeavy_kg));
@@ -162,7 +163,7 @@ TEST(SlotUpdate, BelievesAnErrorOfTheValveGainUpToItsLimit) {
     logic.error_sigmas = 2.0;
     SlotUpdate slot = slot_for(cart(20.0), logic);
     const control::DiscreteModel model = model_of(cart(kHeavy_kg));
-    const auto decisions = insist(slot, estimate_of(model, 0, 0, error), kLong);
+    const auto decisions = insist(slot, estimate_of(model, 0, signals::Phase::kSwing, error), kLong);
     constexpr double kLargestGainError = 2.0;
     if (verdict_of(decisions.back()) == UpdateVerdict::kAccepted) {
       EXPECT_NEAR(slot.gains().model.b(2), (1.0 + kLargestGainError) * model.b(2), 1e-9 * model.b(2)) << error;
@@ -175,16 +176,15 @@ TEST(SlotUpdate, RefusesADesignByName) {
   SlotUpdate slot = slot_for(cart(20.0), credulous());
   const auto decisions = insist(slot, estimate_of(unstabilisable()), 100);
   EXPECT_EQ(verdict_of(decisions.back()), UpdateVerdict::kDesignRefused);
-  EXPECT_EQ(slot.design_status(), control::DesignStatus::kNotStabilisable)
-      << control::to_string(slot.design_status());
+  EXPECT_EQ(slot.design_status(), control::DesignStatus::kNotStabilisable) << control::to_string(slot.design_status());
 }
 
 TEST(SlotUpdate, DecidesOnTheEvidenceItGives) {
   SlotUpdate slot = slot_for(cart(20.0), credulous());
   const control::DiscreteModel model = model_of(cart(kHeavy_kg));
-  const JointUpdateDecision accepted = insist(slot, estimate_of(model, 0, 1), kLong).back();
+  const JointUpdateDecision accepted = insist(slot, estimate_of(model, 0, signals::Phase::kStance), kLong).back();
   const JointModelEstimate estimate = estimate_of(model);
-  EXPECT_EQ(accepted.phase, 1);
+  EXPECT_EQ(accepted.phase, signals::Phase::kStance);
   EXPECT_EQ(accepted.validity, estimate.validity);
   EXPECT_EQ(accepted.excitation, estimate.excitation);
   EXPECT_EQ(accepted.estimate_samples, estimate.samples);

@@ -32,7 +32,7 @@ Supervisor supervisor_of(const robot::Robot& robot, Design design, int delay_tic
 TEST(Supervisor, IssuesGainsForEveryJointAndBothPhasesOnce) {
   for (const char* name : {"hyq", "fc1d"}) {
     Supervisor supervisor = supervisor_of(shipped(name), Design::kStance);
-    std::multiset<std::pair<int, int>> issued;
+    std::multiset<std::pair<int, signals::Phase>> issued;
     for (Tick tick = 0; tick < 100; ++tick) {
       for (const JointControllerGains& gains : supervisor.step(tick).gains) {
         issued.insert({gains.joint, gains.phase});
@@ -41,7 +41,7 @@ TEST(Supervisor, IssuesGainsForEveryJointAndBothPhasesOnce) {
     EXPECT_EQ(issued.size(), 2 * shipped(name).joints.size());
     for (const robot::Joint& joint : shipped(name).joints) {
       for (const Phase phase : {Phase::kSwing, Phase::kStance}) {
-        EXPECT_EQ(issued.count({joint.number, static_cast<int>(phase)}), 1u) << joint.name;
+        EXPECT_EQ(issued.count({joint.number, phase}), 1u) << joint.name;
       }
     }
   }
@@ -59,7 +59,7 @@ TEST(Supervisor, ArmsTheRobotForItsSessionOnce) {
   Supervisor supervisor = supervisor_of(shipped("hyq"), Design::kStance);
   const auto modes = supervisor.step(0).modes;
   ASSERT_EQ(modes.size(), 1u);
-  EXPECT_EQ(modes[0].mode, static_cast<std::uint8_t>(signals::Mode::kArmed));
+  EXPECT_EQ(modes[0].mode, signals::Mode::kArmed);
   EXPECT_EQ(modes[0].session, kSession);
   EXPECT_EQ(modes[0].epoch, 1u) << "0 is never issued";
   EXPECT_TRUE(supervisor.step(1).modes.empty());
@@ -69,20 +69,20 @@ TEST(Supervisor, ArmsAndStopsAsAnOperatorOfItsSessionAsks) {
   Supervisor supervisor = supervisor_of(shipped("hyq"), Design::kStance);
   supervisor.step(0);
   const auto asked = [&](signals::Request request, std::uint64_t session) {
-    supervisor.take(signals::SystemRequest{.session = session, .request = static_cast<std::uint8_t>(request)});
+    supervisor.take(signals::SystemRequest{.session = session, .request = request});
     return supervisor.step(1).modes;
   };
   EXPECT_TRUE(asked(signals::Request::kStop, kSession + 1).empty());
   const auto stopped = asked(signals::Request::kStop, kSession);
   ASSERT_EQ(stopped.size(), 1u);
-  EXPECT_EQ(stopped[0].mode, static_cast<std::uint8_t>(signals::Mode::kStopped));
+  EXPECT_EQ(stopped[0].mode, signals::Mode::kStopped);
   EXPECT_EQ(stopped[0].epoch, 2u);
   EXPECT_EQ(stopped[0].session, kSession);
   EXPECT_EQ(stopped[0].effective_tick, 1 + shipped("hyq").update_logic.gain_lead_ticks);
   EXPECT_TRUE(supervisor.step(2).modes.empty());
   const auto armed = asked(signals::Request::kArm, kSession);
   ASSERT_EQ(armed.size(), 1u);
-  EXPECT_EQ(armed[0].mode, static_cast<std::uint8_t>(signals::Mode::kArmed));
+  EXPECT_EQ(armed[0].mode, signals::Mode::kArmed);
   EXPECT_EQ(armed[0].epoch, 3u);
 }
 
@@ -179,7 +179,7 @@ TEST(PackGains, LosesNothingOnTheWire) {
       const control::Gains sent = design_joint(joint, joint.stance_load, 0.001, 2).value();
       const JointControllerGains signal = wire_gains::pack_gains(joint.number, Phase::kSwing, 3, 4, sent);
       EXPECT_EQ(signal.joint, joint.number);
-      EXPECT_EQ(signal.phase, static_cast<std::uint8_t>(Phase::kSwing));
+      EXPECT_EQ(signal.phase, Phase::kSwing);
       EXPECT_EQ(signal.authority, 3u);
       EXPECT_EQ(signal.generation, 4u);
       const control::Gains got = wire_gains::unpack_gains(signal);
@@ -198,7 +198,8 @@ TEST(PackGains, LosesNothingOnTheWire) {
       EXPECT_EQ(got.normalisation.current_A, sent.normalisation.current_A);
       EXPECT_EQ(got.model.a, sent.model.a);
       EXPECT_EQ(got.model.b, sent.model.b);
-      EXPECT_EQ(control::closed_loop_spectral_radius(got.model, got, got.delay_ticks), sent.spectral_radius) << "worked out again from the same numbers";
+      EXPECT_EQ(control::closed_loop_spectral_radius(got.model, got, got.delay_ticks), sent.spectral_radius)
+          << "worked out again from the same numbers";
     }
   }
 }

@@ -57,9 +57,9 @@ TraceRow row_of(double value, std::uint16_t joint = 1) {
           .valve_current_A = value / 7,
           .external_force_N_or_Nm = value / 11,
           .load_mass_kg_or_kgm2 = value / 13,
-          .phase = 1,
-          .actual_phase = 0,
-          .state = 2,
+          .phase = Phase::kStance,
+          .actual_phase = Phase::kSwing,
+          .state = signals::JointState::kTracking,
           .generation = 4'000'000'000u,
           .faults = 0x15,
           .command_age_ticks = 3};
@@ -101,7 +101,8 @@ TEST_F(Trace, ReadsBackTheBitsThatWereWritten) {
     rows.push_back(row_of(value, static_cast<std::uint16_t>(i % 3)));
   }
   using Limits = std::numeric_limits<double>;
-  for (const double value : {0.0, -0.0, 0.1, Limits::denorm_min(), Limits::max(), Limits::infinity(), Limits::quiet_NaN()}) {
+  for (const double value :
+       {0.0, -0.0, 0.1, Limits::denorm_min(), Limits::max(), Limits::infinity(), Limits::quiet_NaN()}) {
     rows.push_back(row_of(value));
   }
   write(rows);
@@ -164,10 +165,10 @@ TEST_F(Trace, RefusesABrokenRowWithItsLine) {
   const std::string at_line_3 = path_ + ":3: not a row of a trace";
   const auto with = [&](const std::string& broken) { return std::string(good).replace(second, length, broken); };
   const std::string fewer = row.substr(0, row.rfind(','));
-  for (const std::string& broken : {std::string(), std::string("12"), fewer, row + ",0", "x" + row, row + "x",
-                                    "12,lf_toe" + row.substr(row.find(',', 3)),
-                                    std::string(row).replace(row.find("0.2"), 3, "0,2"),
-                                    std::string(row).replace(row.find("0.2"), 3, "")}) {
+  for (const std::string& broken :
+       {std::string(), std::string("12"), fewer, row + ",0", "x" + row, row + "x",
+        "12,lf_toe" + row.substr(row.find(',', 3)), std::string(row).replace(row.find("0.2"), 3, "0,2"),
+        std::string(row).replace(row.find("0.2"), 3, "")}) {
     replace(with(broken));
     EXPECT_EQ(refusal(), at_line_3) << "'" << broken << "'";
   }
