@@ -15,9 +15,9 @@ std::uint32_t key_of(const Signal& signal) noexcept {
   std::size_t index = 0;
   signals::visit_fields(signal, [&](const char*, const auto& field) {
     using Field = std::remove_cvref_t<decltype(field)>;
-    if constexpr (std::is_integral_v<Field> && sizeof(Field) <= sizeof(std::uint16_t)) {
+    if constexpr ((std::is_integral_v<Field> || std::is_enum_v<Field>)&&sizeof(Field) <= sizeof(std::uint16_t)) {
       if (index < signals::kTopicText<Signal>.key_fields) {
-        key = (key << 16) | field;
+        key = (key << 16) | static_cast<std::uint16_t>(field);
       }
     }
     ++index;

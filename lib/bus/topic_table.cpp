@@ -35,6 +35,7 @@ std::string topics_table_markdown() {
       "- The struct is `@final`. Its first fields are its `@key`. Types are `octet`, `char`, `double`, the signed and\n"
       "  unsigned `short`, `long` and `long long`, arrays of these, and `sequence<octet, N>` as the last field.\n"
       "- A `long long` with the name `tick` or `..._tick` counts control periods. It is -1 for none.\n"
+      "- An `octet` whose comment begins with `enum Phase:` is a `Phase` of `signals/words.hpp` in C++.\n"
       "- A comment behind a field, or in the lines before it, becomes the comment of the C++ field.\n\n"
       "The page [Add a sensor channel](../docs/how-to/new-sensor-channel.md) adds a field to a topic.\n\n"
       "| topic | file | from → to | key | version | reaches | QoS in real time | QoS in lock-step |\n"

@@ -88,9 +88,9 @@ void MadeUpRobot::step(std::uint64_t time_ns) {
   say_summaries();
   if (tick_ % 100 == 0) {
     say_estimates();
-    for (std::uint16_t number = 0; number < std::size(kProcesses); ++number) {
+    for (std::size_t number = 0; number < std::size(kProcesses); ++number) {
       signals::SystemHealth health;
-      health.participant = number;
+      health.participant = static_cast<std::uint16_t>(number);
       health.tick = tick_;
       health.periods = static_cast<std::uint64_t>(tick_);
       say(health);

@@ -24,7 +24,7 @@ const IdlFile* copied(const Files& files, const IdlFile& file) {
   return nullptr;
 }
 
-/// The enum of signals/words.hpp whose values an octet has: "Phase" for the comment "enum Phase: whose gains acted".
+/// Name of the enum of signals/words.hpp whose values the field has: "Phase" for "enum Phase: whose gains acted".
 /// Empty for any other field.
 std::string enum_of(const Field& field) {
   static const Pattern kEnum("^enum ([A-Za-z]+):");

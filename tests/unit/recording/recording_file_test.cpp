@@ -193,7 +193,7 @@ TEST_F(RunFile, OfAnotherProgramHasNoSamples) {
 }
 
 TEST_F(RunFile, TellsHowMuchOfItIsReadAndStopsWhenTold) {
-  constexpr Tick kTicks = 50'000;
+  constexpr Tick kTicks = 100'000;
   {
     RunFileWriter writer = create();
     for (Tick tick = 0; tick < kTicks; ++tick) {

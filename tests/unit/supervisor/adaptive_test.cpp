@@ -182,8 +182,8 @@ TEST(AdaptiveSupervisor, StepsAndTakesWithoutAllocationAlsoWhenEveryJointIsRedes
   std::size_t redesigned = 0;
   const test::AllocationGuard guard;
   for (Tick tick = 0; tick < kLong; ++tick) {
-    for (std::uint16_t joint = 0; joint < hyq().joints.size(); ++joint) {
-      supervisor.take(stance_of(joint, tick / 300 % 2 == 0 ? kSwing : kStance), tick);
+    for (const robot::Joint& joint : hyq().joints) {
+      supervisor.take(stance_of(joint.number, tick / 300 % 2 == 0 ? kSwing : kStance), tick);
     }
     redesigned += supervisor.step(tick).decisions.size();
   }
