@@ -16,9 +16,10 @@ namespace {
 
 using RunComparison = int (*)(const robot::Robot& robot, const CompareOptions& options);
 const std::map<std::string, RunComparison> kComparisons{{"varied", run_varied},
-                                                     {"controllers", run_controllers},
-                                                     {"update-logic", run_update_logic},
-                                                     {"switching", run_switching}};
+                                                        {"controllers", run_controllers},
+                                                        {"update-logic", run_update_logic},
+                                                        {"switching", run_switching},
+                                                        {"noise", run_noise}};
 
 int compare(CompareOptions o, RunComparison run) {
   o.design = robot::Design::kAdaptive;
@@ -28,7 +29,8 @@ int compare(CompareOptions o, RunComparison run) {
     return kBadInput;
   }
   if (const robot::Joint* electric = robot.value().first_electric()) {
-    return refuse("compare", "comparisons are of hydraulic joints, and " + electric->name + " is electric: give another --robot");
+    return refuse("compare",
+                  "comparisons are of hydraulic joints, and " + electric->name + " is electric: give another --robot");
   }
   const auto directory = OutputDirectory::claim(o.out);
   if (!directory) {
@@ -48,16 +50,16 @@ std::function<int()> declare_compare(CLI::App& app) {
   auto options = std::make_shared<CompareOptions>();
   auto run = std::make_shared<RunComparison>(nullptr);
   options->out = "out/compare";
-  add_choice(app, "what", *run, kComparisons, "varied|controllers|update-logic|switching",
+  add_choice(app, "what", *run, kComparisons, "varied|controllers|update-logic|switching|noise",
              "varied: robots whose loads, supply, friction and valves are drawn and known to no controller, under "
              "adaptation, perfect knowledge and fixed controllers; controllers: every kind of them on such robots and "
              "on the rig whose load changes; update-logic: the four of the thesis on both; switching: the worth of "
-             "gains that change at touchdown")
+             "gains that change at touchdown; noise: adaptation with better and with worse sensors")
       ->required();
   declare_gait(app, *options);
   app.add_option("--estimator", options->estimator, "section of the robot file's estimators that every joint uses")
       ->type_name("<name>");
-  app.add_option("--seeds", options->seeds, "robots that varied and controllers draw, from --seed on")
+  app.add_option("--seeds", options->seeds, "robots that varied, controllers and noise draw, from --seed on")
       ->check(between(1, 10000))
       ->type_name("<n>")
       ->capture_default_str();

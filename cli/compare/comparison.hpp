@@ -29,6 +29,10 @@ int run_controllers(const robot::Robot& robot, const CompareOptions& options);
 /// farrier compare varied: robots drawn unlike their file, under adaptation, perfect knowledge and fixed controllers.
 int run_varied(const robot::Robot& robot, const CompareOptions& options);
 
+/// farrier compare noise: the load cycle of the shipped rig and the robots of compare varied with sensors from none of
+/// their noise to three times as much. Better sensors must not make adaptation worse.
+int run_noise(const robot::Robot& robot, const CompareOptions& options);
+
 /// A run in process and the rows of its trace.
 struct ComparedRun {
   std::vector<trace::TraceRow> rows;
@@ -38,7 +42,7 @@ struct ComparedRun {
 /// Runs with a bar called `title`; the trace goes to `trace_path`. Refuses what run::run_inproc does, and when the user
 /// interrupts.
 Result<ComparedRun> run_compared(const robot::Robot& robot, run::InprocRun run, const std::string& trace_path,
-                                     const std::string& title);
+                                 const std::string& title);
 
 /// Adds the run's errors to the failures.
 void add_failures(report::Outcome& outcome, const ComparedRun& run, const std::string& title);

@@ -12,10 +12,14 @@ control::Kind kind_of(Contender contender) noexcept {
     case Contender::kAdaptive:
     case Contender::kPerfect:
     case Contender::kStance:
-    case Contender::kSwing: break;
-    case Contender::kFeedbackLinearisation: return control::Kind::kFeedbackLinearisation;
-    case Contender::kPid: return control::Kind::kPid;
-    case Contender::kGreyBox: return control::Kind::kFlowInversion;
+    case Contender::kSwing:
+      break;
+    case Contender::kFeedbackLinearisation:
+      return control::Kind::kFeedbackLinearisation;
+    case Contender::kPid:
+      return control::Kind::kPid;
+    case Contender::kGreyBox:
+      return control::Kind::kFlowInversion;
   }
   return control::Kind::kLqr;
 }
@@ -40,16 +44,23 @@ run::InprocRun run_of(Contender contender, const robot::Robot& world) {
   run.world = &world;
   switch (contender) {
     case Contender::kAdaptive:
-    case Contender::kGreyBox: run.design = supervisor::Design::kAdaptive; break;
+    case Contender::kGreyBox:
+      run.design = supervisor::Design::kAdaptive;
+      break;
     case Contender::kPerfect:
       run.design = supervisor::Design::kPhases;
       run.designer = &world;
       run.announce = gait_source::Announce::kActual;
       break;
-    case Contender::kStance: run.design = supervisor::Design::kStance; break;
-    case Contender::kSwing: run.design = supervisor::Design::kSwing; break;
+    case Contender::kStance:
+      run.design = supervisor::Design::kStance;
+      break;
+    case Contender::kSwing:
+      run.design = supervisor::Design::kSwing;
+      break;
     case Contender::kFeedbackLinearisation:
-    case Contender::kPid: break;  // take no gains
+    case Contender::kPid:
+      break;  // take no gains
   }
   return run;
 }

@@ -18,7 +18,7 @@ namespace farrier::cli {
 namespace {
 
 Result<trials::UpdateLogicRun> run_one(const robot::Robot& robot, robot::UpdateMethod method, run::InprocRun settings,
-                                    const std::string& title) {
+                                       const std::string& title) {
   Progress progress(title, settings.ticks);
   settings.grouping = run::Grouping::kOne;
   settings.progress = [&](Tick tick) {
@@ -66,8 +66,7 @@ int run_update_logic(const robot::Robot& robot, const CompareOptions& options) {
   const auto cycle = trials::make_load_cycle(rig.value());
   if (!cycle || robot.plan.gait.pattern != gait::Pattern::kTrot) {
     std::fprintf(stderr, "farrier compare: %s\n",
-                 cycle ? "update-logic compares trots: give a robot that trots"
-                       : cycle.error().message.c_str());
+                 cycle ? "update-logic compares trots: give a robot that trots" : cycle.error().message.c_str());
     return kBadInput;
   }
   participant::install_signal_handlers();

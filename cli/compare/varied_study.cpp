@@ -9,8 +9,8 @@
 
 namespace farrier::cli {
 
-VariedStudy::VariedStudy(const robot::Robot& nominal, std::span<const report::Contender> contenders, const CompareOptions& o,
-                     const std::string& title)
+VariedStudy::VariedStudy(const robot::Robot& nominal, std::span<const report::Contender> contenders,
+                         const CompareOptions& o, const std::string& title)
     : nominal_(nominal),
       seeds_(static_cast<std::uint64_t>(o.seeds)),
       first_seed_(o.seed),
@@ -37,7 +37,7 @@ Result<Done> VariedStudy::run() {
 }
 
 Result<Done> VariedStudy::run(const Entrant& entrant, std::uint64_t seed, const trials::Draw& draw,
-                            const robot::Robot& world) {
+                              const robot::Robot& world) {
   const gait::Schedule schedule(nominal_.plan, seed);
   run::InprocRun run = run_of(entrant.contender, world);
   run.ticks = ticks_;
@@ -56,7 +56,7 @@ Result<Done> VariedStudy::run(const Entrant& entrant, std::uint64_t seed, const 
 }
 
 void VariedStudy::judge(report::Contender contender, std::uint64_t seed, const trials::Draw& draw,
-                      const robot::Robot& world, const gait::Schedule& schedule) {
+                        const robot::Robot& world, const gait::Schedule& schedule) {
   const report::Tracking tracking = report::track(nominal_, schedule, trace_, nominal_.loop_delay_lockstep);
   long_enough_ = long_enough_ && report::long_enough(nominal_, tracking);
   const std::vector<double> demands = peak_demands(world, schedule);

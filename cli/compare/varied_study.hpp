@@ -19,7 +19,7 @@ class VariedStudy {
  public:
   /// `nominal` (trials::with_varied_body) outlives the study; `title` is its bar's.
   VariedStudy(const robot::Robot& nominal, std::span<const report::Contender> contenders, const CompareOptions& o,
-            const std::string& title);
+              const std::string& title);
 
   /// Refuses what run::run_inproc does, with contender and seed, and when the user interrupts.
   Result<Done> run();

@@ -14,12 +14,9 @@ namespace {
 
 struct ControllerSummary {
   double stance_median, stance_worst, swing_median, swing_worst;
-  std::size_t diverged;      ///< rows
+  std::size_t diverged;  ///< rows
   std::size_t seeds_failed;
 };
-
-/// NaN counts as worse than any number.
-double infinite_if_lost(double nrmse) noexcept { return std::isnan(nrmse) ? std::numeric_limits<double>::infinity() : nrmse; }
 
 ControllerSummary summarise(std::span<const VaryRow> rows, Contender contender) {
   std::vector<double> stance, swing;
@@ -83,7 +80,8 @@ std::string controllers_text(std::string_view test, std::span<const VaryRow> row
   for (const Contender contender : kControllers) {
     const ControllerSummary s = summarise(rows, contender);
     text += "\n" + left(to_string(contender));
-    for (const double value : {s.stance_median, s.stance_worst, s.swing_median, s.swing_worst, s.stance_median / best}) {
+    for (const double value :
+         {s.stance_median, s.stance_worst, s.swing_median, s.swing_worst, s.stance_median / best}) {
       text += right(short_number(value));
     }
     text += right(std::to_string(s.diverged)) + right(std::to_string(s.seeds_failed));

@@ -25,7 +25,7 @@ struct UpdateLogicResult {
   std::string method;                     ///< as in a robot file
   std::array<double, 4> quarter_nrmse{};  ///< quarter_error()
   LogicWork rig{};
-  Tracking tracking{};                    ///< of the trot
+  Tracking tracking{};  ///< of the trot
   LogicWork trot{};
 };
 

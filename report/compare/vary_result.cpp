@@ -97,13 +97,20 @@ constexpr std::size_t kNameWidth = 24;
 
 const char* to_string(Contender contender) noexcept {
   switch (contender) {
-    case Contender::kAdaptive: return "adaptive";
-    case Contender::kPerfect: return "perfect";
-    case Contender::kStance: return "stance";
-    case Contender::kSwing: return "swing";
-    case Contender::kFeedbackLinearisation: return "feedback_linearisation";
-    case Contender::kPid: return "pid";
-    case Contender::kGreyBox: return "greybox";
+    case Contender::kAdaptive:
+      return "adaptive";
+    case Contender::kPerfect:
+      return "perfect";
+    case Contender::kStance:
+      return "stance";
+    case Contender::kSwing:
+      return "swing";
+    case Contender::kFeedbackLinearisation:
+      return "feedback_linearisation";
+    case Contender::kPid:
+      return "pid";
+    case Contender::kGreyBox:
+      return "greybox";
   }
   return "unknown";
 }

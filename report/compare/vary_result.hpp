@@ -3,7 +3,9 @@
 // Result of `farrier compare varied`: one row for every seed, controller and joint.
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <vector>
@@ -32,6 +34,11 @@ const char* to_string(Contender contender) noexcept;
 
 inline constexpr double kFailedNrmse = 0.3;
 
+/// NaN counts as worse than any number.
+inline double infinite_if_lost(double nrmse) noexcept {
+  return std::isnan(nrmse) ? std::numeric_limits<double>::infinity() : nrmse;
+}
+
 /// One joint under one contender in one seed's robot.
 struct VaryRow {
   std::uint64_t seed = 0;
@@ -41,7 +48,7 @@ struct VaryRow {
   double stance_mass_kg_or_kgm2 = 0.0;                                    ///< drawn
   double peak_demand = 0.0;  ///< largest reference in judged stance over what the drawn supply gives at rest
   double stance_nrmse = 0.0, swing_nrmse = 0.0;  ///< as track() judges, phases by the plan for every contender
-  bool left_tracking = false;  ///< tripped at any tick, or at null or damping at a judged one
+  bool left_tracking = false;                    ///< tripped at any tick, or at null or damping at a judged one
 
   /// No torque source at all: it left tracking, or its stance NRMSE is above 1 or not a number.
   bool diverged() const noexcept { return left_tracking || !(stance_nrmse <= 1.0); }
