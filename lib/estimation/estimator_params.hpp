@@ -65,6 +65,7 @@ struct EstimatorParams {
   double operating_point_time_constant_s = 0.006;  ///< of the moving mean that is subtracted, >= a period
   int operating_point_order = 2;    ///< times it is subtracted, 0..4; 0: the home pose is subtracted instead
   double full_weight_norm = 0.006;  ///< norm up to which a regressor has full weight, > 0; larger ones are scaled to it
+  double model_error = 1.5e-4;  ///< RMS error per tick of what a linear model leaves out, in velocity and force, >= 0
   double innovation_forgetting = 0.9;  ///< of the prediction errors' variance, which weighs states against sensors
   double initial_covariance = 1e5;     ///< of every parameter
   double covariance_limit = 1e6;       ///< of the covariance's trace (6.23); 1e40: none. vdf and sift need none

@@ -26,11 +26,15 @@ constexpr double kSettlingTimeConstants = 4.0;
 
 std::uint32_t flags_of(RlsStatus status) noexcept {
   switch (status) {
-    case RlsStatus::kRegressorTooSmall: return bit(EstimateFlag::kRegressorTooSmall);
-    case RlsStatus::kCovarianceNotPositiveDefinite: return bit(EstimateFlag::kCovarianceRepaired);
-    case RlsStatus::kNotFinite: return bit(EstimateFlag::kSampleRefused);
+    case RlsStatus::kRegressorTooSmall:
+      return bit(EstimateFlag::kRegressorTooSmall);
+    case RlsStatus::kCovarianceNotPositiveDefinite:
+      return bit(EstimateFlag::kCovarianceRepaired);
+    case RlsStatus::kNotFinite:
+      return bit(EstimateFlag::kSampleRefused);
     case RlsStatus::kNotYetSet:
-    case RlsStatus::kOk: break;
+    case RlsStatus::kOk:
+      break;
   }
   return 0;
 }
@@ -50,6 +54,9 @@ Result<JointEstimator> JointEstimator::create(const EstimatorParams& params, con
       !(params.stability_limit > 0.0 && params.stability_limit < 1.0)) {
     return Error{"innovation_forgetting must be in [0, 1), stability_limit in (0, 1)"};
   }
+  if (!(params.model_error >= 0.0 && params.model_error <= 1.0)) {
+    return Error{"model_error must be in [0, 1]"};
+  }
   if (!(params.regressor_min >= 0.0 && std::isfinite(params.regressor_min)) || params.blank_ticks < 0 ||
       params.min_samples < 1) {
     return Error{"regressor_min and blank_ticks must not be negative, min_samples at least 1"};
@@ -61,8 +68,7 @@ Result<JointEstimator> JointEstimator::create(const EstimatorParams& params, con
   const Eigen::Vector3d noise_variance = scales.sensor_noise.cwiseQuotient(scales.state).array().square();
   auto regression = FARRIER_TRY(make_regression(params, noise_variance, a, b));
   auto gate = FARRIER_TRY(ExcitationGate::create(params));
-  return JointEstimator(params, scales, {std::move(regression), Eigen::Vector3d::Zero(), {}},
-                        std::move(gate));
+  return JointEstimator(params, scales, {std::move(regression), Eigen::Vector3d::Zero(), {}}, std::move(gate));
 }
 
 JointEstimator::JointEstimator(const EstimatorParams& params, const JointScales& scales, PhaseMemory memory,
@@ -190,20 +196,21 @@ void JointEstimator::update(Engine& engine, PhaseMemory& known, const Eigen::Vec
   } else {
     const Eigen::Vector3d predicted = prediction(h);
     // L = 1 - R / S, scalar by channel
-    const Eigen::Vector3d correction = (1.0 - noise_variance_.array() / known.innovation_variance.array().max(1e-300))
-                                           .max(kLeastCorrection)
-                                           .min(1.0);
+    const Eigen::Vector3d correction =
+        (1.0 - noise_variance_.array() / known.innovation_variance.array().max(1e-300)).max(kLeastCorrection).min(1.0);
     filtered_ = predicted + correction.cwiseProduct(measured - predicted);
   }
 }
 
 template <class Engine>
-void JointEstimator::read(const Engine& engine, const PredictionErrors& force_errors, ModelEstimate& out) const noexcept {
+void JointEstimator::read(const Engine& engine, const PredictionErrors& force_errors,
+                          ModelEstimate& out) const noexcept {
   const Columns columns = columns_of(params_.position);
   const auto theta = engine.parameters();
   // The estimated rows are velocity and force.
   const std::array<typename Engine::Covariance, 2> covariance{engine.covariance(1), engine.covariance(2)};
-  const Eigen::Vector3d residual = engine.residual_variance().cwiseMax(0.0);
+  const double unmodelled = params_.model_error * params_.model_error;
+  const Eigen::Vector3d residual = engine.residual_variance().cwiseMax(0.0).array() + unmodelled;
   Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
   Eigen::Vector3d b = theta.col(columns.input);
   a.col(1) = theta.col(columns.velocity);
@@ -224,8 +231,9 @@ void JointEstimator::read(const Engine& engine, const PredictionErrors& force_er
     out.c(row) = params_.bias ? theta(row, columns.bias) * kBiasEntry : 0.0;
   }
 
-  // var = n_F^2 + (a_32 n_v)^2 + (a_33 n_F)^2
-  const double explained = noise_variance_(2) * (1.0 + a(2, 2) * a(2, 2)) + a(2, 1) * a(2, 1) * noise_variance_(1);
+  // var = n_F^2 + (a_32 n_v)^2 + (a_33 n_F)^2 + model_error^2
+  const double explained =
+      noise_variance_(2) * (1.0 + a(2, 2) * a(2, 2)) + a(2, 1) * a(2, 1) * noise_variance_(1) + unmodelled;
   out.prediction_error = explained > 0.0 ? std::sqrt(force_errors.variance() / explained) : 0.0;
   out.whiteness = force_errors.whiteness();
   if (out.prediction_error > kMisfitFree) {
@@ -240,9 +248,12 @@ void JointEstimator::read(const Engine& engine, const PredictionErrors& force_er
       out.flags |= bit(EstimateFlag::kMappedToStable);
       a.bottomRightCorner<2, 2>() = loop;
       break;
-    case StabilityStatus::kEigenvalueError: out.flags |= bit(EstimateFlag::kEigenvalueError); break;
+    case StabilityStatus::kEigenvalueError:
+      out.flags |= bit(EstimateFlag::kEigenvalueError);
+      break;
     case StabilityStatus::kNotYetSet:
-    case StabilityStatus::kStable: break;
+    case StabilityStatus::kStable:
+      break;
   }
   const auto block = [&](std::size_t row) -> Eigen::Matrix2d {
     return covariance[row].template block<2, 2>(columns.velocity, columns.velocity);
@@ -282,7 +293,8 @@ ModelEstimate JointEstimator::estimate() const noexcept {
 }
 
 Eigen::Vector3d JointEstimator::forgetting(int phase) const noexcept {
-  return std::visit([](const auto& engine) -> Eigen::Vector3d { return engine.forgetting(); }, memory(phase).regression);
+  return std::visit([](const auto& engine) -> Eigen::Vector3d { return engine.forgetting(); },
+                    memory(phase).regression);
 }
 
 }  // namespace farrier::estimation

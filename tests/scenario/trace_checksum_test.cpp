@@ -42,14 +42,14 @@ TEST_P(Trace, OfASeedIsWhatItWas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryRobotAndGait, Trace,
-                         testing::Values(Kept{"hyq", gait::Pattern::kTrot, 0x299d4a97efa9b15bu},
-                                         Kept{"hyq", gait::Pattern::kStand, 0x09e66b48ba386b72u},
-                                         Kept{"fc1d", gait::Pattern::kTrot, 0xe1b5dc8797888768u},
-                                         Kept{"fc1d", gait::Pattern::kStand, 0xd9c323721bf35cc9u},
-                                         Kept{"hexapod", gait::Pattern::kTrot, 0x266490401de2b30fu},
-                                         Kept{"hexapod", gait::Pattern::kStand, 0xff53e03883915610u},
-                                         Kept{"electric_leg", gait::Pattern::kTrot, 0x0fe1ecd7492fc6fbu},
-                                         Kept{"electric_leg", gait::Pattern::kStand, 0xd14eca7d0665132fu}),
+                         testing::Values(Kept{"hyq", gait::Pattern::kTrot, 0x890521e6f521d3d6u},
+                                         Kept{"hyq", gait::Pattern::kStand, 0x39ac6b4b4b9a377cu},
+                                         Kept{"fc1d", gait::Pattern::kTrot, 0xd69f9701438ae33cu},
+                                         Kept{"fc1d", gait::Pattern::kStand, 0x6fd7e4b48b367848u},
+                                         Kept{"hexapod", gait::Pattern::kTrot, 0x22aa64ab253988a1u},
+                                         Kept{"hexapod", gait::Pattern::kStand, 0x94c4d270ccb34104u},
+                                         Kept{"electric_leg", gait::Pattern::kTrot, 0xfcabd5a464107b39u},
+                                         Kept{"electric_leg", gait::Pattern::kStand, 0xd7a5e0dbff196a6fu}),
                          [](const auto& kept) {
                            return std::string(kept.param.robot) +
                                   (kept.param.gait == gait::Pattern::kTrot ? "_trot" : "_stand");

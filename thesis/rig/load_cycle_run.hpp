@@ -24,7 +24,7 @@ struct CycleRun {
 Result<CycleRun> run_cycle(const StudyContext& context, const trials::LoadCycleCase& one, double from = 0.0,
                            double to = 1.0);
 
-/// The adaptive case as the text has it: perfect measurements, the bare recursion (6.21) with lambda = 0.9 on deviations
+/// The adaptive case as the text has it: perfect measurements, little dither, the bare recursion (6.21) with lambda = 0.9 on deviations
 /// from home, xi = 6, and no guard by the stored model. Refuses as run_cycle does.
 Result<CycleRun> run_cycle_as_printed(const StudyContext& context);
 

@@ -75,6 +75,9 @@ void declare(Visitor& v, EstimatorSection& section) {
     v.number(
         "full_weight_norm", e.full_weight_norm, {1e-9, 1e6}, Default{d.full_weight_norm},
         "Norm of the normalised regressor up to which a sample has full weight; larger ones are scaled down to it.");
+    v.number("model_error", e.model_error, {0, 1}, Default{d.model_error},
+             "RMS error per tick of what a linear model leaves out, in normalised velocity and force. Standard errors "
+             "and misfit count it beside the sensors' noise.");
     v.number(
         "innovation_forgetting", e.innovation_forgetting, {0, 0.9999}, Default{d.innovation_forgetting},
         "Of the variance of prediction errors, by which measured states are corrected before they are regressed on.");

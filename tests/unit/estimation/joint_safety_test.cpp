@@ -48,6 +48,9 @@ TEST(JointEstimator, RefusesSettingsOutOfRangeByName) {
     expect_named("operating_point_time_constant_s",
                  refusal_when([&](P& p) { p.operating_point_time_constant_s = bad; }));
   }
+  for (const double bad : {-1e-9, 1.1, kNaN}) {
+    expect_named("model_error", refusal_when([&](P& p) { p.model_error = bad; }));
+  }
   for (const double bad : {-0.1, 1.0, kNaN}) {
     expect_named("innovation_forgetting", refusal_when([&](P& p) { p.innovation_forgetting = bad; }));
   }

@@ -33,7 +33,9 @@ TEST(JointEstimator, RecoversALinearJointWhateverIsInTheRegressor) {
   for (const bool bias : {false, true}) {
     for (const bool position : {false, true}) {
       const LinearModel truth = linear_joint(kStanceMass_kg, position ? 2e4 : 0.0);
-      JointEstimator estimates = estimator(with(position, bias));
+      EstimatorParams exact = with(position, bias);
+      exact.model_error = 0.0;
+      JointEstimator estimates = estimator(exact);
       Joint joint(truth);
       feed(estimates, joint, kEnough);
       const ModelEstimate estimate = estimates.estimate();
@@ -119,7 +121,9 @@ TEST(JointEstimator, SaysHowUncertainNoiseMakesIt) {
 
 TEST(JointEstimator, IsLessSureOfTheValveWhenForcesDoWhatNoiseCannotExplain) {
   const auto relative_error = [](double told_noise) {
-    JointEstimator estimates = estimator(with(false, true), scales(told_noise * kHyqNoise));
+    EstimatorParams exact = with(false, true);
+    exact.model_error = 0.0;
+    JointEstimator estimates = estimator(exact, scales(told_noise * kHyqNoise));
     Joint joint(linear_joint(kStanceMass_kg));
     joint.measured_with(kHyqNoise);
     feed(estimates, joint, kEnough);
@@ -130,6 +134,25 @@ TEST(JointEstimator, IsLessSureOfTheValveWhenForcesDoWhatNoiseCannotExplain) {
   EXPECT_LT(relative_error(1.0), kMisfitError);
   // The force's own noise is told too small as well, so the misfit is about as many times what is explained.
   EXPECT_GT(relative_error(1.0 / kTimesTheNoise), 0.5 * kMisfitError * (kTimesTheNoise - kMisfitFree));
+}
+
+TEST(JointEstimator, MeasuresMisfitAgainstTheErrorOfTheModelWhereSensorsAreGood) {
+  const auto misfit = [](double model_error) {
+    EstimatorParams params = with(false, true);
+    params.model_error = model_error;
+    JointEstimator estimates = estimator(params, scales(0.01 * kHyqNoise));
+    Joint joint(linear_joint(kStanceMass_kg));
+    joint.measured_with(kHyqNoise);  // stands for what the model leaves out
+    feed(estimates, joint, kEnough);
+    return estimates.estimate();
+  };
+  const auto flagged = [](const ModelEstimate& estimate) {
+    return (estimate.flags & static_cast<std::uint32_t>(EstimateFlag::kMisfit)) != 0;
+  };
+  EXPECT_TRUE(flagged(misfit(0.0)));
+  EXPECT_FALSE(flagged(misfit(1e-3)));
+  EXPECT_GT(misfit(1e-3).b_error(2), 0.0);
+  EXPECT_LT(misfit(1e-3).validity, misfit(1e-4).validity) << "an error of the model is doubt";
 }
 
 TEST(JointEstimator, RecoversTheSameJointThroughADelay) {
