@@ -206,7 +206,7 @@ template <class Engine>
 void JointEstimator::read(const Engine& engine, const PredictionErrors& force_errors,
                           ModelEstimate& out) const noexcept {
   const Columns columns = columns_of(params_.position);
-  const auto theta = engine.parameters();
+  const auto& theta = engine.parameters();
   // The estimated rows are velocity and force.
   const std::array<typename Engine::Covariance, 2> covariance{engine.covariance(1), engine.covariance(2)};
   const double unmodelled = params_.model_error * params_.model_error;

@@ -106,6 +106,10 @@ void TargetGraph::run(const std::string& command, const std::vector<std::string>
         target.sources.insert(folder + "/" + arguments[i]);
       }
     }
+  } else if (command == "farrier_plain_process") {
+    targets_[arguments[0]] = {.name = arguments[0], .folder = folder, .sources = {}, .links = {}, .passed_on = {}};
+    run("target_link_libraries", {arguments[0], "PRIVATE", "farrier_" + arguments[0] + "_app", "farrier_process"},
+        folder);
   } else if (command == "target_link_libraries") {
     Target& target = targets_[arguments[0]];
     bool passes_on = true;  // as CMake: no keyword is PUBLIC

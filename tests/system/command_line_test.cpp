@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+#include "core/processes.hpp"
 #include "farrier_command.hpp"
 
 namespace farrier::test {
@@ -71,7 +72,8 @@ TEST(Figures, NameEveryProcessWithItsPidAndTheVendorItWasAskedFor) {
     const std::string name = process["name"];
     EXPECT_EQ(process["vendor"], name == "sim_bridge" || name == "estimator_service" ? "cyclone" : "fast") << name;
   }
-  EXPECT_EQ(pids.size(), 9u) << "those of the robot and the launcher";
+  constexpr std::size_t kJointNodes = 4;
+  EXPECT_EQ(pids.size(), kPrograms.size() - 1 + kJointNodes + 1) << "those of the robot and the launcher";
 }
 
 TEST(Figures, HoldTheLatencyFromSensorToValve) {
@@ -133,7 +135,8 @@ TEST(BadInput, OfAComparisonIsRefusedBeforeAnythingMoves) {
   std::string output;
   EXPECT_EQ(run_farrier({"compare", "--out", out}, &output), 2);
   EXPECT_EQ(run_farrier({"compare", "gaits", "--out", out}, &output), 2);
-  EXPECT_NE(output.find("'gaits' is not one of varied|controllers|update-logic|switching"), std::string::npos) << output;
+  EXPECT_NE(output.find("'gaits' is not one of varied|controllers|update-logic|switching"), std::string::npos)
+      << output;
   EXPECT_EQ(run_farrier({"compare", "varied", "--clock", "realtime", "--out", out}, &output), 2);
   EXPECT_EQ(run_farrier({"compare", "varied", "--seeds", "0", "--out", out}, &output), 2);
   EXPECT_NE(output.find("give 1 to 10000"), std::string::npos) << output;
@@ -173,7 +176,8 @@ TEST(OldNames, SayTheNewOnesAndAreTaken) {
 TEST(VariedTrot, WritesARowForEverySeedControllerAndJointAndJudgesAdaptation) {
   constexpr int kControllers = 5;
   const ScratchDirectory scratch;
-  const int status = run_farrier({"compare", "varied", "--seeds", "1", "--duration", "4", "--out", scratch.file("out")});
+  const int status =
+      run_farrier({"compare", "varied", "--seeds", "1", "--duration", "4", "--out", scratch.file("out")});
   const nlohmann::json run = read_json(scratch.file("out/figures.json"));
   EXPECT_EQ(status == 0, run["verdict"] == "pass");
   EXPECT_EQ(run["command"], "compare");

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 
+#include "core/processes.hpp"
 #include "farrier_command.hpp"
 
 namespace farrier::test {
@@ -37,7 +38,8 @@ TEST(Faults, RefusesUnknownRowsAndVendors) {
 
 TEST(Faults, OfAProcessAreRefusedInLockstepAndWhenUnreadable) {
   std::string output;
-  const std::vector<std::string> node{"--number", "4", "--participants", "8"};
+  const std::vector<std::string> node{"--number", std::to_string(info(Program::kJointNode).number), "--participants",
+                                      "9"};
   const auto with = [&](std::vector<std::string> more) {
     more.insert(more.begin(), node.begin(), node.end());
     return run_farrier(more, &output, {FARRIER_JOINT_NODE "_with_faults", {}});
@@ -50,7 +52,8 @@ TEST(Faults, OfAProcessAreRefusedInLockstepAndWhenUnreadable) {
 
 TEST(Faults, AreNoOptionOfAProgramThatShips) {
   std::string output;
-  EXPECT_EQ(run_farrier({"--number", "4", "--participants", "8", "--clock", "realtime", "--fault", "joint/sensors:cut"},
+  EXPECT_EQ(run_farrier({"--number", std::to_string(info(Program::kJointNode).number), "--participants", "9", "--clock",
+                         "realtime", "--fault", "joint/sensors:cut"},
                         &output, {FARRIER_JOINT_NODE, {}}),
             2);
   EXPECT_NE(output.find("--fault"), std::string::npos) << output;

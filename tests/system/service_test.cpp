@@ -14,6 +14,7 @@
 #include <memory>
 #include <sstream>
 
+#include "core/processes.hpp"
 #include "farrier_command.hpp"
 #include "tools/deploy/rendered_folder.hpp"
 
@@ -91,12 +92,14 @@ class FakeManager {
 
 /// The rig on one host, as an integrator would write it.
 std::string rig_with_deployment(const std::string& clock) {
-  return read_file(FARRIER_ROBOTS "/fc1d.yaml") + "\ndeployment:\n  domain: " + std::to_string(20 + ::getpid() % 80) +
-         "\n  clock: " + clock +
-         "\n  hosts:\n    rig:\n      address: 127.0.0.1\n      interface: lo\n      processes:\n"
-         "        sim_bridge: {program: sim_bridge}\n        estimator_service: {program: estimator_service}\n"
-         "        supervisor: {program: supervisor}\n        gait_source: {program: gait_source}\n"
-         "        joint_node: {program: joint_node, joints: [fc1d]}\n";
+  std::string file = read_file(FARRIER_ROBOTS "/fc1d.yaml") +
+                     "\ndeployment:\n  domain: " + std::to_string(20 + ::getpid() % 80) + "\n  clock: " + clock +
+                     "\n  hosts:\n    rig:\n      address: 127.0.0.1\n      interface: lo\n      processes:\n";
+  for (const ProgramInfo& one : kPrograms) {
+    const char* const joints = one.program == Program::kJointNode ? ", joints: [fc1d]" : "";
+    file += std::string("        ") + one.name + ": {program: " + one.name + joints + "}\n";
+  }
+  return file;
 }
 
 /// The processes of the rig, each started from its unit.
@@ -141,7 +144,13 @@ class Rig {
   pid_t pid(const std::string& name) { return process(name).pid(); }
   FakeManager& manager() { return manager_; }
 
-  static constexpr const char* kAll[] = {"sim_bridge", "estimator_service", "supervisor", "gait_source", "joint_node"};
+  static inline const std::vector<const char*> kAll = [] {
+    std::vector<const char*> names;
+    for (const ProgramInfo& one : kPrograms) {
+      names.push_back(one.name);
+    }
+    return names;
+  }();
 
  private:
   ScratchDirectory scratch_;
@@ -185,8 +194,10 @@ class Service : public testing::TestWithParam<const char*> {};
 
 TEST_P(Service, IsReadyWhenAllHaveGreetedAndNotBefore) {
   Rig rig(GetParam());
-  for (const char* process : {"sim_bridge", "estimator_service", "supervisor", "gait_source"}) {
-    rig.start(process);
+  for (const char* const process : Rig::kAll) {
+    if (std::string_view(process) != to_string(Program::kJointNode)) {
+      rig.start(process);
+    }
   }
   EXPECT_TRUE(rig.manager().hears(rig.pid("supervisor"), "STATUS=waiting for "));
   EXPECT_FALSE(rig.manager().hears(rig.pid("supervisor"), "READY=1", 1s));
@@ -197,7 +208,7 @@ TEST_P(Service, IsReadyWhenAllHaveGreetedAndNotBefore) {
 TEST_P(Service, FeedsTheWatchdogInEveryProcess) {
   Rig rig(GetParam());
   rig.start_all();
-  for (const char* process : Rig::kAll) {
+  for (const char* const process : Rig::kAll) {
     EXPECT_TRUE(rig.manager().hears(rig.pid(process), "WATCHDOG=1")) << process;
   }
 }

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/processes.hpp"
 #include "farrier_command.hpp"
 
 namespace farrier::test {
@@ -59,12 +60,11 @@ TEST(WorkingDirectory, MayBeAnyWithAnyName) {
   const std::string directory = scratch.file("a 'quoted' dir, ünd more");
   fs::create_directory(directory);
   std::string output;
-  run_farrier({"trot", "--duration", kShort, "--json", "here.json"}, &output,
-              {FARRIER_COMMAND, [&] {
-                 if (::chdir(directory.c_str()) != 0) {
-                   ::_exit(127);
-                 }
-               }});
+  run_farrier({"trot", "--duration", kShort, "--json", "here.json"}, &output, {FARRIER_COMMAND, [&] {
+                                                                                 if (::chdir(directory.c_str()) != 0) {
+                                                                                   ::_exit(127);
+                                                                                 }
+                                                                               }});
   EXPECT_TRUE(fs::exists(directory + "/here.json")) << output;
   EXPECT_TRUE(fs::exists(directory + "/out/trot/trace.csv")) << output;
   EXPECT_TRUE(fs::exists(directory + "/out/trot/index.html")) << output;
@@ -144,8 +144,8 @@ INSTANTIATE_TEST_SUITE_P(Over, FullDisk, testing::Values("inproc", "cyclone"),
 
 TEST(JointNode, RefusesEveryJointTheRobotDoesNotHave) {
   std::string output;
-  EXPECT_EQ(run_farrier({"--number", "4", "--participants", "8", "--robot", FARRIER_ROBOTS "/hyq.yaml", "--joints",
-                         "lf_haa,lf_elbow,tail"},
+  EXPECT_EQ(run_farrier({"--number", std::to_string(info(Program::kJointNode).number), "--participants", "9", "--robot",
+                         FARRIER_ROBOTS "/hyq.yaml", "--joints", "lf_haa,lf_elbow,tail"},
                         &output, {FARRIER_JOINT_NODE, nullptr}),
             2);
   EXPECT_NE(output.find("'lf_elbow'"), std::string::npos) << output;
@@ -156,10 +156,10 @@ TEST(JointNode, RefusesEveryJointTheRobotDoesNotHave) {
 TEST(SupervisorProcess, RefusesAnUnknownDesign) {
   std::string output;
   const std::string supervisor = std::string(FARRIER_PREFIX) + "/libexec/farrier/supervisor";
-  EXPECT_EQ(run_farrier({"--number", "2", "--participants", "8", "--robot", FARRIER_ROBOTS "/hyq.yaml", "--design",
-                         "clever"},
-                        &output, {supervisor, nullptr}),
-            2);
+  EXPECT_EQ(
+      run_farrier({"--number", "2", "--participants", "8", "--robot", FARRIER_ROBOTS "/hyq.yaml", "--design", "clever"},
+                  &output, {supervisor, nullptr}),
+      2);
   EXPECT_NE(output.find("--design: there is no design 'clever': give one of stance, swing, phases, adaptive"),
             std::string::npos)
       << output;

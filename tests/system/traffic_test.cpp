@@ -5,6 +5,7 @@
 #include <map>
 #include <set>
 
+#include "core/processes.hpp"
 #include "farrier_command.hpp"
 
 namespace farrier::test {
@@ -13,7 +14,7 @@ namespace traffic_test {
 constexpr const char* kDuration = "0.5";
 constexpr long kTicks = 500;
 constexpr long kJoints = 12;
-constexpr std::size_t kParticipants = 16;  // a joint_node per joint and four others, without the launcher
+constexpr std::size_t kParticipants = kPrograms.size() - 1 + kJoints;  // a joint_node per joint; not the launcher
 
 struct Count {
   long sent = 0;
@@ -68,10 +69,17 @@ TEST_P(LockstepTraffic, ReachesEveryoneItIsForAndNobodyElse) {
   ASSERT_EQ(traffic.processes, participants);
   EXPECT_EQ(traffic.pids.size(), in_process ? 1 : participants);
 
-  // One sample a joint and tick, for one reader each.
+  // One sample a joint and tick. Sensors and valve commands have one reader each; a reader of measurements gets all.
   for (const char* topic : {"joint/sensors", "joint/valve_command", "joint/measurement"}) {
     EXPECT_EQ(traffic.sent(topic), kJoints * kTicks) << topic;
+  }
+  for (const char* topic : {"joint/sensors", "joint/valve_command"}) {
     EXPECT_EQ(traffic.received(topic), traffic.sent(topic)) << topic;
+  }
+  for (const auto& [process, count] : traffic.by_topic.at("joint/measurement")) {
+    const bool reads = count.received > 0 || process == "estimator_service";
+    EXPECT_EQ(count.received, reads ? kJoints * kTicks : 0) << process;
+    EXPECT_FALSE(reads && (process.starts_with("joint_node") || process == "sim_bridge")) << process;
   }
   for (const auto& [process, count] : traffic.by_topic.at("joint/sensors")) {
     if (process.starts_with("joint_node")) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "core/processes.hpp"
 #include "files.hpp"
 
 namespace farrier::deploy {
@@ -33,22 +34,28 @@ TEST(Rendering, GivesAHostItsProcessesAndNobodyElses) {
     names.push_back(file.name);
   }
   EXPECT_EQ(names, (std::vector<std::string>{"farrier-hyq-joint_node_lf.service", "farrier-hyq-joint_node_rf.service",
-                                             "farrier-hyq-awake.service", "farrier-hyq.target", "60-farrier-hyq.conf", "hyq.yaml"}));
+                                             "farrier-hyq-awake.service", "farrier-hyq.target", "60-farrier-hyq.conf",
+                                             "hyq.yaml"}));
 }
 
 TEST(Rendering, NumbersProcessesAlikeOnEveryHostAndEachOnce) {
+  constexpr std::size_t kJointNodes = 4;
+  constexpr std::size_t kProcesses = kPrograms.size() - 1 + kJointNodes;
   std::set<std::string> numbers;
   for (const char* host : {"front", "hind", "brain"}) {
     for (const RenderedFile& file : rendered(host)) {
       if (file.name.ends_with(".service") && file.name != "farrier-hyq-awake.service") {
-        EXPECT_EQ(argument(file.text, "--participants"), "8") << file.name;
+        EXPECT_EQ(argument(file.text, "--participants"), std::to_string(kProcesses)) << file.name;
         EXPECT_EQ(argument(file.text, "--peers"), "192.168.20.11,192.168.20.12,192.168.20.10") << file.name;
         EXPECT_EQ(argument(file.text, "--domain"), "20") << file.name;
         EXPECT_TRUE(numbers.insert(argument(file.text, "--number")).second) << file.name;
       }
     }
   }
-  EXPECT_EQ(numbers, (std::set<std::string>{"0", "1", "2", "3", "4", "5", "6", "7"}));
+  EXPECT_EQ(numbers.size(), kProcesses);
+  for (std::size_t number = 0; number < kProcesses; ++number) {
+    EXPECT_TRUE(numbers.contains(std::to_string(number))) << number;
+  }
 }
 
 TEST(Rendering, PinsTheHostsAddressVendorAndJoints) {
@@ -65,8 +72,8 @@ TEST(Rendering, PinsTheHostsAddressVendorAndJoints) {
 
 TEST(Rendering, SetsTheKernelsNetworkForDdsAndForCablesThatComeBack) {
   const std::string settings = text_of(rendered("front"), "60-farrier-hyq.conf");
-  for (const char* line : {"net.core.rmem_max = 4194304", "net.core.wmem_max = 4194304",
-                           "net/ipv4/neigh/eth0/retrans_time_ms = 20"}) {
+  for (const char* line :
+       {"net.core.rmem_max = 4194304", "net.core.wmem_max = 4194304", "net/ipv4/neigh/eth0/retrans_time_ms = 20"}) {
     EXPECT_TRUE(has_line(settings, line)) << settings;
   }
 }
@@ -124,8 +131,7 @@ TEST(Rendering, KeepsWhatSystemdWouldReadOtherwise) {
 TEST(Rendering, RefusesAHostThatIsNotThereAndNamesThoseThatAre) {
   const auto files = render_host(hyq(), "", "tail", standard_places(hyq()));
   ASSERT_FALSE(files.ok());
-  EXPECT_EQ(files.error().message,
-            kHyqPath + ": deployment.hosts: no host 'tail': give one of front, hind, brain");
+  EXPECT_EQ(files.error().message, kHyqPath + ": deployment.hosts: no host 'tail': give one of front, hind, brain");
 }
 
 TEST(Rendering, RefusesARobotWithoutDeployment) {
@@ -143,8 +149,8 @@ TEST(Rendering, PassesSystemdsOwnCheckWithoutAWarning) {
   Places places{.prefix = scratch.file("usr"), .folder = scratch.file("units")};
   std::filesystem::create_directories(scratch.file("usr/libexec/farrier"));
   std::filesystem::create_directories(places.folder);
-  for (const char* program : {"sim_bridge", "estimator_service", "supervisor", "gait_source", "joint_node"}) {
-    std::filesystem::create_symlink("/bin/true", scratch.file("usr/libexec/farrier/" + std::string(program)));
+  for (const ProgramInfo& one : kPrograms) {
+    std::filesystem::create_symlink("/bin/true", scratch.file("usr/libexec/farrier/" + std::string(one.name)));
   }
   for (const char* host : {"front", "hind", "brain"}) {
     std::string units;
