@@ -1,4 +1,4 @@
-// farrier echo and farrier topics beside a running trot.
+// farrier echo and farrier topics beside a running trot; echo, record and info where nothing comes.
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,8 @@ TEST_P(Echo, PrintsTheSamplesOfOneJoint) {
 TEST_P(Echo, GivesALateJoinerTheAnnouncements) {
   const auto lines = lines_of({"system/mode", "joint/controller_gains", "--count", "3"});
   ASSERT_EQ(lines.size(), 3u);
-  EXPECT_TRUE(lines[0].find("generation: ") != std::string::npos || lines[0].find("mode: ") != std::string::npos) << lines[0];
+  EXPECT_TRUE(lines[0].find("generation: ") != std::string::npos || lines[0].find("mode: ") != std::string::npos)
+      << lines[0];
 }
 
 TEST_P(Echo, HearsEveryRouteOfATopic) {
@@ -55,10 +56,10 @@ TEST_P(Echo, HearsEveryRouteOfATopic) {
 
 TEST_P(Echo, TopicsListsWritersReadersAndRates) {
   std::string output;
-  ASSERT_EQ(run_farrier({"topics", "--json", "--look", "6", "--domain", std::to_string(trot_->domain()), "--dds",
-                         GetParam()},
-                        &output),
-            0)
+  ASSERT_EQ(
+      run_farrier({"topics", "--json", "--look", "6", "--domain", std::to_string(trot_->domain()), "--dds", GetParam()},
+                  &output),
+      0)
       << output;
   std::map<std::string, nlohmann::json> topics;
   for (const nlohmann::json& topic : nlohmann::json::parse(output)) {
@@ -89,6 +90,24 @@ TEST(EchoCommand, SaysWhereToAskWhenNothingComes) {
   EXPECT_TRUE(echo.says("nothing comes in domain 99; why: farrier doctor --domain 99", 20s)) << echo.output();
   echo.signal(SIGINT);
   EXPECT_EQ(echo.wait(10s), 130);
+}
+
+TEST(RecordCommand, SaysWhereToAskWhenNothingCame) {
+  const ScratchDirectory scratch;
+  std::string output;
+  EXPECT_EQ(run_farrier({"record", scratch.file("x.mcap"), "--domain", "99", "--duration", "0.5"}, &output), 1);
+  EXPECT_NE(output.find("nothing came; why: farrier doctor --domain 99"), std::string::npos) << output;
+}
+
+TEST(RecordCommand, RefusesWhatItCannotWriteAndWhatItDoesNotKnow) {
+  std::string output;
+  EXPECT_EQ(run_farrier({"record", "/nowhere/x.mcap", "--domain", "99"}, &output), 2);
+  EXPECT_NE(output.find("/nowhere/x.mcap"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"record", "/tmp/x.mcap", "--topics", "joint/sensor"}, &output), 2);
+  EXPECT_NE(output.find("joint/sensors"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"info", "/nowhere/x.mcap"}, &output), 2);
+  EXPECT_EQ(run_farrier({"info", "/etc/passwd"}, &output), 2);
+  EXPECT_NE(output.find("not an MCAP file"), std::string::npos) << output;
 }
 
 }  // namespace echo_test
