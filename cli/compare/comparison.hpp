@@ -4,6 +4,7 @@
 
 #include "run/inproc_run.hpp"
 #include "trace/trace.hpp"
+#include "trials/load_cycle.hpp"
 #include "cli/compare/compare_options.hpp"
 #include "report/figures/outcome.hpp"
 
@@ -32,6 +33,14 @@ int run_varied(const robot::Robot& robot, const CompareOptions& options);
 /// farrier compare noise: the load cycle of the shipped rig and the robots of compare varied with sensors from none of
 /// their noise to three times as much. Better sensors must not make adaptation worse.
 int run_noise(const robot::Robot& robot, const CompareOptions& options);
+
+/// Larger relative force error of the two heavy and of the two light quarters of trials::LoadCycle.
+struct CycleErrors {
+  double heavy = 0.0, light = 0.0;
+};
+
+/// Runs `believed` through the cycle. Refuses what run::run_inproc does, and when the user interrupts.
+Result<CycleErrors> run_load_cycle(const trials::LoadCycle& cycle, const robot::Robot& believed, run::InprocRun run);
 
 /// A run in process and the rows of its trace.
 struct ComparedRun {

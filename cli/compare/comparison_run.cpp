@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "participant/loop.hpp"
@@ -9,6 +10,15 @@
 #include "report/figures/console.hpp"
 
 namespace farrier::cli {
+
+Result<CycleErrors> run_load_cycle(const trials::LoadCycle& cycle, const robot::Robot& believed, run::InprocRun run) {
+  std::vector<trace::TraceRow> trace;
+  run.sink = [&](const trace::TraceRow& row) { trace.push_back(row); };
+  run.progress = [](Tick) { return !participant::stop_requested(); };
+  FARRIER_TRY(run::run_inproc(believed, run));
+  const auto error = [&](std::size_t quarter) { return trials::quarter_error(cycle, trace, quarter); };
+  return CycleErrors{.heavy = std::max(error(1), error(3)), .light = std::max(error(0), error(2))};
+}
 
 Result<ComparedRun> run_compared(const robot::Robot& robot, run::InprocRun run, const std::string& trace_path,
                                  const std::string& title) {

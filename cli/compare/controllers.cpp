@@ -37,17 +37,13 @@ Result<report::VaryRow> load_steps(const trials::LoadCycle& cycle, report::Conte
   run.ticks = cycle.begin.back();
   run.seed = seed;
   run.load_changes = cycle.changes;
-  std::vector<trace::TraceRow> trace;
-  run.sink = [&](const trace::TraceRow& row) { trace.push_back(row); };
-  run.progress = [](Tick) { return !participant::stop_requested(); };
-  FARRIER_TRY(run::run_inproc(believed_by(contender, cycle.robot), run));
-  const auto error = [&](std::size_t quarter) { return trials::quarter_error(cycle, trace, quarter); };
+  const auto errors = FARRIER_TRY(run_load_cycle(cycle, believed_by(contender, cycle.robot), run));
   return report::VaryRow{.seed = seed,
                          .contender = contender,
                          .joint = cycle.robot.joints[0].name,
                          .stance_mass_kg_or_kgm2 = cycle.loads[1].mass,
-                         .stance_nrmse = std::max(error(1), error(3)),
-                         .swing_nrmse = std::max(error(0), error(2))};
+                         .stance_nrmse = errors.heavy,
+                         .swing_nrmse = errors.light};
 }
 
 Result<Rows> load_steps(const CompareOptions& o) {

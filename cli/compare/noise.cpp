@@ -39,13 +39,9 @@ robot::Robot with_noise(robot::Robot robot, double factor) {
 /// The load cycle of Fig. 7.8 under one case.
 Result<RigNoise> load_steps(const trials::LoadCycle& cycle, const trials::LoadCycleCase& one, double factor,
                             std::uint64_t seed) {
-  run::InprocRun run = trials::run_of(cycle, one, seed);
-  std::vector<trace::TraceRow> trace;
-  run.sink = [&](const trace::TraceRow& row) { trace.push_back(row); };
-  run.progress = [](Tick) { return !participant::stop_requested(); };
-  FARRIER_TRY(run::run_inproc(with_noise(trials::robot_of(cycle, one), factor), run));
-  const auto error = [&](std::size_t quarter) { return trials::quarter_error(cycle, trace, quarter); };
-  return RigNoise{.heavy = std::max(error(1), error(3)), .light = std::max(error(0), error(2))};
+  const robot::Robot robot = with_noise(trials::robot_of(cycle, one), factor);
+  const auto errors = FARRIER_TRY(run_load_cycle(cycle, robot, trials::run_of(cycle, one, seed)));
+  return RigNoise{.heavy = errors.heavy, .light = errors.light};
 }
 
 Result<Done> add_rig(const trials::LoadCycle& cycle, const CompareOptions& o, Progress& progress, Tick& done,
