@@ -34,6 +34,10 @@ int run_varied(const robot::Robot& robot, const CompareOptions& options);
 /// their noise to three times as much. Better sensors must not make adaptation worse.
 int run_noise(const robot::Robot& robot, const CompareOptions& options);
 
+/// farrier compare models: for loads of the shipped rig, the resonance of its linear model in three forms, exact, the
+/// thesis's and with a piston without mass, the gains designed on each, and their margin on the exact one.
+int run_models(const robot::Robot& robot, const CompareOptions& options);
+
 /// Larger relative force error of the two heavy and of the two light quarters of trials::LoadCycle.
 struct CycleErrors {
   double heavy = 0.0, light = 0.0;

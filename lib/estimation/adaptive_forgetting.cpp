@@ -53,14 +53,15 @@ RlsStatus AdaptiveForgetting<N>::update(const Regressor& h, const Eigen::Vector3
   const Eigen::Array3d power = beyond_noise.square().min(kLargestSquaredError);
   // sigma_k = beta sigma_{k-1} + (1 - beta) e^^2, (9.2)
   error_power_ = params_.error_memory * error_power_ + (1.0 - params_.error_memory) * power;
+  constexpr int kUnknowns = 3 * N;  // 12 in the thesis, (6.35)
   Eigen::Vector3d lambda, left;
   Parameters theta = this->theta_;
   bool sound = true;
   this->limited_ = false;
   for (int row = 0; row < 3; ++row) {
-    // lambda_k = 1 - 2 sigma_k / (M (sigma_k + c_1 sigma_v^2)), (9.3), M the parameters of a row; then its bounds
+    // lambda_k = 1 - 2 sigma_k / (M (sigma_k + c_1 sigma_v^2)), (9.3), M all unknown parameters; then its bounds
     const double sum = error_power_(row) + noise_floor_(row);
-    const double wanted = sum > 0.0 ? 1.0 - 2.0 * error_power_(row) / (N * sum) : 1.0;
+    const double wanted = sum > 0.0 ? 1.0 - 2.0 * error_power_(row) / (kUnknowns * sum) : 1.0;
     lambda(row) = std::clamp(wanted, params_.forgetting_min, 1.0);
     UdFactors<N>& p = p_[static_cast<std::size_t>(row)];
     if (p.trace() > lambda(row) * covariance_limit_) {

@@ -11,7 +11,7 @@ namespace farrier::estimation {
 
 /// Recursive least squares whose forgetting follows the prediction error of each measurement (Hubacher 2014, 9.1.1,
 /// (9.1)-(9.3)): what noise of the sensors explains is no reason to forget. Each row forgets by itself, so each has a
-/// covariance of its own. N = 3..5.
+/// covariance of its own, and lambda is at least 1 - 2 / (3 N). N = 3..5.
 template <int N>
 class AdaptiveForgetting : public Regression<N> {
  public:

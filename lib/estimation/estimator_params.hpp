@@ -21,7 +21,7 @@ enum class GateKind { kNone, kPe, kFft };
 
 /// aff: Hubacher (2014), (9.1)-(9.3).
 struct AdaptiveForgettingParams {
-  double forgetting_min = 0.8;  ///< least lambda of a row, (0, 1]
+  double forgetting_min = 0.8;  ///< least lambda of a row, (0, 1]; the method's own least is 1 - 2 / (3 N)
   double noise_factor = 4.0;    ///< c_1: variances of the sensors' noise that are no reason to forget, >= 0
   double error_memory = 0.9;    ///< beta of (9.2), [0, 1)
 };

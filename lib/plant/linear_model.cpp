@@ -20,22 +20,31 @@ Model for_sign_or_mean(Point point, ForSign for_sign) {
   return {0.5 * (extending.a + retracting.a), 0.5 * (extending.b + retracting.b)};
 }
 
-LinearModel load_cell_model(const ActuatorParams& actuator, const LoadParams& load,
-                            const LoadPressureCoefficients& of) {
+/// (3.47): m_l a = F_s - d_l v - C x, with `mass` for m_l.
+Eigen::RowVector3d acceleration_row(const LoadParams& load, double mass) {
+  return Eigen::RowVector3d(-load.stiffness, -load.damping, 1.0) / mass;
+}
+
+LinearModel load_cell_model(const ActuatorParams& actuator, const LoadParams& load, const LoadPressureCoefficients& of,
+                            PistonMass piston) {
   const double A_p = actuator.area_a;
   const double G_Fs = of.by_pressure();         // (3.43)
   const double G_xp = A_p * of.by_position();   // (3.44)
   const double G_uv = A_p * of.K_uv * of.root;  // (3.45)
-
-  const double C = load.stiffness;
-  const double d_l = load.damping;
-  const double m_l = load.mass;
   const double d_p = actuator.piston_damping;
+  const double m_p = piston == PistonMass::kCounted ? actuator.piston_mass : 0.0;
+  const double ratio = m_p / load.mass;
+  const Eigen::RowVector3d a = acceleration_row(load, load.mass);
+  const Eigen::RowVector3d hydraulic = Eigen::RowVector3d(0.0, d_p, 1.0) + m_p * a;  // F_h, (2.22)
+  const Eigen::RowVector3d hydraulic_rate = G_Fs * hydraulic + Eigen::RowVector3d(G_xp, A_p * of.K_vp, 0.0);
+
   LinearModel model;
-  model.a << 0.0, 1.0, 0.0,                                                                  //
-      -C / m_l, -d_l / m_l, 1.0 / m_l,                                                       // (3.47)
-      G_xp + d_p * C / m_l, G_Fs * d_p + d_p * d_l / m_l + A_p * of.K_vp, G_Fs - d_p / m_l;  // (3.48)
-  model.b << 0.0, 0.0, G_uv;
+  model.a.row(0) << 0.0, 1.0, 0.0;
+  model.a.row(1) = piston == PistonMass::kCounted ? a : acceleration_row(load, load.mass + actuator.piston_mass);
+  // (3.40) with m_l a' = F_s' - d_l a - C v, which has F_s' on both sides; (3.48) for m_p = 0.
+  const Eigen::RowVector3d load_rate = load.damping * a + Eigen::RowVector3d(0.0, load.stiffness, 0.0);
+  model.a.row(2) = (hydraulic_rate - d_p * a + ratio * load_rate) / (1.0 + ratio);
+  model.b << 0.0, 0.0, G_uv / (1.0 + ratio);
   return model;
 }
 
@@ -117,25 +126,30 @@ Row pressure_output(Output output, const Row& hydraulic, const ActuatorParams& a
 }  // namespace
 
 LinearModel linearise_load_cell_force(const ActuatorParams& actuator, const LoadParams& load,
-                                      const OperatingPoint& point, Volumes volumes) {
+                                      const OperatingPoint& point, Volumes volumes, PistonMass piston) {
   return for_sign_or_mean<LinearModel>(point, [&](const OperatingPoint& at) {
-    return load_cell_model(actuator, load, load_pressure_coefficients(actuator, at, volumes));
+    return load_cell_model(actuator, load, load_pressure_coefficients(actuator, at, volumes), piston);
   });
 }
 
-Eigen::RowVector3d load_cell_output(Output output, const ActuatorParams& actuator, const LoadParams& load) {
+Eigen::RowVector3d load_cell_output(Output output, const ActuatorParams& actuator, const LoadParams& load,
+                                    PistonMass piston) {
+  const double m_p = piston == PistonMass::kCounted ? actuator.piston_mass : 0.0;
+  const Eigen::RowVector3d a = acceleration_row(load, load.mass);
+  const Eigen::RowVector3d cell(0.0, 0.0, 1.0);
   switch (output) {
     case Output::kPosition:
       return {1.0, 0.0, 0.0};
     case Output::kVelocity:
       return {0.0, 1.0, 0.0};
     case Output::kLoadCellForce:
+      return cell + m_p * a;
     case Output::kLoadCellForceWithInertia:
-      return {0.0, 0.0, 1.0};
+      return cell;
     case Output::kHydraulicForce:
-      return {0.0, actuator.piston_damping, 1.0};  // (3.38) with m_p << m_l
+      return cell + Eigen::RowVector3d(0.0, actuator.piston_damping, 0.0) + m_p * a;  // (2.22)
     case Output::kTotalForce:
-      return {-load.stiffness, -load.damping, 1.0};  // (3.47), m_l a
+      return (load.mass + m_p) * a;
   }
   return Eigen::RowVector3d::Zero();
 }

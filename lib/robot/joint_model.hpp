@@ -1,12 +1,20 @@
 #pragma once
 
 #include "control/model/discretise.hpp"
+#include "plant/linear_model.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::robot {
 
-/// Sampled model of a joint under a bench load at its home pose, the valve just opening to extend, which is the sign
-/// the thesis designs for and the one with the higher valve gain. An electric joint has one model for all poses.
-control::DiscreteModel model_of(const Joint& joint, const plant::LoadParams& load, double period_s);
+/// What a joint's linear model is of. By default the valve just opens to extend, which is the sign the thesis designs
+/// for and the one with the higher valve gain.
+struct ModelForm {
+  double valve_sign = 1.0;  ///< +1 extending, -1 retracting, 0 the mean of both
+  plant::PistonMass piston = plant::PistonMass::kCounted;
+};
+
+/// Sampled model of a joint under a bench load at its home pose. An electric joint has one for all forms and poses.
+control::DiscreteModel model_of(const Joint& joint, const plant::LoadParams& load, double period_s,
+                                const ModelForm& form = {});
 
 }  // namespace farrier::robot

@@ -116,6 +116,13 @@ constexpr std::array kSpecs{
     FigureSpec{"compare.noise.<level>.trot_grey_box_ratio_perfect", "1", kAtMost, "The same of the grey box."},
     FigureSpec{"compare.noise.rise.<run>", "1", kAtMost,
                "Largest factor by which the median NRMSE grows from a level of noise to the next lower one."},
+    // compare models: forms are exact, thesis (3.51) and massless_piston
+    FigureSpec{"compare.models.<load>.<form>.resonance_Hz", "Hz", kNone,
+               "Damped oscillation of a form of the rig's linear model under a load."},
+    FigureSpec{"compare.models.<load>.<form>.position_gain", "1", kNone, "Gain designed on it, normalised."},
+    FigureSpec{"compare.models.<load>.<form>.velocity_gain", "1", kNone, "Likewise."},
+    FigureSpec{"compare.models.<load>.<form>.force_gain", "1", kNone, "Likewise."},
+    FigureSpec{"compare.models.<load>.<form>.disk_margin", "1", kNone, "Disk margin of these gains on the exact form."},
     // compare varied: stance NRMSE over all pairs of a joint and a seed
     FigureSpec{"trot.vary.seeds", "1", kNone, "Robots drawn."},
     FigureSpec{"trot.vary.adaptive_stance_nrmse_median", "1", kNone, "Median stance NRMSE of adaptation over joints and seeds."},

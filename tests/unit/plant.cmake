@@ -13,7 +13,7 @@ farrier_test(plant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/plant/terms_steady_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/terms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
-target_link_libraries(plant_test PRIVATE farrier_plant)
+target_link_libraries(plant_test PRIVATE test_solvers farrier_plant)
 
 farrier_test(electric_joint_test unit ${CMAKE_CURRENT_LIST_DIR}/plant/electric_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 
 #include "trace/force_error.hpp"
 #include "robot/joint_model.hpp"
@@ -13,13 +14,10 @@ using signals::JointControllerGains;
 
 namespace {
 
-using Change = void (*)(robot::Robot&);
-
-// The unit is that of the valve's nominal current. The text has no dither. Without it the models of quarters 2 to 4 diverge, too.
-constexpr double kPrintedDither_percent = 0.05;
+using Change = std::function<void(robot::Robot&)>;
 
 Result<CycleRun> run_changed(const StudyContext& context, const trials::LoadCycleCase& one, double from, double to,
-                             Change change) {
+                             const Change& change) {
   const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
   auto cycle = trials::make_load_cycle(rig);
   if (!cycle) {
@@ -57,13 +55,12 @@ Result<CycleRun> run_cycle(const StudyContext& context, const trials::LoadCycleC
   return run_changed(context, one, from, to, [](robot::Robot&) {});
 }
 
-Result<CycleRun> run_cycle_as_printed(const StudyContext& context) {
-  return run_changed(context, trials::kAdaptiveCase, 0.0, 1.0, [](robot::Robot& robot) {
+Result<CycleRun> run_cycle_as_printed(const StudyContext& context, double forgetting_factor) {
+  return run_changed(context, trials::kAdaptiveNoiselessCase, 0.0, 1.0, [=](robot::Robot& robot) {
     robot::Joint& joint = robot.joints[0];
-    joint.noise = {};
-    joint.dither_percent = kPrintedDither_percent;
+    joint.dither_percent = 0.0;
     joint.estimator.model_error = 0.0;
-    joint.estimator.forgetting_factor = 0.9;
+    joint.estimator.forgetting_factor = forgetting_factor;
     joint.estimator.bias = false;
     joint.estimator.operating_point_order = 0;
     joint.estimator.full_weight_norm = 1e6;

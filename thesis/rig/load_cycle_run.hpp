@@ -24,9 +24,12 @@ struct CycleRun {
 Result<CycleRun> run_cycle(const StudyContext& context, const trials::LoadCycleCase& one, double from = 0.0,
                            double to = 1.0);
 
-/// The adaptive case as the text has it: perfect measurements, little dither, the bare recursion (6.21) with lambda = 0.9 on deviations
-/// from home, xi = 6, and no guard by the stored model. Refuses as run_cycle does.
-Result<CycleRun> run_cycle_as_printed(const StudyContext& context);
+/// Lambda of (6.21) in the adaptive case as the text has it.
+inline constexpr double kPrintedForgetting = 0.9;
+
+/// The adaptive case as the text has it: perfect measurements, no dither, the bare recursion (6.21) on deviations from
+/// home, xi = 6, and no guard by the stored model. Refuses as run_cycle does.
+Result<CycleRun> run_cycle_as_printed(const StudyContext& context, double forgetting_factor = kPrintedForgetting);
 
 // Quarters count from 1.
 

@@ -14,6 +14,9 @@ using estimation::EstimationMethod;
 using estimation::GateKind;
 
 constexpr int kColumns = 4;  // x, v, F, u
+/// c_1 of (9.1), (9.3): sigma_v is that of raw readings (9.1.1) and the signals are filtered, so what noise is left in an
+/// error is far below sigma_v. With 4 no lambda ever leaves 1; with 0.25 noise alone keeps them at 0.97.
+constexpr double kNoiseFactor = 1.0;
 
 /// A current answered by a force of its own size, with the memory of a tick: phase zero, no resonance.
 control::DiscreteModel wrong_model() { return {0.5 * Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.0, 0.0, 0.5)}; }
@@ -120,7 +123,7 @@ estimation::EstimatorParams params_of(const ChirpCase& one) {
   params.position = true;
   params.initial_covariance = one.initial_covariance;
   params.covariance_limit = 1e9;
-  params.aff = estimation::AdaptiveForgettingParams{};
+  params.aff = estimation::AdaptiveForgettingParams{.noise_factor = kNoiseFactor};
   params.pe = estimation::PersistenceParams{
       .window_ticks = 400, .information_min = 1e-4 * size * size, .information_max = 7.0 * size * size};
   params.fft = estimation::SpectrumParams{

@@ -7,6 +7,7 @@
 #include <complex>
 
 #include "control/model/model_rows.hpp"
+#include "core/median.hpp"
 #include "control/model/transfer_function.hpp"
 #include "estimation/poles.hpp"
 #include "thesis/rig/bode.hpp"
@@ -42,10 +43,30 @@ control::DiscreteModel model_of(const JointControllerGains& gains) {
   return control::model_of_rows(gains.model_a, gains.model_b);
 }
 
-/// Distance of the poles behind the last gains of a quarter from the true ones.
+/// Median of a number over the second half of a quarter; the number is that of the model behind the gains that act.
+template <class Number>
+double settled(const CycleRun& run, std::size_t quarter, const Number& number) {
+  const Tick end = run.cycle.begin[quarter];
+  std::vector<double> values;
+  const JointControllerGains* last = nullptr;
+  double value = 0.0;
+  for (Tick tick = (run.cycle.begin[quarter - 1] + end) / 2; tick <= end; ++tick) {
+    const JointControllerGains& acting = acting_before(run, tick);
+    if (&acting != last) {
+      last = &acting;
+      value = number(model_of(acting));
+    }
+    values.push_back(value);
+  }
+  return median(std::move(values));
+}
+
+/// Distance of the poles behind the gains of a quarter from the true ones.
 double pole_error(const CycleRun& run, std::size_t quarter) {
-  return estimation::pole_distance<3>(estimation::poles<3>(model_of(at_end_of(run, quarter)).a),
-                                      estimation::poles<3>(truth_of(run, quarter).a));
+  const auto truth = estimation::poles<3>(truth_of(run, quarter).a);
+  return settled(run, quarter, [&](const control::DiscreteModel& model) {
+    return estimation::pole_distance<3>(estimation::poles<3>(model.a), truth);
+  });
 }
 
 double largest_imaginary(const Eigen::Matrix3d& a) {
@@ -57,22 +78,33 @@ double largest_imaginary(const Eigen::Matrix3d& a) {
 }
 
 constexpr const char* kAccurate =
-    "Note the accurate identification of the poles with the exception of the third section, where real poles instead of complex poles are identified.";
+    "Note the accurate identification of the poles with the exception of the third section, where real poles instead "
+    "of complex poles are identified.";
 
 constexpr ClaimSpec kPoleClaims[] = {
     {"7.9.quarter_2", "Fig. 7.9", kAccurate,
-     "Distance of the poles behind the second quarter's last gains from the true ones: a tenth of the unit circle's radius.", "1",
-     Relation::kAtMost, 0.1},
+     "Distance of the poles behind the acting gains from the true ones, median over the quarter's second half: a tenth "
+     "of the unit circle's "
+     "radius.",
+     "1", Relation::kAtMost, 0.1},
     {"7.9.quarter_4", "Fig. 7.9", kAccurate, "The same, fourth quarter.", "1", Relation::kAtMost, 0.1},
-    {"7.9.quarter_3_real", "Fig. 7.9", kAccurate, "Largest imaginary part of the poles behind the third quarter's last gains.", "1",
-     Relation::kAtMost, 1e-6,
-     Refutation{"the text gives the reason itself: its reference excites nothing near the resonance; here the valve is probed, and the pair is found",
-                0.05, 1.0}}};
+    {"7.9.quarter_3_real", "Fig. 7.9", kAccurate,
+     "Largest imaginary part of the poles behind the third quarter's last gains.", "1", Relation::kAtMost, 1e-6,
+     Refutation{"the text gives the reason itself: its reference excites nothing near the resonance; what is found "
+                "there is neither the true "
+                "pair (7.9.quarter_3_wrong) nor need it be real",
+                0.05, 1.0}},
+    {"7.9.quarter_3_wrong", "Fig. 7.9", kAccurate, "As 7.9.quarter_2, third quarter: more than a tenth.", "1",
+     Relation::kAtLeast, 0.1}};
 
 Result<StudyResult> run_poles(const StudyContext& context) {
   const auto made = FARRIER_TRY(run_cycle_as_printed(context));
   const CycleRun& run = made;
-  Picture picture{"Poles of the models the acting gains were designed for, black to yellow within the quarter; crosses: the true load", 4, {}};
+  Picture picture{
+      "Poles of the models the acting gains were designed for, black to yellow within the quarter; crosses: the true "
+      "load",
+      4,
+      {}};
   for (std::size_t quarter = 1; quarter <= trials::kQuarters; ++quarter) {
     Series estimated{"", {}, {}, Style::kPoints, 0};
     for (const Acting& acting : acting_in(run, quarter)) {
@@ -87,42 +119,62 @@ Result<StudyResult> run_poles(const StudyContext& context) {
       truth.x.push_back(z.real());
       truth.y.push_back(z.imag());
     }
-    picture.panels.push_back({.title = "quarter " + std::to_string(quarter), .x_label = "Re z", .y_label = "Im z", .unit_circle = true,
+    picture.panels.push_back({.title = "quarter " + std::to_string(quarter),
+                              .x_label = "Re z",
+                              .y_label = "Im z",
+                              .unit_circle = true,
                               .series = {std::move(truth), std::move(estimated)}});
   }
   const double true_imaginary = largest_imaginary(truth_of(run, 3).a);
   StudyResult result;
   result.measured = {{"7.9.quarter_2", pole_error(run, 2), ""},
                      {"7.9.quarter_4", pole_error(run, 4), ""},
+                     {"7.9.quarter_3_wrong", pole_error(run, 3), ""},
                      {"7.9.quarter_3_real", largest_imaginary(model_of(at_end_of(run, 3)).a),
                       "true one " + std::to_string(true_imaginary)}};
   result.pictures = {std::move(picture)};
   return result;
 }
 
-constexpr const char* kLowToMiddle = "This approximation, as can be seen, is quite accurate for low to middle frequencies.";
+constexpr const char* kLowToMiddle =
+    "This approximation, as can be seen, is quite accurate for low to middle frequencies.";
+
+constexpr const char* kQuiteWell = "The linear estimator does quite well ... in identifying the system ...";
+constexpr const char* kShortMemory =
+    "lambda = 0.9 remembers ten ticks, a fiftieth of a period of 2 Hz; the text does not give the lambda of this run, "
+    "and with 0.95 the claim "
+    "holds (..._longer)";
+constexpr double kLongerForgetting = 0.95;
 
 constexpr ClaimSpec kBodeClaims[] = {
     {"C.4.quarter_1_diverges", "Fig. C.4",
-     "The system estimates in column one diverge since the multisine force signal does not excite enough high frequencies of the system.",
-     "Largest error of the first quarter's last model above 50 Hz.", "dB", Relation::kAtLeast, 6.0,
-     Refutation{"the text gives the reason itself; here the valve is probed, which excites them", 0.0, 6.0}},
-    {"C.4.quarter_3_low", "Fig. C.4", kLowToMiddle, "Largest error of the third quarter's last model from 2 to 20 Hz.", "dB",
-     Relation::kAtMost, 3.0},
-    {"C.4.quarter_2_low", "7.5", "The linear estimator does quite well ... in identifying the system ...",
-     "Largest error of the second quarter's last model from 2 to 20 Hz.", "dB", Relation::kAtMost, 3.0},
-    {"C.4.quarter_4_low", "7.5", "The linear estimator does quite well ... in identifying the system ...", "The same, fourth quarter.", "dB",
-     Relation::kAtMost, 3.0}};
+     "The system estimates in column one diverge since the multisine force signal does not excite enough high "
+     "frequencies of the system.",
+     "Largest error of the acting gains' model above 50 Hz, median over the second half of the first quarter.", "dB",
+     Relation::kAtLeast, 6.0},
+    {"C.4.quarter_3_low", "Fig. C.4", kLowToMiddle, "The same from 2 to 20 Hz, third quarter.", "dB", Relation::kAtMost,
+     3.0, Refutation{kShortMemory, 10.0, 40.0}},
+    {"C.4.quarter_3_low_longer", "Fig. C.4", kLowToMiddle, "The same with lambda = 0.95.", "dB", Relation::kAtMost,
+     3.0},
+    {"C.4.quarter_2_low", "7.5", kQuiteWell, "As C.4.quarter_3_low, second quarter.", "dB", Relation::kAtMost, 3.0},
+    {"C.4.quarter_4_low", "7.5", kQuiteWell, "The same, fourth quarter.", "dB", Relation::kAtMost, 3.0,
+     Refutation{kShortMemory, 3.0, 6.0}},
+    {"C.4.quarter_4_low_longer", "7.5", kQuiteWell, "The same with lambda = 0.95.", "dB", Relation::kAtMost, 3.0}};
 
 Result<StudyResult> run_bode(const StudyContext& context) {
   const auto made = FARRIER_TRY(run_cycle_as_printed(context));
+  const auto longer = FARRIER_TRY(run_cycle_as_printed(context, kLongerForgetting));
   const CycleRun& run = made;
   const std::vector<double> grid = control::logarithmic_grid(0.5, 450.0, 200);
   const auto response_of = [&](const control::DiscreteModel& model) {
-    return control::responses<3>({model.a, model.b, Eigen::RowVector3d(0.0, 0.0, 1.0), 0.0, run.cycle.robot.period_s}, grid);
+    return control::responses<3>({model.a, model.b, Eigen::RowVector3d(0.0, 0.0, 1.0), 0.0, run.cycle.robot.period_s},
+                                 grid);
   };
-  const auto error_dB = [&](std::size_t quarter, double from_Hz, double to_Hz) {
-    return largest_difference_dB(grid, response_of(model_of(at_end_of(run, quarter))), response_of(truth_of(run, quarter)), from_Hz, to_Hz);
+  const auto error_dB = [&](const CycleRun& of, std::size_t quarter, double from_Hz, double to_Hz) {
+    const auto truth = response_of(truth_of(of, quarter));
+    return settled(of, quarter, [&](const control::DiscreteModel& model) {
+      return largest_difference_dB(grid, response_of(model), truth, from_Hz, to_Hz);
+    });
   };
   std::vector<std::vector<Panel>> columns;
   for (std::size_t quarter = 1; quarter <= trials::kQuarters; ++quarter) {
@@ -134,17 +186,22 @@ Result<StudyResult> run_bode(const StudyContext& context) {
     columns.push_back(bode_panels("quarter " + std::to_string(quarter), grid, curves));
   }
   StudyResult result;
-  result.measured = {{"C.4.quarter_1_diverges", error_dB(1, 50.0, 450.0), ""},
-                     {"C.4.quarter_3_low", error_dB(3, 2.0, 20.0), ""},
-                     {"C.4.quarter_2_low", error_dB(2, 2.0, 20.0), ""},
-                     {"C.4.quarter_4_low", error_dB(4, 2.0, 20.0), ""}};
-  result.pictures = {bode_picture("From valve current to force: models behind the acting gains, black to yellow within the quarter; blue: the true load",
-                                  std::move(columns))};
+  result.measured = {{"C.4.quarter_1_diverges", error_dB(run, 1, 50.0, 450.0), ""},
+                     {"C.4.quarter_3_low", error_dB(run, 3, 2.0, 20.0), ""},
+                     {"C.4.quarter_3_low_longer", error_dB(longer, 3, 2.0, 20.0), ""},
+                     {"C.4.quarter_2_low", error_dB(run, 2, 2.0, 20.0), ""},
+                     {"C.4.quarter_4_low", error_dB(run, 4, 2.0, 20.0), ""},
+                     {"C.4.quarter_4_low_longer", error_dB(longer, 4, 2.0, 20.0), ""}};
+  result.pictures = {
+      bode_picture("From valve current to force: models behind the acting gains, black to yellow within the quarter; "
+                   "blue: the true load",
+                   std::move(columns))};
   return result;
 }
 
-constexpr Study kStudies[] = {{"7.9", "Poles behind the gains of the adaptive run", kPoleClaims, run_poles},
-                              {"C.4", "Transfer functions behind the gains of the adaptive run", kBodeClaims, run_bode}};
+constexpr Study kStudies[] = {
+    {"7.9", "Poles behind the gains of the adaptive run", kPoleClaims, run_poles},
+    {"C.4", "Transfer functions behind the gains of the adaptive run", kBodeClaims, run_bode}};
 
 }  // namespace
 }  // namespace chapter7_estimates_studies

@@ -7,6 +7,7 @@
 #include "control/design/closed_loop.hpp"
 #include "thesis/rig/load_cycle_run.hpp"
 #include "thesis/studies/registry.hpp"
+#include "robot/joint_model.hpp"
 #include "supervisor/joint_design.hpp"
 
 namespace farrier::thesis {
@@ -125,9 +126,9 @@ Result<StudyResult> run_fixed(const StudyContext& context) {
 constexpr const char* kSignificantly =
     "... the force tracking has improved significantly for high mass and/or high damping situations ...";
 constexpr const char* kVeryGood = "The force tracking is very good with minimal overshoot and no phase delay.";
-constexpr const char* kByNoise =
-    "the rig's sensors are noisy, those of the text's simulation perfect; without noise the same run comes within 0.73 "
-    "(velocity) and 0.15 (force)";
+constexpr const char* kBySign =
+    "the estimate is of a valve that extends and retracts; the true load's gains are [0.06, -4.5, 8.6] for the one and "
+    "[0.09, -5.7, 11.0] for the other, and what is found lies between";
 constexpr const char* kSecondGains =
     "... \"online\" calculated gains within the second quarter, which are K ~ [0, -4, 8].";
 
@@ -152,36 +153,39 @@ constexpr ClaimSpec kAdaptiveClaims[] = {
      "During the first 80 ms, the gains are updated several times ... After this phase ... the proper controller gains "
      "are calculated ...",
      "Time after the second change of load from which on velocity and force gain stay within a quarter of those for "
-     "the true load.",
-     "s", Relation::kAtMost, 0.08,
-     Refutation{
-         "the estimator's washout forgets the old load after 4 x 3 x 8 ms and poles must then stand still for 20 ms: "
-         "0.116 s, which the text's estimator need not wait for",
-         0.09, 0.13}},
+     "the true load, of an extending valve to a retracting one.",
+     "s", Relation::kAtMost, 0.08},
     {"7.8.quarter_2_position", "7.5", kSecondGains,
      "Distance of the position gain at the second quarter's end from 0: half a unit.", "1", Relation::kAtMost, 0.5,
      Refutation{
          "the estimator washes slow positions out, on which the position gain rests; the map reads 0.2 where the "
          "text's own run has 0",
-         0.5, 0.9}},
+         0.5, 1.5}},
     {"7.8.quarter_2_velocity", "7.5", kSecondGains, "Distance of the velocity gain from -4: a unit.", "1",
-     Relation::kAtMost, 1.0, Refutation{kByNoise, 1.0, 1.6}},
+     Relation::kAtMost, 1.0, Refutation{kBySign, 1.0, 1.8}},
     {"7.8.quarter_2_force", "7.5", kSecondGains, "Distance of the force gain from 8: a unit.", "1", Relation::kAtMost,
-     1.0, Refutation{kByNoise, 1.0, 2.5}},
+     1.0, Refutation{kBySign, 1.0, 3.1}},
     {"7.8.quarter_4_force", "7.5", "The gains are a little higher since the friction is increased by a factor of 5.",
-     "Force gain for the fourth quarter's true load less that for the second's.", "1", Relation::kAtLeast, 0.0,
-     Refutation{"more friction lowers the velocity and the force gain, as 7.4 says and its map shows", -8.0, 0.0}},
+     "Force gain for the fourth quarter's true load less that for the second's.", "1", Relation::kAtLeast, 0.0},
     {"7.8.quarter_3_gains", "7.5", "... consequently this results in higher controller gains than expected.",
      "Position gain, the largest of the light load's, at the third quarter's end over that for the true load: 1.2 or "
      "more.",
      "1", Relation::kAtLeast, 1.2}};
 
+/// Gains for the true load of a quarter while the valve extends the piston, and while it retracts it.
+struct TrueGains {
+  control::Gains extending, retracting;
+};
+
 /// Time after the beginning of quarter 2 from which on the gains stay near those for its true load.
-double settled_s(const CycleRun& run, const control::Gains& truth) {
+double settled_s(const CycleRun& run, const TrueGains& truth) {
   constexpr double kNear = 0.25;
+  const auto between = [](double value, double extending, double retracting) {
+    return value / extending >= 1.0 - kNear && value / retracting <= 1.0 + kNear;
+  };
   const auto near = [&](const JointControllerGains& gains) {
-    return std::abs(gains.k_velocity / truth.velocity - 1.0) <= kNear &&
-           std::abs(gains.k_force / truth.force - 1.0) <= kNear;
+    return between(gains.k_velocity, truth.extending.velocity, truth.retracting.velocity) &&
+           between(gains.k_force, truth.extending.force, truth.retracting.force);
   };
   Tick last_off = run.cycle.begin[1] - 1;
   for (Tick tick = run.cycle.begin[1]; tick < run.cycle.begin[2]; ++tick) {
@@ -190,15 +194,28 @@ double settled_s(const CycleRun& run, const control::Gains& truth) {
   return static_cast<double>(last_off + 1 - run.cycle.begin[1]) * run.cycle.robot.period_s;
 }
 
+Result<TrueGains> true_gains(const robot::Robot& robot, const plant::LoadParams& load) {
+  const robot::Joint& joint = robot.joints[0];
+  const auto of_sign = [&](double sign) {
+    return control::design(robot::model_of(joint, load, robot.period_s, {.valve_sign = sign}), joint.design,
+                           joint.normalisation, joint.form, 0, robot.period_s);
+  };
+  const auto extending = of_sign(1.0);
+  const auto retracting = of_sign(-1.0);
+  if (!extending || !retracting) {
+    return Error{"Fig. 7.8: no design for " + std::to_string(load.mass) + " kg"};
+  }
+  return TrueGains{extending.value(), retracting.value()};
+}
+
 Result<StudyResult> run_adaptive(const StudyContext& context) {
-  const auto with = run_cycle(context, trials::kAdaptiveCase, 0.0, 0.6);
+  const auto with = run_cycle(context, trials::kAdaptiveNoiselessCase, 0.0, 0.6);
   const auto without = FARRIER_TRY(with ? run_cycle(context, trials::kFixedCase, 0.6, 1.0) : with);
   const CycleRun& run = with.value();
   const robot::Robot& robot = run.cycle.robot;
-  std::vector<control::Gains> truth;
+  std::vector<TrueGains> truth;
   for (const plant::LoadParams& load : run.cycle.loads) {
-    const auto gains = FARRIER_TRY(supervisor::design_joint(robot.joints[0], load, robot.period_s, 0));
-    truth.push_back(gains);
+    truth.push_back(FARRIER_TRY(true_gains(robot, load)));
   }
   double first_s = -1.0;
   for (const JointControllerGains& gains : run.gains) {
@@ -212,20 +229,20 @@ Result<StudyResult> run_adaptive(const StudyContext& context) {
   const JointControllerGains& second = at_end_of(run, 2);
   const JointControllerGains& third = at_end_of(run, 3);
   StudyResult result;
-  result.measured = {
-      {"7.8.quarter_2_error", quarter_error(run, 2), ""},
-      {"7.8.quarter_3_error", quarter_error(run, 3), ""},
-      {"7.8.quarter_4_error", quarter_error(run, 4), ""},
-      {"7.8.quarter_2_improvement", improvement(2), ""},
-      {"7.8.quarter_4_improvement", improvement(4), ""},
-      {"7.8.quarter_3_improvement", improvement(3), ""},
-      {"7.8.first_update", first_s, ""},
-      {"7.8.quarter_2_settled", settled_s(run, truth[1]), ""},
-      {"7.8.quarter_2_position", std::abs(second.k_position), gains_text(second)},
-      {"7.8.quarter_2_velocity", std::abs(second.k_velocity + 4.0), gains_text(second)},
-      {"7.8.quarter_2_force", std::abs(second.k_force - 8.0), gains_text(second)},
-      {"7.8.quarter_4_force", truth[3].force - truth[1].force, "adapted: " + gains_text(at_end_of(run, 4))},
-      {"7.8.quarter_3_gains", third.k_position / truth[2].position, gains_text(third)}};
+  result.measured = {{"7.8.quarter_2_error", quarter_error(run, 2), ""},
+                     {"7.8.quarter_3_error", quarter_error(run, 3), ""},
+                     {"7.8.quarter_4_error", quarter_error(run, 4), ""},
+                     {"7.8.quarter_2_improvement", improvement(2), ""},
+                     {"7.8.quarter_4_improvement", improvement(4), ""},
+                     {"7.8.quarter_3_improvement", improvement(3), ""},
+                     {"7.8.first_update", first_s, ""},
+                     {"7.8.quarter_2_settled", settled_s(run, truth[1]), ""},
+                     {"7.8.quarter_2_position", std::abs(second.k_position), gains_text(second)},
+                     {"7.8.quarter_2_velocity", std::abs(second.k_velocity + 4.0), gains_text(second)},
+                     {"7.8.quarter_2_force", std::abs(second.k_force - 8.0), gains_text(second)},
+                     {"7.8.quarter_4_force", truth[3].extending.force - truth[1].extending.force,
+                      "adapted: " + gains_text(at_end_of(run, 4))},
+                     {"7.8.quarter_3_gains", third.k_position / truth[2].extending.position, gains_text(third)}};
   result.pictures = {force_picture(run, "Gains adapted")};
   return result;
 }

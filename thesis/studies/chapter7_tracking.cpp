@@ -21,7 +21,7 @@ namespace {
 constexpr double kAmplitude_N = 160.0 / 3.0;
 constexpr double kLength_s = 1.0;
 constexpr double kStep_s = 0.02;
-constexpr double kJudged_s = 0.2;       // from here on responses are settled
+constexpr double kJudged_s = 0.2;  // from here on responses are settled
 constexpr double kSine_Hz = 10.0;
 
 /// One response, a value a tick; currents in A.
@@ -59,15 +59,15 @@ Result<Response> respond(const robot::Robot& rig, const Reference& reference, do
     return Error{std::string("Fig. 7.2: no design: ") + to_string(gains.error())};
   }
   const double home = load.equilibrium_position;
-  auto plant = FARRIER_TRY(plant::HydraulicJoint::create(joint.actuator, load, plant::equilibrium(joint.actuator, load, home, 0.0)));
+  auto plant = FARRIER_TRY(
+      plant::HydraulicJoint::create(joint.actuator, load, plant::equilibrium(joint.actuator, load, home, 0.0)));
   control::ForceController controller;
   controller.set_gains(gains.value(), {0.0, 0.0, 0.0}, 0.0);
   Response response;
   for (double t = 0.0; t < kLength_s; t += rig.period_s) {
     const double wanted = reference(t);
     const double force = plant.load_cell_force();
-    const auto out = controller.step(
-        wanted, {plant.state().position - home, plant.state().velocity, force});
+    const auto out = controller.step(wanted, {plant.state().position - home, plant.state().velocity, force});
     plant.step(out.valve_current_A, 0.0, rig.period_s);
     response.time_s.push_back(t);
     response.reference_N.push_back(wanted);
@@ -83,14 +83,9 @@ Result<Response> respond(const robot::Robot& rig, const Reference& reference, do
 /// The same sine and gains on two linear models, that of the sign the valve's current has: nothing else is nonlinear.
 Result<Response> respond_by_signs(const robot::Robot& rig) {
   const robot::Joint& joint = rig.joints[0];
-  const auto model_of_sign = [&](double sign) {
-    const plant::LinearModel model = plant::linearise_load_cell_force(
-        joint.actuator, joint.swing_load,
-        {.position = joint.linkage.position(joint.home_angle_rad), .valve_sign = sign});
-    return control::discretise(model.a, model.b, rig.period_s);
-  };
-  const control::DiscreteModel extending = model_of_sign(1.0);
-  const control::DiscreteModel retracting = model_of_sign(-1.0);
+  const control::DiscreteModel extending = robot::model_of(joint, joint.swing_load, rig.period_s);
+  const control::DiscreteModel retracting =
+      robot::model_of(joint, joint.swing_load, rig.period_s, {.valve_sign = -1.0});
   const auto gains =
       control::design_lqr(extending, control::LqrWeights{}, joint.normalisation, control::Form::kFullState, 0);
   if (!gains) {
@@ -175,7 +170,9 @@ Result<StudyResult> run_tracking(const StudyContext& context) {
   for (const Signal& signal : kSignals) {
     auto response = FARRIER_TRY(respond(rig.value(), signal.reference));
     const Response& r = response;
-    picture.panels.push_back({.title = signal.name, .x_label = "time (s)", .y_label = "force (N)",
+    picture.panels.push_back({.title = signal.name,
+                              .x_label = "time (s)",
+                              .y_label = "force (N)",
                               .series = {{"reference", r.time_s, r.reference_N, Style::kLine, 0},
                                          {"force", r.time_s, r.force_N, Style::kLine, 1}}});
     responses.push_back(std::move(response));
@@ -188,21 +185,21 @@ Result<StudyResult> run_tracking(const StudyContext& context) {
   double sum = 0.0;
   std::for_each(stepped.force_N.end() - tail, stepped.force_N.end(), [&](double f) { sum += kAmplitude_N - f; });
   StudyResult result;
-  result.measured = {
-      {"7.2.sine_error", relative_error(responses[1], period_s),
-       "lag " + std::to_string(lag_deg(responses[1], period_s)) + " degrees"},
-      {"7.2.sine_error_by_signs", std::abs(relative_error(responses[1], period_s) - of_signs) / of_signs,
-       "linear " + std::to_string(of_signs)},
-      {"7.2.multisine_error", relative_error(responses[2], period_s), ""},
-      {"7.2.overshoot", overshoot(stepped), ""},
-      {"7.2.overshoot_is_slight", overshoot(stepped), ""},
-      {"7.2.overshoot_by_feed_forward", overshoot(stepped) - overshoot(without), ""},
-      {"7.2.steady_state_error", std::abs(sum) / static_cast<double>(tail) / kAmplitude_N, ""}};
+  result.measured = {{"7.2.sine_error", relative_error(responses[1], period_s),
+                      "lag " + std::to_string(lag_deg(responses[1], period_s)) + " degrees"},
+                     {"7.2.sine_error_by_signs", std::abs(relative_error(responses[1], period_s) - of_signs) / of_signs,
+                      "linear " + std::to_string(of_signs)},
+                     {"7.2.multisine_error", relative_error(responses[2], period_s), ""},
+                     {"7.2.overshoot", overshoot(stepped), ""},
+                     {"7.2.overshoot_is_slight", overshoot(stepped), ""},
+                     {"7.2.overshoot_by_feed_forward", overshoot(stepped) - overshoot(without), ""},
+                     {"7.2.steady_state_error", std::abs(sum) / static_cast<double>(tail) / kAmplitude_N, ""}};
   result.pictures = {std::move(picture)};
   return result;
 }
 
-constexpr const char* kMain = "... the main contribution to the total controller output stems from the LQR-gain K for the states.";
+constexpr const char* kMain =
+    "... the main contribution to the total controller output stems from the LQR-gain K for the states.";
 
 constexpr ClaimSpec kPartsClaims[] = {
     {"7.3.step_states", "7.3", kMain, "RMS of the states' part over that of the larger other part: step.", "1",
@@ -210,11 +207,12 @@ constexpr ClaimSpec kPartsClaims[] = {
     {"7.3.sine_states", "7.3", kMain, "The same: sine.", "1", Relation::kAtLeast, 1.0},
     {"7.3.multisine_states", "7.3", kMain, "The same: multisine.", "1", Relation::kAtLeast, 1.0},
     {"7.3.integral_share", "7.3", "The integrator part K_I is only used to reduce steady state error.",
-     "RMS of the integral part over that of the states' part, multisine: less than one half.", "1", Relation::kBelow, 0.5},
+     "RMS of the integral part over that of the states' part, multisine: less than one half.", "1", Relation::kBelow,
+     0.5},
     {"7.3.lag_without_feed_forward", "7.3", "The feedforward part ... helps to reduce the phase delay ...",
      "Lag at 10 Hz without the feed-forward less that with it.", "deg", Relation::kAtLeast, 0.1},
-    {"7.3.current", "7.3", "... the maximum valve input is 10 mA.", "Largest valve current of the three responses.", "A",
-     Relation::kAtMost, 0.01}};
+    {"7.3.current", "7.3", "... the maximum valve input is 10 mA.", "Largest valve current of the three responses.",
+     "A", Relation::kAtMost, 0.01}};
 
 Result<StudyResult> run_parts(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
@@ -231,7 +229,9 @@ Result<StudyResult> run_parts(const StudyContext& context) {
       std::ranges::for_each(values, [](double& value) { value *= 1e3; });
       return values;
     };
-    picture.panels.push_back({.title = kSignals[i].name, .x_label = "time (s)", .y_label = "current (mA)",
+    picture.panels.push_back({.title = kSignals[i].name,
+                              .x_label = "time (s)",
+                              .y_label = "current (mA)",
                               .series = {{"total", r.time_s, mA(r.total_A), Style::kLine, 0},
                                          {"states", r.time_s, mA(r.states_A), Style::kLine, 1},
                                          {"integral", r.time_s, mA(r.integral_A), Style::kLine, 2},
@@ -254,8 +254,9 @@ Result<StudyResult> run_parts(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"7.2", "Force tracking of the LQR: step, sine, multisine", kTrackingClaims, run_tracking},
-                              {"7.3", "Parts of the LQR's output", kPartsClaims, run_parts}};
+constexpr Study kStudies[] = {
+    {"7.2", "Force tracking of the LQR: step, sine, multisine", kTrackingClaims, run_tracking},
+    {"7.3", "Parts of the LQR's output", kPartsClaims, run_parts}};
 
 }  // namespace
 }  // namespace chapter7_tracking_studies

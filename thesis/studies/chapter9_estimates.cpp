@@ -56,30 +56,40 @@ std::string shares_text(const std::vector<ChirpEstimates>& runs, double from_s, 
   return text;
 }
 
-constexpr const char* kDisappear = "As soon as the chirp signal excites the system enough, these resonance peaks disappear ...";
-constexpr const char* kAmplitude = "... the amplitude of the chirp input directly affects the degree of excitation. The performance of the estimator increases with better excited systems.";
+constexpr const char* kDisappear =
+    "As soon as the chirp signal excites the system enough, these resonance peaks disappear ...";
+constexpr const char* kAmplitude =
+    "... the amplitude of the chirp input directly affects the degree of excitation. The performance of the estimator "
+    "increases with better excited systems.";
 
 constexpr const char* kPeaks =
-    "... the system is not fully excited, hence the estimated transfer functions contain fictive resonance peaks at low frequencies.";
+    "... the system is not fully excited, hence the estimated transfer functions contain fictive resonance peaks at "
+    "low frequencies.";
 constexpr const char* kNeedsAggressiveFilter =
-    "behind filters of 100 Hz there are hardly any such peaks at any time; they come from the filters' own dynamics with the "
-    "\"rather aggressive filter\" of 10.2, which has no number: low passes of 20 Hz show them (9.1.peaks_aggressive, 9.1.disappear_aggressive)";
+    "behind filters of 100 Hz there are hardly any such peaks at any time; they come from the filters' own dynamics "
+    "with the "
+    "\"rather aggressive filter\" of 10.2, which has no number: low passes of 20 Hz show them (9.1.peaks_aggressive, "
+    "9.1.disappear_aggressive)";
 
 constexpr ClaimSpec kConstantClaims[] = {
     {"9.1.peaks", "9.1", kPeaks,
-     "Share of the first 2 s of estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes: a tenth or more.", "1",
-     Relation::kAtLeast, 0.1, Refutation{kNeedsAggressiveFilter, 0.0, 0.1}},
+     "Share of the first 2 s of estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes: a "
+     "tenth or more.",
+     "1", Relation::kAtLeast, 0.1, Refutation{kNeedsAggressiveFilter, 0.0, 0.1}},
     {"9.1.peaks_aggressive", "9.1", kPeaks, "The same behind filters of 20 Hz.", "1", Relation::kAtLeast, 0.1},
-    {"9.1.disappear", "9.1", kDisappear, "The share from 4 s on over that of the first 2 s: a half.", "1", Relation::kAtMost, 0.5,
-     Refutation{kNeedsAggressiveFilter, 0.5, 1e3}},
+    {"9.1.disappear", "9.1", kDisappear, "The share from 4 s on over that of the first 2 s: a half.", "1",
+     Relation::kAtMost, 0.5, Refutation{kNeedsAggressiveFilter, 0.5, 1e3}},
     {"9.1.later", "9.1", kDisappear, "The share from 4 s on: a tenth.", "1", Relation::kAtMost, 0.1},
     {"9.1.disappear_aggressive", "9.1", kDisappear,
      "The share from 4 s on over that of the first 2 s, behind filters of 20 Hz: a half.", "1", Relation::kAtMost, 0.5},
     {"9.1.amplitude", "9.1", kAmplitude,
-     "RMS distance from the nominal response, 1 to 100 Hz, last second, at 5 % less that at 20 %: above 0.", "dB", Relation::kAtLeast, 0.0},
-    {"9.1.rough", "9.1", "Even towards the end of the chirp signal, the estimator is only able to give a rough approximation ...",
+     "RMS distance from the nominal response, 1 to 100 Hz, last second, at 5 % less that at 20 %: above 0.", "dB",
+     Relation::kAtLeast, 0.0},
+    {"9.1.rough", "9.1",
+     "Even towards the end of the chirp signal, the estimator is only able to give a rough approximation ...",
      "The distance at 20 %: 2 dB or more.", "dB", Relation::kAtLeast, 2.0},
-    {"9.1.approximation", "9.1", "... the linear estimator is able to partially identify the essential dynamics of the hydraulic system ...",
+    {"9.1.approximation", "9.1",
+     "... the linear estimator is able to partially identify the essential dynamics of the hydraulic system ...",
      "The distance at 20 %, over that of the first guess: a half.", "1", Relation::kAtMost, 0.5}};
 
 Result<StudyResult> run_constant(const StudyContext& context) {
@@ -97,35 +107,39 @@ Result<StudyResult> run_constant(const StudyContext& context) {
   const double weak = distance_dB(runs.front(), kChirp_s - 1.0, kChirp_s);
   const double strong = distance_dB(runs.back(), kChirp_s - 1.0, kChirp_s);
   StudyResult result;
-  result.measured = {{"9.1.peaks", mean_share(runs, 0.0, kEarly_s), shares_text(runs, 0.0, kEarly_s)},
-                     {"9.1.peaks_aggressive", early, shares_text(slow, 0.0, kEarly_s)},
-                     {"9.1.disappear", later / mean_share(runs, 0.0, kEarly_s), ""},
-                     {"9.1.later", later, shares_text(runs, kLate_s, kChirp_s)},
-                     {"9.1.disappear_aggressive", mean_share(slow, kLate_s, kChirp_s) / early,
-                      shares_text(slow, kLate_s, kChirp_s)},
-                     {"9.1.amplitude", weak - strong, text_of("%.1f dB, ", weak) + text_of("%.1f dB", strong)},
-                     {"9.1.rough", strong, ""},
-                     {"9.1.approximation", strong / first_distance_dB(runs.back()), ""}};
-  result.pictures = {
-      picture_of("Estimates with a forgetting factor of 0.92, black to yellow over the chirp", runs),
-      picture_of("The same behind filters of 20 Hz, black to yellow over the chirp", slow)};
+  result.measured = {
+      {"9.1.peaks", mean_share(runs, 0.0, kEarly_s), shares_text(runs, 0.0, kEarly_s)},
+      {"9.1.peaks_aggressive", early, shares_text(slow, 0.0, kEarly_s)},
+      {"9.1.disappear", later / mean_share(runs, 0.0, kEarly_s), ""},
+      {"9.1.later", later, shares_text(runs, kLate_s, kChirp_s)},
+      {"9.1.disappear_aggressive", mean_share(slow, kLate_s, kChirp_s) / early, shares_text(slow, kLate_s, kChirp_s)},
+      {"9.1.amplitude", weak - strong, text_of("%.1f dB, ", weak) + text_of("%.1f dB", strong)},
+      {"9.1.rough", strong, ""},
+      {"9.1.approximation", strong / first_distance_dB(runs.back()), ""}};
+  result.pictures = {picture_of("Estimates with a forgetting factor of 0.92, black to yellow over the chirp", runs),
+                     picture_of("The same behind filters of 20 Hz, black to yellow over the chirp", slow)};
   return result;
 }
 
 constexpr ClaimSpec kAdaptiveClaims[] = {
     {"9.2.peaks", "9.1.1", "... less inappropriate resonance peaks appear at low frequencies.",
-     "Share of all estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes, over that of Fig. 9.1: below 1.", "1",
-     Relation::kBelow, 1.0},
-    {"9.2.smooth", "9.1.1", "The gradient of estimates is much smoother from one time step to the next and consequently slower.",
-     "Mean RMS change of the response in 20 ms, from 0.5 s on, over that of Fig. 9.1: a half.", "1", Relation::kAtMost, 0.5},
-    {"9.2.amplitude", "9.1.1", "The estimator is able to identify more high frequency parts of the system because the magnitude of the input is larger ...",
-     "RMS distance from the nominal response, 30 to 150 Hz, last second, at 5 % less that at 20 %: above 0.", "dB", Relation::kAtLeast, 0.0}};
+     "Share of all estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes, over that of Fig. "
+     "9.1: below 1.",
+     "1", Relation::kBelow, 1.0},
+    {"9.2.smooth", "9.1.1",
+     "The gradient of estimates is much smoother from one time step to the next and consequently slower.",
+     "Mean RMS change of the response in 20 ms, from 0.5 s on, over that of Fig. 9.1: a half.", "1", Relation::kAtMost,
+     0.5},
+    {"9.2.amplitude", "9.1.1",
+     "The estimator is able to identify more high frequency parts of the system because the magnitude of the input is "
+     "larger ...",
+     "RMS distance from the nominal response, 30 to 150 Hz, last second, at 5 % less that at 20 %: above 0.", "dB",
+     Relation::kAtLeast, 0.0}};
 
 Result<StudyResult> run_adaptive(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load_estimation_rig(context));
   const auto adaptive = run_amplitudes(context, rig, EstimationMethod::kAff, 0.0, 0.5);
-  const auto constant =
-      adaptive ? run_amplitudes(context, rig, EstimationMethod::kRls, 0.5, 1.0) : adaptive;
+  const auto constant = adaptive ? run_amplitudes(context, rig, EstimationMethod::kRls, 0.5, 1.0) : adaptive;
   if (!constant) {
     return constant.error();
   }
@@ -139,9 +153,11 @@ Result<StudyResult> run_adaptive(const StudyContext& context) {
   };
   const auto high = [](const ChirpEstimates& run) { return distance_dB(run, kChirp_s - 1.0, kChirp_s, 30.0, 150.0); };
   StudyResult result;
-  result.measured = {{"9.2.peaks", mean_share(runs, 0.0, kChirp_s) / mean_share(constant.value(), 0.0, kChirp_s), shares_text(runs, 0.0, kChirp_s)},
+  result.measured = {{"9.2.peaks", mean_share(runs, 0.0, kChirp_s) / mean_share(constant.value(), 0.0, kChirp_s),
+                      shares_text(runs, 0.0, kChirp_s)},
                      {"9.2.smooth", roughness(runs) / roughness(constant.value()), ""},
-                     {"9.2.amplitude", high(runs.front()) - high(runs.back()), text_of("%.1f dB, ", high(runs.front())) + text_of("%.1f dB", high(runs.back()))}};
+                     {"9.2.amplitude", high(runs.front()) - high(runs.back()),
+                      text_of("%.1f dB, ", high(runs.front())) + text_of("%.1f dB", high(runs.back()))}};
   result.pictures = {picture_of("Estimates with adaptive forgetting, black to yellow over the chirp", runs)};
   return result;
 }
@@ -159,15 +175,31 @@ double mean_lambda(const ChirpEstimates& run, int row, double from_s, double to_
   return sum / count;
 }
 
+double least_lambda(const ChirpEstimates& run, int row, double from_s) {
+  double least = 1.0;
+  for (std::size_t i = 0; i < run.tick_s.size(); ++i) {
+    if (run.tick_s[i] >= from_s) {
+      least = std::min(least, run.forgetting[i](row));
+    }
+  }
+  return least;
+}
+
 constexpr const char* kLargely = "They remain largely at 1 (meaning less forgetting) ...";
 constexpr const char* kByNoise = "... but the velocity related forgetting factor is influenced slightly by the noise.";
 
 constexpr ClaimSpec kForgettingClaims[] = {
-    {"9.3.largely", "9.1.1", kLargely, "Smallest mean lambda of a row from 1 s on: 0.95.", "1", Relation::kAtLeast, 0.95},
-    {"9.3.velocity", "9.1.1", kByNoise, "Mean lambda of the velocity less the smaller of the other two, from 1 s on: at most 0.", "1",
-     Relation::kAtMost, 0.0},
-    {"9.3.velocity_slightly", "9.1.1", kByNoise, "1 less mean lambda of the velocity from 1 s on: 0.05.", "1", Relation::kAtMost, 0.05},
-    {"9.3.promptly", "9.1.1", "The prediction error of the estimator decreases promptly ... in accordance to a steep increase of all three forgetting factors.",
+    {"9.3.largely", "9.1.1", kLargely, "Smallest mean lambda of a row from 1 s on: 0.95.", "1", Relation::kAtLeast,
+     0.95},
+    {"9.3.velocity", "9.1.1", kByNoise,
+     "Mean lambda of the velocity less the smaller of the other two, from 1 s on: at most 0.", "1", Relation::kAtMost,
+     0.0},
+    {"9.3.velocity_slightly", "9.1.1", kByNoise, "1 less mean lambda of the velocity from 1 s on: 0.05.", "1",
+     Relation::kAtMost, 0.05},
+    {"9.3.dips", "9.1.1", kByNoise, "Least lambda of the velocity from 1 s on: 0.99.", "1", Relation::kAtMost, 0.99},
+    {"9.3.promptly", "9.1.1",
+     "The prediction error of the estimator decreases promptly ... in accordance to a steep increase of all three "
+     "forgetting factors.",
      "Least of the mean lambdas of the rows from 0.1 to 0.3 s: 0.9.", "1", Relation::kAtLeast, 0.9}};
 
 Result<StudyResult> run_forgetting(const StudyContext& context) {
@@ -181,11 +213,13 @@ Result<StudyResult> run_forgetting(const StudyContext& context) {
     soon[row] = mean_lambda(run, row, 0.1, 0.3);
   }
   StudyResult result;
-  result.measured = {{"9.3.largely", std::min({later[0], later[1], later[2]}),
-                      text_of("position %.4f, ", later[0]) + text_of("velocity %.4f, ", later[1]) + text_of("force %.4f", later[2])},
-                     {"9.3.velocity", later[1] - std::min(later[0], later[2]), ""},
-                     {"9.3.velocity_slightly", 1.0 - later[1], ""},
-                     {"9.3.promptly", std::min({soon[0], soon[1], soon[2]}), ""}};
+  result.measured = {
+      {"9.3.largely", std::min({later[0], later[1], later[2]}),
+       text_of("position %.4f, ", later[0]) + text_of("velocity %.4f, ", later[1]) + text_of("force %.4f", later[2])},
+      {"9.3.velocity", later[1] - std::min(later[0], later[2]), ""},
+      {"9.3.velocity_slightly", 1.0 - later[1], ""},
+      {"9.3.dips", least_lambda(run, 1, 1.0), ""},
+      {"9.3.promptly", std::min({soon[0], soon[1], soon[2]}), ""}};
   result.pictures = {forgetting_picture("Forgetting factors, chirp of 20 %", run)};
   return result;
 }

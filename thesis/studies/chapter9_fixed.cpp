@@ -32,22 +32,33 @@ constexpr double kExample_Hz = 1.0;
 constexpr double kExample_N = 200.0;
 
 constexpr ClaimSpec kExampleClaims[] = {
-    {"1.2.nominal", "Fig. 1.2", "The blue line shows the response of the controller designed for a system having load mass of 2.5 kg.",
+    {"1.2.nominal", "Fig. 1.2",
+     "The blue line shows the response of the controller designed for a system having load mass of 2.5 kg.",
      "RMS error over RMS reference at 2.5 kg: a quarter.", "1", Relation::kAtMost, 0.25},
-    {"1.2.degraded", "1", "... the force tracking performance using the same controller decreases when adding weight to the test set-up ...",
+    {"1.2.degraded", "1",
+     "... the force tracking performance using the same controller decreases when adding weight to the test set-up ...",
      "RMS error with 20 kg added over that without: 1.1 or more.", "1", Relation::kAtLeast, 1.1,
-     Refutation{"a controller that inverts this very valve, without delay, has margin enough for 20 kg, and a mass that moves less is easier "
-                "to push against; one tick later it has none (1.2.degraded_late)", 0.6, 1.0}},
-    {"1.2.degraded_late", "1", "... the force tracking performance using the same controller decreases when adding weight to the test set-up ...",
-     "The same with every current acting one tick late, as the proof of 1.2.degraded asks for: 1.1 or more.", "1", Relation::kAtLeast, 1.1}};
+     Refutation{"a controller that inverts this very valve, without delay, has margin enough for 20 kg, and a mass "
+                "that moves less is easier "
+                "to push against; one tick later it has none (1.2.degraded_late)",
+                0.6, 1.0}},
+    {"1.2.degraded_late", "1",
+     "... the force tracking performance using the same controller decreases when adding weight to the test set-up ...",
+     "The same with every current acting one tick late, as the proof of 1.2.degraded asks for: 1.1 or more.", "1",
+     Relation::kAtLeast, 1.1}};
 
 Result<StudyResult> run_example(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load_rig(context));
   std::vector<RigTrace> runs;
   for (const int delay_ticks : {0, 1}) {
     for (const double added_kg : {0.0, 20.0}) {
-      auto run = track(rig, {.reference = sine(kExample_N, kExample_Hz), .duration_s = 4.0, .kind = Kind::kFeedbackLinearisation,
-                                     .added = {{0.0, added_kg}}, .delay_ticks = delay_ticks}, context.seed);
+      auto run = track(rig,
+                       {.reference = sine(kExample_N, kExample_Hz),
+                        .duration_s = 4.0,
+                        .kind = Kind::kFeedbackLinearisation,
+                        .added = {{0.0, added_kg}},
+                        .delay_ticks = delay_ticks},
+                       context.seed);
       if (!run) {
         return run.error();
       }
@@ -74,12 +85,14 @@ Result<StudyResult> run_example(const StudyContext& context) {
 constexpr const char* kIdentical = "... it can be seen that the force tracking performance is almost identical ...";
 
 constexpr ClaimSpec kComparisonClaims[] = {
-    {"9.16.sine", "9.2.5", kIdentical, "RMS difference of the two forces over RMS reference, sine of 1 Hz: a fifth.", "1",
-     Relation::kAtMost, 0.2},
+    {"9.16.sine", "9.2.5", kIdentical, "RMS difference of the two forces over RMS reference, sine of 1 Hz: a fifth.",
+     "1", Relation::kAtMost, 0.2},
     {"9.16.fast_sine", "9.2.5", kIdentical, "The same, sine of 3.5 Hz.", "1", Relation::kAtMost, 0.2},
     {"9.16.step", "9.2.5", kIdentical, "The same, step of 200 N.", "1", Relation::kAtMost, 0.2},
-    {"9.16.satisfactory", "9.2.5", "... both controllers are able to give satisfactory performance to a well-known system ...",
-     "Largest RMS error over RMS reference of both under all three references: a quarter.", "1", Relation::kAtMost, 0.25}};
+    {"9.16.satisfactory", "9.2.5",
+     "... both controllers are able to give satisfactory performance to a well-known system ...",
+     "Largest RMS error over RMS reference of both under all three references: a quarter.", "1", Relation::kAtMost,
+     0.25}};
 
 Result<StudyResult> run_comparison(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load_rig(context));
@@ -97,16 +110,18 @@ Result<StudyResult> run_comparison(const StudyContext& context) {
   double worst = 0.0;
   for (const Reference& reference : references) {
     const auto lqr = track(rig, {.reference = reference.signal, .duration_s = kLength_s}, context.seed);
-    const auto fl = FARRIER_TRY(lqr ? track(rig, {.reference = reference.signal, .duration_s = kLength_s,
-                                              .kind = Kind::kFeedbackLinearisation}, context.seed) : lqr);
+    const auto fl = FARRIER_TRY(
+        lqr ? track(rig, {.reference = reference.signal, .duration_s = kLength_s, .kind = Kind::kFeedbackLinearisation},
+                    context.seed)
+            : lqr);
     std::vector<double> difference(fl.force_N.size());
     std::ranges::transform(fl.force_N, lqr.value().force_N, difference.begin(), std::minus<>());
     const double error_lqr = tracking_error(lqr.value(), 0.4, kLength_s);
     const double error_fl = tracking_error(fl, 0.4, kLength_s);
     worst = std::max({worst, error_lqr, error_fl});
     const std::string note = text_of("errors: LQR %.3f, ", error_lqr) + text_of("FL %.3f", error_fl);
-    result.measured.push_back({reference.id, rms(fl, difference, 0.4, kLength_s) /
-                                                 rms(fl, fl.reference_N, 0.4, kLength_s), note});
+    result.measured.push_back(
+        {reference.id, rms(fl, difference, 0.4, kLength_s) / rms(fl, fl.reference_N, 0.4, kLength_s), note});
     Panel panel = force_panel(reference.title, lqr.value());
     panel.series[1].label = "LQR";
     panel.series.push_back(force_panel("", fl).series[1]);
@@ -123,54 +138,76 @@ Result<StudyResult> run_comparison(const StudyContext& context) {
 
 constexpr double kEach_s = 4.0;
 const std::vector<AddedWeight>& staircase() {
-  static const std::vector<AddedWeight> weights{{0.0, 0.0}, {kEach_s, 5.0}, {2 * kEach_s, 10.0}, {3 * kEach_s, 15.0}, {4 * kEach_s, 20.0}};
+  static const std::vector<AddedWeight> weights{
+      {0.0, 0.0}, {kEach_s, 5.0}, {2 * kEach_s, 10.0}, {3 * kEach_s, 15.0}, {4 * kEach_s, 20.0}};
   return weights;
 }
 
-constexpr const char* kTooMuch = "However, 20 kg additional weight (magenta) are too much and the response becomes unstable.";
-constexpr const char* kCopes = "... is able to cope with some small amounts of added weight <= 10 kg without much decrease in tracking performance.";
+constexpr const char* kTooMuch =
+    "However, 20 kg additional weight (magenta) are too much and the response becomes unstable.";
+constexpr const char* kCopes =
+    "... is able to cope with some small amounts of added weight <= 10 kg without much decrease in tracking "
+    "performance.";
 
 constexpr Refutation kInTime{
-    "by the thesis's own model (3.51) these gains hold 20 kg as long as the current acts in time (9.17.radius_in_time) and lose them "
-    "only two ticks late (9.17.radius_late), which the text does not quantify; so late, without our filters, the rig itself loses "
-    "20 kg and holds 2.5 kg (9.17.late, 9.17.late_nominal, 9.18.late, 9.18.late_nominal)", 0.0, 0.1};
+    "by the thesis's own model (3.51) these gains hold 20 kg as long as the current acts in time (9.17.radius_in_time) "
+    "and lose them "
+    "only two ticks late (9.17.radius_late), which the text does not quantify; so late, without our filters, the rig "
+    "itself loses "
+    "20 kg and holds 2.5 kg (9.17.late, 9.17.late_nominal, 9.18.late, 9.18.late_nominal)",
+    0.0, 0.1};
 
 constexpr ClaimSpec kSlowWeightClaims[] = {
-    {"9.17.cope_5", "Fig. 9.17", "Note that the LQR is able to cope with the 5 kg additional weight (green) due to the phase margin.",
+    {"9.17.cope_5", "Fig. 9.17",
+     "Note that the LQR is able to cope with the 5 kg additional weight (green) due to the phase margin.",
      "RMS error over RMS reference with 5 kg added: three tenths.", "1", Relation::kAtMost, 0.3},
-    {"9.17.cope_10", "9.2.6", kCopes, "RMS error with 10 kg added over that without: 1.5.", "1", Relation::kAtMost, 1.5},
+    {"9.17.cope_10", "9.2.6", kCopes, "RMS error with 10 kg added over that without: 1.5.", "1", Relation::kAtMost,
+     1.5},
     {"9.17.unstable_20", "Fig. 9.17", kTooMuch,
      "RMS of what is quicker than 20 ms in the force, over the RMS of the reference, with 20 kg added: a half.", "1",
      Relation::kAtLeast, kUnstable, kInTime},
-    {"9.17.late", "Fig. 9.17", kTooMuch, "The same without filters, every current two ticks late: a half.", "1", Relation::kAtLeast, kUnstable},
-    {"9.17.late_nominal", "Fig. 9.17", kTooMuch, "RMS error over RMS reference then, without added weight: a quarter.", "1", Relation::kAtMost, 0.25},
-    {"9.17.radius_in_time", "Fig. 9.17", kTooMuch, "Spectral radius of (3.51) with 20 kg added under the gains for 2.5 kg: below 1.", "1",
-     Relation::kBelow, 1.0},
+    {"9.17.late", "Fig. 9.17", kTooMuch, "The same without filters, every current two ticks late: a half.", "1",
+     Relation::kAtLeast, kUnstable},
+    {"9.17.late_nominal", "Fig. 9.17", kTooMuch, "RMS error over RMS reference then, without added weight: a quarter.",
+     "1", Relation::kAtMost, 0.25},
+    {"9.17.radius_in_time", "Fig. 9.17", kTooMuch,
+     "Spectral radius of (3.51) with 20 kg added under the gains for 2.5 kg: below 1.", "1", Relation::kBelow, 1.0},
     {"9.17.radius_late", "Fig. 9.17", kTooMuch, "The same, two ticks late: 1 or more.", "1", Relation::kAtLeast, 1.0},
-    {"9.17.radius_late_nominal", "Fig. 9.17", kTooMuch, "The same without added weight, two ticks late: below 1.", "1", Relation::kBelow, 1.0}};
+    {"9.17.radius_late_nominal", "Fig. 9.17", kTooMuch, "The same without added weight, two ticks late: below 1.", "1",
+     Relation::kBelow, 1.0,
+     Refutation{"the gains' delay margin on the exact model is a little under two ticks: a rig two ticks late is at "
+                "its edge without any weight",
+                1.0, 1.02}}};
 
 constexpr ClaimSpec kFastWeightClaims[] = {
-    {"9.18.cope_10", "Fig. 9.18", "Note that the LQR is barely able to cope with the 10 kg additional weight (gold) due to its phase margin.",
+    {"9.18.cope_10", "Fig. 9.18",
+     "Note that the LQR is barely able to cope with the 10 kg additional weight (gold) due to its phase margin.",
      "RMS error over RMS reference with 10 kg added: four tenths.", "1", Relation::kAtMost, 0.4},
-    {"9.18.unstable_20", "Fig. 9.18", "Additional 20 kg weight (magenta) are too much and the response becomes unstable ...",
+    {"9.18.unstable_20", "Fig. 9.18",
+     "Additional 20 kg weight (magenta) are too much and the response becomes unstable ...",
      "RMS of what is quicker than 20 ms in the force, over the RMS of the reference, with 20 kg added: a half.", "1",
      Relation::kAtLeast, kUnstable, kInTime},
-    {"9.18.late", "Fig. 9.18", kTooMuch, "The same without filters, every current two ticks late: a half.", "1", Relation::kAtLeast, kUnstable},
-    {"9.18.late_nominal", "Fig. 9.18", kTooMuch, "RMS error over RMS reference then, without added weight: a quarter.", "1", Relation::kAtMost, 0.25}};
+    {"9.18.late", "Fig. 9.18", kTooMuch, "The same without filters, every current two ticks late: a half.", "1",
+     Relation::kAtLeast, kUnstable},
+    {"9.18.late_nominal", "Fig. 9.18", kTooMuch, "RMS error over RMS reference then, without added weight: a quarter.",
+     "1", Relation::kAtMost, 0.25}};
 
 /// Spectral radius of (3.51) with weight added under the gains for the swing load; NaN without a design.
 double radius(const robot::Robot& rig, double added_kg, int delay_ticks) {
   const robot::Joint& joint = rig.joints[0];
   plant::LoadParams load = joint.swing_load;
-  const auto gains = control::design_lqr(robot::model_of(joint, load, rig.period_s), {}, joint.normalisation, control::Form::kCompliant, 0);
+  const auto gains = control::design_lqr(robot::model_of(joint, load, rig.period_s), {}, joint.normalisation,
+                                         control::Form::kCompliant, 0);
   load.mass += added_kg;
-  return gains ? control::closed_loop_spectral_radius(robot::model_of(joint, load, rig.period_s), gains.value(), delay_ticks) : NAN;
+  return gains ? control::closed_loop_spectral_radius(robot::model_of(joint, load, rig.period_s), gains.value(),
+                                                      delay_ticks)
+               : NAN;
 }
 
 Result<StudyResult> run_weights(const StudyContext& context, double frequency_Hz, const char* figure) {
   const auto rig = FARRIER_TRY(load_rig(context));
-  const auto made = FARRIER_TRY(track(rig, {.reference = sine(120.0, frequency_Hz), .duration_s = 5 * kEach_s,
-                                        .added = staircase()}, context.seed));
+  const auto made = FARRIER_TRY(track(
+      rig, {.reference = sine(120.0, frequency_Hz), .duration_s = 5 * kEach_s, .added = staircase()}, context.seed));
   const RigTrace& run = made;
   std::vector<double> errors;
   std::vector<double> swings;
@@ -199,8 +236,12 @@ Result<StudyResult> run_weights(const StudyContext& context, double frequency_Hz
   const robot::Robot late = unfiltered(rig);
   std::vector<RigTrace> pair;
   for (const double added_kg : {0.0, 20.0}) {
-    auto one = track(late, {.reference = sine(120.0, frequency_Hz), .duration_s = kEach_s, .added = {{0.0, added_kg}},
-                            .delay_ticks = kLate_ticks}, context.seed);
+    auto one = track(late,
+                     {.reference = sine(120.0, frequency_Hz),
+                      .duration_s = kEach_s,
+                      .added = {{0.0, added_kg}},
+                      .delay_ticks = kLate_ticks},
+                     context.seed);
     if (!one) {
       return one.error();
     }

@@ -191,7 +191,10 @@ constexpr ClaimSpec kOscillationClaims[] = {
      "The oscillation also penetrates the control signal (comment (4)) because the piston's velocity is a direct "
      "feedback signal.",
      "RMS of what is quicker than 10 ms in the velocity part over that in the whole valve current: a half.", "1",
-     Relation::kAtLeast, 0.5},
+     Relation::kAtLeast, 0.5,
+     Refutation{
+         "with the piston's mass counted the gain on the force is a fifth higher, and the force's part is the larger",
+         0.35, 0.5}},
     {"9.23.decay", "Fig. 9.23", "After about 55 ms the controller managed to dampen the oscillation.",
      "Distance from 55 ms of the time from the largest swing, whenever the piston moves, until less than a tenth of it "
      "is left: 20 ms.",

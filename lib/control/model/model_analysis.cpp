@@ -28,12 +28,13 @@ SingleInOut<N> system_of(const plant::StateSpace<N>& model, const Eigen::Matrix<
 
 SingleInOut<3> load_cell_system(const ActuatorParams& actuator, const LoadParams& load, const OperatingPoint& point,
                                 Output output, Volumes volumes) {
-  return system_of<3>(linearise_load_cell_force(actuator, load, point, volumes),
-                      load_cell_output(output, actuator, load));
+  constexpr auto kPiston = plant::PistonMass::kNeglected;
+  return system_of<3>(linearise_load_cell_force(actuator, load, point, volumes, kPiston),
+                      load_cell_output(output, actuator, load, kPiston));
 }
 
-SingleInOut<3> load_pressure_system(const ActuatorParams& actuator, const LoadParams& load,
-                                    const OperatingPoint& point, Output output, Volumes volumes) {
+SingleInOut<3> load_pressure_system(const ActuatorParams& actuator, const LoadParams& load, const OperatingPoint& point,
+                                    Output output, Volumes volumes) {
   return system_of<3>(linearise_load_pressure(actuator, load, point, volumes),
                       load_pressure_output(output, actuator, load));
 }
@@ -107,9 +108,8 @@ LoadParams with(LoadParams load, LoadParameter parameter, double value) noexcept
   return load;
 }
 
-std::vector<std::vector<std::complex<double>>> responses_to_load(const ActuatorParams& actuator,
-                                                                 const LoadParams& load, const OperatingPoint& point,
-                                                                 LoadParameter parameter,
+std::vector<std::vector<std::complex<double>>> responses_to_load(const ActuatorParams& actuator, const LoadParams& load,
+                                                                 const OperatingPoint& point, LoadParameter parameter,
                                                                  std::span<const double> values,
                                                                  std::span<const double> frequencies_Hz) {
   std::vector<std::vector<std::complex<double>>> rows;
@@ -122,8 +122,7 @@ std::vector<std::vector<std::complex<double>>> responses_to_load(const ActuatorP
 }
 
 std::vector<PolesOfLoad> pole_loci(const ActuatorParams& actuator, const LoadParams& load, const OperatingPoint& point,
-                                   std::span<const double> masses, std::span<const double> dampings,
-                                   double period_s) {
+                                   std::span<const double> masses, std::span<const double> dampings, double period_s) {
   std::vector<PolesOfLoad> loci;
   loci.reserve(masses.size() * dampings.size());
   for (const double mass : masses) {

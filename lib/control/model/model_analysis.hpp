@@ -13,7 +13,8 @@ namespace farrier::control {
 
 // The joint's linear models as functions of operating point and load: the data of Hubacher (2014), Section 4.3.
 
-/// From valve current (A) to `output` (SI) of one of the three linear models.
+/// From valve current (A) to `output` (SI) of one of the three linear models. The load-cell model is the thesis's
+/// (3.51), which neglects the piston's mass; designs use the exact one.
 SingleInOut<3> load_cell_system(const plant::ActuatorParams& actuator, const plant::LoadParams& load,
                                 const plant::OperatingPoint& point, plant::Output output,
                                 plant::Volumes volumes = plant::Volumes::kMoving);
@@ -55,12 +56,9 @@ inline constexpr Range kStiffnessRange_N_m{10.0, 35000.0};
 plant::LoadParams with(plant::LoadParams load, LoadParameter parameter, double value) noexcept;
 
 /// Response of the load-cell force with the parameter at each value, one row per value: Figs 4.8, 4.9, A.2.
-std::vector<std::vector<std::complex<double>>> responses_to_load(const plant::ActuatorParams& actuator,
-                                                                 const plant::LoadParams& load,
-                                                                 const plant::OperatingPoint& point,
-                                                                 LoadParameter parameter,
-                                                                 std::span<const double> values,
-                                                                 std::span<const double> frequencies_Hz);
+std::vector<std::vector<std::complex<double>>> responses_to_load(
+    const plant::ActuatorParams& actuator, const plant::LoadParams& load, const plant::OperatingPoint& point,
+    LoadParameter parameter, std::span<const double> values, std::span<const double> frequencies_Hz);
 
 struct PolesOfLoad {
   double mass;

@@ -116,23 +116,21 @@ TEST(LoadPressureModel, IsTheJacobianOfThePrintedLoadPressureEquation) {
     const double sign = one.point.valve_sign;
     const auto wanted = complex_step<3>(
         [&](const auto& x, const auto& u) { return test::load_pressure_rate(one.actuator, one.load, sign, x, u); },
-        Eigen::Vector3d{one.point.position, one.point.velocity, one.point.load_pressure_Pa},
-        one.point.valve_current_A);
+        Eigen::Vector3d{one.point.position, one.point.velocity, one.point.load_pressure_Pa}, one.point.valve_current_A);
     Eigen::Matrix3d floor = Eigen::Matrix3d::Zero();
     floor(2, 0) = terms_by_position(one);
     expect_same<3>(linearise_load_pressure(one.actuator, one.load, one.point), wanted, kTolerance, floor, i);
   }
 }
 
-TEST(LoadCellModel, IsTheLoadPressureModelInOtherStatesForAPistonWithoutMass) {
-  // F_s = A_p p_l - d_p v: a change of states T, T a T^-1 and T b.
+TEST(LoadCellModel, IsTheLoadPressureModelInOtherStates) {
+  // F_s = A_p p_l - d_p v - m_p a: a change of states T, T a T^-1 and T b.
   for (int i = 0; i < kPoints; ++i) {
-    Draw one = draw(i);
-    one.actuator.piston_mass = 0.0;
+    const Draw one = draw(i);
     const StateSpace<3> pressure = linearise_load_pressure(one.actuator, one.load, one.point);
     const LinearModel cell = linearise_load_cell_force(one.actuator, one.load, one.point);
     Eigen::Matrix3d change = Eigen::Matrix3d::Identity();
-    change.row(2) = load_pressure_output(Output::kLoadCellForce, one.actuator, one.load);
+    change.row(2) = load_pressure_output(Output::kLoadCellForceWithInertia, one.actuator, one.load);
     const Eigen::Matrix3d inverse = change.inverse();
     const Eigen::Matrix3d sizes = change.cwiseAbs() * pressure.a.cwiseAbs() * inverse.cwiseAbs();
     const Eigen::Matrix3d difference = change * pressure.a * inverse - cell.a;
@@ -157,8 +155,9 @@ TEST(LinearForms, WithConstantVolumesLoseTheirDependenceOnPositionAndNothingElse
     EXPECT_EQ(pressure.a, constant.a);
     EXPECT_EQ(pressure.b, constant.b);
     // (3.48): what is left of the position in the force's rate is the spring's.
-    const LinearModel cell = linearise_load_cell_force(one.actuator, one.load, one.point, Volumes::kConstant);
-    EXPECT_EQ(cell.a(2, 0), one.actuator.piston_damping * one.load.stiffness / one.load.mass);
+    const LinearModel cell =
+        linearise_load_cell_force(one.actuator, one.load, one.point, Volumes::kConstant, PistonMass::kNeglected);
+    EXPECT_DOUBLE_EQ(cell.a(2, 0), one.actuator.piston_damping * one.load.stiffness / one.load.mass);
   }
 }
 
@@ -180,9 +179,7 @@ TEST(LinearForms, OutputRowsReadTheForcesOfTheNonlinearJoint) {
 
     const double p_l = s.pressure_a_Pa - one.actuator.area_b / one.actuator.area_a * s.pressure_b_Pa;
     const Eigen::Vector3d y{s.position, s.velocity, p_l};
-    one.actuator.piston_mass = 0.0;  // what the load-cell model takes it for
-    const Forces light = forces(one.actuator, one.load, s, one.chambers.valve_current_A, 0.0);
-    const Eigen::Vector3d z{s.position, s.velocity, light.load_cell};
+    const Eigen::Vector3d z{s.position, s.velocity, of.load_cell};
     for (const Output output : {Output::kPosition, Output::kVelocity, Output::kLoadCellForce,
                                 Output::kLoadCellForceWithInertia, Output::kHydraulicForce, Output::kTotalForce}) {
       const double wanted = full_output(output, one.actuator, one.load) * x;
