@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/sensor_path.hpp"
+
 namespace farrier::joint_node {
 namespace {
 
@@ -27,6 +29,7 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
       compensation_(
           joint.effects, joint.actuator,
           {period_s, std::hypot(joint.noise.position, kUniform * joint.sensors.position_step), joint.noise.velocity}),
+      equaliser_(robot::filter_equaliser(joint, period_s)),
       predictor_(compensation_.delay_s(), period_s, loop_delay_ticks),
       pid_(joint.pid, joint.normalisation, period_s),
       sensor_check_(joint, safety),
@@ -192,6 +195,7 @@ JointNode::Outputs JointNode::step(const Inputs& inputs) noexcept {
     control::Measurement measured = compensation_.corrected(
         {inputs.sensors.position_m_or_rad, inputs.sensors.velocity_m_s_or_rad_s, inputs.sensors.force_N_or_Nm});
     reference = force_reference(measured, inputs.command, now);
+    measured = equaliser_.take(measured);
     // Designs are linearised at the home pose; the controller sees the deviation from there.
     measured.position -= home_position_;
     const double probe_A = now == JointState::kTracking ? dither_A(inputs.tick) : 0.0;

@@ -12,7 +12,8 @@
 // A joint whose kind is feedback_linearisation or pid has the nominal flow law or a PID in place of LQR-I, and needs no
 // gains. One of kind flow_inversion has FlowInversion there, with the physics that come with the gains. Effects of the
 // joint's file are compensated: sensors are corrected before they are read, and the current passes their inverse
-// (control/effect_compensation.hpp). Without a force signal the joint creeps back to where it lost it, with the valve
+// (control/effect_compensation.hpp). Where the file asks for it, the controller's measurements lag alike
+// (control/law/filter_equaliser.hpp). Without a force signal the joint creeps back to where it lost it, with the valve
 // as a source of speed. The safety table (core/fault.hpp) has the reactions to missing inputs.
 
 #include <array>
@@ -20,6 +21,7 @@
 
 #include "control/law/delay_predictor.hpp"
 #include "control/law/effect_compensation.hpp"
+#include "control/law/filter_equaliser.hpp"
 #include "control/law/feedback_linearisation.hpp"
 #include "control/law/flow_inversion.hpp"
 #include "control/law/force_controller.hpp"
@@ -124,6 +126,7 @@ class JointNode {
   double dither_amplitude_A_;
   NoiseStream dither_sign_;  ///< by tick / hold
   control::EffectCompensation compensation_;
+  control::FilterEqualiser equaliser_;
   control::DelayPredictor predictor_;
   control::ForceController controller_;
   control::Measurement last_measured_{};                    ///< of the controller's last step

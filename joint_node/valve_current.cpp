@@ -84,6 +84,7 @@ double JointNode::holding_current(double position) noexcept {
 
 void JointNode::reset_controller() noexcept {
   compensation_.reset();
+  equaliser_.reset();
   predictor_.reset();
   controller_.reset();
   pid_.reset();

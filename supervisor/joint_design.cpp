@@ -1,6 +1,8 @@
 #include "supervisor/joint_design.hpp"
 
+#include "control/design/filtered_loop.hpp"
 #include "robot/joint_model.hpp"
+#include "robot/sensor_path.hpp"
 
 namespace farrier::supervisor {
 
@@ -14,6 +16,14 @@ Result<control::Gains> design_joint(const robot::Joint& joint, const plant::Load
                       ? " in the full-state form without a load spring, set form: compliant ("
                       : " (") +
                  control::to_string(gains.error()) + ")"};
+  }
+  if (joint.kind == control::Kind::kLqr &&
+      !control::filtered_loop_is_stable(gains.value().model, gains.value(), delay_ticks,
+                                        robot::measurement_filters(joint, period_s))) {
+    return Error{joint.name + ": the controller for a load of " + std::to_string(load.mass) +
+                 " is unstable behind the sensors' " + robot::filters_text(joint) +
+                 (joint.equalises_filters ? ": raise the cut-offs, or lower integral_factor"
+                                          : ": set equalise_filters: true in the controller, or raise the cut-offs")};
   }
   return gains.value();
 }

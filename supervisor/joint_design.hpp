@@ -6,7 +6,8 @@
 namespace farrier::supervisor {
 
 /// LQR of a joint for a bench load, in the form and with the weights of the robot file, for a loop with
-/// `delay_ticks` of delay. Refuses with the joint's name and the design's reason.
+/// `delay_ticks` of delay. Refuses with the joint's name and the design's reason, or a loop of kind lqr that the
+/// sensors' filters make unstable.
 Result<control::Gains> design_joint(const robot::Joint& joint, const plant::LoadParams& load, double period_s,
                                     int delay_ticks);
 

@@ -10,12 +10,14 @@
 
 namespace farrier::supervisor {
 
-LoopMargins margins_of(const control::Gains& gains, double period_s) noexcept {
-  return margins_of(gains, period_s, control::closed_loop_spectrum(gains.model, gains, gains.delay_ticks));
+LoopMargins margins_of(const control::Gains& gains, double period_s,
+                       const control::MeasurementFilters& filters) noexcept {
+  return margins_of(gains, period_s, filters, control::closed_loop_spectrum(gains.model, gains, gains.delay_ticks));
 }
 
-LoopMargins margins_of(const control::Gains& gains, double period_s, const control::SmallSpectrum& poles) noexcept {
-  const control::Margins margins = control::margins(gains.model, gains, gains.delay_ticks, {}, poles);
+LoopMargins margins_of(const control::Gains& gains, double period_s, const control::MeasurementFilters& filters,
+                       const control::SmallSpectrum& poles) noexcept {
+  const control::Margins margins = control::margins(gains.model, gains, gains.delay_ticks, filters, poles);
   return {margins.disk, std::min(margins.delay_ticks * period_s, kLongestDelay_s)};
 }
 

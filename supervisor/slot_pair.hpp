@@ -1,6 +1,7 @@
 #pragma once
 
 #include "control/design/lqr.hpp"
+#include "control/design/measurement_filter.hpp"
 #include "core/time.hpp"
 #include "robot/robot.hpp"
 
@@ -15,11 +16,14 @@ struct LoopMargins {
 /// Delays that no loop of a joint has: a loop that tolerates more is recorded with this.
 inline constexpr double kLongestDelay_s = 1.0;
 
-/// Margins of gains around the model they are designed for, control::margins().
-LoopMargins margins_of(const control::Gains& gains, double period_s) noexcept;
+/// Margins of gains around the model they are designed for, control::margins(), with the filters of the joint's
+/// sensors in the loop.
+LoopMargins margins_of(const control::Gains& gains, double period_s,
+                       const control::MeasurementFilters& filters) noexcept;
 
-/// The same with the poles of that loop, control::closed_loop_spectrum().
-LoopMargins margins_of(const control::Gains& gains, double period_s, const control::SmallSpectrum& poles) noexcept;
+/// The same with the poles of that loop without filters, control::closed_loop_spectrum().
+LoopMargins margins_of(const control::Gains& gains, double period_s, const control::MeasurementFilters& filters,
+                       const control::SmallSpectrum& poles) noexcept;
 
 /// True if they are at least disk_margin_min and delay_margin_min_s.
 bool sufficient(const LoopMargins& margins, const robot::UpdateLogicParams& logic) noexcept;

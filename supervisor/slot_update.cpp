@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "control/design/closed_loop.hpp"
+#include "control/design/filtered_loop.hpp"
 #include "control/model/model_rows.hpp"
 #include "control/design/switching.hpp"
 #include "estimation/estimator.hpp"
+#include "robot/sensor_path.hpp"
 
 namespace farrier::supervisor {
 namespace {
@@ -31,6 +33,7 @@ SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams
       normalisation_(joint.normalisation),
       form_(joint.form),
       logic_(logic),
+      filters_(robot::measurement_filters(joint, period_s)),
       period_s_(period_s),
       estimate_period_s_(estimate_period_ticks * period_s),
       method_(make_method(logic, joint.form, estimate_period_ticks, estimate_period_s_)),
@@ -127,8 +130,10 @@ UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const
   if (!(decision.estimated_radius < 1.0)) {
     return UpdateVerdict::kUnstableOnEstimate;
   }
-  decision.stored_radius = control::closed_loop_spectral_radius(stored_towards(cautious), gains, gains.delay_ticks);
-  if (!(decision.stored_radius < 1.0)) {
+  const control::DiscreteModel stored = stored_towards(cautious);
+  decision.stored_radius = control::closed_loop_spectral_radius(stored, gains, gains.delay_ticks);
+  if (!(decision.stored_radius < 1.0) ||
+      (!filters_.are_wires() && !control::filtered_loop_is_stable(stored, gains, gains.delay_ticks, filters_))) {
     contradicted_s_ += estimate_period_s_;
     return UpdateVerdict::kUnstableOnStoredModel;
   }
@@ -142,7 +147,7 @@ UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const
 // Margins of the loop, and of the joint that changes between its two.
 UpdateVerdict SlotUpdate::hold(const control::Gains& gains, const control::SmallSpectrum& poles, const SlotPair& pair,
                                signals::JointUpdateDecision& decision) const noexcept {
-  const LoopMargins margins = margins_of(gains, period_s_, poles);
+  const LoopMargins margins = margins_of(gains, period_s_, filters_, poles);
   decision.disk_margin = margins.disk;
   decision.delay_margin_s = margins.delay_s;
   if (!sufficient(margins, logic_)) {

@@ -61,6 +61,7 @@ class SlotUpdate {
   control::Normalisation normalisation_;
   control::Form form_;
   robot::UpdateLogicParams logic_;
+  control::MeasurementFilters filters_;
   double period_s_, estimate_period_s_;
   Method method_;
   control::Gains gains_;

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "control/model/model_rows.hpp"
+#include "robot/sensor_path.hpp"
 #include "supervisor/joint_design.hpp"
 #include "wire_gains/wire_gains.hpp"
 
@@ -19,10 +20,11 @@ constexpr std::uint32_t kFirstEpoch = 1;
 /// `outputs` ends with the joint's gains.
 void record_shortfalls(const robot::Robot& robot, std::uint16_t joint, const SlotGains& first, int dwell,
                        Supervisor::Outputs& outputs) {
+  const control::MeasurementFilters filters = robot::measurement_filters(robot.joints[joint], robot.period_s);
   const auto issued = std::span(outputs.gains).last(kPhases.size());
   for (const signals::Phase phase : kPhases) {
     const control::Gains& gains = first[static_cast<std::size_t>(phase)];
-    const LoopMargins margins = margins_of(gains, robot.period_s);
+    const LoopMargins margins = margins_of(gains, robot.period_s, filters);
     const bool too_small = !sufficient(margins, robot.update_logic);
     if (!too_small && dwell <= shortest_phase_ticks(robot)) {
       continue;

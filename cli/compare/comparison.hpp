@@ -38,6 +38,10 @@ int run_noise(const robot::Robot& robot, const CompareOptions& options);
 /// thesis's and with a piston without mass, the gains designed on each, and their margin on the exact one.
 int run_models(const robot::Robot& robot, const CompareOptions& options);
 
+/// farrier compare filters: disk margins of the rig's and the robot's designs behind sensors that filter, and margins
+/// behind drawn filters against the loop that runs.
+int run_filters(const robot::Robot& robot, const CompareOptions& options);
+
 /// Larger relative force error of the two heavy and of the two light quarters of trials::LoadCycle.
 struct CycleErrors {
   double heavy = 0.0, light = 0.0;

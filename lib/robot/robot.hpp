@@ -55,6 +55,7 @@ struct Joint {
   double push_limit, pull_limit;     ///< largest force (N, Nm; positive) extending and retracting
   SensorNoise noise;  ///< of one conversion
   Sensors sensors;
+  bool equalises_filters;  ///< the joint's node filters the faster channels until all lag alike (robot::equalisers)
   control::Kind kind;
   control::FeedbackLinearisationGains feedback_linearisation;  ///< act if the kind says so
   control::PidGains pid;                                       ///< likewise

@@ -194,6 +194,7 @@ class Builder {
                 .pull_limit = 0.0,
                 .noise = {},
                 .sensors = {},
+                .equalises_filters = controller.equalise_filters,
                 .kind = controller.kind,
                 .feedback_linearisation = controller.feedback_linearisation,
                 .pid = controller.pid,

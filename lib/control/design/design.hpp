@@ -20,7 +20,7 @@ struct DesignRule {
 /// Gains for a sampled model by the rule's method. `period_s` is that of `model`. Refuses by name, as the methods do.
 /// `poles`, if not null, receives the poles of the loop, as of design_lqr.
 Result<Gains, DesignStatus> design(const DiscreteModel& model, const DesignRule& rule,
-                                   const Normalisation& normalisation, Form form, int delay_ticks,
-                                   double period_s, SmallSpectrum* poles = nullptr) noexcept;
+                                   const Normalisation& normalisation, Form form, int delay_ticks, double period_s,
+                                   SmallSpectrum* poles = nullptr) noexcept;
 
 }  // namespace farrier::control

@@ -13,20 +13,34 @@ bool is_positive(double value) noexcept { return value > 0.0 && std::isfinite(va
 
 const char* to_string(DesignStatus status) noexcept {
   switch (status) {
-    case DesignStatus::kSuccessful: return "successful";
-    case DesignStatus::kModelNotFinite: return "model not finite";
-    case DesignStatus::kWrongSamplingTime: return "wrong sampling time";
-    case DesignStatus::kNormalisationOutOfBounds: return "normalisation out of bounds";
-    case DesignStatus::kIntegralFactorOutOfBounds: return "integral factor out of bounds";
-    case DesignStatus::kWrongOptionForFeedForward: return "wrong option for feed-forward";
-    case DesignStatus::kDelayOutOfBounds: return "delay out of bounds";
-    case DesignStatus::kWeightsNotPositiveDefinite: return "weights not positive definite";
-    case DesignStatus::kNotStabilisable: return "not stabilisable";
-    case DesignStatus::kNotControllable: return "not controllable";
-    case DesignStatus::kPolesOutOfBounds: return "poles out of bounds";
-    case DesignStatus::kPolesNotPlaced: return "poles not placed";
-    case DesignStatus::kRiccatiNotConverging: return "Riccati equation not converging";
-    case DesignStatus::kClosedLoopNotStable: return "closed loop not stable";
+    case DesignStatus::kSuccessful:
+      return "successful";
+    case DesignStatus::kModelNotFinite:
+      return "model not finite";
+    case DesignStatus::kWrongSamplingTime:
+      return "wrong sampling time";
+    case DesignStatus::kNormalisationOutOfBounds:
+      return "normalisation out of bounds";
+    case DesignStatus::kIntegralFactorOutOfBounds:
+      return "integral factor out of bounds";
+    case DesignStatus::kWrongOptionForFeedForward:
+      return "wrong option for feed-forward";
+    case DesignStatus::kDelayOutOfBounds:
+      return "delay out of bounds";
+    case DesignStatus::kWeightsNotPositiveDefinite:
+      return "weights not positive definite";
+    case DesignStatus::kNotStabilisable:
+      return "not stabilisable";
+    case DesignStatus::kNotControllable:
+      return "not controllable";
+    case DesignStatus::kPolesOutOfBounds:
+      return "poles out of bounds";
+    case DesignStatus::kPolesNotPlaced:
+      return "poles not placed";
+    case DesignStatus::kRiccatiNotConverging:
+      return "Riccati equation not converging";
+    case DesignStatus::kClosedLoopNotStable:
+      return "closed loop not stable";
   }
   return "unknown";
 }

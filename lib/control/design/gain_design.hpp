@@ -83,9 +83,12 @@ DesignStatus solve(const Square<P>& a, const Column<P>& b, const Rule& rule, Gai
 template <int P, class Rule>
 DesignStatus solve(const Square<P>& a, const Column<P>& b, int delay_ticks, const Rule& rule, Gains& gains) noexcept {
   switch (delay_ticks) {
-    case 0: return solve<P, 0>(a, b, rule, gains);
-    case 1: return solve<P, 1>(a, b, rule, gains);
-    default: return solve<P, 2>(a, b, rule, gains);
+    case 0:
+      return solve<P, 0>(a, b, rule, gains);
+    case 1:
+      return solve<P, 1>(a, b, rule, gains);
+    default:
+      return solve<P, 2>(a, b, rule, gains);
   }
 }
 
@@ -106,8 +109,8 @@ double unit_gain_feed_forward(const Square<P>& a, const Column<P>& b, const Colu
   balance.template topLeftCorner<P, P>().diagonal().array() -= 1.0 / back;
   balance.template topRightCorner<P, 1>() = b.template cast<Complex>() * delayed;
   balance(P, P - 1) = 1.0;
-  const Eigen::Matrix<Complex, P + 1, 1> wanted = balance.partialPivLu().solve(
-      Eigen::Matrix<Complex, P + 1, 1>::Unit(P));
+  const Eigen::Matrix<Complex, P + 1, 1> wanted =
+      balance.partialPivLu().solve(Eigen::Matrix<Complex, P + 1, 1>::Unit(P));
   Complex feed_forward = (1.0 + gains.delay[0] * back + gains.delay[1] * back * back) * wanted(P);
   for (int i = 0; i < P - 1; ++i) {
     feed_forward += k(i) * wanted(i);
@@ -133,14 +136,13 @@ Result<Gains, DesignStatus> find_gains(const Problem& problem, double integral_f
   double feed_forward;
   if (problem.form == Form::kFullState) {
     status = solve<3>(plant.a, plant.b, problem.delay_ticks, rule, gains);
-    feed_forward = unit_gain_feed_forward<3>(
-        plant.a, plant.b, Eigen::Vector3d(gains.position, gains.velocity, gains.force), gains, 0.0);
+    feed_forward = unit_gain_feed_forward<3>(plant.a, plant.b,
+                                             Eigen::Vector3d(gains.position, gains.velocity, gains.force), gains, 0.0);
   } else {
     const Eigen::Matrix2d a = plant.a.bottomRightCorner<2, 2>();
     const Eigen::Vector2d b = plant.b.tail<2>();
     status = solve<2>(a, b, problem.delay_ticks, rule, gains);
-    feed_forward =
-        unit_gain_feed_forward<2>(a, b, Eigen::Vector2d(gains.velocity, gains.force), gains, kTrackingAngle);
+    feed_forward = unit_gain_feed_forward<2>(a, b, Eigen::Vector2d(gains.velocity, gains.force), gains, kTrackingAngle);
   }
   if (status != DesignStatus::kSuccessful) {
     return status;

@@ -27,12 +27,18 @@ DesignStatus check(const LqrWeights& weights) noexcept {
 
 DesignStatus name_of(RiccatiStatus status) noexcept {
   switch (status) {
-    case RiccatiStatus::kSolved: return DesignStatus::kSuccessful;
-    case RiccatiStatus::kNotFinite: return DesignStatus::kModelNotFinite;
-    case RiccatiStatus::kWeightsNotDefinite: return DesignStatus::kWeightsNotPositiveDefinite;
-    case RiccatiStatus::kNotStabilisable: return DesignStatus::kNotStabilisable;
-    case RiccatiStatus::kNotConverged: return DesignStatus::kRiccatiNotConverging;
-    case RiccatiStatus::kClosedLoopUnstable: return DesignStatus::kClosedLoopNotStable;
+    case RiccatiStatus::kSolved:
+      return DesignStatus::kSuccessful;
+    case RiccatiStatus::kNotFinite:
+      return DesignStatus::kModelNotFinite;
+    case RiccatiStatus::kWeightsNotDefinite:
+      return DesignStatus::kWeightsNotPositiveDefinite;
+    case RiccatiStatus::kNotStabilisable:
+      return DesignStatus::kNotStabilisable;
+    case RiccatiStatus::kNotConverged:
+      return DesignStatus::kRiccatiNotConverging;
+    case RiccatiStatus::kClosedLoopUnstable:
+      return DesignStatus::kClosedLoopNotStable;
   }
   return DesignStatus::kRiccatiNotConverging;
 }

@@ -48,8 +48,8 @@ struct Gains {
   double position;
   double velocity;
   double force;
-  double integral;      ///< without xi; positive where the thesis's K_I of (7.8) is negative
-  double feed_forward;  ///< Gamma
+  double integral;                           ///< without xi; positive where the thesis's K_I of (7.8) is negative
+  double feed_forward;                       ///< Gamma
   std::array<double, kMaxDelayTicks> delay;  ///< on the two last currents; zero beyond delay_ticks
   int delay_ticks;                           ///< loop delay of the design
   Form form;

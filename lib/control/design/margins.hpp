@@ -3,37 +3,10 @@
 #include <cmath>
 #include <complex>
 
-#include <Eigen/Core>
-
-#include "control/law/low_pass.hpp"
 #include "control/design/lqr.hpp"
+#include "control/design/measurement_filter.hpp"
 
 namespace farrier::control {
-
-/// Filter between a sensor and the controller, of up to two states in ticks: s[k+1] = a s[k] + b y[k], filtered y = c
-/// s[k] + d y[k]. Passes everything by default.
-struct MeasurementFilter {
-  Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
-  Eigen::Vector2d b = Eigen::Vector2d::Zero();
-  Eigen::RowVector2d c = Eigen::RowVector2d::Zero();
-  double d = 1.0;
-};
-
-/// A low-pass in this form (transposed direct form II, as LowPass runs it).
-inline MeasurementFilter measurement_filter(const FilterCoefficients& f) noexcept {
-  MeasurementFilter states;
-  states.a << -f.a[0], 1.0, -f.a[1], 0.0;
-  states.b << f.b[1] - f.a[0] * f.b[0], f.b[2] - f.a[1] * f.b[0];
-  states.c << 1.0, 0.0;
-  states.d = f.b[0];
-  return states;
-}
-
-struct MeasurementFilters {
-  MeasurementFilter position;
-  MeasurementFilter velocity;
-  MeasurementFilter force;
-};
 
 /// Distance of a loop from instability when the input f(z) u acts on the plant instead of u; f = 1 nominally. All
 /// margins are zero for a loop that is unstable at f = 1, or not finite.
@@ -42,11 +15,12 @@ struct Margins {
   /// alpha = 1 / max |(S - T) / 2|, in [0, 2]. Every f inside the disk through (2 - alpha) / (2 + alpha) and its
   /// inverse on the real axis, dynamic ones included, leaves the loop stable.
   double disk = 0.0;
-  double disk_angle_rad = 0.0;    ///< per tick: frequency where the loop is nearest to it
-  double gain_up = 0.0;           ///< smallest factor above one that destabilises it; infinite when none does
-  double gain_down = 0.0;         ///< largest below one; zero when none does
-  double phase_rad = 0.0;         ///< smallest lag or lead that destabilises it; pi when none does
-  double delay_ticks = 0.0;       ///< smallest additional delay that destabilises it; infinite when none does
+  double disk_angle_rad = 0.0;  ///< per tick: frequency where the loop is nearest to it
+  double gain_up = 0.0;         ///< smallest factor above one that destabilises it; infinite when none does
+  double gain_down = 0.0;       ///< largest below one; zero when none does
+  double phase_rad = 0.0;       ///< smallest lag or lead that destabilises it; pi when none does
+  double delay_ticks =
+      0.0;  ///< smallest additional delay of the held current that destabilises it; infinite when none does
 
   /// Gain factors up to this are inside the disk: (2 + alpha) / (2 - alpha).
   double disk_gain() const noexcept { return disk < 2.0 ? (2.0 + disk) / (2.0 - disk) : 1e300; }

@@ -72,8 +72,7 @@ SwitchingVerdict by_dwell(const Pair& pair) noexcept {
   // Functions that weigh states as the other loop does fit each other better.
   const std::array<Matrix6, 2> crossed{lyapunov(pair.loop[0], own[1]), lyapunov(pair.loop[1], own[0])};
   SwitchingVerdict best{.common = false, .dwell_ticks = kNoDwell, .rate = 1.0};
-  const std::array<std::array<Matrix6, 2>, 4> choices{
-      {own, crossed, {own[0], crossed[1]}, {crossed[0], own[1]}}};
+  const std::array<std::array<Matrix6, 2>, 4> choices{{own, crossed, {own[0], crossed[1]}, {crossed[0], own[1]}}};
   for (const std::array<Matrix6, 2>& p : choices) {
     // Certifies the functions: for an unstable loop the sum overflows and p is invalid.
     if (!switching::is_common(p[0], {&pair.loop[0], 1}) || !switching::is_common(p[1], {&pair.loop[1], 1})) {
@@ -120,8 +119,7 @@ SwitchedLoop switched_loop(const DiscreteModel& model, const Gains& gains, int d
   const double per_sum = gains.integral_factor * gains.integral;
   SmallMatrix to_command = SmallMatrix::Identity(states, states);
   to_command(0, 0) = per_sum;
-  to_command.row(0).segment(1, plant) =
-      -Eigen::RowVector3d(gains.position, gains.velocity, gains.force).tail(plant);
+  to_command.row(0).segment(1, plant) = -Eigen::RowVector3d(gains.position, gains.velocity, gains.force).tail(plant);
   for (Eigen::Index i = 1 + plant; i < states; ++i) {
     to_command(0, i) = -gains.delay[static_cast<std::size_t>(i - 1 - plant)];
   }

@@ -20,9 +20,9 @@ SwitchedLoop switched_loop(const DiscreteModel& model, const Gains& gains, int d
 
 /// Stability of arbitrary switching between two loops.
 struct SwitchingVerdict {
-  bool common = false;   ///< a common quadratic Lyapunov function was found
-  int dwell_ticks = 0;   ///< each loop must act at least this long; kNoDwell when no bound was found
-  double rate = 1.0;     ///< per tick, over a long time: the functions' roots shrink at least by this factor; below one
+  bool common = false;  ///< a common quadratic Lyapunov function was found
+  int dwell_ticks = 0;  ///< each loop must act at least this long; kNoDwell when no bound was found
+  double rate = 1.0;    ///< per tick, over a long time: the functions' roots shrink at least by this factor; below one
 };
 
 inline constexpr int kNoDwell = 1 << 20;

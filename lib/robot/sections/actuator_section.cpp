@@ -178,6 +178,9 @@ void declare(Visitor& v, Controller& c) {
   v.number("pole_bandwidth_rad_s", p.bandwidth_rad_s, {1, 3e3}, Default{p.bandwidth_rad_s},
            "pole_placement: natural frequency of the pair that force and integral share; below pi over the period.");
   v.number("pole_damping", p.damping, {0.1, 5}, Default{p.damping}, "pole_placement: damping of that pair.");
+  v.flag("equalise_filters", c.equalise_filters, kInitial,
+         "The joint's node filters position, velocity or force until all lag alike; for sensors that are filtered "
+         "differently (10.2).");
   v.group("pid", c.pid, Defaults{}, "pid: fixed gains.");
   v.group("flow_inversion", c.flow_inversion, Defaults{},
           "flow_inversion: what its observer and its law are tuned by.");

@@ -134,6 +134,7 @@ struct Controller {
   control::Kind kind = control::Kind::kLqr;
   control::Form form = control::Form::kCompliant;
   control::DesignRule design;
+  bool equalise_filters = false;  ///< the faster channels of a measurement are filtered until all lag alike
   control::FeedbackLinearisationGains feedback_linearisation;
   PidSection pid;
   FlowInversionSection flow_inversion;

@@ -126,22 +126,13 @@ TEST(Margins, OfWhatIsNotFiniteAreZero) {
 /// First order, corner f: s+ = e s + (1 - e) y, filtered y = s+, at once.
 MeasurementFilter low_pass(double corner_Hz) {
   const double keeps = std::exp(-2.0 * std::numbers::pi * corner_Hz * testing::kPeriodS);
-  MeasurementFilter filter;
-  filter.a(0, 0) = keeps;
-  filter.b(0) = 1.0 - keeps;
-  filter.c(0) = keeps;
-  filter.d = 1.0 - keeps;
-  return filter;
+  return {1, {1.0 - keeps}, {1.0, -keeps}};
 }
 
 TEST(Margins, AFilterThatPassesEverythingChangesNothing) {
-  MeasurementFilter wire;
-  wire.a(0, 0) = 0.5;  // a state nobody reads
-  wire.b(0) = 1.0;
   for (const Case& c : cases()) {
     const Margins bare = margins(c.model, c.gains, c.delay);
-    MeasurementFilter almost = wire;
-    almost.c(0) = 1e-15;  // read, and without weight
+    const MeasurementFilter almost{2, {1.0 + 1e-15, -0.5}, {1.0, -0.5}};  // its state has no weight
     const Margins filtered = margins(c.model, c.gains, c.delay, {almost, almost, almost});
     EXPECT_NEAR(filtered.disk, bare.disk, 1e-6 * bare.disk) << c.name;
     EXPECT_NEAR(filtered.phase_rad, bare.phase_rad, 1e-4);
@@ -162,8 +153,7 @@ TEST(Margins, ShrinkAsTheVelocityFilterLags) {
 TEST(Margins, ALoopThatAFilterMakesUnstableHasNone) {
   const DiscreteModel leg = testing::sampled(testing::hyq(2.5));
   const Gains gains = design_lqr(leg, {}, kNormalisation, Form::kCompliant, 0).value();
-  MeasurementFilter turned;
-  turned.d = -1.0;
+  const MeasurementFilter turned{0, {-1.0}, {1.0}};
   const Margins m = margins(leg, gains, 0, {.position = {}, .velocity = {}, .force = turned});
   EXPECT_EQ(m.disk, 0.0);
 }
