@@ -9,7 +9,8 @@ namespace farrier::joint_node {
 double JointNode::valve_current(const control::ForceReference& reference, const control::Measurement& measured,
                                 double probe_A) noexcept {
   switch (joint_.kind) {
-    case control::Kind::kLqr: return valve_current_by_gains(reference.force, measured, probe_A);
+    case control::Kind::kLqr:
+      return valve_current_by_gains(reference.force, measured, probe_A);
     case control::Kind::kFeedbackLinearisation: {
       const control::FeedbackLinearisation::Output output = flow_law_->step(reference.force, measured);
       return probed(output.valve_current_A, output.saturated, probe_A);
@@ -18,7 +19,8 @@ double JointNode::valve_current(const control::ForceReference& reference, const 
       const control::Pid::Output output = pid_.step(reference.force, measured);
       return probed(output.valve_current_A, output.saturated, probe_A);
     }
-    case control::Kind::kFlowInversion: return valve_current_by_physics(reference, measured, probe_A);
+    case control::Kind::kFlowInversion:
+      return valve_current_by_physics(reference, measured, probe_A);
   }
   return 0.0;
 }

@@ -67,7 +67,7 @@ class SlotUpdate {
   control::Gains gains_;
   PoleSet designed_poles_;
   bool doubted_ = false;
-  double contradicted_s_ = 0;    // for how long estimates have contradicted the stored model
+  double contradicted_s_ = 0;  // for how long estimates have contradicted the stored model
   std::uint64_t designs_ = 0;
   control::DesignStatus design_status_ = control::DesignStatus::kSuccessful;
   UpdateNews news_;

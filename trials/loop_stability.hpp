@@ -8,7 +8,7 @@
 
 namespace farrier::trials {
 
-/// What is changed on the way of the valve current to the joint.
+/// Change on the way of the valve current to the joint.
 struct LoopChange {
   double gain = 1.0;         ///< factor
   double delay_ticks = 0.0;  ///< beyond the delay of the gains; 0 to kLongestDelay_ticks

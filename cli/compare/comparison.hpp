@@ -34,8 +34,8 @@ int run_varied(const robot::Robot& robot, const CompareOptions& options);
 /// their noise to three times as much. Better sensors must not make adaptation worse.
 int run_noise(const robot::Robot& robot, const CompareOptions& options);
 
-/// farrier compare models: for loads of the shipped rig, the resonance of its linear model in three forms, exact, the
-/// thesis's and with a piston without mass, the gains designed on each, and their margin on the exact one.
+/// farrier compare models: the linear model of the shipped rig in three forms: exact, the thesis's, and with a piston
+/// without mass. For some loads, each form's resonance, the gains designed on it and their margin on the exact one.
 int run_models(const robot::Robot& robot, const CompareOptions& options);
 
 /// farrier compare filters: disk margins of the rig's and the robot's designs behind sensors that filter, and margins

@@ -7,10 +7,11 @@
 namespace farrier::plant {
 
 /// Bristles in a dry contact, for effects of friction: Canudas de Wit, Olsson, Astrom and Lischinsky (1995), (1) to
-/// (3). The viscous friction replaces the bristles' damping. The contact's force f acts on the sliding side as -f. It
-/// has Coulomb friction F_c, breakaway friction F_s, Stribeck velocity v_s and presliding way z_s:
+/// (3), "LuGre". The force f of the bent bristles acts on the sliding side as -f; their damping sigma_1 adds -sigma_1
+/// z', z the way they are bent. Viscous friction is the joint's own. Coulomb friction F_c, breakaway friction F_s,
+/// Stribeck velocity v_s and presliding way z_s:
 ///
-///   f' = (F_s / z_s) (v - |v| f / g(v)),   g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).
+///   f = sigma_0 z,   sigma_0 = F_s / z_s,   f' = sigma_0 (v - |v| f / g(v)),   g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).
 ///
 /// In steady sliding f = g(v) sign(v), the curve of Hubacher (2014), 9.3.1. Always |f| <= F_s. The friction dissipates
 /// f v - d/dt (f^2 z_s / (2 F_s)) = |v| f^2 / g >= 0. Under a steady force below F_s the load comes to rest -z_s ln(1 -
@@ -19,12 +20,14 @@ namespace farrier::plant {
 template <class T>
 class DryContact {
  public:
-  /// All > 0, and breakaway >= coulomb; or coulomb = breakaway = 0 for a contact that carries nothing.
-  DryContact(const T& coulomb, const T& breakaway, const T& stribeck_velocity, double presliding) noexcept
+  /// All > 0, but damping >= 0, and breakaway >= coulomb; or coulomb = breakaway = 0 for a contact that carries nothing.
+  DryContact(const T& coulomb, const T& breakaway, const T& stribeck_velocity, const T& presliding,
+             const T& damping = T(0.0)) noexcept
       : coulomb_(coulomb),
         stiffness_(breakaway / presliding),
         drop_(breakaway - coulomb),
-        inverse_stribeck_(1.0 / stribeck_velocity) {}
+        inverse_stribeck_(1.0 / stribeck_velocity),
+        damping_time_(breakaway > 0.0 ? T(damping * presliding / breakaway) : T(0.0)) {}
 
   /// Steady friction at a speed: Stribeck's curve g.
   T steady(const T& speed) const noexcept {
@@ -51,11 +54,13 @@ class DryContact {
     return {keep, stiffness_ * step_s * phi};
   }
 
-  /// F_s / z_s, N/m or Nm/rad.
+  /// sigma_0, N/m or Nm/rad.
   const T& stiffness() const noexcept { return stiffness_; }
+  /// sigma_1 / sigma_0, s: the bristles' damping is this times f'.
+  const T& damping_time() const noexcept { return damping_time_; }
 
  private:
-  T coulomb_, stiffness_, drop_, inverse_stribeck_;
+  T coulomb_, stiffness_, drop_, inverse_stribeck_, damping_time_;
 };
 
 }  // namespace farrier::plant

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "plant/effects/effects.hpp"
 #include "plant/terms/load_effects.hpp"
 
 namespace farrier::robot {
@@ -25,8 +26,17 @@ class EffectReader {
 
   plant::ActiveEffect read(EffectSection& section) {
     plant::ActiveEffect effect{section.id, {}};
+    const std::size_t presliding = find_parameter(effect.info(), "presliding_m");
+    const bool bends = presliding < effect.info().parameters.size();
+    const bool tells = bends && (section.values[presliding] || section.rotary_values[presliding]);
     for (std::size_t i = 0; i < effect.info().parameters.size(); ++i) {
       effect.values[i] = read(section, effect.info().parameters[i], i);
+    }
+    if (tells) {
+      check_bristles(section, effect, presliding);
+    }
+    if (bends) {
+      check_bristle_damping(section, effect);
     }
     return effect;
   }
@@ -34,6 +44,32 @@ class EffectReader {
   config::Problems take_problems() && { return std::move(problems_); }
 
  private:
+  /// A contact that the file lets bend less than a substep can follow.
+  void check_bristles(const EffectSection& section, const plant::ActiveEffect& effect, std::size_t presliding) {
+    const plant::Parameter& parameter = effect.info().parameters[presliding];
+    const double least = plant::least_presliding(joint_.actuator, *plant::parameter_value(effect, "breakaway_ratio"));
+    const double usual = plant::default_value(parameter, scales_, joint_.actuator, joint_.swing_load);
+    if (effect.values[presliding] < std::min(least, (1.0 - kRounding) * usual)) {
+      problems_.push_back(section.place.problem(joint_.rotary ? parameter.rotary_name : parameter.name,
+                                                number_text(effect.values[presliding]) +
+                                                    " makes bristles stiffer than the shortest step of the simulation "
+                                                    "allows at this joint's full speed: give at least " +
+                                                    number_text(std::ceil(1e7 * least) / 1e7)));
+    }
+  }
+
+  /// Bristles that would give energy back within the joint's speeds (Barabanov and Ortega 2000).
+  void check_bristle_damping(const EffectSection& section, const plant::ActiveEffect& effect) {
+    const double most = 4.0 * *plant::parameter_value(effect, "coulomb_N") / plant::velocity_scale(joint_.actuator);
+    const double damping = *plant::parameter_value(effect, "bristle_damping_Ns_m");
+    if (damping > most) {
+      problems_.push_back(section.place.problem(joint_.rotary ? "bristle_damping_Nms_rad" : "bristle_damping_Ns_m",
+                                                number_text(damping) +
+                                                    " gives energy back at this joint's full speed: give at most " +
+                                                    number_text(std::floor(1e2 * most) / 1e2)));
+    }
+  }
+
   double read(EffectSection& section, const plant::Parameter& parameter, std::size_t i) {
     const bool one_name = std::string_view(parameter.name) == parameter.rotary_name;
     const bool by_rotary_name = joint_.rotary && !one_name;

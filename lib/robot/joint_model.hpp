@@ -6,8 +6,8 @@
 
 namespace farrier::robot {
 
-/// What a joint's linear model is of. By default the valve just opens to extend, which is the sign the thesis designs
-/// for and the one with the higher valve gain.
+/// Form of a joint's linear model. By default the valve just opens to extend, which is the sign the thesis designs for
+/// and the one with the higher valve gain.
 struct ModelForm {
   double valve_sign = 1.0;  ///< +1 extending, -1 retracting, 0 the mean of both
   plant::PistonMass piston = plant::PistonMass::kCounted;

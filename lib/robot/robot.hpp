@@ -42,18 +42,18 @@ struct Sensors {
 /// One joint, everything derived and in SI. "Actuator coordinates" are m and N for a cylinder, rad and Nm for a motor.
 struct Joint {
   std::string name;
-  std::uint16_t number;              ///< its place in Robot::joints and its key on the bus
-  int leg;                           ///< its place in Robot::plan.legs
+  std::uint16_t number;  ///< its place in Robot::joints and its key on the bus
+  int leg;               ///< its place in Robot::plan.legs
   int index_in_leg;
-  bool rotary;                       ///< a motor: rad and Nm
+  bool rotary;  ///< a motor: rad and Nm
   /// An electric joint uses only `stroke` and `valve_current_max_A`, the largest current of its drive.
   plant::ActuatorParams actuator;
   std::optional<plant::ElectricParams> electric;  ///< of an electric joint
   plant::Linkage linkage;
-  plant::LoadParams swing_load, stance_load;  ///< actuator coordinates
+  plant::LoadParams swing_load, stance_load;            ///< actuator coordinates
   double angle_min_rad, angle_max_rad, home_angle_rad;  ///< of this leg, mirrored where the leg is
-  double push_limit, pull_limit;     ///< largest force (N, Nm; positive) extending and retracting
-  SensorNoise noise;  ///< of one conversion
+  double push_limit, pull_limit;                        ///< largest force (N, Nm; positive) extending and retracting
+  SensorNoise noise;                                    ///< of one conversion
   Sensors sensors;
   bool equalises_filters;  ///< the joint's node filters the faster channels until all lag alike (robot::equalisers)
   control::Kind kind;
@@ -76,7 +76,7 @@ struct Robot {
   double period_s;
   int loop_delay_lockstep, loop_delay_realtime;  ///< ticks
   int estimate_period_ticks;  ///< >= 1; one for all joints, so that in lock-step the tick determines the due estimates
-  std::vector<Joint> joints;                     ///< in the order of the file: leg by leg
+  std::vector<Joint> joints;  ///< in the order of the file: leg by leg
   gait::RobotPlan plan;
   UpdateLogicParams update_logic;
   Safety safety;
@@ -98,7 +98,7 @@ struct Robot {
 struct Overrides {
   std::optional<gait::Pattern> pattern;
   std::optional<double> frequency_Hz;
-  bool without_dither = false;  ///< dither_percent of every joint is 0
+  bool without_dither = false;                             ///< dither_percent of every joint is 0
   std::optional<std::string> estimator = std::nullopt;     ///< section of the file that every joint uses
   std::optional<control::Kind> controller = std::nullopt;  ///< kind of every controller
 };

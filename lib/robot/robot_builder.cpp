@@ -103,9 +103,9 @@ class Builder {
     }
     const double position = make_linkage(section, false).value().position(angle_rad);
     if (position < -kLimitRounding * stroke || position > (1.0 + kLimitRounding) * stroke) {
-      problems_.push_back(joint.place.problem(
-          key, config::number_text(angle_rad) + " puts actuator " + joint.actuator + " at " +
-                   config::number_text(position) + ", outside its stroke: 0 to " + config::number_text(stroke)));
+      problems_.push_back(joint.place.problem(key, config::number_text(angle_rad) + " puts actuator " + joint.actuator +
+                                                       " at " + config::number_text(position) +
+                                                       ", outside its stroke: 0 to " + config::number_text(stroke)));
     }
   }
 

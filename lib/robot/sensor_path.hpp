@@ -16,8 +16,8 @@ struct ChannelFilters {
   control::LowPassParams position, velocity, force;
 };
 
-/// Filters that make every channel lag as much as the slowest one, at low frequencies: a channel without a filter of its
-/// own gets the slowest one's, any other a low-pass of second order for what it lacks. None where the joint does not
+/// Filters that make every channel lag as much as the slowest one, at low frequencies. A channel without a filter of its
+/// own gets the slowest one's, any other a low-pass of second order for the lag it lacks. None where the joint does not
 /// equalise, and for less than half a tick.
 ChannelFilters equalisers(const Joint& joint, double period_s) noexcept;
 

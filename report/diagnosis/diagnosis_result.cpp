@@ -31,8 +31,7 @@ diagnosis::ErrorRatio error_of(const diagnosis::Diagnosis& d) noexcept {
   return {d.nrmse_before, d.nrmse_after, d.ratio_low, d.ratio_high};
 }
 
-ShownEffect::Number shown(const plant::Parameter& parameter, double fitted, const plant::Scales& scales,
-                          Units units) {
+ShownEffect::Number shown(const plant::Parameter& parameter, double fitted, const plant::Scales& scales, Units units) {
   const double value = scales.value(parameter, fitted);
   if (units == Units::kScaled) {
     switch (parameter.scale) {
@@ -58,7 +57,9 @@ ShownEffect shown(const diagnosis::NamedEffect& effect, const plant::Scales& sca
                    .share = effect.share,
                    .confidence = effect.confidence};
   for (std::size_t i = 0; i < show.info->parameters.size(); ++i) {
-    show.numbers.push_back(shown(show.info->parameters[i], effect.fitted[i], scales, units));
+    if (!show.info->parameters[i].held) {
+      show.numbers.push_back(shown(show.info->parameters[i], effect.fitted[i], scales, units));
+    }
   }
   const plant::Parameter& first = show.info->parameters[0];
   const auto end = [&](double deviations) {
@@ -72,8 +73,7 @@ ShownEffect shown(const diagnosis::NamedEffect& effect, const plant::Scales& sca
 }
 
 ShownEffect shown(const diagnosis::NamedEffect& effect, const robot::Joint& joint) {
-  return shown(effect, plant::Scales(joint.actuator, joint.swing_load),
-               joint.rotary ? Units::kRotary : Units::kLinear);
+  return shown(effect, plant::Scales(joint.actuator, joint.swing_load), joint.rotary ? Units::kRotary : Units::kLinear);
 }
 
 void add_diagnosis(Figures& figures, const DiagnosisResult& result) {

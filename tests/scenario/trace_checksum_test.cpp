@@ -42,12 +42,12 @@ TEST_P(Trace, OfASeedIsWhatItWas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryRobotAndGait, Trace,
-                         testing::Values(Kept{"hyq", gait::Pattern::kTrot, 0x890521e6f521d3d6u},
-                                         Kept{"hyq", gait::Pattern::kStand, 0x39ac6b4b4b9a377cu},
-                                         Kept{"fc1d", gait::Pattern::kTrot, 0xd69f9701438ae33cu},
-                                         Kept{"fc1d", gait::Pattern::kStand, 0x6fd7e4b48b367848u},
-                                         Kept{"hexapod", gait::Pattern::kTrot, 0x22aa64ab253988a1u},
-                                         Kept{"hexapod", gait::Pattern::kStand, 0x94c4d270ccb34104u},
+                         testing::Values(Kept{"hyq", gait::Pattern::kTrot, 0x48626bde63b8d682u},
+                                         Kept{"hyq", gait::Pattern::kStand, 0x329737a4da1963c3u},
+                                         Kept{"fc1d", gait::Pattern::kTrot, 0x32eed349fcce18cau},
+                                         Kept{"fc1d", gait::Pattern::kStand, 0x45abbf78d3b8492eu},
+                                         Kept{"hexapod", gait::Pattern::kTrot, 0x965703cdbd8673bu},
+                                         Kept{"hexapod", gait::Pattern::kStand, 0x713350b14a601543u},
                                          Kept{"electric_leg", gait::Pattern::kTrot, 0xfcabd5a464107b39u},
                                          Kept{"electric_leg", gait::Pattern::kStand, 0xd7a5e0dbff196a6fu}),
                          [](const auto& kept) {

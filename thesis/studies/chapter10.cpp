@@ -137,7 +137,7 @@ Result<StudyResult> run_filters(const StudyContext& context) {
   const Row& filtered = at(kRigFilter_Hz, false, light);
   const control::Gains gains = wire_gains::unpack_gains(filtered.run.gains);
   const Row& aggressive = at(kAggressive_Hz, false, light);
-  // Of a loop whose channels have filters of second order at these cut-offs, over that without.
+  // The disk margin behind filters of second order at these cut-offs over that without.
   const auto margin_share = [&](double position_Hz, double velocity_Hz, double force_Hz) {
     robot::Joint joint = rig.value().joints[0];
     joint.sensors.position.cut_off_Hz = position_Hz;

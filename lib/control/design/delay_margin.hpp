@@ -11,11 +11,11 @@ namespace farrier::control {
 double held_delay(const Loop& loop, double angle, double ticks) noexcept;
 
 /// Least delay, part of a tick, at which the loop is at -1 at half the sampling rate, where it is real; infinite for
-/// none. Looked for between eighths of a tick.
+/// none. The search looks at every eighth of a tick.
 double turning_delay(const Loop& loop) noexcept;
 
-/// Smallest delay behind filters. Looked for about `estimate`, that of the crossings, while it is a few ticks: within a
-/// tick a held current can make a loop unstable whose |L| crosses 1 nowhere near.
+/// Smallest delay behind filters. The search is about `estimate`, that of the crossings, while it is a few ticks: within
+/// a tick a held current can make a loop unstable whose |L| crosses 1 nowhere near.
 double delay_behind_filters(const Loop& loop, double estimate) noexcept;
 
 }  // namespace farrier::control

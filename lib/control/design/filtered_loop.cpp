@@ -52,7 +52,7 @@ bool filtered_loop_is_stable(const DiscreteModel& model, const Gains& gains, int
     whole.block(0, channel, states, 1) += read * f->b[0];
     // Transposed direct form II, as LowPass runs it: y = b_0 u + s_1, s_i[k+1] = s_i+1 + b_i u - a_i y.
     for (int i = 0; i < f->order; ++i) {
-      const auto tap = static_cast<std::size_t>(i + 1);
+      const auto tap = static_cast<std::size_t>(i) + 1;
       whole(at + i, channel) = f->b[tap] - f->a[tap] * f->b[0];
       whole(at + i, at) -= f->a[tap];
       if (i + 1 < f->order) {

@@ -44,11 +44,10 @@ inline Complex response(const MeasurementFilter& f, Complex back) noexcept {
   return over(b, a);
 }
 
-/// Return ratio of a loop that is broken where the current leaves the controller, in normalised units:
+/// Return ratio of a loop that is broken where the current leaves the controller, in normalised units. The `gains` and
+/// `filters` outlive it.
 ///
 ///   L(z) = z^-d (sum_i k_i N_i(z) H_i(z) + xi K_I N_F(z) H_F(z) / (z - 1)) / (chi(z) (1 + K_1 z^-1 + K_2 z^-2)).
-///
-/// `gains` and `filters` outlive it.
 class Loop {
  public:
   Loop(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters) noexcept

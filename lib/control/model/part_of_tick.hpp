@@ -8,9 +8,9 @@
 
 namespace farrier::control {
 
-/// What the input does to the states when it acts during the last share of a tick alone: B(s), the integral of e^(a t) b
-/// over s periods, from a sampled model. With f(z) = (z^s - 1) / (z - 1) it is f(A) B, by Newton's interpolation on the
-/// eigenvalues of A (Higham 2008, "Functions of Matrices", 1.2.2). Wants an A that was sampled from a continuous model.
+/// Input matrix B(s) of a current that acts during the last share s of a tick alone: the integral of e^(a t) b over s
+/// periods. It is f(A) B with f(z) = (z^s - 1) / (z - 1), by Newton's interpolation on the eigenvalues of A (Higham 2008,
+/// "Functions of Matrices", 1.2.2). The model must have been sampled from a continuous one.
 class PartOfTick {
  public:
   explicit PartOfTick(const DiscreteModel& model) noexcept;

@@ -78,8 +78,7 @@ std::vector<FreeNumber> JointSimulator::free_numbers(const Model& model, const C
                                                      double nominal_spread) const {
   std::vector<FreeNumber> free;
   for (std::size_t i = 0; i < kNominals; ++i) {
-    const ChannelMask mine =
-        i < kOilNominals ? ChannelMask{true, false, false} : ChannelMask{false, true, false};
+    const ChannelMask mine = i < kOilNominals ? ChannelMask{true, false, false} : ChannelMask{false, true, false};
     const bool taken = std::ranges::any_of(model.effects, [i](const auto& e) { return replaced(e.id) == i; });
     const bool absent = (i == static_cast<std::size_t>(Nominal::kStiffness) && model_.load().stiffness == 0.0) ||
                         (i == static_cast<std::size_t>(Nominal::kPistonMass) && model_.actuator().piston_mass == 0.0);
@@ -93,9 +92,9 @@ std::vector<FreeNumber> JointSimulator::free_numbers(const Model& model, const C
     const ChannelMask mine = channels_of(info.side);
     for (std::size_t i = 0; i < effect.fitted.size(); ++i, ++place) {
       const plant::Parameter& p = info.parameters[i];
-      const bool known_slack = p.scale == plant::Scale::kLength && info.side == plant::Side::kLoad && i > 0 &&
-                               model_.load().stiffness > 0.0;
-      if (meet(mine, mask) && !known_slack) {
+      const bool known_slack =
+          p.scale == plant::Scale::kLength && info.side == plant::Side::kLoad && i > 0 && model_.load().stiffness > 0.0;
+      if (meet(mine, mask) && !known_slack && !p.held) {
         free.push_back({place, mine, p.low, p.high, 0.0, 0.0});
       }
     }

@@ -20,10 +20,9 @@ constexpr std::size_t kSettling = 200;
 constexpr std::size_t kGain = 0;
 constexpr std::size_t kDrift = 1;
 
-constexpr std::array kEffects{
-    plant::effect_id<plant::InputDelay>(),    plant::effect_id<plant::ValveBias>(),
-    plant::effect_id<plant::ValveDynamics>(), plant::effect_id<plant::ValveDeadband>(),
-    plant::effect_id<plant::ValveAsymmetry>(), plant::effect_id<plant::FlowSaturation>()};
+constexpr std::array kEffects{plant::effect_id<plant::InputDelay>(),     plant::effect_id<plant::ValveBias>(),
+                              plant::effect_id<plant::ValveDynamics>(),  plant::effect_id<plant::ValveDeadband>(),
+                              plant::effect_id<plant::ValveAsymmetry>(), plant::effect_id<plant::FlowSaturation>()};
 
 /// Scales for a valve that is full open at the largest opening of the recording; nothing else of a joint is known.
 plant::Scales scales_of(const ScaledRecording& recording) {
@@ -82,7 +81,10 @@ std::vector<FreeNumber> ScaledSimulator::free_numbers(const Model& model, const 
   std::size_t place = kNominals;
   for (const Model::Effect& effect : model.effects) {
     for (const plant::Parameter& parameter : plant::effect_info(effect.id).parameters) {
-      free.push_back({place++, kMine, parameter.low, parameter.high, 0.0, 0.0});
+      if (!parameter.held) {
+        free.push_back({place, kMine, parameter.low, parameter.high, 0.0, 0.0});
+      }
+      ++place;
     }
   }
   return free;
@@ -132,8 +134,8 @@ std::vector<double> ScaledSimulator::simulate_lanes(Span span, const Model& mode
   for (const auto& [id, fitted] : effect_jets(model, lanes)) {
     terms.add(id, fitted.data(), scales_, kSample_s);
   }
-  const auto jets = run<Jet>(span, jet_at(kGain, model.factors[kGain], lanes),
-                             jet_at(kDrift, model.factors[kDrift], lanes), terms);
+  const auto jets =
+      run<Jet>(span, jet_at(kGain, model.factors[kGain], lanes), jet_at(kDrift, model.factors[kDrift], lanes), terms);
   return values_and_jacobian(jets, lanes.size(), jacobian);
 }
 

@@ -84,9 +84,17 @@ class OilSimulation {
     const T conductance = c.valve_gain * valve.flow_factor * abs(valve.opening_A);
 
     const T hydraulic = plant::hydraulic_force(c, p_a_, p_b_);
-    plant::OilMoment<T> oil{
-        p_a_,   p_b_,   supply_flow_, value_of(hydraulic), value_of(c.bulk_modulus_Pa), c.supply_pressure_Pa, T(0.0),
-        T(0.0), T(0.0), T(0.0)};
+    plant::OilMoment<T> oil{p_a_,
+                            p_b_,
+                            supply_flow_,
+                            value_of(hydraulic),
+                            value_of(c.bulk_modulus_Pa),
+                            c.supply_pressure_Pa,
+                            T(0.0),
+                            T(0.0),
+                            T(0.0),
+                            T(0.0),
+                            value_of(c.return_pressure_Pa)};
     terms_.on_oil(oil);
     const auto ports = plant::port_pressures(extends, oil.supply_pressure_Pa, T(c.return_pressure_Pa));
     const auto a = plant::port_flow<T>(conductance, ports.a_Pa - p_a_, c.laminar_pressure_Pa);
@@ -103,8 +111,10 @@ class OilSimulation {
                               T(0.0)};
     terms_.on_play(play);
     const T piston_speed = speed + play.moved / h;
-    const T rate_a = plant::pressure_rate<T>(stiff_a, a.flow - oil.leakage_m3_s, c.area_a * piston_speed);
-    const T rate_b = plant::pressure_rate<T>(stiff_b, b.flow + oil.leakage_m3_s, -c.area_b * piston_speed);
+    const T rate_a =
+        plant::pressure_rate<T>(stiff_a, a.flow + oil.into_a_m3_s - oil.leakage_m3_s, c.area_a * piston_speed);
+    const T rate_b =
+        plant::pressure_rate<T>(stiff_b, b.flow + oil.into_b_m3_s + oil.leakage_m3_s, -c.area_b * piston_speed);
     // Exponential Euler of Rosenbrock's kind (Hochbruck, Ostermann 2010, (1.1)): exact for a linear port.
     p_a_ += h * decaying_share(h * value_of(stiff_a * a.slope)) * rate_a;
     p_b_ += h * decaying_share(h * value_of(stiff_b * b.slope)) * rate_b;

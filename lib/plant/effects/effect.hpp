@@ -27,7 +27,9 @@ struct Instant {
   double flow_factor = 1.0;     ///< on the valve gain
   double supply_fall_Pa = 0.0;  ///< by which the valve's supply is below the nominal one
   double leakage_m3_s = 0.0;    ///< from chamber a to b
-  double softness_a = 0.0;      ///< 1/beta beyond the oil's own, 1/Pa
+  double into_a_m3_s = 0.0;     ///< past the valve's closed lands, into the chambers
+  double into_b_m3_s = 0.0;
+  double softness_a = 0.0;  ///< 1/beta beyond the oil's own, 1/Pa
   double softness_b = 0.0;
   double play_slope = 0.0;    ///< d(piston - load) / d(force), m/N or rad/Nm
   double piston_force = 0.0;  ///< on the piston, left of the load cell, positive along +position

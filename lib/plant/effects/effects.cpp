@@ -15,24 +15,35 @@ Lines make_lines(const ActuatorParams& actuator) noexcept {
           full_open(actuator) / std::sqrt(actuator.laminar_pressure_Pa)};
 }
 
+SupplyLine supply_line(const ActuatorParams& actuator, std::span<const ActiveEffect> effects) noexcept {
+  const ActiveEffect* droop = find(effects, effect_id<SupplyDroop>());
+  return droop == nullptr ? SupplyLine()
+                          : SupplyLine(*parameter_value(*droop, "resistance_Pa_s_m3"),
+                                       *parameter_value(*droop, "time_constant_s"), actuator.supply_pressure_Pa);
+}
+
 double full_push(const ActuatorParams& actuator) noexcept {
   return actuator.supply_pressure_Pa * std::max(actuator.area_a, actuator.area_b);
 }
 
-/// The contact of a friction effect; none for null. It bends as the term's does, or further where sliding at the full
-/// speed would be too fast for the shortest substep.
+/// The contact of a friction effect; none for null. It bends as the term's does, or as far as least_presliding().
 FrictionParams contact(const ActuatorParams& actuator, const ActiveEffect* effect) noexcept {
   if (effect == nullptr) {
     return {};
   }
-  constexpr double kFastestContact_1_s = 3e5;
   const double coulomb = *parameter_value(*effect, "coulomb_N");
   const double ratio = *parameter_value(*effect, "breakaway_ratio");
   return {coulomb, ratio * coulomb, *parameter_value(*effect, "stribeck_velocity_m_s"),
-          std::max(kPreslidingShare * actuator.stroke, ratio * velocity_scale(actuator) / kFastestContact_1_s)};
+          std::max(*parameter_value(*effect, "presliding_m"), least_presliding(actuator, ratio)),
+          *parameter_value(*effect, "bristle_damping_Ns_m")};
 }
 
 }  // namespace
+
+double least_presliding(const ActuatorParams& actuator, double breakaway_ratio) noexcept {
+  constexpr double kFastestContact_1_s = 3e5;
+  return breakaway_ratio * velocity_scale(actuator) / kFastestContact_1_s;
+}
 
 ActuatorParams with_effects(const ActuatorParams& actuator, std::span<const ActiveEffect> effects) noexcept {
   ActuatorParams changed = actuator;
@@ -82,7 +93,7 @@ Result<Done> validate(std::span<const ActiveEffect> effects) {
 }
 
 Effects::Effects(const ActuatorParams& actuator, const LoadParams& load, std::span<const ActiveEffect> effects) noexcept
-    : terms_(Spool(actuator.spool, actuator.valve_current_max_A), make_lines(actuator),
+    : terms_(Spool(actuator.spool, actuator.valve_current_max_A), supply_line(actuator, effects), make_lines(actuator),
              Friction(load.friction, full_push(actuator), velocity_scale(actuator)),
              SealFriction(contact(actuator, find(effects, effect_id<PistonFriction>())), full_push(actuator),
                           velocity_scale(actuator)),

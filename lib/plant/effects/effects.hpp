@@ -10,6 +10,7 @@
 #include "plant/actuator.hpp"
 #include "plant/effects/effect.hpp"
 #include "plant/effects/stateless_terms.hpp"
+#include "plant/effects/supply_line.hpp"
 
 namespace farrier::plant {
 
@@ -34,6 +35,10 @@ ActuatorParams with_effects(const ActuatorParams& actuator, std::span<const Acti
 LoadParams with_effects(const LoadParams& load, const ActuatorParams& actuator,
                         std::span<const ActiveEffect> effects) noexcept;
 
+/// Least way, m or rad, over which a contact of that breakaway ratio may bend: less slides too fast for the shortest
+/// substep at the joint's full speed.
+double least_presliding(const ActuatorParams& actuator, double breakaway_ratio) noexcept;
+
 /// Refuses numbers that are not finite, that lie on the wrong side of 0, and an effect that is there twice.
 Result<Done> validate(std::span<const ActiveEffect> effects);
 
@@ -41,7 +46,7 @@ Result<Done> validate(std::span<const ActiveEffect> effects);
 /// from the valve to the chambers, then on the load. Their states are stored one after the other.
 class Effects {
  public:
-  using List = EffectList<Spool, Lines, Friction, SealFriction, StatelessTerms>;
+  using List = EffectList<Spool, SupplyLine, Lines, Friction, SealFriction, StatelessTerms>;
   using X = std::array<double, List::kStates>;
 
   template <class Term>

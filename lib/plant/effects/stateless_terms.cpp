@@ -14,7 +14,7 @@ StatelessTerms::StatelessTerms(const ActuatorParams& actuator, const LoadParams&
     : actuator_(actuator), load_(load) {
   const Scales scales(actuator, load);
   for (const ActiveEffect& effect : effects) {
-    if (is_stateless(effect.id)) {
+    if (is_stateless(effect)) {
       add_to(terms_, effect, scales, 0.0);
       active_ = true;
     }
@@ -55,13 +55,16 @@ void StatelessTerms::act_on_oil(Instant& now) const noexcept {
                         supply_flow_m3_s(now),
                         force,
                         actuator_.bulk_modulus_Pa,
-                        actuator_.supply_pressure_Pa,
+                        actuator_.supply_pressure_Pa - now.supply_fall_Pa,
                         0.0,
                         0.0,
                         0.0,
-                        0.0};
+                        0.0,
+                        actuator_.return_pressure_Pa};
   terms_.on_oil(oil);
   now.supply_fall_Pa = actuator_.supply_pressure_Pa - oil.supply_pressure_Pa;
+  now.into_a_m3_s = oil.into_a_m3_s;
+  now.into_b_m3_s = oil.into_b_m3_s;
   now.leakage_m3_s = oil.leakage_m3_s;
   now.softness_a = oil.softness_a;
   now.softness_b = oil.softness_b;
@@ -118,7 +121,10 @@ double StatelessTerms::fastest_rate(double mass) const noexcept {
     filling = std::max(filling, valve.flow_factor * std::abs(valve.opening_A));
   }
   filling *= actuator_.valve_gain / std::sqrt(actuator_.laminar_pressure_Pa);
-  return std::max(damping / mass + std::sqrt(stiffness / mass), oil * (filling + 2.0 * std::abs(leak.leakage_m3_s)));
+  OilMoment<double> lands{0.0, 0.0, 0.0, 0.0, actuator_.bulk_modulus_Pa, 1.0, 0.0, 0.0, 0.0, 0.0};
+  terms_.on_oil(lands);
+  const double leaking = 2.0 * (std::abs(leak.leakage_m3_s) + std::abs(lands.into_a_m3_s));
+  return std::max(damping / mass + std::sqrt(stiffness / mass), oil * (filling + leaking));
 }
 
 }  // namespace farrier::plant

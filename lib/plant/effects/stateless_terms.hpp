@@ -9,10 +9,12 @@
 namespace farrier::plant {
 
 /// True if an effect is part of the plant and its term's own code simulates it: all but those of sensors, those in the
-/// load's parameters and those with a state.
-constexpr bool is_stateless(EffectId id) noexcept {
+/// load's parameters and those with a state. A supply that droops has one (SupplyLine) with a time constant.
+inline bool is_stateless(const ActiveEffect& effect) noexcept {
+  const EffectId id = effect.id;
   const Side side = effect_info(id).side;
-  return (side == Side::kValveAndOil || side == Side::kLoad) && !is_in_load(id) && !effect_info(id).has_state;
+  return (side == Side::kValveAndOil || side == Side::kLoad) && !is_in_load(id) && !effect_info(id).has_state &&
+         !(id == effect_id<SupplyDroop>() && *parameter_value(effect, "time_constant_s") > 0.0);
 }
 
 /// All stateless effects of a joint, by the code of their terms. It stands last in Effects: after spool and lines have
@@ -38,8 +40,8 @@ class StatelessTerms : public Effect<0> {
   }
   void after_valve(Instant& now, const X&, X&) const noexcept {
     if (hooks_.oil) {
-      now.feed.flow_a -= now.leakage_m3_s * now.feed.root_a;
-      now.feed.flow_b += now.leakage_m3_s * now.feed.root_b;
+      now.feed.flow_a += (now.into_a_m3_s - now.leakage_m3_s) * now.feed.root_a;
+      now.feed.flow_b += (now.into_b_m3_s + now.leakage_m3_s) * now.feed.root_b;
     }
     if (hooks_.piston || hooks_.load) {
       act_on_forces(now);

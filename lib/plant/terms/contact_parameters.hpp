@@ -5,6 +5,9 @@
 
 namespace farrier::plant {
 
+/// Share of the stroke over which contacts bend unless told: 10 um of 80 mm.
+inline constexpr double kPreslidingShare = 1.25e-4;
+
 /// Parameters of effects of friction.
 inline constexpr std::array kContactParameters{
     Parameter{
@@ -28,9 +31,28 @@ inline constexpr std::array kContactParameters{
               0.001,
               0.1,
               {0.01, 0.01},
-              "Speed over which the one falls to the other."}};
-
-/// Share of the stroke over which contacts bend: 10 um of 80 mm.
-inline constexpr double kPreslidingShare = 1.25e-4;
+              "Speed over which the one falls to the other."},
+    Parameter{"presliding_m",
+              "presliding_rad",
+              "m",
+              "rad",
+              Scale::kLength,
+              false,
+              1e-7,
+              1e-2,
+              {kPreslidingShare, kPreslidingShare},
+              "Way over which the contact's bristles bend before it slides.",
+              true},
+    Parameter{"bristle_damping_Ns_m",
+              "bristle_damping_Nms_rad",
+              "Ns/m",
+              "Nms/rad",
+              Scale::kDamping,
+              false,
+              0.0,
+              1.0,
+              {0.0, 0.0},
+              "Damping of the bristles, sigma_1.",
+              true}};
 
 }  // namespace farrier::plant

@@ -16,14 +16,16 @@ class LoadFriction {
 
   LoadFriction(const T* fitted, const Scales& scales, double step_s) noexcept
       : contact_(fitted[0] * scales.of(Scale::kForce), fitted[0] * scales.of(Scale::kForce) * fitted[1],
-                 fitted[2] * scales.of(Scale::kSpeed), kPreslidingShare * scales.of(Scale::kLength)),
+                 fitted[2] * scales.of(Scale::kSpeed), fitted[3] * scales.of(Scale::kLength),
+                 fitted[4] * scales.of(Scale::kDamping)),
         step_s_(step_s) {}
 
   // The mean of the contact's force over the step: half of what it was and half of what it will be.
   void on_load(LoadMoment<T>& now) noexcept {
     step_ = contact_.over(now.velocity, step_s_);
-    now.hold += 0.5 * (1.0 + step_.keep) * force_;
-    now.slope += 0.5 * step_.give;
+    const T damped = contact_.damping_time() / step_s_;  // share of the force's change
+    now.hold += (0.5 * (1.0 + step_.keep) + damped * (step_.keep - 1.0)) * force_;
+    now.slope += (0.5 + damped) * step_.give;
   }
   void after_load(const T& mean_velocity) noexcept { force_ = step_.keep * force_ + step_.give * mean_velocity; }
 

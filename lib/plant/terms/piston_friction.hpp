@@ -5,7 +5,7 @@
 
 namespace farrier::plant {
 
-/// Coulomb and Stribeck friction of the piston's seals, left of the load cell: a contact that sticks. Neutral at 0.
+/// Coulomb and Stribeck friction, with bristles, of the piston's seals, left of the load cell: a contact that sticks. Neutral at 0.
 template <class T>
 class PistonFriction {
  public:
@@ -15,12 +15,14 @@ class PistonFriction {
 
   PistonFriction(const T* fitted, const Scales& scales, double) noexcept
       : contact_(fitted[0] * scales.of(Scale::kForce), fitted[0] * scales.of(Scale::kForce) * fitted[1],
-                 fitted[2] * scales.of(Scale::kSpeed), kPreslidingShare * scales.of(Scale::kLength)) {}
+                 fitted[2] * scales.of(Scale::kSpeed), fitted[3] * scales.of(Scale::kLength),
+                 fitted[4] * scales.of(Scale::kDamping)) {}
 
   void on_piston(PistonMoment<T>& now) noexcept {
     const auto step = contact_.over(T(now.velocity), now.period_s);
+    const T before = force_;
     force_ = step.keep * force_ + step.give * now.velocity;
-    now.force -= force_;
+    now.force -= force_ + contact_.damping_time() / now.period_s * (force_ - before);
   }
 
  private:

@@ -51,6 +51,7 @@ struct Parameter {
   double low, high;              ///< range of the fitted number
   std::array<double, 2> starts;  ///< where a fit begins; alike: once
   const char* meaning;
+  bool held = false;  ///< a fit leaves it as the joint's file has it, or at its start
 
   /// Range of its value in multiples of the scale.
   constexpr ParameterRange multiples() const noexcept {
@@ -143,6 +144,8 @@ struct OilMoment {
   T leakage_m3_s;            ///< from a to b
   T softness_a, softness_b;  ///< 1/beta beyond the oil's own, 1/Pa
   T play_slope;              ///< d(piston - load)/d(force), m/N
+  double return_pressure_Pa = 0.0;
+  T into_a_m3_s = T(0.0), into_b_m3_s = T(0.0);  ///< past the valve's closed lands, into the chambers
 };
 
 /// on_play: the piston beside the load over one substep.

@@ -224,5 +224,39 @@ TEST(InstrumentalVariable, IsLessBiasedThanLeastSquaresWhereTheNoiseIsNotKnown) 
   EXPECT_LT(instruments, 0.5 * least_squares) << instruments << " against " << least_squares;
 }
 
+// Hubacher (2014), 9.1.1: forgetting follows the error. Sensors are HyQ's, the valve is driven by 2 % of its opening.
+TEST(AdaptiveForgettingOfAJoint, ForgetsWhenTheLoadChangesAndRemembersAgain) {
+  constexpr double kDrive_A = 2e-4;
+  constexpr int kWindow = 20;  // ticks over which a factor is averaged: noise alone moves it by some hundredths
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    EstimatorParams params;
+    params.method = EstimationMethod::kAff;
+    JointEstimator estimates = estimator(params, scales(kHyqNoise));
+    Joint joint(linear_joint(kSwingMass_kg), seed);
+    joint.measured_with(kHyqNoise).dithered_with(kDrive_A);
+    feed(estimates, joint, 2000);
+    joint.becomes(linear_joint(kStanceMass_kg));
+    int fell = 0;
+    int back = 0;
+    double sum = 0.0;
+    for (int tick = 1; tick <= 400 && back == 0; ++tick) {
+      estimates.take(joint.next());
+      const double least = estimates.forgetting(0).minCoeff();
+      fell = fell == 0 && least < 0.97 ? tick : fell;
+      sum += least;
+      if (tick % kWindow == 0) {
+        back = fell > 0 && sum / kWindow > 0.99 ? tick : 0;
+        sum = 0.0;
+      }
+    }
+    EXPECT_GT(fell, 0) << seed;
+    EXPECT_LE(fell, 20) << seed;
+    EXPECT_GT(back, fell) << seed;
+    EXPECT_LE(back, 200) << seed;
+    RecordProperty("fell_" + std::to_string(seed), fell);
+    RecordProperty("back_" + std::to_string(seed), back);
+  }
+}
+
 }  // namespace joint_methods_test
 }  // namespace farrier::estimation

@@ -54,6 +54,27 @@ TEST(Friction, GivesNoEnergy) {
   }
 }
 
+// The bristles' damping is sigma_1 z', z' = f' / sigma_0; below 4 F_c / sigma_1 the contact gives no energy with it.
+TEST(Friction, HasBristlesThatDamp) {
+  FrictionParams damped = kGuide;
+  damped.bristle_damping = 4.0 * kGuide.coulomb / 0.3;
+  const Friction friction(damped, 2500.0, 0.3);
+  const double stiffness = kGuide.breakaway / kGuide.presliding;
+  for (double force = -60.0; force <= 60.0; force += 7.5) {
+    for (const double v : {-0.3, -0.01, -1e-5, 0.0, 1e-5, 0.003, 0.3}) {
+      Instant now{};
+      now.velocity = v;
+      Friction::X dx{};
+      friction.after_valve(now, {force}, dx);
+      const double bent = dx[0] / stiffness;
+      EXPECT_NEAR(now.load_force, -force - damped.bristle_damping * bent, 1e-12 * (60.0 + std::abs(now.load_force)));
+      if (std::abs(force) <= kGuide.coulomb) {
+        EXPECT_GE(-now.load_force * v - force * bent, -1e-12 * std::abs(force * v)) << force << " N at " << v << " m/s";
+      }
+    }
+  }
+}
+
 /// A mass on a guide: a cylinder too thin to matter (its oil is a spring of 80 N/m).
 HydraulicJoint mass_on_guide(double stiffness = 0.0, double velocity = 0.0) {
   ActuatorParams actuator = test::rig_cylinder();

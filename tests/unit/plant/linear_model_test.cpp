@@ -12,8 +12,8 @@
 namespace farrier::plant {
 namespace linear_model_test {
 
-/// Rates of (x, v, F_s) from the nonlinear equations: F_h = F_s + d_p v + m_p a (2.22), pressures by (3.19), (3.20),
-/// their rates and the acceleration by (2.10), (2.11), (2.28), and F_s' = F_h' - d_p a - m_p a'.
+/// Rates of (x, v, F_s) from the nonlinear equations. F_h = F_s + d_p v + m_p a is (2.22); pressures are by (3.19) and
+/// (3.20), their rates and the acceleration by (2.10), (2.11), (2.28). F_s' = F_h' - d_p a - m_p a'.
 Eigen::Vector3d nonlinear_rate(const ActuatorParams& act, const LoadParams& load, const Eigen::Vector3d& y, double u) {
   const double a = (y[2] - load.damping * y[1] - load.stiffness * (y[0] - load.equilibrium_position)) / load.mass;
   const double p_l = (y[2] + act.piston_damping * y[1] + act.piston_mass * a) / act.area_a;

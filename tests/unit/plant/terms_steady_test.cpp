@@ -64,8 +64,7 @@ TEST(ValveEffects, ThatTheParametersKnowAreTheirs) {
   LoadParams sticky = kLoad;
   sticky.friction = {40.0, 52.0, 0.01, kPreslidingShare * kCylinder.stroke};
   HydraulicJoint with[] = {
-      joint_with(kCylinder, kLoad,
-                 {effect_of("valve_deadband", {overlapped.valve_deadband_A}, kCylinder, kLoad)}),
+      joint_with(kCylinder, kLoad, {effect_of("valve_deadband", {overlapped.valve_deadband_A}, kCylinder, kLoad)}),
       joint_with(kCylinder, kLoad, {effect_of("valve_dynamics", {900.0, 0.8}, kCylinder, kLoad)}),
       joint_with(kCylinder, kLoad, {effect_of("load_friction", {40.0, 1.3, 0.01}, kCylinder, kLoad)})};
   HydraulicJoint by_parameters[] = {joint_with(overlapped, kLoad, {}), joint_with(slow, kLoad, {}),
@@ -162,6 +161,39 @@ TEST(SupplyDroop, TakesThePressureThatTheFlowCosts) {
   EXPECT_NEAR(kMotor.valve_gain * kCurrent * std::sqrt(drop), flow, 0.005 * flow);
 }
 
+// With an accumulator the supply falls as 1 - exp(-t / tau) to what the flow costs at last.
+TEST(SupplyDroop, FollowsTheFlowWithItsTimeConstant) {
+  constexpr double kCurrent = 0.004;
+  constexpr double kTimeConstant_s = 0.01;
+  const double resistance = 0.5 * Scales(kMotor, kFoot).of(Scale::kDroop);
+  const State start = equilibrium(kMotor, kFoot, 0.1, 0.0);
+  const auto flow_after = [&](double time_constant_s, int ticks) {
+    const std::array effects{effect_of("supply_droop", {resistance, time_constant_s}, kMotor, kFoot)};
+    HydraulicJoint joint = HydraulicJoint::create(kMotor, kFoot, start, 1e-8, effects).value();
+    settle(joint, kCurrent, 0.0, ticks);
+    return kMotor.area_a * joint.state().velocity;
+  };
+  EXPECT_NEAR(flow_after(kTimeConstant_s, 100), flow_after(0.0, 100), 0.002 * flow_after(0.0, 100));
+  const double without = flow_after(1.0, 10);  // the fall has not begun
+  const double at_last = flow_after(0.0, 10);
+  EXPECT_GT(without, 1.02 * at_last);
+  EXPECT_GT(flow_after(kTimeConstant_s, 10), at_last);
+  EXPECT_LT(flow_after(kTimeConstant_s, 10), without);
+}
+
+// Past shut lands each chamber fills until what comes from the supply goes to the return: half of both pressures.
+TEST(ValveDeadband, LeaksPastItsLands) {
+  const double leakage = 0.01 * Scales(kMotor, kFoot).of(Scale::kLeakage);
+  State start = equilibrium(kMotor, kFoot, 0.1, 0.0);
+  start.pressure_a_Pa = start.pressure_b_Pa = 0.2 * kMotor.supply_pressure_Pa;
+  const std::array effects{effect_of("valve_deadband", {1e-4, leakage}, kMotor, kFoot)};
+  HydraulicJoint joint = HydraulicJoint::create(kMotor, kFoot, start, 1e-8, effects).value();
+  settle(joint, 0.5e-4, 0.0, 2000);
+  const double middle = 0.5 * (kMotor.supply_pressure_Pa + kMotor.return_pressure_Pa);
+  EXPECT_NEAR(joint.state().pressure_a_Pa, middle, 0.01 * middle);
+  EXPECT_NEAR(joint.state().pressure_b_Pa, middle, 0.01 * middle);
+}
+
 // At rest the force across the play is the load's: the load has moved by oil and play.
 TEST(Backlash, GivesWayByHalfOfItselfOnTopOfTheOil) {
   constexpr double kPlay = 0.004;
@@ -188,10 +220,12 @@ TEST(EndStop, HoldsThePistonAndTheLoadCellFeelsNothing) {
 // keeps it from both.
 TEST(Frictions, HoldOnTheirSideOfTheLoadCell) {
   constexpr double kTorque = 2.0;
-  HydraulicJoint seals = joint_with(kMotor, kFoot, {effect_of("piston_friction", {5.0}, kMotor, kFoot),
-                                                    effect_of("internal_leakage", {5e-13}, kMotor, kFoot)});
-  HydraulicJoint guide = joint_with(kMotor, kFoot, {effect_of("load_friction", {5.0}, kMotor, kFoot),
-                                                    effect_of("internal_leakage", {5e-13}, kMotor, kFoot)});
+  HydraulicJoint seals = joint_with(
+      kMotor, kFoot,
+      {effect_of("piston_friction", {5.0}, kMotor, kFoot), effect_of("internal_leakage", {5e-13}, kMotor, kFoot)});
+  HydraulicJoint guide = joint_with(
+      kMotor, kFoot,
+      {effect_of("load_friction", {5.0}, kMotor, kFoot), effect_of("internal_leakage", {5e-13}, kMotor, kFoot)});
   settle(seals, 0.0, kTorque, 6000);
   settle(guide, 0.0, kTorque, 6000);
   EXPECT_NEAR(seals.hydraulic_force(), 0.0, 0.05);  // the leak takes what is left of it

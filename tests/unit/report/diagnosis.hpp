@@ -74,7 +74,7 @@ inline diagnosis::Diagnosis diagnosis_of(diagnosis::Verdict verdict) {
 
 /// Friction of the load, of 0.02 full push, and half as much gain by a valve that is slow.
 inline std::vector<diagnosis::NamedEffect> two_effects() {
-  return {{id_of("load_friction"), {0.02, 1.3, 0.01}, 0.001, 0.67, 0.99},
+  return {{id_of("load_friction"), {0.02, 1.3, 0.01, plant::kPreslidingShare, 0.0}, 0.001, 0.67, 0.99},
           {id_of("valve_dynamics"), {0.004, 0.7}, 0.0002, 0.33, 0.9}};
 }
 

@@ -143,29 +143,35 @@ TEST_P(JointEffectsMistake, IsReportedWithItsLineAndRemedy) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, JointEffectsMistake,
-    testing::Values(Mistake{"  lf_kne:\n    valve_bias: {current_A: 1e-4}\n", "  lf_kne",
-                            "lf_kne: is not a joint of a leg: did you mean lf_kfe?"},
-                    Mistake{"  lf_kfe:\n    valve_dedband: {half_width_A: 1e-4}\n", "    valve_dedband",
-                            "lf_kfe.valve_dedband: is not a known parameter: did you mean valve_deadband?"},
-                    Mistake{"  lf_kfe:\n    valve_deadband: {half_widht_A: 1e-4, half_width_A: 1e-4}\n",
-                            "    valve_dead",
-                            "lf_kfe.valve_deadband.half_widht_A: is not a known parameter: did you mean half_width_A?"},
-                    Mistake{"  lf_kfe:\n    valve_deadband: {half_width_mA: 0.1, half_width_A: 1e-4}\n",
-                            "    valve_dead", "lf_kfe.valve_deadband.half_width_mA: is given in A: half_width_A"},
-                    Mistake{"  lf_kfe:\n    valve_deadband: {half_width_A: 0.008}\n", "    valve_dead",
-                            "lf_kfe.valve_deadband.half_width_A: 0.008 is out of this joint's range: give 0 to 0.004"},
-                    Mistake{"  lf_kfe:\n    valve_deadband: {half_width_A: wide}\n", "    valve_dead",
-                            "lf_kfe.valve_deadband.half_width_A: wide is not a number: give a number"},
-                    Mistake{"  lf_kfe:\n    load_friction: {coulomb_N: 80, breakaway_ratio: 3}\n", "    load_fri",
-                            "lf_kfe.load_friction.breakaway_ratio: 3 is out of range: give 1 to 2.5"},
-                    Mistake{"  lf_kfe:\n    input_delay: {}\n", "    input",
-                            "lf_kfe.input_delay.delay_s: is missing: give 0 to 0.03 (The delay.)"},
-                    Mistake{"  lf_kfe:\n    external_force: {torque_Nm: 5, force_N: 3}\n", "    external",
-                            "lf_kfe.external_force.torque_Nm: is for a rotary motor: of this joint it is force_N"},
-                    Mistake{"  lf_haa:\n    external_force: {force_N: 5}\n", "    external",
-                            "lf_haa.external_force.force_N: is for a cylinder: of this joint it is torque_Nm"},
-                    Mistake{"  lf_haa: {}\n", "  lf_haa", "lf_haa: is empty: name an effect, or leave the joint out"},
-                    Mistake{"  lf_kfe: [valve_bias]\n", "  lf_kfe", "lf_kfe: is a list: give a group of parameters"}));
+    testing::Values(
+        Mistake{"  lf_kne:\n    valve_bias: {current_A: 1e-4}\n", "  lf_kne",
+                "lf_kne: is not a joint of a leg: did you mean lf_kfe?"},
+        Mistake{"  lf_kfe:\n    valve_dedband: {half_width_A: 1e-4}\n", "    valve_dedband",
+                "lf_kfe.valve_dedband: is not a known parameter: did you mean valve_deadband?"},
+        Mistake{"  lf_kfe:\n    valve_deadband: {half_widht_A: 1e-4, half_width_A: 1e-4}\n", "    valve_dead",
+                "lf_kfe.valve_deadband.half_widht_A: is not a known parameter: did you mean half_width_A?"},
+        Mistake{"  lf_kfe:\n    valve_deadband: {half_width_mA: 0.1, half_width_A: 1e-4}\n", "    valve_dead",
+                "lf_kfe.valve_deadband.half_width_mA: is given in A: half_width_A"},
+        Mistake{"  lf_kfe:\n    valve_deadband: {half_width_A: 0.008}\n", "    valve_dead",
+                "lf_kfe.valve_deadband.half_width_A: 0.008 is out of this joint's range: give 0 to 0.004"},
+        Mistake{"  lf_kfe:\n    valve_deadband: {half_width_A: wide}\n", "    valve_dead",
+                "lf_kfe.valve_deadband.half_width_A: wide is not a number: give a number"},
+        Mistake{"  lf_kfe:\n    load_friction: {coulomb_N: 80, breakaway_ratio: 3}\n", "    load_fri",
+                "lf_kfe.load_friction.breakaway_ratio: 3 is out of range: give 1 to 2.5"},
+        Mistake{"  lf_kfe:\n    load_friction: {coulomb_N: 80, presliding_m: 2e-8}\n", "    load_fri",
+                "lf_kfe.load_friction.presliding_m: 2e-08 makes bristles stiffer than the shortest step of the "
+                "simulation allows at this joint's full speed: give at least 5.3e-06"},
+        Mistake{"  lf_kfe:\n    load_friction: {coulomb_N: 80, bristle_damping_Ns_m: 300}\n", "    load_fri",
+                "lf_kfe.load_friction.bristle_damping_Ns_m: 300 gives energy back at this joint's full speed: give at "
+                "most 262.82"},
+        Mistake{"  lf_kfe:\n    input_delay: {}\n", "    input",
+                "lf_kfe.input_delay.delay_s: is missing: give 0 to 0.03 (The delay.)"},
+        Mistake{"  lf_kfe:\n    external_force: {torque_Nm: 5, force_N: 3}\n", "    external",
+                "lf_kfe.external_force.torque_Nm: is for a rotary motor: of this joint it is force_N"},
+        Mistake{"  lf_haa:\n    external_force: {force_N: 5}\n", "    external",
+                "lf_haa.external_force.force_N: is for a cylinder: of this joint it is torque_Nm"},
+        Mistake{"  lf_haa: {}\n", "  lf_haa", "lf_haa: is empty: name an effect, or leave the joint out"},
+        Mistake{"  lf_kfe: [valve_bias]\n", "  lf_kfe", "lf_kfe: is a list: give a group of parameters"}));
 
 // A stance load with less damping than swing has: what swing lost it cannot lose.
 TEST(JointEffects, ThatLeaveNoLoadInStanceAreRefused) {

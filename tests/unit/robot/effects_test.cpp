@@ -74,6 +74,9 @@ TEST(RobotEffects, AreRefusedWithTheirLineWhereNoneCanHaveThem) {
       problem_of(replaced(text, kNoise, std::string(kNoise) + "      sensors: {velocity_filter_Hz: 480}\n")),
       "f.yaml:35: actuators.cylinder.cylinder.sensors.velocity_filter_Hz: is 480, but a filter sampled at 1000 Hz "
       "reaches up to 450: give less, or 0 for none\n");
+  EXPECT_NE(problem_of(replaced(text, kNoise, std::string(kNoise) + "      sensors: {pressure_filter_Hz: 100}\n"))
+                .find("f.yaml:35: actuators.cylinder.cylinder.sensors.pressure_filter_Hz: is not a known parameter"),
+            std::string::npos);
   EXPECT_NE(problem_of(replaced(text, kVolume, "    lines: {length_m: 3, bore_m: 0.0038}\n" + std::string(kVolume)))
                 .find("line: volume"),
             std::string::npos);

@@ -36,9 +36,10 @@ TEST(Fc1d, LeadsToTheGainsTheThesisShows) {
   const Robot rig = load_shipped("fc1d");
   const Joint& joint = rig.joints.at(0);
   const plant::LinearModel model =
-      plant::linearise_load_cell_force(joint.actuator, joint.stance_load, {.position = 0.04, .valve_sign = 1.0});
-  const auto gains = control::design_lqr(model.a, model.b, rig.period_s, joint.design.weights, joint.normalisation, joint.form,
-                                         rig.loop_delay_lockstep);
+      plant::linearise_load_cell_force(joint.actuator, joint.stance_load, {.position = 0.04, .valve_sign = 1.0},
+                                       plant::Volumes::kMoving, plant::PistonMass::kNeglected);
+  const auto gains = control::design_lqr(model.a, model.b, rig.period_s, joint.design.weights, joint.normalisation,
+                                         joint.form, rig.loop_delay_lockstep);
   ASSERT_TRUE(gains.ok()) << control::to_string(gains.error());
   EXPECT_NEAR(gains.value().position, 0.065, 0.5e-3);  // half of the last digit given
   EXPECT_NEAR(gains.value().velocity, -4.47, 0.5e-2);
@@ -53,8 +54,8 @@ TEST(Robot, LeadsToAControllerForEveryJointLoadAndClock) {
         for (const int delay : {robot.loop_delay_lockstep, robot.loop_delay_realtime}) {
           const plant::LinearModel model = plant::linearise_load_cell_force(
               joint.actuator, load, {.position = joint.linkage.position(joint.home_angle_rad)});
-          const auto gains = control::design_lqr(model.a, model.b, robot.period_s, joint.design.weights, joint.normalisation,
-                                                 joint.form, delay);
+          const auto gains = control::design_lqr(model.a, model.b, robot.period_s, joint.design.weights,
+                                                 joint.normalisation, joint.form, delay);
           EXPECT_TRUE(gains.ok()) << joint.name << ", " << load.mass << " kg, delay " << delay;
         }
       }
