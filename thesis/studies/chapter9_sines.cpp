@@ -14,17 +14,14 @@ using control::Form;
 
 constexpr double kSettled_s = 1.0, kRun_s = 5.0;
 
-struct Sine {
-  double amplitude_N, frequency_Hz;
-};
+struct Sine { double amplitude_N, frequency_Hz; };
 
 Result<std::vector<RigTrace>> run_sines(const StudyContext& context, const robot::Robot& rig,
                                         std::span<const Sine> sines, Form form) {
   std::vector<RigTrace> runs;
   for (std::size_t i = 0; i < sines.size(); ++i) {
-    auto run = FARRIER_TRY(
-        track(rig, {.reference = sine(sines[i].amplitude_N, sines[i].frequency_Hz), .duration_s = kRun_s, .form = form},
-              context.seed));
+    auto run = FARRIER_TRY(track(rig, {.reference = sine(sines[i].amplitude_N, sines[i].frequency_Hz), .duration_s = kRun_s,
+                           .form = form}, context.seed));
     if (!keep_going(context, static_cast<double>(i + 1) / static_cast<double>(sines.size()))) {
       return stopped();
     }
@@ -44,36 +41,28 @@ std::vector<double> errors_of(const std::vector<RigTrace>& runs) {
 Picture force_picture(const std::string& caption, std::span<const Sine> sines, const std::vector<RigTrace>& runs) {
   Picture picture{caption, 1, {}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    picture.panels.push_back(
-        force_panel(text_of("%g N, ", sines[i].amplitude_N) + text_of("%g Hz", sines[i].frequency_Hz), runs[i]));
+    picture.panels.push_back(force_panel(text_of("%g N, ", sines[i].amplitude_N) + text_of("%g Hz", sines[i].frequency_Hz), runs[i]));
   }
   return picture;
 }
 
 constexpr Sine kFrequencies[] = {{120.0, 1.0}, {120.0, 1.5}, {120.0, 2.0}, {120.0, 2.5}, {120.0, 3.5}};
 
-constexpr const char* kRatherGood =
-    "As can be seen, the force tracking is rather good, regardless of reference signal frequency.";
+constexpr const char* kRatherGood = "As can be seen, the force tracking is rather good, regardless of reference signal frequency.";
 
 constexpr ClaimSpec kFrequencyClaims[] = {
     {"9.11.error", "Fig. 9.11", kRatherGood, "Largest of the five RMS errors over RMS reference: a quarter.", "1",
      Relation::kAtMost, 0.25},
-    {"9.11.regardless", "Fig. 9.11", kRatherGood, "Largest of the five over the smallest: three.", "1",
-     Relation::kAtMost, 3.0,
-     Refutation{"the error of a fixed linear controller grows with the frequency, here in proportion "
-                "(9.11.proportional), and the text's "
-                "frequencies span 3.5; good at each of them it is (9.11.error)",
-                3.0, 3.9}},
+    {"9.11.regardless", "Fig. 9.11", kRatherGood, "Largest of the five over the smallest: three.", "1", Relation::kAtMost, 3.0,
+     Refutation{"the error of a fixed linear controller grows with the frequency, here in proportion (9.11.proportional), and the text's "
+                "frequencies span 3.5; good at each of them it is (9.11.error)", 3.0, 3.9}},
     {"9.11.proportional", "Fig. 9.11", kRatherGood,
-     "Distance from 1 of the error at 3.5 Hz over that at 1 Hz, divided by 3.5, as the proof of 9.11.regardless asks "
-     "for: a tenth.",
-     "1", Relation::kAtMost, 0.1},
+     "Distance from 1 of the error at 3.5 Hz over that at 1 Hz, divided by 3.5, as the proof of 9.11.regardless asks for: a tenth.", "1",
+     Relation::kAtMost, 0.1},
     {"9.11.lines", "Fig. 9.11", kRatherGood,
-     "Error at 1 Hz on a rig whose lines' oil has inertia: one or more, no tracking at all, for which reason the "
-     "studies of 9.2 leave it out.",
+     "Error at 1 Hz on a rig whose lines' oil has inertia: one or more, no tracking at all, for which reason the studies of 9.2 leave it out.",
      "1", Relation::kAtLeast, 1.0},
-    {"9.11.highest", "9.2.1",
-     "... the force tracking performance is quite good, even for signals with a higher frequency of 3.5 Hz.",
+    {"9.11.highest", "9.2.1", "... the force tracking performance is quite good, even for signals with a higher frequency of 3.5 Hz.",
      "RMS error over RMS reference at 3.5 Hz: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_frequencies(const StudyContext& context) {
@@ -82,10 +71,8 @@ Result<StudyResult> run_frequencies(const StudyContext& context) {
   const std::vector<double> errors = errors_of(runs);
   StudyResult result;
   const auto lines = load(context, "fc1d_real.yaml");
-  const auto swinging = FARRIER_TRY(
-      lines ? track(lines.value(), {.reference = sine(120.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState},
-                    context.seed)
-            : Result<RigTrace>(lines.error()));
+  const auto swinging = FARRIER_TRY(lines ? track(lines.value(), {.reference = sine(120.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState},
+                                      context.seed) : Result<RigTrace>(lines.error()));
   result.measured = {{"9.11.error", std::ranges::max(errors), ""},
                      {"9.11.proportional", std::abs(errors.back() / errors.front() / 3.5 - 1.0), ""},
                      {"9.11.lines", tracking_error(swinging, kSettled_s, kRun_s), ""},
@@ -98,8 +85,7 @@ Result<StudyResult> run_frequencies(const StudyContext& context) {
 constexpr Sine kAmplitudes[] = {{60.0, 0.5}, {160.0, 1.0}, {260.0, 1.0}};
 
 constexpr ClaimSpec kAmplitudeClaims[] = {
-    {"9.12.error", "Fig. 9.12",
-     "The force tracking, as can be seen, is quite good, regardless of reference signal amplitude.",
+    {"9.12.error", "Fig. 9.12", "The force tracking, as can be seen, is quite good, regardless of reference signal amplitude.",
      "Largest of the three RMS errors over RMS reference: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_amplitudes(const StudyContext& context) {
@@ -129,59 +115,38 @@ std::vector<double> sum_of(const std::vector<double>& a, const std::vector<doubl
   return sum;
 }
 
-constexpr const char* kFights =
-    "Note how the position channel of the full LQR controller fights the velocity and force channels.";
+constexpr const char* kFights = "Note how the position channel of the full LQR controller fights the velocity and force channels.";
 
 constexpr ClaimSpec kFormClaims[] = {
     {"9.14.fights", "Fig. 9.14", kFights,
-     "Cosine between the position part and the sum of velocity and force part, full-state form: below -0.5.", "1",
-     Relation::kBelow, -0.5,
-     Refutation{"position and velocity of a sine are in quadrature whatever the gains (9.14.quadrature), and the force "
-                "part is small beside "
-                "the velocity part: what the position part fights is the rest (9.14.fights_rest)",
-                -0.2, 0.2}},
+     "Cosine between the position part and the sum of velocity and force part, full-state form: below -0.5.", "1", Relation::kBelow, -0.5,
+     Refutation{"position and velocity of a sine are in quadrature whatever the gains (9.14.quadrature), and the force part is small beside "
+                "the velocity part: what the position part fights is the rest (9.14.fights_rest)", -0.2, 0.2}},
     {"9.14.quadrature", "Fig. 9.14", kFights,
-     "Size of the cosine between position and velocity part, as the proof of 9.14.fights asks for: a tenth.", "1",
-     Relation::kAtMost, 0.1},
-    {"9.14.fights_rest", "9.2.4",
-     "... the position channel was acting against the force and velocity channel, hence the feedforward term was "
-     "needed ...",
-     "Cosine between the position part and the sum of force part and integral, full-state form without feed-forward: "
-     "below -0.5.",
-     "1", Relation::kBelow, -0.5},
+     "Size of the cosine between position and velocity part, as the proof of 9.14.fights asks for: a tenth.", "1", Relation::kAtMost, 0.1},
+    {"9.14.fights_rest", "9.2.4", "... the position channel was acting against the force and velocity channel, hence the feedforward term was needed ...",
+     "Cosine between the position part and the sum of force part and integral, full-state form without feed-forward: below -0.5.", "1",
+     Relation::kBelow, -0.5},
     {"9.14.feed_forward", "Fig. 9.14", "A force feedforward term is needed to compensate for the position influence.",
-     "Cosine between the position part and the feed-forward, full-state form: below -0.5.", "1", Relation::kBelow,
-     -0.5},
+     "Cosine between the position part and the feed-forward, full-state form: below -0.5.", "1", Relation::kBelow, -0.5},
     {"9.14.full_error", "9.2.4", "... the force tracking of the \"non-compliant\" LQR controller (left) is quite good.",
      "RMS error over RMS reference, full-state form: a quarter.", "1", Relation::kAtMost, 0.25},
-    {"9.14.compliant_error", "9.2.4",
-     "... little loss in tracking performance when eliminating the position channel ...",
-     "RMS error over RMS reference of the compliant form, without feed-forward, less the full-state form's: a tenth.",
-     "1", Relation::kAtMost, 0.1},
+    {"9.14.compliant_error", "9.2.4", "... little loss in tracking performance when eliminating the position channel ...",
+     "RMS error over RMS reference of the compliant form, without feed-forward, less the full-state form's: a tenth.", "1",
+     Relation::kAtMost, 0.1},
     {"9.14.compliant_lag", "Fig. 9.14", "However, a slight phase delay is visible.",
      "Lag of the compliant form less that of the full-state form: above 0.", "deg", Relation::kAtLeast, 0.1},
-    {"9.14.compliant_lag_is_slight", "9.2.4",
-     "There is some small phase delay in the force tracking when using the \"compliant\" LQR controller (right).",
+    {"9.14.compliant_lag_is_slight", "9.2.4", "There is some small phase delay in the force tracking when using the \"compliant\" LQR controller (right).",
      "Lag of the compliant form: 15 degrees.", "deg", Relation::kAtMost, 15.0}};
 
 Result<StudyResult> run_forms(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load_rig(context));
-  const auto full =
-      track(rig, {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState}, context.seed);
-  const auto without = full ? track(rig,
-                                    {.reference = sine(300.0, 1.0),
-                                     .duration_s = kRun_s,
-                                     .form = Form::kFullState,
-                                     .feed_forward_factor = 0.0},
-                                    context.seed)
-                            : full;
-  const auto compliant = without ? track(rig,
-                                         {.reference = sine(200.0, 1.0),
-                                          .duration_s = kRun_s,
-                                          .form = Form::kCompliant,
-                                          .feed_forward_factor = 0.0},
-                                         context.seed)
-                                 : without;
+  const auto full = track(rig, {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState},
+                          context.seed);
+  const auto without = full ? track(rig, {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState,
+                                                  .feed_forward_factor = 0.0}, context.seed) : full;
+  const auto compliant = without ? track(rig, {.reference = sine(200.0, 1.0), .duration_s = kRun_s,
+                                                    .form = Form::kCompliant, .feed_forward_factor = 0.0}, context.seed) : without;
   if (!compliant) {
     return compliant.error();
   }
@@ -200,8 +165,7 @@ Result<StudyResult> run_forms(const StudyContext& context) {
       {"9.14.compliant_lag", lag - lag_deg(f, 1.0, kSettled_s), ""},
       {"9.14.compliant_lag_is_slight", lag, ""}};
   const double nominal_A = rig.joints[0].normalisation.current_A;
-  result.pictures = {{"Sine of 1 Hz, 300 N and 200 N, and what the output is made of",
-                      2,
+  result.pictures = {{"Sine of 1 Hz, 300 N and 200 N, and what the output is made of", 2,
                       {force_panel("full state", f), force_panel("compliant, no feed-forward", c),
                        parts_panel(f, nominal_A), parts_panel(c, nominal_A)}}};
   return result;
@@ -230,8 +194,7 @@ Result<StudyResult> run_compliant(const StudyContext& context, std::span<const S
   for (std::size_t i = 0; i < runs.size(); ++i) {
     lags.push_back(lag_deg(runs[i], sines[i].frequency_Hz, kSettled_s));
     sticks.push_back(sticking(runs[i], sines[i].frequency_Hz));
-    picture.panels.push_back(
-        force_panel(text_of("%g N, ", sines[i].amplitude_N) + text_of("%g Hz", sines[i].frequency_Hz), runs[i]));
+    picture.panels.push_back(force_panel(text_of("%g N, ", sines[i].amplitude_N) + text_of("%g Hz", sines[i].frequency_Hz), runs[i]));
     picture.panels.push_back(parts_panel(runs[i], rig.joints[0].normalisation.current_A));
   }
   const auto id = [&](const char* name) { return std::string(figure) + "." + name; };
@@ -239,75 +202,62 @@ Result<StudyResult> run_compliant(const StudyContext& context, std::span<const S
   result.measured = {{id("error"), *std::max_element(errors.begin(), errors.end() - 1), ""},
                      {id("lag"), lags.back(), ""},
                      {id("lag_grows"), lags.back() - lags.front(), ""},
-                     {id("sticks"), sticks.front() / sticks.back(),
-                      text_of("at 1 Hz %.3f", sticks.front()) + text_of(", at 5 Hz %.3f", sticks.back())}};
+                     {id("sticks"), sticks.front() / sticks.back(), text_of("at 1 Hz %.3f", sticks.front()) + text_of(", at 5 Hz %.3f", sticks.back())}};
   result.pictures = {std::move(picture)};
   if (figure == kStrongFigure) {
     robot::Robot open = rig;
     open.joints[0].actuator.valve_gain *= kDataSheetOverRig;
     const auto again = FARRIER_TRY(run_sines(context, open, sines, Form::kCompliant));
     const std::vector<double> better = errors_of(again);
-    result.measured.push_back(
-        {id("full_open"), share_full_open(runs[2], rig.joints[0].normalisation.current_A, kSettled_s, kRun_s), ""});
+    result.measured.push_back({id("full_open"), share_full_open(runs[2], rig.joints[0].normalisation.current_A, kSettled_s, kRun_s), ""});
     result.measured.push_back({id("data_sheet"), *std::max_element(better.begin(), better.end() - 1), ""});
-    result.measured.push_back(
-        {id("sticks_data_sheet"),
-         sticking(again.front(), sines.front().frequency_Hz) / sticking(again.back(), sines.back().frequency_Hz), ""});
+    result.measured.push_back({id("sticks_data_sheet"), sticking(again.front(), sines.front().frequency_Hz) /
+                                                            sticking(again.back(), sines.back().frequency_Hz), ""});
   }
   return result;
 }
 
-constexpr const char* kSticks =
-    "Note also how the stick friction influence is particularly visible for the 1 Hz sine wave ...";
+constexpr const char* kSticks = "Note also how the stick friction influence is particularly visible for the 1 Hz sine wave ...";
 
 constexpr ClaimSpec kWeakClaims[] = {
     {"G.7.error", "Fig. G.7", "The force tracking, as can be seen, is quite good, for sine waves below 5 Hz.",
      "Largest RMS error over RMS reference at 1, 2 and 3 Hz: a quarter.", "1", Relation::kAtMost, 0.25},
-    {"G.7.lag", "Fig. G.7", "A phase delay is present for frequencies higher than 5 Hz.",
-     "Lag at 5 Hz: 5 degrees or more.", "deg", Relation::kAtLeast, 5.0,
-     Refutation{"5 Hz is where the text's delay begins; the gain on the force is a fifth higher with the piston's mass "
-                "counted",
-                4.0, 5.0}},
-    {"G.7.lag_grows", "Fig. G.7", "A phase delay is present for frequencies higher than 5 Hz.",
-     "Lag at 5 Hz less that at 1 Hz.", "deg", Relation::kAtLeast, 0.0},
+    {"G.7.lag", "Fig. G.7", "A phase delay is present for frequencies higher than 5 Hz.", "Lag at 5 Hz: 5 degrees or more.", "deg",
+     Relation::kAtLeast, 5.0, Refutation{"5 Hz is where the text's delay begins; the gain on the force is a fifth higher with the piston's mass counted", 4.0, 5.0}},
+    {"G.7.lag_grows", "Fig. G.7", "A phase delay is present for frequencies higher than 5 Hz.", "Lag at 5 Hz less that at 1 Hz.", "deg",
+     Relation::kAtLeast, 0.0},
     {"G.7.sticks", "Fig. G.7", kSticks,
-     "Quick ripple of the velocity part over its RMS, at 1 Hz over that at 5 Hz: 1.5 or more.", "1", Relation::kAtLeast,
-     1.5}};
+     "Quick ripple of the velocity part over its RMS, at 1 Hz over that at 5 Hz: 1.5 or more.", "1", Relation::kAtLeast, 1.5}};
 
 constexpr ClaimSpec kStrongClaims[] = {
     {"G.8.error", "G.2.1", "Similar sine waves but with increased amplitude 400 N were commanded ...",
      "Largest RMS error over RMS reference at 1, 2 and 3 Hz: a quarter.", "1", Relation::kAtMost, 0.25,
-     Refutation{"the valve of Table A.2, \"no physical meaning\", passes a quarter of the data sheet's flow and is "
-                "full open most of the "
-                "time at 3 Hz (G.8.full_open); with the data sheet's the claim holds (G.8.data_sheet)",
-                0.3, 0.55}},
+     Refutation{"the valve of Table A.2, \"no physical meaning\", passes a quarter of the data sheet's flow and is full open most of the "
+                "time at 3 Hz (G.8.full_open); with the data sheet's the claim holds (G.8.data_sheet)", 0.3, 0.55}},
     {"G.8.full_open", "G.2.1", "Similar sine waves but with increased amplitude 400 N were commanded ...",
      "Share of the time for which the valve is full open at 3 Hz: a half.", "1", Relation::kAtLeast, 0.5},
     {"G.8.data_sheet", "G.2.1", "Similar sine waves but with increased amplitude 400 N were commanded ...",
      "G.8.error with four times the valve gain, as its proof asks for: a quarter.", "1", Relation::kAtMost, 0.25},
-    {"G.8.lag", "Fig. G.8", "Again, a phase delay is present for frequencies higher than 3 Hz.",
-     "Lag at 5 Hz: 5 degrees or more.", "deg", Relation::kAtLeast, 5.0},
+    {"G.8.lag", "Fig. G.8", "Again, a phase delay is present for frequencies higher than 3 Hz.", "Lag at 5 Hz: 5 degrees or more.",
+     "deg", Relation::kAtLeast, 5.0},
     {"G.8.lag_grows", "Fig. G.8", "Again, a phase delay is present for frequencies higher than 3 Hz.",
      "Lag at 5 Hz less that at 1 Hz.", "deg", Relation::kAtLeast, 0.0},
     {"G.8.sticks", "Fig. G.8", "... the stick friction influence is particularly visible for the 1 Hz sine wave ...",
-     "Quick ripple of the velocity part over its RMS, at 1 Hz over that at 5 Hz: 1.5 or more.", "1", Relation::kAtLeast,
-     1.5,
-     Refutation{"the corners of the full open valve (G.8.full_open) are quick too and make up the ripple at 5 Hz; "
-                "without them "
-                "(G.8.sticks_data_sheet) the claim holds",
-                1.0, 1.5}},
-    {"G.8.sticks_data_sheet", "Fig. G.8",
-     "... the stick friction influence is particularly visible for the 1 Hz sine wave ...",
+     "Quick ripple of the velocity part over its RMS, at 1 Hz over that at 5 Hz: 1.5 or more.", "1", Relation::kAtLeast, 1.5,
+     Refutation{"the corners of the full open valve (G.8.full_open) are quick too and make up the ripple at 5 Hz; without them "
+                "(G.8.sticks_data_sheet) the claim holds", 1.0, 1.5}},
+    {"G.8.sticks_data_sheet", "Fig. G.8", "... the stick friction influence is particularly visible for the 1 Hz sine wave ...",
      "G.8.sticks with four times the valve gain, as its proof asks for: 1.5 or more.", "1", Relation::kAtLeast, 1.5}};
 
 Result<StudyResult> run_weak(const StudyContext& context) { return run_compliant(context, kWeak, "G.7"); }
 Result<StudyResult> run_strong(const StudyContext& context) { return run_compliant(context, kStrong, kStrongFigure); }
 
-constexpr Study kStudies[] = {{"9.11", "LQR on the rig: sines of 1 to 3.5 Hz", kFrequencyClaims, run_frequencies},
-                              {"9.12", "LQR on the rig: sines of 60 to 260 N", kAmplitudeClaims, run_amplitudes},
-                              {"9.14", "Compliant against full-state LQR: sine", kFormClaims, run_forms},
-                              {"G.7", "Compliant LQR: sines of 200 N", kWeakClaims, run_weak},
-                              {"G.8", "Compliant LQR: sines of 400 N", kStrongClaims, run_strong}};
+constexpr Study kStudies[] = {
+    {"9.11", "LQR on the rig: sines of 1 to 3.5 Hz", kFrequencyClaims, run_frequencies},
+    {"9.12", "LQR on the rig: sines of 60 to 260 N", kAmplitudeClaims, run_amplitudes},
+    {"9.14", "Compliant against full-state LQR: sine", kFormClaims, run_forms},
+    {"G.7", "Compliant LQR: sines of 200 N", kWeakClaims, run_weak},
+    {"G.8", "Compliant LQR: sines of 400 N", kStrongClaims, run_strong}};
 
 }  // namespace
 }  // namespace chapter9_sines_studies
