@@ -116,13 +116,10 @@ constexpr std::array kSpecs{
     FigureSpec{"compare.noise.<level>.trot_grey_box_ratio_perfect", "1", kAtMost, "The same of the grey box."},
     FigureSpec{"compare.noise.rise.<run>", "1", kAtMost,
                "Largest factor by which the median NRMSE grows from a level of noise to the next lower one."},
-    // compare models: forms are exact, thesis (3.51) and massless_piston
-    FigureSpec{"compare.models.<load>.<form>.resonance_Hz", "Hz", kNone,
-               "Damped oscillation of a form of the rig's linear model under a load."},
+    FigureSpec{"compare.models.<load>.<form>.resonance_Hz", "Hz", kNone, "Damped oscillation of the rig's linear model."},
     FigureSpec{"compare.models.<load>.<form>.<signal>_gain", "1", kNone, "Gain designed on it, normalised."},
     FigureSpec{"compare.models.<load>.<form>.disk_margin", "1", kNone, "Disk margin of these gains on the exact form."},
-    FigureSpec{"compare.filters.<count>", "1", kAtMost,
-               "Sets of filters drawn: all, measured, refused for their disk margin, unstable, unstable but not running so."},
+    FigureSpec{"compare.filters.<count>", "1", kAtMost, "Sets of filters drawn, and how many of them are of a kind."},
     FigureSpec{"compare.filters.<margin>.error_<statistic>", "1", kAtMost,
                "Distance of the gain_up, gain_down or delay that makes the running loop unstable from the computed one."},
     // compare varied: stance NRMSE over all pairs of a joint and a seed
