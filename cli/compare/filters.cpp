@@ -147,8 +147,7 @@ Result<Done> check(const Subject& subject, int delay_ticks, double disk_margin_m
     ++checks.refused;
     return Done{};
   }
-  const std::string filters = robot::filters_text(subject.joint);
-  const std::string name = subject.name + ", " + (filters.empty() ? "no filters" : filters) + ", delay " +
+  const std::string name = subject.name + ", " + robot::filters_text(subject.joint) + ", delay " +
                            std::to_string(delay_ticks) + (subject.joint.equalises_filters ? ", equalised" : "");
   if (std::isfinite(margins.gain_up)) {
     const double edge = FARRIER_TRY(trials::first_unstable(
@@ -178,6 +177,9 @@ Result<FilterChecks> check_all(const std::vector<Subject>& subjects, double disk
     }
     Drawing drawing(seed, set);
     const Subject subject = drawing.draw(subjects);
+    if (robot::filters_text(subject.joint).empty()) {
+      continue;
+    }
     FARRIER_TRY(check(subject, static_cast<int>(drawing.uniform(0.0, 3.0)), disk_margin_min, checks));
     progress.update(checks.measured());
   }

@@ -114,8 +114,11 @@ void note_crossings(const Loop& loop, const Point& a, const Point& b, Margins& m
     const double lag = std::arg(-p.l);  // angle of -L: the lag that moves L to -1
     m.phase_rad = std::min(m.phase_rad, std::abs(lag));
     const double turn = lag > 0.0 ? lag : lag + 2.0 * std::numbers::pi;
-    if (turn / p.angle < kFarDelay * m.delay_ticks) {
-      m.delay_ticks = std::min(m.delay_ticks, held_delay(loop, p.angle, turn / p.angle));
+    const double pure = turn / p.angle;
+    if (loop.is_wired()) {
+      m.delay_ticks = std::min(m.delay_ticks, pure);
+    } else if (pure < kFarDelay * m.delay_ticks) {
+      m.delay_ticks = std::min(m.delay_ticks, held_delay(loop, p.angle, pure));
     }
   }
 }
@@ -188,10 +191,13 @@ Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
   if (points[last].l.real() < 0.0) {  // at half the sampling rate the loop is real
     note_gain(-1.0 / points[last].l.real(), m);
   }
-  if (std::abs(points[last].l.real()) > kQuiet) {
-    m.delay_ticks = std::min(m.delay_ticks, turning_delay(loop));
-  }
-  if (!loop.is_wired()) {
+  if (loop.is_wired()) {
+    // One tick more turns a loop above 1 about, beyond -1.
+    m.delay_ticks = points[last].l.real() > 1.0 ? std::min(m.delay_ticks, 1.0) : m.delay_ticks;
+  } else {
+    if (std::abs(points[last].l.real()) > kQuiet) {
+      m.delay_ticks = std::min(m.delay_ticks, turning_delay(loop));
+    }
     m.delay_ticks = delay_behind_filters(loop, m.delay_ticks);
   }
   m.disk = 1.0 / worst.closeness;

@@ -19,8 +19,9 @@ struct Margins {
   double gain_up = 0.0;         ///< smallest factor above one that destabilises it; infinite when none does
   double gain_down = 0.0;       ///< largest below one; zero when none does
   double phase_rad = 0.0;       ///< smallest lag or lead that destabilises it; pi when none does
-  double delay_ticks =
-      0.0;  ///< smallest additional delay of the held current that destabilises it; infinite when none does
+  /// Smallest additional delay that destabilises it; infinite when none does. Behind filters it is that of a current
+  /// which is held between ticks; without, a pure one, from which a held one may differ by a fifth.
+  double delay_ticks = 0.0;
 
   /// Gain factors up to this are inside the disk: (2 + alpha) / (2 - alpha).
   double disk_gain() const noexcept { return disk < 2.0 ? (2.0 + disk) / (2.0 - disk) : 1e300; }
