@@ -22,9 +22,10 @@ constexpr double kFarDelay = 1.5;  // times the least so far: not the least, how
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Angles to evaluate, ascending: the grid and the angles of the loop's poles.
+template <int Grid>
 struct Angles {
-  std::array<Angle, kFineGrid + kMaxStates> of;
-  std::size_t count = 0;
+  std::array<Angle, Grid + kMaxStates> of;
+  std::size_t count = Grid;
 };
 
 struct Point {
@@ -123,17 +124,10 @@ void note_crossings(const Loop& loop, const Point& a, const Point& b, Margins& m
   }
 }
 
-Angles angles_for(const SmallSpectrum& poles, bool is_wired) noexcept {
-  Angles angles;
-  const auto add = [&](const auto& some) {
-    std::ranges::copy(some, angles.of.begin());
-    angles.count = some.size();
-  };
-  if (is_wired) {
-    add(grid<kGrid>());
-  } else {
-    add(grid<kFineGrid>());
-  }
+template <int Grid>
+Angles<Grid> angles_for(const SmallSpectrum& poles) noexcept {
+  Angles<Grid> angles;
+  std::ranges::copy(grid<Grid>(), angles.of.begin());
   for (const Complex& pole : poles) {
     const double angle = std::arg(pole);
     if (angle > kFirstAngle && angle < std::numbers::pi) {
@@ -145,28 +139,11 @@ Angles angles_for(const SmallSpectrum& poles, bool is_wired) noexcept {
   return angles;
 }
 
-}  // namespace
-
-Complex loop_gain(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters,
-                  double angle_rad) noexcept {
-  return Loop(model, gains, delay_ticks, filters).at(std::polar(1.0, angle_rad));
-}
-
-Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
-                const MeasurementFilters& filters) noexcept {
-  return margins(model, gains, delay_ticks, filters, closed_loop_spectrum(model, gains, delay_ticks));
-}
-
-Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters,
-                const SmallSpectrum& poles) noexcept {
-  const Loop loop(model, gains, delay_ticks, filters);
-  const bool stable =
-      loop.is_wired() ? poles.cwiseAbs().maxCoeff() < 1.0 : filtered_loop_is_stable(model, gains, delay_ticks, filters);
-  if (!stable || !poles.allFinite()) {
-    return {};
-  }
-  const Angles angles = angles_for(poles, loop.is_wired());
-  std::array<Point, kFineGrid + kMaxStates> points;
+/// Margins of a stable loop.
+template <int Grid>
+Margins margins_on_grid(const Loop& loop, const SmallSpectrum& poles) noexcept {
+  const Angles<Grid> angles = angles_for<Grid>(poles);
+  std::array<Point, Grid + kMaxStates> points;
   for (std::size_t i = 0; i < angles.count; ++i) {
     points[i] = look(loop, angles.of[i].value, angles.of[i].z);
   }
@@ -203,6 +180,29 @@ Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
   m.disk = 1.0 / worst.closeness;
   m.disk_angle_rad = worst.angle;
   return m;
+}
+
+}  // namespace
+
+Complex loop_gain(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters,
+                  double angle_rad) noexcept {
+  return Loop(model, gains, delay_ticks, filters).at(std::polar(1.0, angle_rad));
+}
+
+Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,
+                const MeasurementFilters& filters) noexcept {
+  return margins(model, gains, delay_ticks, filters, closed_loop_spectrum(model, gains, delay_ticks));
+}
+
+Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters,
+                const SmallSpectrum& poles) noexcept {
+  const Loop loop(model, gains, delay_ticks, filters);
+  const bool stable =
+      loop.is_wired() ? poles.cwiseAbs().maxCoeff() < 1.0 : filtered_loop_is_stable(model, gains, delay_ticks, filters);
+  if (!stable || !poles.allFinite()) {
+    return {};
+  }
+  return loop.is_wired() ? margins_on_grid<kGrid>(loop, poles) : margins_on_grid<kFineGrid>(loop, poles);
 }
 
 }  // namespace farrier::control
