@@ -103,7 +103,8 @@ class Loop {
   }
   Complex numerator(const PlantPolynomials& plant, const Read& read, Complex z) const noexcept {
     const Complex back = std::conj(z);
-    const Complex force = times(polynomial(plant.force, z), wires_ ? Complex(1.0) : response(filters_.force, back));
+    const Complex truth = polynomial(plant.force, z);
+    const Complex force = wires_ ? truth : times(truth, response(filters_.force, back));
     const Complex proportional =
         wires_ ? polynomial(read, z)
                : gains_.position * times(polynomial(plant.position, z), response(filters_.position, back)) +

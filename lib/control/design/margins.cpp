@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kRefinements = 6;  // parabolas through three points of a smooth peak
 constexpr int kCrossingSteps = 12;
-constexpr double kAngleShare = 1e-6;  // of an angle: a crossing is known well enough
+constexpr double kAngleShare = 1e-4;  // of an angle: a crossing is known well enough
 constexpr double kWorthRefining = 0.5;
 constexpr double kQuiet = 0.2;     // |L| at half the sampling rate, too small for any delay to matter there
 constexpr double kFarDelay = 1.5;  // times the least so far: not the least, however it is held
