@@ -15,6 +15,8 @@ using namespace std::chrono_literals;
 
 class Echo : public BesideATrot {
  protected:
+  /// The lines of samples. The output holds standard error too, where echo says after some seconds that nothing comes;
+  /// on a busy machine discovery alone may take as long.
   std::vector<std::string> lines_of(std::vector<std::string> arguments) const {
     arguments.insert(arguments.begin(), "echo");
     const std::vector<std::string> where = beside();
@@ -24,7 +26,9 @@ class Echo : public BesideATrot {
     std::vector<std::string> lines;
     std::istringstream stream(output);
     for (std::string line; std::getline(stream, line);) {
-      lines.push_back(line);
+      if (!line.starts_with("farrier echo: ")) {
+        lines.push_back(line);
+      }
     }
     return lines;
   }

@@ -18,8 +18,9 @@ std::optional<DelayedCrossing> delayed_crossing(const Loop& loop, const PartOfTi
   constexpr int kSecants = 10;
   constexpr double kStep = 1e-3;
   constexpr double kEnough = 1e-7;  // of log |L|^2
+  const Loop::Delayed delayed(loop, part, delay);
   const auto log_size = [&](double at, Complex& l) {
-    l = loop.delayed(part, delay, {std::cos(at), std::sin(at)});
+    l = delayed.at({std::cos(at), std::sin(at)});
     return std::log(std::norm(l));
   };
   Complex l;
@@ -60,16 +61,14 @@ double turn(const OneAndL& one_and_l, double from_angle, Complex from, double to
 /// stable loop (Nyquist).
 double whole_turn(const Loop& loop, const PartOfTick& part, double delay) noexcept {
   constexpr int kHalvings = 8;
-  const auto one_and_l = [&](double angle) {
-    return 1.0 + loop.delayed(part, delay, {std::cos(angle), std::sin(angle)});
-  };
+  const Loop::Delayed delayed(loop, part, delay);
+  const auto one_and_l = [&](double angle) { return 1.0 + delayed.at({std::cos(angle), std::sin(angle)}); };
+  const auto& angles = grid<kFineGrid>();
   double sum = 0.0;
-  double angle = kFirstAngle;
-  Complex before = one_and_l(angle);
-  for (const Angle& next : grid<kFineGrid>()) {
-    const Complex now = 1.0 + loop.delayed(part, delay, next.z);
-    sum += turn(one_and_l, angle, before, next.value, now, kHalvings);
-    angle = next.value;
+  Complex before = 1.0 + delayed.at(angles[0].z);
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    const Complex now = 1.0 + delayed.at(angles[i].z);
+    sum += turn(one_and_l, angles[i - 1].value, before, angles[i].value, now, kHalvings);
     before = now;
   }
   return sum;
@@ -105,7 +104,7 @@ double turning_delay(const Loop& loop) noexcept {
   constexpr int kLooks = 8;
   constexpr int kHalvings = 10;
   const PartOfTick part = loop.part_of_tick();
-  const auto beyond = [&](double delay) { return loop.delayed(part, delay, {-1.0, 0.0}).real() < -1.0; };
+  const auto beyond = [&](double delay) { return Loop::Delayed(loop, part, delay).at({-1.0, 0.0}).real() < -1.0; };
   for (int i = 1; i <= kLooks; ++i) {
     double outside = static_cast<double>(i) / kLooks;
     if (!beyond(outside)) {

@@ -25,9 +25,10 @@ inline Complex over(Complex a, Complex b) noexcept {
 }
 
 template <std::size_t N>
+  requires(N >= 2)
 inline Complex polynomial(const std::array<double, N>& c, Complex z) noexcept {
-  Complex sum = c[N - 1];
-  for (std::size_t i = N - 1; i-- > 0;) {
+  Complex sum = c[N - 1] * z + c[N - 2];
+  for (std::size_t i = N - 2; i-- > 0;) {
     sum = times(sum, z) + c[i];
   }
   return sum;
@@ -58,13 +59,16 @@ class Loop {
         wires_(filters.are_wires()),
         gains_(gains),
         delay_ticks_(delay_ticks),
-        integral_(gains.integral_factor * gains.integral) {}
+        integral_(gains.integral_factor * gains.integral),
+        wired_numerator_(multiplied_out(plant_, read_, integral_)) {}
 
   /// True if every filter is a pass-through.
   bool is_wired() const noexcept { return wires_; }
 
   /// `z` on the unit circle.
-  Complex at(Complex z) const noexcept { return over(numerator(plant_, read_, z), denominator(z)); }
+  Complex at(Complex z) const noexcept {
+    return over(wires_ ? polynomial(wired_numerator_, z) : numerator(plant_, read_, z), denominator(z));
+  }
 
   /// The sampled plant for currents that act during parts of a tick.
   PartOfTick part_of_tick() const noexcept {
@@ -77,22 +81,44 @@ class Loop {
     return PartOfTick(model);
   }
 
-  /// The same as at() with the current `ticks` later than it is, held between ticks.
-  Complex delayed(const PartOfTick& part, double ticks, Complex z) const noexcept {
-    const Complex back = std::conj(z);
-    const double whole = std::floor(ticks);
-    const Eigen::Vector3d soon = part.input(1.0 - (ticks - whole));
-    const PlantPolynomials early = plant_polynomials({model_.a, soon}, gains_.form);
-    const PlantPolynomials late = plant_polynomials({model_.a, model_.b - soon}, gains_.form);
-    Complex sum = numerator(early, reads(early, gains_), z) + times(back, numerator(late, reads(late, gains_), z));
-    for (int i = 0; i < static_cast<int>(whole); ++i) {
-      sum = times(sum, back);
+  /// This loop with its current `ticks` later than it is, held between ticks. The loop outlives it.
+  class Delayed {
+   public:
+    Delayed(const Loop& loop, const PartOfTick& part, double ticks) noexcept : loop_(loop), whole_(std::floor(ticks)) {
+      const Eigen::Vector3d soon = part.input(1.0 - (ticks - whole_));
+      early_ = plant_polynomials({loop.model_.a, soon}, loop.gains_.form);
+      late_ = plant_polynomials({loop.model_.a, loop.model_.b - soon}, loop.gains_.form);
+      read_early_ = reads(early_, loop.gains_);
+      read_late_ = reads(late_, loop.gains_);
     }
-    return over(sum, denominator(z));
-  }
+
+    /// As Loop::at().
+    Complex at(Complex z) const noexcept {
+      const Complex back = std::conj(z);
+      Complex sum = loop_.numerator(early_, read_early_, z) + times(back, loop_.numerator(late_, read_late_, z));
+      for (int i = 0; i < static_cast<int>(whole_); ++i) {
+        sum = times(sum, back);
+      }
+      return over(sum, loop_.denominator(z));
+    }
+
+   private:
+    const Loop& loop_;
+    double whole_;
+    PlantPolynomials early_, late_;  // of what the current does in the tick it comes in, and in the next
+    std::array<double, 3> read_early_, read_late_;
+  };
 
  private:
   using Read = std::array<double, 3>;  // k_x N_x + k_v N_v + k_F N_F
+
+  /// numerator() of a loop without filters, as one polynomial.
+  static std::array<double, 4> multiplied_out(const PlantPolynomials& plant, const Read& read,
+                                              double integral) noexcept {
+    const auto& force = plant.force;
+    return {integral * force[0] - read[0], integral * force[1] - read[1] + read[0],
+            integral * force[2] - read[2] + read[1], read[2]};
+  }
 
   static Read reads(const PlantPolynomials& plant, const Gains& gains) noexcept {
     Read read{};
@@ -116,7 +142,7 @@ class Loop {
     const Complex back = std::conj(z);
     Complex product = times(polynomial(plant_.denominator, z), z - 1.0);
     if (gains_.delay_ticks > 0) {
-      product = times(product, 1.0 + gains_.delay[0] * back + gains_.delay[1] * times(back, back));
+      product = times(product, 1.0 + times(back, gains_.delay[0] + gains_.delay[1] * back));
     }
     for (int i = 0; i < delay_ticks_; ++i) {
       product = times(product, z);
@@ -132,6 +158,7 @@ class Loop {
   const Gains& gains_;
   int delay_ticks_;
   double integral_;
+  std::array<double, 4> wired_numerator_;
 };
 
 /// An angle per tick and its place on the unit circle.

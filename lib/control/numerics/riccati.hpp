@@ -31,7 +31,7 @@ struct RiccatiSolution {
   Eigen::Matrix<double, M, N> k;  ///< gain of u = -k x: (B'SB + R)^-1 (B'SA + N'), (7.5) corrected
   int iterations;                 ///< of the algorithm that was used
   double relative_residual;       ///< Frobenius norm of the left side of (7.4) over that of S
-  double spectral_radius;         ///< of A - B k, below one, to 1e-6
+  double radius_bound;            ///< not below the spectral radius of A - B k; below one
 };
 
 /// Left side of (7.4): A'SA - S - (A'SB + N)(B'SB + R)^-1 (B'SA + N') + Q. Zero for a solution.

@@ -157,7 +157,7 @@ TEST(Darex, EveryExampleWithoutADataFileIsSolvedOrRefusedByName) {
       }
       std::printf("solved, residual %.1e\n", solution.value().relative_residual);
       EXPECT_LE(solution.value().relative_residual, kResidual) << group << "." << number;
-      EXPECT_LT(solution.value().spectral_radius, 1.0) << group << "." << number;
+      EXPECT_LT(solution.value().radius_bound, 1.0) << group << "." << number;
       if (e.has_solution) {
         EXPECT_LE((solution.value().s - e.x).norm(), kPublished * e.x.norm()) << group << "." << number;
       }
