@@ -7,13 +7,15 @@ namespace farrier::estimator_service {
 
 Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int loop_delay_ticks) {
   std::vector<std::unique_ptr<estimation::Estimator>> estimators;
+  std::vector<control::ValveOpening> valves;
   for (const robot::Joint& joint : robot.joints) {
     estimators.push_back(FARRIER_TRY(robot::make_estimator(joint, robot.period_s, loop_delay_ticks)));
+    valves.emplace_back(joint.effects);
   }
-  return EstimatorService(std::move(estimators));
+  return EstimatorService(std::move(estimators), std::move(valves));
 }
 
-EstimatorService::EstimatorService(const EstimatorService& other) : taken_(other.taken_) {
+EstimatorService::EstimatorService(const EstimatorService& other) : valves_(other.valves_), taken_(other.taken_) {
   for (const auto& estimator : other.estimators_) {
     estimators_.push_back(estimator->clone());
   }
@@ -25,7 +27,7 @@ void EstimatorService::take(const signals::JointMeasurement& measurement) noexce
     estimators_[measurement.joint]->take(
         {.tick = measurement.tick,
          .state = {measurement.position_m_or_rad, measurement.velocity_m_s_or_rad_s, measurement.force_N_or_Nm},
-         .current_A = measurement.valve_current_A,
+         .current_A = valves_[measurement.joint].at(measurement.valve_current_A),
          .phase = static_cast<int>(measurement.phase)});
   }
 }

@@ -2,14 +2,15 @@
 
 // One estimator per leg joint:
 //
-//   joint/measurement ──▶ Estimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
-//                                                 └──▶ lf/joint/model_estimate (ten a second)
+//   joint/measurement ──▶ ValveOpening, Estimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
+//                                                               └──▶ lf/joint/model_estimate (ten a second)
 
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
 
+#include "control/law/valve_opening.hpp"
 #include "estimation/estimator.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
@@ -59,10 +60,12 @@ class EstimatorService {
   signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick) const noexcept;
 
  private:
-  explicit EstimatorService(std::vector<std::unique_ptr<estimation::Estimator>> estimators)
-      : estimators_(std::move(estimators)), taken_(estimators_.size()) {}
+  EstimatorService(std::vector<std::unique_ptr<estimation::Estimator>> estimators,
+                   std::vector<control::ValveOpening> valves)
+      : estimators_(std::move(estimators)), valves_(std::move(valves)), taken_(estimators_.size()) {}
 
   std::vector<std::unique_ptr<estimation::Estimator>> estimators_;  // by joint number
+  std::vector<control::ValveOpening> valves_;                       // likewise
   std::vector<TakenTicks> taken_;                                   // likewise
 };
 

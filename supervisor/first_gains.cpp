@@ -1,5 +1,6 @@
 #include "supervisor/first_gains.hpp"
 
+#include "robot/joint_model.hpp"
 #include "supervisor/joint_design.hpp"
 
 namespace farrier::supervisor {
@@ -18,7 +19,7 @@ Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double 
 plant::JointPhysics first_physics(const robot::Joint& joint, Design design, signals::Phase phase) noexcept {
   const bool stance = phase == signals::Phase::kStance;
   const bool for_stance = design == Design::kStance || (stance && design != Design::kSwing);
-  return plant::nominal_physics(joint.actuator, for_stance ? joint.stance_load : joint.swing_load);
+  return robot::nominal_physics(joint, for_stance ? joint.stance_load : joint.swing_load);
 }
 
 Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>& first_gains, int delay_ticks) {

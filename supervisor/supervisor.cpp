@@ -5,6 +5,7 @@
 #include <span>
 
 #include "control/model/model_rows.hpp"
+#include "robot/joint_model.hpp"
 #include "robot/sensor_path.hpp"
 #include "supervisor/joint_design.hpp"
 #include "wire_gains/wire_gains.hpp"
@@ -108,7 +109,7 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     for (const signals::Phase phase : kPhases) {
       batches.back().outputs.gains.push_back(wire_gains::with_physics(
           wire_gains::pack_gains(known.joint, phase, kFirstAuthority, ++generations[known.joint], gains),
-          plant::nominal_physics(robot.joints[known.joint].actuator, known.load)));
+          robot::nominal_physics(robot.joints[known.joint], known.load)));
     }
   }
   return Supervisor(std::move(batches), std::move(slots), robot.joints.size(), robot.update_logic.gain_lead_ticks,

@@ -128,7 +128,7 @@ Result<Done> arm(joint_node::JointNode& node, const robot::Joint& believed, doub
   signal.generation = kFirst;
   signal.effective_tick = 0;
   signal.has_physics = 1;
-  signal.physics = plant::values_of(plant::nominal_physics(believed.actuator, believed.swing_load));
+  signal.physics = plant::values_of(robot::nominal_physics(believed, believed.swing_load));
   node.store_gains(signal, gains);
   return Done{};
 }

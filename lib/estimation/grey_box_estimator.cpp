@@ -78,7 +78,7 @@ Unknowns variance_of(const GreyBoxParams& p, const JointScales& s, const plant::
 
 Result<GreyBoxEstimator> GreyBoxEstimator::create(const EstimatorParams& shared, const JointScales& scales,
                                                   const plant::ActuatorParams& actuator,
-                                                  const std::array<plant::LoadParams, 2>& prior) {
+                                                  const std::array<plant::LoadParams, 2>& prior, double leakage) {
   const GreyBoxParams params = shared.grey_box.value_or(GreyBoxParams{});
   if (const std::string wrong = out_of_range(params); !wrong.empty()) {
     return Error{"grey_box: " + wrong};
@@ -104,7 +104,9 @@ Result<GreyBoxEstimator> GreyBoxEstimator::create(const EstimatorParams& shared,
   std::array<GreyBoxFilter::Load, 2> loads;
   std::array<Unknowns, 2> first;
   for (std::size_t i = 0; i < 2; ++i) {
-    first[i] = model.unknowns_of(plant::nominal_physics(actuator, prior[i]));
+    plant::JointPhysics physics = plant::nominal_physics(actuator, prior[i]);
+    physics.leakage = leakage;
+    first[i] = model.unknowns_of(physics);
     loads[i].unknowns = first[i].head<5>();
     loads[i].covariance = variance_of(params, scales, actuator, prior[i].stiffness).head<5>().asDiagonal();
   }

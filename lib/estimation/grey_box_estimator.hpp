@@ -26,12 +26,12 @@ namespace farrier::estimation {
 class GreyBoxEstimator final : public Estimator {
  public:
   /// Uses grey_box (absent: its defaults), blank_ticks, min_samples and phase_memory of `params`; a gate is refused.
-  /// The `actuator` is the nominal one. The `prior` is the load of either phase before any measurement; a change of
+  /// The `actuator` is the nominal one and `leakage` the known one between its chambers, m^3/s/Pa. The `prior` is the load of either phase before any measurement; a change of
   /// load begins at the geometric mean of both. Refuses settings out of range, actuators and loads that no machine has,
   /// and loads without mass, naming each.
   static Result<GreyBoxEstimator> create(const EstimatorParams& params, const JointScales& scales,
                                          const plant::ActuatorParams& actuator,
-                                         const std::array<plant::LoadParams, 2>& prior);
+                                         const std::array<plant::LoadParams, 2>& prior, double leakage = 0.0);
 
   /// Takes one tick. After a gap the filter restarts at the measurement; the estimate of the joint stays.
   void take(const JointSample& sample) noexcept override;

@@ -99,6 +99,18 @@ class EffectReader {
   config::Problems problems_;
 };
 
+/// An effect that the joint already has gets the new numbers.
+void put_beside(Joint& joint, std::span<const plant::ActiveEffect> effects) {
+  for (const plant::ActiveEffect& effect : effects) {
+    const auto old = std::ranges::find(joint.effects, effect.id, &plant::ActiveEffect::id);
+    if (old != joint.effects.end()) {
+      *old = effect;
+    } else {
+      joint.effects.push_back(effect);
+    }
+  }
+}
+
 /// Those of `effects` that are other loads.
 Result<Done> put_into_loads(Joint& joint, std::span<const plant::ActiveEffect> effects) {
   const plant::Loads loads = plant::loads_with_effects({joint.swing_load, joint.stance_load}, joint.actuator, effects);
@@ -117,19 +129,21 @@ Result<Done> put_into_loads(Joint& joint, std::span<const plant::ActiveEffect> e
 
 config::Problems add_effects(JointEffectsSection& section, Joint& joint) {
   EffectReader reader(joint);
+  std::vector<plant::ActiveEffect> effects;
   for (std::optional<EffectSection>& effect : section.effects) {
     if (effect) {
-      joint.effects.push_back(reader.read(*effect));
+      effects.push_back(reader.read(*effect));
     }
   }
   config::Problems problems = std::move(reader).take_problems();
-  if (joint.effects.empty()) {
+  if (effects.empty()) {
     problems.push_back(section.place.problem("", "is empty: name an effect, or leave the joint out"));
   }
   if (!problems.empty()) {
     return problems;
   }
-  if (const auto put = put_into_loads(joint, joint.effects); !put) {
+  put_beside(joint, effects);
+  if (const auto put = put_into_loads(joint, effects); !put) {
     problems.push_back(section.place.problem("", put.error().message));
   }
   return problems;
@@ -137,14 +151,7 @@ config::Problems add_effects(JointEffectsSection& section, Joint& joint) {
 
 Result<Joint> with_effects(const Joint& joint, std::span<const plant::ActiveEffect> effects) {
   Joint extended = joint;
-  for (const plant::ActiveEffect& effect : effects) {
-    const auto old = std::ranges::find(extended.effects, effect.id, &plant::ActiveEffect::id);
-    if (old != extended.effects.end()) {
-      *old = effect;
-    } else {
-      extended.effects.push_back(effect);
-    }
-  }
+  put_beside(extended, effects);
   if (const auto put = put_into_loads(extended, effects); !put) {
     return Error{joint.name + ": its effects " + put.error().message};
   }

@@ -40,7 +40,8 @@ Made make_regression_estimator(const Joint& joint, const estimation::JointScales
 /// Knows the joint's structure, so it needs the actuator and both loads.
 Made make_grey_box_estimator(const Joint& joint, const estimation::JointScales& scales) {
   auto estimator = estimation::GreyBoxEstimator::create(joint.estimator, scales, joint.actuator,
-                                                        {joint.swing_load, joint.stance_load});
+                                                        {joint.swing_load, joint.stance_load},
+                                                        nominal_physics(joint, joint.swing_load).leakage);
   if (!estimator) {
     return refused(joint, estimator.error().message);
   }

@@ -141,18 +141,21 @@ class ReferenceCheck {
   }
 
   void check_effects(const std::string& joint, const JointEffectsSection& effects) {
-    if (joints_.contains(joint)) {
+    if (joints_.contains(joint) || config::find(file_.joints, joint) != nullptr) {
       return;
     }
     std::vector<std::string> known;
     std::string all;
-    for (const auto& [name, leg] : joints_) {
-      known.push_back(name);
-      all += (all.empty() ? " " : ", ") + name;
-    }
+    const auto add = [&](const auto& named) {
+      known.push_back(named.first);
+      all += (all.empty() ? " " : ", ") + named.first;
+    };
+    std::ranges::for_each(joints_, add);
+    std::ranges::for_each(file_.joints, add);
     const std::string meant = config::suggest(joint, known).name;
-    problems_.push_back(effects.place.problem(
-        "", "is not a joint of a leg" + (meant.empty() ? ": known are" + all : ": did you mean " + meant + "?")));
+    problems_.push_back(
+        effects.place.problem("", "is neither a joint of a leg nor a section of joints" +
+                                      (meant.empty() ? ": known are" + all : ": did you mean " + meant + "?")));
   }
 
   const RobotFile& file_;

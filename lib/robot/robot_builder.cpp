@@ -157,12 +157,8 @@ class Builder {
     }
     for (const auto& [joint_name, template_name] : leg.joints) {
       Joint joint = make_joint(joint_name, *config::find(file_.joints, template_name), leg);
-      for (auto& [named, effects] : file_.effects) {
-        if (named == joint_name) {
-          const config::Problems misfits = add_effects(effects, joint);
-          problems_.insert(problems_.end(), misfits.begin(), misfits.end());
-        }
-      }
+      add_effects_of(template_name, joint);
+      add_effects_of(joint_name, joint);
       joint.number = static_cast<std::uint16_t>(robot.joints.size());
       joint.leg = static_cast<int>(robot.plan.legs.size());
       joint.index_in_leg = static_cast<int>(plan.joints.size());
@@ -171,6 +167,15 @@ class Builder {
       robot.joints.push_back(std::move(joint));
     }
     robot.plan.legs.push_back(std::move(plan));
+  }
+
+  /// Adds the effects under `name`, which is the joint's or its kind's.
+  void add_effects_of(const std::string& name, Joint& joint) {
+    const auto section = std::ranges::find(file_.effects, name, [](const auto& named) { return named.first; });
+    if (section != file_.effects.end()) {
+      const config::Problems misfits = add_effects(section->second, joint);
+      problems_.insert(problems_.end(), misfits.begin(), misfits.end());
+    }
   }
 
   Joint make_joint(const std::string& name, const JointTemplate& from, const Leg& leg) const {

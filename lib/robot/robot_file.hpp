@@ -97,7 +97,7 @@ struct RobotFile {
   SafetySection safety;
   Bounds bounds;
   VariationSection variation;
-  config::Named<JointEffectsSection> effects;  ///< by joint, none of which is named twice
+  config::Named<JointEffectsSection> effects;  ///< by joint or section of joints, none named twice
   std::optional<Deployment> deployment;        ///< over several computers
   config::Place place;
 };

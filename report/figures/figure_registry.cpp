@@ -120,8 +120,8 @@ constexpr std::array kSpecs{
     FigureSpec{"compare.models.<load>.<form>.<signal>_gain", "1", kNone, "Gain designed on it, normalised."},
     FigureSpec{"compare.models.<load>.<form>.disk_margin", "1", kNone, "Disk margin of these gains on the exact form."},
     FigureSpec{"compare.filters.<count>", "1", kAtMost, "Sets of filters drawn, and how many of them are of a kind."},
-    FigureSpec{"compare.filters.<margin>.error_<statistic>", "1", kAtMost,
-               "Distance of the gain_up, gain_down or delay that makes the running loop unstable from the computed one."},
+    FigureSpec{"compare.filters.<margin>.error_<statistic>", "1", kAtMost, "The running loop's margin from the computed."},
+    FigureSpec{"compare.friction.<count>", "1", kAtMost, "Runs, and how many of them are of a kind."},
     // compare varied: stance NRMSE over all pairs of a joint and a seed
     FigureSpec{"trot.vary.seeds", "1", kNone, "Robots drawn."},
     FigureSpec{"trot.vary.adaptive_stance_nrmse_median", "1", kNone, "Median stance NRMSE of adaptation over joints and seeds."},

@@ -36,15 +36,14 @@ void check_joint(const RobotFile& file, const JointTemplate& joint, config::Prob
   }
 }
 
-bool has_electric_joint(const RobotFile& file, const std::string& name) {
+/// `name` is that of a joint of a leg or of a section of joints.
+bool is_electric(const RobotFile& file, const std::string& name) {
+  const JointTemplate* joint = config::find(file.joints, name);
   for (const auto& [leg_name, leg] : file.legs) {
     const std::string* from = config::find(leg.joints, name);
-    const JointTemplate* joint = from != nullptr ? config::find(file.joints, *from) : nullptr;
-    if (joint != nullptr) {
-      return electric_actuator_of(file, *joint) != nullptr;
-    }
+    joint = from != nullptr ? config::find(file.joints, *from) : joint;
   }
-  return false;
+  return joint != nullptr && electric_actuator_of(file, *joint) != nullptr;
 }
 
 }  // namespace
@@ -77,7 +76,7 @@ config::Problems check_electric(const RobotFile& file) {
     }
   }
   for (const auto& [name, effects] : file.effects) {
-    if (has_electric_joint(file, name)) {
+    if (is_electric(file, name)) {
       problems.push_back(effects.place.problem("", "is an electric joint: effects are those of hydraulic ones"));
     }
   }

@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, JointEffectsMistake,
     testing::Values(
         Mistake{"  lf_kne:\n    valve_bias: {current_A: 1e-4}\n", "  lf_kne",
-                "lf_kne: is not a joint of a leg: did you mean lf_kfe?"},
+                "lf_kne: is neither a joint of a leg nor a section of joints: did you mean lf_kfe?"},
         Mistake{"  lf_kfe:\n    valve_dedband: {half_width_A: 1e-4}\n", "    valve_dedband",
                 "lf_kfe.valve_dedband: is not a known parameter: did you mean valve_deadband?"},
         Mistake{"  lf_kfe:\n    valve_deadband: {half_widht_A: 1e-4, half_width_A: 1e-4}\n", "    valve_dead",
