@@ -17,6 +17,7 @@
 
 #include "core/ensure.hpp"
 #include "bench/bench_plant_joints.hpp"
+#include "plant/effects/effects.hpp"
 #include "plant/equations.hpp"
 #include "plant/hydraulic_joint.hpp"
 
@@ -51,10 +52,27 @@ double elapsed_s(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-Outcome run_ours(const std::vector<BenchJoint>& cases, int ticks) {
+plant::ActiveEffect effect_of(const char* name, std::initializer_list<double> values) {
+  plant::ActiveEffect effect{plant::find_effect(name), {}};
+  std::ranges::copy(values, effect.values.begin());
+  return effect;
+}
+
+/// The effects that hyq.yaml gives its joints, with its numbers.
+std::vector<plant::ActiveEffect> effects_of(const BenchJoint& joint) {
+  const bool rotary = joint.actuator.area_a == joint.actuator.area_b;
+  const double lever = rotary ? 0.045 : 1.0;
+  const double stribeck = 0.01 * plant::velocity_scale(joint.actuator);
+  return {effect_of("piston_friction", {10.0 * lever, 1.3, stribeck, 1.25e-4 * joint.actuator.stroke, 0.0}),
+          effect_of("valve_deadband", {6e-5, 2e-14}), effect_of("supply_droop", {2.5e9, 0.042})};
+}
+
+Outcome run_ours(const std::vector<BenchJoint>& cases, int ticks, bool with_effects = false) {
   std::vector<HydraulicJoint> joints;
   for (const BenchJoint& c : cases) {
-    joints.push_back(HydraulicJoint::create(c.actuator, c.load_at(0), c.start).value());
+    joints.push_back(HydraulicJoint::create(c.actuator, c.load_at(0), c.start, HydraulicJoint::kDefaultTolerance,
+                                            with_effects ? effects_of(c) : std::vector<plant::ActiveEffect>{})
+                         .value());
   }
   States states(static_cast<std::size_t>(ticks));
   const auto start = std::chrono::steady_clock::now();
@@ -234,7 +252,9 @@ PlantBench bench_plant(int ticks) {
   constexpr int kRepeats = 3;
   const std::vector<BenchJoint> joints = make_bench_joints(ticks);
   const Outcome ours = fastest_of(kRepeats, [&] { return run_ours(joints, ticks); });
-  PlantBench bench{ours.s_per_tick, 0.0, ours.error, 0.0, ""};
+  const Outcome effects = fastest_of(kRepeats, [&] { return run_ours(joints, ticks, true); });
+  PlantBench bench{
+      .ours_s_per_tick = ours.s_per_tick, .ours_error = ours.error, .effects_s_per_tick = effects.s_per_tick};
   for (const Configuration& how : kConfigurations) {
     const double tolerance = matching_tolerance(joints, ticks, how, ours.error);
     const Outcome theirs = fastest_of(kRepeats, [&] { return run_cvode(joints, ticks, how, tolerance); });

@@ -10,6 +10,7 @@ struct PlantBench {
                                   ///< stroke, velocity_scale() and supply pressure
   double cvode_error = 0.0;       ///< same
   const char* cvode_configuration = "";
+  double effects_s_per_tick = 0.0;  ///< as ours_s_per_tick, the joints with friction, overlap and a supply that droops
 };
 
 /// Runs `ticks` (>= 1) of 1 ms: four legs of HyQ-like joints (one rotary motor, two cylinders each) under seeded

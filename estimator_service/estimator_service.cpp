@@ -2,34 +2,43 @@
 
 #include "control/model/model_rows.hpp"
 #include "robot/make_estimator.hpp"
+#include "robot/sensor_path.hpp"
 
 namespace farrier::estimator_service {
 
 Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int loop_delay_ticks) {
   std::vector<std::unique_ptr<estimation::Estimator>> estimators;
-  std::vector<control::ValveOpening> valves;
+  std::vector<Inputs> inputs;
   for (const robot::Joint& joint : robot.joints) {
     estimators.push_back(FARRIER_TRY(robot::make_estimator(joint, robot.period_s, loop_delay_ticks)));
-    valves.emplace_back(joint.effects);
+    inputs.push_back({control::ValveOpening(joint.effects), robot::signal_aligner(joint, robot.period_s)});
   }
-  return EstimatorService(std::move(estimators), std::move(valves));
+  return EstimatorService(std::move(estimators), std::move(inputs));
 }
 
-EstimatorService::EstimatorService(const EstimatorService& other) : valves_(other.valves_), taken_(other.taken_) {
+EstimatorService::EstimatorService(const EstimatorService& other) : inputs_(other.inputs_), taken_(other.taken_) {
   for (const auto& estimator : other.estimators_) {
     estimators_.push_back(estimator->clone());
   }
 }
 
 void EstimatorService::take(const signals::JointMeasurement& measurement) noexcept {
-  if (measurement.joint < estimators_.size()) {
-    taken_[measurement.joint].add(measurement.tick);
-    estimators_[measurement.joint]->take(
-        {.tick = measurement.tick,
-         .state = {measurement.position_m_or_rad, measurement.velocity_m_s_or_rad_s, measurement.force_N_or_Nm},
-         .current_A = valves_[measurement.joint].at(measurement.valve_current_A),
-         .phase = static_cast<int>(measurement.phase)});
+  if (measurement.joint >= estimators_.size()) {
+    return;
   }
+  taken_[measurement.joint].add(measurement.tick);
+  Inputs& inputs = inputs_[measurement.joint];
+  if (measurement.tick != inputs.newest + 1) {
+    inputs.aligner.reset();
+  }
+  inputs.newest = measurement.tick;
+  const auto [measured, current_A] = inputs.aligner.take(
+      {{measurement.position_m_or_rad, measurement.velocity_m_s_or_rad_s, measurement.force_N_or_Nm},
+       inputs.valve.at(measurement.valve_current_A)});
+  estimators_[measurement.joint]->take({.tick = measurement.tick,
+                                        .state = {measured.position, measured.velocity, measured.force},
+                                        .current_A = current_A,
+                                        .phase = static_cast<int>(measurement.phase)});
 }
 
 signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick tick) const noexcept {

@@ -2,14 +2,16 @@
 
 // One estimator per leg joint:
 //
-//   joint/measurement ──▶ ValveOpening, Estimator of that joint ──▶ joint/model_estimate (every estimate_period_ticks)
-//                                                               └──▶ lf/joint/model_estimate (ten a second)
+//   joint/measurement ──▶ ValveOpening, SignalAligner ──▶ Estimator of that joint
+//       ──▶ joint/model_estimate (every estimate_period_ticks)
+//       └──▶ lf/joint/model_estimate (ten a second)
 
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <vector>
 
+#include "control/law/signal_aligner.hpp"
 #include "control/law/valve_opening.hpp"
 #include "estimation/estimator.hpp"
 #include "robot/robot.hpp"
@@ -60,12 +62,18 @@ class EstimatorService {
   signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick) const noexcept;
 
  private:
-  EstimatorService(std::vector<std::unique_ptr<estimation::Estimator>> estimators,
-                   std::vector<control::ValveOpening> valves)
-      : estimators_(std::move(estimators)), valves_(std::move(valves)), taken_(estimators_.size()) {}
+  /// From a joint's measurements to what its estimator reads.
+  struct Inputs {
+    control::ValveOpening valve;
+    control::SignalAligner aligner;
+    Tick newest = kNoTick;
+  };
+
+  EstimatorService(std::vector<std::unique_ptr<estimation::Estimator>> estimators, std::vector<Inputs> inputs)
+      : estimators_(std::move(estimators)), inputs_(std::move(inputs)), taken_(estimators_.size()) {}
 
   std::vector<std::unique_ptr<estimation::Estimator>> estimators_;  // by joint number
-  std::vector<control::ValveOpening> valves_;                       // likewise
+  std::vector<Inputs> inputs_;                                      // likewise
   std::vector<TakenTicks> taken_;                                   // likewise
 };
 

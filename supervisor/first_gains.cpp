@@ -1,19 +1,39 @@
 #include "supervisor/first_gains.hpp"
 
 #include "robot/joint_model.hpp"
+#include "robot/sensor_path.hpp"
 #include "supervisor/joint_design.hpp"
 
 namespace farrier::supervisor {
+namespace {
+
+bool is_filtered(const robot::Joint& joint, double period_s) noexcept {
+  return !robot::measurement_filters(joint, period_s).are_wires();
+}
+
+}  // namespace
 
 Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double period_s, int delay_ticks) {
   SlotGains slots;
+  const bool by_phase = design == Design::kPhases || (design == Design::kAdaptive && is_filtered(joint, period_s));
   for (const signals::Phase phase : kPhases) {
-    const bool for_stance =
-        design == Design::kStance || (design == Design::kPhases && phase == signals::Phase::kStance);
-    const auto gains = FARRIER_TRY(design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, period_s, delay_ticks));
+    const bool for_stance = design == Design::kStance || (by_phase && phase == signals::Phase::kStance);
+    const auto gains =
+        FARRIER_TRY(design_joint(joint, for_stance ? joint.stance_load : joint.swing_load, period_s, delay_ticks));
     slots[static_cast<std::size_t>(phase)] = gains;
   }
   return slots;
+}
+
+std::vector<plant::LoadParams> loads_to_hold(const robot::Robot& robot, const robot::Joint& joint,
+                                             signals::Phase phase) {
+  if (!is_filtered(joint, robot.period_s)) {
+    return {};
+  }
+  if (robot.plan.gait.pattern == gait::Pattern::kStand) {
+    return {joint.swing_load, joint.stance_load};
+  }
+  return {phase == signals::Phase::kStance ? joint.stance_load : joint.swing_load};
 }
 
 plant::JointPhysics first_physics(const robot::Joint& joint, Design design, signals::Phase phase) noexcept {

@@ -19,11 +19,19 @@ using SlotGains = PerPhase<control::Gains>;
 
 inline constexpr std::array kPhases{signals::Phase::kSwing, signals::Phase::kStance};
 
-/// Gains of both slots of a joint. Refuses as design_joint does.
+/// Gains of both slots of a joint. Adaptation begins with the swing load's in both, and finds those of stance itself.
+/// Behind filters an unstable loop grows too fast for that: there each phase begins with its own. Refuses as
+/// design_joint does.
 Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double period_s, int delay_ticks);
 
 /// Physics of the load that a slot's gains are for, except that adaptation begins with each phase's own.
 plant::JointPhysics first_physics(const robot::Joint& joint, Design design, signals::Phase phase) noexcept;
+
+/// Loads that a slot's joint must hold at all times beside the load it has been found to have: behind filters the loads
+/// of the file, because an unstable loop grows there before an estimate can tell. Those of both phases for a robot that
+/// stands, whose loads may change within its one phase.
+std::vector<plant::LoadParams> loads_to_hold(const robot::Robot& robot, const robot::Joint& joint,
+                                             signals::Phase phase);
 
 /// Checks that given first gains, if not empty, are for the joints of the robot and this delay.
 Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>& first_gains, int delay_ticks);

@@ -3,6 +3,7 @@
 #include "control/design/filtered_loop.hpp"
 #include "robot/joint_model.hpp"
 #include "robot/sensor_path.hpp"
+#include "supervisor/law_check.hpp"
 
 namespace farrier::supervisor {
 
@@ -24,6 +25,15 @@ Result<control::Gains> design_joint(const robot::Joint& joint, const plant::Load
                  " is unstable behind the sensors' " + robot::filters_text(joint) +
                  (joint.equalises_filters ? ": raise the cut-offs, or lower integral_factor"
                                           : ": set equalise_filters: true in the controller, or raise the cut-offs")};
+  }
+  const std::string filters = robot::filters_text(joint);
+  if (filters.empty() || joint.electric) {
+    return gains.value();
+  }
+  const plant::JointPhysics physics = robot::nominal_physics(joint, load);
+  if (!LawCheck(joint, period_s, delay_ticks).settles(physics, physics)) {
+    return Error{joint.name + ": its controller does not settle on a load of " + std::to_string(load.mass) +
+                 " behind the sensors' " + filters + ": raise the cut-offs, or give other gains"};
   }
   return gains.value();
 }

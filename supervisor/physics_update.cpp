@@ -4,14 +4,12 @@
 #include <cmath>
 
 #include "control/model/model_rows.hpp"
+#include "robot/joint_model.hpp"
 
 namespace farrier::supervisor {
 namespace {
 
 using signals::UpdateVerdict;
-
-constexpr double kStepShare = 0.01;     // of the force that counts as 1: well within the valve's range
-constexpr double kSettledAtMost = 0.5;  // of the step: an oscillating loop is beyond the whole of it
 
 /// Reference sizes for relative changes of quantities that may be zero.
 std::array<double, plant::kPhysicsCount> least_scales(const robot::Joint& joint) noexcept {
@@ -30,18 +28,17 @@ std::array<double, plant::kPhysicsCount> least_scales(const robot::Joint& joint)
 }  // namespace
 
 PhysicsUpdate::PhysicsUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
-                             int estimate_period_ticks, int loop_delay_ticks, const plant::JointPhysics& first)
+                             int estimate_period_ticks, int loop_delay_ticks, const plant::JointPhysics& first,
+                             const std::vector<plant::LoadParams>& loads_to_hold)
     : logic_(logic),
-      actuator_(joint.actuator),
-      gains_(joint.flow_inversion),
+      law_(joint, period_s, loop_delay_ticks),
       least_scale_(least_scales(joint)),
-      home_position_(joint.linkage.position(joint.home_angle_rad)),
-      slack_position_(joint.stance_load.equilibrium_position),
-      force_step_(kStepShare * joint.normalisation.force),
-      period_s_(period_s),
       estimate_period_s_(estimate_period_ticks * period_s),
-      loop_delay_ticks_(loop_delay_ticks),
-      physics_(first) {}
+      physics_(first) {
+  for (const plant::LoadParams& load : loads_to_hold) {
+    physics_to_hold_.push_back(robot::nominal_physics(joint, load));
+  }
+}
 
 void PhysicsUpdate::adopt(const plant::JointPhysics& physics, const control::DiscreteModel& model) noexcept {
   physics_ = physics;
@@ -69,10 +66,11 @@ UpdateVerdict PhysicsUpdate::judge(const signals::JointModelEstimate& estimate) 
     contradicted_s_ = 0.0;
     return UpdateVerdict::kNotDifferentEnough;
   }
-  if (!settles(estimated, estimated)) {
+  if (!law_.settles(estimated, estimated)) {
     return UpdateVerdict::kUnstableOnEstimate;
   }
-  if (!settles(estimated, stored_towards(estimated))) {
+  if (!law_.settles(estimated, stored_towards(estimated)) ||
+      !std::ranges::all_of(physics_to_hold_, [&](const auto& known) { return law_.settles(estimated, known); })) {
     contradicted_s_ += estimate_period_s_;
     return UpdateVerdict::kUnstableOnStoredModel;
   }
@@ -105,17 +103,6 @@ plant::JointPhysics PhysicsUpdate::stored_towards(const plant::JointPhysics& est
     moved[i] += std::clamp(wanted[i] - moved[i], -reach, reach);
   }
   return plant::physics_of(moved);
-}
-
-bool PhysicsUpdate::settles(const plant::JointPhysics& told, const plant::JointPhysics& actual) const noexcept {
-  const control::FlowInversionTrial trial{.actuator = actuator_,
-                                          .gains = gains_,
-                                          .position = home_position_,
-                                          .slack_position = slack_position_,
-                                          .force_step = force_step_,
-                                          .period_s = period_s_,
-                                          .delay_ticks = loop_delay_ticks_};
-  return control::trial_error(trial, told, actual) < kSettledAtMost;
 }
 
 }  // namespace farrier::supervisor

@@ -9,10 +9,10 @@
 // flow law.
 
 #include "control/model/discretise.hpp"
-#include "control/law/flow_inversion_trial.hpp"
 #include "plant/joint_physics.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
+#include "supervisor/law_check.hpp"
 #include "supervisor/update_record.hpp"
 
 namespace farrier::supervisor {
@@ -22,9 +22,10 @@ namespace farrier::supervisor {
 /// (docs/decisions/0031-physics-updates.md). No clock, no I/O, no allocation.
 class PhysicsUpdate {
  public:
-  /// `first`: the physics the slot begins with.
+  /// `first`: the physics the slot begins with. With new ones the law must settle on each of the `loads_to_hold` too.
   PhysicsUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
-                int estimate_period_ticks, int loop_delay_ticks, const plant::JointPhysics& first);
+                int estimate_period_ticks, int loop_delay_ticks, const plant::JointPhysics& first,
+                const std::vector<plant::LoadParams>& loads_to_hold = {});
 
   /// Judges one estimate of the slot's phase. The decision is complete except for its generation. It has no poles or
   /// margins, because nothing here depends on them. After kAccepted physics() and model() are the new ones.
@@ -49,16 +50,13 @@ class PhysicsUpdate {
   bool differs(const signals::JointModelEstimate& estimate) const noexcept;
   plant::JointPhysics stored_towards(const plant::JointPhysics& estimated) const noexcept;
   double scale(std::size_t i) const noexcept;
-  bool settles(const plant::JointPhysics& told, const plant::JointPhysics& actual) const noexcept;
 
   robot::UpdateLogicParams logic_;
-  plant::ActuatorParams actuator_;
-  control::FlowInversionGains gains_;
+  LawCheck law_;
   std::array<double, plant::kPhysicsCount> least_scale_;  ///< of quantities that may be zero
-  double home_position_, slack_position_, force_step_;
-  double period_s_, estimate_period_s_;
-  int loop_delay_ticks_;
+  double estimate_period_s_;
   plant::JointPhysics physics_;
+  std::vector<plant::JointPhysics> physics_to_hold_;
   control::DiscreteModel model_{};
   bool doubted_ = false;
   double contradicted_s_ = 0;  // for how long estimates have contradicted the stored physics

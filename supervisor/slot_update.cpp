@@ -8,6 +8,7 @@
 #include "control/model/model_rows.hpp"
 #include "control/design/switching.hpp"
 #include "estimation/estimator.hpp"
+#include "robot/joint_model.hpp"
 #include "robot/sensor_path.hpp"
 
 namespace farrier::supervisor {
@@ -28,7 +29,8 @@ constexpr double kMisfitLeniency = 0.5;
 }  // namespace
 
 SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
-                       int estimate_period_ticks, const control::Gains& first)
+                       int estimate_period_ticks, const control::Gains& first,
+                       const std::vector<plant::LoadParams>& loads_to_hold)
     : rule_(joint.design),
       normalisation_(joint.normalisation),
       form_(joint.form),
@@ -38,7 +40,12 @@ SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams
       estimate_period_s_(estimate_period_ticks * period_s),
       method_(make_method(logic, joint.form, estimate_period_ticks, estimate_period_s_)),
       gains_(first),
-      designed_poles_(poles_of(first.model, joint.form)) {}
+      designed_poles_(poles_of(first.model, joint.form)),
+      law_(joint, period_s, first.delay_ticks) {
+  for (const plant::LoadParams& load : loads_to_hold) {
+    physics_to_hold_.push_back(robot::nominal_physics(joint, load));
+  }
+}
 
 void SlotUpdate::adopt(const control::Gains& gains) noexcept {
   gains_ = gains;
@@ -133,7 +140,8 @@ UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const
   const control::DiscreteModel stored = stored_towards(cautious);
   decision.stored_radius = control::closed_loop_spectral_radius(stored, gains, gains.delay_ticks);
   if (!(decision.stored_radius < 1.0) ||
-      (!filters_.are_wires() && !control::filtered_loop_is_stable(stored, gains, gains.delay_ticks, filters_))) {
+      (!filters_.are_wires() && !control::filtered_loop_is_stable(stored, gains, gains.delay_ticks, filters_)) ||
+      !std::ranges::all_of(physics_to_hold_, [&](const auto& physics) { return law_.settles(gains, physics); })) {
     contradicted_s_ += estimate_period_s_;
     return UpdateVerdict::kUnstableOnStoredModel;
   }

@@ -9,9 +9,12 @@
 // A slot is a joint in one phase (Hubacher 2014, 8.2.1, Fig. 8.8, F.2). The stored model is tested within its
 // uncertainty.
 
+#include <vector>
+
 #include "control/design/lqr.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
+#include "supervisor/law_check.hpp"
 #include "supervisor/slot_pair.hpp"
 #include "supervisor/update_method.hpp"
 #include "supervisor/update_record.hpp"
@@ -21,9 +24,11 @@ namespace farrier::supervisor {
 /// The update logic of one slot, by the method that the robot file names. No clock, no I/O, no allocation.
 class SlotUpdate {
  public:
-  /// The slot begins with the gains `first`, with the model they are designed for.
+  /// The slot begins with the gains `first`, with the model they are designed for. New gains must hold the joint on
+  /// each of the `loads_to_hold` too.
   SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
-             int estimate_period_ticks, const control::Gains& first);
+             int estimate_period_ticks, const control::Gains& first,
+             const std::vector<plant::LoadParams>& loads_to_hold = {});
 
   /// Judges one estimate of the slot's phase; new gains must fit `pair`. The decision is complete except for its
   /// generation. After kAccepted gains() are the new ones.
@@ -66,6 +71,8 @@ class SlotUpdate {
   Method method_;
   control::Gains gains_;
   PoleSet designed_poles_;
+  LawCheck law_;
+  std::vector<plant::JointPhysics> physics_to_hold_;
   bool doubted_ = false;
   double contradicted_s_ = 0;  // for how long estimates have contradicted the stored model
   std::uint64_t designs_ = 0;

@@ -69,14 +69,15 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
       record_shortfalls(robot, joint.number, first, dwell, batches[0].outputs);
     }
     if (design == Design::kAdaptive) {
-      const auto slot = [&](const control::Gains& gains) {
-        return SlotUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, gains);
+      const auto slot = [&](signals::Phase phase) {
+        return SlotUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks,
+                          first[static_cast<std::size_t>(phase)], loads_to_hold(robot, joint, phase));
       };
       const auto physics = [&](signals::Phase phase) {
         return PhysicsUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, loop_delay_ticks,
-                             first_physics(joint, design, phase));
+                             first_physics(joint, design, phase), loads_to_hold(robot, joint, phase));
       };
-      slots.push_back({.slots = {slot(first[0]), slot(first[1])},
+      slots.push_back({.slots = {slot(signals::Phase::kSwing), slot(signals::Phase::kStance)},
                        .physics = joint.kind == control::Kind::kFlowInversion
                                       ? std::optional(PerPhase<PhysicsUpdate>{physics(signals::Phase::kSwing),
                                                                               physics(signals::Phase::kStance)})

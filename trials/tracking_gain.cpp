@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "robot/joint_model.hpp"
 #include "core/noise.hpp"
 #include "joint_node/joint_node.hpp"
 #include "plant/hydraulic_joint.hpp"

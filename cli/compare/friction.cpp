@@ -32,7 +32,7 @@ struct Friction {
   const char* effect;  ///< nullptr: viscous friction alone
   double coulomb_N;
   double breakaway_ratio;
-  double presliding_m;       ///< 0: the effect's own
+  double presliding_m;  ///< 0: the effect's own
   double bristle_damping_Ns_m;
 };
 constexpr double kLever_m = 0.045;  // of HyQ's flexion joints
@@ -94,9 +94,8 @@ Result<robot::Robot> robot_with(robot::Robot robot, const Friction& friction, co
 }
 
 bool is_announced(const run::InprocResult& result) {
-  return std::ranges::any_of(result.events, [](const signals::SystemEvent& event) {
-    return event.severity != signals::Severity::kInfo;
-  });
+  return std::ranges::any_of(
+      result.events, [](const signals::SystemEvent& event) { return event.severity != signals::Severity::kInfo; });
 }
 
 /// Runs `believed`, which is also the world, and takes its rows. An Error is a refusal at design time.
@@ -113,8 +112,11 @@ class Study {
       for (const report::Contender contender : report::kControllers) {
         for (const Friction& friction : kFrictions) {
           const robot::Robot robot = FARRIER_TRY(robot_with(nominal, friction, filters));
-          FrictionRun row{.robot = nominal.name, .contender = contender, .friction = friction.name,
-                          .filters = filters.name, .refusal = {}};
+          FrictionRun row{.robot = nominal.name,
+                          .contender = contender,
+                          .friction = friction.name,
+                          .filters = filters.name,
+                          .refusal = {}};
           run_one(robot, row);
           if (participant::stop_requested()) {
             return Error{row.refusal};

@@ -130,15 +130,15 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
     }
   }
   const auto rig = robot::load_robot((std::filesystem::path(robots) / "fc1d.yaml").string());
-  const auto legs = robot::load_robot((std::filesystem::path(robots) / "hyq.yaml").string());
+  const auto legs = robot::load_robot((std::filesystem::path(robots) / "hyq.yaml").string(), {.without_effects = true});
   if (!rig || !legs) {
     return refuse("diagnose --benchmark", config::to_string(!rig ? rig.error() : legs.error()));
   }
   const std::vector<const robot::Joint*> joints{&rig.value().joints.front(), &legs.value().joints.front()};
   const auto plans = spread(blind::all_trials(joints.size(), o.seed), o.trials);
   const std::string kept_path = o.json_path.empty() ? "" : o.json_path + ".trials";
-  const std::string origin = report::build_name() + ", " + report::run_info(rig.value(), o.seed).configuration_hash + ", " +
-                             report::run_info(legs.value(), o.seed).configuration_hash + ", seed " +
+  const std::string origin = report::build_name() + ", " + report::run_info(rig.value(), o.seed).configuration_hash +
+                             ", " + report::run_info(legs.value(), o.seed).configuration_hash + ", seed " +
                              std::to_string(o.seed) + ", " + std::to_string(plans.size()) + " trials";
   Trials trials = run_all(plans, joints, o, kept_path, origin);
   std::vector<blind::Outcome>& outcomes = trials.outcomes;
@@ -167,8 +167,9 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
     }
   }
   if (not_run > 0) {
-    return fail("diagnose --benchmark", "stopped; the figures are those of the trials that were run" +
-                                            (kept_path.empty() ? "" : "; the same with --continue goes on from " + kept_path));
+    return fail("diagnose --benchmark",
+                "stopped; the figures are those of the trials that were run" +
+                    (kept_path.empty() ? "" : "; the same with --continue goes on from " + kept_path));
   }
   if (!o.confusion_path.empty()) {
     if (auto written = replace_file(o.confusion_path, blind::confusion_page(outcomes)); !written) {

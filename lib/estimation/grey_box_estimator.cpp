@@ -20,9 +20,9 @@ constexpr double kSlip = 0.004;
 // On end stops and voids: what a tick may do to velocity and to pressure, shares of scale and supply.
 constexpr double kBentVelocity = 0.04;
 constexpr double kBentPressure = 0.02;
-constexpr double kMisfitMemory = 0.98;   // 50 ticks
+constexpr double kMisfitMemory = 0.98;  // 50 ticks
 constexpr double kExpectedSurprise = 3.0;
-constexpr double kMostMisfit = 100.0;    // of one tick: an outlier alone is no misfit
+constexpr double kMostMisfit = 100.0;  // of one tick: an outlier alone is no misfit
 
 double squared(double x) noexcept { return x * x; }
 
@@ -68,9 +68,9 @@ Unknowns variance_of(const GreyBoxParams& p, const JointScales& s, const plant::
                      double stiffness) noexcept {
   const double open_flow = act.valve_gain * act.valve_current_max_A * std::sqrt(act.supply_pressure_Pa);
   Unknowns v;
-  v << p.mass_uncertainty, p.damping_uncertainty, p.coulomb_uncertainty * s.state(2), p.stiffness_uncertainty * stiffness,
-      p.bias_uncertainty * s.state(2), p.valve_gain_uncertainty, p.bulk_modulus_uncertainty,
-      p.leakage_uncertainty * open_flow / act.supply_pressure_Pa;
+  v << p.mass_uncertainty, p.damping_uncertainty, p.coulomb_uncertainty * s.state(2),
+      p.stiffness_uncertainty * stiffness, p.bias_uncertainty * s.state(2), p.valve_gain_uncertainty,
+      p.bulk_modulus_uncertainty, p.leakage_uncertainty * open_flow / act.supply_pressure_Pa;
   return v.array().square();
 }
 
@@ -164,8 +164,12 @@ void GreyBoxEstimator::take(const JointSample& sample) noexcept {
   } else {
     const double acted = currents_[static_cast<std::size_t>(scales_.input_delay_ticks)];
     switch (filter_.step(sample.state, acted, !blanked)) {
-      case GreyBoxFilter::Outcome::kTaken: samples_ += blanked ? 0 : 1; break;
-      case GreyBoxFilter::Outcome::kChanged: samples_ = 0; break;
+      case GreyBoxFilter::Outcome::kTaken:
+        samples_ += blanked ? 0 : 1;
+        break;
+      case GreyBoxFilter::Outcome::kChanged:
+        samples_ = 0;
+        break;
       case GreyBoxFilter::Outcome::kRepaired:
         samples_ = 0;
         sample_flags_ |= bit(EstimateFlag::kCovarianceRepaired);
@@ -233,7 +237,8 @@ ModelEstimate GreyBoxEstimator::estimate() const noexcept {
   }
   out.a_error = out.a_error.cwiseSqrt();
   out.b_error = out.b_error.cwiseSqrt();
-  const bool usable_model = out.a.allFinite() && out.b.allFinite() && out.flags == (out.flags & bit(EstimateFlag::kBlanked));
+  const bool usable_model =
+      out.a.allFinite() && out.b.allFinite() && out.flags == (out.flags & bit(EstimateFlag::kBlanked));
   out.validity = usable_model ? std::max(0.0, 1.0 - std::sqrt(pole_variance) / kUselessPoleError) : 0.0;
   const double load_variance = covariance(kMass, kMass) + covariance(kDamping, kDamping);
   out.excitation = load_variance > 0.0 ? 1.0 / load_variance : 0.0;

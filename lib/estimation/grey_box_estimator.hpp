@@ -63,8 +63,8 @@ class GreyBoxEstimator final : public Estimator {
   Tick last_tick_ = kNoTick;
   int phase_ = 0;
   int ticks_in_phase_ = 0;
-  std::uint32_t samples_ = 0;         // since the start or the last change of load
-  double misfit_ = 1.0;               // surprise over its expectation, over kMisfitMemory
+  std::uint32_t samples_ = 0;  // since the start or the last change of load
+  double misfit_ = 1.0;        // surprise over its expectation, over kMisfitMemory
   std::uint32_t sample_flags_ = 0;
 };
 

@@ -125,9 +125,8 @@ Result<Done> put_into_loads(Joint& joint, std::span<const plant::ActiveEffect> e
   return Done{};
 }
 
-}  // namespace
-
-config::Problems add_effects(JointEffectsSection& section, Joint& joint) {
+/// Adds the effects of one section.
+config::Problems add_section(JointEffectsSection& section, Joint& joint) {
   EffectReader reader(joint);
   std::vector<plant::ActiveEffect> effects;
   for (std::optional<EffectSection>& effect : section.effects) {
@@ -145,6 +144,21 @@ config::Problems add_effects(JointEffectsSection& section, Joint& joint) {
   put_beside(joint, effects);
   if (const auto put = put_into_loads(joint, effects); !put) {
     problems.push_back(section.place.problem("", put.error().message));
+  }
+  return problems;
+}
+
+}  // namespace
+
+config::Problems add_effects(config::Named<JointEffectsSection>& sections, const std::string& kind, Joint& joint) {
+  config::Problems problems;
+  for (const std::string& name : {kind, joint.name}) {
+    for (auto& [named, section] : sections) {
+      if (named == name) {
+        const config::Problems misfits = add_section(section, joint);
+        problems.insert(problems.end(), misfits.begin(), misfits.end());
+      }
+    }
   }
   return problems;
 }

@@ -18,8 +18,8 @@ control::DiscreteModel model_of(const Joint& joint, const plant::LoadParams& loa
 
 plant::JointPhysics nominal_physics(const Joint& joint, const plant::LoadParams& load) noexcept {
   plant::JointPhysics physics = plant::nominal_physics(joint.actuator, load);
-  for (const auto& [effect, coefficient] : {std::pair("internal_leakage", "coefficient_m3_s_Pa"),
-                                            std::pair("valve_deadband", "leakage_m3_s_Pa")}) {
+  for (const auto& [effect, coefficient] :
+       {std::pair("internal_leakage", "coefficient_m3_s_Pa"), std::pair("valve_deadband", "leakage_m3_s_Pa")}) {
     if (const plant::ActiveEffect* known = plant::find(joint.effects, plant::find_effect(effect))) {
       physics.leakage += plant::parameter_value(*known, coefficient).value_or(0.0);
     }

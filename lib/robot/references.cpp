@@ -104,9 +104,9 @@ class ReferenceCheck {
     }
     const bool rotary = actuator->rotary_motor.has_value();
     if (load != nullptr && load->rotary) {
-      problems_.push_back(joint.place.problem(
-          "load", joint.load + " is for an electric joint: a hydraulic one takes one with " +
-                      (rotary ? "leg_about_haa" : "swing and stance")));
+      problems_.push_back(joint.place.problem("load", joint.load +
+                                                          " is for an electric joint: a hydraulic one takes one with " +
+                                                          (rotary ? "leg_about_haa" : "swing and stance")));
     } else if (load != nullptr && load->leg_about_haa.has_value() != rotary) {
       problems_.push_back(joint.place.problem(
           "load", joint.load + (rotary ? " is for a cylinder: a rotary motor takes one with leg_about_haa"
@@ -121,8 +121,8 @@ class ReferenceCheck {
   void check_leg(const std::string& leg_name, const Leg& leg) {
     const std::size_t count = leg.joints.size();
     if (count != kJointsOfALeg && count != 1) {
-      problems_.push_back(leg.place.problem("joints", "has " + std::to_string(count) +
-                                                          " joints: give HAA, HFE, KFE, or the one joint of a rig"));
+      problems_.push_back(leg.place.problem(
+          "joints", "has " + std::to_string(count) + " joints: give HAA, HFE, KFE, or the one joint of a rig"));
     }
     for (std::size_t i = 0; i < count; ++i) {
       const auto& [name, kind] = leg.joints[i];

@@ -31,6 +31,9 @@ Result<Robot, config::Problems> build(Result<RobotFile, config::Problems> read, 
     joint.dither_percent = overrides.without_dither ? 0.0 : joint.dither_percent;
     joint.estimator = overrides.estimator.value_or(joint.estimator);
   }
+  if (overrides.without_effects) {
+    file.effects.clear();
+  }
   for (auto& [name, controller] : file.controllers) {
     controller.kind = overrides.controller.value_or(controller.kind);
   }

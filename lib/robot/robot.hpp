@@ -99,6 +99,7 @@ struct Overrides {
   std::optional<gait::Pattern> pattern;
   std::optional<double> frequency_Hz;
   bool without_dither = false;                             ///< dither_percent of every joint is 0
+  bool without_effects = false;                            ///< no joint has effects
   std::optional<std::string> estimator = std::nullopt;     ///< section of the file that every joint uses
   std::optional<control::Kind> controller = std::nullopt;  ///< kind of every controller
 };

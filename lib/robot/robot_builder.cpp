@@ -1,5 +1,6 @@
 #include "robot/robot_builder.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -157,8 +158,11 @@ class Builder {
     }
     for (const auto& [joint_name, template_name] : leg.joints) {
       Joint joint = make_joint(joint_name, *config::find(file_.joints, template_name), leg);
-      add_effects_of(template_name, joint);
-      add_effects_of(joint_name, joint);
+      for (const config::Problem& misfit : add_effects(file_.effects, template_name, joint)) {
+        if (std::ranges::find(problems_, misfit) == problems_.end()) {  // of a kind of joint: once for all legs
+          problems_.push_back(misfit);
+        }
+      }
       joint.number = static_cast<std::uint16_t>(robot.joints.size());
       joint.leg = static_cast<int>(robot.plan.legs.size());
       joint.index_in_leg = static_cast<int>(plan.joints.size());
@@ -167,15 +171,6 @@ class Builder {
       robot.joints.push_back(std::move(joint));
     }
     robot.plan.legs.push_back(std::move(plan));
-  }
-
-  /// Adds the effects under `name`, which is the joint's or its kind's.
-  void add_effects_of(const std::string& name, Joint& joint) {
-    const auto section = std::ranges::find(file_.effects, name, [](const auto& named) { return named.first; });
-    if (section != file_.effects.end()) {
-      const config::Problems misfits = add_effects(section->second, joint);
-      problems_.insert(problems_.end(), misfits.begin(), misfits.end());
-    }
   }
 
   Joint make_joint(const std::string& name, const JointTemplate& from, const Leg& leg) const {

@@ -128,7 +128,8 @@ void declare(Visitor& v, RobotFile& f) {
   v.group("safety", f.safety, "What a joint does when something is missing.");
   v.group("bounds", f.bounds, "What a run is judged by.");
   v.group("variation", f.variation, Defaults{}, "How far robots of `farrier compare varied` are drawn from this one.");
-  v.groups("effects", f.effects, kLongestName, Defaults{}, "What a joint has beside its model, by joint, or section of joints, and effect.");
+  v.groups("effects", f.effects, kLongestName, Defaults{},
+           "What a joint has beside its model, by joint, or section of joints, and effect.");
   v.group("deployment", f.deployment, "Which computer runs what; for `farrier deploy`.");
 }
 

@@ -66,6 +66,12 @@ control::FilterEqualiser filter_equaliser(const Joint& joint, double period_s) n
           at_rate(filters.force, 1.0 / period_s)};
 }
 
+control::SignalAligner signal_aligner(const Joint& joint, double period_s) noexcept {
+  const Sensors& s = joint.sensors;
+  return control::SignalAligner(
+      {at_rate(s.position, 1.0 / period_s), at_rate(s.velocity, 1.0 / period_s), at_rate(s.force, 1.0 / period_s)});
+}
+
 control::MeasurementFilters measurement_filters(const Joint& joint, double period_s) noexcept {
   const Sensors& s = joint.sensors;
   const ChannelFilters equal = equalisers(joint, period_s);

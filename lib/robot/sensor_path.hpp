@@ -7,6 +7,7 @@
 
 #include "control/design/measurement_filter.hpp"
 #include "control/law/filter_equaliser.hpp"
+#include "control/law/signal_aligner.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::robot {
@@ -23,6 +24,10 @@ ChannelFilters equalisers(const Joint& joint, double period_s) noexcept;
 
 /// Those filters as the joint's node runs them.
 control::FilterEqualiser filter_equaliser(const Joint& joint, double period_s) noexcept;
+
+/// Makes the channels of this joint's sensors, and its current, fit for the estimation of a model. Filters that come
+/// before the conversions count as none.
+control::SignalAligner signal_aligner(const Joint& joint, double period_s) noexcept;
 
 /// The way of each channel, for margins. Effects of sensors are left out: the joint's node corrects them.
 control::MeasurementFilters measurement_filters(const Joint& joint, double period_s) noexcept;

@@ -13,7 +13,7 @@ std::string cell_of(const FrictionRun& run) {
     return "refused";
   }
   const std::string numbers = short_number(run.swing_nrmse) + " " + short_number(run.stance_nrmse);
-  return run.diverged() ? "(" + numbers + ")" : numbers;
+  return run.diverged() ? "diverged" : run.is_no_torque_source() ? "(" + numbers + ")" : numbers;
 }
 
 bool in_one_table(const FrictionRun& a, const FrictionRun& b) { return a.robot == b.robot && a.filters == b.filters; }
@@ -52,13 +52,15 @@ void add_friction(Figures& figures, std::span<const FrictionRun> runs) {
   const auto count = [&](auto is) { return static_cast<double>(std::ranges::count_if(runs, is)); };
   figures.add("compare.friction.runs", static_cast<double>(runs.size()));
   figures.add("compare.friction.refused", count([](const FrictionRun& run) { return run.refused(); }));
+  figures.add("compare.friction.no_torque_source",
+              count([](const FrictionRun& run) { return run.is_no_torque_source(); }));
   figures.add("compare.friction.diverged", count([](const FrictionRun& run) { return run.diverged(); }), 0.0);
   figures.add("compare.friction.diverged_silently",
               count([](const FrictionRun& run) { return run.diverged() && !run.announced; }), 0.0);
 }
 
 std::string friction_text(std::span<const FrictionRun> runs) {
-  std::string text = "NRMSE in swing and in stance of the worst joint; in brackets: diverged\n\n";
+  std::string text = "NRMSE in swing and in stance of the worst joint; in brackets: above 1, no torque source\n\n";
   for (auto begin = runs.begin(); begin != runs.end();) {
     const auto end = std::find_if_not(begin, runs.end(), [&](const auto& run) { return in_one_table(run, *begin); });
     text += table_of({begin, end}) + "\n";

@@ -23,9 +23,14 @@ struct FrictionRun {
   bool announced = false;  ///< a warning or an error was on the bus
 
   bool refused() const noexcept { return !refusal.empty(); }
-  /// The joint was no torque source: it left tracking, or an NRMSE is above 1 or not a number.
-  bool diverged() const noexcept {
-    return !refused() && (left_tracking || !(stance_nrmse <= 1.0) || !(swing_nrmse <= 1.0));
+  /// An NRMSE is above 1, which no force at all would have.
+  bool is_no_torque_source() const noexcept { return is_above(1.0); }
+  /// An NRMSE is above 2, the most of a stable loop that lags, or the joint left tracking.
+  bool diverged() const noexcept { return is_above(2.0) || (!refused() && left_tracking); }
+
+ private:
+  bool is_above(double nrmse) const noexcept {
+    return !refused() && (!(stance_nrmse <= nrmse) || !(swing_nrmse <= nrmse));
   }
 };
 

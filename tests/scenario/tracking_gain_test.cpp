@@ -18,7 +18,8 @@ const robot::Joint& rig() {
   return robot.joints.front();
 }
 const robot::Joint& hip() {
-  static const robot::Robot robot = robot::load_robot(std::string(FARRIER_ROBOTS) + "hyq.yaml").value();
+  static const robot::Robot robot =
+      robot::load_robot(std::string(FARRIER_ROBOTS) + "hyq.yaml", {.without_effects = true}).value();
   return *robot.find("lf_haa");
 }
 
@@ -86,11 +87,11 @@ TEST(TrackingGain, OfANullShiftIsNegligible) {
 
 // Effects that a diagnosis finds never have exactly the true values.
 TEST(TrackingGain, ToleratesEffectValuesThatAreAFifthOff) {
-  for (const plant::ActiveEffect& effect : std::vector<plant::ActiveEffect>{
-           {effect_id<plant::InputDelay>(), {0.006}},
-           {effect_id<plant::ValveDynamics>(), {190.0, 0.7}},
-           {effect_id<plant::ValveDeadband>(), {1.3e-4}},
-           {effect_id<plant::ForceSensorLag>(), {0.01}}}) {
+  for (const plant::ActiveEffect& effect :
+       std::vector<plant::ActiveEffect>{{effect_id<plant::InputDelay>(), {0.006}},
+                                        {effect_id<plant::ValveDynamics>(), {190.0, 0.7}},
+                                        {effect_id<plant::ValveDeadband>(), {1.3e-4}},
+                                        {effect_id<plant::ForceSensorLag>(), {0.01}}}) {
     const robot::Joint world = robot::with_effects(hip(), std::vector{effect}).value();
     for (const double off : {0.83, 1.2}) {
       plant::ActiveEffect found = effect;

@@ -31,6 +31,7 @@ farrier_test(nodes_test unit
   ${CMAKE_CURRENT_LIST_DIR}/supervisor/adaptive_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor/first_gains_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor/known_loads_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/supervisor/law_check_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor/orders_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor/physics_update_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/supervisor/slot_news_test.cpp

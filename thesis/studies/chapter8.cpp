@@ -30,8 +30,9 @@ constexpr ClaimSpec kRiccatiClaims[] = {
      "well below what estimates are known to.",
      "1", Relation::kAtMost, 0.01},
     {"8.9.order", "8.2.2", "... the relative error decreases almost quadratically ...",
-     "The order of convergence log(e[k+1]/e[k]) / log(e[k]/e[k-1]) from the first to the last of iterations 90 to 100 is 1.5 or more.", "1",
-     Relation::kAtLeast, 1.5,
+     "The order of convergence log(e[k+1]/e[k]) / log(e[k]/e[k-1]) from the first to the last of iterations 90 to 100 "
+     "is 1.5 or more.",
+     "1", Relation::kAtLeast, 1.5,
      Refutation{"(8.1) is the Riccati difference equation, whose error shrinks by the closed loop's spectral radius "
                 "squared in every step (Anderson and Moore 1979, 4.4): first order. Doubling is quadratic.",
                 0.9, 1.1}}};
@@ -90,17 +91,19 @@ Result<StudyResult> run_riccati(const StudyContext& context) {
   StudyResult result;
   result.measured = {{"8.9.step_after_100", step_squared, ""},
                      {"8.9.error_after_100", error.back() / truth.value().s.norm(), ""},
-                     {"8.9.order", late / early, "factor per iteration " + std::to_string(std::exp(late)) +
-                                                     ", spectral radius squared " +
-                                                     std::to_string(std::pow(radius, 2))}};
-  result.pictures = {{"Riccati recursion (8.1) for the rig's LQR", 1,
-                      {{.title = "", .x_label = "iteration", .y_label = "Frobenius norm", .log_y = true,
-                        .series = {steps, errors}}}}};
+                     {"8.9.order", late / early,
+                      "factor per iteration " + std::to_string(std::exp(late)) + ", spectral radius squared " +
+                          std::to_string(std::pow(radius, 2))}};
+  result.pictures = {
+      {"Riccati recursion (8.1) for the rig's LQR",
+       1,
+       {{.title = "", .x_label = "iteration", .y_label = "Frobenius norm", .log_y = true, .series = {steps, errors}}}}};
   return result;
 }
 
 constexpr ClaimSpec kRlsClaims[] = {
-    {"8.11.difference", "8.4", "... the absolute error of each element of the unknown parameter vector ... is below < 2e-14.",
+    {"8.11.difference", "8.4",
+     "... the absolute error of each element of the unknown parameter vector ... is below < 2e-14.",
      "The largest difference of an element of (6.35) between recursive least squares as the robot runs it (one shared "
      "covariance in UD factors) and (6.21) as printed (12 x 12 covariance) is below 2e-14.",
      "1", Relation::kBelow, 2e-14}};
@@ -151,14 +154,14 @@ Result<StudyResult> run_rls(const StudyContext& context) {
   }
   StudyResult result;
   result.measured = {{"8.11.difference", largest, ""}};
-  result.pictures = {{"Every element of the estimate, one form less the other", 1,
+  result.pictures = {{"Every element of the estimate, one form less the other",
+                      1,
                       {{.title = "", .x_label = "time (s)", .y_label = "difference", .series = std::move(series)}}}};
   return result;
 }
 
-constexpr Study kStudies[] = {
-    {"8.9", "Iterative solution of the Riccati equation", kRiccatiClaims, run_riccati},
-    {"8.11", "Recursive least squares, two implementations", kRlsClaims, run_rls}};
+constexpr Study kStudies[] = {{"8.9", "Iterative solution of the Riccati equation", kRiccatiClaims, run_riccati},
+                              {"8.11", "Recursive least squares, two implementations", kRlsClaims, run_rls}};
 
 }  // namespace
 }  // namespace chapter8_studies

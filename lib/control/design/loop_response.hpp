@@ -25,8 +25,7 @@ inline Complex over(Complex a, Complex b) noexcept {
 }
 
 template <std::size_t N>
-  requires(N >= 2)
-inline Complex polynomial(const std::array<double, N>& c, Complex z) noexcept {
+requires(N >= 2) inline Complex polynomial(const std::array<double, N>& c, Complex z) noexcept {
   Complex sum = c[N - 1] * z + c[N - 2];
   for (std::size_t i = N - 2; i-- > 0;) {
     sum = times(sum, z) + c[i];

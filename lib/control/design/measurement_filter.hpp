@@ -49,6 +49,24 @@ inline MeasurementFilter in_series(const MeasurementFilter& one, const Measureme
   return {one.order + other.order, product(one.b, other.b), product(one.a, other.a)};
 }
 
+/// A MeasurementFilter at run time, in transposed direct form II, from rest.
+class RunningFilter {
+ public:
+  explicit RunningFilter(const MeasurementFilter& filter) noexcept : filter_(filter) {}
+
+  double take(double value) noexcept {
+    const double out = filter_.b[0] * value + state_[0];
+    for (std::size_t i = 1; i <= static_cast<std::size_t>(filter_.order); ++i) {
+      state_[i - 1] = state_[i] + filter_.b[i] * value - filter_.a[i] * out;
+    }
+    return out;
+  }
+
+ private:
+  MeasurementFilter filter_;
+  MeasurementFilter::Polynomial state_{};  // the last stays 0
+};
+
 struct MeasurementFilters {
   MeasurementFilter position;
   MeasurementFilter velocity;

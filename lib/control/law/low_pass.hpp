@@ -20,6 +20,8 @@ inline constexpr double kLargestCutOffShare = 0.45;
 struct FilterCoefficients {
   std::array<double, 3> b{1.0, 0.0, 0.0};
   std::array<double, 2> a{0.0, 0.0};  ///< a1, a2
+
+  friend bool operator==(const FilterCoefficients&, const FilterCoefficients&) = default;
 };
 
 /// Bilinear transform of 1 / (s / w + 1) or 1 / (s^2 / w^2 + 2 D s / w + 1), prewarped: the response at the cut-off is

@@ -36,16 +36,14 @@ struct RiccatiSolution {
 
 /// Left side of (7.4): A'SA - S - (A'SB + N)(B'SB + R)^-1 (B'SA + N') + Q. Zero for a solution.
 template <int N, int M>
-Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& a,
-                                             const Eigen::Matrix<double, N, M>& b,
+Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, M>& b,
                                              const Eigen::Matrix<double, N, N>& q, const InputWeight<M>& r,
                                              const Eigen::Matrix<double, N, M>& n,
                                              const Eigen::Matrix<double, N, N>& s) noexcept;
 
 /// The same for one input.
 template <int N>
-Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& a,
-                                             const Eigen::Matrix<double, N, 1>& b,
+Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& a, const Eigen::Matrix<double, N, 1>& b,
                                              const Eigen::Matrix<double, N, N>& q, double r,
                                              const Eigen::Matrix<double, N, 1>& n,
                                              const Eigen::Matrix<double, N, N>& s) noexcept {
@@ -62,8 +60,7 @@ Eigen::Matrix<double, N, N> riccati_residual(const Eigen::Matrix<double, N, N>& 
 template <int N, int M>
 Result<RiccatiSolution<N, M>, RiccatiStatus> solve_dare(const Eigen::Matrix<double, N, N>& a,
                                                         const Eigen::Matrix<double, N, M>& b,
-                                                        const Eigen::Matrix<double, N, N>& q,
-                                                        const InputWeight<M>& r,
+                                                        const Eigen::Matrix<double, N, N>& q, const InputWeight<M>& r,
                                                         const Eigen::Matrix<double, N, M>& n) noexcept;
 
 /// The same for one input.

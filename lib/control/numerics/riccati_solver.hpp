@@ -25,7 +25,7 @@ inline constexpr int kMaxCorrections = 2;
 inline constexpr double kDoublingTolerance = 1e-9;  // the error of the next step is its square
 inline constexpr double kGoodResidual = 1e-13;      // no correction below this
 inline constexpr double kAcceptedResidual = 1e-8;
-inline constexpr int kRadiusRounds = 8;  // of three squarings each
+inline constexpr int kRadiusRounds = 8;                // of three squarings each
 inline constexpr double kMarginalRadius = 1.0 - 1e-5;  // nearer to one, the radius is computed from the eigenvalues
 
 /// W^-1 [F G] by Gauss and Jordan's elimination with pivoting on the largest of a column. At these sizes several times

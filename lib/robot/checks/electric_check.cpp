@@ -31,8 +31,9 @@ void check_joint(const RobotFile& file, const JointTemplate& joint, config::Prob
   }
   const EstimatorSection* estimator = config::find(file.estimators, joint.estimator);
   if (estimator != nullptr && estimator->params.method == estimation::EstimationMethod::kGreyBox) {
-    refuse("estimator", joint.estimator + " estimates the physics of a hydraulic joint: an electric one takes another "
-                                          "method");
+    refuse("estimator", joint.estimator +
+                            " estimates the physics of a hydraulic joint: an electric one takes another "
+                            "method");
   }
 }
 

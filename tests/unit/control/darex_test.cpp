@@ -14,9 +14,9 @@
 
 extern "C" void bb02ad_(const char* def, const int* nr, double* dpar, int* ipar, const int* bpar, char* chpar, int* vec,
                         int* n, int* m, int* p, double* a, const int* lda, double* b, const int* ldb, double* c,
-                        const int* ldc, double* q, const int* ldq, double* r, const int* ldr, double* s,
-                        const int* lds, double* x, const int* ldx, double* dwork, const int* ldwork, int* info,
-                        std::size_t, std::size_t);
+                        const int* ldc, double* q, const int* ldq, double* r, const int* ldr, double* s, const int* lds,
+                        double* x, const int* ldx, double* dwork, const int* ldwork, int* info, std::size_t,
+                        std::size_t);
 
 namespace farrier::control {
 namespace darex_test {
@@ -130,9 +130,18 @@ struct Expected {
   int group, number;
   bool solved;
 };
-constexpr std::array<Expected, 12> kExpected{{{1, 1, false}, {1, 2, false}, {1, 3, true}, {1, 4, false},
-                                              {1, 9, true},  {1, 12, true}, {2, 1, true}, {2, 2, true},
-                                              {2, 3, true},  {2, 4, true},  {2, 5, true}, {4, 1, true}}};
+constexpr std::array<Expected, 12> kExpected{{{1, 1, false},
+                                              {1, 2, false},
+                                              {1, 3, true},
+                                              {1, 4, false},
+                                              {1, 9, true},
+                                              {1, 12, true},
+                                              {2, 1, true},
+                                              {2, 2, true},
+                                              {2, 3, true},
+                                              {2, 4, true},
+                                              {2, 5, true},
+                                              {4, 1, true}}};
 
 TEST(Darex, EveryExampleWithoutADataFileIsSolvedOrRefusedByName) {
   constexpr std::array<std::pair<int, int>, 3> kGroups{{{1, 13}, {2, 5}, {4, 1}}};

@@ -10,6 +10,7 @@
 #include "control/law/droop_inverse.hpp"
 #include "control/law/lag_lead.hpp"
 #include "control/law/spool_lead.hpp"
+#include "control/law/valve_opening.hpp"
 #include "plant/hydraulic_joint.hpp"
 #include "tests/unit/control/effects.hpp"
 
@@ -80,6 +81,19 @@ TEST(LagLead, MakesNoMoreOfNoiseThanItsBound) {
       squares += out * out;
     }
     EXPECT_LE(std::sqrt(squares / kSamples), 1.02 * bound);
+  }
+}
+
+TEST(ValveOpening, IsThatOfThePlantsOwnTerms) {
+  const std::vector<ActiveEffect> effects{{effect_id<plant::ValveBias>(), {4e-4}},
+                                          {effect_id<plant::ValveDeadband>(), {2e-4}},
+                                          {effect_id<plant::ValveAsymmetry>(), {0.2}},
+                                          {effect_id<plant::FlowSaturation>(), {6e-3}}};
+  plant::TermSet<double> terms = terms_of(effects);
+  const ValveOpening valve(effects);
+  for (double current_A = -kMost_A; current_A <= kMost_A; current_A += 1.3e-4) {
+    EXPECT_NEAR(valve.at(current_A), opening_A(terms, current_A), 1e-15) << current_A;
+    EXPECT_EQ(ValveOpening(std::vector<ActiveEffect>{kSpool}).at(current_A), current_A);
   }
 }
 

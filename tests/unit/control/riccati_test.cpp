@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-
 #include <cmath>
 
 #include "control/numerics/riccati.hpp"
@@ -76,7 +75,8 @@ TYPED_TEST(Riccati, DoublingAgreesWithTheIterationOfTheThesis) {
     const double rho = spectral_radius(p.a - p.b * fast.value().k);
     const double tolerance = 100.0 * kResidualTolerance / (1.0 - rho * rho);
     EXPECT_LT((fast.value().s - slow.value().s).norm(), tolerance * fast.value().s.norm())
-        << fast.value().s << "\n\n" << slow.value().s << "\ncase " << i;
+        << fast.value().s << "\n\n"
+        << slow.value().s << "\ncase " << i;
     EXPECT_LT(fast.value().iterations, slow.value().iterations + 2);
   }
 }

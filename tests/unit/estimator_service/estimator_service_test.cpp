@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/noise.hpp"
+#include "robot/joint_effects.hpp"
 #include "robot/joint_model.hpp"
 #include "tests/support/allocation_guard.hpp"
 #include "tests/unit/robot/test_files.hpp"
@@ -26,7 +27,7 @@ constexpr double kExcitation = 0.2;  // of the valve's nominal current
 /// Without sensor noise, so that what is left is the algorithm.
 const robot::Robot& hyq() {
   static const robot::Robot robot = [] {
-    robot::Robot shipped = robot::load_shipped("hyq");
+    robot::Robot shipped = robot::load_shipped("hyq", {.without_effects = true});
     for (robot::Joint& joint : shipped.joints) {
       joint.noise = {};
     }
@@ -114,6 +115,32 @@ TEST(EstimatorService, EstimatesTheLoadAJointCarries) {
   EXPECT_NEAR(estimate.a[1], hyq().period_s, 1e-15);
   EXPECT_GT(estimate.samples, 0u);
   EXPECT_GT(estimate.excitation, 0.0);
+}
+
+/// What the joint's own node sends for these openings, and what sensors with filters read.
+JointMeasurement as_sent_and_read(JointMeasurement ideal, double overlap_A, control::LowPass& force_filter) {
+  ideal.valve_current_A += std::copysign(overlap_A, ideal.valve_current_A);
+  ideal.force_N_or_Nm = force_filter.take(ideal.force_N_or_Nm);
+  return ideal;
+}
+
+TEST(EstimatorService, ReadsTheValvesOpeningAndAlignsFilteredSensors) {
+  constexpr double kOverlap_A = 2e-4;
+  robot::Robot robot = hyq();
+  robot::Joint& knee = robot.joints[kKnee];
+  knee = robot::with_effects(knee, std::vector{plant::ActiveEffect{plant::find_effect("valve_deadband"), {kOverlap_A}}})
+             .value();
+  knee.sensors.force = {.cut_off_Hz = 150.0};
+  EstimatorService estimators = EstimatorService::create(robot, kNoDelay).value();
+  const control::DiscreteModel truth = heavy_knee();
+  LinearJoint joint(kKnee, truth);
+  control::LowPass filter(control::design_low_pass(knee.sensors.force, 1.0 / robot.period_s).value());
+  for (Tick tick = 0; tick < kEnough; ++tick) {
+    estimators.take(as_sent_and_read(joint.next(), kOverlap_A, filter));
+  }
+  const JointModelEstimate estimate = estimators.estimate(kKnee, kEnough - 1);
+  EXPECT_LT(relative_error(estimate.b[2], truth.b(2)), 1e-3);
+  EXPECT_LT(relative_error(estimate.a[8], truth.a(2, 2)), 1e-3);
 }
 
 TEST(EstimatorService, AnswersForTheJointTickAndPhaseItWasAskedFor) {

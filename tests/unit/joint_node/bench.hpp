@@ -19,7 +19,7 @@ inline constexpr int kNoDelay = 0;
 /// HyQ without the dither and the stance lead of its file: a test that is about them sets its own.
 inline const robot::Robot& hyq() {
   static const robot::Robot robot = [] {
-    robot::Robot shipped = robot::load_shipped("hyq");
+    robot::Robot shipped = robot::load_shipped("hyq", {.without_effects = true});
     for (robot::Joint& joint : shipped.joints) {
       joint.dither_percent = 0.0;
     }

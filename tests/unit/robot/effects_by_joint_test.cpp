@@ -10,7 +10,7 @@ namespace effects_by_joint_test {
 using plant::effect_info;
 using plant::EffectId;
 
-std::string with_effects(const std::string& lines) { return text_of("hyq") + "\neffects:\n" + lines; }
+std::string with_effects(const std::string& lines) { return text_without_effects("hyq") + "\neffects:\n" + lines; }
 
 Robot loaded(const std::string& text) {
   auto robot = load_robot_text(text, "hyq.yaml");
@@ -53,9 +53,23 @@ TEST(JointEffects, AreReadWithDefaultsForWhatIsLeftOut) {
   EXPECT_TRUE(robot.find("rf_kfe")->effects.empty());
 }
 
+TEST(JointEffects, OfAKindOfJointAreThoseOfAllLegsUnlessAJointHasItsOwn) {
+  const Robot robot =
+      loaded(with_effects("  kfe:\n    valve_deadband: {half_width_A: 2e-4}\n    valve_bias: {current_A: 1e-5}\n"
+                          "  rf_kfe:\n    valve_deadband: {half_width_A: 3e-4}\n"));
+  for (const Joint& joint : robot.joints) {
+    ASSERT_EQ(joint.effects.size(), joint.name.ends_with("kfe") ? 2u : 0u) << joint.name;
+    const auto* overlap = plant::find(joint.effects, plant::find_effect("valve_deadband"));
+    if (overlap != nullptr) {
+      EXPECT_EQ(overlap->values[0], joint.name == "rf_kfe" ? 3e-4 : 2e-4) << joint.name;
+    }
+  }
+  EXPECT_EQ(loaded(print_config(robot)).find("rf_kfe")->effects, robot.find("rf_kfe")->effects);
+}
+
 TEST(JointEffects, AreNoneInRobotsThatSayNothingOfThem) {
   for (const char* name : {"hyq", "fc1d", "hexapod"}) {
-    const Robot robot = load_shipped(name);
+    const Robot robot = load_shipped(name, {.without_effects = true});
     EXPECT_EQ(print_config(robot).find("effects:"), std::string::npos);
     for (const Joint& joint : robot.joints) {
       EXPECT_TRUE(joint.effects.empty());
@@ -66,7 +80,7 @@ TEST(JointEffects, AreNoneInRobotsThatSayNothingOfThem) {
 
 // All 22 on a cylinder and on a motor. A new effect gets its place in files without a change here.
 TEST(JointEffects, CanAllBeSaidAndComeBackFromThePrintedConfiguration) {
-  const Robot plain = load_shipped("hyq");
+  const Robot plain = load_shipped("hyq", {.without_effects = true});
   for (const char* name : {"lf_hfe", "rh_haa"}) {
     for (EffectId id = 0; id < plant::kEffectCount; ++id) {
       const std::string lines = "  " + std::string(name) + ":\n" + everything_of(*plain.find(name), id);
@@ -93,7 +107,7 @@ TEST(JointEffects, PrintTheirDefaults) {
 }
 
 TEST(JointEffects, ThatAreOtherLoadsChangeWhatIsDesignedFor) {
-  const Robot plain = load_shipped("hyq");
+  const Robot plain = load_shipped("hyq", {.without_effects = true});
   const Robot robot = loaded(
       with_effects("  lf_kfe:\n    load_mass: {mass_kg: 4}\n    load_damping: {damping_Ns_m: 300}\n"
                    "    load_stiffness: {stiffness_N_m: 2000}\n  lf_haa:\n    load_mass: {inertia_kg_m2: 0.5}\n"));
@@ -111,7 +125,7 @@ TEST(JointEffects, ThatAreOtherLoadsChangeWhatIsDesignedFor) {
 }
 
 TEST(JointEffects, OfTheEndsOfTheirRangesAreTaken) {
-  const Joint joint = *load_shipped("hyq").find("lf_kfe");
+  const Joint joint = *load_shipped("hyq", {.without_effects = true}).find("lf_kfe");
   const plant::Scales scales(joint.actuator, joint.swing_load);
   for (EffectId id = 0; id < plant::kEffectCount; ++id) {
     const plant::Parameter& p = effect_info(id).parameters[0];

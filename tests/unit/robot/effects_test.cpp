@@ -16,7 +16,7 @@ std::string problem_of(const std::string& text) {
 }
 
 TEST(RobotEffects, AreNoneUnlessTheFileAsksForThem) {
-  for (const char* name : {"hyq", "fc1d"}) {
+  for (const char* name : {"hexapod", "fc1d"}) {
     for (const Joint& joint : load_shipped(name).joints) {
       EXPECT_TRUE(joint.effects.empty());
       EXPECT_EQ(joint.actuator.line.length_m, 0.0);

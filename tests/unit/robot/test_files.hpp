@@ -19,6 +19,17 @@ inline std::string text_of(const std::string& name) {
   return text.str();
 }
 
+/// The same without its section effects, so that a test may append one.
+inline std::string text_without_effects(const std::string& name) {
+  std::string text = text_of(name);
+  const auto begin = text.find("\neffects:\n") + 1;
+  auto end = text.find('\n', begin) + 1;
+  while (end < text.size() && (text[end] == ' ' || text[end] == '\n')) {
+    end = text.find('\n', end) + 1;
+  }
+  return begin == 0 ? text : text.erase(begin, end - begin);
+}
+
 /// A shipped robot; a test that gets none fails with the reasons.
 inline Robot load_shipped(const std::string& name, const Overrides& overrides = {}) {
   auto robot = load_robot(shipped(name), overrides);

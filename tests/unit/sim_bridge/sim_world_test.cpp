@@ -11,7 +11,7 @@ namespace sim_world_test {
 using namespace testing;
 
 const robot::Robot& hyq() {
-  static const robot::Robot robot = robot::load_shipped("hyq");
+  static const robot::Robot robot = robot::load_shipped("hyq", {.without_effects = true});
   return robot;
 }
 
@@ -118,7 +118,8 @@ TEST(SimWorld, DoesNotMoveWithAShutValveAndNoForce) {
 
 // A shut valve leaves the oil in: under the robot's weight a standing leg gives as much as the oil is compressed.
 TEST(SimWorld, CarriesTheRobotOnShutValves) {
-  const robot::Robot standing = robot::load_shipped("hyq", {gait::Pattern::kStand, std::nullopt});
+  const robot::Robot standing = robot::load_shipped(
+      "hyq", {.pattern = gait::Pattern::kStand, .frequency_Hz = std::nullopt, .without_effects = true});
   SimWorld world = world_of(standing);
   std::vector<double> start, largest_force(world.joints(), 0.0), largest_way(world.joints(), 0.0);
   for (std::size_t i = 0; i < world.joints(); ++i) {
@@ -137,8 +138,7 @@ TEST(SimWorld, CarriesTheRobotOnShutValves) {
     const double volume_a = a.line_volume_m3 + a.area_a * start[i];
     const double volume_b = a.line_volume_m3 + a.area_b * (a.stroke - start[i]);
     // Stiffness of two closed chambers, Merritt (1967); a load put on at once would swing to twice its deflection.
-    const double stiffness =
-        a.bulk_modulus_Pa * (a.area_a * a.area_a / volume_a + a.area_b * a.area_b / volume_b);
+    const double stiffness = a.bulk_modulus_Pa * (a.area_a * a.area_a / volume_a + a.area_b * a.area_b / volume_b);
     EXPECT_LE(largest_way[i], 2.0 * largest_force[i] / stiffness) << standing.joints[i].name;
     EXPECT_GT(largest_force[i], 0.0) << standing.joints[i].name << " carries nothing";
   }

@@ -24,7 +24,9 @@ constexpr int kLong = 100;                           // looks: a second
 JointPhysics physics_for(double mass_kg) { return plant::nominal_physics(rig().joints[0].actuator, cart(mass_kg)); }
 
 PhysicsUpdate slot_for(const JointPhysics& first, const robot::UpdateLogicParams& logic = rig().update_logic) {
-  return PhysicsUpdate(rig().joints[0], logic, rig().period_s, rig().estimate_period_ticks, kNoDelay, first);
+  robot::Joint joint = rig().joints[0];
+  joint.kind = control::Kind::kFlowInversion;
+  return PhysicsUpdate(joint, logic, rig().period_s, rig().estimate_period_ticks, kNoDelay, first);
 }
 
 /// A sure estimate of these physics.

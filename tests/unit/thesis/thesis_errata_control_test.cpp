@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -34,8 +33,7 @@ struct Augmented {
 };
 
 Augmented augmented(const control::testing::Rig& rig) {
-  const DiscreteModel model =
-      control::normalise(control::testing::sampled(rig), control::testing::kNormalisation);
+  const DiscreteModel model = control::normalise(control::testing::sampled(rig), control::testing::kNormalisation);
   Augmented system;
   system.a(0, 3) = -1.0;
   system.a.bottomRightCorner<3, 3>() = model.a;

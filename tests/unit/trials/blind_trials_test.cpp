@@ -74,11 +74,12 @@ TEST(BlindScore, FalseAlarmsAreOfTrialsThatHideNothing) {
 
 TEST(BlindTrials, AFewOfThemAreNamedAndNothingIsNamedWhereNothingIsHidden) {
   const robot::Robot rig = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
-  const robot::Robot legs = robot::load_robot(FARRIER_ROBOTS "hyq.yaml").value();
+  const robot::Robot legs = robot::load_robot(FARRIER_ROBOTS "hyq.yaml", {.without_effects = true}).value();
   const std::vector<const robot::Joint*> joints{&rig.joints.front(), &legs.joints.front()};
   std::vector<TrialPlan> plans;
   for (const char* name : {"valve_deadband", "load_friction", "force_sensor_gain", "velocity_filter_lag"}) {
-    plans.push_back({Kind::kEffect, plans.size() % 2, {90 + plans.size(), truth::Excitation::kRandomSteps, {{name, 2}}}});
+    plans.push_back(
+        {Kind::kEffect, plans.size() % 2, {90 + plans.size(), truth::Excitation::kRandomSteps, {{name, 2}}}});
   }
   plans.push_back({Kind::kNone, 0, {80, truth::Excitation::kMultisine, {}}});
   plans.push_back({Kind::kNone, 1, {81, truth::Excitation::kForceTracking, {}}});

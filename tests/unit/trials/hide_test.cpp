@@ -9,7 +9,7 @@ namespace hide_test {
 
 using plant::EffectId;
 
-robot::Robot hyq() { return robot::load_shipped("hyq"); }
+robot::Robot hyq() { return robot::load_shipped("hyq", {.without_effects = true}); }
 
 TEST(HiddenEffect, IsTheSameForTheSameSeedAndTellsWhatItIs) {
   const robot::Robot nominal = hyq();
@@ -59,7 +59,7 @@ TEST(HiddenEffect, IsAnyOfAllOnAnyJoint) {
 // Nothing is hidden that a robot file could not say, or that cannot be simulated.
 TEST(HiddenEffect, CouldStandInAFileAndCanBeSimulated) {
   for (const char* name : {"hyq", "fc1d"}) {
-    const robot::Robot nominal = robot::load_shipped(name);
+    const robot::Robot nominal = robot::load_shipped(name, {.without_effects = true});
     const std::size_t joints = std::min<std::size_t>(3, nominal.joints.size());
     for (std::size_t joint = 0; joint < joints; ++joint) {
       for (EffectId id = 0; id < plant::kEffectCount; ++id) {
@@ -68,8 +68,8 @@ TEST(HiddenEffect, CouldStandInAFileAndCanBeSimulated) {
           const robot::Robot world = hide_effect(nominal, joint, id, seed, what);
           const auto simulated = sim_bridge::SimWorld::create(world, 1);
           EXPECT_TRUE(simulated.ok()) << what.effect << ": " << simulated.error().message;
-          const auto said = robot::load_robot_text(robot::text_of(name) + "\neffects:\n  " + what.joint + ":\n    " +
-                                                       what.effect + ": {" + what.parameter + ": " +
+          const auto said = robot::load_robot_text(robot::text_without_effects(name) + "\neffects:\n  " + what.joint +
+                                                       ":\n    " + what.effect + ": {" + what.parameter + ": " +
                                                        config::number_text(what.value) + "}\n",
                                                    "f.yaml");
           ASSERT_TRUE(said.ok()) << to_string(said.error());
