@@ -7,9 +7,9 @@
 
 namespace farrier::supervisor {
 
-/// Finds by simulation whether the law of a hydraulic joint settles a small step of its command: behind the filters of
-/// the joint's sensors, with the loop's delay and the joint's outer loop of stiffness and damping. Allocates nothing
-/// after construction.
+/// Finds by simulation whether the law of a hydraulic joint settles a small step of its command. The loop has the
+/// filters of the joint's sensors, its delay and the joint's outer loop of stiffness and damping. Allocates nothing after
+/// construction.
 class LawCheck {
  public:
   LawCheck(const robot::Joint& joint, double period_s, int delay_ticks);

@@ -40,8 +40,10 @@ SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams
       estimate_period_s_(estimate_period_ticks * period_s),
       method_(make_method(logic, joint.form, estimate_period_ticks, estimate_period_s_)),
       gains_(first),
-      designed_poles_(poles_of(first.model, joint.form)),
-      law_(joint, period_s, first.delay_ticks) {
+      designed_poles_(poles_of(first.model, joint.form)) {
+  if (!loads_to_hold.empty()) {
+    law_.emplace(joint, period_s, first.delay_ticks);
+  }
   for (const plant::LoadParams& load : loads_to_hold) {
     physics_to_hold_.push_back(robot::nominal_physics(joint, load));
   }
@@ -141,7 +143,7 @@ UpdateVerdict SlotUpdate::redesign(const control::DiscreteModel& cautious, const
   decision.stored_radius = control::closed_loop_spectral_radius(stored, gains, gains.delay_ticks);
   if (!(decision.stored_radius < 1.0) ||
       (!filters_.are_wires() && !control::filtered_loop_is_stable(stored, gains, gains.delay_ticks, filters_)) ||
-      !std::ranges::all_of(physics_to_hold_, [&](const auto& physics) { return law_.settles(gains, physics); })) {
+      !std::ranges::all_of(physics_to_hold_, [&](const auto& physics) { return law_->settles(gains, physics); })) {
     contradicted_s_ += estimate_period_s_;
     return UpdateVerdict::kUnstableOnStoredModel;
   }

@@ -9,6 +9,7 @@
 // A slot is a joint in one phase (Hubacher 2014, 8.2.1, Fig. 8.8, F.2). The stored model is tested within its
 // uncertainty.
 
+#include <optional>
 #include <vector>
 
 #include "control/design/lqr.hpp"
@@ -71,7 +72,7 @@ class SlotUpdate {
   Method method_;
   control::Gains gains_;
   PoleSet designed_poles_;
-  LawCheck law_;
+  std::optional<LawCheck> law_;  // where there are loads to hold
   std::vector<plant::JointPhysics> physics_to_hold_;
   bool doubted_ = false;
   double contradicted_s_ = 0;  // for how long estimates have contradicted the stored model

@@ -42,9 +42,8 @@ int run_models(const robot::Robot& robot, const CompareOptions& options);
 /// behind drawn filters against the loop that runs.
 int run_filters(const robot::Robot& robot, const CompareOptions& options);
 
-/// farrier compare friction: every kind of controller on the load cycle of the shipped rig and on the gait of `robot`,
-/// for each of some models of friction on either side of the load cell and of some filters of the sensors. A run either
-/// holds or is refused before it begins.
+/// farrier compare friction: every kind of controller on the load cycle of the shipped rig and on the gait of `robot`.
+/// Contacts on either side of the load cell stick, sensors filter. A run either holds or is refused before it begins.
 int run_friction(const robot::Robot& robot, const CompareOptions& options);
 
 /// Larger relative force error of the two heavy and of the two light quarters of trials::LoadCycle.

@@ -19,7 +19,7 @@ struct ChannelCoefficients {
 /// Default: passes everything.
 class SignalAligner {
  public:
-  /// What an estimator reads at a tick.
+  /// Input of an estimator at a tick.
   struct Signals {
     Measurement measured;
     double current_A;

@@ -9,10 +9,9 @@
 
 namespace farrier::control {
 
-/// Opening of a valve with known null shift, overlap, ports of unlike size and a narrow port, as the current at which an
-/// ideal valve opens as far: plant::ValveBias, ValveDeadband, FlowSaturation and ValveAsymmetry in the order in which
-/// they act. Models that are linear in the current are estimated from it, because what EffectCompensation sends jumps
-/// across the overlap.
+/// Opening of a valve, as the current at which an ideal valve opens as far. It knows the effects plant::ValveBias,
+/// ValveDeadband, FlowSaturation and ValveAsymmetry, which act in this order. Models that are linear in the current are
+/// estimated from the opening, because the current that EffectCompensation sends jumps across the overlap.
 class ValveOpening {
  public:
   ValveOpening() = default;

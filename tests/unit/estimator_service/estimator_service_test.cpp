@@ -117,7 +117,7 @@ TEST(EstimatorService, EstimatesTheLoadAJointCarries) {
   EXPECT_GT(estimate.excitation, 0.0);
 }
 
-/// What the joint's own node sends for these openings, and what sensors with filters read.
+/// The current that the joint's own node sends for an opening, and the force that a filtered sensor reads.
 JointMeasurement as_sent_and_read(JointMeasurement ideal, double overlap_A, control::LowPass& force_filter) {
   ideal.valve_current_A += std::copysign(overlap_A, ideal.valve_current_A);
   ideal.force_N_or_Nm = force_filter.take(ideal.force_N_or_Nm);
