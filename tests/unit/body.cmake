@@ -1,5 +1,15 @@
 farrier_test(body_test unit
   ${CMAKE_CURRENT_LIST_DIR}/body/body_model_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/body/own_math_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/body/rigid_body_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(body_test PRIVATE farrier_body)
+
+if(TARGET farrier_body_engine)
+  farrier_test(body_engine_test unit
+    ${CMAKE_CURRENT_LIST_DIR}/body/engine_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
+  target_link_libraries(body_engine_test PRIVATE farrier_body_engine)
+else()
+  message(STATUS "unit/body_engine_test is skipped: it needs the packages of deploy/packages/body.txt")
+endif()

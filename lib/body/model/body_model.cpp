@@ -99,4 +99,13 @@ bool is_possible_tensor(const Eigen::Matrix3d& tensor_kg_m2) noexcept {
   return least_eigenvalue(second_moments) >= -kTensorRounding * tensor_kg_m2.cwiseAbs().maxCoeff();
 }
 
+PrincipalInertia principal_inertia(const Eigen::Matrix3d& tensor_kg_m2) noexcept {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(tensor_kg_m2);
+  Eigen::Matrix3d axes = solver.eigenvectors();
+  if (axes.determinant() < 0.0) {
+    axes.col(2) *= -1.0;
+  }
+  return {solver.eigenvalues(), Eigen::Quaterniond(axes).normalized()};
+}
+
 }  // namespace farrier::body

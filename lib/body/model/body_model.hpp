@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <string>
 #include <vector>
@@ -60,5 +61,12 @@ double total_mass_kg(const BodyModel& model) noexcept;
 ///   tr(I)/2 1 - I >= 0   (Wensing, Kim and Slotine 2018, IEEE Robotics and Automation Letters 3(1), section III).
 /// A thin rod passes.
 bool is_possible_tensor(const Eigen::Matrix3d& tensor_kg_m2) noexcept;
+
+/// Principal moments of a tensor, and the rotation from its principal axes to the body's.
+struct PrincipalInertia {
+  Eigen::Vector3d moments_kg_m2;
+  Eigen::Quaterniond attitude;
+};
+PrincipalInertia principal_inertia(const Eigen::Matrix3d& tensor_kg_m2) noexcept;
 
 }  // namespace farrier::body
