@@ -70,6 +70,7 @@ struct Leg {
   bool front = true;
   bool left = true;
   double phase_offset = 0.0;
+  std::vector<double> hip_position_m;  ///< of the HAA axis in the trunk's frame: x, y, z; empty without body.trunk
   config::Named<std::string> joints;  ///< joint name to joint template, HAA, HFE, KFE
   config::Place joints_place;
   config::Place place;

@@ -19,24 +19,8 @@ double least_eigenvalue(const Eigen::Matrix3d& symmetric) noexcept {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(symmetric, Eigen::EigenvaluesOnly).eigenvalues()[0];
 }
 
-Result<Done> check_inertia(const RigidInertia& inertia, const std::string& body) {
-  const Eigen::Matrix3d& tensor = inertia.tensor_kg_m2;
-  if (!(inertia.mass_kg >= kLeastMass_kg) || !std::isfinite(inertia.mass_kg)) {
-    return Error{body + " has no mass: give its mass in kg, above zero"};
-  }
-  if (!inertia.com_m.allFinite() || !tensor.allFinite()) {
-    return Error{body + " has a centre of mass or a tensor that is not finite"};
-  }
-  if (!tensor.isApprox(tensor.transpose(), kTensorRounding)) {
-    return Error{body + " has a tensor that is not symmetric"};
-  }
-  if (!is_possible_tensor(tensor)) {
-    return Error{body + " has a tensor that no masses can have: no principal moment may exceed the sum of the others"};
-  }
-  if (!(least_eigenvalue(tensor) >= kLeastMoment_kg_m2)) {
-    return Error{body + " has a tensor that is not positive definite: give every principal moment, above zero"};
-  }
-  return Done{};
+Result<Done> named(const std::string& body, const Result<Done>& checked) {
+  return checked ? checked : Error{body + " " + checked.error().message};
 }
 
 Result<Done> check_link(const Link& link, const std::string& body) {
@@ -49,7 +33,7 @@ Result<Done> check_link(const Link& link, const std::string& body) {
   if (!(link.armature_kg_m2 >= 0.0) || !(link.damping_Nms_rad >= 0.0)) {
     return Error{body + " has a negative armature or damping: give zero for none"};
   }
-  return check_inertia(link.inertia, body);
+  return named(body, validate(link.inertia));
 }
 
 Result<Done> check_leg(const LegModel& leg) {
@@ -67,6 +51,26 @@ Result<Done> check_leg(const LegModel& leg) {
 
 }  // namespace
 
+Result<Done> validate(const RigidInertia& inertia) {
+  const Eigen::Matrix3d& tensor = inertia.tensor_kg_m2;
+  if (!(inertia.mass_kg >= kLeastMass_kg) || !std::isfinite(inertia.mass_kg)) {
+    return Error{"has no mass: give its mass in kg, above zero"};
+  }
+  if (!inertia.com_m.allFinite() || !tensor.allFinite()) {
+    return Error{"has a centre of mass or a tensor that is not finite"};
+  }
+  if (!tensor.isApprox(tensor.transpose(), kTensorRounding)) {
+    return Error{"has a tensor that is not symmetric"};
+  }
+  if (!is_possible_tensor(tensor)) {
+    return Error{std::string("has a tensor that ") + kImpossibleTensor};
+  }
+  if (!(least_eigenvalue(tensor) >= kLeastMoment_kg_m2)) {
+    return Error{"has a tensor that is not positive definite: give every principal moment, above zero"};
+  }
+  return Done{};
+}
+
 Result<Done> validate(const BodyModel& model) {
   if (model.legs.empty() || model.legs.size() > kMaxLegs) {
     return Error{"the body has " + std::to_string(model.legs.size()) + " legs: give 1 to " + std::to_string(kMaxLegs)};
@@ -74,7 +78,7 @@ Result<Done> validate(const BodyModel& model) {
   if (!(model.gravity_m_s2 >= 0.0) || !std::isfinite(model.gravity_m_s2)) {
     return Error{"gravity is negative or not finite: give its magnitude in m/s^2"};
   }
-  FARRIER_TRY(check_inertia(model.trunk, "the trunk"));
+  FARRIER_TRY(named("the trunk", validate(model.trunk)));
   for (const LegModel& leg : model.legs) {
     FARRIER_TRY(check_leg(leg));
   }

@@ -50,6 +50,10 @@ struct BodyModel {
   int joints() const noexcept { return kJointsPerLeg * static_cast<int>(legs.size()); }
 };
 
+/// Refuses an inertia without mass, and a tensor that is not symmetric, possible and positive definite. The message
+/// begins with a verb: "has no mass: ...".
+Result<Done> validate(const RigidInertia& inertia);
+
 /// Refuses a body that no mechanics can move, by the name of the body and with the remedy. Each mass must be above
 /// zero, each tensor symmetric and possible, each axis of unit length and each foot a sphere.
 Result<Done> validate(const BodyModel& model);
@@ -60,6 +64,8 @@ double total_mass_kg(const BodyModel& model) noexcept;
 /// True if masses at points can have this tensor, that is if its principal moments keep the triangle inequality:
 ///   tr(I)/2 1 - I >= 0   (Wensing, Kim and Slotine 2018, IEEE Robotics and Automation Letters 3(1), section III).
 /// A thin rod passes.
+inline constexpr const char* kImpossibleTensor =
+    "no masses can have: no principal moment may exceed the sum of the others";
 bool is_possible_tensor(const Eigen::Matrix3d& tensor_kg_m2) noexcept;
 
 /// Principal moments of a tensor, and the rotation from its principal axes to the body's.

@@ -148,8 +148,8 @@ TEST(LegInertia, IsSteinersForPointMasses) {
   Body body;
   body.hip_offset_m = 0.1;
   body.upper_leg_m = 0.4;
-  body.upper_leg = {2.0, 0.2, 0.0, {}};
-  body.lower_leg = {1.0, 0.3, 0.0, {}};
+  body.upper_leg = {2.0, 0.2, 0.0, 0.0, {}, {}};
+  body.lower_leg = {1.0, 0.3, 0.0, 0.0, {}, {}};
   const double hfe = 0.6;
   const double kfe = -1.1;
   const double knee = 0.1 + 0.2 * std::cos(hfe);
@@ -159,7 +159,7 @@ TEST(LegInertia, IsSteinersForPointMasses) {
 
 TEST(LegInertia, TurnsTensorsWithTheLeg) {
   Body body;
-  body.upper_leg = {0.0, 0.0, 0.0, {3.0, 5.0, 7.0, 0.5}};
+  body.upper_leg = {0.0, 0.0, 0.0, 0.0, {3.0, 5.0, 7.0, 0.5}, {}};
   constexpr double kRounding = 1e-14;
   EXPECT_NEAR(leg_inertia_about_haa_kg_m2(body, 0.0, 0.0), 5.0, kRounding);                         // along y
   EXPECT_NEAR(leg_inertia_about_haa_kg_m2(body, std::numbers::pi / 2, 0.0), 3.0, kRounding);        // along x
