@@ -1,5 +1,6 @@
 #include "body/scene/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "plant/trigonometry.hpp"
@@ -85,14 +86,15 @@ Result<Done> check_start(const Scene& scene, const BodyModel& model, const Rigid
   return Done{};
 }
 
-Eigen::Vector3d push_force_N(const Scene& scene, double time_s) noexcept {
-  Eigen::Vector3d force_N = Eigen::Vector3d::Zero();
+Eigen::Vector3d push_force_N(const Scene& scene, double from_s, double to_s) noexcept {
+  Eigen::Vector3d impulse_Ns = Eigen::Vector3d::Zero();
   for (const Push& push : scene.pushes) {
-    if (time_s >= push.start_s && time_s < push.start_s + push.duration_s) {
-      force_N += push.impulse_Ns / push.duration_s;
+    const double overlap_s = std::min(to_s, push.start_s + push.duration_s) - std::max(from_s, push.start_s);
+    if (overlap_s > 0.0) {
+      impulse_Ns += overlap_s / push.duration_s * push.impulse_Ns;
     }
   }
-  return force_N;
+  return impulse_Ns / (to_s - from_s);
 }
 
 RigidInertia loaded_trunk(const RigidInertia& trunk, const Scene& scene, double time_s) noexcept {

@@ -51,8 +51,8 @@ Result<Done> validate(const Scene& scene);
 /// Refuses a start with a foot in a box or in the plane, by the names of both. `body` has the state of the start.
 Result<Done> check_start(const Scene& scene, const BodyModel& model, const RigidBody& body);
 
-/// Force of all pushes at that time, N.
-Eigen::Vector3d push_force_N(const Scene& scene, double time_s) noexcept;
+/// Mean force of all pushes from one time to a later one. Summed over a run it gives each impulse, wherever ticks fall.
+Eigen::Vector3d push_force_N(const Scene& scene, double from_s, double to_s) noexcept;
 
 /// The trunk with all payloads that have started at that time.
 RigidInertia loaded_trunk(const RigidInertia& trunk, const Scene& scene, double time_s) noexcept;
