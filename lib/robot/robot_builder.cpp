@@ -7,7 +7,6 @@
 #include "gait/leg_kinematics.hpp"
 #include "robot/body_model.hpp"
 #include "robot/checks/adaptation_check.hpp"
-#include "robot/checks/body_check.hpp"
 #include "robot/checks/cross_check.hpp"
 #include "robot/checks/deployment_check.hpp"
 #include "robot/derive.hpp"
@@ -34,7 +33,7 @@ class Builder {
     if (problems_.empty()) {
       check_geometry();
       for (const config::Problems& misfits :
-           {check_adaptation(file_), check_between_sections(file_), check_body(file_), check_deployment(file_)}) {
+           {check_adaptation(file_), check_between_sections(file_), check_deployment(file_)}) {
         problems_.insert(problems_.end(), misfits.begin(), misfits.end());
       }
     }
@@ -49,7 +48,7 @@ class Builder {
                 .estimate_period_ticks = file_.estimate_period_ticks,
                 .joints = {},
                 .plan = {file_.period_s, body_weight_N(), file_.gait, {}},
-                .body = {},
+                .body = make_body_model(file_),
                 .update_logic = file_.update_logic.params,
                 .safety = file_.safety.params,
                 .bounds = file_.bounds,
@@ -58,7 +57,6 @@ class Builder {
     for (const auto& [name, leg] : file_.legs) {
       add_leg(name, leg, robot);
     }
-    robot.body = make_body_model(file_);
     set_hip_height(robot.plan);
     check_values(robot);
     if (!problems_.empty()) {

@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 
+#include "body/engine/engine_fault.hpp"
 #include "body/model/body_model.hpp"
 #include "body/model/body_state.hpp"
 #include "body/scene/scene.hpp"
@@ -20,24 +21,6 @@ namespace farrier::body {
 struct TrunkWrench {
   Eigen::Vector3d force_N = Eigen::Vector3d::Zero();  ///< at the trunk's centre of mass
   Eigen::Vector3d torque_Nm = Eigen::Vector3d::Zero();
-};
-
-/// The engine's reason to stop. Each of them is a failure of the run: MuJoCo would reset the state and go on.
-enum class EngineFault {
-  kSingularInertia,
-  kTooManyContacts,
-  kTooManyConstraints,
-  kPositionNotFinite,
-  kVelocityNotFinite,
-  kAccelerationNotFinite,
-  kOther,
-};
-const char* to_string(EngineFault fault) noexcept;
-
-/// A fault, with the number of the step in which it occurred.
-struct EngineFailure {
-  EngineFault fault;
-  std::int64_t step;
 };
 
 struct EngineSettings {

@@ -1,6 +1,7 @@
 #include "robot/checks/cross_check.hpp"
 
 #include "control/law/low_pass.hpp"
+#include "robot/checks/body_check.hpp"
 #include "robot/leg_inertia.hpp"
 
 namespace farrier::robot {
@@ -60,7 +61,7 @@ void check_filters(const RobotFile& file, config::Problems& problems) {
 }  // namespace
 
 config::Problems check_between_sections(const RobotFile& file) {
-  config::Problems problems;
+  config::Problems problems = check_body(file);
   check_stance_lead(file, problems);
   check_varied_body(file, problems);
   check_filters(file, problems);

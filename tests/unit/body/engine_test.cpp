@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../../support/allocation_guard.hpp"
+#include "tests/support/allocation_guard.hpp"
 #include "body/dynamics/rigid_body.hpp"
 #include "test_bodies.hpp"
 

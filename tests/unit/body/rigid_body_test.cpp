@@ -4,7 +4,7 @@
 
 #include <Eigen/Cholesky>
 
-#include "../../support/allocation_guard.hpp"
+#include "tests/support/allocation_guard.hpp"
 #include "test_bodies.hpp"
 
 namespace farrier::body {
