@@ -16,7 +16,7 @@
 namespace farrier::body {
 
 /// Rigid-body algorithms on one robot. No function allocates after create(). The numbers come from +, -, *, / and sqrt
-/// alone, so they are the same bits on every machine.
+/// alone, so they are the same bits on every processor of an architecture.
 class RigidBody {
  public:
   /// At rest in BodyState::zero. Refuses a model that validate() refuses.
