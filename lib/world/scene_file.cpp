@@ -1,5 +1,7 @@
 #include "world/scene_file.hpp"
 
+#include <cmath>
+
 #include "config/reader.hpp"
 #include "core/noise.hpp"
 
@@ -47,17 +49,18 @@ void add_stairs(const std::string& name, const StairsSection& from, body::Scene&
   }
 }
 
-int blocks_along(double extent_m, double size_m) { return static_cast<int>(extent_m / size_m + 0.5); }
+int blocks_along(double extent_m, double size_m) { return static_cast<int>(std::lround(extent_m / size_m)); }
 
 void add_blocks(const std::string& name, const BlocksSection& from, body::Scene& scene) {
   const NoiseStream heights(static_cast<std::uint64_t>(from.seed), name, "height");
   const int along = blocks_along(from.length_m, from.size_m);
   const int across = blocks_along(from.width_m, from.size_m);
   for (int i = 0; i < along * across; ++i) {
+    const int row = i / across;
+    const int column = i % across;
     const double height_m = from.height_m * heights.uniform(i);
     if (height_m >= kLowestBlock_m) {
-      const Eigen::Vector3d base_m(from.x_m + (i / across + 0.5) * from.size_m,
-                                   from.y_m + (i % across + 0.5) * from.size_m, 0.0);
+      const Eigen::Vector3d base_m(from.x_m + (row + 0.5) * from.size_m, from.y_m + (column + 0.5) * from.size_m, 0.0);
       scene.boxes.push_back(standing_box(name + "/" + std::to_string(i), base_m, {from.size_m, from.size_m, height_m}));
     }
   }

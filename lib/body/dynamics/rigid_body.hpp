@@ -1,11 +1,12 @@
 #pragma once
 
-// Kinematics and dynamics of a robot with a free trunk:
+// Kinematics and dynamics of a robot with a free trunk. Its equations of motion, and the acceleration of foot i:
 //
-//   M(q) v' + c(q, v) = S' tau + sum over feet J_i(q)' f_i,        foot acceleration = J_i v' + (dJ_i/dt) v
+//   M(q) v' + c(q, v) = S' tau + sum over feet J_i(q)' f_i
+//   a_i = J_i v' + (dJ_i/dt) v.
 //
 // Here v is the generalised velocity of BodyState, tau the joint torques and f_i the force of the ground on foot i, in
-// the world's axes. set_state() computes all that depends on the state of one link alone; the other functions read it.
+// the world's axes. Function set_state() computes all links' motion, and the other functions read it.
 
 #include <array>
 

@@ -61,9 +61,9 @@ Result<Done> validate(const BodyModel& model);
 /// Mass of trunk and legs.
 double total_mass_kg(const BodyModel& model) noexcept;
 
-/// True if masses at points can have this tensor, that is if its principal moments keep the triangle inequality:
-///   tr(I)/2 1 - I >= 0   (Wensing, Kim and Slotine 2018, IEEE Robotics and Automation Letters 3(1), section III).
-/// A thin rod passes.
+/// True if masses at points can have this tensor I: its principal moments keep the triangle inequality. A thin rod
+/// passes. The condition is that tr(I)/2 1 - I is positive semidefinite (Wensing, Kim and Slotine 2018, IEEE Robotics and
+/// Automation Letters 3(1), section III).
 inline constexpr const char* kImpossibleTensor =
     "no masses can have: no principal moment may exceed the sum of the others";
 bool is_possible_tensor(const Eigen::Matrix3d& tensor_kg_m2) noexcept;

@@ -12,7 +12,7 @@
 
 namespace farrier::body {
 
-/// A box that stands still in the world.
+/// A box that does not move.
 struct Box {
   std::string name;
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();

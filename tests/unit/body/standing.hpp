@@ -28,9 +28,8 @@ inline BodyState standing_state(const robot::Robot& robot, RigidBody& body) {
   return state;
 }
 
-/// Holds each joint at an angle and carries the robot's weight: the joints' part of
-///   tau = c - sum of J_i' f_i + k_p (q_0 - q) - k_d q',
-/// with vertical forces f_i that are in balance with the weight at the stance.
+/// Holds each joint at an angle and carries the robot's weight on vertical forces f_i. Its torques are the joints' part of
+///   tau = c - sum of J_i' f_i + k_p (q_0 - q) - k_d q'.
 class StanceController {
  public:
   StanceController(const RigidBody& standing, const BodyState& state, double mass_kg, double gravity_m_s2)

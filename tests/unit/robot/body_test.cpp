@@ -92,7 +92,7 @@ TEST_F(HyqBody, StandsOnItsFeetWithTheirShareOfTheWeight) {
   EXPECT_NEAR(0.5 * weight_N - front_N, 203.8, kSettled_N);
 }
 
-TEST(RobotBody, IsNoneWithoutATrunk) {
+TEST(RobotBody, IsAbsentWithoutATrunk) {
   EXPECT_FALSE(load_shipped("hexapod").body.has_value());
   EXPECT_FALSE(load_shipped("fc1d").body.has_value());
 }
