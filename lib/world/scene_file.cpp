@@ -141,6 +141,8 @@ void declare(Visitor& v, BlocksSection& b) {
   v.number("size_m", b.size_m, {0.05, 1e3}, kInitial, "Side of a block.");
   v.number("height_m", b.height_m, kSize_m, "Heights are uniform between zero and this.");
   v.integer("seed", b.seed, {0, 1e9}, kInitial, "Seed of the heights.");
+  v.check(b.length_m / b.size_m * (b.width_m / b.size_m) <= static_cast<double>(kMostBoxes), "size_m",
+          "makes more than " + std::to_string(kMostBoxes) + " blocks: give larger ones or a smaller field");
 }
 
 void declare(Visitor& v, PushSection& p) {

@@ -36,7 +36,7 @@ struct ImuReading {
 
 class World {
  public:
-  virtual ~World() = default;
+  virtual ~World();
 
   virtual Tick tick() const noexcept = 0;
   virtual std::size_t joints() const noexcept = 0;

@@ -10,6 +10,8 @@
 #include <string>
 #include <string_view>
 
+#include "body/engine/own_math.hpp"
+
 namespace farrier::body {
 namespace {
 
@@ -117,6 +119,17 @@ Result<Done> bind_calls(const void* inside, std::span<const BoundCall> calls) {
     }
   }
   return Done{};
+}
+
+Result<Done> bind_own_math(const void* inside) {
+  const auto pointer = [](auto* function) { return reinterpret_cast<void*>(function); };
+  const BoundCall calls[] = {
+      {"sin", pointer(&own_math::sine), false},          {"cos", pointer(&own_math::cosine), false},
+      {"sincos", pointer(&own_math::sine_cosine), true}, {"atan2", pointer(&own_math::arc_tangent), true},
+      {"pow", pointer(&own_math::power), true},          {"acos", pointer(&own_math::forbidden), false},
+      {"asin", pointer(&own_math::forbidden), false},    {"exp", pointer(&own_math::forbidden), false},
+      {"log", pointer(&own_math::forbidden), false},     {"tan", pointer(&own_math::forbidden), false}};
+  return bind_calls(inside, calls);
 }
 
 }  // namespace farrier::body

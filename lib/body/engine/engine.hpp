@@ -51,13 +51,14 @@ class Engine {
   /// Continues from this state. Steps are counted from zero again, and a failure is cleared.
   void set_state(const BodyState& state) noexcept;
 
-  /// Replaces the trunk's inertia, as when a payload is put on it.
+  /// Replaces the trunk's inertia, as when a payload is put on it. It must be one that validate() accepts.
   void set_trunk(const RigidInertia& trunk) noexcept;
 
-  /// Holds torques (joints() entries) and wrench over one step. It does nothing after a failure. It allocates nothing.
+  /// Holds torques, one per joint of the model, and wrench over one step. A step that fails leaves the state as it was,
+  /// and no further step moves it. It allocates nothing.
   void step(const JointVector& torques_Nm, const TrunkWrench& wrench = {}) noexcept;
 
-  /// The state after the last step.
+  /// The state after the last good step.
   BodyState state() const noexcept;
 
   /// Force of the scene on a foot during the last step, in the world's axes.

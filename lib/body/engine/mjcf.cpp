@@ -39,21 +39,21 @@ std::string inertial(const RigidInertia& inertia) {
          "/>\n";
 }
 
-std::string foot_text(const LegModel& leg) {
-  const std::string place = attribute("name", leg.name + "/foot") + attribute("pos", text_of(leg.foot_m));
+std::string foot_text(const LegModel& leg, const std::string& number) {
+  const std::string place = attribute("name", number + "/foot") + attribute("pos", text_of(leg.foot_m));
   return "<geom class=\"foot\"" + place + attribute("size", text_of(leg.foot_radius_m)) + "/>\n<site" + place + "/>\n";
 }
 
-std::string leg_text(const LegModel& leg) {
+std::string leg_text(const LegModel& leg, const std::string& number) {
   std::string text;
   for (std::size_t i = 0; i < leg.links.size(); ++i) {
     const Link& link = leg.links[i];
-    const std::string name = attribute("name", leg.name + "/" + std::to_string(i));
+    const std::string name = attribute("name", number + "/" + std::to_string(i));
     text += "<body" + name + attribute("pos", text_of(link.hinge_m)) + ">\n<joint" + name +
             attribute("axis", text_of(link.axis)) + attribute("armature", text_of(link.armature_kg_m2)) +
             attribute("damping", text_of(link.damping_Nms_rad)) + "/>\n" + inertial(link.inertia);
   }
-  text += foot_text(leg);
+  text += foot_text(leg, number);
   for (std::size_t i = 0; i < leg.links.size(); ++i) {
     text += "</body>\n";
   }
@@ -61,7 +61,7 @@ std::string leg_text(const LegModel& leg) {
 }
 
 std::string box_text(const Box& box) {
-  return "<geom class=\"ground\" type=\"box\"" + attribute("name", box.name) + attribute("pos", text_of(box.centre_m)) +
+  return "<geom class=\"ground\" type=\"box\"" + attribute("pos", text_of(box.centre_m)) +
          attribute("size", text_of(box.half_extents_m)) + attribute("quat", text_of(box.attitude)) + "/>\n";
 }
 
@@ -91,8 +91,8 @@ std::string mjcf_text(const BodyModel& model, const Scene& scene, double step_s)
     text += box_text(box);
   }
   text += "<body name=\"trunk\">\n<freejoint name=\"trunk\"/>\n" + inertial(model.trunk);
-  for (const LegModel& leg : model.legs) {
-    text += leg_text(leg);
+  for (std::size_t leg = 0; leg < model.legs.size(); ++leg) {
+    text += leg_text(model.legs[leg], std::to_string(leg));
   }
   return text + "</body>\n</worldbody>\n</mujoco>\n";
 }

@@ -12,7 +12,6 @@
 #include "body/engine/bound_calls.hpp"
 #include "body/engine/engine.hpp"
 #include "body/engine/mjcf.hpp"
-#include "body/engine/own_math.hpp"
 
 namespace farrier::body {
 namespace engine {
@@ -49,23 +48,12 @@ void ignore_warning(const char*) {}
   std::abort();
 }
 
-Result<Done> bind_mathematics() {
-  const auto pointer = [](auto* function) { return reinterpret_cast<void*>(function); };
-  const BoundCall calls[] = {
-      {"sin", pointer(&own_math::sine), false},          {"cos", pointer(&own_math::cosine), false},
-      {"sincos", pointer(&own_math::sine_cosine), true}, {"atan2", pointer(&own_math::arc_tangent), true},
-      {"pow", pointer(&own_math::power), true},          {"acos", pointer(&own_math::forbidden), false},
-      {"asin", pointer(&own_math::forbidden), false},    {"exp", pointer(&own_math::forbidden), false},
-      {"log", pointer(&own_math::forbidden), false},     {"tan", pointer(&own_math::forbidden), false}};
-  return bind_calls(pointer(&mj_step), calls);
-}
-
 // Set for the whole process, once.
 const Result<Done>& prepare_mujoco() {
   static const Result<Done> prepared = [] {
     mju_user_warning = &ignore_warning;
     mju_user_error = &end_on_error;
-    return bind_mathematics();
+    return bind_own_math(reinterpret_cast<const void*>(&mj_step));
   }();
   return prepared;
 }
@@ -127,12 +115,15 @@ struct Engine::Simulation {
   std::array<Eigen::Vector3d, kMaxLegs> contact_force_N;
   std::int64_t steps = 0;
   std::optional<EngineFailure> failure;
+  Eigen::VectorXd position_before;  // of the present step
+  Eigen::VectorXd velocity_before;
   RowMajor jacobian;  // workspaces of dynamics()
   RowMajor mass_matrix;
 
   int joints() const noexcept { return kJointsPerLeg * legs; }
   void write(const BodyState& state) noexcept;
   void set_trunk(const RigidInertia& inertia) noexcept;
+  void step() noexcept;
   void note_failure() noexcept;
   void sum_contact_forces() noexcept;
 };
@@ -163,6 +154,23 @@ void Engine::Simulation::note_failure() noexcept {
       failure = EngineFailure{fault_of(warning), steps};
     }
   }
+}
+
+// A step with a warning may have reset the state.
+void Engine::Simulation::step() noexcept {
+  Eigen::Map<Eigen::VectorXd> position(data->qpos, model->nq);
+  Eigen::Map<Eigen::VectorXd> velocity(data->qvel, model->nv);
+  position_before = position;
+  velocity_before = velocity;
+  mj_step(model.get(), data.get());
+  note_failure();
+  if (failure) {
+    position = position_before;
+    velocity = velocity_before;
+    return;
+  }
+  sum_contact_forces();
+  ++steps;
 }
 
 // The force in a contact's frame acts on its second geom, an opposite one on the first.
@@ -205,10 +213,12 @@ Result<Engine> Engine::create(const BodyModel& model, const Scene& scene, const 
   s.legs = static_cast<int>(model.legs.size());
   s.trunk = mj_name2id(s.model.get(), mjOBJ_BODY, "trunk");
   for (std::size_t leg = 0; leg < model.legs.size(); ++leg) {
-    const std::string foot = model.legs[leg].name + "/foot";
+    const std::string foot = std::to_string(leg) + "/foot";
     s.foot_geom[leg] = mj_name2id(s.model.get(), mjOBJ_GEOM, foot.c_str());
     s.foot_site[leg] = mj_name2id(s.model.get(), mjOBJ_SITE, foot.c_str());
   }
+  s.position_before.resize(s.model->nq);
+  s.velocity_before.resize(s.model->nv);
   s.jacobian.resize(3, s.model->nv);
   s.mass_matrix.resize(s.model->nv, s.model->nv);
   Engine engine(std::move(simulation));
@@ -233,10 +243,7 @@ void Engine::step(const JointVector& torques_Nm, const TrunkWrench& wrench) noex
   Eigen::Map<Eigen::VectorXd>(s.data->qfrc_applied, s.model->nv).tail(s.joints()) = torques_Nm;
   Eigen::Map<Eigen::Vector3d>(s.data->xfrc_applied + 6 * s.trunk) = wrench.force_N;
   Eigen::Map<Eigen::Vector3d>(s.data->xfrc_applied + 6 * s.trunk + 3) = wrench.torque_Nm;
-  mj_step(s.model.get(), s.data.get());
-  s.note_failure();
-  s.sum_contact_forces();
-  ++s.steps;
+  s.step();
 }
 
 BodyState Engine::state() const noexcept {

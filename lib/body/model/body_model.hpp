@@ -64,9 +64,10 @@ double total_mass_kg(const BodyModel& model) noexcept;
 /// True if masses at points can have this tensor I: its principal moments keep the triangle inequality. A thin rod
 /// passes. The condition is that tr(I)/2 1 - I is positive semidefinite (Wensing, Kim and Slotine 2018, IEEE Robotics and
 /// Automation Letters 3(1), section III).
+bool is_possible_tensor(const Eigen::Matrix3d& tensor_kg_m2) noexcept;
+/// The end of the sentence "is a tensor that ..." about one that is not possible.
 inline constexpr const char* kImpossibleTensor =
     "no masses can have: no principal moment may exceed the sum of the others";
-bool is_possible_tensor(const Eigen::Matrix3d& tensor_kg_m2) noexcept;
 
 /// Principal moments of a tensor, and the rotation from its principal axes to the body's.
 struct PrincipalInertia {

@@ -79,8 +79,8 @@ TEST(SensorEffects, ChangeSamplesAndNotTheTruth) {
   SimWorld with = world_of(rig_with("    force_sensor_offset: {offset_N: 25}\n"));
   SimWorld without = world_of(robot::load_shipped("fc1d"));
   for (int i = 0; i < 100; ++i) {
-    with.advance({1e-3});
-    without.advance({1e-3});
+    with.advance(std::vector{1e-3});
+    without.advance(std::vector{1e-3});
     ASSERT_TRUE(same_state(row_of(with, 0), row_of(without, 0)));
     ASSERT_NEAR(with.sample(0).force_N_or_Nm - without.sample(0).force_N_or_Nm, 25.0, 1e-9);
     ASSERT_EQ(with.sample(0).velocity_m_s_or_rad_s, without.sample(0).velocity_m_s_or_rad_s);

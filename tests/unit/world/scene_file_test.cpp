@@ -75,7 +75,11 @@ TEST(SceneFile, RefusesABoxWithoutHeight) {
 }
 
 TEST(SceneFile, RefusesMoreBlocksThanItCanSimulate) {
-  EXPECT_NE(problem_of("blocks: {f: {x_m: 1, y_m: -1, length_m: 30, width_m: 20, size_m: 0.1, height_m: 0.1}}"), "");
+  EXPECT_EQ(problem_of("blocks: {f: {x_m: 1, y_m: -1, length_m: 30, width_m: 20, size_m: 0.1, height_m: 0.1}}"),
+            "scene.yaml:1: blocks.f.size_m: makes more than 2000 blocks: give larger ones or a smaller field\n");
+  EXPECT_EQ(problem_of("blocks:\n  f: {x_m: 1, y_m: -1, length_m: 30, width_m: 20, size_m: 0.6, height_m: 0.1}\n"
+                       "  g: {x_m: 1, y_m: -1, length_m: 30, width_m: 20, size_m: 0.6, height_m: 0.1}"),
+            "scene.yaml:1: has 3272 boxes and blocks: give at most 2000\n");
 }
 
 TEST(SceneFile, RefusesAnUnknownKey) {
