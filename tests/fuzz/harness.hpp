@@ -37,6 +37,7 @@ inline std::string_view text_of(Bytes bytes) {
 // Text and files.
 void arrow_fault(Bytes bytes);
 void robot_file(Bytes bytes);
+void scene_file(Bytes bytes);
 void recording(Bytes bytes);
 void scaled_recording(Bytes bytes);
 void trace(Bytes bytes);

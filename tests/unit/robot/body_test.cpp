@@ -92,8 +92,19 @@ TEST_F(HyqBody, StandsOnItsFeetWithTheirShareOfTheWeight) {
   EXPECT_NEAR(0.5 * weight_N - front_N, 203.8, kSettled_N);
 }
 
+TEST(RobotBody, HasSixLegsOfTheHexapodInBalance) {
+  const Robot hexapod = load_shipped("hexapod");
+  body::RigidBody body = body::RigidBody::create(hexapod.body.value()).value();
+  EXPECT_EQ(body.legs(), 6);
+  EXPECT_NEAR(body.total_mass_kg(), 127.134, kRounding);
+  body::BodyState state = body::BodyState::zero(body.joints());
+  body.set_state(state);
+  EXPECT_NEAR(body.centre_of_mass_m().y(), 0.0, kRounding);
+  EXPECT_NEAR(body.centre_of_mass_m().x(), 0.0, 0.01) << "the middle legs' hips lie forward";
+}
+
 TEST(RobotBody, IsAbsentWithoutATrunk) {
-  EXPECT_FALSE(load_shipped("hexapod").body.has_value());
+  EXPECT_FALSE(load_shipped("electric_leg").body.has_value());
   EXPECT_FALSE(load_shipped("fc1d").body.has_value());
 }
 

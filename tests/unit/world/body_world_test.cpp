@@ -10,16 +10,18 @@
 namespace farrier::world {
 namespace body_world_test {
 
+robot::Robot load(const std::string& name) { return robot::load_robot(FARRIER_ROBOTS + name + ".yaml").value(); }
+
 const robot::Robot& hyq() {
-  static const robot::Robot robot = robot::load_robot(FARRIER_ROBOTS "hyq.yaml").value();
+  static const robot::Robot robot = load("hyq");
   return robot;
 }
 
-// Holds the home pose from readings alone: impedance at each joint, and the torques J' f of a quarter of the weight.
+// Holds the home pose from readings alone: impedance at each joint, and the torques J' f of an even share of the weight.
 class Stance {
  public:
-  explicit Stance(const BodyWorld& world) {
-    const double force_N = 0.25 * world.body().total_mass_kg() * hyq().body->gravity_m_s2;
+  explicit Stance(const BodyWorld& world, const robot::Robot& robot = hyq()) : robot_(robot) {
+    const double force_N = world.body().total_mass_kg() * robot.body->gravity_m_s2 / world.body().legs();
     for (int leg = 0; leg < world.body().legs(); ++leg) {
       const Eigen::Matrix3d jacobian =
           world.body().foot_jacobian(leg).middleCols<3>(body::kTrunkVelocities + body::kJointsPerLeg * leg);
@@ -32,13 +34,14 @@ class Stance {
   std::span<const double> step(const World& world) {
     for (std::size_t joint = 0; joint < world.joints(); ++joint) {
       const JointReading reading = world.reading(joint);
-      torques_Nm_[joint] = feed_forward_Nm_[joint] + 1500.0 * (hyq().joints[joint].home_angle_rad - reading.position) -
+      torques_Nm_[joint] = feed_forward_Nm_[joint] + 1500.0 * (robot_.joints[joint].home_angle_rad - reading.position) -
                            40.0 * reading.velocity;
     }
     return torques_Nm_;
   }
 
  private:
+  const robot::Robot& robot_;
   std::vector<double> feed_forward_Nm_;
   std::vector<double> torques_Nm_;
 };
@@ -77,6 +80,22 @@ TEST(BodyWorld, StandsForFiveSecondsOnNoisyReadings) {
     sum_N += world.foot_force_N(leg).z();
   }
   EXPECT_NEAR(sum_N, 84.756 * 9.81, 0.1 * sum_N) << "one tick, with the noise of velocities";
+}
+
+TEST(BodyWorld, StandsOnSixLegs) {
+  const robot::Robot hexapod = load("hexapod");
+  BodyWorld world = BodyWorld::create(hexapod, {}, 1).value();
+  Stance stance(world, hexapod);
+  for (int tick = 0; tick < 2000; ++tick) {
+    ASSERT_TRUE(world.advance(stance.step(world))) << *world.failure();
+  }
+  EXPECT_LT(world.state().attitude.vec().norm(), 0.01);
+  double sum_N = 0.0;
+  for (int leg = 0; leg < 6; ++leg) {
+    EXPECT_GT(world.foot_force_N(leg).z(), 50.0) << leg;
+    sum_N += world.foot_force_N(leg).z();
+  }
+  EXPECT_NEAR(sum_N, 127.134 * 9.81, 0.01 * sum_N);
 }
 
 TEST(BodyWorld, FeelsNoForceWhileItFalls) {
@@ -151,11 +170,12 @@ TEST(BodyWorld, RefusesAFootInABox) {
 }
 
 TEST(BodyWorld, RefusesARobotWithoutTrunk) {
-  const auto world = BodyWorld::create(robot::load_robot(FARRIER_ROBOTS "hexapod.yaml").value(), {}, 1);
+  const auto world = BodyWorld::create(load("electric_leg"), {}, 1);
   ASSERT_FALSE(world.ok());
-  EXPECT_EQ(world.error().message,
-            "hexapod is not described as rigid bodies: give body.trunk, body.foot_radius_m and the hip_position_m of "
-            "each leg in its file");
+  EXPECT_EQ(
+      world.error().message,
+      "electric_leg is not described as rigid bodies: give body.trunk, body.foot_radius_m and the hip_position_m of "
+      "each leg in its file");
 }
 
 TEST(BodyWorld, AllocatesNothingInATick) {
