@@ -49,6 +49,8 @@ class BodyWorld final : public World {
   const body::BodyState& state() const noexcept { return state_; }
   /// The true kinematics and dynamics at that state, without payloads.
   const body::RigidBody& body() const noexcept { return body_; }
+  /// Normal of the ground's plane, in the world.
+  Eigen::Vector3d ground_normal() const noexcept { return scene_.ground * Eigen::Vector3d::UnitZ(); }
   /// Force of the ground on a foot, the mean of the last tick, world's axes.
   const Eigen::Vector3d& foot_force_N(int leg) const noexcept { return foot_forces_N_[leg]; }
 

@@ -7,6 +7,11 @@ if(TARGET farrier_body_world)
     ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
   target_link_libraries(body_world_test PRIVATE farrier_body_world)
   target_compile_definitions(body_world_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
+
+  farrier_test(body_trial_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/body_trial_test.cpp)
+  target_link_libraries(body_trial_test PRIVATE farrier_body_trial)
+  target_compile_definitions(body_trial_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/"
+    FARRIER_SCENES="${PROJECT_SOURCE_DIR}/deploy/scenes/")
 else()
-  message(STATUS "unit/body_world_test is skipped: it needs the packages of deploy/packages/body.txt")
+  message(STATUS "unit/body_world_test and unit/body_trial_test are skipped: they need the packages of deploy/packages/body.txt")
 endif()
