@@ -8,8 +8,9 @@
 
 namespace farrier::trials {
 
-/// Holds the home pose, each joint by itself: tau = k_p (q_0 - q) - k_d q' - J_z' f, where f is an even share of the
-/// weight and J_z the vertical row of the foot's Jacobian at home. The trunk's attitude is not controlled.
+/// Holds the home pose, each joint by itself, without control of the trunk's attitude:
+///   tau = k_p (q_0 - q) - k_d q' - J_z' f.
+/// Here f is an even share of the weight and J_z the vertical row of the foot's Jacobian at home.
 class Stand final : public BodyController {
  public:
   struct Gains {
