@@ -61,7 +61,7 @@ void RigidBody::move_trunk(const BodyState& state) noexcept {
   trunk_inertia_ = moved(trunk_data_, rotation_, Eigen::Vector3d::Zero());
 }
 
-// Outward pass of Featherstone (2008), table 5.1:  v_i = v_p + s_i q'_i,   a_i = a_p + v_i x s_i q'_i.
+// Outward pass of Featherstone (2008), section 5.3:  v_i = v_p + s_i q'_i,   a_i = a_p + v_i x s_i q'_i.
 void RigidBody::move_link(const Link& link, const MovedLink* parent, double angle_rad, double velocity_rad_s,
                           MovedLink& out) noexcept {
   const Eigen::Matrix3d& parent_rotation = parent != nullptr ? parent->rotation : rotation_;
@@ -152,7 +152,7 @@ Motion RigidBody::with_gravity(const Motion& acceleration) const noexcept {
   return {acceleration.angular, acceleration.linear + gravity_m_s2_ * Eigen::Vector3d::UnitZ()};
 }
 
-// Inward pass of table 5.1:  f_i = I_i a_i + v_i x* I_i v_i + sum of the forces on its children,   tau_i = s_i' f_i.
+// Inward pass of section 5.3:  f_i = I_i a_i + v_i x* I_i v_i + sum of the forces on its children,   tau_i = s_i' f_i.
 VelocityVector RigidBody::bias_forces() const noexcept {
   VelocityVector bias(velocities());
   Force total = trunk_inertia_ * with_gravity(trunk_bias_acceleration_) +

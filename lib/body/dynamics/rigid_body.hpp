@@ -43,11 +43,11 @@ class RigidBody {
   Eigen::Vector3d foot_jacobian_rate_times_velocity_m_s2(int leg) const noexcept;
 
   /// M, symmetric and positive definite, with armatures on its diagonal: the composite-rigid-body algorithm
-  /// (Featherstone 2008, table 6.2).
+  /// (Featherstone 2008, section 6.2).
   MassMatrix mass_matrix() const noexcept;
 
-  /// c, the generalised force of v' = 0 under gravity: the recursive Newton-Euler algorithm (Featherstone 2008, table
-  /// 5.1). Joint damping is not part of it.
+  /// c, the generalised force of v' = 0 under gravity: the recursive Newton-Euler algorithm (Featherstone 2008, section
+  /// 5.3). Joint damping is not part of it.
   VelocityVector bias_forces() const noexcept;
 
   /// Centre of mass of the whole robot, in the world.

@@ -25,12 +25,12 @@ struct Force {
   Force operator+(const Force& b) const noexcept { return {moment + b.moment, linear + b.linear}; }
 };
 
-/// v x m, eq. (2.31).
+/// v x m, section 2.9.
 inline Motion cross(const Motion& v, const Motion& m) noexcept {
   return {v.angular.cross(m.angular), v.angular.cross(m.linear) + v.linear.cross(m.angular)};
 }
 
-/// v x* f, eq. (2.32).
+/// v x* f, section 2.9.
 inline Force cross(const Motion& v, const Force& f) noexcept {
   return {v.angular.cross(f.moment) + v.linear.cross(f.linear), v.angular.cross(f.linear)};
 }
