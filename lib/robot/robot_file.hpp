@@ -20,15 +20,15 @@ inline constexpr std::size_t kJointsOfALeg = 3;
 
 /// Reactions of a joint to missing inputs, the table of docs/architecture.md, and the lead for early touchdowns.
 struct Safety {
-  double sensors_stale_s = 0.003;        ///< sensors older than this: valve to null
-  double command_damping_s = 0.005;      ///< command older than this: damping only
-  double command_trip_s = 0.050;         ///< command older than this: valve to null, latched
-  double valve_silent_s = 0.005;         ///< no valve command for this long: spool to null
-  int recovery_samples = 10;             ///< good sensor samples that end a stale spell
-  int frozen_samples = 0;                ///< samples alike in every number that make sensors stale; 0: never
-  double damping_gain_Nms_rad = 20.0;    ///< of the joint while its command is late: tau = -gain qdot
-  double position_damping_1_s = 5.0;     ///< speed per distance of the return to where a joint lost its force
-  double stance_lead_s = 0.0;            ///< stance gains act this long before the announced touchdown
+  double sensors_stale_s = 0.003;      ///< sensors older than this: valve to null
+  double command_damping_s = 0.005;    ///< command older than this: damping only
+  double command_trip_s = 0.050;       ///< command older than this: valve to null, latched
+  double valve_silent_s = 0.005;       ///< no valve command for this long: spool to null
+  int recovery_samples = 10;           ///< good sensor samples that end a stale spell
+  int frozen_samples = 0;              ///< samples alike in every number that make sensors stale; 0: never
+  double damping_gain_Nms_rad = 20.0;  ///< of the joint while its command is late: tau = -gain qdot
+  double position_damping_1_s = 5.0;   ///< speed per distance of the return to where a joint lost its force
+  double stance_lead_s = 0.0;          ///< stance gains act this long before the announced touchdown
 };
 
 struct SafetySection {
@@ -71,7 +71,7 @@ struct Leg {
   bool left = true;
   double phase_offset = 0.0;
   std::vector<double> hip_position_m;  ///< of the HAA axis in the trunk's frame: x, y, z; empty without body.trunk
-  config::Named<std::string> joints;  ///< joint name to joint template, HAA, HFE, KFE
+  config::Named<std::string> joints;   ///< joint name to joint template, HAA, HFE, KFE
   config::Place joints_place;
   config::Place place;
 };

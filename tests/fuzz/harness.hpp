@@ -30,9 +30,7 @@ inline void require(bool holds, const std::string& promise) {
   }
 }
 
-inline std::string_view text_of(Bytes bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
+inline std::string_view text_of(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 // Text and files.
 void arrow_fault(Bytes bytes);

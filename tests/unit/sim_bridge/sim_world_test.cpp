@@ -153,8 +153,7 @@ TEST(SimWorld, CarriesTheRobotOnShutValves) {
     const double volume_a = a.line_volume_m3 + a.area_a * start[i];
     const double volume_b = a.line_volume_m3 + a.area_b * (a.stroke - start[i]);
     // Stiffness of two closed chambers, Merritt (1967); a load put on at once would swing to twice its deflection.
-    const double stiffness =
-        a.bulk_modulus_Pa * (a.area_a * a.area_a / volume_a + a.area_b * a.area_b / volume_b);
+    const double stiffness = a.bulk_modulus_Pa * (a.area_a * a.area_a / volume_a + a.area_b * a.area_b / volume_b);
     EXPECT_LE(largest_way[i], 2.0 * largest_force[i] / stiffness) << standing.joints[i].name;
     EXPECT_GT(largest_force[i], 0.0) << standing.joints[i].name << " carries nothing";
   }
