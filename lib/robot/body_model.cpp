@@ -46,7 +46,7 @@ body::RigidInertia trunk_inertia(const Body& body) {
   return {body.trunk_mass_kg, {trunk.com_x_m, trunk.com_y_m, trunk.com_z_m}, trunk.inertia.tensor_kg_m2()};
 }
 
-// The hip's z is the HAA axis, which points backward on the left; x is down and y outward to inward.
+// The hip's z is the HAA axis, which points backward on the left; x is down and y inward.
 body::RigidInertia hip_inertia(const Link& hip) {
   Matrix3d axes;
   axes << -Vector3d::UnitZ(), -Vector3d::UnitY(), -Vector3d::UnitX();
