@@ -1,0 +1,42 @@
+#include "locomotion/attitude_filter.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "locomotion/rotation.hpp"
+
+namespace farrier::locomotion {
+
+void AttitudeFilter::reset(const Eigen::Vector3d& specific_force_m_s2) noexcept {
+  rotation_ = tilt_to(specific_force_m_s2.normalized()).transpose();
+  bias_.setZero();
+  angular_velocity_.setZero();
+  still_s_ = 0.0;
+}
+
+void AttitudeFilter::update(const ImuReading& imu, const Eigen::Vector3d& acceleration_m_s2, bool still) noexcept {
+  const Eigen::Vector3d up = rotation_.row(2).transpose();  // R^T z
+  const Eigen::Vector3d gravity = imu.specific_force_m_s2 - rotation_.transpose() * acceleration_m_s2;
+  const double size = gravity.norm();
+  // no weight for a specific force that gravity does not explain
+  const double trust = std::max(0.0, 1.0 - std::abs(size - kGravity_m_s2) / params_.acceleration_gate_m_s2);
+  Eigen::Vector3d error = Eigen::Vector3d::Zero();
+  if (trust > 0.0 && size > 0.0) {
+    error = trust / size * gravity.cross(up);
+  }
+  angular_velocity_ = imu.angular_velocity_rad_s - bias_;
+  const double gain = still ? params_.still_gravity_gain_1_s : params_.gravity_gain_1_s;
+  rotation_ = orthonormalised(rotation_ * rotation_by(period_s_ * (angular_velocity_ + gain * error)));
+  if (!still) {
+    bias_ -= period_s_ * params_.bias_gain_1_s2 * error;
+  }
+}
+
+void AttitudeFilter::average_bias(const Eigen::Vector3d& gyroscope_rad_s, const Eigen::Vector3d& legs_rad_s) noexcept {
+  // mean of all that was seen, over at most the time constant
+  still_s_ = std::min(still_s_ + period_s_, params_.still_time_constant_s);
+  bias_ += period_s_ / still_s_ * (gyroscope_rad_s - legs_rad_s - bias_);
+}
+
+}  // namespace farrier::locomotion
