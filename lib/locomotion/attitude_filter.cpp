@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
 #include "locomotion/rotation.hpp"
 
@@ -18,13 +17,8 @@ void AttitudeFilter::reset(const Eigen::Vector3d& specific_force_m_s2) noexcept 
 void AttitudeFilter::update(const ImuReading& imu, const Eigen::Vector3d& acceleration_m_s2, bool still) noexcept {
   const Eigen::Vector3d up = rotation_.row(2).transpose();  // R^T z
   const Eigen::Vector3d gravity = imu.specific_force_m_s2 - rotation_.transpose() * acceleration_m_s2;
-  const double size = gravity.norm();
-  // no weight for a specific force that gravity does not explain
-  const double trust = std::max(0.0, 1.0 - std::abs(size - kGravity_m_s2) / params_.acceleration_gate_m_s2);
-  Eigen::Vector3d error = Eigen::Vector3d::Zero();
-  if (trust > 0.0 && size > 0.0) {
-    error = trust / size * gravity.cross(up);
-  }
+  // |f| is left in: impacts would shift the mean direction of normalised forces
+  const Eigen::Vector3d error = gravity.cross(up) / kGravity_m_s2;
   angular_velocity_ = imu.angular_velocity_rad_s - bias_;
   const double gain = still ? params_.still_gravity_gain_1_s : params_.gravity_gain_1_s;
   rotation_ = orthonormalised(rotation_ * rotation_by(period_s_ * (angular_velocity_ + gain * error)));

@@ -11,12 +11,11 @@ struct AttitudeFilterParams {
   double gravity_gain_1_s = 0.1;        ///< k_P, >= 0: 1/k_P is the time constant of roll and pitch corrections
   double bias_gain_1_s2 = 0.002;        ///< k_I, >= 0: k_P^2 / 4 and less is free of overshoot
   double still_gravity_gain_1_s = 1.0;  ///< k_P while the robot stands still
-  double acceleration_gate_m_s2 = 5.0;  ///< specific forces this far from g get no weight, > 0
   double still_time_constant_s = 30.0;  ///< memory of the bias that is averaged while the robot stands still, > 0
 };
 
 /// Attitude of the trunk from gyroscope and accelerometer: the explicit complementary filter with bias correction
-/// (Mahony, Hamel and Pflimlin 2008, eqs. (32)). With e = f x R^T z for the direction f of the specific force,
+/// (Mahony, Hamel and Pflimlin 2008, eqs. (32)). With e = f x R^T z / g for the specific force f,
 ///   R' = R skew(w - b + k_P e),   b' = -k_I e.
 /// The acceleration of the trunk is subtracted from the specific force where the caller knows it.
 /// Gravity shows no yaw, so the heading starts at zero and drifts with the gyroscope. While the robot stands still, the
