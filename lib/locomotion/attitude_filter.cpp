@@ -21,16 +21,22 @@ void AttitudeFilter::update(const ImuReading& imu, const Eigen::Vector3d& accele
   const Eigen::Vector3d error = gravity.cross(up) / kGravity_m_s2;
   angular_velocity_ = imu.angular_velocity_rad_s - bias_;
   const double gain = still ? params_.still_gravity_gain_1_s : params_.gravity_gain_1_s;
-  rotation_ = orthonormalised(rotation_ * rotation_by(period_s_ * (angular_velocity_ + gain * error)));
+  correction_rad_s_ = gain * error;
+  rotation_ = orthonormalised(rotation_ * rotation_by(period_s_ * (angular_velocity_ + correction_rad_s_)));
   if (!still) {
     bias_ -= period_s_ * params_.bias_gain_1_s2 * error;
   }
 }
 
-void AttitudeFilter::average_bias(const Eigen::Vector3d& gyroscope_rad_s, const Eigen::Vector3d& legs_rad_s) noexcept {
-  // mean of all that was seen, over at most the time constant
-  still_s_ = std::min(still_s_ + period_s_, params_.still_time_constant_s);
-  bias_ += period_s_ / still_s_ * (gyroscope_rad_s - legs_rad_s - bias_);
+void AttitudeFilter::correct_bias(const Eigen::Vector3d& excess_rad_s, bool still) noexcept {
+  const Eigen::Vector3d error = excess_rad_s - correction_rad_s_;
+  if (still) {
+    still_s_ = std::min(still_s_ + period_s_, params_.still_time_constant_s);
+    bias_ += period_s_ / still_s_ * error;
+  } else {
+    const Eigen::Vector3d up = rotation_.row(2).transpose();
+    bias_ += period_s_ / params_.moving_time_constant_s * up.dot(error) * up;
+  }
 }
 
 }  // namespace farrier::locomotion

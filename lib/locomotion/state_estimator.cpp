@@ -31,11 +31,10 @@ void StateEstimator::update(const Readings& readings, const PerLeg<double>& trus
   const Eigen::Vector3d gravity{0.0, 0.0, -kGravity_m_s2};
   model_.update({readings.legs.data(), static_cast<std::size_t>(model_.leg_count())},
                 {trunk_.rotation.transpose() * gravity, attitude_.angular_velocity_rad_s()}, body_);
+  const PerLeg<FootMeasurement> before = feet_;
   measure_feet(trust);
-  if (still) {
-    attitude_.average_bias(readings.imu.angular_velocity_rad_s, angular_velocity_by_legs());
-  }
   if (started_) {
+    correct_gyroscope(before, still);
     base_.update(trunk_.rotation * readings.imu.specific_force_m_s2 + gravity, feet_);
   } else {
     double height = 0.0;
@@ -65,27 +64,46 @@ void StateEstimator::measure_feet(const PerLeg<double>& trust) noexcept {
   }
 }
 
-// Rotation rate of the trunk against standing feet, by least squares: with d = s - mean(s) and u = s' - mean(s'),
-//   u = -w x d   =>   sum (|d|^2 I - d d^T) w = -sum d x u.   Rolling of the feet is small while the robot stands.
-Eigen::Vector3d StateEstimator::angular_velocity_by_legs() const noexcept {
-  const int legs = model_.leg_count();
+// Feet that stand keep their places in the world. If the gyroscope's bias is wrong by e, they seem to turn by e: with
+// d = R s - mean(R s) and u the change of d per second,
+//   u = e x d   =>   sum (|d|^2 I - d d^T) e = sum d x u.
+// Changes of position are used, because their noise cancels from tick to tick. A robot that walks shows e about the
+// vertical only.
+void StateEstimator::correct_gyroscope(const PerLeg<FootMeasurement>& before, bool still) noexcept {
+  PerLeg<int> standing{};
+  int count = 0;
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  Eigen::Vector3d speed = Eigen::Vector3d::Zero();
-  for (int leg = 0; leg < legs; ++leg) {
-    place += body_.legs[leg].foot_m / legs;
-    speed += body_.legs[leg].foot_velocity_m_s / legs;
+  Eigen::Vector3d change = Eigen::Vector3d::Zero();
+  const auto moved = [&](int leg) -> Eigen::Vector3d {
+    return feet_[leg].position_m - before[leg].position_m - period_s_ * feet_[leg].rolling_m_s;
+  };
+  for (int leg = 0; leg < model_.leg_count(); ++leg) {
+    if (feet_[leg].trust >= 1.0 && before[leg].trust >= 1.0) {
+      standing[count++] = leg;
+      place += feet_[leg].position_m;
+      change += moved(leg);
+    }
+  }
+  if (count < 2) {
+    return;
   }
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
   Eigen::Vector3d turning = Eigen::Vector3d::Zero();
-  for (int leg = 0; leg < legs; ++leg) {
-    const Eigen::Vector3d d = body_.legs[leg].foot_m - place;
+  for (int i = 0; i < count; ++i) {
+    const Eigen::Vector3d d = feet_[standing[i]].position_m - place / count;
     spread += d.squaredNorm() * Eigen::Matrix3d::Identity() - d * d.transpose();
-    turning -= d.cross(body_.legs[leg].foot_velocity_m_s - speed);
+    turning += d.cross(moved(standing[i]) - change / count) / period_s_;
   }
-  Eigen::Matrix3d inverse;
-  bool invertible = false;
-  spread.computeInverseWithCheck(inverse, invertible);
-  return invertible ? Eigen::Vector3d(inverse * turning) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  Eigen::Vector3d excess{0.0, 0.0, turning.z() / spread(2, 2)};
+  if (still) {
+    Eigen::Matrix3d inverse;
+    bool invertible = false;
+    spread.computeInverseWithCheck(inverse, invertible);
+    if (invertible) {
+      excess = inverse * turning;
+    }
+  }
+  attitude_.correct_bias(trunk_.rotation.transpose() * excess, still);
 }
 
 void StateEstimator::measure_forces(const Readings& readings,

@@ -47,7 +47,7 @@ class StateEstimator {
  private:
   void measure_feet(const PerLeg<double>& trust) noexcept;
   void measure_forces(const Readings& readings, const PerLeg<Eigen::Vector3d>& acceleration_rad_s2) noexcept;
-  Eigen::Vector3d angular_velocity_by_legs() const noexcept;
+  void correct_gyroscope(const PerLeg<FootMeasurement>& before, bool still) noexcept;
 
   StateEstimatorParams params_;
   const BodyModel& model_;
