@@ -82,12 +82,20 @@ void BaseEstimator::update(const Eigen::Vector3d& acceleration_m_s2, const PerLe
     const double factor = deviation_factor(foot.trust);
     // p_i - p = R s_i
     const Column apart = covariance_.col(row) - covariance_.col(kPosition);
-    correct(apart, apart[row] - apart[kPosition] + squared(params_.foot_position_noise_m),
-            foot.position_m.transpose() - (state_.row(row) - state_.row(kPosition)));
+    const double apart_variance = apart[row] - apart[kPosition] + squared(params_.foot_position_noise_m);
+    const Eigen::RowVector3d way = foot.position_m.transpose() - (state_.row(row) - state_.row(kPosition));
+    if (way.squaredNorm() > squared(params_.gate) * apart_variance) {
+      place_foot(leg, foot);
+      continue;
+    }
+    correct(apart, apart_variance, way);
     // v = rolling - R (w x s + s')
     const Column speed = covariance_.col(kVelocity);
-    correct(speed, speed[kVelocity] + squared(params_.foot_velocity_noise_m_s * factor),
-            (foot.rolling_m_s - foot.velocity_m_s).transpose() - state_.row(kVelocity));
+    const double speed_variance = speed[kVelocity] + squared(params_.foot_velocity_noise_m_s * factor);
+    const Eigen::RowVector3d slower = (foot.rolling_m_s - foot.velocity_m_s).transpose() - state_.row(kVelocity);
+    if (slower.squaredNorm() <= squared(params_.gate) * speed_variance) {
+      correct(speed, speed_variance, slower);
+    }
   }
   covariance_ = (0.5 * (covariance_ + covariance_.transpose())).eval();
 }

@@ -14,6 +14,7 @@ struct BaseEstimatorParams {
   double foot_velocity_noise_m_s = 0.05;       ///< joint velocities and gyroscope, > 0
   double trust_ramp = 0.2;            ///< part of the stance at either end with less trust, 0..0.5 (Bledt 2018)
   double distrust = 100.0;            ///< factor on the deviations at no trust, >= 1 (MIT's estimator)
+  double gate = 4.0;                  ///< innovations beyond this many deviations are not believed, > 0
   double initial_velocity_m_s = 0.1;  ///< standard deviation at reset, > 0
 };
 
@@ -31,6 +32,7 @@ struct FootMeasurement {
 /// States are the trunk's position p and velocity v and the position p_i of each of the n feet, 6 + 3 n numbers.
 ///   p' = v,   v' = a = R f + g,   p_i' = rolling_i      with noise on a and on p_i'
 ///   measured: p_i - p = R s_i   and, for feet that stand,   v = rolling_i - R (w x s_i + s_i')
+/// A foot whose position disagrees by more than the gate has slipped: it is placed anew. A velocity that does is left out.
 /// Every noise is equal in x, y and z, so the axes share one covariance of size 2 + n. The measurements are taken one at
 /// a time, without an inverse. Absolute position and heading are not observable: they drift by slipping feet only.
 class BaseEstimator {

@@ -1,6 +1,7 @@
 #include "locomotion/force_distribution.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace farrier::locomotion {
 namespace {
@@ -32,6 +33,7 @@ void ForceDistribution::distribute(const Wrench& wanted, const PerLeg<Contact>& 
   const int unknowns = kEdgesPerCone * count;
   Edges edges(3, unknowns);
   Columns weighted(6, unknowns);  // S A E
+  Wrench rest = wanted;           // without the least forces
   for (int i = 0; i < count; ++i) {
     const auto own = pyramid_edges(contacts[i].normal, params_.friction);
     for (int k = 0; k < kEdgesPerCone; ++k) {
@@ -39,7 +41,11 @@ void ForceDistribution::distribute(const Wrench& wanted, const PerLeg<Contact>& 
       edges.col(column) = own.col(k);
       weighted.col(column) << own.col(k), contacts[i].lever_m.cross(own.col(k));
     }
-    problem_.limit[i] = contacts[i].limit_N;
+    const double least_N = std::min(params_.least_N, 0.5 * contacts[i].limit_N);
+    forces_N[i] = least_N * contacts[i].normal;
+    rest.head<3>() -= forces_N[i];
+    rest.tail<3>() -= contacts[i].lever_m.cross(forces_N[i]);
+    problem_.limit[i] = contacts[i].limit_N - least_N;
   }
   weighted = params_.weight.asDiagonal() * weighted;
 
@@ -50,7 +56,7 @@ void ForceDistribution::distribute(const Wrench& wanted, const PerLeg<Contact>& 
     const auto own = edges.middleCols<kEdgesPerCone>(i);
     problem_.hessian.block<kEdgesPerCone, kEdgesPerCone>(i, i) += params_.force_weight * (own.transpose() * own);
   }
-  problem_.gradient.noalias() = weighted.transpose() * params_.weight.cwiseProduct(wanted);
+  problem_.gradient.noalias() = weighted.transpose() * params_.weight.cwiseProduct(rest);
 
   const ConeSolution& solution = solver_.solve(problem_);
   iterations_ = solution.iterations;

@@ -15,6 +15,7 @@ using Wrench = Eigen::Matrix<double, 6, 1>;  ///< force (N), then moment (Nm)
 struct ForceDistributionParams {
   Wrench weight = (Wrench() << 1.0, 1.0, 3.0, 3.0, 3.0, 1.5).finished();  ///< diagonal of S, 1/N and 1/(N m)
   double force_weight = 2.5e-3;  ///< alpha, > 0: cost of forces, relative to the wrench's
+  double least_N = 20.0;         ///< normal force that every foot on the ground keeps, >= 0, to stay there
   double friction = 0.5;         ///< mu, > 0. Edges of the pyramid reach sqrt(2) mu
 };
 
@@ -28,7 +29,7 @@ struct Contact {
 /// Distributes a wrench at the centre of mass over the feet on the ground:
 ///   f = argmin |S (A f - b)|^2 + alpha |f|^2,   A = [I .. I; [r_1]x .. [r_n]x]   (Focchi 2016, eqs. (4), (5);
 ///   Di Carlo 2018 and MIT's BalanceController use the same cost)
-/// over the friction pyramids |f_t1|, |f_t2| <= mu f_n and 0 <= f_n <= limit. Each force is a sum of the four edges of
+/// over the friction pyramids |f_t1|, |f_t2| <= mu f_n and least <= f_n <= limit. Each force is a sum of the four edges of
 /// its pyramid with factors >= 0, which leaves a least squares problem in nonnegative unknowns.
 class ForceDistribution {
  public:

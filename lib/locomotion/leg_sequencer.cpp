@@ -4,7 +4,7 @@ namespace farrier::locomotion {
 
 LegAction LegSequencer::next(double swing_progress, double force_N, double velocity_m_s) noexcept {
   const bool planned_swing = swing_progress >= 0.0;
-  const bool contact = force_N > params_.touchdown_force_N;
+  const bool contact = force_N > (planned_swing ? params_.early_force_N : params_.late_force_N);
   switch (action_) {
     case LegAction::kStance:
       if (!planned_swing) {

@@ -12,6 +12,7 @@ namespace farrier::locomotion {
 struct StateEstimatorParams {
   AttitudeFilterParams attitude;
   BaseEstimatorParams base;
+  double trusted_force_N = 30.0;               ///< a standing foot that carries less is trusted in proportion, > 0
   double foot_radius_m = 0.02175;              ///< of the foot's sphere, >= 0
   double still_rate_rad_s = 0.05;              ///< a robot that turns faster does not stand still, > 0
   double acceleration_time_constant_s = 0.25;  ///< of the derivative that corrects the attitude for acceleration, > 0

@@ -8,7 +8,7 @@ namespace farrier::locomotion {
 
 /// Path of a swinging foot.
 struct SwingParams {
-  double height_m = 0.10;        ///< apex above the higher of lift-off and foothold, >= 0
+  double height_m = 0.14;        ///< apex above the higher of lift-off and foothold, >= 0
   double press_m = 0.02;         ///< the path ends this far below the expected ground, >= 0
   double reach_speed_m_s = 0.4;  ///< downward speed after a swing without contact, > 0
   double reach_depth_m = 0.15;   ///< lowest place of that search below the end of the path, >= 0

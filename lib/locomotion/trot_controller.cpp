@@ -57,8 +57,11 @@ double TrotController::trust(int leg) const noexcept {
   }
   const double since_touchdown = sequencers_[leg].since_s() / schedule_.stance_s();
   const double planned = schedule_.stance_progress(leg);
-  return std::min(estimator_.base().trust(std::min(since_touchdown, 0.5)),
-                  estimator_.base().trust(std::max(planned, 0.5)));
+  const double load = mode_.force_share() < 1.0
+                          ? 1.0
+                          : std::clamp(state_.felt_forces_N[leg].z() / params_.estimator.trusted_force_N, 0.0, 1.0);
+  return load * std::min(estimator_.base().trust(std::min(since_touchdown, 0.5)),
+                         estimator_.base().trust(std::max(planned, 0.5)));
 }
 
 void TrotController::estimate(const Readings& readings) noexcept {
