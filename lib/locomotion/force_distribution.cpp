@@ -62,7 +62,7 @@ void ForceDistribution::distribute(const Wrench& wanted, const PerLeg<Contact>& 
   iterations_ = solution.iterations;
   unconverged_ += solution.converged ? 0 : 1;
   for (int i = 0; i < count; ++i) {
-    forces_N[i] =
+    forces_N[i] +=
         edges.middleCols<kEdgesPerCone>(kEdgesPerCone * i) * solution.x.segment<kEdgesPerCone>(kEdgesPerCone * i);
   }
 }
