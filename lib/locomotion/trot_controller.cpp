@@ -147,7 +147,7 @@ double TrotController::load_limit_N(int leg) const noexcept {
   const double to_lift_off_s = (1.0 - std::max(planned, 0.0)) * schedule_.stance_s();
   const double share =
       std::min(ramp(sequencers_[leg].since_s(), params_.leg.load_in_s), ramp(to_lift_off_s, params_.leg.load_out_s));
-  return std::max(kLeastLimit_N, share * full);
+  return std::max(kLeastLimit_N, mode_.force_share() * share * full);
 }
 
 void TrotController::distribute() noexcept {
