@@ -2,7 +2,9 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <span>
+#include <utility>
 
 namespace farrier::locomotion {
 
@@ -12,6 +14,18 @@ inline constexpr int kJointsPerLeg = 3;
 /// A value per leg, in the robot's order. Entries beyond the robot's number of legs are unused.
 template <class T>
 using PerLeg = std::array<T, kMaxLegs>;
+
+/// The same value for every leg.
+template <class T>
+constexpr PerLeg<T> for_every_leg(const T& value) {
+  return [&]<std::size_t... kLeg>(std::index_sequence<kLeg...>) {
+    return PerLeg<T>{(static_cast<void>(kLeg), value)...};
+  }
+  (std::make_index_sequence<kMaxLegs>{});
+}
+
+/// |det J| in m^3 below which a leg counts as straight, and its Jacobian is not inverted. HyQ's standing leg has 0.04.
+inline constexpr double kSingularLeg_m3 = 1e-3;
 
 /// Readings of the three joints of a leg, in the order HAA, HFE, KFE.
 struct LegReadings {

@@ -6,13 +6,6 @@
 #include <limits>
 
 namespace farrier::locomotion {
-namespace {
-
-// |det J| of a leg that is close to straight; HyQ's standing leg has 0.05 m^3.
-constexpr double kSingular_m3 = 1e-3;
-
-}  // namespace
-
 Eigen::Vector3d LegController::stance(const LegState& leg, const Eigen::Vector3d& force_N) const noexcept {
   return leg.bias_torque_Nm - leg.jacobian.transpose() * force_N;
 }
@@ -21,7 +14,7 @@ Eigen::Vector3d LegController::swing(const LegState& leg, const FootReference& f
                                      Eigen::Vector3d& acceleration_rad_s2) const noexcept {
   Eigen::Matrix3d inverse;
   bool invertible = false;
-  leg.jacobian.computeInverseWithCheck(inverse, invertible, kSingular_m3);
+  leg.jacobian.computeInverseWithCheck(inverse, invertible, kSingularLeg_m3);
   acceleration_rad_s2.setZero();
   if (invertible) {
     acceleration_rad_s2 = inverse * (foot.acceleration_m_s2 - leg.foot_bias_m_s2);

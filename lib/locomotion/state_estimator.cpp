@@ -112,7 +112,7 @@ void StateEstimator::measure_forces(const Readings& readings,
     const LegState& state = body_.legs[leg];
     Eigen::Matrix3d inverse;
     bool invertible = false;
-    state.jacobian.computeInverseWithCheck(inverse, invertible, params_.least_determinant_m3);
+    state.jacobian.computeInverseWithCheck(inverse, invertible, kSingularLeg_m3);
     forces_[leg].setZero();
     if (invertible) {
       forces_[leg] = trunk_.rotation *

@@ -16,7 +16,6 @@ struct StateEstimatorParams {
   double foot_radius_m = 0.02175;              ///< of the foot's sphere, >= 0
   double still_rate_rad_s = 0.05;              ///< a robot that turns faster does not stand still, > 0
   double acceleration_time_constant_s = 0.25;  ///< of the derivative that corrects the attitude for acceleration, > 0
-  double least_determinant_m3 = 1e-3;          ///< |det J| below which a leg is singular and its force reads zero, > 0
 };
 
 /// State of the whole robot, as far as IMU, joint angles, velocities and torques show it. World frame: z up, the origin on

@@ -26,11 +26,8 @@ TrotController::TrotController(const LocomotionParams& params, const gait::Robot
       distribution_(params.forces),
       leg_controller_(params.leg),
       mode_(params.mode, plan.period_s),
-      sequencers_{LegSequencer(params.contact, plan.period_s), LegSequencer(params.contact, plan.period_s),
-                  LegSequencer(params.contact, plan.period_s), LegSequencer(params.contact, plan.period_s),
-                  LegSequencer(params.contact, plan.period_s), LegSequencer(params.contact, plan.period_s)},
-      swings_{SwingTrajectory(params.swing), SwingTrajectory(params.swing), SwingTrajectory(params.swing),
-              SwingTrajectory(params.swing), SwingTrajectory(params.swing), SwingTrajectory(params.swing)} {
+      sequencers_(for_every_leg(LegSequencer(params.contact, plan.period_s))),
+      swings_(for_every_leg(SwingTrajectory(params.swing))) {
   FARRIER_ENSURE(legs_ == static_cast<int>(plan.legs.size()), "gait plan and body model differ in their legs");
   for (auto* vectors :
        {&touchdowns_, &accelerations_, &torques_, &state_.forces_N, &state_.felt_forces_N, &state_.footholds_m}) {
