@@ -6,13 +6,13 @@
 
 namespace farrier::locomotion {
 
-/// Gains of the attitude filter. Slow gains act while the robot moves, fast ones while it stands still.
+/// Gains of the attitude filter. Slow gains act while the robot moves, fast ones while it is at rest.
 struct AttitudeFilterParams {
   double gravity_gain_1_s = 0.1;         ///< k_P, >= 0: 1/k_P is the time constant of roll and pitch corrections
   double bias_gain_1_s2 = 0.002;         ///< k_I, >= 0: k_P^2 / 4 and less is free of overshoot
-  double still_gravity_gain_1_s = 1.0;   ///< k_P while the robot stands still
+  double still_gravity_gain_1_s = 1.0;   ///< k_P of a robot at rest
   double moving_time_constant_s = 30.0;  ///< of the yaw bias that standing feet show while the robot walks, > 0
-  double still_time_constant_s = 30.0;   ///< memory of the bias that is averaged while the robot stands still, > 0
+  double still_time_constant_s = 30.0;   ///< memory of the bias that a robot at rest averages, > 0
 };
 
 /// Attitude of the trunk from gyroscope and accelerometer: the explicit complementary filter with bias correction
@@ -33,7 +33,7 @@ class AttitudeFilter {
 
   /// Takes the angular velocity (rad/s, trunk frame) with which feet that stand turned in the world during the last
   /// update(), because rotation() turned by too much. The part that the gravity correction caused is not the bias's.
-  /// While the robot stands still, the bias becomes the mean of all such ticks. Else only its vertical part is
+  /// If the robot is at rest, the bias becomes the mean of all such ticks. Else only its vertical part is
   /// corrected: two feet leave the axis between them open.
   void correct_bias(const Eigen::Vector3d& excess_rad_s, bool still) noexcept;
 

@@ -26,13 +26,15 @@ struct FootMeasurement {
   double trust;                  ///< 0 for a foot in the air, 1 for one that stands
 };
 
-/// Position and velocity of the trunk from accelerometer and legs: a linear Kalman filter in the spirit of Bloesch et al.
-/// (2012), with attitude from another filter as in MIT's Cheetah 3 (Bledt et al. 2018).
+/// Position and velocity of the trunk from accelerometer and legs. It is a linear Kalman filter in the spirit of Bloesch
+/// et al. (2012). As in MIT's Cheetah 3 (Bledt et al. 2018), another filter gives the attitude.
 ///
 /// States are the trunk's position p and velocity v and the position p_i of each of the n feet, 6 + 3 n numbers.
-///   p' = v,   v' = a = R f + g,   p_i' = rolling_i      with noise on a and on p_i'
-///   measured: p_i - p = R s_i   and, for feet that stand,   v = rolling_i - R (w x s_i + s_i')
-/// A foot whose position disagrees by more than the gate has slipped: it is placed anew. A velocity that does is left out.
+///   p' = v,   v' = a = R f + g,   p_i' = rolling_i      with noise on a and on p_i'.
+/// The legs measure every foot's place and, with feet that stand, the trunk's velocity:
+///   p_i - p = R s_i,   v = rolling_i - R (w x s_i + s_i').
+/// A foot whose position disagrees by more than the gate has slipped, and the filter places it again. It leaves out a
+/// velocity that disagrees by more.
 /// Every noise is equal in x, y and z, so the axes share one covariance of size 2 + n. The measurements are taken one at
 /// a time, without an inverse. Absolute position and heading are not observable: they drift by slipping feet only.
 class BaseEstimator {

@@ -22,9 +22,9 @@ struct FootholdInput {
   double stance_s;                      ///< T_st
 };
 
-/// Foothold in the ground's plane, after Raibert (1986, ch. 2) with a step for turning:
-///   hip + v t_rest + v_d T_st / 2 + k (v - v_d) + T_st / 2 w x r,
-/// clamped to `reach_m` around hip + v t_rest. The height is the hip's: the caller sets it.
+/// Foothold in the ground's plane, after Raibert (1986, ch. 2) with a step for turning.
+///   hip + v t_rest + v_d T_st / 2 + k (v - v_d) + T_st / 2 w x r.
+/// The sum after v t_rest is clamped to `reach_m`. The height is the hip's: the caller sets it.
 Eigen::Vector3d foothold(const FootholdParams& params, const FootholdInput& input) noexcept;
 
 }  // namespace farrier::locomotion

@@ -6,13 +6,13 @@
 
 namespace farrier::locomotion {
 
-/// How contacts with the ground overrule the schedule.
+/// Rules by which contacts with the ground overrule the schedule.
 struct LegSequencerParams {
   double early_force_N = 40.0;  ///< a normal force above this is a contact in a swing, > 0
   double late_force_N = 20.0;   ///< the same after the swing, when the leg hardly accelerates, > 0
   double early_progress = 0.5;  ///< share of the swing from which on a contact ends it, 0..1
   double lost_speed_m_s = 0.5;  ///< a standing foot that falls faster has lost the ground, > 0
-  double settle_s = 0.03;       ///< after a touchdown no loss of contact is looked for, >= 0
+  double settle_s = 0.03;       ///< after a touchdown the contact counts as kept, >= 0
 };
 
 /// Action of a leg.

@@ -64,8 +64,8 @@ void StateEstimator::measure_feet(const PerLeg<double>& trust) noexcept {
   }
 }
 
-// Feet that stand keep their places in the world. If the gyroscope's bias is wrong by e, they seem to turn by e: with
-// d = R s - mean(R s) and u the change of d per second,
+// Feet that stand keep their places in the world. If the gyroscope's bias is wrong by e, they seem to turn by e.
+// With d = R s - mean(R s) and its change u per second,
 //   u = e x d   =>   sum (|d|^2 I - d d^T) e = sum d x u.
 // Changes of position are used, because their noise cancels from tick to tick. A robot that walks shows e about the
 // vertical only.

@@ -52,14 +52,14 @@ struct LocomotionState {
   PerLeg<Eigen::Vector3d> footholds_m;    ///< where the foot stands or is going to, world frame
 };
 
-/// Trot controller for a robot with legs of three joints: estimates the state, plans trunk and feet, distributes the
-/// trunk's wrench over the feet on the ground, and commands joint torques.
+/// Trot controller for a robot with legs of three joints. It estimates the state, plans trunk and feet, distributes the
+/// trunk's wrench over the feet on the ground, and commands joint torques for the next tick.
 ///
-///   readings -> StateEstimator -> LegSequencer (schedule and contacts) -> GroundPlane, TrunkReference
-///            -> TrunkWrench -> ForceDistribution -> LegController: stance, swing, pose -> torques for the next tick
+///   readings -> StateEstimator -> LegSequencer -> GroundPlane, TrunkReference -> TrunkWrench
+///            -> ForceDistribution -> LegController -> torques.
 ///
-/// The method is that of MIT's Cheetah 3 with its balance controller (Bledt et al. 2018; Focchi et al. 2016), with
-/// footholds after Raibert (1986).
+/// The method is that of MIT's Cheetah 3 with its balance controller (Bledt et al. 2018; Focchi et al. 2016). Footholds
+/// are after Raibert (1986).
 class TrotController final : public Controller {
  public:
   /// `plan` must pass gait::validate() and have the model's legs. `model` must outlive the controller.

@@ -11,8 +11,8 @@
 namespace farrier::locomotion {
 namespace own_controller_test {
 
-/// Moves all feet down from where they are to `height_m` below the hips, by springs in the joints, and carries the weight
-/// by equal forces at the feet: tau = h - J^T f + K (q_d - q) - D q'.
+/// Moves all feet down from where they are to `height_m` below the hips, by springs in the joints. Equal forces at the
+/// feet carry the weight: tau = h - J^T f + K (q_d - q) - D q'.
 class StandUp final : public Controller {
  public:
   StandUp(const BodyModel& model, const gait::RobotPlan& plan, double height_m)
