@@ -29,7 +29,7 @@ struct FootMeasurement {
 /// Position and velocity of the trunk from accelerometer and legs. It is a linear Kalman filter in the spirit of Bloesch
 /// et al. (2012). As in MIT's Cheetah 3 (Bledt et al. 2018), another filter gives the attitude.
 ///
-/// States are the trunk's position p and velocity v and the position p_i of each of the n feet, 6 + 3 n numbers.
+/// The 6 + 3 n states are the trunk's position p and velocity v and the position p_i of each foot. They obey
 ///   p' = v,   v' = a = R f + g,   p_i' = rolling_i      with noise on a and on p_i'.
 /// The legs measure every foot's place and, with feet that stand, the trunk's velocity:
 ///   p_i - p = R s_i,   v = rolling_i - R (w x s_i + s_i').

@@ -8,7 +8,7 @@ namespace farrier::locomotion {
 
 /// Transitions between lying, standing and trotting.
 struct ModeSequencerParams {
-  double soft_start_s = 2.0;         ///< from the first tick to the folded pose at full stiffness, > 0
+  double soft_start_s = 2.0;         ///< from the pose of the first tick to the folded one, > 0
   double take_load_s = 1.0;          ///< in which the weight goes from the pose to the feet or back, > 0
   double folded_height_m = 0.40;     ///< trunk's height at which a robot that sits down takes its pose, > 0
   double height_tolerance_m = 0.01;  ///< the reference counts as reached within this, > 0

@@ -171,15 +171,21 @@ void TrotController::distribute() noexcept {
 void TrotController::command_legs(const Readings& readings) noexcept {
   const TrunkState& trunk = state_.trunk;
   const Eigen::Matrix3d to_trunk = trunk.rotation.transpose();
-  const double pose_gain = (1.0 - mode_.force_share()) * gait::smooth_step(mode_.soft_start()).value;
+  const double pose_gain = 1.0 - mode_.force_share();
+  const double to_folded = gait::smooth_step(mode_.soft_start()).value;
   for (int leg = 0; leg < legs_; ++leg) {
     const LegState& state = estimator_.body().legs[leg];
     accelerations_[leg].setZero();
+    // The soft start moves the pose from where the joints are, so no torque jumps and no leg gives way.
+    if (!started_) {
+      first_pose_[leg] = readings.legs[leg].position_rad;
+    }
+    const Eigen::Vector3d folded = first_pose_[leg] + to_folded * (params_.mounts[leg].folded_rad - first_pose_[leg]);
     Eigen::Vector3d torque;
     if (mode_.mode() == Mode::kFallen) {
       torque = leg_controller_.damp(readings.legs[leg]);
     } else if (sequencers_[leg].stands()) {
-      torque = leg_controller_.pose(readings.legs[leg], params_.mounts[leg].folded_rad, pose_gain) +
+      torque = leg_controller_.pose(readings.legs[leg], folded, pose_gain) +
                leg_controller_.stance(state, to_trunk * state_.forces_N[leg]);
     } else {
       const gait::PointMotion& foot = foot_references_[leg];
@@ -194,6 +200,7 @@ void TrotController::command_legs(const Readings& readings) noexcept {
     }
     torques_[leg] = leg_controller_.limited(torque);
   }
+  started_ = true;
 }
 
 LocomotionParams hyq_locomotion() {

@@ -97,8 +97,10 @@ class TrotController final : public Controller {
   PerLeg<SwingTrajectory> swings_;
   PerLeg<gait::PointMotion> foot_references_;
   PerLeg<Eigen::Vector3d> touchdowns_;     // last place on the ground of each foot's lowest point, world frame
+  PerLeg<Eigen::Vector3d> first_pose_;     // joint angles of the first tick, from which the soft start begins
   PerLeg<Eigen::Vector3d> accelerations_;  // joint accelerations commanded last
   LegTorques torques_;
+  bool started_ = false;
   LocomotionState state_;
 };
 

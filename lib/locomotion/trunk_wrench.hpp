@@ -26,7 +26,7 @@ struct TrunkState {
   Eigen::Vector3d angular_velocity_rad_s = Eigen::Vector3d::Zero();
 };
 
-/// Wrench on the trunk by the law of MIT's balance controller (Focchi 2016; Bledt 2018), with integrals.
+/// Wrench on the trunk by MIT's balance controller (Focchi 2016; Bledt 2018), and integrals:
 ///   force  = m (g + K_p (x_d - x) + K_d (v_d - v) + k_i int(z_d - z)),
 ///   moment = K_R log(R_d R^T) + K_w (w_d - w) + tilt integral.
 /// The attitude error is the sine vector of R_d R^T, which equals the logarithm for small errors. Gains and errors of
