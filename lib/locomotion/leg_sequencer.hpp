@@ -11,7 +11,7 @@ struct LegSequencerParams {
   double early_force_N = 40.0;  ///< a normal force above this is a contact in a swing, > 0
   double late_force_N = 20.0;   ///< the same after the swing, when the leg hardly accelerates, > 0
   double early_progress = 0.5;  ///< share of the swing from which on a contact ends it, 0..1
-  double lost_speed_m_s = 0.5;  ///< a standing foot that falls faster has lost the ground, > 0
+  double lost_speed_m_s = 2.0;  ///< a standing foot that falls faster has lost the ground, > 0
   double settle_s = 0.03;       ///< after a touchdown the contact counts as kept, >= 0
 };
 

@@ -158,7 +158,7 @@ TEST(LegSequencer, ReachesForTheGroundAfterASwingWithoutContact) {
 
 TEST(LegSequencer, ReachesWhenTheGroundGivesWay) {
   LegSequencer leg({}, kPeriod_s);
-  leg.step(-1.0, 200.0, -1.0);
+  leg.step(-1.0, 200.0, -3.0);
   EXPECT_TRUE(leg.lost());
 }
 
