@@ -38,9 +38,6 @@ struct LocomotionParams {
   ModeSequencerParams mode;
 };
 
-/// The mounts of HyQ's legs lf, rf, lh, rh (iit-DLSLab/hyq-description f95d651) with the defaults of everything else.
-LocomotionParams hyq_locomotion();
-
 /// Figures of one tick, for logs and tests.
 struct LocomotionState {
   Mode mode = Mode::kLie;

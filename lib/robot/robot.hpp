@@ -17,6 +17,7 @@
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "gait/gait_params.hpp"
+#include "locomotion/trot_controller.hpp"
 #include "plant/actuator.hpp"
 #include "plant/electric_actuator.hpp"
 #include "plant/linkage.hpp"
@@ -80,6 +81,7 @@ struct Robot {
   std::vector<Joint> joints;  ///< in the order of the file: leg by leg
   gait::RobotPlan plan;
   std::optional<body::BodyModel> body;  ///< as rigid bodies; none if the file describes no trunk
+  std::optional<locomotion::LocomotionParams> locomotion;  ///< of a robot that can walk on a ground
   UpdateLogicParams update_logic;
   Safety safety;
   Bounds bounds;

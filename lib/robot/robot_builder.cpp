@@ -13,6 +13,7 @@
 #include "robot/checks/electric_check.hpp"
 #include "robot/joint_effects.hpp"
 #include "robot/leg_inertia.hpp"
+#include "robot/locomotion_params.hpp"
 #include "robot/references.hpp"
 
 namespace farrier::robot {
@@ -49,6 +50,7 @@ class Builder {
                 .joints = {},
                 .plan = {file_.period_s, body_weight_N(), file_.gait, {}},
                 .body = make_body_model(file_),
+                .locomotion = make_locomotion_params(file_),
                 .update_logic = file_.update_logic.params,
                 .safety = file_.safety.params,
                 .bounds = file_.bounds,

@@ -129,6 +129,7 @@ void declare(Visitor& v, RobotFile& f) {
   v.groups("legs", f.legs, kLongestName, "Legs, in the order in which joints are numbered.");
   GaitSection gait{&f.gait};
   v.group("gait", gait, "How the robot moves.");
+  v.group("locomotion", f.locomotion, "Control of the whole robot on a ground; needs body.trunk.");
   v.group("safety", f.safety, "What a joint does when something is missing.");
   v.group("bounds", f.bounds, "What a run is judged by.");
   v.group("variation", f.variation, Defaults{}, "How far robots of `farrier compare varied` are drawn from this one.");

@@ -11,6 +11,7 @@
 #include "robot/sections/body_section.hpp"
 #include "robot/sections/deployment_section.hpp"
 #include "robot/sections/joint_effects_section.hpp"
+#include "robot/sections/locomotion_section.hpp"
 #include "robot/sections/variation_section.hpp"
 
 namespace farrier::robot {
@@ -95,6 +96,7 @@ struct RobotFile {
   config::Named<JointTemplate> joints;
   config::Named<Leg> legs;
   gait::GaitParams gait;
+  std::optional<LocomotionSection> locomotion;  ///< of a robot that can walk on a ground
   SafetySection safety;
   Bounds bounds;
   VariationSection variation;

@@ -13,7 +13,8 @@ int steps_of(double period_s) noexcept { return static_cast<int>(std::ceil(perio
 
 bool is_possible(const BodyNoise& noise) noexcept {
   for (const double deviation : {noise.angle_rad, noise.velocity_rad_s, noise.torque_Nm, noise.attitude_rad,
-                                 noise.rate_rad_s, noise.specific_force_m_s2}) {
+                                 noise.rate_rad_s, noise.specific_force_m_s2, noise.rate_bias_rad_s,
+                                 noise.specific_force_bias_m_s2}) {
     if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
       return false;
     }
@@ -44,7 +45,9 @@ BodyWorld::BodyWorld(const robot::Robot& robot, const body::Scene& scene, std::u
   }
   for (const char* axis : {"imu_x", "imu_y", "imu_z"}) {
     axis_noise_.push_back({NoiseStream(seed, axis, "attitude"), NoiseStream(seed, axis, "rate"),
-                           NoiseStream(seed, axis, "specific_force")});
+                           NoiseStream(seed, axis, "specific_force"),
+                           draw(NoiseStream(seed, axis, "rate_bias"), noise.rate_bias_rad_s, 0),
+                           draw(NoiseStream(seed, axis, "specific_force_bias"), noise.specific_force_bias_m_s2, 0)});
   }
   stand(robot);
   put_payloads();
@@ -100,8 +103,9 @@ std::optional<ImuReading> BodyWorld::imu() const noexcept {
   for (int axis = 0; axis < 3; ++axis) {
     const AxisNoise& noise = axis_noise_[static_cast<std::size_t>(axis)];
     half_turn_rad[axis] = 0.5 * draw(noise.attitude, noise_.attitude_rad, tick_);
-    imu.rate_rad_s[axis] += draw(noise.rate, noise_.rate_rad_s, tick_);
-    imu.specific_force_m_s2[axis] += draw(noise.specific_force, noise_.specific_force_m_s2, tick_);
+    imu.rate_rad_s[axis] += noise.rate_bias_rad_s + draw(noise.rate, noise_.rate_rad_s, tick_);
+    imu.specific_force_m_s2[axis] +=
+        noise.specific_force_bias_m_s2 + draw(noise.specific_force, noise_.specific_force_m_s2, tick_);
   }
   // A small rotation: its quaternion is (1, half the vector of rotation) to second order.
   const Eigen::Quaterniond turn(1.0, half_turn_rad.x(), half_turn_rad.y(), half_turn_rad.z());

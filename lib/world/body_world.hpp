@@ -27,6 +27,8 @@ struct BodyNoise {
   double attitude_rad = 0.0;  ///< about each axis of the trunk
   double rate_rad_s = 0.0;
   double specific_force_m_s2 = 0.0;
+  double rate_bias_rad_s = 0.0;  ///< of errors that are constant over a run, drawn per axis from the seed
+  double specific_force_bias_m_s2 = 0.0;
 };
 
 /// The same robot, scene, noise, seed and torques give the same numbers bit for bit.
@@ -60,6 +62,7 @@ class BodyWorld final : public World {
   };
   struct AxisNoise {
     NoiseStream attitude, rate, specific_force;
+    double rate_bias_rad_s, specific_force_bias_m_s2;
   };
 
   BodyWorld(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, const BodyNoise& noise,

@@ -36,7 +36,8 @@ void note_loads(const world::BodyWorld& world, std::span<const double> torques_N
 
 BodyController::~BodyController() = default;
 
-BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, Tick ticks) {
+BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, Tick ticks,
+                           const BodyObserver& observer) {
   BodyFigures figures;
   std::vector<double> torques_Nm(world.joints(), 0.0);
   const Eigen::Vector3d normal = world.ground_normal();
@@ -46,6 +47,9 @@ BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, 
   double tilt_squares = 0.0;
   while (figures.ticks < ticks && figures.passes()) {
     controller.step(world, torques_Nm);
+    if (observer && !observer()) {
+      break;
+    }
     if (!world.advance(torques_Nm)) {
       figures.failure = world.failure();
       break;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,7 +47,11 @@ struct BodyFigures {
   bool passes() const noexcept { return !fell && !failure; }
 };
 
+/// Called at every tick after the controller's step, before the world moves. False ends the trial.
+using BodyObserver = std::function<bool()>;
+
 /// Runs a trial for that many ticks, or until the robot falls or the simulation fails.
-BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, Tick ticks);
+BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, Tick ticks,
+                           const BodyObserver& observer = {});
 
 }  // namespace farrier::trials

@@ -36,6 +36,11 @@ class RigidBody {
   Eigen::Vector3d foot_position_m(int leg) const noexcept;
   Eigen::Vector3d foot_velocity_m_s(int leg) const noexcept;
 
+  /// Angular velocity of the link with the foot, in the world's axes.
+  Eigen::Vector3d last_link_rate_rad_s(int leg) const noexcept {
+    return link_of(leg, kJointsPerLeg - 1).velocity.angular;
+  }
+
   /// J, 3 x n: foot velocity = J v, in the world's axes.
   FootJacobian foot_jacobian(int leg) const noexcept;
 

@@ -9,6 +9,7 @@
 #include "locomotion/rotation.hpp"
 #include "locomotion/trot_controller.hpp"
 #include "tests/unit/gait/plan.hpp"
+#include "tests/unit/locomotion/hyq.hpp"
 
 namespace farrier::locomotion {
 
