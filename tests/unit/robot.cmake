@@ -15,6 +15,7 @@ farrier_test(robot_test unit
   ${CMAKE_CURRENT_LIST_DIR}/robot/electric_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/fuzz_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/hyq_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/robot/locomotion_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/mistakes_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/round_trip_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/rig_test.cpp)
