@@ -59,7 +59,7 @@ struct BodyState {
   Eigen::Vector3d com_m = Eigen::Vector3d::Zero();  ///< centre of mass of the whole robot, trunk frame
 };
 
-/// The rigid bodies of a robot, as locomotion needs them. The body library implements it from the robot file.
+/// The rigid bodies of a robot, as locomotion needs them. robot::LocomotionModel implements it by lib/body.
 class BodyModel {
  public:
   virtual ~BodyModel() = default;

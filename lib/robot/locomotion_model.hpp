@@ -22,8 +22,7 @@ class LocomotionModel final : public locomotion::BodyModel {
               locomotion::BodyState& state) const noexcept override;
 
  private:
-  explicit LocomotionModel(const body::RigidBody& body)
-      : body_(body), moved_(body::BodyState::zero(body.joints())) {}
+  explicit LocomotionModel(const body::RigidBody& body) : body_(body), moved_(body::BodyState::zero(body.joints())) {}
 
   // Set anew by each update(), which does not depend on what they were.
   mutable body::RigidBody body_;

@@ -5,7 +5,8 @@ namespace {
 
 locomotion::LegMount mount_of(const RobotFile& file, const Leg& leg) {
   const LocomotionSection& section = *file.locomotion;
-  const std::array<double, kJointsOfALeg> folded{section.folded_haa_rad, section.folded_hfe_rad, section.folded_kfe_rad};
+  const std::array<double, kJointsOfALeg> folded{section.folded_haa_rad, section.folded_hfe_rad,
+                                                 section.folded_kfe_rad};
   locomotion::LegMount mount{.hip_m = {leg.hip_position_m[0], leg.hip_position_m[1], leg.hip_position_m[2]},
                              .outward = leg.left ? 1.0 : -1.0};
   for (std::size_t i = 0; i < kJointsOfALeg; ++i) {

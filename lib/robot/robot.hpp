@@ -80,7 +80,7 @@ struct Robot {
   int estimate_period_ticks;  ///< >= 1; one for all joints, so that in lock-step the tick determines the due estimates
   std::vector<Joint> joints;  ///< in the order of the file: leg by leg
   gait::RobotPlan plan;
-  std::optional<body::BodyModel> body;  ///< as rigid bodies; none if the file describes no trunk
+  std::optional<body::BodyModel> body;                     ///< as rigid bodies; none if the file describes no trunk
   std::optional<locomotion::LocomotionParams> locomotion;  ///< of a robot that can walk on a ground
   UpdateLogicParams update_logic;
   Safety safety;

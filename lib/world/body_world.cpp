@@ -12,9 +12,9 @@ constexpr double kRounding = 1e-9;
 int steps_of(double period_s) noexcept { return static_cast<int>(std::ceil(period_s / kLongestStep_s - kRounding)); }
 
 bool is_possible(const BodyNoise& noise) noexcept {
-  for (const double deviation : {noise.angle_rad, noise.velocity_rad_s, noise.torque_Nm, noise.attitude_rad,
-                                 noise.rate_rad_s, noise.specific_force_m_s2, noise.rate_bias_rad_s,
-                                 noise.specific_force_bias_m_s2}) {
+  for (const double deviation :
+       {noise.angle_rad, noise.velocity_rad_s, noise.torque_Nm, noise.attitude_rad, noise.rate_rad_s,
+        noise.specific_force_m_s2, noise.rate_bias_rad_s, noise.specific_force_bias_m_s2}) {
     if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
       return false;
     }

@@ -50,8 +50,8 @@ void ControllerDriver::step(const world::World& world, std::span<double> torques
   on_the_way_[next_] = controller_.step(world.tick(), readings_, command_at(world.tick()));
   next_ = (next_ + 1) % on_the_way_.size();
   for (std::size_t joint = 0; joint < torques_Nm.size(); ++joint) {
-    torques_Nm[joint] = arriving[joint / locomotion::kJointsPerLeg]
-                                [static_cast<Eigen::Index>(joint % locomotion::kJointsPerLeg)];
+    torques_Nm[joint] =
+        arriving[joint / locomotion::kJointsPerLeg][static_cast<Eigen::Index>(joint % locomotion::kJointsPerLeg)];
   }
 }
 

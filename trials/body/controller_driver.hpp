@@ -4,14 +4,9 @@
 
 #include "locomotion/controller.hpp"
 #include "trials/body/body_trial.hpp"
+#include "trials/body/timed_command.hpp"
 
 namespace farrier::trials {
-
-/// What the operator asks for from a time on.
-struct TimedCommand {
-  double from_s = 0.0;
-  locomotion::MotionCommand command;
-};
 
 /// Drives a world by a controller of lib/locomotion, tick by tick, as its process would. Torques that answer the
 /// readings of tick k act in tick k + 1 + lag_ticks.

@@ -17,10 +17,8 @@ constexpr int kSeeds = 3;
 constexpr double kSlope_rad = 10.0 * std::numbers::pi / 180.0;
 
 MotionCommand trot(double forward_m_s, double left_m_s = 0.0, double yaw_rate_rad_s = 0.0) {
-  return {.request = Request::kTrot,
-          .forward_m_s = forward_m_s,
-          .left_m_s = left_m_s,
-          .yaw_rate_rad_s = yaw_rate_rad_s};
+  return {
+      .request = Request::kTrot, .forward_m_s = forward_m_s, .left_m_s = left_m_s, .yaw_rate_rad_s = yaw_rate_rad_s};
 }
 
 // Lies, stands up and trots for `walk_s`.

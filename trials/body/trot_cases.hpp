@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "robot/robot.hpp"
-#include "trials/body/controller_driver.hpp"
+#include "trials/body/timed_command.hpp"
 
 namespace farrier::trials {
 
@@ -40,9 +40,9 @@ struct TrotCase {
   int lag_ticks = 0;                                   ///< beyond the one tick of every command
   std::string scene;                                   ///< in the format of a scene file
   std::vector<TimedCommand> script;
-  double trot_s = 0.0;           ///< when it first begins to trot
-  double judged_from_s = 0.0;    ///< means are over this time ...
-  double judged_until_s = 0.0;   ///< ... to this
+  double trot_s = 0.0;          ///< when it first begins to trot
+  double judged_from_s = 0.0;   ///< means are over this time ...
+  double judged_until_s = 0.0;  ///< ... to this
   double end_s = 0.0;
 
   /// The command that is judged.

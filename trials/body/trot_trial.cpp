@@ -1,6 +1,7 @@
 #include "trials/body/trot_trial.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <mutex>
@@ -9,6 +10,7 @@
 
 #include "robot/locomotion_model.hpp"
 #include "robot/locomotion_params.hpp"
+#include "trials/body/controller_driver.hpp"
 #include "world/scene_file.hpp"
 
 namespace farrier::trials {

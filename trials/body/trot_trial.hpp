@@ -1,6 +1,5 @@
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <optional>
 #include <span>
@@ -16,11 +15,11 @@ namespace farrier::trials {
 /// The true motion of one case, and the errors of the controller's own estimate. Means are over the judged time.
 struct TrotFigures {
   std::optional<double> fell_s;
-  double height_rms_m = 0.0;        ///< of the trunk's origin above the ground's plane, about its mean
-  double height_offset_m = 0.0;     ///< mean less the default height
-  double sag_m = 0.0;               ///< largest depth below the default height, from the settled trot on
-  double tilt_rms_rad = 0.0;        ///< between the trunk's z axis and the plane's normal
-  double speed_error = 0.0;         ///< of the mean velocity, or turning on the spot of the mean yaw rate, relative
+  double height_rms_m = 0.0;     ///< of the trunk's origin above the ground's plane, about its mean
+  double height_offset_m = 0.0;  ///< mean less the default height
+  double sag_m = 0.0;            ///< largest depth below the default height, from the settled trot on
+  double tilt_rms_rad = 0.0;     ///< between the trunk's z axis and the plane's normal
+  double speed_error = 0.0;      ///< of the mean velocity, or turning on the spot of the mean yaw rate, relative
   std::optional<double> odometry_error;  ///< of the estimated way since the trot began, relative; none below 1 m
   double heading_drift_rad_s = 0.0;      ///< of the estimated heading, mean since the trot began, signed
   double largest_torque_Nm = 0.0;

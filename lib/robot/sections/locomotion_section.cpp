@@ -59,8 +59,7 @@ void declare(Visitor& v, StateEstimatorParams& e) {
 void declare(Visitor& v, LegSequencerParams& c) {
   v.number("early_force_N", c.early_force_N, {1e-3, 1e5}, kInitial, "A normal force above this ends a swing.");
   v.number("late_force_N", c.late_force_N, {1e-3, 1e5}, kInitial, "The same after the swing.");
-  v.number("early_progress", c.early_progress, {0, 1}, kInitial,
-           "Share of the swing from which on a contact ends it.");
+  v.number("early_progress", c.early_progress, {0, 1}, kInitial, "Share of the swing from which on a contact ends it.");
   v.number("lost_speed_m_s", c.lost_speed_m_s, {1e-3, 1e2}, kInitial,
            "A standing foot that falls faster has lost the ground.");
   v.number("settle_s", c.settle_s, {0, 1}, kInitial, "After a touchdown the contact counts as kept for this long.");

@@ -84,7 +84,8 @@ TEST_F(HyqLocomotion, FeelsGravityInTheTrunksAxes) {
     at_rest.fill({.position_rad = {-0.2, 0.75, -1.5}});
     return at_rest;
   }();
-  for (const Vector3d& down : {Vector3d(0, 0, -9.81), Vector3d(9.81, 0, 0), Vector3d(-9.81, 0, 0), Vector3d(1, 2, -9)}) {
+  for (const Vector3d& down :
+       {Vector3d(0, 0, -9.81), Vector3d(9.81, 0, 0), Vector3d(-9.81, 0, 0), Vector3d(1, 2, -9)}) {
     const TrunkMotion trunk{.gravity_m_s2 = 9.81 * down.normalized()};
     const Vector3d torque = state_of(legs, trunk).legs[0].bias_torque_Nm;
     // Potential energy: a joint's torque against gravity is the change of m g . com per radian.
