@@ -12,7 +12,7 @@ constexpr std::array kBodySpecs{
     // trial body: the worst over the runs of a trial, of those without a fall where a mean is taken
     FigureSpec{"body.<trial>.runs", "1", kNone, "Runs of a trial of farrier trial body."},
     FigureSpec{"body.<trial>.falls", "1", kAtMost,
-               "Runs in which the trunk sank below half its height at the start or tilted by more than 45 degrees."},
+               "Runs in which the trunk sank below half its height at the start, tilted by more than 45 degrees, or moved too wildly to be simulated."},
     FigureSpec{"body.<trial>.upright_share", "1", kAtLeast, "Share of the runs without a fall."},
     FigureSpec{"body.<trial>.height_rms_mm", "mm", kAtMost, "RMS of the trunk's height above the ground's plane about its mean."},
     FigureSpec{"body.<trial>.height_offset_mm", "mm", kAtMost, "Distance of that mean from the default height."},

@@ -14,7 +14,7 @@ namespace farrier::trials {
 
 /// The true motion of one case, and the errors of the controller's own estimate. Means are over the judged time.
 struct TrotFigures {
-  std::optional<double> fell_s;
+  std::optional<double> fell_s;  ///< also when motion became so wild that it could not be simulated
   double height_rms_m = 0.0;     ///< of the trunk's origin above the ground's plane, about its mean
   double height_offset_m = 0.0;  ///< mean less the default height
   double sag_m = 0.0;            ///< largest depth below the default height, from the settled trot on
@@ -26,8 +26,7 @@ struct TrotFigures {
   std::uint64_t hash = 0;  ///< of all states of the run
 };
 
-/// Noise of an IMU with an Epson-class gyroscope, of HyQ's encoders and of torques that are computed from forces. Biases
-/// are drawn per run.
+/// Noise of a MEMS IMU, of encoders and of torques that are computed from forces: assumed. Biases are drawn per run.
 inline constexpr world::BodyNoise kTrotNoise{.angle_rad = 4.4e-5,
                                              .velocity_rad_s = 0.033,
                                              .torque_Nm = 0.5,
@@ -37,7 +36,7 @@ inline constexpr world::BodyNoise kTrotNoise{.angle_rad = 4.4e-5,
                                              .specific_force_bias_m_s2 = 0.02};
 
 /// Runs one case: the robot's TrotController with its own estimate, in a world of its own. False by `keep_on` ends it
-/// with nothing. Refuses a robot without body or locomotion, a scene that does not fit, and a failed simulation.
+/// with nothing. Refuses a robot without body or locomotion, and a scene that does not fit.
 Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one,
                                                  const std::function<bool()>& keep_on = {});
 

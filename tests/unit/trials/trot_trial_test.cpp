@@ -3,10 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "robot/locomotion_model.hpp"
 #include "tests/unit/locomotion/stand_up.hpp"
+#include "trials/body/controller_driver.hpp"
 #include "world/scene_file.hpp"
 
 namespace farrier::trials {
