@@ -4,6 +4,7 @@
 #   bin/farrier               the command
 #   libexec/farrier/          its other programs (farrier-<program>) and the processes
 #   share/farrier/robots/     robot files
+#   share/farrier/scenes/     scene files
 #   share/farrier/monitoring/ configuration and alert rules for Prometheus
 #   share/farrier/page/       the page of farrier monitor --web (tools/web/page)
 #   share/man/, share/bash-completion/, share/zsh/, share/fish/    written by the command, where Debian looks for them
@@ -14,14 +15,15 @@ set_target_properties(${FARRIER_PROCESSES} ${FARRIER_FAULTY_PROGRAMS} bare_excha
   RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/libexec/farrier)
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/share/farrier)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/deploy/robots ${PROJECT_BINARY_DIR}/share/farrier/robots SYMBOLIC)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/deploy/scenes ${PROJECT_BINARY_DIR}/share/farrier/scenes SYMBOLIC)
 
 install(TARGETS ${FARRIER_PROCESSES} DESTINATION libexec/farrier COMPONENT runtime)
-install(DIRECTORY deploy/robots DESTINATION share/farrier COMPONENT runtime)
+install(DIRECTORY deploy/robots deploy/scenes DESTINATION share/farrier COMPONENT runtime)
 install(DIRECTORY deploy/monitoring DESTINATION share/farrier COMPONENT tools)
 install(TARGETS bare_exchange farrier_wall_clock ${FARRIER_FAULTY_PROGRAMS} DESTINATION libexec/farrier COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.
-set(FARRIER_EXPORTED core signals config runtime plant control estimation gait robot bus bus_cyclone
+set(FARRIER_EXPORTED core signals config runtime plant control estimation gait body locomotion robot bus bus_cyclone
   bus_fastdds bus_factory participant process security wire_gains)
 foreach(library IN LISTS FARRIER_EXPORTED)
   if(NOT TARGET farrier_${library})

@@ -92,6 +92,11 @@ void SimWorld::apply_loads() noexcept {
   }
 }
 
+world::JointReading SimWorld::reading(std::size_t index) const noexcept {
+  const Measured sample = joints_[index].sensors.sample();
+  return {sample.position, sample.velocity, sample.force};
+}
+
 signals::JointSensors SimWorld::sample(std::size_t index) const noexcept {
   const Joint& joint = joints_[index];
   signals::JointSensors sensors;
@@ -134,7 +139,7 @@ void SimWorld::step(Joint& joint, double valve_current_A) noexcept {
   }
 }
 
-void SimWorld::advance(const std::vector<double>& valve_current_A) noexcept {
+bool SimWorld::advance(std::span<const double> valve_current_A) noexcept {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     step(joints_[i], valve_current_A[i]);
   }
@@ -143,6 +148,7 @@ void SimWorld::advance(const std::vector<double>& valve_current_A) noexcept {
   for (Joint& joint : joints_) {
     joint.sensors.convert(truth_of(joint.plant), tick_, joint.sensors.conversions() - 1);
   }
+  return true;
 }
 
 }  // namespace farrier::sim_bridge

@@ -23,11 +23,12 @@
 #include "robot/robot.hpp"
 #include "sim_bridge/sensor_chain.hpp"
 #include "signals/signals.hpp"
+#include "world/world.hpp"
 
 namespace farrier::sim_bridge {
 
-/// The simulation of sim_bridge. The same robot, seed and valve currents give the same numbers bit for bit.
-class SimWorld {
+/// The bench as a world. The same robot, seed and valve currents give the same numbers bit for bit.
+class SimWorld final : public world::World {
  public:
   /// Every joint begins at rest at its home pose. A joint with `load_changes` (any order; of two at one tick the later
   /// in the list) has the load of its actual phase until the first and that of the newest from then on. Refuses a robot
@@ -35,17 +36,19 @@ class SimWorld {
   static Result<SimWorld> create(const robot::Robot& robot, std::uint64_t seed,
                                  std::vector<robot::LoadChange> load_changes = {});
 
-  /// Readings of one joint's sensors at the present tick.
+  world::JointReading reading(std::size_t joint) const noexcept override;
+
+  /// The same as a signal.
   signals::JointSensors sample(std::size_t joint) const noexcept;
 
-  /// Applies one current per joint over [tick, tick + 1) and moves to the next tick.
-  void advance(const std::vector<double>& valve_current_A) noexcept;
+  /// The commands are valve currents. The bench never fails.
+  bool advance(std::span<const double> valve_current_A) noexcept override;
 
   /// Fills the trace's row of one joint at the present tick, before advance(); controller fields are left unchanged.
   void describe(std::size_t joint, trace::TraceRow& row) const noexcept;
 
-  Tick tick() const noexcept { return tick_; }
-  std::size_t joints() const noexcept { return joints_.size(); }
+  Tick tick() const noexcept override { return tick_; }
+  std::size_t joints() const noexcept override { return joints_.size(); }
 
   /// Largest error the integrator stated for one step of any joint so far, relative to its tolerance scales.
   const plant::StepReport& worst_step() const noexcept { return worst_; }

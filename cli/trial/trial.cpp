@@ -1,21 +1,27 @@
-// farrier trial: diagnosis searches an effect that only the simulated robot has, in the recording of a run.
+// farrier trial hide: diagnosis searches an effect that only the simulated robot has, in the recording of a run.
+// farrier trial body: a whole robot trots over a simulated ground (body_trial.cpp).
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <set>
 
+#include "core/text.hpp"
 #include "participant/loop.hpp"
 #include "cli/base/help.hpp"
 #include "cli/base/output_file.hpp"
 #include "cli/trot/trot_run.hpp"
 #include "cli/trot/trot_security.hpp"
 #include "process/process.hpp"
+#include "cli/trial/body_trial.hpp"
 #include "cli/trial/trial_study.hpp"
 #include "report/figures/console.hpp"
 #include "report/figures/outcome.hpp"
+#include "trials/body/trot_cases.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -60,7 +66,8 @@ int prepare(TrialOptions o) {
     return kBadInput;
   }
   if (const robot::Joint* electric = robot.value().first_electric()) {
-    return refuse("trial", "the effect is hidden in a hydraulic joint, and " + electric->name + " is electric: give another --robot");
+    return refuse("trial", "the effect is hidden in a hydraulic joint, and " + electric->name +
+                               " is electric: give another --robot");
   }
   if (auto secured = check_security(robot.value(), o); !secured) {
     return refuse("trial", secured.error().message);
@@ -80,11 +87,70 @@ int prepare(TrialOptions o) {
   return trial(robot.value(), o);
 }
 
+enum class What { kHide, kBody };
+const std::map<std::string, What> kTrials{{"hide", What::kHide}, {"body", What::kBody}};
+
+/// Names of options on the command line that are for the other trial. An environment variable is for both.
+std::string strange_options(const CLI::App& app, What what) {
+  const std::set<std::string> of_both{"what", "robot", "out", "json", "help"};
+  const std::set<std::string> of_body{"only", "smoke", "threads", "continue"};
+  std::string strange;
+  for (const CLI::Option* option : app.get_options()) {
+    const std::string name = option->get_single_name();
+    const bool by_environment = !option->get_envname().empty() && std::getenv(option->get_envname().c_str()) != nullptr;
+    if (option->count() > 0 && !by_environment && !of_both.contains(name) &&
+        of_body.contains(name) != (what == What::kBody)) {
+      strange += (strange.empty() ? "--" : ", --") + name;
+    }
+  }
+  return strange;
+}
+
+void declare_body(CLI::App& app, BodyTrialOptions& o) {
+  std::vector<std::string> names;
+  for (const trials::TrotTrial& trial : trials::kTrotTrials) {
+    names.emplace_back(trial.name);
+  }
+  app.add_option("--only", o.only, "body: trials, of " + join(names, ", "))
+      ->delimiter(',')
+      ->check(CLI::IsMember(names))
+      ->type_name("<names>")
+      ->default_str("all");
+  app.add_flag("--smoke", o.smoke, "body: the first run of each trial, in half a minute")->type_name("");
+  app.add_option("--threads", o.threads, "body: runs at a time")
+      ->check(between(1, 256))
+      ->type_name("<n>")
+      ->capture_default_str();
+  app.add_flag("--continue", o.go_on,
+               "body: takes over the runs that an interrupted trial of the same build and robot kept beside --json")
+      ->type_name("");
+}
+
+int run_trial(const CLI::App& app, What what, const TrialOptions& o, BodyTrialOptions body) {
+  if (const std::string strange = strange_options(app, what); !strange.empty()) {
+    const char* other = what == What::kBody ? "farrier trial hide" : "farrier trial body";
+    return refuse("trial", strange + " is for " + other);
+  }
+  if (what == What::kHide) {
+    return prepare(o);
+  }
+  body.robot_path = o.robot_path;
+  body.out = o.out;
+  body.json_path = o.json_path;
+  return run_body_trials(body);
+}
+
 }  // namespace
 
 std::function<int()> declare_trial(CLI::App& app) {
   auto options = std::make_shared<TrialOptions>();
+  auto body = std::make_shared<BodyTrialOptions>();
+  auto what = std::make_shared<What>(What::kHide);
   options->out = "out/trial";
+  add_choice(app, "what", *what, kTrials, "hide|body",
+             "hide: an effect is hidden in one joint, and diagnosis must name it; body: the whole robot, by its own "
+             "state estimate, trots on flat and rough ground, under pushes, payload and lag")
+      ->default_str("hide");
   declare_gait(app, *options);
   declare_processes(app, *options);
   declare_control(app, *options);
@@ -99,7 +165,8 @@ std::function<int()> declare_trial(CLI::App& app) {
   app.add_option("--record", options->record_path, "where the recording of the run goes")
       ->type_name("<file>")
       ->default_str("run.mcap in --out");
-  return [options] { return prepare(*options); };
+  declare_body(app, *body);
+  return [&app, options, body, what] { return run_trial(app, *what, *options, *body); };
 }
 
 }  // namespace farrier::cli

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "body/model/body_model.hpp"
 #include "config/problem.hpp"
 #include "control/design/design.hpp"
 #include "control/law/feedback_linearisation.hpp"
@@ -16,6 +17,7 @@
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "gait/gait_params.hpp"
+#include "locomotion/trot_controller.hpp"
 #include "plant/actuator.hpp"
 #include "plant/electric_actuator.hpp"
 #include "plant/linkage.hpp"
@@ -78,6 +80,8 @@ struct Robot {
   int estimate_period_ticks;  ///< >= 1; one for all joints, so that in lock-step the tick determines the due estimates
   std::vector<Joint> joints;  ///< in the order of the file: leg by leg
   gait::RobotPlan plan;
+  std::optional<body::BodyModel> body;                     ///< as rigid bodies; none if the file describes no trunk
+  std::optional<locomotion::LocomotionParams> locomotion;  ///< of a robot that can walk on a ground
   UpdateLogicParams update_logic;
   Safety safety;
   Bounds bounds;

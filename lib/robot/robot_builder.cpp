@@ -6,6 +6,7 @@
 #include <set>
 
 #include "gait/leg_kinematics.hpp"
+#include "robot/body_model.hpp"
 #include "robot/checks/adaptation_check.hpp"
 #include "robot/checks/cross_check.hpp"
 #include "robot/checks/deployment_check.hpp"
@@ -13,6 +14,7 @@
 #include "robot/checks/electric_check.hpp"
 #include "robot/joint_effects.hpp"
 #include "robot/leg_inertia.hpp"
+#include "robot/locomotion_params.hpp"
 #include "robot/references.hpp"
 
 namespace farrier::robot {
@@ -48,6 +50,8 @@ class Builder {
                 .estimate_period_ticks = file_.estimate_period_ticks,
                 .joints = {},
                 .plan = {file_.period_s, body_weight_N(), file_.gait, {}},
+                .body = make_body_model(file_),
+                .locomotion = make_locomotion_params(file_),
                 .update_logic = file_.update_logic.params,
                 .safety = file_.safety.params,
                 .bounds = file_.bounds,

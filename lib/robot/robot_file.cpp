@@ -71,6 +71,10 @@ void declare(Visitor& v, Leg& l) {
   v.flag("front", l.front, "Front or hind: the knee bends backward or forward.");
   v.flag("left", l.left, "Left or right.");
   v.number("phase_offset", l.phase_offset, {0, 0.999999}, "Share of the stride by which this leg is late.");
+  v.numbers("hip_position_m", l.hip_position_m, {-10, 10},
+            "Where the HAA axis meets the leg's plane: forward, to the left and above the trunk's origin.");
+  v.check(l.hip_position_m.empty() || l.hip_position_m.size() == 3, "hip_position_m",
+          "is no position: give three numbers, x, y and z");
   v.pairs("joints", l.joints, l.joints_place, kLongestName,
           "Joint names and what each is an instance of, in the order HAA, HFE, KFE.");
 }
@@ -125,6 +129,7 @@ void declare(Visitor& v, RobotFile& f) {
   v.groups("legs", f.legs, kLongestName, "Legs, in the order in which joints are numbered.");
   GaitSection gait{&f.gait};
   v.group("gait", gait, "How the robot moves.");
+  v.group("locomotion", f.locomotion, "Control of the whole robot on a ground; needs body.trunk.");
   v.group("safety", f.safety, "What a joint does when something is missing.");
   v.group("bounds", f.bounds, "What a run is judged by.");
   v.group("variation", f.variation, Defaults{}, "How far robots of `farrier compare varied` are drawn from this one.");

@@ -11,6 +11,7 @@
 #include "robot/sections/body_section.hpp"
 #include "robot/sections/deployment_section.hpp"
 #include "robot/sections/joint_effects_section.hpp"
+#include "robot/sections/locomotion_section.hpp"
 #include "robot/sections/variation_section.hpp"
 
 namespace farrier::robot {
@@ -70,7 +71,8 @@ struct Leg {
   bool front = true;
   bool left = true;
   double phase_offset = 0.0;
-  config::Named<std::string> joints;  ///< joint name to joint template, HAA, HFE, KFE
+  std::vector<double> hip_position_m;  ///< of the HAA axis in the trunk's frame: x, y, z; empty without body.trunk
+  config::Named<std::string> joints;   ///< joint name to joint template, HAA, HFE, KFE
   config::Place joints_place;
   config::Place place;
 };
@@ -94,6 +96,7 @@ struct RobotFile {
   config::Named<JointTemplate> joints;
   config::Named<Leg> legs;
   gait::GaitParams gait;
+  std::optional<LocomotionSection> locomotion;  ///< of a robot that can walk on a ground
   SafetySection safety;
   Bounds bounds;
   VariationSection variation;

@@ -90,14 +90,14 @@ struct ConsoleColumn {
   const char* figure;
 };
 constexpr std::array kConsoleColumns{ConsoleColumn{"updates", "updates"},
-                              ConsoleColumn{"stance NRMSE", "stance_nrmse"},
-                              ConsoleColumn{"swing design", "swing_design_stance_nrmse"},
-                              ConsoleColumn{"swing NRMSE", "swing_nrmse"},
-                              ConsoleColumn{"swing design", "swing_design_swing_nrmse"},
-                              ConsoleColumn{"missed", "missed_ticks"},
-                              ConsoleColumn{"travel rad", "travel_rad"},
-                              ConsoleColumn{"radius stance", "stance_spectral_radius"},
-                              ConsoleColumn{"swing", "swing_spectral_radius"}};
+                                     ConsoleColumn{"stance NRMSE", "stance_nrmse"},
+                                     ConsoleColumn{"swing design", "swing_design_stance_nrmse"},
+                                     ConsoleColumn{"swing NRMSE", "swing_nrmse"},
+                                     ConsoleColumn{"swing design", "swing_design_swing_nrmse"},
+                                     ConsoleColumn{"missed", "missed_ticks"},
+                                     ConsoleColumn{"travel rad", "travel_rad"},
+                                     ConsoleColumn{"radius stance", "stance_spectral_radius"},
+                                     ConsoleColumn{"swing", "swing_spectral_radius"}};
 
 bool is_in_joint_table(const Figure& figure) {
   return std::ranges::any_of(kConsoleColumns, [&](const ConsoleColumn& column) {
@@ -187,18 +187,7 @@ void add_latency(Paper& paper, const Figures& figures) {
   }
 }
 
-}  // namespace
-
-bool wants_colour(int file_descriptor) {
-  return ::isatty(file_descriptor) == 1 && std::getenv("NO_COLOR") == nullptr;
-}
-
-std::string console_text(const Outcome& outcome, bool colour) {
-  Paper paper(colour);
-  add_joint_table(paper, outcome.figures);
-  add_other_figures(paper, outcome.figures);
-  add_processes(paper, outcome.run);
-  add_latency(paper, outcome.figures);
+void add_verdict(Paper& paper, const Outcome& outcome) {
   for (const std::string& warning : outcome.warnings) {
     paper.line("warning: " + warning);
   }
@@ -206,6 +195,25 @@ std::string console_text(const Outcome& outcome, bool colour) {
     paper.line(paper.red("! " + reason));
   }
   paper.line(outcome.command + ": " + (outcome.passes() ? paper.green("pass") : paper.red("fail")));
+}
+
+}  // namespace
+
+bool wants_colour(int file_descriptor) { return ::isatty(file_descriptor) == 1 && std::getenv("NO_COLOR") == nullptr; }
+
+std::string console_text(const Outcome& outcome, bool colour) {
+  Paper paper(colour);
+  add_joint_table(paper, outcome.figures);
+  add_other_figures(paper, outcome.figures);
+  add_processes(paper, outcome.run);
+  add_latency(paper, outcome.figures);
+  add_verdict(paper, outcome);
+  return std::move(paper.text);
+}
+
+std::string verdict_text(const Outcome& outcome, bool colour) {
+  Paper paper(colour);
+  add_verdict(paper, outcome);
   return std::move(paper.text);
 }
 

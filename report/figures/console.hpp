@@ -13,4 +13,7 @@ bool wants_colour(int file_descriptor);
 /// processes with their samples, latency, why it fails, and the verdict as the last line.
 std::string console_text(const Outcome& outcome, bool colour);
 
+/// The end of it alone, for a command with a table of its own: warnings, why it fails, the verdict.
+std::string verdict_text(const Outcome& outcome, bool colour);
+
 }  // namespace farrier::report

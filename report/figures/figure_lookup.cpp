@@ -1,4 +1,4 @@
-#include "report/figures/figures.hpp"
+#include "report/figures/figure_registries.hpp"
 
 namespace farrier::report {
 namespace {
@@ -26,7 +26,20 @@ std::optional<std::string_view> placeholder(std::string_view wanted, std::string
   return given.substr(before.size(), given.size() - before.size() - after.size());
 }
 
+std::vector<FigureSpec> joined_specs() {
+  std::vector<FigureSpec> specs;
+  for (const auto part : {process_figure_specs(), diagnosis_figure_specs(), body_figure_specs()}) {
+    specs.insert(specs.end(), part.begin(), part.end());
+  }
+  return specs;
+}
+
 }  // namespace
+
+std::span<const FigureSpec> figure_specs() noexcept {
+  static const std::vector<FigureSpec> kSpecs = joined_specs();
+  return kSpecs;
+}
 
 std::optional<std::vector<std::string_view>> match(std::string_view pattern, std::string_view name) {
   std::vector<std::string_view> names;
@@ -58,8 +71,8 @@ std::string figures_table_markdown() {
   std::string table = "| figure | unit | bound | meaning |\n|---|---|---|---|\n";
   for (const FigureSpec& spec : figure_specs()) {
     table += "| `" + std::string(spec.pattern) + "` | " + spec.unit + " | " +
-             (spec.relation == Relation::kNone ? "" : "`" + std::string(to_string(spec.relation)) + "`") + " | " + spec.sentence +
-             " |\n";
+             (spec.relation == Relation::kNone ? "" : "`" + std::string(to_string(spec.relation)) + "`") + " | " +
+             spec.sentence + " |\n";
   }
   return table;
 }

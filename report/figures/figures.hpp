@@ -1,6 +1,6 @@
 #pragma once
 
-// The common form of all results: named figures, each declared once in figure_registry.cpp. Tables for people, JSON and
+// The common form of all results: named figures, each declared once (figure_registries.hpp). Tables for people, JSON and
 // the HTML report all show the same Figures.
 
 #include <optional>

@@ -41,9 +41,10 @@ target_link_libraries(fuzzed_ports PRIVATE farrier_participant)
 farrier_fuzz(fuzzed_journals SOURCES ${fuzz_dir}/journal.cpp HARNESSES journal)
 target_link_libraries(fuzzed_journals PRIVATE farrier_recorder farrier_signals)
 
-farrier_fuzz(fuzzed_files SOURCES ${fuzz_dir}/robot_file.cpp ${fuzz_dir}/files.cpp
-  HARNESSES robot_file recording scaled_recording trace run_file)
-target_link_libraries(fuzzed_files PRIVATE farrier_robot farrier_diagnosis farrier_trace farrier_recording farrier_signals)
+farrier_fuzz(fuzzed_files SOURCES ${fuzz_dir}/robot_file.cpp ${fuzz_dir}/scene_file.cpp ${fuzz_dir}/files.cpp
+  HARNESSES robot_file scene_file recording scaled_recording trace run_file)
+target_link_libraries(fuzzed_files PRIVATE farrier_robot farrier_world farrier_diagnosis farrier_trace farrier_recording
+  farrier_signals)
 
 farrier_fuzz(fuzzed_cores SOURCES ${fuzz_dir}/joint_core.cpp ${fuzz_dir}/adaptation_cores.cpp
   HARNESSES joint_node estimator_service supervisor)

@@ -30,13 +30,12 @@ inline void require(bool holds, const std::string& promise) {
   }
 }
 
-inline std::string_view text_of(Bytes bytes) {
-  return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
-}
+inline std::string_view text_of(Bytes bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
 
 // Text and files.
 void arrow_fault(Bytes bytes);
 void robot_file(Bytes bytes);
+void scene_file(Bytes bytes);
 void recording(Bytes bytes);
 void scaled_recording(Bytes bytes);
 void trace(Bytes bytes);

@@ -6,6 +6,7 @@ std::span<const Harness> harnesses() noexcept {
   static constexpr Harness kHarnesses[] = {
       {"arrow_fault", arrow_fault},
       {"robot_file", robot_file},
+      {"scene_file", scene_file},
       {"recording", recording},
       {"scaled_recording", scaled_recording},
       {"trace", trace},

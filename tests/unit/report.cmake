@@ -18,6 +18,11 @@ farrier_test(report_test unit
 target_link_libraries(report_test PRIVATE farrier_report_compare farrier_report_diagnosis farrier_report_trot farrier_supervisor_core nlohmann_json::nlohmann_json)
 target_compile_definitions(report_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
 
+if(TARGET farrier_report_body)
+  farrier_test(report_body_test unit ${CMAKE_CURRENT_LIST_DIR}/report/body_test.cpp)
+  target_link_libraries(report_body_test PRIVATE farrier_report_body)
+endif()
+
 farrier_test(recording_test unit ${CMAKE_CURRENT_LIST_DIR}/offline/joint_recording_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/playback/csv_files_test.cpp)
 target_link_libraries(recording_test PRIVATE farrier_offline farrier_playback farrier_recording farrier_signals)

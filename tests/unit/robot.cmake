@@ -7,6 +7,7 @@ target_link_libraries(config_test PRIVATE farrier_config)
 
 farrier_test(robot_test unit
   ${CMAKE_CURRENT_LIST_DIR}/robot/adaptation_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/robot/body_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/deployment_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/estimator_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/effects_by_joint_test.cpp
@@ -14,6 +15,7 @@ farrier_test(robot_test unit
   ${CMAKE_CURRENT_LIST_DIR}/robot/electric_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/fuzz_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/hyq_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/robot/locomotion_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/mistakes_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/round_trip_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/rig_test.cpp)

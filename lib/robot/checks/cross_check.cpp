@@ -1,6 +1,8 @@
 #include "robot/checks/cross_check.hpp"
 
 #include "control/law/low_pass.hpp"
+#include "robot/checks/body_check.hpp"
+#include "robot/checks/locomotion_check.hpp"
 #include "robot/leg_inertia.hpp"
 
 namespace farrier::robot {
@@ -60,7 +62,9 @@ void check_filters(const RobotFile& file, config::Problems& problems) {
 }  // namespace
 
 config::Problems check_between_sections(const RobotFile& file) {
-  config::Problems problems;
+  config::Problems problems = check_body(file);
+  const config::Problems of_locomotion = check_locomotion(file);
+  problems.insert(problems.end(), of_locomotion.begin(), of_locomotion.end());
   check_stance_lead(file, problems);
   check_varied_body(file, problems);
   check_filters(file, problems);

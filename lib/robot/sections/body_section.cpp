@@ -1,5 +1,7 @@
 #include "robot/sections/body_section.hpp"
 
+#include "body/model/body_model.hpp"
+
 namespace farrier::robot {
 
 using config::kInitial;
@@ -10,18 +12,41 @@ void declare(Visitor& v, Inertia& i) {
   v.number("yy_kg_m2", i.yy_kg_m2, {0, 1e3}, "About y through the centre of mass.");
   v.number("zz_kg_m2", i.zz_kg_m2, {0, 1e3}, "About z through the centre of mass.");
   v.number("xy_kg_m2", i.xy_kg_m2, {-1e3, 1e3}, kInitial, "Off-diagonal element of the tensor.");
+  v.number("xz_kg_m2", i.xz_kg_m2, {-1e3, 1e3}, kInitial, "Off-diagonal element of the tensor.");
+  v.number("yz_kg_m2", i.yz_kg_m2, {-1e3, 1e3}, kInitial, "Off-diagonal element of the tensor.");
+  v.check(body::is_possible_tensor(i.tensor_kg_m2()), "", std::string("is a tensor that ") + body::kImpossibleTensor);
+}
+
+Eigen::Matrix3d Inertia::tensor_kg_m2() const noexcept {
+  Eigen::Matrix3d tensor;
+  tensor << xx_kg_m2, xy_kg_m2, xz_kg_m2, xy_kg_m2, yy_kg_m2, yz_kg_m2, xz_kg_m2, yz_kg_m2, zz_kg_m2;
+  return tensor;
 }
 
 void declare(Visitor& v, Link& l) {
+  v.here(l.place);
   v.number("mass_kg", l.mass_kg, {0, 1e3}, "Mass.");
   v.number("com_x_m", l.com_x_m, {-5, 5}, "Centre of mass along the leg.");
   v.number("com_y_m", l.com_y_m, {-5, 5}, kInitial, "Centre of mass across the leg, at right angles to the axis.");
+  v.number("com_z_m", l.com_z_m, {-5, 5}, kInitial, "Centre of mass along the axis.");
   v.group("inertia", l.inertia, "Inertia tensor about the centre of mass.");
 }
 
+void declare(Visitor& v, Trunk& t) {
+  v.here(t.place);
+  v.number("com_x_m", t.com_x_m, {-5, 5}, "Centre of mass, forward of the trunk's origin.");
+  v.number("com_y_m", t.com_y_m, {-5, 5}, kInitial, "Centre of mass, to the left of it.");
+  v.number("com_z_m", t.com_z_m, {-5, 5}, kInitial, "Centre of mass, above it.");
+  v.group("inertia", t.inertia, "Inertia tensor about the centre of mass: x forward, y left, z up.");
+}
+
 void declare(Visitor& v, Body& b) {
+  v.here(b.place);
   v.number("gravity_m_s2", b.gravity_m_s2, {0, 30}, kInitial, "Acceleration of gravity.");
   v.number("trunk_mass_kg", b.trunk_mass_kg, {0, 1e4}, "Everything but the legs.");
+  v.group("trunk", b.trunk,
+          "Mass distribution of the trunk; absent for a robot that is simulated joint by joint only.");
+  v.number("foot_radius_m", b.foot_radius_m, {1e-3, 0.5}, "Radius of the foot's sphere; given with trunk.");
   v.number("hip_offset_m", b.hip_offset_m, {0, 5}, "HAA axis to HFE axis.");
   v.number("upper_leg_m", b.upper_leg_m, {1e-2, 5}, "HFE axis to KFE axis.");
   v.number("lower_leg_m", b.lower_leg_m, {1e-2, 5}, "KFE axis to the centre of the foot.");

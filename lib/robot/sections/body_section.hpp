@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <optional>
 
 #include "config/visitor.hpp"
@@ -12,15 +13,30 @@ struct Inertia {
   double yy_kg_m2 = 0.0;
   double zz_kg_m2 = 0.0;
   double xy_kg_m2 = 0.0;
+  double xz_kg_m2 = 0.0;
+  double yz_kg_m2 = 0.0;
+
+  Eigen::Matrix3d tensor_kg_m2() const noexcept;
 };
 
 /// A link in the frame of its joint: the joint turns about z, x points along the leg to the next joint. The hip turns
-/// about the HAA axis; its z runs along it.
+/// about the HAA axis; its z runs along it, the way by which a positive angle turns the leg inwards.
 struct Link {
   double mass_kg = 0.0;
   double com_x_m = 0.0;
   double com_y_m = 0.0;
+  double com_z_m = 0.0;
   Inertia inertia;
+  config::Place place;
+};
+
+/// The trunk's mass distribution in its frame: x forward, y left, z up. Its mass is Body::trunk_mass_kg.
+struct Trunk {
+  double com_x_m = 0.0;
+  double com_y_m = 0.0;
+  double com_z_m = 0.0;
+  Inertia inertia;
+  config::Place place;
 };
 
 /// Rigid body of the robot; legs are mirror images of each other, links given for a front left one.
@@ -30,13 +46,17 @@ struct Body {
   double hip_offset_m = 0.0;
   double upper_leg_m = 0.0;
   double lower_leg_m = 0.0;
+  std::optional<Trunk> trunk;           ///< of a robot that can be simulated as rigid bodies
+  std::optional<double> foot_radius_m;  ///< of the same
   Link hip;
   Link upper_leg;
   Link lower_leg;
+  config::Place place;
 };
 
 void declare(config::Visitor& v, Inertia& inertia);
 void declare(config::Visitor& v, Link& link);
+void declare(config::Visitor& v, Trunk& trunk);
 void declare(config::Visitor& v, Body& body);
 
 }  // namespace farrier::robot

@@ -59,7 +59,7 @@ TEST_F(Hyq, HasTheOilStiffnessThatIsPublished) {
   const double stiffness_N_m = a.bulk_modulus_Pa * (a.area_a * a.area_a / (a.line_volume_m3 + a.area_a * half) +
                                                     a.area_b * a.area_b / (a.line_volume_m3 + a.area_b * half));
   EXPECT_NEAR(stiffness_N_m, 6.6e6, 0.05e6);
-  EXPECT_GT(a.stop_stiffness, 2.0 * stiffness_N_m);                       // the stop, not the oil, ends a stroke
+  EXPECT_GT(a.stop_stiffness, 2.0 * stiffness_N_m);                           // the stop, not the oil, ends a stroke
   EXPECT_LT(joint("lf_kfe").push_limit, 0.01 * a.stroke * a.stop_stiffness);  // and gives way by less than 1 %
 }
 
@@ -129,8 +129,8 @@ TEST_F(Hyq, SeesTheCylinderThroughALeverInItsMotors) {
   const Joint& haa = joint("rh_haa");
   const Joint& hfe = joint("rh_hfe");
   const Joint& kfe = joint("rh_kfe");
-  const double lever_m = 0.5 * (std::abs(hfe.linkage.lever(hfe.home_angle_rad)) +
-                                std::abs(kfe.linkage.lever(kfe.home_angle_rad)));
+  const double lever_m =
+      0.5 * (std::abs(hfe.linkage.lever(hfe.home_angle_rad)) + std::abs(kfe.linkage.lever(kfe.home_angle_rad)));
   constexpr double kRounding = 1e-14;
   EXPECT_NEAR(haa.actuator.piston_damping, 700.0 * lever_m * lever_m, 1e3 * kRounding);
   EXPECT_NEAR(haa.swing_load.damping, 500.0 * lever_m * lever_m, 1e3 * kRounding);
@@ -148,8 +148,8 @@ TEST(LegInertia, IsSteinersForPointMasses) {
   Body body;
   body.hip_offset_m = 0.1;
   body.upper_leg_m = 0.4;
-  body.upper_leg = {2.0, 0.2, 0.0, {}};
-  body.lower_leg = {1.0, 0.3, 0.0, {}};
+  body.upper_leg = {2.0, 0.2, 0.0, 0.0, {}, {}};
+  body.lower_leg = {1.0, 0.3, 0.0, 0.0, {}, {}};
   const double hfe = 0.6;
   const double kfe = -1.1;
   const double knee = 0.1 + 0.2 * std::cos(hfe);
@@ -159,7 +159,7 @@ TEST(LegInertia, IsSteinersForPointMasses) {
 
 TEST(LegInertia, TurnsTensorsWithTheLeg) {
   Body body;
-  body.upper_leg = {0.0, 0.0, 0.0, {3.0, 5.0, 7.0, 0.5}};
+  body.upper_leg = {0.0, 0.0, 0.0, 0.0, {3.0, 5.0, 7.0, 0.5}, {}};
   constexpr double kRounding = 1e-14;
   EXPECT_NEAR(leg_inertia_about_haa_kg_m2(body, 0.0, 0.0), 5.0, kRounding);                         // along y
   EXPECT_NEAR(leg_inertia_about_haa_kg_m2(body, std::numbers::pi / 2, 0.0), 3.0, kRounding);        // along x

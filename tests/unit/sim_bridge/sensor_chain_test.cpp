@@ -147,8 +147,8 @@ TEST(SimWorld, MovesTheSameHoweverOftenItsSensorsConvert) {
   SimWorld one = world_of(rig());
   SimWorld other = world_of(often);
   for (int i = 0; i < 200; ++i) {
-    one.advance({i < 100 ? 1e-3 : -1e-3});
-    other.advance({i < 100 ? 1e-3 : -1e-3});
+    one.advance(std::vector{i < 100 ? 1e-3 : -1e-3});
+    other.advance(std::vector{i < 100 ? 1e-3 : -1e-3});
   }
   // 1e-6 of the stroke per substep and no feedback: up to a few substeps a tick, 200 ticks.
   EXPECT_NEAR(row_of(one, 0).position_m_or_rad, row_of(other, 0).position_m_or_rad, 200 * 10 * 1e-6 * 0.08);

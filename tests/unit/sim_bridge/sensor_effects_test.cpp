@@ -26,9 +26,10 @@ SensorChain chain_of(const robot::Robot& robot) {
 
 TEST(SensorEffects, OfTheLoadCellAreLagThenGainThenOffset) {
   constexpr double kLag_s = 0.004;
-  SensorChain chain = chain_of(quiet(rig_with("    force_sensor_offset: {offset_N: 40}\n"
-                                              "    force_sensor_gain: {gain: 1.5}\n"
-                                              "    force_sensor_lag: {time_constant_s: 0.004}\n")));
+  SensorChain chain =
+      chain_of(quiet(rig_with("    force_sensor_offset: {offset_N: 40}\n"
+                              "    force_sensor_gain: {gain: 1.5}\n"
+                              "    force_sensor_lag: {time_constant_s: 0.004}\n")));
   chain.begin({0.04, 0.0, 100.0});
   EXPECT_NEAR(chain.sample().force, 1.5 * 100.0 + 40.0, 1e-12) << "it has stood there forever";
   // tau y' + y = x for a force that rises by 10 N a tick: y = x - r tau (1 - exp(-t / tau)), r in N/s.
@@ -79,8 +80,8 @@ TEST(SensorEffects, ChangeSamplesAndNotTheTruth) {
   SimWorld with = world_of(rig_with("    force_sensor_offset: {offset_N: 25}\n"));
   SimWorld without = world_of(robot::load_shipped("fc1d"));
   for (int i = 0; i < 100; ++i) {
-    with.advance({1e-3});
-    without.advance({1e-3});
+    with.advance(std::vector{1e-3});
+    without.advance(std::vector{1e-3});
     ASSERT_TRUE(same_state(row_of(with, 0), row_of(without, 0)));
     ASSERT_NEAR(with.sample(0).force_N_or_Nm - without.sample(0).force_N_or_Nm, 25.0, 1e-9);
     ASSERT_EQ(with.sample(0).velocity_m_s_or_rad_s, without.sample(0).velocity_m_s_or_rad_s);
@@ -88,10 +89,10 @@ TEST(SensorEffects, ChangeSamplesAndNotTheTruth) {
 }
 
 TEST(SimWorld, HasTheEffectsOfItsRobotAndDoesNotAllocate) {
-  const robot::Robot robot =
-      rig_with("    input_delay: {delay_s: 0.0023}\n    load_friction: {coulomb_N: 60}\n"
-               "    piston_friction: {coulomb_N: 30}\n    backlash: {play_m: 2e-4}\n    supply_droop: "
-               "{resistance_Pa_s_m3: 2e10}\n    air_entrainment: {air_fraction: 0.02}\n");
+  const robot::Robot robot = rig_with(
+      "    input_delay: {delay_s: 0.0023}\n    load_friction: {coulomb_N: 60}\n"
+      "    piston_friction: {coulomb_N: 30}\n    backlash: {play_m: 2e-4}\n    supply_droop: "
+      "{resistance_Pa_s_m3: 2e10}\n    air_entrainment: {air_fraction: 0.02}\n");
   SimWorld one = world_of(robot, 3);
   SimWorld other = world_of(robot, 3);
   SimWorld nominal = world_of(robot::load_shipped("fc1d"), 3);

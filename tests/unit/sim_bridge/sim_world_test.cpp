@@ -35,6 +35,22 @@ TEST(SimWorld, StartsAtRestInTheHomePose) {
   }
 }
 
+TEST(SimWorld, IsAWorldWithTheReadingsOfItsSamples) {
+  SimWorld bench = world_of(hyq());
+  world::World& world = bench;
+  EXPECT_TRUE(world.advance(shut(bench)));
+  EXPECT_EQ(world.tick(), 1);
+  for (std::size_t joint = 0; joint < world.joints(); ++joint) {
+    const signals::JointSensors sample = bench.sample(joint);
+    const world::JointReading reading = world.reading(joint);
+    EXPECT_EQ(reading.position, sample.position_m_or_rad);
+    EXPECT_EQ(reading.velocity, sample.velocity_m_s_or_rad_s);
+    EXPECT_EQ(reading.force, sample.force_N_or_Nm);
+  }
+  EXPECT_FALSE(world.imu().has_value());
+  EXPECT_FALSE(world.failure().has_value());
+}
+
 TEST(SimWorld, GivesTheSameNumbersForTheSameSeed) {
   SimWorld one = world_of(hyq(), 5);
   SimWorld other = world_of(hyq(), 5);

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/time.hpp"
+#include "locomotion/body_model.hpp"
+
+namespace farrier::locomotion {
+
+/// One reading of the inertial measurement unit at the trunk's origin, trunk frame.
+struct ImuReading {
+  Eigen::Vector3d angular_velocity_rad_s = Eigen::Vector3d::Zero();
+  Eigen::Vector3d specific_force_m_s2 = Eigen::Vector3d::Zero();  ///< (0, 0, +9.81) for an upright trunk at rest
+};
+
+/// Everything a controller reads at one tick.
+struct Readings {
+  PerLeg<LegReadings> legs;
+  ImuReading imu;
+};
+
+/// State of motion that the operator asks for. The controller passes through the states between by itself.
+enum class Request {
+  kLie,  ///< lie on folded legs
+  kStand,
+  kTrot,  ///< trot at the commanded velocity, which may be zero
+};
+
+/// Command of the operator.
+struct MotionCommand {
+  Request request = Request::kLie;
+  double forward_m_s = 0.0;     ///< vx, in the heading frame
+  double left_m_s = 0.0;        ///< vy
+  double yaw_rate_rad_s = 0.0;  ///< positive to the left
+  double height_m = 0.0;        ///< trunk's origin above the ground; 0 selects the default
+};
+
+/// Joint torques of each leg, Nm, in the order HAA, HFE, KFE.
+using LegTorques = PerLeg<Eigen::Vector3d>;
+
+/// A controller of the whole robot. Locomotion's process calls it once a tick; a user's own controller implements it.
+class Controller {
+ public:
+  virtual ~Controller() = default;
+
+  /// Takes the readings of tick `now` and returns the torques for tick now + 1. Allocates nothing and has no clock.
+  virtual const LegTorques& step(Tick now, const Readings& readings, const MotionCommand& command) noexcept = 0;
+};
+
+}  // namespace farrier::locomotion

@@ -1,0 +1,49 @@
+#include "robot/checks/locomotion_check.hpp"
+
+#include <array>
+#include <set>
+#include <utility>
+
+namespace farrier::robot {
+namespace {
+
+using FoldedAngle = std::pair<const char*, double>;
+
+void check_folded(const RobotFile& file, const FoldedAngle& folded, const std::string& joint_name,
+                  config::Problems& problems) {
+  const JointTemplate& joint = *config::find(file.joints, joint_name);
+  if (folded.second < joint.angle_min_rad || folded.second > joint.angle_max_rad) {
+    problems.push_back(file.locomotion->place.problem(
+        folded.first, "is " + config::number_text(folded.second) + ", but joint " + joint_name + " goes from " +
+                          config::number_text(joint.angle_min_rad) + " to " + config::number_text(joint.angle_max_rad) +
+                          ": give an angle between"));
+  }
+}
+
+}  // namespace
+
+config::Problems check_locomotion(const RobotFile& file) {
+  config::Problems problems;
+  if (!file.locomotion) {
+    return problems;
+  }
+  const LocomotionSection& section = *file.locomotion;
+  if (!file.body || !file.body->trunk) {
+    problems.push_back(section.place.problem("", "is for a robot with body.trunk: give that too, or leave it out"));
+    return problems;
+  }
+  const std::array<FoldedAngle, kJointsOfALeg> folded{FoldedAngle{"folded_haa_rad", section.folded_haa_rad},
+                                                      {"folded_hfe_rad", section.folded_hfe_rad},
+                                                      {"folded_kfe_rad", section.folded_kfe_rad}};
+  std::set<std::pair<std::size_t, std::string>> told;
+  for (const auto& [name, leg] : file.legs) {
+    for (std::size_t i = 0; i < leg.joints.size() && i < kJointsOfALeg; ++i) {
+      if (told.emplace(i, leg.joints[i].second).second) {
+        check_folded(file, folded[i], leg.joints[i].second, problems);
+      }
+    }
+  }
+  return problems;
+}
+
+}  // namespace farrier::robot

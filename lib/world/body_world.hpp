@@ -1,0 +1,90 @@
+#pragma once
+
+// The whole robot on a ground, its joints driven by ideal torques:
+//
+//   torques ──▶ body::Engine ◀── pushes, payloads of the scene
+//                   │ truth
+//                   ▼
+//   readings ◀── noise, seeded by name and addressed by tick.
+
+#include <cstdint>
+#include <vector>
+
+#include "body/dynamics/rigid_body.hpp"
+#include "body/engine/engine.hpp"
+#include "body/scene/scene.hpp"
+#include "core/noise.hpp"
+#include "robot/robot.hpp"
+#include "world/world.hpp"
+
+namespace farrier::world {
+
+/// Standard deviations of the sensors, each >= 0.
+struct BodyNoise {
+  double angle_rad = 0.0;
+  double velocity_rad_s = 0.0;
+  double torque_Nm = 0.0;
+  double attitude_rad = 0.0;  ///< about each axis of the trunk
+  double rate_rad_s = 0.0;
+  double specific_force_m_s2 = 0.0;
+  double rate_bias_rad_s = 0.0;  ///< of errors that are constant over a run, drawn per axis from the seed
+  double specific_force_bias_m_s2 = 0.0;
+};
+
+/// The same robot, scene, noise, seed and torques give the same numbers bit for bit.
+class BodyWorld final : public World {
+ public:
+  /// The robot stands at rest in its home pose, upright on the ground's plane, its origin above the world's. Refuses a
+  /// robot that its file does not describe as rigid bodies, and a start with a foot in a box.
+  static Result<BodyWorld> create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed,
+                                  const BodyNoise& noise = {});
+
+  Tick tick() const noexcept override { return tick_; }
+  std::size_t joints() const noexcept override { return static_cast<std::size_t>(body_.joints()); }
+  /// Angle, velocity and torque of the hinge. The torque is that of the last tick.
+  JointReading reading(std::size_t joint) const noexcept override;
+  std::optional<ImuReading> imu() const noexcept override;
+  bool advance(std::span<const double> torques_Nm) noexcept override;
+  std::optional<std::string> failure() const override;
+
+  /// The true state. Only reports and tests read it.
+  const body::BodyState& state() const noexcept { return state_; }
+  /// The true kinematics and dynamics at that state, without payloads.
+  const body::RigidBody& body() const noexcept { return body_; }
+  /// Normal of the ground's plane, in the world.
+  Eigen::Vector3d ground_normal() const noexcept { return scene_.ground * Eigen::Vector3d::UnitZ(); }
+  /// Force of the ground on a foot, the mean of the last tick, world's axes.
+  const Eigen::Vector3d& foot_force_N(int leg) const noexcept { return foot_forces_N_[leg]; }
+
+ private:
+  struct JointNoise {
+    NoiseStream angle, velocity, torque;
+  };
+  struct AxisNoise {
+    NoiseStream attitude, rate, specific_force;
+    double rate_bias_rad_s, specific_force_bias_m_s2;
+  };
+
+  BodyWorld(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, const BodyNoise& noise,
+            body::RigidBody body, body::Engine engine);
+  void stand(const robot::Robot& robot) noexcept;
+  void put_payloads() noexcept;
+  double time_s(Tick tick) const noexcept { return static_cast<double>(tick) * period_s_; }
+
+  body::BodyModel model_;
+  body::Scene scene_;
+  BodyNoise noise_;
+  double period_s_;
+  int steps_per_tick_;
+  body::RigidBody body_;
+  body::Engine engine_;
+  body::BodyState state_;
+  body::JointVector torques_Nm_;
+  Eigen::Vector3d specific_force_m_s2_;
+  std::array<Eigen::Vector3d, body::kMaxLegs> foot_forces_N_{};
+  std::vector<JointNoise> joint_noise_;
+  std::vector<AxisNoise> axis_noise_;
+  Tick tick_ = 0;
+};
+
+}  // namespace farrier::world

@@ -1,0 +1,185 @@
+#include "world/scene_file.hpp"
+
+#include <cmath>
+
+#include "config/reader.hpp"
+#include "core/noise.hpp"
+
+namespace farrier::world {
+namespace {
+
+using config::Defaults;
+using config::kInitial;
+using config::Range;
+using config::Visitor;
+
+constexpr Range kPlace_m{-1e3, 1e3};
+constexpr Range kSize_m{1e-3, 1e3};
+constexpr Range kAngle_rad{-3.2, 3.2};
+constexpr Range kTime_s{0, 1e5};
+constexpr std::size_t kLongestName = 15;
+constexpr std::size_t kMostBoxes = 2000;
+// A lower block is none: its edge would be a contact without a step.
+constexpr double kLowestBlock_m = 1e-3;
+
+void declare_body(Visitor& v, std::string& body) {
+  v.name("body", body, kLongestName, config::Default{"trunk"}, "Body that it acts on: the trunk.");
+  v.check(body == "trunk", "body", body + " is no body that it can act on: give trunk");
+}
+
+body::Box standing_box(const std::string& name, const Eigen::Vector3d& base_m, const Eigen::Vector3d& size_m) {
+  body::Box box;
+  box.name = name;
+  box.centre_m = base_m + 0.5 * size_m.z() * Eigen::Vector3d::UnitZ();
+  box.half_extents_m = 0.5 * size_m;
+  return box;
+}
+
+void add_box(const std::string& name, const BoxSection& from, body::Scene& scene) {
+  body::Box box = standing_box(name, {from.x_m, from.y_m, from.base_z_m}, {from.length_m, from.width_m, from.height_m});
+  box.attitude = body::attitude_of(from.roll_rad, from.pitch_rad, from.yaw_rad);
+  scene.boxes.push_back(box);
+}
+
+void add_stairs(const std::string& name, const StairsSection& from, body::Scene& scene) {
+  for (int step = 0; step < from.steps; ++step) {
+    scene.boxes.push_back(standing_box(name + "/" + std::to_string(step),
+                                       {from.x_m + (step + 0.5) * from.run_m, from.y_m, 0.0},
+                                       {from.run_m, from.width_m, (step + 1) * from.rise_m}));
+  }
+}
+
+int blocks_along(double extent_m, double size_m) { return static_cast<int>(std::lround(extent_m / size_m)); }
+
+void add_blocks(const std::string& name, const BlocksSection& from, body::Scene& scene) {
+  const NoiseStream heights(static_cast<std::uint64_t>(from.seed), name, "height");
+  const int along = blocks_along(from.length_m, from.size_m);
+  const int across = blocks_along(from.width_m, from.size_m);
+  for (int i = 0; i < along * across; ++i) {
+    const int row = i / across;
+    const int column = i % across;
+    const double height_m = from.height_m * heights.uniform(i);
+    if (height_m >= kLowestBlock_m) {
+      const Eigen::Vector3d base_m(from.x_m + (row + 0.5) * from.size_m, from.y_m + (column + 0.5) * from.size_m, 0.0);
+      scene.boxes.push_back(standing_box(name + "/" + std::to_string(i), base_m, {from.size_m, from.size_m, height_m}));
+    }
+  }
+}
+
+body::Scene scene_of(const SceneFile& file) {
+  body::Scene scene;
+  scene.friction = file.friction;
+  scene.ground = body::attitude_of(file.ground.roll_rad, file.ground.pitch_rad, 0.0);
+  for (const auto& [name, box] : file.boxes) {
+    add_box(name, box, scene);
+  }
+  for (const auto& [name, stairs] : file.stairs) {
+    add_stairs(name, stairs, scene);
+  }
+  for (const auto& [name, blocks] : file.blocks) {
+    add_blocks(name, blocks, scene);
+  }
+  for (const auto& [name, push] : file.pushes) {
+    scene.pushes.push_back(
+        {name, push.start_s, push.duration_s, {push.impulse_x_Ns, push.impulse_y_Ns, push.impulse_z_Ns}});
+  }
+  for (const auto& [name, payload] : file.payloads) {
+    scene.payloads.push_back({name, payload.start_s, payload.mass_kg, {payload.x_m, payload.y_m, payload.z_m}});
+  }
+  return scene;
+}
+
+Result<body::Scene, config::Problems> checked(const Result<SceneFile, config::Problems>& file) {
+  if (!file) {
+    return file.error();
+  }
+  body::Scene scene = scene_of(file.value());
+  const config::Place& place = file.value().place;
+  if (scene.boxes.size() > kMostBoxes) {
+    return config::Problems{place.problem("", "has " + std::to_string(scene.boxes.size()) +
+                                                  " boxes and blocks: give at most " + std::to_string(kMostBoxes))};
+  }
+  if (const auto good = body::validate(scene); !good) {
+    return config::Problems{place.problem("", good.error().message)};
+  }
+  return scene;
+}
+
+}  // namespace
+
+void declare(Visitor& v, GroundSection& g) {
+  v.number("roll_rad", g.roll_rad, {-1.5, 1.5}, kInitial, "Slope across; positive: the left side is higher.");
+  v.number("pitch_rad", g.pitch_rad, {-1.5, 1.5}, kInitial, "Slope along; positive: downhill forward.");
+}
+
+void declare(Visitor& v, BoxSection& b) {
+  v.number("x_m", b.x_m, kPlace_m, "Middle of the box.");
+  v.number("y_m", b.y_m, kPlace_m, kInitial, "Middle of the box.");
+  v.number("base_z_m", b.base_z_m, kPlace_m, kInitial, "Lower face of the box before it is turned.");
+  v.number("length_m", b.length_m, kSize_m, "Extent along x.");
+  v.number("width_m", b.width_m, kSize_m, "Extent along y.");
+  v.number("height_m", b.height_m, kSize_m, "Extent along z.");
+  v.number("roll_rad", b.roll_rad, kAngle_rad, kInitial, "Turn about x through its middle, after pitch and yaw.");
+  v.number("pitch_rad", b.pitch_rad, kAngle_rad, kInitial, "Turn about y, after yaw.");
+  v.number("yaw_rad", b.yaw_rad, kAngle_rad, kInitial, "Turn about z.");
+}
+
+void declare(Visitor& v, StairsSection& s) {
+  v.number("x_m", s.x_m, kPlace_m, "First edge.");
+  v.number("y_m", s.y_m, kPlace_m, kInitial, "Middle of the edges.");
+  v.number("width_m", s.width_m, kSize_m, kInitial, "Length of the edges.");
+  v.number("rise_m", s.rise_m, kSize_m, "Height of a step.");
+  v.number("run_m", s.run_m, kSize_m, "Depth of a step.");
+  v.integer("steps", s.steps, {1, 1000}, "Number of steps.");
+}
+
+void declare(Visitor& v, BlocksSection& b) {
+  v.number("x_m", b.x_m, kPlace_m, "Corner of the field with the least x.");
+  v.number("y_m", b.y_m, kPlace_m, "Corner of the field with the least y.");
+  v.number("length_m", b.length_m, kSize_m, "Extent along x, rounded to whole blocks.");
+  v.number("width_m", b.width_m, kSize_m, "Extent along y, rounded to whole blocks.");
+  v.number("size_m", b.size_m, {0.05, 1e3}, kInitial, "Side of a block.");
+  v.number("height_m", b.height_m, kSize_m, "Heights are uniform between zero and this.");
+  v.integer("seed", b.seed, {0, 1e9}, kInitial, "Seed of the heights.");
+  v.check(b.length_m / b.size_m * (b.width_m / b.size_m) <= static_cast<double>(kMostBoxes), "size_m",
+          "makes more than " + std::to_string(kMostBoxes) + " blocks: give larger ones or a smaller field");
+}
+
+void declare(Visitor& v, PushSection& p) {
+  declare_body(v, p.body);
+  v.number("start_s", p.start_s, kTime_s, "Begin of the push.");
+  v.number("duration_s", p.duration_s, {1e-3, 1e3}, kInitial, "Time over which the force is constant.");
+  v.number("impulse_x_Ns", p.impulse_x_Ns, {-1e5, 1e5}, kInitial, "Force times duration, along the world's x.");
+  v.number("impulse_y_Ns", p.impulse_y_Ns, {-1e5, 1e5}, kInitial, "Along the world's y.");
+  v.number("impulse_z_Ns", p.impulse_z_Ns, {-1e5, 1e5}, kInitial, "Along the world's z.");
+}
+
+void declare(Visitor& v, PayloadSection& p) {
+  declare_body(v, p.body);
+  v.number("start_s", p.start_s, kTime_s, kInitial, "Time from which the payload is there.");
+  v.number("mass_kg", p.mass_kg, {1e-3, 1e4}, "Mass, at a point.");
+  v.number("x_m", p.x_m, {-10, 10}, kInitial, "Place in the trunk's frame, forward.");
+  v.number("y_m", p.y_m, {-10, 10}, kInitial, "To the left.");
+  v.number("z_m", p.z_m, {-10, 10}, kInitial, "Above.");
+}
+
+void declare(Visitor& v, SceneFile& f) {
+  v.here(f.place);
+  v.number("friction", f.friction, {0, 10}, kInitial, "Coulomb friction of feet on everything.");
+  v.group("ground", f.ground, Defaults{}, "Slope of the plane through the world's origin.");
+  v.groups("boxes", f.boxes, kLongestName, Defaults{}, "Boxes that stand still.");
+  v.groups("stairs", f.stairs, kLongestName, Defaults{}, "Flights of steps.");
+  v.groups("blocks", f.blocks, kLongestName, Defaults{}, "Fields of random blocks.");
+  v.groups("pushes", f.pushes, kLongestName, Defaults{}, "Forces on the trunk's centre of mass.");
+  v.groups("payloads", f.payloads, kLongestName, Defaults{}, "Masses that are put on the trunk.");
+}
+
+Result<body::Scene, config::Problems> load_scene(const std::string& path) {
+  return checked(config::read_file<SceneFile>(path));
+}
+
+Result<body::Scene, config::Problems> load_scene_text(const std::string& text, const std::string& file) {
+  return checked(config::read_text<SceneFile>(text, file));
+}
+
+}  // namespace farrier::world

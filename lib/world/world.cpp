@@ -1,0 +1,7 @@
+#include "world/world.hpp"
+
+namespace farrier::world {
+
+World::~World() = default;
+
+}  // namespace farrier::world

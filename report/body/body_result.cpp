@@ -1,0 +1,167 @@
+#include "report/body/body_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <sstream>
+
+#include "core/replace_file.hpp"
+#include "report/figures/text_format.hpp"
+
+namespace farrier::report {
+namespace {
+
+constexpr double kMillimetres = 1e3;
+constexpr double kPercent = 100.0;
+constexpr double kDegrees = 180.0 / std::numbers::pi;
+constexpr double kDegreesPerMinute = 60.0 * kDegrees;
+
+// Bounds of the runs on flat ground.
+constexpr double kHeightRms_mm = 10.0;
+constexpr double kHeightOffset_mm = 15.0;
+constexpr double kTiltRms_deg = 1.0;
+constexpr double kSpeedError_percent = 5.0;
+constexpr double kOdometryError_percent = 2.0;
+constexpr double kHeadingDrift_deg_min = 1.0;
+// Part of the runs over obstacles that must stay upright.
+constexpr double kUprightShare = 0.95;
+
+bool has_obstacles(const std::string& trial) { return trial == "blocks" || trial == "step"; }
+bool is_judged(const std::string& trial) { return trial != "long_lag"; }
+bool is_judged_closely(const std::string& trial) { return trial == "flat"; }
+
+void take_larger(double& largest, double value) { largest = std::max(largest, std::abs(value)); }
+
+void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
+  take_larger(result.largest_torque_Nm, figures.largest_torque_Nm);
+  if (figures.fell_s) {
+    ++result.falls;
+    return;
+  }
+  take_larger(result.height_rms_mm, kMillimetres * figures.height_rms_m);
+  take_larger(result.height_offset_mm, kMillimetres * figures.height_offset_m);
+  take_larger(result.sag_mm, kMillimetres * figures.sag_m);
+  take_larger(result.tilt_rms_deg, kDegrees * figures.tilt_rms_rad);
+  take_larger(result.speed_error_percent, kPercent * figures.speed_error);
+  take_larger(result.odometry_error_percent, kPercent * figures.odometry_error.value_or(0.0));
+  take_larger(result.heading_drift_deg_min, kDegreesPerMinute * figures.heading_drift_rad_s);
+}
+
+void add_result(Figures& figures, const BodyTrialResult& result) {
+  const auto bound = [](bool bounded, double value) { return bounded ? std::optional(value) : std::nullopt; };
+  const bool closely = is_judged_closely(result.trial);
+  const bool obstacles = has_obstacles(result.trial);
+  const auto add = [&](const char* name, double value, std::optional<double> limit = std::nullopt) {
+    figures.add("body." + result.trial + "." + name, value, limit);
+  };
+  add("runs", static_cast<double>(result.runs));
+  add("falls", static_cast<double>(result.falls), bound(is_judged(result.trial) && !obstacles, 0.0));
+  add("upright_share", result.upright_share(), bound(obstacles, kUprightShare));
+  add("largest_torque_Nm", result.largest_torque_Nm);
+  if (result.falls == result.runs) {
+    return;
+  }
+  add("height_rms_mm", result.height_rms_mm, bound(closely, kHeightRms_mm));
+  add("height_offset_mm", result.height_offset_mm, bound(closely, kHeightOffset_mm));
+  add("sag_mm", result.sag_mm);
+  add("tilt_rms_deg", result.tilt_rms_deg, bound(closely, kTiltRms_deg));
+  add("speed_error_percent", result.speed_error_percent, bound(closely, kSpeedError_percent));
+  add("odometry_error_percent", result.odometry_error_percent, bound(closely, kOdometryError_percent));
+  add("heading_drift_deg_min", result.heading_drift_deg_min, bound(closely, kHeadingDrift_deg_min));
+}
+
+std::string fixed(double value, int digits) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+std::string verdict_of(const Figures& figures, const std::string& trial) {
+  bool bounded = false;
+  for (const Figure& figure : figures.all()) {
+    if (figure.name.starts_with("body." + trial + ".") && figure.bound) {
+      bounded = true;
+      if (!figure.holds()) {
+        return "fail";
+      }
+    }
+  }
+  return bounded ? "pass" : "-";
+}
+
+std::vector<std::string> cells_of(const Figures& figures, const BodyTrialResult& result) {
+  std::vector<std::string> cells{result.trial, std::to_string(result.runs), std::to_string(result.falls)};
+  if (result.falls == result.runs) {
+    cells.insert(cells.end(), 7, "-");
+  } else {
+    for (const double value : {result.height_rms_mm, result.height_offset_mm, result.sag_mm}) {
+      cells.push_back(fixed(value, 1));
+    }
+    for (const double value : {result.tilt_rms_deg, result.speed_error_percent, result.odometry_error_percent,
+                               result.heading_drift_deg_min}) {
+      cells.push_back(fixed(value, 2));
+    }
+  }
+  cells.push_back(fixed(result.largest_torque_Nm, 0));
+  cells.push_back(verdict_of(figures, result.trial));
+  return cells;
+}
+
+}  // namespace
+
+double BodyTrialResult::upright_share() const noexcept {
+  return runs == 0 ? 0.0 : static_cast<double>(runs - falls) / static_cast<double>(runs);
+}
+
+std::vector<BodyTrialResult> body_results(std::span<const trials::TrotRow> rows) {
+  std::vector<BodyTrialResult> results;
+  for (const trials::TrotTrial& trial : trials::kTrotTrials) {
+    BodyTrialResult result;
+    result.trial = trial.name;
+    for (const trials::TrotRow& row : rows) {
+      if (row.trial == trial.name && row.failure.empty()) {
+        ++result.runs;
+        add_row(row.figures, result);
+      }
+    }
+    if (result.runs > 0) {
+      results.push_back(result);
+    }
+  }
+  return results;
+}
+
+void add_body(Figures& figures, std::span<const BodyTrialResult> results) {
+  for (const BodyTrialResult& result : results) {
+    add_result(figures, result);
+  }
+}
+
+std::string body_text(const Figures& figures, std::span<const BodyTrialResult> results) {
+  std::vector<std::vector<std::string>> rows{{"trial", "runs", "falls", "height rms", "offset", "sag", "tilt", "speed",
+                                              "odometry", "heading", "torque", "verdict"},
+                                             {"", "", "", "mm", "mm", "mm", "deg", "%", "%", "deg/min", "Nm", ""}};
+  for (const BodyTrialResult& result : results) {
+    rows.push_back(cells_of(figures, result));
+  }
+  return aligned(rows);
+}
+
+Result<Done> write_body_csv(const std::string& path, std::span<const trials::TrotRow> rows) {
+  std::ostringstream file;
+  file << "trial,run,fell_s,height_rms_m,height_offset_m,sag_m,tilt_rms_rad,speed_error,odometry_error,"
+          "heading_drift_rad_s,largest_torque_Nm,hash\n";
+  for (const trials::TrotRow& row : rows) {
+    const trials::TrotFigures& f = row.figures;
+    file << row.trial << ",\"" << row.name << "\"," << (f.fell_s ? fixed(*f.fell_s, 3) : "") << ',' << f.height_rms_m
+         << ',' << f.height_offset_m << ',' << f.sag_m << ',' << f.tilt_rms_rad << ',' << f.speed_error << ',';
+    if (f.odometry_error) {
+      file << *f.odometry_error;
+    }
+    file << ',' << f.heading_drift_rad_s << ',' << f.largest_torque_Nm << ',' << std::hex << f.hash << std::dec << '\n';
+  }
+  return replace_file(path, file.str());
+}
+
+}  // namespace farrier::report

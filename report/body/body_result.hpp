@@ -1,0 +1,41 @@
+#pragma once
+
+// Result of `farrier trial body`: a row for every run, judged trial by trial.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "report/figures/figures.hpp"
+#include "trials/body/trot_trial.hpp"
+
+namespace farrier::report {
+
+/// The worst of all runs of a trial, in the units of its figures. Means are those of runs without a fall.
+struct BodyTrialResult {
+  std::string trial;
+  std::size_t runs = 0;
+  std::size_t falls = 0;
+  double height_rms_mm = 0.0, height_offset_mm = 0.0, sag_mm = 0.0;
+  double tilt_rms_deg = 0.0;
+  double speed_error_percent = 0.0, odometry_error_percent = 0.0;
+  double heading_drift_deg_min = 0.0;
+  double largest_torque_Nm = 0.0;
+
+  double upright_share() const noexcept;
+};
+
+/// A result per trial that has rows, in the order of trials::kTrotTrials.
+std::vector<BodyTrialResult> body_results(std::span<const trials::TrotRow> rows);
+
+/// Adds body.<trial>.*, with the bounds of the trial.
+void add_body(Figures& figures, std::span<const BodyTrialResult> results);
+
+/// The table of verdicts for people: "pass" if every bound of the trial's figures holds, "-" for a trial without bounds.
+std::string body_text(const Figures& figures, std::span<const BodyTrialResult> results);
+
+/// Every run as CSV with a header line. Refuses if the disk does not take all of it.
+Result<Done> write_body_csv(const std::string& path, std::span<const trials::TrotRow> rows);
+
+}  // namespace farrier::report

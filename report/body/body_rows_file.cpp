@@ -1,0 +1,67 @@
+#include "report/body/body_rows_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "report/figures/kept_lines.hpp"
+
+namespace farrier::report {
+namespace {
+
+using nlohmann::json;
+
+json number_or_null(const std::optional<double>& number) { return number ? json(*number) : json(); }
+
+std::optional<double> number_of(const json& value) {
+  return value.is_null() ? std::nullopt : std::optional(value.get<double>());
+}
+
+json json_of(const trials::TrotRow& row) {
+  const trials::TrotFigures& f = row.figures;
+  return {{"trial", row.trial},
+          {"name", row.name},
+          {"fell_s", number_or_null(f.fell_s)},
+          {"height_rms_m", f.height_rms_m},
+          {"height_offset_m", f.height_offset_m},
+          {"sag_m", f.sag_m},
+          {"tilt_rms_rad", f.tilt_rms_rad},
+          {"speed_error", f.speed_error},
+          {"odometry_error", number_or_null(f.odometry_error)},
+          {"heading_drift_rad_s", f.heading_drift_rad_s},
+          {"largest_torque_Nm", f.largest_torque_Nm},
+          {"hash", f.hash}};
+}
+
+trials::TrotRow row_of(const json& line) {
+  return {.trial = line.at("trial"),
+          .name = line.at("name"),
+          .figures = {.fell_s = number_of(line.at("fell_s")),
+                      .height_rms_m = line.at("height_rms_m"),
+                      .height_offset_m = line.at("height_offset_m"),
+                      .sag_m = line.at("sag_m"),
+                      .tilt_rms_rad = line.at("tilt_rms_rad"),
+                      .speed_error = line.at("speed_error"),
+                      .odometry_error = number_of(line.at("odometry_error")),
+                      .heading_drift_rad_s = line.at("heading_drift_rad_s"),
+                      .largest_torque_Nm = line.at("largest_torque_Nm"),
+                      .hash = line.at("hash")},
+          .failure = {}};
+}
+
+}  // namespace
+
+Result<Done> append_row(const std::string& path, const std::string& origin, const trials::TrotRow& row) {
+  return append_kept(path, origin, json_of(row));
+}
+
+std::vector<trials::TrotRow> read_rows(const std::string& path, const std::string& origin) {
+  std::vector<trials::TrotRow> rows;
+  for (const json& line : read_kept(path, origin)) {
+    try {
+      rows.push_back(row_of(line));
+    } catch (const json::exception&) {  // no run, though its origin is right: it is run again
+    }
+  }
+  return rows;
+}
+
+}  // namespace farrier::report

@@ -1,0 +1,35 @@
+#include <array>
+
+#include "report/figures/figure_registries.hpp"
+
+namespace farrier::report {
+namespace {
+
+using enum Relation;
+
+// clang-format off
+constexpr std::array kBodySpecs{
+    // trial body: the worst over the runs of a trial, of those without a fall where a mean is taken
+    FigureSpec{"body.<trial>.runs", "1", kNone, "Runs of a trial of farrier trial body."},
+    FigureSpec{"body.<trial>.falls", "1", kAtMost,
+               "Runs in which the trunk sank below half its height at the start, tilted by more than 45 degrees, or moved too wildly to be simulated."},
+    FigureSpec{"body.<trial>.upright_share", "1", kAtLeast, "Share of the runs without a fall."},
+    FigureSpec{"body.<trial>.height_rms_mm", "mm", kAtMost, "RMS of the trunk's height above the ground's plane about its mean."},
+    FigureSpec{"body.<trial>.height_offset_mm", "mm", kAtMost, "Distance of that mean from the default height."},
+    FigureSpec{"body.<trial>.sag_mm", "mm", kNone, "Largest depth of the trunk below the default height in a settled trot."},
+    FigureSpec{"body.<trial>.tilt_rms_deg", "deg", kAtMost, "RMS of the angle between the trunk's z axis and the ground's normal."},
+    FigureSpec{"body.<trial>.speed_error_percent", "%", kAtMost,
+               "Distance of the mean velocity from the command, relative to it; on the spot that of the mean yaw rate."},
+    FigureSpec{"body.<trial>.odometry_error_percent", "%", kAtMost,
+               "Distance between estimated and true way since the trot began, over the length of the true one."},
+    FigureSpec{"body.<trial>.heading_drift_deg_min", "deg/min", kAtMost,
+               "Growth of the error of the estimated heading since the trot began, mean per minute."},
+    FigureSpec{"body.<trial>.largest_torque_Nm", "Nm", kNone, "Largest torque of any joint, falls included."},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const FigureSpec> body_figure_specs() noexcept { return kBodySpecs; }
+
+}  // namespace farrier::report

@@ -1,0 +1,70 @@
+#include <array>
+
+#include "report/figures/figure_registries.hpp"
+
+namespace farrier::report {
+namespace {
+
+using enum Relation;
+
+// clang-format off
+constexpr std::array kDiagnosisSpecs{
+    // diagnose: a recording against the model of a joint; channels are valve_and_oil, load and velocity_sensor
+    FigureSpec{"diagnose.<channel>.one_step_nrmse_before", "1", kNone,
+               "RMS error of the simulation one sample ahead over the standard deviation of what was measured, on time no fit has seen: the model as given, its constants fitted within 3 %."},
+    FigureSpec{"diagnose.<channel>.one_step_nrmse_after", "1", kNone, "The same of the extended model."},
+    FigureSpec{"diagnose.<channel>.ahead_50ms_nrmse_before", "1", kNone, "The same 50 ms ahead, the model as given."},
+    FigureSpec{"diagnose.<channel>.ahead_50ms_nrmse_after", "1", kNone, "The same of the extended model."},
+    FigureSpec{"diagnose.<channel>.free_running_nrmse_before", "1", kNone, "The same of a simulation that runs freely, the model as given."},
+    FigureSpec{"diagnose.<channel>.free_running_nrmse_after", "1", kNone, "The same of the extended model."},
+    FigureSpec{"diagnose.<channel>.whiteness_before", "1", kNone,
+               "Largest autocorrelation of the residual at lags 1 to 100 times the root of the samples; below 4: white."},
+    FigureSpec{"diagnose.<channel>.whiteness_after", "1", kNone, "The same of the extended model."},
+    FigureSpec{"diagnose.<channel>.cross_correlation_before", "1", kNone,
+               "Largest correlation of the residual with the channel's input at lags -50 to 50 times the root of the samples."},
+    FigureSpec{"diagnose.<channel>.cross_correlation_after", "1", kNone, "The same of the extended model."},
+    FigureSpec{"diagnose.held_out_nrmse_before", "1", kNone, "Mean square over the channels that were judged: the model as given."},
+    FigureSpec{"diagnose.held_out_nrmse_after", "1", kNone, "The same of the extended model."},
+    FigureSpec{"diagnose.held_out_ratio", "1", kNone, "The first over the second."},
+    FigureSpec{"diagnose.effects", "1", kNone, "Effects that were named."},
+    FigureSpec{"diagnose.fit_before_percent", "%", kNone,
+               "--units scaled: 100 (1 - |y - s| / |y - mean y|), linear model s fitted to half, free on the other y."},
+    FigureSpec{"diagnose.fit_after_percent", "%", kNone, "The same of the model with the effects found."},
+    FigureSpec{"diagnose.<effect>.fit_percent", "%", kNone, "The same with this effect alone, accepted or not."},
+    FigureSpec{"diagnose.control.old_nrmse", "1", kNone,
+               "RMS of force's error over reference's deviation on the extended model, controller for the given one."},
+    FigureSpec{"diagnose.control.new_nrmse", "1", kNone, "The same, controller that knows the effects."},
+    FigureSpec{"diagnose.control.ratio", "1", kNone, "The first over the second."},
+    // diagnose --benchmark: shares are of trials whose hidden effects change the held-out error by more than 10 %
+    FigureSpec{"diagnose.benchmark.trials", "1", kNone, "Blind trials that were run."},
+    FigureSpec{"diagnose.benchmark.counted", "1", kNone, "Those that hide one effect of the library and count."},
+    FigureSpec{"diagnose.benchmark.named", "1", kAtLeast,
+               "Of the counted: the effect is named first, or in a pair that the recording does not tell apart."},
+    FigureSpec{"diagnose.benchmark.first_alone", "1", kAtLeast, "Of the counted: it is named first and alone."},
+    FigureSpec{"diagnose.benchmark.within_tolerance", "1", kAtLeast,
+               "Of those: its parameter is within 15 % of its distance from neutral."},
+    FigureSpec{"diagnose.benchmark.false_alarms", "1", kAtMost, "Of trials that hide nothing: something is named."},
+    FigureSpec{"diagnose.benchmark.outside_admitted", "1", kAtLeast,
+               "Of trials with an effect outside the library: unknown or cannot_separate."},
+    FigureSpec{"diagnose.benchmark.pairs_named", "1", kAtLeast, "Of trials with two effects: both are named."},
+    FigureSpec{"diagnose.benchmark.confidently_wrong", "1", kAtMost,
+               "Of all trials: an effect that is not there is named with a confidence above 0.9."},
+    FigureSpec{"diagnose.benchmark.median_gain", "1", kAtLeast,
+               "Held-out error before over after, median of trials with effects of the library."},
+    FigureSpec{"diagnose.benchmark.controlled", "1", kNone, "Trials that named an effect which a controller can use."},
+    FigureSpec{"diagnose.benchmark.control_gain", "1", kAtLeast,
+               "Of them, median: tracking error of the nominal controller over that of one that knows what was named."},
+    FigureSpec{"diagnose.benchmark.effect.<effect>.control_gain", "1", kNone, "As diagnose.benchmark.control_gain."},
+    FigureSpec{"diagnose.benchmark.effect.<effect>.counted", "1", kNone, "Trials of this effect that count."},
+    FigureSpec{"diagnose.benchmark.effect.<effect>.named", "1", kNone, "Of them: as diagnose.benchmark.named."},
+    FigureSpec{"diagnose.benchmark.effect.<effect>.first_alone", "1", kNone, "As diagnose.benchmark.first_alone."},
+    FigureSpec{"diagnose.benchmark.effect.<effect>.within_tolerance", "1", kNone,
+               "As diagnose.benchmark.within_tolerance."},
+};
+// clang-format on
+
+}  // namespace
+
+std::span<const FigureSpec> diagnosis_figure_specs() noexcept { return kDiagnosisSpecs; }
+
+}  // namespace farrier::report

@@ -1,0 +1,20 @@
+#pragma once
+
+// The registry of figures, in parts by topic. figure_specs() joins them.
+
+#include <span>
+
+#include "report/figures/figures.hpp"
+
+namespace farrier::report {
+
+/// Of runs of processes, comparisons, hidden effects, benchmarks, the thesis and faults: figure_registry.cpp.
+std::span<const FigureSpec> process_figure_specs() noexcept;
+
+/// Of farrier diagnose: diagnosis_registry.cpp.
+std::span<const FigureSpec> diagnosis_figure_specs() noexcept;
+
+/// Of farrier trial body: body_registry.cpp.
+std::span<const FigureSpec> body_figure_specs() noexcept;
+
+}  // namespace farrier::report

@@ -1,0 +1,117 @@
+#include "report/body/body_result.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+
+#include "report/body/body_rows_file.hpp"
+
+namespace farrier::report {
+namespace body_test {
+
+trials::TrotRow row(const std::string& trial, const std::string& name = "seed 1") {
+  return {.trial = trial,
+          .name = name,
+          .figures = {.fell_s = std::nullopt,
+                      .height_rms_m = 0.002,
+                      .height_offset_m = -0.001,
+                      .sag_m = 0.003,
+                      .tilt_rms_rad = 0.005,
+                      .speed_error = 0.01,
+                      .odometry_error = 0.001,
+                      .heading_drift_rad_s = -1e-4,
+                      .largest_torque_Nm = 120.0,
+                      .hash = 0xfedcba9876543210ull},
+          .failure = {}};
+}
+
+trials::TrotRow fallen(const std::string& trial) {
+  trials::TrotRow of = row(trial, "fallen");
+  of.figures.fell_s = 3.0;
+  of.figures.height_rms_m = 1.0;
+  return of;
+}
+
+Figures figures_of(const std::vector<trials::TrotRow>& rows) {
+  Figures figures;
+  add_body(figures, body_results(rows));
+  return figures;
+}
+
+TEST(BodyResult, IsTheWorstRunInTheUnitsOfItsFigures) {
+  trials::TrotRow worse = row("flat", "seed 2");
+  worse.figures.height_offset_m = -0.004;
+  const Figures figures = figures_of({row("flat"), worse});
+  EXPECT_EQ(figures.find("body.flat.runs")->value, 2.0);
+  EXPECT_NEAR(figures.find("body.flat.height_offset_mm")->value, 4.0, 1e-12);
+  EXPECT_NEAR(figures.find("body.flat.heading_drift_deg_min")->value, 0.3438, 1e-4);
+  EXPECT_TRUE(figures.all_hold());
+}
+
+TEST(BodyResult, FailsByOneFallOnTheFlat) {
+  const Figures figures = figures_of({row("flat"), fallen("flat")});
+  EXPECT_FALSE(figures.find("body.flat.falls")->holds());
+  EXPECT_NEAR(figures.find("body.flat.height_rms_mm")->value, 2.0, 1e-12) << "a fall has no mean";
+}
+
+TEST(BodyResult, BearsOneFallInTwentyOverObstacles) {
+  std::vector<trials::TrotRow> rows(19, row("step"));
+  rows.push_back(fallen("step"));
+  EXPECT_TRUE(figures_of(rows).all_hold());
+  rows.push_back(fallen("step"));
+  EXPECT_FALSE(figures_of(rows).all_hold());
+}
+
+TEST(BodyResult, BoundsMotionOnFlatGroundOnly) {
+  trials::TrotRow wild = row("slopes");
+  wild.figures.speed_error = 0.5;
+  EXPECT_TRUE(figures_of({wild}).all_hold());
+  wild.trial = "flat";
+  EXPECT_FALSE(figures_of({wild}).all_hold());
+}
+
+TEST(BodyResult, ReportsTheLongLagWithoutABound) {
+  const std::vector<trials::TrotRow> rows{fallen("long_lag")};
+  const Figures figures = figures_of(rows);
+  EXPECT_TRUE(figures.all_hold());
+  EXPECT_EQ(figures.find("body.long_lag.height_rms_mm"), nullptr);
+}
+
+TEST(BodyText, HasALinePerTrialWithItsVerdict) {
+  const std::vector<trials::TrotRow> rows{row("flat"), fallen("pushes"), fallen("long_lag")};
+  const std::string text = body_text(figures_of(rows), body_results(rows));
+  EXPECT_EQ(text,
+            "trial     runs  falls  height rms  offset  sag  tilt  speed  odometry  heading  torque  verdict\n"
+            "                       mm          mm      mm   deg   %      %         deg/min  Nm\n"
+            "flat      1     0      2.0         1.0     3.0  0.29  1.00   0.10      0.34     120     pass\n"
+            "pushes    1     1      -           -       -    -     -      -         -        120     fail\n"
+            "long_lag  1     1      -           -       -    -     -      -         -        120     -\n");
+}
+
+class BodyRowsFile : public testing::Test {
+ protected:
+  ~BodyRowsFile() override { std::remove(path_.c_str()); }
+  const std::string path_ = testing::TempDir() + "body_rows";
+};
+
+TEST_F(BodyRowsFile, GivesBackTheRunsOfItsOrigin) {
+  ASSERT_TRUE(append_row(path_, "build 1", row("flat")).ok());
+  ASSERT_TRUE(append_row(path_, "build 2", row("speed")).ok());
+  trials::TrotRow turning = fallen("turning");
+  turning.figures.odometry_error.reset();
+  ASSERT_TRUE(append_row(path_, "build 1", turning).ok());
+  std::ofstream(path_, std::ios::app) << "{\"trial\": \"fl";
+  const std::vector<trials::TrotRow> rows = read_rows(path_, "build 1");
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(rows[0].name, "seed 1");
+  EXPECT_EQ(rows[0].figures.hash, 0xfedcba9876543210ull);
+  EXPECT_EQ(rows[0].figures.odometry_error, 0.001);
+  EXPECT_EQ(rows[1].figures.fell_s, 3.0);
+  EXPECT_FALSE(rows[1].figures.odometry_error.has_value());
+}
+
+TEST_F(BodyRowsFile, IsEmptyWhereThereIsNone) { EXPECT_TRUE(read_rows(path_, "build 1").empty()); }
+
+}  // namespace body_test
+}  // namespace farrier::report

@@ -1,0 +1,123 @@
+#include "trials/body/trot_trial.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "robot/locomotion_model.hpp"
+#include "tests/unit/locomotion/stand_up.hpp"
+#include "trials/body/controller_driver.hpp"
+#include "world/scene_file.hpp"
+
+namespace farrier::trials {
+namespace trot_trial_test {
+
+constexpr double kDegree_rad = 0.017453292519943295;
+
+robot::Robot load(const std::string& name) { return robot::load_robot(FARRIER_ROBOTS + name + ".yaml").value(); }
+
+/// The first case of flat ground, for ten seconds of trot.
+TrotCase ten_seconds(const robot::Robot& robot) {
+  TrotCase one = trot_cases(robot).front();
+  one.judged_until_s = one.end_s = one.trot_s + 10.0;
+  return one;
+}
+
+TEST(TrotTrial, TrotsForTenSeconds) {
+  const robot::Robot hyq = load("hyq");
+  const TrotFigures figures = run_trot_case(hyq, ten_seconds(hyq)).value().value();
+  EXPECT_FALSE(figures.fell_s.has_value()) << *figures.fell_s;
+  EXPECT_LT(figures.height_rms_m, 0.010);
+  EXPECT_LT(std::abs(figures.height_offset_m), 0.015);
+  EXPECT_LT(figures.tilt_rms_rad, kDegree_rad);
+  EXPECT_LT(figures.speed_error, 0.05);
+  EXPECT_LT(figures.odometry_error.value(), 0.02);
+  EXPECT_LT(std::abs(figures.heading_drift_rad_s) * 60.0, kDegree_rad);
+}
+
+TEST(TrotTrial, RepeatsBitForBit) {
+  const robot::Robot hyq = load("hyq");
+  TrotCase one = ten_seconds(hyq);
+  one.end_s = one.trot_s + 3.0;
+  const TrotFigures first = run_trot_case(hyq, one).value().value();
+  EXPECT_EQ(run_trot_case(hyq, one).value()->hash, first.hash);
+  one.seed = 2;
+  EXPECT_NE(run_trot_case(hyq, one).value()->hash, first.hash);
+}
+
+TEST(TrotTrial, SeesAFall) {
+  const robot::Robot hyq = load("hyq");
+  TrotCase one = ten_seconds(hyq);
+  one.scene = "pushes: {push: {start_s: 6, impulse_y_Ns: 1000}}\n";
+  const TrotFigures figures = run_trot_case(hyq, one).value().value();
+  ASSERT_TRUE(figures.fell_s.has_value());
+  EXPECT_GT(*figures.fell_s, 6.0);
+  EXPECT_LT(*figures.fell_s, 8.0);
+}
+
+TEST(TrotTrial, EndsWhenAsked) {
+  const robot::Robot hyq = load("hyq");
+  int ticks = 0;
+  const auto ran = run_trot_case(hyq, ten_seconds(hyq), [&] { return ++ticks < 10; });
+  ASSERT_TRUE(ran.ok());
+  EXPECT_FALSE(ran.value().has_value());
+  EXPECT_EQ(ticks, 10);
+}
+
+TEST(TrotTrial, RefusesARobotThatCannotWalk) {
+  const auto ran = run_trot_case(load("fc1d"), trot_cases(load("hyq")).front());
+  ASSERT_FALSE(ran.ok());
+  EXPECT_EQ(ran.error().message, "fc1d cannot walk on a ground: give body.trunk and locomotion in its file");
+}
+
+TEST(TrotCases, AreOfDeclaredTrialsWithNamesOfTheirOwn) {
+  const std::vector<TrotCase> cases = trot_cases(load("hyq"));
+  std::set<std::string> names;
+  for (const TrotCase& one : cases) {
+    EXPECT_TRUE(std::ranges::any_of(kTrotTrials, [&](const TrotTrial& trial) { return one.trial == trial.name; }));
+    EXPECT_TRUE(names.insert(one.trial + one.name).second) << one.name;
+    EXPECT_TRUE(world::load_scene_text(one.scene, one.name).ok()) << one.scene;
+    EXPECT_LT(one.judged_from_s, one.judged_until_s) << one.name;
+  }
+  EXPECT_EQ(first_of_each_trial(cases).size(), kTrotTrials.size());
+}
+
+TEST(TrotCases, GiveOneResultForEveryNumberOfThreads) {
+  const robot::Robot hyq = load("hyq");
+  std::vector<TrotCase> cases = first_of_each_trial(trot_cases(hyq));
+  cases.resize(4);
+  for (TrotCase& one : cases) {
+    one.end_s = 3.5;
+  }
+  const auto hashes = [&](int threads) {
+    std::map<std::string, std::uint64_t> of;
+    run_trot_cases(hyq, cases, threads, [&](const TrotRow& row) { of[row.trial] = row.figures.hash; }, {});
+    return of;
+  };
+  const auto by_one = hashes(1);
+  EXPECT_EQ(by_one.size(), cases.size());
+  EXPECT_EQ(hashes(2), by_one);
+}
+
+// A user's own controller. The robot begins folded on its feet.
+TEST(OwnController, StandsHyqUpOnTheGround) {
+  constexpr double kHip_m = 0.55;
+  robot::Robot folded = load("hyq");
+  for (robot::Joint& joint : folded.joints) {
+    joint.home_angle_rad = folded.locomotion->mounts[joint.leg].folded_rad[joint.index_in_leg];
+  }
+  world::BodyWorld world = world::BodyWorld::create(folded, {}, 1).value();
+  EXPECT_LT(world.state().position_m.z(), 0.45);
+  const auto model = robot::LocomotionModel::create(*folded.body).value();
+  locomotion::StandUp controller(model, folded.plan, kHip_m);
+  ControllerDriver driver(controller, {}, folded.period_s);
+  const BodyFigures figures = run_body_trial(world, driver, 5000);
+  EXPECT_TRUE(figures.passes()) << figures.fell.value_or(-1);
+  EXPECT_NEAR(world.state().position_m.z(), kHip_m + folded.locomotion->estimator.foot_radius_m, 0.02);
+  EXPECT_LT(world.state().linear_velocity_m_s.norm(), 0.02);
+}
+
+}  // namespace trot_trial_test
+}  // namespace farrier::trials

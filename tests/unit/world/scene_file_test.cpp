@@ -1,0 +1,90 @@
+#include "world/scene_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace farrier::world {
+namespace scene_file_test {
+
+body::Scene scene_of(const std::string& text) {
+  auto scene = load_scene_text(text, "scene.yaml");
+  EXPECT_TRUE(scene.ok()) << (scene ? "" : to_string(scene.error()));
+  return scene ? scene.value() : body::Scene{};
+}
+
+std::string problem_of(const std::string& text) {
+  const auto scene = load_scene_text(text, "scene.yaml");
+  return scene ? "" : to_string(scene.error());
+}
+
+TEST(SceneFile, LoadsEveryShippedScene) {
+  for (const char* name : {"blocks", "disturbed"}) {
+    const auto scene = load_scene(FARRIER_SCENES + std::string(name) + ".yaml");
+    EXPECT_TRUE(scene.ok()) << (scene ? "" : to_string(scene.error()));
+  }
+}
+
+TEST(SceneFile, BuildsStairsThatRise) {
+  const body::Scene scene = scene_of("stairs: {up: {x_m: 1, rise_m: 0.1, run_m: 0.3, steps: 3}}");
+  ASSERT_EQ(scene.boxes.size(), 3u);
+  for (std::size_t step = 0; step < 3; ++step) {
+    const body::Box& box = scene.boxes[step];
+    EXPECT_NEAR(box.centre_m.x() - box.half_extents_m.x(), 1.0 + 0.3 * static_cast<double>(step), 1e-12);
+    EXPECT_NEAR(box.centre_m.z() + box.half_extents_m.z(), 0.1 * static_cast<double>(step + 1), 1e-12);
+    EXPECT_NEAR(box.centre_m.z() - box.half_extents_m.z(), 0.0, 1e-12);
+  }
+}
+
+TEST(SceneFile, DrawsBlocksFromTheirSeed) {
+  const auto field = [](int seed) {
+    return scene_of("blocks: {f: {x_m: 1, y_m: -1, length_m: 3, width_m: 2, size_m: 0.5, height_m: 0.1, seed: " +
+                    std::to_string(seed) + "}}");
+  };
+  const body::Scene scene = field(1);
+  EXPECT_GT(scene.boxes.size(), 20u);
+  EXPECT_LE(scene.boxes.size(), 24u);
+  double lowest_m = 1.0, highest_m = 0.0;
+  for (const body::Box& box : scene.boxes) {
+    lowest_m = std::min(lowest_m, 2.0 * box.half_extents_m.z());
+    highest_m = std::max(highest_m, 2.0 * box.half_extents_m.z());
+    EXPECT_GE(box.centre_m.x() - box.half_extents_m.x(), 1.0 - 1e-12);
+    EXPECT_LE(box.centre_m.x() + box.half_extents_m.x(), 4.0 + 1e-12);
+    EXPECT_LE(std::abs(box.centre_m.y()) + box.half_extents_m.y(), 1.0 + 1e-12);
+  }
+  EXPECT_LT(lowest_m, 0.03);
+  EXPECT_GT(highest_m, 0.07);
+  EXPECT_LE(highest_m, 0.1);
+  EXPECT_EQ(field(1).boxes[5].half_extents_m, scene.boxes[5].half_extents_m);
+  EXPECT_NE(field(2).boxes[5].half_extents_m, scene.boxes[5].half_extents_m);
+}
+
+TEST(SceneFile, TurnsTheGroundDownhillForAPositivePitch) {
+  const body::Scene scene = scene_of("ground: {pitch_rad: 0.1}");
+  EXPECT_LT((scene.ground * Eigen::Vector3d::UnitX()).z(), -0.09);
+}
+
+TEST(SceneFile, RefusesAPushOnABodyThatIsNotThere) {
+  EXPECT_EQ(problem_of("pushes:\n  side: {body: tail, start_s: 1, impulse_y_Ns: 80}"),
+            "scene.yaml:2: pushes.side.body: tail is no body that it can act on: give trunk\n");
+}
+
+TEST(SceneFile, RefusesABoxWithoutHeight) {
+  EXPECT_EQ(problem_of("boxes:\n  table: {x_m: 1, length_m: 1, width_m: 1, height_m: 0}"),
+            "scene.yaml:2: boxes.table.height_m: 0 is out of range: give 0.001 to 1000\n");
+}
+
+TEST(SceneFile, RefusesMoreBlocksThanItCanSimulate) {
+  EXPECT_EQ(problem_of("blocks: {f: {x_m: 1, y_m: -1, length_m: 30, width_m: 20, size_m: 0.1, height_m: 0.1}}"),
+            "scene.yaml:1: blocks.f.size_m: makes more than 2000 blocks: give larger ones or a smaller field\n");
+  EXPECT_EQ(problem_of("blocks:\n  f: {x_m: 1, y_m: -1, length_m: 30, width_m: 20, size_m: 0.6, height_m: 0.1}\n"
+                       "  g: {x_m: 1, y_m: -1, length_m: 30, width_m: 20, size_m: 0.6, height_m: 0.1}"),
+            "scene.yaml:1: has 3272 boxes and blocks: give at most 2000\n");
+}
+
+TEST(SceneFile, RefusesAnUnknownKey) {
+  EXPECT_EQ(problem_of("frictoin: 1"), "scene.yaml:1: frictoin: is not a known parameter: did you mean friction?\n");
+}
+
+}  // namespace scene_file_test
+}  // namespace farrier::world

@@ -1,0 +1,58 @@
+#include "trials/body/controller_driver.hpp"
+
+#include <utility>
+
+namespace farrier::trials {
+namespace {
+
+locomotion::LegTorques no_torques() {
+  locomotion::LegTorques torques;
+  torques.fill(Eigen::Vector3d::Zero());
+  return torques;
+}
+
+}  // namespace
+
+ControllerDriver::ControllerDriver(locomotion::Controller& controller, std::vector<TimedCommand> script,
+                                   double period_s, int lag_ticks)
+    : controller_(controller),
+      script_(std::move(script)),
+      period_s_(period_s),
+      on_the_way_(static_cast<std::size_t>(lag_ticks) + 1, no_torques()) {}
+
+void ControllerDriver::read(const world::World& world) noexcept {
+  for (std::size_t joint = 0; joint < world.joints(); ++joint) {
+    const world::JointReading reading = world.reading(joint);
+    locomotion::LegReadings& leg = readings_.legs[joint / locomotion::kJointsPerLeg];
+    const auto index = static_cast<Eigen::Index>(joint % locomotion::kJointsPerLeg);
+    leg.position_rad[index] = reading.position;
+    leg.velocity_rad_s[index] = reading.velocity;
+    leg.torque_Nm[index] = reading.force;
+  }
+  if (const auto imu = world.imu()) {
+    readings_.imu = {.angular_velocity_rad_s = imu->rate_rad_s, .specific_force_m_s2 = imu->specific_force_m_s2};
+  }
+}
+
+locomotion::MotionCommand ControllerDriver::command_at(Tick tick) const noexcept {
+  locomotion::MotionCommand command;
+  for (const TimedCommand& timed : script_) {
+    if (timed.from_s <= static_cast<double>(tick) * period_s_) {
+      command = timed.command;
+    }
+  }
+  return command;
+}
+
+void ControllerDriver::step(const world::World& world, std::span<double> torques_Nm) noexcept {
+  read(world);
+  const locomotion::LegTorques arriving = on_the_way_[next_];
+  on_the_way_[next_] = controller_.step(world.tick(), readings_, command_at(world.tick()));
+  next_ = (next_ + 1) % on_the_way_.size();
+  for (std::size_t joint = 0; joint < torques_Nm.size(); ++joint) {
+    torques_Nm[joint] =
+        arriving[joint / locomotion::kJointsPerLeg][static_cast<Eigen::Index>(joint % locomotion::kJointsPerLeg)];
+  }
+}
+
+}  // namespace farrier::trials

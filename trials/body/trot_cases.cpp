@@ -1,0 +1,183 @@
+#include "trials/body/trot_cases.hpp"
+
+#include <numbers>
+
+#include "config/visitor.hpp"
+
+namespace farrier::trials {
+namespace {
+
+using locomotion::MotionCommand;
+using locomotion::Request;
+
+constexpr double kStand_s = 2.5;  // after the soft start
+constexpr double kTrot_s = 8.0;
+constexpr double kSettle_s = 4.0;
+constexpr int kSeeds = 3;
+constexpr double kSlope_rad = 10.0 * std::numbers::pi / 180.0;
+
+MotionCommand trot(double forward_m_s, double left_m_s = 0.0, double yaw_rate_rad_s = 0.0) {
+  return {
+      .request = Request::kTrot, .forward_m_s = forward_m_s, .left_m_s = left_m_s, .yaw_rate_rad_s = yaw_rate_rad_s};
+}
+
+// Lies, stands up and trots for `walk_s`.
+TrotCase walk(const std::string& trial, const std::string& name, std::uint64_t seed, const MotionCommand& command,
+              double walk_s) {
+  return {.trial = trial,
+          .name = name,
+          .seed = seed,
+          .scene = "friction: 0.8\n",
+          .script = {{kStand_s, {.request = Request::kStand}}, {kTrot_s, command}},
+          .trot_s = kTrot_s,
+          .judged_from_s = kTrot_s + kSettle_s,
+          .judged_until_s = kTrot_s + walk_s,
+          .end_s = kTrot_s + walk_s};
+}
+
+std::string seed_text(int seed) { return "seed " + std::to_string(seed); }
+
+void add_seeds(const std::string& trial, const MotionCommand& command, double walk_s, std::vector<TrotCase>& cases) {
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    cases.push_back(walk(trial, seed_text(seed), static_cast<std::uint64_t>(seed), command, walk_s));
+  }
+}
+
+void add_flat(std::vector<TrotCase>& cases) {
+  constexpr int kFlatSeeds = 10;
+  for (int seed = 1; seed <= kFlatSeeds; ++seed) {
+    for (const double mass_kg : {51.0, 59.0, 67.0}) {
+      cases.push_back(walk("flat", seed_text(seed) + ", trunk " + config::number_text(mass_kg) + " kg",
+                           static_cast<std::uint64_t>(seed), trot(0.4), 60.0));
+      cases.back().trunk_mass_kg = mass_kg;
+    }
+  }
+}
+
+void add_modes(std::vector<TrotCase>& cases) {
+  constexpr double kStop_s = 18.0, kLie_s = 24.0, kUp_s = 31.0, kAgain_s = 38.0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    TrotCase one = walk("modes", seed_text(seed), static_cast<std::uint64_t>(seed), trot(0.5), 36.0);
+    one.script.push_back({kStop_s, {.request = Request::kStand}});
+    one.script.push_back({kLie_s, {.request = Request::kLie}});
+    one.script.push_back({kUp_s, {.request = Request::kStand}});
+    one.script.push_back({kAgain_s, trot(0.5)});
+    one.judged_until_s = kStop_s;
+    cases.push_back(one);
+  }
+}
+
+void add_pushes(double stride_s, std::vector<TrotCase>& cases) {
+  constexpr int kPhases = 8;
+  constexpr double kPush_s = kTrot_s + 6.0;
+  struct Side {
+    const char* name;
+    double x_Ns, y_Ns;
+  };
+  for (const Side& side : {Side{"behind", 80, 0}, {"right", 0, 80}, {"ahead", -80, 0}, {"left", 0, -80}}) {
+    for (int phase = 0; phase < kPhases; ++phase) {
+      TrotCase one = walk("pushes", std::string("from ") + side.name + ", phase " + std::to_string(phase) + " of 8", 1,
+                          trot(0.4), 12.0);
+      one.scene += "pushes: {push: {start_s: " + config::number_text(kPush_s + phase * stride_s / kPhases) +
+                   ", impulse_x_Ns: " + config::number_text(side.x_Ns) +
+                   ", impulse_y_Ns: " + config::number_text(side.y_Ns) + "}}\n";
+      cases.push_back(one);
+    }
+  }
+}
+
+void add_slopes(std::vector<TrotCase>& cases) {
+  struct Slope {
+    const char* name;
+    double roll_rad, pitch_rad;
+  };
+  for (const Slope& slope : {Slope{"up", 0, -kSlope_rad},
+                             {"down", 0, kSlope_rad},
+                             {"left side up", kSlope_rad, 0},
+                             {"right side up", -kSlope_rad, 0}}) {
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+      TrotCase one = walk("slopes", std::string(slope.name) + ", " + seed_text(seed), static_cast<std::uint64_t>(seed),
+                          trot(0.3), 20.0);
+      one.scene += "ground: {roll_rad: " + config::number_text(slope.roll_rad) +
+                   ", pitch_rad: " + config::number_text(slope.pitch_rad) + "}\n";
+      cases.push_back(one);
+    }
+  }
+}
+
+void add_obstacles(std::vector<TrotCase>& cases) {
+  constexpr int kFields = 20;
+  for (int seed = 1; seed <= kFields; ++seed) {
+    TrotCase one = walk("blocks", seed_text(seed), static_cast<std::uint64_t>(seed), trot(0.3), 20.0);
+    one.scene +=
+        "blocks: {field: {x_m: 0.8, y_m: -1.5, length_m: 5.1, width_m: 3, size_m: 0.3, height_m: 0.08, seed: " +
+        std::to_string(seed) + "}}\n";
+    cases.push_back(one);
+  }
+  for (int seed = 1; seed <= kFields; ++seed) {
+    TrotCase one = walk("step", seed_text(seed), static_cast<std::uint64_t>(seed), trot(0.3), 14.0);
+    // The edge is between 1.01 m and 1.25 m ahead, so that feet meet it at all phases.
+    one.scene += "boxes: {step: {x_m: " + config::number_text(4.0 + 0.0125 * seed) +
+                 ", length_m: 6, width_m: 8, height_m: 0.1}}\n";
+    cases.push_back(one);
+  }
+}
+
+void add_lags(std::vector<TrotCase>& cases) {
+  for (const int lag : {0, 5, 10, 20}) {
+    for (int seed = 1; seed <= kSeeds; ++seed) {
+      cases.push_back(walk(lag > 10 ? "long_lag" : "lag", std::to_string(lag) + " ticks, " + seed_text(seed),
+                           static_cast<std::uint64_t>(seed), trot(0.4), 20.0));
+      cases.back().lag_ticks = lag;
+    }
+  }
+}
+
+void add_payloads(std::vector<TrotCase>& cases) {
+  constexpr double kLoad_s = kTrot_s + 6.0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    TrotCase one = walk("payload", seed_text(seed), static_cast<std::uint64_t>(seed), trot(0.4), 20.0);
+    one.scene += "payloads: {load: {start_s: " + config::number_text(kLoad_s) + ", mass_kg: 20, z_m: 0.15}}\n";
+    one.judged_from_s = kLoad_s + kSettle_s;
+    cases.push_back(one);
+  }
+}
+
+}  // namespace
+
+const MotionCommand& TrotCase::judged_command() const noexcept {
+  const TimedCommand* last = &script.front();
+  for (const TimedCommand& timed : script) {
+    if (timed.from_s <= judged_from_s) {
+      last = &timed;
+    }
+  }
+  return last->command;
+}
+
+std::vector<TrotCase> trot_cases(const robot::Robot& robot) {
+  std::vector<TrotCase> cases;
+  add_flat(cases);
+  add_seeds("speed", trot(0.8), 20.0, cases);
+  add_seeds("sideways", trot(0.0, 0.3), 20.0, cases);
+  add_seeds("turning", trot(0.0, 0.0, 0.5), 20.0, cases);
+  add_modes(cases);
+  add_pushes(1.0 / robot.plan.gait.frequency_Hz, cases);
+  add_slopes(cases);
+  add_obstacles(cases);
+  add_lags(cases);
+  add_payloads(cases);
+  return cases;
+}
+
+std::vector<TrotCase> first_of_each_trial(const std::vector<TrotCase>& cases) {
+  std::vector<TrotCase> first;
+  for (const TrotCase& one : cases) {
+    if (first.empty() || first.back().trial != one.trial) {
+      first.push_back(one);
+    }
+  }
+  return first;
+}
+
+}  // namespace farrier::trials

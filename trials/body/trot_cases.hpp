@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robot/robot.hpp"
+#include "trials/body/timed_command.hpp"
+
+namespace farrier::trials {
+
+/// Runs of one kind, which are judged together.
+struct TrotTrial {
+  const char* name;
+  const char* sentence;
+};
+
+inline constexpr std::array kTrotTrials{
+    TrotTrial{"flat", "0.4 m/s on flat ground, a minute, with a trunk of 51 kg, 59 kg and 67 kg; ten seeds"},
+    TrotTrial{"speed", "0.8 m/s; three seeds"},
+    TrotTrial{"sideways", "0.3 m/s to the left; three seeds"},
+    TrotTrial{"turning", "0.5 rad/s on the spot; three seeds"},
+    TrotTrial{"modes", "trot, stop, lie down, stand up, trot; three seeds"},
+    TrotTrial{"pushes", "80 Ns in 0.1 s from four sides at eight phases of the stride"},
+    TrotTrial{"slopes", "0.3 m/s up, down and across a slope of 10 degrees; three seeds"},
+    TrotTrial{"blocks", "0.3 m/s over blocks up to 8 cm high; twenty fields"},
+    TrotTrial{"step", "0.3 m/s up a step of 10 cm; twenty distances"},
+    TrotTrial{"lag", "0.4 m/s with torques that arrive 0, 5 and 10 ticks later; three seeds"},
+    TrotTrial{"long_lag", "the same 20 ticks later; not judged"},
+    TrotTrial{"payload", "20 kg are put on the trunk, and no controller is told; three seeds"}};
+
+/// One run: a robot, a scene and a script.
+struct TrotCase {
+  std::string trial;  ///< of kTrotTrials
+  std::string name;   ///< unique within the trial
+  std::uint64_t seed = 1;
+  std::optional<double> trunk_mass_kg = std::nullopt;  ///< true mass, which no controller knows
+  int lag_ticks = 0;                                   ///< beyond the one tick of every command
+  std::string scene;                                   ///< in the format of a scene file
+  std::vector<TimedCommand> script;
+  double trot_s = 0.0;          ///< when it first begins to trot
+  double judged_from_s = 0.0;   ///< means are over this time ...
+  double judged_until_s = 0.0;  ///< ... to this
+  double end_s = 0.0;
+
+  /// The command that is judged.
+  const locomotion::MotionCommand& judged_command() const noexcept;
+};
+
+/// All cases, trial by trial in the order of kTrotTrials. Pushes come at phases of the robot's stride.
+std::vector<TrotCase> trot_cases(const robot::Robot& robot);
+
+/// The first case of every trial.
+std::vector<TrotCase> first_of_each_trial(const std::vector<TrotCase>& cases);
+
+}  // namespace farrier::trials

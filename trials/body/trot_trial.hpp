@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/result.hpp"
+#include "trials/body/body_trial.hpp"
+#include "trials/body/trot_cases.hpp"
+
+namespace farrier::trials {
+
+/// The true motion of one case, and the errors of the controller's own estimate. Means are over the judged time.
+struct TrotFigures {
+  std::optional<double> fell_s;  ///< also when motion became so wild that it could not be simulated
+  double height_rms_m = 0.0;     ///< of the trunk's origin above the ground's plane, about its mean
+  double height_offset_m = 0.0;  ///< mean less the default height
+  double sag_m = 0.0;            ///< largest depth below the default height, from the settled trot on
+  double tilt_rms_rad = 0.0;     ///< between the trunk's z axis and the plane's normal
+  double speed_error = 0.0;      ///< of the mean velocity, or turning on the spot of the mean yaw rate, relative
+  std::optional<double> odometry_error;  ///< of the estimated way since the trot began, relative; none below 1 m
+  double heading_drift_rad_s = 0.0;      ///< of the estimated heading, mean since the trot began, signed
+  double largest_torque_Nm = 0.0;
+  std::uint64_t hash = 0;  ///< of all states of the run
+};
+
+/// Noise of a MEMS IMU, of encoders and of torques that are computed from forces: assumed. Biases are drawn per run.
+inline constexpr world::BodyNoise kTrotNoise{.angle_rad = 4.4e-5,
+                                             .velocity_rad_s = 0.033,
+                                             .torque_Nm = 0.5,
+                                             .rate_rad_s = 0.0039,
+                                             .specific_force_m_s2 = 0.037,
+                                             .rate_bias_rad_s = 0.0035,
+                                             .specific_force_bias_m_s2 = 0.02};
+
+/// Runs one case: the robot's TrotController with its own estimate, in a world of its own. False by `keep_on` ends it
+/// with nothing. Refuses a robot without body or locomotion, and a scene that does not fit.
+Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one,
+                                                 const std::function<bool()>& keep_on = {});
+
+/// A case that was run.
+struct TrotRow {
+  std::string trial, name;
+  TrotFigures figures;
+  std::string failure;  ///< why there are no figures; empty: there are
+};
+
+/// Runs the cases on so many threads. Tells `done` of each as it comes, one at a time; false by `keep_on` ends all.
+void run_trot_cases(const robot::Robot& robot, std::span<const TrotCase> cases, int threads,
+                    const std::function<void(const TrotRow&)>& done, const std::function<bool()>& keep_on);
+
+}  // namespace farrier::trials
