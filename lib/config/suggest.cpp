@@ -9,11 +9,11 @@ namespace {
 
 // Words a unit is made of, joined by "_" where the unit has a denominator or a product. Known units are SI; the
 // others are here to be recognised and refused by name.
-constexpr std::array kUnitWords = {
-    "m",   "m2",  "m3",   "rad3", "mm",  "cm",  "um",  "inch", "s",    "s2",  "ms",   "us",  "Hz",
-    "kHz", "rad", "deg",  "rpm", "kg",  "m2",  "g",    "t",    "lb",  "N",    "kN",  "Nm",   "Ns",
-    "Nms", "Pa",  "kPa",  "MPa", "GPa", "bar", "psi",  "A",    "mA",  "V",    "J",   "W",    "l",
-    "L",   "lpm", "sqrt", "cm3", "cm2", "mm2", "mm3",  "Ohm", "H", "AsqrtPa"};
+constexpr std::array kUnitWords = {"m",   "m2",  "m3",  "rad3", "mm",      "cm",   "um",  "inch", "s",    "s2",  "ms",
+                                   "us",  "Hz",  "kHz", "rad",  "deg",     "rpm",  "kg",  "m2",   "g",    "t",   "lb",
+                                   "N",   "kN",  "Nm",  "Ns",   "Nms",     "Pa",   "kPa", "MPa",  "GPa",  "bar", "psi",
+                                   "A",   "mA",  "V",   "J",    "W",       "l",    "L",   "lpm",  "sqrt", "cm3", "cm2",
+                                   "mm2", "mm3", "Ohm", "H",    "AsqrtPa", "rtHz", "1"};
 
 bool is_unit_word(std::string_view word) {
   return std::find(kUnitWords.begin(), kUnitWords.end(), word) != kUnitWords.end();

@@ -34,4 +34,8 @@ double leg_mass_kg(const Body& body) noexcept {
   return body.hip.mass_kg + body.upper_leg.mass_kg + body.lower_leg.mass_kg;
 }
 
+double robot_weight_N(const Body& body, std::size_t legs) noexcept {
+  return body.gravity_m_s2 * (body.trunk_mass_kg + static_cast<double>(legs) * leg_mass_kg(body));
+}
+
 }  // namespace farrier::robot

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "robot/sections/body_section.hpp"
 
 namespace farrier::robot {
@@ -10,5 +12,8 @@ double leg_inertia_about_haa_kg_m2(const Body& body, double hfe_rad, double kfe_
 
 /// Mass of one leg, kg.
 double leg_mass_kg(const Body& body) noexcept;
+
+/// Weight of a robot with so many legs, N.
+double robot_weight_N(const Body& body, std::size_t legs) noexcept;
 
 }  // namespace farrier::robot

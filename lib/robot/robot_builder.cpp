@@ -121,13 +121,7 @@ class Builder {
                     : Instance{linkage, joint.angle_min_rad, joint.angle_max_rad, joint.home_angle_rad};
   }
 
-  double body_weight_N() const {
-    if (!file_.body) {
-      return 0.0;
-    }
-    const auto legs = static_cast<double>(file_.legs.size());
-    return file_.body->gravity_m_s2 * (file_.body->trunk_mass_kg + legs * leg_mass_kg(*file_.body));
-  }
+  double body_weight_N() const { return file_.body ? robot_weight_N(*file_.body, file_.legs.size()) : 0.0; }
 
   // Mean of the levers at home; mirrored legs have the same.
   double motor_lever_m(const RotaryMotor& motor) const {

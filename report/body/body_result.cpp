@@ -44,7 +44,10 @@ void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
   take_larger(result.sag_mm, kMillimetres * figures.sag_m);
   take_larger(result.tilt_rms_deg, kDegrees * figures.tilt_rms_rad);
   take_larger(result.speed_error_percent, kPercent * figures.speed_error);
-  take_larger(result.odometry_error_percent, kPercent * figures.odometry_error.value_or(0.0));
+  if (figures.odometry_error) {
+    result.odometry_error_percent =
+        std::max(result.odometry_error_percent.value_or(0.0), kPercent * *figures.odometry_error);
+  }
   take_larger(result.heading_drift_deg_min, kDegreesPerMinute * figures.heading_drift_rad_s);
 }
 
@@ -67,7 +70,9 @@ void add_result(Figures& figures, const BodyTrialResult& result) {
   add("sag_mm", result.sag_mm);
   add("tilt_rms_deg", result.tilt_rms_deg, bound(closely, kTiltRms_deg));
   add("speed_error_percent", result.speed_error_percent, bound(closely, kSpeedError_percent));
-  add("odometry_error_percent", result.odometry_error_percent, bound(closely, kOdometryError_percent));
+  if (result.odometry_error_percent) {
+    add("odometry_error_percent", *result.odometry_error_percent, bound(closely, kOdometryError_percent));
+  }
   add("heading_drift_deg_min", result.heading_drift_deg_min, bound(closely, kHeadingDrift_deg_min));
 }
 
@@ -98,10 +103,10 @@ std::vector<std::string> cells_of(const Figures& figures, const BodyTrialResult&
     for (const double value : {result.height_rms_mm, result.height_offset_mm, result.sag_mm}) {
       cells.push_back(fixed(value, 1));
     }
-    for (const double value : {result.tilt_rms_deg, result.speed_error_percent, result.odometry_error_percent,
-                               result.heading_drift_deg_min}) {
-      cells.push_back(fixed(value, 2));
-    }
+    cells.push_back(fixed(result.tilt_rms_deg, 2));
+    cells.push_back(fixed(result.speed_error_percent, 2));
+    cells.push_back(result.odometry_error_percent ? fixed(*result.odometry_error_percent, 2) : "-");
+    cells.push_back(fixed(result.heading_drift_deg_min, 2));
   }
   cells.push_back(fixed(result.largest_torque_Nm, 0));
   cells.push_back(verdict_of(figures, result.trial));

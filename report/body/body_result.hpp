@@ -2,6 +2,7 @@
 
 // Result of `farrier trial body`: a row for every run, judged trial by trial.
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,7 +20,8 @@ struct BodyTrialResult {
   std::size_t falls = 0;
   double height_rms_mm = 0.0, height_offset_mm = 0.0, sag_mm = 0.0;
   double tilt_rms_deg = 0.0;
-  double speed_error_percent = 0.0, odometry_error_percent = 0.0;
+  double speed_error_percent = 0.0;
+  std::optional<double> odometry_error_percent;  ///< none if no run went 1 m
   double heading_drift_deg_min = 0.0;
   double largest_torque_Nm = 0.0;
 

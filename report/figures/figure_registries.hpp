@@ -8,13 +8,13 @@
 
 namespace farrier::report {
 
-/// Of runs of processes, comparisons, hidden effects, benchmarks, the thesis and faults: figure_registry.cpp.
+/// Figures of runs of processes, comparisons, hidden effects, benchmarks, the thesis and faults: figure_registry.cpp.
 std::span<const FigureSpec> process_figure_specs() noexcept;
 
-/// Of farrier diagnose: diagnosis_registry.cpp.
+/// Figures of farrier diagnose: diagnosis_registry.cpp.
 std::span<const FigureSpec> diagnosis_figure_specs() noexcept;
 
-/// Of farrier trial body: body_registry.cpp.
+/// Figures of farrier trial body: body_registry.cpp.
 std::span<const FigureSpec> body_figure_specs() noexcept;
 
 }  // namespace farrier::report

@@ -118,9 +118,8 @@ TEST(Layering, NoProcessCoreReachesABusOrARuntime) {
 // The numerics serve any transport, any process and any file format.
 TEST(Layering, NoNumericalLibraryReachesSignalsConfigurationOrTransport) {
   const TargetGraph& graph = TargetGraph::of_product();
-  for (const char* library :
-       {"farrier_core", "farrier_plant", "farrier_control", "farrier_estimation", "farrier_gait", "farrier_body",
-        "farrier_locomotion"}) {
+  for (const char* library : {"farrier_core", "farrier_plant", "farrier_control", "farrier_estimation", "farrier_gait",
+                              "farrier_body", "farrier_locomotion"}) {
     ASSERT_EQ(graph.targets().count(library), 1u) << library;
     for (const char* forbidden : {"farrier_signals", "farrier_config", "farrier_robot", "farrier_bus",
                                   "farrier_runtime", "farrier_trace", "farrier_participant", "yaml-cpp"}) {

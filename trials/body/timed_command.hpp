@@ -4,7 +4,7 @@
 
 namespace farrier::trials {
 
-/// What the operator asks for from a time on.
+/// A command of the operator that holds from a time on.
 struct TimedCommand {
   double from_s = 0.0;
   locomotion::MotionCommand command;

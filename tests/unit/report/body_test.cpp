@@ -55,7 +55,7 @@ TEST(BodyResult, FailsByOneFallOnTheFlat) {
   EXPECT_NEAR(figures.find("body.flat.height_rms_mm")->value, 2.0, 1e-12) << "a fall has no mean";
 }
 
-TEST(BodyResult, BearsOneFallInTwentyOverObstacles) {
+TEST(BodyResult, PassesWithOneFallInTwentyOverObstacles) {
   std::vector<trials::TrotRow> rows(19, row("step"));
   rows.push_back(fallen("step"));
   EXPECT_TRUE(figures_of(rows).all_hold());
@@ -111,7 +111,7 @@ TEST_F(BodyRowsFile, GivesBackTheRunsOfItsOrigin) {
   EXPECT_FALSE(rows[1].figures.odometry_error.has_value());
 }
 
-TEST_F(BodyRowsFile, IsEmptyWhereThereIsNone) { EXPECT_TRUE(read_rows(path_, "build 1").empty()); }
+TEST_F(BodyRowsFile, HasNoRunsWithoutAFile) { EXPECT_TRUE(read_rows(path_, "build 1").empty()); }
 
 }  // namespace body_test
 }  // namespace farrier::report

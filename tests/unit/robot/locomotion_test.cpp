@@ -120,6 +120,12 @@ TEST_F(HyqLocomotion, DrawsNoTouchdowns) {
   EXPECT_EQ(locomotion_plan(hyq_.plan).gait.touchdown_jitter_s, 0.0);
 }
 
+TEST(LocomotionSection, HasUnitsInTheTableOfParameters) {
+  const std::string table = parameter_table();
+  EXPECT_NE(table.find("| `locomotion.trunk.horizontal_gain_1_s2` | 1_s2 |"), std::string::npos);
+  EXPECT_NE(table.find("| `locomotion.estimator.foot_slip_m_s_rtHz` | m_s_rtHz |"), std::string::npos);
+}
+
 std::string problems_of(const std::string& text) {
   const auto robot = load_robot_text(text, "hyq.yaml");
   return robot ? "" : to_string(robot.error());

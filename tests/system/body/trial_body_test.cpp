@@ -5,7 +5,7 @@
 #include <csignal>
 #include <filesystem>
 
-#include "farrier_command.hpp"
+#include "tests/system/farrier_command.hpp"
 
 namespace farrier::test {
 namespace trial_body_test {
