@@ -1,7 +1,7 @@
 #pragma once
 
 // The physics engine: contacts of the feet with the scene, and the integration of the robot's motion. MuJoCo does the
-// work behind this header; no other source knows it. decisions/0070 has the settings with their reasons.
+// work behind this header; no other source knows it. decisions/0066 has the settings with their reasons.
 
 #include <Eigen/Core>
 #include <array>
