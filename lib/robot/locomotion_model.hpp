@@ -24,7 +24,7 @@ class LocomotionModel final : public locomotion::BodyModel {
  private:
   explicit LocomotionModel(const body::RigidBody& body) : body_(body), moved_(body::BodyState::zero(body.joints())) {}
 
-  // Set anew by each update(), which does not depend on what they were.
+  // Each update() sets both, whatever they were.
   mutable body::RigidBody body_;
   mutable body::BodyState moved_;
 };

@@ -27,10 +27,13 @@ TEST(TrialBody, JudgesATrialAndTakesItsRunsOver) {
   EXPECT_EQ(read_file(scratch.file("out/runs.csv")), runs);
 }
 
-TEST(TrialBody, StaysUprightInTheFirstRunOfEveryTrial) {
+TEST(TrialBody, StaysUprightInTheFirstRunsOfTrialsWithADisturbance) {
   const ScratchDirectory scratch;
   std::string output;
-  EXPECT_EQ(run_farrier({"trial", "body", "--smoke", "--out", scratch.file("out")}, &output), 0) << output;
+  const int status = run_farrier(
+      {"trial", "body", "--smoke", "--only", "pushes,slopes,blocks,step,payload", "--out", scratch.file("out")},
+      &output);
+  EXPECT_EQ(status, 0) << output;
 }
 
 TEST(TrialBody, KeepsItsRunsWhenItIsInterrupted) {

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "robot/locomotion_model.hpp"
+#include "robot/locomotion_params.hpp"
+#include "tests/support/allocation_guard.hpp"
 #include "tests/unit/locomotion/stand_up.hpp"
 #include "trials/body/controller_driver.hpp"
 #include "world/scene_file.hpp"
@@ -99,6 +101,24 @@ TEST(TrotCases, GiveOneResultForEveryNumberOfThreads) {
   const auto by_one = hashes(1);
   EXPECT_EQ(by_one.size(), cases.size());
   EXPECT_EQ(hashes(2), by_one);
+}
+
+TEST(ControllerDriver, AllocatesNothingInATickOfTheTrotController) {
+  const robot::Robot hyq = load("hyq");
+  world::BodyWorld world = world::BodyWorld::create(hyq, {}, 1, kTrotNoise).value();
+  const auto model = robot::LocomotionModel::create(*hyq.body).value();
+  locomotion::TrotController controller(*hyq.locomotion, robot::locomotion_plan(hyq.plan), model);
+  ControllerDriver driver(controller, trot_cases(hyq).front().script, hyq.period_s, 5);
+  std::vector<double> torques_Nm(world.joints(), 0.0);
+  std::size_t allocations = 0;
+  for (int tick = 0; tick < 9000; ++tick) {
+    const test::AllocationGuard guard;
+    driver.step(world, torques_Nm);
+    allocations += guard.allocations();
+    ASSERT_TRUE(world.advance(torques_Nm));
+  }
+  EXPECT_EQ(controller.state().mode, locomotion::Mode::kTrot);
+  EXPECT_EQ(allocations, 0u);
 }
 
 // A user's own controller. The robot begins folded on its feet.
