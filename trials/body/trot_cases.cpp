@@ -14,6 +14,7 @@ constexpr double kStand_s = 2.5;  // after the soft start
 constexpr double kTrot_s = 8.0;
 constexpr double kSettle_s = 4.0;
 constexpr int kSeeds = 3;
+constexpr int kWalkSeeds = 10;  // of walks on flat ground
 constexpr double kSlope_rad = 10.0 * std::numbers::pi / 180.0;
 
 MotionCommand trot(double forward_m_s, double left_m_s = 0.0, double yaw_rate_rad_s = 0.0) {
@@ -38,14 +39,13 @@ TrotCase walk(const std::string& trial, const std::string& name, std::uint64_t s
 std::string seed_text(int seed) { return "seed " + std::to_string(seed); }
 
 void add_seeds(const std::string& trial, const MotionCommand& command, double walk_s, std::vector<TrotCase>& cases) {
-  for (int seed = 1; seed <= kSeeds; ++seed) {
+  for (int seed = 1; seed <= kWalkSeeds; ++seed) {
     cases.push_back(walk(trial, seed_text(seed), static_cast<std::uint64_t>(seed), command, walk_s));
   }
 }
 
 void add_flat(std::vector<TrotCase>& cases) {
-  constexpr int kFlatSeeds = 10;
-  for (int seed = 1; seed <= kFlatSeeds; ++seed) {
+  for (int seed = 1; seed <= kWalkSeeds; ++seed) {
     for (const double mass_kg : {51.0, 59.0, 67.0}) {
       cases.push_back(walk("flat", seed_text(seed) + ", trunk " + config::number_text(mass_kg) + " kg",
                            static_cast<std::uint64_t>(seed), trot(0.4), 60.0));
@@ -56,7 +56,7 @@ void add_flat(std::vector<TrotCase>& cases) {
 
 void add_modes(std::vector<TrotCase>& cases) {
   constexpr double kStop_s = 18.0, kLie_s = 24.0, kUp_s = 31.0, kAgain_s = 38.0;
-  for (int seed = 1; seed <= kSeeds; ++seed) {
+  for (int seed = 1; seed <= kWalkSeeds; ++seed) {
     TrotCase one = walk("modes", seed_text(seed), static_cast<std::uint64_t>(seed), trot(0.5), 36.0);
     one.script.push_back({kStop_s, {.request = Request::kStand}});
     one.script.push_back({kLie_s, {.request = Request::kLie}});

@@ -19,10 +19,10 @@ struct TrotTrial {
 
 inline constexpr std::array kTrotTrials{
     TrotTrial{"flat", "0.4 m/s on flat ground, a minute, with a trunk of 51 kg, 59 kg and 67 kg; ten seeds"},
-    TrotTrial{"speed", "0.8 m/s; three seeds"},
-    TrotTrial{"sideways", "0.3 m/s to the left; three seeds"},
-    TrotTrial{"turning", "0.5 rad/s on the spot; three seeds"},
-    TrotTrial{"modes", "trot, stop, lie down, stand up, trot; three seeds"},
+    TrotTrial{"speed", "0.8 m/s; ten seeds"},
+    TrotTrial{"sideways", "0.3 m/s to the left; ten seeds"},
+    TrotTrial{"turning", "0.5 rad/s on the spot; ten seeds"},
+    TrotTrial{"modes", "trot, stop, lie down, stand up, trot; ten seeds"},
     TrotTrial{"pushes", "80 Ns in 0.1 s from four sides at eight phases of the stride"},
     TrotTrial{"slopes", "0.3 m/s up, down and across a slope of 10 degrees; three seeds"},
     TrotTrial{"blocks", "0.3 m/s over blocks up to 8 cm high; twenty fields"},
