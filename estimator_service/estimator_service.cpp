@@ -11,7 +11,8 @@ Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int
   std::vector<Inputs> inputs;
   for (const robot::Joint& joint : robot.joints) {
     estimators.push_back(FARRIER_TRY(robot::make_estimator(joint, robot.period_s, loop_delay_ticks)));
-    inputs.push_back({control::ValveOpening(joint.effects), robot::signal_aligner(joint, robot.period_s)});
+    inputs.push_back(
+        {control::ValveOpening(joint.effects, joint.actuator), robot::signal_aligner(joint, robot.period_s)});
   }
   return EstimatorService(std::move(estimators), std::move(inputs));
 }

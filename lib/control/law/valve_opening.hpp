@@ -1,54 +1,41 @@
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <span>
 
-#include "plant/terms/active_effect.hpp"
+#include "plant/effects/stateless_terms.hpp"
 
 namespace farrier::control {
 
-/// Opening of a valve, as the current at which an ideal valve opens as far. It knows the effects plant::ValveBias,
-/// ValveDeadband, FlowSaturation and ValveAsymmetry, which act in this order. Models that are linear in the current are
-/// estimated from the opening, because the current that EffectCompensation sends jumps across the overlap.
+/// Opening of a valve with known effects, as the current at which an ideal valve opens as far, by the plant's own terms.
+/// Effects with a state are left out. Models that are linear in the current are estimated from the opening, because the
+/// current that EffectCompensation sends jumps across the overlap.
 class ValveOpening {
  public:
   ValveOpening() = default;
-  explicit ValveOpening(std::span<const plant::ActiveEffect> effects) noexcept {
-    using plant::effect_id;
-    const auto take = [&](plant::EffectId id, double& value) {
-      if (const auto* effect = plant::find(effects, id)) {
-        value = effect->values[0];
-        active_ = true;
+  /// `effects` and `actuator` pass plant::validate, as those of a robot file do.
+  ValveOpening(std::span<const plant::ActiveEffect> effects, const plant::ActuatorParams& actuator) noexcept {
+    const plant::Scales scales(actuator, {});
+    for (const plant::ActiveEffect& effect : effects) {
+      if (effect.info().side == plant::Side::kValveAndOil && plant::is_stateless(effect)) {
+        add_to(terms_, effect, scales, 0.0);
       }
-    };
-    take(effect_id<plant::ValveBias>(), bias_A_);
-    take(effect_id<plant::ValveDeadband>(), overlap_A_);
-    take(effect_id<plant::ValveAsymmetry>(), asymmetry_);
-    double saturation_A = std::numeric_limits<double>::infinity();
-    take(effect_id<plant::FlowSaturation>(), saturation_A);
-    inverse_saturation_1_A_ = 1.0 / saturation_A;
+    }
+    active_ = terms_.hooks().valve;
   }
 
-  /// `current_A` as it was sent. Without any of these effects the output equals it, bit for bit.
+  /// `current_A` as it was sent. Without an effect on the valve the output equals it, bit for bit.
   double at(double current_A) const noexcept {
     if (!active_) {
       return current_A;
     }
-    const double spool_A = current_A + bias_A_;
-    const double past_overlap_A = std::copysign(std::max(std::abs(spool_A) - overlap_A_, 0.0), spool_A);
-    const double share = past_overlap_A * inverse_saturation_1_A_;
-    const double ports_A = past_overlap_A / std::sqrt(1.0 + share * share);
-    return ports_A * (ports_A > 0.0 ? 1.0 + asymmetry_ : 1.0 - asymmetry_);
+    plant::ValveMoment<double> valve{current_A, 1.0};
+    terms_.on_valve(valve);
+    return valve.flow_factor * valve.opening_A;
   }
 
  private:
+  mutable plant::TermSet<double> terms_;  ///< mutable: hooks may change a term's state, but these have none
   bool active_ = false;
-  double bias_A_ = 0.0;
-  double overlap_A_ = 0.0;
-  double asymmetry_ = 0.0;
-  double inverse_saturation_1_A_ = 0.0;
 };
 
 }  // namespace farrier::control

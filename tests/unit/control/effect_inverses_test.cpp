@@ -90,10 +90,10 @@ TEST(ValveOpening, IsThatOfThePlantsOwnTerms) {
                                           {effect_id<plant::ValveAsymmetry>(), {0.2}},
                                           {effect_id<plant::FlowSaturation>(), {6e-3}}};
   plant::TermSet<double> terms = terms_of(effects);
-  const ValveOpening valve(effects);
+  const ValveOpening valve(effects, kActuator);
   for (double current_A = -kMost_A; current_A <= kMost_A; current_A += 1.3e-4) {
     EXPECT_NEAR(valve.at(current_A), opening_A(terms, current_A), 1e-15) << current_A;
-    EXPECT_EQ(ValveOpening(std::vector<ActiveEffect>{kSpool}).at(current_A), current_A);
+    EXPECT_EQ(ValveOpening(std::vector<ActiveEffect>{kSpool}, kActuator).at(current_A), current_A);
   }
 }
 
