@@ -1,4 +1,5 @@
-// sim_bridge: valve_command ──▶ simulated hydraulic joints and bench loads ──▶ joint/sensors; drives the clock
+// sim_bridge: valve_command ──▶ simulated joints on bench loads, or a body on a ground ──▶ joint/sensors, body/imu; drives
+// the clock
 
 #include "process/process.hpp"
 #include "sim_bridge/sim_bridge_lockstep.hpp"
@@ -9,31 +10,35 @@ namespace {
 using farrier::Result;
 using farrier::robot::Robot;
 
-/// The robot to simulate: the one that everybody knows, or with --world another one.
-Result<Robot> world_of(const Robot& robot, const farrier::participant::ProcessOptions& options) {
-  if (options.world_path.empty()) {
-    return robot;
+/// The robot of --robot on its bench or as a body, or with --simulated-robot another one in its place.
+Result<std::unique_ptr<farrier::sim_bridge::SimulatedRobot>> world_of(
+    const Robot& known, const farrier::participant::ProcessOptions& options) {
+  using namespace farrier;
+  const auto make = [&options](const Robot& robot) {
+    return options.world == participant::World::kBody
+               ? sim_bridge::simulated_body(robot, options.scene_path, options.seed)
+               : sim_bridge::simulated_bench(robot, options.seed);
+  };
+  if (options.simulated_path.empty()) {
+    return make(known);
   }
-  auto world = farrier::robot::load_robot(options.world_path);
-  if (!world) {
-    return farrier::Error{farrier::config::to_string(world.error())};
-  }
-  return std::move(world).value();
+  const auto other = robot::load_robot(options.simulated_path);
+  return other ? make(other.value()) : Error{config::to_string(other.error())};
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   using namespace farrier;
-  const auto o = participant::parse_options("sim_bridge", "Simulates the robot's hydraulic joints", argc, argv);
+  const auto o = participant::parse_options("sim_bridge", "Simulates the robot", argc, argv);
   return process::run(
       o,
       [&](auto& member, const auto& robot) -> Result<std::unique_ptr<participant::Application>> {
         auto world = FARRIER_TRY(world_of(robot, o));
-        return sim_bridge::create_lockstep(std::move(world), o.seed, o.trace_path, member, o.ticks);
+        return sim_bridge::create_lockstep(std::move(world), robot, o.trace_path, member, o.ticks);
       },
       [&](auto& member, const auto& robot) -> Result<std::unique_ptr<participant::RealtimeApplication>> {
         auto world = FARRIER_TRY(world_of(robot, o));
-        return sim_bridge::create_realtime(std::move(world), o.seed, o.trace_path, member, o.ticks);
+        return sim_bridge::create_realtime(std::move(world), robot, o.trace_path, member, o.ticks);
       });
 }

@@ -4,7 +4,7 @@
 
 namespace farrier::sim_bridge {
 
-Result<Ports> Ports::open(participant::Participant& participant, const robot::Robot& robot) {
+Result<Ports> Ports::open(participant::Participant& participant, const robot::Robot& robot, bool has_body) {
   const auto numbers = robot::joint_numbers(robot);
   const auto legs = robot::legs_of_joints(robot);
   Ports ports{};
@@ -18,6 +18,10 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
   FARRIER_TRY(take(ports.valves, participant.subscribe<signals::JointValveCommand>(numbers)));
   FARRIER_TRY(take(ports.sensors, participant.publish<signals::JointSensors>(numbers, legs)));
   FARRIER_TRY(take(ports.clock, participant.publish<signals::ClockTick>({0})));
+  if (has_body) {
+    FARRIER_TRY(take(ports.imu, participant.publish<signals::BodyImu>({0})));
+    FARRIER_TRY(take(ports.truth, participant.publish<signals::BodyTruth>({0})));
+  }
   if (participant.identity().clock == bus::ClockKind::kRealtime) {
     return ports;
   }
@@ -31,17 +35,33 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
   return ports;
 }
 
-Result<Parts> Parts::assemble(const robot::Robot& robot, std::uint64_t seed, const std::string& trace_path,
-                              participant::Participant& participant,
-                              std::vector<robot::LoadChange> load_changes) {
-  auto world = FARRIER_TRY(SimWorld::create(robot, seed, std::move(load_changes)));
-  std::optional<trace::TraceWriter> trace;
-  if (!trace_path.empty()) {
-    auto writer = FARRIER_TRY(trace::TraceWriter::create(trace_path, robot::joint_names(robot)));
-    trace = std::move(writer);
+signals::BodyImu imu_sample(const world::World& world, std::int64_t sample_time_ns) noexcept {
+  signals::BodyImu sample;
+  sample.tick = world.tick();
+  sample.sample_time_ns = sample_time_ns;
+  if (const auto imu = world.imu()) {
+    for (std::size_t axis = 0; axis < sample.angular_velocity_rad_s.size(); ++axis) {
+      sample.angular_velocity_rad_s[axis] = imu->rate_rad_s[static_cast<Eigen::Index>(axis)];
+      sample.specific_force_m_s2[axis] = imu->specific_force_m_s2[static_cast<Eigen::Index>(axis)];
+    }
   }
-  auto ports = FARRIER_TRY(Ports::open(participant, robot));
-  return Parts{std::move(world), std::move(trace), ports};
+  return sample;
+}
+
+Result<Parts> Parts::assemble(std::unique_ptr<SimulatedRobot> world, const robot::Robot& robot,
+                              const std::string& trace_path, participant::Participant& participant) {
+  const bool has_body = world->truth().has_value();
+  std::optional<trace::TraceWriter> trace;
+  std::optional<trace::BodyTraceWriter> body_trace;
+  if (!trace_path.empty()) {
+    trace = FARRIER_TRY(trace::TraceWriter::create(trace_path, robot::joint_names(robot)));
+    if (has_body) {
+      body_trace = FARRIER_TRY(trace::BodyTraceWriter::create(trace::body_trace_path(trace_path),
+                                                              static_cast<int>(robot.plan.legs.size())));
+    }
+  }
+  const Ports ports = FARRIER_TRY(Ports::open(participant, robot, has_body));
+  return Parts{std::move(world), std::move(trace), std::move(body_trace), ports};
 }
 
 }  // namespace farrier::sim_bridge

@@ -3,9 +3,10 @@
 #include <optional>
 
 #include "participant/participant.hpp"
-#include "trace/trace.hpp"
 #include "robot/robot.hpp"
-#include "sim_bridge/sim_world.hpp"
+#include "sim_bridge/simulated_robot.hpp"
+#include "trace/body_trace.hpp"
+#include "trace/trace.hpp"
 
 namespace farrier::sim_bridge {
 
@@ -17,19 +18,24 @@ struct Ports {
   participant::In<signals::SystemMode>* modes;              ///< lock-step only
   participant::Out<signals::JointSensors>* sensors;
   participant::Out<signals::ClockTick>* clock;
+  participant::Out<signals::BodyImu>* imu;      ///< of a world with a body, else null
+  participant::Out<signals::BodyTruth>* truth;  ///< likewise
 
-  static Result<Ports> open(participant::Participant& participant, const robot::Robot& robot);
+  static Result<Ports> open(participant::Participant& participant, const robot::Robot& robot, bool has_body);
 };
+
+/// The IMU's sample of the present tick, in a world that has one.
+signals::BodyImu imu_sample(const world::World& world, std::int64_t sample_time_ns) noexcept;
 
 /// Parts of sim_bridge on either clock.
 struct Parts {
-  SimWorld world;
-  std::optional<trace::TraceWriter> trace;  ///< none for an empty path
+  std::unique_ptr<SimulatedRobot> world;
+  std::optional<trace::TraceWriter> trace;           ///< none for an empty path
+  std::optional<trace::BodyTraceWriter> body_trace;  ///< likewise, and none without a body
   Ports ports;
 
-  static Result<Parts> assemble(const robot::Robot& robot, std::uint64_t seed, const std::string& trace_path,
-                                participant::Participant& participant,
-                                std::vector<robot::LoadChange> load_changes = {});
+  static Result<Parts> assemble(std::unique_ptr<SimulatedRobot> world, const robot::Robot& robot,
+                                const std::string& trace_path, participant::Participant& participant);
 };
 
 }  // namespace farrier::sim_bridge

@@ -6,7 +6,6 @@
 #include "robot/keys.hpp"
 #include "runtime/latency_histogram.hpp"
 #include "sim_bridge/ports.hpp"
-#include "sim_bridge/sim_world.hpp"
 
 namespace farrier::sim_bridge {
 namespace {
@@ -19,6 +18,7 @@ class SimBridgeLockstep final : public participant::Application {
                     RowSink sink)
       : world_(std::move(parts.world)),
         trace_(std::move(parts.trace)),
+        body_trace_(std::move(parts.body_trace)),
         sink_(std::move(sink)),
         ports_(parts.ports),
         participant_(participant),
@@ -26,6 +26,7 @@ class SimBridgeLockstep final : public participant::Application {
         loop_delay_(robot.loop_delay_lockstep),
         valves_(robot::joint_numbers(robot)),
         valve_current_A_(robot.joints.size(), 0.0),
+        commands_(robot.joints.size(), 0.0),
         valve_command_tick_(robot.joints.size(), kNoTick),
         generation_(robot.joints.size(), 0) {
     std::vector<std::uint16_t> others;
@@ -36,7 +37,7 @@ class SimBridgeLockstep final : public participant::Application {
   }
 
   void poll(SteadyTime now) override;
-  bool finished() const override { return ticks_ > 0 && world_.tick() >= ticks_; }
+  bool finished() const override { return ticks_ > 0 && world_->tick() >= ticks_; }
   int missing() const override;
   std::string waits_for() const override;
 
@@ -48,18 +49,21 @@ class SimBridgeLockstep final : public participant::Application {
   void record() noexcept;
   void report(bool final_report);
 
-  SimWorld world_;
+  std::unique_ptr<SimulatedRobot> world_;
   std::optional<trace::TraceWriter> trace_;
+  std::optional<trace::BodyTraceWriter> body_trace_;
   RowSink sink_;
   Ports ports_;
   participant::Participant& participant_;
   Tick ticks_;
   int loop_delay_;  ///< ticks by which a valve command acts late, to try designs for a delay
   bool begun_ = false;
+  bool failed_ = false;  ///< the world: no further tick begins
   participant::TickInbox<signals::JointValveCommand> valves_;
   participant::TickInbox<signals::ClockTickDone> done_{{}};
-  std::vector<double> valve_current_A_;
-  std::vector<Tick> valve_command_tick_;   ///< of the commands behind valve_current_A_
+  std::vector<double> valve_current_A_;    ///< act over the present tick
+  std::vector<double> commands_;           ///< for the world: these currents, or force references
+  std::vector<Tick> valve_command_tick_;   ///< of the commands that act
   std::vector<std::uint32_t> generation_;  ///< newest issued to each joint, as seen here
   std::uint32_t received_gains_ = 0;
   std::uint32_t received_modes_ = 0;
@@ -88,7 +92,7 @@ void SimBridgeLockstep::drain() {
 }
 
 bool SimBridgeLockstep::complete() const {
-  const Tick tick = world_.tick();
+  const Tick tick = world_->tick();
   if (valves_.missing(tick) > 0 || done_.missing(tick) > 0) {
     return false;
   }
@@ -102,8 +106,8 @@ bool SimBridgeLockstep::complete() const {
 }
 
 void SimBridgeLockstep::begin_tick() {
-  for (std::size_t i = 0; i < world_.joints(); ++i) {
-    signals::JointSensors sensors = world_.sample(i);
+  for (std::size_t i = 0; i < world_->joints(); ++i) {
+    signals::JointSensors sensors = world_->sample(i);
     sensors.valve_command_tick = valve_command_tick_[i];
     sensors.required_generation = generation_[i];
     sensors.required_epoch = mode_epoch_;
@@ -111,15 +115,19 @@ void SimBridgeLockstep::begin_tick() {
     ports_.sensors->publish(sensors);
   }
   ports_.sensors->flush();
-  ports_.clock->publish({0, world_.tick()});
+  if (ports_.imu != nullptr) {
+    ports_.imu->publish(imu_sample(*world_, to_ns(std::chrono::steady_clock::now())));
+    ports_.truth->publish(world_->truth().value_or(signals::BodyTruth{}));
+  }
+  ports_.clock->publish({0, world_->tick()});
   begun_ = true;
 }
 
 void SimBridgeLockstep::record() noexcept {
-  for (std::size_t i = 0; i < world_.joints(); ++i) {
-    const signals::JointValveCommand& valve = *valves_.find(i, world_.tick());
+  for (std::size_t i = 0; i < world_->joints(); ++i) {
+    const signals::JointValveCommand& valve = *valves_.find(i, world_->tick());
     trace::TraceRow row;
-    world_.describe(i, row);
+    world_->describe(i, row);
     row.force_reference_N_or_Nm = valve.force_reference_N_or_Nm;
     row.valve_current_A = valve_current_A_[i];
     row.command_age_ticks = static_cast<std::uint32_t>(loop_delay_);
@@ -134,30 +142,40 @@ void SimBridgeLockstep::record() noexcept {
       sink_(row);
     }
   }
+  if (body_trace_) {
+    body_trace_->write(world_->truth().value_or(signals::BodyTruth{}));
+  }
 }
 
 void SimBridgeLockstep::end_tick() {
-  for (std::size_t i = 0; i < world_.joints(); ++i) {
-    const signals::JointValveCommand* acting = valves_.find(i, world_.tick() - loop_delay_);
+  for (std::size_t i = 0; i < world_->joints(); ++i) {
+    const signals::JointValveCommand* acting = valves_.find(i, world_->tick() - loop_delay_);
     valve_current_A_[i] = acting != nullptr ? acting->valve_current_A : 0.0;
+    const double force = acting != nullptr ? acting->force_reference_N_or_Nm : 0.0;
+    commands_[i] = world_->takes_forces() ? force : valve_current_A_[i];
     valve_command_tick_[i] = acting != nullptr ? acting->tick : kNoTick;
   }
   if (trace_ || sink_) {
     record();
   }
-  world_.advance(valve_current_A_);
+  if (!world_->advance(commands_)) {
+    participant_.event(participant::EventKind::kWorldFailed, world_->tick(), signals::kNoJoint,
+                       world_->failure().value_or(""));
+    participant_.give_up(world_->failure().value_or(""));
+    failed_ = true;
+  }
   begun_ = false;
 }
 
 void SimBridgeLockstep::report(bool final_report) {
   signals::SystemHealth health;
   health.latency_s = latency_.summary_s();
-  participant_.report_health(world_.tick(), final_report, health);
+  participant_.report_health(world_->tick(), final_report, health);
 }
 
 void SimBridgeLockstep::poll(SteadyTime now) {
   drain();
-  if (!participant_.started(now) || finished()) {
+  if (!participant_.started(now) || finished() || failed_) {
     return;
   }
   if (!begun_) {
@@ -166,9 +184,12 @@ void SimBridgeLockstep::poll(SteadyTime now) {
   }
   while (complete()) {
     end_tick();
+    if (failed_) {
+      return;
+    }
     if (finished()) {
-      if (trace_ && !trace_->finish()) {
-        participant_.event(participant::EventKind::kTraceIncomplete, world_.tick(), signals::kNoJoint);
+      if ((trace_ && !trace_->finish()) || (body_trace_ && !body_trace_->finish())) {
+        participant_.event(participant::EventKind::kTraceIncomplete, world_->tick(), signals::kNoJoint);
       }
       report(true);
       return;
@@ -179,7 +200,7 @@ void SimBridgeLockstep::poll(SteadyTime now) {
 }
 
 int SimBridgeLockstep::missing() const {
-  const int count = valves_.missing(world_.tick()) + done_.missing(world_.tick());
+  const int count = valves_.missing(world_->tick()) + done_.missing(world_->tick());
   return count > 0 && begun_ ? count : 1;
 }
 
@@ -187,7 +208,7 @@ std::string SimBridgeLockstep::waits_for() const {
   if (const std::string lacking = participant_.greeting_lacks(); !lacking.empty()) {
     return lacking;
   }
-  const Tick tick = world_.tick();
+  const Tick tick = world_->tick();
   const std::string at = " at tick " + std::to_string(tick);
   if (done_.missing(tick) > 0) {
     const auto& hello = participant_.hellos()[done_.first_missing(tick)];
@@ -196,17 +217,20 @@ std::string SimBridgeLockstep::waits_for() const {
   if (valves_.missing(tick) > 0) {
     return "joint/valve_command of joint " + std::to_string(valves_.first_missing(tick)) + at;
   }
+  if (failed_) {
+    return "nothing: " + world_->failure().value_or("the world has failed");
+  }
   return "gains or mode that the supervisor has issued" + at;
 }
 
 }  // namespace
 
-Result<std::unique_ptr<participant::Application>> create_lockstep(const robot::Robot& robot, std::uint64_t seed,
+Result<std::unique_ptr<participant::Application>> create_lockstep(std::unique_ptr<SimulatedRobot> world,
+                                                                  const robot::Robot& robot,
                                                                   const std::string& trace_path,
                                                                   participant::Participant& participant, Tick ticks,
-                                                                  std::vector<robot::LoadChange> load_changes,
                                                                   RowSink sink) {
-  auto parts = FARRIER_TRY(Parts::assemble(robot, seed, trace_path, participant, std::move(load_changes)));
+  auto parts = FARRIER_TRY(Parts::assemble(std::move(world), robot, trace_path, participant));
   return std::unique_ptr<participant::Application>(
       std::make_unique<SimBridgeLockstep>(std::move(parts), robot, participant, ticks, std::move(sink)));
 }

@@ -13,7 +13,6 @@
 #include "participant/loop_statistics.hpp"
 #include "robot/keys.hpp"
 #include "sim_bridge/ports.hpp"
-#include "sim_bridge/sim_world.hpp"
 #include "sim_bridge/trace_thread.hpp"
 
 namespace farrier::sim_bridge {
@@ -51,9 +50,12 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
         ticks_(ticks),
         numbers_(robot::joint_numbers(robot)),
         mail_(numbers_.size()),
-        valve_current_A_(numbers_.size(), 0.0) {
+        commands_(numbers_.size(), 0.0) {
     if (parts.trace) {
       trace_.emplace(std::move(*parts.trace));
+    }
+    if (parts.body_trace) {
+      body_trace_.emplace(std::move(*parts.body_trace));
     }
   }
 
@@ -69,11 +71,12 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
  private:
   void fetch_valve(Mailbox& mail) noexcept;
   void apply_valve(std::size_t index, SteadyTime now) noexcept;
+  bool traces_finished() const;
   bool trace_complete() const;
   void tell_silences();
   void report(bool final_report);
 
-  SimWorld world_;
+  std::unique_ptr<SimulatedRobot> world_;
   Ports ports_;
   participant::Participant& participant_;
   Nanoseconds period_;
@@ -81,7 +84,7 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   Tick ticks_;
   std::vector<std::uint16_t> numbers_;
   std::vector<Mailbox> mail_;
-  std::vector<double> valve_current_A_;
+  std::vector<double> commands_;  ///< for the world: valve currents or force references
   participant::LoopStatistics statistics_;
   SteadyTime next_health_{};
   std::atomic<Tick> tick_{0};
@@ -90,7 +93,12 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   Tick told_tick_ = kNoTick;                ///< sender thread: newest that the clock has told
   std::atomic<Tick> sent_tick_{kNoTick};    ///< all before this tick is sent, and the trace's in its thread's hands
   bool reported_final_ = false;
-  std::optional<TraceThread> trace_;
+  SpscRing<signals::BodyImu, 16> imus_;
+  SpscRing<signals::BodyTruth, 64> truths_;  ///< to publish
+  SpscRing<signals::BodyTruth, 64> rows_;    ///< for the trace
+  std::atomic<bool> failed_{false};          ///< the world, by the control thread
+  std::optional<TraceThread<trace::TraceWriter>> trace_;
+  std::optional<TraceThread<trace::BodyTraceWriter>> body_trace_;
 };
 
 bool SimBridgeRealtime::receive(SteadyTime now) {
@@ -111,8 +119,13 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
     return false;
   }
   tell_silences();
-  if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && (!trace_ || trace_->finished()) &&
-      !reported_final_) {
+  if (failed_.load(std::memory_order_relaxed)) {
+    const std::string why = world_->failure().value_or("");
+    participant_.event(participant::EventKind::kWorldFailed, tick_.load(std::memory_order_relaxed), signals::kNoJoint,
+                       why);
+    participant_.give_up(why);
+  }
+  if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && traces_finished() && !reported_final_) {
     reported_final_ = true;
     if (trace_ && !trace_complete()) {
       participant_.event(participant::EventKind::kTraceIncomplete, ticks_, signals::kNoJoint);
@@ -125,8 +138,12 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
   return true;
 }
 
+bool SimBridgeRealtime::traces_finished() const {
+  return (!trace_ || trace_->finished()) && (!body_trace_ || body_trace_->finished());
+}
+
 bool SimBridgeRealtime::trace_complete() const {
-  return trace_->complete() && std::ranges::all_of(mail_, [](const Mailbox& mail) { return mail.rows.dropped() == 0; });
+  return trace_->complete() && (!body_trace_ || (body_trace_->complete() && rows_.dropped() == 0)) && std::ranges::all_of(mail_, [](const Mailbox& mail) { return mail.rows.dropped() == 0; });
 }
 
 void SimBridgeRealtime::tell_silences() {
@@ -162,42 +179,54 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
   const bool begun = mail.last_valve.received != SteadyTime{};
   const bool silent = !begun || now - mail.last_valve.received > silent_after_;
   mail.fell_silent.store(begun && silent, std::memory_order_relaxed);
-  valve_current_A_[index] = silent ? 0.0 : valve.valve_current_A;
+  const double valve_current_A = silent ? 0.0 : valve.valve_current_A;
+  const double force = silent ? 0.0 : valve.force_reference_N_or_Nm;
+  commands_[index] = world_->takes_forces() ? force : valve_current_A;
   mail.acting_tick = silent ? kNoTick : valve.tick;
 
   trace::TraceRow& row = mail.row;
-  world_.describe(index, row);
-  row.valve_current_A = valve_current_A_[index];
+  world_->describe(index, row);
+  row.valve_current_A = valve_current_A;
   row.phase = valve.phase;
   row.state = silent ? signals::JointState::kNull : valve.state;
   row.generation = valve.generation;
   FaultSet faults(valve.faults);
   faults.set(Fault::kActuatorSilent, silent);
   row.faults = faults.bits();
-  row.command_age_ticks = static_cast<std::uint32_t>(world_.tick() - valve.tick);
+  row.command_age_ticks = static_cast<std::uint32_t>(world_->tick() - valve.tick);
 }
 
 void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
   statistics_.stepped(wake);
-  if (sensed_tick_.load(std::memory_order_relaxed) == world_.tick()) {
-    world_.advance(valve_current_A_);  // not after sensing: the sender thread, on the same processor, would wait for it
-    if (world_.tick() == ticks_) {
+  if (sensed_tick_.load(std::memory_order_relaxed) == world_->tick()) {
+    if (!world_->advance(commands_)) {  // not after sensing: the sender thread, on the same processor, would wait for it
+      failed_.store(true, std::memory_order_relaxed);
+      return;
+    }
+    if (world_->tick() == ticks_) {
       std::ranges::for_each(mail_, [this](Mailbox& mail) { fetch_valve(mail); });  // completes the last rows
     }
-    tick_.store(world_.tick(), std::memory_order_release);
+    tick_.store(world_->tick(), std::memory_order_release);
     if (finished()) {
       return;
     }
   }
   const auto sampled = std::chrono::duration_cast<Nanoseconds>(participant::steady_now().time_since_epoch()).count();
   for (std::size_t i = 0; i < mail_.size(); ++i) {
-    signals::JointSensors sensors = world_.sample(i);
+    signals::JointSensors sensors = world_->sample(i);
     sensors.sample_time_ns = sampled;
     sensors.valve_command_tick = mail_[i].acting_tick;
     mail_[i].sensors.push(sensors);
     apply_valve(i, wake.now);
   }
-  sensed_tick_.store(world_.tick(), std::memory_order_release);
+  if (const auto truth = world_->truth()) {
+    imus_.push(imu_sample(*world_, sampled));
+    truths_.push(*truth);
+    if (body_trace_) {
+      rows_.push(*truth);
+    }
+  }
+  sensed_tick_.store(world_->tick(), std::memory_order_release);
 }
 
 void SimBridgeRealtime::send() {
@@ -209,6 +238,12 @@ void SimBridgeRealtime::send() {
     }
   }
   ports_.sensors->flush();
+  for (signals::BodyImu imu; imus_.pop(imu);) {
+    ports_.imu->publish(imu);
+  }
+  for (signals::BodyTruth truth; truths_.pop(truth);) {
+    ports_.truth->publish(truth);
+  }
   if (sensed != told_tick_) {
     told_tick_ = sensed;
     ports_.clock->publish({0, sensed});
@@ -225,19 +260,26 @@ void SimBridgeRealtime::send_at_leisure() {
       }
     }
   }
+  for (signals::BodyTruth truth; rows_.pop(truth);) {
+    body_trace_->write(truth);
+  }
   if (ticks_ > 0 && sending_tick_ >= ticks_ && trace_) {
     trace_->end();
+    if (body_trace_) {
+      body_trace_->end();
+    }
   }
   sent_tick_.store(sending_tick_, std::memory_order_release);
 }
 
 }  // namespace
 
-Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(const robot::Robot& robot, std::uint64_t seed,
+Result<std::unique_ptr<participant::RealtimeApplication>> create_realtime(std::unique_ptr<SimulatedRobot> world,
+                                                                          const robot::Robot& robot,
                                                                           const std::string& trace_path,
                                                                           participant::Participant& participant,
                                                                           Tick ticks) {
-  auto parts = FARRIER_TRY(Parts::assemble(robot, seed, trace_path, participant));
+  auto parts = FARRIER_TRY(Parts::assemble(std::move(world), robot, trace_path, participant));
   return std::unique_ptr<participant::RealtimeApplication>(
       std::make_unique<SimBridgeRealtime>(std::move(parts), robot, participant, ticks));
 }

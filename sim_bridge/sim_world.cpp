@@ -151,4 +151,10 @@ bool SimWorld::advance(std::span<const double> valve_current_A) noexcept {
   return true;
 }
 
+Result<std::unique_ptr<SimulatedRobot>> simulated_bench(const robot::Robot& robot, std::uint64_t seed,
+                                                        std::vector<robot::LoadChange> load_changes) {
+  auto bench = FARRIER_TRY(SimWorld::create(robot, seed, std::move(load_changes)));
+  return std::unique_ptr<SimulatedRobot>(std::make_unique<SimWorld>(std::move(bench)));
+}
+
 }  // namespace farrier::sim_bridge

@@ -22,13 +22,13 @@
 #include "robot/load_change.hpp"
 #include "robot/robot.hpp"
 #include "sim_bridge/sensor_chain.hpp"
+#include "sim_bridge/simulated_robot.hpp"
 #include "signals/signals.hpp"
-#include "world/world.hpp"
 
 namespace farrier::sim_bridge {
 
 /// The bench as a world. The same robot, seed and valve currents give the same numbers bit for bit.
-class SimWorld final : public world::World {
+class SimWorld final : public SimulatedRobot {
  public:
   /// Every joint begins at rest at its home pose. A joint with `load_changes` (any order; of two at one tick the later
   /// in the list) has the load of its actual phase until the first and that of the newest from then on. Refuses a robot
@@ -38,14 +38,12 @@ class SimWorld final : public world::World {
 
   world::JointReading reading(std::size_t joint) const noexcept override;
 
-  /// The same as a signal.
-  signals::JointSensors sample(std::size_t joint) const noexcept;
+  signals::JointSensors sample(std::size_t joint) const noexcept override;
 
   /// The commands are valve currents. The bench never fails.
   bool advance(std::span<const double> valve_current_A) noexcept override;
 
-  /// Fills the trace's row of one joint at the present tick, before advance(); controller fields are left unchanged.
-  void describe(std::size_t joint, trace::TraceRow& row) const noexcept;
+  void describe(std::size_t joint, trace::TraceRow& row) const noexcept override;
 
   Tick tick() const noexcept override { return tick_; }
   std::size_t joints() const noexcept override { return joints_.size(); }

@@ -2,27 +2,49 @@
 
 #include <array>
 #include <atomic>
+#include <chrono>
+#include <string_view>
 #include <thread>
+#include <utility>
 
 #include "core/spsc_ring.hpp"
+#include "runtime/realtime_thread.hpp"
+#include "trace/body_trace.hpp"
 #include "trace/trace.hpp"
 
 namespace farrier::sim_bridge {
 
-/// Writes a trace to the disk on a thread of its own, without priority: a slow disk blocks nothing else.
+/// Writes a trace to the disk on a thread of its own, without priority: a slow disk blocks nothing else. `Writer` is
+/// trace::TraceWriter or trace::BodyTraceWriter.
+template <class Writer>
 class TraceThread {
  public:
-  explicit TraceThread(trace::TraceWriter writer);
+  explicit TraceThread(Writer writer) : writer_(std::move(writer)), thread_([this] { run(); }) {}
   /// Writes all rows that have come.
-  ~TraceThread();
+  ~TraceThread() {
+    end();
+    thread_.join();
+  }
   TraceThread(const TraceThread&) = delete;
   TraceThread& operator=(const TraceThread&) = delete;
 
   /// For one thread only. Rows are lost if the disk is behind by kBlocks: a second and a half of twelve joints at 1
   /// kHz.
-  void write(const trace::TraceRow& row) noexcept;
+  template <class Row>
+  void write(const Row& row) noexcept {
+    char* const line = filling_.lines.data() + filling_.size;
+    filling_.size += static_cast<std::size_t>(writer_.format(row, line) - line);
+    if (filling_.size + Writer::kLongestLine > filling_.lines.size()) {
+      hand_over();
+    }
+  }
   /// Call on the same thread: no more rows come.
-  void end() noexcept;
+  void end() noexcept {
+    if (filling_.size > 0) {
+      hand_over();
+    }
+    ended_.store(true, std::memory_order_release);
+  }
 
   /// True if all rows before end() are in the file, or lost.
   bool finished() const noexcept { return finished_.load(std::memory_order_acquire); }
@@ -36,10 +58,28 @@ class TraceThread {
   };
   static constexpr std::size_t kBlocks = 1024;
 
-  void hand_over() noexcept;
-  void run();
+  void hand_over() noexcept {
+    static_cast<void>(blocks_.push(filling_));
+    filling_.size = 0;
+  }
 
-  trace::TraceWriter writer_;
+  void run() {
+    runtime::name_thread("trace");
+    runtime::set_no_priority();
+    for (bool ended = false; !ended;) {
+      ended = ended_.load(std::memory_order_acquire);
+      for (Block block; blocks_.pop(block);) {
+        writer_.write_lines(std::string_view(block.lines.data(), block.size));
+      }
+      if (!ended) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+      }
+    }
+    refused_.store(!writer_.finish(), std::memory_order_relaxed);
+    finished_.store(true, std::memory_order_release);
+  }
+
+  Writer writer_;
   Block filling_;  ///< of the thread that calls write()
   SpscRing<Block, kBlocks> blocks_;
   std::atomic<bool> ended_{false}, finished_{false}, refused_{false};

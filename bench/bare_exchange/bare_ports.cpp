@@ -41,7 +41,7 @@ Result<BarePorts> BarePorts::open(const robot::Robot& robot, const std::vector<s
     case participant::kEstimatorService:
       take(ports.measurements, member.subscribe<JointMeasurement>(ports.joints));
       break;
-    case participant::kGaitSource:
+    case participant::kLocomotion:
       take(ports.clock, member.subscribe<ClockTick>({0}));
       take(ports.commands_out, member.publish<JointCommand>(ports.joints, legs));
       break;

@@ -41,7 +41,7 @@ robot::Robot believed_by(Contender contender, const robot::Robot& nominal) {
 run::InprocRun run_of(Contender contender, const robot::Robot& world) {
   run::InprocRun run;
   run.grouping = run::Grouping::kOne;
-  run.world = &world;
+  run.simulated = &world;
   switch (contender) {
     case Contender::kAdaptive:
     case Contender::kGreyBox:
@@ -50,7 +50,7 @@ run::InprocRun run_of(Contender contender, const robot::Robot& world) {
     case Contender::kPerfect:
       run.design = supervisor::Design::kPhases;
       run.designer = &world;
-      run.announce = gait_source::Announce::kActual;
+      run.announce = locomotion::Announce::kActual;
       break;
     case Contender::kStance:
       run.design = supervisor::Design::kStance;

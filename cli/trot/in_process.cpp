@@ -31,7 +31,7 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
   run.seed = o.seed;
   run.design = design;
   run.trace_path = trace_path;
-  run.world = extras.world;
+  run.simulated = extras.world;
   run.record_path = extras.record_path;
   run.record_facts = record_facts(robot, o);
   RunOutcome outcome;

@@ -59,7 +59,7 @@ Result<RunOutcome> run_once(const robot::Robot& robot, const TrotOptions& o, con
                           {.world = world.robot, .record_path = o.record_path});
   }
   DdsRun run = dds_run(robot, o, title);
-  run.common.world_path = world.path;
+  run.common.simulated_path = world.path;
   return run_over_dds(robot, run);
 }
 

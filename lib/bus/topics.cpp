@@ -54,13 +54,13 @@ constexpr RoleSet kRequesters{Role::kOperator, Role::kLauncher};
 // clang-format off
 constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(JointSensors, {Role::kSimBridge}, Route::kLeg, Sending::kTogether, kLatest, kTwoTicks),
-    FARRIER_TOPIC(JointCommand, {Role::kGaitSource}, Route::kLeg, Sending::kTogether, kLatest, kTwoTicks),
+    FARRIER_TOPIC(JointCommand, {Role::kLocomotion}, Route::kLeg, Sending::kTogether, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointValveCommand, {Role::kJointNode}, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointMeasurement, {Role::kJointNode}, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointModelEstimate, {Role::kEstimatorService}, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointControllerGains, {Role::kSupervisor}, Route::kLeg, Sending::kAtOnce, kAuthority, kTwoTicks),
     FARRIER_TOPIC(JointUpdateDecision, {Role::kSupervisor}, Route::kRobot, Sending::kAtOnce, announcements(kDecisions), kDecisions),
-    FARRIER_TOPIC(GaitPhase, {Role::kGaitSource}, Route::kRobot, Sending::kAtOnce, announcements(4), 4),
+    FARRIER_TOPIC(GaitPhase, {Role::kLocomotion}, Route::kRobot, Sending::kAtOnce, announcements(4), 4),
     FARRIER_TOPIC(SystemHello, kParticipantRoles, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
     FARRIER_TOPIC(SystemHealth, kParticipantRoles, Route::kRobot, Sending::kAtOnce, announcements(1), 1),
     FARRIER_TOPIC(SystemEvent, kParticipantRoles, Route::kRobot, Sending::kAtOnce, announcements(kEvents), kEventsLockstep),
@@ -71,6 +71,10 @@ constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(JointSummary, {Role::kJointNode}, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
     FARRIER_TOPIC(JointModelEstimateCopy, {Role::kEstimatorService}, Route::kRobot, Sending::kTogether, kLatest, kTwoTicks),
     FARRIER_TOPIC(SystemJournal, kParticipantRoles, Route::kRobot, Sending::kAtOnce, kLatest, kJournals),
+    FARRIER_TOPIC(BodyImu, {Role::kSimBridge}, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
+    FARRIER_TOPIC(BodyTruth, {Role::kSimBridge}, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
+    FARRIER_TOPIC(BodyState, {Role::kLocomotion}, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
+    FARRIER_TOPIC(BodyCommand, kRequesters, Route::kRobot, Sending::kAtOnce, kRequests, kTwoTicks),
 };
 // clang-format on
 #undef FARRIER_TOPIC

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 
+#include "core/motion.hpp"
 #include "core/time.hpp"
+#include "gait/schedule.hpp"
 #include "locomotion/body_model.hpp"
 
 namespace farrier::locomotion {
@@ -19,12 +22,7 @@ struct Readings {
   ImuReading imu;
 };
 
-/// State of motion that the operator asks for. The controller passes through the states between by itself.
-enum class Request {
-  kLie,  ///< lie on folded legs
-  kStand,
-  kTrot,  ///< trot at the commanded velocity, which may be zero
-};
+using Request = MotionRequest;
 
 /// Command of the operator.
 struct MotionCommand {
@@ -38,6 +36,8 @@ struct MotionCommand {
 /// Joint torques of each leg, Nm, in the order HAA, HFE, KFE.
 using LegTorques = PerLeg<Eigen::Vector3d>;
 
+struct LocomotionState;
+
 /// A controller of the whole robot. Locomotion's process calls it once a tick; a user's own controller implements it.
 class Controller {
  public:
@@ -45,6 +45,15 @@ class Controller {
 
   /// Takes the readings of tick `now` and returns the torques for tick now + 1. Allocates nothing and has no clock.
   virtual const LegTorques& step(Tick now, const Readings& readings, const MotionCommand& command) noexcept = 0;
+
+  /// The change of phase of a leg that the last step announced. Joints choose their gains by it. None by default.
+  virtual std::optional<gait::PhaseSwitch> announcement(int leg) const noexcept {
+    static_cast<void>(leg);
+    return std::nullopt;
+  }
+
+  /// State after the last step for the topic body/state. Null, the default, publishes none.
+  virtual const LocomotionState* published_state() const noexcept { return nullptr; }
 };
 
 }  // namespace farrier::locomotion

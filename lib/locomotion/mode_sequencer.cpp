@@ -5,26 +5,6 @@
 
 namespace farrier::locomotion {
 
-const char* to_string(Mode mode) noexcept {
-  switch (mode) {
-    case Mode::kLie:
-      return "lie";
-    case Mode::kStandUp:
-      return "stand up";
-    case Mode::kStand:
-      return "stand";
-    case Mode::kTrot:
-      return "trot";
-    case Mode::kStop:
-      return "stop";
-    case Mode::kSitDown:
-      return "sit down";
-    case Mode::kFallen:
-      return "fallen";
-  }
-  return "unknown mode";
-}
-
 double ModeSequencer::height_m(const MotionCommand& command, const TrunkReference& reference) const noexcept {
   switch (mode_) {
     case Mode::kLie:

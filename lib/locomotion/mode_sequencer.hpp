@@ -16,18 +16,7 @@ struct ModeSequencerParams {
   double fallen_cosine = 0.5;        ///< cosine of the tilt from which on the robot counts as fallen, 60 degrees
 };
 
-/// State of motion of the robot.
-enum class Mode {
-  kLie,      ///< pose control; the first seconds are the soft start
-  kStandUp,  ///< the feet take the load, then the trunk rises
-  kStand,
-  kTrot,
-  kStop,     ///< brakes, steps in place, then stands
-  kSitDown,  ///< the trunk sinks, then the pose takes the load
-  kFallen,   ///< joints damp; left by a new controller only
-};
-
-const char* to_string(Mode mode) noexcept;
+using Mode = MotionMode;
 
 /// Mode of the robot, and how the load is shared between pose control and forces at the feet.
 class ModeSequencer {

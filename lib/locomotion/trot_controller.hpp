@@ -38,7 +38,7 @@ struct LocomotionParams {
   ModeSequencerParams mode;
 };
 
-/// Figures of one tick, for logs and tests.
+/// State of the controller after one tick, for body/state, logs and tests.
 struct LocomotionState {
   Mode mode = Mode::kLie;
   TrunkState trunk, wanted;
@@ -63,6 +63,9 @@ class TrotController final : public Controller {
   TrotController(const LocomotionParams& params, const gait::RobotPlan& plan, const BodyModel& model);
 
   const LegTorques& step(Tick now, const Readings& readings, const MotionCommand& command) noexcept override;
+
+  std::optional<gait::PhaseSwitch> announcement(int leg) const noexcept override { return schedule_.announcement(leg); }
+  const LocomotionState* published_state() const noexcept override { return &state_; }
 
   const LocomotionState& state() const noexcept { return state_; }
   const TrotSchedule& schedule() const noexcept { return schedule_; }

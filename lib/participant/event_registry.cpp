@@ -30,6 +30,7 @@ constexpr std::array kEvents{
     EventSpec{kSupervisorSilent, "supervisor silent", "joint_node", kWarning, "No mode has come for 50 ms: gains and mode stay as they are, and nobody arms a joint that trips.", "See whether a supervisor runs: `farrier topics`; started again it goes on."},
     EventSpec{kSupervisorHeard, "supervisor heard again", "joint_node", kInfo, "That one, or another that has taken over.", ""},
     EventSpec{kTraceIncomplete, "the trace is incomplete: disk full?", "sim_bridge", kError, "Rows of `--trace` could not be written.", "Make room; run again."},
+    EventSpec{kWorldFailed, "<why>", "sim_bridge", kError, "The simulated body has no next state: a number is not finite or too large. The run ends.", "See whether forces of the scene or gains are too large for the body."},
     EventSpec{kNumberTaken, "<process> is participant <number> of this run already: end it first", "any", kError, "Two processes have one place in the robot; this one does not begin.", "`farrier doctor` names both."},
     EventSpec{kSecurity, "security: <why>", "any", kWarning, "DDS Security refused somebody, or something that somebody did.", "[security.md](security.md)."},
     EventSpec{kFaultOnPurpose, "fault on purpose: <fault>", "any", kWarning, "A fault that this process was started with (`--fault`) acts for the first time on what it hears.", ""},

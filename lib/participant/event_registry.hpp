@@ -26,6 +26,7 @@ enum class EventKind : std::uint8_t {
   kSupervisorSilent,
   kSupervisorHeard,
   kTraceIncomplete,
+  kWorldFailed,
   kNumberTaken,
   kSecurity,
   kFaultOnPurpose,

@@ -56,8 +56,22 @@ bool concerns(Program program, const std::string& process) {
 
 void declare_of_sim_bridge(CLI::App& app, ProcessOptions& o) {
   app.add_option("--trace", o.trace_path, "Trace file to write (CSV)");
-  app.add_option("--world", o.world_path,
+  app.add_option("--simulated-robot", o.simulated_path,
                  "Robot file of the robot that is simulated, where it is not the one of --robot");
+  app.add_option("--scene", o.scene_path, "Scene file of the ground under a body; a plane unless given");
+}
+
+void declare_world(CLI::App& app, ProcessOptions& o) {
+  app.add_option("--world", o.world, "bench: each joint on a load of its own; body: the whole robot on a ground")
+      ->transform(CLI::CheckedTransformer(by_name(kWorlds)));
+}
+
+void declare_of_locomotion(CLI::App& app, ProcessOptions& o) {
+  app.add_option("--velocity", o.velocity,
+                 "A body stands up and trots with this velocity: forward, left (m/s), yaw rate (rad/s); without, it lies "
+                 "until body/command says otherwise")
+      ->expected(3)
+      ->delimiter(',');
 }
 
 void declare_of_supervisor(CLI::App& app, ProcessOptions& o) {
@@ -107,6 +121,12 @@ void declare(CLI::App& app, ProcessOptions& o) {
   }
   if (concerns(Program::kSimBridge, o.name)) {
     declare_of_sim_bridge(app, o);
+  }
+  if (concerns(Program::kLocomotion, o.name)) {
+    declare_of_locomotion(app, o);
+  }
+  if (concerns(Program::kSimBridge, o.name) || concerns(Program::kLocomotion, o.name)) {
+    declare_world(app, o);
   }
   if (concerns(Program::kSupervisor, o.name)) {
     declare_of_supervisor(app, o);
@@ -181,6 +201,23 @@ bus::NetworkOptions network_of(const ProcessOptions& options) {
   return network;
 }
 
+namespace {
+
+/// All digits: these numbers shape the trace.
+std::string exact_text(double number) {
+  char exact[32];
+  std::snprintf(exact, sizeof exact, "%.17g", number);
+  return exact;
+}
+
+std::vector<std::string> exact_texts(const std::vector<double>& numbers) {
+  std::vector<std::string> texts;
+  std::ranges::transform(numbers, std::back_inserter(texts), exact_text);
+  return texts;
+}
+
+}  // namespace
+
 std::vector<std::string> to_arguments(const ProcessOptions& o) {
   const auto joined = [](const std::vector<std::string>& parts) {
     std::string text;
@@ -206,6 +243,11 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
       arguments.insert(arguments.end(), {flag, value});
     }
   };
+  const auto append_world = [&] {
+    if (o.world != World::kBench) {
+      append("--world", name_of(kWorlds, o.world));
+    }
+  };
   append("--security", o.security);
   switch (role_of(o.number, o.standby)) {
     case bus::Role::kJointNode:
@@ -213,7 +255,13 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
       break;
     case bus::Role::kSimBridge:
       append("--trace", o.trace_path);
-      append("--world", o.world_path);
+      append("--simulated-robot", o.simulated_path);
+      append("--scene", o.scene_path);
+      append_world();
+      break;
+    case bus::Role::kLocomotion:
+      append_world();
+      append("--velocity", joined(exact_texts(o.velocity)));
       break;
     case bus::Role::kSupervisor:
       append("--design", o.design);
@@ -223,9 +271,7 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
   }
   append("--gait", o.gait);
   if (o.frequency_Hz > 0) {
-    char exact[32];
-    std::snprintf(exact, sizeof exact, "%.17g", o.frequency_Hz);  // it shapes the trace
-    append("--frequency", exact);
+    append("--frequency", exact_text(o.frequency_Hz));
   }
   append("--estimator", o.estimator);
   append("--controller", o.controller);

@@ -18,7 +18,7 @@ namespace farrier::participant {
 inline constexpr std::uint16_t kSimBridge = info(Program::kSimBridge).number;
 inline constexpr std::uint16_t kEstimatorService = info(Program::kEstimatorService).number;
 inline constexpr std::uint16_t kSupervisor = info(Program::kSupervisor).number;
-inline constexpr std::uint16_t kGaitSource = info(Program::kGaitSource).number;
+inline constexpr std::uint16_t kLocomotion = info(Program::kLocomotion).number;
 inline constexpr std::uint16_t kFirstJointNode = info(Program::kJointNode).number;
 
 /// The rights a participant needs under DDS Security.
@@ -106,9 +106,12 @@ class Participant {
   /// Returns what the greeting still lacks, for people; empty when complete.
   std::string greeting_lacks() const;
 
-  /// Reason why this process cannot take part: another version of the topics, or another process in its place. Empty if
-  /// there is none.
+  /// Reason why this process cannot take part or go on: another version of the topics, another process in its place, or
+  /// what give_up() was told. Empty if there is none.
   const std::string& refusal() const noexcept { return refusal_; }
+
+  /// Ends this process, with the reason on its standard error.
+  void give_up(std::string reason) { refusal_ = std::move(reason); }
 
   /// True if orders of this authority count. Older authority than the newest received is refused, with an event.
   /// `mode_epoch`: of a mode, 0 otherwise. A newer authority or epoch is reported to every process in the hello.

@@ -22,6 +22,12 @@ inline std::uint16_t& key_of(signals::GaitPhase& s) { return s.leg; }
 inline std::uint16_t& key_of(signals::SystemMode& s) { return s.robot; }
 inline std::uint16_t& key_of(signals::SystemRequest& s) { return s.robot; }
 inline std::uint16_t& key_of(signals::ClockTick& s) { return s.clock; }
+inline std::uint16_t& key_of(signals::BodyCommand& s) { return s.robot; }
+template <class Signal>
+  requires requires(Signal s) { s.trunk; }
+std::uint16_t& key_of(Signal& s) {
+  return s.trunk;
+}
 template <class Signal>
   requires requires(Signal s) { s.joint; s.tick; }
 std::uint16_t& key_of(Signal& s) { return s.joint; }

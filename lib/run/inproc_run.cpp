@@ -5,6 +5,7 @@
 #include "bus/inproc/inproc_bus.hpp"
 #include "joint_node/joint_node_lockstep.hpp"
 #include "run/run_monitor.hpp"
+#include "locomotion/body_locomotion.hpp"
 #include "participant/plain_processes.hpp"
 #include "recorder/run_recording.hpp"
 #include "robot/keys.hpp"
@@ -31,15 +32,22 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
                                                                      const InprocRun& run,
                                                                      participant::Participant& participant) {
   switch (member.number) {
-    case participant::kSimBridge:
-      return sim_bridge::create_lockstep(run.world != nullptr ? *run.world : robot, run.seed, run.trace_path,
-                                         participant, run.ticks, run.load_changes, run.sink);
+    case participant::kSimBridge: {
+      const robot::Robot& simulated = run.simulated != nullptr ? *run.simulated : robot;
+      auto world = FARRIER_TRY(run.world == participant::World::kBody
+                                   ? sim_bridge::simulated_body(simulated, run.scene_path, run.seed)
+                                   : sim_bridge::simulated_bench(simulated, run.seed, run.load_changes));
+      return sim_bridge::create_lockstep(std::move(world), simulated, run.trace_path, participant, run.ticks, run.sink);
+    }
     case participant::kSupervisor:
       return supervisor::create_application(run.designer != nullptr ? *run.designer : robot, run.design, participant,
                                             run.ticks, false, run.known_loads, run.first_gains);
-    case participant::kGaitSource: {
-      auto gait = FARRIER_TRY(gait_source::GaitSource::create(robot, run.seed, participant, run.ticks, run.announce));
-      return std::unique_ptr<participant::Application>(std::move(gait));
+    case participant::kLocomotion: {
+      auto made = FARRIER_TRY(
+          run.world == participant::World::kBody
+              ? locomotion::create_trot_locomotion(robot, locomotion::script_of(run.velocity), participant, run.ticks)
+              : locomotion::create_gait_source(robot, run.seed, participant, run.ticks, run.announce));
+      return std::unique_ptr<participant::Application>(std::move(made));
     }
 #define FARRIER_MAKE_plain(constant, program) \
   case info(Program::constant).number:        \
@@ -72,7 +80,7 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     auto application = FARRIER_TRY(create_application(member, robot, run, *seat.participant));
     seat.application = std::move(application);
   }
-  Seat& gait = seats[participant::kGaitSource];
+  Seat& gait = seats[participant::kLocomotion];
   auto monitor = FARRIER_TRY(RunMonitor::create(*gait.bus, gait.participant->identity(), robot::legs_of_joints(robot)));
   auto estimates = FARRIER_TRY(bus::Subscription<signals::JointModelEstimate>::create(
       *gait.bus, participant::endpoint_of(gait.participant->identity(), bus::TopicId::kJointModelEstimate)));
@@ -91,7 +99,7 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
     });
   };
   InprocResult result;
-  const auto& source = static_cast<const gait_source::GaitSource&>(*gait.application);
+  const auto& source = static_cast<const locomotion::Locomotion&>(*gait.application);
   int idle_polls = 0;
   Tick last = kNoTick;
   while (!std::all_of(seats.begin(), seats.end(), [](const Seat& seat) { return seat.application->finished(); })) {

@@ -4,7 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "gait_source/gait_source.hpp"
+#include "locomotion/controller.hpp"
+#include "locomotion/gait_source.hpp"
+#include "participant/options.hpp"
 #include "run/run_plan.hpp"
 #include "mcap/records.hpp"
 #include "robot/load_change.hpp"
@@ -22,8 +24,11 @@ struct InprocRun {
   std::vector<robot::LoadChange> load_changes;  ///< of the simulated world
   std::vector<robot::LoadChange> known_loads;   ///< load changes that the supervisor knows and designs for exactly
   std::vector<supervisor::SlotGains> first_gains;  ///< by joint: the supervisor's first; empty: as `design` says
-  gait_source::Announce announce = gait_source::Announce::kPlanned;    ///< what the gait source says of touchdowns
-  const robot::Robot* world = nullptr;       ///< what sim_bridge simulates; null: the robot
+  locomotion::Announce announce = locomotion::Announce::kPlanned;    ///< what locomotion says of touchdowns
+  const robot::Robot* simulated = nullptr;   ///< what sim_bridge simulates; null: the robot
+  participant::World world = participant::World::kBench;
+  std::string scene_path;                    ///< scene file of a body; empty: a plane
+  std::vector<double> velocity;              ///< as ProcessOptions has it
   const robot::Robot* designer = nullptr;    ///< what the supervisor designs for; null: the robot
   std::string trace_path;                    ///< empty: none
   std::string record_path;                   ///< a recording of everything goes there; empty: none
@@ -41,7 +46,7 @@ struct InprocResult {
   std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued, in order
 };
 
-/// `robot` is the model that every participant has; `world` and `designer` differ from it in values only, never in
+/// `robot` is the model that every participant has; `simulated` and `designer` differ from it in values only, never in
 /// joints and legs. Refuses with the reason, also when the run does not advance (a bug: nothing outside can block it).
 Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run);
 

@@ -13,7 +13,8 @@ template <class Signal>
 inline constexpr bool kOfEveryTick =
     std::is_same_v<Signal, JointSensors> || std::is_same_v<Signal, JointCommand> ||
     std::is_same_v<Signal, JointValveCommand> || std::is_same_v<Signal, JointMeasurement> ||
-    std::is_same_v<Signal, ClockTick> || std::is_same_v<Signal, ClockTickDone>;
+    std::is_same_v<Signal, ClockTick> || std::is_same_v<Signal, ClockTickDone> || std::is_same_v<Signal, BodyImu> ||
+    std::is_same_v<Signal, BodyTruth> || std::is_same_v<Signal, BodyState>;
 
 /// Number that rises by one per sample of a stream, so that a larger step gives the number of lost samples. It is the
 /// tick of signals that come in every tick, and the counter of those that have one. Empty for a sample without either.

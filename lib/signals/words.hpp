@@ -4,11 +4,14 @@
 
 #include <cstdint>
 
+#include "core/motion.hpp"
 #include "core/phase.hpp"
 
 namespace farrier::signals {
 
 using farrier::kPhaseCount;
+using farrier::MotionMode;
+using farrier::MotionRequest;
 using farrier::Phase;
 
 /// Number of a joint in an event that is not about one joint.

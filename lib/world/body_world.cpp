@@ -130,7 +130,7 @@ bool BodyWorld::advance(std::span<const double> torques_Nm) noexcept {
     return false;
   }
   torques_Nm_ = Eigen::Map<const Eigen::VectorXd>(torques_Nm.data(), body_.joints());
-  const body::TrunkWrench wrench{body::push_force_N(scene_, time_s(tick_), time_s(tick_ + 1)), Eigen::Vector3d::Zero()};
+  const body::TrunkWrench wrench{push_N(), Eigen::Vector3d::Zero()};
   foot_forces_N_.fill(Eigen::Vector3d::Zero());
   for (int step = 0; step < steps_per_tick_; ++step) {
     engine_.step(torques_Nm_, wrench);

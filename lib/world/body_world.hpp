@@ -31,6 +31,12 @@ struct BodyNoise {
   double specific_force_bias_m_s2 = 0.0;
 };
 
+/// Noise of a MEMS IMU: assumed. Biases are drawn per run.
+inline constexpr BodyNoise kImuNoise{.rate_rad_s = 0.0039,
+                                     .specific_force_m_s2 = 0.037,
+                                     .rate_bias_rad_s = 0.0035,
+                                     .specific_force_bias_m_s2 = 0.02};
+
 /// The same robot, scene, noise, seed and torques give the same numbers bit for bit.
 class BodyWorld final : public World {
  public:
@@ -53,6 +59,8 @@ class BodyWorld final : public World {
   const body::RigidBody& body() const noexcept { return body_; }
   /// Normal of the ground's plane, in the world.
   Eigen::Vector3d ground_normal() const noexcept { return scene_.ground * Eigen::Vector3d::UnitZ(); }
+  /// Push of the scene on the trunk over the coming tick, world's axes.
+  Eigen::Vector3d push_N() const noexcept { return body::push_force_N(scene_, time_s(tick_), time_s(tick_ + 1)); }
   /// Force of the ground on a foot, the mean of the last tick, world's axes.
   const Eigen::Vector3d& foot_force_N(int leg) const noexcept { return foot_forces_N_[leg]; }
 

@@ -56,7 +56,7 @@ class Monitor : public ::testing::TestWithParam<bus::ClockKind> {
 
 TEST_P(Monitor, CollectsDecisionsButNoProbes) {
   const auto bus = run_.bus();
-  auto monitor = run::RunMonitor::create(*bus, identity(1, "gait_source"));
+  auto monitor = run::RunMonitor::create(*bus, identity(1, "locomotion"));
   ASSERT_TRUE(monitor.ok());
   out_->probe();
   out_->publish(decision(1, 500));
@@ -77,7 +77,7 @@ TEST_P(Monitor, ThatJoinsLateGetsTheLast64DecisionsOfEachJoint) {
   }
   out_->publish(decision(1, 3));
   const auto bus = run_.bus();
-  auto monitor = run::RunMonitor::create(*bus, identity(1, "gait_source"));
+  auto monitor = run::RunMonitor::create(*bus, identity(1, "locomotion"));
   ASSERT_TRUE(monitor.ok());
   monitor.value().poll();
   std::vector<Tick> ticks;

@@ -78,7 +78,7 @@ TEST_F(RecordedTrot, ShowsAHiddenLossOfTheLoadCellsGainAndNothingBesideIt) {
   const robot::Robot world =
       trials::hide_effect(hyq_, knee.number, plant::effect_id<plant::ForceSensorGain>(), 1, what);
   run::InprocRun settings = recorded(6000);
-  settings.world = &world;
+  settings.simulated = &world;
   run(hyq_, settings);
   const diagnosis::Diagnosis found = diagnosis::diagnose(read("lf_kfe"), knee);
   ASSERT_FALSE(found.judgement.effects.empty()) << to_string(found.judgement.verdict);

@@ -150,7 +150,7 @@ TEST(InprocRun, SimulatesAWorldTheNodesDoNotKnow) {
   const robot::Robot world = trials::varied(hyq, trials::draw_variation(hyq, 1));
   run::InprocRun settings;
   settings.ticks = 600;
-  settings.world = &world;
+  settings.simulated = &world;
   const Outcome outcome = run(hyq, settings);
   const robot::Joint& knee = *world.find("lf_kfe");
   EXPECT_EQ(outcome.at(0, knee.number, hyq.joints.size()).load_mass_kg_or_kgm2, knee.stance_load.mass);
@@ -158,7 +158,7 @@ TEST(InprocRun, SimulatesAWorldTheNodesDoNotKnow) {
 
 TEST(InprocRun, SwitchesExactlyAtTouchdownWhenToldWhatWillHappen) {
   const robot::Robot hyq = load_with_jitter("hyq", 0.010);
-  for (const gait_source::Announce announce : {gait_source::Announce::kPlanned, gait_source::Announce::kActual}) {
+  for (const locomotion::Announce announce : {locomotion::Announce::kPlanned, locomotion::Announce::kActual}) {
     run::InprocRun settings;
     settings.ticks = kTicks;
     settings.announce = announce;
@@ -166,7 +166,7 @@ TEST(InprocRun, SwitchesExactlyAtTouchdownWhenToldWhatWillHappen) {
     for (const trace::TraceRow& row : run(hyq, settings).rows) {
       apart += row.phase != row.actual_phase ? 1 : 0;
     }
-    EXPECT_EQ(apart == 0, announce == gait_source::Announce::kActual) << apart;
+    EXPECT_EQ(apart == 0, announce == locomotion::Announce::kActual) << apart;
   }
 }
 
@@ -199,7 +199,7 @@ std::vector<double> stance_errors_of_two_seeds(const robot::Robot& believed, sup
     settings.ticks = kTicks;
     settings.seed = seed;
     settings.design = design;
-    settings.world = &world;
+    settings.simulated = &world;
     const report::Tracking tracking =
         report::track(believed, gait::Schedule(believed.plan, seed), run(believed, settings).rows, 0);
     for (const report::JointTracking& joint : tracking.joints) {

@@ -58,7 +58,7 @@ TEST(Figures, JudgeEveryJointInStanceWithTheSwingDesignBeside) {
 
 TEST(Figures, ShowThatAProcessReceivesOnlyTheJointsItHosts) {
   EXPECT_EQ(figure_of_a_run("trot.packets.joint_node_lf.joint_sensors.received"), kJointsPerLeg * kTicks);
-  // The gait source works a tick ahead, and a node may take that tick's commands before it ends.
+  // Locomotion works a tick ahead, and a node may take that tick's commands before it ends.
   EXPECT_GE(figure_of_a_run("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * kTicks);
   EXPECT_LE(figure_of_a_run("trot.packets.joint_node_lf.joint_command.received"), kJointsPerLeg * (kTicks + 1));
   EXPECT_EQ(figure_of_a_run("trot.packets.sim_bridge.joint_sensors.sent"), 4 * kJointsPerLeg * kTicks);

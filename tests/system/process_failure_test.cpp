@@ -197,7 +197,7 @@ TEST_P(StoppedAtTheStart, EndsTheRunWithinTheStartLimit) {
 INSTANTIATE_TEST_SUITE_P(Of, StoppedAtTheStart, testing::Values("lockstep", "realtime"),
                          [](const auto& clock) { return std::string(clock.param); });
 
-/// An installation whose gait_source is `script`.
+/// An installation whose locomotion is `script`.
 class OtherGaitSource {
  public:
   explicit OtherGaitSource(const std::string& script) {
@@ -208,11 +208,11 @@ class OtherGaitSource {
     fs::copy_file(FARRIER_COMMAND, command());  // it looks for the others beside itself
     fs::create_directory_symlink(build / "share", scratch_.file("share"));
     for (const auto& program : fs::directory_iterator(build / "libexec/farrier")) {
-      if (program.path().filename() != "gait_source") {
+      if (program.path().filename() != "locomotion") {
         fs::create_symlink(program.path(), fs::path(scratch_.file("libexec/farrier")) / program.path().filename());
       }
     }
-    const std::string path = scratch_.file("libexec/farrier/gait_source");
+    const std::string path = scratch_.file("libexec/farrier/locomotion");
     std::ofstream(path) << "#!/bin/sh\n" << script << '\n';
     fs::permissions(path, fs::perms::owner_all);
   }
@@ -229,8 +229,8 @@ TEST(StartLimit, EndsARunWithARunningProcessThatIsNotHeard) {
   // The others must have greeted by then, also on a slow computer.
   FarrierCommand trot(long_trot(scratch, "lockstep", {"--start-limit", "4"}), {other.command(), nullptr});
   EXPECT_EQ(trot.wait(20s), 1) << trot.output();
-  const std::string log = scratch.file("out/log/gait_source.log");
-  EXPECT_NE(trot.output().find("gait_source (pid "), std::string::npos) << trot.output();
+  const std::string log = scratch.file("out/log/locomotion.log");
+  EXPECT_NE(trot.output().find("locomotion (pid "), std::string::npos) << trot.output();
   EXPECT_NE(trot.output().find(" runs and is not heard; its log " + log + " ends with: busy with something else"),
             std::string::npos)
       << trot.output();
@@ -244,7 +244,7 @@ TEST(Start, OfAProcessThatEndsEndsTheRunWithItsLog) {
   const OtherGaitSource other("echo no such gait; exit 3");
   FarrierCommand trot(long_trot(scratch), {other.command(), nullptr});
   EXPECT_EQ(trot.wait(20s), 1) << trot.output();
-  EXPECT_NE(trot.output().find("ended with exit status 3; its log " + scratch.file("out/log/gait_source.log") +
+  EXPECT_NE(trot.output().find("ended with exit status 3; its log " + scratch.file("out/log/locomotion.log") +
                                " ends with:\n  no such gait"),
             std::string::npos)
       << trot.output();

@@ -86,7 +86,7 @@ TEST_P(LockstepTraffic, ReachesEveryoneItIsForAndNobodyElse) {
       EXPECT_EQ(count.received, kTicks) << process;
     }
   }
-  // The gait source is one tick ahead, which the last tick of a run may cut off.
+  // Locomotion is one tick ahead, which the last tick of a run may cut off.
   EXPECT_EQ(traffic.sent("joint/command"), kJoints * (kTicks + 1));
   EXPECT_LE(traffic.received("joint/command"), traffic.sent("joint/command"));
   EXPECT_GE(traffic.received("joint/command"), kJoints * kTicks);

@@ -82,7 +82,7 @@ Result<FilterRow> run_case(const robot::Robot& rig, const FilterCase& filter, bo
   run.seed = seed;
   run.design = heavy ? supervisor::Design::kStance : supervisor::Design::kSwing;
   run.load_changes = {{0, joint.number, heavy ? joint.stance_load : joint.swing_load}};
-  run.world = &world;
+  run.simulated = &world;
   run.sink = [&judge](const trace::TraceRow& at) { judge.take(at); };
   auto result = FARRIER_TRY(run::run_inproc(rig, run));
   judge.tell(row);

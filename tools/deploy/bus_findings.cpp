@@ -184,7 +184,7 @@ class BusCheck {
                            topic == bus::spec(TopicId::kGaitPhase).name || topic == bus::spec(TopicId::kClockTick).name;
     if (processes.size() > 1 && one_alone) {
       report("several processes write " + topic + " of robot " + robot_ + ": " + list,
-             "end all but one: ps -ef | grep -e sim_bridge -e gait_source; two robots of a name need two domains");
+             "end all but one: ps -ef | grep -e sim_bridge -e locomotion; two robots of a name need two domains");
     } else if (processes.size() > 1 && equal_strength && writers.front()->qos.ownership == bus::Ownership::kExclusive) {
       report("several processes write " + topic + " of robot " + robot_ + " with the same strength: " + list,
              "end all supervisors but one: ps -ef | grep supervisor");

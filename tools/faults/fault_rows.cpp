@@ -37,7 +37,7 @@ constexpr const char* kJointNode = to_string(Program::kJointNode);
 constexpr const char* kSimBridge = to_string(Program::kSimBridge);
 constexpr const char* kEstimator = to_string(Program::kEstimatorService);
 constexpr const char* kSupervisor = to_string(Program::kSupervisor);
-constexpr const char* kGaitSource = to_string(Program::kGaitSource);
+constexpr const char* kLocomotion = to_string(Program::kLocomotion);
 constexpr const char* kEverybody = "every process";
 
 Expectation says(participant::EventKind kind, double within_s) {
@@ -160,13 +160,13 @@ const std::vector<Row>& rows() {
        Hit::kLeg, kJointNode, {"gait/phase:cut"}, 0.2, {}, {}},
       {"mode_cut", "The mode does not reach a leg for 2 s.", "joint_node goes on in the mode it knows.", Hit::kLeg,
        kJointNode, {"system/mode:cut"}, 2.0, {}, says_supervisor_silent()},
-      {"clock_cut_short", "The gait source does not hear the clock for 20 ms.",
-       "It commands nothing: joint_node of every leg damps; by itself back.", Hit::kAll, kGaitSource,
+      {"clock_cut_short", "Locomotion does not hear the clock for 20 ms.",
+       "It commands nothing: joint_node of every leg damps; by itself back.", Hit::kAll, kLocomotion,
        {"clock/tick:cut"}, 0.02, {},
        reacts(Fault::kCommandStale, kDamped_s, kReach_s)},
-      {"clock_cut_long", "The gait source does not hear the clock for 2 s.",
+      {"clock_cut_long", "Locomotion does not hear the clock for 2 s.",
        "It commands nothing: joint_node of every leg damps, then trips: valve to null until an operator arms it again.",
-       Hit::kAll, "gait_source", {"clock/tick:cut"}, 2.0, {},
+       Hit::kAll, "locomotion", {"clock/tick:cut"}, 2.0, {},
        reacts(Fault::kTripped, kTripped_s, kArmed_s)},
       {"joint_node_killed", "joint_node of a leg dies (kill -9).",
        "sim_bridge puts its three spools to null.", Hit::kLeg,
@@ -182,7 +182,7 @@ const std::vector<Row>& rows() {
        Hit::kLeg, nullptr, {}, 0.1, {{kJointNode, SIGSTOP, 0.0}, {kJointNode, SIGCONT, 0.1}},
        reacts(Fault::kTripped, kSilent_s, kArmed_s)},
       {"sim_bridge_killed", "sim_bridge, or the driver in its place, dies (kill -9).",
-       "joint_node has no sensors: its commands are null. No clock: the gait source is silent, joints trip.", Hit::kAll,
+       "joint_node has no sensors: its commands are null. No clock: locomotion is silent, joints trip.", Hit::kAll,
        nullptr, {}, 0.2, {{kSimBridge, SIGKILL, 0.0}},
        {.event = info_of(Fault::kSensorsStale).event_text(), .event_within_s = kStale_s + kHeard_s}},
       {"sim_bridge_stopped_short", "sim_bridge, or the driver in its place, stands still for 30 ms (SIGSTOP).",
@@ -190,25 +190,25 @@ const std::vector<Row>& rows() {
        {{kSimBridge, SIGSTOP, 0.0}, {kSimBridge, SIGCONT, 0.03}},
        reacts(Fault::kSensorsStale, kStale_s, kAfterStop_s)},
       {"sim_bridge_stopped_long", "sim_bridge, or the driver in its place, stands still for 0.1 s (SIGSTOP).",
-       "joint_node puts its valves to null. No clock: the gait source is silent, joints trip: null until an operator arms "
+       "joint_node puts its valves to null. No clock: locomotion is silent, joints trip: null until an operator arms "
        "them again.",
        Hit::kAll, nullptr, {}, 0.1, {{kSimBridge, SIGSTOP, 0.0}, {kSimBridge, SIGCONT, 0.1}},
        reacts(Fault::kTripped, kStale_s, kArmed_s)},
-      {"gait_source_killed", "gait_source, or the planner in its place, dies (kill -9).",
+      {"locomotion_killed", "locomotion, or the planner in its place, dies (kill -9).",
        "joint_node of every leg damps, then trips: valve to null until an operator arms it again.", Hit::kAll, nullptr, {}, 0.2,
-       {{kGaitSource, SIGKILL, 0.0}},
+       {{kLocomotion, SIGKILL, 0.0}},
        reacts(Fault::kTripped, kTripped_s, kNever)},
-      {"gait_source_restarted", "gait_source, or the planner in its place, dies (kill -9) and is started again.",
+      {"locomotion_restarted", "locomotion, or the planner in its place, dies (kill -9) and is started again.",
        "joint_node of every leg damps, then trips: valve to null until an operator arms it again.", Hit::kAll, nullptr,
-       {}, 1.2, {{kGaitSource, SIGKILL, 0.0}, {kGaitSource, run::kStart, kStartAgain_s}},
+       {}, 1.2, {{kLocomotion, SIGKILL, 0.0}, {kLocomotion, run::kStart, kStartAgain_s}},
        reacts(Fault::kTripped, kTripped_s, kArmed_s)},
-      {"gait_source_stopped_short", "gait_source, or the planner in its place, stands still for 30 ms (SIGSTOP).",
+      {"locomotion_stopped_short", "locomotion, or the planner in its place, stands still for 30 ms (SIGSTOP).",
        "joint_node of every leg damps; by itself back.", Hit::kAll, nullptr, {}, 0.03,
-       {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.03}},
+       {{kLocomotion, SIGSTOP, 0.0}, {kLocomotion, SIGCONT, 0.03}},
        reacts(Fault::kCommandStale, kDamped_s, kReach_s + kCatchesUp_s)},
-      {"gait_source_stopped_long", "gait_source, or the planner in its place, stands still for 0.1 s (SIGSTOP).",
+      {"locomotion_stopped_long", "locomotion, or the planner in its place, stands still for 0.1 s (SIGSTOP).",
        "joint_node of every leg damps, then trips: valve to null until an operator arms it again.", Hit::kAll, nullptr,
-       {}, 0.1, {{kGaitSource, SIGSTOP, 0.0}, {kGaitSource, SIGCONT, 0.1}},
+       {}, 0.1, {{kLocomotion, SIGSTOP, 0.0}, {kLocomotion, SIGCONT, 0.1}},
        reacts(Fault::kTripped, kTripped_s, kArmed_s)},
       {"clock_forward", "The computer's clock is set an hour forward.", "Everybody goes on: ages are of the steady clock.",
        Hit::kAll, nullptr, {}, kLeaseAndMore_s, {{kEverybody, run::kClockForward, 0.0}}, {}},

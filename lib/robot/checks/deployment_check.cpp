@@ -36,8 +36,8 @@ class DeploymentCheck {
       }
     }
     for (const ProgramInfo& one : kPrograms) {
-      // A planner of the user's own can take the place of the gait source. Joint nodes are judged by their joints.
-      const bool may_miss = one.program == Program::kGaitSource || one.program == Program::kJointNode;
+      // A planner of the user's own can take the place of locomotion. Joint nodes are judged by their joints.
+      const bool may_miss = one.program == Program::kLocomotion || one.program == Program::kJointNode;
       if (!may_miss && !programs_.contains(one.name)) {
         report("hosts", "no process has program " + std::string(one.name) + ": a robot needs one");
       }

@@ -6,7 +6,7 @@
 namespace farrier::robot {
 
 /// Returns the problems of the deployment section. Every joint must be hosted once. The processes sim_bridge,
-/// estimator_service and supervisor must run once, gait_source at most once. Processes and addresses must differ, and
+/// estimator_service and supervisor must run once, locomotion at most once. Processes and addresses must differ, and
 /// addresses of several hosts must be reachable from each other. References must be good.
 config::Problems check_deployment(const RobotFile& file);
 

@@ -60,7 +60,7 @@ void declare(Visitor& v, DeployedProcess& p) {
     return Option<Program>{one.name, one.program};
   });
   v.here(p.place);
-  v.choice<Program>("program", p.program, programs, "What it runs; gait_source plays the gait section.");
+  v.choice<Program>("program", p.program, programs, "What it runs; locomotion plays the gait section.");
   v.names("joints", p.joints, config::Defaults{}, "Joints a joint_node hosts.");
   declare_cpus(v, p.cpus);
   v.integer("memory_max_MB", p.memory_max_MB, {32, 65536}, kInitial,

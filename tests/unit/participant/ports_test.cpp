@@ -232,18 +232,18 @@ TEST(ProcessOptions, GoToTheProcessThatTheyConcern) {
   options.participants = 8;
   options.joints = {"lf_haa"};
   options.trace_path = "trace.csv";
-  options.world_path = "out/log/world.yaml";
+  options.simulated_path = "out/log/world.yaml";
   options.design = "swing";
   options.number = kSimBridge;
   const ProcessOptions sim_bridge = parsed(to_arguments(options), "sim_bridge");
-  EXPECT_EQ(sim_bridge.world_path, options.world_path);
+  EXPECT_EQ(sim_bridge.simulated_path, options.simulated_path);
   EXPECT_EQ(sim_bridge.trace_path, options.trace_path);
   options.number = kSupervisor;
   EXPECT_EQ(parsed(to_arguments(options), "supervisor").design, options.design);
   options.number = kFirstJointNode;
   const ProcessOptions joint_node = parsed(to_arguments(options), "joint_node");
   EXPECT_EQ(joint_node.joints, options.joints);
-  EXPECT_EQ(joint_node.world_path, "");
+  EXPECT_EQ(joint_node.simulated_path, "");
   EXPECT_EQ(joint_node.trace_path, "");
 }
 

@@ -14,7 +14,7 @@ namespace run_recording_test {
 
 class RunRecordingTest : public testing::Test {
  protected:
-  RunRecordingTest() : member_(run_.join(0, "gait_source")) {
+  RunRecordingTest() : member_(run_.join(0, "locomotion")) {
     const std::vector<std::uint16_t> joints = robot::joint_numbers(robot_);
     sensors_ =
         participant::testing::opened(member_->publish<signals::JointSensors>(joints, robot::legs_of_joints(robot_)));

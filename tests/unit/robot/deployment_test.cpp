@@ -33,9 +33,9 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[rf_haa, rf_hfe, rf_kfe], cpus", "[rf_haa, rf_hfe, rf_kfe, lf_kfe], cpus", "rf_kfe, lf_kfe",
                 "deployment.hosts.front.processes.joint_node_rf.joints: lf_kfe is hosted by process joint_node_lf too: "
                 "it can be there once"},
-        Mistake{"gait_source: {program: gait_source", "gait_source: {program: sim_bridge",
-                "gait_source: {program: sim_bridge",
-                "deployment.hosts.brain.processes.gait_source.program: sim_bridge is the program of process sim_bridge "
+        Mistake{"locomotion: {program: locomotion", "locomotion: {program: sim_bridge",
+                "locomotion: {program: sim_bridge",
+                "deployment.hosts.brain.processes.locomotion.program: sim_bridge is the program of process sim_bridge "
                 "too: it can be there once"},
         Mistake{"        supervisor: {program: supervisor, cpus: [3]}\n", "", "hosts:\n    front",
                 "deployment.hosts: no process has program supervisor: a robot needs one"},

@@ -1,0 +1,233 @@
+#include "locomotion/body_locomotion.hpp"
+
+#include <algorithm>
+
+#include "core/ensure.hpp"
+#include "locomotion/body_state_signal.hpp"
+#include "locomotion/trot_controller.hpp"
+#include "robot/keys.hpp"
+#include "robot/locomotion_model.hpp"
+#include "robot/locomotion_params.hpp"
+
+namespace farrier::locomotion {
+namespace {
+
+/// Samples of one tick of all joints and of the IMU. In real time the newest of each count.
+class ReadingsInbox {
+ public:
+  explicit ReadingsInbox(const robot::Robot& robot)
+      : robot_(robot), joints_(robot::joint_numbers(robot)), newest_(robot.joints.size()) {}
+
+  void put(const signals::JointSensors& sensors) noexcept {
+    joints_.put(sensors);
+    newest_[sensors.joint] = sensors;
+  }
+  void put(const signals::BodyImu& imu) noexcept {
+    imu_.put(imu);
+    newest_imu_ = imu;
+  }
+
+  bool complete(Tick tick) const noexcept { return joints_.missing(tick) == 0 && imu_.missing(tick) == 0; }
+
+  /// Oldest tick among the newest samples; kNoTick while one has never come.
+  Tick oldest() const noexcept {
+    Tick oldest = newest_imu_.tick;
+    for (const signals::JointSensors& sensors : newest_) {
+      oldest = std::min(oldest, sensors.tick);
+    }
+    return oldest;
+  }
+
+  /// Readings of the newest samples, in joint coordinates.
+  Readings read() const noexcept {
+    Readings readings;
+    for (const robot::Joint& joint : robot_.joints) {
+      const signals::JointSensors& sensors = newest_[joint.number];
+      const double angle_rad = joint.linkage.angle(sensors.position_m_or_rad);
+      LegReadings& leg = readings.legs[static_cast<std::size_t>(joint.leg)];
+      leg.position_rad[joint.index_in_leg] = angle_rad;
+      leg.velocity_rad_s[joint.index_in_leg] =
+          joint.linkage.angular_velocity(angle_rad, sensors.velocity_m_s_or_rad_s);
+      leg.torque_Nm[joint.index_in_leg] = joint.linkage.torque(angle_rad, sensors.force_N_or_Nm);
+    }
+    readings.imu = {.angular_velocity_rad_s = Eigen::Vector3d(newest_imu_.angular_velocity_rad_s.data()),
+                    .specific_force_m_s2 = Eigen::Vector3d(newest_imu_.specific_force_m_s2.data())};
+    return readings;
+  }
+
+ private:
+  const robot::Robot& robot_;
+  participant::TickInbox<signals::JointSensors> joints_;
+  participant::TickInbox<signals::BodyImu> imu_{{0}};
+  std::vector<signals::JointSensors> newest_;  // by joint
+  signals::BodyImu newest_imu_;
+};
+
+class BodyLocomotion final : public Locomotion {
+ public:
+  static Result<std::unique_ptr<Locomotion>> create(const robot::Robot& robot, std::unique_ptr<Controller> controller,
+                                                    std::vector<TimedCommand> script,
+                                                    participant::Participant& participant, Tick ticks) {
+    const Ports ports = FARRIER_TRY(Ports::open(participant, robot));
+    const Inputs inputs{
+        FARRIER_TRY(participant.subscribe<signals::JointSensors>(robot::joint_numbers(robot),
+                                                                 robot::legs_of_joints(robot))),
+        FARRIER_TRY(participant.subscribe<signals::BodyImu>({0})),
+        // An operator may come and go: no command has to be heard before the run starts.
+        FARRIER_TRY(participant.subscribe<signals::BodyCommand>({})),
+        FARRIER_TRY(participant.publish<signals::BodyState>({0})),
+    };
+    return std::unique_ptr<Locomotion>(
+        new BodyLocomotion(robot, std::move(controller), std::move(script), participant, ports, inputs, ticks));
+  }
+
+ private:
+  struct Inputs {
+    participant::In<signals::JointSensors>* sensors;
+    participant::In<signals::BodyImu>* imu;
+    participant::In<signals::BodyCommand>* commands;
+    participant::Out<signals::BodyState>* state;
+  };
+
+  BodyLocomotion(const robot::Robot& robot, std::unique_ptr<Controller> controller, std::vector<TimedCommand> script,
+                 participant::Participant& participant, Ports ports, Inputs inputs, Tick ticks)
+      : Locomotion(robot, participant, ports, ticks),
+        controller_(std::move(controller)),
+        script_(std::move(script)),
+        inputs_(inputs),
+        inbox_(robot) {}
+
+  void prime() override;
+  void drain() override;
+  bool ready(Tick tick) const override { return !lockstep() || inbox_.complete(tick); }
+  void begin(Tick first, Tick tick) override;
+  MotionCommand command_at_tick(Tick tick) const noexcept;
+  void command_joints(const Readings& readings, const LegTorques& torques_Nm, Tick tick);
+  void announce_switches(Tick tick);
+
+  // In real time joints damp, and trip later, when samples are older than this: no torque answers stale readings.
+  static constexpr Tick kStale = 5;
+  // After a pause the controller makes up for at most so many ticks.
+  static constexpr Tick kMostTicks = 100;
+
+  std::unique_ptr<Controller> controller_;
+  std::vector<TimedCommand> script_;
+  Inputs inputs_;
+  ReadingsInbox inbox_;
+  std::optional<MotionCommand> asked_;  ///< by an operator
+};
+
+// Tick 0 begins at rest in the home pose, before any reading: no torque.
+void BodyLocomotion::prime() {
+  Readings home;
+  for (const robot::Joint& joint : robot().joints) {
+    home.legs[static_cast<std::size_t>(joint.leg)].position_rad[joint.index_in_leg] = joint.home_angle_rad;
+  }
+  LegTorques none;
+  none.fill(Eigen::Vector3d::Zero());
+  command_joints(home, none, 0);
+}
+
+void BodyLocomotion::drain() {
+  inputs_.sensors->drain([this](const signals::JointSensors& sensors) { inbox_.put(sensors); });
+  inputs_.imu->drain([this](const signals::BodyImu& imu) { inbox_.put(imu); });
+  inputs_.commands->drain([this](const signals::BodyCommand& command) {
+    if (command.session == participant().identity().session && is_possible(command)) {
+      asked_ = {.request = command.request,
+                .forward_m_s = command.forward_m_s,
+                .left_m_s = command.left_m_s,
+                .yaw_rate_rad_s = command.yaw_rate_rad_s,
+                .height_m = command.height_m};
+    }
+  });
+}
+
+MotionCommand BodyLocomotion::command_at_tick(Tick tick) const noexcept {
+  return asked_.value_or(command_at(script_, static_cast<double>(tick) * robot().period_s));
+}
+
+void BodyLocomotion::announce_switches(Tick tick) {
+  for (std::size_t leg = 0; leg < robot().plan.legs.size(); ++leg) {
+    if (const auto next = controller_->announcement(static_cast<int>(leg))) {
+      const auto number = static_cast<std::uint16_t>(leg);
+      announce(number, {number, next->count, tick, next->tick, next->phase});
+    }
+  }
+}
+
+void BodyLocomotion::command_joints(const Readings& readings, const LegTorques& torques_Nm, Tick tick) {
+  for (const robot::Joint& joint : robot().joints) {
+    const auto leg = static_cast<std::size_t>(joint.leg);
+    signals::JointCommand command = command_for(joint, tick);
+    command.position_rad =
+        std::clamp(readings.legs[leg].position_rad[joint.index_in_leg], joint.angle_min_rad, joint.angle_max_rad);
+    command.torque_ff_Nm = torques_Nm[leg][joint.index_in_leg];
+    ports().commands->publish(command);
+  }
+  ports().commands->flush();
+}
+
+void BodyLocomotion::begin(Tick first, Tick tick) {
+  if (!lockstep() && inbox_.oldest() < tick - kStale) {
+    return;
+  }
+  const Readings readings = inbox_.read();
+  const LegTorques* torques_Nm = nullptr;
+  for (Tick each = std::max(first, tick - kMostTicks); each <= tick; ++each) {
+    torques_Nm = &controller_->step(each, readings, command_at_tick(each));
+    announce_switches(each + 1);
+  }
+  FARRIER_ENSURE(torques_Nm != nullptr, "a tick has begun");
+  command_joints(readings, *torques_Nm, tick + 1);
+  if (const LocomotionState* state = controller_->published_state()) {
+    inputs_.state->publish(body_state_signal(*state, command_at_tick(tick), tick));
+  }
+}
+
+/// The trot controller with the model that it refers to.
+class OwnedTrot final : public Controller {
+ public:
+  OwnedTrot(const robot::Robot& robot, robot::LocomotionModel model)
+      : model_(std::move(model)), trot_(*robot.locomotion, robot::locomotion_plan(robot.plan), model_) {}
+
+  const LegTorques& step(Tick now, const Readings& readings, const MotionCommand& command) noexcept override {
+    return trot_.step(now, readings, command);
+  }
+  std::optional<gait::PhaseSwitch> announcement(int leg) const noexcept override { return trot_.announcement(leg); }
+  const LocomotionState* published_state() const noexcept override { return trot_.published_state(); }
+
+ private:
+  robot::LocomotionModel model_;
+  TrotController trot_;
+};
+
+}  // namespace
+
+std::vector<TimedCommand> script_of(const std::vector<double>& velocity) {
+  if (velocity.empty()) {
+    return {};
+  }
+  return walk_script({.request = Request::kTrot,
+                      .forward_m_s = velocity[0],
+                      .left_m_s = velocity[1],
+                      .yaw_rate_rad_s = velocity[2]});
+}
+
+Result<std::unique_ptr<Locomotion>> create_body_locomotion(const robot::Robot& robot,
+                                                           std::unique_ptr<Controller> controller,
+                                                           std::vector<TimedCommand> script,
+                                                           participant::Participant& participant, Tick ticks) {
+  return BodyLocomotion::create(robot, std::move(controller), std::move(script), participant, ticks);
+}
+
+Result<std::unique_ptr<Locomotion>> create_trot_locomotion(const robot::Robot& robot, std::vector<TimedCommand> script,
+                                                           participant::Participant& participant, Tick ticks) {
+  if (!robot.body || !robot.locomotion) {
+    return Error{robot.name + " cannot walk on a ground: give body.trunk and locomotion in its file"};
+  }
+  auto model = FARRIER_TRY(robot::LocomotionModel::create(*robot.body));
+  return create_body_locomotion(robot, std::make_unique<OwnedTrot>(robot, std::move(model)), std::move(script),
+                                participant, ticks);
+}
+
+}  // namespace farrier::locomotion

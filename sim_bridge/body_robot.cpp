@@ -1,0 +1,141 @@
+// The whole robot on a ground:
+//
+//   force references ──▶ linkages ──▶ torques ──▶ BodyWorld ──▶ angles ──▶ linkages ──▶ SensorChain ──▶ readings.
+
+#include <algorithm>
+
+#include "config/problem.hpp"
+#include "sim_bridge/sensor_chain.hpp"
+#include "sim_bridge/simulated_robot.hpp"
+#include "world/body_world.hpp"
+#include "world/scene_file.hpp"
+
+namespace farrier::sim_bridge {
+namespace {
+
+constexpr std::size_t kAxes = 3;
+constexpr double kTouches_N = 1.0;  ///< a foot that presses more stands
+
+std::array<double, kAxes> array_of(const Eigen::Vector3d& vector) noexcept {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+class BodyRobot final : public SimulatedRobot {
+ public:
+  BodyRobot(const robot::Robot& robot, world::BodyWorld world, std::vector<SensorChain> sensors)
+      : joints_(robot.joints), world_(std::move(world)), sensors_(std::move(sensors)), torques_Nm_(joints_.size(), 0.0) {
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      before_.push_back(truth_of_joint(i));
+      sensors_[i].begin(before_[i]);
+    }
+  }
+
+  Tick tick() const noexcept override { return world_.tick(); }
+  std::size_t joints() const noexcept override { return joints_.size(); }
+  bool takes_forces() const noexcept override { return true; }
+  std::optional<world::ImuReading> imu() const noexcept override { return world_.imu(); }
+  std::optional<std::string> failure() const override { return world_.failure(); }
+
+  world::JointReading reading(std::size_t joint) const noexcept override {
+    const Measured& sample = sensors_[joint].sample();
+    return {sample.position, sample.velocity, sample.force};
+  }
+
+  signals::JointSensors sample(std::size_t joint) const noexcept override {
+    signals::JointSensors sensors;
+    sensors.joint = joints_[joint].number;
+    sensors.tick = tick();
+    put(sensors_[joint].sample(), sensors);
+    return sensors;
+  }
+
+  bool advance(std::span<const double> forces) noexcept override;
+  void describe(std::size_t joint, trace::TraceRow& row) const noexcept override;
+  std::optional<signals::BodyTruth> truth() const noexcept override;
+
+ private:
+  Measured truth_of_joint(std::size_t index) const noexcept;
+
+  std::vector<robot::Joint> joints_;
+  world::BodyWorld world_;
+  std::vector<SensorChain> sensors_;  // by joint
+  std::vector<double> torques_Nm_;
+  std::vector<Measured> before_;  // truth of the last tick, by joint
+};
+
+Measured BodyRobot::truth_of_joint(std::size_t index) const noexcept {
+  const plant::Linkage& linkage = joints_[index].linkage;
+  const world::JointReading hinge = world_.reading(index);
+  return {.position = linkage.position(hinge.position),
+          .velocity = linkage.lever(hinge.position) * hinge.velocity,
+          .force = linkage.force(hinge.position, hinge.force)};
+}
+
+// Conversions between two ticks see a straight line between the truths of both.
+bool BodyRobot::advance(std::span<const double> forces) noexcept {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    torques_Nm_[i] = joints_[i].linkage.torque(world_.state().angles_rad[static_cast<Eigen::Index>(i)], forces[i]);
+  }
+  if (!world_.advance(torques_Nm_)) {
+    return false;
+  }
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    const Measured now = truth_of_joint(i);
+    const int parts = sensors_[i].conversions();
+    for (int part = 0; part < parts; ++part) {
+      const double share = static_cast<double>(part + 1) / parts;
+      const Measured between{.position = before_[i].position + share * (now.position - before_[i].position),
+                             .velocity = before_[i].velocity + share * (now.velocity - before_[i].velocity),
+                             .force = now.force};
+      sensors_[i].convert(part + 1 < parts ? between : now, tick(), part);
+    }
+    before_[i] = now;
+  }
+  return true;
+}
+
+void BodyRobot::describe(std::size_t index, trace::TraceRow& row) const noexcept {
+  row.tick = tick();
+  row.joint = joints_[index].number;
+  row.position_m_or_rad = before_[index].position;
+  row.velocity_m_s_or_rad_s = before_[index].velocity;
+  row.force_N_or_Nm = before_[index].force;
+  row.actual_phase =
+      world_.foot_force_N(joints_[index].leg).norm() > kTouches_N ? Phase::kStance : Phase::kSwing;
+}
+
+std::optional<signals::BodyTruth> BodyRobot::truth() const noexcept {
+  const body::BodyState& state = world_.state();
+  signals::BodyTruth truth;
+  truth.tick = tick();
+  truth.position_m = array_of(state.position_m);
+  truth.attitude = {state.attitude.w(), state.attitude.x(), state.attitude.y(), state.attitude.z()};
+  truth.velocity_m_s = array_of(state.linear_velocity_m_s);
+  truth.angular_velocity_rad_s = array_of(state.angular_velocity_rad_s);
+  for (int leg = 0; leg < world_.body().legs(); ++leg) {
+    const auto force = array_of(world_.foot_force_N(leg));
+    std::ranges::copy(force, truth.foot_force_N.begin() + static_cast<std::ptrdiff_t>(kAxes) * leg);
+  }
+  truth.push_N = array_of(world_.push_N());
+  return truth;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<SimulatedRobot>> simulated_body(const robot::Robot& robot, const std::string& scene_path,
+                                                       std::uint64_t seed) {
+  const auto scene =
+      scene_path.empty() ? world::load_scene_text("friction: 0.8\n", "the plane") : world::load_scene(scene_path);
+  if (!scene) {
+    return Error{config::to_string(scene.error())};
+  }
+  auto world = FARRIER_TRY(world::BodyWorld::create(robot, scene.value(), seed, world::kImuNoise));
+  std::vector<SensorChain> sensors;
+  for (const robot::Joint& joint : robot.joints) {
+    sensors.push_back(FARRIER_TRY(SensorChain::create(joint, robot.period_s, seed)));
+  }
+  return std::unique_ptr<SimulatedRobot>(
+      std::make_unique<BodyRobot>(robot, std::move(world), std::move(sensors)));
+}
+
+}  // namespace farrier::sim_bridge
