@@ -32,6 +32,9 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
   run.design = design;
   run.trace_path = trace_path;
   run.simulated = extras.world;
+  run.world = o.world;
+  run.scene_path = o.scene_path;
+  run.velocity = o.velocity;
   run.record_path = extras.record_path;
   run.record_facts = record_facts(robot, o);
   RunOutcome outcome;
@@ -71,16 +74,16 @@ Result<report::Tracking> tracking_of(const robot::Robot& robot, RunOutcome& run,
 
 Result<Done> add_swing_design(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
   const auto tracking = FARRIER_TRY(track_beside(without_dither(robot), o, supervisor::Design::kSwing,
-                                     o.out + "/trace_swing_design.csv", "trot, swing design beside"));
+                                                 o.out + "/trace_swing_design.csv", "trot, swing design beside"));
   report::add_swing_design_tracking(figures, robot, tracking);
   return Done{};
 }
 
 Result<Done> add_dither_cost(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
   const auto with = FARRIER_TRY(track_beside(robot, o, supervisor::Design::kPhases, o.out + "/trace_dithered.csv",
-                                 "trot, fixed gains with dither"));
+                                             "trot, fixed gains with dither"));
   const auto without = FARRIER_TRY(track_beside(without_dither(robot), o, supervisor::Design::kPhases,
-                                    o.out + "/trace_undithered.csv", "trot, fixed gains without dither"));
+                                                o.out + "/trace_undithered.csv", "trot, fixed gains without dither"));
   std::vector<double> ratios;
   for (std::size_t i = 0; i < robot.joints.size(); ++i) {
     ratios.push_back(with.joints[i].stance.nrmse / without.joints[i].stance.nrmse);

@@ -13,6 +13,7 @@
 #include "process/process.hpp"
 #include "supervisor/joint_design.hpp"
 #include "cli/base/command.hpp"
+#include "cli/trot/body_run.hpp"
 #include "cli/trot/in_process.hpp"
 #include "cli/base/output_file.hpp"
 #include "cli/trot/realtime.hpp"
@@ -81,7 +82,9 @@ int trot(TrotOptions o) {
   if (!o.design) {
     // With a tick of delay one design does not suit both loads, and nothing shows yet that adaptation gets by with it
     // while it learns. So in real time each slot has the design for its own load.
-    o.design = o.clock == bus::ClockKind::kRealtime ? robot::Design::kPhases : robot::Design::kAdaptive;
+    // Ideal joints have nothing to learn.
+    const bool fixed = o.clock == bus::ClockKind::kRealtime || o.world == participant::World::kBody;
+    o.design = fixed ? robot::Design::kPhases : robot::Design::kAdaptive;
   }
   const auto loaded = process::load_robot(common_options(o));
   if (!loaded) {
@@ -92,6 +95,16 @@ int trot(TrotOptions o) {
   if (o.print_config) {
     std::fputs(robot::print_config(robot).c_str(), stdout);
     return kPassed;
+  }
+  if (o.world == participant::World::kBody && (!robot.body || !robot.locomotion)) {
+    std::fprintf(stderr, "trot: %s has no body.trunk or no locomotion in its file: it runs on the bench\n",
+                 robot.name.c_str());
+    o.world = participant::World::kBench;
+  }
+  const bool on_ground = o.world == participant::World::kBody;
+  if (const std::string refused = on_ground ? refused_on_ground(o) : ""; !refused.empty()) {
+    std::fprintf(stderr, "farrier trot: %s\n", refused.c_str());
+    return kBadInput;
   }
   if (o.standby && o.clock != bus::ClockKind::kRealtime) {
     std::fputs(
@@ -128,6 +141,9 @@ int trot(TrotOptions o) {
   if (auto way = make_way({o.trace_path, o.json_path, o.record_path}, {o.robot_path}); !way) {
     std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
     return kBadInput;
+  }
+  if (on_ground) {
+    return run_on_ground(robot, o);
   }
   if (const std::string order = gait::stepping_order(robot.plan); !order.empty()) {
     std::fprintf(stderr, "trot: legs step in the order %s\n", order.c_str());
@@ -216,7 +232,12 @@ int trot(TrotOptions o) {
 std::function<int()> declare_trot(CLI::App& app) {
   auto options = std::make_shared<TrotOptions>();
   declare(app, *options);
-  return [options] { return trot(*options); };
+  return [options, &app] {
+    if (options->world == participant::World::kBody && app.count("--duration") == 0) {
+      options->duration_s = kWalkDuration_s;
+    }
+    return trot(*options);
+  };
 }
 
 }  // namespace farrier::cli

@@ -18,9 +18,15 @@ const std::map<std::string, DdsChoice> kDds = [] {
   }
   return names;
 }();
-const std::map<std::string, run::Grouping> kNodes{{"per-leg", run::Grouping::kPerLeg},
-                                                  {"per-joint", run::Grouping::kPerJoint},
-                                                  {"one", run::Grouping::kOne}};
+const std::map<std::string, run::Grouping> kNodes{
+    {"per-leg", run::Grouping::kPerLeg}, {"per-joint", run::Grouping::kPerJoint}, {"one", run::Grouping::kOne}};
+const std::map<std::string, participant::World> kTrotWorlds = [] {
+  std::map<std::string, participant::World> names;
+  for (const auto& world : participant::kWorlds) {
+    names.emplace(world.name, world.value);
+  }
+  return names;
+}();
 constexpr double kLongestLimit_s = 86400.0;
 constexpr int kProcessorsForLegs = 4;  ///< with fewer, joint_node processes wait for each other and for sim_bridge
 
@@ -55,12 +61,14 @@ void declare_processes(CLI::App& app, TrotOptions& o) {
              "nodes in one process")
       ->envname("FARRIER_DDS")
       ->default_str("cyclone, or what FARRIER_DDS says");
-  app.add_option("--security", o.security,
-                 "folder of keys and permissions, as farrier security init makes it: processes prove who they are, write "
-                 "their own topics only, and encrypt")
+  app.add_option(
+         "--security", o.security,
+         "folder of keys and permissions, as farrier security init makes it: processes prove who they are, write "
+         "their own topics only, and encrypt")
       ->type_name("<dir>");
   add_choice(app, "--nodes", o.nodes, kNodes, "per-leg|per-joint|one", "joint_node processes")
-      ->default_str("per-leg; one with --clock realtime on fewer than " + std::to_string(kProcessorsForLegs) + " processors");
+      ->default_str("per-leg; one with --clock realtime on fewer than " + std::to_string(kProcessorsForLegs) +
+                    " processors");
   app.add_option("--start-limit", o.start_limit_s,
                  "seconds within which every process must have greeted, else the run ends with status 1; 0: none")
       ->check(between(0.0, kLongestLimit_s))
@@ -82,7 +90,7 @@ void declare_control(CLI::App& app, TrotOptions& o) {
   app.add_option("--estimator", o.estimator, "section of the robot file's estimators that every joint uses")
       ->type_name("<name>");
   add_name(app, "--controller", o.controller, robot::kControllerKinds,
-             "kind of every controller, instead of the robot file's");
+           "kind of every controller, instead of the robot file's");
 }
 
 void declare(CLI::App& app, TrotOptions& o) {
@@ -91,7 +99,21 @@ void declare(CLI::App& app, TrotOptions& o) {
   declare_control(app, o);
   add_choice(app, "--clock", o.clock, kClockKinds, "lock-step, which repeats bit for bit, or real time")
       ->default_str("lockstep");
-  app.add_option("--trace", o.trace_path, "where the trace goes")->type_name("<file>")->default_str("trace.csv in --out");
+  add_choice(
+      app, "--world", o.world, kTrotWorlds, "bench|body",
+      "bench: each joint on a load of its own that follows the gait; body: the whole robot on a ground, its joints "
+      "ideal torque sources")
+      ->default_str("bench");
+  app.add_option("--scene", o.scene_path, "body: scene file of the ground, pushes and payloads; a plane unless given")
+      ->type_name("<file>");
+  app.add_option("--velocity", o.velocity, "body: velocity of the trot: forward, left (m/s), yaw rate (rad/s)")
+      ->expected(3)
+      ->delimiter(',')
+      ->type_name("<x,y,yaw>")
+      ->capture_default_str();
+  app.add_option("--trace", o.trace_path, "where the trace goes")
+      ->type_name("<file>")
+      ->default_str("trace.csv in --out");
   app.add_option("--record", o.record_path,
                  "records everything that crosses the bus, as farrier record does; in lock-step no sample is missing")
       ->type_name("<file>");
@@ -103,7 +125,8 @@ void declare(CLI::App& app, TrotOptions& o) {
                "without: figure trot.dither_cost_ratio")
       ->type_name("");
   app.add_flag("--soak", o.soak,
-               "watch memory, threads and descriptors of every process started, which must not grow after the first tenth of the "
+               "watch memory, threads and descriptors of every process started, which must not grow after the first "
+               "tenth of the "
                "run: figures trot.memory_growth_KiB, trot.threads_growth, trot.descriptors_growth")
       ->type_name("");
   app.add_flag("--standby", o.standby,
@@ -113,7 +136,8 @@ void declare(CLI::App& app, TrotOptions& o) {
 }
 
 run::Grouping grouping_of(const TrotOptions& o) {
-  const bool crowded = o.clock == bus::ClockKind::kRealtime && std::ssize(runtime::own_processors()) < kProcessorsForLegs;
+  const bool crowded =
+      o.clock == bus::ClockKind::kRealtime && std::ssize(runtime::own_processors()) < kProcessorsForLegs;
   return o.nodes.value_or(crowded ? run::Grouping::kOne : run::Grouping::kPerLeg);
 }
 

@@ -13,26 +13,29 @@ struct TrotOptions {
   std::string robot_path;
   DdsChoice dds = DdsChoice::kCyclone;
   bus::ClockKind clock = bus::ClockKind::kLockstep;
-  std::string security;     ///< folder of keys and permissions for every process; empty: none
+  std::string security;                           ///< folder of keys and permissions for every process; empty: none
   double start_limit_s = DdsRun{}.start_limit_s;  ///< as DdsRun has it
   double stall_limit_s = DdsRun{}.stall_limit_s;  ///< as DdsRun has it
-  std::optional<run::Grouping> nodes;  ///< as grouping_of says unless given
-  std::optional<robot::Design> design;  ///< adaptive unless given, in real time phases
+  std::optional<run::Grouping> nodes;             ///< as grouping_of says unless given
+  std::optional<robot::Design> design;            ///< adaptive unless given, in real time phases
+  participant::World world = participant::World::kBench;
+  std::string scene_path;                       ///< of a body's ground; empty: a plane
+  std::vector<double> velocity{0.4, 0.0, 0.0};  ///< of a body's trot: forward, left in m/s, yaw rate in rad/s
   double duration_s = 9.0;
   std::string gait;         ///< empty: the robot file's
   double frequency_Hz = 0;  ///< 0: the robot file's
   std::uint64_t seed = 1;
   std::string out = "out/trot";
-  std::string trace_path;   ///< empty: trace.csv in `out`
-  std::string json_path;    ///< empty: figures.json in `out`
+  std::string trace_path;  ///< empty: trace.csv in `out`
+  std::string json_path;   ///< empty: figures.json in `out`
   bool print_config = false;
-  std::string estimator;    ///< section of the robot file for every joint; empty: its own
-  std::string controller;   ///< kind of every controller; empty: the robot file's
+  std::string estimator;       ///< section of the robot file for every joint; empty: its own
+  std::string controller;      ///< kind of every controller; empty: the robot file's
   bool security_cost = false;  ///< short runs with and without `security` beside
-  bool dither_cost = false; ///< two more runs, for the cost of the robot file's dither
-  bool soak = false;        ///< watch what processes grow by
-  bool standby = false;     ///< a second supervisor stands by, real time only
-  std::string record_path;  ///< a recording of everything goes there; empty: none
+  bool dither_cost = false;    ///< two more runs, for the cost of the robot file's dither
+  bool soak = false;           ///< watch what processes grow by
+  bool standby = false;        ///< a second supervisor stands by, real time only
+  std::string record_path;     ///< a recording of everything goes there; empty: none
 };
 
 /// Error of a run without a judged tick.

@@ -21,6 +21,9 @@ participant::ProcessOptions common_options(const TrotOptions& o) {
   common.design = name_of(robot::kDesigns, o.design.value());
   common.estimator = o.estimator;
   common.controller = o.controller;
+  common.world = o.world;
+  common.scene_path = o.scene_path;
+  common.velocity = o.velocity;
   common.no_dither = o.design != robot::Design::kAdaptive;
   return common;
 }

@@ -1,0 +1,98 @@
+#include "cli/trot/body_run.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <optional>
+
+#include "body/scene/scene.hpp"
+#include "cli/base/command.hpp"
+#include "cli/trot/run_events.hpp"
+#include "cli/trot/trot_run.hpp"
+#include "locomotion/motion_script.hpp"
+#include "report/figures/console.hpp"
+#include "report/walk/walk.hpp"
+#include "trace/body_trace.hpp"
+#include "world/scene_file.hpp"
+
+namespace farrier::cli {
+namespace {
+
+Result<report::WalkPlan> plan_of(const robot::Robot& robot, const TrotOptions& o) {
+  report::WalkPlan plan{.period_s = robot.period_s,
+                        .forward_m_s = o.velocity[0],
+                        .left_m_s = o.velocity[1],
+                        .yaw_rate_rad_s = o.velocity[2],
+                        .height_m = robot.locomotion->reference.default_height_m,
+                        .walk_s = locomotion::kWalk_s,
+                        .normal = Eigen::Vector3d::UnitZ(),
+                        .plain = o.scene_path.empty()};
+  if (!o.scene_path.empty()) {
+    const auto scene = world::load_scene(o.scene_path);
+    if (!scene) {
+      return Error{config::to_string(scene.error())};
+    }
+    plan.normal = scene.value().ground * Eigen::Vector3d::UnitZ();
+  }
+  return plan;
+}
+
+}  // namespace
+
+std::string refused_on_ground(const TrotOptions& o) {
+  if (o.design == robot::Design::kAdaptive) {
+    return "--design adaptive needs joints with valves, which --world body does not have yet: leave one of the two out";
+  }
+  if (o.dither_cost || o.security_cost) {
+    return "--dither-cost and --security-cost compare runs on the bench: leave --world body out";
+  }
+  return "";
+}
+
+int run_on_ground(const robot::Robot& robot, const TrotOptions& o) {
+  const auto plan = plan_of(robot, o);
+  if (!plan) {
+    std::fprintf(stderr, "%s", plan.error().message.c_str());
+    return kBadInput;
+  }
+  auto ran = run_once(robot, o, "trot");
+  if (!ran) {
+    return fail("trot", ran.error().message);
+  }
+  const auto truth =
+      trace::read_body_trace(trace::body_trace_path(o.trace_path), static_cast<int>(robot.plan.legs.size()));
+  if (!truth) {
+    return fail("trot", truth.error().message);
+  }
+  const bool lockstep = o.clock == bus::ClockKind::kLockstep;
+  report::Outcome outcome;
+  outcome.command = "trot";
+  outcome.run = report::run_info(robot, o.seed);
+  outcome.run.processes = report::process_infos(ran.value().hellos, ran.value().healths);
+  outcome.warnings = ran.value().warnings;
+  const report::WalkFigures walk = report::judge_walk(plan.value(), truth.value());
+  report::add_walk(outcome.figures, plan.value(), walk);
+  outcome.figures.add("trot.ticks", static_cast<double>(truth.value().size()));
+  outcome.figures.add("trot.ticks_per_s", static_cast<double>(truth.value().size()) / ran.value().wall_s);
+  report::add_transport(outcome.figures, outcome.run, lockstep);
+  if (walk.fell_s) {
+    outcome.failures.push_back("the robot " + report::walk_text(walk));
+  } else if (walk.seconds <= 0.0) {
+    outcome.failures.emplace_back(
+        "too short to be judged, which begins four seconds after the first step: give a longer "
+        "--duration");
+  }
+  write_events(o.out + "/events.txt", robot, ran.value(), outcome.run.decisions);
+  if (auto written = report::write_json(o.json_path, outcome); !written) {
+    return fail("trot", written.error().message);
+  }
+  const auto page = report::write_walk_report(o.out, outcome, robot, plan.value(), walk, truth.value());
+  if (!page) {
+    return fail("trot", page.error().message);
+  }
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  std::printf("report: %s\nfigures: %s\ntrace: %s\n", page.value().c_str(), o.json_path.c_str(), o.trace_path.c_str());
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace farrier::cli
