@@ -23,6 +23,13 @@ const char* to_string(DdsChoice choice) noexcept;
 
 bus::Vendor vendor_of(DdsChoice choice, const run::Member& member) noexcept;
 
+/// What an operator does at one moment of a run.
+struct Steered {
+  std::optional<signals::BodyCommand> command;  ///< goes to locomotion; the session is filled in
+  bool stops = false;                           ///< asks the supervisor to stop: every joint to null
+  bool ends = false;                            ///< ends the run
+};
+
 /// A run of real processes over DDS. Member-independent options are in `common`.
 struct DdsRun {
   DdsChoice dds = DdsChoice::kCyclone;
@@ -37,6 +44,9 @@ struct DdsRun {
   std::vector<Act> acts;                                              ///< in the order of their ticks
   std::function<void(Tick)>
       looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
+  /// Called often with the newest tick and what locomotion tells of the body: an operator at the terminal, in place of
+  /// a bar. May be empty.
+  std::function<Steered(Tick, const signals::BodyState&)> steers;
   std::vector<Onlooker> onlookers;
   double start_limit_s = 20.0;            ///< within which every participant must have greeted; 0: none
   double stall_limit_s = 30.0;            ///< lock-step: within which the next tick must begin; 0: none
