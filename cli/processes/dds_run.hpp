@@ -36,6 +36,7 @@ struct DdsRun {
   run::Grouping grouping = run::Grouping::kPerLeg;
   participant::ProcessOptions common;
   std::string executables;  ///< directory of the node executables
+  std::string locomotion;   ///< path of a program that runs in place of locomotion; empty: the shipped one
   std::string log_directory;
   std::string record_path;  ///< a recording of everything goes there; empty: none
   mcap::Text record_facts;  ///< recording::kRunFacts of it

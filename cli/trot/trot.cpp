@@ -117,6 +117,10 @@ int trot(TrotOptions o) {
     std::fputs("farrier trot: --soak watches the processes of one run over DDS: leave --dds inproc out\n", stderr);
     return kBadInput;
   }
+  if (!o.locomotion.empty() && o.dds == DdsChoice::kInproc) {
+    std::fputs("farrier trot: --locomotion starts a process: leave --dds inproc out\n", stderr);
+    return kBadInput;
+  }
   if (o.dds == DdsChoice::kInproc && o.clock == bus::ClockKind::kRealtime) {
     std::fputs("farrier trot: --dds inproc runs on the lock-step clock only: choose a vendor for --clock realtime\n",
                stderr);

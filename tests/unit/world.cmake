@@ -8,6 +8,11 @@ if(TARGET farrier_body_world)
   target_link_libraries(body_world_test PRIVATE farrier_body_world)
   target_compile_definitions(body_world_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 
+  farrier_test(body_robot_test unit ${CMAKE_CURRENT_LIST_DIR}/sim_bridge/body_robot_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
+  target_link_libraries(body_robot_test PRIVATE farrier_sim_bridge_core)
+  target_compile_definitions(body_robot_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
+
   farrier_test(body_trial_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/body_trial_test.cpp)
   target_link_libraries(body_trial_test PRIVATE farrier_body_trial)
   target_compile_definitions(body_trial_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/"

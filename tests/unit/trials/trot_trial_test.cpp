@@ -9,7 +9,7 @@
 #include "robot/locomotion_model.hpp"
 #include "robot/locomotion_params.hpp"
 #include "tests/support/allocation_guard.hpp"
-#include "tests/unit/locomotion/stand_up.hpp"
+#include "docs/how-to/locomotion/stand_up.hpp"
 #include "trials/body/controller_driver.hpp"
 #include "world/scene_file.hpp"
 
