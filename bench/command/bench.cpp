@@ -15,6 +15,7 @@
 #include "bench/command/computed_parts.hpp"
 #include "bench/command/parts.hpp"
 #include "cli/base/command.hpp"
+#include "core/median.hpp"
 #include "cli/processes/dds_run.hpp"
 #include "cli/base/help.hpp"
 #include "cli/base/installation.hpp"
@@ -27,9 +28,11 @@ namespace {
 
 // The least the product promises.
 constexpr double kLockstepRatio = 0.5;
+constexpr double kBodyRatio = 0.7;
+constexpr int kBodyPairs = 3;
 
-const std::vector<std::string> kAll{"lockstep", "onlookers", "plant", "riccati", "control",
-                                    "rls", "estimators", "greybox", "tick"};
+const std::vector<std::string> kAll{"lockstep", "onlookers",  "plant",   "riccati", "control",
+                                    "rls",      "estimators", "greybox", "tick"};
 
 struct BenchOptions {
   std::vector<std::string> only = kAll;
@@ -50,9 +53,11 @@ DdsRun lockstep_run(const BenchOptions& o) {
   return run;
 }
 
-Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, DdsChoice dds, bool bare) {
+Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, DdsChoice dds, bool bare,
+                           participant::World world = participant::World::kBench) {
   DdsRun run = lockstep_run(o);
   run.dds = dds;
+  run.common.world = world;
   run.bare = bare;
   run.title = std::string(to_string(dds)) + (bare ? ", bare exchange" : ", whole stack");
   const auto outcome = FARRIER_TRY(run_over_dds(robot, run));
@@ -66,6 +71,22 @@ Result<Done> bench_lockstep(const BenchOptions& o, const robot::Robot& robot, Dd
   const auto whole = FARRIER_TRY(ticks_per_s(robot, o, dds, false));
   figures.add(prefix + "ticks_per_s", whole);
   figures.add(prefix + "ratio", whole / bare, kLockstepRatio);
+  return Done{};
+}
+
+/// The same of a body on a ground: medians of pairs, in turns.
+Result<Done> bench_body_lockstep(const BenchOptions& o, const robot::Robot& robot, DdsChoice dds,
+                                 report::Figures& figures) {
+  std::vector<double> whole, bare, ratios;
+  for (int pair = 0; pair < kBodyPairs; ++pair) {
+    bare.push_back(FARRIER_TRY(ticks_per_s(robot, o, dds, true, participant::World::kBody)));
+    whole.push_back(FARRIER_TRY(ticks_per_s(robot, o, dds, false, participant::World::kBody)));
+    ratios.push_back(whole.back() / bare.back());
+  }
+  const std::string prefix = std::string("bench.lockstep.") + to_string(dds) + ".";
+  figures.add(prefix + "body_bare_ticks_per_s", median(bare));
+  figures.add(prefix + "body_ticks_per_s", median(whole));
+  figures.add(prefix + "body_ratio", median(ratios), kBodyRatio);
   return Done{};
 }
 
@@ -98,6 +119,10 @@ std::vector<Part> parts_of(const BenchOptions& o, const robot::Robot& robot) {
   for (const DdsChoice dds : kVendors) {
     add("lockstep", std::string("lockstep ") + to_string(dds),
         [&o, &robot, dds](report::Figures& figures) { return bench_lockstep(o, robot, dds, figures); });
+    if (robot.body && robot.locomotion) {
+      add("lockstep", std::string("lockstep ") + to_string(dds) + ", body",
+          [&o, &robot, dds](report::Figures& figures) { return bench_body_lockstep(o, robot, dds, figures); });
+    }
   }
   for (const DdsChoice dds : kVendors) {
     DdsRun plain = lockstep_run(o);
@@ -139,8 +164,9 @@ int bench(BenchOptions o) {
   PartsRun run(parts_path, origin_of(o, robot.value()));
   if (o.go_on) {
     const std::vector<std::string> kept = run.take_over();
-    std::fprintf(stderr, "%s: %s\n", parts_path.c_str(),
-                 kept.empty() ? "no part of this build, robot, computer and --ticks" : ("has " + join(kept, ", ")).c_str());
+    std::fprintf(
+        stderr, "%s: %s\n", parts_path.c_str(),
+        kept.empty() ? "no part of this build, robot, computer and --ticks" : ("has " + join(kept, ", ")).c_str());
   }
   const std::string goes_on = parts_path + " keeps what was measured; the same with --continue goes on from there";
   last_words = "\nfarrier bench: interrupted; " + goes_on + "\n";
@@ -183,9 +209,10 @@ std::function<int()> declare_bench(CLI::App& app) {
   app.add_option("--json", o->json_path, "where the figures go")
       ->type_name("<file>")
       ->default_str("figures.json in --out");
-  app.add_flag("--continue", o->go_on,
-               "measures the parts that failed or were not reached; the others are taken from the .parts file beside the "
-               "figures, if build, robot, computer and --ticks are the same");
+  app.add_flag(
+      "--continue", o->go_on,
+      "measures the parts that failed or were not reached; the others are taken from the .parts file beside the "
+      "figures, if build, robot, computer and --ticks are the same");
   return [o] { return bench(*o); };
 }
 
