@@ -34,7 +34,8 @@ struct BodyNoise {
 /// The same robot, scene, noise, seed and torques give the same numbers bit for bit.
 class BodyWorld final : public World {
  public:
-  /// The robot stands at rest in its home pose, upright on the ground's plane, its origin above the world's. Refuses a
+  /// The robot stands at rest in its home pose, upright on the ground's plane, its origin above the world's. Its joints
+  /// are ideal sources of torque between stops at the limits of the file. Refuses a
   /// robot that its file does not describe as rigid bodies, and a start with a foot in a box.
   static Result<BodyWorld> create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed,
                                   const BodyNoise& noise = {});
