@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
+#include "bench/command/body_part.hpp"
 #include "bench/command/bench_onlookers.hpp"
 #include "bench/command/computed_parts.hpp"
 #include "bench/command/parts.hpp"
@@ -28,11 +29,20 @@ namespace {
 // The least the product promises.
 constexpr double kLockstepRatio = 0.5;
 
-const std::vector<std::string> kAll{"lockstep", "onlookers", "plant", "riccati", "control",
-                                    "rls", "estimators", "greybox", "tick"};
+const std::vector<std::string> kAll{"lockstep", "onlookers",  "plant",   "riccati", "control",
+                                    "rls",      "estimators", "greybox", "tick",    "body"};
+
+/// All that this build can measure.
+std::vector<std::string> possible() {
+  std::vector<std::string> names = kAll;
+  if (!has_body_part()) {
+    std::erase(names, "body");
+  }
+  return names;
+}
 
 struct BenchOptions {
-  std::vector<std::string> only = kAll;
+  std::vector<std::string> only = possible();
   std::string robot_path;
   Tick ticks = 4000;
   std::string out = "out/bench";
@@ -139,8 +149,9 @@ int bench(BenchOptions o) {
   PartsRun run(parts_path, origin_of(o, robot.value()));
   if (o.go_on) {
     const std::vector<std::string> kept = run.take_over();
-    std::fprintf(stderr, "%s: %s\n", parts_path.c_str(),
-                 kept.empty() ? "no part of this build, robot, computer and --ticks" : ("has " + join(kept, ", ")).c_str());
+    std::fprintf(
+        stderr, "%s: %s\n", parts_path.c_str(),
+        kept.empty() ? "no part of this build, robot, computer and --ticks" : ("has " + join(kept, ", ")).c_str());
   }
   const std::string goes_on = parts_path + " keeps what was measured; the same with --continue goes on from there";
   last_words = "\nfarrier bench: interrupted; " + goes_on + "\n";
@@ -172,7 +183,7 @@ std::function<int()> declare_bench(CLI::App& app) {
       ->check(CLI::IsMember(kAll))
       ->type_name("<names>")
       ->default_str("all");
-  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs and of the tick")
+  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs, of the tick and of the body")
       ->type_name("<file>")
       ->default_str("hyq.yaml, as shipped");
   app.add_option("--ticks", o->ticks, "length of each lock-step run; half of it beside who looks on")
@@ -183,9 +194,10 @@ std::function<int()> declare_bench(CLI::App& app) {
   app.add_option("--json", o->json_path, "where the figures go")
       ->type_name("<file>")
       ->default_str("figures.json in --out");
-  app.add_flag("--continue", o->go_on,
-               "measures the parts that failed or were not reached; the others are taken from the .parts file beside the "
-               "figures, if build, robot, computer and --ticks are the same");
+  app.add_flag(
+      "--continue", o->go_on,
+      "measures the parts that failed or were not reached; the others are taken from the .parts file beside the "
+      "figures, if build, robot, computer and --ticks are the same");
   return [o] { return bench(*o); };
 }
 

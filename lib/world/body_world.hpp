@@ -52,6 +52,9 @@ class BodyWorld final : public World {
   const body::BodyState& state() const noexcept { return state_; }
   /// The true kinematics and dynamics at that state, without payloads.
   const body::RigidBody& body() const noexcept { return body_; }
+  /// What the engine simulates, and its steps in a tick.
+  const body::BodyModel& model() const noexcept { return model_; }
+  int steps_per_tick() const noexcept { return steps_per_tick_; }
   /// Normal of the ground's plane, in the world.
   Eigen::Vector3d ground_normal() const noexcept { return scene_.ground * Eigen::Vector3d::UnitZ(); }
   /// Force of the ground on a foot, the mean of the last tick, world's axes.
