@@ -11,6 +11,9 @@ namespace {
 constexpr int kRounds = 20;
 // The least the product promises.
 constexpr double kRunRatio = 2.5;
+constexpr double kDynamicsSpeedup = 1.0;
+constexpr double kForcesSpeedup = 3.0;
+constexpr double kForcesDifference = 0.02;
 
 }  // namespace
 
@@ -21,11 +24,11 @@ Result<Done> measure_body(const robot::Robot& robot, report::Figures& figures) {
   const auto body = FARRIER_TRY(bench::bench_body(robot, kRounds, allocation_count));
   figures.add("bench.body.dynamics_us", 1e6 * body.dynamics_s);
   figures.add("bench.body.mujoco_dynamics_us", 1e6 * body.mujoco_dynamics_s);
-  figures.add("bench.body.dynamics_speedup", body.mujoco_dynamics_s / body.dynamics_s);
+  figures.add("bench.body.dynamics_speedup", body.mujoco_dynamics_s / body.dynamics_s, kDynamicsSpeedup);
   figures.add("bench.body.forces_us", 1e6 * body.forces_s);
   figures.add("bench.body.slsqp_us", 1e6 * body.slsqp_s);
-  figures.add("bench.body.forces_speedup", body.slsqp_s / body.forces_s);
-  figures.add("bench.body.forces_difference", body.forces_difference);
+  figures.add("bench.body.forces_speedup", body.slsqp_s / body.forces_s, kForcesSpeedup);
+  figures.add("bench.body.forces_difference", body.forces_difference, kForcesDifference);
   figures.add("bench.body.tick_us", 1e6 * body.tick_s);
   figures.add("bench.body.mujoco_steps_us", 1e6 * body.bare_step_s);
   figures.add("bench.body.run_ratio", body.run_ratio, kRunRatio);
