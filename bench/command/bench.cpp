@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
+#include "bench/command/body_part.hpp"
 #include "bench/command/bench_onlookers.hpp"
 #include "bench/command/computed_parts.hpp"
 #include "bench/command/parts.hpp"
@@ -32,10 +33,19 @@ constexpr double kBodyRatio = 0.7;
 constexpr int kBodyPairs = 3;
 
 const std::vector<std::string> kAll{"lockstep", "onlookers",  "plant",   "riccati", "control",
-                                    "rls",      "estimators", "greybox", "tick"};
+                                    "rls",      "estimators", "greybox", "tick",    "body"};
+
+/// All that this build can measure.
+std::vector<std::string> possible() {
+  std::vector<std::string> names = kAll;
+  if (!has_body_part()) {
+    std::erase(names, "body");
+  }
+  return names;
+}
 
 struct BenchOptions {
-  std::vector<std::string> only = kAll;
+  std::vector<std::string> only = possible();
   std::string robot_path;
   Tick ticks = 4000;
   std::string out = "out/bench";
@@ -198,7 +208,7 @@ std::function<int()> declare_bench(CLI::App& app) {
       ->check(CLI::IsMember(kAll))
       ->type_name("<names>")
       ->default_str("all");
-  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs and of the tick")
+  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs, of the tick and of the body")
       ->type_name("<file>")
       ->default_str("hyq.yaml, as shipped");
   app.add_option("--ticks", o->ticks, "length of each lock-step run; half of it beside who looks on")

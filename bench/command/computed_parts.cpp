@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "bench/command/allocation_count.hpp"
+#include "bench/command/body_part.hpp"
 #include "bench/bench_control.hpp"
 #include "bench/bench_estimators.hpp"
 #include "bench/bench_grey_box.hpp"
@@ -122,7 +123,8 @@ std::vector<ComputedPart> computed_parts(const robot::Robot& robot) {
           {"estimators", {"estimators", bench_estimators}},
           {"greybox", {"greybox", bench_grey_box}},
           {"tick", {"tick", [&robot](report::Figures& figures) { return bench_tick(robot, figures); }}},
-          {"tick", {"redesign", [&robot](report::Figures& figures) { return bench_redesign(robot, figures); }}}};
+          {"tick", {"redesign", [&robot](report::Figures& figures) { return bench_redesign(robot, figures); }}},
+          {"body", {"body", [&robot](report::Figures& figures) { return measure_body(robot, figures); }}}};
 }
 
 }  // namespace farrier::cli

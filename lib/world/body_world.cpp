@@ -26,11 +26,19 @@ double draw(const NoiseStream& stream, double deviation, Tick tick) noexcept {
   return deviation > 0.0 ? deviation * stream.normal(tick) : 0.0;
 }
 
+body::BodyModel with_stops(const robot::Robot& robot) {
+  body::BodyModel model = *robot.body;
+  for (const robot::Joint& joint : robot.joints) {
+    model.legs[joint.leg].links[joint.index_in_leg].stops = {joint.angle_min_rad, joint.angle_max_rad};
+  }
+  return model;
+}
+
 }  // namespace
 
 BodyWorld::BodyWorld(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, const BodyNoise& noise,
                      body::RigidBody body, body::Engine engine)
-    : model_(*robot.body),
+    : model_(with_stops(robot)),
       scene_(scene),
       noise_(noise),
       period_s_(robot.period_s),
@@ -65,8 +73,8 @@ Result<BodyWorld> BodyWorld::create(const robot::Robot& robot, const body::Scene
     return Error{"a standard deviation of the sensors is negative or not finite: give zero for none"};
   }
   body::RigidBody body = FARRIER_TRY(body::RigidBody::create(*robot.body));
-  body::Engine engine =
-      FARRIER_TRY(body::Engine::create(*robot.body, scene, {.step_s = robot.period_s / steps_of(robot.period_s)}));
+  body::Engine engine = FARRIER_TRY(
+      body::Engine::create(with_stops(robot), scene, {.step_s = robot.period_s / steps_of(robot.period_s)}));
   BodyWorld world(robot, scene, seed, noise, std::move(body), std::move(engine));
   FARRIER_TRY(body::check_start(scene, *robot.body, world.body_));
   return world;

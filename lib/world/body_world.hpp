@@ -40,7 +40,8 @@ inline constexpr BodyNoise kImuNoise{.rate_rad_s = 0.0039,
 /// The same robot, scene, noise, seed and torques give the same numbers bit for bit.
 class BodyWorld final : public World {
  public:
-  /// The robot stands at rest in its home pose, upright on the ground's plane, its origin above the world's. Refuses a
+  /// The robot stands at rest in its home pose, upright on the ground's plane, its origin above the world's. Its joints
+  /// are ideal sources of torque between stops at the limits of the file. Refuses a
   /// robot that its file does not describe as rigid bodies, and a start with a foot in a box.
   static Result<BodyWorld> create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed,
                                   const BodyNoise& noise = {});
@@ -57,6 +58,9 @@ class BodyWorld final : public World {
   const body::BodyState& state() const noexcept { return state_; }
   /// The true kinematics and dynamics at that state, without payloads.
   const body::RigidBody& body() const noexcept { return body_; }
+  /// What the engine simulates, and its steps in a tick.
+  const body::BodyModel& model() const noexcept { return model_; }
+  int steps_per_tick() const noexcept { return steps_per_tick_; }
   /// Normal of the ground's plane, in the world.
   Eigen::Vector3d ground_normal() const noexcept { return scene_.ground * Eigen::Vector3d::UnitZ(); }
   /// Push of the scene on the trunk over the coming tick, world's axes.

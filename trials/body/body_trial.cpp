@@ -34,6 +34,16 @@ void note_loads(const world::BodyWorld& world, std::span<const double> torques_N
 
 }  // namespace
 
+const char* to_string(FallReason reason) noexcept {
+  switch (reason) {
+    case FallReason::kHeight:
+      return "height";
+    case FallReason::kTilt:
+      return "tilt";
+  }
+  return "unknown reason";
+}
+
 BodyController::~BodyController() = default;
 
 BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, Tick ticks,
@@ -62,6 +72,7 @@ BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, 
     tilt_squares += posture.tilt_rad * posture.tilt_rad;
     if (posture.height_m < kFallenShare * start_height_m || posture.tilt_rad > kFallenTilt_rad) {
       figures.fell = world.tick();
+      figures.fall = posture.tilt_rad > kFallenTilt_rad ? FallReason::kTilt : FallReason::kHeight;
     }
   }
   if (figures.ticks > 0) {

@@ -32,10 +32,18 @@ class BodyController {
   BodyController& operator=(const BodyController&) = default;
 };
 
+/// Why a robot counts as fallen.
+enum class FallReason {
+  kHeight,  ///< the trunk's origin below half the height of the start, above the ground's plane
+  kTilt,    ///< the trunk tilted by more than 45 degrees against that plane
+};
+const char* to_string(FallReason reason) noexcept;
+
 /// The true motion of a trial, which no controller knows.
 struct BodyFigures {
   Tick ticks = 0;                      ///< simulated
-  std::optional<Tick> fell;            ///< first tick below half the height of the start, or tilted by more than 45 deg
+  std::optional<Tick> fell;            ///< first tick in which it counts as fallen, which ends the trial
+  std::optional<FallReason> fall;      ///< of that tick; the tilt if both hold
   std::optional<std::string> failure;  ///< of the simulation
   double height_rms_m = 0.0;           ///< about the height of the start, above the ground's plane
   double tilt_rms_rad = 0.0;           ///< angle between the trunk's z axis and the ground's normal

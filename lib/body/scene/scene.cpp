@@ -79,7 +79,8 @@ Result<Done> check_start(const Scene& scene, const BodyModel& model, const Rigid
     }
     for (const Box& box : scene.boxes) {
       if (!(distance_m(box, foot_m) >= least_m)) {
-        return Error{"the foot of leg " + leg.name + " starts in box " + box.name + ": move the box or start higher"};
+        return Error{(box.origin.empty() ? "" : box.origin + ": ") + "the foot of leg " + leg.name + " starts in box " +
+                     box.name + ": move the box or start higher"};
       }
     }
   }
