@@ -170,7 +170,7 @@ BodyAfterFault body_after_fault(const std::vector<signals::BodyTruth>& truth, Ti
     if (row.tick < begin) {
       continue;
     }
-    body.fell = body.fell || body::has_fallen(posture, start_height_m);
+    body.fell = body.fell || body::fall_of(posture, start_height_m).has_value();
     body.trunk_speed_m_s = std::max(body.trunk_speed_m_s, -row.velocity_m_s[2]);
     for (std::size_t i = 0; i < row.foot_force_N.size(); i += 3) {
       body.ground_force_N = std::max(body.ground_force_N, Eigen::Vector3d(row.foot_force_N.data() + i).norm());

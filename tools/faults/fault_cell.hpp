@@ -40,7 +40,7 @@ struct Check {
 
 /// What the body of a robot on a ground did from the beginning of the fault on.
 struct BodyAfterFault {
-  bool fell = false;             ///< body::has_fallen
+  bool fell = false;             ///< by body::fall_of
   double trunk_speed_m_s = 0.0;  ///< largest, downwards
   double ground_force_N = 0.0;   ///< largest on a foot
 };

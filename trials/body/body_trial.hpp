@@ -13,6 +13,7 @@
 
 #include "body/model/body_model.hpp"
 #include "core/time.hpp"
+#include "body/model/posture.hpp"
 #include "world/body_world.hpp"
 #include "world/world.hpp"
 
@@ -32,12 +33,7 @@ class BodyController {
   BodyController& operator=(const BodyController&) = default;
 };
 
-/// Why a robot counts as fallen.
-enum class FallReason {
-  kHeight,  ///< the trunk's origin below half the height of the start, above the ground's plane
-  kTilt,    ///< the trunk tilted by more than 45 degrees against that plane
-};
-const char* to_string(FallReason reason) noexcept;
+using body::FallReason;
 
 /// The true motion of a trial, which no controller knows.
 struct BodyFigures {

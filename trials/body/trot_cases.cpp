@@ -11,8 +11,7 @@ namespace {
 using locomotion::MotionCommand;
 using locomotion::Request;
 
-constexpr double kStand_s = 2.5;  // after the soft start
-constexpr double kTrot_s = 8.0;
+constexpr double kTrot_s = locomotion::kWalk_s;
 constexpr double kSettle_s = 4.0;
 constexpr int kSeeds = 3;
 constexpr int kWalkSeeds = 10;  // of walks on flat ground
@@ -42,7 +41,7 @@ TrotCase walk(const std::string& trial, const std::string& name, std::uint64_t s
           .name = name,
           .seed = seed,
           .scene = "friction: 0.8\n",
-          .script = {{kStand_s, {.request = Request::kStand}}, {kTrot_s, command}},
+          .script = locomotion::walk_script(command),
           .trot_s = kTrot_s,
           .judged_from_s = kTrot_s + kSettle_s,
           .judged_until_s = kTrot_s + walk_s,
@@ -150,8 +149,8 @@ void add_payloads(const robot::Robot& robot, std::vector<TrotCase>& cases) {
 }  // namespace
 
 const MotionCommand& TrotCase::judged_command() const noexcept {
-  const TimedCommand* last = &script.front();
-  for (const TimedCommand& timed : script) {
+  const locomotion::TimedCommand* last = &script.front();
+  for (const locomotion::TimedCommand& timed : script) {
     if (timed.from_s <= judged_from_s) {
       last = &timed;
     }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "robot/robot.hpp"
-#include "trials/body/timed_command.hpp"
+#include "locomotion/motion_script.hpp"
 
 namespace farrier::trials {
 
@@ -41,7 +41,7 @@ struct TrotCase {
   std::optional<double> trunk_mass_kg = std::nullopt;  ///< true mass, which no controller knows
   int lag_ticks = 0;                                   ///< beyond the one tick of every command
   std::string scene;                                   ///< in the format of a scene file
-  std::vector<TimedCommand> script;
+  std::vector<locomotion::TimedCommand> script;
   double trot_s = 0.0;          ///< when it first begins to trot
   double judged_from_s = 0.0;   ///< means are over this time ...
   double judged_until_s = 0.0;  ///< ... to this

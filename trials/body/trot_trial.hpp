@@ -30,14 +30,14 @@ struct TrotFigures {
   std::uint64_t hash = 0;  ///< of all states of the run
 };
 
-/// Noise of a MEMS IMU, of encoders and of torques that are computed from forces: assumed. Biases are drawn per run.
-inline constexpr world::BodyNoise kTrotNoise{.angle_rad = 4.4e-5,
-                                             .velocity_rad_s = 0.033,
-                                             .torque_Nm = 0.5,
-                                             .rate_rad_s = 0.0039,
-                                             .specific_force_m_s2 = 0.037,
-                                             .rate_bias_rad_s = 0.0035,
-                                             .specific_force_bias_m_s2 = 0.02};
+/// The IMU of world::kImuNoise, and assumed noise of encoders and of torques that are computed from forces.
+inline constexpr world::BodyNoise kTrotNoise = [] {
+  world::BodyNoise noise = world::kImuNoise;
+  noise.angle_rad = 4.4e-5;
+  noise.velocity_rad_s = 0.033;
+  noise.torque_Nm = 0.5;
+  return noise;
+}();
 
 /// Runs one case: the robot's TrotController with its own estimate, in a world of its own. False by `keep_on` ends it
 /// with nothing. Refuses a robot without body or locomotion, and a scene that does not fit.
