@@ -227,6 +227,8 @@ constexpr std::array kSpecs{
     FigureSpec{"bench.estimator.pe_gate_ns", "ns", kNone, "What the gate of persistent excitation adds to a tick."},
     FigureSpec{"bench.estimator.fft_gate_ns", "ns", kNone, "What the gate of frequencies adds to a tick."},
     FigureSpec{"bench.estimator.allocations", "1", kAtMost, "Allocations made by these ticks."},
+    FigureSpec{"bench.forgetting.fall_ms", "ms", kAtMost, "Adaptive forgetting: time from a change of load until lambda is below 0.97, slowest of eight seeds."},
+    FigureSpec{"bench.forgetting.return_ms", "ms", kAtMost, "The same until the mean of lambda over 20 ms is above 0.99 again."},
     FigureSpec{"bench.greybox.tick_us", "us", kAtMost, "Time of one tick of the grey-box estimator of a joint, full-range motion, changes of load included."},
     FigureSpec{"bench.greybox.slowest_tick_us", "us", kNone, "Of the slowest of these ticks, which follows a change of load."},
     FigureSpec{"bench.greybox.estimate_us", "us", kNone, "Time of reading one estimate: model, standard errors, poles."},

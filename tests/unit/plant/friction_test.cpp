@@ -31,7 +31,7 @@ double rate(const Friction& friction, double force, double velocity) {
 }
 
 TEST(Friction, InSteadySlidingIsStribecksCurve) {
-  const Friction friction(kGuide, 2500.0, 0.3);
+  const Friction friction(kGuide, 2500.0, 0.3, 1e-6);
   for (const double v : {1e-4, 1e-3, 0.01, 0.02, 0.1}) {
     const double ratio = v / kGuide.stribeck_velocity;
     const double curve = kGuide.coulomb + (kGuide.breakaway - kGuide.coulomb) * std::exp(-ratio * ratio);
@@ -45,7 +45,7 @@ TEST(Friction, InSteadySlidingIsStribecksCurve) {
 
 // f v - d/dt (f^2 z_s / (2 F_s)) = |v| f^2 / g: what the contact takes beyond what it stores is never negative.
 TEST(Friction, GivesNoEnergy) {
-  const Friction friction(kGuide, 2500.0, 0.3);
+  const Friction friction(kGuide, 2500.0, 0.3, 1e-6);
   for (double force = -60.0; force <= 60.0; force += 7.5) {
     for (const double v : {-0.2, -0.01, -1e-5, 0.0, 1e-5, 0.003, 0.2}) {
       const double stored = force * rate(friction, force, v) * kGuide.presliding / kGuide.breakaway;
@@ -58,7 +58,7 @@ TEST(Friction, GivesNoEnergy) {
 TEST(Friction, HasBristlesThatDamp) {
   FrictionParams damped = kGuide;
   damped.bristle_damping = 4.0 * kGuide.coulomb / 0.3;
-  const Friction friction(damped, 2500.0, 0.3);
+  const Friction friction(damped, 2500.0, 0.3, 1e-6);
   const double stiffness = kGuide.breakaway / kGuide.presliding;
   for (double force = -60.0; force <= 60.0; force += 7.5) {
     for (const double v : {-0.3, -0.01, -1e-5, 0.0, 1e-5, 0.003, 0.3}) {
