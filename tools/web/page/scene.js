@@ -6,19 +6,36 @@ import { colour } from "./charts.js";
 import { Arrows, Copies, Rods, changing, kUp } from "./shapes.js";
 
 const kLookAt = 0.35;         // m above the ground
-const kFrom = [1.05, -1.75, 0.75];  // of the camera, from what it looks at
-const kGrid = 20;             // m
+const kFrom = [0.95, -1.5, 0.6];  // of the camera, from what it looks at
+const kGrid = 12;             // m
 const kLeg = 0.03;            // m, radius of a link
 const kMostTrail = 400;
 const kMostRatio = 1.5;       // pixels of the picture per pixel of the style sheet
 
 const at = ([x, y, z], to = new three.Vector3()) => to.set(x, y, z);
 
+/// Sides of squares of a metre: drawing by the processor loses longer lines, which end behind the camera.
+function groundLines() {
+  const points = [], half = kGrid / 2;
+  for (let x = -half; x <= half; x += 1) {
+    for (let y = -half; y < half; y += 1) {
+      points.push(x, y, 0, x, y + 1, 0, y, x, 0, y + 1, x, 0);
+    }
+  }
+  return new three.BufferGeometry().setAttribute("position", new three.Float32BufferAttribute(points, 3));
+}
+
+/// A WebGL context; multisampled only where a graphics processor does the work.
+function contextOf(canvas) {
+  const probe = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+  return canvas.getContext("webgl2", { alpha: true, antialias: probe !== null });
+}
+
 export class Scene {
   /// Refuses, with the reason, where a browser has no WebGL.
   constructor(stage, shapes) {
     const canvas = document.createElement("canvas");
-    const context = canvas.getContext("webgl2", { alpha: true, antialias: true });
+    const context = contextOf(canvas);
     if (!context) {
       throw new Error("this browser has no WebGL 2.");
     }
@@ -44,15 +61,12 @@ export class Scene {
 
   build() {
     const { trunk, legs } = this.shapes, { root } = this;
-    const sun = new three.DirectionalLight(0xffffff, 1.6);
+    const sun = new three.DirectionalLight(0xffffff, 2.2);
     sun.position.set(1, -2, 4);
-    root.add(new three.HemisphereLight(0xffffff, 0x777777, 1.7), sun);
+    root.add(new three.HemisphereLight(0xffffff, 0x999999, 2.4), sun);
     const painted = (name, more = {}) => Object.assign(new three.MeshLambertMaterial(more), { name });
     const flat = (name, more = {}) => Object.assign(new three.MeshBasicMaterial(more), { name });
-    this.grid = new three.GridHelper(kGrid, kGrid);
-    this.grid.material.name = "rule";
-    this.grid.material.vertexColors = false;
-    this.grid.rotation.x = Math.PI / 2;
+    this.grid = new three.LineSegments(groundLines(), Object.assign(new three.LineBasicMaterial(), { name: "rule" }));
 
     this.robot = new three.Group();
     const box = new three.BoxGeometry(...trunk.size);
