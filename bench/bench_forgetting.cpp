@@ -12,7 +12,7 @@
 namespace farrier::bench {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kNotYet = std::numeric_limits<double>::infinity();
 constexpr double kDriveShare = 0.02;  // of the valve's current
 constexpr Tick kSwingTicks = 2000;
 constexpr Tick kStanceTicks = 400;
@@ -40,9 +40,9 @@ Result<ForgettingBench> times_of(const robot::Joint& joint, double period_s, std
   const NoiseStream drive(seed, joint.name, "drive");
   const NoiseStream sensors(seed, joint.name, "sensors");
   Eigen::Vector3d state = Eigen::Vector3d::Zero();
-  ForgettingBench times{kNever, kNever};
+  ForgettingBench times{kNotYet, kNotYet};
   double sum = 0.0;
-  for (Tick tick = 0; tick < kSwingTicks + kStanceTicks && times.return_s == kNever; ++tick) {
+  for (Tick tick = 0; tick < kSwingTicks + kStanceTicks && times.return_s == kNotYet; ++tick) {
     estimation::JointSample sample;
     sample.tick = tick;
     for (int i = 0; i < 3; ++i) {
@@ -58,12 +58,12 @@ Result<ForgettingBench> times_of(const robot::Joint& joint, double period_s, std
     }
     const double least = estimates.forgetting(0).minCoeff();
     const Tick since = tick - kSwingTicks;
-    if (times.fall_s == kNever && least < kForgets) {
+    if (times.fall_s == kNotYet && least < kForgets) {
       times.fall_s = static_cast<double>(since) * period_s;
     }
     sum += least;
     if (since % kWindow == 0) {
-      if (times.fall_s < kNever && sum / kWindow > kRemembers) {
+      if (times.fall_s < kNotYet && sum / kWindow > kRemembers) {
         times.return_s = static_cast<double>(since) * period_s;
       }
       sum = 0.0;
