@@ -211,8 +211,11 @@ TEST(Engine, HoldsAHingeBetweenItsStops) {
   for (Link& link : std::span(model.legs[0].links).first(2)) {
     link.damping_Nms_rad = 100.0;  // else the robot spins ever faster
   }
-  for (const double torque_Nm : {-5.0, 5.0}) {
+  for (const double torque_Nm : {-20.0, 20.0}) {
     Engine engine = Engine::create(model, {}).value();
+    BodyState state = BodyState::zero(3);
+    state.position_m.z() = 10.0;  // above the ground
+    engine.set_state(state);
     JointVector torques_Nm = JointVector::Zero(3);
     torques_Nm[2] = torque_Nm;
     for (int step = 0; step < 8000; ++step) {

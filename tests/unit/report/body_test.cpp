@@ -115,14 +115,15 @@ TEST(BodyResult, ReportsTheLongLagWithoutABound) {
 }
 
 TEST(BodyText, HasALinePerTrialWithItsVerdict) {
-  const std::vector<trials::TrotRow> rows{row("flat"), fallen("pushes"), fallen("long_lag")};
+  std::vector<trials::TrotRow> rows{row("flat"), fallen("pushes"), fallen("long_lag")};
+  rows.front().figures.lateral_drift_m_s = -0.001;
   const std::string text = body_text(figures_of(rows), body_results(rows));
   EXPECT_EQ(text,
-            "trial     runs  falls  height rms  offset  sag  tilt  speed  odometry  heading  torque  verdict\n"
-            "                       mm          mm      mm   deg   %      %         deg/min  Nm\n"
-            "flat      1     0      2.0         1.0     3.0  0.29  1.00   0.10      0.34     120     pass\n"
-            "pushes    1     1      -           -       -    -     -      -         -        120     fail\n"
-            "long_lag  1     1      -           -       -    -     -      -         -        120     -\n");
+            "trial     runs  falls  height rms  offset  sag  tilt  speed  odometry  heading  drift  torque  verdict\n"
+            "                       mm          mm      mm   deg   %      %         deg/min  m/min  Nm\n"
+            "flat      1     0      2.0         1.0     3.0  0.29  1.00   0.10      0.34     0.06   120     pass\n"
+            "pushes    1     1      -           -       -    -     -      -         -        -      120     fail\n"
+            "long_lag  1     1      -           -       -    -     -      -         -        -      120     -\n");
 }
 
 class BodyRowsFile : public testing::Test {
