@@ -85,14 +85,19 @@ export class Body {
     say(this.words, why);
   }
 
+  fail(why) {
+    this.picture = null;
+    this.why = `No picture: ${why}`;
+    this.hide(this.why);
+  }
+
   async open() {
     try {
-      const { Scene } = await import("./scene.js");
-      this.picture = new Scene(this.stage, this.robot.body);
+      const { View } = await import("./view.js");
+      this.picture = new View(this.stage, this.robot.body, (why) => this.fail(why));
       this.act?.();
     } catch (problem) {
-      this.why = `No picture: ${problem.message}`;
-      this.hide(this.why);
+      this.fail(problem.message);
     }
   }
 

@@ -1,15 +1,15 @@
-// The picture of the robot: a ground that scrolls, trunk, legs, forces and velocities, by three.js. Axes are the
-// world's: z up. One metre of an arrow is 1 m/s, or the robot's weight.
+// The picture of the robot: a ground that scrolls, trunk, legs, forces and velocities, by three.js. It is drawn by a
+// worker, so that the charts do not wait where a computer has no graphics processor. Axes are the world's: z up. One metre
+// of an arrow is 1 m/s, or the robot's weight.
 import * as three from "./three.module.min.js";
-import { OrbitControls } from "./OrbitControls.js";
-import { colour } from "./charts.js";
+import { kAngle_deg } from "./eye.js";
 import { Arrows, Copies, Rods, changing, kUp } from "./shapes.js";
 
-const kLookAt = 0.35;         // m above the ground
-const kFrom = [0.95, -1.5, 0.6];  // of the camera, from what it looks at
 const kGrid = 12;             // m
 const kLeg = 0.03;            // m, radius of a link
 const kMostTrail = 400;
+const kBeside = 0.04;         // m, between the arrows of what is and of what is felt
+const kSlow_ms = 100;         // between drawings that a processor makes
 const kMostRatio = 1.5;       // pixels of the picture per pixel of the style sheet
 
 const at = ([x, y, z], to = new three.Vector3()) => to.set(x, y, z);
@@ -25,38 +25,29 @@ function groundLines() {
   return new three.BufferGeometry().setAttribute("position", new three.Float32BufferAttribute(points, 3));
 }
 
-/// A WebGL context; multisampled only where a graphics processor does the work.
-function contextOf(canvas) {
-  const probe = document.createElement("canvas").getContext("webgl2", { failIfMajorPerformanceCaveat: true });
-  return canvas.getContext("webgl2", { alpha: true, antialias: probe !== null });
+/// True where a graphics processor draws. Otherwise the processor does.
+function isFast() {
+  const probe = new OffscreenCanvas(1, 1).getContext("webgl2", { failIfMajorPerformanceCaveat: true });
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return probe !== null;
 }
 
-export class Scene {
-  /// Refuses, with the reason, where a browser has no WebGL.
-  constructor(stage, shapes) {
-    const canvas = document.createElement("canvas");
-    const context = contextOf(canvas);
+class Scene {
+  /// Refuses, with the reason, where a browser has no WebGL. `canvas`: an OffscreenCanvas.
+  constructor(canvas, shapes) {
+    const fast = isFast();
+    const context = canvas.getContext("webgl2", { alpha: true, antialias: fast });
     if (!context) {
       throw new Error("this browser has no WebGL 2.");
     }
-    canvas.setAttribute("aria-hidden", "true");  // what it shows is in words beside it
-    stage.append(canvas);
     this.shapes = shapes;
-    this.stage = stage;
+    this.between = fast ? 0 : kSlow_ms;
+    this.ratio = fast ? kMostRatio : 1;
     this.renderer = new three.WebGLRenderer({ canvas, context, alpha: true });
-    this.renderer.setPixelRatio(Math.min(kMostRatio, devicePixelRatio || 1));
     this.root = new three.Scene();
-    this.camera = new three.PerspectiveCamera(38, 1, 0.05, 60);
+    this.camera = new three.PerspectiveCamera(kAngle_deg, 1, 0.05, 60);
     this.camera.up.set(0, 0, 1);
-    this.camera.position.set(...kFrom).add(new three.Vector3(0, 0, kLookAt));
-    this.controls = new OrbitControls(this.camera, canvas);
-    Object.assign(this.controls, { enablePan: false, minDistance: 0.6, maxDistance: 15, maxPolarAngle: 1.55 });
-    this.controls.target.set(0, 0, kLookAt);
-    this.controls.update();
-    this.controls.addEventListener("change", () => this.ask());
     this.build();
-    this.colour();
-    new ResizeObserver(() => this.fit()).observe(stage);
   }
 
   build() {
@@ -70,7 +61,7 @@ export class Scene {
 
     this.robot = new three.Group();
     const box = new three.BoxGeometry(...trunk.size);
-    this.trunk = new three.Mesh(box, painted("faint", { transparent: true, opacity: 0.6 }));
+    this.trunk = new three.Mesh(box, painted("rule", { transparent: true, opacity: 0.6 }));
     this.trunk.position.set(...trunk.centre);
     this.trunk.add(new three.LineSegments(new three.EdgesGeometry(box), Object.assign(new three.LineBasicMaterial(), { name: "ink" })));
     const nose = new three.Mesh(new three.ConeGeometry(0.05, 0.12, 16), painted("ink"));
@@ -90,7 +81,7 @@ export class Scene {
     this.command = new Arrows(root, 1, 0.014, painted("purple"));
     this.velocity = new Arrows(root, 1, 0.008, painted("blue"));
     this.push = new Arrows(root, 1, 0.02, painted("red"));
-    this.footholds = new Copies(root, legs.length, new three.TorusGeometry(0.04, 0.006, 8, 24).rotateX(Math.PI / 2), flat("purple"));
+    this.footholds = new Copies(root, legs.length, new three.TorusGeometry(0.04, 0.006, 8, 24), flat("purple"));
     this.com = new three.Mesh(new three.CircleGeometry(0.025, 20), flat("ink"));
     const line = (name) => Object.assign(new three.LineBasicMaterial(), { name });
     this.trail = changing(kMostTrail, (geometry) => new three.Line(geometry, line("purple")));
@@ -101,35 +92,39 @@ export class Scene {
     });
     root.add(this.grid, this.robot, this.com, this.trail, this.edge, this.area);
     [this.from, this.to, this.vector] = [1, 2, 3].map(() => new three.Vector3());
-    this.away = new three.Vector3();
   }
 
-  /// Takes the colours of the style sheet.
-  colour() {
-    this.root.traverse(({ material }) => material?.color.set(colour(material.name)));
-    this.ask();
+  /// `colours` of the style sheet by name.
+  paint(colours) {
+    this.root.traverse(({ material }) => material?.color.set(colours[material.name]));
   }
 
-  fit() {
-    const { clientWidth: width, clientHeight: height } = this.stage;
-    if (width > 0 && height > 0) {
-      this.renderer.setSize(width, height);
-      this.camera.aspect = width / height;
-      this.camera.updateProjectionMatrix();
-      this.ask();
-    }
+  fit({ width, height, ratio }) {
+    this.renderer.setPixelRatio(Math.min(this.ratio, ratio));
+    this.renderer.setSize(width, height, false);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
   }
 
-  /// Draws before the screen shows the next picture.
+  look({ position, target }) {
+    this.camera.position.set(...position);
+    this.camera.lookAt(...target);
+  }
+
+  /// Draws before the screen shows the next picture, or later where drawing is slow.
   ask() {
-    if (!this.waiting) {
-      this.waiting = true;
-      requestAnimationFrame(() => {
-        this.waiting = false;
-        this.renderer.render(this.root, this.camera);
-        this.stage.dataset.triangles = this.renderer.info.render.triangles;
-      });
+    if (this.waiting) {
+      return;
     }
+    this.waiting = true;
+    const draw = () => requestAnimationFrame((now) => {
+      this.waiting = false;
+      this.drawn = now;
+      this.renderer.render(this.root, this.camera);
+      postMessage({ triangles: this.renderer.info.render.triangles });
+    });
+    const rest = this.between - (performance.now() - (this.drawn ?? -Infinity));
+    rest > 0 ? setTimeout(draw, rest) : draw();
   }
 
   /// `things`: of thingsOf() in body.js; `trail`: where the trunk was.
@@ -142,7 +137,9 @@ export class Scene {
     this.trunk.material.opacity = pose.from ? 0.6 : 0.25;
     const feet = legs.map((leg, i) => this.showLeg(leg, i, stands[i]));
     this.showForces(this.trueForces, things.trueForces, feet);
+    feet.forEach((foot) => foot?.setX(foot.x + kBeside));
     this.showForces(this.feltForces, things.feltForces, feet);
+    feet.forEach((foot) => foot?.setX(foot.x - kBeside));
     const top = this.from.copy(this.trunk.position).setZ(this.trunk.position.z + this.shapes.trunk.size[2] / 2 + 0.05)
       .applyMatrix4(this.robot.matrixWorld);
     for (const [arrow, vector] of [[this.command, things.command], [this.velocity, things.velocity]]) {
@@ -155,8 +152,7 @@ export class Scene {
     });
     this.showSupport(feet, stands, things.com);
     this.trail.set(trail);
-    this.follow(pose.position);
-    this.ask();
+    this.grid.position.set(Math.round(pose.position[0]), Math.round(pose.position[1]), 0);
   }
 
   /// Returns where the foot touches the ground, in the world; null: not known.
@@ -199,13 +195,22 @@ export class Scene {
       this.com.position.set(com[0], com[1], ground + 0.004);
     }
   }
-
-  /// The camera keeps its place beside the trunk; the ground keeps its lines.
-  follow([x, y, z]) {
-    this.away.copy(this.camera.position).sub(this.controls.target);
-    this.controls.target.set(x, y, z > 1 ? z : kLookAt);
-    this.camera.position.copy(this.controls.target).add(this.away);
-    this.controls.update();
-    this.grid.position.set(Math.round(x), Math.round(y), 0);
-  }
 }
+
+let scene = null;
+
+/// Messages of view.js; one may carry several of these.
+onmessage = ({ data: { canvas, shapes, colours, size, eye, things, trail } }) => {
+  try {
+    scene = canvas ? new Scene(canvas, shapes) : scene;
+  } catch (problem) {
+    postMessage({ why: problem.message });
+  }
+  if (scene) {
+    colours && scene.paint(colours);
+    size && scene.fit(size);
+    eye && scene.look(eye);
+    things && scene.show(things, trail);
+    scene.ask();
+  }
+};
