@@ -9,7 +9,7 @@ const kGrid = 12;             // m
 const kLeg = 0.03;            // m, radius of a link
 const kMostTrail = 400;
 const kBeside = 0.04;         // m, between the arrows of what is and of what is felt
-const kSlow_ms = 100;         // between drawings that a processor makes, at least
+const kSlow_ms = 200;         // between drawings that a processor makes, at least
 const kRest = 9;              // of a processor that draws: nine times as long as it has drawn
 const kMostRatio = 1.5;       // pixels of the picture per pixel of the style sheet
 
