@@ -102,22 +102,23 @@ await check("draws a robot on a bench by its joints alone", async () => {
   await until(page, () => document.querySelector("#body").dataset.pose === "truth", 5000);
 });
 await check("takes at most ten milliseconds of script a frame", async () => {
-  // Of three stretches the best: a computer that others use stands still now and then.
-  let least = Infinity;
-  for (let i = 0; i < 3 && least > kMostScript_ms; i += 1) {
-    const before = await page.metrics();
-    const frames = await page.evaluate((limit) => new Promise((resolve) => {
-      const seen = new Set(), begin = performance.now();
-      const look = (now) => {
-        seen.add(document.body.dataset.time);
-        now - begin < limit ? requestAnimationFrame(look) : resolve(seen.size);
-      };
-      requestAnimationFrame(look);
-    }), 3000);
-    least = Math.min(least, 1000 * ((await page.metrics()).ScriptDuration - before.ScriptDuration) / frames);
-  }
-  const words = `${least.toFixed(1)} ms`;
-  assert.ok(least <= kMostScript_ms, words);
+  // Of the page's thread, in time of the processor: others who use this computer do not count.
+  const session = await page.createCDPSession();
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
+  const script = async () => (await session.send("Performance.getMetrics")).metrics
+    .find(({ name }) => name === "ScriptDuration").value;
+  const before = await script();
+  const frames = await page.evaluate(() => new Promise((resolve) => {
+    const seen = new Set(), begin = performance.now();
+    const look = (now) => {
+      seen.add(document.body.dataset.time);
+      now - begin < 3000 ? requestAnimationFrame(look) : resolve(seen.size);
+    };
+    requestAnimationFrame(look);
+  }));
+  const each = 1000 * (await script() - before) / frames;
+  const words = `${each.toFixed(1)} ms`;
+  assert.ok(each > 0 && each <= kMostScript_ms, words);
   return words;
 });
 await check("draws at twenty frames a second without falling behind", async () => {

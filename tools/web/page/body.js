@@ -63,7 +63,13 @@ export function thingsOf(frame, shapes) {
   };
 }
 
-const speed = ([x, y]) => `${x.toFixed(2)} m/s forward, ${y.toFixed(2)} m/s left`;
+/// With so many digits, and no minus before a zero.
+function fixed(value, digits) {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? text.replace("-", "") : text;
+}
+
+const speed = ([x, y]) => `${fixed(x, 2)} m/s forward, ${fixed(y, 2)} m/s left`;
 
 export class Body {
   constructor(section, robot) {
@@ -116,8 +122,8 @@ export class Body {
     const things = thingsOf(frame, shapes);
     this.tell(frame, things);
     const trail = things.pose.from === null ? []
-      : past.filter((one) => one.body?.[things.pose.from]).map((one) => one.body[things.pose.from].position);
-    this.picture?.show(things, trail);
+      : past.flatMap((one) => one.body?.[things.pose.from]?.position ?? []);
+    this.picture?.show(things, new Float32Array(trail));
   }
 
   tell({ body: { truth, state } }, { pose, stands, trueForces, feltForces, command, velocity, trueVelocity, push }) {
@@ -125,11 +131,11 @@ export class Body {
     const forward = turn(pose.attitude, [1, 0, 0]), size = Math.hypot(forward[0], forward[1]) || 1;
     const [c, s] = [forward[0] / size, forward[1] / size];
     const along = ([x, y]) => speed([x * c + y * s, y * c - x * s]);
-    const up = (forces) => forces.map((force, i) => `${legs[i]} ${force[2].toFixed(0)}`).join(", ");
+    const up = (forces) => forces.map((force, i) => `${legs[i]} ${fixed(force[2], 0)}`).join(", ");
     fill(this.numbers, [
       ["motion", state ? state.mode : "–"],
       ["height", pose.from ? `${pose.position[2].toFixed(3)} m` : "–"],
-      ["command", command ? `${along(command)}, ${state.command[2].toFixed(2)} rad/s` : "–"],
+      ["command", command ? `${along(command)}, ${fixed(state.command[2], 2)} rad/s` : "–"],
       ["velocity, estimated", velocity ? along(velocity) : "–"],
       ...(truth ? [["velocity, true", along(trueVelocity)]] : []),
       ["load felt, N", feltForces ? up(feltForces) : "–"],

@@ -9,7 +9,8 @@ const kGrid = 12;             // m
 const kLeg = 0.03;            // m, radius of a link
 const kMostTrail = 400;
 const kBeside = 0.04;         // m, between the arrows of what is and of what is felt
-const kSlow_ms = 100;         // between drawings that a processor makes
+const kSlow_ms = 200;         // between drawings that a processor makes, at least
+const kRest = 9;              // of a processor that draws: nine times as long as it has drawn
 const kMostRatio = 1.5;       // pixels of the picture per pixel of the style sheet
 
 const at = ([x, y, z], to = new three.Vector3()) => to.set(x, y, z);
@@ -41,7 +42,9 @@ class Scene {
       throw new Error("this browser has no WebGL 2.");
     }
     this.shapes = shapes;
-    this.between = fast ? 0 : kSlow_ms;
+    this.fast = fast;
+    this.rest = 0;
+    this.drawn = -Infinity;
     this.ratio = fast ? kMostRatio : 1;
     this.renderer = new three.WebGLRenderer({ canvas, context, alpha: true });
     this.root = new three.Scene();
@@ -117,18 +120,25 @@ class Scene {
       return;
     }
     this.waiting = true;
-    const draw = () => requestAnimationFrame((now) => {
+    const draw = () => requestAnimationFrame(() => {
       this.waiting = false;
-      this.drawn = now;
+      const begin = performance.now();
+      this.newest && this.arrange(this.newest);
+      this.newest = null;
       this.renderer.render(this.root, this.camera);
+      if (!this.fast) {
+        this.renderer.getContext().finish();
+      }
+      this.drawn = performance.now();
+      this.rest = this.fast ? 0 : Math.max(kSlow_ms, kRest * (this.drawn - begin));
       postMessage({ triangles: this.renderer.info.render.triangles });
     });
-    const rest = this.between - (performance.now() - (this.drawn ?? -Infinity));
-    rest > 0 ? setTimeout(draw, rest) : draw();
+    const left = this.rest - (performance.now() - this.drawn);
+    left > 0 ? setTimeout(draw, left) : draw();
   }
 
-  /// `things`: of thingsOf() in body.js; `trail`: where the trunk was.
-  show(things, trail) {
+  /// `things`: of thingsOf() in body.js; `trail`: where the trunk was, three numbers a place.
+  arrange({ things, trail }) {
     const { pose, legs, stands } = things;
     const [w, x, y, z] = pose.attitude;
     at(pose.position, this.robot.position);
@@ -187,8 +197,8 @@ class Scene {
     const middle = [0, 1].map((axis) => all.reduce((sum, foot) => sum + foot[axis], 0) / Math.max(1, all.length));
     const angle = (foot) => Math.atan2(foot[1] - middle[1], foot[0] - middle[0]);
     all.sort((one, other) => angle(one) - angle(other));
-    this.edge.set(all);
-    this.area.set(all);
+    this.edge.set(all.flat());
+    this.area.set(all.flat());
     this.com.visible = com !== null;
     if (com) {
       const ground = all.length ? Math.max(...all.map((foot) => foot[2])) : 0;
@@ -210,7 +220,7 @@ onmessage = ({ data: { canvas, shapes, colours, size, eye, things, trail } }) =>
     colours && scene.paint(colours);
     size && scene.fit(size);
     eye && scene.look(eye);
-    things && scene.show(things, trail);
+    scene.newest = things ? { things, trail } : scene.newest;
     scene.ask();
   }
 };

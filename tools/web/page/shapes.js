@@ -90,10 +90,12 @@ export function changing(most, make) {
   geometry.setAttribute("position", points);
   const thing = make(geometry);
   thing.frustumCulled = false;
-  thing.set = (all) => {
-    all.slice(-most).forEach(([x, y, z], i) => points.setXYZ(i, x, y, z));
+  /// Three numbers a point; the last `most` points.
+  thing.set = (numbers) => {
+    points.array.set(numbers.slice(-3 * most));
     points.needsUpdate = true;
-    geometry.setDrawRange(0, geometry.index ? 3 * Math.max(0, all.length - 2) : Math.min(most, all.length));
+    const count = Math.min(most, numbers.length / 3);
+    geometry.setDrawRange(0, geometry.index ? 3 * Math.max(0, count - 2) : count);
   };
   return thing;
 }

@@ -55,7 +55,7 @@ export class View {
     }
   }
 
-  /// `things`: of thingsOf() in body.js; `trail`: where the trunk was.
+  /// `things`: of thingsOf() in body.js; `trail`: where the trunk was, three numbers a place.
   show(things, trail) {
     this.follow(things.pose.position);
     this.worker.postMessage({ things, trail, eye: this.eye() });
