@@ -1,6 +1,6 @@
-// The picture of the robot: a ground that scrolls, trunk, legs, forces and velocities, by three.js. It is drawn by a
-// worker, so that the charts do not wait where a computer has no graphics processor. Axes are the world's: z up. One metre
-// of an arrow is 1 m/s, or the robot's weight.
+// The picture of the robot: a ground that scrolls, trunk, legs, forces and velocities, by three.js. A worker draws it, so
+// that charts do not wait where a computer has no graphics processor. Axes are the world's: z up. One metre of an arrow
+// is 1 m/s, or the robot's weight.
 import * as three from "./three.module.min.js";
 import { kAngle_deg } from "./eye.js";
 import { Arrows, Copies, Rods, changing, kUp } from "./shapes.js";
