@@ -95,7 +95,7 @@ void own_dynamics(body::RigidBody& body, const body::BodyState& state, body::Eng
   }
 }
 
-/// What a round leaves for the parts: states before the ticks, torques of the ticks, loads after them.
+/// The inputs of the parts that a round has recorded: states before the ticks, torques of the ticks, loads after them.
 struct Round {
   std::vector<body::BodyState> states;
   std::vector<body::JointVector> torques_Nm;

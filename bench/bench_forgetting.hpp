@@ -5,7 +5,7 @@
 
 namespace farrier::bench {
 
-/// How fast the method aff forgets after a change of load, Hubacher (2014), 9.1.1, and how fast it stops. Times in s, of
+/// Times in which the method aff, Hubacher (2014), 9.1.1, forgets after a change of load and stops forgetting. In s, of
 /// the slowest seed; infinite where it never happens.
 struct ForgettingBench {
   double fall_s;    ///< from the change until the least lambda of a row is below kForgets

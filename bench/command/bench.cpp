@@ -32,13 +32,14 @@ constexpr double kLockstepRatio = 0.5;
 constexpr double kBodyRatio = 0.7;
 constexpr int kBodyPairs = 3;
 
-const std::vector<std::string> kAll{"lockstep", "onlookers",  "plant",   "riccati", "control",
-                                    "rls",      "estimators", "greybox", "tick",    "body"};
+const std::vector<std::string> kAll{"lockstep", "body_lockstep", "onlookers", "plant", "riccati", "control",
+                                    "rls",      "estimators",    "greybox",   "tick",  "body"};
 
 /// All that this build can measure.
 std::vector<std::string> possible() {
   std::vector<std::string> names = kAll;
   if (!has_body_part()) {
+    std::erase(names, "body_lockstep");
     std::erase(names, "body");
   }
   return names;
@@ -69,7 +70,8 @@ Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, Dds
   run.dds = dds;
   run.common.world = world;
   run.bare = bare;
-  run.title = std::string(to_string(dds)) + (bare ? ", bare exchange" : ", whole stack");
+  run.title = std::string(to_string(dds)) + (world == participant::World::kBody ? ", body" : "") +
+              (bare ? ", bare exchange" : ", whole stack");
   const auto outcome = FARRIER_TRY(run_over_dds(robot, run));
   return static_cast<double>(o.ticks) / outcome.wall_s;
 }
@@ -84,7 +86,7 @@ Result<Done> bench_lockstep(const BenchOptions& o, const robot::Robot& robot, Dd
   return Done{};
 }
 
-/// The same of a body on a ground: medians of pairs, in turns.
+/// The same of a body on a ground: medians of pairs of runs.
 Result<Done> bench_body_lockstep(const BenchOptions& o, const robot::Robot& robot, DdsChoice dds,
                                  report::Figures& figures) {
   std::vector<double> whole, bare, ratios;
@@ -130,7 +132,7 @@ std::vector<Part> parts_of(const BenchOptions& o, const robot::Robot& robot) {
     add("lockstep", std::string("lockstep ") + to_string(dds),
         [&o, &robot, dds](report::Figures& figures) { return bench_lockstep(o, robot, dds, figures); });
     if (robot.body && robot.locomotion) {
-      add("lockstep", std::string("lockstep ") + to_string(dds) + ", body",
+      add("body_lockstep", std::string("body_lockstep ") + to_string(dds),
           [&o, &robot, dds](report::Figures& figures) { return bench_body_lockstep(o, robot, dds, figures); });
     }
   }

@@ -7,7 +7,7 @@
 
 namespace farrier::cli {
 
-/// What a key of farrier drive asks for.
+/// The meanings of the keys of farrier drive.
 enum class Key {
   kFaster,     ///< arrow up, w
   kSlower,     ///< arrow down, s; backwards beyond standstill

@@ -23,7 +23,7 @@ const char* to_string(DdsChoice choice) noexcept;
 
 bus::Vendor vendor_of(DdsChoice choice, const run::Member& member) noexcept;
 
-/// What an operator does at one moment of a run.
+/// An operator's action at one moment of a run.
 struct Steered {
   std::optional<signals::BodyCommand> command;  ///< goes to locomotion; the session is filled in
   bool stops = false;                           ///< asks the supervisor to stop: every joint to null
@@ -45,8 +45,8 @@ struct DdsRun {
   std::vector<Act> acts;                                              ///< in the order of their ticks
   std::function<void(Tick)>
       looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
-  /// Called often with the newest tick and what locomotion tells of the body: an operator at the terminal, in place of
-  /// a bar. May be empty.
+  /// Called often with the newest tick and locomotion's newest state of the body: an operator at the terminal, in place
+  /// of a bar. May be empty.
   std::function<Steered(Tick, const signals::BodyState&)> steers;
   std::vector<Onlooker> onlookers;
   double start_limit_s = 20.0;            ///< within which every participant must have greeted; 0: none

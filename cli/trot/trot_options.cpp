@@ -105,7 +105,6 @@ void declare(CLI::App& app, TrotOptions& o) {
       ->type_name("<x,y,yaw>")
       ->capture_default_str();
   app.add_option("--locomotion", o.locomotion, "program that runs in place of locomotion, as the how-to explains")
-      ->check(CLI::ExistingFile)
       ->type_name("<program>");
   app.add_option("--trace", o.trace_path, "where the trace goes")
       ->type_name("<file>")

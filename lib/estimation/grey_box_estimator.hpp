@@ -16,7 +16,7 @@
 
 namespace farrier::estimation {
 
-/// What is known of an actuator beside its parameters.
+/// Effects of an actuator that are known beside its parameters.
 struct KnownActuator {
   double leakage = 0.0;        ///< between its chambers, m^3/s/Pa; >= 0
   double seal_friction = 0.0;  ///< of its piston, left of the load cell, N or Nm; >= 0

@@ -24,7 +24,7 @@ class BodyView {
   void begin_anew();
 
   /// `joints` by number. Trunk and legs are of one tick as far as samples allow: the newest that every joint has
-  /// reported. What has not been heard for kSilent_s is left out.
+  /// reported. Samples older than kSilent_s are left out.
   BodyFrame frame(std::span<const JointFrame> joints, std::uint64_t time_ns);
 
  private:

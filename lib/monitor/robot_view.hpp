@@ -18,8 +18,8 @@ class RobotView {
   /// `robot` must outlive it.
   explicit RobotView(const robot::Robot& robot);
 
-  /// Topics it reads: of joints their summaries, fifty a second, and copies of their estimates, ten a second, at any
-  /// control period; of the body its state and, from a simulation, the truth, at every tick.
+  /// Topics it reads. Summaries of joints come fifty a second, copies of their estimates ten a second, at any control
+  /// period. The state of the body and, from a simulation, its truth come at every tick.
   static const std::vector<bus::TopicId>& topics();
 
   /// Samples of other topics, and of joints and legs that the robot does not have, are left out. A new session,

@@ -68,7 +68,7 @@ class BodyWorld final : public World {
   const body::BodyState& state() const noexcept { return state_; }
   /// The true kinematics and dynamics at that state, without payloads.
   const body::RigidBody& body() const noexcept { return body_; }
-  /// What the engine simulates, and its steps in a tick.
+  /// The model that the engine simulates, and its steps in a tick.
   const body::BodyModel& model() const noexcept { return model_; }
   int steps_per_tick() const noexcept { return steps_per_tick_; }
   /// Normal of the ground's plane, in the world.

@@ -170,7 +170,7 @@ constexpr std::array kSpecs{
     FigureSpec{"bench.lockstep.<vendor>.ratio", "1", kAtLeast, "The first over the second."},
     FigureSpec{"bench.lockstep.<vendor>.body_ticks_per_s", "1/s", kNone, "Ticks per second of a body on a ground in lock-step over this vendor: median of three runs."},
     FigureSpec{"bench.lockstep.<vendor>.body_bare_ticks_per_s", "1/s", kNone, "The same of the bare vendor with the samples of a body."},
-    FigureSpec{"bench.lockstep.<vendor>.body_ratio", "1", kAtLeast, "The first over the second: median of three pairs, in turns."},
+    FigureSpec{"bench.lockstep.<vendor>.body_ratio", "1", kAtLeast, "The first over the second: median of three pairs of runs."},
     FigureSpec{"bench.watched.<vendor>.alone_ticks_per_s", "1/s", kNone, "Ticks per second of a robot in lock-step over this vendor, once more; median of fifteen short runs."},
     FigureSpec{"bench.watched.<vendor>.ticks_per_s", "1/s", kNone, "The same while everything is recorded and a monitor serves a page that is watched, in turns with the first."},
     FigureSpec{"bench.watched.<vendor>.lowest_ratio", "1", kNone, "The second over the first in the pair of runs in which it was lowest."},

@@ -38,7 +38,7 @@ struct Check {
   bool holds() const noexcept { return measured_s <= asked_s; }
 };
 
-/// What the body of a robot on a ground did from the beginning of the fault on.
+/// The motion of the body of a robot on a ground from the beginning of the fault on.
 struct BodyAfterFault {
   bool fell = false;             ///< by body::fall_of
   double trunk_speed_m_s = 0.0;  ///< largest, downwards

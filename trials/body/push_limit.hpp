@@ -9,7 +9,7 @@
 
 namespace farrier::trials {
 
-/// What is known of the impulse from one side at which half of the pushes fall.
+/// Bounds on the impulse from one side at which half of the pushes fall.
 struct PushLimit {
   const char* side;
   double fewer_Ns;                ///< largest tested impulse at which fewer than half fell

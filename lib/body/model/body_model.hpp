@@ -50,7 +50,7 @@ struct LegModel {
   double knee_radius_m = 0.0;  ///< of a sphere about the last hinge that meets the ground; 0: none
 };
 
-/// What of the trunk meets the ground: a box along the trunk's axes.
+/// The part of the trunk that can touch the ground: a box along the trunk's axes.
 struct TrunkBox {
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();        ///< in the trunk's frame
   Eigen::Vector3d half_extents_m = Eigen::Vector3d::Zero();  ///< each > 0

@@ -27,8 +27,8 @@ inline Result<Done> validate(const FrictionParams& friction) {
 }
 
 /// The contact of plant::LoadFriction, integrated: the state is the force of DryContact, which acts on the load as -f.
-/// A contact that slides well above the Stribeck velocity settles at F_c: what is left of its state would fall at
-/// F_s |v| / (z_s F_c), too fast for a substep, and is smaller than a substep may err.
+/// A contact that slides well above the Stribeck velocity settles at F_c at once. The rest of its state would fall at
+/// F_s |v| / (z_s F_c), too fast for a substep, and is smaller than the error allowed to a substep.
 class Friction : public Effect<1> {
  public:
   static constexpr bool kNeutralUnlessActive = true;

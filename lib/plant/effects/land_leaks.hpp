@@ -7,7 +7,7 @@
 
 namespace farrier::plant {
 
-/// What the terms of the oil are asked at present.
+/// The present arguments of the terms of the oil.
 inline OilMoment<double> oil_moment(const Instant& now, const ActuatorParams& actuator,
                                     double supply_flow_m3_s) noexcept {
   return {now.chamber_a_Pa,

@@ -34,7 +34,7 @@ class StatelessTerms : public Effect<0> {
   std::optional<LandLeaks> as_land_leaks() const noexcept;
   /// Fastest rate of springs and dampers on load and piston, of the valve at its largest current and of a leak.
   double fastest_rate(double mass) const noexcept;
-  /// What a current opens, with the factor on the valve gain.
+  /// The opening of the valve under a current, with the factor on the valve gain.
   ValveMoment<double> opening(double current_A) const noexcept {
     ValveMoment<double> valve{current_A, 1.0};
     if (hooks_.valve > 0) {

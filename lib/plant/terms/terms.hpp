@@ -134,7 +134,7 @@ class TermSet {
     });
     return velocity;
   }
-  /// How many terms of the joint have a hook of the plant.
+  /// Numbers of the joint's terms that have a hook of the plant.
   struct Hooks {
     int valve = 0, oil = 0, piston = 0, load = 0;
   };

@@ -30,7 +30,8 @@ struct Link {
   config::Place place;
 };
 
-/// What of the trunk meets the ground when the robot falls: a box along the trunk's axes, in the middle of its width.
+/// The part of the trunk that touches the ground when the robot falls: a box along the trunk's axes, in the middle of
+/// its width.
 struct TrunkBox {
   double length_m = 0.0;
   double width_m = 0.0;
