@@ -12,7 +12,7 @@ int main(int argc, char** argv) {
   using Made = Result<std::unique_ptr<participant::Application>>;
   return process::run(options, [&](auto& member, const auto& robot) -> Made {
     auto made = FARRIER_TRY(
-        options.world == participant::World::kBody
+        participant::is_on_ground(options.world)
             ? locomotion::create_trot_locomotion(robot, locomotion::script_of(options.velocity), member, options.ticks)
             : locomotion::create_gait_source(robot, options.seed, member, options.ticks));
     return std::unique_ptr<participant::Application>(std::move(made));

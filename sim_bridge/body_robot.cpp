@@ -1,12 +1,17 @@
 // The whole robot on a ground:
 //
-//   force references ──▶ linkages ──▶ torques ──▶ BodyWorld ──▶ angles ──▶ linkages ──▶ SensorChain ──▶ readings.
+//   valve currents ──▶ Actuators ──▶ torques ──▶ BodyWorld ──▶ angles ──▶ linkages ──▶ SensorChain ──▶ readings.
+//                          ▲                        │
+//                          └──── each step's motion ┘
+//
+// Ideal joints have no actuators: force references go through the linkages to the body.
 
 #include <algorithm>
 
 #include "config/problem.hpp"
 #include "sim_bridge/sensor_chain.hpp"
 #include "sim_bridge/simulated_robot.hpp"
+#include "world/actuators.hpp"
 #include "world/body_world.hpp"
 #include "world/scene_file.hpp"
 
@@ -22,8 +27,14 @@ std::array<double, kAxes> array_of(const Eigen::Vector3d& vector) noexcept {
 
 class BodyRobot final : public SimulatedRobot {
  public:
-  BodyRobot(const robot::Robot& robot, world::BodyWorld world, std::vector<SensorChain> sensors)
-      : joints_(robot.joints), world_(std::move(world)), sensors_(std::move(sensors)), torques_Nm_(joints_.size(), 0.0) {
+  /// Without actuators the joints are ideal.
+  BodyRobot(const robot::Robot& robot, world::BodyWorld world, std::optional<world::Actuators> actuators,
+            std::vector<SensorChain> sensors)
+      : joints_(robot.joints),
+        world_(std::move(world)),
+        actuators_(std::move(actuators)),
+        sensors_(std::move(sensors)),
+        torques_Nm_(joints_.size(), 0.0) {
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       before_.push_back(truth_of_joint(i));
       sensors_[i].begin(before_[i]);
@@ -32,7 +43,7 @@ class BodyRobot final : public SimulatedRobot {
 
   Tick tick() const noexcept override { return world_.tick(); }
   std::size_t joints() const noexcept override { return joints_.size(); }
-  bool takes_forces() const noexcept override { return true; }
+  bool takes_forces() const noexcept override { return !actuators_; }
   std::optional<world::ImuReading> imu() const noexcept override { return world_.imu(); }
   std::optional<std::string> failure() const override { return world_.failure(); }
 
@@ -49,15 +60,17 @@ class BodyRobot final : public SimulatedRobot {
     return sensors;
   }
 
-  bool advance(std::span<const double> forces) noexcept override;
+  bool advance(std::span<const double> commands) noexcept override;
   void describe(std::size_t joint, trace::TraceRow& row) const noexcept override;
   std::optional<signals::BodyTruth> truth() const noexcept override;
 
  private:
   Measured truth_of_joint(std::size_t index) const noexcept;
+  bool move(std::span<const double> commands) noexcept;
 
   std::vector<robot::Joint> joints_;
   world::BodyWorld world_;
+  std::optional<world::Actuators> actuators_;
   std::vector<SensorChain> sensors_;  // by joint
   std::vector<double> torques_Nm_;
   std::vector<Measured> before_;  // truth of the last tick, by joint
@@ -68,15 +81,24 @@ Measured BodyRobot::truth_of_joint(std::size_t index) const noexcept {
   const world::JointReading hinge = world_.reading(index);
   return {.position = linkage.position(hinge.position),
           .velocity = linkage.lever(hinge.position) * hinge.velocity,
-          .force = linkage.force(hinge.position, hinge.force)};
+          .force = actuators_ ? actuators_->joint(index).readings().load_cell_force
+                              : linkage.force(hinge.position, hinge.force)};
+}
+
+bool BodyRobot::move(std::span<const double> commands) noexcept {
+  if (actuators_) {
+    actuators_->command(commands);
+    return world_.advance(*actuators_);
+  }
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    torques_Nm_[i] = joints_[i].linkage.torque(world_.state().angles_rad[static_cast<Eigen::Index>(i)], commands[i]);
+  }
+  return world_.advance(torques_Nm_);
 }
 
 // Conversions between two ticks see a straight line between the truths of both.
-bool BodyRobot::advance(std::span<const double> forces) noexcept {
-  for (std::size_t i = 0; i < joints_.size(); ++i) {
-    torques_Nm_[i] = joints_[i].linkage.torque(world_.state().angles_rad[static_cast<Eigen::Index>(i)], forces[i]);
-  }
-  if (!world_.advance(torques_Nm_)) {
+bool BodyRobot::advance(std::span<const double> commands) noexcept {
+  if (!move(commands)) {
     return false;
   }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -100,6 +122,10 @@ void BodyRobot::describe(std::size_t index, trace::TraceRow& row) const noexcept
   row.position_m_or_rad = before_[index].position;
   row.velocity_m_s_or_rad_s = before_[index].velocity;
   row.force_N_or_Nm = before_[index].force;
+  if (const plant::HydraulicJoint* hydraulic = actuators_ ? actuators_->joint(index).hydraulic() : nullptr) {
+    row.pressure_a_Pa = hydraulic->state().pressure_a_Pa;
+    row.pressure_b_Pa = hydraulic->state().pressure_b_Pa;
+  }
   row.actual_phase =
       world_.foot_force_N(joints_[index].leg).norm() > kTouches_N ? Phase::kStance : Phase::kSwing;
 }
@@ -123,19 +149,23 @@ std::optional<signals::BodyTruth> BodyRobot::truth() const noexcept {
 }  // namespace
 
 Result<std::unique_ptr<SimulatedRobot>> simulated_body(const robot::Robot& robot, const std::string& scene_path,
-                                                       std::uint64_t seed) {
+                                                       std::uint64_t seed, bool ideal) {
   const auto scene =
       scene_path.empty() ? world::load_scene_text("friction: 0.8\n", "the plane") : world::load_scene(scene_path);
   if (!scene) {
     return Error{config::to_string(scene.error())};
   }
   auto world = FARRIER_TRY(world::BodyWorld::create(robot, scene.value(), seed, world::kImuNoise));
+  std::optional<world::Actuators> actuators;
+  if (!ideal) {
+    actuators = FARRIER_TRY(world::Actuators::create(robot));
+  }
   std::vector<SensorChain> sensors;
   for (const robot::Joint& joint : robot.joints) {
     sensors.push_back(FARRIER_TRY(SensorChain::create(joint, robot.period_s, seed)));
   }
   return std::unique_ptr<SimulatedRobot>(
-      std::make_unique<BodyRobot>(robot, std::move(world), std::move(sensors)));
+      std::make_unique<BodyRobot>(robot, std::move(world), std::move(actuators), std::move(sensors)));
 }
 
 }  // namespace farrier::sim_bridge

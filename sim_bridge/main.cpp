@@ -15,8 +15,9 @@ Result<std::unique_ptr<farrier::sim_bridge::SimulatedRobot>> world_of(
     const Robot& known, const farrier::participant::ProcessOptions& options) {
   using namespace farrier;
   const auto make = [&options](const Robot& robot) {
-    return options.world == participant::World::kBody
-               ? sim_bridge::simulated_body(robot, options.scene_path, options.seed)
+    return participant::is_on_ground(options.world)
+               ? sim_bridge::simulated_body(robot, options.scene_path, options.seed,
+                                            options.world == participant::World::kIdeal)
                : sim_bridge::simulated_bench(robot, options.seed);
   };
   if (options.simulated_path.empty()) {

@@ -33,9 +33,10 @@ class SimulatedRobot : public world::World {
 Result<std::unique_ptr<SimulatedRobot>> simulated_bench(const robot::Robot& robot, std::uint64_t seed,
                                                         std::vector<robot::LoadChange> load_changes = {});
 
-/// The whole robot on the ground of a scene file, its joints ideal torque sources. An empty path is a plane. Refuses a
-/// robot without a trunk, a scene with mistakes, and a build without the physics engine.
+/// The whole robot on the ground of a scene file, its joints its actuators or `ideal` sources of torque. An empty path is
+/// a plane. Refuses a robot without a trunk or with actuators that cannot be simulated, a scene with mistakes, and a
+/// build without the physics engine.
 Result<std::unique_ptr<SimulatedRobot>> simulated_body(const robot::Robot& robot, const std::string& scene_path,
-                                                       std::uint64_t seed);
+                                                       std::uint64_t seed, bool ideal);
 
 }  // namespace farrier::sim_bridge

@@ -4,7 +4,7 @@
 
 namespace farrier::sim_bridge {
 
-Result<std::unique_ptr<SimulatedRobot>> simulated_body(const robot::Robot&, const std::string&, std::uint64_t) {
+Result<std::unique_ptr<SimulatedRobot>> simulated_body(const robot::Robot&, const std::string&, std::uint64_t, bool) {
   return Error{"this build has no physics engine for --world body: install libmujoco-dev and build again"};
 }
 

@@ -70,7 +70,7 @@ Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, Dds
   run.dds = dds;
   run.common.world = world;
   run.bare = bare;
-  run.title = std::string(to_string(dds)) + (world == participant::World::kBody ? ", body" : "") +
+  run.title = std::string(to_string(dds)) + (participant::is_on_ground(world) ? ", body" : "") +
               (bare ? ", bare exchange" : ", whole stack");
   const auto outcome = FARRIER_TRY(run_over_dds(robot, run));
   return static_cast<double>(o.ticks) / outcome.wall_s;

@@ -61,7 +61,7 @@ Nanoseconds may_pause(const robot::Robot& robot, int slow) {
 /// Span of the row's fault in a run of that world. A body is hit in its third stride or later.
 faults::TickSpan span_of(const robot::Robot& robot, const CellSettings& settings, const faults::Row& row,
                          const CellPlan& plan) {
-  if (settings.world == participant::World::kBench) {
+  if (!participant::is_on_ground(settings.world)) {
     return faults::place_of(robot, gait::Schedule(robot.plan, plan.seed), row, plan.phase);
   }
   constexpr Tick kStrides = 3;
@@ -115,7 +115,7 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
     run.acts.push_back({.at = span.end + ticks(kUntilArmed_s), .member = {}});
   }
   const Tick last = run.acts.empty() ? span.end : std::max(span.end, run.acts.back().at);
-  const bool on_ground = settings.world == participant::World::kBody;
+  const bool on_ground = participant::is_on_ground(settings.world);
   run.common.ticks = last + ticks(on_ground ? kAfterwardsOnGround_s : kAfterwards_s);
   const auto ran = run_over_dds(robot, run);
   if (participant::stop_requested()) {

@@ -177,7 +177,7 @@ int run_faults(FaultsOptions o) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;
   }
-  if (o.world == participant::World::kBody && (!robot.value().body || !robot.value().locomotion)) {
+  if (participant::is_on_ground(o.world) && (!robot.value().body || !robot.value().locomotion)) {
     return refuse("faults", "--world body: " + robot.value().name + " has no body.trunk or no locomotion in its file");
   }
   const auto directory = OutputDirectory::claim(o.out);

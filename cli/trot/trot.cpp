@@ -60,7 +60,7 @@ std::string flight_warning(const gait::RobotPlan& plan) {
 /// The remedy for options that do not go together; empty when they do.
 std::string refusal(const TrotOptions& o) {
   const bool realtime = o.clock == bus::ClockKind::kRealtime;
-  if (o.world == participant::World::kBody) {
+  if (participant::is_on_ground(o.world)) {
     if (std::string refused = refused_on_ground(o); !refused.empty()) {
       return refused;
     }
@@ -112,7 +112,7 @@ int trot(TrotOptions o) {
     // With a tick of delay one design does not suit both loads, and nothing shows yet that adaptation gets by with it
     // while it learns. So in real time each slot has the design for its own load.
     // Ideal joints have nothing to learn.
-    const bool fixed = o.clock == bus::ClockKind::kRealtime || o.world == participant::World::kBody;
+    const bool fixed = o.clock == bus::ClockKind::kRealtime || participant::is_on_ground(o.world);
     o.design = fixed ? robot::Design::kPhases : robot::Design::kAdaptive;
   }
   const auto loaded = process::load_robot(common_options(o));
@@ -125,12 +125,12 @@ int trot(TrotOptions o) {
     std::fputs(robot::print_config(robot).c_str(), stdout);
     return kPassed;
   }
-  if (o.world == participant::World::kBody && (!robot.body || !robot.locomotion)) {
+  if (participant::is_on_ground(o.world) && (!robot.body || !robot.locomotion)) {
     std::fprintf(stderr, "trot: %s has no body.trunk or no locomotion in its file: it runs on the bench\n",
                  robot.name.c_str());
     o.world = participant::World::kBench;
   }
-  const bool on_ground = o.world == participant::World::kBody;
+  const bool on_ground = participant::is_on_ground(o.world);
   if (const std::string refused = refusal(o); !refused.empty()) {
     std::fprintf(stderr, "farrier trot: %s\n", refused.c_str());
     return kBadInput;
@@ -246,7 +246,7 @@ std::function<int()> declare_trot(CLI::App& app) {
   auto options = std::make_shared<TrotOptions>();
   declare(app, *options);
   return [options, &app] {
-    if (options->world == participant::World::kBody && app.count("--duration") == 0) {
+    if (participant::is_on_ground(options->world) && app.count("--duration") == 0) {
       options->duration_s = kWalkDuration_s;
     }
     return trot(*options);

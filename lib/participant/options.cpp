@@ -62,7 +62,7 @@ void declare_of_sim_bridge(CLI::App& app, ProcessOptions& o) {
 }
 
 void declare_world(CLI::App& app, ProcessOptions& o) {
-  app.add_option("--world", o.world, "bench: each joint on a load of its own; body: the whole robot on a ground")
+  app.add_option("--world", o.world, "bench: each joint on a load of its own; body: the whole robot on a ground; ideal: there, on ideal torques")
       ->transform(CLI::CheckedTransformer(by_name(kWorlds)));
 }
 

@@ -12,9 +12,12 @@
 
 namespace farrier::participant {
 
-/// The world that sim_bridge simulates: each joint on a bench load, or the whole robot on a ground.
-enum class World { kBench, kBody };
-inline constexpr std::array kWorlds{Option<World>{"bench", World::kBench}, Option<World>{"body", World::kBody}};
+/// The world that sim_bridge simulates: each joint on a bench load, or the whole robot on a ground, on its actuators or
+/// on ideal sources of torque.
+enum class World { kBench, kBody, kIdeal };
+inline constexpr std::array kWorlds{Option<World>{"bench", World::kBench}, Option<World>{"body", World::kBody},
+                                    Option<World>{"ideal", World::kIdeal}};
+inline bool is_on_ground(World world) noexcept { return world != World::kBench; }
 
 /// Command line every process of a run shares; `farrier trot` fills it in, an integrator writes it in a unit file.
 struct ProcessOptions {

@@ -51,6 +51,12 @@ struct ElectricState {
   double current_A = 0.0;   ///< i
 };
 
+/// Energy of an electric actuator over a time, J.
+struct ElectricAccount {
+  double drawn_J = 0.0;  ///< from its supply, V i
+  double work_J = 0.0;   ///< done on the mechanism
+};
+
 /// As runge_kutta.hpp asks of a state.
 template <class Sum>
 ElectricState assemble(const ElectricState*, Sum sum) noexcept {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "plant/fastest_rate.hpp"
@@ -88,24 +89,68 @@ double ElectricJoint::error_ratio(const ElectricState& error) const noexcept {
          std::abs(error.current_A) * inverse_tolerance_.current_A;
 }
 
+double ElectricJoint::admit(double command_A, StepReport& report) const noexcept {
+  const bool good = std::isfinite(command_A);
+  report.input_refused |= !good;
+  return good ? std::clamp(command_A, -command_limit_A_, command_limit_A_) : 0.0;
+}
+
+double ElectricJoint::advance(const ElectricEquations::Input& input, double period_s, StepReport& report,
+                              ElectricAccount* account) noexcept {
+  ElectricState derivative = equations_.derivative(state_, input);
+  const double volts = actuator().winding_resistance_Ohm * input.command_A;
+  ElectricState before = state_;
+  double substep_s = 0.0;
+  return advance_adaptively(
+      equations_, input, state_, derivative, period_s, substep_s_, report,
+      [&](const TrialStep<ElectricState>& trial, double h) noexcept {
+        substep_s = h;
+        return error_ratio(trial.error);
+      },
+      [&]() noexcept {
+        report.at_stop |= state_.position < 0.0 || state_.position > actuator().travel;
+        if (account != nullptr) {
+          const double force = equations_.spring_torque(before) + equations_.stop_force(before) +
+                               equations_.spring_torque(state_) + equations_.stop_force(state_);
+          account->drawn_J += 0.5 * substep_s * volts * (before.current_A + state_.current_A);
+          account->work_J += 0.5 * substep_s * state_.velocity * force;
+          before = state_;
+        }
+      });
+}
+
 StepReport ElectricJoint::step(double command_A, double external_force, double period_s) noexcept {
   StepReport report;
   const bool period_good = period_s > 0.0 && period_s <= kLongestPeriod_s;
-  report.input_refused =
-      !std::isfinite(command_A) || !(std::abs(external_force) <= external_force_limit_) || !period_good;
+  report.input_refused = !(std::abs(external_force) <= external_force_limit_) || !period_good;
+  const double command = admit(command_A, report);
   if (!period_good) {
     return report;
   }
-  const double command = std::isfinite(command_A) ? std::clamp(command_A, -command_limit_A_, command_limit_A_) : 0.0;
   const double force = std::isfinite(external_force)
                            ? std::clamp(external_force, -external_force_limit_, external_force_limit_)
                            : 0.0;
-  const ElectricEquations::Input input{command, force};
-  ElectricState derivative = equations_.derivative(state_, input);
-  const double relative_error = advance_adaptively(
-      equations_, input, state_, derivative, period_s, substep_s_, report,
-      [this](const TrialStep<ElectricState>& trial, double) noexcept { return error_ratio(trial.error); },
-      [&]() noexcept { report.at_stop |= state_.position < 0.0 || state_.position > actuator().travel; });
+  const double relative_error = advance({command, force}, period_s, report);
+  report.error_position = relative_error / inverse_tolerance_.position;
+  report.error_velocity = relative_error / inverse_tolerance_.velocity;
+  return report;
+}
+
+// A load of infinite mass keeps the velocity that it is given.
+StepReport ElectricJoint::follow(double command_A, const Motion& end, double period_s,
+                                 ElectricAccount& account) noexcept {
+  StepReport report;
+  const double command = admit(command_A, report);
+  if (!(period_s > 0.0 && period_s <= kLongestPeriod_s) || !std::isfinite(end.position) ||
+      !std::isfinite(end.velocity)) {
+    report.input_refused = true;
+    return report;
+  }
+  equations_.set_load({.mass = std::numeric_limits<double>::infinity()});
+  state_.velocity = (end.position - state_.position) / period_s;
+  const double relative_error = advance({command, 0.0}, period_s, report, &account);
+  state_.position = end.position;
+  state_.velocity = end.velocity;
   report.error_position = relative_error / inverse_tolerance_.position;
   report.error_velocity = relative_error / inverse_tolerance_.velocity;
   return report;

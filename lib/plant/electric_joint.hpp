@@ -3,6 +3,7 @@
 #include "core/result.hpp"
 #include "plant/adaptive_steps.hpp"
 #include "plant/electric_actuator.hpp"
+#include "plant/motion.hpp"
 
 namespace farrier::plant {
 
@@ -30,6 +31,12 @@ class ElectricJoint {
   /// outside (0, kLongestPeriod_s] moves nothing.
   StepReport step(double command_A, double external_force, double period_s) noexcept;
 
+  /// Advances by `period_s` while a mechanism moves the load to `end`, at a constant velocity and whatever the torque that
+  /// it needs, as HydraulicJoint::follow. Adds to `account`.
+  StepReport follow(double command_A, const Motion& end, double period_s, ElectricAccount& account) noexcept;
+  /// Torque on the mechanism, Nm: that of the spring and of the end stops.
+  double mechanism_force() const noexcept { return load_cell_force() + equations_.stop_force(state_); }
+
   const ElectricState& state() const noexcept { return state_; }
   /// T, what the torque sensor reads, Nm.
   double load_cell_force() const noexcept { return equations_.spring_torque(state_); }
@@ -40,6 +47,9 @@ class ElectricJoint {
  private:
   ElectricJoint(const ElectricParams& actuator, const LoadParams& load, const ElectricState& initial, double tolerance);
 
+  double admit(double command_A, StepReport& report) const noexcept;
+  double advance(const ElectricEquations::Input& input, double period_s, StepReport& report,
+                 ElectricAccount* account = nullptr) noexcept;
   double error_ratio(const ElectricState& error) const noexcept;
 
   ElectricEquations equations_;

@@ -8,6 +8,7 @@
 
 #include "plant/actuator_equations.hpp"
 #include "plant/load_equations.hpp"
+#include "plant/oil_account.hpp"
 
 namespace farrier::plant {
 
@@ -53,6 +54,21 @@ class JointEquations {
   /// The valve's flow at these pressures, into the chambers or the lines before them.
   ChamberFeed valve_flow(double p_a, double p_b, const HeldInput& input) const noexcept {
     return actuator_.valve_flow(p_a, p_b, input);
+  }
+
+  /// Account of the oil per second, with the motion of the state and the forces of effects.
+  OilAccount rates_of_oil(const IntegrationState& s, const OilPath& path, double effects_force) const noexcept {
+    const double force = hydraulic_force(s);
+    return rates_of(path, force,
+                    force + stop_force(s) - actuator().piston_damping * s.velocity + effects_force, s.velocity);
+  }
+  OilAccount rates_of_oil(const IntegrationState& s, const HeldInput& input) const noexcept {
+    const double p_a = pressure_of(s.compression_a_Pa);
+    const double p_b = pressure_of(s.compression_b_Pa);
+    const bool extends = input.port_a_Pa > input.port_b_Pa;
+    return rates_of_oil(s, {input, extends, valve_flow(p_a, p_b, input), 0.0, extends ? input.port_a_Pa : input.port_b_Pa,
+                            actuator().return_pressure_Pa, p_a, p_b, p_a, p_b},
+                        0.0);
   }
 
   /// Rates of motion and pressures when the chambers get `feed` and the load `load_force`.

@@ -98,9 +98,11 @@ void HydraulicJoint::find_lean() noexcept {
 void HydraulicJoint::hold(const CommandInput& input) noexcept {
   command_ = input;
   input_ = equations_.hold(input.command_A, input.external_force);
+  (input.command_A > 0.0 ? input_.port_a_Pa : input_.port_b_Pa) -= input.supply_fall_Pa;
   if (lean_) {
     const ValveMoment<double> valve = effects_.get<StatelessTerms>().opening(input.command_A);
-    lean_input_ = {equations_.hold(valve.opening_A, input.external_force), input.command_A, valve.opening_A};
+    lean_input_ = {equations_.hold(valve.opening_A, input.external_force), input.command_A, valve.opening_A,
+                   input.supply_fall_Pa};
     lean_input_.flow_gain *= valve.flow_factor;
   }
 }
@@ -168,10 +170,16 @@ double HydraulicJoint::error_ratio(const EffectState<Set>& error) const noexcept
 template <class Equations, class EquationState>
 double HydraulicJoint::integrate(const Equations& equations, const typename Equations::Input& input,
                                  EquationState& state, EquationState& derivative, double period_s,
-                                 StepReport& report) noexcept {
+                                 StepReport& report, OilAccount* account) noexcept {
+  std::optional<OilMeter<Equations, EquationState>> meter;
+  if (account != nullptr) {
+    meter.emplace(equations, input, state, *account);
+  }
+  double substep_s = 0.0;
   return advance_adaptively(
       equations, input, state, derivative, period_s, substep_s_, report,
       [&](const TrialStep<EquationState>& trial, double h) noexcept {
+        substep_s = h;
         const bool unseen = meets_bend(equations, input, state, derivative, trial, actuator().laminar_pressure_Pa, h);
         return error_ratio(trial.error) * (unseen ? kUnseenBendFactor : 1.0);
       },
@@ -181,34 +189,39 @@ double HydraulicJoint::integrate(const Equations& equations, const typename Equa
         }
         report.cavitated |= state.compression_a_Pa < 0.0 || state.compression_b_Pa < 0.0;
         report.at_stop |= state.position < 0.0 || state.position > actuator().stroke;
+        if (meter) {
+          meter->book(state, substep_s);
+        }
       });
 }
 
-double HydraulicJoint::advance(double period_s, StepReport& report) noexcept {
+double HydraulicJoint::advance(double period_s, StepReport& report, OilAccount* account) noexcept {
   if (!has_effects_) {
-    return integrate<JointEquations, IntegrationState>(equations_, input_, integrated_, derivative_, period_s, report);
+    return integrate<JointEquations, IntegrationState>(equations_, input_, integrated_, derivative_, period_s, report,
+                                                       account);
   }
   if (!lean_) {
-    return integrate(with_effects(), command_, integrated_, derivative_, period_s, report);
+    return integrate(with_effects(), command_, integrated_, derivative_, period_s, report, account);
   }
   LeanState state = lean_state(integrated_);
   LeanState derivative = lean_state(derivative_);
   const double relative_error =
-      integrate(LeanEquations(equations_, *lean_, *sliding_), lean_input_, state, derivative, period_s, report);
+      integrate(LeanEquations(equations_, *lean_, *sliding_), lean_input_, state, derivative, period_s, report,
+                account);
   take(state, integrated_);
   take(derivative, derivative_);
   return relative_error;
 }
 
-double HydraulicJoint::advance_delayed(double period_s, StepReport& report) noexcept {
+double HydraulicJoint::advance_delayed(double period_s, StepReport& report, OilAccount* account) noexcept {
   const CommandInput given = command_;
   delay_.push(given.command_A, period_s);
   double relative_error = 0.0;
   for (double left_s = period_s; left_s > DelayLine::kNoTime_s;) {
     const DelayLine::Stretch stretch = delay_.take(left_s);
-    hold({stretch.current_A, given.external_force});
+    hold({stretch.current_A, given.external_force, given.supply_fall_Pa});
     differentiate();
-    relative_error += advance(stretch.length_s, report);
+    relative_error += advance(stretch.length_s, report, account);
     left_s -= stretch.length_s;
   }
   return relative_error;
@@ -223,11 +236,15 @@ StepReport HydraulicJoint::step(double valve_current_A, double external_force, d
     return report;
   }
   const double relative_error = delay_.active() ? advance_delayed(period_s, report) : advance(period_s, report);
+  report_errors(relative_error, report);
+  publish_state();
+  return report;
+}
+
+void HydraulicJoint::report_errors(double relative_error, StepReport& report) const noexcept {
   report.error_position = relative_error / inverse_tolerance_position_;
   report.error_velocity = relative_error / inverse_tolerance_velocity_;
   report.error_pressure_Pa = relative_error / inverse_tolerance_pressure_;
-  publish_state();
-  return report;
 }
 
 void HydraulicJoint::publish_state() noexcept {

@@ -9,6 +9,8 @@
 #include "plant/effects/delay_line.hpp"
 #include "plant/effects/lean_equations.hpp"
 #include "plant/equations.hpp"
+#include "plant/motion.hpp"
+#include "plant/oil_account.hpp"
 #include "plant/step_report.hpp"
 
 namespace farrier::plant {
@@ -52,9 +54,21 @@ class HydraulicJoint {
   /// act as zero; a period outside (0, kLongestPeriod_s] moves nothing.
   StepReport step(double valve_current_A, double external_force, double period_s) noexcept;
 
+  /// Advances by `period_s` while a mechanism moves the piston to `end`, at a constant velocity and whatever the force
+  /// that it needs: the half of the joint left of the load cell. The current is held, and so is the pressure of the
+  /// supply in place of the nominal one (Pa, finite and >= 0, else the nominal one acts). Adds to `account`. The load
+  /// and external forces no longer act; set_load() ends that. An end that is not finite moves nothing.
+  StepReport follow(double valve_current_A, double supply_pressure_Pa, const Motion& end, double period_s,
+                    OilAccount& account) noexcept;
+
   const State& state() const noexcept { return state_; }
   /// F_s = F_h + F_stop - d_p v - m_p a, (2.22) left side, and effects on the piston, with the last input; N or Nm.
   double load_cell_force() const noexcept;
+  /// Force on a mechanism that has the piston's mass in it, as follow() wants it: load_cell_force() + m_p a, with
+  /// effects on the load; N or Nm.
+  double mechanism_force() const noexcept;
+  /// Energy that the oil of both chambers stores, V p^2 / (2 beta_e) each; J.
+  double stored_J() const noexcept;
   /// F_h = A_p (p_a - alpha p_b), (2.8); N or Nm.
   double hydraulic_force() const noexcept { return equations_.hydraulic_force(integrated_); }
   /// With the last input; m/s^2 or rad/s^2.
@@ -73,6 +87,7 @@ class HydraulicJoint {
                  std::span<const ActiveEffect> effects);
 
   CommandInput admit(double valve_current_A, double external_force, StepReport& report) const noexcept;
+  void report_errors(double relative_error, StepReport& report) const noexcept;
   void find_lean() noexcept;
   void hold(const CommandInput& input) noexcept;
   using AllState = EffectState<Effects>;
@@ -86,11 +101,11 @@ class HydraulicJoint {
   }
   void differentiate() noexcept;
   /// Advance by a period with the held input, or with the currents that leave the delay in it; relative error.
-  double advance(double period_s, StepReport& report) noexcept;
-  double advance_delayed(double period_s, StepReport& report) noexcept;
+  double advance(double period_s, StepReport& report, OilAccount* account = nullptr) noexcept;
+  double advance_delayed(double period_s, StepReport& report, OilAccount* account = nullptr) noexcept;
   template <class Equations, class EquationState>
   double integrate(const Equations& equations, const typename Equations::Input& input, EquationState& state,
-                   EquationState& derivative, double period_s, StepReport& report) noexcept;
+                   EquationState& derivative, double period_s, StepReport& report, OilAccount* account) noexcept;
   /// Errors of a trial step relative to their tolerances, added up; not <= 1 when the trial must be repeated.
   double error_ratio(const IntegrationState& error) const noexcept;
   template <class Set>
@@ -100,6 +115,7 @@ class HydraulicJoint {
     return Set::template out_of<Effects>(inverse_tolerance_effects_);
   }
   double effects_piston_force() const noexcept;
+  double effects_load_force() const noexcept;
   void publish_state() noexcept;
 
   ActuatorParams actuator_;

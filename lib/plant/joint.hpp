@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <variant>
 
@@ -15,6 +16,13 @@ struct JointReadings {
   double load_cell_force;  ///< of an electric joint the torque sensor's
 };
 
+/// Exchange of an actuator while it follows a mechanism, m^3 and J.
+struct DriveAccount {
+  OilAccount oil;           ///< zero of an electric one
+  double electric_J = 0.0;  ///< drawn from its supply; zero of a hydraulic one
+  double work_J = 0.0;      ///< done on the mechanism
+};
+
 /// A simulated joint of either kind, with the interface that a simulation of a robot needs.
 class Joint {
  public:
@@ -28,6 +36,25 @@ class Joint {
   /// Argument `current_A`: through the valve, or the command of an electric joint's drive.
   StepReport step(double current_A, double external_force, double period_s) noexcept {
     return std::visit([&](auto& joint) noexcept { return joint.step(current_A, external_force, period_s); }, joint_);
+  }
+  /// The same with the motion prescribed, see the kinds' own; an absent pressure is the nominal one, which an electric
+  /// joint does not heed.
+  DriveAccount follow(double current_A, std::optional<double> supply_Pa, const Motion& end, double period_s) noexcept {
+    DriveAccount account;
+    if (auto* oil = std::get_if<HydraulicJoint>(&joint_)) {
+      oil->follow(current_A, supply_Pa.value_or(oil->actuator().supply_pressure_Pa), end, period_s, account.oil);
+      account.work_J = account.oil.work_J;
+    } else {
+      ElectricAccount electric;
+      std::get<ElectricJoint>(joint_).follow(current_A, end, period_s, electric);
+      account.electric_J = electric.drawn_J;
+      account.work_J = electric.work_J;
+    }
+    return account;
+  }
+  /// Force on a mechanism that follow() moves, N or Nm.
+  double mechanism_force() const noexcept {
+    return std::visit([](const auto& joint) noexcept { return joint.mechanism_force(); }, joint_);
   }
   JointReadings readings() const noexcept {
     return std::visit(

@@ -104,6 +104,29 @@ plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_lik
   return {inertia_kg_m2, damping_like.damping_Ns_m * lever_m * lever_m, 0.0, 0.0, {}};
 }
 
+std::optional<plant::SupplyParams> supply_params(const RobotFile& file) {
+  const std::optional<Supply>& supply = file.supply;
+  if (!supply || !supply->pump) {
+    return std::nullopt;
+  }
+  double valves = 0.0;
+  for (const auto& [leg_name, leg] : file.legs) {
+    for (const auto& [joint_name, kind] : leg.joints) {
+      valves += electric_actuator_of(file, *config::find(file.joints, kind)) == nullptr ? 1.0 : 0.0;
+    }
+  }
+  const Accumulator accumulator = supply->accumulator.value_or(Accumulator{});
+  return plant::SupplyParams{
+      .relief_pressure_Pa = supply->supply_pressure_Pa,
+      .return_pressure_Pa = supply->return_pressure_Pa,
+      .pump_flow_m3_s = supply->pump->flow_m3_s,
+      .accumulator_volume_m3 = accumulator.volume_m3,
+      .precharge_Pa = accumulator.precharge_Pa,
+      .polytropic_exponent = accumulator.polytropic_exponent,
+      .compliance_m3_Pa = supply->pump->hose_compliance_m3_Pa,
+      .null_leakage_m3_s_Pa = supply->pump->null_leakage_m3_s_Pa * valves};
+}
+
 ForceLimits force_limits(const plant::ActuatorParams& a, double rated) {
   return {std::min(rated, a.supply_pressure_Pa * a.area_a - a.return_pressure_Pa * a.area_b),
           std::min(rated, a.supply_pressure_Pa * a.area_b - a.return_pressure_Pa * a.area_a)};

@@ -6,6 +6,7 @@
 #include "core/result.hpp"
 #include "plant/actuator.hpp"
 #include "plant/linkage.hpp"
+#include "plant/supply.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::robot {
@@ -28,6 +29,9 @@ plant::LoadParams cylinder_load(const CylinderLoad& load);
 
 /// The leg as the load of a motor: its inertia, and the viscous friction of a cylinder's load times r^2, its dry friction times r.
 plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_like, double lever_m);
+
+/// The supply that all joints share; none without a pump.
+std::optional<plant::SupplyParams> supply_params(const RobotFile& file);
 
 /// Largest force (N or Nm), the smaller of the supply's and the actuator's rated one: push p_s A_a - p_t A_b, pull p_s
 /// A_b - p_t A_a.

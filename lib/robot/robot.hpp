@@ -21,6 +21,7 @@
 #include "plant/actuator.hpp"
 #include "plant/electric_actuator.hpp"
 #include "plant/linkage.hpp"
+#include "plant/supply.hpp"
 #include "plant/terms/active_effect.hpp"
 #include "robot/robot_file.hpp"
 
@@ -81,6 +82,7 @@ struct Robot {
   std::vector<Joint> joints;  ///< in the order of the file: leg by leg
   gait::RobotPlan plan;
   std::optional<body::BodyModel> body;                     ///< as rigid bodies; none if the file describes no trunk
+  std::optional<plant::SupplyParams> supply;               ///< shared by the joints of a body; none without a pump
   std::optional<locomotion::LocomotionParams> locomotion;  ///< of a robot that can walk on a ground
   UpdateLogicParams update_logic;
   Safety safety;

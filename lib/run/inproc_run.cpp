@@ -34,8 +34,9 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
   switch (member.number) {
     case participant::kSimBridge: {
       const robot::Robot& simulated = run.simulated != nullptr ? *run.simulated : robot;
-      auto world = FARRIER_TRY(run.world == participant::World::kBody
-                                   ? sim_bridge::simulated_body(simulated, run.scene_path, run.seed)
+      auto world = FARRIER_TRY(participant::is_on_ground(run.world)
+                                   ? sim_bridge::simulated_body(simulated, run.scene_path, run.seed,
+                                                                  run.world == participant::World::kIdeal)
                                    : sim_bridge::simulated_bench(simulated, run.seed, run.load_changes));
       return sim_bridge::create_lockstep(std::move(world), simulated, run.trace_path, participant, run.ticks, run.sink);
     }
@@ -44,7 +45,7 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
                                             run.ticks, false, run.known_loads, run.first_gains);
     case participant::kLocomotion: {
       auto made = FARRIER_TRY(
-          run.world == participant::World::kBody
+          participant::is_on_ground(run.world)
               ? locomotion::create_trot_locomotion(robot, locomotion::script_of(run.velocity), participant, run.ticks)
               : locomotion::create_gait_source(robot, run.seed, participant, run.ticks, run.announce));
       return std::unique_ptr<participant::Application>(std::move(made));

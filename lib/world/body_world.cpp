@@ -27,6 +27,17 @@ double draw(const NoiseStream& stream, double deviation, Tick tick) noexcept {
   return deviation > 0.0 ? deviation * stream.normal(tick) : 0.0;
 }
 
+/// Ideal sources of torque.
+class HeldTorques final : public JointDrives {
+ public:
+  explicit HeldTorques(const body::JointVector& torques_Nm) noexcept : torques_Nm_(torques_Nm) {}
+  const body::JointVector& torques_Nm() const noexcept override { return torques_Nm_; }
+  void follow(const body::BodyState&, double) noexcept override {}
+
+ private:
+  body::JointVector torques_Nm_;
+};
+
 body::BodyModel with_stops(const robot::Robot& robot) {
   body::BodyModel model = *robot.body;
   for (const robot::Joint& joint : robot.joints) {
@@ -153,14 +164,22 @@ void BodyWorld::put_payloads() noexcept {
 }
 
 bool BodyWorld::advance(std::span<const double> torques_Nm) noexcept {
+  HeldTorques held(Eigen::Map<const Eigen::VectorXd>(torques_Nm.data(), body_.joints()));
+  return advance(held);
+}
+
+bool BodyWorld::advance(JointDrives& drives) noexcept {
   if (engine_.failure()) {
     return false;
   }
-  torques_Nm_ = Eigen::Map<const Eigen::VectorXd>(torques_Nm.data(), body_.joints());
   const body::TrunkWrench wrench{push_N(), Eigen::Vector3d::Zero()};
   foot_forces_N_.fill(Eigen::Vector3d::Zero());
   for (int step = 0; step < steps_per_tick_; ++step) {
+    torques_Nm_ = drives.torques_Nm();
     engine_.step(torques_Nm_, wrench);
+    if (!engine_.failure()) {
+      drives.follow(engine_.state(), period_s_ / steps_per_tick_);
+    }
     for (int leg = 0; leg < body_.legs(); ++leg) {
       foot_forces_N_[leg] += engine_.contact_force_N(leg) / steps_per_tick_;
     }

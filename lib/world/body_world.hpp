@@ -1,8 +1,8 @@
 #pragma once
 
-// The whole robot on a ground, its joints driven by ideal torques:
+// The whole robot on a ground:
 //
-//   torques ──▶ body::Engine ◀── pushes, payloads of the scene
+//   torques, ideal or of drives ──▶ body::Engine ◀── pushes, payloads of the scene
 //                   │ truth
 //                   ▼
 //   readings ◀── noise, seeded by name and addressed by tick.
@@ -16,6 +16,7 @@
 #include "body/scene/scene.hpp"
 #include "core/noise.hpp"
 #include "robot/robot.hpp"
+#include "world/joint_drives.hpp"
 #include "world/world.hpp"
 
 namespace farrier::world {
@@ -62,6 +63,8 @@ class BodyWorld final : public World {
   JointReading reading(std::size_t joint) const noexcept override;
   std::optional<ImuReading> imu() const noexcept override;
   bool advance(std::span<const double> torques_Nm) noexcept override;
+  /// The same with torques that change from step to step.
+  bool advance(JointDrives& drives) noexcept;
   std::optional<std::string> failure() const override;
 
   /// The true state. Only reports and tests read it.

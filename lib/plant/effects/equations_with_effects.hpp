@@ -2,6 +2,7 @@
 
 #include "plant/effects/effects.hpp"
 #include "plant/equations.hpp"
+#include "plant/oil_account.hpp"
 
 namespace farrier::plant {
 
@@ -13,14 +14,16 @@ struct EffectState : IntegrationState {
 
 /// Inputs that are held over a step; the valve's opening is not.
 struct CommandInput {
-  double command_A;       ///< within the valve's limits
-  double external_force;  ///< N or Nm
+  double command_A;             ///< within the valve's limits
+  double external_force;        ///< N or Nm
+  double supply_fall_Pa = 0.0;  ///< of the supply below its nominal pressure
 };
 
 /// Inputs that are held over a step with the valve's opening.
 struct OpeningInput : HeldInput {
   double command_A;
   double opening_A;  ///< current the valve is open for
+  double supply_fall_Pa = 0.0;  ///< of the supply below its nominal pressure
 };
 
 /// The joint's equations with effects between them. Both outlive this. With OpeningInput the effects leave the valve's
@@ -53,6 +56,28 @@ class EquationsWithEffects {
   HeldInput valve(const State& s, const Input& input) const noexcept { return valve(before_valve(s, input), input); }
   const Set& effects() const noexcept { return effects_; }
   double opening_A(const State& s, const Input& input) const noexcept { return before_valve(s, input).opening_A; }
+  /// Per second, with the motion of the state.
+  OilAccount rates_of_oil(const State& s, const Input& input) const noexcept {
+    typename Set::X rates;
+    const Instant now = instant(s, input, rates);
+    return joint_.rates_of_oil(s,
+                               {.valve = valve(now, input),
+                                .extends = now.opening_A > 0.0,
+                                .feed = now.feed,
+                                .past_lands_m3_s = now.past_lands_m3_s,
+                                .supply_Pa = joint_.actuator().supply_pressure_Pa - now.supply_fall_Pa,
+                                .return_Pa = joint_.actuator().return_pressure_Pa,
+                                .behind_a_Pa = now.valve_a_Pa,
+                                .behind_b_Pa = now.valve_b_Pa,
+                                .chamber_a_Pa = now.chamber_a_Pa,
+                                .chamber_b_Pa = now.chamber_b_Pa},
+                               now.piston_force + now.load_force);
+  }
+  /// Force of effects on the load, right of the load cell; N or Nm, positive along +position.
+  double effects_load_force(const State& s, const Input& input) const noexcept {
+    typename Set::X rates;
+    return instant(s, input, rates).load_force - input.external_force;
+  }
   /// Force of effects on the piston, which the load cell does not read; N or Nm, positive along +position.
   double piston_force(const State& s, const Input& input) const noexcept {
     typename Set::X rates;
@@ -75,7 +100,8 @@ class EquationsWithEffects {
                 .valve_b_Pa = p_b,
                 .feed = {0.0, 1.0, 0.0, 1.0},
                 .load_force = input.external_force,
-                .position = s.position};
+                .position = s.position,
+                .supply_fall_Pa = input.supply_fall_Pa};
     effects_.before_valve(now, s.x);
     return now;
   }

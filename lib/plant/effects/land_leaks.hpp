@@ -27,6 +27,7 @@ inline OilMoment<double> oil_moment(const Instant& now, const ActuatorParams& ac
 inline void take_leaks(const OilMoment<double>& oil, Instant& now) noexcept {
   now.into_a_m3_s = oil.into_a_m3_s;
   now.into_b_m3_s = oil.into_b_m3_s;
+  now.past_lands_m3_s = oil.past_lands_m3_s;
   now.leakage_m3_s = oil.leakage_m3_s;
 }
 

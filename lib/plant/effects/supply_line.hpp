@@ -23,7 +23,7 @@ class SupplyLine : public Effect<1> {
   void before_valve(Instant& now, const X& x) const noexcept {
     constexpr double kMostShare = 0.9;  // as the term's
     const double most_Pa = kMostShare * supply_pressure_Pa_;
-    now.supply_fall_Pa = x[0] < most_Pa ? x[0] : most_Pa;
+    now.supply_fall_Pa += x[0] < most_Pa ? x[0] : most_Pa;
   }
   void after_valve(Instant& now, const X& x, X& dx) const noexcept {
     // The chamber at the supply; nothing flows back into the line.

@@ -146,6 +146,7 @@ struct OilMoment {
   T play_slope;              ///< d(piston - load)/d(force), m/N
   double return_pressure_Pa = 0.0;
   T into_a_m3_s = T(0.0), into_b_m3_s = T(0.0);  ///< past the valve's closed lands, into the chambers
+  T past_lands_m3_s = T(0.0);                    ///< and from the supply
 };
 
 /// on_play: the piston beside the load over one substep.

@@ -55,6 +55,7 @@ class ValveDeadband {
     const T ports_Pa = now.supply_pressure_Pa + now.return_pressure_Pa;
     now.into_a_m3_s += leakage_ * (ports_Pa - 2.0 * now.pressure_a_Pa);
     now.into_b_m3_s += leakage_ * (ports_Pa - 2.0 * now.pressure_b_Pa);
+    now.past_lands_m3_s += leakage_ * (2.0 * now.supply_pressure_Pa - now.pressure_a_Pa - now.pressure_b_Pa);
   }
 
  private:

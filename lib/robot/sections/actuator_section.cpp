@@ -10,12 +10,29 @@ using config::kInitial;
 using config::Option;
 using config::Visitor;
 
+void declare(Visitor& v, Pump& pump) {
+  v.number("flow_m3_s", pump.flow_m3_s, {0, 1}, "Flow of the pump. Beyond supply_pressure_Pa a relief valve spills it.");
+  v.number("hose_compliance_m3_Pa", pump.hose_compliance_m3_Pa, {1e-14, 1e-9}, kInitial,
+           "Oil that manifold and hoses take per pressure.");
+  v.number("null_leakage_m3_s_Pa", pump.null_leakage_m3_s_Pa, {0, 1e-9}, kInitial,
+           "Oil that each valve passes to the reservoir while it is shut, per pressure.");
+}
+
+void declare(Visitor& v, Accumulator& accumulator) {
+  v.number("volume_m3", accumulator.volume_m3, {0, 1}, "Volume of the gas at its precharge.");
+  v.number("precharge_Pa", accumulator.precharge_Pa, {1e5, 5e7}, "Pressure of the gas while no oil is in.");
+  v.number("polytropic_exponent", accumulator.polytropic_exponent, {1.001, 2}, kInitial, "n of the gas, p V^n.");
+}
+
 void declare(Visitor& v, Supply& s) {
   v.number("supply_pressure_Pa", s.supply_pressure_Pa, {1e5, 5e7}, "Pressure of the pump at the valves, p_s.");
   v.number("return_pressure_Pa", s.return_pressure_Pa, {0, 1e7}, kInitial, "Pressure of the reservoir, p_t.");
   v.number("bulk_modulus_Pa", s.bulk_modulus_Pa, {1e7, 5e9}, "Effective bulk modulus of oil and lines, beta_e.");
   v.number("laminar_pressure_Pa", s.laminar_pressure_Pa, {1, 1e6}, kInitial,
            "Pressure drop below which an orifice is laminar.");
+  v.group("pump", s.pump, "Pump that all joints of a robot on a ground share; absent: a constant pressure.");
+  v.group("accumulator", s.accumulator, "Accumulator beside the pump; absent: there is none.");
+  v.check(!s.accumulator || s.pump, "accumulator", "needs pump: give it, or leave the accumulator out");
   v.check(s.return_pressure_Pa < s.supply_pressure_Pa, "return_pressure_Pa", "must be below supply_pressure_Pa");
 }
 

@@ -20,11 +20,26 @@ namespace farrier::robot {
 
 inline constexpr std::size_t kLongestName = 15;  ///< of a joint, leg or section: they travel as bus keys and labels
 
+/// Pump, relief valve and hoses of a robot on a ground.
+struct Pump {
+  double flow_m3_s = 0.0;
+  double hose_compliance_m3_Pa = 1.4e-12;
+  double null_leakage_m3_s_Pa = 0.0;
+};
+
+struct Accumulator {
+  double volume_m3 = 0.0;
+  double precharge_Pa = 0.0;
+  double polytropic_exponent = 1.3;
+};
+
 struct Supply {
   double supply_pressure_Pa = 0.0;
   double return_pressure_Pa = 0.0;
   double bulk_modulus_Pa = 0.0;
   double laminar_pressure_Pa = 1e5;
+  std::optional<Pump> pump;
+  std::optional<Accumulator> accumulator;
 };
 
 struct Valve {

@@ -19,7 +19,7 @@ robot::Robot quiet_hyq() {
 
 TEST(BodyRobot, BeginsInTheHomePoseInTheCoordinatesOfItsActuators) {
   const robot::Robot hyq = quiet_hyq();
-  const auto body = simulated_body(hyq, "", 1).value();
+  const auto body = simulated_body(hyq, "", 1, true).value();
   ASSERT_EQ(body->joints(), hyq.joints.size());
   EXPECT_TRUE(body->takes_forces());
   for (const robot::Joint& joint : hyq.joints) {
@@ -34,7 +34,7 @@ TEST(BodyRobot, BeginsInTheHomePoseInTheCoordinatesOfItsActuators) {
 // A piston's force turns its hinge as the torque does that it makes at the lever.
 TEST(BodyRobot, TurnsAForceIntoATorqueAtTheLever) {
   const robot::Robot hyq = quiet_hyq();
-  const auto body = simulated_body(hyq, "", 1).value();
+  const auto body = simulated_body(hyq, "", 1, true).value();
   const robot::Joint& knee = *hyq.find("lf_kfe");
   std::vector<double> forces(body->joints(), 0.0);
   forces[knee.number] = 500.0;
@@ -45,7 +45,7 @@ TEST(BodyRobot, TurnsAForceIntoATorqueAtTheLever) {
 
 TEST(BodyRobot, FallsByItsWeightWithoutForces) {
   const robot::Robot hyq = quiet_hyq();
-  const auto body = simulated_body(hyq, "", 1).value();
+  const auto body = simulated_body(hyq, "", 1, true).value();
   const double height_m = body->truth()->position_m[2];
   const std::vector<double> none(body->joints(), 0.0);
   for (int tick = 0; tick < 300; ++tick) {
@@ -57,7 +57,7 @@ TEST(BodyRobot, FallsByItsWeightWithoutForces) {
 
 TEST(BodyRobot, AdvanceDoesNotAllocate) {
   const robot::Robot hyq = robot::load_shipped("hyq");
-  const auto body = simulated_body(hyq, "", 1).value();
+  const auto body = simulated_body(hyq, "", 1, true).value();
   const std::vector<double> none(body->joints(), 0.0);
   ASSERT_TRUE(body->advance(none));
   const test::AllocationGuard guard;
@@ -68,8 +68,8 @@ TEST(BodyRobot, AdvanceDoesNotAllocate) {
 }
 
 TEST(BodyRobot, RefusesARobotWithoutATrunkAndASceneThatIsNotThere) {
-  EXPECT_NE(simulated_body(robot::load_shipped("fc1d"), "", 1).error().message.find("body.trunk"), std::string::npos);
-  EXPECT_NE(simulated_body(robot::load_shipped("hyq"), "/nowhere.yaml", 1).error().message.find("/nowhere.yaml"),
+  EXPECT_NE(simulated_body(robot::load_shipped("fc1d"), "", 1, true).error().message.find("body.trunk"), std::string::npos);
+  EXPECT_NE(simulated_body(robot::load_shipped("hyq"), "/nowhere.yaml", 1, true).error().message.find("/nowhere.yaml"),
             std::string::npos);
 }
 

@@ -1,0 +1,94 @@
+#include "world/actuators.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "plant/terms/supply_droop.hpp"
+#include "robot/joint_plant.hpp"
+
+namespace farrier::world {
+namespace {
+
+/// The shared supply takes the place of each joint's own.
+robot::Joint without_own_supply(robot::Joint joint) {
+  std::erase_if(joint.effects, [](const plant::ActiveEffect& effect) {
+    return effect.id == plant::effect_id<plant::SupplyDroop>();
+  });
+  return joint;
+}
+
+}  // namespace
+
+JointDrives::~JointDrives() = default;
+
+Result<Actuators> Actuators::create(const robot::Robot& robot) {
+  std::optional<plant::Supply> supply;
+  if (robot.supply) {
+    supply = FARRIER_TRY(plant::Supply::create(*robot.supply));
+  }
+  std::vector<Joint> joints;
+  body::JointVector angles_rad(static_cast<Eigen::Index>(robot.joints.size()));
+  for (const robot::Joint& joint : robot.joints) {
+    auto plant = robot::make_plant(supply ? without_own_supply(joint) : joint, joint.stance_load);
+    if (!plant) {
+      return Error{joint.name + ": " + plant.error().message};
+    }
+    joints.push_back({joint.linkage, std::move(plant).value()});
+    angles_rad[joint.number] = joint.home_angle_rad;
+  }
+  return Actuators(std::move(joints), std::move(supply), angles_rad);
+}
+
+Actuators::Actuators(std::vector<Joint> joints, std::optional<plant::Supply> supply,
+                     const body::JointVector& angles_rad)
+    : joints_(std::move(joints)),
+      supply_(std::move(supply)),
+      torques_Nm_(body::JointVector::Zero(static_cast<Eigen::Index>(joints_.size()))) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    set_torque(i, angles_rad[static_cast<Eigen::Index>(i)]);
+  }
+}
+
+void Actuators::set_torque(std::size_t index, double angle_rad) noexcept {
+  const Joint& joint = joints_[index];
+  torques_Nm_[static_cast<Eigen::Index>(index)] = joint.linkage.torque(angle_rad, joint.plant.mechanism_force());
+}
+
+void Actuators::command(std::span<const double> currents_A) noexcept {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    joints_[i].current_A = currents_A[i];
+  }
+}
+
+void Actuators::follow(const body::BodyState& state, double step_s) noexcept {
+  const std::optional<double> pressure_Pa = supply_ ? std::optional(supply_->pressure_Pa()) : std::nullopt;
+  const double drawn_before_m3 = energies_.oil.supply_m3;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    Joint& joint = joints_[i];
+    const auto row = static_cast<Eigen::Index>(i);
+    const double angle_rad = state.angles_rad[row];
+    const plant::Motion end{joint.linkage.position(angle_rad),
+                            joint.linkage.lever(angle_rad) * state.velocities_rad_s[row]};
+    const double held = joint.plant.mechanism_force();
+    const double moved = end.position - joint.plant.readings().position;
+    const plant::DriveAccount account = joint.plant.follow(joint.current_A, pressure_Pa, end, step_s);
+    energies_.oil.add(account.oil, 1.0);
+    energies_.electric_J += account.electric_J;
+    energies_.work_J += held * moved;
+    energies_.coupling_J += held * moved - account.work_J;
+    set_torque(i, angle_rad);
+  }
+  if (supply_) {
+    supply_->advance(energies_.oil.supply_m3 - drawn_before_m3, step_s);
+  }
+}
+
+double Actuators::stored_J() const noexcept {
+  double stored = 0.0;
+  for (const Joint& joint : joints_) {
+    stored += joint.plant.hydraulic() != nullptr ? joint.plant.hydraulic()->stored_J() : 0.0;
+  }
+  return stored;
+}
+
+}  // namespace farrier::world

@@ -1,0 +1,70 @@
+#pragma once
+
+// The actuators of a robot on a ground, and the supply that they share:
+//
+//   valve currents ──▶ actuators ──▶ forces ──▶ linkages ──▶ torques ──▶ a step of the body
+//                        ▲   ▲                                             │
+//                        │   └── displacement that was really made ◀───────┘
+//                        └── pressure ── supply ◀── oil drawn.
+//
+// The body moves first, under the forces of the present state; then the oil follows the displacement. This is symplectic
+// Euler between oil and body: the error of the energy is bounded and goes with the length of the step.
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "plant/joint.hpp"
+#include "plant/supply.hpp"
+#include "robot/robot.hpp"
+#include "world/joint_drives.hpp"
+
+namespace farrier::world {
+
+/// Energies since the start, J.
+struct ActuatorEnergies {
+  plant::OilAccount oil;       ///< of all hydraulic actuators
+  double electric_J = 0.0;     ///< drawn by electric ones
+  double work_J = 0.0;         ///< done on the body: sum of force times displacement really made
+  double coupling_J = 0.0;     ///< by which that exceeds the actuators' own
+};
+
+/// The same robot, currents and motion give the same numbers bit for bit.
+class Actuators final : public JointDrives {
+ public:
+  /// At rest at the home pose, valves shut, the supply full. Without a pump in the file the supply has its nominal
+  /// pressure. Of the joints' effects supply_droop is left out where there is a pump. Refuses actuators that cannot be
+  /// simulated, naming the joint.
+  static Result<Actuators> create(const robot::Robot& robot);
+
+  /// Holds one current per joint, A, until the next call.
+  void command(std::span<const double> currents_A) noexcept;
+
+  const body::JointVector& torques_Nm() const noexcept override { return torques_Nm_; }
+  void follow(const body::BodyState& state, double step_s) noexcept override;
+
+  const plant::Joint& joint(std::size_t index) const noexcept { return joints_[index].plant; }
+  /// Null without a pump in the file.
+  plant::Supply* supply() noexcept { return supply_ ? &*supply_ : nullptr; }
+  const plant::Supply* supply() const noexcept { return supply_ ? &*supply_ : nullptr; }
+  const ActuatorEnergies& energies() const noexcept { return energies_; }
+  /// Energy in the oil of all actuators, J.
+  double stored_J() const noexcept;
+
+ private:
+  struct Joint {
+    plant::Linkage linkage;
+    plant::Joint plant;
+    double current_A = 0.0;
+  };
+
+  Actuators(std::vector<Joint> joints, std::optional<plant::Supply> supply, const body::JointVector& angles_rad);
+  void set_torque(std::size_t index, double angle_rad) noexcept;
+
+  std::vector<Joint> joints_;
+  std::optional<plant::Supply> supply_;
+  body::JointVector torques_Nm_;
+  ActuatorEnergies energies_;
+};
+
+}  // namespace farrier::world
