@@ -1,18 +1,8 @@
-// The whole robot on a ground:
-//
-//   valve currents ──▶ Actuators ──▶ torques ──▶ BodyWorld ──▶ angles ──▶ linkages ──▶ SensorChain ──▶ readings.
-//                          ▲                        │
-//                          └──── each step's motion ┘
-//
-// Ideal joints have no actuators: force references go through the linkages to the body.
+#include "sim_bridge/body_robot.hpp"
 
 #include <algorithm>
 
 #include "config/problem.hpp"
-#include "sim_bridge/sensor_chain.hpp"
-#include "sim_bridge/simulated_robot.hpp"
-#include "world/actuators.hpp"
-#include "world/body_world.hpp"
 #include "world/scene_file.hpp"
 
 namespace farrier::sim_bridge {
@@ -25,56 +15,34 @@ std::array<double, kAxes> array_of(const Eigen::Vector3d& vector) noexcept {
   return {vector.x(), vector.y(), vector.z()};
 }
 
-class BodyRobot final : public SimulatedRobot {
- public:
-  /// Without actuators the joints are ideal.
-  BodyRobot(const robot::Robot& robot, world::BodyWorld world, std::optional<world::Actuators> actuators,
-            std::vector<SensorChain> sensors)
-      : joints_(robot.joints),
-        world_(std::move(world)),
-        actuators_(std::move(actuators)),
-        sensors_(std::move(sensors)),
-        torques_Nm_(joints_.size(), 0.0) {
-    for (std::size_t i = 0; i < joints_.size(); ++i) {
-      before_.push_back(truth_of_joint(i));
-      sensors_[i].begin(before_[i]);
-    }
+}  // namespace
+
+BodyRobot::BodyRobot(const robot::Robot& robot, world::BodyWorld world, std::optional<world::Actuators> actuators,
+                     std::vector<SensorChain> sensors)
+    : joints_(robot.joints),
+      world_(std::move(world)),
+      actuators_(std::move(actuators)),
+      sensors_(std::move(sensors)),
+      torques_Nm_(joints_.size(), 0.0) {
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    before_.push_back(truth_of_joint(i));
+    sensors_[i].begin(before_[i]);
   }
+}
 
-  Tick tick() const noexcept override { return world_.tick(); }
-  std::size_t joints() const noexcept override { return joints_.size(); }
-  bool takes_forces() const noexcept override { return !actuators_; }
-  std::optional<world::ImuReading> imu() const noexcept override { return world_.imu(); }
-  std::optional<std::string> failure() const override { return world_.failure(); }
-
-  world::JointReading reading(std::size_t joint) const noexcept override {
-    const Measured& sample = sensors_[joint].sample();
-    return {sample.position, sample.velocity, sample.force};
+Result<BodyRobot> BodyRobot::create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed,
+                                    bool ideal) {
+  auto world = FARRIER_TRY(world::BodyWorld::create(robot, scene, seed, world::kImuNoise));
+  std::optional<world::Actuators> actuators;
+  if (!ideal) {
+    actuators = FARRIER_TRY(world::Actuators::create(robot));
   }
-
-  signals::JointSensors sample(std::size_t joint) const noexcept override {
-    signals::JointSensors sensors;
-    sensors.joint = joints_[joint].number;
-    sensors.tick = tick();
-    put(sensors_[joint].sample(), sensors);
-    return sensors;
+  std::vector<SensorChain> sensors;
+  for (const robot::Joint& joint : robot.joints) {
+    sensors.push_back(FARRIER_TRY(SensorChain::create(joint, robot.period_s, seed)));
   }
-
-  bool advance(std::span<const double> commands) noexcept override;
-  void describe(std::size_t joint, trace::TraceRow& row) const noexcept override;
-  std::optional<signals::BodyTruth> truth() const noexcept override;
-
- private:
-  Measured truth_of_joint(std::size_t index) const noexcept;
-  bool move(std::span<const double> commands) noexcept;
-
-  std::vector<robot::Joint> joints_;
-  world::BodyWorld world_;
-  std::optional<world::Actuators> actuators_;
-  std::vector<SensorChain> sensors_;  // by joint
-  std::vector<double> torques_Nm_;
-  std::vector<Measured> before_;  // truth of the last tick, by joint
-};
+  return BodyRobot(robot, std::move(world), std::move(actuators), std::move(sensors));
+}
 
 Measured BodyRobot::truth_of_joint(std::size_t index) const noexcept {
   const plant::Linkage& linkage = joints_[index].linkage;
@@ -146,8 +114,6 @@ std::optional<signals::BodyTruth> BodyRobot::truth() const noexcept {
   return truth;
 }
 
-}  // namespace
-
 Result<std::unique_ptr<SimulatedRobot>> simulated_body(const robot::Robot& robot, const std::string& scene_path,
                                                        std::uint64_t seed, bool ideal) {
   const auto scene =
@@ -155,17 +121,8 @@ Result<std::unique_ptr<SimulatedRobot>> simulated_body(const robot::Robot& robot
   if (!scene) {
     return Error{config::to_string(scene.error())};
   }
-  auto world = FARRIER_TRY(world::BodyWorld::create(robot, scene.value(), seed, world::kImuNoise));
-  std::optional<world::Actuators> actuators;
-  if (!ideal) {
-    actuators = FARRIER_TRY(world::Actuators::create(robot));
-  }
-  std::vector<SensorChain> sensors;
-  for (const robot::Joint& joint : robot.joints) {
-    sensors.push_back(FARRIER_TRY(SensorChain::create(joint, robot.period_s, seed)));
-  }
-  return std::unique_ptr<SimulatedRobot>(
-      std::make_unique<BodyRobot>(robot, std::move(world), std::move(actuators), std::move(sensors)));
+  auto body = FARRIER_TRY(BodyRobot::create(robot, scene.value(), seed, ideal));
+  return std::unique_ptr<SimulatedRobot>(std::make_unique<BodyRobot>(std::move(body)));
 }
 
 }  // namespace farrier::sim_bridge

@@ -93,7 +93,7 @@ const std::map<std::string, What> kTrials{{"hide", What::kHide}, {"body", What::
 /// Names of options on the command line that are for the other trial. An environment variable is for both.
 std::string strange_options(const CLI::App& app, What what) {
   const std::set<std::string> of_both{"what", "robot", "out", "json", "help"};
-  const std::set<std::string> of_body{"only", "smoke", "threads", "continue"};
+  const std::set<std::string> of_body{"ideal", "only", "smoke", "threads", "continue"};
   std::string strange;
   for (const CLI::Option* option : app.get_options()) {
     const std::string name = option->get_single_name();
@@ -117,6 +117,7 @@ void declare_body(CLI::App& app, BodyTrialOptions& o) {
       ->type_name("<names>")
       ->default_str("all");
   app.add_flag("--smoke", o.smoke, "body: the first run of each trial but push_limit, in half a minute")->type_name("");
+  app.add_flag("--ideal", o.ideal, "body: the joints follow their torques at once, in place of their actuators")->type_name("");
   app.add_option("--threads", o.threads, "body: runs at a time")
       ->check(between(1, 256))
       ->type_name("<n>")

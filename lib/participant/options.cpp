@@ -61,11 +61,6 @@ void declare_of_sim_bridge(CLI::App& app, ProcessOptions& o) {
   app.add_option("--scene", o.scene_path, "Scene file of the ground under a body; a plane unless given");
 }
 
-void declare_world(CLI::App& app, ProcessOptions& o) {
-  app.add_option("--world", o.world, "bench: each joint on a load of its own; body: the whole robot on a ground; ideal: there, on ideal torques")
-      ->transform(CLI::CheckedTransformer(by_name(kWorlds)));
-}
-
 void declare_of_locomotion(CLI::App& app, ProcessOptions& o) {
   app.add_option(
          "--velocity", o.velocity,
@@ -126,9 +121,6 @@ void declare(CLI::App& app, ProcessOptions& o) {
   if (concerns(Program::kLocomotion, o.name)) {
     declare_of_locomotion(app, o);
   }
-  if (concerns(Program::kSimBridge, o.name) || concerns(Program::kLocomotion, o.name)) {
-    declare_world(app, o);
-  }
   if (concerns(Program::kSupervisor, o.name)) {
     declare_of_supervisor(app, o);
   }
@@ -138,6 +130,10 @@ void declare(CLI::App& app, ProcessOptions& o) {
       ->check(CLI::Range(0.1, 10.0));
   app.add_option("--estimator", o.estimator, "Estimator section of the robot file that every joint uses");
   app.add_option("--controller", o.controller, "Kind of every controller, instead of the robot file's");
+  app.add_option("--world", o.world,
+                 "bench: each joint on a load of its own; body: the whole robot on a ground; ideal: there, on ideal "
+                 "torques. On a ground joints have the controllers of locomotion")
+      ->transform(CLI::CheckedTransformer(by_name(kWorlds)));
   app.add_option("--slow", o.slow, "Slow motion: the clock goes slower than the machine's by this factor")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -244,11 +240,6 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
       arguments.insert(arguments.end(), {flag, value});
     }
   };
-  const auto append_world = [&] {
-    if (o.world != World::kBench) {
-      append("--world", name_of(kWorlds, o.world));
-    }
-  };
   append("--security", o.security);
   switch (role_of(o.number, o.standby)) {
     case bus::Role::kJointNode:
@@ -258,10 +249,8 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
       append("--trace", o.trace_path);
       append("--simulated-robot", o.simulated_path);
       append("--scene", o.scene_path);
-      append_world();
       break;
     case bus::Role::kLocomotion:
-      append_world();
       append("--velocity", joined(exact_texts(o.velocity)));
       break;
     case bus::Role::kSupervisor:
@@ -276,6 +265,9 @@ std::vector<std::string> to_arguments(const ProcessOptions& o) {
   }
   append("--estimator", o.estimator);
   append("--controller", o.controller);
+  if (is_on_ground(o.world)) {
+    append("--world", name_of(kWorlds, o.world));
+  }
   if (o.slow != 1) {
     append("--slow", std::to_string(o.slow));
   }

@@ -32,6 +32,7 @@ Result<robot::Robot, config::Problems> load_robot(const participant::ProcessOpti
     overrides.frequency_Hz = options.frequency_Hz;
   }
   overrides.without_dither = options.no_dither;
+  overrides.on_ground = options.world == participant::World::kBody;
   if (!options.estimator.empty()) {
     overrides.estimator = options.estimator;
   }

@@ -26,11 +26,16 @@ class ReferenceCheck {
     for (const auto& [name, joint] : file_.joints) {
       check_joint(joint);
     }
+    if (file_.locomotion && !file_.locomotion->controller.empty()) {
+      resolve(file_.controllers, "controllers", file_.locomotion->controller, file_.locomotion->place, "controller");
+    }
     for (const auto& [name, leg] : file_.legs) {
       check_leg(name, leg);
     }
-    for (const auto& [name, effects] : file_.effects) {
-      check_effects(name, effects);
+    for (const auto* sections : {&file_.effects, &file_.effects_on_ground}) {
+      for (const auto& [name, effects] : *sections) {
+        check_effects(name, effects);
+      }
     }
     if (joints_.size() > kMostJoints) {
       problems_.push_back(file_.place.problem("legs", "have more than 64 joints together"));

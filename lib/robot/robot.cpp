@@ -22,6 +22,27 @@ std::vector<config::Setting> settings_of(const Overrides& overrides) {
   return settings;
 }
 
+/// Joints of a robot on a ground have the controllers of locomotion and effects_on_ground. A command acts as late in
+/// lock-step as in real time.
+void put_on_ground(RobotFile& file) {
+  for (auto& [name, joint] : file.joints) {
+    if (file.locomotion && !file.locomotion->controller.empty()) {
+      joint.controller = file.locomotion->controller;
+    }
+  }
+  for (const auto& [name, added] : file.effects_on_ground) {
+    const auto old = std::ranges::find(file.effects, name, &std::pair<std::string, JointEffectsSection>::first);
+    if (old == file.effects.end()) {
+      file.effects.emplace_back(name, added);
+      continue;
+    }
+    for (std::size_t i = 0; i < added.effects.size(); ++i) {
+      old->second.effects[i] = added.effects[i] ? added.effects[i] : old->second.effects[i];
+    }
+  }
+  file.loop_delay_ticks.lockstep = file.loop_delay_ticks.realtime;
+}
+
 Result<Robot, config::Problems> build(Result<RobotFile, config::Problems> read, const Overrides& overrides) {
   if (!read) {
     return read.error();
@@ -30,6 +51,9 @@ Result<Robot, config::Problems> build(Result<RobotFile, config::Problems> read, 
   for (auto& [name, joint] : file.joints) {
     joint.dither_percent = overrides.without_dither ? 0.0 : joint.dither_percent;
     joint.estimator = overrides.estimator.value_or(joint.estimator);
+  }
+  if (overrides.on_ground) {
+    put_on_ground(file);
   }
   if (overrides.without_effects) {
     file.effects.clear();

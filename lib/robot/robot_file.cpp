@@ -135,6 +135,8 @@ void declare(Visitor& v, RobotFile& f) {
   v.group("variation", f.variation, Defaults{}, "How far robots of `farrier compare varied` are drawn from this one.");
   v.groups("effects", f.effects, kLongestName, Defaults{},
            "What a joint has beside its model, by joint, or section of joints, and effect.");
+  v.groups("effects_on_ground", f.effects_on_ground, kLongestName, Defaults{},
+           "The same, in addition, of a robot on a ground (--world body).");
   v.group("deployment", f.deployment, "Which computer runs what; for `farrier deploy`.");
 }
 

@@ -30,6 +30,7 @@ json json_of(const trials::TrotRow& row) {
           {"heading_drift_rad_s", f.heading_drift_rad_s},
           {"lateral_drift_m_s", number_or_null(f.lateral_drift_m_s)},
           {"largest_torque_Nm", f.largest_torque_Nm},
+          {"force_nrmse", f.force_nrmse},
           {"hash", f.hash}};
 }
 
@@ -47,6 +48,7 @@ trials::TrotRow row_of(const json& line) {
                       .heading_drift_rad_s = line.at("heading_drift_rad_s"),
                       .lateral_drift_m_s = number_of(line.at("lateral_drift_m_s")),
                       .largest_torque_Nm = line.at("largest_torque_Nm"),
+                      .force_nrmse = line.at("force_nrmse").get<trials::ForceErrors>(),
                       .hash = line.at("hash")},
           .failure = {}};
 }

@@ -21,7 +21,7 @@ void note_loads(const world::BodyWorld& world, std::span<const double> torques_N
 
 BodyController::~BodyController() = default;
 
-BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, Tick ticks,
+BodyFigures run_body_trial(world::World& robot, const world::BodyWorld& world, BodyController& controller, Tick ticks,
                            const BodyObserver& observer) {
   BodyFigures figures;
   std::vector<double> torques_Nm(world.joints(), 0.0);
@@ -31,12 +31,12 @@ BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, 
   double height_squares_m2 = 0.0;
   double tilt_squares = 0.0;
   while (figures.ticks < ticks && figures.passes()) {
-    controller.step(world, torques_Nm);
+    controller.step(robot, torques_Nm);
     if (observer && !observer()) {
       break;
     }
-    if (!world.advance(torques_Nm)) {
-      figures.failure = world.failure();
+    if (!robot.advance(torques_Nm)) {
+      figures.failure = robot.failure();
       break;
     }
     ++figures.ticks;

@@ -2,7 +2,9 @@
 
 // A trial of the whole robot, in process and without a bus:
 //
-//   BodyWorld ── readings ──▶ BodyController ── torques ──▶ BodyWorld, once a tick.
+//   world ── readings ──▶ BodyController ── torques ──▶ world, once a tick.
+//
+// The world is a BodyWorld with ideal joints or an ActuatedRobot.
 
 #include <Eigen/Core>
 #include <array>
@@ -54,8 +56,15 @@ struct BodyFigures {
 /// Called at every tick after the controller's step, before the world moves. False ends the trial.
 using BodyObserver = std::function<bool()>;
 
-/// Runs a trial for that many ticks, or until the robot falls or the simulation fails.
-BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, Tick ticks,
+/// Runs a trial for that many ticks, or until the robot falls or the simulation fails. The robot takes torques; `body` is
+/// the truth of its body.
+BodyFigures run_body_trial(world::World& robot, const world::BodyWorld& body, BodyController& controller, Tick ticks,
                            const BodyObserver& observer = {});
+
+/// The same of ideal joints.
+inline BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, Tick ticks,
+                                  const BodyObserver& observer = {}) {
+  return run_body_trial(world, world, controller, ticks, observer);
+}
 
 }  // namespace farrier::trials

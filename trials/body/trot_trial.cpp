@@ -10,6 +10,7 @@
 
 #include "robot/locomotion_model.hpp"
 #include "robot/locomotion_params.hpp"
+#include "trials/body/actuated_robot.hpp"
 #include "trials/body/controller_driver.hpp"
 #include "world/scene_file.hpp"
 
@@ -173,9 +174,20 @@ robot::Robot with_trunk_mass(const robot::Robot& robot, double mass_kg) {
   return heavier;
 }
 
+ForceErrors force_nrmse_of(const ActuatedRobot& robot) {
+  ForceErrors all{};
+  for (std::size_t place = 0; place < all.size(); ++place) {
+    for (const Phase phase : {Phase::kSwing, Phase::kStance}) {
+      const ActuatedRobot::Tracking& sums = robot.tracking(place)[phase];
+      all[place][static_cast<std::size_t>(phase)] = sums.reference > 0.0 ? std::sqrt(sums.error / sums.reference) : 0.0;
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
-Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one,
+Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one, Joints joints,
                                                  const std::function<bool()>& keep_on) {
   if (!robot.body || !robot.locomotion) {
     return Error{robot.name + " cannot walk on a ground: give body.trunk and locomotion in its file"};
@@ -185,14 +197,23 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
     return Error{config::to_string(scene.error())};
   }
   const robot::Robot true_robot = with_trunk_mass(robot, one.trunk_mass_kg.value_or(robot.body->trunk.mass_kg));
-  auto world = FARRIER_TRY(world::BodyWorld::create(true_robot, scene.value(), one.seed, kTrotNoise));
   const auto model = FARRIER_TRY(robot::LocomotionModel::create(*robot.body));
   locomotion::TrotController controller(*robot.locomotion, robot::locomotion_plan(robot.plan), model);
   ControllerDriver driver(controller, one.script, robot.period_s, one.lag_ticks);
-  Judge judge(world, controller, one, robot.period_s, robot.locomotion->reference.default_height_m);
+  std::optional<world::BodyWorld> ideal;
+  std::optional<ActuatedRobot> actuated;
+  if (joints == Joints::kIdeal) {
+    ideal.emplace(FARRIER_TRY(world::BodyWorld::create(true_robot, scene.value(), one.seed, kTrotNoise)));
+  } else {
+    actuated.emplace(FARRIER_TRY(ActuatedRobot::create(robot, true_robot, scene.value(), one.seed)));
+    actuated->track_from(static_cast<Tick>(std::lround(one.judged_from_s / robot.period_s)));
+  }
+  world::World& moved = ideal ? static_cast<world::World&>(*ideal) : *actuated;
+  const world::BodyWorld& truth = ideal ? *ideal : actuated->robot().body();
+  Judge judge(truth, controller, one, robot.period_s, robot.locomotion->reference.default_height_m);
   bool stopped = false;
   const auto ticks = static_cast<Tick>(std::lround(one.end_s / robot.period_s));
-  const BodyFigures body = run_body_trial(world, driver, ticks, [&] {
+  const BodyFigures body = run_body_trial(moved, truth, driver, ticks, [&] {
     judge.observe();
     stopped = keep_on && !keep_on();
     return !stopped;
@@ -200,17 +221,21 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
   if (stopped) {
     return std::optional<TrotFigures>();
   }
-  return std::optional(judge.figures(body));
+  TrotFigures figures = judge.figures(body);
+  if (actuated) {
+    figures.force_nrmse = force_nrmse_of(*actuated);
+  }
+  return std::optional(figures);
 }
 
-void run_trot_cases(const robot::Robot& robot, std::span<const TrotCase> cases, int threads,
+void run_trot_cases(const robot::Robot& robot, std::span<const TrotCase> cases, Joints joints, int threads,
                     const std::function<void(const TrotRow&)>& done, const std::function<bool()>& keep_on) {
   std::atomic<std::size_t> next{0};
   std::mutex telling;
   const auto work = [&] {
     for (std::size_t i = next++; i < cases.size(); i = next++) {
       TrotRow row{.trial = cases[i].trial, .name = cases[i].name, .figures = {}, .failure = {}};
-      const auto ran = run_trot_case(robot, cases[i], keep_on);
+      const auto ran = run_trot_case(robot, cases[i], joints, keep_on);
       if (ran && !ran.value()) {
         return;
       }

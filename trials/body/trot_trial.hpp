@@ -6,11 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "core/phase.hpp"
 #include "core/result.hpp"
 #include "trials/body/body_trial.hpp"
 #include "trials/body/trot_cases.hpp"
 
 namespace farrier::trials {
+
+/// By place in the leg and phase.
+using ForceErrors = std::array<std::array<double, kPhaseCount>, body::kJointsPerLeg>;
 
 /// The true motion of one case, and the errors of the controller's own estimate. Means are over the judged time.
 struct TrotFigures {
@@ -27,6 +31,9 @@ struct TrotFigures {
   /// trot, in the direction of the command as the trunk then stood. None for a command that turns or has no direction.
   std::optional<double> lateral_drift_m_s = std::nullopt;
   double largest_torque_Nm = 0.0;
+  /// Force error of HAA, HFE and KFE by the phase of the foot, over all legs: RMS over RMS of the reference. Zero of
+  /// ideal joints.
+  ForceErrors force_nrmse{};
   std::uint64_t hash = 0;  ///< of all states of the run
 };
 
@@ -39,9 +46,12 @@ inline constexpr world::BodyNoise kTrotNoise = [] {
   return noise;
 }();
 
+/// What drives the joints of a trial: ideal torques with kTrotNoise, or the robot's actuators with their sensors.
+enum class Joints { kIdeal, kActuators };
+
 /// Runs one case: the robot's TrotController with its own estimate, in a world of its own. False by `keep_on` ends it
-/// with nothing. Refuses a robot without body or locomotion, and a scene that does not fit.
-Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one,
+/// with nothing. Refuses a robot without body or locomotion, a scene that does not fit, and what ActuatedRobot refuses.
+Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one, Joints joints,
                                                  const std::function<bool()>& keep_on = {});
 
 /// A case that was run.
@@ -52,7 +62,7 @@ struct TrotRow {
 };
 
 /// Runs the cases on so many threads. Tells `done` of each as it comes, one at a time; false by `keep_on` ends all.
-void run_trot_cases(const robot::Robot& robot, std::span<const TrotCase> cases, int threads,
+void run_trot_cases(const robot::Robot& robot, std::span<const TrotCase> cases, Joints joints, int threads,
                     const std::function<void(const TrotRow&)>& done, const std::function<bool()>& keep_on);
 
 }  // namespace farrier::trials

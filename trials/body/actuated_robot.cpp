@@ -1,0 +1,75 @@
+#include "trials/body/actuated_robot.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace farrier::trials {
+namespace {
+
+constexpr std::uint64_t kSession = 1;
+constexpr double kStands_N = 1.0;  ///< a foot that presses more stands
+
+}  // namespace
+
+Result<ActuatedRobot> ActuatedRobot::create(const robot::Robot& known, const robot::Robot& real,
+                                            const body::Scene& scene, std::uint64_t seed) {
+  for (const robot::Joint& joint : known.joints) {
+    if (joint.kind == control::Kind::kLqr || joint.kind == control::Kind::kFlowInversion) {
+      return Error{joint.name +
+                   " has a controller that takes its gains from a supervisor, which this trial does not have: give "
+                   "locomotion.controller one of kind feedback_linearisation or pid"};
+    }
+  }
+  auto robot = FARRIER_TRY(sim_bridge::BodyRobot::create(real, scene, seed, false));
+  return ActuatedRobot(known, std::move(robot));
+}
+
+ActuatedRobot::ActuatedRobot(const robot::Robot& known, sim_bridge::BodyRobot robot)
+    : joints_(known.joints), robot_(std::move(robot)), currents_A_(joints_.size(), 0.0) {
+  for (const robot::Joint& joint : joints_) {
+    nodes_.emplace_back(joint, known.safety, known.period_s, known.loop_delay_lockstep, kSession);
+    nodes_.back().set_mode({.epoch = 1, .session = kSession, .effective_tick = 0, .mode = signals::Mode::kArmed});
+    on_the_way_A_.emplace_back(static_cast<std::size_t>(known.loop_delay_lockstep) + 1, 0.0);
+  }
+}
+
+world::JointReading ActuatedRobot::reading(std::size_t index) const noexcept {
+  const plant::Linkage& linkage = joints_[index].linkage;
+  const world::JointReading read = robot_.reading(index);
+  const double angle_rad = linkage.angle(read.position);
+  return {angle_rad, linkage.angular_velocity(angle_rad, read.velocity), linkage.torque(angle_rad, read.force)};
+}
+
+void ActuatedRobot::track(std::size_t index, double reference) noexcept {
+  trace::TraceRow row;
+  robot_.describe(index, row);
+  const double error = row.force_N_or_Nm - reference;
+  Tracking& sums = tracking_[static_cast<std::size_t>(joints_[index].index_in_leg)][row.actual_phase];
+  sums.error += error * error;
+  sums.reference += reference * reference;
+  sums.count += 1.0;
+}
+
+bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const robot::Joint& joint = joints_[i];
+    joint_node::JointNode::Inputs inputs;
+    inputs.tick = tick();
+    inputs.sensors = robot_.sample(i);
+    inputs.command.joint = joint.number;
+    inputs.command.tick = tick();
+    inputs.command.position_rad = std::clamp(reading(i).position, joint.angle_min_rad, joint.angle_max_rad);
+    inputs.command.torque_ff_Nm = torques_Nm[i];
+    const signals::JointValveCommand valve = nodes_[i].step(inputs).valve;
+    std::vector<double>& ring = on_the_way_A_[i];
+    const auto slots = static_cast<Tick>(ring.size());
+    ring[static_cast<std::size_t>(tick() % slots)] = valve.valve_current_A;
+    currents_A_[i] = ring[static_cast<std::size_t>((tick() + 1) % slots)];
+    if (tick() >= track_from_) {
+      track(i, valve.force_reference_N_or_Nm);
+    }
+  }
+  return robot_.advance(currents_A_);
+}
+
+}  // namespace farrier::trials

@@ -1,0 +1,59 @@
+#pragma once
+
+// A robot whose actuators follow torques, as its processes have them:
+//
+//   torques ──▶ JointNode of each joint ──▶ valve currents ──▶ BodyRobot ──▶ samples ──▶ angles, velocities, torques.
+//                    ▲                                             │
+//                    └───────────────── samples ◀──────────────────┘
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "joint_node/joint_node.hpp"
+#include "sim_bridge/body_robot.hpp"
+#include "world/world.hpp"
+
+namespace farrier::trials {
+
+/// The same robots, scene, seed and torques give the same numbers bit for bit.
+class ActuatedRobot final : public world::World {
+ public:
+  /// The joints' nodes have the model of `known`, the simulation that of `real`; both have the same joints. Refuses
+  /// controllers that need gains over the bus, and what BodyRobot::create refuses.
+  static Result<ActuatedRobot> create(const robot::Robot& known, const robot::Robot& real, const body::Scene& scene,
+                                      std::uint64_t seed);
+
+  Tick tick() const noexcept override { return robot_.tick(); }
+  std::size_t joints() const noexcept override { return robot_.joints(); }
+  /// Angle, velocity and torque of the joint, by its actuator's sensors.
+  world::JointReading reading(std::size_t joint) const noexcept override;
+  std::optional<world::ImuReading> imu() const noexcept override { return robot_.imu(); }
+  std::optional<std::string> failure() const override { return robot_.failure(); }
+  /// The commands are torques, Nm. A valve's current acts loop_delay_lockstep ticks after the samples that it answers.
+  bool advance(std::span<const double> torques_Nm) noexcept override;
+
+  const sim_bridge::BodyRobot& robot() const noexcept { return robot_; }
+
+  /// Sums of squares of a joint's force error and reference in a phase, N^2 or (Nm)^2, and their number.
+  struct Tracking {
+    double error = 0.0, reference = 0.0, count = 0.0;
+  };
+  /// Of all joints at one place of a leg, from `begin` of track_from() on; the phase is that of the leg's foot.
+  const PerPhase<Tracking>& tracking(std::size_t place) const noexcept { return tracking_[place]; }
+  void track_from(Tick begin) noexcept { track_from_ = begin; }
+
+ private:
+  ActuatedRobot(const robot::Robot& known, sim_bridge::BodyRobot robot);
+  void track(std::size_t joint, double reference) noexcept;
+
+  std::vector<robot::Joint> joints_;
+  sim_bridge::BodyRobot robot_;
+  std::vector<joint_node::JointNode> nodes_;
+  std::vector<std::vector<double>> on_the_way_A_;  // rings of currents, by joint
+  std::vector<double> currents_A_;
+  std::array<PerPhase<Tracking>, body::kJointsPerLeg> tracking_{};
+  Tick track_from_ = 0;
+};
+
+}  // namespace farrier::trials
