@@ -1,11 +1,13 @@
 #include "robot/robot.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "config/printer.hpp"
 #include "config/reader.hpp"
 #include "config/reference_table.hpp"
 #include "core/noise.hpp"
+#include "plant/terms/supply_droop.hpp"
 #include "robot/robot_builder.hpp"
 
 namespace farrier::robot {
@@ -38,6 +40,11 @@ void put_on_ground(RobotFile& file) {
     }
     for (std::size_t i = 0; i < added.effects.size(); ++i) {
       old->second.effects[i] = added.effects[i] ? added.effects[i] : old->second.effects[i];
+    }
+  }
+  if (file.supply && file.supply->pump) {  // all joints share one supply in place of their own
+    for (auto& [name, joint] : file.effects) {
+      joint.effects[plant::effect_id<plant::SupplyDroop>()].reset();
     }
   }
   file.loop_delay_ticks.lockstep = file.loop_delay_ticks.realtime;

@@ -3,21 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "plant/terms/supply_droop.hpp"
 #include "robot/joint_plant.hpp"
 
 namespace farrier::world {
-namespace {
-
-/// The shared supply takes the place of each joint's own.
-robot::Joint without_own_supply(robot::Joint joint) {
-  std::erase_if(joint.effects, [](const plant::ActiveEffect& effect) {
-    return effect.id == plant::effect_id<plant::SupplyDroop>();
-  });
-  return joint;
-}
-
-}  // namespace
 
 JointDrives::~JointDrives() = default;
 
@@ -29,7 +17,7 @@ Result<Actuators> Actuators::create(const robot::Robot& robot) {
   std::vector<Joint> joints;
   body::JointVector angles_rad(static_cast<Eigen::Index>(robot.joints.size()));
   for (const robot::Joint& joint : robot.joints) {
-    auto plant = robot::make_plant(supply ? without_own_supply(joint) : joint, joint.stance_load);
+    auto plant = robot::make_plant(joint, joint.stance_load);
     if (!plant) {
       return Error{joint.name + ": " + plant.error().message};
     }

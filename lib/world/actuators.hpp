@@ -33,8 +33,7 @@ struct ActuatorEnergies {
 class Actuators final : public JointDrives {
  public:
   /// At rest at the home pose, valves shut, the supply full. Without a pump in the file the supply has its nominal
-  /// pressure. Of the joints' effects supply_droop is left out where there is a pump. Refuses actuators that cannot be
-  /// simulated, naming the joint.
+  /// pressure. Refuses actuators that cannot be simulated, naming the joint.
   static Result<Actuators> create(const robot::Robot& robot);
 
   /// Holds one current per joint, A, until the next call.

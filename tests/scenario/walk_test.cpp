@@ -11,7 +11,7 @@ run::InprocRun settings(double seconds, std::vector<double> velocity) {
   run::InprocRun run;
   run.ticks = static_cast<Tick>(seconds * 1000.0);
   run.design = supervisor::Design::kPhases;
-  run.world = participant::World::kBody;
+  run.world = participant::World::kIdeal;
   run.velocity = std::move(velocity);
   return run;
 }

@@ -19,6 +19,7 @@ struct FeedbackLinearisationGains {
   double force_1_s = 900.0;            ///< k_p, on the force error; in [0, 1e5]
   double integral_1_s2 = 2e5;          ///< k_i, on its integral; in [0, 1e8]; 0 is off
   double velocity_compensation = 0.95; ///< compensated share of the piston's displacement flow; in [0, 2]
+  double velocity_lead_s = 0.0;        ///< time by which the velocity is led before that; in [0, 0.1]; 0 is off
 };
 
 /// Force controller as HyQ ran it: feedback linearisation with velocity compensation (Boaventura et al. 2012, "On the
@@ -57,6 +58,8 @@ class FeedbackLinearisation {
   double integrator() const noexcept { return integral_; }
 
  private:
+  /// Takes the velocity forward by the lead, with its derivative over twice the lead.
+  Measurement led(const Measurement& measurement) noexcept;
   double current_for(double force_rate, const Measurement& measurement) const noexcept;
   /// -K_vp of (3.32), N/m over A_p: the oil's stiffness per area.
   double stiffness_per_area(double position) const noexcept;
@@ -68,6 +71,7 @@ class FeedbackLinearisation {
   double alpha_;        ///< area_b / area_a
   double valve_gain_;   ///< K_v / sqrt(1 + alpha^3): (3.33) without the compliance
   double integral_ = 0.0;
+  double slow_velocity_ = 0.0;  ///< the velocity, smoothed over twice the lead
   bool has_run_ = false;
 };
 

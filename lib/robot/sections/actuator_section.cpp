@@ -207,6 +207,8 @@ void declare(Visitor& v, Controller& c) {
            "feedback_linearisation: on the integral of the force error; 0 is off.");
   v.number("velocity_compensation", f.velocity_compensation, {0, 2}, Default{f.velocity_compensation},
            "feedback_linearisation: share of the piston's own flow that the valve makes up for.");
+  v.number("velocity_lead_s", f.velocity_lead_s, {0, 0.1}, Default{f.velocity_lead_s},
+           "feedback_linearisation: time by which the velocity is led before that, for valve and bus; 0 is off.");
 }
 
 }  // namespace farrier::robot

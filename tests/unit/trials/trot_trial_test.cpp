@@ -31,7 +31,7 @@ TrotCase ten_seconds(const robot::Robot& robot) {
 
 TEST(TrotTrial, TrotsForTenSeconds) {
   const robot::Robot hyq = load("hyq");
-  const TrotFigures figures = run_trot_case(hyq, ten_seconds(hyq)).value().value();
+  const TrotFigures figures = run_trot_case(hyq, ten_seconds(hyq), Joints::kIdeal).value().value();
   EXPECT_FALSE(figures.fell_s.has_value()) << *figures.fell_s;
   EXPECT_LT(figures.height_rms_m, 0.010);
   EXPECT_LT(std::abs(figures.height_offset_m), 0.015);
@@ -50,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(Shipped, OtherRobot, testing::Values("hexapod", "electr
 // By its file alone: the hexapod in tripods.
 TEST_P(OtherRobot, TrotsForTenSeconds) {
   const robot::Robot robot = load(GetParam());
-  const TrotFigures figures = run_trot_case(robot, ten_seconds(robot)).value().value();
+  const TrotFigures figures = run_trot_case(robot, ten_seconds(robot), Joints::kIdeal).value().value();
   EXPECT_FALSE(figures.fell_s.has_value()) << *figures.fell_s << " s: " << figures.fall;
   EXPECT_LT(figures.height_rms_m, 0.010);
   EXPECT_LT(figures.tilt_rms_rad, kDegree_rad);
@@ -115,17 +115,17 @@ TEST(TrotTrial, RepeatsBitForBit) {
   const robot::Robot hyq = load("hyq");
   TrotCase one = ten_seconds(hyq);
   one.end_s = one.trot_s + 3.0;
-  const TrotFigures first = run_trot_case(hyq, one).value().value();
-  EXPECT_EQ(run_trot_case(hyq, one).value()->hash, first.hash);
+  const TrotFigures first = run_trot_case(hyq, one, Joints::kIdeal).value().value();
+  EXPECT_EQ(run_trot_case(hyq, one, Joints::kIdeal).value()->hash, first.hash);
   one.seed = 2;
-  EXPECT_NE(run_trot_case(hyq, one).value()->hash, first.hash);
+  EXPECT_NE(run_trot_case(hyq, one, Joints::kIdeal).value()->hash, first.hash);
 }
 
 TEST(TrotTrial, SeesAFall) {
   const robot::Robot hyq = load("hyq");
   TrotCase one = ten_seconds(hyq);
   one.scene = "pushes: {push: {start_s: 6, impulse_y_Ns: 1000}}\n";
-  const TrotFigures figures = run_trot_case(hyq, one).value().value();
+  const TrotFigures figures = run_trot_case(hyq, one, Joints::kIdeal).value().value();
   ASSERT_TRUE(figures.fell_s.has_value());
   EXPECT_GT(*figures.fell_s, 6.0);
   EXPECT_LT(*figures.fell_s, 8.0);
@@ -142,7 +142,7 @@ TEST(TrotTrial, EndsWhenAsked) {
 }
 
 TEST(TrotTrial, RefusesARobotThatCannotWalk) {
-  const auto ran = run_trot_case(load("fc1d"), trot_cases(load("hyq")).front());
+  const auto ran = run_trot_case(load("fc1d"), trot_cases(load("hyq")).front(), Joints::kIdeal);
   ASSERT_FALSE(ran.ok());
   EXPECT_EQ(ran.error().message, "fc1d cannot walk on a ground: give body.trunk and locomotion in its file");
 }
@@ -177,7 +177,7 @@ TEST(TrotCases, GiveOneResultForEveryNumberOfThreads) {
   }
   const auto hashes = [&](int threads) {
     std::map<std::string, std::uint64_t> of;
-    run_trot_cases(hyq, cases, threads, [&](const TrotRow& row) { of[row.trial] = row.figures.hash; }, {});
+    run_trot_cases(hyq, cases, Joints::kIdeal, threads, [&](const TrotRow& row) { of[row.trial] = row.figures.hash; }, {});
     return of;
   };
   const auto by_one = hashes(1);
