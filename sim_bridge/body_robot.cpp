@@ -94,8 +94,7 @@ void BodyRobot::describe(std::size_t index, trace::TraceRow& row) const noexcept
     row.pressure_a_Pa = hydraulic->state().pressure_a_Pa;
     row.pressure_b_Pa = hydraulic->state().pressure_b_Pa;
   }
-  row.actual_phase =
-      world_.foot_force_N(joints_[index].leg).norm() > kTouches_N ? Phase::kStance : Phase::kSwing;
+  row.actual_phase = world_.foot_force_N(joints_[index].leg).norm() > kTouches_N ? Phase::kStance : Phase::kSwing;
 }
 
 std::optional<signals::BodyTruth> BodyRobot::truth() const noexcept {

@@ -68,5 +68,4 @@ class BodyRobot final : public SimulatedRobot {
   std::vector<Measured> before_;  // truth of the last tick, by joint
 };
 
-
 }  // namespace farrier::sim_bridge

@@ -67,7 +67,8 @@ class BodyRuns {
       keep(row);
       bar.update(++ended);
     };
-    trials::run_trot_cases(robot_, left, o_.ideal ? trials::Joints::kIdeal : trials::Joints::kActuators, o_.threads, done, [] { return !participant::stop_requested(); });
+    trials::run_trot_cases(robot_, left, o_.ideal ? trials::Joints::kIdeal : trials::Joints::kActuators, o_.threads,
+                           done, [] { return !participant::stop_requested(); });
     std::vector<trials::TrotRow> rows;
     for (const trials::TrotCase& one : cases) {
       if (const auto row = rows_.find(key_of(one.trial, one.name)); row != rows_.end()) {
@@ -155,8 +156,9 @@ int run_and_report(const robot::Robot& robot, const BodyTrialOptions& o) {
     return refuse("trial", way.error().message);
   }
   participant::install_signal_handlers();
-  BodyRuns runs(robot, o, kept_path, report::build_name() + ", " + report::run_info(robot, 1).configuration_hash +
-                                         (o.ideal ? ", ideal joints" : ""));
+  BodyRuns runs(
+      robot, o, kept_path,
+      report::build_name() + ", " + report::run_info(robot, 1).configuration_hash + (o.ideal ? ", ideal joints" : ""));
   const BodyStudy study = run_all(robot, o, runs);
   const std::vector<report::BodyTrialResult> results = report::body_results(study.rows);
   const report::Outcome outcome = outcome_of(robot, study, results, runs.not_kept());

@@ -14,7 +14,7 @@ struct BodyTrialOptions {
   bool smoke = false;             ///< the first run of each trial
   bool go_on = false;
   int threads = 2;
-  bool ideal = false;             ///< the joints follow torques at once
+  bool ideal = false;  ///< the joints follow torques at once
 };
 
 /// Runs the trials, prints the table of verdicts and writes figures and runs. Returns the exit status. A build without

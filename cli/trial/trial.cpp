@@ -117,7 +117,8 @@ void declare_body(CLI::App& app, BodyTrialOptions& o) {
       ->type_name("<names>")
       ->default_str("all");
   app.add_flag("--smoke", o.smoke, "body: the first run of each trial but push_limit, in half a minute")->type_name("");
-  app.add_flag("--ideal", o.ideal, "body: the joints follow their torques at once, in place of their actuators")->type_name("");
+  app.add_flag("--ideal", o.ideal, "body: the joints follow their torques at once, in place of their actuators")
+      ->type_name("");
   app.add_option("--threads", o.threads, "body: runs at a time")
       ->check(between(1, 256))
       ->type_name("<n>")

@@ -16,8 +16,8 @@ double fastest_rate(const ElectricParams& a, const LoadParams& load) noexcept {
   const double inertia = a.rotor_inertia_kg_m2 * a.gear_ratio * a.gear_ratio;
   const double winding = a.winding_resistance_Ohm / a.winding_inductance_H;
   const double rotor_stiffness = a.spring_stiffness + output_constant * output_constant / a.winding_inductance_H;
-  const double rotor = (a.damping + a.coulomb / a.slip_velocity + a.spring_damping) / inertia +
-                       std::sqrt(rotor_stiffness / inertia);
+  const double rotor =
+      (a.damping + a.coulomb / a.slip_velocity + a.spring_damping) / inertia + std::sqrt(rotor_stiffness / inertia);
   // Slope of an engaging stop: k (s + s' depth) <= 1.7 k, and d v s' <= 1.5 d v / ramp at the no-load speed.
   const double stop = 1.7 * a.stop_stiffness + 1500.0 * a.stop_damping * no_load_speed(a) / a.travel;
   const double moved = (load.damping + a.spring_damping + a.stop_damping) / load.mass +
@@ -84,8 +84,7 @@ bool ElectricJoint::set_load(const LoadParams& load) noexcept {
 double ElectricJoint::error_ratio(const ElectricState& error) const noexcept {
   return std::abs(error.position) * inverse_tolerance_.position +
          std::abs(error.velocity) * inverse_tolerance_.velocity +
-         std::abs(error.deflection) * inverse_tolerance_.deflection +
-         std::abs(error.rotor) * inverse_tolerance_.rotor +
+         std::abs(error.deflection) * inverse_tolerance_.deflection + std::abs(error.rotor) * inverse_tolerance_.rotor +
          std::abs(error.current_A) * inverse_tolerance_.current_A;
 }
 
@@ -127,9 +126,8 @@ StepReport ElectricJoint::step(double command_A, double external_force, double p
   if (!period_good) {
     return report;
   }
-  const double force = std::isfinite(external_force)
-                           ? std::clamp(external_force, -external_force_limit_, external_force_limit_)
-                           : 0.0;
+  const double force =
+      std::isfinite(external_force) ? std::clamp(external_force, -external_force_limit_, external_force_limit_) : 0.0;
   const double relative_error = advance({command, force}, period_s, report);
   report.error_position = relative_error / inverse_tolerance_.position;
   report.error_velocity = relative_error / inverse_tolerance_.velocity;

@@ -59,15 +59,16 @@ class JointEquations {
   /// Account of the oil per second, with the motion of the state and the forces of effects.
   OilAccount rates_of_oil(const IntegrationState& s, const OilPath& path, double effects_force) const noexcept {
     const double force = hydraulic_force(s);
-    return rates_of(path, force,
-                    force + stop_force(s) - actuator().piston_damping * s.velocity + effects_force, s.velocity);
+    return rates_of(path, force, force + stop_force(s) - actuator().piston_damping * s.velocity + effects_force,
+                    s.velocity);
   }
   OilAccount rates_of_oil(const IntegrationState& s, const HeldInput& input) const noexcept {
     const double p_a = pressure_of(s.compression_a_Pa);
     const double p_b = pressure_of(s.compression_b_Pa);
     const bool extends = input.port_a_Pa > input.port_b_Pa;
-    return rates_of_oil(s, {input, extends, valve_flow(p_a, p_b, input), 0.0, extends ? input.port_a_Pa : input.port_b_Pa,
-                            actuator().return_pressure_Pa, p_a, p_b, p_a, p_b},
+    return rates_of_oil(s,
+                        {input, extends, valve_flow(p_a, p_b, input), 0.0, extends ? input.port_a_Pa : input.port_b_Pa,
+                         actuator().return_pressure_Pa, p_a, p_b, p_a, p_b},
                         0.0);
   }
 

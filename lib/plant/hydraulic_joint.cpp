@@ -169,8 +169,8 @@ double HydraulicJoint::error_ratio(const EffectState<Set>& error) const noexcept
 
 template <class Equations, class EquationState>
 double HydraulicJoint::integrate(const Equations& equations, const typename Equations::Input& input,
-                                 EquationState& state, EquationState& derivative, double period_s,
-                                 StepReport& report, OilAccount* account) noexcept {
+                                 EquationState& state, EquationState& derivative, double period_s, StepReport& report,
+                                 OilAccount* account) noexcept {
   std::optional<OilMeter<Equations, EquationState>> meter;
   if (account != nullptr) {
     meter.emplace(equations, input, state, *account);
@@ -205,9 +205,8 @@ double HydraulicJoint::advance(double period_s, StepReport& report, OilAccount* 
   }
   LeanState state = lean_state(integrated_);
   LeanState derivative = lean_state(derivative_);
-  const double relative_error =
-      integrate(LeanEquations(equations_, *lean_, *sliding_), lean_input_, state, derivative, period_s, report,
-                account);
+  const double relative_error = integrate(LeanEquations(equations_, *lean_, *sliding_), lean_input_, state, derivative,
+                                          period_s, report, account);
   take(state, integrated_);
   take(derivative, derivative_);
   return relative_error;

@@ -8,8 +8,8 @@
 namespace farrier::plant {
 
 // A load of infinite mass keeps the velocity that it is given.
-StepReport HydraulicJoint::follow(double valve_current_A, double supply_pressure_Pa, const Motion& end,
-                                  double period_s, OilAccount& account) noexcept {
+StepReport HydraulicJoint::follow(double valve_current_A, double supply_pressure_Pa, const Motion& end, double period_s,
+                                  OilAccount& account) noexcept {
   StepReport report;
   if (!(period_s > 0.0 && period_s <= kLongestPeriod_s) || !std::isfinite(end.position) ||
       !std::isfinite(end.velocity)) {
@@ -25,8 +25,8 @@ StepReport HydraulicJoint::follow(double valve_current_A, double supply_pressure
   integrated_.velocity = (end.position - integrated_.position) / period_s;
   hold(input);
   differentiate();
-  const double relative_error = delay_.active() ? advance_delayed(period_s, report, &account)
-                                                : advance(period_s, report, &account);
+  const double relative_error =
+      delay_.active() ? advance_delayed(period_s, report, &account) : advance(period_s, report, &account);
   report_errors(relative_error, report);
   integrated_.position = end.position;
   integrated_.velocity = end.velocity;

@@ -30,11 +30,11 @@ struct OilAccount {
 /// Oil at one instant, on its way from the valve to the piston.
 struct OilPath {
   OpenValve valve;
-  bool extends;                       ///< the valve connects chamber a to the supply
-  ChamberFeed feed;                   ///< inflow of the chambers: the valve's and what passes it
-  double past_lands_m3_s;             ///< past the valve's closed lands from the supply
+  bool extends;            ///< the valve connects chamber a to the supply
+  ChamberFeed feed;        ///< inflow of the chambers: the valve's and what passes it
+  double past_lands_m3_s;  ///< past the valve's closed lands from the supply
   double supply_Pa, return_Pa;
-  double behind_a_Pa, behind_b_Pa;    ///< pressures behind the valve
+  double behind_a_Pa, behind_b_Pa;  ///< pressures behind the valve
   double chamber_a_Pa, chamber_b_Pa;
 };
 

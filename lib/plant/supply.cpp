@@ -41,9 +41,9 @@ double Supply::volume_m3(double pressure_Pa) const noexcept {
 
 double Supply::compliance_m3_Pa(double pressure_Pa) const noexcept {
   const bool filled = params_.accumulator_volume_m3 > 0.0 && pressure_Pa > params_.precharge_Pa;
-  const double gas = filled ? params_.accumulator_volume_m3 * gas_share(pressure_Pa) /
-                                  (params_.polytropic_exponent * pressure_Pa)
-                            : 0.0;
+  const double gas =
+      filled ? params_.accumulator_volume_m3 * gas_share(pressure_Pa) / (params_.polytropic_exponent * pressure_Pa)
+             : 0.0;
   return params_.compliance_m3_Pa + gas;
 }
 
@@ -81,8 +81,7 @@ double Supply::stored_J() const noexcept {
 void Supply::advance(double drawn_m3, double step_s) noexcept {
   const double before_Pa = pressure_Pa_;
   const double pumped = params_.pump_flow_m3_s * step_s;
-  const double leaked =
-      params_.null_leakage_m3_s_Pa * std::max(0.0, before_Pa - params_.return_pressure_Pa) * step_s;
+  const double leaked = params_.null_leakage_m3_s_Pa * std::max(0.0, before_Pa - params_.return_pressure_Pa) * step_s;
   flow_m3_s_ = drawn_m3 / step_s;
   volume_m3_ = std::max(0.0, volume_m3_ + pumped - drawn_m3 - leaked);
   const double most = volume_m3(params_.relief_pressure_Pa);

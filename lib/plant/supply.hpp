@@ -7,14 +7,14 @@ namespace farrier::plant {
 /// Hydraulic supply of a whole robot: a pump of constant flow, a relief valve, an accumulator, and the oil that every
 /// valve passes to the return line while it is shut. All finite.
 struct SupplyParams {
-  double relief_pressure_Pa = 0.0;         ///< the pump's flow beyond this is spilled; > return pressure
-  double return_pressure_Pa = 0.0;         ///< of the reservoir, p_t; >= 0
-  double pump_flow_m3_s = 0.0;             ///< >= 0
-  double accumulator_volume_m3 = 0.0;      ///< of the gas at its precharge; >= 0, 0: no accumulator
-  double precharge_Pa = 0.0;               ///< pressure of the gas while no oil is in; > 0 with an accumulator
-  double polytropic_exponent = 1.3;        ///< n of the gas, p V^n; > 1
-  double compliance_m3_Pa = 0.0;           ///< of manifold and hoses; > 0
-  double null_leakage_m3_s_Pa = 0.0;       ///< of all valves together; >= 0
+  double relief_pressure_Pa = 0.0;     ///< the pump's flow beyond this is spilled; > return pressure
+  double return_pressure_Pa = 0.0;     ///< of the reservoir, p_t; >= 0
+  double pump_flow_m3_s = 0.0;         ///< >= 0
+  double accumulator_volume_m3 = 0.0;  ///< of the gas at its precharge; >= 0, 0: no accumulator
+  double precharge_Pa = 0.0;           ///< pressure of the gas while no oil is in; > 0 with an accumulator
+  double polytropic_exponent = 1.3;    ///< n of the gas, p V^n; > 1
+  double compliance_m3_Pa = 0.0;       ///< of manifold and hoses; > 0
+  double null_leakage_m3_s_Pa = 0.0;   ///< of all valves together; >= 0
 };
 
 /// Refuses values no supply has, naming each.

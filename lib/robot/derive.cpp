@@ -116,15 +116,14 @@ std::optional<plant::SupplyParams> supply_params(const RobotFile& file) {
     }
   }
   const Accumulator accumulator = supply->accumulator.value_or(Accumulator{});
-  return plant::SupplyParams{
-      .relief_pressure_Pa = supply->supply_pressure_Pa,
-      .return_pressure_Pa = supply->return_pressure_Pa,
-      .pump_flow_m3_s = supply->pump->flow_m3_s,
-      .accumulator_volume_m3 = accumulator.volume_m3,
-      .precharge_Pa = accumulator.precharge_Pa,
-      .polytropic_exponent = accumulator.polytropic_exponent,
-      .compliance_m3_Pa = supply->pump->hose_compliance_m3_Pa,
-      .null_leakage_m3_s_Pa = supply->pump->null_leakage_m3_s_Pa * valves};
+  return plant::SupplyParams{.relief_pressure_Pa = supply->supply_pressure_Pa,
+                             .return_pressure_Pa = supply->return_pressure_Pa,
+                             .pump_flow_m3_s = supply->pump->flow_m3_s,
+                             .accumulator_volume_m3 = accumulator.volume_m3,
+                             .precharge_Pa = accumulator.precharge_Pa,
+                             .polytropic_exponent = accumulator.polytropic_exponent,
+                             .compliance_m3_Pa = supply->pump->hose_compliance_m3_Pa,
+                             .null_leakage_m3_s_Pa = supply->pump->null_leakage_m3_s_Pa * valves};
 }
 
 ForceLimits force_limits(const plant::ActuatorParams& a, double rated) {

@@ -108,7 +108,7 @@ struct Overrides {
   bool without_effects = false;                            ///< no joint has effects
   std::optional<std::string> estimator = std::nullopt;     ///< section of the file that every joint uses
   std::optional<control::Kind> controller = std::nullopt;  ///< kind of every controller
-  bool on_ground = false;  ///< see put_on_ground() in robot.cpp
+  bool on_ground = false;                                  ///< see put_on_ground() in robot.cpp
 };
 
 /// Loads and checks a robot file. Refuses with every mistake in it, each with its line and remedy; checks that need

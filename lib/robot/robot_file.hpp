@@ -101,8 +101,8 @@ struct RobotFile {
   Bounds bounds;
   VariationSection variation;
   config::Named<JointEffectsSection> effects_on_ground;  ///< in addition to those, on a ground
-  config::Named<JointEffectsSection> effects;  ///< by joint or section of joints, none named twice
-  std::optional<Deployment> deployment;        ///< over several computers
+  config::Named<JointEffectsSection> effects;            ///< by joint or section of joints, none named twice
+  std::optional<Deployment> deployment;                  ///< over several computers
   config::Place place;
 };
 

@@ -34,10 +34,10 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
   switch (member.number) {
     case participant::kSimBridge: {
       const robot::Robot& simulated = run.simulated != nullptr ? *run.simulated : robot;
-      auto world = FARRIER_TRY(participant::is_on_ground(run.world)
-                                   ? sim_bridge::simulated_body(simulated, run.scene_path, run.seed,
-                                                                  run.world == participant::World::kIdeal)
-                                   : sim_bridge::simulated_bench(simulated, run.seed, run.load_changes));
+      auto world = FARRIER_TRY(
+          participant::is_on_ground(run.world)
+              ? sim_bridge::simulated_body(simulated, run.scene_path, run.seed, run.world == participant::World::kIdeal)
+              : sim_bridge::simulated_bench(simulated, run.seed, run.load_changes));
       return sim_bridge::create_lockstep(std::move(world), simulated, run.trace_path, participant, run.ticks, run.sink);
     }
     case participant::kSupervisor:

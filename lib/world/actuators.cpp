@@ -35,6 +35,7 @@ Actuators::Actuators(std::vector<Joint> joints, std::optional<plant::Supply> sup
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     set_torque(i, angles_rad[static_cast<Eigen::Index>(i)]);
   }
+  stored_at_start_J_ = stored_J() + (supply_ ? supply_->stored_J() : 0.0);
 }
 
 void Actuators::set_torque(std::size_t index, double angle_rad) noexcept {
@@ -69,6 +70,17 @@ void Actuators::follow(const body::BodyState& state, double step_s) noexcept {
   if (supply_) {
     supply_->advance(energies_.oil.supply_m3 - drawn_before_m3, step_s);
   }
+}
+
+double Actuators::lost_J() const noexcept {
+  if (!supply_) {
+    return 0.0;
+  }
+  const plant::SupplyAccount& supply = supply_->account();
+  const plant::OilAccount& oil = energies_.oil;
+  const double gained = stored_J() + supply_->stored_J() - stored_at_start_J_;
+  return supply.pump_J - gained - supply.relief_J - supply.leakage_J - oil.return_J - oil.valve_J - oil.leakage_J -
+         oil.friction_J - energies_.work_J;
 }
 
 double Actuators::stored_J() const noexcept {

@@ -23,10 +23,10 @@ namespace farrier::world {
 
 /// Energies since the start, J.
 struct ActuatorEnergies {
-  plant::OilAccount oil;       ///< of all hydraulic actuators
-  double electric_J = 0.0;     ///< drawn by electric ones
-  double work_J = 0.0;         ///< done on the body: sum of force times displacement really made
-  double coupling_J = 0.0;     ///< by which that exceeds the actuators' own
+  plant::OilAccount oil;    ///< of all hydraulic actuators
+  double electric_J = 0.0;  ///< drawn by electric ones
+  double work_J = 0.0;      ///< done on the body: sum of force times displacement really made
+  double coupling_J = 0.0;  ///< by which that exceeds the actuators' own
 };
 
 /// The same robot, currents and motion give the same numbers bit for bit.
@@ -49,6 +49,8 @@ class Actuators final : public JointDrives {
   const ActuatorEnergies& energies() const noexcept { return energies_; }
   /// Energy in the oil of all actuators, J.
   double stored_J() const noexcept;
+  /// Work of the pump since the start that the account of supply, oil and body does not find again, J; 0 without a pump.
+  double lost_J() const noexcept;
 
  private:
   struct Joint {
@@ -64,6 +66,7 @@ class Actuators final : public JointDrives {
   std::optional<plant::Supply> supply_;
   body::JointVector torques_Nm_;
   ActuatorEnergies energies_;
+  double stored_at_start_J_ = 0.0;  ///< in oil and supply
 };
 
 }  // namespace farrier::world

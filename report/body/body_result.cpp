@@ -1,6 +1,7 @@
 #include "report/body/body_result.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -16,6 +17,8 @@ constexpr double kMillimetres = 1e3;
 constexpr double kPercent = 100.0;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kPerMinute = 60.0;
+constexpr double kBar = 1e5;              // Pa
+constexpr double kLitresPerMinute = 6e4;  // of 1 m^3/s
 constexpr double kDegreesPerMinute = kPerMinute * kDegrees;
 
 // Bounds of the runs on flat ground.
@@ -26,6 +29,7 @@ constexpr double kSpeedError_percent = 5.0;
 constexpr double kOdometryError_percent = 2.0;
 constexpr double kHeadingDrift_deg_min = 1.0;
 constexpr double kLateralDrift_m_min = 0.2;
+constexpr double kEnergyError_percent = 1.0;
 // Part of the runs over obstacles that must stay upright.
 constexpr double kUprightShare = 0.95;
 
@@ -41,6 +45,17 @@ void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
   if (figures.fell_s) {
     ++result.falls;
     return;
+  }
+  for (std::size_t place = 0; place < figures.force_nrmse.size(); ++place) {
+    for (std::size_t phase = 0; phase < kPhaseCount; ++phase) {
+      take_larger(result.force_nrmse[place][phase], figures.force_nrmse[place][phase]);
+    }
+  }
+  if (figures.least_supply_Pa > 0.0) {
+    take_larger(result.energy_error_percent, kPercent * figures.energy_error);
+    const double least_bar = figures.least_supply_Pa / kBar;
+    result.least_supply_bar = std::min(result.least_supply_bar.value_or(least_bar), least_bar);
+    result.mean_flow_l_min = std::max(result.mean_flow_l_min.value_or(0.0), kLitresPerMinute * figures.mean_flow_m3_s);
   }
   take_larger(result.height_rms_mm, kMillimetres * figures.height_rms_m);
   take_larger(result.height_offset_mm, kMillimetres * figures.height_offset_m);
@@ -60,6 +75,26 @@ void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
 
 // The means of pushes that are made to fall say nothing.
 bool has_means(const BodyTrialResult& result) { return result.falls < result.runs && !is_search(result.trial); }
+
+/// Figures of simulated actuators and their supply, where there are any.
+template <class Add>
+void add_actuators(const BodyTrialResult& result, const Add& add, std::optional<double> energy_limit) {
+  constexpr std::array kPlaces{"haa", "hfe", "kfe"};
+  constexpr std::array<const char*, kPhaseCount> kPhases{"swing", "stance"};
+  for (std::size_t place = 0; place < kPlaces.size(); ++place) {
+    for (std::size_t phase = 0; phase < kPhases.size(); ++phase) {
+      if (result.force_nrmse[place][phase] > 0.0) {
+        add((std::string("force_nrmse.") + kPlaces[place] + "." + kPhases[phase]).c_str(),
+            result.force_nrmse[place][phase], std::nullopt);
+      }
+    }
+  }
+  if (result.least_supply_bar) {
+    add("energy_error_percent", result.energy_error_percent, energy_limit);
+    add("least_supply_bar", *result.least_supply_bar, std::nullopt);
+    add("mean_flow_l_min", *result.mean_flow_l_min, std::nullopt);
+  }
+}
 
 void add_result(Figures& figures, const BodyTrialResult& result) {
   const auto bound = [](bool bounded, double value) { return bounded ? std::optional(value) : std::nullopt; };
@@ -87,6 +122,7 @@ void add_result(Figures& figures, const BodyTrialResult& result) {
   if (result.lateral_drift_m_min) {
     add("lateral_drift_m_min", *result.lateral_drift_m_min, bound(closely, kLateralDrift_m_min));
   }
+  add_actuators(result, add, bound(closely, kEnergyError_percent));
 }
 
 std::string fixed(double value, int digits) {

@@ -26,6 +26,9 @@ struct BodyTrialResult {
   double heading_drift_deg_min = 0.0;
   std::optional<double> lateral_drift_m_min;  ///< none where no run follows a line
   double largest_torque_Nm = 0.0;
+  trials::ForceErrors force_nrmse{};
+  double energy_error_percent = 0.0;
+  std::optional<double> least_supply_bar, mean_flow_l_min;  ///< none where no pump is simulated
 
   double upright_share() const noexcept;
 };

@@ -31,6 +31,9 @@ json json_of(const trials::TrotRow& row) {
           {"lateral_drift_m_s", number_or_null(f.lateral_drift_m_s)},
           {"largest_torque_Nm", f.largest_torque_Nm},
           {"force_nrmse", f.force_nrmse},
+          {"energy_error", f.energy_error},
+          {"least_supply_Pa", f.least_supply_Pa},
+          {"mean_flow_m3_s", f.mean_flow_m3_s},
           {"hash", f.hash}};
 }
 
@@ -49,6 +52,9 @@ trials::TrotRow row_of(const json& line) {
                       .lateral_drift_m_s = number_of(line.at("lateral_drift_m_s")),
                       .largest_torque_Nm = line.at("largest_torque_Nm"),
                       .force_nrmse = line.at("force_nrmse").get<trials::ForceErrors>(),
+                      .energy_error = line.at("energy_error"),
+                      .least_supply_Pa = line.at("least_supply_Pa"),
+                      .mean_flow_m3_s = line.at("mean_flow_m3_s"),
                       .hash = line.at("hash")},
           .failure = {}};
 }

@@ -28,6 +28,13 @@ constexpr std::array kBodySpecs{
                "Way of the trunk sideways from the commanded line, mean per minute; of commands that do not turn."},
     FigureSpec{"body.push_limit.<side>_Ns", "Ns", kNone,
                "Least tested impulse on the trunk from this side at which half of eight phases of the stride fell."},
+    FigureSpec{"body.<trial>.force_nrmse.<place>.<phase>", "1", kNone,
+               "Force error of all joints haa, hfe or kfe while their foot swings or stands: RMS over RMS of the reference."},
+    FigureSpec{"body.<trial>.energy_error_percent", "%", kAtMost,
+               "Work of the pump that the account of supply, oil and body does not find again."},
+    FigureSpec{"body.<trial>.least_supply_bar", "bar", kNone, "Least pressure of the shared supply."},
+    FigureSpec{"body.<trial>.mean_flow_l_min", "l/min", kNone,
+               "Mean flow into the valves, their leakage included."},
     FigureSpec{"body.<trial>.largest_torque_Nm", "Nm", kNone, "Largest torque of any joint, falls included."},
 };
 // clang-format on

@@ -31,7 +31,7 @@ constexpr std::array kSpecs{
                "Redesigns it refused: no controller, or one unstable on the estimate or on the stored model within its uncertainty."},
     FigureSpec{"trot.updates", "1", kNone, "Redesigned gains issued, all joints."},
     FigureSpec{"trot.body.falls", "1", kAtMost,
-               "1 if the trunk sank below half its height at the start or tilted by more than 45 degrees, else 0. Body figures are those of farrier trot --world body."},
+               "1 if the trunk sank below half its height at the start or tilted by more than 45 degrees, else 0. Body figures are those of farrier trot --world body and ideal."},
     FigureSpec{"trot.body.fell_s", "s", kNone, "Time of the fall."},
     FigureSpec{"trot.body.way_m", "m", kNone, "Way of the trunk since the command to walk, horizontally."},
     FigureSpec{"trot.body.height_rms_mm", "mm", kAtMost, "RMS of the trunk's height about its mean in a settled trot."},

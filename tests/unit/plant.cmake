@@ -7,10 +7,12 @@ farrier_test(plant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/plant/effects_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/friction_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/lean_effects_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant/follow_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/lines_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/linear_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/linkage_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/oil_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant/supply_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/terms_steady_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/terms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)

@@ -3,7 +3,8 @@ target_link_libraries(world_test PRIVATE farrier_world)
 target_compile_definitions(world_test PRIVATE FARRIER_SCENES="${PROJECT_SOURCE_DIR}/deploy/scenes/")
 
 if(TARGET farrier_body_world)
-  farrier_test(body_world_test unit ${CMAKE_CURRENT_LIST_DIR}/world/body_world_test.cpp
+  farrier_test(body_world_test unit ${CMAKE_CURRENT_LIST_DIR}/world/actuators_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/world/body_world_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
   target_link_libraries(body_world_test PRIVATE farrier_body_world)
   target_compile_definitions(body_world_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

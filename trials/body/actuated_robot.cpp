@@ -69,7 +69,11 @@ bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
       track(i, valve.force_reference_N_or_Nm);
     }
   }
-  return robot_.advance(currents_A_);
+  const bool moved = robot_.advance(currents_A_);
+  if (const plant::Supply* supply = robot_.actuators()->supply()) {
+    least_supply_Pa_ = std::min(least_supply_Pa_, supply->pressure_Pa());
+  }
+  return moved;
 }
 
 }  // namespace farrier::trials

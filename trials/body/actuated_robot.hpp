@@ -6,6 +6,8 @@
 //                    ▲                                             │
 //                    └───────────────── samples ◀──────────────────┘
 
+#include <array>
+#include <limits>
 #include <memory>
 #include <span>
 #include <vector>
@@ -42,6 +44,8 @@ class ActuatedRobot final : public world::World {
   /// Of all joints at one place of a leg, from `begin` of track_from() on; the phase is that of the leg's foot.
   const PerPhase<Tracking>& tracking(std::size_t place) const noexcept { return tracking_[place]; }
   void track_from(Tick begin) noexcept { track_from_ = begin; }
+  /// Least pressure of the supply at the ticks so far; infinite without a pump.
+  double least_supply_Pa() const noexcept { return least_supply_Pa_; }
 
  private:
   ActuatedRobot(const robot::Robot& known, sim_bridge::BodyRobot robot);
@@ -54,6 +58,7 @@ class ActuatedRobot final : public world::World {
   std::vector<double> currents_A_;
   std::array<PerPhase<Tracking>, body::kJointsPerLeg> tracking_{};
   Tick track_from_ = 0;
+  double least_supply_Pa_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace farrier::trials

@@ -185,6 +185,16 @@ ForceErrors force_nrmse_of(const ActuatedRobot& robot) {
   return all;
 }
 
+void note_supply(const ActuatedRobot& robot, double time_s, TrotFigures& figures) {
+  const world::Actuators& actuators = *robot.robot().actuators();
+  if (const plant::Supply* supply = actuators.supply(); supply != nullptr && time_s > 0.0) {
+    const plant::SupplyAccount& account = supply->account();
+    figures.energy_error = std::abs(actuators.lost_J()) / account.pump_J;
+    figures.least_supply_Pa = robot.least_supply_Pa();
+    figures.mean_flow_m3_s = (account.actuators_m3 + account.leakage_m3) / time_s;
+  }
+}
+
 }  // namespace
 
 Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one, Joints joints,
@@ -224,6 +234,7 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
   TrotFigures figures = judge.figures(body);
   if (actuated) {
     figures.force_nrmse = force_nrmse_of(*actuated);
+    note_supply(*actuated, static_cast<double>(body.ticks) * robot.period_s, figures);
   }
   return std::optional(figures);
 }

@@ -34,7 +34,11 @@ struct TrotFigures {
   /// Force error of HAA, HFE and KFE by the phase of the foot, over all legs: RMS over RMS of the reference. Zero of
   /// ideal joints.
   ForceErrors force_nrmse{};
-  std::uint64_t hash = 0;  ///< of all states of the run
+  /// Work of the pump that the account of supply, oil and body does not find again, relative to it; 0 without a pump.
+  double energy_error = 0.0;
+  double least_supply_Pa = 0.0;  ///< of the shared supply; 0 without a pump
+  double mean_flow_m3_s = 0.0;   ///< that the pump gives to valves, without what the relief valve spills
+  std::uint64_t hash = 0;        ///< of all states of the run
 };
 
 /// The IMU of world::kImuNoise, and assumed noise of encoders and of torques that are computed from forces.

@@ -16,10 +16,10 @@ enum class Kind {
 /// Tuning of the controller. The defaults are for 1 kHz without delay; their origin:
 /// docs/decisions/0015-fixed-baselines.md.
 struct FeedbackLinearisationGains {
-  double force_1_s = 900.0;            ///< k_p, on the force error; in [0, 1e5]
-  double integral_1_s2 = 2e5;          ///< k_i, on its integral; in [0, 1e8]; 0 is off
-  double velocity_compensation = 0.95; ///< compensated share of the piston's displacement flow; in [0, 2]
-  double velocity_lead_s = 0.0;        ///< time by which the velocity is led before that; in [0, 0.1]; 0 is off
+  double force_1_s = 900.0;             ///< k_p, on the force error; in [0, 1e5]
+  double integral_1_s2 = 2e5;           ///< k_i, on its integral; in [0, 1e8]; 0 is off
+  double velocity_compensation = 0.95;  ///< compensated share of the piston's displacement flow; in [0, 2]
+  double velocity_lead_s = 0.0;         ///< time by which the velocity is led before that; in [0, 0.1]; 0 is off
 };
 
 /// Force controller as HyQ ran it: feedback linearisation with velocity compensation (Boaventura et al. 2012, "On the
@@ -68,8 +68,8 @@ class FeedbackLinearisation {
   FeedbackLinearisationGains gains_;
   double operating_position_;
   double period_s_;
-  double alpha_;        ///< area_b / area_a
-  double valve_gain_;   ///< K_v / sqrt(1 + alpha^3): (3.33) without the compliance
+  double alpha_;       ///< area_b / area_a
+  double valve_gain_;  ///< K_v / sqrt(1 + alpha^3): (3.33) without the compliance
   double integral_ = 0.0;
   double slow_velocity_ = 0.0;  ///< the velocity, smoothed over twice the lead
   bool has_run_ = false;

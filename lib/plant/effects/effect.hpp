@@ -32,7 +32,7 @@ struct Instant {
   double into_a_m3_s = 0.0;     ///< past the valve's closed lands, into the chambers
   double into_b_m3_s = 0.0;
   double past_lands_m3_s = 0.0;  ///< past them from the supply
-  double softness_a = 0.0;  ///< 1/beta beyond the oil's own, 1/Pa
+  double softness_a = 0.0;       ///< 1/beta beyond the oil's own, 1/Pa
   double softness_b = 0.0;
   double play_slope = 0.0;    ///< d(piston - load) / d(force), m/N or rad/Nm
   double piston_force = 0.0;  ///< on the piston, left of the load cell, positive along +position

@@ -22,7 +22,7 @@ struct CommandInput {
 /// Inputs that are held over a step with the valve's opening.
 struct OpeningInput : HeldInput {
   double command_A;
-  double opening_A;  ///< current the valve is open for
+  double opening_A;             ///< current the valve is open for
   double supply_fall_Pa = 0.0;  ///< of the supply below its nominal pressure
 };
 

@@ -31,7 +31,8 @@ StatelessTerms::StatelessTerms(const ActuatorParams& actuator, const LoadParams&
 /// out of this.
 double StatelessTerms::supply_flow_m3_s(const Instant& now) const noexcept {
   const auto* droop = terms_.find<SupplyDroop>();
-  const double drop = actuator_.supply_pressure_Pa - now.supply_fall_Pa - (now.opening_A > 0.0 ? now.valve_a_Pa : now.valve_b_Pa);
+  const double drop =
+      actuator_.supply_pressure_Pa - now.supply_fall_Pa - (now.opening_A > 0.0 ? now.valve_a_Pa : now.valve_b_Pa);
   const double gain = actuator_.valve_gain * now.flow_factor * std::abs(now.opening_A);
   if (droop == nullptr || !(drop > 0.0) || gain == 0.0) {
     return 0.0;

@@ -11,7 +11,8 @@ using config::Option;
 using config::Visitor;
 
 void declare(Visitor& v, Pump& pump) {
-  v.number("flow_m3_s", pump.flow_m3_s, {0, 1}, "Flow of the pump. Beyond supply_pressure_Pa a relief valve spills it.");
+  v.number("flow_m3_s", pump.flow_m3_s, {0, 1},
+           "Flow of the pump. Beyond supply_pressure_Pa a relief valve spills it.");
   v.number("hose_compliance_m3_Pa", pump.hose_compliance_m3_Pa, {1e-14, 1e-9}, kInitial,
            "Oil that manifold and hoses take per pressure.");
   v.number("null_leakage_m3_s_Pa", pump.null_leakage_m3_s_Pa, {0, 1e-9}, kInitial,

@@ -68,7 +68,8 @@ TEST(BodyRobot, AdvanceDoesNotAllocate) {
 }
 
 TEST(BodyRobot, RefusesARobotWithoutATrunkAndASceneThatIsNotThere) {
-  EXPECT_NE(simulated_body(robot::load_shipped("fc1d"), "", 1, true).error().message.find("body.trunk"), std::string::npos);
+  EXPECT_NE(simulated_body(robot::load_shipped("fc1d"), "", 1, true).error().message.find("body.trunk"),
+            std::string::npos);
   EXPECT_NE(simulated_body(robot::load_shipped("hyq"), "/nowhere.yaml", 1, true).error().message.find("/nowhere.yaml"),
             std::string::npos);
 }

@@ -29,6 +29,29 @@ TrotCase ten_seconds(const robot::Robot& robot) {
   return one;
 }
 
+robot::Robot load_on_ground(const std::string& name) {
+  return robot::load_robot(FARRIER_ROBOTS + name + ".yaml", {.on_ground = true}).value();
+}
+
+TEST(TrotTrial, TrotsForTenSecondsOnItsHydraulicJoints) {
+  const robot::Robot hyq = load_on_ground("hyq");
+  const TrotFigures figures = run_trot_case(hyq, ten_seconds(hyq), Joints::kActuators).value().value();
+  EXPECT_FALSE(figures.fell_s.has_value()) << *figures.fell_s;
+  EXPECT_LT(figures.height_rms_m, 0.010);
+  EXPECT_LT(std::abs(figures.height_offset_m), 0.015);
+  EXPECT_LT(figures.tilt_rms_rad, kDegree_rad);
+  EXPECT_LT(figures.speed_error, 0.05);
+  EXPECT_LT(figures.energy_error, 0.01);
+  EXPECT_GT(figures.least_supply_Pa, 140e5);
+  EXPECT_LT(figures.force_nrmse[2][static_cast<std::size_t>(Phase::kStance)], 0.10);
+}
+
+TEST(TrotTrial, RefusesControllersThatTakeGainsFromASupervisor) {
+  const auto ran = run_trot_case(load("hyq"), ten_seconds(load("hyq")), Joints::kActuators);
+  ASSERT_FALSE(ran.ok());
+  EXPECT_NE(ran.error().message.find("locomotion.controller"), std::string::npos) << ran.error().message;
+}
+
 TEST(TrotTrial, TrotsForTenSeconds) {
   const robot::Robot hyq = load("hyq");
   const TrotFigures figures = run_trot_case(hyq, ten_seconds(hyq), Joints::kIdeal).value().value();
@@ -135,7 +158,7 @@ TEST(TrotTrial, SeesAFall) {
 TEST(TrotTrial, EndsWhenAsked) {
   const robot::Robot hyq = load("hyq");
   int ticks = 0;
-  const auto ran = run_trot_case(hyq, ten_seconds(hyq), [&] { return ++ticks < 10; });
+  const auto ran = run_trot_case(hyq, ten_seconds(hyq), Joints::kIdeal, [&] { return ++ticks < 10; });
   ASSERT_TRUE(ran.ok());
   EXPECT_FALSE(ran.value().has_value());
   EXPECT_EQ(ticks, 10);
@@ -177,7 +200,8 @@ TEST(TrotCases, GiveOneResultForEveryNumberOfThreads) {
   }
   const auto hashes = [&](int threads) {
     std::map<std::string, std::uint64_t> of;
-    run_trot_cases(hyq, cases, Joints::kIdeal, threads, [&](const TrotRow& row) { of[row.trial] = row.figures.hash; }, {});
+    run_trot_cases(hyq, cases, Joints::kIdeal, threads, [&](const TrotRow& row) { of[row.trial] = row.figures.hash; },
+                   {});
     return of;
   };
   const auto by_one = hashes(1);

@@ -1,0 +1,110 @@
+// The actuators of a robot on a ground and their shared supply.
+
+#include "world/actuators.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/allocation_guard.hpp"
+#include "world/body_world.hpp"
+
+namespace farrier::world {
+namespace actuators_test {
+
+robot::Robot load(const std::string& name, bool on_ground = true) {
+  return robot::load_robot(FARRIER_ROBOTS + name + ".yaml", {.on_ground = on_ground}).value();
+}
+
+TEST(Actuators, HaveTheEffectsOfARobotOnAGround) {
+  const robot::Robot hyq = load("hyq");
+  for (const robot::Joint& joint : hyq.joints) {
+    EXPECT_EQ(joint.kind, control::Kind::kFeedbackLinearisation) << joint.name;
+    const auto has = [&](const char* name) {
+      return plant::find(joint.effects, plant::find_effect(name)) != nullptr;
+    };
+    EXPECT_TRUE(has("valve_dynamics")) << joint.name;
+    EXPECT_TRUE(has("valve_deadband")) << joint.name;
+    EXPECT_FALSE(has("supply_droop")) << joint.name << ": the supply is shared";
+  }
+  EXPECT_EQ(hyq.loop_delay_lockstep, hyq.loop_delay_realtime);
+  EXPECT_EQ(load("hyq", false).joints[0].kind, control::Kind::kLqr);
+  EXPECT_EQ(load("hyq", false).loop_delay_lockstep, 0);
+}
+
+/// HyQ with its valves shut, on its feet.
+class ShutValves : public testing::Test {
+ protected:
+  void run(int ticks) {
+    const std::vector<double> shut(hyq_.joints.size(), 0.0);
+    actuators_.command(shut);
+    for (int tick = 0; tick < ticks; ++tick) {
+      ASSERT_TRUE(body_.advance(actuators_));
+    }
+  }
+
+  const robot::Robot hyq_ = load("hyq");
+  BodyWorld body_ = BodyWorld::create(hyq_, {}, 1).value();
+  Actuators actuators_ = Actuators::create(hyq_).value();
+};
+
+TEST_F(ShutValves, CarryTheRobotOnTheirOil) {
+  const double before_m = body_.state().position_m.z();
+  run(300);
+  // Leaks past the lands let it sink by millimetres.
+  EXPECT_LT(before_m - body_.state().position_m.z(), 0.02);
+  EXPECT_GT(before_m - body_.state().position_m.z(), 0.0);
+  double weight_N = 0.0;
+  for (int leg = 0; leg < 4; ++leg) {
+    weight_N += body_.foot_force_N(leg).z();
+  }
+  EXPECT_NEAR(weight_N, 84.756 * 9.81, 60.0);
+}
+
+TEST_F(ShutValves, KeepTheEnergyOfOilAndBody) {
+  run(500);
+  const ActuatorEnergies& energies = actuators_.energies();
+  // The body has moved under forces that were held over each step.
+  EXPECT_LT(std::abs(energies.coupling_J), 0.05 * std::abs(energies.work_J));
+  EXPECT_NE(energies.work_J, 0.0);
+}
+
+TEST_F(ShutValves, AccountForThePump) {
+  run(1000);
+  const double pump_J = actuators_.supply()->account().pump_J;
+  EXPECT_NEAR(pump_J, 160e5 * 2e-4, 1.0) << "for one second at the relief pressure";
+  EXPECT_LT(std::abs(actuators_.lost_J()), 0.01 * pump_J);
+}
+
+TEST_F(ShutValves, AllocateNothingAndGiveTheSameBits) {
+  BodyWorld other_body = BodyWorld::create(hyq_, {}, 1).value();
+  Actuators other = Actuators::create(hyq_).value();
+  run(20);
+  {
+    const test::AllocationGuard guard;
+    for (int tick = 0; tick < 20; ++tick) {
+      other_body.advance(other);
+    }
+    EXPECT_EQ(guard.allocations(), 0u);
+  }
+  EXPECT_EQ(body_.state().position_m, other_body.state().position_m);
+  EXPECT_EQ(actuators_.torques_Nm(), other.torques_Nm());
+  EXPECT_EQ(actuators_.supply()->pressure_Pa(), other.supply()->pressure_Pa());
+}
+
+TEST(Actuators, OfAnElectricRobotHaveNoSupply) {
+  const robot::Robot robot = load("electric_quad");
+  Actuators actuators = Actuators::create(robot).value();
+  EXPECT_EQ(actuators.supply(), nullptr);
+  EXPECT_EQ(actuators.lost_J(), 0.0);
+  BodyWorld body = BodyWorld::create(robot, {}, 1).value();
+  const std::vector<double> currents(robot.joints.size(), 1.0);
+  actuators.command(currents);
+  for (int tick = 0; tick < 20; ++tick) {
+    ASSERT_TRUE(body.advance(actuators));
+  }
+  EXPECT_GT(actuators.energies().electric_J, 0.0);
+}
+
+}  // namespace actuators_test
+}  // namespace farrier::world
