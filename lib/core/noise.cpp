@@ -1,7 +1,8 @@
 #include "core/noise.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "core/portable_math.hpp"
 
 namespace farrier {
 namespace {
@@ -28,8 +29,8 @@ double NoiseStream::uniform(Tick tick) const noexcept { return to_unit(draw(key_
 
 double NoiseStream::normal(Tick tick) const noexcept {
   const auto counter = 2 * static_cast<std::uint64_t>(tick);
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - to_unit(draw(key_, counter))));
-  return radius * std::cos(2.0 * std::numbers::pi * to_unit(draw(key_, counter + 1)));
+  const double radius = std::sqrt(-2.0 * portable_math::logarithm(1.0 - to_unit(draw(key_, counter))));
+  return radius * portable_math::cosine_of_turns(to_unit(draw(key_, counter + 1)));
 }
 
 }  // namespace farrier

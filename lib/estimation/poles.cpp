@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
+
+#include "core/portable_math.hpp"
 
 namespace farrier::estimation {
 namespace {
@@ -19,6 +22,7 @@ template <int N>
 Eigen::Matrix<double, N, N> balanced(Eigen::Matrix<double, N, N> a) noexcept {
   constexpr int kMaxSweeps = 8;
   constexpr double kAlike = 16.0;
+  constexpr double kHalfOctave = 0.5 * std::numbers::log2e;
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     bool changed = false;
     for (int i = 0; i < N; ++i) {
@@ -31,7 +35,7 @@ Eigen::Matrix<double, N, N> balanced(Eigen::Matrix<double, N, N> a) noexcept {
         }
       }
       if (row > 0.0 && column > 0.0 && (row > kAlike * column || column > kAlike * row)) {
-        const int exponent = static_cast<int>(std::lrint(0.5 * (std::log2(row) - std::log2(column))));
+        const int exponent = static_cast<int>(std::lrint(kHalfOctave * (portable_math::logarithm(row) - portable_math::logarithm(column))));
         const double down = std::ldexp(1.0, -exponent);
         a.row(i) *= down;
         a.col(i) /= down;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/portable_math.hpp"
+
 namespace farrier::estimation {
 
 /// Statistics of a model's one-step prediction errors e[k]: their size and their whiteness. Errors are white if none
@@ -57,7 +59,7 @@ class PredictionErrors {
       term *= half / static_cast<double>(j);
       sum += term;
     }
-    return std::exp(-half) * sum;
+    return portable_math::exponential(-half) * sum;
   }
 
  private:

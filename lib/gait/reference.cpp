@@ -3,9 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "core/portable_math.hpp"
 #include "gait/leg_kinematics.hpp"
 #include "gait/smooth_step.hpp"
 
@@ -69,7 +69,7 @@ JointReference Reference::multisine(const JointPlan& joint, Tick tick) const noe
   const double time_s = static_cast<double>(std::max<Tick>(tick, 0)) * plan_.period_s;
   double sum = 0.0;
   for (const double frequency_Hz : plan_.gait.multisine_frequencies_Hz) {
-    sum += std::sin(2.0 * std::numbers::pi * frequency_Hz * time_s);
+    sum += portable_math::sine_of_turns(frequency_Hz * time_s);
   }
   const double amplitude_N =
       plan_.gait.multisine_amplitude_N / static_cast<double>(plan_.gait.multisine_frequencies_Hz.size());

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/portable_math.hpp"
+
 namespace farrier::body {
 
 /// The trunk relative to the ground's plane through the world's origin.
@@ -16,7 +18,7 @@ struct Posture {
 inline Posture posture_of(const Eigen::Vector3d& position_m, const Eigen::Quaterniond& attitude,
                           const Eigen::Vector3d& normal) {
   const double cosine = normal.dot(attitude * Eigen::Vector3d::UnitZ());
-  return {normal.dot(position_m), std::acos(std::clamp(cosine, -1.0, 1.0))};
+  return {normal.dot(position_m), portable_math::arc_cosine(std::clamp(cosine, -1.0, 1.0))};
 }
 
 /// The rule of every verdict: a robot has fallen if its trunk is below half its height at the start, or tilts by more

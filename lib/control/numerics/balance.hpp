@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+
+#include "core/portable_math.hpp"
 
 namespace farrier::control {
 
@@ -25,7 +28,7 @@ Eigen::Matrix<double, N, 1> balance(Eigen::Matrix<double, N, N>& m) noexcept {
       if (!(ratio > 0.0) || !std::isfinite(ratio)) {
         continue;
       }
-      const int exponent = static_cast<int>(std::lround(std::log2(ratio)));
+      const int exponent = static_cast<int>(std::lround(portable_math::logarithm(ratio) * std::numbers::log2e));
       if (exponent != 0) {
         const double factor = std::ldexp(1.0, exponent);
         m.col(i) *= factor;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/portable_math.hpp"
 #include "control/numerics/symmetric_eigen.hpp"
 
 namespace farrier::control::switching {
@@ -92,7 +93,7 @@ class Barrier {
         return std::numeric_limits<double>::infinity();
       }
       const double determinant = cholesky.matrixLLT().diagonal().prod();
-      sum -= 2.0 * std::log(determinant);
+      sum -= 2.0 * portable_math::logarithm(determinant);
     }
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
   }
