@@ -38,6 +38,10 @@ install(DIRECTORY ${PROJECT_BINARY_DIR}/from_idl/signals DESTINATION include/far
   PATTERN "structs.hpp" PATTERN "field_lists.hpp")
 install(TARGETS farrier_flags EXPORT farrier COMPONENT dev)
 set_target_properties(farrier_flags PROPERTIES EXPORT_NAME flags)
+# A process locomotion of the user's own: the ports of the shipped one.
+set_target_properties(farrier_locomotion_app PROPERTIES EXPORT_NAME locomotion_app)
+install(TARGETS farrier_locomotion_app EXPORT farrier DESTINATION lib/farrier COMPONENT dev)
+install(DIRECTORY locomotion DESTINATION include/farrier COMPONENT dev FILES_MATCHING PATTERN "*.hpp")
 set(FARRIER_HAS_FAST_DDS OFF)
 if(TARGET farrier_wire_fastdds)
   set(FARRIER_HAS_FAST_DDS ON)
@@ -49,7 +53,8 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/farrier-config-version.cm
 configure_file(deploy/packaging/farrier-config.cmake.in farrier-config.cmake @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/farrier-config.cmake ${PROJECT_BINARY_DIR}/farrier-config-version.cmake
   DESTINATION lib/cmake/farrier COMPONENT dev)
-install(DIRECTORY deploy/packaging/example docs/how-to/controller DESTINATION share/doc/farrier-dev COMPONENT dev)
+install(DIRECTORY deploy/packaging/example docs/how-to/controller docs/how-to/locomotion
+  DESTINATION share/doc/farrier-dev COMPONENT dev)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "The Farrier authors")

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/portable_math.hpp"
 #include "robot/sensor_path.hpp"
 
 namespace farrier::joint_node {
@@ -29,7 +28,7 @@ JointNode::JointNode(const robot::Joint& joint, const robot::Safety& safety, dou
       dither_sign_(kDitherSeed, joint.name, "dither"),
       compensation_(
           joint.effects, joint.actuator,
-          {period_s, portable_math::hypotenuse(joint.noise.position, kUniform * joint.sensors.position_step), joint.noise.velocity}),
+          {period_s, std::hypot(joint.noise.position, kUniform * joint.sensors.position_step), joint.noise.velocity}),
       equaliser_(robot::filter_equaliser(joint, period_s)),
       predictor_(compensation_.delay_s(), period_s, loop_delay_ticks),
       pid_(joint.pid, joint.normalisation, period_s),

@@ -5,6 +5,7 @@
 #include "core/ensure.hpp"
 #include "locomotion/body_state_signal.hpp"
 #include "locomotion/trot_controller.hpp"
+#include "participant/clock.hpp"
 #include "robot/keys.hpp"
 #include "robot/locomotion_model.hpp"
 #include "robot/locomotion_params.hpp"
@@ -46,8 +47,7 @@ class ReadingsInbox {
       const double angle_rad = joint.linkage.angle(sensors.position_m_or_rad);
       LegReadings& leg = readings.legs[static_cast<std::size_t>(joint.leg)];
       leg.position_rad[joint.index_in_leg] = angle_rad;
-      leg.velocity_rad_s[joint.index_in_leg] =
-          joint.linkage.angular_velocity(angle_rad, sensors.velocity_m_s_or_rad_s);
+      leg.velocity_rad_s[joint.index_in_leg] = joint.linkage.angular_velocity(angle_rad, sensors.velocity_m_s_or_rad_s);
       leg.torque_Nm[joint.index_in_leg] = joint.linkage.torque(angle_rad, sensors.force_N_or_Nm);
     }
     readings.imu = {.angular_velocity_rad_s = Eigen::Vector3d(newest_imu_.angular_velocity_rad_s.data()),
@@ -70,8 +70,8 @@ class BodyLocomotion final : public Locomotion {
                                                     participant::Participant& participant, Tick ticks) {
     const Ports ports = FARRIER_TRY(Ports::open(participant, robot));
     const Inputs inputs{
-        FARRIER_TRY(participant.subscribe<signals::JointSensors>(robot::joint_numbers(robot),
-                                                                 robot::legs_of_joints(robot))),
+        FARRIER_TRY(
+            participant.subscribe<signals::JointSensors>(robot::joint_numbers(robot), robot::legs_of_joints(robot))),
         FARRIER_TRY(participant.subscribe<signals::BodyImu>({0})),
         // An operator may come and go: no command has to be heard before the run starts.
         FARRIER_TRY(participant.subscribe<signals::BodyCommand>({})),
@@ -107,6 +107,8 @@ class BodyLocomotion final : public Locomotion {
 
   // In real time joints damp, and trip later, when samples are older than this: no torque answers stale readings.
   static constexpr Tick kStale = 5;
+  // In real time an operator who steers repeats the command; after so long a silence the robot stands.
+  static constexpr auto kOperatorSilent = std::chrono::milliseconds(500);
   // After a pause the controller makes up for at most so many ticks.
   static constexpr Tick kMostTicks = 100;
 
@@ -115,6 +117,7 @@ class BodyLocomotion final : public Locomotion {
   Inputs inputs_;
   ReadingsInbox inbox_;
   std::optional<MotionCommand> asked_;  ///< by an operator
+  SteadyTime asked_at_{};
 };
 
 // Tick 0 begins at rest in the home pose, before any reading: no torque.
@@ -138,6 +141,7 @@ void BodyLocomotion::drain() {
                 .left_m_s = command.left_m_s,
                 .yaw_rate_rad_s = command.yaw_rate_rad_s,
                 .height_m = command.height_m};
+      asked_at_ = participant::steady_now();
     }
   });
 }
@@ -170,6 +174,10 @@ void BodyLocomotion::command_joints(const Readings& readings, const LegTorques& 
 void BodyLocomotion::begin(Tick first, Tick tick) {
   if (!lockstep() && inbox_.oldest() < tick - kStale) {
     return;
+  }
+  if (!lockstep() && asked_ && asked_->request == Request::kTrot &&
+      participant::steady_now() - asked_at_ > kOperatorSilent) {
+    asked_ = {.request = Request::kStand};
   }
   const Readings readings = inbox_.read();
   const LegTorques* torques_Nm = nullptr;
@@ -207,10 +215,8 @@ std::vector<TimedCommand> script_of(const std::vector<double>& velocity) {
   if (velocity.empty()) {
     return {};
   }
-  return walk_script({.request = Request::kTrot,
-                      .forward_m_s = velocity[0],
-                      .left_m_s = velocity[1],
-                      .yaw_rate_rad_s = velocity[2]});
+  return walk_script(
+      {.request = Request::kTrot, .forward_m_s = velocity[0], .left_m_s = velocity[1], .yaw_rate_rad_s = velocity[2]});
 }
 
 Result<std::unique_ptr<Locomotion>> create_body_locomotion(const robot::Robot& robot,

@@ -9,8 +9,7 @@ namespace {
 class PlannedGait final : public Locomotion {
  public:
   static Result<std::unique_ptr<Locomotion>> create(const robot::Robot& robot, std::uint64_t seed,
-                                                    participant::Participant& participant, Tick ticks,
-                                                    Announce kind) {
+                                                    participant::Participant& participant, Tick ticks, Announce kind) {
     const Ports ports = FARRIER_TRY(Ports::open(participant, robot));
     return std::unique_ptr<Locomotion>(new PlannedGait(robot, seed, ports, participant, ticks, kind));
   }

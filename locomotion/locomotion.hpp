@@ -16,7 +16,7 @@
 
 namespace farrier::locomotion {
 
-/// What both kinds have in common: the clock, and the ports of commands and announcements.
+/// The common part of both kinds: the clock, and the ports of commands and announcements.
 class Locomotion : public participant::Application {
  public:
   void poll(SteadyTime now) final;

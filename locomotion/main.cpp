@@ -11,10 +11,10 @@ int main(int argc, char** argv) {
       participant::parse_options("locomotion", "Commands all joints: plays a gait, or walks", argc, argv);
   using Made = Result<std::unique_ptr<participant::Application>>;
   return process::run(options, [&](auto& member, const auto& robot) -> Made {
-    auto made = FARRIER_TRY(options.world == participant::World::kBody
-                                ? locomotion::create_trot_locomotion(
-                                      robot, locomotion::script_of(options.velocity), member, options.ticks)
-                                : locomotion::create_gait_source(robot, options.seed, member, options.ticks));
+    auto made = FARRIER_TRY(
+        options.world == participant::World::kBody
+            ? locomotion::create_trot_locomotion(robot, locomotion::script_of(options.velocity), member, options.ticks)
+            : locomotion::create_gait_source(robot, options.seed, member, options.ticks));
     return std::unique_ptr<participant::Application>(std::move(made));
   });
 }

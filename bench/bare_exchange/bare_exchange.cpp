@@ -56,6 +56,7 @@ class BareMember final : public participant::Application {
         valves_(ports_.valves, ports_.joints.size()),
         measurements_(ports_.measurements, ports_.joints.size()),
         clock_(ports_.clock, 1),
+        imu_(ports_.imu, 1),
         done_(ports_.done, member.identity().participants - 1u) {}
 
   void poll(SteadyTime now) override;
@@ -78,12 +79,13 @@ class BareMember final : public participant::Application {
   Counted<JointValveCommand> valves_;
   Counted<JointMeasurement> measurements_;
   Counted<ClockTick> clock_;
+  Counted<BodyImu> imu_;
   Counted<ClockTickDone> done_;
 };
 
 bool BareMember::complete() const noexcept {
   return sensors_.has(tick_) && commands_.has(tick_) && valves_.has(tick_) && measurements_.has(tick_) &&
-         clock_.has(tick_) && done_.has(tick_);
+         clock_.has(tick_) && imu_.has(tick_) && done_.has(tick_);
 }
 
 void BareMember::send(Tick tick) {
@@ -91,6 +93,9 @@ void BareMember::send(Tick tick) {
   send_all(ports_.commands_out, ports_.joints, tick + 1);
   send_all(ports_.valves_out, ports_.joints, tick);
   send_all(ports_.measurements_out, ports_.joints, tick);
+  send_all(ports_.imu_out, {0}, tick);
+  send_all(ports_.truth_out, {0}, tick);
+  send_all(ports_.state_out, {0}, tick);
   if (ports_.clock_out != nullptr) {
     ports_.clock_out->publish({0, tick});
   }
@@ -105,6 +110,7 @@ void BareMember::poll(SteadyTime now) {
   valves_.drain();
   measurements_.drain();
   clock_.drain();
+  imu_.drain();
   done_.drain();
   if (!member_.started(now) || finished()) {
     return;
@@ -134,11 +140,10 @@ void BareMember::poll(SteadyTime now) {
 }  // namespace
 
 Result<std::unique_ptr<participant::Application>> create_bare(const robot::Robot& robot,
-                                                              const std::vector<std::string>& joints,
+                                                              const std::vector<std::string>& joints, bool has_body,
                                                               participant::Participant& participant, Tick ticks) {
-  auto ports = FARRIER_TRY(BarePorts::open(robot, joints, participant));
-  return std::unique_ptr<participant::Application>(
-      std::make_unique<BareMember>(std::move(ports), participant, ticks));
+  auto ports = FARRIER_TRY(BarePorts::open(robot, joints, has_body, participant));
+  return std::unique_ptr<participant::Application>(std::make_unique<BareMember>(std::move(ports), participant, ticks));
 }
 
 }  // namespace farrier::bench

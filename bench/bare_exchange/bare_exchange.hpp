@@ -14,7 +14,7 @@ namespace farrier::bench {
 /// controlled or recorded. Shows the speed of the transport alone, as a baseline for the stack. `joints`: those a joint
 /// node hosts; the participant's number gives its role.
 Result<std::unique_ptr<participant::Application>> create_bare(const robot::Robot& robot,
-                                                              const std::vector<std::string>& joints,
+                                                              const std::vector<std::string>& joints, bool has_body,
                                                               participant::Participant& participant, Tick ticks);
 
 }  // namespace farrier::bench

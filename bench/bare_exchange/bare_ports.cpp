@@ -6,7 +6,7 @@ namespace farrier::bench {
 
 using namespace signals;
 
-Result<BarePorts> BarePorts::open(const robot::Robot& robot, const std::vector<std::string>& names,
+Result<BarePorts> BarePorts::open(const robot::Robot& robot, const std::vector<std::string>& names, bool has_body,
                                   participant::Participant& member) {
   BarePorts ports;
   std::vector<std::string> legs;
@@ -36,6 +36,10 @@ Result<BarePorts> BarePorts::open(const robot::Robot& robot, const std::vector<s
       take(ports.valves, member.subscribe<JointValveCommand>(ports.joints));
       take(ports.sensors_out, member.publish<JointSensors>(ports.joints, legs));
       take(ports.clock_out, member.publish<ClockTick>({0}));
+      if (has_body) {
+        take(ports.imu_out, member.publish<BodyImu>({0}));
+        take(ports.truth_out, member.publish<BodyTruth>({0}));
+      }
       break;
     }
     case participant::kEstimatorService:
@@ -44,6 +48,11 @@ Result<BarePorts> BarePorts::open(const robot::Robot& robot, const std::vector<s
     case participant::kLocomotion:
       take(ports.clock, member.subscribe<ClockTick>({0}));
       take(ports.commands_out, member.publish<JointCommand>(ports.joints, legs));
+      if (has_body) {
+        take(ports.sensors, member.subscribe<JointSensors>(ports.joints, legs));
+        take(ports.imu, member.subscribe<BodyImu>({0}));
+        take(ports.state_out, member.publish<BodyState>({0}));
+      }
       break;
     default:
       if (member.identity().number < participant::kFirstJointNode) {

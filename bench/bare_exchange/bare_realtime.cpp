@@ -47,9 +47,8 @@ class BareClock final : public participant::RealtimeApplication {
 };
 
 bool BareClock::receive(SteadyTime now) {
-  ports_.valves->drain([&](const signals::JointValveCommand& valve) {
-    statistics_.answered(valve.sample_time_ns, now);
-  });
+  ports_.valves->drain(
+      [&](const signals::JointValveCommand& valve) { statistics_.answered(valve.sample_time_ns, now); });
   if (!member_.started(now)) {
     return false;
   }
@@ -174,7 +173,7 @@ TimerLoop bare_timer_loop(Nanoseconds period, Nanoseconds duration) {
 Result<std::unique_ptr<participant::RealtimeApplication>> create_bare_clock(const robot::Robot& robot,
                                                                             participant::Participant& participant,
                                                                             Tick ticks) {
-  auto ports = FARRIER_TRY(BarePorts::open(robot, {}, participant));
+  auto ports = FARRIER_TRY(BarePorts::open(robot, {}, false, participant));
   return std::unique_ptr<participant::RealtimeApplication>(
       std::make_unique<BareClock>(std::move(ports), robot, participant, ticks));
 }
@@ -182,9 +181,8 @@ Result<std::unique_ptr<participant::RealtimeApplication>> create_bare_clock(cons
 Result<std::unique_ptr<participant::Application>> create_bare_answer(const robot::Robot& robot,
                                                                      const std::vector<std::string>& joints,
                                                                      participant::Participant& participant) {
-  auto ports = FARRIER_TRY(BarePorts::open(robot, joints, participant));
-  return std::unique_ptr<participant::Application>(
-      std::make_unique<BareAnswer>(std::move(ports), participant));
+  auto ports = FARRIER_TRY(BarePorts::open(robot, joints, false, participant));
+  return std::unique_ptr<participant::Application>(std::make_unique<BareAnswer>(std::move(ports), participant));
 }
 
 }  // namespace farrier::bench

@@ -15,7 +15,8 @@ int main(int argc, char** argv) {
   return process::run(
       options,
       [&](auto& member, const auto& robot) {
-        return lockstep ? bench::create_bare(robot, options.joints, member, options.ticks)
+        return lockstep ? bench::create_bare(robot, options.joints, options.world == participant::World::kBody, member,
+                                             options.ticks)
                         : bench::create_bare_answer(robot, options.joints, member);
       },
       clock);

@@ -11,10 +11,12 @@
 #include "core/text.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
+#include "bench/command/body_part.hpp"
 #include "bench/command/bench_onlookers.hpp"
 #include "bench/command/computed_parts.hpp"
 #include "bench/command/parts.hpp"
 #include "cli/base/command.hpp"
+#include "core/median.hpp"
 #include "cli/processes/dds_run.hpp"
 #include "cli/base/help.hpp"
 #include "cli/base/installation.hpp"
@@ -27,12 +29,24 @@ namespace {
 
 // The least the product promises.
 constexpr double kLockstepRatio = 0.5;
+constexpr double kBodyRatio = 0.7;
+constexpr int kBodyPairs = 3;
 
-const std::vector<std::string> kAll{"lockstep", "onlookers", "plant", "riccati", "control",
-                                    "rls", "estimators", "greybox", "tick"};
+const std::vector<std::string> kAll{"lockstep", "body_lockstep", "onlookers", "plant", "riccati", "control",
+                                    "rls",      "estimators",    "greybox",   "tick",  "body"};
+
+/// All that this build can measure.
+std::vector<std::string> possible() {
+  std::vector<std::string> names = kAll;
+  if (!has_body_part()) {
+    std::erase(names, "body_lockstep");
+    std::erase(names, "body");
+  }
+  return names;
+}
 
 struct BenchOptions {
-  std::vector<std::string> only = kAll;
+  std::vector<std::string> only = possible();
   std::string robot_path;
   Tick ticks = 4000;
   std::string out = "out/bench";
@@ -50,11 +64,14 @@ DdsRun lockstep_run(const BenchOptions& o) {
   return run;
 }
 
-Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, DdsChoice dds, bool bare) {
+Result<double> ticks_per_s(const robot::Robot& robot, const BenchOptions& o, DdsChoice dds, bool bare,
+                           participant::World world = participant::World::kBench) {
   DdsRun run = lockstep_run(o);
   run.dds = dds;
+  run.common.world = world;
   run.bare = bare;
-  run.title = std::string(to_string(dds)) + (bare ? ", bare exchange" : ", whole stack");
+  run.title = std::string(to_string(dds)) + (world == participant::World::kBody ? ", body" : "") +
+              (bare ? ", bare exchange" : ", whole stack");
   const auto outcome = FARRIER_TRY(run_over_dds(robot, run));
   return static_cast<double>(o.ticks) / outcome.wall_s;
 }
@@ -66,6 +83,22 @@ Result<Done> bench_lockstep(const BenchOptions& o, const robot::Robot& robot, Dd
   const auto whole = FARRIER_TRY(ticks_per_s(robot, o, dds, false));
   figures.add(prefix + "ticks_per_s", whole);
   figures.add(prefix + "ratio", whole / bare, kLockstepRatio);
+  return Done{};
+}
+
+/// The same of a body on a ground: medians of pairs of runs.
+Result<Done> bench_body_lockstep(const BenchOptions& o, const robot::Robot& robot, DdsChoice dds,
+                                 report::Figures& figures) {
+  std::vector<double> whole, bare, ratios;
+  for (int pair = 0; pair < kBodyPairs; ++pair) {
+    bare.push_back(FARRIER_TRY(ticks_per_s(robot, o, dds, true, participant::World::kBody)));
+    whole.push_back(FARRIER_TRY(ticks_per_s(robot, o, dds, false, participant::World::kBody)));
+    ratios.push_back(whole.back() / bare.back());
+  }
+  const std::string prefix = std::string("bench.lockstep.") + to_string(dds) + ".";
+  figures.add(prefix + "body_bare_ticks_per_s", median(bare));
+  figures.add(prefix + "body_ticks_per_s", median(whole));
+  figures.add(prefix + "body_ratio", median(ratios), kBodyRatio);
   return Done{};
 }
 
@@ -98,6 +131,10 @@ std::vector<Part> parts_of(const BenchOptions& o, const robot::Robot& robot) {
   for (const DdsChoice dds : kVendors) {
     add("lockstep", std::string("lockstep ") + to_string(dds),
         [&o, &robot, dds](report::Figures& figures) { return bench_lockstep(o, robot, dds, figures); });
+    if (robot.body && robot.locomotion) {
+      add("body_lockstep", std::string("body_lockstep ") + to_string(dds),
+          [&o, &robot, dds](report::Figures& figures) { return bench_body_lockstep(o, robot, dds, figures); });
+    }
   }
   for (const DdsChoice dds : kVendors) {
     DdsRun plain = lockstep_run(o);
@@ -139,8 +176,9 @@ int bench(BenchOptions o) {
   PartsRun run(parts_path, origin_of(o, robot.value()));
   if (o.go_on) {
     const std::vector<std::string> kept = run.take_over();
-    std::fprintf(stderr, "%s: %s\n", parts_path.c_str(),
-                 kept.empty() ? "no part of this build, robot, computer and --ticks" : ("has " + join(kept, ", ")).c_str());
+    std::fprintf(
+        stderr, "%s: %s\n", parts_path.c_str(),
+        kept.empty() ? "no part of this build, robot, computer and --ticks" : ("has " + join(kept, ", ")).c_str());
   }
   const std::string goes_on = parts_path + " keeps what was measured; the same with --continue goes on from there";
   last_words = "\nfarrier bench: interrupted; " + goes_on + "\n";
@@ -172,7 +210,7 @@ std::function<int()> declare_bench(CLI::App& app) {
       ->check(CLI::IsMember(kAll))
       ->type_name("<names>")
       ->default_str("all");
-  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs and of the tick")
+  app.add_option("--robot", o->robot_path, "robot file of the lock-step runs, of the tick and of the body")
       ->type_name("<file>")
       ->default_str("hyq.yaml, as shipped");
   app.add_option("--ticks", o->ticks, "length of each lock-step run; half of it beside who looks on")
@@ -183,9 +221,10 @@ std::function<int()> declare_bench(CLI::App& app) {
   app.add_option("--json", o->json_path, "where the figures go")
       ->type_name("<file>")
       ->default_str("figures.json in --out");
-  app.add_flag("--continue", o->go_on,
-               "measures the parts that failed or were not reached; the others are taken from the .parts file beside the "
-               "figures, if build, robot, computer and --ticks are the same");
+  app.add_flag(
+      "--continue", o->go_on,
+      "measures the parts that failed or were not reached; the others are taken from the .parts file beside the "
+      "figures, if build, robot, computer and --ticks are the same");
   return [o] { return bench(*o); };
 }
 

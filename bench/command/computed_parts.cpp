@@ -3,8 +3,10 @@
 #include <cstdio>
 
 #include "bench/command/allocation_count.hpp"
+#include "bench/command/body_part.hpp"
 #include "bench/bench_control.hpp"
 #include "bench/bench_estimators.hpp"
+#include "bench/bench_forgetting.hpp"
 #include "bench/bench_grey_box.hpp"
 #include "bench/bench_plant.hpp"
 #include "bench/bench_redesign.hpp"
@@ -25,6 +27,8 @@ constexpr double kRlsDifference = 1e-12;
 constexpr double kGreyBoxUs = 15.0;
 constexpr double kTickUs = 50.0;
 constexpr double kRedesignUs = 10.0;
+constexpr double kForgettingFallMs = 20.0;
+constexpr double kForgettingReturnMs = 200.0;
 
 Result<Done> bench_plant(report::Figures& figures) {
   std::fputs("plant: ours against CVODE at equal accuracy\n", stderr);
@@ -112,17 +116,29 @@ Result<Done> bench_redesign(const robot::Robot& robot, report::Figures& figures)
   return Done{};
 }
 
+Result<Done> bench_forgetting(const robot::Robot& robot, report::Figures& figures) {
+  std::fputs("forgetting: of the method aff after a change of load\n", stderr);
+  constexpr int kSeeds = 8;
+  const auto forgetting = FARRIER_TRY(bench::bench_forgetting(robot, kSeeds));
+  figures.add("bench.forgetting.fall_ms", 1e3 * forgetting.fall_s, kForgettingFallMs);
+  figures.add("bench.forgetting.return_ms", 1e3 * forgetting.return_s, kForgettingReturnMs);
+  return Done{};
+}
+
 }  // namespace
 
 std::vector<ComputedPart> computed_parts(const robot::Robot& robot) {
-  return {{"plant", {"plant", bench_plant}},
-          {"riccati", {"riccati", bench_riccati}},
-          {"control", {"control", bench_control}},
-          {"rls", {"rls", bench_rls}},
-          {"estimators", {"estimators", bench_estimators}},
-          {"greybox", {"greybox", bench_grey_box}},
-          {"tick", {"tick", [&robot](report::Figures& figures) { return bench_tick(robot, figures); }}},
-          {"tick", {"redesign", [&robot](report::Figures& figures) { return bench_redesign(robot, figures); }}}};
+  return {
+      {"plant", {"plant", bench_plant}},
+      {"riccati", {"riccati", bench_riccati}},
+      {"control", {"control", bench_control}},
+      {"rls", {"rls", bench_rls}},
+      {"estimators", {"estimators", bench_estimators}},
+      {"estimators", {"forgetting", [&robot](report::Figures& figures) { return bench_forgetting(robot, figures); }}},
+      {"greybox", {"greybox", bench_grey_box}},
+      {"tick", {"tick", [&robot](report::Figures& figures) { return bench_tick(robot, figures); }}},
+      {"tick", {"redesign", [&robot](report::Figures& figures) { return bench_redesign(robot, figures); }}},
+      {"body", {"body", [&robot](report::Figures& figures) { return measure_body(robot, figures); }}}};
 }
 
 }  // namespace farrier::cli

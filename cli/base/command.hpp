@@ -29,6 +29,7 @@ std::function<int()> declare_convert(CLI::App& app);
 std::function<int()> declare_deploy(CLI::App& app);
 std::function<int()> declare_diagnose(CLI::App& app);
 std::function<int()> declare_doctor(CLI::App& app);
+std::function<int()> declare_drive(CLI::App& app);
 std::function<int()> declare_echo(CLI::App& app);
 std::function<int()> declare_faults(CLI::App& app);
 std::function<int()> declare_identify(CLI::App& app);

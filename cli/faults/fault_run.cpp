@@ -7,9 +7,12 @@
 
 #include "core/ensure.hpp"
 #include "core/text.hpp"
+#include "locomotion/motion_script.hpp"
 #include "participant/loop.hpp"
-#include "trace/trace.hpp"
 #include "robot/keys.hpp"
+#include "robot/locomotion_params.hpp"
+#include "trace/body_trace.hpp"
+#include "trace/trace.hpp"
 #include "cli/processes/dds_run.hpp"
 #include "cli/trot/trot_options.hpp"
 #include "cli/trot/trot_run.hpp"
@@ -21,6 +24,8 @@ namespace {
 /// Time from the end of a fault to the request to arm, and from the last act to the end of the run.
 constexpr double kUntilArmed_s = 0.1;
 constexpr double kAfterwards_s = 0.25;
+/// The same of a body, which may sink or fall meanwhile.
+constexpr double kAfterwardsOnGround_s = 2.0;
 /// Largest number of repetitions of a cell in which the computer was stopped.
 constexpr int kMostRepeats = 10;
 
@@ -53,13 +58,29 @@ Nanoseconds may_pause(const robot::Robot& robot, int slow) {
   return Nanoseconds(std::llround(1e9 * robot.period_s * slow));
 }
 
+/// Span of the row's fault in a run of that world. A body is hit in its third stride or later.
+faults::TickSpan span_of(const robot::Robot& robot, const CellSettings& settings, const faults::Row& row,
+                         const CellPlan& plan) {
+  if (settings.world == participant::World::kBench) {
+    return faults::place_of(robot, gait::Schedule(robot.plan, plan.seed), row, plan.phase);
+  }
+  constexpr Tick kStrides = 3;
+  const gait::Schedule schedule(robot::locomotion_plan(robot.plan), plan.seed);
+  const Tick walks = std::llround(locomotion::kWalk_s / robot.period_s) - schedule.lead_in_ticks();
+  faults::TickSpan span =
+      faults::place_of(robot, schedule, row, plan.phase, schedule.lead_in_ticks() + kStrides * schedule.stride_ticks());
+  span.begin += walks;
+  span.end += walks;
+  return span;
+}
+
 /// One run of a cell, judged. Refuses when the user interrupts.
 Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings& settings, const CellPlan& plan,
                                    const std::string& title, PauseWatch& pauses) {
   const int slow = slow_of(settings, *plan.row);
   const faults::Row row = faults::paced(*plan.row, slow);
   const auto ticks = [&](double time_s) { return static_cast<Tick>(std::llround(time_s / robot.period_s)); };
-  const faults::TickSpan span = faults::place_of(robot, gait::Schedule(robot.plan, plan.seed), row, plan.phase);
+  const faults::TickSpan span = span_of(robot, settings, row, plan);
   faults::Cell cell = plan.cell();
   TrotOptions trot;
   trot.robot_path = settings.robot_path;
@@ -68,6 +89,7 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
   trot.nodes = run::Grouping::kPerLeg;  // rows name the process of a leg
   trot.design = row.design;
   trot.standby = row.standby;
+  trot.world = settings.world;
   trot.seed = plan.seed;
   trot.out = settings.out;
   trot.trace_path = settings.out + "/trace.csv";
@@ -86,14 +108,15 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
     run.faults[member_of(robot, members, row.member)] = faults::arrow_faults(robot, row, span);
   }
   for (const run::ProcessAct& act : row.acts) {
-    run.acts.push_back({.at = span.begin + ticks(act.at_s), .member = member_of(robot, members, act.member),
-                        .signal = act.signal});
+    run.acts.push_back(
+        {.at = span.begin + ticks(act.at_s), .member = member_of(robot, members, act.member), .signal = act.signal});
   }
   if (row.expected.latches) {
     run.acts.push_back({.at = span.end + ticks(kUntilArmed_s), .member = {}});
   }
   const Tick last = run.acts.empty() ? span.end : std::max(span.end, run.acts.back().at);
-  run.common.ticks = last + ticks(kAfterwards_s);
+  const bool on_ground = settings.world == participant::World::kBody;
+  run.common.ticks = last + ticks(on_ground ? kAfterwardsOnGround_s : kAfterwards_s);
   const auto ran = run_over_dds(robot, run);
   if (participant::stop_requested()) {
     return Error{"interrupted"};
@@ -126,6 +149,15 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
     heard.push_back({std::string(signals::text_of(ran.value().events[i].text)), ran.value().events_heard[i]});
   }
   cell.checks = faults::judge(robot, row, moments, trace.value(), heard);
+  if (on_ground && faults::leaves_trace(row)) {
+    const auto truth =
+        trace::read_body_trace(trace::body_trace_path(run.common.trace_path), static_cast<int>(robot.plan.legs.size()));
+    if (!truth) {
+      cell.error = truth.error().message;
+      return cell;
+    }
+    cell.body = faults::body_after_fault(truth.value(), moments.fault.begin);
+  }
   return cell;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/result.hpp"
 #include "gait/schedule.hpp"
+#include "participant/options.hpp"
 #include "robot/robot.hpp"
 #include "cli/processes/pause_watch.hpp"
 #include "tools/faults/fault_cell.hpp"
@@ -33,6 +34,7 @@ struct CellSettings {
   std::string robot_path;
   std::string out;  ///< directory of logs and of the trace
   int slow;
+  participant::World world = participant::World::kBench;
 };
 
 /// One cell, judged by a run in which the computer did not stand still, or by the last of several in which it did.

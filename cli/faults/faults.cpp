@@ -11,6 +11,7 @@
 #include "participant/loop.hpp"
 #include "process/process.hpp"
 #include "cli/base/command.hpp"
+#include "cli/base/help.hpp"
 #include "cli/faults/fault_run.hpp"
 #include "cli/base/installation.hpp"
 #include "cli/base/output_file.hpp"
@@ -32,6 +33,7 @@ struct FaultsOptions {
   std::vector<std::string> vendors{"cyclone", "fast"};
   int seeds = 3;
   int slow = 3;
+  participant::World world = participant::World::kBench;
   std::string out = "out/faults";
   std::string json_path, page_path;
   bool go_on = false;
@@ -39,6 +41,27 @@ struct FaultsOptions {
 
 std::string place_text(const faults::Cell& cell) {
   return cell.row + ", " + cell.phase + ", " + cell.vendor + ", seed " + std::to_string(cell.seed);
+}
+
+/// The worst of the bodies in the cells of a row. A fall breaks no bound: joints react to faults as the row says, which
+/// may let a walking robot down.
+void add_body(report::Figures& figures, const std::vector<faults::Cell>& cells, const std::string& row) {
+  bool any = false;
+  faults::BodyAfterFault worst;
+  double falls = 0.0;
+  for (const faults::Cell& cell : cells) {
+    if (cell.row == row && cell.body) {
+      any = true;
+      falls += cell.body->fell ? 1.0 : 0.0;
+      worst.trunk_speed_m_s = std::max(worst.trunk_speed_m_s, cell.body->trunk_speed_m_s);
+      worst.ground_force_N = std::max(worst.ground_force_N, cell.body->ground_force_N);
+    }
+  }
+  if (any) {
+    figures.add("faults." + row + ".falls", falls);
+    figures.add("faults." + row + ".trunk_speed_m_s", worst.trunk_speed_m_s);
+    figures.add("faults." + row + ".ground_force_N", worst.ground_force_N);
+  }
 }
 
 /// A cell that was not run has not held.
@@ -58,6 +81,7 @@ report::Outcome outcome_of(const robot::Robot& robot, const std::vector<faults::
   outcome.figures.add("faults.held", static_cast<double>(std::ranges::count_if(cells, &faults::Cell::holds)),
                       static_cast<double>(planned));
   for (const faults::Row& row : faults::rows()) {
+    add_body(outcome.figures, cells, row.name);
     for (const faults::Check& check : faults::worst_checks(cells, row.name)) {
       outcome.figures.add("faults." + std::string(row.name) + "." + check.key + "_ms", check.measured_s * 1e3,
                           check.asked_s * 1e3);
@@ -95,7 +119,8 @@ report::Outcome outcome_of(const robot::Robot& robot, const Ran& ran, std::size_
 /// so far are written, which do not hold before the last.
 Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector<CellPlan>& plans) {
   const report::RunInfo info = report::run_info(robot, 1);
-  const faults::CellsOrigin origin{info.git_revision, info.configuration_hash, o.slow};
+  const faults::CellsOrigin origin{info.git_revision, info.configuration_hash, o.slow,
+                                   name_of(participant::kWorlds, o.world)};
   const std::string kept_path = o.out + "/cells.jsonl";
   if (!o.go_on) {
     std::error_code none;
@@ -114,7 +139,7 @@ Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector
     }
     const std::string title =
         "faults, " + std::to_string(cells.size() + 1) + " of " + std::to_string(plans.size()) + ", " + plan.row->name;
-    auto cell = run_cell(robot, {o.robot_path, o.out, o.slow}, plan, title, pauses);
+    auto cell = run_cell(robot, {o.robot_path, o.out, o.slow, o.world}, plan, title, pauses);
     if (!cell) {
       break;
     }
@@ -122,7 +147,8 @@ Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector
       std::fprintf(stderr, "%s: %s\n", place.c_str(), faults::why_not(cell.value()).c_str());
       if (faults::leaves_trace(*plan.row) && cell.value().error.empty()) {  // else it is that of another cell
         std::error_code refused;
-        fs::copy_file(o.out + "/trace.csv", o.out + "/" + place + ".csv", fs::copy_options::overwrite_existing, refused);
+        fs::copy_file(o.out + "/trace.csv", o.out + "/" + place + ".csv", fs::copy_options::overwrite_existing,
+                      refused);
       }
     } else if (auto appended = faults::append_cell(kept_path, origin, cell.value()); !appended) {
       ran.not_kept = appended.error().message;
@@ -151,6 +177,9 @@ int run_faults(FaultsOptions o) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;
   }
+  if (o.world == participant::World::kBody && (!robot.value().body || !robot.value().locomotion)) {
+    return refuse("faults", "--world body: " + robot.value().name + " has no body.trunk or no locomotion in its file");
+  }
   const auto directory = OutputDirectory::claim(o.out);
   if (!directory) {
     return refuse("faults", directory.error().message);
@@ -175,7 +204,8 @@ int run_faults(FaultsOptions o) {
   }
   std::printf("figures: %s\n", o.json_path.c_str());
   if (participant::stop_requested()) {
-    return fail("faults", "interrupted; what there is of the table is written; the same with --continue goes on from here");
+    return fail("faults",
+                "interrupted; what there is of the table is written; the same with --continue goes on from here");
   }
   return outcome.passes() ? kPassed : kFailed;
 }
@@ -195,15 +225,24 @@ std::function<int()> declare_faults(CLI::App& app) {
       ->check(CLI::Range(1, 1000))
       ->type_name("<n>")
       ->capture_default_str();
-  app.add_option("--slow", o->slow, "slow motion: the clock goes slower than the machine's by this factor, and where a process starts by three times it")
+  app.add_option("--slow", o->slow,
+                 "slow motion: the clock goes slower than the machine's by this factor, and where a process starts by "
+                 "three times it")
       ->check(CLI::Range(1, 100))
       ->type_name("<factor>")
       ->capture_default_str();
-  app.add_option("--out", o->out, "directory of logs, the last trace, and traces of cells that did not hold")->type_name("<dir>")->capture_default_str();
+  add_choice(app, "--world", o->world, participant::kWorlds,
+             "what is hit: each joint on its bench, or the body of a robot that walks on a ground")
+      ->default_str("bench");
+  app.add_option("--out", o->out, "directory of logs, the last trace, and traces of cells that did not hold")
+      ->type_name("<dir>")
+      ->capture_default_str();
   app.add_option("--json", o->json_path, "figures; figures.json in --out unless told")->type_name("<file>");
   app.add_option("--page", o->page_path, "writes the table with what was measured, as docs/results/faults.md")
       ->type_name("<file>");
-  app.add_flag("--continue", o->go_on, "runs the cells that did not hold or were not reached; those that held in an earlier run of the same build into --out are taken from there");
+  app.add_flag("--continue", o->go_on,
+               "runs the cells that did not hold or were not reached; those that held in an earlier run of the same "
+               "build into --out are taken from there");
   return [o] { return run_faults(*o); };
 }
 

@@ -15,6 +15,7 @@
 #include "runtime/realtime_thread.hpp"
 #include "cli/processes/child_process.hpp"
 #include "cli/processes/domain_lock.hpp"
+#include "cli/processes/helm.hpp"
 #include "cli/base/progress.hpp"
 #include "cli/processes/run_children.hpp"
 #include "cli/processes/run_clock.hpp"
@@ -39,6 +40,7 @@ struct Seat {
   std::optional<run::RunListener> listener;
   std::unique_ptr<recorder::RunRecording> recording;  ///< lock-step; in real time another process records
   std::optional<RunActs> acts;
+  std::optional<Helm> helm;  ///< of a run that is steered
 };
 
 Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const participant::ProcessOptions& common,
@@ -66,6 +68,9 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   seat.listener.emplace(std::move(listener));
   auto acts = FARRIER_TRY(RunActs::create(run.acts, *seat.participant, clock));
   seat.acts = std::move(acts);
+  if (run.steers) {
+    seat.helm.emplace(FARRIER_TRY(Helm::create(*seat.participant, run.steers)));
+  }
   if (!run.record_path.empty() && common.clock == bus::ClockKind::kLockstep) {
     auto recording =
         FARRIER_TRY(recorder::RunRecording::create(run.record_path, run.record_facts, robot, *seat.participant));
@@ -105,6 +110,10 @@ Result<double> attend(Seat& seat, run::RunMonitor& monitor, std::vector<ChildPro
       run.looks_on(seat.listener->tick());
       monitor.poll(clock.at(steady_now()));
     }
+    if (seat.helm && seat.helm->steer(seat.listener->tick())) {
+      monitor.poll(clock.at(steady_now()));
+      return std::chrono::duration<double>(moved - first_tick).count();
+    }
     if (seat.listener->tick() != last) {
       watch.tick(seat.listener->tick());
       onlookers.look(seat.listener->tick(), steady_now());
@@ -132,7 +141,9 @@ Result<double> attend(Seat& seat, run::RunMonitor& monitor, std::vector<ChildPro
       if (over && (!seat.recording || seat.recording->has(ticks) || steady_now() - moved > kLastSamples)) {
         return std::chrono::duration<double>(moved - first_tick).count();
       }
-      progress.update(last);
+      if (!seat.helm) {
+        progress.update(last);
+      }
       FARRIER_TRY(limits.check(*seat.participant, *seat.listener, monitor, children));
       if (steady_now() - moved > kSilenceWorthSaying) {
         progress.note(standstill(*seat.listener, children));

@@ -23,12 +23,20 @@ const char* to_string(DdsChoice choice) noexcept;
 
 bus::Vendor vendor_of(DdsChoice choice, const run::Member& member) noexcept;
 
+/// An operator's action at one moment of a run.
+struct Steered {
+  std::optional<signals::BodyCommand> command;  ///< goes to locomotion; the session is filled in
+  bool stops = false;                           ///< asks the supervisor to stop: every joint to null
+  bool ends = false;                            ///< ends the run
+};
+
 /// A run of real processes over DDS. Member-independent options are in `common`.
 struct DdsRun {
   DdsChoice dds = DdsChoice::kCyclone;
   run::Grouping grouping = run::Grouping::kPerLeg;
   participant::ProcessOptions common;
   std::string executables;  ///< directory of the node executables
+  std::string locomotion;   ///< path of a program that runs in place of locomotion; empty: the shipped one
   std::string log_directory;
   std::string record_path;  ///< a recording of everything goes there; empty: none
   mcap::Text record_facts;  ///< recording::kRunFacts of it
@@ -37,6 +45,9 @@ struct DdsRun {
   std::vector<Act> acts;                                              ///< in the order of their ticks
   std::function<void(Tick)>
       looks_on;  ///< called with the newest tick the clock has begun; events are then heard at once; may be empty
+  /// Called often with the newest tick and locomotion's newest state of the body: an operator at the terminal, in place
+  /// of a bar. May be empty.
+  std::function<Steered(Tick, const signals::BodyState&)> steers;
   std::vector<Onlooker> onlookers;
   double start_limit_s = 20.0;            ///< within which every participant must have greeted; 0: none
   double stall_limit_s = 30.0;            ///< lock-step: within which the next tick must begin; 0: none

@@ -47,7 +47,8 @@ Result<ChildProcess> start_child(const DdsRun& run, const participant::ProcessOp
   }
   const std::string program =
       run.bare ? "bare_exchange" : member.executable + (options.faults.empty() ? "" : "_with_faults");
-  const std::string executable = run.executables + "/" + program;
+  const bool replaced = member.number == participant::kLocomotion && !run.locomotion.empty() && !run.bare;
+  const std::string executable = replaced ? run.locomotion : run.executables + "/" + program;
   return ChildProcess::start(name, executable, participant::to_arguments(options),
                              run.log_directory + "/" + log_name + ".log",
                              {.environment = clock != nullptr ? clock->environment() : std::vector<std::string>{},

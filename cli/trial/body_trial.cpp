@@ -15,16 +15,13 @@
 #include "report/body/body_rows_file.hpp"
 #include "report/figures/console.hpp"
 #include "report/figures/outcome.hpp"
+#include "trials/body/push_limit.hpp"
 #include "trials/body/trot_trial.hpp"
 
 namespace farrier::cli {
 namespace {
 
-/// Rows by the name of their case, and the reason if some are not kept for --continue; empty: all are.
-struct BodyRuns {
-  std::map<std::string, trials::TrotRow> rows;
-  std::string not_kept;
-};
+using trials::PushLimitSearch;
 
 std::string key_of(const std::string& trial, const std::string& name) { return trial + ": " + name; }
 
@@ -39,66 +36,115 @@ std::vector<trials::TrotCase> chosen_cases(const robot::Robot& robot, const Body
   return cases;
 }
 
-void take_over(const std::string& path, const std::string& origin, const std::vector<trials::TrotCase>& cases,
-               BodyRuns& runs) {
-  for (trials::TrotRow& row : report::read_rows(path, origin)) {
-    const bool wanted = std::ranges::any_of(
-        cases, [&row](const trials::TrotCase& one) { return one.trial == row.trial && one.name == row.name; });
-    if (wanted) {
-      runs.rows.insert_or_assign(key_of(row.trial, row.name), std::move(row));
-    }
-  }
-  std::fprintf(stderr, "%s: has %zu of %zu runs\n", path.c_str(), runs.rows.size(), cases.size());
+bool searches_push_limit(const BodyTrialOptions& o) {
+  return !o.smoke && (o.only.empty() || std::ranges::find(o.only, PushLimitSearch::kTrial) != o.only.end());
 }
 
-BodyRuns run_all(const robot::Robot& robot, const BodyTrialOptions& o, const std::vector<trials::TrotCase>& cases,
-                 const std::string& kept_path, const std::string& origin) {
-  BodyRuns runs;
-  if (o.go_on) {
-    take_over(kept_path, origin, cases, runs);
-  }
-  std::vector<trials::TrotCase> left;
-  std::ranges::copy_if(cases, std::back_inserter(left), [&runs](const trials::TrotCase& one) {
-    return !runs.rows.contains(key_of(one.trial, one.name));
-  });
-  Progress bar("trial body", static_cast<Tick>(cases.size()), "runs");
-  const auto done = [&](const trials::TrotRow& row) {
-    if (row.failure.empty()) {
-      if (const auto written = report::append_row(kept_path, origin, row); !written) {
-        runs.not_kept = written.error().message;
+/// The runs of a trial, of which some may have been kept by one that was interrupted.
+class BodyRuns {
+ public:
+  BodyRuns(const robot::Robot& robot, const BodyTrialOptions& o, std::string kept_path, std::string origin)
+      : robot_(robot), o_(o), kept_path_(std::move(kept_path)), origin_(std::move(origin)) {
+    if (o.go_on) {
+      for (trials::TrotRow& row : report::read_rows(kept_path_, origin_)) {
+        rows_.insert_or_assign(key_of(row.trial, row.name), std::move(row));
       }
     }
-    runs.rows.insert_or_assign(key_of(row.trial, row.name), row);
-    bar.update(static_cast<Tick>(runs.rows.size()));
-  };
-  trials::run_trot_cases(robot, left, o.threads, done, [] { return !participant::stop_requested(); });
-  return runs;
-}
-
-/// Rows in the order of their cases.
-std::vector<trials::TrotRow> in_order(const std::vector<trials::TrotCase>& cases, const BodyRuns& runs) {
-  std::vector<trials::TrotRow> rows;
-  for (const trials::TrotCase& one : cases) {
-    if (const auto row = runs.rows.find(key_of(one.trial, one.name)); row != runs.rows.end()) {
-      rows.push_back(row->second);
-    }
   }
-  return rows;
+
+  /// Runs those of the cases that are not kept. Returns what came of the cases, in their order.
+  std::vector<trials::TrotRow> run(const std::string& title, const std::vector<trials::TrotCase>& cases) {
+    std::vector<trials::TrotCase> left;
+    std::ranges::copy_if(cases, std::back_inserter(left),
+                         [this](const trials::TrotCase& one) { return !rows_.contains(key_of(one.trial, one.name)); });
+    auto ended = static_cast<Tick>(cases.size() - left.size());
+    if (o_.go_on) {
+      std::fprintf(stderr, "%s: has %lld of %zu runs\n", kept_path_.c_str(), static_cast<long long>(ended),
+                   cases.size());
+    }
+    Progress bar(title, static_cast<Tick>(cases.size()), "runs");
+    const auto done = [&](const trials::TrotRow& row) {
+      keep(row);
+      bar.update(++ended);
+    };
+    trials::run_trot_cases(robot_, left, o_.threads, done, [] { return !participant::stop_requested(); });
+    std::vector<trials::TrotRow> rows;
+    for (const trials::TrotCase& one : cases) {
+      if (const auto row = rows_.find(key_of(one.trial, one.name)); row != rows_.end()) {
+        rows.push_back(row->second);
+      }
+    }
+    return rows;
+  }
+
+  /// Why some runs are not kept for --continue; empty: all are.
+  const std::string& not_kept() const noexcept { return not_kept_; }
+
+ private:
+  void keep(const trials::TrotRow& row) {
+    if (row.failure.empty()) {
+      if (const auto written = report::append_row(kept_path_, origin_, row); !written) {
+        not_kept_ = written.error().message;
+      }
+    }
+    rows_.insert_or_assign(key_of(row.trial, row.name), row);
+  }
+
+  const robot::Robot& robot_;
+  const BodyTrialOptions& o_;
+  std::string kept_path_, origin_;
+  std::map<std::string, trials::TrotRow> rows_;  // by key_of
+  std::string not_kept_;
+};
+
+/// Everything that was asked for.
+struct BodyStudy {
+  std::vector<trials::TrotRow> rows;
+  std::size_t left = 0;  ///< runs that were begun or planned, and not made
+  std::vector<trials::PushLimit> limits;
+};
+
+BodyStudy run_all(const robot::Robot& robot, const BodyTrialOptions& o, BodyRuns& runs) {
+  BodyStudy study;
+  const auto run = [&](const std::string& title, const std::vector<trials::TrotCase>& cases) {
+    std::vector<trials::TrotRow> rows = runs.run(title, cases);
+    study.left += cases.size() - rows.size();
+    study.rows.insert(study.rows.end(), rows.begin(), rows.end());
+    return rows;
+  };
+  run("trial body", chosen_cases(robot, o));
+  if (!searches_push_limit(o)) {
+    return study;
+  }
+  PushLimitSearch search(robot);
+  int round = 0;
+  for (auto cases = search.next(); !cases.empty() && !participant::stop_requested(); cases = search.next()) {
+    search.take(run("push limit, round " + std::to_string(++round), cases));
+  }
+  if (!participant::stop_requested()) {
+    study.limits = search.limits();
+  }
+  return study;
 }
 
-report::Outcome outcome_of(const robot::Robot& robot, const std::vector<trials::TrotRow>& rows,
+report::Outcome outcome_of(const robot::Robot& robot, const BodyStudy& study,
                            const std::vector<report::BodyTrialResult>& results, const std::string& not_kept) {
   report::Outcome outcome;
   outcome.command = "trial";
   outcome.run = report::run_info(robot, 1);
   report::add_body(outcome.figures, results);
-  for (const trials::TrotRow& row : rows) {
+  report::add_push_limits(outcome.figures, study.limits);
+  for (const trials::TrotRow& row : study.rows) {
     if (!row.failure.empty()) {
       outcome.failures.push_back(key_of(row.trial, row.name) + ": " + row.failure);
     }
   }
   if (!not_kept.empty()) {
     outcome.failures.push_back("runs are not kept: " + not_kept);
+  }
+  if (participant::stop_requested()) {
+    outcome.failures.push_back("interrupted: " + std::to_string(study.left) + " of " +
+                               std::to_string(study.left + study.rows.size()) + " runs were not made");
   }
   return outcome;
 }
@@ -109,24 +155,19 @@ int run_and_report(const robot::Robot& robot, const BodyTrialOptions& o) {
     return refuse("trial", way.error().message);
   }
   participant::install_signal_handlers();
-  const std::vector<trials::TrotCase> cases = chosen_cases(robot, o);
-  const std::string origin = report::build_name() + ", " + report::run_info(robot, 1).configuration_hash;
-  const BodyRuns runs = run_all(robot, o, cases, kept_path, origin);
-  const std::vector<trials::TrotRow> rows = in_order(cases, runs);
-  const std::vector<report::BodyTrialResult> results = report::body_results(rows);
-  report::Outcome outcome = outcome_of(robot, rows, results, runs.not_kept);
-  if (rows.size() < cases.size()) {
-    outcome.failures.push_back("interrupted: " + std::to_string(cases.size() - rows.size()) + " of " +
-                               std::to_string(cases.size()) + " runs were not made");
-  }
+  BodyRuns runs(robot, o, kept_path, report::build_name() + ", " + report::run_info(robot, 1).configuration_hash);
+  const BodyStudy study = run_all(robot, o, runs);
+  const std::vector<report::BodyTrialResult> results = report::body_results(study.rows);
+  const report::Outcome outcome = outcome_of(robot, study, results, runs.not_kept());
   const std::string rows_path = o.out + "/runs.csv";
-  if (auto written = report::write_body_csv(rows_path, rows); !written) {
+  if (auto written = report::write_body_csv(rows_path, study.rows); !written) {
     return fail("trial", written.error().message);
   }
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("trial", written.error().message);
   }
-  std::printf("%s\n%s", report::body_text(outcome.figures, results).c_str(),
+  std::printf("%s%s%s\n%s", report::body_text(outcome.figures, results).c_str(),
+              report::push_limits_text(study.limits).c_str(), report::falls_text(study.rows).c_str(),
               report::verdict_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str());
   std::printf("figures: %s\nevery run: %s\n", o.json_path.c_str(), rows_path.c_str());
   if (participant::stop_requested()) {

@@ -116,7 +116,7 @@ void declare_body(CLI::App& app, BodyTrialOptions& o) {
       ->check(CLI::IsMember(names))
       ->type_name("<names>")
       ->default_str("all");
-  app.add_flag("--smoke", o.smoke, "body: the first run of each trial, in half a minute")->type_name("");
+  app.add_flag("--smoke", o.smoke, "body: the first run of each trial but push_limit, in half a minute")->type_name("");
   app.add_option("--threads", o.threads, "body: runs at a time")
       ->check(between(1, 256))
       ->type_name("<n>")

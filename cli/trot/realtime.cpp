@@ -59,7 +59,8 @@ Result<Done> add_realtime(report::Outcome& outcome, const robot::Robot& robot, c
   for (const char* alone_too : {"trot.bare_timer.missed_periods", "trot.bare_exchange.missed_periods"}) {
     const report::Figure* bare_missed = figures.find(alone_too);
     if (missed != nullptr && bare_missed != nullptr && bare_missed->value > missed->bound) {
-      outcome.warnings.push_back(std::string(alone_too) + ": beyond the bound of trot.missed_periods with nothing else running; "
+      outcome.warnings.push_back(std::string(alone_too) +
+                                 ": beyond the bound of trot.missed_periods with nothing else running; "
                                  "this computer, as it is now, does not allow what is asked");
     }
   }
@@ -73,8 +74,8 @@ Result<Done> add_realtime(report::Outcome& outcome, const robot::Robot& robot, c
   robot::Robot delayed = robot;
   delayed.loop_delay_lockstep = robot.loop_delay_realtime;
   const std::string path = options.out + "/trace_lockstep.csv";
-  auto ran = FARRIER_TRY(run_in_process(delayed, options, options.design.value(), path,
-                            "trot, lock-step with the same delay"));
+  auto ran = FARRIER_TRY(
+      run_in_process(delayed, options, options.design.value(), path, "trot, lock-step with the same delay"));
   const auto lockstep = FARRIER_TRY(tracking_of(delayed, ran, path, options.seed, delayed.loop_delay_lockstep));
   figures.add("trot.realtime_nrmse_ratio", median_ratio(tracking, lockstep), kNrmseRatio);
   return Done{};

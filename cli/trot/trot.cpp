@@ -57,6 +57,35 @@ std::string flight_warning(const gait::RobotPlan& plan) {
                       : "";
 }
 
+/// The remedy for options that do not go together; empty when they do.
+std::string refusal(const TrotOptions& o) {
+  const bool realtime = o.clock == bus::ClockKind::kRealtime;
+  if (o.world == participant::World::kBody) {
+    if (std::string refused = refused_on_ground(o); !refused.empty()) {
+      return refused;
+    }
+  }
+  if (o.standby && !realtime) {
+    return "--standby is for the real-time clock, in lock-step a run waits for a silent supervisor: add --clock "
+           "realtime";
+  }
+  if (o.soak && o.dds == DdsChoice::kInproc) {
+    return "--soak watches the processes of one run over DDS: leave --dds inproc out";
+  }
+  if (!o.locomotion.empty()) {
+    if (o.dds == DdsChoice::kInproc) {
+      return "--locomotion starts a process: leave --dds inproc out";
+    }
+    if (!fs::is_regular_file(o.locomotion) || ::access(o.locomotion.c_str(), X_OK) != 0) {
+      return "--locomotion: " + o.locomotion + " is not a program that can be started: build it, or correct the path";
+    }
+  }
+  if (o.dds == DdsChoice::kInproc && realtime) {
+    return "--dds inproc runs on the lock-step clock only: choose a vendor for --clock realtime";
+  }
+  return {};
+}
+
 /// The runs beside that the options ask for.
 Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, report::Figures& figures) {
   if (o.dither_cost) {
@@ -102,24 +131,8 @@ int trot(TrotOptions o) {
     o.world = participant::World::kBench;
   }
   const bool on_ground = o.world == participant::World::kBody;
-  if (const std::string refused = on_ground ? refused_on_ground(o) : ""; !refused.empty()) {
+  if (const std::string refused = refusal(o); !refused.empty()) {
     std::fprintf(stderr, "farrier trot: %s\n", refused.c_str());
-    return kBadInput;
-  }
-  if (o.standby && o.clock != bus::ClockKind::kRealtime) {
-    std::fputs(
-        "farrier trot: --standby is for the real-time clock, in lock-step a run waits for a silent supervisor: add "
-        "--clock realtime\n",
-        stderr);
-    return kBadInput;
-  }
-  if (o.soak && o.dds == DdsChoice::kInproc) {
-    std::fputs("farrier trot: --soak watches the processes of one run over DDS: leave --dds inproc out\n", stderr);
-    return kBadInput;
-  }
-  if (o.dds == DdsChoice::kInproc && o.clock == bus::ClockKind::kRealtime) {
-    std::fputs("farrier trot: --dds inproc runs on the lock-step clock only: choose a vendor for --clock realtime\n",
-               stderr);
     return kBadInput;
   }
   if (auto secured = check_security(robot, o); !secured) {

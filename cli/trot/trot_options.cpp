@@ -20,13 +20,6 @@ const std::map<std::string, DdsChoice> kDds = [] {
 }();
 const std::map<std::string, run::Grouping> kNodes{
     {"per-leg", run::Grouping::kPerLeg}, {"per-joint", run::Grouping::kPerJoint}, {"one", run::Grouping::kOne}};
-const std::map<std::string, participant::World> kTrotWorlds = [] {
-  std::map<std::string, participant::World> names;
-  for (const auto& world : participant::kWorlds) {
-    names.emplace(world.name, world.value);
-  }
-  return names;
-}();
 constexpr double kLongestLimit_s = 86400.0;
 constexpr int kProcessorsForLegs = 4;  ///< with fewer, joint_node processes wait for each other and for sim_bridge
 
@@ -100,7 +93,7 @@ void declare(CLI::App& app, TrotOptions& o) {
   add_choice(app, "--clock", o.clock, kClockKinds, "lock-step, which repeats bit for bit, or real time")
       ->default_str("lockstep");
   add_choice(
-      app, "--world", o.world, kTrotWorlds, "bench|body",
+      app, "--world", o.world, participant::kWorlds,
       "bench: each joint on a load of its own that follows the gait; body: the whole robot on a ground, its joints "
       "ideal torque sources")
       ->default_str("bench");
@@ -111,6 +104,8 @@ void declare(CLI::App& app, TrotOptions& o) {
       ->delimiter(',')
       ->type_name("<x,y,yaw>")
       ->capture_default_str();
+  app.add_option("--locomotion", o.locomotion, "program that runs in place of locomotion, as the how-to explains")
+      ->type_name("<program>");
   app.add_option("--trace", o.trace_path, "where the trace goes")
       ->type_name("<file>")
       ->default_str("trace.csv in --out");

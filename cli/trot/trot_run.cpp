@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <filesystem>
+
 #include "cli/trot/in_process.hpp"
 #include "cli/base/installation.hpp"
 #include "report/figures/recording_facts.hpp"
@@ -44,6 +46,7 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
   run.common = common_options(o);
   run.common.ticks = run::ticks_of(o.duration_s, robot);
   run.executables = processes_directory();
+  run.locomotion = o.locomotion.empty() ? "" : std::filesystem::absolute(o.locomotion).string();
   run.log_directory = o.out + "/log";
   run.record_path = o.record_path;
   run.record_facts = record_facts(robot, o);

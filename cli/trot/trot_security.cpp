@@ -32,8 +32,9 @@ Result<double> median_latency(const robot::Robot& robot, const TrotOptions& opti
 
 Result<Done> check_security(const robot::Robot& robot, const TrotOptions& options) {
   if (options.security.empty()) {
-    return options.security_cost ? Result<Done>(Error{"--security-cost compares with what --security gives: name its folder"})
-                                 : Done{};
+    return options.security_cost
+               ? Result<Done>(Error{"--security-cost compares with what --security gives: name its folder"})
+               : Done{};
   }
   if (options.dds == DdsChoice::kInproc) {
     return Error{"--security is for processes that talk over DDS; --dds inproc runs in one: leave it out"};

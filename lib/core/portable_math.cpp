@@ -4,11 +4,10 @@
 #include <limits>
 #include <numbers>
 
-namespace farrier::portable_math {
+namespace farrier::portable {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// pi / 2 as a sum of two doubles, the first short enough that its multiples up to 2^20 are exact.
 constexpr double kHalfPiHigh = 1.57079632673412561417;
@@ -36,54 +35,29 @@ double cosine_series(double x) noexcept {
 /// sin(2 pi x) on [-1/4, 1/4] by its Taylor series, (-1)^n (2 pi)^(2n+1) / (2n+1)!. The first term left out is 1e-18.
 double quarter_turn_sine(double x) noexcept {
   const double y = x * x;
-  return x *
-         (6.28318530717958647692528 +
-          y * (-41.3417022403997602339684 +
-               y * (81.6052492760750542033976 +
-                    y * (-76.7058597530613858416306 +
-                         y * (42.0586939448976531449868 +
-                              y * (-15.0946425768229903918266 +
-                                   y * (3.81995258484828212773379 +
-                                        y * (-0.71812230177850051223174 +
-                                             y * (0.10422916220813984117271 +
-                                                  y * (-0.01203158594212062723320 +
-                                                       y * 0.00113092374825179618777))))))))));
+  return x * (6.28318530717958647692528 +
+              y * (-41.3417022403997602339684 +
+                   y * (81.6052492760750542033976 +
+                        y * (-76.7058597530613858416306 +
+                             y * (42.0586939448976531449868 +
+                                  y * (-15.0946425768229903918266 +
+                                       y * (3.81995258484828212773379 +
+                                            y * (-0.71812230177850051223174 +
+                                                 y * (0.10422916220813984117271 +
+                                                      y * (-0.01203158594212062723320 +
+                                                           y * 0.00113092374825179618777))))))))));
 }
 
 /// x less the nearest whole number, exactly; NaN from 2^51 on.
 double part_of_turn(double x) noexcept { return std::abs(x) < 0x1p51 ? x - rounded(x) : kNaN; }
 
-double logarithm_of_normal(double x) noexcept {
-  // x = m 2^k with m in [sqrt(1/2), sqrt(2)); ln m = 2 artanh s, s = (m - 1) / (m + 1), |s| <= 0.1716.
-  constexpr std::uint64_t kSqrtHalf = std::bit_cast<std::uint64_t>(0.70710678118654752440);
-  // ln 2 as two doubles, the first short enough that k times it is exact.
-  constexpr double kLn2High = 0.693147180369123816490;
-  constexpr double kLn2Low = 1.90821492927058770002e-10;
-  const std::uint64_t bits = std::bit_cast<std::uint64_t>(x);
-  const auto k = static_cast<std::int64_t>(bits - kSqrtHalf) >> 52;
-  const double m = std::bit_cast<double>(bits - (static_cast<std::uint64_t>(k) << 52));
-  const double s = (m - 1.0) / (m + 1.0);
-  const double y = s * s;
-  // The first term left out is below 0.0295^11 / 23 = 7e-19.
-  const double series =
-      y * (1.0 / 3 +
-           y * (1.0 / 5 +
-                y * (1.0 / 7 +
-                     y * (1.0 / 9 +
-                          y * (1.0 / 11 +
-                               y * (1.0 / 13 + y * (1.0 / 15 + y * (1.0 / 17 + y * (1.0 / 19 + y * (1.0 / 21))))))))));
-  const auto power = static_cast<double>(k);
-  const double twice = s + s;
-  return power * kLn2High + (twice + (twice * series + power * kLn2Low));
-}
-
 }  // namespace
 
-SineCosine sine_cosine(double angle_rad) noexcept {
+SineCosine sincos(double angle_rad) noexcept {
   if (!(std::abs(angle_rad) <= kLargestAngle)) {
     return {kNaN, kNaN};
   }
-  const double quarters = rounded(angle_rad / (0.5 * std::numbers::pi));
+  const double quarters = rounded(angle_rad * (2.0 / std::numbers::pi));
   const double rest = (angle_rad - quarters * kHalfPiHigh) - quarters * kHalfPiLow;
   const double s = sine_series(rest);
   const double c = cosine_series(rest);
@@ -99,21 +73,20 @@ SineCosine sine_cosine(double angle_rad) noexcept {
   }
 }
 
-double sine(double angle_rad) noexcept { return sine_cosine(angle_rad).sine; }
+double sin(double angle_rad) noexcept { return sincos(angle_rad).sine; }
+double cos(double angle_rad) noexcept { return sincos(angle_rad).cosine; }
 
-double cosine(double angle_rad) noexcept { return sine_cosine(angle_rad).cosine; }
-
-double sine_of_turns(double turns) noexcept {
+double sin_of_turns(double turns) noexcept {
   const double part = part_of_turn(turns);
   return quarter_turn_sine(std::abs(part) > 0.25 ? std::copysign(0.5, part) - part : part);
 }
 
-double cosine_of_turns(double turns) noexcept { return quarter_turn_sine(0.25 - std::abs(part_of_turn(turns))); }
+double cos_of_turns(double turns) noexcept { return quarter_turn_sine(0.25 - std::abs(part_of_turn(turns))); }
 
 // With t = min / max of |y| and |x|, atan t = t (pi/4 + 0.273 (1 - t)) to 4e-3 (Rajan, Wang, Inkol and Joyal 2006). The rest
 //   e = (t cos a - sin a) / (cos a + t sin a) = tan(atan t - a)
 // is added as e - e^3/3; two rounds leave 1e-26 of it.
-double arc_tangent(double y, double x) noexcept {
+double atan2(double y, double x) noexcept {
   const double u = std::abs(y);
   const double v = std::abs(x);
   const double larger = u > v ? u : v;
@@ -123,7 +96,7 @@ double arc_tangent(double y, double x) noexcept {
   const double t = larger == 0.0 ? 0.0 : (u > v ? v : u) / larger;
   double angle = t * (0.25 * std::numbers::pi + 0.273 * (1.0 - t));
   for (int round = 0; round < 2; ++round) {
-    const SineCosine at = sine_cosine(angle);
+    const SineCosine at = sincos(angle);
     const double e = (t * at.cosine - at.sine) / (at.cosine + t * at.sine);
     angle += e - e * e * e / 3.0;
   }
@@ -132,7 +105,7 @@ double arc_tangent(double y, double x) noexcept {
   return std::copysign(angle, y);
 }
 
-double arc_cosine(double cosine) noexcept {
+double acos(double cosine) noexcept {
   if (cosine >= 1.0) {
     return 0.0;
   }
@@ -140,28 +113,7 @@ double arc_cosine(double cosine) noexcept {
     return std::numbers::pi;
   }
   // tan(angle / 2) = sqrt((1 - c) / (1 + c)), which keeps its digits near both ends
-  return 2.0 * arc_tangent(std::sqrt(1.0 - cosine), std::sqrt(1.0 + cosine));
+  return 2.0 * atan2(std::sqrt(1.0 - cosine), std::sqrt(1.0 + cosine));
 }
 
-double logarithm(double x) noexcept {
-  if (x >= std::numeric_limits<double>::min() && x < kInfinity) {
-    return logarithm_of_normal(x);
-  }
-  if (x > 0.0 && x < kInfinity) {  // subnormal
-    return logarithm_of_normal(x * 0x1p54) - 54.0 * std::numbers::ln2;
-  }
-  return x == 0.0 ? -kInfinity : x > 0.0 ? x : kNaN;
-}
-
-double exponential(double x) noexcept {
-  if (std::isnan(x)) {
-    return x;
-  }
-  return x > 0.0 ? 1.0 / exponential_decay(x) : exponential_decay(-x);
-}
-
-double power(double base, double exponent) noexcept { return exponential(exponent * logarithm(base)); }
-
-double hypotenuse(double x, double y) noexcept { return std::sqrt(x * x + y * y); }
-
-}  // namespace farrier::portable_math
+}  // namespace farrier::portable

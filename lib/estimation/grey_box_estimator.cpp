@@ -78,7 +78,8 @@ Unknowns variance_of(const GreyBoxParams& p, const JointScales& s, const plant::
 
 Result<GreyBoxEstimator> GreyBoxEstimator::create(const EstimatorParams& shared, const JointScales& scales,
                                                   const plant::ActuatorParams& actuator,
-                                                  const std::array<plant::LoadParams, 2>& prior, double leakage) {
+                                                  const std::array<plant::LoadParams, 2>& prior,
+                                                  const KnownActuator& known) {
   const GreyBoxParams params = shared.grey_box.value_or(GreyBoxParams{});
   if (const std::string wrong = out_of_range(params); !wrong.empty()) {
     return Error{"grey_box: " + wrong};
@@ -100,12 +101,12 @@ Result<GreyBoxEstimator> GreyBoxEstimator::create(const EstimatorParams& shared,
   if (prior[0].equilibrium_position != prior[1].equilibrium_position) {
     return Error{"grey_box: both prior loads must have one equilibrium_position, which is not estimated"};
   }
-  const GreyBoxModel model(actuator, prior[0].equilibrium_position, kSlip * scales.state(1));
+  const GreyBoxModel model(actuator, prior[0].equilibrium_position, kSlip * scales.state(1), known.seal_friction);
   std::array<GreyBoxFilter::Load, 2> loads;
   std::array<Unknowns, 2> first;
   for (std::size_t i = 0; i < 2; ++i) {
     plant::JointPhysics physics = plant::nominal_physics(actuator, prior[i]);
-    physics.leakage = leakage;
+    physics.leakage = known.leakage;
     first[i] = model.unknowns_of(physics);
     loads[i].unknowns = first[i].head<5>();
     loads[i].covariance = variance_of(params, scales, actuator, prior[i].stiffness).head<5>().asDiagonal();

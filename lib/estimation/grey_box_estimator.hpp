@@ -16,6 +16,12 @@
 
 namespace farrier::estimation {
 
+/// Effects of an actuator that are known beside its parameters.
+struct KnownActuator {
+  double leakage = 0.0;        ///< between its chambers, m^3/s/Pa; >= 0
+  double seal_friction = 0.0;  ///< of its piston, left of the load cell, N or Nm; >= 0
+};
+
 /// Estimates the unknown physics of a hydraulic joint with the joint's own nonlinear equations. Large motion is
 /// therefore as informative as small motion, and the joint need not be excited at its resonance (Hubacher 2014, 9.1.5,
 /// 10.3 ask for such an estimator). The filter and its limits of identifiability: docs/derivations/grey-box.md.
@@ -26,12 +32,13 @@ namespace farrier::estimation {
 class GreyBoxEstimator final : public Estimator {
  public:
   /// Uses grey_box (absent: its defaults), blank_ticks, min_samples and phase_memory of `params`; a gate is refused.
-  /// The `actuator` is the nominal one and `leakage` the known one between its chambers, m^3/s/Pa. The `prior` is the load of either phase before any measurement; a change of
-  /// load begins at the geometric mean of both. Refuses settings out of range, actuators and loads that no machine has,
+  /// The `actuator` is the nominal one, with what else is `known` of it. The `prior` is the load of either phase before
+  /// any measurement; a change of load begins at the geometric mean of both. Refuses settings out of range, actuators and loads that no machine has,
   /// and loads without mass, naming each.
   static Result<GreyBoxEstimator> create(const EstimatorParams& params, const JointScales& scales,
                                          const plant::ActuatorParams& actuator,
-                                         const std::array<plant::LoadParams, 2>& prior, double leakage = 0.0);
+                                         const std::array<plant::LoadParams, 2>& prior,
+                                         const KnownActuator& known = {});
 
   /// Takes one tick. After a gap the filter restarts at the measurement; the estimate of the joint stays.
   void take(const JointSample& sample) noexcept override;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.hpp"
 #include "plant/coulomb_friction.hpp"
 #include "plant/end_stop.hpp"
 #include "plant/oil.hpp"
@@ -68,26 +69,26 @@ void add_stages(Motion& k1, const Motion& k2, const Motion& k3, const Motion& k4
 
 Unknowns GreyBoxModel::unknowns_of(const JointPhysics& p) const noexcept {
   Unknowns u;
-  u << std::log(std::max(p.load_mass, kLeastMass)),
-      std::log(std::max(p.damping, kLeastDamping * std::max(actuator_.piston_damping, 1.0))), p.coulomb, p.stiffness,
-      p.bias_force, std::log(p.valve_gain / actuator_.valve_gain), std::log(p.bulk_modulus / actuator_.bulk_modulus_Pa),
-      p.leakage;
+  u << portable::log(std::max(p.load_mass, kLeastMass)),
+      portable::log(std::max(p.damping, kLeastDamping * std::max(actuator_.piston_damping, 1.0))), p.coulomb,
+      p.stiffness, p.bias_force, portable::log(p.valve_gain / actuator_.valve_gain),
+      portable::log(p.bulk_modulus / actuator_.bulk_modulus_Pa), p.leakage;
   return u;
 }
 
 JointPhysics GreyBoxModel::physics_of(const Unknowns& u) const noexcept {
-  return {.load_mass = std::exp(u(kMass)),
-          .damping = std::exp(u(kDamping)),
+  return {.load_mass = portable::exp(u(kMass)),
+          .damping = portable::exp(u(kDamping)),
           .coulomb = u(kCoulomb),
           .stiffness = u(kStiffness),
           .bias_force = u(kBias),
-          .valve_gain = actuator_.valve_gain * std::exp(u(kValveGain)),
-          .bulk_modulus = actuator_.bulk_modulus_Pa * std::exp(u(kBulkModulus)),
+          .valve_gain = actuator_.valve_gain * portable::exp(u(kValveGain)),
+          .bulk_modulus = actuator_.bulk_modulus_Pa * portable::exp(u(kBulkModulus)),
           .leakage = u(kLeakage)};
 }
 
 // (2.24) with Coulomb friction and a bias force:
-//   (m_l + m_p) a = F_h - (d_l + d_p) v - C (x - x_eq) - F_c v / sqrt(v^2 + v_c^2) + F_bias + F_stop
+//   (m_l + m_p) a = F_h - (d_l + d_p) v - C (x - x_eq) - (F_c + F_p) v / sqrt(v^2 + v_c^2) + F_bias + F_stop
 void GreyBoxModel::add_load(Rate& r, const Motion& at, const JointPhysics& p) const noexcept {
   const plant::ActuatorParams& act = actuator_;
   const double x = at(0), v = at(1);
@@ -103,16 +104,18 @@ void GreyBoxModel::add_load(Rate& r, const Motion& at, const JointPhysics& p) co
     r.stop_by_velocity = -push.by_speed;
   }
   const auto [slip, slip_slope] = plant::smooth_sign(v, slip_velocity_);
+  r.seal_force = seal_friction_ * slip;
+  r.seal_by_velocity = seal_friction_ * slip_slope;
   const double stretch = x - equilibrium_position_;
   const double w = 1.0 / (p.load_mass + act.piston_mass);
   const double a =
       w * (act.area_a * full_a * at(2) - act.area_b * full_b * at(3) - (p.damping + act.piston_damping) * v -
-           p.stiffness * stretch - p.coulomb * slip + p.bias_force + r.stop_force);
+           p.stiffness * stretch - (p.coulomb + seal_friction_) * slip + p.bias_force + r.stop_force);
   r.value(0) = v;
   r.value(1) = a;
   r.velocity_by << w * (r.stop_by_position - p.stiffness),
-      w * (r.stop_by_velocity - p.damping - act.piston_damping - p.coulomb * slip_slope), w * act.area_a * full_a,
-      -w * act.area_b * full_b;
+      w * (r.stop_by_velocity - p.damping - act.piston_damping - (p.coulomb + seal_friction_) * slip_slope),
+      w * act.area_a * full_a, -w * act.area_b * full_b;
   r.load_by << -a * p.load_mass * w, -w * p.damping * v, -w * slip, -w * stretch, w;
 }
 
@@ -204,10 +207,10 @@ GreyBoxModel::Force GreyBoxModel::load_cell_force(const Motion& at, const Unknow
   add_load(r, at, physics_of(unknowns));
   const double p_a = std::max(at(2), 0.0), p_b = std::max(at(3), 0.0);
   Force force;
-  force.value =
-      plant::hydraulic_force(act, p_a, p_b) + r.stop_force - act.piston_damping * at(1) - act.piston_mass * r.value(1);
+  force.value = plant::hydraulic_force(act, p_a, p_b) + r.stop_force - act.piston_damping * at(1) - r.seal_force -
+                act.piston_mass * r.value(1);
   force.by.setZero();
-  force.by.head<kMotions>() << r.stop_by_position, r.stop_by_velocity - act.piston_damping,
+  force.by.head<kMotions>() << r.stop_by_position, r.stop_by_velocity - act.piston_damping - r.seal_by_velocity,
       at(2) > 0.0 ? act.area_a : 0.0, at(3) > 0.0 ? -act.area_b : 0.0;
   force.by.head<kMotions>() -= act.piston_mass * r.velocity_by;
   force.by.segment<5>(kMotions) = -act.piston_mass * r.load_by;

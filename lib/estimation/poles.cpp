@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "core/portable_math.hpp"
@@ -22,7 +21,6 @@ template <int N>
 Eigen::Matrix<double, N, N> balanced(Eigen::Matrix<double, N, N> a) noexcept {
   constexpr int kMaxSweeps = 8;
   constexpr double kAlike = 16.0;
-  constexpr double kHalfOctave = 0.5 * std::numbers::log2e;
   for (int sweep = 0; sweep < kMaxSweeps; ++sweep) {
     bool changed = false;
     for (int i = 0; i < N; ++i) {
@@ -35,7 +33,7 @@ Eigen::Matrix<double, N, N> balanced(Eigen::Matrix<double, N, N> a) noexcept {
         }
       }
       if (row > 0.0 && column > 0.0 && (row > kAlike * column || column > kAlike * row)) {
-        const int exponent = static_cast<int>(std::lrint(kHalfOctave * (portable_math::logarithm(row) - portable_math::logarithm(column))));
+        const int exponent = portable::nearest_exponent(std::sqrt(row) / std::sqrt(column));
         const double down = std::ldexp(1.0, -exponent);
         a.row(i) *= down;
         a.col(i) /= down;
@@ -219,10 +217,10 @@ template Poles<3> poles<3>(const Eigen::Matrix<double, 3, 3>&) noexcept;
 template double pole_distance<2>(const Poles<2>&, const Poles<2>&) noexcept;
 template double pole_distance<3>(const Poles<3>&, const Poles<3>&) noexcept;
 template std::array<double, 2> pole_standard_error<2>(const Eigen::Matrix<double, 2, 2>&, const Poles<2>&,
-                                                   const Eigen::Matrix<double, 2, 1>&,
-                                                   const std::array<Eigen::Matrix<double, 2, 2>, 2>&) noexcept;
+                                                      const Eigen::Matrix<double, 2, 1>&,
+                                                      const std::array<Eigen::Matrix<double, 2, 2>, 2>&) noexcept;
 template std::array<double, 3> pole_standard_error<3>(const Eigen::Matrix<double, 3, 3>&, const Poles<3>&,
-                                                   const Eigen::Matrix<double, 3, 1>&,
-                                                   const std::array<Eigen::Matrix<double, 3, 3>, 3>&) noexcept;
+                                                      const Eigen::Matrix<double, 3, 1>&,
+                                                      const std::array<Eigen::Matrix<double, 3, 3>, 3>&) noexcept;
 
 }  // namespace farrier::estimation

@@ -13,8 +13,8 @@ namespace farrier::estimation {
 /// can be predicted from earlier ones. Both over an exponential window.
 class PredictionErrors {
  public:
-  static constexpr double kMemory = 0.98;   ///< weight of an error against the next one's: 50 ticks
-  static constexpr std::size_t kLags = 4;   ///< even: the distribution's tail is then a finite sum
+  static constexpr double kMemory = 0.98;  ///< weight of an error against the next one's: 50 ticks
+  static constexpr std::size_t kLags = 4;  ///< even: the distribution's tail is then a finite sum
   /// White errors' autocorrelation under this window has the variance (1 - kMemory) / (1 + kMemory).
   static constexpr double kSamples = (1.0 + kMemory) / (1.0 - kMemory);
 
@@ -59,7 +59,7 @@ class PredictionErrors {
       term *= half / static_cast<double>(j);
       sum += term;
     }
-    return portable_math::exponential(-half) * sum;
+    return portable::exp(-half) * sum;
   }
 
  private:

@@ -9,7 +9,7 @@ namespace farrier::locomotion {
 
 /// A command from a time on.
 struct TimedCommand {
-  double from_s;
+  double from_s = 0.0;
   MotionCommand command;
 };
 

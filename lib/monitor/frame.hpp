@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "body/model/body_model.hpp"
 #include "signals/signals.hpp"
 
 namespace farrier::monitor {
@@ -54,6 +55,18 @@ struct ParticipantFrame {
   }
 };
 
+/// The whole robot in space. Vectors are in the trunk's frame: x forward, y left, z up from the trunk's origin.
+struct BodyFrame {
+  struct Leg {
+    std::array<Eigen::Vector3d, body::kJointsPerLeg> hinges_m;  ///< from the trunk outwards
+    Eigen::Vector3d foot_m;                                     ///< centre of its sphere
+  };
+  std::vector<std::optional<Leg>> legs;     ///< by number; empty: a joint of it has not been heard
+  Eigen::Vector3d centre_of_mass_m;         ///< of the whole robot; NaN while a leg is not known
+  std::optional<signals::BodyTruth> truth;  ///< of a simulation; empty while none is heard
+  std::optional<signals::BodyState> state;  ///< as locomotion believes it; empty while none is heard
+};
+
 /// A change of state with its cause. Events of the robot's processes, and the monitor's own.
 struct EventFrame {
   std::uint64_t number = 0;  ///< from 0 on, in the order in which they came
@@ -73,6 +86,7 @@ struct Frame {
   std::vector<signals::Phase> phases;          ///< by leg, as announced for `tick`
   std::vector<JointFrame> joints;              ///< by number
   std::vector<ParticipantFrame> participants;  ///< by number; a hello of tick-less default: not heard of
+  std::optional<BodyFrame> body;               ///< of a robot whose file describes rigid bodies
   std::vector<EventFrame> events;              ///< since the last frame
   std::uint64_t lost_samples = 0;              ///< on the way to this monitor, as far as it can tell
 };

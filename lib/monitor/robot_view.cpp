@@ -23,13 +23,14 @@ double seconds(std::uint64_t from_ns, std::uint64_t to_ns) noexcept {
 
 }  // namespace
 
-RobotView::RobotView(const robot::Robot& robot) : robot_(robot) { begin_anew(); }
+RobotView::RobotView(const robot::Robot& robot) : robot_(robot), body_(BodyView::create(robot)) { begin_anew(); }
 
 const std::vector<bus::TopicId>& RobotView::topics() {
   using enum bus::TopicId;
   static const std::vector<bus::TopicId> topics{
       kJointSummary, kJointControllerGains, kJointModelEstimateCopy, kJointUpdateDecision, kGaitPhase,
-      kSystemMode,   kSystemHello,          kSystemHealth,           kSystemEvent};
+      kSystemMode,   kSystemHello,          kSystemHealth,           kSystemEvent,         kBodyTruth,
+      kBodyState};
   return topics;
 }
 
@@ -39,6 +40,9 @@ void RobotView::begin_anew() {
   joints_.assign(robot_.joints.size(), {});
   switches_.assign(robot_.plan.legs.size(), std::vector<Switch>{{kNoTick, signals::Phase::kStance}});
   participants_.clear();
+  if (body_) {
+    body_->begin_anew();
+  }
 }
 
 double RobotView::since_first_s(std::uint64_t time_ns) const noexcept {
@@ -144,6 +148,18 @@ void RobotView::take(const signals::SystemHealth& health) {
   participants_[health.participant].heard_ns = newest_ns_;
 }
 
+void RobotView::take(const signals::BodyTruth& truth) {
+  if (body_) {
+    body_->take(truth, newest_ns_);
+  }
+}
+
+void RobotView::take(const signals::BodyState& state) {
+  if (body_) {
+    body_->take(state, newest_ns_);
+  }
+}
+
 void RobotView::take(const signals::SystemEvent& event) {
   std::string who = "participant " + std::to_string(event.participant);
   if (event.participant < participants_.size() && participants_[event.participant].now.hello.session != 0) {
@@ -188,6 +204,9 @@ Frame RobotView::frame(std::uint64_t time_ns) {
     frame.joints.push_back(now);
     now.summaries.clear();
     now.faults = now.newest.faults;
+  }
+  if (body_) {
+    frame.body = body_->frame(frame.joints, time_ns);
   }
   for (Participant& participant : participants_) {
     participant.now.age_s = seconds(participant.heard_ns, time_ns);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bus/topics.hpp"
+#include "monitor/body_view.hpp"
 #include "monitor/frame.hpp"
 #include "robot/robot.hpp"
 #include "recording/recording_file.hpp"
@@ -17,8 +18,8 @@ class RobotView {
   /// `robot` must outlive it.
   explicit RobotView(const robot::Robot& robot);
 
-  /// Topics it reads: of joints their summaries, fifty a second, and copies of their estimates, ten a second, at any
-  /// control period.
+  /// Topics it reads. Summaries of joints come fifty a second, copies of their estimates ten a second, at any control
+  /// period. The state of the body and, from a simulation, its truth come at every tick.
   static const std::vector<bus::TopicId>& topics();
 
   /// Samples of other topics, and of joints and legs that the robot does not have, are left out. A new session,
@@ -62,6 +63,8 @@ class RobotView {
   void take(const signals::SystemHello& hello);
   void take(const signals::SystemHealth& health);
   void take(const signals::SystemEvent& event);
+  void take(const signals::BodyTruth& truth);
+  void take(const signals::BodyState& state);
   template <class Signal>
   void take(const Signal&) {}
 
@@ -69,6 +72,7 @@ class RobotView {
   double since_first_s(std::uint64_t time_ns) const noexcept;
 
   const robot::Robot& robot_;
+  std::optional<BodyView> body_;
   std::uint64_t first_ns_ = 0, newest_ns_ = 0;  ///< log times; 0: none yet
   std::uint64_t session_ = 0;
   Tick tick_ = kNoTick;

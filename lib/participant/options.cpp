@@ -67,9 +67,10 @@ void declare_world(CLI::App& app, ProcessOptions& o) {
 }
 
 void declare_of_locomotion(CLI::App& app, ProcessOptions& o) {
-  app.add_option("--velocity", o.velocity,
-                 "A body stands up and trots with this velocity: forward, left (m/s), yaw rate (rad/s); without, it lies "
-                 "until body/command says otherwise")
+  app.add_option(
+         "--velocity", o.velocity,
+         "A body stands up and trots with this velocity: forward, left (m/s), yaw rate (rad/s); without, it lies "
+         "until body/command says otherwise")
       ->expected(3)
       ->delimiter(',');
 }

@@ -12,7 +12,7 @@
 
 namespace farrier::participant {
 
-/// What sim_bridge simulates: each joint on a bench load, or the whole robot on a ground.
+/// The world that sim_bridge simulates: each joint on a bench load, or the whole robot on a ground.
 enum class World { kBench, kBody };
 inline constexpr std::array kWorlds{Option<World>{"bench", World::kBench}, Option<World>{"body", World::kBody}};
 
@@ -34,12 +34,13 @@ struct ProcessOptions {
   std::string design = "stance";    ///< supervisor: a name of robot::kDesigns
   std::string gait;                 ///< overrides of the robot file, or empty
   double frequency_Hz = 0;
-  std::string estimator;            ///< section of the robot file for every joint, or empty
-  std::string controller;           ///< kind of every controller, as in a robot file, or empty
-  World world = World::kBench;      ///< sim_bridge, locomotion
-  std::string simulated_path;       ///< sim_bridge: robot file of the robot it simulates; empty: robot_path
-  std::string scene_path;           ///< sim_bridge: scene file of a body's ground; empty: a plane
-  std::vector<double> velocity;     ///< locomotion: of a walking body, forward, left (m/s), yaw rate (rad/s); empty: it lies
+  std::string estimator;        ///< section of the robot file for every joint, or empty
+  std::string controller;       ///< kind of every controller, as in a robot file, or empty
+  World world = World::kBench;  ///< sim_bridge, locomotion
+  std::string simulated_path;   ///< sim_bridge: robot file of the robot it simulates; empty: robot_path
+  std::string scene_path;       ///< sim_bridge: scene file of a body's ground; empty: a plane
+  std::vector<double>
+      velocity;  ///< locomotion: of a walking body, forward, left (m/s), yaw rate (rad/s); empty: it lies
   std::vector<std::string> faults;  ///< on the way of samples into this process (FaultInjection), real time only
   int slow = 1;                     ///< slow motion by this factor, real time only
   bool standby = false;             ///< supervisor: takes over when the leader falls silent, real time only

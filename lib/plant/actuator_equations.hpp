@@ -55,8 +55,8 @@ class ActuatorEquations {
     const auto [v_a, v_b] = volumes(position);
     const double filled_a = filled_share(compression_a_Pa, p_a, inverse_bulk_modulus_);
     const double filled_b = filled_share(compression_b_Pa, p_b, inverse_bulk_modulus_);
-    const double growth_a = params_.area_a * velocity * filled_a;
-    const double growth_b = -params_.area_b * velocity * filled_b;
+    const double growth_a = params_.area_a * velocity * filled_a - feed.past_a;
+    const double growth_b = -params_.area_b * velocity * filled_b - feed.past_b;
     return {pressure_rate(params_.bulk_modulus_Pa, v_a, feed.flow_a, feed.root_a, growth_a),
             pressure_rate(params_.bulk_modulus_Pa, v_b, feed.flow_b, feed.root_b, growth_b)};
   }

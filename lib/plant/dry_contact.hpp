@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "plant/terms/portable.hpp"
+#include "core/portable_math.hpp"
 
 namespace farrier::plant {
 
@@ -11,7 +11,7 @@ namespace farrier::plant {
 /// z', z the way they are bent. Viscous friction is the joint's own. Coulomb friction F_c, breakaway friction F_s,
 /// Stribeck velocity v_s and presliding way z_s:
 ///
-///   f = sigma_0 z,   sigma_0 = F_s / z_s,   f' = sigma_0 (v - |v| f / g(v)),   g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).
+///   f = sigma_0 z,   sigma_0 = F_s / z_s,   f' = sigma_0 v (1 - sign(v) f / g(v)),   g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2).
 ///
 /// In steady sliding f = g(v) sign(v), the curve of Hubacher (2014), 9.3.1. Always |f| <= F_s. The friction dissipates
 /// f v - d/dt (f^2 z_s / (2 F_s)) = |v| f^2 / g >= 0. Under a steady force below F_s the load comes to rest -z_s ln(1 -
@@ -27,18 +27,20 @@ class DryContact {
         stiffness_(breakaway / presliding),
         drop_(breakaway - coulomb),
         inverse_stribeck_(1.0 / stribeck_velocity),
+        steepness_(coulomb > 0.0 ? T(stiffness_ / coulomb) : T(0.0)),
         damping_time_(breakaway > 0.0 ? T(damping * presliding / breakaway) : T(0.0)) {}
 
   /// Steady friction at a speed: Stribeck's curve g.
   T steady(const T& speed) const noexcept {
     using portable::exp;
     const T ratio = speed * inverse_stribeck_;
-    return coulomb_ + drop_ * exp(-(ratio * ratio));
+    const T square = ratio * ratio;
+    return square > kPastStribeck ? coulomb_ : T(coulomb_ + drop_ * exp(-square));
   }
   /// f', N/s or Nm/s.
   T rate(const T& force, const T& speed) const noexcept {
-    using std::abs;
-    return stiffness_ * (speed - abs(speed) * force / steady(speed));
+    const T along = speed < 0.0 ? T(-force) : force;
+    return stiffness_ * speed * (1.0 - along / steady(speed));  // 0 to the last bit in steady sliding
   }
   /// Coefficients of a step at constant speed, f+ = keep f + give v: the rest of f, and the gain per speed. With a = s
   /// |v| h / g and s = F_s / z_s it is f e^-a + s h phi(a) v, phi(a) = (1 - e^-a) / a.
@@ -54,13 +56,29 @@ class DryContact {
     return {keep, stiffness_ * step_s * phi};
   }
 
+  /// `along`, the force along the sliding, after a further `way` >= 0, m or rad, at speeds where the steady friction is
+  /// F_c: the equation of f' along the way, F_c + (f - F_c) exp(-sigma_0 way / F_c). F_c > 0.
+  T slid(const T& along, const T& way) const noexcept {
+    using portable::exp;
+    return along == coulomb_ ? along : T(coulomb_ + (along - coulomb_) * exp(-way * steepness_));
+  }
+  /// Speed from which on the steady friction is F_c but for `rest`: v_s sqrt(ln((F_s - F_c) / rest)); at least v_s.
+  T sliding_speed(double rest) const noexcept {
+    using portable::log;
+    using std::sqrt;
+    const T ratio = drop_ / rest;
+    return (ratio > 2.72 ? T(sqrt(log(ratio))) : T(1.0)) / inverse_stribeck_;
+  }
   /// sigma_0, N/m or Nm/rad.
   const T& stiffness() const noexcept { return stiffness_; }
   /// sigma_1 / sigma_0, s: the bristles' damping is this times f'.
   const T& damping_time() const noexcept { return damping_time_; }
 
  private:
-  T coulomb_, stiffness_, drop_, inverse_stribeck_, damping_time_;
+  /// (v / v_s)^2 from which on exp of its negative, 4e-18, is lost beside F_c: breakaway is 2.5 F_c at most.
+  static constexpr double kPastStribeck = 40.0;
+
+  T coulomb_, stiffness_, drop_, inverse_stribeck_, steepness_, damping_time_;
 };
 
 }  // namespace farrier::plant

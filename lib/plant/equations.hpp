@@ -48,6 +48,8 @@ class JointEquations {
     return balance(s, p_a, p_b, valve_flow(p_a, p_b, input), input.external_force);
   }
 
+  /// The present valve: the held one.
+  const HeldInput& valve(const IntegrationState&, const HeldInput& input) const noexcept { return input; }
   /// The valve's flow at these pressures, into the chambers or the lines before them.
   ChamberFeed valve_flow(double p_a, double p_b, const HeldInput& input) const noexcept {
     return actuator_.valve_flow(p_a, p_b, input);

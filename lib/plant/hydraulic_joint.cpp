@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "plant/effects/bends.hpp"
 #include "plant/fastest_rate.hpp"
 
 namespace farrier::plant {
@@ -63,7 +64,7 @@ HydraulicJoint::HydraulicJoint(const ActuatorParams& actuator, const LoadParams&
                                double tolerance, std::span<const ActiveEffect> effects)
     : actuator_(actuator),
       equations_(without_lines(actuator), load),
-      effects_(actuator, load, effects),
+      effects_(actuator, load, effects, tolerance),
       has_effects_(effects_.active()),
       delay_(delay_of(effects)),
       integrated_{{initial.position, initial.velocity, initial.pressure_a_Pa, initial.pressure_b_Pa},
@@ -80,17 +81,34 @@ HydraulicJoint::HydraulicJoint(const ActuatorParams& actuator, const LoadParams&
   for (double& inverse : inverse_tolerance_effects_) {
     inverse = 1.0 / (tolerance * inverse);
   }
+  find_lean();
   hold({0.0, 0.0});
   differentiate();
+}
+
+void HydraulicJoint::find_lean() noexcept {
+  lean_ = lean(effects_);
+  sliding_.reset();
+  if (lean_) {
+    sliding_.emplace(lean_->get<SupplyLine>(), SlidingSeal(lean_->get<SealFriction>().contact()),
+                     lean_->get<LandLeaks>());
+  }
 }
 
 void HydraulicJoint::hold(const CommandInput& input) noexcept {
   command_ = input;
   input_ = equations_.hold(input.command_A, input.external_force);
+  if (lean_) {
+    const ValveMoment<double> valve = effects_.get<StatelessTerms>().opening(input.command_A);
+    lean_input_ = {equations_.hold(valve.opening_A, input.external_force), input.command_A, valve.opening_A};
+    lean_input_.flow_gain *= valve.flow_factor;
+  }
 }
 
 void HydraulicJoint::differentiate() noexcept {
-  if (has_effects_) {
+  if (lean_) {
+    take(with_lean_effects().derivative(lean_state(integrated_), lean_input_), derivative_);
+  } else if (has_effects_) {
     derivative_ = with_effects().derivative(integrated_, command_);
   } else {
     static_cast<IntegrationState&>(derivative_) = equations_.derivative(integrated_, input_);
@@ -112,6 +130,8 @@ bool HydraulicJoint::set_load(const LoadParams& given) noexcept {
   effects_ = effects;
   integrated_.x = carried;
   has_effects_ = effects_.active();
+  find_lean();
+  hold(command_);
   differentiate();
   return true;
 }
@@ -135,40 +155,14 @@ double HydraulicJoint::error_ratio(const IntegrationState& error) const noexcept
   return (position + velocity) + (pressure_a + pressure_b);
 }
 
-double HydraulicJoint::error_ratio(const EffectState& error) const noexcept {
+template <class Set>
+double HydraulicJoint::error_ratio(const EffectState<Set>& error) const noexcept {
+  const auto inverse_tolerance = inverse_tolerance_of(error);
   double sum = error_ratio(static_cast<const IntegrationState&>(error));
   for (std::size_t i = 0; i < error.x.size(); ++i) {
-    sum += std::abs(error.x[i]) * inverse_tolerance_effects_[i];
+    sum += std::abs(error.x[i]) * inverse_tolerance[i];
   }
   return sum;
-}
-
-bool HydraulicJoint::meets_bend(const TrialStep<IntegrationState>& trial, double h) const noexcept {
-  const double laminar = actuator().laminar_pressure_Pa;
-  return strides_over_bend(integrated_.compression_a_Pa, derivative_.compression_a_Pa, trial.state.compression_a_Pa,
-                           trial.end_derivative.compression_a_Pa, input_.port_a_Pa, laminar, h) ||
-         strides_over_bend(integrated_.compression_b_Pa, derivative_.compression_b_Pa, trial.state.compression_b_Pa,
-                           trial.end_derivative.compression_b_Pa, input_.port_b_Pa, laminar, h);
-}
-
-// With lines the valve's ports meet the pressures behind it; the chambers' then only know their voids.
-bool HydraulicJoint::meets_bend(const TrialStep<EffectState>& trial, double h) const noexcept {
-  const double laminar = actuator().laminar_pressure_Pa;
-  const HeldInput valve = with_effects().valve(integrated_, command_);
-  const bool at_chambers =
-      strides_over_bend(integrated_.compression_a_Pa, derivative_.compression_a_Pa, trial.state.compression_a_Pa,
-                        trial.end_derivative.compression_a_Pa, valve.port_a_Pa, laminar, h) ||
-      strides_over_bend(integrated_.compression_b_Pa, derivative_.compression_b_Pa, trial.state.compression_b_Pa,
-                        trial.end_derivative.compression_b_Pa, valve.port_b_Pa, laminar, h);
-  if (at_chambers || !effects_.lines().active()) {
-    return at_chambers;
-  }
-  constexpr std::size_t a = Effects::at<Lines>();
-  constexpr std::size_t b = a + 1;
-  return strides_over_bend(integrated_.x[a], derivative_.x[a], trial.state.x[a], trial.end_derivative.x[a],
-                           valve.port_a_Pa, laminar, h) ||
-         strides_over_bend(integrated_.x[b], derivative_.x[b], trial.state.x[b], trial.end_derivative.x[b],
-                           valve.port_b_Pa, laminar, h);
 }
 
 template <class Equations, class EquationState>
@@ -177,19 +171,33 @@ double HydraulicJoint::integrate(const Equations& equations, const typename Equa
                                  StepReport& report) noexcept {
   return advance_adaptively(
       equations, input, state, derivative, period_s, substep_s_, report,
-      [this](const TrialStep<EquationState>& trial, double h) noexcept {
-        return error_ratio(trial.error) * (meets_bend(trial, h) ? kUnseenBendFactor : 1.0);
+      [&](const TrialStep<EquationState>& trial, double h) noexcept {
+        const bool unseen = meets_bend(equations, input, state, derivative, trial, actuator().laminar_pressure_Pa, h);
+        return error_ratio(trial.error) * (unseen ? kUnseenBendFactor : 1.0);
       },
       [&]() noexcept {
+        if constexpr (requires { equations.effects(); }) {
+          equations.effects().settle(state.velocity, state.x, derivative.x);
+        }
         report.cavitated |= state.compression_a_Pa < 0.0 || state.compression_b_Pa < 0.0;
         report.at_stop |= state.position < 0.0 || state.position > actuator().stroke;
       });
 }
 
 double HydraulicJoint::advance(double period_s, StepReport& report) noexcept {
-  return has_effects_ ? integrate(with_effects(), command_, integrated_, derivative_, period_s, report)
-                      : integrate<JointEquations, IntegrationState>(equations_, input_, integrated_, derivative_,
-                                                                    period_s, report);
+  if (!has_effects_) {
+    return integrate<JointEquations, IntegrationState>(equations_, input_, integrated_, derivative_, period_s, report);
+  }
+  if (!lean_) {
+    return integrate(with_effects(), command_, integrated_, derivative_, period_s, report);
+  }
+  LeanState state = lean_state(integrated_);
+  LeanState derivative = lean_state(derivative_);
+  const double relative_error =
+      integrate(LeanEquations(equations_, *lean_, *sliding_), lean_input_, state, derivative, period_s, report);
+  take(state, integrated_);
+  take(derivative, derivative_);
+  return relative_error;
 }
 
 double HydraulicJoint::advance_delayed(double period_s, StepReport& report) noexcept {
@@ -227,10 +235,15 @@ void HydraulicJoint::publish_state() noexcept {
             std::max(0.0, integrated_.compression_b_Pa)};
 }
 
+double HydraulicJoint::effects_piston_force() const noexcept {
+  return lean_ ? with_lean_effects().piston_force(lean_state(integrated_), lean_input_)
+               : with_effects().piston_force(integrated_, command_);
+}
+
 double HydraulicJoint::load_cell_force() const noexcept {
   const double read = hydraulic_force() + equations_.stop_force(integrated_) -
                       actuator().piston_damping * integrated_.velocity - actuator().piston_mass * acceleration();
-  return has_effects_ ? read + with_effects().piston_force(integrated_, command_) : read;
+  return has_effects_ ? read + effects_piston_force() : read;
 }
 
 double HydraulicJoint::void_volume_a_m3() const noexcept {
@@ -254,7 +267,7 @@ EffectReadings HydraulicJoint::effects() const noexcept {
           .line_flow_a_m3_s = integrated_.x[line + 2],
           .line_flow_b_m3_s = integrated_.x[line + 3],
           .friction = integrated_.x[Effects::at<Friction>()],
-          .piston_force = has_effects_ ? with_effects().piston_force(integrated_, command_) : 0.0};
+          .piston_force = has_effects_ ? effects_piston_force() : 0.0};
 }
 
 }  // namespace farrier::plant

@@ -7,7 +7,7 @@
 #include "plant/actuator.hpp"
 #include "plant/adaptive_steps.hpp"
 #include "plant/effects/delay_line.hpp"
-#include "plant/effects/equations_with_effects.hpp"
+#include "plant/effects/lean_equations.hpp"
 #include "plant/equations.hpp"
 #include "plant/step_report.hpp"
 
@@ -15,13 +15,13 @@ namespace farrier::plant {
 
 /// Present values of a joint's effects; without effects those of (2.30).
 struct EffectReadings {
-  double opening_A = 0.0;            ///< current the valve is open for, after spool and deadband
-  double line_pressure_a_Pa = 0.0;   ///< behind the valve; the chamber's without lines
+  double opening_A = 0.0;           ///< current the valve is open for, after spool and deadband
+  double line_pressure_a_Pa = 0.0;  ///< behind the valve; the chamber's without lines
   double line_pressure_b_Pa = 0.0;
-  double line_flow_a_m3_s = 0.0;     ///< into the chamber through its line; 0 without lines
+  double line_flow_a_m3_s = 0.0;  ///< into the chamber through its line; 0 without lines
   double line_flow_b_m3_s = 0.0;
-  double friction = 0.0;             ///< dry friction on the load, N or Nm
-  double piston_force = 0.0;         ///< of effects left of the load cell, on the piston; N or Nm
+  double friction = 0.0;      ///< dry friction on the load, N or Nm
+  double piston_force = 0.0;  ///< of effects left of the load cell, on the piston; N or Nm
 };
 
 /// Nonlinear hydraulic joint: four-way valve, actuator, load (Hubacher 2014, (2.30a), (2.30b)) and the effects of
@@ -73,8 +73,17 @@ class HydraulicJoint {
                  std::span<const ActiveEffect> effects);
 
   CommandInput admit(double valve_current_A, double external_force, StepReport& report) const noexcept;
+  void find_lean() noexcept;
   void hold(const CommandInput& input) noexcept;
-  EquationsWithEffects with_effects() const noexcept { return {equations_, effects_}; }
+  using AllState = EffectState<Effects>;
+  using LeanState = EffectState<LeanEffects>;
+  EquationsWithEffects<Effects> with_effects() const noexcept { return {equations_, effects_}; }
+  EquationsWithEffects<LeanEffects, OpeningInput> with_lean_effects() const noexcept { return {equations_, *lean_}; }
+  static LeanState lean_state(const AllState& s) noexcept { return {s, LeanEffects::out_of<Effects>(s.x)}; }
+  static void take(const LeanState& s, AllState& all) noexcept {
+    static_cast<IntegrationState&>(all) = s;
+    LeanEffects::put_into<Effects>(all.x, s.x);
+  }
   void differentiate() noexcept;
   /// Advance by a period with the held input, or with the currents that leave the delay in it; relative error.
   double advance(double period_s, StepReport& report) noexcept;
@@ -84,21 +93,28 @@ class HydraulicJoint {
                    EquationState& derivative, double period_s, StepReport& report) noexcept;
   /// Errors of a trial step relative to their tolerances, added up; not <= 1 when the trial must be repeated.
   double error_ratio(const IntegrationState& error) const noexcept;
-  double error_ratio(const EffectState& error) const noexcept;
-  bool meets_bend(const TrialStep<IntegrationState>& trial, double h) const noexcept;
-  bool meets_bend(const TrialStep<EffectState>& trial, double h) const noexcept;
+  template <class Set>
+  double error_ratio(const EffectState<Set>& error) const noexcept;
+  template <class Set>
+  typename Set::X inverse_tolerance_of(const EffectState<Set>&) const noexcept {
+    return Set::template out_of<Effects>(inverse_tolerance_effects_);
+  }
+  double effects_piston_force() const noexcept;
   void publish_state() noexcept;
 
   ActuatorParams actuator_;
   JointEquations equations_;  ///< of chambers without the volume of their lines behind the valve
   Effects effects_;
   bool has_effects_;
+  std::optional<LeanEffects> lean_;  ///< the same effects, where they are lean
+  std::optional<SlidingEffects> sliding_;
   DelayLine delay_;
   std::optional<FrictionParams> guide_;  ///< of an effect: replaces the load's own
-  EffectState integrated_;
+  AllState integrated_;
   CommandInput command_{0.0, 0.0};
   HeldInput input_;
-  EffectState derivative_;
+  OpeningInput lean_input_;
+  AllState derivative_;
   State state_;
   double substep_s_ = 2.5e-4;
   double external_force_limit_;

@@ -16,12 +16,12 @@ IntegrationState assemble(const IntegrationState*, Sum sum) noexcept {
           sum([](const IntegrationState& k) noexcept { return k.compression_a_Pa; }),
           sum([](const IntegrationState& k) noexcept { return k.compression_b_Pa; })};
 }
-template <class Sum>
-EffectState assemble(const EffectState*, Sum sum) noexcept {
-  EffectState state;
+template <class Set, class Sum>
+EffectState<Set> assemble(const EffectState<Set>*, Sum sum) noexcept {
+  EffectState<Set> state;
   static_cast<IntegrationState&>(state) = assemble(static_cast<const IntegrationState*>(nullptr), sum);
   for (std::size_t i = 0; i < state.x.size(); ++i) {
-    state.x[i] = sum([i](const EffectState& k) noexcept { return k.x[i]; });
+    state.x[i] = sum([i](const EffectState<Set>& k) noexcept { return k.x[i]; });
   }
   return state;
 }
@@ -30,7 +30,8 @@ inline bool finite(const IntegrationState& s) noexcept {
   return std::isfinite(s.position) && std::isfinite(s.velocity) && std::isfinite(s.compression_a_Pa) &&
          std::isfinite(s.compression_b_Pa);
 }
-inline bool finite(const EffectState& s) noexcept {
+template <class Set>
+bool finite(const EffectState<Set>& s) noexcept {
   return finite(static_cast<const IntegrationState&>(s)) &&
          std::ranges::all_of(s.x, [](double value) { return std::isfinite(value); });
 }
@@ -50,8 +51,9 @@ struct TrialStep {
 
 /// Dormand and Prince (1980), RK5(4)7M: the coefficients of their Table 2.
 template <class Equations, class State = typename Equations::State>
-TrialStep<State> dormand_prince_step(const Equations& equations, const typename Equations::Input& input,
-                                     const State& s, const State& k1, double h) noexcept {
+[[gnu::flatten]] TrialStep<State> dormand_prince_step(const Equations& equations,
+                                                      const typename Equations::Input& input, const State& s,
+                                                      const State& k1, double h) noexcept {
   const auto combine = [&s, h](auto slope) noexcept {
     return assemble(&s, [&](auto at) noexcept { return at(s) + h * slope(at); });
   };
@@ -59,8 +61,8 @@ TrialStep<State> dormand_prince_step(const Equations& equations, const typename 
 
   const auto k2 = f(combine([&](auto at) noexcept { return (1.0 / 5) * at(k1); }));
   const auto k3 = f(combine([&](auto at) noexcept { return (3.0 / 40) * at(k1) + (9.0 / 40) * at(k2); }));
-  const auto k4 = f(combine(
-      [&](auto at) noexcept { return (44.0 / 45) * at(k1) - (56.0 / 15) * at(k2) + (32.0 / 9) * at(k3); }));
+  const auto k4 =
+      f(combine([&](auto at) noexcept { return (44.0 / 45) * at(k1) - (56.0 / 15) * at(k2) + (32.0 / 9) * at(k3); }));
   const auto k5 = f(combine([&](auto at) noexcept {
     return (19372.0 / 6561) * at(k1) - (25360.0 / 2187) * at(k2) + (64448.0 / 6561) * at(k3) - (212.0 / 729) * at(k4);
   }));

@@ -91,6 +91,19 @@ Result<std::unique_ptr<Tap>> watch(bus::Bus& bus, const robot::Robot& robot) {
   return std::unique_ptr<Tap>(std::make_unique<TypedTap<Signal, Heard>>(std::move(heard)));
 }
 
+/// True for signals of the whole robot: on a bench nobody publishes them.
+template <class Signal>
+inline constexpr bool kMayBeAbsent =
+    std::is_same_v<Signal, signals::BodyImu> || std::is_same_v<Signal, signals::BodyTruth> ||
+    std::is_same_v<Signal, signals::BodyState> || std::is_same_v<Signal, signals::BodyCommand>;
+
+bool may_be_absent(bus::TopicId topic) {
+#define FARRIER_MAY_BE_ABSENT(Signal, file) kMayBeAbsent<signals::Signal>,
+  static constexpr bool kAll[] = {FARRIER_SIGNALS(FARRIER_MAY_BE_ABSENT)};
+#undef FARRIER_MAY_BE_ABSENT
+  return kAll[static_cast<std::size_t>(topic)];
+}
+
 /// Keys that a participant must hear on a topic before the run begins.
 template <class Signal>
 std::vector<std::uint16_t> keys_of(const robot::Robot& robot, const participant::Identity& identity) {
@@ -102,7 +115,7 @@ std::vector<std::uint16_t> keys_of(const robot::Robot& robot, const participant:
       all_but_the_clock.push_back(number);
     }
     return all_but_the_clock;
-  } else if constexpr (std::is_same_v<Signal, signals::SystemRequest>) {
+  } else if constexpr (kMayBeAbsent<Signal> || std::is_same_v<Signal, signals::SystemRequest>) {
     return {};  // operators come and go
   } else if constexpr (requires(Signal signal) { signal.joint; }) {
     return robot::joint_numbers(robot);
@@ -141,7 +154,7 @@ std::vector<std::uint16_t> journalled_streams(const participant::Identity& ident
   std::vector<std::uint16_t> streams;
   for (std::uint16_t number = 0; number < processes; ++number) {
     for (const bus::TopicSpec& topic : bus::topics()) {
-      if (is_journalled(topic.id) && topic.writers.contains(participant::role_of(number))) {
+      if (is_journalled(topic.id) && !may_be_absent(topic.id) && topic.writers.contains(participant::role_of(number))) {
         streams.push_back(signals::stream_of(number, static_cast<std::uint8_t>(topic.id)));
       }
     }

@@ -18,10 +18,12 @@ body::RigidInertia mirrored(const body::RigidInertia& inertia, const Leg& leg) {
   return {inertia.mass_kg, mirror * inertia.com_m, mirror * inertia.tensor_kg_m2 * mirror};
 }
 
-body::Link make_link(const Vector3d& hinge_m, const Vector3d& axis, const body::RigidInertia& inertia) {
+body::Link make_link(const Vector3d& hinge_m, const Vector3d& axis, const body::RigidInertia& inertia,
+                     double damping_Nms_rad) {
   body::Link link;
   link.hinge_m = hinge_m;
   link.axis = axis;
+  link.damping_Nms_rad = damping_Nms_rad;
   link.inertia = inertia;
   return link;
 }
@@ -30,13 +32,25 @@ body::LegModel make_leg(const std::string& name, const Leg& leg, const Body& bod
   const Vector3d hip_m(leg.hip_position_m[0], leg.hip_position_m[1], leg.hip_position_m[2]);
   const Vector3d haa_axis = leg.left ? -Vector3d::UnitX() : Vector3d(Vector3d::UnitX());
   const Vector3d down = -Vector3d::UnitZ();
-  return {
-      .name = name,
-      .links = {make_link(hip_m, haa_axis, mirrored(hip_inertia(body.hip), leg)),
-                make_link(body.hip_offset_m * down, Vector3d::UnitY(), mirrored(leg_link_inertia(body.upper_leg), leg)),
-                make_link(body.upper_leg_m * down, Vector3d::UnitY(), mirrored(leg_link_inertia(body.lower_leg), leg))},
-      .foot_m = body.lower_leg_m * down,
-      .foot_radius_m = *body.foot_radius_m};
+  const double damping_Nms_rad = body.joint_damping_Nms_rad;
+  return {.name = name,
+          .links = {make_link(hip_m, haa_axis, mirrored(hip_inertia(body.hip), leg), damping_Nms_rad),
+                    make_link(body.hip_offset_m * down, Vector3d::UnitY(),
+                              mirrored(leg_link_inertia(body.upper_leg), leg), damping_Nms_rad),
+                    make_link(body.upper_leg_m * down, Vector3d::UnitY(),
+                              mirrored(leg_link_inertia(body.lower_leg), leg), damping_Nms_rad)},
+          .foot_m = body.lower_leg_m * down,
+          .foot_radius_m = *body.foot_radius_m,
+          .knee_radius_m = body.knee_radius_m};
+}
+
+std::optional<body::TrunkBox> trunk_box(const Trunk& trunk) {
+  if (!trunk.box) {
+    return std::nullopt;
+  }
+  const TrunkBox& box = *trunk.box;
+  return body::TrunkBox{.centre_m = {box.x_m, 0.0, box.z_m},
+                        .half_extents_m = 0.5 * Vector3d(box.length_m, box.width_m, box.height_m)};
 }
 
 }  // namespace
@@ -64,7 +78,10 @@ std::optional<body::BodyModel> make_body_model(const RobotFile& file) {
   if (!file.body || !file.body->trunk) {
     return std::nullopt;
   }
-  body::BodyModel model{.trunk = trunk_inertia(*file.body), .legs = {}, .gravity_m_s2 = file.body->gravity_m_s2};
+  body::BodyModel model{.trunk = trunk_inertia(*file.body),
+                        .legs = {},
+                        .box = trunk_box(*file.body->trunk),
+                        .gravity_m_s2 = file.body->gravity_m_s2};
   for (const auto& [name, leg] : file.legs) {
     model.legs.push_back(make_leg(name, leg, *file.body));
   }

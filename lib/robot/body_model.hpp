@@ -9,7 +9,7 @@ namespace farrier::robot {
 
 /// The robot as rigid bodies, from the sections body and legs; none without body.trunk. Signs are those of
 /// gait/leg_kinematics.hpp: HAA turns about -x on the left and +x on the right, HFE and KFE about +y. The file must
-/// have passed check_body. Armature and damping are zero: they are the actuators'.
+/// have passed check_body. Armatures are zero and hinges have no stops: they are the actuators'.
 std::optional<body::BodyModel> make_body_model(const RobotFile& file);
 
 /// The trunk's inertia by itself. The file must have body.trunk.

@@ -13,16 +13,6 @@ using Made = Result<std::unique_ptr<estimation::Estimator>>;
 
 Made refused(const Joint& joint, const std::string& why) { return Error{joint.name + ": " + why}; }
 
-estimation::JointScales scales_of(const Joint& joint, double period_s, int loop_delay_ticks) {
-  const control::Normalisation& n = joint.normalisation;
-  return {.state = {n.position, n.velocity, n.force},
-          .current_A = n.current_A,
-          .sensor_noise = {joint.noise.position, joint.noise.velocity, joint.noise.force},
-          .home_position = joint.linkage.position(joint.home_angle_rad),
-          .period_s = period_s,
-          .input_delay_ticks = loop_delay_ticks};
-}
-
 /// A regression on what is measured: every method but one that knows the joint's structure.
 Made make_regression_estimator(const Joint& joint, const estimation::JointScales& scales) {
   const bool spring = joint.swing_load.stiffness != 0.0 || joint.stance_load.stiffness != 0.0;
@@ -37,11 +27,17 @@ Made make_regression_estimator(const Joint& joint, const estimation::JointScales
   return Made(std::make_unique<estimation::JointEstimator>(std::move(estimator).value()));
 }
 
+/// Coulomb friction of the piston's seals that the joint's file has, N or Nm; 0 for none.
+double seal_friction(const Joint& joint) {
+  const plant::ActiveEffect* known = plant::find(joint.effects, plant::effect_id<plant::PistonFriction>());
+  return known != nullptr ? plant::parameter_value(*known, "coulomb_N").value_or(0.0) : 0.0;
+}
+
 /// Knows the joint's structure, so it needs the actuator and both loads.
 Made make_grey_box_estimator(const Joint& joint, const estimation::JointScales& scales) {
-  auto estimator = estimation::GreyBoxEstimator::create(joint.estimator, scales, joint.actuator,
-                                                        {joint.swing_load, joint.stance_load},
-                                                        nominal_physics(joint, joint.swing_load).leakage);
+  auto estimator = estimation::GreyBoxEstimator::create(
+      joint.estimator, scales, joint.actuator, {joint.swing_load, joint.stance_load},
+      {.leakage = nominal_physics(joint, joint.swing_load).leakage, .seal_friction = seal_friction(joint)});
   if (!estimator) {
     return refused(joint, estimator.error().message);
   }
@@ -50,8 +46,18 @@ Made make_grey_box_estimator(const Joint& joint, const estimation::JointScales& 
 
 }  // namespace
 
+estimation::JointScales estimator_scales(const Joint& joint, double period_s, int loop_delay_ticks) {
+  const control::Normalisation& n = joint.normalisation;
+  return {.state = {n.position, n.velocity, n.force},
+          .current_A = n.current_A,
+          .sensor_noise = {joint.noise.position, joint.noise.velocity, joint.noise.force},
+          .home_position = joint.linkage.position(joint.home_angle_rad),
+          .period_s = period_s,
+          .input_delay_ticks = loop_delay_ticks};
+}
+
 Made make_estimator(const Joint& joint, double period_s, int loop_delay_ticks) {
-  const estimation::JointScales scales = scales_of(joint, period_s, loop_delay_ticks);
+  const estimation::JointScales scales = estimator_scales(joint, period_s, loop_delay_ticks);
   return joint.estimator.regresses() ? make_regression_estimator(joint, scales)
                                      : make_grey_box_estimator(joint, scales);
 }

@@ -14,23 +14,32 @@ int steps_of(double period_s) noexcept { return static_cast<int>(std::ceil(perio
 bool is_possible(const BodyNoise& noise) noexcept {
   for (const double deviation :
        {noise.angle_rad, noise.velocity_rad_s, noise.torque_Nm, noise.attitude_rad, noise.rate_rad_s,
-        noise.specific_force_m_s2, noise.rate_bias_rad_s, noise.specific_force_bias_m_s2}) {
+        noise.specific_force_m_s2, noise.rate_bias_rad_s, noise.specific_force_bias_m_s2, noise.rate_walk_rad_s15,
+        noise.specific_force_walk_m_s25}) {
     if (!(deviation >= 0.0) || !std::isfinite(deviation)) {
       return false;
     }
   }
-  return true;
+  return noise.imu_delay_ticks >= 0 && noise.imu_delay_ticks <= kMostImuDelay;
 }
 
 double draw(const NoiseStream& stream, double deviation, Tick tick) noexcept {
   return deviation > 0.0 ? deviation * stream.normal(tick) : 0.0;
 }
 
+body::BodyModel with_stops(const robot::Robot& robot) {
+  body::BodyModel model = *robot.body;
+  for (const robot::Joint& joint : robot.joints) {
+    model.legs[joint.leg].links[joint.index_in_leg].stops = {joint.angle_min_rad, joint.angle_max_rad};
+  }
+  return model;
+}
+
 }  // namespace
 
 BodyWorld::BodyWorld(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, const BodyNoise& noise,
                      body::RigidBody body, body::Engine engine)
-    : model_(*robot.body),
+    : model_(with_stops(robot)),
       scene_(scene),
       noise_(noise),
       period_s_(robot.period_s),
@@ -45,11 +54,13 @@ BodyWorld::BodyWorld(const robot::Robot& robot, const body::Scene& scene, std::u
   }
   for (const char* axis : {"imu_x", "imu_y", "imu_z"}) {
     axis_noise_.push_back({NoiseStream(seed, axis, "attitude"), NoiseStream(seed, axis, "rate"),
-                           NoiseStream(seed, axis, "specific_force"),
+                           NoiseStream(seed, axis, "specific_force"), NoiseStream(seed, axis, "rate_walk"),
+                           NoiseStream(seed, axis, "specific_force_walk"),
                            draw(NoiseStream(seed, axis, "rate_bias"), noise.rate_bias_rad_s, 0),
                            draw(NoiseStream(seed, axis, "specific_force_bias"), noise.specific_force_bias_m_s2, 0)});
   }
   stand(robot);
+  note_imu();
   put_payloads();
   engine_.set_state(state_);
 }
@@ -62,11 +73,13 @@ Result<BodyWorld> BodyWorld::create(const robot::Robot& robot, const body::Scene
                  "hip_position_m of each leg in its file"};
   }
   if (!is_possible(noise)) {
-    return Error{"a standard deviation of the sensors is negative or not finite: give zero for none"};
+    return Error{
+        "a standard deviation of the sensors is negative or not finite, or the delay of the IMU beyond 16 ticks: give "
+        "zero for none"};
   }
   body::RigidBody body = FARRIER_TRY(body::RigidBody::create(*robot.body));
-  body::Engine engine =
-      FARRIER_TRY(body::Engine::create(*robot.body, scene, {.step_s = robot.period_s / steps_of(robot.period_s)}));
+  body::Engine engine = FARRIER_TRY(
+      body::Engine::create(with_stops(robot), scene, {.step_s = robot.period_s / steps_of(robot.period_s)}));
   BodyWorld world(robot, scene, seed, noise, std::move(body), std::move(engine));
   FARRIER_TRY(body::check_start(scene, *robot.body, world.body_));
   return world;
@@ -99,7 +112,8 @@ JointReading BodyWorld::reading(std::size_t joint) const noexcept {
 
 std::optional<ImuReading> BodyWorld::imu() const noexcept {
   Eigen::Vector3d half_turn_rad;
-  ImuReading imu{state_.attitude, state_.angular_velocity_rad_s, specific_force_m_s2_};
+  const Tick then = std::max<Tick>(0, tick_ - noise_.imu_delay_ticks);
+  ImuReading imu = imu_truths_[static_cast<std::size_t>(then) % imu_truths_.size()];
   for (int axis = 0; axis < 3; ++axis) {
     const AxisNoise& noise = axis_noise_[static_cast<std::size_t>(axis)];
     half_turn_rad[axis] = 0.5 * draw(noise.attitude, noise_.attitude_rad, tick_);
@@ -109,8 +123,21 @@ std::optional<ImuReading> BodyWorld::imu() const noexcept {
   }
   // A small rotation: its quaternion is (1, half the vector of rotation) to second order.
   const Eigen::Quaterniond turn(1.0, half_turn_rad.x(), half_turn_rad.y(), half_turn_rad.z());
-  imu.attitude = (state_.attitude * turn).normalized();
+  imu.attitude = (imu.attitude * turn).normalized();
   return imu;
+}
+
+void BodyWorld::note_imu() noexcept {
+  imu_truths_[static_cast<std::size_t>(tick_) % imu_truths_.size()] = {state_.attitude, state_.angular_velocity_rad_s,
+                                                                       specific_force_m_s2_};
+}
+
+void BodyWorld::walk_biases() noexcept {
+  const double root_s = std::sqrt(period_s_);
+  for (AxisNoise& axis : axis_noise_) {
+    axis.rate_bias_rad_s += draw(axis.rate_walk, noise_.rate_walk_rad_s15 * root_s, tick_);
+    axis.specific_force_bias_m_s2 += draw(axis.specific_force_walk, noise_.specific_force_walk_m_s25 * root_s, tick_);
+  }
 }
 
 // A payload is there from the first tick that begins at or after its time.
@@ -148,6 +175,8 @@ bool BodyWorld::advance(std::span<const double> torques_Nm) noexcept {
   specific_force_m_s2_ =
       state_.attitude.conjugate() * ((state_.linear_velocity_m_s - velocity_before_m_s) / period_s_ - gravity_m_s2);
   ++tick_;
+  note_imu();
+  walk_biases();
   put_payloads();
   return true;
 }

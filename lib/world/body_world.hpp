@@ -7,6 +7,7 @@
 //                   ▼
 //   readings ◀── noise, seeded by name and addressed by tick.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -19,7 +20,7 @@
 
 namespace farrier::world {
 
-/// Standard deviations of the sensors, each >= 0.
+/// Standard deviations of the sensors, each >= 0, and the delay of the IMU.
 struct BodyNoise {
   double angle_rad = 0.0;
   double velocity_rad_s = 0.0;
@@ -27,21 +28,31 @@ struct BodyNoise {
   double attitude_rad = 0.0;  ///< about each axis of the trunk
   double rate_rad_s = 0.0;
   double specific_force_m_s2 = 0.0;
-  double rate_bias_rad_s = 0.0;  ///< of errors that are constant over a run, drawn per axis from the seed
+  double rate_bias_rad_s = 0.0;  ///< of biases at the start, drawn per axis from the seed
   double specific_force_bias_m_s2 = 0.0;
+  double rate_walk_rad_s15 = 0.0;  ///< of the biases' random walk: rad/s per sqrt(s), m/s^2 per sqrt(s)
+  double specific_force_walk_m_s25 = 0.0;
+  int imu_delay_ticks = 0;  ///< the IMU tells the state of so many ticks ago, 0..kMostImuDelay
 };
+inline constexpr int kMostImuDelay = 16;
 
-/// Noise of a MEMS IMU: assumed. Biases are drawn per run.
-inline constexpr BodyNoise kImuNoise{.rate_rad_s = 0.0039,
-                                     .specific_force_m_s2 = 0.037,
+/// The IMU of a walking robot: noise of the Xsens MTi-1 (doi:10.2478/tar-2023-0022), whose densities of 0.007
+/// deg/s/sqrt(Hz) and 120 ug/sqrt(Hz) pass first-order bandwidths of 255 and 324 Hz. Its biases walk to their
+/// instabilities of 10 deg/h and 0.03 mg in 100 s. Biases at the start and the delay are assumed; it tells every tick.
+inline constexpr BodyNoise kImuNoise{.rate_rad_s = 0.00245,
+                                     .specific_force_m_s2 = 0.0266,
                                      .rate_bias_rad_s = 0.0035,
-                                     .specific_force_bias_m_s2 = 0.02};
+                                     .specific_force_bias_m_s2 = 0.02,
+                                     .rate_walk_rad_s15 = 4.8e-6,
+                                     .specific_force_walk_m_s25 = 2.9e-5,
+                                     .imu_delay_ticks = 2};
 
 /// The same robot, scene, noise, seed and torques give the same numbers bit for bit.
 class BodyWorld final : public World {
  public:
-  /// The robot stands at rest in its home pose, upright on the ground's plane, its origin above the world's. Refuses a
-  /// robot that its file does not describe as rigid bodies, and a start with a foot in a box.
+  /// The robot stands at rest in its home pose, upright on the ground's plane, its origin above the world's. Its joints
+  /// are ideal sources of torque between stops at the limits of the file. Refuses a robot that its file does not
+  /// describe as rigid bodies, and a start with a foot in a box.
   static Result<BodyWorld> create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed,
                                   const BodyNoise& noise = {});
 
@@ -57,6 +68,9 @@ class BodyWorld final : public World {
   const body::BodyState& state() const noexcept { return state_; }
   /// The true kinematics and dynamics at that state, without payloads.
   const body::RigidBody& body() const noexcept { return body_; }
+  /// The model that the engine simulates, and its steps in a tick.
+  const body::BodyModel& model() const noexcept { return model_; }
+  int steps_per_tick() const noexcept { return steps_per_tick_; }
   /// Normal of the ground's plane, in the world.
   Eigen::Vector3d ground_normal() const noexcept { return scene_.ground * Eigen::Vector3d::UnitZ(); }
   /// Push of the scene on the trunk over the coming tick, world's axes.
@@ -69,7 +83,7 @@ class BodyWorld final : public World {
     NoiseStream angle, velocity, torque;
   };
   struct AxisNoise {
-    NoiseStream attitude, rate, specific_force;
+    NoiseStream attitude, rate, specific_force, rate_walk, specific_force_walk;
     double rate_bias_rad_s, specific_force_bias_m_s2;
   };
 
@@ -77,6 +91,8 @@ class BodyWorld final : public World {
             body::RigidBody body, body::Engine engine);
   void stand(const robot::Robot& robot) noexcept;
   void put_payloads() noexcept;
+  void note_imu() noexcept;
+  void walk_biases() noexcept;
   double time_s(Tick tick) const noexcept { return static_cast<double>(tick) * period_s_; }
 
   body::BodyModel model_;
@@ -89,6 +105,7 @@ class BodyWorld final : public World {
   body::BodyState state_;
   body::JointVector torques_Nm_;
   Eigen::Vector3d specific_force_m_s2_;
+  std::array<ImuReading, kMostImuDelay + 1> imu_truths_{};  // of the last ticks, by tick modulo their number
   std::array<Eigen::Vector3d, body::kMaxLegs> foot_forces_N_{};
   std::vector<JointNoise> joint_noise_;
   std::vector<AxisNoise> axis_noise_;

@@ -27,23 +27,31 @@ void declare_body(Visitor& v, std::string& body) {
   v.check(body == "trunk", "body", body + " is no body that it can act on: give trunk");
 }
 
-body::Box standing_box(const std::string& name, const Eigen::Vector3d& base_m, const Eigen::Vector3d& size_m) {
+std::string line_of(const config::Place& place) {
+  const config::Problem here = place.problem("", "");
+  return here.file + ":" + std::to_string(here.line);
+}
+
+body::Box standing_box(const std::string& name, const config::Place& place, const Eigen::Vector3d& base_m,
+                       const Eigen::Vector3d& size_m) {
   body::Box box;
   box.name = name;
+  box.origin = line_of(place);
   box.centre_m = base_m + 0.5 * size_m.z() * Eigen::Vector3d::UnitZ();
   box.half_extents_m = 0.5 * size_m;
   return box;
 }
 
 void add_box(const std::string& name, const BoxSection& from, body::Scene& scene) {
-  body::Box box = standing_box(name, {from.x_m, from.y_m, from.base_z_m}, {from.length_m, from.width_m, from.height_m});
+  body::Box box =
+      standing_box(name, from.place, {from.x_m, from.y_m, from.base_z_m}, {from.length_m, from.width_m, from.height_m});
   box.attitude = body::attitude_of(from.roll_rad, from.pitch_rad, from.yaw_rad);
   scene.boxes.push_back(box);
 }
 
 void add_stairs(const std::string& name, const StairsSection& from, body::Scene& scene) {
   for (int step = 0; step < from.steps; ++step) {
-    scene.boxes.push_back(standing_box(name + "/" + std::to_string(step),
+    scene.boxes.push_back(standing_box(name + "/" + std::to_string(step), from.place,
                                        {from.x_m + (step + 0.5) * from.run_m, from.y_m, 0.0},
                                        {from.run_m, from.width_m, (step + 1) * from.rise_m}));
   }
@@ -61,7 +69,8 @@ void add_blocks(const std::string& name, const BlocksSection& from, body::Scene&
     const double height_m = from.height_m * heights.uniform(i);
     if (height_m >= kLowestBlock_m) {
       const Eigen::Vector3d base_m(from.x_m + (row + 0.5) * from.size_m, from.y_m + (column + 0.5) * from.size_m, 0.0);
-      scene.boxes.push_back(standing_box(name + "/" + std::to_string(i), base_m, {from.size_m, from.size_m, height_m}));
+      scene.boxes.push_back(
+          standing_box(name + "/" + std::to_string(i), from.place, base_m, {from.size_m, from.size_m, height_m}));
     }
   }
 }
@@ -113,6 +122,7 @@ void declare(Visitor& v, GroundSection& g) {
 }
 
 void declare(Visitor& v, BoxSection& b) {
+  v.here(b.place);
   v.number("x_m", b.x_m, kPlace_m, "Middle of the box.");
   v.number("y_m", b.y_m, kPlace_m, kInitial, "Middle of the box.");
   v.number("base_z_m", b.base_z_m, kPlace_m, kInitial, "Lower face of the box before it is turned.");
@@ -125,6 +135,7 @@ void declare(Visitor& v, BoxSection& b) {
 }
 
 void declare(Visitor& v, StairsSection& s) {
+  v.here(s.place);
   v.number("x_m", s.x_m, kPlace_m, "First edge.");
   v.number("y_m", s.y_m, kPlace_m, kInitial, "Middle of the edges.");
   v.number("width_m", s.width_m, kSize_m, kInitial, "Length of the edges.");
@@ -134,6 +145,7 @@ void declare(Visitor& v, StairsSection& s) {
 }
 
 void declare(Visitor& v, BlocksSection& b) {
+  v.here(b.place);
   v.number("x_m", b.x_m, kPlace_m, "Corner of the field with the least x.");
   v.number("y_m", b.y_m, kPlace_m, "Corner of the field with the least y.");
   v.number("length_m", b.length_m, kSize_m, "Extent along x, rounded to whole blocks.");

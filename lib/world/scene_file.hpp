@@ -20,6 +20,7 @@ struct BoxSection {
   double base_z_m = 0.0;        ///< of the lower face
   double length_m = 0.0, width_m = 0.0, height_m = 0.0;
   double roll_rad = 0.0, pitch_rad = 0.0, yaw_rad = 0.0;
+  config::Place place;
 };
 
 /// Steps that rise along x.
@@ -28,6 +29,7 @@ struct StairsSection {
   double width_m = 2.0;
   double rise_m = 0.0, run_m = 0.0;
   int steps = 1;
+  config::Place place;
 };
 
 /// A field of square blocks with random heights.
@@ -37,6 +39,7 @@ struct BlocksSection {
   double size_m = 0.3;
   double height_m = 0.0;
   int seed = 1;
+  config::Place place;
 };
 
 struct PushSection {

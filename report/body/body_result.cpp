@@ -15,7 +15,8 @@ namespace {
 constexpr double kMillimetres = 1e3;
 constexpr double kPercent = 100.0;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
-constexpr double kDegreesPerMinute = 60.0 * kDegrees;
+constexpr double kPerMinute = 60.0;
+constexpr double kDegreesPerMinute = kPerMinute * kDegrees;
 
 // Bounds of the runs on flat ground.
 constexpr double kHeightRms_mm = 10.0;
@@ -24,11 +25,13 @@ constexpr double kTiltRms_deg = 1.0;
 constexpr double kSpeedError_percent = 5.0;
 constexpr double kOdometryError_percent = 2.0;
 constexpr double kHeadingDrift_deg_min = 1.0;
+constexpr double kLateralDrift_m_min = 0.2;
 // Part of the runs over obstacles that must stay upright.
 constexpr double kUprightShare = 0.95;
 
 bool has_obstacles(const std::string& trial) { return trial == "blocks" || trial == "step"; }
-bool is_judged(const std::string& trial) { return trial != "long_lag"; }
+bool is_search(const std::string& trial) { return trial == trials::PushLimitSearch::kTrial; }
+bool is_judged(const std::string& trial) { return trial != "long_lag" && !is_search(trial); }
 bool is_judged_closely(const std::string& trial) { return trial == "flat"; }
 
 void take_larger(double& largest, double value) { largest = std::max(largest, std::abs(value)); }
@@ -49,7 +52,14 @@ void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
         std::max(result.odometry_error_percent.value_or(0.0), kPercent * *figures.odometry_error);
   }
   take_larger(result.heading_drift_deg_min, kDegreesPerMinute * figures.heading_drift_rad_s);
+  if (figures.lateral_drift_m_s) {
+    result.lateral_drift_m_min =
+        std::max(result.lateral_drift_m_min.value_or(0.0), kPerMinute * std::abs(*figures.lateral_drift_m_s));
+  }
 }
+
+// The means of pushes that are made to fall say nothing.
+bool has_means(const BodyTrialResult& result) { return result.falls < result.runs && !is_search(result.trial); }
 
 void add_result(Figures& figures, const BodyTrialResult& result) {
   const auto bound = [](bool bounded, double value) { return bounded ? std::optional(value) : std::nullopt; };
@@ -62,7 +72,7 @@ void add_result(Figures& figures, const BodyTrialResult& result) {
   add("falls", static_cast<double>(result.falls), bound(is_judged(result.trial) && !obstacles, 0.0));
   add("upright_share", result.upright_share(), bound(obstacles, kUprightShare));
   add("largest_torque_Nm", result.largest_torque_Nm);
-  if (result.falls == result.runs) {
+  if (!has_means(result)) {
     return;
   }
   add("height_rms_mm", result.height_rms_mm, bound(closely, kHeightRms_mm));
@@ -74,6 +84,9 @@ void add_result(Figures& figures, const BodyTrialResult& result) {
     add("odometry_error_percent", *result.odometry_error_percent, bound(closely, kOdometryError_percent));
   }
   add("heading_drift_deg_min", result.heading_drift_deg_min, bound(closely, kHeadingDrift_deg_min));
+  if (result.lateral_drift_m_min) {
+    add("lateral_drift_m_min", *result.lateral_drift_m_min, bound(closely, kLateralDrift_m_min));
+  }
 }
 
 std::string fixed(double value, int digits) {
@@ -97,8 +110,8 @@ std::string verdict_of(const Figures& figures, const std::string& trial) {
 
 std::vector<std::string> cells_of(const Figures& figures, const BodyTrialResult& result) {
   std::vector<std::string> cells{result.trial, std::to_string(result.runs), std::to_string(result.falls)};
-  if (result.falls == result.runs) {
-    cells.insert(cells.end(), 7, "-");
+  if (!has_means(result)) {
+    cells.insert(cells.end(), 8, "-");
   } else {
     for (const double value : {result.height_rms_mm, result.height_offset_mm, result.sag_mm}) {
       cells.push_back(fixed(value, 1));
@@ -107,6 +120,7 @@ std::vector<std::string> cells_of(const Figures& figures, const BodyTrialResult&
     cells.push_back(fixed(result.speed_error_percent, 2));
     cells.push_back(result.odometry_error_percent ? fixed(*result.odometry_error_percent, 2) : "-");
     cells.push_back(fixed(result.heading_drift_deg_min, 2));
+    cells.push_back(result.lateral_drift_m_min ? fixed(*result.lateral_drift_m_min, 2) : "-");
   }
   cells.push_back(fixed(result.largest_torque_Nm, 0));
   cells.push_back(verdict_of(figures, result.trial));
@@ -144,27 +158,64 @@ void add_body(Figures& figures, std::span<const BodyTrialResult> results) {
 }
 
 std::string body_text(const Figures& figures, std::span<const BodyTrialResult> results) {
-  std::vector<std::vector<std::string>> rows{{"trial", "runs", "falls", "height rms", "offset", "sag", "tilt", "speed",
-                                              "odometry", "heading", "torque", "verdict"},
-                                             {"", "", "", "mm", "mm", "mm", "deg", "%", "%", "deg/min", "Nm", ""}};
+  std::vector<std::vector<std::string>> rows{
+      {"trial", "runs", "falls", "height rms", "offset", "sag", "tilt", "speed", "odometry", "heading", "drift",
+       "torque", "verdict"},
+      {"", "", "", "mm", "mm", "mm", "deg", "%", "%", "deg/min", "m/min", "Nm", ""}};
   for (const BodyTrialResult& result : results) {
     rows.push_back(cells_of(figures, result));
   }
   return aligned(rows);
 }
 
+void add_push_limits(Figures& figures, std::span<const trials::PushLimit> limits) {
+  for (const trials::PushLimit& limit : limits) {
+    if (limit.half_Ns) {
+      figures.add(std::string("body.push_limit.") + limit.side + "_Ns", *limit.half_Ns);
+    }
+  }
+}
+
+std::string push_limits_text(std::span<const trials::PushLimit> limits) {
+  std::string text;
+  for (const trials::PushLimit& limit : limits) {
+    text += std::string("pushes from ") + limit.side + ": " +
+            (limit.half_Ns
+                 ? "half fall at " + fixed(*limit.half_Ns, 1) + " Ns, fewer at " + fixed(limit.fewer_Ns, 1) + " Ns"
+                 : "fewer than half fall up to " + fixed(limit.fewer_Ns, 1) + " Ns, the largest tried") +
+            "\n";
+  }
+  return text;
+}
+
+std::string falls_text(std::span<const trials::TrotRow> rows) {
+  std::string text;
+  for (const trials::TrotRow& row : rows) {
+    if (row.failure.empty() && row.figures.fell_s && !is_search(row.trial)) {
+      text += "fell: " + row.trial + ", " + row.name + ", at " + fixed(*row.figures.fell_s, 3) +
+              " s: " + row.figures.fall + "\n";
+    }
+  }
+  return text;
+}
+
 Result<Done> write_body_csv(const std::string& path, std::span<const trials::TrotRow> rows) {
   std::ostringstream file;
-  file << "trial,run,fell_s,height_rms_m,height_offset_m,sag_m,tilt_rms_rad,speed_error,odometry_error,"
-          "heading_drift_rad_s,largest_torque_Nm,hash\n";
+  file << "trial,run,fell_s,fall,height_rms_m,height_offset_m,sag_m,tilt_rms_rad,speed_error,odometry_error,"
+          "heading_drift_rad_s,lateral_drift_m_s,largest_torque_Nm,hash\n";
   for (const trials::TrotRow& row : rows) {
     const trials::TrotFigures& f = row.figures;
-    file << row.trial << ",\"" << row.name << "\"," << (f.fell_s ? fixed(*f.fell_s, 3) : "") << ',' << f.height_rms_m
-         << ',' << f.height_offset_m << ',' << f.sag_m << ',' << f.tilt_rms_rad << ',' << f.speed_error << ',';
+    file << row.trial << ",\"" << row.name << "\"," << (f.fell_s ? fixed(*f.fell_s, 3) : "") << ",\"" << f.fall << "\","
+         << f.height_rms_m << ',' << f.height_offset_m << ',' << f.sag_m << ',' << f.tilt_rms_rad << ','
+         << f.speed_error << ',';
     if (f.odometry_error) {
       file << *f.odometry_error;
     }
-    file << ',' << f.heading_drift_rad_s << ',' << f.largest_torque_Nm << ',' << std::hex << f.hash << std::dec << '\n';
+    file << ',' << f.heading_drift_rad_s << ',';
+    if (f.lateral_drift_m_s) {
+      file << *f.lateral_drift_m_s;
+    }
+    file << ',' << f.largest_torque_Nm << ',' << std::hex << f.hash << std::dec << '\n';
   }
   return replace_file(path, file.str());
 }

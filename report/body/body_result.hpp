@@ -9,6 +9,7 @@
 
 #include "core/result.hpp"
 #include "report/figures/figures.hpp"
+#include "trials/body/push_limit.hpp"
 #include "trials/body/trot_trial.hpp"
 
 namespace farrier::report {
@@ -23,6 +24,7 @@ struct BodyTrialResult {
   double speed_error_percent = 0.0;
   std::optional<double> odometry_error_percent;  ///< none if no run went 1 m
   double heading_drift_deg_min = 0.0;
+  std::optional<double> lateral_drift_m_min;  ///< none where no run follows a line
   double largest_torque_Nm = 0.0;
 
   double upright_share() const noexcept;
@@ -30,6 +32,15 @@ struct BodyTrialResult {
 
 /// A result per trial that has rows, in the order of trials::kTrotTrials.
 std::vector<BodyTrialResult> body_results(std::span<const trials::TrotRow> rows);
+
+/// Adds body.push_limit.<side>_Ns, without a bound, of the sides where half of the pushes fell at some tested impulse.
+void add_push_limits(Figures& figures, std::span<const trials::PushLimit> limits);
+
+/// A line for every side. One with no such impulse says up to which there is none.
+std::string push_limits_text(std::span<const trials::PushLimit> limits);
+
+/// A line for every run of the results that ended with a fall, with instant and reason, but for those of push_limit.
+std::string falls_text(std::span<const trials::TrotRow> rows);
 
 /// Adds body.<trial>.*, with the bounds of the trial.
 void add_body(Figures& figures, std::span<const BodyTrialResult> results);

@@ -20,6 +20,7 @@ json json_of(const trials::TrotRow& row) {
   return {{"trial", row.trial},
           {"name", row.name},
           {"fell_s", number_or_null(f.fell_s)},
+          {"fall", f.fall},
           {"height_rms_m", f.height_rms_m},
           {"height_offset_m", f.height_offset_m},
           {"sag_m", f.sag_m},
@@ -27,6 +28,7 @@ json json_of(const trials::TrotRow& row) {
           {"speed_error", f.speed_error},
           {"odometry_error", number_or_null(f.odometry_error)},
           {"heading_drift_rad_s", f.heading_drift_rad_s},
+          {"lateral_drift_m_s", number_or_null(f.lateral_drift_m_s)},
           {"largest_torque_Nm", f.largest_torque_Nm},
           {"hash", f.hash}};
 }
@@ -35,6 +37,7 @@ trials::TrotRow row_of(const json& line) {
   return {.trial = line.at("trial"),
           .name = line.at("name"),
           .figures = {.fell_s = number_of(line.at("fell_s")),
+                      .fall = line.at("fall"),
                       .height_rms_m = line.at("height_rms_m"),
                       .height_offset_m = line.at("height_offset_m"),
                       .sag_m = line.at("sag_m"),
@@ -42,6 +45,7 @@ trials::TrotRow row_of(const json& line) {
                       .speed_error = line.at("speed_error"),
                       .odometry_error = number_of(line.at("odometry_error")),
                       .heading_drift_rad_s = line.at("heading_drift_rad_s"),
+                      .lateral_drift_m_s = number_of(line.at("lateral_drift_m_s")),
                       .largest_torque_Nm = line.at("largest_torque_Nm"),
                       .hash = line.at("hash")},
           .failure = {}};

@@ -24,6 +24,10 @@ constexpr std::array kBodySpecs{
                "Distance between estimated and true way since the trot began, over the length of the true one."},
     FigureSpec{"body.<trial>.heading_drift_deg_min", "deg/min", kAtMost,
                "Growth of the error of the estimated heading since the trot began, mean per minute."},
+    FigureSpec{"body.<trial>.lateral_drift_m_min", "m/min", kAtMost,
+               "Way of the trunk sideways from the commanded line, mean per minute; of commands that do not turn."},
+    FigureSpec{"body.push_limit.<side>_Ns", "Ns", kNone,
+               "Least tested impulse on the trunk from this side at which half of eight phases of the stride fell."},
     FigureSpec{"body.<trial>.largest_torque_Nm", "Nm", kNone, "Largest torque of any joint, falls included."},
 };
 // clang-format on

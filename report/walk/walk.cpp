@@ -76,7 +76,7 @@ WalkFigures judge_walk(const WalkPlan& plan, std::span<const signals::BodyTruth>
       walk.largest_foot_force_N =
           std::max(walk.largest_foot_force_N, Eigen::Vector3d(row.foot_force_N.data() + i).norm());
     }
-    if (body::has_fallen(posture, start_height_m)) {
+    if (body::fall_of(posture, start_height_m)) {
       walk.fell_s = now_s;
       walk.reason = reason_of(posture, row);
       break;
@@ -107,8 +107,9 @@ WalkFigures judge_walk(const WalkPlan& plan, std::span<const signals::BodyTruth>
   walk.speed_error = speed_error(plan, sums);
   if (plan.yaw_rate_rad_s == 0.0) {
     const Eigen::Vector3d way = Eigen::AngleAxisd(-start_heading_rad, Eigen::Vector3d::UnitZ()) * (last - start);
-    const double off_m = plan.forward_m_s != 0.0 ? way.y() - plan.left_m_s / plan.forward_m_s * way.x() : way.x();
-    walk.lateral_drift_m_min = off_m / since_s * kMinute_s;
+    const Eigen::Vector2d asked(plan.forward_m_s, plan.left_m_s);
+    const Eigen::Vector2d along = asked.isZero() ? Eigen::Vector2d::Zero() : Eigen::Vector2d(asked.normalized());
+    walk.lateral_drift_m_min = (along.x() * way.y() - along.y() * way.x()) / since_s * kMinute_s;
   }
   return walk;
 }

@@ -16,7 +16,7 @@
 
 namespace farrier::report {
 
-/// What the walk was to be.
+/// The walk that was asked for.
 struct WalkPlan {
   double period_s;
   double forward_m_s, left_m_s, yaw_rate_rad_s;

@@ -58,7 +58,7 @@ TEST(ReadMe, ShowsWhatItsCommandsPrint) {
           << at(*page, line) << ": farrier " << arguments << " does not print '" << line.text << "'";
     }
   }
-  EXPECT_EQ(commands, 3);
+  EXPECT_EQ(commands, 4);
 }
 
 TEST(LoopPicture, NamesTopicsAndProcessesThatExist) {

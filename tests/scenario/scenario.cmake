@@ -12,6 +12,9 @@ farrier_test(scenario_test scenario
   ${CMAKE_CURRENT_LIST_DIR}/trot_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/update_logic_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/vary_test.cpp)
+if(TARGET farrier_body_world)
+  target_sources(scenario_test PRIVATE ${CMAKE_CURRENT_LIST_DIR}/walk_test.cpp)
+endif()
 target_link_libraries(scenario_test PRIVATE farrier_diagnosis farrier_hide farrier_offline farrier_report_trot farrier_thesis
   farrier_trials)
 target_compile_definitions(scenario_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

@@ -15,6 +15,9 @@ namespace {
 
 constexpr Tick kStride = 900;
 constexpr std::uint64_t kMadeUpStep_ns = 20'000'000;
+constexpr double kForward_m_s = 0.3;
+constexpr double kTrunkHeight_m = 0.58;
+constexpr double kDrift_m = 0.02;  // of locomotion's estimate
 constexpr const char* kProcesses[] = {"sim_bridge", "supervisor", "estimator_service", "joint_node_lf"};
 
 }  // namespace
@@ -86,6 +89,7 @@ void MadeUpRobot::step(std::uint64_t time_ns) {
     }
   }
   say_summaries();
+  say_body();
   if (tick_ % 100 == 0) {
     say_estimates();
     for (std::size_t number = 0; number < std::size(kProcesses); ++number) {
@@ -115,6 +119,7 @@ void MadeUpRobot::say_summaries() {
     s.joint = joint.number;
     s.tick = tick_;
     s.ticks = kTicksPerStep;
+    s.position_m_or_rad = joint.linkage.position(joint.home_angle_rad);
     s.force_reference_N_or_Nm = size * (load + 0.3 * std::sin(2.0 * angle));
     const double lag = size * (0.05 * std::cos(2.0 * angle) + 0.015 * std::sin(23.0 * angle));
     s.force_N_or_Nm = lost ? 0.0 : s.force_reference_N_or_Nm - lag;
@@ -127,6 +132,34 @@ void MadeUpRobot::say_summaries() {
     s.phase = phase;
     say(s);
   }
+}
+
+void MadeUpRobot::say_body() {
+  const double weight_N = robot_.body ? body::total_mass_kg(*robot_.body) * robot_.body->gravity_m_s2 : 0.0;
+  if (weight_N == 0.0 || !says_body_) {
+    return;
+  }
+  signals::BodyTruth truth;
+  truth.tick = tick_;
+  truth.velocity_m_s = {kForward_m_s, 0.0, 0.0};
+  truth.position_m = {kForward_m_s * static_cast<double>(tick_) * robot_.period_s, 0.0, kTrunkHeight_m};
+  truth.attitude = {1.0, 0.0, 0.0, 0.0};
+  signals::BodyState state;
+  state.tick = tick_;
+  state.mode = MotionMode::kTrot;
+  state.position_m = truth.position_m;
+  state.position_m[1] = kDrift_m;
+  state.attitude = truth.attitude;
+  state.velocity_m_s = truth.velocity_m_s;
+  state.command = {kForward_m_s, 0.0, 0.0, 0.0};
+  for (std::size_t leg = 0; leg < robot_.plan.legs.size(); ++leg) {
+    const bool stands = phase_of(static_cast<int>(leg), tick_) == Phase::kStance;
+    state.stands[leg] = stands ? 1 : 0;
+    truth.foot_force_N[3 * leg + 2] = stands ? weight_N / 2.0 : 0.0;
+    state.felt_force_N[3 * leg + 2] = 0.95 * truth.foot_force_N[3 * leg + 2];
+  }
+  say(truth);
+  say(state);
 }
 
 void MadeUpRobot::say_gains(std::uint16_t joint, Phase phase) {

@@ -27,6 +27,9 @@ class MadeUpRobot {
   /// FaultSet bits of a joint from now on; an event says so.
   void set_faults(std::uint16_t joint, std::uint32_t bits, std::uint64_t time_ns);
 
+  /// A robot whose file describes a body trots straight ahead on a ground, unless it stands on a bench.
+  void stand_on_bench(bool on_bench) noexcept { says_body_ = !on_bench; }
+
   Tick tick() const noexcept { return tick_; }
 
  private:
@@ -34,6 +37,7 @@ class MadeUpRobot {
   void say(const Signal& signal);
   void say_event(std::uint16_t participant, signals::Severity severity, std::uint16_t joint, const std::string& text);
   void say_summaries();
+  void say_body();
   void say_gains(std::uint16_t joint, signals::Phase phase);
   void say_estimates();
   signals::Phase phase_of(int leg, Tick tick) const;
@@ -43,6 +47,7 @@ class MadeUpRobot {
   std::vector<std::uint32_t> faults_;
   std::vector<std::uint8_t> cdr_;
   Tick tick_ = 0;
+  bool says_body_ = true;
   std::uint64_t time_ns_ = 0;
   std::uint32_t generation_ = 1, events_ = 0, announcements_ = 0;
 };

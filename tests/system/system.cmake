@@ -10,9 +10,12 @@ set(system_definitions FARRIER_COMMAND="$<TARGET_FILE:farrier>" FARRIER_JOINT_NO
 set(system_tests trace_identity process_failure command_line bench_parts reproduce diagnose diagnose_scaled process_end
   surroundings traffic robots_system security_system echo monitor_command monitor_page record recorded_run network)
 if(TARGET farrier_report_body)
-  list(APPEND system_tests body/trial_body body/other_processor)
+  list(APPEND system_tests body/trial_body body/walk body/other_processor)
 endif()
 set(realtime_tests realtime soak faults_command estimator_death)
+if(TARGET farrier_report_body)
+  list(APPEND realtime_tests body/drive)
+endif()
 set(long_tests long_pause diagnose_benchmark monitor_page_load)
 set(sources ${system_tests} ${realtime_tests} ${long_tests})
 list(TRANSFORM sources REPLACE "(.+)" "${system_dir}/\\1_test.cpp")

@@ -60,6 +60,9 @@ farrier_test(bench_test unit
   ${CMAKE_CURRENT_LIST_DIR}/bench/bench_tick_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/bench/parts_test.cpp)
 target_link_libraries(bench_test PRIVATE farrier_bench farrier_bench_parts)
+if(TARGET farrier_body_trial)
+  target_sources(bench_test PRIVATE ${CMAKE_CURRENT_LIST_DIR}/bench/bench_body_test.cpp)
+endif()
 
 foreach(test IN ITEMS joint_node_test nodes_test recorder_test bench_test)
   target_compile_definitions(${test} PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

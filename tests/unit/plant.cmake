@@ -6,6 +6,7 @@ farrier_test(plant_test unit
   ${CMAKE_CURRENT_LIST_DIR}/plant/linear_forms_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/effects_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/friction_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant/lean_effects_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/lines_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/linear_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/plant/linkage_test.cpp

@@ -10,18 +10,26 @@ namespace {
 using nlohmann::json;
 
 json to_json(const CellsOrigin& origin) {
-  return {{"git_revision", origin.git_revision}, {"configuration_hash", origin.configuration_hash},
-          {"slow", origin.slow}};
+  return {{"git_revision", origin.git_revision},
+          {"configuration_hash", origin.configuration_hash},
+          {"slow", origin.slow},
+          {"world", origin.world}};
 }
 
 json to_json(const Cell& cell) {
   json checks = json::array();
   for (const Check& check : cell.checks) {
-    checks.push_back({{"key", check.key}, {"what", check.what}, {"asked_s", check.asked_s},
-                      {"measured_s", check.measured_s}});
+    checks.push_back(
+        {{"key", check.key}, {"what", check.what}, {"asked_s", check.asked_s}, {"measured_s", check.measured_s}});
   }
-  return {{"row", cell.row},   {"phase", cell.phase},     {"vendor", cell.vendor},
-          {"seed", cell.seed}, {"repeats", cell.repeats}, {"checks", std::move(checks)}};
+  json line{{"row", cell.row},   {"phase", cell.phase},     {"vendor", cell.vendor},
+            {"seed", cell.seed}, {"repeats", cell.repeats}, {"checks", std::move(checks)}};
+  if (cell.body) {
+    line["body"] = {{"fell", cell.body->fell},
+                    {"trunk_speed_m_s", cell.body->trunk_speed_m_s},
+                    {"ground_force_N", cell.body->ground_force_N}};
+  }
+  return line;
 }
 
 Cell cell_of(const json& line) {
@@ -34,6 +42,10 @@ Cell cell_of(const json& line) {
             .checks = {}};
   for (const json& check : line.at("checks")) {
     cell.checks.push_back({check.at("key"), check.at("what"), check.at("asked_s"), check.at("measured_s")});
+  }
+  if (line.contains("body")) {
+    const json& body = line["body"];
+    cell.body = BodyAfterFault{body.at("fell"), body.at("trunk_speed_m_s"), body.at("ground_force_N")};
   }
   return cell;
 }

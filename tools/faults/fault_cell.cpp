@@ -1,9 +1,11 @@
 #include "tools/faults/fault_cell.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "body/model/posture.hpp"
 #include "core/ensure.hpp"
 #include "core/fault.hpp"
 #include "participant/event_registry.hpp"
@@ -139,10 +141,11 @@ const robot::Joint& hit_joint(const robot::Robot& robot) {
   return *last;
 }
 
-TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, const Row& row, gait::Phase phase) {
+TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, const Row& row, gait::Phase phase,
+                  Tick earliest) {
   constexpr Tick kShortlyAfter = 20;
   const int leg = hit_joint(robot).leg;
-  Tick begin = schedule.lead_in_ticks();
+  Tick begin = std::max(schedule.lead_in_ticks(), earliest);
   while (schedule.phase(leg, begin) == phase) {
     ++begin;
   }
@@ -154,6 +157,26 @@ TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, con
   const Tick lasts = std::llround(row.lasts_s / robot.period_s);
   begin += std::max(kShortlyAfter, (length - lasts) / 2);
   return {begin, begin + lasts};
+}
+
+BodyAfterFault body_after_fault(const std::vector<signals::BodyTruth>& truth, Tick begin) {
+  BodyAfterFault body;
+  double start_height_m = 0.0;
+  for (const signals::BodyTruth& row : truth) {
+    const Eigen::Quaterniond attitude(row.attitude[0], row.attitude[1], row.attitude[2], row.attitude[3]);
+    const body::Posture posture =
+        body::posture_of(Eigen::Vector3d(row.position_m.data()), attitude, Eigen::Vector3d::UnitZ());
+    start_height_m = row.tick == 0 ? posture.height_m : start_height_m;
+    if (row.tick < begin) {
+      continue;
+    }
+    body.fell = body.fell || body::fall_of(posture, start_height_m).has_value();
+    body.trunk_speed_m_s = std::max(body.trunk_speed_m_s, -row.velocity_m_s[2]);
+    for (std::size_t i = 0; i < row.foot_force_N.size(); i += 3) {
+      body.ground_force_N = std::max(body.ground_force_N, Eigen::Vector3d(row.foot_force_N.data() + i).norm());
+    }
+  }
+  return body;
 }
 
 std::vector<bus_faults::ArrowFault> arrow_faults(const robot::Robot& robot, const Row& row, const TickSpan& span) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,9 @@ struct TickSpan {
 const robot::Joint& hit_joint(const robot::Robot& robot);
 
 /// Span of a row's fault, in `phase` of the hit joint's leg: in the middle of the phase if it is short enough, else
-/// from shortly after its beginning on. In the first stride that the leg begins that phase in.
-TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, const Row& row, gait::Phase phase);
+/// from shortly after its beginning on. In the first stride from `earliest` on that the leg begins that phase in.
+TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, const Row& row, gait::Phase phase,
+                  Tick earliest = 0);
 
 /// The row's faults of samples at that time.
 std::vector<bus_faults::ArrowFault> arrow_faults(const robot::Robot& robot, const Row& row, const TickSpan& span);
@@ -36,6 +38,16 @@ struct Check {
   bool holds() const noexcept { return measured_s <= asked_s; }
 };
 
+/// The motion of the body of a robot on a ground from the beginning of the fault on.
+struct BodyAfterFault {
+  bool fell = false;             ///< by body::fall_of
+  double trunk_speed_m_s = 0.0;  ///< largest, downwards
+  double ground_force_N = 0.0;   ///< largest on a foot
+};
+
+/// Judges the body's trace from `begin` on.
+BodyAfterFault body_after_fault(const std::vector<signals::BodyTruth>& truth, Tick begin);
+
 /// One cell of the table, with its result.
 struct Cell {
   std::string row, phase, vendor;
@@ -43,6 +55,7 @@ struct Cell {
   int repeats = 0;    ///< runs before in which the computer itself was stopped
   std::string error;  ///< why the run ended early; empty: it did not
   std::vector<Check> checks;
+  std::optional<BodyAfterFault> body = std::nullopt;  ///< none on the bench
   bool holds() const noexcept;
 };
 

@@ -83,20 +83,21 @@ std::string fault_page_markdown(const std::vector<Cell>& cells, std::size_t plan
     repeats += cell.repeats;
   }
   std::string page =
-      "# Faults\n\nWritten by `farrier faults --page`, which makes each fault of [faults.md](../faults.md) happen to a trot "
+      "# Faults\n\nWritten by `farrier faults --page`, which makes each fault of [faults.md](../faults.md) happen to a "
+      "trot "
       "of real processes on the real-time\nclock" +
-      (slow == 1 ? "" : ", in slow motion by " + std::to_string(slow)) + "; where a process starts, in slow motion by " +
-      std::to_string(slow * kSlowerWhereProcessesStart) +
+      (slow == 1 ? "" : ", in slow motion by " + std::to_string(slow)) +
+      "; where a process starts, in slow motion by " + std::to_string(slow * kSlowerWhereProcessesStart) +
       ". Every row is made in stance and in swing, over each\nvendor, by each seed. Times are the longest of a row's "
       "cells, in control periods of `sim_bridge`, beside what is\nasked.\n\n" +
-      std::to_string(held) + " of " + std::to_string(planned) + " cells held, " + std::to_string(planned - cells.size()) +
-      " were not run. Vendors: " +
-      listed(cells, [](const Cell& cell) { return cell.vendor; }) + ". Seeds: " +
-      listed(cells, [](const Cell& cell) { return std::to_string(cell.seed); }) + ". " + std::to_string(repeats) +
+      std::to_string(held) + " of " + std::to_string(planned) + " cells held, " +
+      std::to_string(planned - cells.size()) +
+      " were not run. Vendors: " + listed(cells, [](const Cell& cell) { return cell.vendor; }) +
+      ". Seeds: " + listed(cells, [](const Cell& cell) { return std::to_string(cell.seed); }) + ". " +
+      std::to_string(repeats) +
       " runs in which the computer\nitself stood still and a check did not hold were made again. Others, which a fault "
       "does not hit, are not judged\nwhile the computer stands still for longer than a period, nor for " +
-      std::to_string(kAfterPause) + " periods after.\n\n" +
-      "| row | measured |\n|---|---|\n";
+      std::to_string(kAfterPause) + " periods after.\n\n" + "| row | measured |\n|---|---|\n";
   for (const Row& row : rows()) {
     const auto worst = worst_checks(cells, row.name);
     if (!worst.empty()) {

@@ -40,7 +40,7 @@ struct Row {
   double lasts_s;                   ///< from its beginning to its end; by the computer's clock where that is set
   std::vector<ProcessAct> acts;
   Expectation expected;
-  bool standby = false;  ///< a second supervisor stands by
+  bool standby = false;                           ///< a second supervisor stands by
   robot::Design design = robot::Design::kPhases;  ///< of the supervisor
 };
 

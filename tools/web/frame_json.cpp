@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tools/monitor/metric_state.hpp"
+#include "tools/web/body_json.hpp"
 
 namespace farrier::web {
 namespace {
@@ -135,6 +136,7 @@ std::string robot_json(const robot::Robot& robot, bool recorded) {
                   {"recorded", recorded},
                   {"joints", std::move(joints)},
                   {"legs", std::move(legs)},
+                  {"body", body_shapes(robot)},
                   {"faults", std::move(faults)},
                   {"failures", std::move(failures)},
                   {"silent_s", monitor::kSilent_s},
@@ -171,6 +173,7 @@ std::string frame_json(const monitor::Frame& frame) {
                   {"lost", frame.lost_samples},
                   {"phases", std::move(phases)},
                   {"joints", std::move(joints)},
+                  {"body", body_json(frame.body)},
                   {"processes", std::move(processes)},
                   {"events", std::move(events)}});
 }

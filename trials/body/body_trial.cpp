@@ -2,25 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace farrier::trials {
 namespace {
-
-constexpr double kFallenShare = 0.5;
-constexpr double kFallenTilt_rad = 0.25 * std::numbers::pi;
-
-/// The trunk relative to the ground's plane.
-struct Posture {
-  double height_m;
-  double tilt_rad;
-};
-
-Posture posture_of(const body::BodyState& state, const Eigen::Vector3d& normal) {
-  const double cosine = normal.dot(state.attitude * Eigen::Vector3d::UnitZ());
-  return {normal.dot(state.position_m), std::acos(std::clamp(cosine, -1.0, 1.0))};
-}
 
 void note_loads(const world::BodyWorld& world, std::span<const double> torques_Nm, BodyFigures& figures) {
   for (std::size_t joint = 0; joint < torques_Nm.size(); ++joint) {
@@ -42,7 +27,7 @@ BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, 
   std::vector<double> torques_Nm(world.joints(), 0.0);
   const Eigen::Vector3d normal = world.ground_normal();
   const Eigen::Vector3d start_m = world.state().position_m;
-  const double start_height_m = posture_of(world.state(), normal).height_m;
+  const double start_height_m = body::posture_of(start_m, world.state().attitude, normal).height_m;
   double height_squares_m2 = 0.0;
   double tilt_squares = 0.0;
   while (figures.ticks < ticks && figures.passes()) {
@@ -56,11 +41,12 @@ BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, 
     }
     ++figures.ticks;
     note_loads(world, torques_Nm, figures);
-    const Posture posture = posture_of(world.state(), normal);
+    const body::Posture posture = body::posture_of(world.state().position_m, world.state().attitude, normal);
     const double sag_m = posture.height_m - start_height_m;
     height_squares_m2 += sag_m * sag_m;
     tilt_squares += posture.tilt_rad * posture.tilt_rad;
-    if (posture.height_m < kFallenShare * start_height_m || posture.tilt_rad > kFallenTilt_rad) {
+    figures.fall = body::fall_of(posture, start_height_m);
+    if (figures.fall) {
       figures.fell = world.tick();
     }
   }

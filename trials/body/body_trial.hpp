@@ -13,6 +13,7 @@
 
 #include "body/model/body_model.hpp"
 #include "core/time.hpp"
+#include "body/model/posture.hpp"
 #include "world/body_world.hpp"
 #include "world/world.hpp"
 
@@ -32,10 +33,13 @@ class BodyController {
   BodyController& operator=(const BodyController&) = default;
 };
 
+using body::FallReason;
+
 /// The true motion of a trial, which no controller knows.
 struct BodyFigures {
   Tick ticks = 0;                      ///< simulated
-  std::optional<Tick> fell;            ///< first tick below half the height of the start, or tilted by more than 45 deg
+  std::optional<Tick> fell;            ///< first tick in which it counts as fallen, which ends the trial
+  std::optional<FallReason> fall;      ///< of that tick; the tilt if both hold
   std::optional<std::string> failure;  ///< of the simulation
   double height_rms_m = 0.0;           ///< about the height of the start, above the ground's plane
   double tilt_rms_rad = 0.0;           ///< angle between the trunk's z axis and the ground's normal

@@ -13,7 +13,7 @@ locomotion::LegTorques no_torques() {
 
 }  // namespace
 
-ControllerDriver::ControllerDriver(locomotion::Controller& controller, std::vector<TimedCommand> script,
+ControllerDriver::ControllerDriver(locomotion::Controller& controller, std::vector<locomotion::TimedCommand> script,
                                    double period_s, int lag_ticks)
     : controller_(controller),
       script_(std::move(script)),
@@ -35,13 +35,7 @@ void ControllerDriver::read(const world::World& world) noexcept {
 }
 
 locomotion::MotionCommand ControllerDriver::command_at(Tick tick) const noexcept {
-  locomotion::MotionCommand command;
-  for (const TimedCommand& timed : script_) {
-    if (timed.from_s <= static_cast<double>(tick) * period_s_) {
-      command = timed.command;
-    }
-  }
-  return command;
+  return locomotion::command_at(script_, static_cast<double>(tick) * period_s_);
 }
 
 void ControllerDriver::step(const world::World& world, std::span<double> torques_Nm) noexcept {

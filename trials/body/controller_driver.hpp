@@ -4,7 +4,7 @@
 
 #include "locomotion/controller.hpp"
 #include "trials/body/body_trial.hpp"
-#include "trials/body/timed_command.hpp"
+#include "locomotion/motion_script.hpp"
 
 namespace farrier::trials {
 
@@ -13,7 +13,7 @@ namespace farrier::trials {
 class ControllerDriver final : public BodyController {
  public:
   /// `controller` must outlive the driver. `script` is sorted by time; before its first command the robot shall lie.
-  ControllerDriver(locomotion::Controller& controller, std::vector<TimedCommand> script, double period_s,
+  ControllerDriver(locomotion::Controller& controller, std::vector<locomotion::TimedCommand> script, double period_s,
                    int lag_ticks = 0);
 
   void step(const world::World& world, std::span<double> torques_Nm) noexcept override;
@@ -23,7 +23,7 @@ class ControllerDriver final : public BodyController {
   locomotion::MotionCommand command_at(Tick tick) const noexcept;
 
   locomotion::Controller& controller_;
-  std::vector<TimedCommand> script_;
+  std::vector<locomotion::TimedCommand> script_;
   double period_s_;
   locomotion::Readings readings_;
   std::vector<locomotion::LegTorques> on_the_way_;  // a ring

@@ -1,5 +1,6 @@
 #include "trials/body/trot_cases.hpp"
 
+#include <cmath>
 #include <numbers>
 
 #include "config/visitor.hpp"
@@ -10,12 +11,23 @@ namespace {
 using locomotion::MotionCommand;
 using locomotion::Request;
 
-constexpr double kStand_s = 2.5;  // after the soft start
-constexpr double kTrot_s = 8.0;
+constexpr double kTrot_s = locomotion::kWalk_s;
 constexpr double kSettle_s = 4.0;
 constexpr int kSeeds = 3;
 constexpr int kWalkSeeds = 10;  // of walks on flat ground
+// HyQ, whose masses, impulses and heights the trials have.
+constexpr double kHyq_kg = 84.756;
+constexpr double kHyqTrunk_m = 0.58;
 constexpr double kSlope_rad = 10.0 * std::numbers::pi / 180.0;
+
+// Rounded, so that names are short.
+double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
+
+double mass_share(const robot::Robot& robot) { return body::total_mass_kg(*robot.body) / kHyq_kg; }
+double height_share(const robot::Robot& robot) { return robot.locomotion->reference.default_height_m / kHyqTrunk_m; }
+std::string scaled_height_text(const robot::Robot& robot, double of_hyq_m) {
+  return config::number_text(rounded(height_share(robot) * of_hyq_m, 1e3));
+}
 
 MotionCommand trot(double forward_m_s, double left_m_s = 0.0, double yaw_rate_rad_s = 0.0) {
   return {
@@ -29,7 +41,7 @@ TrotCase walk(const std::string& trial, const std::string& name, std::uint64_t s
           .name = name,
           .seed = seed,
           .scene = "friction: 0.8\n",
-          .script = {{kStand_s, {.request = Request::kStand}}, {kTrot_s, command}},
+          .script = locomotion::walk_script(command),
           .trot_s = kTrot_s,
           .judged_from_s = kTrot_s + kSettle_s,
           .judged_until_s = kTrot_s + walk_s,
@@ -44,9 +56,10 @@ void add_seeds(const std::string& trial, const MotionCommand& command, double wa
   }
 }
 
-void add_flat(std::vector<TrotCase>& cases) {
+void add_flat(const robot::Robot& robot, std::vector<TrotCase>& cases) {
   for (int seed = 1; seed <= kWalkSeeds; ++seed) {
-    for (const double mass_kg : {51.0, 59.0, 67.0}) {
+    for (const double share : {0.865, 1.0, 1.136}) {  // by how much HyQ's trunk is uncertain
+      const double mass_kg = rounded(share * robot.body->trunk.mass_kg, 1.0);
       cases.push_back(walk("flat", seed_text(seed) + ", trunk " + config::number_text(mass_kg) + " kg",
                            static_cast<std::uint64_t>(seed), trot(0.4), 60.0));
       cases.back().trunk_mass_kg = mass_kg;
@@ -67,21 +80,10 @@ void add_modes(std::vector<TrotCase>& cases) {
   }
 }
 
-void add_pushes(double stride_s, std::vector<TrotCase>& cases) {
-  constexpr int kPhases = 8;
-  constexpr double kPush_s = kTrot_s + 6.0;
-  struct Side {
-    const char* name;
-    double x_Ns, y_Ns;
-  };
-  for (const Side& side : {Side{"behind", 80, 0}, {"right", 0, 80}, {"ahead", -80, 0}, {"left", 0, -80}}) {
-    for (int phase = 0; phase < kPhases; ++phase) {
-      TrotCase one = walk("pushes", std::string("from ") + side.name + ", phase " + std::to_string(phase) + " of 8", 1,
-                          trot(0.4), 12.0);
-      one.scene += "pushes: {push: {start_s: " + config::number_text(kPush_s + phase * stride_s / kPhases) +
-                   ", impulse_x_Ns: " + config::number_text(side.x_Ns) +
-                   ", impulse_y_Ns: " + config::number_text(side.y_Ns) + "}}\n";
-      cases.push_back(one);
+void add_pushes(const robot::Robot& robot, std::vector<TrotCase>& cases) {
+  for (const PushSide& side : kPushSides) {
+    for (int phase = 0; phase < kPushPhases; ++phase) {
+      cases.push_back(push_case(robot, "pushes", side, scaled_impulse_Ns(robot, 80.0), phase));
     }
   }
 }
@@ -105,20 +107,19 @@ void add_slopes(std::vector<TrotCase>& cases) {
   }
 }
 
-void add_obstacles(std::vector<TrotCase>& cases) {
+void add_obstacles(const robot::Robot& robot, std::vector<TrotCase>& cases) {
   constexpr int kFields = 20;
   for (int seed = 1; seed <= kFields; ++seed) {
     TrotCase one = walk("blocks", seed_text(seed), static_cast<std::uint64_t>(seed), trot(0.3), 20.0);
-    one.scene +=
-        "blocks: {field: {x_m: 0.8, y_m: -1.5, length_m: 5.1, width_m: 3, size_m: 0.3, height_m: 0.08, seed: " +
-        std::to_string(seed) + "}}\n";
+    one.scene += "blocks: {field: {x_m: 0.8, y_m: -1.5, length_m: 5.1, width_m: 3, size_m: 0.3, height_m: " +
+                 scaled_height_text(robot, 0.08) + ", seed: " + std::to_string(seed) + "}}\n";
     cases.push_back(one);
   }
   for (int seed = 1; seed <= kFields; ++seed) {
     TrotCase one = walk("step", seed_text(seed), static_cast<std::uint64_t>(seed), trot(0.3), 14.0);
     // The edge is between 1.01 m and 1.25 m ahead, so that feet meet it at all phases.
     one.scene += "boxes: {step: {x_m: " + config::number_text(4.0 + 0.0125 * seed) +
-                 ", length_m: 6, width_m: 8, height_m: 0.1}}\n";
+                 ", length_m: 6, width_m: 8, height_m: " + scaled_height_text(robot, 0.1) + "}}\n";
     cases.push_back(one);
   }
 }
@@ -133,11 +134,13 @@ void add_lags(std::vector<TrotCase>& cases) {
   }
 }
 
-void add_payloads(std::vector<TrotCase>& cases) {
+void add_payloads(const robot::Robot& robot, std::vector<TrotCase>& cases) {
   constexpr double kLoad_s = kTrot_s + 6.0;
   for (int seed = 1; seed <= kSeeds; ++seed) {
     TrotCase one = walk("payload", seed_text(seed), static_cast<std::uint64_t>(seed), trot(0.4), 20.0);
-    one.scene += "payloads: {load: {start_s: " + config::number_text(kLoad_s) + ", mass_kg: 20, z_m: 0.15}}\n";
+    one.scene += "payloads: {load: {start_s: " + config::number_text(kLoad_s) +
+                 ", mass_kg: " + config::number_text(rounded(mass_share(robot) * 20.0, 1.0)) +
+                 ", z_m: " + scaled_height_text(robot, 0.15) + "}}\n";
     one.judged_from_s = kLoad_s + kSettle_s;
     cases.push_back(one);
   }
@@ -146,8 +149,8 @@ void add_payloads(std::vector<TrotCase>& cases) {
 }  // namespace
 
 const MotionCommand& TrotCase::judged_command() const noexcept {
-  const TimedCommand* last = &script.front();
-  for (const TimedCommand& timed : script) {
+  const locomotion::TimedCommand* last = &script.front();
+  for (const locomotion::TimedCommand& timed : script) {
     if (timed.from_s <= judged_from_s) {
       last = &timed;
     }
@@ -155,18 +158,34 @@ const MotionCommand& TrotCase::judged_command() const noexcept {
   return last->command;
 }
 
+TrotCase push_case(const robot::Robot& robot, const std::string& trial, const PushSide& side, double impulse_Ns,
+                   int phase) {
+  constexpr double kPush_s = kTrot_s + 6.0;
+  const double stride_s = 1.0 / robot.plan.gait.frequency_Hz;
+  TrotCase one =
+      walk(trial, std::string("from ") + side.name + ", phase " + std::to_string(phase) + " of 8", 1, trot(0.4), 12.0);
+  one.scene += "pushes: {push: {start_s: " + config::number_text(kPush_s + phase * stride_s / kPushPhases) +
+               ", impulse_x_Ns: " + config::number_text(side.x * impulse_Ns) +
+               ", impulse_y_Ns: " + config::number_text(side.y * impulse_Ns) + "}}\n";
+  return one;
+}
+
+double scaled_impulse_Ns(const robot::Robot& robot, double of_hyq_Ns) {
+  return rounded(mass_share(robot) * of_hyq_Ns, 10.0);
+}
+
 std::vector<TrotCase> trot_cases(const robot::Robot& robot) {
   std::vector<TrotCase> cases;
-  add_flat(cases);
+  add_flat(robot, cases);
   add_seeds("speed", trot(0.8), 20.0, cases);
   add_seeds("sideways", trot(0.0, 0.3), 20.0, cases);
   add_seeds("turning", trot(0.0, 0.0, 0.5), 20.0, cases);
   add_modes(cases);
-  add_pushes(1.0 / robot.plan.gait.frequency_Hz, cases);
+  add_pushes(robot, cases);
   add_slopes(cases);
-  add_obstacles(cases);
+  add_obstacles(robot, cases);
   add_lags(cases);
-  add_payloads(cases);
+  add_payloads(robot, cases);
   return cases;
 }
 

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "robot/robot.hpp"
-#include "trials/body/timed_command.hpp"
+#include "locomotion/motion_script.hpp"
 
 namespace farrier::trials {
 
-/// Runs of one kind, which are judged together.
+/// Runs of one kind, which are judged together. Masses, impulses and heights are HyQ's: those of other robots are in
+/// proportion to their mass and the height of their trunk.
 struct TrotTrial {
   const char* name;
   const char* sentence;
@@ -24,6 +25,7 @@ inline constexpr std::array kTrotTrials{
     TrotTrial{"turning", "0.5 rad/s on the spot; ten seeds"},
     TrotTrial{"modes", "trot, stop, lie down, stand up, trot; ten seeds"},
     TrotTrial{"pushes", "80 Ns in 0.1 s from four sides at eight phases of the stride"},
+    TrotTrial{"push_limit", "the impulse of 0.1 s from each side at which half of eight phases fall; not judged"},
     TrotTrial{"slopes", "0.3 m/s up, down and across a slope of 10 degrees; three seeds"},
     TrotTrial{"blocks", "0.3 m/s over blocks up to 8 cm high; twenty fields"},
     TrotTrial{"step", "0.3 m/s up a step of 10 cm; twenty distances"},
@@ -39,7 +41,7 @@ struct TrotCase {
   std::optional<double> trunk_mass_kg = std::nullopt;  ///< true mass, which no controller knows
   int lag_ticks = 0;                                   ///< beyond the one tick of every command
   std::string scene;                                   ///< in the format of a scene file
-  std::vector<TimedCommand> script;
+  std::vector<locomotion::TimedCommand> script;
   double trot_s = 0.0;          ///< when it first begins to trot
   double judged_from_s = 0.0;   ///< means are over this time ...
   double judged_until_s = 0.0;  ///< ... to this
@@ -49,7 +51,24 @@ struct TrotCase {
   const locomotion::MotionCommand& judged_command() const noexcept;
 };
 
-/// All cases, trial by trial in the order of kTrotTrials. Pushes come at phases of the robot's stride.
+/// Where a push comes from, and its direction in the world.
+struct PushSide {
+  const char* name;
+  double x, y;
+};
+inline constexpr std::array kPushSides{PushSide{"behind", 1, 0}, PushSide{"right", 0, 1}, PushSide{"ahead", -1, 0},
+                                       PushSide{"left", 0, -1}};
+inline constexpr int kPushPhases = 8;  ///< of the stride, at which a push begins
+
+/// A push of 0.1 s while the robot trots on flat ground. The robot needs body and locomotion.
+TrotCase push_case(const robot::Robot& robot, const std::string& trial, const PushSide& side, double impulse_Ns,
+                   int phase);
+
+/// An impulse that changes the robot's velocity as this one changes HyQ's, rounded to 0.1 Ns.
+double scaled_impulse_Ns(const robot::Robot& robot, double of_hyq_Ns);
+
+/// All cases but those of push_limit (push_limit.hpp), trial by trial in the order of kTrotTrials. The robot needs body
+/// and locomotion.
 std::vector<TrotCase> trot_cases(const robot::Robot& robot);
 
 /// The first case of every trial.

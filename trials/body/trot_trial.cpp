@@ -49,6 +49,7 @@ class Judge {
       start_ = last_ = is.position_m;
       estimated_start_ = estimated.position_m;
       heading_error_ = heading_error;
+      heading_ = heading_rad(rotation);
     }
     way_m_ += (is.position_m - last_).head<2>().norm();
     last_ = is.position_m;
@@ -67,6 +68,7 @@ class Judge {
     TrotFigures figures;
     if (!body.passes()) {
       figures.fell_s = static_cast<double>(body.ticks) * period_s_;
+      figures.fall = body.fall ? to_string(*body.fall) : body.failure.value_or("");
     }
     figures.largest_torque_Nm = *std::ranges::max_element(body.largest_torque_Nm);
     figures.sag_m = sag_m_;
@@ -78,6 +80,7 @@ class Judge {
       figures.height_rms_m = std::sqrt(std::max(0.0, height_squares_m2_ / n - mean_m * mean_m));
       figures.tilt_rms_rad = std::sqrt(tilt_squares_ / n);
       figures.speed_error = speed_error();
+      figures.lateral_drift_m_s = lateral_drift_m_s();
     }
     if (since_s_ > 0.0) {
       figures.heading_drift_rad_s = heading_drift_ / since_s_;
@@ -106,7 +109,28 @@ class Judge {
     for (const double number : is.angles_rad) add_to_hash(hash_, number);
   }
 
+  // Way since the trot began, to the left of the commanded line.
+  double to_the_left_m(const Eigen::Vector3d& place_m) const {
+    const locomotion::MotionCommand& asked = one_.judged_command();
+    const Eigen::Vector2d direction =
+        Eigen::Rotation2Dd(heading_) * Eigen::Vector2d(asked.forward_m_s, asked.left_m_s).normalized();
+    const Eigen::Vector2d way = (place_m - start_).head<2>();
+    return direction.x() * way.y() - direction.y() * way.x();
+  }
+
+  std::optional<double> lateral_drift_m_s() const {
+    const locomotion::MotionCommand& asked = one_.judged_command();
+    if (asked.yaw_rate_rad_s != 0.0 || (asked.forward_m_s == 0.0 && asked.left_m_s == 0.0)) {
+      return std::nullopt;
+    }
+    return (to_the_left_m(judged_last_) - to_the_left_m(judged_start_)) / (count_ * period_s_);
+  }
+
   void note_motion(const body::BodyState& is, const Eigen::Matrix3d& rotation) {
+    if (count_ == 0.0) {
+      judged_start_ = is.position_m;
+    }
+    judged_last_ = is.position_m;
     const double height_m = height_of(is);
     heights_m_ += height_m;
     height_squares_m2_ += height_m * height_m;
@@ -132,7 +156,8 @@ class Judge {
   double period_s_;
   double height_m_;
   bool started_ = false;
-  Eigen::Vector3d start_, last_, estimated_start_, estimated_last_;
+  Eigen::Vector3d start_, last_, estimated_start_, estimated_last_, judged_start_, judged_last_;
+  double heading_ = 0.0;  // when the trot began
   double heading_error_ = 0.0, heading_drift_ = 0.0, since_s_ = 0.0, way_m_ = 0.0, sag_m_ = 0.0;
   double heights_m_ = 0.0, height_squares_m2_ = 0.0, tilt_squares_ = 0.0, yaw_rates_ = 0.0, count_ = 0.0;
   Eigen::Vector3d velocities_ = Eigen::Vector3d::Zero();

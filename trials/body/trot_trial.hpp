@@ -15,6 +15,7 @@ namespace farrier::trials {
 /// The true motion of one case, and the errors of the controller's own estimate. Means are over the judged time.
 struct TrotFigures {
   std::optional<double> fell_s;  ///< also when motion became so wild that it could not be simulated
+  std::string fall;              ///< why it counts as fallen: "tilt", "height" or the fault of the simulation
   double height_rms_m = 0.0;     ///< of the trunk's origin above the ground's plane, about its mean
   double height_offset_m = 0.0;  ///< mean less the default height
   double sag_m = 0.0;            ///< largest depth below the default height, from the settled trot on
@@ -22,18 +23,21 @@ struct TrotFigures {
   double speed_error = 0.0;      ///< of the mean velocity, or turning on the spot of the mean yaw rate, relative
   std::optional<double> odometry_error;  ///< of the estimated way since the trot began, relative; none below 1 m
   double heading_drift_rad_s = 0.0;      ///< of the estimated heading, mean since the trot began, signed
+  /// Way of the trunk to the left of the line that it was asked to follow, per time, signed. The line begins with the
+  /// trot, in the direction of the command as the trunk then stood. None for a command that turns or has no direction.
+  std::optional<double> lateral_drift_m_s = std::nullopt;
   double largest_torque_Nm = 0.0;
   std::uint64_t hash = 0;  ///< of all states of the run
 };
 
-/// Noise of a MEMS IMU, of encoders and of torques that are computed from forces: assumed. Biases are drawn per run.
-inline constexpr world::BodyNoise kTrotNoise{.angle_rad = 4.4e-5,
-                                             .velocity_rad_s = 0.033,
-                                             .torque_Nm = 0.5,
-                                             .rate_rad_s = 0.0039,
-                                             .specific_force_m_s2 = 0.037,
-                                             .rate_bias_rad_s = 0.0035,
-                                             .specific_force_bias_m_s2 = 0.02};
+/// The IMU of world::kImuNoise, and assumed noise of encoders and of torques that are computed from forces.
+inline constexpr world::BodyNoise kTrotNoise = [] {
+  world::BodyNoise noise = world::kImuNoise;
+  noise.angle_rad = 4.4e-5;
+  noise.velocity_rad_s = 0.033;
+  noise.torque_Nm = 0.5;
+  return noise;
+}();
 
 /// Runs one case: the robot's TrotController with its own estimate, in a world of its own. False by `keep_on` ends it
 /// with nothing. Refuses a robot without body or locomotion, and a scene that does not fit.

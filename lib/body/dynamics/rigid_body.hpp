@@ -32,6 +32,11 @@ class RigidBody {
   /// results NaN. Vectors of `state` have joints() entries.
   void set_state(const BodyState& state) noexcept;
 
+  /// Point on the axis of a joint, where its link begins, in the world. `index`: 0..kJointsPerLeg - 1 from the trunk on.
+  Eigen::Vector3d hinge_position_m(int leg, int index) const noexcept {
+    return position_m_ + link_of(leg, index).hinge_m;
+  }
+
   /// Centre of the foot's sphere, in the world.
   Eigen::Vector3d foot_position_m(int leg) const noexcept;
   Eigen::Vector3d foot_velocity_m_s(int leg) const noexcept;

@@ -68,7 +68,12 @@ class Engine {
   std::int64_t steps() const noexcept;
   const std::optional<EngineFailure>& failure() const noexcept;
 
-  /// The engine's own dynamics in a state, to compare RigidBody with. The engine's state changes.
+  /// The engine's own step by itself, as often as asked, which farrier bench holds a whole run against. No failure is
+  /// noted, contact forces are not summed and steps are not counted.
+  void bare_steps(const JointVector& torques_Nm, int steps) noexcept;
+
+  /// The engine's own dynamics in a state, to compare RigidBody with. Nothing that they do not need is computed. The
+  /// engine's state changes. It allocates nothing.
   EngineDynamics dynamics(const BodyState& state) noexcept;
 
  private:

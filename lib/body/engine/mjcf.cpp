@@ -8,7 +8,9 @@ namespace {
 
 // A foot touches the plane and at most as many boxes as meet at a corner, with a margin.
 constexpr int kContactsOfAFoot = 16;
-constexpr int kRowsOfAContact = 4;  // edges of the friction pyramid
+constexpr int kContactsOfAKnee = 4;
+constexpr int kContactsOfTheTrunk = 48;  // eight with a box; a run ends soon after a fall
+constexpr int kRowsOfAContact = 4;       // edges of the friction pyramid
 
 // Shortest text that reads back as the same number.
 std::string text_of(double number) {
@@ -41,7 +43,19 @@ std::string inertial(const RigidInertia& inertia) {
 
 std::string foot_text(const LegModel& leg, const std::string& number) {
   const std::string place = attribute("name", number + "/foot") + attribute("pos", text_of(leg.foot_m));
-  return "<geom class=\"foot\"" + place + attribute("size", text_of(leg.foot_radius_m)) + "/>\n<site" + place + "/>\n";
+  const std::string knee =
+      leg.knee_radius_m > 0.0 ? "<geom class=\"robot\"" + attribute("size", text_of(leg.knee_radius_m)) + "/>\n" : "";
+  return knee + "<geom class=\"robot\"" + place + attribute("size", text_of(leg.foot_radius_m)) + "/>\n<site" + place +
+         "/>\n";
+}
+
+std::string trunk_box_text(const TrunkBox& box) {
+  return "<geom class=\"robot\" type=\"box\"" + attribute("pos", text_of(box.centre_m)) +
+         attribute("size", text_of(box.half_extents_m)) + "/>\n";
+}
+
+std::string stops_text(const std::optional<JointStops>& stops) {
+  return stops ? attribute("range", text_of({stops->least_rad, stops->largest_rad})) : "";
 }
 
 std::string leg_text(const LegModel& leg, const std::string& number) {
@@ -51,7 +65,8 @@ std::string leg_text(const LegModel& leg, const std::string& number) {
     const std::string name = attribute("name", number + "/" + std::to_string(i));
     text += "<body" + name + attribute("pos", text_of(link.hinge_m)) + ">\n<joint" + name +
             attribute("axis", text_of(link.axis)) + attribute("armature", text_of(link.armature_kg_m2)) +
-            attribute("damping", text_of(link.damping_Nms_rad)) + "/>\n" + inertial(link.inertia);
+            attribute("damping", text_of(link.damping_Nms_rad)) + stops_text(link.stops) + "/>\n" +
+            inertial(link.inertia);
   }
   text += foot_text(leg, number);
   for (std::size_t i = 0; i < leg.links.size(); ++i) {
@@ -65,19 +80,21 @@ std::string box_text(const Box& box) {
          attribute("size", text_of(box.half_extents_m)) + attribute("quat", text_of(box.attitude)) + "/>\n";
 }
 
-// Feet collide with the ground, nothing else does. No joint has a range and no actuator a limit: stops and limits are
-// the actuators' business. A step forgets the last one's contact forces (warmstart), so position and velocity are all
-// the state there is.
+// Feet, knees and trunk collide with the ground, and with nothing else. No actuator has a limit: that is the actuators'
+// business. A step forgets the last one's contact forces (warmstart), so position and velocity are all the state there
+// is.
 std::string header_text(const BodyModel& model, const Scene& scene, double step_s) {
-  const int contacts = kContactsOfAFoot * static_cast<int>(model.legs.size());
+  const int contacts =
+      (kContactsOfAFoot + kContactsOfAKnee) * static_cast<int>(model.legs.size()) + kContactsOfTheTrunk;
   return "<mujoco>\n<compiler angle=\"radian\" autolimits=\"true\" boundmass=\"0\" boundinertia=\"0\"/>\n"
          "<option integrator=\"Euler\" cone=\"pyramidal\" solver=\"Newton\" iterations=\"50\" tolerance=\"1e-10\"" +
          attribute("timestep", text_of(step_s)) + attribute("gravity", text_of({0.0, 0.0, -model.gravity_m_s2})) +
          "><flag warmstart=\"disable\"/></option>\n<size" + attribute("nconmax", std::to_string(contacts)) +
-         attribute("njmax", std::to_string(kRowsOfAContact * contacts)) +
+         attribute("njmax", std::to_string(kRowsOfAContact * contacts + model.joints())) +
          "/>\n<default>\n<geom condim=\"3\" solref=\"0.005 1\" solimp=\"0.95 0.99 0.001 0.5 2\"" +
          attribute("friction", text_of({scene.friction, 0.0, 0.0})) +
-         "/>\n<default class=\"foot\"><geom type=\"sphere\" mass=\"0\" contype=\"1\" conaffinity=\"0\"/></default>\n"
+         "/>\n<joint solreflimit=\"0.005 1\"/>\n<default class=\"robot\"><geom type=\"sphere\" mass=\"0\" "
+         "contype=\"1\" conaffinity=\"0\"/></default>\n"
          "<default class=\"ground\"><geom contype=\"0\" conaffinity=\"1\"/></default>\n</default>\n";
 }
 
@@ -91,6 +108,9 @@ std::string mjcf_text(const BodyModel& model, const Scene& scene, double step_s)
     text += box_text(box);
   }
   text += "<body name=\"trunk\">\n<freejoint name=\"trunk\"/>\n" + inertial(model.trunk);
+  if (model.box) {
+    text += trunk_box_text(*model.box);
+  }
   for (std::size_t leg = 0; leg < model.legs.size(); ++leg) {
     text += leg_text(model.legs[leg], std::to_string(leg));
   }

@@ -16,15 +16,13 @@
 namespace farrier::body {
 namespace engine {
 
-struct DeleteModel {
+struct Delete {
   void operator()(mjModel* model) const noexcept { mj_deleteModel(model); }
-};
-struct DeleteData {
   void operator()(mjData* data) const noexcept { mj_deleteData(data); }
 };
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-using ModelPointer = std::unique_ptr<mjModel, DeleteModel>;
-using DataPointer = std::unique_ptr<mjData, DeleteData>;
+using ModelPointer = std::unique_ptr<mjModel, Delete>;
+using DataPointer = std::unique_ptr<mjData, Delete>;
 
 }  // namespace engine
 
@@ -83,23 +81,17 @@ Result<ModelPointer> load(const std::string& mjcf) {
   return model;
 }
 
+constexpr std::array kFaults{std::pair(mjWARN_INERTIA, EngineFault::kSingularInertia),
+                             std::pair(mjWARN_CONTACTFULL, EngineFault::kTooManyContacts),
+                             std::pair(mjWARN_CNSTRFULL, EngineFault::kTooManyConstraints),
+                             std::pair(mjWARN_BADQPOS, EngineFault::kPositionNotFinite),
+                             std::pair(mjWARN_BADQVEL, EngineFault::kVelocityNotFinite),
+                             std::pair(mjWARN_BADQACC, EngineFault::kAccelerationNotFinite)};
+
 EngineFault fault_of(int warning) noexcept {
-  switch (warning) {
-    case mjWARN_INERTIA:
-      return EngineFault::kSingularInertia;
-    case mjWARN_CONTACTFULL:
-      return EngineFault::kTooManyContacts;
-    case mjWARN_CNSTRFULL:
-      return EngineFault::kTooManyConstraints;
-    case mjWARN_BADQPOS:
-      return EngineFault::kPositionNotFinite;
-    case mjWARN_BADQVEL:
-      return EngineFault::kVelocityNotFinite;
-    case mjWARN_BADQACC:
-      return EngineFault::kAccelerationNotFinite;
-    default:
-      return EngineFault::kOther;
-  }
+  const auto found =
+      std::ranges::find(kFaults, warning, [](const auto& fault) { return static_cast<int>(fault.first); });
+  return found == kFaults.end() ? EngineFault::kOther : found->second;
 }
 
 }  // namespace
@@ -121,7 +113,7 @@ struct Engine::Simulation {
   RowMajor mass_matrix;
 
   int joints() const noexcept { return kJointsPerLeg * legs; }
-  void write(const BodyState& state) noexcept;
+  void write(const BodyState& state) noexcept;  // into data as it is
   void set_trunk(const RigidInertia& inertia) noexcept;
   void step() noexcept;
   void note_failure() noexcept;
@@ -129,7 +121,6 @@ struct Engine::Simulation {
 };
 
 void Engine::Simulation::write(const BodyState& state) noexcept {
-  mj_resetData(model.get(), data.get());
   Eigen::Map<Eigen::VectorXd> q(data->qpos, model->nq);
   q.head<3>() = state.position_m;
   q.segment<4>(3) << state.attitude.w(), state.attitude.x(), state.attitude.y(), state.attitude.z();
@@ -227,6 +218,7 @@ Result<Engine> Engine::create(const BodyModel& model, const Scene& scene, const 
 }
 
 void Engine::set_state(const BodyState& state) noexcept {
+  mj_resetData(simulation_->model.get(), simulation_->data.get());
   simulation_->write(state);
   simulation_->steps = 0;
   simulation_->failure.reset();
@@ -244,6 +236,14 @@ void Engine::step(const JointVector& torques_Nm, const TrunkWrench& wrench) noex
   Eigen::Map<Eigen::Vector3d>(s.data->xfrc_applied + 6 * s.trunk) = wrench.force_N;
   Eigen::Map<Eigen::Vector3d>(s.data->xfrc_applied + 6 * s.trunk + 3) = wrench.torque_Nm;
   s.step();
+}
+
+void Engine::bare_steps(const JointVector& torques_Nm, int steps) noexcept {
+  Simulation& s = *simulation_;
+  Eigen::Map<Eigen::VectorXd>(s.data->qfrc_applied, s.model->nv).tail(s.joints()) = torques_Nm;
+  for (int step = 0; step < steps; ++step) {
+    mj_step(s.model.get(), s.data.get());
+  }
 }
 
 BodyState Engine::state() const noexcept {
@@ -268,7 +268,14 @@ EngineDynamics Engine::dynamics(const BodyState& state) noexcept {
   const mjModel* m = s.model.get();
   mjData* d = s.data.get();
   s.write(state);
-  mj_forward(m, d);
+  mju_zero(d->xfrc_applied, 6 * m->nbody);
+  mju_zero(d->qacc, m->nv);
+  d->ncon = 0;
+  mj_kinematics(m, d);
+  mj_comPos(m, d);
+  mj_crb(m, d);
+  mj_comVel(m, d);
+  mj_rne(m, d, 0, d->qfrc_bias);
   EngineDynamics dynamics;
   mj_fullM(m, s.mass_matrix.data(), d->qM);
   dynamics.mass_matrix = s.mass_matrix;
@@ -279,9 +286,6 @@ EngineDynamics Engine::dynamics(const BodyState& state) noexcept {
     dynamics.foot_jacobian[leg] = s.jacobian;
   }
   // Acceleration of the feet while v' = 0. MuJoCo gives that of a body which falls freely as zero.
-  mju_zero(d->qacc, m->nv);
-  mju_zero(d->qfrc_applied, m->nv);
-  d->ncon = 0;
   mj_rnePostConstraint(m, d);
   for (int leg = 0; leg < s.legs; ++leg) {
     double acceleration[6];

@@ -13,7 +13,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 void sine_cosine(double x, double* sine, double* cosine) noexcept {
-  const portable_math::SineCosine both = portable_math::sine_cosine(x);
+  const portable::SineCosine both = portable::sincos(x);
   *sine = both.sine;
   *cosine = both.cosine;
 }

@@ -33,6 +33,9 @@ Result<Done> check_link(const Link& link, const std::string& body) {
   if (!(link.armature_kg_m2 >= 0.0) || !(link.damping_Nms_rad >= 0.0)) {
     return Error{body + " has a negative armature or damping: give zero for none"};
   }
+  if (link.stops && !(link.stops->least_rad < link.stops->largest_rad)) {
+    return Error{body + " has stops that leave no angle between them: give the least angle first"};
+  }
   return named(body, validate(link.inertia));
 }
 
@@ -45,6 +48,9 @@ Result<Done> check_leg(const LegModel& leg) {
   }
   if (!(leg.foot_radius_m > 0.0) || !std::isfinite(leg.foot_radius_m)) {
     return Error{"leg " + leg.name + ": the foot has no size: give the radius of its sphere in m, above zero"};
+  }
+  if (!(leg.knee_radius_m >= 0.0) || !std::isfinite(leg.knee_radius_m)) {
+    return Error{"leg " + leg.name + ": the knee has a negative radius: give zero for none"};
   }
   return Done{};
 }
@@ -79,6 +85,10 @@ Result<Done> validate(const BodyModel& model) {
     return Error{"gravity is negative or not finite: give its magnitude in m/s^2"};
   }
   FARRIER_TRY(named("the trunk", validate(model.trunk)));
+  if (model.box && !(model.box->centre_m.allFinite() && model.box->half_extents_m.allFinite() &&
+                     model.box->half_extents_m.minCoeff() > 0.0)) {
+    return Error{"the trunk has a box without volume: give three half extents in m, above zero"};
+  }
   for (const LegModel& leg : model.legs) {
     FARRIER_TRY(check_leg(leg));
   }

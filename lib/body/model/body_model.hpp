@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,19 @@ struct RigidInertia {
   Eigen::Matrix3d tensor_kg_m2 = Eigen::Matrix3d::Zero();  ///< about the centre of mass; elements, not products
 };
 
+/// Angles between two stops, least_rad < largest_rad.
+struct JointStops {
+  double least_rad;
+  double largest_rad;
+};
+
 /// A hinge and the link that it turns. A positive angle turns the link about `axis` by the right-hand rule.
 struct Link {
   Eigen::Vector3d hinge_m = Eigen::Vector3d::Zero();  ///< in the frame of the parent: the trunk or the link before
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();    ///< of unit length
   double armature_kg_m2 = 0.0;                        ///< inertia of the actuator, as the joint feels it; >= 0
   double damping_Nms_rad = 0.0;                       ///< viscous friction of the joint; >= 0
+  std::optional<JointStops> stops;                    ///< of the hinge itself; none where the actuator has them
   RigidInertia inertia;
 };
 
@@ -39,13 +47,21 @@ struct LegModel {
   std::array<Link, kJointsPerLeg> links;             ///< from the trunk outwards
   Eigen::Vector3d foot_m = Eigen::Vector3d::Zero();  ///< centre of the sphere, in the frame of the last link
   double foot_radius_m = 0.0;                        ///< > 0
+  double knee_radius_m = 0.0;  ///< of a sphere about the last hinge that meets the ground; 0: none
+};
+
+/// The part of the trunk that can touch the ground: a box along the trunk's axes.
+struct TrunkBox {
+  Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();        ///< in the trunk's frame
+  Eigen::Vector3d half_extents_m = Eigen::Vector3d::Zero();  ///< each > 0
 };
 
 /// A legged robot as rigid bodies: a free trunk and up to kMaxLegs legs.
 struct BodyModel {
   RigidInertia trunk;
   std::vector<LegModel> legs;
-  double gravity_m_s2 = 9.81;  ///< >= 0, along -z of the world
+  std::optional<TrunkBox> box;  ///< none: the trunk passes through the ground
+  double gravity_m_s2 = 9.81;   ///< >= 0, along -z of the world
 
   int joints() const noexcept { return kJointsPerLeg * static_cast<int>(legs.size()); }
 };
@@ -55,7 +71,7 @@ struct BodyModel {
 Result<Done> validate(const RigidInertia& inertia);
 
 /// Refuses a body that no mechanics can move, by the name of the body and with the remedy. Each mass must be above
-/// zero, each tensor symmetric and possible, each axis of unit length and each foot a sphere.
+/// zero, each tensor symmetric and possible, each axis of unit length, each foot a sphere, each stop below the other.
 Result<Done> validate(const BodyModel& model);
 
 /// Mass of trunk and legs.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/portable_math.hpp"
 
@@ -18,15 +19,27 @@ struct Posture {
 inline Posture posture_of(const Eigen::Vector3d& position_m, const Eigen::Quaterniond& attitude,
                           const Eigen::Vector3d& normal) {
   const double cosine = normal.dot(attitude * Eigen::Vector3d::UnitZ());
-  return {normal.dot(position_m), portable_math::arc_cosine(std::clamp(cosine, -1.0, 1.0))};
+  return {normal.dot(position_m), portable::acos(std::clamp(cosine, -1.0, 1.0))};
 }
 
-/// The rule of every verdict: a robot has fallen if its trunk is below half its height at the start, or tilts by more
-/// than 45 degrees. A robot that lies on folded legs is above that height.
-inline bool has_fallen(const Posture& posture, double start_height_m) noexcept {
+/// Why a robot counts as fallen.
+enum class FallReason {
+  kHeight,  ///< the trunk's origin is below half its height at the start; a robot on folded legs is above that
+  kTilt,    ///< the trunk tilts by more than 45 degrees
+};
+
+constexpr const char* to_string(FallReason reason) noexcept {
+  return reason == FallReason::kHeight ? "height" : "tilt";
+}
+
+/// The rule of every verdict. None for a robot that has not fallen; the tilt if both hold.
+inline std::optional<FallReason> fall_of(const Posture& posture, double start_height_m) noexcept {
   constexpr double kShare = 0.5;
   constexpr double kTilt_rad = 0.25 * std::numbers::pi;
-  return posture.height_m < kShare * start_height_m || posture.tilt_rad > kTilt_rad;
+  if (posture.tilt_rad > kTilt_rad) {
+    return FallReason::kTilt;
+  }
+  return posture.height_m < kShare * start_height_m ? std::optional(FallReason::kHeight) : std::nullopt;
 }
 
 }  // namespace farrier::body

@@ -12,7 +12,7 @@ namespace {
 constexpr double kRestingDepth_m = 1e-3;
 
 Eigen::Quaterniond turn(const Eigen::Vector3d& axis, double angle_rad) noexcept {
-  const portable_math::SineCosine half = portable_math::sine_cosine(0.5 * angle_rad);
+  const portable::SineCosine half = portable::sincos(0.5 * angle_rad);
   const Eigen::Vector3d imaginary = half.sine * axis;
   return {half.cosine, imaginary.x(), imaginary.y(), imaginary.z()};
 }
@@ -79,7 +79,8 @@ Result<Done> check_start(const Scene& scene, const BodyModel& model, const Rigid
     }
     for (const Box& box : scene.boxes) {
       if (!(distance_m(box, foot_m) >= least_m)) {
-        return Error{"the foot of leg " + leg.name + " starts in box " + box.name + ": move the box or start higher"};
+        return Error{(box.origin.empty() ? "" : box.origin + ": ") + "the foot of leg " + leg.name + " starts in box " +
+                     box.name + ": move the box or start higher"};
       }
     }
   }

@@ -18,6 +18,7 @@ struct Box {
   Eigen::Vector3d centre_m = Eigen::Vector3d::Zero();
   Eigen::Vector3d half_extents_m = Eigen::Vector3d::Zero();      ///< each > 0
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< from the box's axes to the world's
+  std::string origin{};  ///< file and line that it comes from, before a refusal; empty for none
 };
 
 /// A constant force at the trunk's centre of mass.
@@ -48,7 +49,7 @@ struct Scene {
 /// Refuses ranges that no engine can simulate, by the name of the part.
 Result<Done> validate(const Scene& scene);
 
-/// Refuses a start with a foot in a box or in the plane, by the names of both. `body` has the state of the start.
+/// Refuses a start with a foot in a box or in the plane, by the names of both and the line of the box. `body` has the state of the start.
 Result<Done> check_start(const Scene& scene, const BodyModel& model, const RigidBody& body);
 
 /// Mean force of all pushes from one time to a later one. Summed over a run it gives each impulse, wherever ticks fall.

@@ -23,7 +23,7 @@ std::optional<DelayedCrossing> delayed_crossing(const Loop& loop, const PartOfTi
   const Loop::Delayed delayed(loop, part, delay);
   const auto log_size = [&](double at, Complex& l) {
     l = delayed.at(unit_circle(at));
-    return portable_math::logarithm(std::norm(l));
+    return portable::log(std::norm(l));
   };
   Complex l;
   double before = angle * (1.0 - kStep);

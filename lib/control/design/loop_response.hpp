@@ -176,7 +176,8 @@ const std::array<Angle, Count>& grid() noexcept {
   static const std::array<Angle, Count> angles = [] {
     std::array<Angle, Count> of;
     for (int i = 0; i < Count; ++i) {
-      const double angle = kFirstAngle * portable_math::power(std::numbers::pi / kFirstAngle, i / static_cast<double>(Count - 1));
+      const double angle =
+          kFirstAngle * portable::pow(std::numbers::pi / kFirstAngle, i / static_cast<double>(Count - 1));
       of[static_cast<std::size_t>(i)] = {angle, unit_circle(angle)};
     }
     return of;

@@ -20,7 +20,7 @@ class ValveOpening {
         add_to(terms_, effect, scales, 0.0);
       }
     }
-    active_ = terms_.hooks().valve;
+    active_ = terms_.hooks().valve > 0;
   }
 
   /// `current_A` as it was sent. Without an effect on the valve the output equals it, bit for bit.

@@ -15,7 +15,7 @@ constexpr double kTogether = 1e-6;  // poles nearer than this count as one, with
 
 /// z^s.
 Complex power(Complex z, double share) noexcept {
-  return portable_math::power(std::abs(z), share) * unit_circle(share * angle_of(z));
+  return portable::pow(std::abs(z), share) * unit_circle(share * angle_of(z));
 }
 
 /// f(z) = (z^s - 1) / (z - 1), f(1) = s.

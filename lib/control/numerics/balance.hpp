@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/portable_math.hpp"
 
@@ -28,7 +27,7 @@ Eigen::Matrix<double, N, 1> balance(Eigen::Matrix<double, N, N>& m) noexcept {
       if (!(ratio > 0.0) || !std::isfinite(ratio)) {
         continue;
       }
-      const int exponent = static_cast<int>(std::lround(portable_math::logarithm(ratio) * std::numbers::log2e));
+      const int exponent = portable::nearest_exponent(ratio);
       if (exponent != 0) {
         const double factor = std::ldexp(1.0, exponent);
         m.col(i) *= factor;

@@ -9,16 +9,16 @@ namespace farrier::control {
 
 /// e^(i angle), angle (rad) within [-1e6, 1e6]; NaN beyond.
 inline std::complex<double> unit_circle(double angle_rad) noexcept {
-  const portable_math::SineCosine at = portable_math::sine_cosine(angle_rad);
+  const portable::SineCosine at = portable::sincos(angle_rad);
   return {at.cosine, at.sine};
 }
 
 /// Angle (rad) of z in [-pi, pi]; NaN for a number that is not finite.
-inline double angle_of(std::complex<double> z) noexcept { return portable_math::arc_tangent(z.imag(), z.real()); }
+inline double angle_of(std::complex<double> z) noexcept { return portable::atan2(z.imag(), z.real()); }
 
 /// e^z, the imaginary part within [-1e6, 1e6].
 inline std::complex<double> exponential(std::complex<double> z) noexcept {
-  return portable_math::exponential(z.real()) * unit_circle(z.imag());
+  return portable::exp(z.real()) * unit_circle(z.imag());
 }
 
 }  // namespace farrier::control

@@ -70,8 +70,8 @@ double spectral_radius_bound(const Square<N>& m) noexcept {
     if (!(norm > 0.0)) {
       return norm;  // nilpotent, or not a number
     }
-    logarithm += weight * portable_math::logarithm(norm);
-    if (const double bound = portable_math::exponential(logarithm); bound < kMarginalRadius) {
+    logarithm += weight * portable::log(norm);
+    if (const double bound = portable::exp(logarithm); bound < kMarginalRadius) {
       return bound;
     }
     weight *= 0.125;

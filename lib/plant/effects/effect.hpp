@@ -6,10 +6,12 @@
 
 namespace farrier::plant {
 
-/// Inflow of both chambers, m^3/s, as fractions flow / root: an orifice's root goes into the chamber's own division.
+/// Inflow of both chambers, m^3/s: fractions flow / root, as an orifice's root goes into the chamber's own division, and
+/// what flows past the valve.
 struct ChamberFeed {
   double flow_a, root_a;
   double flow_b, root_b;
+  double past_a = 0.0, past_b = 0.0;
 };
 
 /// Values of one evaluation of the joint's equations that effects may read and change, in the order of `Effects`.
@@ -51,6 +53,8 @@ struct RestPoint {
 template <std::size_t States>
 struct Effect {
   static constexpr std::size_t kStates = States;
+  /// True if the hooks change nothing while the effect is not active, so that they need not be asked first.
+  static constexpr bool kNeutralUnlessActive = false;
   using X = std::array<double, States>;
 
   bool active() const noexcept { return false; }
@@ -63,6 +67,10 @@ struct Effect {
   void before_valve(Instant&, const X&) const noexcept {}
   /// After: may change the chambers' feed and the load's force, and gives the rates of its states.
   void after_valve(Instant&, const X&, X&) const noexcept {}
+  /// True if the rates bend sharply where the velocity changes its sign.
+  bool bends_at_rest() const noexcept { return false; }
+  /// After a substep: may put states that have settled to their steady values.
+  void settle(double /*velocity*/, X& /*x*/, X& /*dx*/) const noexcept {}
 };
 
 }  // namespace farrier::plant

@@ -92,46 +92,29 @@ Result<Done> validate(std::span<const ActiveEffect> effects) {
   return refused.empty() ? Result<Done>(Done{}) : Result<Done>(Error{refused});
 }
 
-Effects::Effects(const ActuatorParams& actuator, const LoadParams& load, std::span<const ActiveEffect> effects) noexcept
-    : terms_(Spool(actuator.spool, actuator.valve_current_max_A), supply_line(actuator, effects), make_lines(actuator),
-             Friction(load.friction, full_push(actuator), velocity_scale(actuator)),
-             SealFriction(contact(actuator, find(effects, effect_id<PistonFriction>())), full_push(actuator),
-                          velocity_scale(actuator)),
-             StatelessTerms(actuator, load, effects)) {}
+Effects::Effects(const ActuatorParams& actuator, const LoadParams& load, std::span<const ActiveEffect> effects,
+                 double tolerance) noexcept
+    : EffectSet(Spool(actuator.spool, actuator.valve_current_max_A), supply_line(actuator, effects),
+                make_lines(actuator), Friction(load.friction, full_push(actuator), velocity_scale(actuator), tolerance),
+                SealFriction(contact(actuator, find(effects, effect_id<PistonFriction>())), full_push(actuator),
+                             velocity_scale(actuator), tolerance),
+                StatelessTerms(actuator, load, effects)) {}
 
 Effects::X Effects::set_load(const LoadParams& load, const X& x) noexcept {
   X carried = x;
-  auto& friction = std::get<Friction>(terms_);
-  friction.set(load.friction);
-  std::get<StatelessTerms>(terms_).set(load);
-  carried[at<Friction>()] = friction.carried_over({x[at<Friction>()]})[0];
+  change<Friction>().set(load.friction);
+  change<StatelessTerms>().set(load);
+  carried[at<Friction>()] = get<Friction>().carried_over({x[at<Friction>()]})[0];
   return carried;
 }
 
-bool Effects::active() const noexcept {
-  return std::apply([](const auto&... term) noexcept { return (term.active() || ...); }, terms_);
-}
-
-double Effects::fastest_rate(double mass) const noexcept {
-  double fastest = 0.0;
-  for_each([&]<std::size_t>(const auto& term) noexcept {
-    if (term.active()) {
-      fastest = std::max(fastest, term.fastest_rate(mass));
-    }
-  });
-  return fastest;
-}
-
-Effects::X Effects::scale() const noexcept {
-  X all{};
-  for_each([&]<std::size_t At>(const auto& term) noexcept { place<At>(term.scale(), all); });
-  return all;
-}
-
-Effects::X Effects::rest(const RestPoint& point) const noexcept {
-  X all{};
-  for_each([&]<std::size_t At>(const auto& term) noexcept { place<At>(term.rest(point), all); });
-  return all;
+std::optional<LeanEffects> lean(const Effects& effects) noexcept {
+  const std::optional<LandLeaks> leaks = effects.get<StatelessTerms>().as_land_leaks();
+  const bool others = effects.get<Spool>().active() || effects.lines().active() || effects.get<Friction>().active();
+  if (!effects.active() || others || !leaks) {
+    return std::nullopt;
+  }
+  return LeanEffects(effects.get<SupplyLine>(), effects.get<SealFriction>(), *leaks);
 }
 
 }  // namespace farrier::plant

@@ -5,9 +5,10 @@
 
 namespace farrier::plant {
 
-/// State of a joint with the states of its effects.
+/// State of a joint with the states of a set of effects.
+template <class Set>
 struct EffectState : IntegrationState {
-  Effects::X x;
+  typename Set::X x;
 };
 
 /// Inputs that are held over a step; the valve's opening is not.
@@ -16,17 +17,24 @@ struct CommandInput {
   double external_force;  ///< N or Nm
 };
 
-/// The joint's equations with its effects between them. Both outlive this.
+/// Inputs that are held over a step with the valve's opening.
+struct OpeningInput : HeldInput {
+  double command_A;
+  double opening_A;  ///< current the valve is open for
+};
+
+/// The joint's equations with effects between them. Both outlive this. With OpeningInput the effects leave the valve's
+/// opening as it is held.
+template <class Set, class HeldOver = CommandInput>
 class EquationsWithEffects {
  public:
-  using State = EffectState;
-  using Input = CommandInput;
+  using State = EffectState<Set>;
+  using Input = HeldOver;
 
-  EquationsWithEffects(const JointEquations& joint, const Effects& effects) noexcept
-      : joint_(joint), effects_(effects) {}
+  EquationsWithEffects(const JointEquations& joint, const Set& effects) noexcept : joint_(joint), effects_(effects) {}
 
-  EffectState derivative(const EffectState& s, const CommandInput& input) const noexcept {
-    EffectState rate;
+  State derivative(const State& s, const Input& input) const noexcept {
+    State rate;
     const Instant now = instant(s, input, rate.x);
     static_cast<IntegrationState&>(rate) =
         joint_.balance(s, now.chamber_a_Pa, now.chamber_b_Pa, now.feed, now.load_force + now.piston_force);
@@ -35,29 +43,34 @@ class EquationsWithEffects {
     }
     return rate;
   }
+  /// Time until the rates bend where the velocity changes its sign, s, at the present acceleration; no number or
+  /// negative for never.
+  double time_to_bend_s(const State& s, const State& rate) const noexcept {
+    return effects_.bends_at_rest() ? -s.velocity / rate.velocity : -1.0;
+  }
 
   /// The present valve, for the pressures at its ports.
-  HeldInput valve(const EffectState& s, const CommandInput& input) const noexcept {
-    return valve(before_valve(s, input));
-  }
-  double opening_A(const EffectState& s, const CommandInput& input) const noexcept {
-    return before_valve(s, input).opening_A;
-  }
+  HeldInput valve(const State& s, const Input& input) const noexcept { return valve(before_valve(s, input), input); }
+  const Set& effects() const noexcept { return effects_; }
+  double opening_A(const State& s, const Input& input) const noexcept { return before_valve(s, input).opening_A; }
   /// Force of effects on the piston, which the load cell does not read; N or Nm, positive along +position.
-  double piston_force(const EffectState& s, const CommandInput& input) const noexcept {
-    Effects::X rates;
+  double piston_force(const State& s, const Input& input) const noexcept {
+    typename Set::X rates;
     return instant(s, input, rates).piston_force;
   }
 
  private:
-  Instant before_valve(const EffectState& s, const CommandInput& input) const noexcept {
+  static double opening(const CommandInput& input) noexcept { return input.command_A; }
+  static double opening(const OpeningInput& input) noexcept { return input.opening_A; }
+
+  Instant before_valve(const State& s, const Input& input) const noexcept {
     const double p_a = pressure_of(s.compression_a_Pa);
     const double p_b = pressure_of(s.compression_b_Pa);
     Instant now{.command_A = input.command_A,
                 .velocity = s.velocity,
                 .chamber_a_Pa = p_a,
                 .chamber_b_Pa = p_b,
-                .opening_A = input.command_A,
+                .opening_A = opening(input),
                 .valve_a_Pa = p_a,
                 .valve_b_Pa = p_b,
                 .feed = {0.0, 1.0, 0.0, 1.0},
@@ -67,17 +80,22 @@ class EquationsWithEffects {
     return now;
   }
 
-  HeldInput valve(const Instant& now) const noexcept {
+  HeldInput open(const Instant& now, const CommandInput&) const noexcept {
     HeldInput held = joint_.hold(now.opening_A, now.load_force);
     held.flow_gain *= now.flow_factor;
+    return held;
+  }
+  HeldInput open(const Instant&, const OpeningInput& input) const noexcept { return input; }
+  HeldInput valve(const Instant& now, const Input& input) const noexcept {
+    HeldInput held = open(now, input);
     (now.opening_A > 0.0 ? held.port_a_Pa : held.port_b_Pa) -= now.supply_fall_Pa;
     return held;
   }
 
   /// All that effects change, and the rates of their states.
-  Instant instant(const EffectState& s, const CommandInput& input, Effects::X& rates) const noexcept {
+  Instant instant(const State& s, const Input& input, typename Set::X& rates) const noexcept {
     Instant now = before_valve(s, input);
-    now.feed = joint_.valve_flow(now.valve_a_Pa, now.valve_b_Pa, valve(now));
+    now.feed = joint_.valve_flow(now.valve_a_Pa, now.valve_b_Pa, valve(now, input));
     rates = effects_.after_valve(now, s.x);
     return now;
   }
@@ -85,7 +103,7 @@ class EquationsWithEffects {
   /// Rates of the pressures with 1/beta_e + softness in place of 1/beta_e, except in a void. If the piston gains w =
   /// slope F_h' on the load: F_h' = F_0' - S w. F_0' is the rate without the gain, S the stiffness of the oil that has
   /// pressure.
-  void soften(const EffectState& s, const Instant& now, IntegrationState& rate) const noexcept {
+  void soften(const State& s, const Instant& now, IntegrationState& rate) const noexcept {
     const ActuatorParams& act = joint_.actuator();
     const ChamberVolumes<double> volume = joint_.volumes(s.position);
     const bool full_a = s.compression_a_Pa > 0.0;
@@ -108,7 +126,7 @@ class EquationsWithEffects {
   }
 
   const JointEquations& joint_;
-  const Effects& effects_;
+  const Set& effects_;
 };
 
 }  // namespace farrier::plant

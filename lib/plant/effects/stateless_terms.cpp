@@ -42,42 +42,38 @@ double StatelessTerms::supply_flow_m3_s(const Instant& now) const noexcept {
 }
 
 void StatelessTerms::act_on_valve(Instant& now) const noexcept {
-  ValveMoment<double> valve{now.opening_A, 1.0};
-  terms_.on_valve(valve);
+  const ValveMoment<double> valve = opening(now.opening_A);
   now.opening_A = valve.opening_A;
   now.flow_factor = valve.flow_factor;
 }
 
+std::optional<LandLeaks> StatelessTerms::as_land_leaks() const noexcept {
+  const auto* lands = terms_.find<ValveDeadband>();
+  if (hooks_.piston > 0 || hooks_.load > 0 || hooks_.oil != (lands != nullptr ? 1 : 0)) {
+    return std::nullopt;
+  }
+  constexpr std::array<double, kMostParameters> kNone{};
+  return LandLeaks(actuator_,
+                   lands != nullptr ? *lands : ValveDeadband<double>(kNone.data(), Scales(actuator_, load_), 0.0));
+}
+
 void StatelessTerms::act_on_oil(Instant& now) const noexcept {
-  const double force = hydraulic_force(actuator_, now.chamber_a_Pa, now.chamber_b_Pa);
-  OilMoment<double> oil{now.chamber_a_Pa,
-                        now.chamber_b_Pa,
-                        supply_flow_m3_s(now),
-                        force,
-                        actuator_.bulk_modulus_Pa,
-                        actuator_.supply_pressure_Pa - now.supply_fall_Pa,
-                        0.0,
-                        0.0,
-                        0.0,
-                        0.0,
-                        actuator_.return_pressure_Pa};
+  OilMoment<double> oil = oil_moment(now, actuator_, supply_flow_m3_s(now));
   terms_.on_oil(oil);
+  take_leaks(oil, now);
   now.supply_fall_Pa = actuator_.supply_pressure_Pa - oil.supply_pressure_Pa;
-  now.into_a_m3_s = oil.into_a_m3_s;
-  now.into_b_m3_s = oil.into_b_m3_s;
-  now.leakage_m3_s = oil.leakage_m3_s;
   now.softness_a = oil.softness_a;
   now.softness_b = oil.softness_b;
   now.play_slope = oil.play_slope;
 }
 
 void StatelessTerms::act_on_forces(Instant& now) const noexcept {
-  if (hooks_.piston) {
+  if (hooks_.piston > 0) {
     PistonMoment<double> piston{now.position, now.velocity, 0.0, 0.0};
     terms_.on_piston(piston);
     now.piston_force += piston.force;
   }
-  if (!hooks_.load) {
+  if (hooks_.load == 0) {
     return;
   }
   LoadMoment<double> load{

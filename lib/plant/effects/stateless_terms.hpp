@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "plant/actuator.hpp"
 #include "plant/effects/effect.hpp"
+#include "plant/effects/land_leaks.hpp"
 #include "plant/terms/load_effects.hpp"
 
 namespace farrier::plant {
@@ -28,22 +30,31 @@ class StatelessTerms : public Effect<0> {
   void set(const LoadParams& load) noexcept { load_ = load; }
 
   bool active() const noexcept { return active_; }
+  /// Those on oil, piston and load, if they are the valve's lands alone.
+  std::optional<LandLeaks> as_land_leaks() const noexcept;
   /// Fastest rate of springs and dampers on load and piston, of the valve at its largest current and of a leak.
   double fastest_rate(double mass) const noexcept;
+  /// The opening of the valve under a current, with the factor on the valve gain.
+  ValveMoment<double> opening(double current_A) const noexcept {
+    ValveMoment<double> valve{current_A, 1.0};
+    if (hooks_.valve > 0) {
+      terms_.on_valve(valve);
+    }
+    return valve;
+  }
   void before_valve(Instant& now, const X&) const noexcept {
-    if (hooks_.valve) {
+    if (hooks_.valve > 0) {
       act_on_valve(now);
     }
-    if (hooks_.oil) {
+    if (hooks_.oil > 0) {
       act_on_oil(now);
     }
   }
   void after_valve(Instant& now, const X&, X&) const noexcept {
-    if (hooks_.oil) {
-      now.feed.flow_a += (now.into_a_m3_s - now.leakage_m3_s) * now.feed.root_a;
-      now.feed.flow_b += (now.into_b_m3_s + now.leakage_m3_s) * now.feed.root_b;
+    if (hooks_.oil > 0) {
+      add_leaks(now);
     }
-    if (hooks_.piston || hooks_.load) {
+    if (hooks_.piston > 0 || hooks_.load > 0) {
       act_on_forces(now);
     }
   }

@@ -8,12 +8,17 @@ namespace farrier::plant {
 /// with the time constant. Not active without a resistance and a time constant.
 class SupplyLine : public Effect<1> {
  public:
+  static constexpr bool kNeutralUnlessActive = true;
+
   SupplyLine() = default;
   SupplyLine(double resistance_Pa_s_m3, double time_constant_s, double supply_pressure_Pa) noexcept
-      : resistance_(resistance_Pa_s_m3), time_constant_s_(time_constant_s), supply_pressure_Pa_(supply_pressure_Pa) {}
+      : active_(resistance_Pa_s_m3 > 0.0 && time_constant_s > 0.0),
+        resistance_(active_ ? resistance_Pa_s_m3 : 0.0),
+        rate_1_s_(active_ ? 1.0 / time_constant_s : 1.0),
+        supply_pressure_Pa_(supply_pressure_Pa) {}
 
-  bool active() const noexcept { return resistance_ > 0.0 && time_constant_s_ > 0.0; }
-  double fastest_rate(double) const noexcept { return 1.0 / time_constant_s_; }
+  bool active() const noexcept { return active_; }
+  double fastest_rate(double) const noexcept { return rate_1_s_; }
   X scale() const noexcept { return {supply_pressure_Pa_}; }
   void before_valve(Instant& now, const X& x) const noexcept {
     constexpr double kMostShare = 0.9;  // as the term's
@@ -22,13 +27,15 @@ class SupplyLine : public Effect<1> {
   }
   void after_valve(Instant& now, const X& x, X& dx) const noexcept {
     // The chamber at the supply; nothing flows back into the line.
-    const double flow = now.opening_A > 0.0 ? now.feed.flow_a / now.feed.root_a : now.feed.flow_b / now.feed.root_b;
-    dx[0] = (resistance_ * (flow > 0.0 ? flow : 0.0) - x[0]) / time_constant_s_;
+    const bool extends = now.opening_A > 0.0;
+    const double flow = (extends ? now.feed.flow_a : now.feed.flow_b) / (extends ? now.feed.root_a : now.feed.root_b);
+    dx[0] = rate_1_s_ * (resistance_ * (flow > 0.0 ? flow : 0.0) - x[0]);
   }
 
  private:
+  bool active_ = false;
   double resistance_ = 0.0;
-  double time_constant_s_ = 0.0;
+  double rate_1_s_ = 1.0;
   double supply_pressure_Pa_ = 1.0;
 };
 

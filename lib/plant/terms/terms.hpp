@@ -134,9 +134,9 @@ class TermSet {
     });
     return velocity;
   }
-  /// Hooks of the plant that a term of the joint has.
+  /// Numbers of the joint's terms that have a hook of the plant.
   struct Hooks {
-    bool valve = false, oil = false, piston = false, load = false;
+    int valve = 0, oil = 0, piston = 0, load = 0;
   };
   Hooks hooks() const noexcept {
     Hooks any;
@@ -153,10 +153,10 @@ class TermSet {
  private:
   template <class Term>
   static void note(const Term&, Hooks& any) noexcept {
-    any.valve |= requires(Term & term, ValveMoment<T> & now) { term.on_valve(now); };
-    any.oil |= requires(Term & term, OilMoment<T> & now) { term.on_oil(now); };
-    any.piston |= requires(Term & term, PistonMoment<T> & now) { term.on_piston(now); };
-    any.load |= requires(Term & term, LoadMoment<T> & now) { term.on_load(now); };
+    any.valve += requires(Term & term, ValveMoment<T> & now) { term.on_valve(now); };
+    any.oil += requires(Term & term, OilMoment<T> & now) { term.on_oil(now); };
+    any.piston += requires(Term & term, PistonMoment<T> & now) { term.on_piston(now); };
+    any.load += requires(Term & term, LoadMoment<T> & now) { term.on_load(now); };
   }
   template <class F>
   static void for_each_place(F&& f) noexcept {

@@ -7,8 +7,16 @@ namespace {
 
 void check_absent(const RobotFile& file, config::Problems& problems) {
   constexpr const char* kRemedy = "is for a robot with body.trunk: give that too, or leave it out";
-  if (file.body && file.body->foot_radius_m) {
-    problems.push_back(file.body->place.problem("foot_radius_m", kRemedy));
+  if (file.body) {
+    const Body& body = *file.body;
+    const auto absent = [&](const char* key, double value) {
+      if (value != 0.0) {
+        problems.push_back(body.place.problem(key, kRemedy));
+      }
+    };
+    absent("foot_radius_m", body.foot_radius_m.value_or(0.0));
+    absent("knee_radius_m", body.knee_radius_m);
+    absent("joint_damping_Nms_rad", body.joint_damping_Nms_rad);
   }
   for (const auto& [name, leg] : file.legs) {
     if (!leg.hip_position_m.empty()) {

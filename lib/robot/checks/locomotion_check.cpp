@@ -1,6 +1,7 @@
 #include "robot/checks/locomotion_check.hpp"
 
 #include <array>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -20,6 +21,32 @@ void check_folded(const RobotFile& file, const FoldedAngle& folded, const std::s
   }
 }
 
+// Leg lengths of trunks that stand level on feet beside their hips.
+void check_reach(const RobotFile& file, config::Problems& problems) {
+  const LocomotionSection& section = *file.locomotion;
+  const Body& body = *file.body;
+  const double whole_m = body.hip_offset_m + body.upper_leg_m + body.lower_leg_m;
+  const double longest_m = section.params.leg.longest_leg_m;
+  if (longest_m > whole_m) {
+    problems.push_back(section.place.problem("leg", "has longest_leg_m " + config::number_text(longest_m) +
+                                                        ", but a straight leg has " + config::number_text(whole_m) +
+                                                        ": give less"));
+  }
+  for (const auto& [name, leg] : file.legs) {
+    if (leg.hip_position_m.size() != 3 || !body.foot_radius_m) {
+      continue;
+    }
+    const double down_m = section.params.reference.largest_height_m + leg.hip_position_m[2] - *body.foot_radius_m;
+    if (std::hypot(down_m, section.params.foothold.wider_m) > longest_m) {
+      problems.push_back(section.place.problem(
+          "reference", "has largest_height_m " + config::number_text(section.params.reference.largest_height_m) +
+                           ", at which the foot of leg " + name +
+                           " does not reach the ground: give less, or a larger "
+                           "longest_leg_m"));
+    }
+  }
+}
+
 }  // namespace
 
 config::Problems check_locomotion(const RobotFile& file) {
@@ -32,6 +59,7 @@ config::Problems check_locomotion(const RobotFile& file) {
     problems.push_back(section.place.problem("", "is for a robot with body.trunk: give that too, or leave it out"));
     return problems;
   }
+  check_reach(file, problems);
   const std::array<FoldedAngle, kJointsOfALeg> folded{FoldedAngle{"folded_haa_rad", section.folded_haa_rad},
                                                       {"folded_hfe_rad", section.folded_hfe_rad},
                                                       {"folded_kfe_rad", section.folded_kfe_rad}};

@@ -32,12 +32,21 @@ void declare(Visitor& v, Link& l) {
   v.group("inertia", l.inertia, "Inertia tensor about the centre of mass.");
 }
 
+void declare(Visitor& v, TrunkBox& b) {
+  v.number("length_m", b.length_m, {1e-3, 10}, "Extent forward.");
+  v.number("width_m", b.width_m, {1e-3, 10}, "Extent to the left.");
+  v.number("height_m", b.height_m, {1e-3, 10}, "Extent upwards.");
+  v.number("x_m", b.x_m, {-5, 5}, kInitial, "Middle, forward of the trunk's origin.");
+  v.number("z_m", b.z_m, {-5, 5}, kInitial, "Middle, above it.");
+}
+
 void declare(Visitor& v, Trunk& t) {
   v.here(t.place);
   v.number("com_x_m", t.com_x_m, {-5, 5}, "Centre of mass, forward of the trunk's origin.");
   v.number("com_y_m", t.com_y_m, {-5, 5}, kInitial, "Centre of mass, to the left of it.");
   v.number("com_z_m", t.com_z_m, {-5, 5}, kInitial, "Centre of mass, above it.");
   v.group("inertia", t.inertia, "Inertia tensor about the centre of mass: x forward, y left, z up.");
+  v.group("box", t.box, "What of the trunk meets the ground when the robot falls; absent: nothing does.");
 }
 
 void declare(Visitor& v, Body& b) {
@@ -47,6 +56,10 @@ void declare(Visitor& v, Body& b) {
   v.group("trunk", b.trunk,
           "Mass distribution of the trunk; absent for a robot that is simulated joint by joint only.");
   v.number("foot_radius_m", b.foot_radius_m, {1e-3, 0.5}, "Radius of the foot's sphere; given with trunk.");
+  v.number("knee_radius_m", b.knee_radius_m, {0, 0.5}, kInitial,
+           "Radius of a sphere about the knee that meets the ground when the robot falls; 0: none.");
+  v.number("joint_damping_Nms_rad", b.joint_damping_Nms_rad, {0, 1e3}, kInitial,
+           "Viscous friction of a joint's bearings, on a ground; no controller knows it.");
   v.number("hip_offset_m", b.hip_offset_m, {0, 5}, "HAA axis to HFE axis.");
   v.number("upper_leg_m", b.upper_leg_m, {1e-2, 5}, "HFE axis to KFE axis.");
   v.number("lower_leg_m", b.lower_leg_m, {1e-2, 5}, "KFE axis to the centre of the foot.");

@@ -30,12 +30,23 @@ struct Link {
   config::Place place;
 };
 
+/// The part of the trunk that touches the ground when the robot falls: a box along the trunk's axes, in the middle of
+/// its width.
+struct TrunkBox {
+  double length_m = 0.0;
+  double width_m = 0.0;
+  double height_m = 0.0;
+  double x_m = 0.0;  ///< middle, forward of the trunk's origin
+  double z_m = 0.0;  ///< middle, above it
+};
+
 /// The trunk's mass distribution in its frame: x forward, y left, z up. Its mass is Body::trunk_mass_kg.
 struct Trunk {
   double com_x_m = 0.0;
   double com_y_m = 0.0;
   double com_z_m = 0.0;
   Inertia inertia;
+  std::optional<TrunkBox> box;  ///< none: the trunk passes through the ground
   config::Place place;
 };
 
@@ -48,6 +59,8 @@ struct Body {
   double lower_leg_m = 0.0;
   std::optional<Trunk> trunk;           ///< of a robot that can be simulated as rigid bodies
   std::optional<double> foot_radius_m;  ///< of the same
+  double knee_radius_m = 0.0;
+  double joint_damping_Nms_rad = 0.0;
   Link hip;
   Link upper_leg;
   Link lower_leg;
@@ -56,6 +69,7 @@ struct Body {
 
 void declare(config::Visitor& v, Inertia& inertia);
 void declare(config::Visitor& v, Link& link);
+void declare(config::Visitor& v, TrunkBox& box);
 void declare(config::Visitor& v, Trunk& trunk);
 void declare(config::Visitor& v, Body& body);
 

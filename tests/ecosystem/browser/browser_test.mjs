@@ -5,8 +5,9 @@ import { join } from "node:path";
 
 const [, , program, pageFolder, robot, pictures] = process.argv;
 const kSkipped = 77;
+const kMostScript_ms = 10;
 
-const { Server, drawnPixels, findBrowser, launch, openPage, until } = await import("./page_under_test.mjs");
+const { Server, drawnPixels, findBrowser, launch, openPage, shadesOf, until } = await import("./page_under_test.mjs");
 const executable = findBrowser();
 if (!executable) {
   console.log("skipped: no Chromium here; apt-get install chromium");
@@ -83,6 +84,42 @@ await check("is used by keys alone", async () => {
   await shoot(page, "help");
   await page.keyboard.press("Escape");
   assert.ok(!(await page.$eval("#help", (dialog) => dialog.open)));
+});
+await check("draws the robot in three dimensions", async () => {
+  await until(page, () => Number(document.querySelector("#stage").dataset.triangles) > 1000, 10000);
+  assert.equal(await page.$eval("#body", (section) => section.dataset.pose), "truth");
+  assert.match(await text(page, "#body-numbers"), /motiontrot.*0\.30 m\/s forward.*0\.02 m, 0°/);
+  const shades = await shadesOf(browser, await page.$("#stage"));
+  assert.ok(shades > 30, `${shades} colours`);
+  return `${await page.$eval("#stage", (stage) => stage.dataset.triangles)} triangles, ${shades} colours`;
+});
+await check("draws a robot on a bench by its joints alone", async () => {
+  server.say("bench");
+  await until(page, () => document.querySelector("#body").dataset.pose === "unknown", 5000);
+  assert.match(await text(page, "#body-text"), /No process says where the trunk is/);
+  await shoot(page, "live_bench");
+  server.say("ground");
+  await until(page, () => document.querySelector("#body").dataset.pose === "truth", 5000);
+});
+await check("takes at most ten milliseconds of script a frame", async () => {
+  // Of the page's thread, in time of the processor: others who use this computer do not count.
+  const session = await page.createCDPSession();
+  await session.send("Performance.enable", { timeDomain: "threadTicks" });
+  const script = async () => (await session.send("Performance.getMetrics")).metrics
+    .find(({ name }) => name === "ScriptDuration").value;
+  const before = await script();
+  const frames = await page.evaluate(() => new Promise((resolve) => {
+    const seen = new Set(), begin = performance.now();
+    const look = (now) => {
+      seen.add(document.body.dataset.time);
+      now - begin < 3000 ? requestAnimationFrame(look) : resolve(seen.size);
+    };
+    requestAnimationFrame(look);
+  }));
+  const each = 1000 * (await script() - before) / frames;
+  const words = `${each.toFixed(1)} ms`;
+  assert.ok(each > 0 && each <= kMostScript_ms, words);
+  return words;
 });
 await check("draws at twenty frames a second without falling behind", async () => {
   const counted = await page.evaluate(() => new Promise((resolve) => {

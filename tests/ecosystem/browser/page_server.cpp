@@ -1,7 +1,7 @@
 // Serves the page for a browser's test, of a made-up robot or of a recording. Lines of the standard input command the
 // made-up robot:
 //
-//   faults <joint> <bits>     quiet     begin     (a new run; ends quiet).
+//   faults <joint> <bits>     quiet     begin     (a new run; ends quiet)     bench     ground     (says no body; says one).
 //
 // Usage:
 // page_server <page> <robot file> <port> [<recording>]     serves; a line says where
@@ -45,7 +45,8 @@ int serve_recording(const std::string& path, const display::ListenAddress& addre
     return fail(frames.error().message);
   }
   auto server = web::WebServer::create(
-      address, web::RecordedFrames::site(std::make_shared<const web::RecordedFrames>(std::move(frames).value()), std::move(page)));
+      address, web::RecordedFrames::site(std::make_shared<const web::RecordedFrames>(std::move(frames).value()),
+                                         std::move(page)));
   if (!server) {
     return fail(server.error().message);
   }
@@ -74,6 +75,8 @@ bool obey(const robot::Robot& robot, MadeUpRobot& made_up, bool& quiet, std::uin
     made_up.set_faults(robot.find(joint)->number, bits, now_ns);
   } else if (verb == "quiet") {
     quiet = true;
+  } else if (verb == "bench" || verb == "ground") {
+    made_up.stand_on_bench(verb == "bench");
   } else if (verb == "begin") {
     quiet = false;
     made_up.begin(now_ns, now_ns);

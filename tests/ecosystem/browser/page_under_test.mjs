@@ -86,6 +86,20 @@ export function drawnPixels(page) {
   });
 }
 
+/// Number of colours in a picture of an element: an empty one has few.
+export async function shadesOf(browser, element) {
+  const picture = await element.screenshot({ encoding: "base64" });
+  const blank = await browser.newPage();
+  const count = await blank.evaluate(async (bytes) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${bytes}`)).blob());
+    const copy = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    copy.drawImage(image, 0, 0);
+    return new Set(new Uint32Array(copy.getImageData(0, 0, image.width, image.height).data.buffer)).size;
+  }, picture);
+  await blank.close();
+  return count;
+}
+
 export function until(page, words, limit, ...values) {
   return page.waitForFunction(words, { timeout: limit, polling: 50 }, ...values);
 }

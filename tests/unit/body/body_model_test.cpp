@@ -65,6 +65,22 @@ TEST(BodyModel, RefusesAFootWithoutRadius) {
   EXPECT_EQ(refusal(model), "leg leg0: the foot has no size: give the radius of its sphere in m, above zero");
 }
 
+TEST(BodyModel, RefusesStopsThatLeaveNoAngle) {
+  BodyModel model = random_body(1, 1);
+  model.legs[0].links[2].stops = {0.5, 0.5};
+  EXPECT_EQ(refusal(model),
+            "leg leg0: the third link has stops that leave no angle between them: give the least angle first");
+}
+
+TEST(BodyModel, RefusesAKneeOrATrunksBoxOfNoSize) {
+  BodyModel model = random_body(1, 1);
+  model.legs[0].knee_radius_m = -0.1;
+  EXPECT_EQ(refusal(model), "leg leg0: the knee has a negative radius: give zero for none");
+  model = random_body(1, 1);
+  model.box = TrunkBox{};
+  EXPECT_EQ(refusal(model), "the trunk has a box without volume: give three half extents in m, above zero");
+}
+
 TEST(BodyModel, RefusesNumbersThatAreNotFinite) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   BodyModel model = random_body(1, 1);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <span>
 #include <thread>
 
 #include "tests/support/allocation_guard.hpp"
@@ -169,6 +170,72 @@ TEST_F(EngineRun, AllocatesNothingInAStep) {
   engine_.set_trunk(model_.trunk);
   EXPECT_EQ(guard.allocations(), 0u);
   EXPECT_TRUE(std::isfinite(state.position_m.z()));
+}
+
+// A robot without torques falls on its side or its belly, and stays above the ground.
+TEST(Engine, LetsALimpRobotLandOnTrunkAndKnees) {
+  BodyModel model = random_body(4, 21);
+  model.box = TrunkBox{.centre_m = Eigen::Vector3d::Zero(), .half_extents_m = {0.4, 0.2, 0.1}};
+  for (LegModel& leg : model.legs) {
+    leg.knee_radius_m = 0.03;
+    for (Link& link : leg.links) {
+      link.damping_Nms_rad = 1.0;
+    }
+  }
+  Engine engine = Engine::create(model, {}).value();
+  RigidBody body = RigidBody::create(model).value();
+  BodyState state = BodyState::zero(body.joints());
+  state.position_m.z() = 1.5;
+  engine.set_state(state);
+  constexpr double kSunk_m = 0.01;
+  for (int step = 0; step < 20000; ++step) {
+    engine.step(JointVector::Zero(body.joints()));
+    ASSERT_FALSE(engine.failure().has_value()) << to_string(engine.failure()->fault) << " at step " << step;
+  }
+  const BodyState lies = engine.state();
+  EXPECT_LT(lies.position_m.z(), 1.0);
+  for (const double x : {-0.4, 0.4}) {
+    for (const double y : {-0.2, 0.2}) {
+      for (const double z : {-0.1, 0.1}) {
+        EXPECT_GT((lies.position_m + lies.attitude * Eigen::Vector3d(x, y, z)).z(), -kSunk_m);
+      }
+    }
+  }
+}
+
+TEST(Engine, HoldsAHingeBetweenItsStops) {
+  constexpr double kGives_rad = 0.05;
+  BodyModel model = random_body(1, 22);
+  model.gravity_m_s2 = 0.0;
+  model.legs[0].links[2].stops = {-0.5, 0.3};
+  for (Link& link : std::span(model.legs[0].links).first(2)) {
+    link.damping_Nms_rad = 100.0;  // else the robot spins ever faster
+  }
+  for (const double torque_Nm : {-20.0, 20.0}) {
+    Engine engine = Engine::create(model, {}).value();
+    BodyState state = BodyState::zero(3);
+    state.position_m.z() = 10.0;  // above the ground
+    engine.set_state(state);
+    JointVector torques_Nm = JointVector::Zero(3);
+    torques_Nm[2] = torque_Nm;
+    for (int step = 0; step < 8000; ++step) {
+      engine.step(torques_Nm);
+      ASSERT_GT(engine.state().angles_rad[2], -0.5 - kGives_rad) << step;
+      ASSERT_LT(engine.state().angles_rad[2], 0.3 + kGives_rad) << step;
+    }
+  }
+}
+
+TEST(Engine, TakesTheSameStepsByThemselves) {
+  const BodyModel model = random_body(2, 23);
+  Engine watched = Engine::create(model, {}).value();
+  Engine bare = Engine::create(model, {}).value();
+  JointVector torques_Nm = JointVector::Constant(6, 2.0);
+  for (int step = 0; step < 400; ++step) {
+    watched.step(torques_Nm);
+  }
+  bare.bare_steps(torques_Nm, 400);
+  EXPECT_EQ(bare.state().velocity(), watched.state().velocity());
 }
 
 TEST(Engine, RefusesAStepOutOfRange) {

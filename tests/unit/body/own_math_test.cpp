@@ -15,8 +15,8 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 TEST(OwnMath, GivesSineAndCosineInTheFormOfTheLibrary) {
   double s = 0.0, c = 0.0;
   sine_cosine(1.3, &s, &c);
-  EXPECT_EQ(s, portable_math::sine(1.3));
-  EXPECT_EQ(c, portable_math::cosine(1.3));
+  EXPECT_EQ(s, portable::sin(1.3));
+  EXPECT_EQ(c, portable::cos(1.3));
 }
 
 TEST(OwnMath, PowerMultiplies) {

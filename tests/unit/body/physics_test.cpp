@@ -67,6 +67,11 @@ TEST_F(HyqPhysics, KeepsTheEnergyOfAFreeFall) {
 TEST_F(HyqPhysics, KeepsTheEnergyOfASwingingLeg) {
   BodyModel weightless = model_;
   weightless.gravity_m_s2 = 0.0;
+  for (LegModel& leg : weightless.legs) {
+    for (Link& link : leg.links) {
+      link.damping_Nms_rad = 0.0;
+    }
+  }
   Engine engine = Engine::create(weightless, {}).value();
   BodyState state = standing_;
   state.position_m.z() = 20.0;

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/unit/locomotion/point_foot_robot.hpp"
-#include "tests/unit/locomotion/stand_up.hpp"
+#include "docs/how-to/locomotion/stand_up.hpp"
 
 namespace farrier::locomotion {
 namespace own_controller_test {

@@ -227,5 +227,70 @@ TEST(LoadMass, IsUnknownForAModelThatNothingContinuousHas) {
   EXPECT_FALSE(load_mass(e, 1e-3));
 }
 
+/// At rest on its feet: summaries of joints in their home pose.
+void walk_at_home(Feed& feed, Tick begin, int summaries) {
+  feed.walk(begin, summaries, [](signals::JointSummary& s) {
+    const robot::Joint& joint = hyq().joints[s.joint];
+    s.position_m_or_rad = joint.linkage.position(joint.home_angle_rad);
+  });
+}
+
+signals::BodyTruth truth(Tick tick) {
+  signals::BodyTruth truth;
+  truth.tick = tick;
+  truth.attitude = {1.0, 0.0, 0.0, 0.0};
+  truth.position_m = {1e-3 * static_cast<double>(tick), 0.0, 0.5};
+  return truth;
+}
+
+TEST(RobotView, PlacesLegsWhereTheJointsAre) {
+  Feed feed;
+  EXPECT_FALSE(feed.frame().body.value().legs.at(0));
+  walk_at_home(feed, 0, 1);
+  const BodyFrame body = feed.frame().body.value();
+  ASSERT_EQ(body.legs.size(), 4u);
+  auto placed = body::RigidBody::create(*hyq().body).value();
+  auto home = body::BodyState::zero(12);
+  for (const robot::Joint& joint : hyq().joints) {
+    home.angles_rad[joint.number] = joint.home_angle_rad;
+  }
+  placed.set_state(home);
+  constexpr double kLinkage_m = 1e-9;  // an angle from a cylinder's length
+  for (int leg = 0; leg < 4; ++leg) {
+    const BodyFrame::Leg& seen = body.legs[static_cast<std::size_t>(leg)].value();
+    EXPECT_LT((seen.foot_m - placed.foot_position_m(leg)).norm(), kLinkage_m) << leg;
+    EXPECT_EQ(seen.hinges_m[0], hyq().body->legs[static_cast<std::size_t>(leg)].links[0].hinge_m) << leg;
+  }
+  EXPECT_FALSE(body.truth);
+  EXPECT_FALSE(body.state);
+}
+
+TEST(RobotView, ShowsTrunkAndLegsOfOneTick) {
+  Feed feed;
+  for (Tick tick = 1; tick <= 30; ++tick) {
+    feed.take(truth(tick));
+  }
+  walk_at_home(feed, 0, 1);  // of tick 20
+  EXPECT_EQ(feed.frame().body->truth.value().tick, 20);
+  walk_at_home(feed, 20, 1);
+  EXPECT_EQ(feed.frame().body->truth.value().tick, 30);
+}
+
+TEST(RobotView, ForgetsABodyThatNobodySpeaksOfAnyMore) {
+  Feed feed;
+  signals::BodyState state;
+  state.tick = 20;
+  feed.take(truth(20));
+  feed.take(state);
+  walk_at_home(feed, 0, 1);
+  EXPECT_TRUE(feed.frame().body->truth && feed.frame().body->state);
+  feed.pass(1.1 * kSilent_s);
+  EXPECT_FALSE(feed.frame().body->truth || feed.frame().body->state);
+  feed.take(truth(2000));
+  feed.take(hello(0, "sim_bridge"));
+  feed.take(hello(0, "sim_bridge", kSession + 1));
+  EXPECT_FALSE(feed.frame().body->truth) << "another run";
+}
+
 }  // namespace robot_view_test
 }  // namespace farrier::monitor

@@ -14,6 +14,7 @@ trials::TrotRow row(const std::string& trial, const std::string& name = "seed 1"
   return {.trial = trial,
           .name = name,
           .figures = {.fell_s = std::nullopt,
+                      .fall = {},
                       .height_rms_m = 0.002,
                       .height_offset_m = -0.001,
                       .sag_m = 0.003,
@@ -29,6 +30,7 @@ trials::TrotRow row(const std::string& trial, const std::string& name = "seed 1"
 trials::TrotRow fallen(const std::string& trial) {
   trials::TrotRow of = row(trial, "fallen");
   of.figures.fell_s = 3.0;
+  of.figures.fall = "tilt";
   of.figures.height_rms_m = 1.0;
   return of;
 }
@@ -47,6 +49,40 @@ TEST(BodyResult, IsTheWorstRunInTheUnitsOfItsFigures) {
   EXPECT_NEAR(figures.find("body.flat.height_offset_mm")->value, 4.0, 1e-12);
   EXPECT_NEAR(figures.find("body.flat.heading_drift_deg_min")->value, 0.3438, 1e-4);
   EXPECT_TRUE(figures.all_hold());
+}
+
+TEST(BodyResult, HasTheLargestLateralDriftPerMinute) {
+  trials::TrotRow worse = row("flat", "seed 2");
+  worse.figures.lateral_drift_m_s = -0.001;
+  const Figures figures = figures_of({row("flat"), worse});
+  EXPECT_NEAR(figures.find("body.flat.lateral_drift_m_min")->value, 0.06, 1e-12);
+  worse.figures.lateral_drift_m_s = 0.004;
+  EXPECT_FALSE(figures_of({worse}).find("body.flat.lateral_drift_m_min")->holds());
+  EXPECT_EQ(figures_of({row("turning")}).find("body.turning.lateral_drift_m_min"), nullptr);
+}
+
+TEST(BodyResult, JudgesNoPushThatIsMadeToFall) {
+  const std::vector<trials::TrotRow> rows{row("push_limit"), fallen("push_limit")};
+  const Figures figures = figures_of(rows);
+  EXPECT_TRUE(figures.all_hold());
+  EXPECT_EQ(figures.find("body.push_limit.falls")->value, 1.0);
+  EXPECT_EQ(figures.find("body.push_limit.height_rms_mm"), nullptr);
+  EXPECT_EQ(falls_text(rows), "");
+}
+
+TEST(BodyResult, SaysUpToWhichImpulseTheLimitWasSearched) {
+  const std::vector<trials::PushLimit> limits{{"behind", 232.5, 240.0}, {"left", 480.0, std::nullopt}};
+  EXPECT_EQ(push_limits_text(limits),
+            "pushes from behind: half fall at 240.0 Ns, fewer at 232.5 Ns\n"
+            "pushes from left: fewer than half fall up to 480.0 Ns, the largest tried\n");
+  Figures figures;
+  add_push_limits(figures, limits);
+  EXPECT_EQ(figures.find("body.push_limit.behind_Ns")->value, 240.0);
+  EXPECT_EQ(figures.find("body.push_limit.left_Ns"), nullptr);
+}
+
+TEST(BodyResult, TellsInstantAndReasonOfEveryFall) {
+  EXPECT_EQ(falls_text(std::vector{row("flat"), fallen("flat")}), "fell: flat, fallen, at 3.000 s: tilt\n");
 }
 
 TEST(BodyResult, FailsByOneFallOnTheFlat) {
@@ -79,14 +115,15 @@ TEST(BodyResult, ReportsTheLongLagWithoutABound) {
 }
 
 TEST(BodyText, HasALinePerTrialWithItsVerdict) {
-  const std::vector<trials::TrotRow> rows{row("flat"), fallen("pushes"), fallen("long_lag")};
+  std::vector<trials::TrotRow> rows{row("flat"), fallen("pushes"), fallen("long_lag")};
+  rows.front().figures.lateral_drift_m_s = -0.001;
   const std::string text = body_text(figures_of(rows), body_results(rows));
   EXPECT_EQ(text,
-            "trial     runs  falls  height rms  offset  sag  tilt  speed  odometry  heading  torque  verdict\n"
-            "                       mm          mm      mm   deg   %      %         deg/min  Nm\n"
-            "flat      1     0      2.0         1.0     3.0  0.29  1.00   0.10      0.34     120     pass\n"
-            "pushes    1     1      -           -       -    -     -      -         -        120     fail\n"
-            "long_lag  1     1      -           -       -    -     -      -         -        120     -\n");
+            "trial     runs  falls  height rms  offset  sag  tilt  speed  odometry  heading  drift  torque  verdict\n"
+            "                       mm          mm      mm   deg   %      %         deg/min  m/min  Nm\n"
+            "flat      1     0      2.0         1.0     3.0  0.29  1.00   0.10      0.34     0.06   120     pass\n"
+            "pushes    1     1      -           -       -    -     -      -         -        -      120     fail\n"
+            "long_lag  1     1      -           -       -    -     -      -         -        -      120     -\n");
 }
 
 class BodyRowsFile : public testing::Test {

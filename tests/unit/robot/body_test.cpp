@@ -103,6 +103,15 @@ TEST(RobotBody, HasSixLegsOfTheHexapodInBalance) {
   EXPECT_NEAR(body.centre_of_mass_m().x(), 0.0, 0.01) << "the middle legs' hips lie forward";
 }
 
+TEST_F(HyqBody, MeetsTheGroundWithTrunkKneesAndFeet) {
+  ASSERT_TRUE(hyq_.body->box.has_value());
+  EXPECT_NEAR(hyq_.body->box->centre_m.z() - hyq_.body->box->half_extents_m.z(), -0.085, kRounding)
+      << "the manual's height of the trunk's origin above its lower face";
+  EXPECT_EQ(hyq_.body->legs[0].knee_radius_m, 0.04);
+  EXPECT_EQ(hyq_.body->legs[0].links[2].damping_Nms_rad, 0.1);
+  EXPECT_FALSE(hyq_.body->legs[0].links[2].stops.has_value()) << "they are the actuators'";
+}
+
 TEST(RobotBody, IsAbsentWithoutATrunk) {
   EXPECT_FALSE(load_shipped("electric_leg").body.has_value());
   EXPECT_FALSE(load_shipped("fc1d").body.has_value());
@@ -144,6 +153,8 @@ INSTANTIATE_TEST_SUITE_P(
                     "{xx_kg_m2: 0, yy_kg_m2: 0.01256, zz_kg_m2: 0.01256}", "xx_kg_m2: 0,",
                     "body.lower_leg.inertia: has a tensor that is not positive definite: give every principal moment, "
                     "above zero"},
+        BodyMistake{"box: {length_m: 1.0", "box: {length_m: 0", "box: {length_m: 0",
+                    "body.trunk.box.length_m: 0 is out of range: give 0.001 to 10"},
         BodyMistake{"hip_position_m: [-0.3735, -0.207, 0]", "hip_position_m: [-0.3735, -0.207]", "[-0.3735, -0.207]",
                     "legs.rh.hip_position_m: is no position: give three numbers, x, y and z"},
         BodyMistake{"hip_position_m: [-0.3735, -0.207, 0],", "", "{front: false, left: false",

@@ -147,5 +147,23 @@ TEST(LocomotionSection, IsRefusedWithAPoseBeyondAJointsLimits) {
                                    "2.443461: give an angle between\n");
 }
 
+TEST(LocomotionSection, IsRefusedWithFeetThatReachNothing) {
+  const std::string high = replaced(text_of("hyq"), "largest_height_m: 0.66", "largest_height_m: 0.75");
+  EXPECT_EQ(problems_of(high).substr(0, problems_of(high).find('\n')),
+            "hyq.yaml:" + std::to_string(line_of(high, "largest_height_m: 0.75")) +
+                ": locomotion.reference: has largest_height_m 0.75, at which the foot of leg lf does not reach the "
+                "ground: give less, or a larger longest_leg_m");
+  const std::string one = replaced(text_of("hyq"), "[-0.3735, -0.207, 0]", "[-0.3735, -0.207, 0.3]");
+  EXPECT_NE(problems_of(one).find("the foot of leg rh does not reach the ground"), std::string::npos);
+  EXPECT_EQ(problems_of(one).find("leg lf"), std::string::npos);
+}
+
+TEST(LocomotionSection, IsRefusedWithALegLongerThanItsLinks) {
+  const std::string text = replaced(text_of("hyq"), "longest_leg_m: 0.73", "longest_leg_m: 0.78");
+  EXPECT_EQ(problems_of(text),
+            "hyq.yaml:" + std::to_string(line_of(text, "  leg:\n    pose_stiffness")) +
+                ": locomotion.leg: has longest_leg_m 0.78, but a straight leg has 0.771: give less\n");
+}
+
 }  // namespace locomotion_test
 }  // namespace farrier::robot

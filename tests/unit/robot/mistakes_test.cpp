@@ -74,6 +74,8 @@ INSTANTIATE_TEST_SUITE_P(
                 "variation.supply_factor: is no interval: give two numbers, the lower one first"},
         Mistake{"friction_factor: [1, 5]", "friction_factor: [1]",
                 "variation.friction_factor: is no interval: give two numbers, the lower one first"},
+        Mistake{"angle_max_rad: 0.8726646 ", "angle_max_rad: -1.3 ",
+                "joints.hfe.angle_max_rad: must be above angle_min_rad"},
         Mistake{"angle_max_rad: 0.8726646 ", "angle_max_rad: 1.5 ",
                 "joints.hfe.angle_max_rad: folds linkage hfe beyond its dead centre"}));
 
@@ -88,13 +90,13 @@ TEST(RobotFileMistakes, AreAllListedAtOnce) {
   ASSERT_FALSE(robot.ok());
   const auto line = [&](const char* what) { return "hyq.yaml:" + std::to_string(line_of(text, what)) + ": "; };
   EXPECT_EQ(to_string(robot.error()),
-            line("bore_mm") + "actuators.cylinder.cylinder.bore_mm: is given in m: bore_m\n" +
-                line("mass_kg: -3") + "loads.bench.stance.mass_kg: -3 is out of range: give 0.01 to 1000\n" +
-                line("form: stiff") + "controllers.torque.form: stiff is not known: give full_state or compliant\n" +
-                line("front: 1") + "legs.lf.front: 1 is neither true nor false: give one of them\n" +
-                line("front: 1") + "legs.lf.phase_offset: 1 is out of range: give 0 to 0.999999\n" +
-                line("front: 1") + "legs.lf.left: is missing: give true or false (Left or right.)\n" +
-                line("duty: most") + "gait.duty: most is not a number: give 0.05 to 0.95\n");
+            line("bore_mm") + "actuators.cylinder.cylinder.bore_mm: is given in m: bore_m\n" + line("mass_kg: -3") +
+                "loads.bench.stance.mass_kg: -3 is out of range: give 0.01 to 1000\n" + line("form: stiff") +
+                "controllers.torque.form: stiff is not known: give full_state or compliant\n" + line("front: 1") +
+                "legs.lf.front: 1 is neither true nor false: give one of them\n" + line("front: 1") +
+                "legs.lf.phase_offset: 1 is out of range: give 0 to 0.999999\n" + line("front: 1") +
+                "legs.lf.left: is missing: give true or false (Left or right.)\n" + line("duty: most") +
+                "gait.duty: most is not a number: give 0.05 to 0.95\n");
 }
 
 TEST(RobotFileMistakes, IncludeAGaitTheLegsCannotWalk) {

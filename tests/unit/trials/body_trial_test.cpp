@@ -49,6 +49,7 @@ TEST_F(BodyTrial, EndsWhenALimpRobotFalls) {
   EXPECT_FALSE(figures.passes());
   ASSERT_TRUE(figures.fell.has_value());
   EXPECT_EQ(*figures.fell, figures.ticks);
+  EXPECT_EQ(figures.fall, FallReason::kHeight);
   EXPECT_LT(figures.ticks, 1000);
   EXPECT_GT(figures.ticks, 100) << "a free fall of half the height takes 0.25 s";
 }

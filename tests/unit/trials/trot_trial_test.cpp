@@ -3,13 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <map>
 #include <set>
 
 #include "robot/locomotion_model.hpp"
 #include "robot/locomotion_params.hpp"
 #include "tests/support/allocation_guard.hpp"
-#include "tests/unit/locomotion/stand_up.hpp"
+#include "docs/how-to/locomotion/stand_up.hpp"
 #include "trials/body/controller_driver.hpp"
 #include "world/scene_file.hpp"
 
@@ -37,6 +39,76 @@ TEST(TrotTrial, TrotsForTenSeconds) {
   EXPECT_LT(figures.speed_error, 0.05);
   EXPECT_LT(figures.odometry_error.value(), 0.02);
   EXPECT_LT(std::abs(figures.heading_drift_rad_s) * 60.0, kDegree_rad);
+  EXPECT_LT(std::abs(figures.lateral_drift_m_s.value()) * 60.0, 0.2);
+  EXPECT_EQ(figures.fall, "");
+}
+
+class OtherRobot : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Shipped, OtherRobot, testing::Values("hexapod", "electric_quad"),
+                         [](const auto& robot) { return std::string(robot.param); });
+
+// By its file alone: the hexapod in tripods.
+TEST_P(OtherRobot, TrotsForTenSeconds) {
+  const robot::Robot robot = load(GetParam());
+  const TrotFigures figures = run_trot_case(robot, ten_seconds(robot)).value().value();
+  EXPECT_FALSE(figures.fell_s.has_value()) << *figures.fell_s << " s: " << figures.fall;
+  EXPECT_LT(figures.height_rms_m, 0.010);
+  EXPECT_LT(figures.tilt_rms_rad, kDegree_rad);
+  EXPECT_LT(figures.speed_error, 0.05);
+}
+
+/// Counts of ticks in which exactly these legs swing, a bit each, while the robot trots for four seconds.
+std::map<unsigned, int> swinging_together(const robot::Robot& robot, double forward_m_s) {
+  world::BodyWorld world = world::BodyWorld::create(robot, {}, 1, kTrotNoise).value();
+  const auto model = robot::LocomotionModel::create(*robot.body).value();
+  locomotion::TrotController controller(*robot.locomotion, robot::locomotion_plan(robot.plan), model);
+  ControllerDriver driver(controller,
+                          {{2.5, {.request = locomotion::Request::kStand}},
+                           {8.0, {.request = locomotion::Request::kTrot, .forward_m_s = forward_m_s}}},
+                          robot.period_s);
+  std::map<unsigned, int> ticks;
+  const BodyFigures figures = run_body_trial(world, driver, 14000, [&] {
+    unsigned swinging = 0;
+    for (int leg = 0; leg < world.body().legs(); ++leg) {
+      swinging |= controller.state().actions[leg] == locomotion::LegAction::kSwing ? 1u << leg : 0u;
+    }
+    ticks[swinging] += world.tick() >= 10000 ? 1 : 0;
+    return true;
+  });
+  EXPECT_TRUE(figures.passes());
+  return ticks;
+}
+
+TEST(Hexapod, StepsInTheTripodsOfItsFile) {
+  const robot::Robot hexapod = load("hexapod");
+  std::map<double, unsigned> tripods;  // by phase offset
+  for (std::size_t leg = 0; leg < hexapod.plan.legs.size(); ++leg) {
+    tripods[hexapod.plan.legs[leg].phase_offset] |= 1u << leg;
+  }
+  ASSERT_EQ(tripods.size(), 2u);
+  for (const auto& [swinging, ticks] : swinging_together(hexapod, 0.3)) {
+    for (const auto& [offset, tripod] : tripods) {
+      EXPECT_TRUE((swinging & tripod) == 0 || (swinging & ~tripod) == 0 || ticks == 0)
+          << swinging << ": legs of both tripods in the air";
+    }
+  }
+}
+
+// The same robot in a walk: one leg after another.
+TEST(TrotTrial, TakesThePatternOfAWalkFromTheFile) {
+  robot::Robot hyq = load("hyq");
+  const std::array<double, 4> offsets{0.0, 0.5, 0.75, 0.25};  // lf, rf, lh, rh: a lateral sequence
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    hyq.plan.legs[leg].phase_offset = offsets[leg];
+  }
+  hyq.plan.gait.duty = 0.8;
+  hyq.plan.gait.frequency_Hz = 1.0;
+  int single = 0;
+  for (const auto& [swinging, ticks] : swinging_together(hyq, 0.2)) {
+    single += std::popcount(swinging) == 1 ? ticks : 0;
+    EXPECT_TRUE(std::popcount(swinging) <= 1 || ticks == 0) << swinging;
+  }
+  EXPECT_GT(single, 2000);
 }
 
 TEST(TrotTrial, RepeatsBitForBit) {
@@ -57,6 +129,7 @@ TEST(TrotTrial, SeesAFall) {
   ASSERT_TRUE(figures.fell_s.has_value());
   EXPECT_GT(*figures.fell_s, 6.0);
   EXPECT_LT(*figures.fell_s, 8.0);
+  EXPECT_EQ(figures.fall, "tilt");
 }
 
 TEST(TrotTrial, EndsWhenAsked) {
@@ -83,7 +156,16 @@ TEST(TrotCases, AreOfDeclaredTrialsWithNamesOfTheirOwn) {
     EXPECT_TRUE(world::load_scene_text(one.scene, one.name).ok()) << one.scene;
     EXPECT_LT(one.judged_from_s, one.judged_until_s) << one.name;
   }
-  EXPECT_EQ(first_of_each_trial(cases).size(), kTrotTrials.size());
+  EXPECT_EQ(first_of_each_trial(cases).size() + 1, kTrotTrials.size()) << "push_limit is a search";
+}
+
+TEST(TrotCases, AreInProportionToTheRobot) {
+  const robot::Robot hyq = load("hyq");
+  EXPECT_EQ(scaled_impulse_Ns(hyq, 80.0), 80.0);
+  EXPECT_EQ(trot_cases(hyq).front().trunk_mass_kg, 51.0);
+  const robot::Robot hexapod = load("hexapod");
+  EXPECT_EQ(scaled_impulse_Ns(hexapod, 80.0), 120.0) << "1.5 times as heavy";
+  EXPECT_EQ(trot_cases(hexapod).front().trunk_mass_kg, 77.0);
 }
 
 TEST(TrotCases, GiveOneResultForEveryNumberOfThreads) {

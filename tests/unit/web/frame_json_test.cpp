@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -63,6 +64,41 @@ TEST(FrameJson, RoundsToSixDigits) {
     EXPECT_NEAR(said.get<double>(), value, 5e-6 * std::abs(value));
     EXPECT_LE(said.dump().size(), 13u) << said.dump();
   }
+}
+
+TEST(FrameJson, PlacesTheRobotInSpace) {
+  Feed feed;
+  signals::BodyTruth truth;
+  truth.tick = 1000;
+  truth.position_m = {1.23456, 0.0, 0.58};
+  truth.foot_force_N[5] = 412.34;
+  feed.take(truth);
+  EXPECT_TRUE(json::parse(frame_json(feed.frame())).at("body").at("legs").at(0).is_null());
+  monitor::testing::walk_for_a_second(feed);
+  const json body = json::parse(frame_json(feed.frame())).at("body");
+  ASSERT_EQ(body.at("legs").size(), 4u);
+  EXPECT_EQ(body.at("legs").at(3).size(), 3u);
+  EXPECT_TRUE(body.at("state").is_null());
+  EXPECT_TRUE(body.at("truth").is_null()) << "nothing was heard for a second";
+  feed.take(truth);
+  const json said = json::parse(frame_json(feed.frame())).at("body").at("truth");
+  EXPECT_EQ(said.at("position").dump(), "[1.2346,0.0,0.58]");
+  EXPECT_EQ(said.at("forces").size(), 12u);
+  EXPECT_EQ(said.at("forces").at(5), 412.3);
+}
+
+TEST(RobotJson, HasTheShapesOfARobotWithABody) {
+  const json body = json::parse(robot_json(hyq(), false)).at("body");
+  EXPECT_EQ(body.at("legs").size(), 4u);
+  EXPECT_EQ(body.at("trunk").at("size").at(0), 2 * 0.3735);
+  EXPECT_EQ(body.at("trunk").at("size").at(1), 2 * 0.207);
+  // The hips are at one height: 6 (I_x + I_y - I_z) / m of HyQ's trunk, by hand.
+  EXPECT_NEAR(body.at("trunk").at("size").at(2).get<double>(), std::sqrt(6.0 * (1.5726 + 8.5016 - 9.1955) / 58.96),
+              1e-3);
+  EXPECT_NEAR(body.at("weight").get<double>(), 84.756 * 9.81, 1.0);
+  robot::Robot bench = hyq();
+  bench.body.reset();
+  EXPECT_TRUE(json::parse(robot_json(bench, false)).at("body").is_null());
 }
 
 TEST(FrameJson, AcceptsTextsThatAreNoUtf8) {

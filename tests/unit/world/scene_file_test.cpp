@@ -69,6 +69,14 @@ TEST(SceneFile, RefusesAPushOnABodyThatIsNotThere) {
             "scene.yaml:2: pushes.side.body: tail is no body that it can act on: give trunk\n");
 }
 
+TEST(SceneFile, TellsEveryBoxItsLine) {
+  const body::Scene scene = scene_of(
+      "boxes:\n  table: {x_m: 1, length_m: 1, width_m: 1, height_m: 1}\n"
+      "stairs:\n  up: {x_m: 1, rise_m: 0.1, run_m: 0.3, steps: 1}");
+  EXPECT_EQ(scene.boxes.at(0).origin, "scene.yaml:2");
+  EXPECT_EQ(scene.boxes.at(1).origin, "scene.yaml:4");
+}
+
 TEST(SceneFile, RefusesABoxWithoutHeight) {
   EXPECT_EQ(problem_of("boxes:\n  table: {x_m: 1, length_m: 1, width_m: 1, height_m: 0}"),
             "scene.yaml:2: boxes.table.height_m: 0 is out of range: give 0.001 to 1000\n");

@@ -11,6 +11,13 @@ if(status EQUAL 0)
   set(uplot ${TO}/node_modules/uplot)
   file(COPY ${uplot}/dist/uPlot.esm.js ${uplot}/dist/uPlot.min.css DESTINATION ${TO}/charts)
   file(COPY_FILE ${uplot}/LICENSE ${TO}/charts/uPlot.LICENSE)
+  set(three ${TO}/node_modules/three)
+  file(COPY ${three}/build/three.module.min.js ${three}/build/three.core.min.js DESTINATION ${TO}/charts)
+  file(COPY_FILE ${three}/LICENSE ${TO}/charts/three.LICENSE)
+  # A browser finds a module by its address; an import map would be a script within the page, which its policy forbids.
+  file(READ ${three}/examples/jsm/controls/OrbitControls.js controls)
+  string(REPLACE "from 'three'" "from './three.module.min.js'" controls "${controls}")
+  file(WRITE ${TO}/charts/OrbitControls.js "${controls}")
   file(TOUCH ${TO}/fetched)
 else()
   # Not touched: the next build tries again.

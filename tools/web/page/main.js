@@ -1,4 +1,5 @@
 // The page: where frames come from, which one is shown, and what shows it.
+import { Body } from "./body.js";
 import { Detail } from "./detail.js";
 import { Events } from "./events.js";
 import { History, stretches } from "./history.js";
@@ -24,6 +25,7 @@ class Page {
     this.recording = null;
     this.passedOver = 0;
     this.events = new Events($("events"));
+    this.body = new Body($("body"), robot);
     this.legs = new Legs($("legs"), robot);
     this.detail = new Detail($("detail"), robot);
     this.joints = new Joints($("joints"), robot, () => this.draw());
@@ -37,6 +39,7 @@ class Page {
       step: (frames) => this.step(frames),
     }, $("help"));
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
+      this.body.rebuild();
       this.joints.rebuild();
       this.detail.rebuild();
       this.draw();
@@ -163,6 +166,7 @@ class Page {
     }
     const stretch = this.stretch(index);
     this.head(frame);
+    this.body.show(frame, history.run(index, kSpan));
     this.legs.show(frame);
     say($("forces-span"), stretch.words);
     this.joints.show(frame, stretch);

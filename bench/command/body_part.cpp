@@ -1,0 +1,39 @@
+#include "bench/command/body_part.hpp"
+
+#include <cstdio>
+
+#include "bench/bench_body.hpp"
+#include "bench/command/allocation_count.hpp"
+
+namespace farrier::cli {
+namespace {
+
+constexpr int kRounds = 20;
+// The least the product promises.
+constexpr double kRunRatio = 2.5;
+constexpr double kDynamicsSpeedup = 1.0;
+constexpr double kForcesSpeedup = 3.0;
+constexpr double kForcesDifference = 0.02;
+
+}  // namespace
+
+bool has_body_part() noexcept { return true; }
+
+Result<Done> measure_body(const robot::Robot& robot, report::Figures& figures) {
+  std::fputs("body: a tick of the robot on a ground against MuJoCo alone, and its parts\n", stderr);
+  const auto body = FARRIER_TRY(bench::bench_body(robot, kRounds, allocation_count));
+  figures.add("bench.body.dynamics_us", 1e6 * body.dynamics_s);
+  figures.add("bench.body.mujoco_dynamics_us", 1e6 * body.mujoco_dynamics_s);
+  figures.add("bench.body.dynamics_speedup", body.mujoco_dynamics_s / body.dynamics_s, kDynamicsSpeedup);
+  figures.add("bench.body.forces_us", 1e6 * body.forces_s);
+  figures.add("bench.body.slsqp_us", 1e6 * body.slsqp_s);
+  figures.add("bench.body.forces_speedup", body.slsqp_s / body.forces_s, kForcesSpeedup);
+  figures.add("bench.body.forces_difference", body.forces_difference, kForcesDifference);
+  figures.add("bench.body.tick_us", 1e6 * body.tick_s);
+  figures.add("bench.body.mujoco_steps_us", 1e6 * body.bare_step_s);
+  figures.add("bench.body.run_ratio", body.run_ratio, kRunRatio);
+  figures.add("bench.body.allocations", static_cast<double>(body.allocations), 0.0);
+  return Done{};
+}
+
+}  // namespace farrier::cli

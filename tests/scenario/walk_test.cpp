@@ -1,0 +1,58 @@
+// The whole robot on a ground through all processes, in one thread.
+
+#include <cmath>
+
+#include "tests/scenario/scenario_run.hpp"
+
+namespace farrier::scenario {
+namespace walk_test {
+
+run::InprocRun settings(double seconds, std::vector<double> velocity) {
+  run::InprocRun run;
+  run.ticks = static_cast<Tick>(seconds * 1000.0);
+  run.design = supervisor::Design::kPhases;
+  run.world = participant::World::kBody;
+  run.velocity = std::move(velocity);
+  return run;
+}
+
+TEST(Walk, LiesUntilItIsAskedToStand) {
+  const robot::Robot hyq = load("hyq");
+  const Outcome lying = run(hyq, settings(4.0, {}));
+  const Outcome standing = run(hyq, settings(6.0, {0.0, 0.0, 0.0}));
+  const auto knee = static_cast<std::size_t>(hyq.find("lf_kfe")->number);
+  const double folded = lying.at(3999, knee, hyq.joints.size()).position_m_or_rad;
+  const double stretched = standing.at(5999, knee, hyq.joints.size()).position_m_or_rad;
+  EXPECT_GT(std::abs(stretched - folded), 0.005) << "the knee's piston stands elsewhere in a robot that stands";
+}
+
+TEST(Walk, HasNoJointThatTripsOrLosesItsReadings) {
+  const robot::Robot hyq = load("hyq");
+  const Outcome walk = run(hyq, settings(10.0, {0.4, 0.0, 0.0}));
+  for (const trace::TraceRow& row : walk.rows) {
+    const FaultSet faults(row.faults);
+    ASSERT_FALSE(faults.has(Fault::kTripped)) << row.tick;
+    ASSERT_FALSE(row.tick > 10 && faults.has(Fault::kSensorsStale)) << row.tick;
+    ASSERT_FALSE(row.tick > 10 && row.state != signals::JointState::kTracking) << row.tick;
+  }
+}
+
+TEST(Walk, AnnouncesThePhasesOfItsLegs) {
+  const robot::Robot hyq = load("hyq");
+  const Outcome walk = run(hyq, settings(10.0, {0.4, 0.0, 0.0}));
+  int swings = 0;
+  for (const trace::TraceRow& row : walk.rows) {
+    swings += row.joint == 0 && row.phase == Phase::kSwing && row.actual_phase == Phase::kSwing ? 1 : 0;
+  }
+  EXPECT_GT(swings, 200) << "a leg whose foot is in the air has the gains of swing";
+}
+
+TEST(Walk, RefusesARobotWithoutATrunk) {
+  const robot::Robot rig = load("fc1d");
+  const auto refused = run::run_inproc(rig, settings(1.0, {}));
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("body.trunk"), std::string::npos) << refused.error().message;
+}
+
+}  // namespace walk_test
+}  // namespace farrier::scenario

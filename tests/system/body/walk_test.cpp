@@ -1,0 +1,94 @@
+// farrier trot --world body, as a user runs it: the whole robot walks on a ground.
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "tests/system/farrier_command.hpp"
+
+namespace farrier::test {
+namespace walk_test {
+
+/// The robot walks from the eighth second on.
+const char* const kWalks = tested_duration("9.5");
+
+struct Traces {
+  std::string joints, body;
+};
+
+/// Both traces of a walk with these options. It is too short to be judged.
+Traces traces_of(const std::vector<std::string>& options) {
+  const ScratchDirectory scratch;
+  std::vector<std::string> arguments{"trot", "--world", "body", "--duration", kWalks, "--out", scratch.file("out")};
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  std::string output;
+  run_farrier(arguments, &output);
+  const Traces traces{read_file(scratch.file("out/trace.csv")), read_file(scratch.file("out/trace_body.csv"))};
+  EXPECT_GT(traces.body.size(), 1000u) << output;
+  return traces;
+}
+
+TEST(Walk, LeavesTheSameTracesOverEveryTransportAndGrouping) {
+  const Traces reference = traces_of({"--dds", "inproc"});
+  for (const auto& [dds, nodes] : {std::pair{"cyclone", "per-leg"}, {"fast", "one"}, {"mixed", "per-joint"}}) {
+    const Traces other = traces_of({"--dds", dds, "--nodes", nodes});
+    EXPECT_TRUE(other.joints == reference.joints) << dds << ", " << nodes;
+    EXPECT_TRUE(other.body == reference.body) << dds << ", " << nodes;
+  }
+}
+
+TEST(Walk, IsJudgedByItsBody) {
+  const ScratchDirectory scratch;
+  std::string output;
+  ASSERT_EQ(
+      run_farrier({"trot", "--world", "body", "--dds", "inproc", "--velocity", "0.4,0,0", "--out", scratch.file("out")},
+                  &output),
+      0)
+      << output;
+  const auto json = read_json(scratch.file("out/figures.json"));
+  EXPECT_EQ(figure(json, "trot.body.falls"), 0.0);
+  EXPECT_GT(figure(json, "trot.body.way_m"), 4.0);
+  EXPECT_TRUE(std::filesystem::exists(scratch.file("out/pictures/walk.svg")));
+}
+
+TEST(Walk, ThatEndsInAFallSaysWhenAndWhy) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.file("kick.yaml")) << "pushes: {kick: {start_s: 9, impulse_y_Ns: 600}}\n";
+  std::string output;
+  EXPECT_EQ(run_farrier({"trot", "--world", "body", "--dds", "inproc", "--scene", scratch.file("kick.yaml"),
+                         "--duration", "11", "--out", scratch.file("out")},
+                        &output),
+            1);
+  EXPECT_NE(output.find("the robot fell after 9."), std::string::npos) << output;
+  EXPECT_NE(output.find("the trunk tilts by"), std::string::npos) << output;
+  EXPECT_TRUE(std::filesystem::exists(scratch.file("out/pictures/fall.svg")));
+}
+
+TEST(Walk, RefusesWhatItCannotDo) {
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.file("scene.yaml")) << "pushes: {kick: {body: tail, start_s: 9, impulse_y_Ns: 6}}\n";
+  std::string output;
+  const std::vector<std::string> walk{"trot", "--world", "body", "--out", scratch.file("out")};
+  const auto refuses = [&](std::vector<std::string> options, const std::string& words) {
+    options.insert(options.begin(), walk.begin(), walk.end());
+    EXPECT_EQ(run_farrier(options, &output), 2) << output;
+    EXPECT_NE(output.find(words), std::string::npos) << output;
+  };
+  refuses({"--scene", scratch.file("scene.yaml")}, "scene.yaml:1");
+  refuses({"--design", "adaptive"}, "needs joints with valves");
+  refuses({"--velocity", "0.4,0"}, "--velocity");
+}
+
+TEST(Walk, OfARobotWithoutATrunkIsARunOnTheBench) {
+  const ScratchDirectory scratch;
+  std::string output;
+  run_farrier({"trot", "--world", "body", "--dds", "inproc", "--duration", "2", "--robot",
+               std::string(FARRIER_ROBOTS) + "/fc1d.yaml", "--out", scratch.file("out")},
+              &output);
+  EXPECT_NE(output.find("it runs on the bench"), std::string::npos) << output;
+  EXPECT_TRUE(std::filesystem::exists(scratch.file("out/trace.csv"))) << output;
+}
+
+}  // namespace walk_test
+}  // namespace farrier::test

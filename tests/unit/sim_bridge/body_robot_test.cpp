@@ -1,0 +1,77 @@
+// The body behind sim_bridge: hinges seen through linkages, force references as commands.
+
+#include <gtest/gtest.h>
+
+#include "sim_bridge/simulated_robot.hpp"
+#include "tests/support/allocation_guard.hpp"
+#include "tests/unit/robot/test_files.hpp"
+
+namespace farrier::sim_bridge {
+namespace body_robot_test {
+
+robot::Robot quiet_hyq() {
+  robot::Robot hyq = robot::load_shipped("hyq");
+  for (robot::Joint& joint : hyq.joints) {
+    joint.noise = {};
+  }
+  return hyq;
+}
+
+TEST(BodyRobot, BeginsInTheHomePoseInTheCoordinatesOfItsActuators) {
+  const robot::Robot hyq = quiet_hyq();
+  const auto body = simulated_body(hyq, "", 1).value();
+  ASSERT_EQ(body->joints(), hyq.joints.size());
+  EXPECT_TRUE(body->takes_forces());
+  for (const robot::Joint& joint : hyq.joints) {
+    const signals::JointSensors sensors = body->sample(joint.number);
+    EXPECT_EQ(sensors.joint, joint.number);
+    EXPECT_NEAR(sensors.position_m_or_rad, joint.linkage.position(joint.home_angle_rad), 1e-12) << joint.name;
+  }
+  ASSERT_TRUE(body->truth());
+  ASSERT_TRUE(body->imu());
+}
+
+// A piston's force turns its hinge as the torque does that it makes at the lever.
+TEST(BodyRobot, TurnsAForceIntoATorqueAtTheLever) {
+  const robot::Robot hyq = quiet_hyq();
+  const auto body = simulated_body(hyq, "", 1).value();
+  const robot::Joint& knee = *hyq.find("lf_kfe");
+  std::vector<double> forces(body->joints(), 0.0);
+  forces[knee.number] = 500.0;
+  ASSERT_TRUE(body->advance(forces));
+  EXPECT_NEAR(body->sample(knee.number).force_N_or_Nm, 500.0, 1.0);
+  EXPECT_NE(body->sample(knee.number).velocity_m_s_or_rad_s, 0.0);
+}
+
+TEST(BodyRobot, FallsByItsWeightWithoutForces) {
+  const robot::Robot hyq = quiet_hyq();
+  const auto body = simulated_body(hyq, "", 1).value();
+  const double height_m = body->truth()->position_m[2];
+  const std::vector<double> none(body->joints(), 0.0);
+  for (int tick = 0; tick < 300; ++tick) {
+    ASSERT_TRUE(body->advance(none));
+  }
+  EXPECT_LT(body->truth()->position_m[2], height_m - 0.1);
+  EXPECT_EQ(body->truth()->tick, 300);
+}
+
+TEST(BodyRobot, AdvanceDoesNotAllocate) {
+  const robot::Robot hyq = robot::load_shipped("hyq");
+  const auto body = simulated_body(hyq, "", 1).value();
+  const std::vector<double> none(body->joints(), 0.0);
+  ASSERT_TRUE(body->advance(none));
+  const test::AllocationGuard guard;
+  for (int tick = 0; tick < 20; ++tick) {
+    body->advance(none);
+  }
+  EXPECT_EQ(guard.allocations(), 0u);
+}
+
+TEST(BodyRobot, RefusesARobotWithoutATrunkAndASceneThatIsNotThere) {
+  EXPECT_NE(simulated_body(robot::load_shipped("fc1d"), "", 1).error().message.find("body.trunk"), std::string::npos);
+  EXPECT_NE(simulated_body(robot::load_shipped("hyq"), "/nowhere.yaml", 1).error().message.find("/nowhere.yaml"),
+            std::string::npos);
+}
+
+}  // namespace body_robot_test
+}  // namespace farrier::sim_bridge
