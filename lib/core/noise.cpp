@@ -1,7 +1,8 @@
 #include "core/noise.hpp"
 
 #include <cmath>
-#include <numbers>
+
+#include "core/portable_math.hpp"
 
 namespace farrier {
 namespace {
@@ -24,12 +25,14 @@ double to_unit(std::uint64_t bits) noexcept { return static_cast<double>(bits >>
 NoiseStream::NoiseStream(std::uint64_t seed, std::string_view name, std::string_view channel) noexcept
     : key_(mix(mix(seed ^ stable_hash(name)) ^ stable_hash(channel))) {}
 
-double NoiseStream::uniform(Tick tick) const noexcept { return to_unit(draw(key_, 2 * static_cast<std::uint64_t>(tick))); }
+double NoiseStream::uniform(Tick tick) const noexcept {
+  return to_unit(draw(key_, 2 * static_cast<std::uint64_t>(tick)));
+}
 
 double NoiseStream::normal(Tick tick) const noexcept {
   const auto counter = 2 * static_cast<std::uint64_t>(tick);
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - to_unit(draw(key_, counter))));
-  return radius * std::cos(2.0 * std::numbers::pi * to_unit(draw(key_, counter + 1)));
+  const double radius = std::sqrt(-2.0 * portable::log(1.0 - to_unit(draw(key_, counter))));
+  return radius * portable::cos_of_turns(to_unit(draw(key_, counter + 1)));
 }
 
 }  // namespace farrier

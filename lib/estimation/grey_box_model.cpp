@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.hpp"
 #include "plant/coulomb_friction.hpp"
 #include "plant/end_stop.hpp"
 #include "plant/oil.hpp"
@@ -68,21 +69,21 @@ void add_stages(Motion& k1, const Motion& k2, const Motion& k3, const Motion& k4
 
 Unknowns GreyBoxModel::unknowns_of(const JointPhysics& p) const noexcept {
   Unknowns u;
-  u << std::log(std::max(p.load_mass, kLeastMass)),
-      std::log(std::max(p.damping, kLeastDamping * std::max(actuator_.piston_damping, 1.0))), p.coulomb, p.stiffness,
-      p.bias_force, std::log(p.valve_gain / actuator_.valve_gain), std::log(p.bulk_modulus / actuator_.bulk_modulus_Pa),
-      p.leakage;
+  u << portable::log(std::max(p.load_mass, kLeastMass)),
+      portable::log(std::max(p.damping, kLeastDamping * std::max(actuator_.piston_damping, 1.0))), p.coulomb,
+      p.stiffness, p.bias_force, portable::log(p.valve_gain / actuator_.valve_gain),
+      portable::log(p.bulk_modulus / actuator_.bulk_modulus_Pa), p.leakage;
   return u;
 }
 
 JointPhysics GreyBoxModel::physics_of(const Unknowns& u) const noexcept {
-  return {.load_mass = std::exp(u(kMass)),
-          .damping = std::exp(u(kDamping)),
+  return {.load_mass = portable::exp(u(kMass)),
+          .damping = portable::exp(u(kDamping)),
           .coulomb = u(kCoulomb),
           .stiffness = u(kStiffness),
           .bias_force = u(kBias),
-          .valve_gain = actuator_.valve_gain * std::exp(u(kValveGain)),
-          .bulk_modulus = actuator_.bulk_modulus_Pa * std::exp(u(kBulkModulus)),
+          .valve_gain = actuator_.valve_gain * portable::exp(u(kValveGain)),
+          .bulk_modulus = actuator_.bulk_modulus_Pa * portable::exp(u(kBulkModulus)),
           .leakage = u(kLeakage)};
 }
 

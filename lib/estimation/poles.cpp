@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "core/portable_math.hpp"
+
 namespace farrier::estimation {
 namespace {
 
@@ -31,7 +33,7 @@ Eigen::Matrix<double, N, N> balanced(Eigen::Matrix<double, N, N> a) noexcept {
         }
       }
       if (row > 0.0 && column > 0.0 && (row > kAlike * column || column > kAlike * row)) {
-        const int exponent = static_cast<int>(std::lrint(0.5 * (std::log2(row) - std::log2(column))));
+        const int exponent = portable::nearest_exponent(std::sqrt(row) / std::sqrt(column));
         const double down = std::ldexp(1.0, -exponent);
         a.row(i) *= down;
         a.col(i) /= down;
@@ -215,10 +217,10 @@ template Poles<3> poles<3>(const Eigen::Matrix<double, 3, 3>&) noexcept;
 template double pole_distance<2>(const Poles<2>&, const Poles<2>&) noexcept;
 template double pole_distance<3>(const Poles<3>&, const Poles<3>&) noexcept;
 template std::array<double, 2> pole_standard_error<2>(const Eigen::Matrix<double, 2, 2>&, const Poles<2>&,
-                                                   const Eigen::Matrix<double, 2, 1>&,
-                                                   const std::array<Eigen::Matrix<double, 2, 2>, 2>&) noexcept;
+                                                      const Eigen::Matrix<double, 2, 1>&,
+                                                      const std::array<Eigen::Matrix<double, 2, 2>, 2>&) noexcept;
 template std::array<double, 3> pole_standard_error<3>(const Eigen::Matrix<double, 3, 3>&, const Poles<3>&,
-                                                   const Eigen::Matrix<double, 3, 1>&,
-                                                   const std::array<Eigen::Matrix<double, 3, 3>, 3>&) noexcept;
+                                                      const Eigen::Matrix<double, 3, 1>&,
+                                                      const std::array<Eigen::Matrix<double, 3, 3>, 3>&) noexcept;
 
 }  // namespace farrier::estimation

@@ -5,14 +5,16 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/portable_math.hpp"
+
 namespace farrier::estimation {
 
 /// Statistics of a model's one-step prediction errors e[k]: their size and their whiteness. Errors are white if none
 /// can be predicted from earlier ones. Both over an exponential window.
 class PredictionErrors {
  public:
-  static constexpr double kMemory = 0.98;   ///< weight of an error against the next one's: 50 ticks
-  static constexpr std::size_t kLags = 4;   ///< even: the distribution's tail is then a finite sum
+  static constexpr double kMemory = 0.98;  ///< weight of an error against the next one's: 50 ticks
+  static constexpr std::size_t kLags = 4;  ///< even: the distribution's tail is then a finite sum
   /// White errors' autocorrelation under this window has the variance (1 - kMemory) / (1 + kMemory).
   static constexpr double kSamples = (1.0 + kMemory) / (1.0 - kMemory);
 
@@ -57,7 +59,7 @@ class PredictionErrors {
       term *= half / static_cast<double>(j);
       sum += term;
     }
-    return std::exp(-half) * sum;
+    return portable::exp(-half) * sum;
   }
 
  private:

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/portable_math.hpp"
 
 namespace farrier::estimation {
 
@@ -13,9 +14,9 @@ SlidingDft::SlidingDft(int window)
       sum_(window_.size() / 2 - 1),
       fresh_(sum_.size()) {
   for (std::size_t n = 0; n < window_.size(); ++n) {
-    const double angle = 2.0 * std::numbers::pi * static_cast<double>(n) / static_cast<double>(window_.size());
-    cosine_[n] = std::cos(angle);
-    sine_[n] = std::sin(angle);
+    const double turns = static_cast<double>(n) / static_cast<double>(window_.size());
+    cosine_[n] = portable::cos_of_turns(turns);
+    sine_[n] = portable::sin_of_turns(turns);
   }
 }
 

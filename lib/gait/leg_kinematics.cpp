@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/portable_math.hpp"
+
 namespace farrier::gait {
 namespace {
 
@@ -17,8 +19,8 @@ struct PlaneLeg {
 PlaneLeg plane_leg(const LegGeometry& geometry, double q_1, double q_2) noexcept {
   const double l_1 = geometry.upper_m;
   const double l_2 = geometry.lower_m;
-  const double s_1 = std::sin(q_1), c_1 = std::cos(q_1);
-  const double s_12 = std::sin(q_1 + q_2), c_12 = std::cos(q_1 + q_2);
+  const double s_1 = portable::sin(q_1), c_1 = portable::cos(q_1);
+  const double s_12 = portable::sin(q_1 + q_2), c_12 = portable::cos(q_1 + q_2);
   return {.x = -l_1 * s_1 - l_2 * s_12,
           .d = geometry.hip_offset_m + l_1 * c_1 + l_2 * c_12,
           .x_1 = -l_1 * c_1 - l_2 * c_12,
@@ -31,7 +33,7 @@ PlaneLeg plane_leg(const LegGeometry& geometry, double q_1, double q_2) noexcept
 
 Eigen::Vector3d fk(const LegGeometry& geometry, const Eigen::Vector3d& angles_rad) noexcept {
   const PlaneLeg leg = plane_leg(geometry, angles_rad[1], angles_rad[2]);
-  return {leg.x, -side(geometry) * leg.d * std::sin(angles_rad[0]), -leg.d * std::cos(angles_rad[0])};
+  return {leg.x, -side(geometry) * leg.d * portable::sin(angles_rad[0]), -leg.d * portable::cos(angles_rad[0])};
 }
 
 std::optional<Eigen::Vector3d> ik(const LegGeometry& geometry, const Eigen::Vector3d& foot_m) noexcept {
@@ -45,18 +47,19 @@ std::optional<Eigen::Vector3d> ik(const LegGeometry& geometry, const Eigen::Vect
   if (!reached) {
     return std::nullopt;
   }
-  const double q_0 = std::atan2(-side(geometry) * foot_m.y(), -foot_m.z());
-  const double q_2 = geometry.front ? -std::acos(knee_cosine) : std::acos(knee_cosine);
-  const double q_1 = std::atan2(-foot_m.x(), r) - std::atan2(l_2 * std::sin(q_2), l_1 + l_2 * std::cos(q_2));
+  const double q_0 = portable::atan2(-side(geometry) * foot_m.y(), -foot_m.z());
+  const double q_2 = geometry.front ? -portable::acos(knee_cosine) : portable::acos(knee_cosine);
+  const double q_1 =
+      portable::atan2(-foot_m.x(), r) - portable::atan2(l_2 * portable::sin(q_2), l_1 + l_2 * portable::cos(q_2));
   return Eigen::Vector3d{q_0, q_1, q_2};
 }
 
 Eigen::Matrix3d jacobian(const LegGeometry& geometry, const Eigen::Vector3d& angles_rad) noexcept {
   const PlaneLeg leg = plane_leg(geometry, angles_rad[1], angles_rad[2]);
   const double s = side(geometry);
-  const double s_0 = std::sin(angles_rad[0]), c_0 = std::cos(angles_rad[0]);
+  const double s_0 = portable::sin(angles_rad[0]), c_0 = portable::cos(angles_rad[0]);
   Eigen::Matrix3d j;
-  j << 0.0, leg.x_1, leg.x_2,                                   //
+  j << 0.0, leg.x_1, leg.x_2,                                    //
       -s * leg.d * c_0, -s * s_0 * leg.d_1, -s * s_0 * leg.d_2,  //
       leg.d * s_0, -c_0 * leg.d_1, -c_0 * leg.d_2;
   return j;
@@ -66,7 +69,7 @@ Eigen::Matrix3d jacobian_rate(const LegGeometry& geometry, const Eigen::Vector3d
                               const Eigen::Vector3d& velocities_rad_s) noexcept {
   const PlaneLeg leg = plane_leg(geometry, angles_rad[1], angles_rad[2]);
   const double s = side(geometry);
-  const double s_0 = std::sin(angles_rad[0]), c_0 = std::cos(angles_rad[0]);
+  const double s_0 = portable::sin(angles_rad[0]), c_0 = portable::cos(angles_rad[0]);
   const double w_0 = velocities_rad_s[0];
   const double w_12 = velocities_rad_s[1] + velocities_rad_s[2];
   // second derivatives in the plane: x_11 = -d_1, x_12 = x_22 = -d_2, d_11 = x_1, d_12 = d_22 = x_2

@@ -3,9 +3,9 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "core/portable_math.hpp"
 #include "gait/leg_kinematics.hpp"
 #include "gait/smooth_step.hpp"
 
@@ -69,7 +69,7 @@ JointReference Reference::multisine(const JointPlan& joint, Tick tick) const noe
   const double time_s = static_cast<double>(std::max<Tick>(tick, 0)) * plan_.period_s;
   double sum = 0.0;
   for (const double frequency_Hz : plan_.gait.multisine_frequencies_Hz) {
-    sum += std::sin(2.0 * std::numbers::pi * frequency_Hz * time_s);
+    sum += portable::sin_of_turns(frequency_Hz * time_s);
   }
   const double amplitude_N =
       plan_.gait.multisine_amplitude_N / static_cast<double>(plan_.gait.multisine_frequencies_Hz.size());
@@ -108,9 +108,7 @@ double Reference::weight_per_share_N(Tick tick) const noexcept {
   return plan_.body_weight_N / std::max(carrying, at_least);
 }
 
-double Reference::weight_on(int leg, Tick tick) const noexcept {
-  return share(leg, tick) * weight_per_share_N(tick);
-}
+double Reference::weight_on(int leg, Tick tick) const noexcept { return share(leg, tick) * weight_per_share_N(tick); }
 
 double Reference::inertia_torque(int leg, const JointPlan& joint, const JointReference& motion,
                                  Tick tick) const noexcept {
@@ -120,9 +118,8 @@ double Reference::inertia_torque(int leg, const JointPlan& joint, const JointRef
   const double mass = joint.swing_load.mass + loaded * (joint.stance_load.mass - joint.swing_load.mass);
   // x'' = r q'' + r' q'^2
   const double lever = joint.linkage.lever(motion.position_rad);
-  const double acceleration = lever * motion.acceleration_rad_s2 +
-                              joint.linkage.lever_slope(motion.position_rad) * motion.velocity_rad_s *
-                                  motion.velocity_rad_s;
+  const double acceleration = lever * motion.acceleration_rad_s2 + joint.linkage.lever_slope(motion.position_rad) *
+                                                                       motion.velocity_rad_s * motion.velocity_rad_s;
   return window * lever * mass * acceleration;
 }
 

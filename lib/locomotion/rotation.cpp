@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "plant/trigonometry.hpp"
+#include "core/portable_math.hpp"
 
 namespace farrier::locomotion {
 namespace {
@@ -26,7 +26,7 @@ Eigen::Matrix3d rotation_by(const Eigen::Vector3d& angle_rad) noexcept {
   double a = 1.0 - square / 6.0;   // sin(x) / x
   double b = 0.5 - square / 24.0;  // (1 - cos(x)) / x^2
   if (angle > kSmallAngle_rad) {
-    const plant::SineCosine at = plant::sine_cosine(angle);
+    const portable::SineCosine at = portable::sincos(angle);
     a = at.sine / angle;
     b = (1.0 - at.cosine) / square;
   }

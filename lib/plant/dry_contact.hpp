@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "plant/terms/portable.hpp"
+#include "core/portable_math.hpp"
 
 namespace farrier::plant {
 

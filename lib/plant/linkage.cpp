@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "core/ensure.hpp"
-#include "plant/trigonometry.hpp"
+#include "core/portable_math.hpp"
 
 namespace farrier::plant {
 namespace {
@@ -52,7 +52,7 @@ Linkage::Linkage(const TriangleParams& params) noexcept
       dead_lever_(kDeadLeverShare * std::fmin(params.side_a_m, params.side_b_m)) {}
 
 Linkage::Side Linkage::third_side(double q) const noexcept {
-  const SineCosine phi = sine_cosine(angle_at_zero_ + sign_ * q);
+  const portable::SineCosine phi = portable::sincos(angle_at_zero_ + sign_ * q);
   // c^2 = a^2 + b^2 - 2 a b cos(phi)
   return {std::sqrt(squares_ - two_ab_ * phi.cosine), phi.sine, phi.cosine};
 }
@@ -85,7 +85,7 @@ double Linkage::angle(double position) const noexcept {
     return position / direct_lever_ + offset_;
   }
   const double c = retracted_ + position;
-  return sign_ * (arc_cosine((squares_ - c * c) / two_ab_) - angle_at_zero_);
+  return sign_ * (portable::acos((squares_ - c * c) / two_ab_) - angle_at_zero_);
 }
 
 double Linkage::angular_velocity(double q, double velocity) const noexcept {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.hpp"
 #include "plant/refusals.hpp"
 
 namespace farrier::plant {
@@ -32,7 +33,7 @@ Supply::Supply(const SupplyParams& params) noexcept
 
 double Supply::gas_share(double pressure_Pa) const noexcept {
   const bool filled = params_.accumulator_volume_m3 > 0.0 && pressure_Pa > params_.precharge_Pa;
-  return filled ? std::pow(params_.precharge_Pa / pressure_Pa, 1.0 / params_.polytropic_exponent) : 1.0;
+  return filled ? portable::pow(params_.precharge_Pa / pressure_Pa, 1.0 / params_.polytropic_exponent) : 1.0;
 }
 
 double Supply::volume_m3(double pressure_Pa) const noexcept {

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/portable_math.hpp"
+
 namespace farrier::robot {
 namespace {
 
@@ -10,8 +12,8 @@ namespace {
 // So u = sin q e_x + cos q e_y. With the link's joint at depth h below the axis (Steiner):
 //   J = u' I u + m d^2,   d = h + x_com cos q - y_com sin q.
 double link_inertia(const Link& link, double joint_depth_m, double angle_rad) noexcept {
-  const double s = std::sin(angle_rad);
-  const double c = std::cos(angle_rad);
+  const double s = portable::sin(angle_rad);
+  const double c = portable::cos(angle_rad);
   const Inertia& i = link.inertia;
   const double about_com = i.xx_kg_m2 * s * s + i.yy_kg_m2 * c * c + 2.0 * i.xy_kg_m2 * s * c;
   const double depth = joint_depth_m + link.com_x_m * c - link.com_y_m * s;
@@ -25,7 +27,7 @@ double leg_inertia_about_haa_kg_m2(const Body& body, double hfe_rad, double kfe_
   const Link& hip = body.hip;
   const double hip_inertia =
       hip.inertia.zz_kg_m2 + hip.mass_kg * (hip.com_x_m * hip.com_x_m + hip.com_y_m * hip.com_y_m);
-  const double knee_depth = body.hip_offset_m + body.upper_leg_m * std::cos(hfe_rad);
+  const double knee_depth = body.hip_offset_m + body.upper_leg_m * portable::cos(hfe_rad);
   return hip_inertia + link_inertia(body.upper_leg, body.hip_offset_m, hfe_rad) +
          link_inertia(body.lower_leg, knee_depth, hfe_rad + kfe_rad);
 }

@@ -10,7 +10,7 @@ set(system_definitions FARRIER_COMMAND="$<TARGET_FILE:farrier>" FARRIER_JOINT_NO
 set(system_tests trace_identity process_failure command_line bench_parts reproduce diagnose diagnose_scaled process_end
   surroundings traffic robots_system security_system echo monitor_command monitor_page record recorded_run network)
 if(TARGET farrier_report_body)
-  list(APPEND system_tests body/trial_body body/walk)
+  list(APPEND system_tests body/trial_body body/walk body/other_processor)
 endif()
 set(realtime_tests realtime soak faults_command estimator_death)
 if(TARGET farrier_report_body)

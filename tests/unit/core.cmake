@@ -1,6 +1,7 @@
 farrier_test(core_test unit
   ${CMAKE_CURRENT_LIST_DIR}/core/fault_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/core/noise_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/core/portable_math_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/core/result_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/core/threads_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/signals/signals_test.cpp

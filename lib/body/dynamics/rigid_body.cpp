@@ -1,13 +1,13 @@
 #include "body/dynamics/rigid_body.hpp"
 
-#include "plant/trigonometry.hpp"
+#include "core/portable_math.hpp"
 
 namespace farrier::body {
 namespace {
 
 // Rodrigues' formula for an axis a of unit length: R = cos q 1 + (1 - cos q) a a' + sin q [a]x.
 Eigen::Matrix3d rotation_about(const Eigen::Vector3d& a, double angle_rad) noexcept {
-  const plant::SineCosine q = plant::sine_cosine(angle_rad);
+  const portable::SineCosine q = portable::sincos(angle_rad);
   Eigen::Matrix3d cross_matrix;
   cross_matrix << 0.0, -a.z(), a.y(), a.z(), 0.0, -a.x(), -a.y(), a.x(), 0.0;
   return q.cosine * Eigen::Matrix3d::Identity() + (1.0 - q.cosine) * a * a.transpose() + q.sine * cross_matrix;

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "body/engine/own_math.hpp"
+#include "core/portable_math.hpp"
 
 namespace farrier::body {
 namespace {
@@ -124,8 +125,8 @@ Result<Done> bind_calls(const void* inside, std::span<const BoundCall> calls) {
 Result<Done> bind_own_math(const void* inside) {
   const auto pointer = [](auto* function) { return reinterpret_cast<void*>(function); };
   const BoundCall calls[] = {
-      {"sin", pointer(&own_math::sine), false},          {"cos", pointer(&own_math::cosine), false},
-      {"sincos", pointer(&own_math::sine_cosine), true}, {"atan2", pointer(&own_math::arc_tangent), true},
+      {"sin", pointer(&portable::sin), false},           {"cos", pointer(&portable::cos), false},
+      {"sincos", pointer(&own_math::sine_cosine), true}, {"atan2", pointer(&portable::atan2), true},
       {"pow", pointer(&own_math::power), true},          {"acos", pointer(&own_math::forbidden), false},
       {"asin", pointer(&own_math::forbidden), false},    {"exp", pointer(&own_math::forbidden), false},
       {"log", pointer(&own_math::forbidden), false},     {"tan", pointer(&own_math::forbidden), false}};

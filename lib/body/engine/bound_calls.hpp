@@ -18,7 +18,7 @@ struct BoundCall {
 /// Linkage Table"). Refuses a library that does not import a required name, or no longer through that table.
 Result<Done> bind_calls(const void* inside, std::span<const BoundCall> calls);
 
-/// Directs the mathematics of the engine's library to own_math.hpp.
+/// Directs the mathematics of the engine's library to own_math.hpp and core/portable_math.hpp.
 Result<Done> bind_own_math(const void* inside);
 
 }  // namespace farrier::body

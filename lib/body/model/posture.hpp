@@ -6,6 +6,8 @@
 #include <numbers>
 #include <optional>
 
+#include "core/portable_math.hpp"
+
 namespace farrier::body {
 
 /// The trunk relative to the ground's plane through the world's origin.
@@ -17,7 +19,7 @@ struct Posture {
 inline Posture posture_of(const Eigen::Vector3d& position_m, const Eigen::Quaterniond& attitude,
                           const Eigen::Vector3d& normal) {
   const double cosine = normal.dot(attitude * Eigen::Vector3d::UnitZ());
-  return {normal.dot(position_m), std::acos(std::clamp(cosine, -1.0, 1.0))};
+  return {normal.dot(position_m), portable::acos(std::clamp(cosine, -1.0, 1.0))};
 }
 
 /// Why a robot counts as fallen.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plant/trigonometry.hpp"
+#include "core/portable_math.hpp"
 
 namespace farrier::body {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr double kRestingDepth_m = 1e-3;
 
 Eigen::Quaterniond turn(const Eigen::Vector3d& axis, double angle_rad) noexcept {
-  const plant::SineCosine half = plant::sine_cosine(0.5 * angle_rad);
+  const portable::SineCosine half = portable::sincos(0.5 * angle_rad);
   const Eigen::Vector3d imaginary = half.sine * axis;
   return {half.cosine, imaginary.x(), imaginary.y(), imaginary.z()};
 }

@@ -3,6 +3,8 @@
 #include <limits>
 #include <optional>
 
+#include "control/numerics/complex_math.hpp"
+
 namespace farrier::control {
 namespace {
 
@@ -20,8 +22,8 @@ std::optional<DelayedCrossing> delayed_crossing(const Loop& loop, const PartOfTi
   constexpr double kEnough = 1e-7;  // of log |L|^2
   const Loop::Delayed delayed(loop, part, delay);
   const auto log_size = [&](double at, Complex& l) {
-    l = delayed.at({std::cos(at), std::sin(at)});
-    return std::log(std::norm(l));
+    l = delayed.at(unit_circle(at));
+    return portable::log(std::norm(l));
   };
   Complex l;
   double before = angle * (1.0 - kStep);
@@ -29,7 +31,7 @@ std::optional<DelayedCrossing> delayed_crossing(const Loop& loop, const PartOfTi
   for (int i = 0; i < kSecants; ++i) {
     const double size = log_size(angle, l);
     if (std::abs(size) < kEnough) {
-      return DelayedCrossing{angle, std::arg(-l) / angle};
+      return DelayedCrossing{angle, angle_of(-l) / angle};
     }
     const double slope = (size - size_before) / (angle - before);
     before = angle;
@@ -47,7 +49,7 @@ template <class OneAndL>
 double turn(const OneAndL& one_and_l, double from_angle, Complex from, double to_angle, Complex to,
             int halvings) noexcept {
   constexpr double kLittle = 0.5;
-  const double whole = std::arg(times(to, std::conj(from)));
+  const double whole = angle_of(times(to, std::conj(from)));
   if (std::abs(whole) < kLittle || halvings == 0) {
     return whole;
   }
@@ -62,7 +64,7 @@ double turn(const OneAndL& one_and_l, double from_angle, Complex from, double to
 double whole_turn(const Loop& loop, const PartOfTick& part, double delay) noexcept {
   constexpr int kHalvings = 8;
   const Loop::Delayed delayed(loop, part, delay);
-  const auto one_and_l = [&](double angle) { return 1.0 + delayed.at({std::cos(angle), std::sin(angle)}); };
+  const auto one_and_l = [&](double angle) { return 1.0 + delayed.at(unit_circle(angle)); };
   const auto& angles = grid<kFineGrid>();
   double sum = 0.0;
   Complex before = 1.0 + delayed.at(angles[0].z);

@@ -7,6 +7,7 @@
 
 #include "control/design/closed_loop.hpp"
 #include "control/design/lqr.hpp"
+#include "control/numerics/complex_math.hpp"
 #include "control/numerics/spectrum.hpp"
 
 // Common part of every design of Gains: the augmented loop, sorting of its gain, feed-forward, the last check.
@@ -99,7 +100,7 @@ template <int P>
 double unit_gain_feed_forward(const Square<P>& a, const Column<P>& b, const Column<P>& k, const Gains& gains,
                               double angle) noexcept {
   using Complex = std::complex<double>;
-  const Complex back = std::polar(1.0, -angle);  // one period back
+  const Complex back = unit_circle(-angle);  // one period back
   Complex delayed = 1.0;
   for (int i = 0; i < gains.delay_ticks; ++i) {
     delayed *= back;

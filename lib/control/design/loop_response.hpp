@@ -6,9 +6,11 @@
 #include <complex>
 #include <numbers>
 
+#include "core/portable_math.hpp"
 #include "control/design/margins.hpp"
 #include "control/model/part_of_tick.hpp"
 #include "control/model/plant_polynomials.hpp"
+#include "control/numerics/complex_math.hpp"
 
 namespace farrier::control {
 
@@ -174,8 +176,9 @@ const std::array<Angle, Count>& grid() noexcept {
   static const std::array<Angle, Count> angles = [] {
     std::array<Angle, Count> of;
     for (int i = 0; i < Count; ++i) {
-      const double angle = kFirstAngle * std::pow(std::numbers::pi / kFirstAngle, i / static_cast<double>(Count - 1));
-      of[static_cast<std::size_t>(i)] = {angle, std::polar(1.0, angle)};
+      const double angle =
+          kFirstAngle * portable::pow(std::numbers::pi / kFirstAngle, i / static_cast<double>(Count - 1));
+      of[static_cast<std::size_t>(i)] = {angle, unit_circle(angle)};
     }
     return of;
   }();

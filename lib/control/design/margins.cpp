@@ -9,6 +9,7 @@
 #include "control/design/delay_margin.hpp"
 #include "control/design/filtered_loop.hpp"
 #include "control/design/loop_response.hpp"
+#include "control/numerics/complex_math.hpp"
 
 namespace farrier::control {
 namespace {
@@ -39,7 +40,7 @@ Point look(const Loop& loop, double angle, Complex z) noexcept {
   return {angle, l, 0.5 * std::sqrt(std::norm(1.0 - l) / std::norm(1.0 + l))};
 }
 
-Point look(const Loop& loop, double angle) noexcept { return look(loop, angle, {std::cos(angle), std::sin(angle)}); }
+Point look(const Loop& loop, double angle) noexcept { return look(loop, angle, unit_circle(angle)); }
 
 /// Angle between a and b where f changes sign, by false position with halved weights (Dowell and Jarratt 1971,
 /// "Illinois").
@@ -112,7 +113,7 @@ void note_crossings(const Loop& loop, const Point& a, const Point& b, Margins& m
   }
   if ((size(a) < 0.0) != (size(b) < 0.0)) {
     const Point p = crossing(loop, a, b, size);
-    const double lag = std::arg(-p.l);  // angle of -L: the lag that moves L to -1
+    const double lag = angle_of(-p.l);  // angle of -L: the lag that moves L to -1
     m.phase_rad = std::min(m.phase_rad, std::abs(lag));
     const double turn = lag > 0.0 ? lag : lag + 2.0 * std::numbers::pi;
     const double pure = turn / p.angle;
@@ -129,7 +130,7 @@ Angles<Grid> angles_for(const SmallSpectrum& poles) noexcept {
   Angles<Grid> angles;
   std::ranges::copy(grid<Grid>(), angles.of.begin());
   for (const Complex& pole : poles) {
-    const double angle = std::arg(pole);
+    const double angle = angle_of(pole);
     if (angle > kFirstAngle && angle < std::numbers::pi) {
       angles.of[angles.count++] = {angle, pole / std::abs(pole)};
     }
@@ -186,7 +187,7 @@ Margins margins_on_grid(const Loop& loop, const SmallSpectrum& poles) noexcept {
 
 Complex loop_gain(const DiscreteModel& model, const Gains& gains, int delay_ticks, const MeasurementFilters& filters,
                   double angle_rad) noexcept {
-  return Loop(model, gains, delay_ticks, filters).at(std::polar(1.0, angle_rad));
+  return Loop(model, gains, delay_ticks, filters).at(unit_circle(angle_rad));
 }
 
 Margins margins(const DiscreteModel& model, const Gains& gains, int delay_ticks,

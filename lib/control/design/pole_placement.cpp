@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "control/numerics/complex_math.hpp"
 #include "control/numerics/spectrum.hpp"
 #include "control/design/gain_design.hpp"
 #include "control/model/plant_polynomials.hpp"
@@ -209,7 +210,7 @@ std::array<Complex, 6> wanted_poles(const DiscreteModel& model, const PolePlacem
   const double w = poles.bandwidth_rad_s * period_s;
   const double inside = poles.damping * poles.damping - 1.0;
   const Complex root = inside < 0.0 ? Complex(0.0, std::sqrt(-inside)) : Complex(std::sqrt(inside), 0.0);
-  std::array<Complex, 6> wanted{std::exp(w * (-poles.damping + root)), std::exp(w * (-poles.damping - root))};
+  std::array<Complex, 6> wanted{exponential(w * (-poles.damping + root)), exponential(w * (-poles.damping - root))};
   const PlantPolynomials plant = plant_polynomials(model, form);
   if (form == Form::kCompliant) {
     wanted[2] = tamed(-plant.force[0] / plant.force[1]);

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/portable_math.hpp"
 #include "control/design/closed_loop.hpp"
 #include "control/numerics/common_lyapunov.hpp"
 
@@ -80,7 +81,7 @@ SwitchingVerdict by_dwell(const Pair& pair) noexcept {
     }
     const int dwell = least_dwell(pair, p);
     if (dwell < best.dwell_ticks) {
-      const double there_and_back = std::pow(growth(pair, p, dwell), 0.25 / dwell);
+      const double there_and_back = portable::pow(growth(pair, p, dwell), 0.25 / dwell);
       best = {.common = false,
               .dwell_ticks = dwell,
               .rate = std::max({there_and_back, single_rate(pair.loop[0], p[0]), single_rate(pair.loop[1], p[1])})};

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "plant/trigonometry.hpp"
+#include "core/portable_math.hpp"
 
 namespace farrier::control {
 
@@ -17,7 +17,7 @@ std::optional<FilterCoefficients> design_low_pass(const LowPassParams& params, d
   }
   // s / w = (1 / g) (1 - z^-1) / (1 + z^-1), g = tan(pi share)
   constexpr double kPi = 3.14159265358979323846;
-  const plant::SineCosine angle = plant::sine_cosine(kPi * share);
+  const portable::SineCosine angle = portable::sincos(kPi * share);
   const double g = angle.sine / angle.cosine;
   if (params.order == 1) {
     const double gain = g / (1.0 + g);

@@ -4,13 +4,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/portable_math.hpp"
+
 namespace farrier::control {
 
 Pid::Pid(const PidGains& gains, const Normalisation& normalisation, double period_s) noexcept
     : gains_(gains),
       normalisation_(normalisation),
       period_s_(period_s),
-      filter_keeps_(std::exp(-2.0 * std::numbers::pi * gains.derivative_filter_Hz * period_s)) {}
+      filter_keeps_(portable::exp(-2.0 * std::numbers::pi * gains.derivative_filter_Hz * period_s)) {}
 
 Pid::Output Pid::step(double force_reference, const Measurement& measurement) noexcept {
   const double error = (force_reference - measurement.force) / normalisation_.force;

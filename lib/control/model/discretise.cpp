@@ -40,8 +40,9 @@ SampledModel<N> sampled(const Eigen::Matrix<double, N, N>& a, const Eigen::Matri
   }
   const Eigen::Matrix<double, N + 1, 1> scale = balance<true>(m);
   const double norm = m.cwiseAbs().colwise().sum().maxCoeff();
-  const int squarings =
-      norm > kPadeNorm ? std::min(static_cast<int>(std::ceil(std::log2(norm / kPadeNorm))), kMaxSquarings) : 0;
+  int exponent = 0;  // norm / kPadeNorm < 2^exponent
+  std::frexp(norm / kPadeNorm, &exponent);
+  const int squarings = norm > kPadeNorm ? std::min(exponent, kMaxSquarings) : 0;
   Matrix exponential = exponential_of_small<N + 1>(m * std::ldexp(1.0, -squarings));
   for (int i = 0; i < squarings; ++i) {
     exponential = (exponential * exponential).eval();

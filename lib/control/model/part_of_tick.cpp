@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/portable_math.hpp"
+#include "control/numerics/complex_math.hpp"
 #include "control/numerics/spectrum.hpp"
 
 namespace farrier::control {
@@ -13,7 +15,7 @@ constexpr double kTogether = 1e-6;  // poles nearer than this count as one, with
 
 /// z^s.
 Complex power(Complex z, double share) noexcept {
-  return std::polar(std::pow(std::abs(z), share), share * std::arg(z));
+  return portable::pow(std::abs(z), share) * unit_circle(share * angle_of(z));
 }
 
 /// f(z) = (z^s - 1) / (z - 1), f(1) = s.

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/portable_math.hpp"
+
 namespace farrier::control {
 
 inline constexpr int kMaxBalancingSweeps = 12;
@@ -25,7 +27,7 @@ Eigen::Matrix<double, N, 1> balance(Eigen::Matrix<double, N, N>& m) noexcept {
       if (!(ratio > 0.0) || !std::isfinite(ratio)) {
         continue;
       }
-      const int exponent = static_cast<int>(std::lround(std::log2(ratio)));
+      const int exponent = portable::nearest_exponent(ratio);
       if (exponent != 0) {
         const double factor = std::ldexp(1.0, exponent);
         m.col(i) *= factor;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/portable_math.hpp"
 #include "control/numerics/symmetric_eigen.hpp"
 
 namespace farrier::control::switching {
@@ -17,8 +18,8 @@ constexpr int kMaxSumDoublings = 40;
 constexpr double kRoundingMargin = 1e-10;
 constexpr double kFirstWeight = 1.0;
 constexpr double kWeightGrowth = 4.0;
-constexpr double kCentred = 0.5;         // Newton decrement below which the weight grows
-constexpr double kGiveUp = 1e-9;         // of t: what a duality gap this small leaves positive stays positive
+constexpr double kCentred = 0.5;  // Newton decrement below which the weight grows
+constexpr double kGiveUp = 1e-9;  // of t: what a duality gap this small leaves positive stays positive
 constexpr double kBackOff = 0.5;
 constexpr int kMaxBackOffs = 30;
 
@@ -92,7 +93,7 @@ class Barrier {
         return std::numeric_limits<double>::infinity();
       }
       const double determinant = cholesky.matrixLLT().diagonal().prod();
-      sum -= 2.0 * std::log(determinant);
+      sum -= 2.0 * portable::log(determinant);
     }
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
   }

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/portable_math.hpp"
 #include "control/numerics/riccati_problem.hpp"
 #include "control/numerics/spectrum.hpp"
 
@@ -69,8 +70,8 @@ double spectral_radius_bound(const Square<N>& m) noexcept {
     if (!(norm > 0.0)) {
       return norm;  // nilpotent, or not a number
     }
-    logarithm += weight * std::log(norm);
-    if (const double bound = std::exp(logarithm); bound < kMarginalRadius) {
+    logarithm += weight * portable::log(norm);
+    if (const double bound = portable::exp(logarithm); bound < kMarginalRadius) {
       return bound;
     }
     weight *= 0.125;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plant/terms/portable.hpp"
+#include "core/portable_math.hpp"
 #include "plant/terms/term.hpp"
 
 namespace farrier::plant {
@@ -10,10 +10,21 @@ namespace farrier::plant {
 template <class T>
 class AirEntrainment {
  public:
-  static constexpr std::array kParameters{
-      Parameter{"air_fraction", "air_fraction", "1", "1", Scale::kOne, false, 0.0, 0.3, {0.005, 0.04},
-                "Share of free air in the volume at 1 bar, r."}};
-  static constexpr EffectInfo kInfo{"air_entrainment", Side::kValveAndOil, false, false, kParameters,
+  static constexpr std::array kParameters{Parameter{"air_fraction",
+                                                    "air_fraction",
+                                                    "1",
+                                                    "1",
+                                                    Scale::kOne,
+                                                    false,
+                                                    0.0,
+                                                    0.3,
+                                                    {0.005, 0.04},
+                                                    "Share of free air in the volume at 1 bar, r."}};
+  static constexpr EffectInfo kInfo{"air_entrainment",
+                                    Side::kValveAndOil,
+                                    false,
+                                    false,
+                                    kParameters,
                                     "Free air makes the oil softer, the more the lower its pressure."};
 
   AirEntrainment(const T* fitted, const Scales&, double) noexcept : fraction_(fitted[0]) {}

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plant/terms/portable.hpp"
+#include "core/portable_math.hpp"
 #include "plant/terms/term.hpp"
 
 namespace farrier::plant {
@@ -12,11 +12,10 @@ namespace farrier::plant {
 template <class T>
 class Backlash {
  public:
-  static constexpr std::array kParameters{
-      Parameter{"play_m", "play_rad", "m", "rad", Scale::kLength, false, 0.0, 0.2, {0.003, 0.02},
-                "Whole width of the play, b."}};
-  static constexpr EffectInfo kInfo{"backlash", Side::kValveAndOil, false, false, kParameters,
-                                    "There is play between piston and load."};
+  static constexpr std::array kParameters{Parameter{
+      "play_m", "play_rad", "m", "rad", Scale::kLength, false, 0.0, 0.2, {0.003, 0.02}, "Whole width of the play, b."}};
+  static constexpr EffectInfo kInfo{"backlash", Side::kValveAndOil, false,
+                                    false,      kParameters,        "There is play between piston and load."};
 
   Backlash(const T* fitted, const Scales& scales, double) noexcept
       : half_play_(0.5 * fitted[0] * scales.of(Scale::kLength)), inverse_force_(200.0 / scales.of(Scale::kForce)) {}

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "plant/terms/portable.hpp"
+#include "core/portable_math.hpp"
 #include "plant/terms/term.hpp"
 
 namespace farrier::plant {

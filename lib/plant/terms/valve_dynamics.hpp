@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/portable_math.hpp"
 #include "plant/terms/term.hpp"
 
 namespace farrier::plant {
@@ -30,7 +31,8 @@ class ValveDynamics {
                                     true};
 
   ValveDynamics(const T* fitted, const Scales&, double step_s) noexcept {
-    using std::abs, std::cos, std::cosh, std::exp, std::sin, std::sinh, std::sqrt;
+    using portable::cos, portable::cosh, portable::exp, portable::sin, portable::sinh;
+    using std::abs, std::sqrt;
     const T swing = step_s / fitted[0];  // w h
     const T damping = fitted[1];
     const T decay = exp(-damping * swing);

@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "plant/exponential.hpp"
 #include "test_joints.hpp"
 
 namespace farrier::plant {
@@ -11,15 +10,6 @@ namespace friction_test {
 using test::kPeriod_s;
 
 constexpr FrictionParams kGuide{40.0, 60.0, 0.01, 1e-5};
-
-TEST(ExponentialDecay, IsTheLibrarysToTheLastBits) {
-  for (double x = 0.0; x < 700.0; x += 0.0371) {
-    EXPECT_NEAR(exponential_decay(x) / std::exp(-x), 1.0, 2e-15) << x;
-  }
-  EXPECT_EQ(exponential_decay(0.0), 1.0);
-  EXPECT_EQ(exponential_decay(-1.0), 1.0);
-  EXPECT_EQ(exponential_decay(1e9), 0.0);
-}
 
 double rate(const Friction& friction, double force, double velocity) {
   Instant now{};

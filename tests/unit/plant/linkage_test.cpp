@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "plant/linkage.hpp"
-#include "plant/trigonometry.hpp"
 
 namespace farrier::plant {
 namespace linkage_test {
@@ -123,17 +122,6 @@ TEST(Linkage, RejectsImpossibleTriangles) {
   ASSERT_FALSE(refused.ok());
   for (const char* word : {"side_b_m", "angle_at_zero_rad", "angle_sign"}) {
     EXPECT_NE(refused.error().message.find(word), std::string::npos) << refused.error().message;
-  }
-}
-
-TEST(Trigonometry, AgreesWithTheLibraryToTheLastBits) {
-  for (int i = -8000; i <= 8000; ++i) {
-    const SineCosine at = sine_cosine(i * 1e-3);
-    ASSERT_NEAR(at.sine, std::sin(i * 1e-3), 5e-16);
-    ASSERT_NEAR(at.cosine, std::cos(i * 1e-3), 5e-16);
-  }
-  for (int i = -999; i <= 999; ++i) {
-    ASSERT_NEAR(arc_cosine(i * 1e-3), std::acos(i * 1e-3), 1e-14) << i;
   }
 }
 

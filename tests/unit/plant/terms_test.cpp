@@ -5,7 +5,6 @@
 #include <limits>
 #include <string>
 
-#include "plant/terms/portable.hpp"
 #include "test_effects.hpp"
 #include "tests/support/allocation_guard.hpp"
 
@@ -100,9 +99,8 @@ TEST_P(EveryEffect, OfThePlantShows) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Terms, EveryEffect, testing::Range(EffectId{0}, kEffectCount), [](const auto& param_info) {
-  return std::string(effect_info(param_info.param).name);
-});
+INSTANTIATE_TEST_SUITE_P(Terms, EveryEffect, testing::Range(EffectId{0}, kEffectCount),
+                         [](const auto& param_info) { return std::string(effect_info(param_info.param).name); });
 
 TEST(EffectsTogether, StayPhysicalUnderViolentValveNoise) {
   HydraulicJoint joint = joint_with(kCylinder, kLoad, everything());
@@ -173,20 +171,6 @@ TEST(Effects, AreRefusedByNameWhereNoMachineHasTheirNumbers) {
   EXPECT_NE(too_fast.error().message.find("fastest rate"), std::string::npos) << too_fast.error().message;
   bad.id = kEffectCount;
   EXPECT_FALSE(HydraulicJoint::create(kCylinder, kLoad, rest, 1e-6, std::span(&bad, 1)).ok());
-}
-
-// The plant's terms use these in place of a C library's.
-TEST(PortableFunctions, AreTheLibrarysToTheLastBits) {
-  for (double x = -30.0; x < 30.0; x += 0.0137) {
-    EXPECT_NEAR(portable::exp(x) / std::exp(x), 1.0, 4e-15) << x;
-    EXPECT_NEAR(portable::tanh(x), std::tanh(x), 4e-16) << x;
-  }
-  for (double x = 1e-9; x < 1e9; x *= 1.037) {
-    EXPECT_NEAR(portable::log(x), std::log(x), 4e-16 * std::max(1.0, std::abs(std::log(x)))) << x;
-    EXPECT_NEAR(portable::pow(x, 1.0 + 1.0 / 1.4) / std::pow(x, 1.0 + 1.0 / 1.4), 1.0, 4e-14) << x;
-  }
-  EXPECT_EQ(portable::log(1.0), 0.0);
-  EXPECT_EQ(portable::tanh(0.0), 0.0);
 }
 
 }  // namespace terms_test
