@@ -10,7 +10,7 @@ struct OilAccount {
   double supply_m3 = 0.0;   ///< drawn
   double supply_J = 0.0;    ///< with it
   double return_J = 0.0;    ///< given to the return line
-  double valve_J = 0.0;     ///< lost in the open ports of the valve
+  double valve_J = 0.0;     ///< lost in the valve's open ports
   double leakage_J = 0.0;   ///< lost past the lands, past the piston and in lines
   double friction_J = 0.0;  ///< lost by damping and seals of the piston, and taken by its end stops
   double work_J = 0.0;      ///< done by the actuator

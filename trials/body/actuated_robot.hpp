@@ -41,7 +41,7 @@ class ActuatedRobot final : public world::World {
   struct Tracking {
     double error = 0.0, reference = 0.0, count = 0.0;
   };
-  /// Of all joints at one place of a leg, from `begin` of track_from() on; the phase is that of the leg's foot.
+  /// The sums of all joints at one place of a leg, from `begin` of track_from() on; the phase is that of the leg's foot.
   const PerPhase<Tracking>& tracking(std::size_t place) const noexcept { return tracking_[place]; }
   void track_from(Tick begin) noexcept { track_from_ = begin; }
   /// Least pressure of the supply at the ticks so far; infinite without a pump.

@@ -50,7 +50,7 @@ inline constexpr world::BodyNoise kTrotNoise = [] {
   return noise;
 }();
 
-/// What drives the joints of a trial: ideal torques with kTrotNoise, or the robot's actuators with their sensors.
+/// The drives of a trial's joints: ideal torques with kTrotNoise, or the robot's actuators with their sensors.
 enum class Joints { kIdeal, kActuators };
 
 /// Runs one case: the robot's TrotController with its own estimate, in a world of its own. False by `keep_on` ends it

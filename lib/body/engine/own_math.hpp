@@ -1,6 +1,6 @@
 #pragma once
 
-/// What the engine calls in a step in place of the C library, in the C library's own form, beside the functions of
+/// Functions that the engine calls in a step in place of the C library, in the C library's own form, beside those of
 /// core/portable_math.hpp.
 namespace farrier::body::own_math {
 

@@ -14,7 +14,7 @@ struct Traces {
   std::string body;
 };
 
-/// Of ten seconds in process, in an environment with these tunables of glibc.
+/// The traces of ten seconds in process, in an environment with these tunables of glibc.
 Traces traces_with(const char* tunables) {
   const ScratchDirectory scratch;
   Surroundings surroundings;

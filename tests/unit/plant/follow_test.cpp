@@ -85,8 +85,8 @@ TEST(Follow, LeavesTheMassOfThePistonToTheMechanism) {
   const State rest = pair.moved.state();
   pair.moved.follow(0.0, 160e5, {rest.position + 1e-7, 0.004}, kStep_s, account);
   const double acceleration = 0.004 / kStep_s;
-  EXPECT_NEAR(pair.moved.mechanism_force() - pair.moved.load_cell_force(),
-              hyq_cylinder().piston_mass * acceleration, 1e-9);
+  EXPECT_NEAR(pair.moved.mechanism_force() - pair.moved.load_cell_force(), hyq_cylinder().piston_mass * acceleration,
+              1e-9);
 }
 
 TEST(Follow, RefusesAnEndThatIsNoNumber) {

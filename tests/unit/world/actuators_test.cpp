@@ -20,9 +20,7 @@ TEST(Actuators, HaveTheEffectsOfARobotOnAGround) {
   const robot::Robot hyq = load("hyq");
   for (const robot::Joint& joint : hyq.joints) {
     EXPECT_EQ(joint.kind, control::Kind::kFeedbackLinearisation) << joint.name;
-    const auto has = [&](const char* name) {
-      return plant::find(joint.effects, plant::find_effect(name)) != nullptr;
-    };
+    const auto has = [&](const char* name) { return plant::find(joint.effects, plant::find_effect(name)) != nullptr; };
     EXPECT_TRUE(has("valve_dynamics")) << joint.name;
     EXPECT_TRUE(has("valve_deadband")) << joint.name;
     EXPECT_FALSE(has("supply_droop")) << joint.name << ": the supply is shared";
