@@ -42,14 +42,14 @@ TEST_P(Trace, OfASeedIsWhatItWas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryRobotAndGait, Trace,
-                         testing::Values(Kept{"hyq", gait::Pattern::kTrot, 0x75c8ccd254a7b86fu},
-                                         Kept{"hyq", gait::Pattern::kStand, 0x1c56a0fc4c966047u},
-                                         Kept{"fc1d", gait::Pattern::kTrot, 0x32eed349fcce18cau},
-                                         Kept{"fc1d", gait::Pattern::kStand, 0x45abbf78d3b8492eu},
-                                         Kept{"hexapod", gait::Pattern::kTrot, 0x965703cdbd8673bu},
-                                         Kept{"hexapod", gait::Pattern::kStand, 0x713350b14a601543u},
-                                         Kept{"electric_leg", gait::Pattern::kTrot, 0xfcabd5a464107b39u},
-                                         Kept{"electric_leg", gait::Pattern::kStand, 0xd7a5e0dbff196a6fu}),
+                         testing::Values(Kept{"hyq", gait::Pattern::kTrot, 0x80b8f92b24c6416cu},
+                                         Kept{"hyq", gait::Pattern::kStand, 0x9383bf6a5daa7583u},
+                                         Kept{"fc1d", gait::Pattern::kTrot, 0xe0bbf5b6fc315450u},
+                                         Kept{"fc1d", gait::Pattern::kStand, 0x763e25aa133b7ce9u},
+                                         Kept{"hexapod", gait::Pattern::kTrot, 0xfe1b677f0ed3f37bu},
+                                         Kept{"hexapod", gait::Pattern::kStand, 0x21a3d6d0e2e25b55u},
+                                         Kept{"electric_leg", gait::Pattern::kTrot, 0xcf829127aede051du},
+                                         Kept{"electric_leg", gait::Pattern::kStand, 0xfbdb8501fc114177u}),
                          [](const auto& kept) {
                            return std::string(kept.param.robot) +
                                   (kept.param.gait == gait::Pattern::kTrot ? "_trot" : "_stand");

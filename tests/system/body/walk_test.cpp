@@ -76,7 +76,7 @@ TEST(Walk, RefusesWhatItCannotDo) {
     EXPECT_NE(output.find(words), std::string::npos) << output;
   };
   refuses({"--scene", scratch.file("scene.yaml")}, "scene.yaml:1");
-  refuses({"--design", "adaptive"}, "needs joints with valves");
+  refuses({"--design", "adaptive"}, "estimates of a body");
   refuses({"--velocity", "0.4,0"}, "--velocity");
 }
 

@@ -111,10 +111,10 @@ TEST_F(EngineRun, EndsWithAFaultAndItsStepInPlaceOfAReset) {
   EXPECT_FALSE(engine_.failure().has_value());
 }
 
-// Beyond 16 rad our own sine ends; a leg that turns so far has no stops.
+// Our own sine, of half the angle, ends at 1e6 rad.
 TEST_F(EngineRun, EndsWithAFaultWhenAJointTurnsTooFar) {
   BodyState state = high_up();
-  state.angles_rad[5] = 15.9;
+  state.angles_rad[5] = 2e6 - 0.1;
   state.velocities_rad_s[5] = 50.0;
   engine_.set_state(state);
   for (int step = 0; step < 1000; ++step) {

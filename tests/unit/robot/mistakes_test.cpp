@@ -84,7 +84,7 @@ TEST(RobotFileMistakes, AreAllListedAtOnce) {
   text = replaced(text, "bore_m: 0.016 ", "bore_mm: 16 ");
   text = replaced(text, "stance: {mass_kg: 50,", "stance: {mass_kg: -3,");
   text = replaced(text, "  duty: 0.65", "  duty: most");
-  text = replaced(text, "    form: compliant", "    form: stiff");
+  text = replaced(text, "    form: compliant  ", "    form: stiff  ");
   text = replaced(text, "  lf: {front: true, left: true, phase_offset: 0,", "  lf: {front: 1, phase_offset: 1,");
   const auto robot = load_robot_text(text, "hyq.yaml");
   ASSERT_FALSE(robot.ok());
