@@ -23,7 +23,8 @@ Result<std::unique_ptr<farrier::sim_bridge::SimulatedRobot>> world_of(
   if (options.simulated_path.empty()) {
     return make(known);
   }
-  const auto other = robot::load_robot(options.simulated_path);
+  const auto other =
+      robot::load_robot(options.simulated_path, {.on_ground = options.world == participant::World::kBody});
   return other ? make(other.value()) : Error{config::to_string(other.error())};
 }
 

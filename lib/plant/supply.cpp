@@ -31,9 +31,13 @@ Result<Supply> Supply::create(const SupplyParams& params) {
 Supply::Supply(const SupplyParams& params) noexcept
     : params_(params), pressure_Pa_(params.relief_pressure_Pa), volume_m3_(volume_m3(pressure_Pa_)) {}
 
+bool Supply::holds_oil(double pressure_Pa) const noexcept {
+  return params_.accumulator_volume_m3 > 0.0 && pressure_Pa > params_.precharge_Pa;
+}
+
 double Supply::gas_share(double pressure_Pa) const noexcept {
-  const bool filled = params_.accumulator_volume_m3 > 0.0 && pressure_Pa > params_.precharge_Pa;
-  return filled ? portable::pow(params_.precharge_Pa / pressure_Pa, 1.0 / params_.polytropic_exponent) : 1.0;
+  return holds_oil(pressure_Pa) ? portable::pow(params_.precharge_Pa / pressure_Pa, 1.0 / params_.polytropic_exponent)
+                                : 1.0;
 }
 
 double Supply::volume_m3(double pressure_Pa) const noexcept {
@@ -41,10 +45,9 @@ double Supply::volume_m3(double pressure_Pa) const noexcept {
 }
 
 double Supply::compliance_m3_Pa(double pressure_Pa) const noexcept {
-  const bool filled = params_.accumulator_volume_m3 > 0.0 && pressure_Pa > params_.precharge_Pa;
-  const double gas =
-      filled ? params_.accumulator_volume_m3 * gas_share(pressure_Pa) / (params_.polytropic_exponent * pressure_Pa)
-             : 0.0;
+  const double gas = holds_oil(pressure_Pa) ? params_.accumulator_volume_m3 * gas_share(pressure_Pa) /
+                                                  (params_.polytropic_exponent * pressure_Pa)
+                                            : 0.0;
   return params_.compliance_m3_Pa + gas;
 }
 
@@ -70,7 +73,7 @@ double Supply::pressure_at(double volume) const noexcept {
 
 double Supply::stored_J() const noexcept {
   const double hoses = 0.5 * params_.compliance_m3_Pa * pressure_Pa_ * pressure_Pa_;
-  if (params_.accumulator_volume_m3 == 0.0 || pressure_Pa_ <= params_.precharge_Pa) {
+  if (!holds_oil(pressure_Pa_)) {
     return hoses;
   }
   // The integral of p dV: p_0 V_0 / (n - 1) ((p / p_0)^(1 - 1/n) - 1).

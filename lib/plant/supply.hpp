@@ -59,6 +59,8 @@ class Supply {
   /// Oil in accumulator and hoses at a pressure, and its rate with the pressure.
   double volume_m3(double pressure_Pa) const noexcept;
   double compliance_m3_Pa(double pressure_Pa) const noexcept;
+  /// True if there is oil in the accumulator at a pressure.
+  bool holds_oil(double pressure_Pa) const noexcept;
   /// (p_0 / p)^(1/n): the gas's share of its volume; 1 while no oil is in.
   double gas_share(double pressure_Pa) const noexcept;
   double pressure_at(double volume_m3) const noexcept;

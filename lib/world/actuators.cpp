@@ -24,23 +24,24 @@ Result<Actuators> Actuators::create(const robot::Robot& robot) {
     joints.push_back({joint.linkage, std::move(plant).value()});
     angles_rad[joint.number] = joint.home_angle_rad;
   }
-  return Actuators(std::move(joints), std::move(supply), angles_rad);
+  return Actuators(std::move(joints), supply, angles_rad);
 }
 
-Actuators::Actuators(std::vector<Joint> joints, std::optional<plant::Supply> supply,
+Actuators::Actuators(std::vector<Joint> joints, const std::optional<plant::Supply>& supply,
                      const body::JointVector& angles_rad)
     : joints_(std::move(joints)),
-      supply_(std::move(supply)),
+      supply_(supply),
       torques_Nm_(body::JointVector::Zero(static_cast<Eigen::Index>(joints_.size()))) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    set_torque(i, angles_rad[static_cast<Eigen::Index>(i)]);
+    set_force(i, angles_rad[static_cast<Eigen::Index>(i)]);
   }
   stored_at_start_J_ = stored_J() + (supply_ ? supply_->stored_J() : 0.0);
 }
 
-void Actuators::set_torque(std::size_t index, double angle_rad) noexcept {
-  const Joint& joint = joints_[index];
-  torques_Nm_[static_cast<Eigen::Index>(index)] = joint.linkage.torque(angle_rad, joint.plant.mechanism_force());
+void Actuators::set_force(std::size_t index, double angle_rad) noexcept {
+  Joint& joint = joints_[index];
+  joint.force = joint.plant.mechanism_force();
+  torques_Nm_[static_cast<Eigen::Index>(index)] = joint.linkage.torque(angle_rad, joint.force);
 }
 
 void Actuators::command(std::span<const double> currents_A) noexcept {
@@ -58,14 +59,13 @@ void Actuators::follow(const body::BodyState& state, double step_s) noexcept {
     const double angle_rad = state.angles_rad[row];
     const plant::Motion end{joint.linkage.position(angle_rad),
                             joint.linkage.lever(angle_rad) * state.velocities_rad_s[row]};
-    const double held = joint.plant.mechanism_force();
-    const double moved = end.position - joint.plant.readings().position;
+    const double work_J = joint.force * (end.position - joint.plant.readings().position);
     const plant::DriveAccount account = joint.plant.follow(joint.current_A, pressure_Pa, end, step_s);
     energies_.oil.add(account.oil, 1.0);
     energies_.electric_J += account.electric_J;
-    energies_.work_J += held * moved;
-    energies_.coupling_J += held * moved - account.work_J;
-    set_torque(i, angle_rad);
+    energies_.work_J += work_J;
+    energies_.coupling_J += work_J - account.work_J;
+    set_force(i, angle_rad);
   }
   if (supply_) {
     supply_->advance(energies_.oil.supply_m3 - drawn_before_m3, step_s);

@@ -44,7 +44,6 @@ class Actuators final : public JointDrives {
 
   const plant::Joint& joint(std::size_t index) const noexcept { return joints_[index].plant; }
   /// Null without a pump in the file.
-  plant::Supply* supply() noexcept { return supply_ ? &*supply_ : nullptr; }
   const plant::Supply* supply() const noexcept { return supply_ ? &*supply_ : nullptr; }
   const ActuatorEnergies& energies() const noexcept { return energies_; }
   /// Energy in the oil of all actuators, J.
@@ -57,10 +56,12 @@ class Actuators final : public JointDrives {
     plant::Linkage linkage;
     plant::Joint plant;
     double current_A = 0.0;
+    double force = 0.0;  ///< on the body at the present state, N or Nm
   };
 
-  Actuators(std::vector<Joint> joints, std::optional<plant::Supply> supply, const body::JointVector& angles_rad);
-  void set_torque(std::size_t index, double angle_rad) noexcept;
+  Actuators(std::vector<Joint> joints, const std::optional<plant::Supply>& supply, const body::JointVector& angles_rad);
+  /// The force of the present state, and its torque.
+  void set_force(std::size_t index, double angle_rad) noexcept;
 
   std::vector<Joint> joints_;
   std::optional<plant::Supply> supply_;

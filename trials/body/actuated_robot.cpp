@@ -7,7 +7,6 @@ namespace farrier::trials {
 namespace {
 
 constexpr std::uint64_t kSession = 1;
-constexpr double kStands_N = 1.0;  ///< a foot that presses more stands
 
 }  // namespace
 

@@ -10,6 +10,7 @@
 #include "plant/electric_joint.hpp"
 #include "tests/support/allocation_guard.hpp"
 #include "tests/unit/plant/reference.hpp"
+#include "tests/unit/plant/test_drive.hpp"
 
 namespace farrier::plant {
 namespace electric_test {
@@ -17,23 +18,7 @@ namespace electric_test {
 constexpr double kPeriod_s = 1e-3;
 constexpr double kRounding = 1e-12;
 
-/// The drive of deploy/robots/electric_leg.yaml.
-ElectricParams drive() {
-  return {.torque_constant_Nm_A = 0.1,
-          .winding_resistance_Ohm = 0.16,
-          .winding_inductance_H = 3.2e-5,
-          .supply_voltage_V = 48.0,
-          .rotor_inertia_kg_m2 = 3.4e-5,
-          .gear_ratio = 50.0,
-          .damping = 5.0,
-          .coulomb = 2.0,
-          .slip_velocity = 0.05,
-          .spring_stiffness = 1e4,
-          .spring_damping = 5.0,
-          .travel = 2.6,
-          .stop_stiffness = 1e5,
-          .stop_damping = 50.0};
-}
+using test::drive;
 
 ElectricParams without_dry_friction() {
   ElectricParams params = drive();
@@ -67,8 +52,8 @@ double stored_energy_J(const ElectricJoint& joint) {
 
 TEST(ElectricJoint, OnlyLosesEnergyWithoutVoltage) {
   const LoadParams sprung{.mass = 0.3, .damping = 0.5, .stiffness = 200.0, .equilibrium_position = 1.0};
-  ElectricJoint joint = joint_at(drive(), sprung, {.position = 1.3, .velocity = 2.0, .deflection = 2e-3, .rotor = -1.0,
-                                                   .current_A = 20.0});
+  ElectricJoint joint = joint_at(
+      drive(), sprung, {.position = 1.3, .velocity = 2.0, .deflection = 2e-3, .rotor = -1.0, .current_A = 20.0});
   const double first_J = stored_energy_J(joint);
   double previous_J = first_J;
   for (int tick = 0; tick < 1000; ++tick) {
@@ -185,7 +170,8 @@ TEST(ElectricJoint, StatesAnErrorThatBoundsTheTrueOne) {
   const NoiseStream noise(3, "electric", "command");
   for (int tick = 0; tick < 300; ++tick) {
     const double command = 60.0 * (2.0 * noise.uniform(tick / 5) - 1.0);
-    const ElectricState truth = test::reference_tick(equations, ElectricEquations::Input{command, 0.0}, joint.state(), kPeriod_s);
+    const ElectricState truth =
+        test::reference_tick(equations, ElectricEquations::Input{command, 0.0}, joint.state(), kPeriod_s);
     const StepReport report = joint.step(command, 0.0, kPeriod_s);
     ASSERT_NEAR(joint.state().velocity, truth.velocity, report.error_velocity + kRounding) << "tick " << tick;
     ASSERT_NEAR(joint.state().position, truth.position, report.error_position + kRounding) << "tick " << tick;
@@ -206,17 +192,17 @@ TEST(ElectricModel, IsTheJacobianOfTheEquations) {
     for (int i = 0; i < 5; ++i) {
       const double step = 1e-4 * scales[i];
       const Eigen::Matrix<double, 5, 1> by = step * Eigen::Matrix<double, 5, 1>::Unit(i);
-      const Eigen::Matrix<double, 5, 1> slope =
-          (values(equations.derivative(state(at + by), {5.0, 3.0})) -
-           values(equations.derivative(state(at - by), {5.0, 3.0}))) / (2.0 * step);
+      const Eigen::Matrix<double, 5, 1> slope = (values(equations.derivative(state(at + by), {5.0, 3.0})) -
+                                                 values(equations.derivative(state(at - by), {5.0, 3.0}))) /
+                                                (2.0 * step);
       // Central difference: step^2 / 6 of the third derivative of phi, at most 3 / w_s^3, and rounding.
-      const double curved = step * step / 6.0 * 3.0 * drive().coulomb / std::pow(drive().slip_velocity, 3) /
-                            output_inertia(drive());
+      const double curved =
+          step * step / 6.0 * 3.0 * drive().coulomb / std::pow(drive().slip_velocity, 3) / output_inertia(drive());
       const double rounding = 1e-7 * model.a.col(i).cwiseAbs().maxCoeff() + 1e-9;
       EXPECT_LE((slope - model.a.col(i)).cwiseAbs().maxCoeff(), curved + rounding) << "state " << i << " at " << rotor;
     }
-    const Eigen::Matrix<double, 5, 1> by_command = values(equations.derivative(state(at), {6.0, 3.0})) -
-                                                   values(equations.derivative(state(at), {5.0, 3.0}));
+    const Eigen::Matrix<double, 5, 1> by_command =
+        values(equations.derivative(state(at), {6.0, 3.0})) - values(equations.derivative(state(at), {5.0, 3.0}));
     EXPECT_LE((by_command - model.b).cwiseAbs().maxCoeff(), 1e-9 * model.b.maxCoeff());
   }
 }
@@ -241,8 +227,8 @@ TEST(ElectricModel, InThreeStatesFollowsTheJointAfterAStep) {
       apart = std::max(apart, std::abs(joint.load_cell_force() - x[2]));
     }
     // The rotor's lag J N^2 / D and the winding's L / R, over which the model's force runs ahead at its steepest.
-    const double lag_s = output_inertia(smooth) / rotor_damping(smooth) + smooth.winding_inductance_H /
-                                                                             smooth.winding_resistance_Ohm;
+    const double lag_s =
+        output_inertia(smooth) / rotor_damping(smooth) + smooth.winding_inductance_H / smooth.winding_resistance_Ohm;
     EXPECT_LE(apart, 1.5 * lag_s * model.b[2] * 5.0) << "mass " << load.mass;
     EXPECT_LE(apart, 0.15 * largest) << "mass " << load.mass;
   }

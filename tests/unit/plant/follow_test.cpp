@@ -7,6 +7,7 @@
 
 #include "plant/electric_joint.hpp"
 #include "tests/support/allocation_guard.hpp"
+#include "tests/unit/plant/test_drive.hpp"
 #include "tests/unit/plant/test_effects.hpp"
 
 namespace farrier::plant::test {
@@ -110,22 +111,8 @@ TEST(Follow, AllocatesNothing) {
 }
 
 TEST(FollowElectric, GivesTheTorqueOfTheSpringAndDrawsPower) {
-  const ElectricParams drive{.torque_constant_Nm_A = 0.1,
-                             .winding_resistance_Ohm = 0.16,
-                             .winding_inductance_H = 3.2e-5,
-                             .supply_voltage_V = 48.0,
-                             .rotor_inertia_kg_m2 = 3.4e-5,
-                             .gear_ratio = 50.0,
-                             .damping = 5.0,
-                             .coulomb = 2.0,
-                             .slip_velocity = 0.05,
-                             .spring_stiffness = 1e4,
-                             .spring_damping = 5.0,
-                             .travel = 2.6,
-                             .stop_stiffness = 1e5,
-                             .stop_damping = 50.0};
   const LoadParams load{.mass = 1.0};
-  ElectricJoint joint = ElectricJoint::create(drive, load, equilibrium(drive, load, 1.3, 0.0)).value();
+  ElectricJoint joint = ElectricJoint::create(drive(), load, equilibrium(drive(), load, 1.3, 0.0)).value();
   ElectricAccount account;
   for (int i = 0; i < 4000; ++i) {  // a blocked output: the stall torque less the gear's friction
     joint.follow(10.0, {1.3, 0.0}, 2.5e-4, account);
