@@ -113,6 +113,8 @@ std::optional<signals::BodyTruth> BodyRobot::truth() const noexcept {
   return truth;
 }
 
+bool has_physics_engine() noexcept { return true; }
+
 Result<std::unique_ptr<SimulatedRobot>> simulated_body(const robot::Robot& robot, const std::string& scene_path,
                                                        std::uint64_t seed, bool ideal) {
   const auto scene =

@@ -33,6 +33,9 @@ class SimulatedRobot : public world::World {
 Result<std::unique_ptr<SimulatedRobot>> simulated_bench(const robot::Robot& robot, std::uint64_t seed,
                                                         std::vector<robot::LoadChange> load_changes = {});
 
+/// True if this build has the physics engine of simulated_body().
+bool has_physics_engine() noexcept;
+
 /// The whole robot on the ground of a scene file, its joints its actuators or `ideal` sources of torque. An empty path is
 /// a plane. Refuses a robot without a trunk or with actuators that cannot be simulated, a scene with mistakes, and a
 /// build without the physics engine.

@@ -41,11 +41,11 @@ Result<report::WalkPlan> plan_of(const robot::Robot& robot, const TrotOptions& o
 
 std::string refused_on_ground(const TrotOptions& o) {
   if (o.design == robot::Design::kAdaptive) {
-    return "--design adaptive is for the bench: estimates of a body's joints are not validated yet; leave it or "
-           "--world out";
+    return "--design adaptive is for the bench: estimates of a body's joints are not validated yet; leave it out or "
+           "add --world bench";
   }
   if (o.dither_cost || o.security_cost) {
-    return "--dither-cost and --security-cost compare runs on the bench: leave --world body out";
+    return "--dither-cost and --security-cost compare runs on the bench: add --world bench";
   }
   return "";
 }

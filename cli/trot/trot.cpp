@@ -11,6 +11,7 @@
 #include "gait/stepping.hpp"
 #include "participant/loop.hpp"
 #include "process/process.hpp"
+#include "sim_bridge/simulated_robot.hpp"
 #include "supervisor/joint_design.hpp"
 #include "cli/base/command.hpp"
 #include "cli/trot/body_run.hpp"
@@ -107,11 +108,27 @@ Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, re
   return add_swing_design(robot, o, figures);
 }
 
+/// Robots that can walk on a ground do so unless --world says otherwise. A printed configuration is the file's own.
+participant::World default_world(const TrotOptions& o) {
+  if (o.print_config) {
+    return participant::World::kBench;
+  }
+  const auto robot = robot::load_robot(o.robot_path);
+  if (!robot || !robot.value().body || !robot.value().locomotion) {
+    return participant::World::kBench;
+  }
+  if (!sim_bridge::has_physics_engine()) {
+    std::fputs("trot: this build has no physics engine (libmujoco-dev): the robot runs on the bench\n", stderr);
+    return participant::World::kBench;
+  }
+  return participant::World::kBody;
+}
+
 int trot(TrotOptions o) {
   if (!o.design) {
     // With a tick of delay one design does not suit both loads, and nothing shows yet that adaptation gets by with it
     // while it learns. So in real time each slot has the design for its own load.
-    // Ideal joints have nothing to learn.
+    // On a ground gains do not adapt yet.
     const bool fixed = o.clock == bus::ClockKind::kRealtime || participant::is_on_ground(o.world);
     o.design = fixed ? robot::Design::kPhases : robot::Design::kAdaptive;
   }
@@ -246,6 +263,9 @@ std::function<int()> declare_trot(CLI::App& app) {
   auto options = std::make_shared<TrotOptions>();
   declare(app, *options);
   return [options, &app] {
+    if (app.count("--world") == 0) {
+      options->world = default_world(*options);
+    }
     if (participant::is_on_ground(options->world) && app.count("--duration") == 0) {
       options->duration_s = kWalkDuration_s;
     }

@@ -94,9 +94,9 @@ void declare(CLI::App& app, TrotOptions& o) {
       ->default_str("lockstep");
   add_choice(
       app, "--world", o.world, participant::kWorlds,
-      "bench: each joint on a load of its own that follows the gait; body: the whole robot on a ground, its joints "
-      "ideal torque sources")
-      ->default_str("bench");
+      "body: the whole robot on a ground, on its own actuators; ideal: there, its joints follow torques at once; "
+      "bench: each joint on a load of its own that follows the gait")
+      ->default_str("body if the robot file has body.trunk and locomotion, else bench");
   app.add_option("--scene", o.scene_path, "body: scene file of the ground, pushes and payloads; a plane unless given")
       ->type_name("<file>");
   app.add_option("--velocity", o.velocity, "body: velocity of the trot: forward, left (m/s), yaw rate (rad/s)")

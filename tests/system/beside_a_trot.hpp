@@ -15,8 +15,8 @@ class BesideATrot : public testing::TestWithParam<const char*> {
  protected:
   static void SetUpTestSuite() {
     scratch_ = std::make_unique<ScratchDirectory>();
-    trot_ = std::make_unique<FarrierCommand>(std::vector<std::string>{"trot", "--dds", "mixed", "--duration", "600",
-                                                                      "--out", scratch_->file("out")});
+    trot_ = std::make_unique<FarrierCommand>(std::vector<std::string>{
+        "trot", "--world", "bench", "--dds", "mixed", "--duration", "600", "--out", scratch_->file("out")});
     ASSERT_TRUE(trot_->says("trot: tick 0 of")) << trot_->output();
   }
   static void TearDownTestSuite() {

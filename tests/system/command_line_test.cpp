@@ -20,8 +20,8 @@ constexpr int kTicks = 4000;
 const nlohmann::json& figures_of_a_run() {
   static const nlohmann::json figures = [] {
     const ScratchDirectory scratch;
-    const int status = run_farrier({"trot", "--design", "stance", "--dds", "mixed", "--duration", "4", "--out",
-                                    scratch.file("out"), "--json", scratch.file("figures.json")});
+    const int status = run_farrier({"trot", "--world", "bench", "--design", "stance", "--dds", "mixed", "--duration",
+                                    "4", "--out", scratch.file("out"), "--json", scratch.file("figures.json")});
     nlohmann::json json = read_json(scratch.file("figures.json"));
     json["exit_status"] = status;
     return json;
@@ -124,7 +124,7 @@ TEST(BadInput, RefusesUnknownValuesOptionsAndCommandsByName) {
   EXPECT_NE(output.find("--duraton"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"canter"}, &output), 2);
   EXPECT_NE(output.find("'canter' is not a farrier command"), std::string::npos) << output;
-  EXPECT_EQ(run_farrier({"trot", "--clock", "realtime", "--dds", "inproc"}, &output), 2);
+  EXPECT_EQ(run_farrier({"trot", "--world", "bench", "--clock", "realtime", "--dds", "inproc"}, &output), 2);
   EXPECT_EQ(run_farrier({"trot", "--design", "clever"}, &output), 2);
   EXPECT_NE(output.find("'clever' is not one of stance|swing|phases|adaptive"), std::string::npos) << output;
 }
@@ -197,7 +197,8 @@ TEST(VariedTrot, WritesARowForEverySeedControllerAndJointAndJudgesAdaptation) {
 TEST(Design, DecidesWhoProbesAndWhetherGainsAreUpdated) {
   for (const char* design : {"adaptive", "stance", "swing", "phases"}) {
     const ScratchDirectory scratch;
-    run_farrier({"trot", "--dds", "inproc", "--design", design, "--duration", "1.5", "--out", scratch.file("out")});
+    run_farrier({"trot", "--world", "bench", "--dds", "inproc", "--design", design, "--duration", "1.5", "--out",
+                 scratch.file("out")});
     const nlohmann::json run = read_json(scratch.file("out/figures.json"))["run"];
     const bool adapts = std::string(design) == "adaptive";
     EXPECT_EQ(run["configuration"].get<std::string>().find("dither_percent: 0\n") == std::string::npos, adapts)

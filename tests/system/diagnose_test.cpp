@@ -35,8 +35,8 @@ void write_recording(const std::string& path, Row row) {
 std::string record(const ScratchDirectory& scratch, const std::string& robot, const char* duration) {
   const std::string trace = scratch.file("trace.csv");
   std::string output;
-  const int status = run_farrier({"trot", "--robot", robot, "--dds", "inproc", "--design", "swing", "--duration",
-                                  duration, "--out", scratch.file("trot"), "--trace", trace},
+  const int status = run_farrier({"trot", "--world", "bench", "--robot", robot, "--dds", "inproc", "--design", "swing",
+                                  "--duration", duration, "--out", scratch.file("trot"), "--trace", trace},
                                  &output);
   EXPECT_TRUE(status == 0 || status == 1) << output;
   return trace;
@@ -46,8 +46,8 @@ TEST(Diagnose, OfTheSimulationByItsOwnModelFindsNothingMissing) {
   const ScratchDirectory scratch;
   const std::string trace = record(scratch, robot_file("fc1d.yaml"), "8");
   std::string output;
-  const int status = run_farrier({"diagnose", trace, "--model", robot_file("fc1d.yaml"), "--out", scratch.file("out")},
-                                 &output);
+  const int status =
+      run_farrier({"diagnose", trace, "--model", robot_file("fc1d.yaml"), "--out", scratch.file("out")}, &output);
   EXPECT_EQ(status, 0) << output;
   EXPECT_NE(output.find("diagnose: none"), std::string::npos) << output;
   const auto json = read_json(scratch.file("out/figures.json"));
@@ -80,7 +80,7 @@ TEST(Diagnose, NamesADeadbandThatTheModelLacksAndTheExtendedModelLoads) {
   const std::string extended = scratch.file("out/fc1d_fc1d_extended.yaml");
   EXPECT_EQ(json["extended_model"], extended);
   std::string printed;
-  EXPECT_EQ(run_farrier({"trot", "--robot", extended, "--print-config"}, &printed), 0) << printed;
+  EXPECT_EQ(run_farrier({"trot", "--world", "bench", "--robot", extended, "--print-config"}, &printed), 0) << printed;
   EXPECT_NE(printed.find("valve_deadband"), std::string::npos);
   EXPECT_EQ(read_file(model), before) << "the user's file";
   EXPECT_FALSE(fs::exists(scratch.file("out/figures.json"))) << "--json said where";
@@ -147,9 +147,9 @@ TEST(Diagnose, NeverWritesOverWhatItReads) {
   EXPECT_EQ(run_farrier({"diagnose", scratch.file("run.csv"), "--model", model, "--out", scratch.file("")}, &output),
             2);
   EXPECT_NE(output.find("is what is read"), std::string::npos) << output;
-  EXPECT_EQ(run_farrier({"diagnose", scratch.file("run.csv"), "--model", model, "--json", scratch.file("run.csv")},
-                        &output),
-            2);
+  EXPECT_EQ(
+      run_farrier({"diagnose", scratch.file("run.csv"), "--model", model, "--json", scratch.file("run.csv")}, &output),
+      2);
   EXPECT_EQ(read_file(model), before);
   EXPECT_EQ(read_file(scratch.file("run.csv")), recorded);
 }

@@ -38,8 +38,8 @@ struct Tracked {
 class EstimatorDeath : public testing::TestWithParam<const char*> {
  protected:
   EstimatorDeath()
-      : trot_({"trot", "--clock", "realtime", "--nodes", "one", "--design", GetParam(), "--duration", "4", "--out",
-               scratch_.file("out")}) {
+      : trot_({"trot", "--world", "bench", "--clock", "realtime", "--nodes", "one", "--design", GetParam(),
+               "--duration", "4", "--out", scratch_.file("out")}) {
     if (trot_.says("trot: tick 2")) {  // before, the bare exchange had members of the same names
       estimator_ = trot_.process("estimator_service");
       ::kill(estimator_, SIGKILL);

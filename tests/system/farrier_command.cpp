@@ -168,7 +168,8 @@ int run_farrier(const std::vector<std::string>& arguments, std::string* output, 
 
 std::string trace_of_trot(const std::vector<std::string>& options) {
   const ScratchDirectory scratch;
-  std::vector<std::string> arguments{"trot", "--out", scratch.file("out"), "--trace", scratch.file("trace.csv")};
+  std::vector<std::string> arguments{
+      "trot", "--world", "bench", "--out", scratch.file("out"), "--trace", scratch.file("trace.csv")};
   arguments.insert(arguments.end(), options.begin(), options.end());
   std::string output;
   run_farrier(arguments, &output);

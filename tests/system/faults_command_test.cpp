@@ -69,8 +69,8 @@ TEST(Request, SaysWhereNobodyAnswers) {
 
 TEST(Request, StopsARobotAndArmsItAgain) {
   const ScratchDirectory scratch;
-  FarrierCommand trot(
-      {"trot", "--clock", "realtime", "--nodes", "one", "--duration", "600", "--out", scratch.file("out")});
+  FarrierCommand trot({"trot", "--world", "bench", "--clock", "realtime", "--nodes", "one", "--duration", "600",
+                       "--out", scratch.file("out")});
   ASSERT_TRUE(trot.says("trot: tick 0 of")) << trot.output();
   const pid_t supervisor = trot.process("supervisor");
   ASSERT_NE(supervisor, 0);

@@ -24,9 +24,10 @@ class LongPause : public testing::TestWithParam<Pause> {};
 
 TEST_P(LongPause, ChangesNothing) {
   const ScratchDirectory scratch;
-  run_farrier({"trot", "--dds", "inproc", "--duration", kDuration, "--out", scratch.file("in_process")});
-  FarrierCommand trot({"trot", "--dds", GetParam().dds, "--duration", kDuration, "--stall-limit", "0", "--out",
-                       scratch.file("out")});
+  run_farrier(
+      {"trot", "--world", "bench", "--dds", "inproc", "--duration", kDuration, "--out", scratch.file("in_process")});
+  FarrierCommand trot({"trot", "--world", "bench", "--dds", GetParam().dds, "--duration", kDuration, "--stall-limit",
+                       "0", "--out", scratch.file("out")});
   const std::string name = GetParam().process;
   const pid_t paused = name == "farrier" ? trot.pid() : trot.process(name);
   ASSERT_NE(paused, 0);

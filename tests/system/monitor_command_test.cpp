@@ -61,7 +61,8 @@ TEST_P(Monitor, ServesMetricsWithoutATerminalAndPrintsNoTable) {
   ASSERT_TRUE(command.says("metrics at http://" + address + "/metrics", 30s)) << command.output();
   const auto until = std::chrono::steady_clock::now() + 30s;
   std::string metrics;
-  const std::string rate = "farrier_joint_control_rate_hertz{leg=\"lf\",joint=\"lf_haa\"}";  // of two summaries at least
+  const std::string rate =
+      "farrier_joint_control_rate_hertz{leg=\"lf\",joint=\"lf_haa\"}";  // of two summaries at least
   while (metrics.find(rate) == std::string::npos && std::chrono::steady_clock::now() < until) {
     metrics = http_get(port, "/metrics");
   }
@@ -82,7 +83,8 @@ class StoppedMonitors : public testing::TestWithParam<const char*> {};
 TEST_P(StoppedMonitors, HoldNoWriterBack) {
   constexpr int kMonitors = 10;
   const ScratchDirectory scratch;
-  FarrierCommand trot({"trot", "--dds", GetParam(), "--duration", "40", "--out", scratch.file("out")});
+  FarrierCommand trot(
+      {"trot", "--world", "bench", "--dds", GetParam(), "--duration", "40", "--out", scratch.file("out")});
   ASSERT_TRUE(trot.says("trot: tick")) << trot.output();
   std::vector<std::unique_ptr<FarrierCommand>> monitors;
   for (int i = 0; i < kMonitors; ++i) {

@@ -17,7 +17,8 @@ constexpr auto kMeasured = 8s;
 
 TEST(MonitorPageLoad, IsAtMostAFewHundredthsOfACore) {
   const ScratchDirectory scratch;
-  FarrierCommand trot({"trot", "--clock", "realtime", "--duration", "60", "--out", scratch.file("out")});
+  FarrierCommand trot(
+      {"trot", "--world", "bench", "--clock", "realtime", "--duration", "60", "--out", scratch.file("out")});
   ASSERT_TRUE(trot.says("trot: tick 0 of")) << trot.output();
   const std::uint16_t port = free_port();
   FarrierCommand monitor({"monitor", "--web", std::to_string(port), "--domain", std::to_string(trot.domain())});
@@ -26,7 +27,8 @@ TEST(MonitorPageLoad, IsAtMostAFewHundredthsOfACore) {
   frames_until(port, [&](const auto&) { return std::chrono::steady_clock::now() > until; });
   const double before_s = cli::process_stat(monitor.pid()).value().processor_s;
   const auto begin = std::chrono::steady_clock::now();
-  const auto frames = frames_until(port, [&](const auto&) { return std::chrono::steady_clock::now() > begin + kMeasured; });
+  const auto frames =
+      frames_until(port, [&](const auto&) { return std::chrono::steady_clock::now() > begin + kMeasured; });
   const double took_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const double share = (cli::process_stat(monitor.pid()).value().processor_s - before_s) / took_s;
   RecordProperty("share_percent", std::to_string(100.0 * share));

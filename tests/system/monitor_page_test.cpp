@@ -48,7 +48,7 @@ TEST_P(MonitorPage, ShowsEveryJointOfARunningRobot) {
 TEST_P(MonitorPage, ShowsWhatWasRecorded) {
   const std::string path = scratch_->file(std::string(GetParam()) + ".mcap");
   std::string output;
-  ASSERT_EQ(run_farrier({"trot", "--dds", GetParam(), "--duration", "4", "--record", path, "--out",
+  ASSERT_EQ(run_farrier({"trot", "--world", "bench", "--dds", GetParam(), "--duration", "4", "--record", path, "--out",
                          scratch_->file(std::string("recorded_") + GetParam())},
                         &output),
             0)

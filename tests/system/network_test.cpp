@@ -40,11 +40,12 @@ class LoopbackWithoutMulticast : public testing::TestWithParam<const char*> {};
 
 TEST_P(LoopbackWithoutMulticast, CarriesATrotOfSixteenProcesses) {
   const ScratchDirectory scratch;
-  run_farrier({"trot", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("in_process")});
+  run_farrier(
+      {"trot", "--world", "bench", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("in_process")});
   std::string output;
-  const int status = run_farrier(
-      {"trot", "--dds", GetParam(), "--nodes", "per-joint", "--duration", kShort, "--out", scratch.file("isolated")},
-      &output, {FARRIER_COMMAND, isolate_network});
+  const int status = run_farrier({"trot", "--world", "bench", "--dds", GetParam(), "--nodes", "per-joint", "--duration",
+                                  kShort, "--out", scratch.file("isolated")},
+                                 &output, {FARRIER_COMMAND, isolate_network});
   if (status == kNotPermitted) {
     GTEST_SKIP() << output;
   }

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 
 std::vector<std::string> long_trot(const ScratchDirectory& scratch, const std::string& dds = "cyclone",
                                    const std::string& duration = "3600") {
-  return {"trot", "--dds", dds, "--duration", duration, "--out", scratch.file("out")};
+  return {"trot", "--world", "bench", "--dds", dds, "--duration", duration, "--out", scratch.file("out")};
 }
 
 bool all_gone(pid_t launcher) {

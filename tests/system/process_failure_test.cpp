@@ -19,7 +19,8 @@ using namespace std::chrono_literals;
 /// Long enough to be interrupted, never meant to end by itself.
 std::vector<std::string> long_trot(const ScratchDirectory& scratch, const std::string& clock = "lockstep",
                                    const std::vector<std::string>& more = {}) {
-  std::vector<std::string> arguments{"trot", "--duration", "600", "--clock", clock, "--out", scratch.file("out")};
+  std::vector<std::string> arguments{"trot",    "--world", "bench", "--duration",       "600",
+                                     "--clock", clock,     "--out", scratch.file("out")};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
@@ -105,7 +106,7 @@ constexpr auto kBeyondTheLimit = 4s;  // of 2 s
 
 /// A run that says when a tenth of it, 2 s, is over.
 std::vector<std::string> begun_trot(const ScratchDirectory& scratch, const std::string& stall_limit_s) {
-  return {"trot", "--duration", "20", "--stall-limit", stall_limit_s, "--out", scratch.file("out")};
+  return {"trot", "--world", "bench", "--duration", "20", "--stall-limit", stall_limit_s, "--out", scratch.file("out")};
 }
 
 bool has_begun(const FarrierCommand& trot) { return trot.says("trot: tick 2"); }
@@ -174,7 +175,7 @@ TEST(StallLimit, OfZeroLetsARunWait) {
 
 TEST(StallLimit, BelowZeroIsRefused) {
   std::string output;
-  EXPECT_EQ(run_farrier({"trot", "--stall-limit", "-1"}, &output), 2);
+  EXPECT_EQ(run_farrier({"trot", "--world", "bench", "--stall-limit", "-1"}, &output), 2);
   EXPECT_NE(output.find("--stall-limit"), std::string::npos) << output;
 }
 

@@ -41,8 +41,8 @@ double bare_rate(const std::string& dds) {
 class RealTimeTrot : public testing::TestWithParam<const char*> {
  protected:
   RealTimeTrot() {
-    run_farrier({"trot", "--clock", "realtime", "--dds", GetParam(), "--nodes", "per-leg", "--duration", kDuration,
-                 "--out", scratch_.file("out")},
+    run_farrier({"trot", "--world", "bench", "--clock", "realtime", "--dds", GetParam(), "--nodes", "per-leg",
+                 "--duration", kDuration, "--out", scratch_.file("out")},
                 &output_);
     run_ = read_json(scratch_.file("out/figures.json"));
   }
@@ -58,15 +58,17 @@ TEST_P(RealTimeTrot, EndsWithTheFiguresOfEveryProcess) {
   for (const auto& process : run_["run"]["processes"]) {
     const std::string name = process["name"];
     const std::string packets = "trot.packets." + name + ".";
-    EXPECT_TRUE(std::ranges::any_of(run_["figures"], [&](const auto& entry) {
-      return entry["name"].template get<std::string>().starts_with(packets) && entry["value"].template get<double>() > 0.0;
-    })) << name << " has no figures of what it sent or received";
+    EXPECT_TRUE(std::ranges::any_of(run_["figures"],
+                                    [&](const auto& entry) {
+                                      return entry["name"].template get<std::string>().starts_with(packets) &&
+                                             entry["value"].template get<double>() > 0.0;
+                                    }))
+        << name << " has no figures of what it sent or received";
   }
   // Where the bare exchange itself hardly reaches the joints' rate, samples are lost whatever the nodes do.
   const bool fast_enough = bare_rate(GetParam()) >= kReserve * kTicksPerSecond;
   for (const char* leg : {"lf", "rf", "lh", "rh"}) {
-    const std::string received =
-        std::string("trot.packets.joint_node_") + leg + ".joint_sensors.received";
+    const std::string received = std::string("trot.packets.joint_node_") + leg + ".joint_sensors.received";
     EXPECT_GE(figure(run_, received), fast_enough ? (1.0 - kMayBeMissing) * kJointsPerLeg * kTicks : 1.0) << received;
     EXPECT_LE(figure(run_, received), kJointsPerLeg * kTicks) << received;
   }

@@ -18,7 +18,8 @@ class RecordedRun : public testing::TestWithParam<const char*> {
  protected:
   /// A trot that is recorded into path_; the command's exit status.
   int trot(std::vector<std::string> more) {
-    std::vector<std::string> arguments{"trot", "--dds", GetParam(), "--record", path_, "--out", scratch_.file("out")};
+    std::vector<std::string> arguments{"trot",  "--world",           "bench", "--dds", GetParam(), "--record", path_,
+                                       "--out", scratch_.file("out")};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_farrier(arguments, &output_);
   }

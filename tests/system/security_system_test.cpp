@@ -44,7 +44,9 @@ TEST(SecurityCommand, RefusesATrotWithoutTheKeysOfAProcess) {
   std::filesystem::copy(keys(), part, std::filesystem::copy_options::recursive);
   std::filesystem::remove_all(part + "/joint_node.fast");
   std::string output;
-  EXPECT_EQ(run_farrier({"trot", "--dds", "fast", "--security", part, "--out", scratch.file("out")}, &output), kBadInput);
+  EXPECT_EQ(run_farrier({"trot", "--world", "bench", "--dds", "fast", "--security", part, "--out", scratch.file("out")},
+                        &output),
+            kBadInput);
   EXPECT_NE(output.find("joint_node.fast"), std::string::npos) << output;
   EXPECT_NE(output.find("farrier security init"), std::string::npos) << "what to do: " << output;
   EXPECT_FALSE(std::filesystem::exists(scratch.file("out"))) << "nothing begins";
@@ -57,8 +59,10 @@ TEST(SecurityCommand, RefusesKeysThatOthersMayRead) {
   std::filesystem::permissions(open + "/supervisor.cyclone/key.pem", std::filesystem::perms::others_read,
                                std::filesystem::perm_options::add);
   std::string output;
-  EXPECT_EQ(run_farrier({"trot", "--dds", "cyclone", "--security", open, "--out", scratch.file("out")}, &output),
-            kBadInput);
+  EXPECT_EQ(
+      run_farrier({"trot", "--world", "bench", "--dds", "cyclone", "--security", open, "--out", scratch.file("out")},
+                  &output),
+      kBadInput);
   EXPECT_NE(output.find("chmod 600"), std::string::npos) << output;
 }
 

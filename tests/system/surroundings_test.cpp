@@ -29,7 +29,7 @@ Surroundings with_environment(const std::string& name, const std::string& value)
 
 TEST(Environment, ChoosesTheVendorWhereTheCommandLineDoesNot) {
   const ScratchDirectory scratch;
-  run_farrier({"trot", "--duration", kShort, "--out", scratch.file("out")}, nullptr,
+  run_farrier({"trot", "--world", "bench", "--duration", kShort, "--out", scratch.file("out")}, nullptr,
               with_environment("FARRIER_DDS", "fast"));
   const nlohmann::json figures = read_json(scratch.file("out/figures.json"));
   ASSERT_FALSE(figures.is_discarded());
@@ -40,8 +40,8 @@ TEST(Environment, ChoosesTheVendorWhereTheCommandLineDoesNot) {
 
 TEST(Environment, YieldsToTheCommandLine) {
   const ScratchDirectory scratch;
-  run_farrier({"trot", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("out")}, nullptr,
-              with_environment("FARRIER_DDS", "fast"));
+  run_farrier({"trot", "--world", "bench", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("out")},
+              nullptr, with_environment("FARRIER_DDS", "fast"));
   const nlohmann::json figures = read_json(scratch.file("out/figures.json"));
   ASSERT_FALSE(figures.is_discarded());
   EXPECT_EQ(figures["run"]["processes"][0]["vendor"], "inproc");
@@ -50,7 +50,9 @@ TEST(Environment, YieldsToTheCommandLine) {
 TEST(Environment, IsRefusedWhereItNamesNoVendor) {
   const ScratchDirectory scratch;
   std::string output;
-  EXPECT_EQ(run_farrier({"trot", "--out", scratch.file("out")}, &output, with_environment("FARRIER_DDS", "zenoh")), 2);
+  EXPECT_EQ(run_farrier({"trot", "--world", "bench", "--out", scratch.file("out")}, &output,
+                        with_environment("FARRIER_DDS", "zenoh")),
+            2);
   EXPECT_NE(output.find("'zenoh' is not one of"), std::string::npos) << output;
   EXPECT_FALSE(fs::exists(scratch.file("out")));
 }
@@ -60,11 +62,12 @@ TEST(WorkingDirectory, MayBeAnyWithAnyName) {
   const std::string directory = scratch.file("a 'quoted' dir, ünd more");
   fs::create_directory(directory);
   std::string output;
-  run_farrier({"trot", "--duration", kShort, "--json", "here.json"}, &output, {FARRIER_COMMAND, [&] {
-                                                                                 if (::chdir(directory.c_str()) != 0) {
-                                                                                   ::_exit(127);
-                                                                                 }
-                                                                               }});
+  run_farrier({"trot", "--world", "bench", "--duration", kShort, "--json", "here.json"}, &output,
+              {FARRIER_COMMAND, [&] {
+                 if (::chdir(directory.c_str()) != 0) {
+                   ::_exit(127);
+                 }
+               }});
   EXPECT_TRUE(fs::exists(directory + "/here.json")) << output;
   EXPECT_TRUE(fs::exists(directory + "/out/trot/trace.csv")) << output;
   EXPECT_TRUE(fs::exists(directory + "/out/trot/index.html")) << output;
@@ -80,7 +83,7 @@ class UnwritableOutput : public testing::TestWithParam<BadPlace> {};
 
 TEST_P(UnwritableOutput, IsRefusedByNameBeforeAnythingMoves) {
   const ScratchDirectory scratch;
-  std::vector<std::string> arguments{"trot", GetParam().option, GetParam().path};
+  std::vector<std::string> arguments{"trot", "--world", "bench", GetParam().option, GetParam().path};
   if (std::string(GetParam().option) != "--out") {
     arguments.insert(arguments.end(), {"--out", scratch.file("out")});
   }
@@ -100,14 +103,17 @@ INSTANTIATE_TEST_SUITE_P(Of, UnwritableOutput,
 
 TEST(OutputDirectory, IsRefusedWhileAnotherRunWritesThere) {
   const ScratchDirectory scratch;
-  FarrierCommand first({"trot", "--duration", "600", "--out", scratch.file("out")});
+  FarrierCommand first({"trot", "--world", "bench", "--duration", "600", "--out", scratch.file("out")});
   ASSERT_TRUE(first.says("trot: tick 0 of"));
   std::string output;
-  EXPECT_EQ(run_farrier({"trot", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("out")}, &output), 2);
+  EXPECT_EQ(
+      run_farrier({"trot", "--world", "bench", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("out")},
+                  &output),
+      2);
   EXPECT_NE(output.find("another run writes there"), std::string::npos) << output;
   first.signal(SIGINT);
   EXPECT_EQ(first.wait(20s), 130);
-  run_farrier({"trot", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("out")});
+  run_farrier({"trot", "--world", "bench", "--dds", "inproc", "--duration", kShort, "--out", scratch.file("out")});
   EXPECT_TRUE(fs::exists(scratch.file("out/figures.json")));
 }
 
@@ -115,7 +121,7 @@ TEST(FiguresOfAnEarlierRun, DoNotStandForOneThatWasInterrupted) {
   const ScratchDirectory scratch;
   fs::create_directory(scratch.file("out"));
   std::ofstream(scratch.file("out/figures.json")) << R"({"verdict": "pass"})";
-  FarrierCommand trot({"trot", "--duration", "600", "--out", scratch.file("out")});
+  FarrierCommand trot({"trot", "--world", "bench", "--duration", "600", "--out", scratch.file("out")});
   ASSERT_TRUE(trot.says("trot: tick 0 of"));
   trot.signal(SIGINT);
   EXPECT_EQ(trot.wait(20s), 130);
@@ -128,14 +134,16 @@ class FullDisk : public testing::TestWithParam<const char*> {};
 TEST_P(FullDisk, FailsTheRunWithItsCause) {
   const ScratchDirectory scratch;
   std::string output;
-  EXPECT_EQ(run_farrier({"trot", "--dds", GetParam(), "--duration", kShort, "--out", scratch.file("out")}, &output,
-                        {FARRIER_COMMAND,
-                         [] {
-                           ::signal(SIGXFSZ, SIG_IGN);
-                           const rlimit limit{kDiskBytes, kDiskBytes};
-                           ::setrlimit(RLIMIT_FSIZE, &limit);
-                         }}),
-            1);
+  EXPECT_EQ(
+      run_farrier({"trot", "--world", "bench", "--dds", GetParam(), "--duration", kShort, "--out", scratch.file("out")},
+                  &output,
+                  {FARRIER_COMMAND,
+                   [] {
+                     ::signal(SIGXFSZ, SIG_IGN);
+                     const rlimit limit{kDiskBytes, kDiskBytes};
+                     ::setrlimit(RLIMIT_FSIZE, &limit);
+                   }}),
+      1);
   EXPECT_NE(output.find("disk full"), std::string::npos) << output;
 }
 

@@ -29,9 +29,11 @@ const std::string& reference_trace() {
 TEST(TraceIdentity, IsThatOfRunsInWhichGainsWereUpdated) {
   const ScratchDirectory scratch;
   std::string output;
-  run_farrier({"trot", "--dds", "mixed", "--duration", kDuration, "--out", scratch.file("out")}, &output);
+  run_farrier({"trot", "--world", "bench", "--dds", "mixed", "--duration", kDuration, "--out", scratch.file("out")},
+              &output);
   const nlohmann::json figures = read_json(scratch.file("out/figures.json"))["figures"];
-  const auto updates = std::ranges::find_if(figures, [](const auto& figure) { return figure["name"] == "trot.updates"; });
+  const auto updates =
+      std::ranges::find_if(figures, [](const auto& figure) { return figure["name"] == "trot.updates"; });
   ASSERT_NE(updates, figures.end()) << output;
   EXPECT_GE((*updates)["value"].get<double>(), 1.0);
 }
@@ -48,17 +50,15 @@ TEST_P(TraceOverEveryTransport, EqualsTheInProcessTraceByteForByte) {
   EXPECT_TRUE(trace_of(GetParam().dds, GetParam().nodes) == reference_trace());
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Over, TraceOverEveryTransport,
-    testing::Values(Way{"inproc", "per-joint"}, Way{"inproc", "one"}, Way{"cyclone", "per-leg"},
-                    Way{"cyclone", "per-joint"}, Way{"fast", "per-leg"},
-                    Way{"fast", "per-joint"}, Way{"mixed", "per-leg"}, Way{"mixed", "per-joint"},
-                    Way{"mixed", "one"}),
-    [](const auto& way) {
-      std::string name = std::string(way.param.dds) + "_" + way.param.nodes;
-      std::replace(name.begin(), name.end(), '-', '_');
-      return name;
-    });
+INSTANTIATE_TEST_SUITE_P(Over, TraceOverEveryTransport,
+                         testing::Values(Way{"inproc", "per-joint"}, Way{"inproc", "one"}, Way{"cyclone", "per-leg"},
+                                         Way{"cyclone", "per-joint"}, Way{"fast", "per-leg"}, Way{"fast", "per-joint"},
+                                         Way{"mixed", "per-leg"}, Way{"mixed", "per-joint"}, Way{"mixed", "one"}),
+                         [](const auto& way) {
+                           std::string name = std::string(way.param.dds) + "_" + way.param.nodes;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
 
 struct Pause {
   const char* dds;
@@ -69,8 +69,8 @@ class TraceUnderADebuggersPause : public testing::TestWithParam<Pause> {};
 
 TEST_P(TraceUnderADebuggersPause, IsTheSame) {
   const ScratchDirectory scratch;
-  FarrierCommand trot({"trot", "--dds", GetParam().dds, "--duration", kDuration, "--out", scratch.file("out"),
-                       "--trace", scratch.file("trace.csv")});
+  FarrierCommand trot({"trot", "--world", "bench", "--dds", GetParam().dds, "--duration", kDuration, "--out",
+                       scratch.file("out"), "--trace", scratch.file("trace.csv")});
   const pid_t paused = trot.process(GetParam().process);
   ASSERT_NE(paused, 0);
   // A tenth of the run is over when the first line of progress behind the start is out.

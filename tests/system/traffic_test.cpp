@@ -44,7 +44,8 @@ struct Traffic {
 
 Traffic traffic_over(const std::string& dds) {
   const ScratchDirectory scratch;
-  run_farrier({"trot", "--dds", dds, "--nodes", "per-joint", "--duration", kDuration, "--out", scratch.file("out")});
+  run_farrier({"trot", "--world", "bench", "--dds", dds, "--nodes", "per-joint", "--duration", kDuration, "--out",
+               scratch.file("out")});
   Traffic traffic;
   const nlohmann::json figures = read_json(scratch.file("out/figures.json"));
   if (figures.is_discarded()) {
