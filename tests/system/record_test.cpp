@@ -126,6 +126,24 @@ TEST_P(Record, IsNotReplayedWhereARobotRuns) {
   EXPECT_NE(output.find("would speak in its name"), std::string::npos) << output;
 }
 
+TEST(RealTimeRecording, HasTheMeasurementsOfARun) {
+  const ScratchDirectory scratch;
+  const std::string path = scratch.file("run.mcap");
+  std::string output;
+  // The timing of a computer of two processors while it records is not checked here.
+  const int status = run_farrier({"trot", "--world", "bench", "--clock", "realtime", "--duration", "2", "--record",
+                                  path, "--out", scratch.file("out")},
+                                 &output);
+  EXPECT_TRUE(status == 0 || status == 1) << output;
+  std::string text;
+  ASSERT_EQ(run_farrier({"info", path, "--json"}, &text), 0) << text;
+  const json info = json::parse(text);
+  EXPECT_TRUE(info.at("whole"));
+  EXPECT_EQ(info.at("run").at("clock"), "realtime");
+  EXPECT_GT(info.at("topics").at("joint/measurement").at("samples"), 0) << output;
+  EXPECT_GT(info.at("topics").at("lf/joint/summary").at("samples"), 0) << output;
+}
+
 INSTANTIATE_TEST_SUITE_P(Over, Record, testing::ValuesIn(tested_vendors("cyclone")),
                          [](const auto& dds) { return std::string(dds.param); });
 

@@ -16,13 +16,6 @@ using nlohmann::json;
 
 class RecordedRun : public testing::TestWithParam<const char*> {
  protected:
-  /// A trot that is recorded into path_; the command's exit status.
-  int trot(std::vector<std::string> more) {
-    std::vector<std::string> arguments{"trot",  "--world",           "bench", "--dds", GetParam(), "--record", path_,
-                                       "--out", scratch_.file("out")};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    return run_farrier(arguments, &output_);
-  }
   json info() {
     EXPECT_EQ(run_farrier({"info", path_, "--json"}, &output_), 0) << output_;
     return json::parse(output_);
@@ -35,7 +28,11 @@ class RecordedRun : public testing::TestWithParam<const char*> {
 
 TEST_P(RecordedRun, LacksNothingInLockstepAndServesEveryTool) {
   constexpr int kTicks = 4000;
-  ASSERT_EQ(trot({"--duration", "4", "--seed", "5"}), 0) << output_;
+  ASSERT_EQ(run_farrier({"trot", "--world", "bench", "--dds", GetParam(), "--duration", "4", "--seed", "5", "--record",
+                         path_, "--out", scratch_.file("out")},
+                        &output_),
+            0)
+      << output_;
   const json recorded = info();
   EXPECT_TRUE(recorded.at("whole"));
   EXPECT_EQ(recorded.at("run").at("seed"), "5");
@@ -64,17 +61,6 @@ TEST_P(RecordedRun, LacksNothingInLockstepAndServesEveryTool) {
   EXPECT_EQ(run_farrier({"diagnose", path_, "--joint", "lf_kfe"}, &output_), 0) << output_;
   EXPECT_EQ(run_farrier({"diagnose", path_, "--joint", "tail"}, &output_), 2) << output_;
   EXPECT_NE(output_.find("has no joint 'tail'"), std::string::npos) << output_;
-}
-
-TEST_P(RecordedRun, IsTakenBesideARunInRealTime) {
-  // The timing of a computer of two processors while it records is not checked here.
-  const int status = trot({"--duration", "4", "--clock", "realtime"});
-  EXPECT_TRUE(status == 0 || status == 1) << output_;
-  const json recorded = info();
-  EXPECT_TRUE(recorded.at("whole"));
-  EXPECT_EQ(recorded.at("run").at("clock"), "realtime");
-  EXPECT_GT(recorded.at("topics").at("joint/measurement").at("samples"), 0);
-  EXPECT_GT(recorded.at("topics").at("lf/joint/summary").at("samples"), 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Over, RecordedRun, testing::Values("cyclone", "fast"),
