@@ -39,7 +39,11 @@ Result<report::WalkPlan> plan_of(const robot::Robot& robot, const TrotOptions& o
 
 }  // namespace
 
-std::string refused_on_ground(const TrotOptions& o) {
+std::string refused_on_ground(const robot::Robot& robot, const TrotOptions& o) {
+  if (robot.plan.gait.pattern == gait::Pattern::kStand) {
+    return "the gait 'stand' is for the bench, a robot on a ground needs steps: add --world bench, or give another "
+           "--gait";
+  }
   if (o.design == robot::Design::kAdaptive) {
     return "--design adaptive is for the bench: estimates of a body's joints are not validated yet; leave it out or "
            "add --world bench";
@@ -92,6 +96,9 @@ int run_on_ground(const robot::Robot& robot, const TrotOptions& o) {
     return fail("trot", page.error().message);
   }
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  if (!walk.fell_s) {
+    std::printf("%s %s\n", robot.name.c_str(), report::walk_text(walk).c_str());
+  }
   std::printf("report: %s\nfigures: %s\ntrace: %s\n", page.value().c_str(), o.json_path.c_str(), o.trace_path.c_str());
   return outcome.passes() ? kPassed : kFailed;
 }

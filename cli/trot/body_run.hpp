@@ -9,7 +9,7 @@ namespace farrier::cli {
 inline constexpr double kWalkDuration_s = 20.0;
 
 /// Error of options that a run on a ground does not have; empty for none.
-std::string refused_on_ground(const TrotOptions& options);
+std::string refused_on_ground(const robot::Robot& robot, const TrotOptions& options);
 
 /// A trot of the whole robot on a ground: run, judge, report. Returns the exit status. All paths of `options` are there.
 int run_on_ground(const robot::Robot& robot, const TrotOptions& options);

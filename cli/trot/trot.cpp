@@ -59,10 +59,10 @@ std::string flight_warning(const gait::RobotPlan& plan) {
 }
 
 /// The remedy for options that do not go together; empty when they do.
-std::string refusal(const TrotOptions& o) {
+std::string refusal(const robot::Robot& robot, const TrotOptions& o) {
   const bool realtime = o.clock == bus::ClockKind::kRealtime;
   if (participant::is_on_ground(o.world)) {
-    if (std::string refused = refused_on_ground(o); !refused.empty()) {
+    if (std::string refused = refused_on_ground(robot, o); !refused.empty()) {
       return refused;
     }
   }
@@ -148,7 +148,7 @@ int trot(TrotOptions o) {
     o.world = participant::World::kBench;
   }
   const bool on_ground = participant::is_on_ground(o.world);
-  if (const std::string refused = refusal(o); !refused.empty()) {
+  if (const std::string refused = refusal(robot, o); !refused.empty()) {
     std::fprintf(stderr, "farrier trot: %s\n", refused.c_str());
     return kBadInput;
   }

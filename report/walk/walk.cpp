@@ -136,7 +136,7 @@ std::string walk_text(const WalkFigures& walk) {
   if (walk.fell_s) {
     return "fell after " + short_number(*walk.fell_s) + " s: " + walk.reason;
   }
-  return "walked " + short_number(walk.way_m) + " m";
+  return "walked " + short_number(walk.way_m) + " m without a fall";
 }
 
 }  // namespace farrier::report

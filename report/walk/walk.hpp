@@ -49,7 +49,7 @@ WalkFigures judge_walk(const WalkPlan& plan, std::span<const signals::BodyTruth>
 /// Adds trot.body.*.
 void add_walk(Figures& figures, const WalkPlan& plan, const WalkFigures& walk);
 
-/// A sentence for people: "walked 4.8 m in 12 s" or "fell after 9.3 s: ...".
+/// A sentence for people: "walked 4.8 m without a fall" or "fell after 9.3 s: ...".
 std::string walk_text(const WalkFigures& walk);
 
 /// Writes out_dir/index.html with pictures of height, tilt, speed and forces at the feet beside it; after a fall also of

@@ -1,4 +1,4 @@
-// farrier trot --world body, as a user runs it: the whole robot walks on a ground.
+// farrier trot of a robot with a body, as a user runs it: the whole robot walks on a ground.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ struct Traces {
 /// Both traces of a walk with these options. It is too short to be judged.
 Traces traces_of(const std::vector<std::string>& options) {
   const ScratchDirectory scratch;
-  std::vector<std::string> arguments{"trot", "--world", "body", "--duration", kWalks, "--out", scratch.file("out")};
+  std::vector<std::string> arguments{"trot", "--duration", kWalks, "--out", scratch.file("out")};
   arguments.insert(arguments.end(), options.begin(), options.end());
   std::string output;
   run_farrier(arguments, &output);
@@ -41,13 +41,11 @@ TEST(Walk, LeavesTheSameTracesOverEveryTransportAndGrouping) {
 TEST(Walk, IsJudgedByItsBody) {
   const ScratchDirectory scratch;
   std::string output;
-  ASSERT_EQ(
-      run_farrier({"trot", "--world", "body", "--dds", "inproc", "--velocity", "0.4,0,0", "--out", scratch.file("out")},
-                  &output),
-      0)
+  ASSERT_EQ(run_farrier({"trot", "--dds", "inproc", "--velocity", "0.4,0,0", "--out", scratch.file("out")}, &output), 0)
       << output;
   const auto json = read_json(scratch.file("out/figures.json"));
   EXPECT_EQ(figure(json, "trot.body.falls"), 0.0);
+  EXPECT_NE(output.find("hyq walked 4."), std::string::npos) << output;
   EXPECT_GT(figure(json, "trot.body.way_m"), 4.0);
   EXPECT_TRUE(std::filesystem::exists(scratch.file("out/pictures/walk.svg")));
 }
@@ -77,6 +75,7 @@ TEST(Walk, RefusesWhatItCannotDo) {
   };
   refuses({"--scene", scratch.file("scene.yaml")}, "scene.yaml:1");
   refuses({"--design", "adaptive"}, "estimates of a body");
+  refuses({"--gait", "stand"}, "the gait 'stand' is for the bench");
   refuses({"--velocity", "0.4,0"}, "--velocity");
 }
 
