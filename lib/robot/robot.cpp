@@ -8,6 +8,7 @@
 #include "config/reference_table.hpp"
 #include "core/noise.hpp"
 #include "plant/terms/supply_droop.hpp"
+#include "robot/body_loads.hpp"
 #include "robot/robot_builder.hpp"
 
 namespace farrier::robot {
@@ -68,7 +69,11 @@ Result<Robot, config::Problems> build(Result<RobotFile, config::Problems> read, 
   for (auto& [name, controller] : file.controllers) {
     controller.kind = overrides.controller.value_or(controller.kind);
   }
-  return build_robot(std::move(file));
+  auto robot = build_robot(std::move(file));
+  if (overrides.on_ground && robot && robot.value().body) {
+    put_loads_of_body(robot.value());
+  }
+  return robot;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@ target_link_libraries(config_test PRIVATE farrier_config)
 
 farrier_test(robot_test unit
   ${CMAKE_CURRENT_LIST_DIR}/robot/adaptation_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/robot/body_loads_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/body_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/deployment_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/estimator_test.cpp
