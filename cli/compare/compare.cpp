@@ -22,7 +22,8 @@ const std::map<std::string, RunComparison> kComparisons{{"varied", run_varied},
                                                         {"noise", run_noise},
                                                         {"models", run_models},
                                                         {"filters", run_filters},
-                                                        {"friction", run_friction}};
+                                                        {"friction", run_friction},
+                                                        {"body", run_body}};
 
 int compare(CompareOptions o, RunComparison run) {
   o.design = robot::Design::kAdaptive;
@@ -54,13 +55,14 @@ std::function<int()> declare_compare(CLI::App& app) {
   auto run = std::make_shared<RunComparison>(nullptr);
   options->out = "out/compare";
   add_choice(
-      app, "what", *run, kComparisons, "varied|controllers|update-logic|switching|noise|models|filters|friction",
+      app, "what", *run, kComparisons, "varied|controllers|update-logic|switching|noise|models|filters|friction|body",
       "varied: robots whose loads, supply, friction and valves are drawn and known to no controller, under "
       "adaptation, perfect knowledge and fixed controllers; controllers: every kind of them on such robots and "
       "on the rig whose load changes; update-logic: the four of the thesis on both; switching: the worth of "
       "gains that change at touchdown; noise: adaptation with better and with worse sensors; models: the "
       "rig's linear model, exact and as the thesis has it; filters: margins behind sensors that filter; friction: "
-      "every kind of controller on contacts that stick, behind filters")
+      "every kind of controller on contacts that stick, behind filters; body: every kind of controller under the whole "
+      "robot on a ground, and what limits the best")
       ->required();
   declare_gait(app, *options);
   app.add_option("--estimator", options->estimator, "section of the robot file's estimators that every joint uses")

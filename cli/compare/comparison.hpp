@@ -46,6 +46,10 @@ int run_filters(const robot::Robot& robot, const CompareOptions& options);
 /// Contacts on either side of the load cell stick, sensors filter. A run either holds or is refused before it begins.
 int run_friction(const robot::Robot& robot, const CompareOptions& options);
 
+/// farrier compare body: the force controllers of trials::force_controllers on a ground, `options.seeds` runs each of a
+/// walk and of a step, and what limits the robot file's own. A build without MuJoCo refuses (without_body.cpp).
+int run_body(const robot::Robot& robot, const CompareOptions& options);
+
 /// Larger relative force error of the two heavy and of the two light quarters of trials::LoadCycle.
 struct CycleErrors {
   double heavy = 0.0, light = 0.0;

@@ -36,6 +36,12 @@ constexpr std::array kBodySpecs{
     FigureSpec{"body.<trial>.mean_flow_l_min", "l/min", kNone,
                "Mean flow into the valves, their leakage included."},
     FigureSpec{"body.<trial>.largest_torque_Nm", "Nm", kNone, "Largest torque of any joint, falls included."},
+    // compare body
+    FigureSpec{"compare.body.<contender>.walk_falls", "1", kNone, "Walks of farrier compare body that ended with a fall."},
+    FigureSpec{"compare.body.<contender>.step_falls", "1", kNone, "The same of walks up a step."},
+    FigureSpec{"compare.body.<contender>.height_rms_mm", "mm", kNone, "As body.<trial>.height_rms_mm, median over the walks without a fall."},
+    FigureSpec{"compare.body.<contender>.force_nrmse.<place>.<phase>", "1", kNone, "As body.<trial>.force_nrmse, median over the walks without a fall."},
+    FigureSpec{"compare.body.knowledge_ratio.<place>.<phase>", "1", kAtMost, "Force error of the file's design over that of perfect knowledge."},
 };
 // clang-format on
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "supervisor/first_gains.hpp"
+#include "wire_gains/wire_gains.hpp"
+
 namespace farrier::trials {
 namespace {
 
@@ -12,24 +15,42 @@ constexpr std::uint64_t kSession = 1;
 
 Result<ActuatedRobot> ActuatedRobot::create(const robot::Robot& known, const robot::Robot& real,
                                             const body::Scene& scene, std::uint64_t seed) {
-  for (const robot::Joint& joint : known.joints) {
-    if (joint.kind == control::Kind::kLqr || joint.kind == control::Kind::kFlowInversion) {
-      return Error{joint.name +
-                   " has a controller that takes its gains from a supervisor, which this trial does not have: give "
-                   "locomotion.controller one of kind feedback_linearisation or pid"};
-    }
-  }
   auto robot = FARRIER_TRY(sim_bridge::BodyRobot::create(real, scene, seed, false));
-  return ActuatedRobot(known, std::move(robot));
+  ActuatedRobot made(known, std::move(robot));
+  for (const robot::Joint& joint : known.joints) {
+    FARRIER_TRY(made.design(joint, known));
+  }
+  return made;
 }
 
 ActuatedRobot::ActuatedRobot(const robot::Robot& known, sim_bridge::BodyRobot robot)
-    : joints_(known.joints), robot_(std::move(robot)), currents_A_(joints_.size(), 0.0) {
+    : joints_(known.joints),
+      robot_(std::move(robot)),
+      currents_A_(joints_.size(), 0.0),
+      phases_(joints_.size(), Phase::kStance) {
   for (const robot::Joint& joint : joints_) {
     nodes_.emplace_back(joint, known.safety, known.period_s, known.loop_delay_lockstep, kSession);
     nodes_.back().set_mode({.epoch = 1, .session = kSession, .effective_tick = 0, .mode = signals::Mode::kArmed});
     on_the_way_A_.emplace_back(static_cast<std::size_t>(known.loop_delay_lockstep) + 1, 0.0);
   }
+}
+
+// The gains that a supervisor without estimates gives, from the first tick on.
+Result<Done> ActuatedRobot::design(const robot::Joint& joint, const robot::Robot& known) {
+  if (joint.kind != control::Kind::kLqr && joint.kind != control::Kind::kFlowInversion) {
+    return Done{};
+  }
+  const auto slots =
+      FARRIER_TRY(supervisor::design_slots(joint, robot::Design::kPhases, known.period_s, known.loop_delay_lockstep));
+  for (const signals::Phase phase : supervisor::kPhases) {
+    constexpr std::uint32_t kAuthority = 1, kGeneration = 1;
+    const control::Gains& gains = slots[static_cast<std::size_t>(phase)];
+    nodes_[joint.number].store_gains(
+        wire_gains::with_physics(wire_gains::pack_gains(joint.number, phase, kAuthority, kGeneration, gains),
+                                 supervisor::first_physics(joint, robot::Design::kPhases, phase)),
+        gains);
+  }
+  return Done{};
 }
 
 world::JointReading ActuatedRobot::reading(std::size_t index) const noexcept {
@@ -49,9 +70,23 @@ void ActuatedRobot::track(std::size_t index, double reference) noexcept {
   sums.count += 1.0;
 }
 
+void ActuatedRobot::announce_contact(std::size_t index) noexcept {
+  trace::TraceRow row;
+  robot_.describe(index, row);
+  if (row.actual_phase != phases_[index]) {
+    phases_[index] = row.actual_phase;
+    nodes_[index].announce_phase({.leg = static_cast<std::uint16_t>(joints_[index].leg),
+                                  .count = ++contacts_,
+                                  .announced_tick = tick(),
+                                  .switch_tick = tick(),
+                                  .phase = row.actual_phase});
+  }
+}
+
 bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const robot::Joint& joint = joints_[i];
+    announce_contact(i);
     joint_node::JointNode::Inputs inputs;
     inputs.tick = tick();
     inputs.sensors = robot_.sample(i);

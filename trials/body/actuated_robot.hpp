@@ -21,8 +21,8 @@ namespace farrier::trials {
 /// The same robots, scene, seed and torques give the same numbers bit for bit.
 class ActuatedRobot final : public world::World {
  public:
-  /// The joints' nodes have the model of `known`, the simulation that of `real`; both have the same joints. Refuses
-  /// controllers that need gains over the bus, and what BodyRobot::create refuses.
+  /// The joints' nodes have the model of `known`, the simulation that of `real`; both have the same joints. Controllers
+  /// that take gains have the designs for the loads of both phases. Refuses what these designs and BodyRobot::create do.
   static Result<ActuatedRobot> create(const robot::Robot& known, const robot::Robot& real, const body::Scene& scene,
                                       std::uint64_t seed);
 
@@ -49,6 +49,9 @@ class ActuatedRobot final : public world::World {
 
  private:
   ActuatedRobot(const robot::Robot& known, sim_bridge::BodyRobot robot);
+  Result<Done> design(const robot::Joint& joint, const robot::Robot& known);
+  /// Tells a joint at once that the contact of its foot has changed.
+  void announce_contact(std::size_t joint) noexcept;
   void track(std::size_t joint, double reference) noexcept;
 
   std::vector<robot::Joint> joints_;
@@ -56,6 +59,8 @@ class ActuatedRobot final : public world::World {
   std::vector<joint_node::JointNode> nodes_;
   std::vector<std::vector<double>> on_the_way_A_;  // rings of currents, by joint
   std::vector<double> currents_A_;
+  std::vector<Phase> phases_;  // that the joints were told, by joint
+  std::uint32_t contacts_ = 0;
   std::array<PerPhase<Tracking>, body::kJointsPerLeg> tracking_{};
   Tick track_from_ = 0;
   double least_supply_Pa_ = std::numeric_limits<double>::infinity();

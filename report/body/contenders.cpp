@@ -1,0 +1,70 @@
+#include "report/body/contenders.hpp"
+
+#include <algorithm>
+
+#include "report/figures/text_format.hpp"
+
+namespace farrier::report {
+namespace {
+
+constexpr std::array<const char*, body::kJointsPerLeg> kPlaces{"haa", "hfe", "kfe"};
+constexpr std::array<const char*, kPhaseCount> kPhases{"swing", "stance"};
+constexpr double kMillimetres = 1000.0;
+
+const trials::ContenderResult* find(std::span<const trials::ContenderResult> results, const char* name) {
+  const auto found = std::ranges::find(results, name, &trials::ContenderResult::name);
+  return found == results.end() || found->height_rms_m == 0.0 ? nullptr : &*found;
+}
+
+template <class Visit>
+void for_each_error(Visit visit) {
+  for (std::size_t place = 0; place < kPlaces.size(); ++place) {
+    for (std::size_t phase = 0; phase < kPhases.size(); ++phase) {
+      visit(place, phase, std::string(kPlaces[place]) + "." + kPhases[phase]);
+    }
+  }
+}
+
+}  // namespace
+
+void add_contenders(Figures& figures, std::span<const trials::ContenderResult> results) {
+  for (const trials::ContenderResult& result : results) {
+    const std::string prefix = "compare.body." + result.name + ".";
+    figures.add(prefix + "walk_falls", result.walk_falls);
+    figures.add(prefix + "step_falls", result.step_falls);
+    if (result.height_rms_m > 0.0) {
+      figures.add(prefix + "height_rms_mm", kMillimetres * result.height_rms_m);
+      for_each_error([&](std::size_t place, std::size_t phase, const std::string& name) {
+        figures.add(prefix + "force_nrmse." + name, result.force_nrmse[place][phase]);
+      });
+    }
+  }
+  const trials::ContenderResult* file = find(results, trials::kFileDesign);
+  const trials::ContenderResult* perfect = find(results, trials::kPerfectKnowledge);
+  if (file != nullptr && perfect != nullptr) {
+    for_each_error([&](std::size_t place, std::size_t phase, const std::string& name) {
+      figures.add("compare.body.knowledge_ratio." + name,
+                  file->force_nrmse[place][phase] / perfect->force_nrmse[place][phase], kKnowledgeRatioAtMost);
+    });
+  }
+}
+
+std::string contenders_text(std::span<const trials::ContenderResult> results) {
+  std::vector<std::vector<std::string>> cells{{"controller", "walks fell", "steps fell", "height mm", "haa swing",
+                                               "stance", "hfe swing", "stance", "kfe swing", "stance", "robot"}};
+  for (const trials::ContenderResult& result : results) {
+    std::vector<std::string> line{result.name,
+                                  std::to_string(result.walk_falls) + " of " + std::to_string(result.walks),
+                                  std::to_string(result.step_falls) + " of " + std::to_string(result.steps)};
+    const bool walked = result.height_rms_m > 0.0;
+    line.push_back(walked ? short_number(kMillimetres * result.height_rms_m) : "-");
+    for_each_error([&](std::size_t place, std::size_t phase, const std::string&) {
+      line.push_back(walked ? short_number(result.force_nrmse[place][phase]) : "-");
+    });
+    line.push_back(result.refusal.empty() ? result.description : "refused: " + result.refusal);
+    cells.push_back(line);
+  }
+  return aligned(cells);
+}
+
+}  // namespace farrier::report

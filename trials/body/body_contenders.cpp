@@ -1,0 +1,153 @@
+#include "trials/body/body_contenders.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "core/median.hpp"
+#include "plant/terms/active_effect.hpp"
+
+namespace farrier::trials {
+namespace {
+
+using control::Kind;
+
+constexpr double kBlocked_kg = 1e6;
+
+void remove_effect(robot::Robot& robot, plant::EffectId id) {
+  for (robot::Joint& joint : robot.joints) {
+    std::erase_if(joint.effects, [id](const plant::ActiveEffect& effect) { return effect.id == id; });
+  }
+}
+
+void remove_valve_dynamics(robot::Robot& robot) { remove_effect(robot, plant::effect_id<plant::ValveDynamics>()); }
+void remove_overlap(robot::Robot& robot) { remove_effect(robot, plant::effect_id<plant::ValveDeadband>()); }
+void remove_friction(robot::Robot& robot) { remove_effect(robot, plant::effect_id<plant::PistonFriction>()); }
+void remove_noise(robot::Robot& robot) {
+  for (robot::Joint& joint : robot.joints) {
+    joint.noise = {};
+    joint.sensors.position_step = 0.0;
+  }
+}
+void remove_delay(robot::Robot& robot) { robot.loop_delay_lockstep = 0; }
+void hold_supply(robot::Robot& robot) { robot.supply.reset(); }
+
+BodyContender with_controller(const robot::Robot& robot, const char* name, const char* description, Kind kind,
+                              control::Form form = control::Form::kCompliant) {
+  BodyContender contender{name, description, robot};
+  for (robot::Joint& joint : contender.robot.joints) {
+    joint.kind = kind;
+    joint.form = form;
+  }
+  return contender;
+}
+
+bool is_compared(const TrotCase& one) { return (one.trial == "lag" && one.lag_ticks == 0) || one.trial == "step"; }
+
+std::vector<TrotCase> compared_cases(const robot::Robot& robot, int seeds) {
+  std::vector<TrotCase> cases = trot_cases(robot);
+  std::erase_if(cases, [](const TrotCase& one) { return !is_compared(one); });
+  std::map<std::string, int> kept;
+  std::erase_if(cases, [&](const TrotCase& one) { return ++kept[one.trial] > seeds; });
+  return cases;
+}
+
+}  // namespace
+
+std::vector<BodyContender> force_controllers(const robot::Robot& on_ground, const robot::Robot& on_bench) {
+  std::vector<BodyContender> all{{kFileDesign, "as in the robot file", on_ground}};
+  all.push_back(
+      with_controller(on_ground, "feedback_linearisation", "gains of the bench", Kind::kFeedbackLinearisation));
+  all.push_back(with_controller(on_ground, "lqr", "compliant, loads of the mass matrix", Kind::kLqr));
+  all.push_back(
+      with_controller(on_ground, "lqr_full", "full state, the same loads", Kind::kLqr, control::Form::kFullState));
+  all.push_back(with_controller(on_ground, "lqr_bench", "compliant, loads of the bench", Kind::kLqr));
+  all.push_back(with_controller(on_ground, "lqr_blocked", "compliant, a blocked piston", Kind::kLqr));
+  all.push_back(with_controller(on_ground, "flow_inversion", "loads of the mass matrix", Kind::kFlowInversion));
+  all.push_back(with_controller(on_ground, "pid", "gains of the bench", Kind::kPid));
+  for (BodyContender& contender : all) {
+    for (std::size_t i = 0; i < contender.robot.joints.size(); ++i) {
+      robot::Joint& joint = contender.robot.joints[i];
+      const robot::Joint& bench = on_bench.joints[i];
+      if (contender.name != kFileDesign) {
+        joint.feedback_linearisation = bench.feedback_linearisation;
+        joint.pid = bench.pid;
+        joint.flow_inversion = bench.flow_inversion;
+        joint.design = bench.design;
+      }
+      if (contender.name == "lqr_bench") {
+        joint.swing_load = bench.swing_load;
+        joint.stance_load = bench.stance_load;
+      } else if (contender.name == "lqr_blocked") {
+        joint.swing_load.mass = joint.stance_load.mass = kBlocked_kg;
+      }
+    }
+  }
+  return all;
+}
+
+std::vector<BodyContender> limits_of_force(const robot::Robot& on_ground) {
+  using Removal = void (*)(robot::Robot&);
+  std::vector<BodyContender> all;
+  const auto without = [&all](const robot::Robot& robot, const char* name, const char* description,
+                              std::initializer_list<Removal> removals) {
+    all.push_back({name, description, robot});
+    for (const Removal removal : removals) {
+      removal(all.back().robot);
+    }
+  };
+  robot::Robot perfect = on_ground;
+  for (const Removal removal : {remove_noise, hold_supply, remove_friction, remove_overlap}) {
+    removal(perfect);
+  }
+  without(perfect, kPerfectKnowledge, "no noise, constant supply, no friction, no overlap", {});
+  without(perfect, "perfect_no_delay", "the same without the tick of delay", {remove_delay});
+  without(perfect, "perfect_ideal_valve", "the same with a spool that follows at once", {remove_valve_dynamics});
+  without(perfect, "perfect_neither", "the same with both", {remove_delay, remove_valve_dynamics});
+  without(on_ground, "no_noise", "the file's robot, sensors without noise", {remove_noise});
+  without(on_ground, "constant_supply", "the file's robot, a supply that holds its pressure", {hold_supply});
+  without(on_ground, "no_friction", "the file's robot, seals without friction", {remove_friction});
+  without(on_ground, "no_overlap", "the file's robot, a valve without overlap and leakage", {remove_overlap});
+  return all;
+}
+
+std::vector<ContenderResult> compare_on_body(std::span<const BodyContender> contenders, int seeds,
+                                             const std::function<bool()>& done) {
+  std::vector<ContenderResult> results;
+  for (const BodyContender& contender : contenders) {
+    ContenderResult result{.name = contender.name, .description = contender.description};
+    std::vector<TrotFigures> walks;
+    for (const TrotCase& one : compared_cases(contender.robot, seeds)) {
+      const bool step = one.trial == "step";
+      const auto ran = run_trot_case(contender.robot, one, Joints::kActuators);
+      if (!done()) {
+        return results;
+      }
+      if (!ran) {
+        result.refusal = ran.error().message;
+        continue;
+      }
+      const TrotFigures& figures = *ran.value();
+      ++(step ? result.steps : result.walks);
+      (step ? result.step_falls : result.walk_falls) += figures.fell_s ? 1 : 0;
+      if (!step && !figures.fell_s) {
+        walks.push_back(figures);
+      }
+    }
+    const auto median_of = [&walks](const auto& figure) {
+      std::vector<double> values;
+      std::ranges::transform(walks, std::back_inserter(values), figure);
+      return values.empty() ? 0.0 : median(values);
+    };
+    result.height_rms_m = median_of([](const TrotFigures& figures) { return figures.height_rms_m; });
+    for (std::size_t place = 0; place < result.force_nrmse.size(); ++place) {
+      for (std::size_t phase = 0; phase < kPhaseCount; ++phase) {
+        result.force_nrmse[place][phase] =
+            median_of([&](const TrotFigures& figures) { return figures.force_nrmse[place][phase]; });
+      }
+    }
+    results.push_back(std::move(result));
+  }
+  return results;
+}
+
+}  // namespace farrier::trials

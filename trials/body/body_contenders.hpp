@@ -1,0 +1,49 @@
+#pragma once
+
+// The same robot on a ground with other force controllers, and with less that disturbs them.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "trials/body/trot_trial.hpp"
+
+namespace farrier::trials {
+
+/// A robot under comparison.
+struct BodyContender {
+  std::string name;         ///< of one word, as in figures
+  std::string description;  ///< for people
+  robot::Robot robot;
+};
+
+/// Name of the robot as its file has it, and of the one whose controller knows all that can be known.
+inline constexpr const char* kFileDesign = "file";
+inline constexpr const char* kPerfectKnowledge = "perfect";
+
+/// Force controllers: the file's, feedback linearisation, LQR in both forms and flow inversion for loads of the mass
+/// matrix, LQR for the loads of the bench and for a blocked piston, PID. The first has the robot of the file.
+/// `on_ground` and `on_bench` are of one file with a body.
+std::vector<BodyContender> force_controllers(const robot::Robot& on_ground, const robot::Robot& on_bench);
+
+/// The robot of the file with perfect knowledge: sensors without noise, and no effect that its law does not have
+/// (friction, overlap, leakage, a supply whose pressure changes). Valve and delay stay. Then the same without delay,
+/// with a valve that follows at once, and with both; and the file's robot with each of its own disturbances removed.
+std::vector<BodyContender> limits_of_force(const robot::Robot& on_ground);
+
+/// What came of a contender's runs.
+struct ContenderResult {
+  std::string name, description;
+  std::string refusal;  ///< why it has no runs; empty: it has
+  int walks = 0, walk_falls = 0;
+  int steps = 0, step_falls = 0;
+  ForceErrors force_nrmse{};  ///< median over the walks without a fall; 0 if all fell
+  double height_rms_m = 0.0;  ///< likewise
+};
+
+/// Runs each contender on flat ground at 0.4 m/s, `seeds` times, and up a step at `seeds` distances. Tells `done` after
+/// each run and stops when it says false; then the results are those of the contenders that ended.
+std::vector<ContenderResult> compare_on_body(std::span<const BodyContender> contenders, int seeds,
+                                             const std::function<bool()>& done);
+
+}  // namespace farrier::trials
