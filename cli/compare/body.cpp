@@ -19,7 +19,9 @@ int run_body(const robot::Robot& on_bench, const CompareOptions& options) {
         "compare",
         on_bench.name + " cannot walk on a ground: give body.trunk and locomotion in its file, or another --robot");
   }
-  const auto on_ground = robot::load_robot(options.robot_path, {.on_ground = true});
+  robot::Overrides overrides{};
+  overrides.on_ground = true;
+  const auto on_ground = robot::load_robot(options.robot_path, overrides);
   if (!on_ground) {
     return fail("compare", config::to_string(on_ground.error()));
   }

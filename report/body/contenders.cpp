@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::array<const char*, body::kJointsPerLeg> kPlaces{"haa", "hfe", "kfe"};
 constexpr std::array<const char*, kPhaseCount> kPhases{"swing", "stance"};
-constexpr double kMillimetres = 1000.0;
+constexpr double kPerMetre_mm = 1000.0;
 
 const trials::ContenderResult* find(std::span<const trials::ContenderResult> results, const char* name) {
   const auto found = std::ranges::find(results, name, &trials::ContenderResult::name);
@@ -33,7 +33,7 @@ void add_contenders(Figures& figures, std::span<const trials::ContenderResult> r
     figures.add(prefix + "walk_falls", result.walk_falls);
     figures.add(prefix + "step_falls", result.step_falls);
     if (result.height_rms_m > 0.0) {
-      figures.add(prefix + "height_rms_mm", kMillimetres * result.height_rms_m);
+      figures.add(prefix + "height_rms_mm", kPerMetre_mm * result.height_rms_m);
       for_each_error([&](std::size_t place, std::size_t phase, const std::string& name) {
         figures.add(prefix + "force_nrmse." + name, result.force_nrmse[place][phase]);
       });
@@ -57,7 +57,7 @@ std::string contenders_text(std::span<const trials::ContenderResult> results) {
                                   std::to_string(result.walk_falls) + " of " + std::to_string(result.walks),
                                   std::to_string(result.step_falls) + " of " + std::to_string(result.steps)};
     const bool walked = result.height_rms_m > 0.0;
-    line.push_back(walked ? short_number(kMillimetres * result.height_rms_m) : "-");
+    line.push_back(walked ? short_number(kPerMetre_mm * result.height_rms_m) : "-");
     for_each_error([&](std::size_t place, std::size_t phase, const std::string&) {
       line.push_back(walked ? short_number(result.force_nrmse[place][phase]) : "-");
     });

@@ -11,7 +11,7 @@ namespace {
 
 using control::Kind;
 
-constexpr double kBlocked_kg = 1e6;
+constexpr double kBlocked = 100.0;  ///< factor on the mass in stance, of a piston that hardly moves
 
 void remove_effect(robot::Robot& robot, plant::EffectId id) {
   for (robot::Joint& joint : robot.joints) {
@@ -30,6 +30,12 @@ void remove_noise(robot::Robot& robot) {
 }
 void remove_delay(robot::Robot& robot) { robot.loop_delay_lockstep = 0; }
 void hold_supply(robot::Robot& robot) { robot.supply.reset(); }
+void compensate_fully(robot::Robot& robot) {
+  for (robot::Joint& joint : robot.joints) {
+    joint.feedback_linearisation.velocity_compensation = 1.0;
+    joint.feedback_linearisation.velocity_lead_s = 0.0;
+  }
+}
 
 BodyContender with_controller(const robot::Robot& robot, const char* name, const char* description, Kind kind,
                               control::Form form = control::Form::kCompliant) {
@@ -78,7 +84,7 @@ std::vector<BodyContender> force_controllers(const robot::Robot& on_ground, cons
         joint.swing_load = bench.swing_load;
         joint.stance_load = bench.stance_load;
       } else if (contender.name == "lqr_blocked") {
-        joint.swing_load.mass = joint.stance_load.mass = kBlocked_kg;
+        joint.swing_load.mass = joint.stance_load.mass = kBlocked * on_ground.joints[i].stance_load.mass;
       }
     }
   }
@@ -96,14 +102,19 @@ std::vector<BodyContender> limits_of_force(const robot::Robot& on_ground) {
     }
   };
   robot::Robot perfect = on_ground;
-  for (const Removal removal : {remove_noise, hold_supply, remove_friction, remove_overlap}) {
+  for (const Removal removal : {hold_supply, remove_friction, remove_overlap}) {
     removal(perfect);
   }
-  without(perfect, kPerfectKnowledge, "no noise, constant supply, no friction, no overlap", {});
-  without(perfect, "perfect_no_delay", "the same without the tick of delay", {remove_delay});
-  without(perfect, "perfect_ideal_valve", "the same with a spool that follows at once", {remove_valve_dynamics});
-  without(perfect, "perfect_neither", "the same with both", {remove_delay, remove_valve_dynamics});
+  without(perfect, kPerfectKnowledge, "constant supply, no friction, no overlap: its law is exact", {});
+  without(perfect, "perfect_no_noise", "the same, sensors without noise", {remove_noise});
+  without(perfect, "perfect_no_delay", "and without the tick of delay", {remove_noise, remove_delay});
+  without(perfect, "perfect_no_valve_lag", "and with a spool that follows at once",
+          {remove_noise, remove_delay, remove_valve_dynamics});
+  without(perfect, "perfect_compensation", "and with all of the velocity compensated",
+          {remove_noise, remove_delay, remove_valve_dynamics, compensate_fully});
   without(on_ground, "no_noise", "the file's robot, sensors without noise", {remove_noise});
+  without(on_ground, "no_delay", "the file's robot without the tick of delay", {remove_delay});
+  without(on_ground, "no_valve_lag", "the file's robot, a spool that follows at once", {remove_valve_dynamics});
   without(on_ground, "constant_supply", "the file's robot, a supply that holds its pressure", {hold_supply});
   without(on_ground, "no_friction", "the file's robot, seals without friction", {remove_friction});
   without(on_ground, "no_overlap", "the file's robot, a valve without overlap and leakage", {remove_overlap});
@@ -114,7 +125,9 @@ std::vector<ContenderResult> compare_on_body(std::span<const BodyContender> cont
                                              const std::function<bool()>& done) {
   std::vector<ContenderResult> results;
   for (const BodyContender& contender : contenders) {
-    ContenderResult result{.name = contender.name, .description = contender.description};
+    ContenderResult result{};
+    result.name = contender.name;
+    result.description = contender.description;
     std::vector<TrotFigures> walks;
     for (const TrotCase& one : compared_cases(contender.robot, seeds)) {
       const bool step = one.trial == "step";

@@ -26,9 +26,10 @@ inline constexpr const char* kPerfectKnowledge = "perfect";
 /// `on_ground` and `on_bench` are of one file with a body.
 std::vector<BodyContender> force_controllers(const robot::Robot& on_ground, const robot::Robot& on_bench);
 
-/// The robot of the file with perfect knowledge: sensors without noise, and no effect that its law does not have
-/// (friction, overlap, leakage, a supply whose pressure changes). Valve and delay stay. Then the same without delay,
-/// with a valve that follows at once, and with both; and the file's robot with each of its own disturbances removed.
+/// The robot of the file with perfect knowledge: no effect that its law does not have (friction, overlap, leakage, a
+/// supply whose pressure changes). Sensors, valve and delay stay. Then the same with the noise, the delay, the lag of the
+/// spool and the uncompensated share of the velocity removed one after the other; and the file's robot with each of its
+/// disturbances removed alone.
 std::vector<BodyContender> limits_of_force(const robot::Robot& on_ground);
 
 /// What came of a contender's runs.
