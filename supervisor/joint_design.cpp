@@ -18,15 +18,16 @@ Result<control::Gains> design_joint(const robot::Joint& joint, const plant::Load
                       : " (") +
                  control::to_string(gains.error()) + ")"};
   }
+  const std::string filters = robot::filters_text(joint);
   if (joint.kind == control::Kind::kLqr &&
       !control::filtered_loop_is_stable(gains.value().model, gains.value(), delay_ticks,
                                         robot::measurement_filters(joint, period_s))) {
     return Error{joint.name + ": the controller for a load of " + std::to_string(load.mass) +
-                 " is unstable behind the sensors' " + robot::filters_text(joint) +
-                 (joint.equalises_filters ? ": raise the cut-offs, or lower integral_factor"
-                                          : ": set equalise_filters: true in the controller, or raise the cut-offs")};
+                 (filters.empty() ? " is unstable" : " is unstable behind the sensors' " + filters) +
+                 (filters.empty()           ? ": lower integral_factor"
+                  : joint.equalises_filters ? ": raise the cut-offs, or lower integral_factor"
+                                            : ": set equalise_filters: true in the controller, or raise the cut-offs")};
   }
-  const std::string filters = robot::filters_text(joint);
   if (filters.empty() || joint.electric) {
     return gains.value();
   }
