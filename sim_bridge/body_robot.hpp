@@ -23,7 +23,7 @@ namespace farrier::sim_bridge {
 class BodyRobot final : public SimulatedRobot {
  public:
   /// The robot in its home pose, its joints its actuators or `ideal` sources of torque. Refuses what BodyWorld, Actuators
-  /// and SensorChain refuse.
+  /// and SensorChain refuse, and faults of a supply that ideal joints do not have.
   static Result<BodyRobot> create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, bool ideal);
 
   Tick tick() const noexcept override { return world_.tick(); }
@@ -61,6 +61,7 @@ class BodyRobot final : public SimulatedRobot {
   bool move(std::span<const double> commands) noexcept;
 
   std::vector<robot::Joint> joints_;
+  double period_s_;
   world::BodyWorld world_;
   std::optional<world::Actuators> actuators_;
   std::vector<SensorChain> sensors_;  // by joint
