@@ -24,7 +24,11 @@ BodyRobot::BodyRobot(const robot::Robot& robot, world::BodyWorld world, std::opt
       world_(std::move(world)),
       actuators_(std::move(actuators)),
       sensors_(std::move(sensors)),
-      torques_Nm_(joints_.size(), 0.0) {
+      torques_Nm_(joints_.size(), 0.0),
+      supply_ticks_(robot.supply_ticks()) {
+  if (actuators_ && actuators_->supply() != nullptr) {
+    meter_.emplace(*actuators_->supply(), period_s_);
+  }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     before_.push_back(truth_of_joint(i));
     sensors_[i].begin(before_[i]);
@@ -86,7 +90,17 @@ bool BodyRobot::advance(std::span<const double> commands) noexcept {
     }
     before_[i] = now;
   }
+  if (meter_ && tick() % supply_ticks_ == 0) {
+    meter_->sample(*actuators_->supply(), tick());
+  }
   return true;
+}
+
+std::optional<world::SupplyReading> BodyRobot::supply() const noexcept {
+  if (!meter_) {
+    return std::nullopt;
+  }
+  return world::SupplyReading{meter_->state().pressure_Pa, meter_->state().pump_flow_m3_s};
 }
 
 void BodyRobot::describe(std::size_t index, trace::TraceRow& row) const noexcept {
