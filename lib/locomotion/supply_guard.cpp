@@ -23,7 +23,7 @@ MotionCommand SupplyGuard::step(const MotionCommand& asked, const std::optional<
                        : demand_ == SupplyDemand::kStand ? Request::kStand
                                                          : Request::kTrot;
   if (asked.request > most) {
-    return {.request = most, .height_m = asked.height_m};
+    return {.request = most, .height_m = asked.height_m, .at_once = most == Request::kLie};
   }
   if (!low_.on() && !empty_) {
     demand_ = SupplyDemand::kNone;

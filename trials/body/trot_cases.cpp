@@ -174,6 +174,7 @@ void add_supply_faults(const robot::Robot& robot, std::vector<TrotCase>& cases) 
   }
   for (int seed = 1; seed <= kSeeds; ++seed) {
     cases.push_back(supply_case(robot, "pump_stops", seed, 0.0, 1.0));
+    cases.back().may_sink = true;
   }
 }
 

@@ -46,6 +46,7 @@ struct TrotCase {
   std::string scene;                                   ///< in the format of a scene file
   std::vector<locomotion::TimedCommand> script;
   std::optional<double> supply_fault_s = std::nullopt;  ///< instant of a fault of the supply in the scene
+  bool may_sink = false;                                ///< a low trunk is no fall
   double trot_s = 0.0;                                  ///< when it first begins to trot
   double judged_from_s = 0.0;                           ///< means are over this time ...
   double judged_until_s = 0.0;                          ///< ... to this

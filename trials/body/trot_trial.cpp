@@ -234,15 +234,18 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
   }
   bool stopped = false;
   const auto ticks = static_cast<Tick>(std::lround(one.end_s / robot.period_s));
-  const BodyFigures body = run_body_trial(moved, truth, driver, ticks, [&] {
-    judge.observe();
-    if (supply_judge) {
-      supply_judge->observe(static_cast<double>(truth.tick()) * robot.period_s, truth, judge.height_m(),
-                            moved.supply()->pressure_Pa, driver.demand());
-    }
-    stopped = keep_on && !keep_on();
-    return !stopped;
-  });
+  const BodyFigures body = run_body_trial(
+      moved, truth, driver, ticks,
+      [&] {
+        judge.observe();
+        if (supply_judge) {
+          supply_judge->observe(static_cast<double>(truth.tick()) * robot.period_s, truth, judge.height_m(),
+                                moved.supply()->pressure_Pa, driver.demand());
+        }
+        stopped = keep_on && !keep_on();
+        return !stopped;
+      },
+      one.may_sink);
   if (stopped) {
     return std::optional<TrotFigures>();
   }
