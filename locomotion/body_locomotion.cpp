@@ -67,8 +67,12 @@ class BodyLocomotion final : public Locomotion {
  public:
   static Result<std::unique_ptr<Locomotion>> create(const robot::Robot& robot, std::unique_ptr<Controller> controller,
                                                     std::vector<TimedCommand> script,
-                                                    participant::Participant& participant, Tick ticks) {
+                                                    participant::Participant& participant, Tick ticks,
+                                                    bool hears_supply) {
     const Ports ports = FARRIER_TRY(Ports::open(participant, robot));
+    if (hears_supply && !robot.supply_guard) {
+      return Error{robot.name + " has no pump to hear of: give supply.pump in its file"};
+    }
     const Inputs inputs{
         FARRIER_TRY(
             participant.subscribe<signals::JointSensors>(robot::joint_numbers(robot), robot::legs_of_joints(robot))),
@@ -76,6 +80,7 @@ class BodyLocomotion final : public Locomotion {
         // An operator may come and go: no command has to be heard before the run starts.
         FARRIER_TRY(participant.subscribe<signals::BodyCommand>({})),
         FARRIER_TRY(participant.publish<signals::BodyState>({0})),
+        hears_supply ? FARRIER_TRY(participant.subscribe<signals::SupplyState>({0})) : nullptr,
     };
     return std::unique_ptr<Locomotion>(
         new BodyLocomotion(robot, std::move(controller), std::move(script), participant, ports, inputs, ticks));
@@ -87,6 +92,7 @@ class BodyLocomotion final : public Locomotion {
     participant::In<signals::BodyImu>* imu;
     participant::In<signals::BodyCommand>* commands;
     participant::Out<signals::BodyState>* state;
+    participant::In<signals::SupplyState>* supply;  ///< null for a robot without a pump
   };
 
   BodyLocomotion(const robot::Robot& robot, std::unique_ptr<Controller> controller, std::vector<TimedCommand> script,
@@ -95,13 +101,18 @@ class BodyLocomotion final : public Locomotion {
         controller_(std::move(controller)),
         script_(std::move(script)),
         inputs_(inputs),
-        inbox_(robot) {}
+        inbox_(robot),
+        guard_(robot.supply_guard.value_or(SupplyGuardParams{}), robot.period_s) {}
 
   void prime() override;
   void drain() override;
-  bool ready(Tick tick) const override { return !lockstep() || inbox_.complete(tick); }
+  bool ready(Tick tick) const override {
+    return !lockstep() || (inbox_.complete(tick) && (inputs_.supply == nullptr || supply_tick_ >= due_supply(tick)));
+  }
+  Tick due_supply(Tick tick) const noexcept { return tick - tick % robot().supply_ticks(); }
   void begin(Tick first, Tick tick) override;
   MotionCommand command_at_tick(Tick tick) const noexcept;
+  void tell_demand(SupplyDemand before, Tick tick);
   void command_joints(const Readings& readings, const LegTorques& torques_Nm, Tick tick);
   void announce_switches(Tick tick);
 
@@ -118,6 +129,9 @@ class BodyLocomotion final : public Locomotion {
   ReadingsInbox inbox_;
   std::optional<MotionCommand> asked_;  ///< by an operator
   SteadyTime asked_at_{};
+  SupplyGuard guard_;
+  std::optional<SupplyReading> supply_;  ///< the newest
+  Tick supply_tick_ = kNoTick;           ///< of it
 };
 
 // Tick 0 begins at rest in the home pose, before any reading: no torque.
@@ -134,6 +148,12 @@ void BodyLocomotion::prime() {
 void BodyLocomotion::drain() {
   inputs_.sensors->drain([this](const signals::JointSensors& sensors) { inbox_.put(sensors); });
   inputs_.imu->drain([this](const signals::BodyImu& imu) { inbox_.put(imu); });
+  if (inputs_.supply != nullptr) {
+    inputs_.supply->drain([this](const signals::SupplyState& supply) {
+      supply_ = {supply.pressure_Pa, supply.pump_flow_m3_s};
+      supply_tick_ = supply.tick;
+    });
+  }
   inputs_.commands->drain([this](const signals::BodyCommand& command) {
     if (command.session == participant().identity().session && is_possible(command)) {
       asked_ = {.request = command.request,
@@ -181,14 +201,26 @@ void BodyLocomotion::begin(Tick first, Tick tick) {
   }
   const Readings readings = inbox_.read();
   const LegTorques* torques_Nm = nullptr;
+  MotionCommand command;
   for (Tick each = std::max(first, tick - kMostTicks); each <= tick; ++each) {
-    torques_Nm = &controller_->step(each, readings, command_at_tick(each));
+    const SupplyDemand before = guard_.demand();
+    command = guard_.step(command_at_tick(each), supply_);
+    tell_demand(before, each);
+    torques_Nm = &controller_->step(each, readings, command);
     announce_switches(each + 1);
   }
   FARRIER_ENSURE(torques_Nm != nullptr, "a tick has begun");
   command_joints(readings, *torques_Nm, tick + 1);
   if (const LocomotionState* state = controller_->published_state()) {
-    inputs_.state->publish(body_state_signal(*state, command_at_tick(tick), tick));
+    inputs_.state->publish(body_state_signal(*state, command, tick));
+  }
+}
+
+void BodyLocomotion::tell_demand(SupplyDemand before, Tick tick) {
+  if (guard_.demand() > before) {
+    participant().event(guard_.demand() == SupplyDemand::kLie ? participant::EventKind::kSupplyLie
+                                                              : participant::EventKind::kSupplyStand,
+                        tick, signals::kNoJoint);
   }
 }
 
@@ -222,18 +254,20 @@ std::vector<TimedCommand> script_of(const std::vector<double>& velocity) {
 Result<std::unique_ptr<Locomotion>> create_body_locomotion(const robot::Robot& robot,
                                                            std::unique_ptr<Controller> controller,
                                                            std::vector<TimedCommand> script,
-                                                           participant::Participant& participant, Tick ticks) {
-  return BodyLocomotion::create(robot, std::move(controller), std::move(script), participant, ticks);
+                                                           participant::Participant& participant, Tick ticks,
+                                                           bool hears_supply) {
+  return BodyLocomotion::create(robot, std::move(controller), std::move(script), participant, ticks, hears_supply);
 }
 
 Result<std::unique_ptr<Locomotion>> create_trot_locomotion(const robot::Robot& robot, std::vector<TimedCommand> script,
-                                                           participant::Participant& participant, Tick ticks) {
+                                                           participant::Participant& participant, Tick ticks,
+                                                           bool hears_supply) {
   if (!robot.body || !robot.locomotion) {
     return Error{robot.name + " cannot walk on a ground: give body.trunk and locomotion in its file"};
   }
   auto model = FARRIER_TRY(robot::LocomotionModel::create(*robot.body));
   return create_body_locomotion(robot, std::make_unique<OwnedTrot>(robot, std::move(model)), std::move(script),
-                                participant, ticks);
+                                participant, ticks, hears_supply);
 }
 
 }  // namespace farrier::locomotion

@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   return process::run(options, [&](auto& member, const auto& robot) -> Made {
     auto made = FARRIER_TRY(
         participant::is_on_ground(options.world)
-            ? locomotion::create_trot_locomotion(robot, locomotion::script_of(options.velocity), member, options.ticks)
+            ? locomotion::create_trot_locomotion(robot, locomotion::script_of(options.velocity), member, options.ticks,
+                                                 options.world == participant::World::kBody && robot.supply.has_value())
             : locomotion::create_gait_source(robot, options.seed, member, options.ticks));
     return std::unique_ptr<participant::Application>(std::move(made));
   });

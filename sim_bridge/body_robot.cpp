@@ -20,10 +20,15 @@ std::array<double, kAxes> array_of(const Eigen::Vector3d& vector) noexcept {
 BodyRobot::BodyRobot(const robot::Robot& robot, world::BodyWorld world, std::optional<world::Actuators> actuators,
                      std::vector<SensorChain> sensors)
     : joints_(robot.joints),
+      period_s_(robot.period_s),
       world_(std::move(world)),
       actuators_(std::move(actuators)),
       sensors_(std::move(sensors)),
-      torques_Nm_(joints_.size(), 0.0) {
+      torques_Nm_(joints_.size(), 0.0),
+      supply_ticks_(robot.supply_ticks()) {
+  if (actuators_ && actuators_->supply() != nullptr) {
+    meter_.emplace(*actuators_->supply(), period_s_);
+  }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     before_.push_back(truth_of_joint(i));
     sensors_[i].begin(before_[i]);
@@ -35,7 +40,11 @@ Result<BodyRobot> BodyRobot::create(const robot::Robot& robot, const body::Scene
   auto world = FARRIER_TRY(world::BodyWorld::create(robot, scene, seed, world::kImuNoise));
   std::optional<world::Actuators> actuators;
   if (!ideal) {
-    actuators = FARRIER_TRY(world::Actuators::create(robot));
+    actuators = FARRIER_TRY(world::Actuators::create(robot, scene.supply_changes));
+  } else if (!scene.supply_changes.empty()) {
+    const body::SupplyChange& change = scene.supply_changes.front();
+    return Error{(change.origin.empty() ? "" : change.origin + ": ") + "supply." + change.name +
+                 ": ideal joints have no supply: simulate the actuators, or leave this out"};
   }
   std::vector<SensorChain> sensors;
   for (const robot::Joint& joint : robot.joints) {
@@ -55,7 +64,7 @@ Measured BodyRobot::truth_of_joint(std::size_t index) const noexcept {
 
 bool BodyRobot::move(std::span<const double> commands) noexcept {
   if (actuators_) {
-    actuators_->command(commands);
+    actuators_->command(commands, static_cast<double>(tick()) * period_s_);
     return world_.advance(*actuators_);
   }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -81,7 +90,17 @@ bool BodyRobot::advance(std::span<const double> commands) noexcept {
     }
     before_[i] = now;
   }
+  if (meter_ && tick() % supply_ticks_ == 0) {
+    meter_->sample(*actuators_->supply(), tick());
+  }
   return true;
+}
+
+std::optional<world::SupplyReading> BodyRobot::supply() const noexcept {
+  if (!meter_) {
+    return std::nullopt;
+  }
+  return world::SupplyReading{meter_->state().pressure_Pa, meter_->state().pump_flow_m3_s};
 }
 
 void BodyRobot::describe(std::size_t index, trace::TraceRow& row) const noexcept {

@@ -15,6 +15,7 @@
 
 #include "sim_bridge/sensor_chain.hpp"
 #include "sim_bridge/simulated_robot.hpp"
+#include "sim_bridge/supply_meter.hpp"
 #include "world/actuators.hpp"
 #include "world/body_world.hpp"
 
@@ -23,7 +24,7 @@ namespace farrier::sim_bridge {
 class BodyRobot final : public SimulatedRobot {
  public:
   /// The robot in its home pose, its joints its actuators or `ideal` sources of torque. Refuses what BodyWorld, Actuators
-  /// and SensorChain refuse.
+  /// and SensorChain refuse, and faults of a supply that ideal joints do not have.
   static Result<BodyRobot> create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, bool ideal);
 
   Tick tick() const noexcept override { return world_.tick(); }
@@ -31,6 +32,8 @@ class BodyRobot final : public SimulatedRobot {
   bool takes_forces() const noexcept override { return !actuators_; }
   std::optional<world::ImuReading> imu() const noexcept override { return world_.imu(); }
   std::optional<std::string> failure() const override { return world_.failure(); }
+  std::optional<world::SupplyReading> supply() const noexcept override;
+  const signals::SupplyState* supply_state() const noexcept override { return meter_ ? &meter_->state() : nullptr; }
 
   world::JointReading reading(std::size_t joint) const noexcept override {
     const Measured& sample = sensors_[joint].sample();
@@ -61,11 +64,14 @@ class BodyRobot final : public SimulatedRobot {
   bool move(std::span<const double> commands) noexcept;
 
   std::vector<robot::Joint> joints_;
+  double period_s_;
   world::BodyWorld world_;
   std::optional<world::Actuators> actuators_;
   std::vector<SensorChain> sensors_;  // by joint
   std::vector<double> torques_Nm_;
   std::vector<Measured> before_;  // truth of the last tick, by joint
+  std::optional<SupplyMeter> meter_;
+  Tick supply_ticks_;  // between its samples
 };
 
 }  // namespace farrier::sim_bridge

@@ -25,7 +25,11 @@ Result<std::unique_ptr<farrier::sim_bridge::SimulatedRobot>> world_of(
   }
   const auto other =
       robot::load_robot(options.simulated_path, {.on_ground = options.world == participant::World::kBody});
-  return other ? make(other.value()) : Error{config::to_string(other.error())};
+  if (!other) {
+    return Error{config::to_string(other.error())};
+  }
+  FARRIER_TRY(sim_bridge::check_supply(known, other.value()));
+  return make(other.value());
 }
 
 }  // namespace

@@ -4,7 +4,8 @@
 
 namespace farrier::sim_bridge {
 
-Result<Ports> Ports::open(participant::Participant& participant, const robot::Robot& robot, bool has_body) {
+Result<Ports> Ports::open(participant::Participant& participant, const robot::Robot& robot,
+                          const SimulatedRobot& world) {
   const auto numbers = robot::joint_numbers(robot);
   const auto legs = robot::legs_of_joints(robot);
   Ports ports{};
@@ -18,9 +19,12 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
   FARRIER_TRY(take(ports.valves, participant.subscribe<signals::JointValveCommand>(numbers)));
   FARRIER_TRY(take(ports.sensors, participant.publish<signals::JointSensors>(numbers, legs)));
   FARRIER_TRY(take(ports.clock, participant.publish<signals::ClockTick>({0})));
-  if (has_body) {
+  if (world.truth()) {
     FARRIER_TRY(take(ports.imu, participant.publish<signals::BodyImu>({0})));
     FARRIER_TRY(take(ports.truth, participant.publish<signals::BodyTruth>({0})));
+  }
+  if (world.supply_state() != nullptr) {
+    FARRIER_TRY(take(ports.supply, participant.publish<signals::SupplyState>({0})));
   }
   if (participant.identity().clock == bus::ClockKind::kRealtime) {
     return ports;
@@ -48,6 +52,19 @@ signals::BodyImu imu_sample(const world::World& world, std::int64_t sample_time_
   return sample;
 }
 
+LowAlarm supply_alarm(const robot::Robot& robot) noexcept {
+  return robot.supply_guard ? LowAlarm(robot.supply_guard->low_Pa, robot.supply_guard->recovered_Pa)
+                            : LowAlarm(0.0, 0.0);
+}
+
+void tell_supply(LowAlarm& alarm, const signals::SupplyState& sample, participant::Participant& participant) {
+  const bool before = alarm.on();
+  if (const bool low = alarm.step(sample.pressure_Pa); low != before) {
+    participant.event(low ? participant::EventKind::kSupplyLow : participant::EventKind::kSupplyRecovered, sample.tick,
+                      signals::kNoJoint);
+  }
+}
+
 Result<Parts> Parts::assemble(std::unique_ptr<SimulatedRobot> world, const robot::Robot& robot,
                               const std::string& trace_path, participant::Participant& participant) {
   const bool has_body = world->truth().has_value();
@@ -56,11 +73,11 @@ Result<Parts> Parts::assemble(std::unique_ptr<SimulatedRobot> world, const robot
   if (!trace_path.empty()) {
     trace = FARRIER_TRY(trace::TraceWriter::create(trace_path, robot::joint_names(robot)));
     if (has_body) {
-      body_trace = FARRIER_TRY(trace::BodyTraceWriter::create(trace::body_trace_path(trace_path),
-                                                              static_cast<int>(robot.plan.legs.size())));
+      body_trace = FARRIER_TRY(
+          trace::BodyTraceWriter::create(trace::body_trace_path(trace_path), static_cast<int>(robot.plan.legs.size())));
     }
   }
-  const Ports ports = FARRIER_TRY(Ports::open(participant, robot, has_body));
+  const Ports ports = FARRIER_TRY(Ports::open(participant, robot, *world));
   return Parts{std::move(world), std::move(trace), std::move(body_trace), ports};
 }
 

@@ -28,7 +28,8 @@ class SimBridgeLockstep final : public participant::Application {
         valve_current_A_(robot.joints.size(), 0.0),
         commands_(robot.joints.size(), 0.0),
         valve_command_tick_(robot.joints.size(), kNoTick),
-        generation_(robot.joints.size(), 0) {
+        generation_(robot.joints.size(), 0),
+        supply_alarm_(supply_alarm(robot)) {
     std::vector<std::uint16_t> others;
     for (std::uint16_t number = 1; number < participant.identity().participants; ++number) {
       others.push_back(number);
@@ -69,6 +70,7 @@ class SimBridgeLockstep final : public participant::Application {
   std::uint32_t received_modes_ = 0;
   std::uint32_t mode_epoch_ = 0;
   runtime::LatencyHistogram latency_;
+  LowAlarm supply_alarm_;
 };
 
 void SimBridgeLockstep::drain() {
@@ -118,6 +120,10 @@ void SimBridgeLockstep::begin_tick() {
   if (ports_.imu != nullptr) {
     ports_.imu->publish(imu_sample(*world_, to_ns(std::chrono::steady_clock::now())));
     ports_.truth->publish(world_->truth().value_or(signals::BodyTruth{}));
+  }
+  if (const signals::SupplyState* supply = new_supply_sample(*world_)) {
+    ports_.supply->publish(*supply);
+    tell_supply(supply_alarm_, *supply, participant_);
   }
   ports_.clock->publish({0, world_->tick()});
   begun_ = true;

@@ -50,7 +50,8 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
         ticks_(ticks),
         numbers_(robot::joint_numbers(robot)),
         mail_(numbers_.size()),
-        commands_(numbers_.size(), 0.0) {
+        commands_(numbers_.size(), 0.0),
+        supply_alarm_(supply_alarm(robot)) {
     if (parts.trace) {
       trace_.emplace(std::move(*parts.trace));
     }
@@ -96,7 +97,10 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   SpscRing<signals::BodyImu, 16> imus_;
   SpscRing<signals::BodyTruth, 64> truths_;  ///< to publish
   SpscRing<signals::BodyTruth, 64> rows_;    ///< for the trace
-  std::atomic<bool> failed_{false};          ///< the world, by the control thread
+  SpscRing<signals::SupplyState, 16> supplies_;
+  SpscRing<signals::SupplyState, 16> supplies_heard_;  ///< for the alarm
+  LowAlarm supply_alarm_;                              ///< bus thread
+  std::atomic<bool> failed_{false};                    ///< the world, by the control thread
   std::optional<TraceThread<trace::TraceWriter>> trace_;
   std::optional<TraceThread<trace::BodyTraceWriter>> body_trace_;
 };
@@ -143,11 +147,15 @@ bool SimBridgeRealtime::traces_finished() const {
 }
 
 bool SimBridgeRealtime::trace_complete() const {
-  return trace_->complete() && (!body_trace_ || (body_trace_->complete() && rows_.dropped() == 0)) && std::ranges::all_of(mail_, [](const Mailbox& mail) { return mail.rows.dropped() == 0; });
+  return trace_->complete() && (!body_trace_ || (body_trace_->complete() && rows_.dropped() == 0)) &&
+         std::ranges::all_of(mail_, [](const Mailbox& mail) { return mail.rows.dropped() == 0; });
 }
 
 void SimBridgeRealtime::tell_silences() {
   using enum participant::EventKind;
+  for (signals::SupplyState supply; supplies_heard_.pop(supply);) {
+    tell_supply(supply_alarm_, supply, participant_);
+  }
   for (std::size_t i = 0; i < mail_.size() && !finished(); ++i) {
     if (const bool silent = mail_[i].fell_silent.load(std::memory_order_relaxed); silent != mail_[i].told_silent) {
       mail_[i].told_silent = silent;
@@ -199,7 +207,8 @@ void SimBridgeRealtime::apply_valve(std::size_t index, SteadyTime now) noexcept 
 void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
   statistics_.stepped(wake);
   if (sensed_tick_.load(std::memory_order_relaxed) == world_->tick()) {
-    if (!world_->advance(commands_)) {  // not after sensing: the sender thread, on the same processor, would wait for it
+    // Not after sensing: the sender thread, on the same processor, would wait for it.
+    if (!world_->advance(commands_)) {
       failed_.store(true, std::memory_order_relaxed);
       return;
     }
@@ -226,6 +235,10 @@ void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
       rows_.push(*truth);
     }
   }
+  if (const signals::SupplyState* supply = new_supply_sample(*world_)) {
+    supplies_.push(*supply);
+    supplies_heard_.push(*supply);
+  }
   sensed_tick_.store(world_->tick(), std::memory_order_release);
 }
 
@@ -233,17 +246,12 @@ void SimBridgeRealtime::send() {
   sending_tick_ = tick_.load(std::memory_order_acquire);
   const Tick sensed = sensed_tick_.load(std::memory_order_acquire);
   for (Mailbox& mail : mail_) {
-    for (signals::JointSensors sensors; mail.sensors.pop(sensors);) {
-      ports_.sensors->publish(sensors);
-    }
+    publish_all(mail.sensors, ports_.sensors);
   }
   ports_.sensors->flush();
-  for (signals::BodyImu imu; imus_.pop(imu);) {
-    ports_.imu->publish(imu);
-  }
-  for (signals::BodyTruth truth; truths_.pop(truth);) {
-    ports_.truth->publish(truth);
-  }
+  publish_all(imus_, ports_.imu);
+  publish_all(truths_, ports_.truth);
+  publish_all(supplies_, ports_.supply);
   if (sensed != told_tick_) {
     told_tick_ = sensed;
     ports_.clock->publish({0, sensed});

@@ -27,7 +27,13 @@ class SimulatedRobot : public world::World {
 
   /// The true state of the body at the present tick; none on a bench.
   virtual std::optional<signals::BodyTruth> truth() const noexcept { return std::nullopt; }
+
+  /// The newest sample of the shared supply; none without a pump.
+  virtual const signals::SupplyState* supply_state() const noexcept { return nullptr; }
 };
+
+/// Refuses a simulated robot without a pump in place of one with it, whose processes wait for supply/state.
+Result<Done> check_supply(const robot::Robot& known, const robot::Robot& simulated);
 
 /// The bench: each joint by itself on a load that changes with the phase (SimWorld).
 Result<std::unique_ptr<SimulatedRobot>> simulated_bench(const robot::Robot& robot, std::uint64_t seed,

@@ -19,9 +19,7 @@ int run_body(const robot::Robot& on_bench, const CompareOptions& options) {
         "compare",
         on_bench.name + " cannot walk on a ground: give body.trunk and locomotion in its file, or another --robot");
   }
-  robot::Overrides overrides{};
-  overrides.on_ground = true;
-  const auto on_ground = robot::load_robot(options.robot_path, overrides);
+  const auto on_ground = robot::load_robot(options.robot_path, {.on_ground = true});
   if (!on_ground) {
     return fail("compare", config::to_string(on_ground.error()));
   }

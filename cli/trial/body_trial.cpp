@@ -13,6 +13,7 @@
 #include "participant/loop.hpp"
 #include "report/body/body_result.hpp"
 #include "report/body/body_rows_file.hpp"
+#include "report/body/supply_result.hpp"
 #include "report/figures/console.hpp"
 #include "report/figures/outcome.hpp"
 #include "trials/body/push_limit.hpp"
@@ -31,7 +32,7 @@ std::vector<trials::TrotCase> chosen_cases(const robot::Robot& robot, const Body
     cases = trials::first_of_each_trial(cases);
   }
   std::erase_if(cases, [&o](const trials::TrotCase& one) {
-    return !o.only.empty() && std::ranges::find(o.only, one.trial) == o.only.end();
+    return (o.ideal && one.supply_fault_s) || (!o.only.empty() && std::ranges::find(o.only, one.trial) == o.only.end());
   });
   return cases;
 }
@@ -134,6 +135,7 @@ report::Outcome outcome_of(const robot::Robot& robot, const BodyStudy& study,
   outcome.command = "trial";
   outcome.run = report::run_info(robot, 1);
   report::add_body(outcome.figures, results);
+  report::add_supply(outcome.figures, report::supply_results(study.rows));
   report::add_push_limits(outcome.figures, study.limits);
   for (const trials::TrotRow& row : study.rows) {
     if (!row.failure.empty()) {
@@ -169,7 +171,8 @@ int run_and_report(const robot::Robot& robot, const BodyTrialOptions& o) {
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("trial", written.error().message);
   }
-  std::printf("%s%s%s\n%s", report::body_text(outcome.figures, results).c_str(),
+  std::printf("%s%s%s%s\n%s", report::body_text(outcome.figures, results).c_str(),
+              report::supply_text(report::supply_results(study.rows)).c_str(),
               report::push_limits_text(study.limits).c_str(), report::falls_text(study.rows).c_str(),
               report::verdict_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str());
   std::printf("figures: %s\nevery run: %s\n", o.json_path.c_str(), rows_path.c_str());
@@ -194,6 +197,11 @@ int run_body_trials(const BodyTrialOptions& options) {
     return refuse("trial",
                   robot.value().name +
                       " cannot walk on a ground: give body.trunk and locomotion in its file, or another --robot");
+  }
+  if (chosen_cases(robot.value(), o).empty() && !searches_push_limit(o)) {
+    return refuse("trial",
+                  "no such trial has a run for this robot: a fault of the supply needs supply.pump in its file, "
+                  "and joints that are not ideal");
   }
   const auto directory = OutputDirectory::claim(o.out);
   if (!directory) {

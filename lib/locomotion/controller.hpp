@@ -31,6 +31,7 @@ struct MotionCommand {
   double left_m_s = 0.0;        ///< vy
   double yaw_rate_rad_s = 0.0;  ///< positive to the left
   double height_m = 0.0;        ///< trunk's origin above the ground; 0 selects the default
+  bool at_once = false;         ///< brakes and sits down several times as fast, and does not settle before
 };
 
 /// Joint torques of each leg, Nm, in the order HAA, HFE, KFE.

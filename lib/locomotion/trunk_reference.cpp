@@ -7,6 +7,9 @@
 namespace farrier::locomotion {
 namespace {
 
+// Of accelerations and height speeds in a command that shall act at once.
+constexpr double kAtOnce = 2.0;
+
 // `from` moved towards `to` by at most `most`; a command that is not a number counts as zero
 double towards(double from, double to, double limit, double most) noexcept {
   const double clamped = to == to ? std::clamp(to, -limit, limit) : 0.0;
@@ -29,7 +32,7 @@ double TrunkReference::commanded_height_m(const MotionCommand& command) const no
 }
 
 void TrunkReference::ramp(const MotionCommand& command, bool moving) noexcept {
-  const double change = params_.acceleration_m_s2 * period_s_;
+  const double change = (command.at_once ? kAtOnce : 1.0) * params_.acceleration_m_s2 * period_s_;
   velocity_.x() = towards(velocity_.x(), moving ? command.forward_m_s : 0.0, params_.fastest_forward_m_s, change);
   velocity_.y() = towards(velocity_.y(), moving ? command.left_m_s : 0.0, params_.fastest_left_m_s, change);
   yaw_rate_ = towards(yaw_rate_, moving ? command.yaw_rate_rad_s : 0.0, params_.fastest_yaw_rad_s,
@@ -50,8 +53,8 @@ void TrunkReference::step(const MotionCommand& command, bool moving, double heig
                           const GroundPlane& ground) noexcept {
   ramp(command, moving);
   turn(heading_of(trunk.rotation));
-  height_m_ +=
-      std::clamp(height_m - height_m_, -params_.height_speed_m_s * period_s_, params_.height_speed_m_s * period_s_);
+  const double rise_m = params_.height_speed_m_s * period_s_;
+  height_m_ += std::clamp(height_m - height_m_, command.at_once ? -kAtOnce * rise_m : -rise_m, rise_m);
   wanted_.velocity_m_s = heading_ * Eigen::Vector3d{velocity_.x(), velocity_.y(), 0.0};
   wanted_.angular_velocity_rad_s = {0.0, 0.0, yaw_rate_};
   wanted_.position_m += period_s_ * wanted_.velocity_m_s;

@@ -23,13 +23,15 @@ inline std::uint16_t& key_of(signals::SystemMode& s) { return s.robot; }
 inline std::uint16_t& key_of(signals::SystemRequest& s) { return s.robot; }
 inline std::uint16_t& key_of(signals::ClockTick& s) { return s.clock; }
 inline std::uint16_t& key_of(signals::BodyCommand& s) { return s.robot; }
+inline std::uint16_t& key_of(signals::SupplyState& s) { return s.supply; }
 template <class Signal>
-  requires requires(Signal s) { s.trunk; }
-std::uint16_t& key_of(Signal& s) {
-  return s.trunk;
+requires requires(Signal s) { s.trunk; }
+std::uint16_t& key_of(Signal& s) { return s.trunk; }
+template <class Signal>
+requires requires(Signal s) {
+  s.joint;
+  s.tick;
 }
-template <class Signal>
-  requires requires(Signal s) { s.joint; s.tick; }
 std::uint16_t& key_of(Signal& s) { return s.joint; }
 inline std::uint16_t& key_of(signals::JointControllerGains& s) { return s.joint; }
 inline std::uint16_t& key_of(signals::ClockTickDone& s) { return s.participant; }
@@ -83,7 +85,9 @@ class In final : public Port {
   }
 
   int routes_expected() const noexcept override { return static_cast<int>(keys_.size()); }
-  int routes_heard() const noexcept override { return static_cast<int>(std::count(heard_.begin(), heard_.end(), true)); }
+  int routes_heard() const noexcept override {
+    return static_cast<int>(std::count(heard_.begin(), heard_.end(), true));
+  }
   std::string first_unheard() const override {
     const auto place = std::find(heard_.begin(), heard_.end(), false);
     if (place == heard_.end()) {
@@ -219,7 +223,7 @@ class Out final : public Port {
   std::vector<std::uint16_t> keys_;
   std::vector<std::size_t> publisher_of_key_;
   std::unique_ptr<StreamJournal> journal_;  ///< where signals::kJournalled
-  std::atomic<std::uint64_t> sent_{0};  ///< the sender thread counts, the bus thread reports
+  std::atomic<std::uint64_t> sent_{0};      ///< the sender thread counts, the bus thread reports
   std::atomic<std::uint64_t> refused_{0};
 };
 

@@ -104,8 +104,10 @@ void Supply::advance(double drawn_m3, double step_s) noexcept {
 }
 
 void Supply::set_accumulator_volume(double volume_m3) noexcept {
+  const double before_J = stored_J();
   params_.accumulator_volume_m3 = volume_m3;
   volume_m3_ = this->volume_m3(pressure_Pa_);
+  account_.removed_J += before_J - stored_J();
 }
 
 }  // namespace farrier::plant

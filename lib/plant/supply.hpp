@@ -20,12 +20,14 @@ struct SupplyParams {
 /// Refuses values no supply has, naming each.
 Result<Done> validate(const SupplyParams& params);
 
-/// Energy of a supply since its start, J. Pump = actuators + relief + leakage + what accumulator and hoses have gained.
+/// Energy of a supply since its start, J. Pump = actuators + relief + leakage + removed + what accumulator and hoses have
+/// gained.
 struct SupplyAccount {
   double pump_J = 0.0;
   double actuators_J = 0.0;  ///< given to the valves
   double relief_J = 0.0;     ///< spilled
   double leakage_J = 0.0;    ///< past shut valves
+  double removed_J = 0.0;    ///< that left with an accumulator's gas when its volume was set
   double pump_m3 = 0.0;
   double actuators_m3 = 0.0;
   double relief_m3 = 0.0;

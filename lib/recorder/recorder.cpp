@@ -95,7 +95,8 @@ Result<std::unique_ptr<Tap>> watch(bus::Bus& bus, const robot::Robot& robot) {
 template <class Signal>
 inline constexpr bool kMayBeAbsent =
     std::is_same_v<Signal, signals::BodyImu> || std::is_same_v<Signal, signals::BodyTruth> ||
-    std::is_same_v<Signal, signals::BodyState> || std::is_same_v<Signal, signals::BodyCommand>;
+    std::is_same_v<Signal, signals::BodyState> || std::is_same_v<Signal, signals::BodyCommand> ||
+    std::is_same_v<Signal, signals::SupplyState>;
 
 bool may_be_absent(bus::TopicId topic) {
 #define FARRIER_MAY_BE_ABSENT(Signal, file) kMayBeAbsent<signals::Signal>,

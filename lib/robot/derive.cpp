@@ -126,6 +126,19 @@ std::optional<plant::SupplyParams> supply_params(const RobotFile& file) {
                              .null_leakage_m3_s_Pa = supply->pump->null_leakage_m3_s_Pa * valves};
 }
 
+std::optional<locomotion::SupplyGuardParams> supply_guard_params(const RobotFile& file) {
+  constexpr double kStopped = 0.05;  // of the pump's flow
+  const std::optional<Supply>& supply = file.supply;
+  if (!supply || !supply->pump) {
+    return std::nullopt;
+  }
+  return locomotion::SupplyGuardParams{.low_Pa = supply->low_share * supply->supply_pressure_Pa,
+                                       .recovered_Pa = supply->recovered_share * supply->supply_pressure_Pa,
+                                       .lie_Pa = supply->lie_share * supply->supply_pressure_Pa,
+                                       .least_pump_flow_m3_s = kStopped * supply->pump->flow_m3_s,
+                                       .stand_after_s = supply->stand_after_s};
+}
+
 ForceLimits force_limits(const plant::ActuatorParams& a, double rated) {
   return {std::min(rated, a.supply_pressure_Pa * a.area_a - a.return_pressure_Pa * a.area_b),
           std::min(rated, a.supply_pressure_Pa * a.area_b - a.return_pressure_Pa * a.area_a)};

@@ -6,6 +6,7 @@
 #include "core/result.hpp"
 #include "plant/actuator.hpp"
 #include "plant/linkage.hpp"
+#include "locomotion/supply_guard.hpp"
 #include "plant/supply.hpp"
 #include "robot/robot.hpp"
 
@@ -32,6 +33,9 @@ plant::LoadParams leg_load(double inertia_kg_m2, const CylinderLoad& damping_lik
 
 /// The supply that all joints share; none without a pump.
 std::optional<plant::SupplyParams> supply_params(const RobotFile& file);
+
+/// Limits of that supply; none without a pump.
+std::optional<locomotion::SupplyGuardParams> supply_guard_params(const RobotFile& file);
 
 /// Largest force (N or Nm), the smaller of the supply's and the actuator's rated one: push p_s A_a - p_t A_b, pull p_s
 /// A_b - p_t A_a.

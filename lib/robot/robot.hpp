@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -18,6 +20,7 @@
 #include "core/time.hpp"
 #include "gait/gait_params.hpp"
 #include "locomotion/trot_controller.hpp"
+#include "locomotion/supply_guard.hpp"
 #include "plant/actuator.hpp"
 #include "plant/electric_actuator.hpp"
 #include "plant/linkage.hpp"
@@ -81,9 +84,10 @@ struct Robot {
   int estimate_period_ticks;  ///< >= 1; one for all joints, so that in lock-step the tick determines the due estimates
   std::vector<Joint> joints;  ///< in the order of the file: leg by leg
   gait::RobotPlan plan;
-  std::optional<body::BodyModel> body;                     ///< as rigid bodies; none if the file describes no trunk
-  std::optional<plant::SupplyParams> supply;               ///< shared by the joints of a body; none without a pump
-  std::optional<locomotion::LocomotionParams> locomotion;  ///< of a robot that can walk on a ground
+  std::optional<body::BodyModel> body;                        ///< as rigid bodies; none if the file describes no trunk
+  std::optional<plant::SupplyParams> supply;                  ///< shared by the joints of a body; none without a pump
+  std::optional<locomotion::SupplyGuardParams> supply_guard;  ///< limits of that supply
+  std::optional<locomotion::LocomotionParams> locomotion;     ///< of a robot that can walk on a ground
   UpdateLogicParams update_logic;
   Safety safety;
   Bounds bounds;
@@ -98,12 +102,15 @@ struct Robot {
 
   /// True if every joint's estimate is published at this tick; in lock-step the supervisor waits for it.
   bool estimate_due(Tick tick) const noexcept { return tick % estimate_period_ticks == 0; }
+
+  /// Ticks between two samples of supply/state, which are 10 ms apart, from tick 0 on; >= 1.
+  Tick supply_ticks() const noexcept { return std::max<Tick>(1, std::llround(0.01 / period_s)); }
 };
 
 /// Settings that a command line may change.
 struct Overrides {
-  std::optional<gait::Pattern> pattern;
-  std::optional<double> frequency_Hz;
+  std::optional<gait::Pattern> pattern = std::nullopt;
+  std::optional<double> frequency_Hz = std::nullopt;
   bool without_dither = false;                             ///< dither_percent of every joint is 0
   bool without_effects = false;                            ///< no joint has effects
   std::optional<std::string> estimator = std::nullopt;     ///< section of the file that every joint uses

@@ -52,6 +52,7 @@ class Builder {
                 .plan = {file_.period_s, body_weight_N(), file_.gait, {}},
                 .body = make_body_model(file_),
                 .supply = supply_params(file_),
+                .supply_guard = supply_guard_params(file_),
                 .locomotion = make_locomotion_params(file_),
                 .update_logic = file_.update_logic.params,
                 .safety = file_.safety.params,

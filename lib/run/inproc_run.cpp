@@ -34,6 +34,7 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
   switch (member.number) {
     case participant::kSimBridge: {
       const robot::Robot& simulated = run.simulated != nullptr ? *run.simulated : robot;
+      FARRIER_TRY(sim_bridge::check_supply(robot, simulated));
       auto world = FARRIER_TRY(
           participant::is_on_ground(run.world)
               ? sim_bridge::simulated_body(simulated, run.scene_path, run.seed, run.world == participant::World::kIdeal)
@@ -46,7 +47,8 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
     case participant::kLocomotion: {
       auto made = FARRIER_TRY(
           participant::is_on_ground(run.world)
-              ? locomotion::create_trot_locomotion(robot, locomotion::script_of(run.velocity), participant, run.ticks)
+              ? locomotion::create_trot_locomotion(robot, locomotion::script_of(run.velocity), participant, run.ticks,
+                                                   run.world == participant::World::kBody && robot.supply.has_value())
               : locomotion::create_gait_source(robot, run.seed, participant, run.ticks, run.announce));
       return std::unique_ptr<participant::Application>(std::move(made));
     }

@@ -7,9 +7,29 @@
 
 namespace farrier::world {
 
+namespace {
+
+Result<Done> check_supply_changes(const robot::Robot& robot, std::span<const body::SupplyChange> changes) {
+  for (const body::SupplyChange& change : changes) {
+    const std::string where = (change.origin.empty() ? "" : change.origin + ": ") + "supply." + change.name;
+    if (!robot.supply) {
+      return Error{where + ": " + robot.name + " has no pump: give supply.pump in its file, or leave this out"};
+    }
+    if (change.accumulator_volume_m3.value_or(0.0) > 0.0 && !(robot.supply->precharge_Pa > 0.0)) {
+      return Error{where + ".accumulator_volume_m3: " + robot.name +
+                   " has no accumulator: give supply.accumulator in its file, or leave this out"};
+    }
+  }
+  return Done{};
+}
+
+}  // namespace
+
 JointDrives::~JointDrives() = default;
 
-Result<Actuators> Actuators::create(const robot::Robot& robot) {
+Result<Actuators> Actuators::create(const robot::Robot& robot, std::vector<body::SupplyChange> supply_changes) {
+  FARRIER_TRY(check_supply_changes(robot, supply_changes));
+  std::ranges::stable_sort(supply_changes, {}, &body::SupplyChange::start_s);
   std::optional<plant::Supply> supply;
   if (robot.supply) {
     supply = FARRIER_TRY(plant::Supply::create(*robot.supply));
@@ -24,13 +44,14 @@ Result<Actuators> Actuators::create(const robot::Robot& robot) {
     joints.push_back({joint.linkage, std::move(plant).value()});
     angles_rad[joint.number] = joint.home_angle_rad;
   }
-  return Actuators(std::move(joints), supply, angles_rad);
+  return Actuators(std::move(joints), supply, std::move(supply_changes), angles_rad);
 }
 
 Actuators::Actuators(std::vector<Joint> joints, const std::optional<plant::Supply>& supply,
-                     const body::JointVector& angles_rad)
+                     std::vector<body::SupplyChange> supply_changes, const body::JointVector& angles_rad)
     : joints_(std::move(joints)),
       supply_(supply),
+      supply_changes_(std::move(supply_changes)),
       torques_Nm_(body::JointVector::Zero(static_cast<Eigen::Index>(joints_.size()))) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     set_force(i, angles_rad[static_cast<Eigen::Index>(i)]);
@@ -44,7 +65,14 @@ void Actuators::set_force(std::size_t index, double angle_rad) noexcept {
   torques_Nm_[static_cast<Eigen::Index>(index)] = joint.linkage.torque(angle_rad, joint.force);
 }
 
-void Actuators::command(std::span<const double> currents_A) noexcept {
+void Actuators::command(std::span<const double> currents_A, double time_s) noexcept {
+  for (; next_change_ < supply_changes_.size() && supply_changes_[next_change_].start_s <= time_s; ++next_change_) {
+    const body::SupplyChange& change = supply_changes_[next_change_];
+    supply_->set_pump_flow(change.pump_flow_m3_s.value_or(supply_->params().pump_flow_m3_s));
+    if (change.accumulator_volume_m3) {
+      supply_->set_accumulator_volume(*change.accumulator_volume_m3);
+    }
+  }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     joints_[i].current_A = currents_A[i];
   }
@@ -79,8 +107,8 @@ double Actuators::lost_J() const noexcept {
   const plant::SupplyAccount& supply = supply_->account();
   const plant::OilAccount& oil = energies_.oil;
   const double gained = stored_J() + supply_->stored_J() - stored_at_start_J_;
-  return supply.pump_J - gained - supply.relief_J - supply.leakage_J - oil.return_J - oil.valve_J - oil.leakage_J -
-         oil.friction_J - energies_.work_J;
+  return supply.pump_J - gained - supply.relief_J - supply.leakage_J - supply.removed_J - oil.return_J - oil.valve_J -
+         oil.leakage_J - oil.friction_J - energies_.work_J;
 }
 
 double Actuators::stored_J() const noexcept {

@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "body/scene/scene.hpp"
 #include "plant/joint.hpp"
 #include "plant/supply.hpp"
 #include "robot/robot.hpp"
@@ -33,11 +34,13 @@ struct ActuatorEnergies {
 class Actuators final : public JointDrives {
  public:
   /// At rest at the home pose, valves shut, the supply full. Without a pump in the file the supply has its nominal
-  /// pressure. Refuses actuators that cannot be simulated, naming the joint.
-  static Result<Actuators> create(const robot::Robot& robot);
+  /// pressure. Refuses actuators that cannot be simulated, naming the joint, and changes of a supply without a pump or
+  /// of an accumulator without a precharge, with their line.
+  static Result<Actuators> create(const robot::Robot& robot, std::vector<body::SupplyChange> supply_changes = {});
 
-  /// Holds one current per joint, A, until the next call.
-  void command(std::span<const double> currents_A) noexcept;
+  /// Holds one current per joint, A, until the next call. Changes of the supply that have begun at `time_s` act from
+  /// here on.
+  void command(std::span<const double> currents_A, double time_s = 0.0) noexcept;
 
   const body::JointVector& torques_Nm() const noexcept override { return torques_Nm_; }
   void follow(const body::BodyState& state, double step_s) noexcept override;
@@ -59,12 +62,15 @@ class Actuators final : public JointDrives {
     double force = 0.0;  ///< on the body at the present state, N or Nm
   };
 
-  Actuators(std::vector<Joint> joints, const std::optional<plant::Supply>& supply, const body::JointVector& angles_rad);
+  Actuators(std::vector<Joint> joints, const std::optional<plant::Supply>& supply,
+            std::vector<body::SupplyChange> supply_changes, const body::JointVector& angles_rad);
   /// The force of the present state, and its torque.
   void set_force(std::size_t index, double angle_rad) noexcept;
 
   std::vector<Joint> joints_;
   std::optional<plant::Supply> supply_;
+  std::vector<body::SupplyChange> supply_changes_;  // in the order of their times
+  std::size_t next_change_ = 0;
   body::JointVector torques_Nm_;
   ActuatorEnergies energies_;
   double stored_at_start_J_ = 0.0;  ///< in oil and supply

@@ -95,6 +95,10 @@ body::Scene scene_of(const SceneFile& file) {
   for (const auto& [name, payload] : file.payloads) {
     scene.payloads.push_back({name, payload.start_s, payload.mass_kg, {payload.x_m, payload.y_m, payload.z_m}});
   }
+  for (const auto& [name, supply] : file.supply) {
+    scene.supply_changes.push_back(
+        {name, supply.start_s, supply.pump_flow_m3_s, supply.accumulator_volume_m3, line_of(supply.place)});
+  }
   return scene;
 }
 
@@ -175,6 +179,16 @@ void declare(Visitor& v, PayloadSection& p) {
   v.number("z_m", p.z_m, {-10, 10}, kInitial, "Above.");
 }
 
+void declare(Visitor& v, SupplySection& s) {
+  v.here(s.place);
+  v.number("start_s", s.start_s, kTime_s, "Time from which the supply is so.");
+  v.number("pump_flow_m3_s", s.pump_flow_m3_s, {0, 1}, "Flow of the pump; 0: it stops. Absent: as before.");
+  v.number("accumulator_volume_m3", s.accumulator_volume_m3, {0, 1},
+           "Volume of the accumulator's gas at its precharge; 0: there is none. Absent: as before.");
+  v.check(s.pump_flow_m3_s || s.accumulator_volume_m3, "pump_flow_m3_s",
+          "is missing, and so is accumulator_volume_m3: give at least one of them");
+}
+
 void declare(Visitor& v, SceneFile& f) {
   v.here(f.place);
   v.number("friction", f.friction, {0, 10}, kInitial, "Coulomb friction of feet on everything.");
@@ -184,6 +198,7 @@ void declare(Visitor& v, SceneFile& f) {
   v.groups("blocks", f.blocks, kLongestName, Defaults{}, "Fields of random blocks.");
   v.groups("pushes", f.pushes, kLongestName, Defaults{}, "Forces on the trunk's centre of mass.");
   v.groups("payloads", f.payloads, kLongestName, Defaults{}, "Masses that are put on the trunk.");
+  v.groups("supply", f.supply, kLongestName, Defaults{}, "Faults of the supply of hydraulic actuators.");
 }
 
 Result<body::Scene, config::Problems> load_scene(const std::string& path) {

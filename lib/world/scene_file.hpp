@@ -2,6 +2,7 @@
 
 // The scene file, deploy/scenes/*.yaml: the ground and what happens to the robot on it, as data.
 
+#include <optional>
 #include <string>
 
 #include "body/scene/scene.hpp"
@@ -55,6 +56,13 @@ struct PayloadSection {
   double x_m = 0.0, y_m = 0.0, z_m = 0.0;
 };
 
+/// A fault of the supply of hydraulic actuators. Absent values stay as they are.
+struct SupplySection {
+  double start_s = 0.0;
+  std::optional<double> pump_flow_m3_s, accumulator_volume_m3;
+  config::Place place;
+};
+
 struct SceneFile {
   double friction = 0.8;
   GroundSection ground;
@@ -63,6 +71,7 @@ struct SceneFile {
   config::Named<BlocksSection> blocks;
   config::Named<PushSection> pushes;
   config::Named<PayloadSection> payloads;
+  config::Named<SupplySection> supply;
   config::Place place;
 };
 
@@ -72,6 +81,7 @@ void declare(config::Visitor& v, StairsSection& stairs);
 void declare(config::Visitor& v, BlocksSection& blocks);
 void declare(config::Visitor& v, PushSection& push);
 void declare(config::Visitor& v, PayloadSection& payload);
+void declare(config::Visitor& v, SupplySection& supply);
 void declare(config::Visitor& v, SceneFile& file);
 
 /// Loads and checks a scene file. Refuses with every mistake in it, each with its line and remedy.

@@ -34,6 +34,12 @@ struct ImuReading {
   Eigen::Vector3d specific_force_m_s2 = Eigen::Vector3d::Zero();
 };
 
+/// Readings of the sensors of the shared hydraulic supply. They are sampled every robot::Robot::supply_ticks().
+struct SupplyReading {
+  double pressure_Pa = 0.0;
+  double pump_flow_m3_s = 0.0;  ///< mean since the reading before
+};
+
 class World {
  public:
   virtual ~World();
@@ -45,6 +51,9 @@ class World {
   virtual JointReading reading(std::size_t joint) const noexcept = 0;
   /// The same of the trunk; none in a world without one.
   virtual std::optional<ImuReading> imu() const noexcept { return std::nullopt; }
+
+  /// The newest of the supply; none in a world without a pump.
+  virtual std::optional<SupplyReading> supply() const noexcept { return std::nullopt; }
 
   /// Holds one command per joint over [tick, tick + 1) and moves to the next tick. A command is a valve current in A
   /// where the world has valves, else a torque in Nm. False after a failure, which is final.

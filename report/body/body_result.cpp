@@ -73,8 +73,11 @@ void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
   }
 }
 
-// The means of pushes that are made to fall say nothing.
-bool has_means(const BodyTrialResult& result) { return result.falls < result.runs && !is_search(result.trial); }
+// The means of pushes that are made to fall, and of robots that stand or lie for their supply, say nothing.
+bool has_means(const BodyTrialResult& result) {
+  return result.falls < result.runs && !is_search(result.trial) && result.trial != "low_supply" &&
+         result.trial != "pump_stops";
+}
 
 /// Figures of simulated actuators and their supply, where there are any.
 template <class Add>
@@ -108,6 +111,9 @@ void add_result(Figures& figures, const BodyTrialResult& result) {
   add("upright_share", result.upright_share(), bound(obstacles, kUprightShare));
   add("largest_torque_Nm", result.largest_torque_Nm);
   if (!has_means(result)) {
+    if (result.least_supply_bar) {
+      add("least_supply_bar", *result.least_supply_bar);
+    }
     return;
   }
   add("height_rms_mm", result.height_rms_mm, bound(closely, kHeightRms_mm));

@@ -15,6 +15,30 @@ std::optional<double> number_of(const json& value) {
   return value.is_null() ? std::nullopt : std::optional(value.get<double>());
 }
 
+json json_of(const std::optional<trials::SupplyFigures>& supply) {
+  if (!supply) {
+    return {};
+  }
+  return {{"low_s", number_or_null(supply->low_s)},
+          {"sag_s", number_or_null(supply->sag_s)},
+          {"acts_s", number_or_null(supply->acts_s)},
+          {"lying_s", number_or_null(supply->lying_s)},
+          {"largest_sinking_m_s", supply->largest_sinking_m_s},
+          {"largest_foot_force_N", supply->largest_foot_force_N}};
+}
+
+std::optional<trials::SupplyFigures> supply_of(const json& supply) {
+  if (supply.is_null()) {
+    return std::nullopt;
+  }
+  return trials::SupplyFigures{.low_s = number_of(supply.at("low_s")),
+                               .sag_s = number_of(supply.at("sag_s")),
+                               .acts_s = number_of(supply.at("acts_s")),
+                               .lying_s = number_of(supply.at("lying_s")),
+                               .largest_sinking_m_s = supply.at("largest_sinking_m_s"),
+                               .largest_foot_force_N = supply.at("largest_foot_force_N")};
+}
+
 json json_of(const trials::TrotRow& row) {
   const trials::TrotFigures& f = row.figures;
   return {{"trial", row.trial},
@@ -34,6 +58,7 @@ json json_of(const trials::TrotRow& row) {
           {"energy_error", f.energy_error},
           {"least_supply_Pa", f.least_supply_Pa},
           {"mean_flow_m3_s", f.mean_flow_m3_s},
+          {"supply", json_of(f.supply)},
           {"hash", f.hash}};
 }
 
@@ -55,6 +80,7 @@ trials::TrotRow row_of(const json& line) {
                       .energy_error = line.at("energy_error"),
                       .least_supply_Pa = line.at("least_supply_Pa"),
                       .mean_flow_m3_s = line.at("mean_flow_m3_s"),
+                      .supply = supply_of(line.at("supply")),
                       .hash = line.at("hash")},
           .failure = {}};
 }

@@ -35,6 +35,17 @@ constexpr std::array kBodySpecs{
     FigureSpec{"body.<trial>.least_supply_bar", "bar", kNone, "Least pressure of the shared supply."},
     FigureSpec{"body.<trial>.mean_flow_l_min", "l/min", kNone,
                "Mean flow into the valves, their leakage included."},
+    // trials with a fault of the supply; seconds are since the fault
+    FigureSpec{"body.<trial>.acted", "1", kAtMost, "Runs in which locomotion stood or lay down because of the supply."},
+    FigureSpec{"body.<trial>.unnoticed_sags", "1", kAtMost,
+               "Runs in which the trunk was 20 mm too low before the supply counted as low."},
+    FigureSpec{"body.<trial>.not_lying", "1", kAtMost, "Runs in which the robot never lay."},
+    FigureSpec{"body.<trial>.low_s", "s", kNone, "Time to the first sample of the supply that is low; the latest run."},
+    FigureSpec{"body.<trial>.sag_20mm_s", "s", kNone, "Time until the trunk is 20 mm too low; the earliest run."},
+    FigureSpec{"body.<trial>.acts_s", "s", kNone, "Time until locomotion acts; the earliest run."},
+    FigureSpec{"body.<trial>.lying_s", "s", kNone, "Time until the trunk has the height of a robot that lies; the latest run."},
+    FigureSpec{"body.<trial>.sinking_m_s", "m/s", kNone, "Largest speed of the trunk downwards."},
+    FigureSpec{"body.<trial>.foot_force_N", "N", kNone, "Largest force on a foot, the mean of a tick."},
     FigureSpec{"body.<trial>.largest_torque_Nm", "Nm", kNone, "Largest torque of any joint, falls included."},
     // compare body
     FigureSpec{"compare.body.<contender>.walk_falls", "1", kNone, "Walks of farrier compare body that ended with a fall."},

@@ -31,6 +31,7 @@ class ActuatedRobot final : public world::World {
   /// Angle, velocity and torque of the joint, by its actuator's sensors.
   world::JointReading reading(std::size_t joint) const noexcept override;
   std::optional<world::ImuReading> imu() const noexcept override { return robot_.imu(); }
+  std::optional<world::SupplyReading> supply() const noexcept override { return robot_.supply(); }
   std::optional<std::string> failure() const override { return robot_.failure(); }
   /// The commands are torques, Nm. A valve's current acts loop_delay_lockstep ticks after the samples that it answers.
   bool advance(std::span<const double> torques_Nm) noexcept override;

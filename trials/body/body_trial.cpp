@@ -22,7 +22,7 @@ void note_loads(const world::BodyWorld& world, std::span<const double> torques_N
 BodyController::~BodyController() = default;
 
 BodyFigures run_body_trial(world::World& robot, const world::BodyWorld& world, BodyController& controller, Tick ticks,
-                           const BodyObserver& observer) {
+                           const BodyObserver& observer, bool may_sink) {
   BodyFigures figures;
   std::vector<double> torques_Nm(world.joints(), 0.0);
   const Eigen::Vector3d normal = world.ground_normal();
@@ -46,6 +46,9 @@ BodyFigures run_body_trial(world::World& robot, const world::BodyWorld& world, B
     height_squares_m2 += sag_m * sag_m;
     tilt_squares += posture.tilt_rad * posture.tilt_rad;
     figures.fall = body::fall_of(posture, start_height_m);
+    if (may_sink && figures.fall == FallReason::kHeight) {
+      figures.fall.reset();
+    }
     if (figures.fall) {
       figures.fell = world.tick();
     }

@@ -57,9 +57,9 @@ struct BodyFigures {
 using BodyObserver = std::function<bool()>;
 
 /// Runs a trial for that many ticks, or until the robot falls or the simulation fails. The robot takes torques; `body` is
-/// the truth of its body.
+/// the truth of its body. With `may_sink` a low trunk is no fall.
 BodyFigures run_body_trial(world::World& robot, const world::BodyWorld& body, BodyController& controller, Tick ticks,
-                           const BodyObserver& observer = {});
+                           const BodyObserver& observer = {}, bool may_sink = false);
 
 /// The same of ideal joints.
 inline BodyFigures run_body_trial(world::BodyWorld& world, BodyController& controller, Tick ticks,

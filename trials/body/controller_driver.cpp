@@ -34,14 +34,21 @@ void ControllerDriver::read(const world::World& world) noexcept {
   }
 }
 
-locomotion::MotionCommand ControllerDriver::command_at(Tick tick) const noexcept {
-  return locomotion::command_at(script_, static_cast<double>(tick) * period_s_);
+locomotion::MotionCommand ControllerDriver::command_of(const world::World& world) noexcept {
+  const auto asked = locomotion::command_at(script_, static_cast<double>(world.tick()) * period_s_);
+  if (!guard_) {
+    return asked;
+  }
+  const auto supply = world.supply();
+  return guard_->step(
+      asked,
+      supply ? std::optional<locomotion::SupplyReading>({supply->pressure_Pa, supply->pump_flow_m3_s}) : std::nullopt);
 }
 
 void ControllerDriver::step(const world::World& world, std::span<double> torques_Nm) noexcept {
   read(world);
   const locomotion::LegTorques arriving = on_the_way_[next_];
-  on_the_way_[next_] = controller_.step(world.tick(), readings_, command_at(world.tick()));
+  on_the_way_[next_] = controller_.step(world.tick(), readings_, command_of(world));
   next_ = (next_ + 1) % on_the_way_.size();
   for (std::size_t joint = 0; joint < torques_Nm.size(); ++joint) {
     torques_Nm[joint] =

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "locomotion/controller.hpp"
 #include "trials/body/body_trial.hpp"
 #include "locomotion/motion_script.hpp"
+#include "locomotion/supply_guard.hpp"
 
 namespace farrier::trials {
 
@@ -16,11 +18,17 @@ class ControllerDriver final : public BodyController {
   ControllerDriver(locomotion::Controller& controller, std::vector<locomotion::TimedCommand> script, double period_s,
                    int lag_ticks = 0);
 
+  /// From now on a guard stands between script and controller, as in locomotion's process.
+  void guard_supply(const locomotion::SupplyGuardParams& limits) { guard_.emplace(limits, period_s_); }
+  locomotion::SupplyDemand demand() const noexcept {
+    return guard_ ? guard_->demand() : locomotion::SupplyDemand::kNone;
+  }
+
   void step(const world::World& world, std::span<double> torques_Nm) noexcept override;
 
  private:
   void read(const world::World& world) noexcept;
-  locomotion::MotionCommand command_at(Tick tick) const noexcept;
+  locomotion::MotionCommand command_of(const world::World& world) noexcept;
 
   locomotion::Controller& controller_;
   std::vector<locomotion::TimedCommand> script_;
@@ -28,6 +36,7 @@ class ControllerDriver final : public BodyController {
   locomotion::Readings readings_;
   std::vector<locomotion::LegTorques> on_the_way_;  // a ring
   std::size_t next_ = 0;
+  std::optional<locomotion::SupplyGuard> guard_;
 };
 
 }  // namespace farrier::trials

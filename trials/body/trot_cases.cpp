@@ -146,6 +146,38 @@ void add_payloads(const robot::Robot& robot, std::vector<TrotCase>& cases) {
   }
 }
 
+// Flows and volumes are shares of the robot's own.
+TrotCase supply_case(const robot::Robot& robot, const std::string& trial, int seed, double pump_share,
+                     double accumulator_share) {
+  constexpr double kFault_s = kTrot_s + 1.0;
+  TrotCase one = walk(trial, seed_text(seed), static_cast<std::uint64_t>(seed), trot(0.4), 20.0);
+  const std::string start = "{start_s: " + config::number_text(kFault_s);
+  one.scene += "supply:\n  pump: " + start +
+               ", pump_flow_m3_s: " + config::number_text(pump_share * robot.supply->pump_flow_m3_s) + "}\n";
+  if (accumulator_share < 1.0) {
+    one.scene += "  accumulator: " + start + ", accumulator_volume_m3: " +
+                 config::number_text(accumulator_share * robot.supply->accumulator_volume_m3) + "}\n";
+  }
+  one.supply_fault_s = kFault_s;
+  return one;
+}
+
+void add_supply_faults(const robot::Robot& robot, std::vector<TrotCase>& cases) {
+  if (!robot.supply) {
+    return;
+  }
+  for (int seed = 1; seed <= kWalkSeeds; ++seed) {
+    cases.push_back(supply_case(robot, "supply", seed, 7.0 / 12.0, 0.2));
+  }
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    cases.push_back(supply_case(robot, "low_supply", seed, 0.5, 1.0));
+  }
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    cases.push_back(supply_case(robot, "pump_stops", seed, 0.0, 1.0));
+    cases.back().may_sink = true;
+  }
+}
+
 }  // namespace
 
 const MotionCommand& TrotCase::judged_command() const noexcept {
@@ -186,6 +218,7 @@ std::vector<TrotCase> trot_cases(const robot::Robot& robot) {
   add_obstacles(robot, cases);
   add_lags(cases);
   add_payloads(robot, cases);
+  add_supply_faults(robot, cases);
   return cases;
 }
 

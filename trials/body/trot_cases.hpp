@@ -31,7 +31,10 @@ inline constexpr std::array kTrotTrials{
     TrotTrial{"step", "0.3 m/s up a step of 10 cm; twenty distances"},
     TrotTrial{"lag", "0.4 m/s with torques that arrive 0, 5 and 10 ticks later; three seeds"},
     TrotTrial{"long_lag", "the same 20 ticks later; not judged"},
-    TrotTrial{"payload", "20 kg are put on the trunk, and no controller is told; three seeds"}};
+    TrotTrial{"payload", "20 kg are put on the trunk, and no controller is told; three seeds"},
+    TrotTrial{"supply", "0.4 m/s while the pump gives 7/12 and the accumulator a fifth; ten seeds"},
+    TrotTrial{"low_supply", "0.4 m/s while the pump gives half; three seeds"},
+    TrotTrial{"pump_stops", "0.4 m/s while the pump stops; three seeds"}};
 
 /// One run: a robot, a scene and a script.
 struct TrotCase {
@@ -42,9 +45,11 @@ struct TrotCase {
   int lag_ticks = 0;                                   ///< beyond the one tick of every command
   std::string scene;                                   ///< in the format of a scene file
   std::vector<locomotion::TimedCommand> script;
-  double trot_s = 0.0;          ///< when it first begins to trot
-  double judged_from_s = 0.0;   ///< means are over this time ...
-  double judged_until_s = 0.0;  ///< ... to this
+  std::optional<double> supply_fault_s = std::nullopt;  ///< instant of a fault of the supply in the scene
+  bool may_sink = false;                                ///< a low trunk is no fall
+  double trot_s = 0.0;                                  ///< when it first begins to trot
+  double judged_from_s = 0.0;                           ///< means are over this time ...
+  double judged_until_s = 0.0;                          ///< ... to this
   double end_s = 0.0;
 
   /// The command that is judged.
@@ -68,7 +73,7 @@ TrotCase push_case(const robot::Robot& robot, const std::string& trial, const Pu
 double scaled_impulse_Ns(const robot::Robot& robot, double of_hyq_Ns);
 
 /// All cases but those of push_limit (push_limit.hpp), trial by trial in the order of kTrotTrials. The robot needs body
-/// and locomotion.
+/// and locomotion. One without a pump has no case with a fault of the supply, and ideal joints cannot run them.
 std::vector<TrotCase> trot_cases(const robot::Robot& robot);
 
 /// The first case of every trial.

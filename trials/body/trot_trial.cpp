@@ -18,6 +18,7 @@ namespace farrier::trials {
 namespace {
 
 constexpr double kLeastWay_m = 1.0;
+constexpr double kDeepSag_m = 0.02;
 
 double heading_rad(const Eigen::Matrix3d& rotation) { return std::atan2(rotation(1, 0), rotation(0, 0)); }
 
@@ -94,6 +95,9 @@ class Judge {
     }
     return figures;
   }
+
+  /// Of the trunk above the ground's plane.
+  double height_m() const { return height_of(world_.state()); }
 
  private:
   static constexpr double kSettled_s = 4.0;
@@ -221,19 +225,34 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
   world::World& moved = ideal ? static_cast<world::World&>(*ideal) : *actuated;
   const world::BodyWorld& truth = ideal ? *ideal : actuated->robot().body();
   Judge judge(truth, controller, one, robot.period_s, robot.locomotion->reference.default_height_m);
+  std::optional<SupplyJudge> supply_judge;
+  if (actuated && robot.supply_guard) {
+    driver.guard_supply(*robot.supply_guard);
+    if (one.supply_fault_s) {
+      supply_judge.emplace(*robot.supply_guard, *robot.locomotion, *one.supply_fault_s, kDeepSag_m);
+    }
+  }
   bool stopped = false;
   const auto ticks = static_cast<Tick>(std::lround(one.end_s / robot.period_s));
-  const BodyFigures body = run_body_trial(moved, truth, driver, ticks, [&] {
-    judge.observe();
-    stopped = keep_on && !keep_on();
-    return !stopped;
-  });
+  const BodyFigures body = run_body_trial(
+      moved, truth, driver, ticks,
+      [&] {
+        judge.observe();
+        if (supply_judge) {
+          supply_judge->observe(static_cast<double>(truth.tick()) * robot.period_s, truth, judge.height_m(),
+                                moved.supply()->pressure_Pa, driver.demand());
+        }
+        stopped = keep_on && !keep_on();
+        return !stopped;
+      },
+      one.may_sink);
   if (stopped) {
     return std::optional<TrotFigures>();
   }
   TrotFigures figures = judge.figures(body);
   if (actuated) {
     figures.force_nrmse = force_nrmse_of(*actuated);
+    figures.supply = supply_judge ? std::optional(supply_judge->figures()) : std::nullopt;
     note_supply(*actuated, static_cast<double>(body.ticks) * robot.period_s, figures);
   }
   return std::optional(figures);

@@ -9,6 +9,7 @@
 #include "core/phase.hpp"
 #include "core/result.hpp"
 #include "trials/body/body_trial.hpp"
+#include "trials/body/supply_judge.hpp"
 #include "trials/body/trot_cases.hpp"
 
 namespace farrier::trials {
@@ -38,7 +39,8 @@ struct TrotFigures {
   double energy_error = 0.0;
   double least_supply_Pa = 0.0;  ///< of the shared supply; 0 without a pump
   double mean_flow_m3_s = 0.0;   ///< that the pump gives to valves, without what the relief valve spills
-  std::uint64_t hash = 0;        ///< of all states of the run
+  std::optional<SupplyFigures> supply = std::nullopt;  ///< of a case with a fault of the supply
+  std::uint64_t hash = 0;                              ///< of all states of the run
 };
 
 /// The IMU of world::kImuNoise, and assumed noise of encoders and of torques that are computed from forces.

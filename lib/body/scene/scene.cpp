@@ -47,6 +47,17 @@ Result<Done> check_payload(const Payload& payload) {
   return Done{};
 }
 
+Result<Done> check_supply_change(const SupplyChange& change) {
+  const auto possible = [](const std::optional<double>& value) {
+    return !value || (*value >= 0.0 && std::isfinite(*value));
+  };
+  if (!(change.start_s >= 0.0) || !possible(change.pump_flow_m3_s) || !possible(change.accumulator_volume_m3)) {
+    return Error{"supply change " + change.name +
+                 " begins before the run, or is negative or not finite: give values of zero or more"};
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<Done> validate(const Scene& scene) {
@@ -64,6 +75,9 @@ Result<Done> validate(const Scene& scene) {
   }
   for (const Payload& payload : scene.payloads) {
     FARRIER_TRY(check_payload(payload));
+  }
+  for (const SupplyChange& change : scene.supply_changes) {
+    FARRIER_TRY(check_supply_change(change));
   }
   return Done{};
 }

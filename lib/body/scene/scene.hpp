@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -37,13 +38,23 @@ struct Payload {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< in the trunk's frame
 };
 
-/// The robot's surroundings: a plane through the world's origin, boxes, and what acts on the trunk.
+/// A fault of the hydraulic supply from a time on. The body does not know of it; its actuators do.
+struct SupplyChange {
+  std::string name;
+  double start_s = 0.0;                                        ///< >= 0
+  std::optional<double> pump_flow_m3_s = std::nullopt;         ///< >= 0; none leaves it
+  std::optional<double> accumulator_volume_m3 = std::nullopt;  ///< of the gas at its precharge, >= 0; none leaves it
+  std::string origin{};  ///< file and line that it comes from, before a refusal; empty for none
+};
+
+/// The robot's surroundings: a plane through the world's origin, boxes, what acts on the trunk, and faults of the supply.
 struct Scene {
   double friction = 0.8;                                       ///< Coulomb, of feet on everything; >= 0
   Eigen::Quaterniond ground = Eigen::Quaterniond::Identity();  ///< turns the world's z to the plane's normal
   std::vector<Box> boxes;
   std::vector<Push> pushes;
   std::vector<Payload> payloads;
+  std::vector<SupplyChange> supply_changes;
 };
 
 /// Refuses ranges that no engine can simulate, by the name of the part.

@@ -33,6 +33,15 @@ void declare(Visitor& v, Supply& s) {
            "Pressure drop below which an orifice is laminar.");
   v.group("pump", s.pump, "Pump that all joints of a robot on a ground share; absent: a constant pressure.");
   v.group("accumulator", s.accumulator, "Accumulator beside the pump; absent: there is none.");
+  v.number("low_share", s.low_share, {0, 1}, kInitial,
+           "With a pump: below this share of supply_pressure_Pa the supply is low, and an event says so.");
+  v.number("recovered_share", s.recovered_share, {0, 1}, kInitial, "From this share on it has recovered.");
+  v.number("lie_share", s.lie_share, {0, 1}, kInitial,
+           "Below this share, and without flow of the pump, the robot lies down.");
+  v.number("stand_after_s", s.stand_after_s, {0, 100}, kInitial,
+           "Time for which the supply is low before a robot that trots stands.");
+  v.check(s.low_share <= s.recovered_share, "recovered_share", "must not be below low_share");
+  v.check(s.lie_share <= s.low_share, "lie_share", "must not be above low_share");
   v.check(!s.accumulator || s.pump, "accumulator", "needs pump: give it, or leave the accumulator out");
   v.check(s.return_pressure_Pa < s.supply_pressure_Pa, "return_pressure_Pa", "must be below supply_pressure_Pa");
 }

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "sim_bridge/body_robot.hpp"
 #include "sim_bridge/simulated_robot.hpp"
 #include "tests/support/allocation_guard.hpp"
 #include "tests/unit/robot/test_files.hpp"
+#include "world/scene_file.hpp"
 
 namespace farrier::sim_bridge {
 namespace body_robot_test {
@@ -72,6 +74,14 @@ TEST(BodyRobot, RefusesARobotWithoutATrunkAndASceneThatIsNotThere) {
             std::string::npos);
   EXPECT_NE(simulated_body(robot::load_shipped("hyq"), "/nowhere.yaml", 1, true).error().message.find("/nowhere.yaml"),
             std::string::npos);
+}
+
+TEST(BodyRobot, RefusesFaultsOfASupplyForIdealJoints) {
+  const body::Scene scene = world::load_scene_text("supply:\n  cut: {start_s: 1, pump_flow_m3_s: 0}", "a.yaml").value();
+  const auto ideal = BodyRobot::create(robot::load_shipped("hyq"), scene, 1, true);
+  ASSERT_FALSE(ideal.ok());
+  EXPECT_EQ(ideal.error().message,
+            "a.yaml:2: supply.cut: ideal joints have no supply: simulate the actuators, or leave this out");
 }
 
 }  // namespace body_robot_test

@@ -74,6 +74,51 @@ TEST_F(ShutValves, AccountForThePump) {
   EXPECT_LT(std::abs(actuators_.lost_J()), 0.01 * pump_J);
 }
 
+// Without a pump the null leakage of the valves lowers the pressure: the energy comes from the accumulator.
+TEST_F(ShutValves, LoseTheirSupplyAtTheTickOfItsFault) {
+  actuators_ = Actuators::create(hyq_, {{.name = "cut", .start_s = 0.1, .pump_flow_m3_s = 0.0}}).value();
+  const std::vector<double> shut(hyq_.joints.size(), 0.0);
+  const auto run_to = [&](int end) {
+    for (auto tick = static_cast<int>(body_.tick()); tick < end; ++tick) {
+      actuators_.command(shut, tick * hyq_.period_s);
+      ASSERT_TRUE(body_.advance(actuators_));
+    }
+  };
+  run_to(100);
+  EXPECT_NEAR(actuators_.supply()->pressure_Pa(), 160e5, 1e3);
+  EXPECT_EQ(actuators_.supply()->params().pump_flow_m3_s, hyq_.supply->pump_flow_m3_s);
+  const double pump_J = actuators_.supply()->account().pump_J;
+  run_to(600);
+  EXPECT_EQ(actuators_.supply()->params().pump_flow_m3_s, 0.0);
+  EXPECT_EQ(actuators_.supply()->account().pump_J, pump_J);
+  EXPECT_LT(actuators_.supply()->pressure_Pa(), 155e5);
+  EXPECT_LT(std::abs(actuators_.lost_J()), 0.01 * pump_J);
+}
+
+TEST_F(ShutValves, AccountForAnAccumulatorThatIsLost) {
+  actuators_ = Actuators::create(hyq_, {{.name = "lost", .start_s = 0.0, .accumulator_volume_m3 = 1e-5}}).value();
+  run(1000);
+  const plant::SupplyAccount& account = actuators_.supply()->account();
+  EXPECT_GT(account.removed_J, 100.0);
+  EXPECT_LT(std::abs(actuators_.lost_J()), 0.01 * account.pump_J);
+}
+
+TEST(Actuators, RefuseFaultsOfASupplyThatIsNotThere) {
+  const body::SupplyChange cut{.name = "cut", .pump_flow_m3_s = 0.0, .origin = "scene.yaml:2"};
+  const auto electric = Actuators::create(load("electric_quad"), {cut});
+  ASSERT_FALSE(electric.ok());
+  EXPECT_TRUE(electric.error().message.starts_with("scene.yaml:2: supply.cut: electric_quad has no pump: give"))
+      << electric.error().message;
+  robot::Robot hyq = load("hyq");
+  hyq.supply->accumulator_volume_m3 = hyq.supply->precharge_Pa = 0.0;
+  const body::SupplyChange more{.name = "more", .accumulator_volume_m3 = 1e-4, .origin = "scene.yaml:3"};
+  const auto without = Actuators::create(hyq, {more});
+  ASSERT_FALSE(without.ok());
+  EXPECT_TRUE(without.error().message.starts_with("scene.yaml:3: supply.more.accumulator_volume_m3: "))
+      << without.error().message;
+  EXPECT_TRUE(Actuators::create(hyq, {cut}).ok());
+}
+
 TEST_F(ShutValves, AllocateNothingAndGiveTheSameBits) {
   BodyWorld other_body = BodyWorld::create(hyq_, {}, 1).value();
   Actuators other = Actuators::create(hyq_).value();

@@ -19,7 +19,7 @@ std::string problem_of(const std::string& text) {
 }
 
 TEST(SceneFile, LoadsEveryShippedScene) {
-  for (const char* name : {"blocks", "disturbed"}) {
+  for (const char* name : {"blocks", "disturbed", "supply"}) {
     const auto scene = load_scene(FARRIER_SCENES + std::string(name) + ".yaml");
     EXPECT_TRUE(scene.ok()) << (scene ? "" : to_string(scene.error()));
   }
@@ -67,6 +67,30 @@ TEST(SceneFile, TurnsTheGroundDownhillForAPositivePitch) {
 TEST(SceneFile, RefusesAPushOnABodyThatIsNotThere) {
   EXPECT_EQ(problem_of("pushes:\n  side: {body: tail, start_s: 1, impulse_y_Ns: 80}"),
             "scene.yaml:2: pushes.side.body: tail is no body that it can act on: give trunk\n");
+}
+
+TEST(SceneFile, ReadsFaultsOfTheSupply) {
+  const body::Scene scene =
+      scene_of("supply:\n  cut: {start_s: 9, pump_flow_m3_s: 0}\n  lost: {start_s: 8, accumulator_volume_m3: 1e-4}");
+  ASSERT_EQ(scene.supply_changes.size(), 2u);
+  EXPECT_EQ(scene.supply_changes[0].name, "cut");
+  EXPECT_EQ(scene.supply_changes[0].start_s, 9.0);
+  EXPECT_EQ(scene.supply_changes[0].pump_flow_m3_s, 0.0);
+  EXPECT_FALSE(scene.supply_changes[0].accumulator_volume_m3);
+  EXPECT_EQ(scene.supply_changes[0].origin, "scene.yaml:2");
+  EXPECT_FALSE(scene.supply_changes[1].pump_flow_m3_s);
+  EXPECT_EQ(scene.supply_changes[1].accumulator_volume_m3, 1e-4);
+}
+
+TEST(SceneFile, RefusesAFaultOfTheSupplyThatIsNoneOrOutOfRange) {
+  EXPECT_EQ(
+      problem_of("supply:\n  cut: {start_s: 9}"),
+      "scene.yaml:2: supply.cut.pump_flow_m3_s: is missing, and so is accumulator_volume_m3: give at least one of "
+      "them\n");
+  EXPECT_EQ(problem_of("supply:\n  cut: {start_s: 9, pump_flow_m3_s: -1}"),
+            "scene.yaml:2: supply.cut.pump_flow_m3_s: -1 is out of range: give 0 to 1\n");
+  EXPECT_EQ(problem_of("supply:\n  cut: {start_s: -1, pump_flow_m3_s: 0}"),
+            "scene.yaml:2: supply.cut.start_s: -1 is out of range: give 0 to 1e+05\n");
 }
 
 TEST(SceneFile, TellsEveryBoxItsLine) {

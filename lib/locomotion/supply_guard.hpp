@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+
+#include "core/low_alarm.hpp"
+#include "locomotion/controller.hpp"
+
+namespace farrier::locomotion {
+
+/// Limits of the hydraulic supply.
+struct SupplyGuardParams {
+  double low_Pa = 0.0;                ///< below this the supply is low ...
+  double recovered_Pa = 0.0;          ///< ... until it has this again; >= low_Pa
+  double lie_Pa = 0.0;                ///< below this it cannot carry the robot; <= low_Pa
+  double least_pump_flow_m3_s = 0.0;  ///< a pump that gives less has stopped; >= 0
+  double stand_after_s = 0.3;         ///< time for which the supply is low before the robot stands, >= 0
+  double lie_after_s = 0.1;           ///< time without pressure or pump before it lies down, >= 0
+};
+
+/// Readings of the supply's sensors.
+struct SupplyReading {
+  double pressure_Pa = 0.0;
+  double pump_flow_m3_s = 0.0;
+};
+
+/// The least that a robot does about its supply.
+enum class SupplyDemand : unsigned char {
+  kNone,   ///< the operator's command acts
+  kStand,  ///< a trot ends, the robot stands
+  kLie,    ///< the robot lies down while there is oil in the accumulator
+};
+
+/// Replaces the operator's command while the supply cannot carry it. A demand stays until the supply has recovered and
+/// the operator has asked for the same or less, so that a robot does not start and stop by itself.
+class SupplyGuard {
+ public:
+  SupplyGuard(const SupplyGuardParams& params, double period_s) noexcept
+      : params_(params), period_s_(period_s), low_(params.low_Pa, params.recovered_Pa) {}
+
+  /// Takes the newest reading, once a tick; before the first one nothing is demanded. Returns the command that acts.
+  MotionCommand step(const MotionCommand& asked, const std::optional<SupplyReading>& reading) noexcept;
+
+  SupplyDemand demand() const noexcept { return demand_; }
+
+ private:
+  void judge(const SupplyReading& reading) noexcept;
+
+  SupplyGuardParams params_;
+  double period_s_;
+  LowAlarm low_;
+  bool empty_ = false;
+  double low_s_ = 0.0, empty_s_ = 0.0;  // for which it has been so
+  SupplyDemand demand_ = SupplyDemand::kNone;
+};
+
+}  // namespace farrier::locomotion
