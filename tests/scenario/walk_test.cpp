@@ -1,6 +1,7 @@
 // The whole robot on a ground through all processes, in one thread.
 
 #include <cmath>
+#include <fstream>
 
 #include "tests/scenario/scenario_run.hpp"
 
@@ -45,6 +46,28 @@ TEST(Walk, AnnouncesThePhasesOfItsLegs) {
     swings += row.joint == 0 && row.phase == Phase::kSwing && row.actual_phase == Phase::kSwing ? 1 : 0;
   }
   EXPECT_GT(swings, 200) << "a leg whose foot is in the air has the gains of swing";
+}
+
+// By the pressure that sim_bridge tells, through all processes.
+TEST(Walk, EndsLyingWhenThePumpStops) {
+  const std::string scene = testing::TempDir() + "pump_stops.yaml";
+  std::ofstream(scene) << "supply: {cut: {start_s: 4, pump_flow_m3_s: 0}}\n";
+  run::InprocRun stand = settings(6.0, {0.0, 0.0, 0.0});
+  stand.world = participant::World::kBody;
+  stand.scene_path = scene;
+  const robot::Robot hyq =
+      robot::load_robot(FARRIER_ROBOTS "hyq.yaml", {.pattern = {}, .frequency_Hz = {}, .on_ground = true}).value();
+  const auto ran = run::run_inproc(hyq, stand);
+  ASSERT_TRUE(ran) << ran.error().message;
+  std::vector<std::string> told;
+  for (const signals::SystemEvent& event : ran.value().events) {
+    if (const std::string text(signals::text_of(event.text)); text.find("supply") != std::string::npos) {
+      told.push_back(std::to_string(event.tick) + " " + text);
+    }
+  }
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_EQ(told[0], "4109 lies down: the supply cannot carry the robot");
+  EXPECT_NE(told[1].find("supply low"), std::string::npos) << told[1];
 }
 
 TEST(Walk, RefusesARobotWithoutATrunk) {

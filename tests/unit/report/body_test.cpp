@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "report/body/body_rows_file.hpp"
+#include "report/body/supply_result.hpp"
 
 namespace farrier::report {
 namespace body_test {
@@ -149,6 +150,40 @@ TEST_F(BodyRowsFile, GivesBackTheRunsOfItsOrigin) {
 }
 
 TEST_F(BodyRowsFile, HasNoRunsWithoutAFile) { EXPECT_TRUE(read_rows(path_, "build 1").empty()); }
+
+trials::TrotRow supply_row(const std::string& trial, const trials::SupplyFigures& supply) {
+  trials::TrotRow of = row(trial);
+  of.figures.supply = supply;
+  return of;
+}
+
+TEST(SupplyResult, IsTheWorstRunOfATrial) {
+  const std::vector<trials::TrotRow> rows{
+      supply_row("low_supply", {.low_s = 1.0, .sag_s = 2.0, .largest_sinking_m_s = 0.1, .largest_foot_force_N = 800.0}),
+      supply_row("low_supply", {.low_s = 3.0, .sag_s = 2.5, .acts_s = 3.3, .largest_sinking_m_s = 0.2})};
+  const auto results = supply_results(rows);
+  Figures figures;
+  add_supply(figures, results);
+  EXPECT_EQ(figures.find("body.low_supply.low_s")->value, 3.0);
+  EXPECT_EQ(figures.find("body.low_supply.sag_20mm_s")->value, 2.0);
+  EXPECT_EQ(figures.find("body.low_supply.unnoticed_sags")->value, 1.0);
+  EXPECT_FALSE(figures.find("body.low_supply.unnoticed_sags")->holds());
+  EXPECT_EQ(figures.find("body.low_supply.lying_s"), nullptr);
+  EXPECT_EQ(
+      supply_text(results),
+      "low_supply: low after 3.00 s, 20 mm of sag after 2.00 s, locomotion acts after 3.30 s, lies never, sinks by "
+      "at most 0.20 m/s, foot force at most 800 N\n");
+}
+
+TEST(SupplyResult, BoundsThatAWalkGoesOnAndThatARobotWithoutAPumpLies) {
+  Figures figures;
+  add_supply(figures, supply_results(std::vector<trials::TrotRow>{supply_row("supply", {.acts_s = 1.0}),
+                                                                  supply_row("pump_stops", {.acts_s = 0.1})}));
+  EXPECT_FALSE(figures.find("body.supply.acted")->holds());
+  EXPECT_FALSE(figures.find("body.supply.not_lying")->bound.has_value());
+  EXPECT_FALSE(figures.find("body.pump_stops.not_lying")->holds());
+  EXPECT_TRUE(supply_results(std::vector<trials::TrotRow>{row("flat")}).empty());
+}
 
 }  // namespace body_test
 }  // namespace farrier::report

@@ -76,6 +76,40 @@ TEST(BodyRobot, RefusesARobotWithoutATrunkAndASceneThatIsNotThere) {
             std::string::npos);
 }
 
+TEST(BodyRobot, SamplesItsSupplyEveryTenTicksAsMeansOfItsFlows) {
+  const robot::Robot hyq = robot::load_shipped("hyq", {.pattern = {}, .frequency_Hz = {}, .on_ground = true});
+  BodyRobot body = BodyRobot::create(hyq, {}, 1, false).value();
+  ASSERT_NE(body.supply_state(), nullptr);
+  EXPECT_EQ(body.supply_state()->tick, 0);
+  EXPECT_EQ(body.supply_state()->pressure_Pa, 160e5);
+  const std::vector<double> shut(body.joints(), 0.0);
+  for (int tick = 1; tick <= 100; ++tick) {
+    ASSERT_TRUE(body.advance(shut));
+    EXPECT_EQ(body.supply_state()->tick, tick - tick % 10);
+  }
+  const signals::SupplyState& state = *body.supply_state();
+  EXPECT_NEAR(state.pump_flow_m3_s, hyq.supply->pump_flow_m3_s, 1e-12);
+  EXPECT_NEAR(state.leakage_flow_m3_s, 160e5 * hyq.supply->null_leakage_m3_s_Pa, 1e-8);
+  EXPECT_NEAR(state.power_W, 160e5 * hyq.supply->pump_flow_m3_s, 5.0);
+  EXPECT_NEAR(state.pump_J, 0.1 * state.power_W, 1.0);
+  EXPECT_NEAR(state.relief_flow_m3_s, state.pump_flow_m3_s - state.leakage_flow_m3_s - state.flow_m3_s, 1e-6);
+}
+
+TEST(BodyRobot, HasNoSupplyWithIdealJointsOrOnABench) {
+  const robot::Robot hyq = robot::load_shipped("hyq");
+  EXPECT_EQ(simulated_body(hyq, "", 1, true).value()->supply_state(), nullptr);
+  EXPECT_EQ(simulated_bench(hyq, 1).value()->supply_state(), nullptr);
+}
+
+TEST(BodyRobot, RefusesToStandForARobotWithAPumpWithoutOne) {
+  const robot::Robot hyq = robot::load_shipped("hyq");
+  robot::Robot without = hyq;
+  without.supply.reset();
+  EXPECT_TRUE(check_supply(hyq, hyq).ok());
+  EXPECT_TRUE(check_supply(without, hyq).ok());
+  EXPECT_NE(check_supply(hyq, without).error().message.find("give supply.pump in both"), std::string::npos);
+}
+
 TEST(BodyRobot, RefusesFaultsOfASupplyForIdealJoints) {
   const body::Scene scene = world::load_scene_text("supply:\n  cut: {start_s: 1, pump_flow_m3_s: 0}", "a.yaml").value();
   const auto ideal = BodyRobot::create(robot::load_shipped("hyq"), scene, 1, true);

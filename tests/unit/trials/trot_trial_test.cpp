@@ -48,6 +48,35 @@ TEST(TrotTrial, TrotsForTenSecondsOnItsHydraulicJoints) {
   EXPECT_LT(figures.force_nrmse[2][static_cast<std::size_t>(Phase::kStance)], 0.13);
 }
 
+/// The first case of a trial on hydraulic joints, until `seconds` after the fault of its supply.
+TrotFigures after_fault(const std::string& trial, double seconds) {
+  const robot::Robot hyq = load_on_ground("hyq");
+  const std::vector<TrotCase> cases = trot_cases(hyq);
+  TrotCase one = *std::ranges::find(cases, trial, &TrotCase::trial);
+  one.end_s = *one.supply_fault_s + seconds;
+  return run_trot_case(hyq, one, Joints::kActuators).value().value();
+}
+
+TEST(TrotTrial, WalksOnWithAWeakPumpAndASmallAccumulator) {
+  const TrotFigures figures = after_fault("supply", 5.0);
+  EXPECT_FALSE(figures.fell_s.has_value());
+  EXPECT_LT(figures.least_supply_Pa, 144e5);
+  ASSERT_TRUE(figures.supply);
+  EXPECT_FALSE(figures.supply->low_s.has_value());
+  EXPECT_FALSE(figures.supply->acts_s.has_value());
+  EXPECT_LT(figures.energy_error, 0.01);
+}
+
+// The accumulator has oil for 1.7 s of trot.
+TEST(TrotTrial, LiesDownOnTheOilOfItsAccumulatorWhenThePumpStops) {
+  const TrotFigures figures = after_fault("pump_stops", 3.0);
+  EXPECT_FALSE(figures.fell_s.has_value());
+  ASSERT_TRUE(figures.supply);
+  EXPECT_LT(figures.supply->acts_s.value(), 0.15);
+  EXPECT_LT(figures.supply->lying_s.value(), 1.6);
+  EXPECT_LT(figures.supply->largest_sinking_m_s, 0.5);
+}
+
 const BodyContender& find(const std::vector<BodyContender>& contenders, const std::string& name) {
   return *std::ranges::find(contenders, name, &BodyContender::name);
 }
@@ -211,6 +240,13 @@ TEST(TrotCases, AreOfDeclaredTrialsWithNamesOfTheirOwn) {
     EXPECT_LT(one.judged_from_s, one.judged_until_s) << one.name;
   }
   EXPECT_EQ(first_of_each_trial(cases).size() + 1, kTrotTrials.size()) << "push_limit is a search";
+}
+
+TEST(TrotCases, HaveNoFaultOfASupplyThatIsNotThere) {
+  EXPECT_EQ(std::ranges::count(trot_cases(load("hyq")), "supply", &TrotCase::trial), 10);
+  for (const TrotCase& one : trot_cases(load("electric_quad"))) {
+    EXPECT_FALSE(one.supply_fault_s.has_value()) << one.trial;
+  }
 }
 
 TEST(TrotCases, AreInProportionToTheRobot) {
