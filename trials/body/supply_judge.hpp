@@ -12,10 +12,11 @@ namespace farrier::trials {
 
 /// The true motion after a fault of the supply. Seconds are since the fault.
 struct SupplyFigures {
-  std::optional<double> low_s;    ///< first sample of the pressure that is low
-  std::optional<double> sag_s;    ///< the trunk is 20 mm below the default height, before it is asked to lie
-  std::optional<double> acts_s;   ///< locomotion stands or lies down for it
-  std::optional<double> lying_s;  ///< the trunk has the height of a robot that lies, or less
+  std::optional<double> low_s = std::nullopt;  ///< first sample of the pressure that is low
+  std::optional<double> sag_s =
+      std::nullopt;  ///< the trunk is 20 mm below the default height, before it is asked to lie
+  std::optional<double> acts_s = std::nullopt;   ///< locomotion stands or lies down for it
+  std::optional<double> lying_s = std::nullopt;  ///< the trunk has the height of a robot that lies, or less
   double largest_sinking_m_s = 0.0;
   double largest_foot_force_N = 0.0;  ///< mean of a tick
 };
