@@ -11,7 +11,7 @@ constexpr std::uint64_t kSession = 1;
 }  // namespace
 
 Result<ActuatedRobot> ActuatedRobot::create(const robot::Robot& known, const robot::Robot& real,
-                                            const body::Scene& scene, std::uint64_t seed) {
+                                            const body::Scene& scene, std::uint64_t seed, int finer) {
   for (const robot::Joint& joint : known.joints) {
     if (joint.kind == control::Kind::kLqr || joint.kind == control::Kind::kFlowInversion) {
       return Error{joint.name +
@@ -19,7 +19,7 @@ Result<ActuatedRobot> ActuatedRobot::create(const robot::Robot& known, const rob
                    "locomotion.controller one of kind feedback_linearisation or pid"};
     }
   }
-  auto robot = FARRIER_TRY(sim_bridge::BodyRobot::create(real, scene, seed, false));
+  auto robot = FARRIER_TRY(sim_bridge::BodyRobot::create(real, scene, seed, false, finer));
   return ActuatedRobot(known, std::move(robot));
 }
 
@@ -50,6 +50,9 @@ void ActuatedRobot::track(std::size_t index, double reference) noexcept {
 }
 
 bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
+  if (tick() == track_from_) {
+    energy_before_ = robot_.actuators()->audit();
+  }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const robot::Joint& joint = joints_[i];
     joint_node::JointNode::Inputs inputs;
