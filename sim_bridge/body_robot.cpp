@@ -35,9 +35,9 @@ BodyRobot::BodyRobot(const robot::Robot& robot, world::BodyWorld world, std::opt
   }
 }
 
-Result<BodyRobot> BodyRobot::create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed,
-                                    bool ideal) {
-  auto world = FARRIER_TRY(world::BodyWorld::create(robot, scene, seed, world::kImuNoise));
+Result<BodyRobot> BodyRobot::create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, bool ideal,
+                                    int finer) {
+  auto world = FARRIER_TRY(world::BodyWorld::create(robot, scene, seed, world::kImuNoise, finer));
   std::optional<world::Actuators> actuators;
   if (!ideal) {
     actuators = FARRIER_TRY(world::Actuators::create(robot, scene.supply_changes));

@@ -25,7 +25,8 @@ class BodyRobot final : public SimulatedRobot {
  public:
   /// The robot in its home pose, its joints its actuators or `ideal` sources of torque. Refuses what BodyWorld, Actuators
   /// and SensorChain refuse, and faults of a supply that ideal joints do not have.
-  static Result<BodyRobot> create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, bool ideal);
+  static Result<BodyRobot> create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, bool ideal,
+                                  int finer = 1);
 
   Tick tick() const noexcept override { return world_.tick(); }
   std::size_t joints() const noexcept override { return joints_.size(); }

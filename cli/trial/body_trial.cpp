@@ -13,6 +13,7 @@
 #include "participant/loop.hpp"
 #include "report/body/body_result.hpp"
 #include "report/body/body_rows_file.hpp"
+#include "report/body/energy_result.hpp"
 #include "report/body/supply_result.hpp"
 #include "report/figures/console.hpp"
 #include "report/figures/outcome.hpp"
@@ -32,7 +33,7 @@ std::vector<trials::TrotCase> chosen_cases(const robot::Robot& robot, const Body
     cases = trials::first_of_each_trial(cases);
   }
   std::erase_if(cases, [&o](const trials::TrotCase& one) {
-    return (o.ideal && one.supply_fault_s) || (!o.only.empty() && std::ranges::find(o.only, one.trial) == o.only.end());
+    return (o.ideal && one.needs_pump()) || (!o.only.empty() && std::ranges::find(o.only, one.trial) == o.only.end());
   });
   return cases;
 }
@@ -136,6 +137,9 @@ report::Outcome outcome_of(const robot::Robot& robot, const BodyStudy& study,
   outcome.run = report::run_info(robot, 1);
   report::add_body(outcome.figures, results);
   report::add_supply(outcome.figures, report::supply_results(study.rows));
+  if (const auto energy = report::energy_result(study.rows)) {
+    report::add_energy(outcome.figures, *energy);
+  }
   report::add_push_limits(outcome.figures, study.limits);
   for (const trials::TrotRow& row : study.rows) {
     if (!row.failure.empty()) {
@@ -171,9 +175,11 @@ int run_and_report(const robot::Robot& robot, const BodyTrialOptions& o) {
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("trial", written.error().message);
   }
-  std::printf("%s%s%s%s\n%s", report::body_text(outcome.figures, results).c_str(),
+  const auto energy = report::energy_result(study.rows);
+  std::printf("%s%s%s%s%s\n%s", report::body_text(outcome.figures, results).c_str(),
               report::supply_text(report::supply_results(study.rows)).c_str(),
-              report::push_limits_text(study.limits).c_str(), report::falls_text(study.rows).c_str(),
+              energy ? report::energy_text(*energy).c_str() : "", report::push_limits_text(study.limits).c_str(),
+              report::falls_text(study.rows).c_str(),
               report::verdict_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str());
   std::printf("figures: %s\nevery run: %s\n", o.json_path.c_str(), rows_path.c_str());
   if (participant::stop_requested()) {
@@ -200,7 +206,8 @@ int run_body_trials(const BodyTrialOptions& options) {
   }
   if (chosen_cases(robot.value(), o).empty() && !searches_push_limit(o)) {
     return refuse("trial",
-                  "no such trial has a run for this robot: a fault of the supply needs supply.pump in its file, "
+                  "no such trial has a run for this robot: "
+                  "supply, low_supply, pump_stops and energy need supply.pump in its file, "
                   "and joints that are not ideal");
   }
   const auto directory = OutputDirectory::claim(o.out);

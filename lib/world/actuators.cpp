@@ -56,7 +56,8 @@ Actuators::Actuators(std::vector<Joint> joints, const std::optional<plant::Suppl
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     set_force(i, angles_rad[static_cast<Eigen::Index>(i)]);
   }
-  stored_at_start_J_ = stored_J() + (supply_ ? supply_->stored_J() : 0.0);
+  oil_at_start_J_ = stored_J();
+  supply_at_start_J_ = supply_ ? supply_->stored_J() : 0.0;
 }
 
 void Actuators::set_force(std::size_t index, double angle_rad) noexcept {
@@ -100,15 +101,22 @@ void Actuators::follow(const body::BodyState& state, double step_s) noexcept {
   }
 }
 
-double Actuators::lost_J() const noexcept {
+EnergyAudit Actuators::audit() const noexcept {
   if (!supply_) {
-    return 0.0;
+    return {};
   }
   const plant::SupplyAccount& supply = supply_->account();
   const plant::OilAccount& oil = energies_.oil;
-  const double gained = stored_J() + supply_->stored_J() - stored_at_start_J_;
-  return supply.pump_J - gained - supply.relief_J - supply.leakage_J - supply.removed_J - oil.return_J - oil.valve_J -
-         oil.leakage_J - oil.friction_J - energies_.work_J;
+  return {.pump_J = supply.pump_J,
+          .accumulator_J = supply_->stored_J() - supply_at_start_J_ + supply.removed_J,
+          .relief_J = supply.relief_J,
+          .supply_leakage_J = supply.leakage_J,
+          .valve_J = oil.valve_J,
+          .leakage_J = oil.leakage_J,
+          .return_J = oil.return_J,
+          .oil_J = stored_J() - oil_at_start_J_,
+          .friction_J = oil.friction_J,
+          .work_J = energies_.work_J};
 }
 
 double Actuators::stored_J() const noexcept {

@@ -18,6 +18,7 @@
 #include "plant/joint.hpp"
 #include "plant/supply.hpp"
 #include "robot/robot.hpp"
+#include "world/energy_audit.hpp"
 #include "world/joint_drives.hpp"
 
 namespace farrier::world {
@@ -51,8 +52,8 @@ class Actuators final : public JointDrives {
   const ActuatorEnergies& energies() const noexcept { return energies_; }
   /// Energy in the oil of all actuators, J.
   double stored_J() const noexcept;
-  /// Work of the pump since the start that the account of supply, oil and body does not find again, J; 0 without a pump.
-  double lost_J() const noexcept;
+  /// The account of the pump's work since the start; zero without a pump.
+  EnergyAudit audit() const noexcept;
 
  private:
   struct Joint {
@@ -73,7 +74,7 @@ class Actuators final : public JointDrives {
   std::size_t next_change_ = 0;
   body::JointVector torques_Nm_;
   ActuatorEnergies energies_;
-  double stored_at_start_J_ = 0.0;  ///< in oil and supply
+  double oil_at_start_J_ = 0.0, supply_at_start_J_ = 0.0;  ///< stored
 };
 
 }  // namespace farrier::world

@@ -49,12 +49,12 @@ body::BodyModel with_stops(const robot::Robot& robot) {
 }  // namespace
 
 BodyWorld::BodyWorld(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, const BodyNoise& noise,
-                     body::RigidBody body, body::Engine engine)
+                     body::RigidBody body, body::Engine engine, int steps_per_tick)
     : model_(with_stops(robot)),
       scene_(scene),
       noise_(noise),
       period_s_(robot.period_s),
-      steps_per_tick_(steps_of(robot.period_s)),
+      steps_per_tick_(steps_per_tick),
       body_(std::move(body)),
       engine_(std::move(engine)),
       state_(body::BodyState::zero(body_.joints())),
@@ -77,7 +77,7 @@ BodyWorld::BodyWorld(const robot::Robot& robot, const body::Scene& scene, std::u
 }
 
 Result<BodyWorld> BodyWorld::create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed,
-                                    const BodyNoise& noise) {
+                                    const BodyNoise& noise, int finer) {
   if (!robot.body) {
     return Error{robot.name +
                  " is not described as rigid bodies: give body.trunk, body.foot_radius_m and the "
@@ -89,9 +89,9 @@ Result<BodyWorld> BodyWorld::create(const robot::Robot& robot, const body::Scene
         "zero for none"};
   }
   body::RigidBody body = FARRIER_TRY(body::RigidBody::create(*robot.body));
-  body::Engine engine = FARRIER_TRY(
-      body::Engine::create(with_stops(robot), scene, {.step_s = robot.period_s / steps_of(robot.period_s)}));
-  BodyWorld world(robot, scene, seed, noise, std::move(body), std::move(engine));
+  const int steps = finer * steps_of(robot.period_s);
+  body::Engine engine = FARRIER_TRY(body::Engine::create(with_stops(robot), scene, {.step_s = robot.period_s / steps}));
+  BodyWorld world(robot, scene, seed, noise, std::move(body), std::move(engine), steps);
   FARRIER_TRY(body::check_start(scene, *robot.body, world.body_));
   return world;
 }

@@ -53,9 +53,9 @@ class BodyWorld final : public World {
  public:
   /// The robot stands at rest in its home pose, upright on the ground's plane, its origin above the world's. Its joints
   /// are ideal sources of torque between stops at the limits of the file. Refuses a robot that its file does not
-  /// describe as rigid bodies, and a start with a foot in a box.
+  /// describe as rigid bodies, and a start with a foot in a box. `finer` >= 1 divides the steps in a tick.
   static Result<BodyWorld> create(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed,
-                                  const BodyNoise& noise = {});
+                                  const BodyNoise& noise = {}, int finer = 1);
 
   Tick tick() const noexcept override { return tick_; }
   std::size_t joints() const noexcept override { return static_cast<std::size_t>(body_.joints()); }
@@ -91,7 +91,7 @@ class BodyWorld final : public World {
   };
 
   BodyWorld(const robot::Robot& robot, const body::Scene& scene, std::uint64_t seed, const BodyNoise& noise,
-            body::RigidBody body, body::Engine engine);
+            body::RigidBody body, body::Engine engine, int steps_per_tick);
   void stand(const robot::Robot& robot) noexcept;
   void put_payloads() noexcept;
   void note_imu() noexcept;

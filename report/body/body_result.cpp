@@ -30,6 +30,7 @@ constexpr double kOdometryError_percent = 2.0;
 constexpr double kHeadingDrift_deg_min = 1.0;
 constexpr double kLateralDrift_m_min = 0.2;
 constexpr double kEnergyError_percent = 1.0;
+constexpr double kLeastWay_m = 1.0;  // of an energy per way
 // Part of the runs over obstacles that must stay upright.
 constexpr double kUprightShare = 0.95;
 
@@ -56,6 +57,10 @@ void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
     const double least_bar = figures.least_supply_Pa / kBar;
     result.least_supply_bar = std::min(result.least_supply_bar.value_or(least_bar), least_bar);
     result.mean_flow_l_min = std::max(result.mean_flow_l_min.value_or(0.0), kLitresPerMinute * figures.mean_flow_m3_s);
+    if (figures.way_m > kLeastWay_m) {
+      const double energy_J_m = (figures.energy.pump_J - figures.energy.relief_J) / figures.way_m;
+      result.energy_J_m = std::max(result.energy_J_m.value_or(0.0), energy_J_m);
+    }
   }
   take_larger(result.height_rms_mm, kMillimetres * figures.height_rms_m);
   take_larger(result.height_offset_mm, kMillimetres * figures.height_offset_m);
@@ -96,6 +101,9 @@ void add_actuators(const BodyTrialResult& result, const Add& add, std::optional<
     add("energy_error_percent", result.energy_error_percent, energy_limit);
     add("least_supply_bar", *result.least_supply_bar, std::nullopt);
     add("mean_flow_l_min", *result.mean_flow_l_min, std::nullopt);
+  }
+  if (result.energy_J_m) {
+    add("energy_J_m", *result.energy_J_m, std::nullopt);
   }
 }
 

@@ -28,7 +28,7 @@ struct BodyTrialResult {
   double largest_torque_Nm = 0.0;
   trials::ForceErrors force_nrmse{};
   double energy_error_percent = 0.0;
-  std::optional<double> least_supply_bar, mean_flow_l_min;  ///< none where no pump is simulated
+  std::optional<double> least_supply_bar, mean_flow_l_min, energy_J_m;  ///< none where no pump is simulated
 
   double upright_share() const noexcept;
 };

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "report/body/energy_result.hpp"
 #include "report/figures/kept_lines.hpp"
 
 namespace farrier::report {
@@ -39,6 +40,22 @@ std::optional<trials::SupplyFigures> supply_of(const json& supply) {
                                .largest_foot_force_N = supply.at("largest_foot_force_N")};
 }
 
+json json_of(const world::EnergyAudit& energy) {
+  json of;
+  for (const EnergyTerm& term : kEnergyTerms) {
+    of[term.name] = energy.*term.energy_J;
+  }
+  return of;
+}
+
+world::EnergyAudit energy_of(const json& energy) {
+  world::EnergyAudit of;
+  for (const EnergyTerm& term : kEnergyTerms) {
+    of.*term.energy_J = energy.at(term.name);
+  }
+  return of;
+}
+
 json json_of(const trials::TrotRow& row) {
   const trials::TrotFigures& f = row.figures;
   return {{"trial", row.trial},
@@ -58,6 +75,9 @@ json json_of(const trials::TrotRow& row) {
           {"energy_error", f.energy_error},
           {"least_supply_Pa", f.least_supply_Pa},
           {"mean_flow_m3_s", f.mean_flow_m3_s},
+          {"energy", json_of(f.energy)},
+          {"way_m", f.way_m},
+          {"finer", f.finer},
           {"supply", json_of(f.supply)},
           {"hash", f.hash}};
 }
@@ -80,6 +100,9 @@ trials::TrotRow row_of(const json& line) {
                       .energy_error = line.at("energy_error"),
                       .least_supply_Pa = line.at("least_supply_Pa"),
                       .mean_flow_m3_s = line.at("mean_flow_m3_s"),
+                      .energy = energy_of(line.at("energy")),
+                      .way_m = line.at("way_m"),
+                      .finer = line.at("finer"),
                       .supply = supply_of(line.at("supply")),
                       .hash = line.at("hash")},
           .failure = {}};

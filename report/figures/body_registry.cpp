@@ -35,6 +35,13 @@ constexpr std::array kBodySpecs{
     FigureSpec{"body.<trial>.least_supply_bar", "bar", kNone, "Least pressure of the shared supply."},
     FigureSpec{"body.<trial>.mean_flow_l_min", "l/min", kNone,
                "Mean flow into the valves, their leakage included."},
+    FigureSpec{"body.<trial>.energy_J_m", "J/m", kNone,
+               "Work of the pump without what the relief valve spills, per way of the trunk; the largest run."},
+    FigureSpec{"body.energy.<term>_J", "J", kNone, "A term of the account of the pump's work over 10 s, the mean of the runs."},
+    FigureSpec{"body.energy.residual_percent", "%", kAtMost,
+               "Work of the pump that the other terms do not find again; the largest run."},
+    FigureSpec{"body.energy.half_step.<figure>_percent", "%", kAtMost,
+               "Change of the median of height_rms, tilt_rms or kfe_stance_nrmse with half the step."},
     // trials with a fault of the supply; seconds are since the fault
     FigureSpec{"body.<trial>.acted", "1", kAtMost, "Runs in which locomotion stood or lay down because of the supply."},
     FigureSpec{"body.<trial>.unnoticed_sags", "1", kAtMost,

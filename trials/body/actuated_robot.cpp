@@ -14,8 +14,8 @@ constexpr std::uint64_t kSession = 1;
 }  // namespace
 
 Result<ActuatedRobot> ActuatedRobot::create(const robot::Robot& known, const robot::Robot& real,
-                                            const body::Scene& scene, std::uint64_t seed) {
-  auto robot = FARRIER_TRY(sim_bridge::BodyRobot::create(real, scene, seed, false));
+                                            const body::Scene& scene, std::uint64_t seed, int finer) {
+  auto robot = FARRIER_TRY(sim_bridge::BodyRobot::create(real, scene, seed, false, finer));
   ActuatedRobot made(known, std::move(robot));
   for (const robot::Joint& joint : known.joints) {
     FARRIER_TRY(made.design(joint, known));
@@ -84,6 +84,9 @@ void ActuatedRobot::announce_contact(std::size_t index) noexcept {
 }
 
 bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
+  if (tick() == track_from_) {
+    energy_before_ = robot_.actuators()->audit();
+  }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const robot::Joint& joint = joints_[i];
     announce_contact(i);

@@ -24,7 +24,7 @@ class ActuatedRobot final : public world::World {
   /// The joints' nodes have the model of `known`, the simulation that of `real`; both have the same joints. Controllers
   /// that take gains have the designs for the loads of both phases. Refuses what these designs and BodyRobot::create do.
   static Result<ActuatedRobot> create(const robot::Robot& known, const robot::Robot& real, const body::Scene& scene,
-                                      std::uint64_t seed);
+                                      std::uint64_t seed, int finer = 1);
 
   Tick tick() const noexcept override { return robot_.tick(); }
   std::size_t joints() const noexcept override { return robot_.joints(); }
@@ -45,6 +45,8 @@ class ActuatedRobot final : public world::World {
   /// The sums of all joints at one place of a leg, from `begin` of track_from() on; the phase is that of the leg's foot.
   const PerPhase<Tracking>& tracking(std::size_t place) const noexcept { return tracking_[place]; }
   void track_from(Tick begin) noexcept { track_from_ = begin; }
+  /// The account of the pump's work since that tick.
+  world::EnergyAudit energy() const noexcept { return robot_.actuators()->audit() - energy_before_; }
   /// Least pressure of the supply at the ticks so far; infinite without a pump.
   double least_supply_Pa() const noexcept { return least_supply_Pa_; }
 
@@ -64,6 +66,7 @@ class ActuatedRobot final : public world::World {
   std::uint32_t contacts_ = 0;
   std::array<PerPhase<Tracking>, body::kJointsPerLeg> tracking_{};
   Tick track_from_ = 0;
+  world::EnergyAudit energy_before_;
   double least_supply_Pa_ = std::numeric_limits<double>::infinity();
 };
 

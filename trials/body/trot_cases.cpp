@@ -162,7 +162,7 @@ TrotCase supply_case(const robot::Robot& robot, const std::string& trial, int se
   return one;
 }
 
-void add_supply_faults(const robot::Robot& robot, std::vector<TrotCase>& cases) {
+void add_supply_trials(const robot::Robot& robot, std::vector<TrotCase>& cases) {
   if (!robot.supply) {
     return;
   }
@@ -175,6 +175,13 @@ void add_supply_faults(const robot::Robot& robot, std::vector<TrotCase>& cases) 
   for (int seed = 1; seed <= kSeeds; ++seed) {
     cases.push_back(supply_case(robot, "pump_stops", seed, 0.0, 1.0));
     cases.back().may_sink = true;
+  }
+  for (int seed = 1; seed <= kWalkSeeds; ++seed) {
+    for (const int finer : {1, 2}) {
+      cases.push_back(walk("energy", seed_text(seed) + (finer > 1 ? ", half the step" : ""),
+                           static_cast<std::uint64_t>(seed), trot(0.4), kSettle_s + 10.0));
+      cases.back().finer = finer;
+    }
   }
 }
 
@@ -218,7 +225,7 @@ std::vector<TrotCase> trot_cases(const robot::Robot& robot) {
   add_obstacles(robot, cases);
   add_lags(cases);
   add_payloads(robot, cases);
-  add_supply_faults(robot, cases);
+  add_supply_trials(robot, cases);
   return cases;
 }
 

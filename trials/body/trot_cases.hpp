@@ -34,7 +34,9 @@ inline constexpr std::array kTrotTrials{
     TrotTrial{"payload", "20 kg are put on the trunk, and no controller is told; three seeds"},
     TrotTrial{"supply", "0.4 m/s while the pump gives 7/12 and the accumulator a fifth; ten seeds"},
     TrotTrial{"low_supply", "0.4 m/s while the pump gives half; three seeds"},
-    TrotTrial{"pump_stops", "0.4 m/s while the pump stops; three seeds"}};
+    TrotTrial{"pump_stops", "0.4 m/s while the pump stops; three seeds"},
+    TrotTrial{"energy",
+              "the account of the pump's work over 10 s at 0.4 m/s, and again with half the step; ten seeds"}};
 
 /// One run: a robot, a scene and a script.
 struct TrotCase {
@@ -46,12 +48,15 @@ struct TrotCase {
   std::string scene;                                   ///< in the format of a scene file
   std::vector<locomotion::TimedCommand> script;
   std::optional<double> supply_fault_s = std::nullopt;  ///< instant of a fault of the supply in the scene
+  int finer = 1;                                        ///< divides the step of body and actuators
   bool may_sink = false;                                ///< a low trunk is no fall
   double trot_s = 0.0;                                  ///< when it first begins to trot
   double judged_from_s = 0.0;                           ///< means are over this time ...
   double judged_until_s = 0.0;                          ///< ... to this
   double end_s = 0.0;
 
+  /// True if ideal joints cannot run it.
+  bool needs_pump() const noexcept { return supply_fault_s || trial == "energy"; }
   /// The command that is judged.
   const locomotion::MotionCommand& judged_command() const noexcept;
 };

@@ -10,6 +10,7 @@
 #include "core/result.hpp"
 #include "trials/body/body_trial.hpp"
 #include "trials/body/supply_judge.hpp"
+#include "world/energy_audit.hpp"
 #include "trials/body/trot_cases.hpp"
 
 namespace farrier::trials {
@@ -39,6 +40,9 @@ struct TrotFigures {
   double energy_error = 0.0;
   double least_supply_Pa = 0.0;  ///< of the shared supply; 0 without a pump
   double mean_flow_m3_s = 0.0;   ///< that the pump gives to valves, without what the relief valve spills
+  world::EnergyAudit energy{};   ///< of the pump's work from the judged time on; 0 without a pump
+  double way_m = 0.0;            ///< of the trunk in the judged time, from its begin to its end
+  int finer = 1;                 ///< the case's
   std::optional<SupplyFigures> supply = std::nullopt;  ///< of a case with a fault of the supply
   std::uint64_t hash = 0;                              ///< of all states of the run
 };

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "report/body/body_rows_file.hpp"
+#include "report/body/energy_result.hpp"
 #include "report/body/supply_result.hpp"
 
 namespace farrier::report {
@@ -173,6 +174,49 @@ TEST(SupplyResult, IsTheWorstRunOfATrial) {
       supply_text(results),
       "low_supply: low after 3.00 s, 20 mm of sag after 2.00 s, locomotion acts after 3.30 s, lies never, sinks by "
       "at most 0.20 m/s, foot force at most 800 N\n");
+}
+
+trials::TrotRow energy_row(double work_J, double nrmse, int finer) {
+  trials::TrotRow of = row("energy", std::to_string(finer));
+  of.figures.energy = {.pump_J = 100.0, .relief_J = 60.0, .work_J = work_J};
+  of.figures.force_nrmse[2][static_cast<std::size_t>(Phase::kStance)] = nrmse;
+  of.figures.finer = finer;
+  return of;
+}
+
+TEST(EnergyResult, HasTheMeansOfTermsAndTheChangesWithHalfTheStep) {
+  const auto result = energy_result(
+      std::vector<trials::TrotRow>{energy_row(38.0, 0.1, 1), energy_row(39.5, 0.1, 1), energy_row(0.0, 0.08, 2)});
+  ASSERT_TRUE(result);
+  Figures figures;
+  add_energy(figures, *result);
+  EXPECT_NEAR(figures.find("body.energy.work_J")->value, 38.75, 1e-12);
+  EXPECT_NEAR(figures.find("body.energy.residual_percent")->value, 2.0, 1e-12) << "the largest";
+  EXPECT_FALSE(figures.find("body.energy.residual_percent")->holds());
+  EXPECT_NEAR(figures.find("body.energy.half_step.kfe_stance_nrmse_percent")->value, 20.0, 1e-9);
+  EXPECT_FALSE(figures.find("body.energy.half_step.kfe_stance_nrmse_percent")->holds());
+  EXPECT_TRUE(figures.find("body.energy.half_step.height_rms_percent")->holds());
+  EXPECT_NE(energy_text(*result).find("relief valve"), std::string::npos);
+}
+
+TEST(EnergyResult, IsNoneWithoutAPump) {
+  EXPECT_FALSE(energy_result(std::vector<trials::TrotRow>{row("energy"), row("flat")}));
+}
+
+TEST(BodyRows, KeepWhatSupplyAndEnergyAre) {
+  const std::string path = testing::TempDir() + "supply_rows";
+  std::remove(path.c_str());
+  trials::TrotRow of = energy_row(40.0, 0.1, 2);
+  of.figures.way_m = 4.0;
+  of.figures.supply = {.low_s = 1.5, .largest_foot_force_N = 900.0};
+  ASSERT_TRUE(append_row(path, "origin", of));
+  const std::vector<trials::TrotRow> kept = read_rows(path, "origin");
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0].figures.energy.work_J, 40.0);
+  EXPECT_EQ(kept[0].figures.finer, 2);
+  EXPECT_EQ(kept[0].figures.way_m, 4.0);
+  EXPECT_EQ(kept[0].figures.supply->low_s, 1.5);
+  EXPECT_FALSE(kept[0].figures.supply->lying_s);
 }
 
 TEST(SupplyResult, BoundsThatAWalkGoesOnAndThatARobotWithoutAPumpLies) {

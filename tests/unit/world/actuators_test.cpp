@@ -71,7 +71,7 @@ TEST_F(ShutValves, AccountForThePump) {
   run(1000);
   const double pump_J = actuators_.supply()->account().pump_J;
   EXPECT_NEAR(pump_J, 160e5 * 2e-4, 1.0) << "for one second at the relief pressure";
-  EXPECT_LT(std::abs(actuators_.lost_J()), 0.01 * pump_J);
+  EXPECT_LT(std::abs(actuators_.audit().residual_J()), 0.01 * pump_J);
 }
 
 // Without a pump the null leakage of the valves lowers the pressure: the energy comes from the accumulator.
@@ -92,7 +92,7 @@ TEST_F(ShutValves, LoseTheirSupplyAtTheTickOfItsFault) {
   EXPECT_EQ(actuators_.supply()->params().pump_flow_m3_s, 0.0);
   EXPECT_EQ(actuators_.supply()->account().pump_J, pump_J);
   EXPECT_LT(actuators_.supply()->pressure_Pa(), 155e5);
-  EXPECT_LT(std::abs(actuators_.lost_J()), 0.01 * pump_J);
+  EXPECT_LT(std::abs(actuators_.audit().residual_J()), 0.01 * pump_J);
 }
 
 TEST_F(ShutValves, AccountForAnAccumulatorThatIsLost) {
@@ -100,7 +100,7 @@ TEST_F(ShutValves, AccountForAnAccumulatorThatIsLost) {
   run(1000);
   const plant::SupplyAccount& account = actuators_.supply()->account();
   EXPECT_GT(account.removed_J, 100.0);
-  EXPECT_LT(std::abs(actuators_.lost_J()), 0.01 * account.pump_J);
+  EXPECT_LT(std::abs(actuators_.audit().residual_J()), 0.01 * account.pump_J);
 }
 
 TEST(Actuators, RefuseFaultsOfASupplyThatIsNotThere) {
@@ -139,7 +139,7 @@ TEST(Actuators, OfAnElectricRobotHaveNoSupply) {
   const robot::Robot robot = load("electric_quad");
   Actuators actuators = Actuators::create(robot).value();
   EXPECT_EQ(actuators.supply(), nullptr);
-  EXPECT_EQ(actuators.lost_J(), 0.0);
+  EXPECT_EQ(actuators.audit().pump_J, 0.0);
   BodyWorld body = BodyWorld::create(robot, {}, 1).value();
   const std::vector<double> currents(robot.joints.size(), 1.0);
   actuators.command(currents);
