@@ -7,7 +7,7 @@
 namespace farrier::locomotion {
 namespace {
 
-// Of accelerations and height speeds in a command that shall act at once.
+// Factor on accelerations and on the speed downwards of a command that acts at once.
 constexpr double kAtOnce = 2.0;
 
 // `from` moved towards `to` by at most `most`; a command that is not a number counts as zero

@@ -21,7 +21,7 @@ struct EnergyAudit {
            work_J;
   }
 
-  /// What came between two instants.
+  /// The account between two instants.
   EnergyAudit operator-(const EnergyAudit& before) const noexcept {
     return {.pump_J = pump_J - before.pump_J,
             .accumulator_J = accumulator_J - before.accumulator_J,

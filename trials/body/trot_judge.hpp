@@ -19,7 +19,7 @@ class TrotJudge {
 
   TrotFigures figures(const BodyFigures& body) const;
 
-  /// Of the trunk above the ground's plane.
+  /// Height of the trunk above the ground's plane.
   double height_m() const { return height_of(world_.state()); }
 
  private:

@@ -199,7 +199,7 @@ TEST(EnergyResult, HasTheMeansOfTermsAndTheChangesWithHalfTheStep) {
   EXPECT_NE(energy_text(*result).find("relief valve"), std::string::npos);
 }
 
-TEST(EnergyResult, IsNoneWithoutAPump) {
+TEST(EnergyResult, NeedsAPump) {
   EXPECT_FALSE(energy_result(std::vector<trials::TrotRow>{row("energy"), row("flat")}));
 }
 

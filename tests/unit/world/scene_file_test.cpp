@@ -82,7 +82,7 @@ TEST(SceneFile, ReadsFaultsOfTheSupply) {
   EXPECT_EQ(scene.supply_changes[1].accumulator_volume_m3, 1e-4);
 }
 
-TEST(SceneFile, RefusesAFaultOfTheSupplyThatIsNoneOrOutOfRange) {
+TEST(SceneFile, RefusesAFaultOfTheSupplyWithoutValuesOrOutOfRange) {
   EXPECT_EQ(
       problem_of("supply:\n  cut: {start_s: 9}"),
       "scene.yaml:2: supply.cut.pump_flow_m3_s: is missing, and so is accumulator_volume_m3: give at least one of "
