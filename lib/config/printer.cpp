@@ -39,7 +39,9 @@ class Printer final : public Visitor {
     line(entry.name, value ? "true" : "false");
   }
   void visit_name(const Entry& entry, std::string& value, std::size_t, const char*) override {
-    line(entry.name, in_quotes(value));
+    if (!value.empty()) {  // only the default of an absent key is empty
+      line(entry.name, in_quotes(value));
+    }
   }
   void visit_numbers(const Entry& entry, std::vector<double>& values, Range) override {
     list(entry.name, values, number_text);
