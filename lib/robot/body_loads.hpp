@@ -7,9 +7,10 @@
 
 namespace farrier::robot {
 
-/// Inertia that each joint turns while all others are free and the feet of `standing` legs do not move, kg m^2: 1 / A_ii of
-///   A = M^-1 - M^-1 J' (J M^-1 J')^-1 J M^-1,
-/// with M the mass matrix and J the Jacobians of those feet (Khatib 1987, (51), of a constrained mechanism). At rest at
+/// Inertia that each joint turns while all others are free and the feet of `standing` legs do not move, kg m^2. It is
+/// 1 / A_ii, where A follows from the mass matrix M and the Jacobians J of those feet:
+///   A = M^-1 - M^-1 J' (J M^-1 J')^-1 J M^-1.
+/// This is the elimination of the feet's forces from the equations of motion in rigid_body.hpp. The robot is at rest at
 /// these angles (rad). The model must pass body::validate.
 body::JointVector joint_inertias_kg_m2(const body::BodyModel& model, const body::JointVector& angles_rad,
                                        std::span<const int> standing);

@@ -27,12 +27,12 @@ inline constexpr const char* kPerfectKnowledge = "perfect";
 std::vector<BodyContender> force_controllers(const robot::Robot& on_ground, const robot::Robot& on_bench);
 
 /// The robot of the file with perfect knowledge: no effect that its law does not have (friction, overlap, leakage, a
-/// supply whose pressure changes). Sensors, valve and delay stay. Then the same with the noise, the delay, the lag of the
-/// spool and the uncompensated share of the velocity removed one after the other; and the file's robot with each of its
-/// disturbances removed alone.
+/// supply whose pressure changes). Sensors, valve and delay stay. The next ones lose, one after the other, the noise, the
+/// delay, the lag of the spool and the uncompensated share of the velocity. The last ones are the file's robot with each of
+/// its disturbances removed alone.
 std::vector<BodyContender> limits_of_force(const robot::Robot& on_ground);
 
-/// What came of a contender's runs.
+/// Falls and errors of a contender's runs.
 struct ContenderResult {
   std::string name, description;
   std::string refusal;  ///< why it has no runs; empty: it has

@@ -12,7 +12,6 @@
 #include "robot/locomotion_params.hpp"
 #include "tests/support/allocation_guard.hpp"
 #include "docs/how-to/locomotion/stand_up.hpp"
-#include "trials/body/body_contenders.hpp"
 #include "trials/body/controller_driver.hpp"
 #include "world/scene_file.hpp"
 
@@ -89,41 +88,6 @@ TEST(TrotTrial, LiesDownOnTheOilOfItsAccumulatorWhenThePumpStops) {
   EXPECT_LT(figures.supply->acts_s.value(), 0.15);
   EXPECT_LT(figures.supply->lying_s.value(), 1.6);
   EXPECT_LT(figures.supply->largest_sinking_m_s, 0.5);
-}
-
-const BodyContender& find(const std::vector<BodyContender>& contenders, const std::string& name) {
-  return *std::ranges::find(contenders, name, &BodyContender::name);
-}
-
-TEST(TrotTrial, WalksOnLqrForTheLoadsOfTheMassMatrixAndFallsWithThoseOfTheBench) {
-  const auto contenders = force_controllers(load_on_ground("hyq"), load("hyq"));
-  const auto fell = [&contenders](const char* name) {
-    const robot::Robot& robot = find(contenders, name).robot;
-    return run_trot_case(robot, ten_seconds(robot), Joints::kActuators).value().value().fell_s.has_value();
-  };
-  EXPECT_FALSE(fell("lqr"));
-  EXPECT_TRUE(fell("lqr_bench"));
-}
-
-TEST(TrotTrial, RefusesADesignThatDoesNotExist) {
-  const auto contenders = force_controllers(load_on_ground("hyq"), load("hyq"));
-  const robot::Robot& robot = find(contenders, "lqr_full").robot;
-  const auto ran = run_trot_case(robot, ten_seconds(robot), Joints::kActuators);
-  ASSERT_FALSE(ran.ok());
-  EXPECT_NE(ran.error().message.find("lf_haa: no controller"), std::string::npos) << ran.error().message;
-}
-
-TEST(ForceLimits, RemoveOneDisturbanceEach) {
-  const robot::Robot hyq = load_on_ground("hyq");
-  const auto limits = limits_of_force(hyq);
-  EXPECT_EQ(find(limits, "no_noise").robot.joints[0].noise.force, 0.0);
-  EXPECT_EQ(find(limits, "no_noise").robot.joints[0].effects, hyq.joints[0].effects);
-  EXPECT_EQ(find(limits, "no_delay").robot.loop_delay_lockstep, 0);
-  EXPECT_FALSE(find(limits, "constant_supply").robot.supply.has_value());
-  EXPECT_EQ(find(limits, "no_friction").robot.joints[0].effects.size() + 1, hyq.joints[0].effects.size());
-  EXPECT_EQ(find(limits, "no_overlap").robot.joints[0].effects.size() + 1, hyq.joints[0].effects.size());
-  EXPECT_EQ(find(limits, "no_valve_lag").robot.joints[0].effects.size() + 1, hyq.joints[0].effects.size());
-  EXPECT_GT(find(limits, kPerfectKnowledge).robot.joints[0].noise.force, 0.0);
 }
 
 TEST(TrotTrial, TrotsForTenSeconds) {

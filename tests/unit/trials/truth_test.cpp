@@ -60,8 +60,7 @@ double rms_difference(const std::vector<double>& x, const std::vector<double>& y
 double change(const robot::Joint& of, const Samples& x, const Samples& y) {
   return rms_difference(x.position, y.position) / of.noise.position +
          rms_difference(x.velocity, y.velocity) / of.noise.velocity +
-         rms_difference(x.force, y.force) / of.noise.force +
-         rms_difference(x.pressure_a_Pa, y.pressure_a_Pa) / 2e3 +
+         rms_difference(x.force, y.force) / of.noise.force + rms_difference(x.pressure_a_Pa, y.pressure_a_Pa) / 2e3 +
          rms_difference(x.supply_pressure_Pa, y.supply_pressure_Pa) / 2e3;
 }
 
@@ -78,8 +77,15 @@ std::vector<Reading> replay(const Machine& machine, const std::vector<double>& c
 
 Machine machine_with(const robot::Joint& of, const std::string& effect, int magnitude) {
   Machine machine = machine_of(of, 1);
-  const Extents extents{mechanics_of(of).push, of.actuator.stroke / 0.08, kPeriod_s, kDuration_s, 0.005, 3e-5,
-                        0.15 * of.actuator.stroke, 0.15 * of.actuator.stroke, 0.05 * mechanics_of(of).push,
+  const Extents extents{mechanics_of(of).push,
+                        of.actuator.stroke / 0.08,
+                        kPeriod_s,
+                        kDuration_s,
+                        0.005,
+                        3e-5,
+                        0.15 * of.actuator.stroke,
+                        0.15 * of.actuator.stroke,
+                        0.05 * mechanics_of(of).push,
                         0.05 * of.actuator.stroke};
   const Entry& entry = *find_entry(effect);
   entry.hide(machine, entry.sizes[magnitude], extents, Chance(1, of.name, effect));
