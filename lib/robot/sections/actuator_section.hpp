@@ -40,7 +40,7 @@ struct Supply {
   double laminar_pressure_Pa = 1e5;
   std::optional<Pump> pump;
   std::optional<Accumulator> accumulator;
-  double low_share = 0.75;
+  double low_share = 0.8;
   double recovered_share = 0.9;
   double lie_share = 0.6;
   double stand_after_s = 0.3;
