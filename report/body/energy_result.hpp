@@ -45,7 +45,7 @@ struct EnergyResult {
   std::optional<StepMedians> halved;  ///< of the runs with half the step; none without such runs
 };
 
-/// None without runs of the trial `energy` on a pump.
+/// Absent without runs of the trial `energy` on a pump.
 std::optional<EnergyResult> energy_result(std::span<const trials::TrotRow> rows);
 
 /// Adds body.energy.*: the terms, the residual with its bound, and the changes with half the step with theirs.
