@@ -130,15 +130,25 @@ BodyStudy run_all(const robot::Robot& robot, const BodyTrialOptions& o, BodyRuns
   return study;
 }
 
-report::Outcome outcome_of(const robot::Robot& robot, const BodyStudy& study,
-                           const std::vector<report::BodyTrialResult>& results, const std::string& not_kept) {
+/// The rows of a study, judged.
+struct BodyStudyResults {
+  explicit BodyStudyResults(const std::vector<trials::TrotRow>& rows)
+      : trials(report::body_results(rows)), supply(report::supply_results(rows)), energy(report::energy_result(rows)) {}
+
+  std::vector<report::BodyTrialResult> trials;
+  std::vector<report::SupplyTrialResult> supply;
+  std::optional<report::EnergyResult> energy;
+};
+
+report::Outcome outcome_of(const robot::Robot& robot, const BodyStudy& study, const BodyStudyResults& results,
+                           const std::string& not_kept) {
   report::Outcome outcome;
   outcome.command = "trial";
   outcome.run = report::run_info(robot, 1);
-  report::add_body(outcome.figures, results);
-  report::add_supply(outcome.figures, report::supply_results(study.rows));
-  if (const auto energy = report::energy_result(study.rows)) {
-    report::add_energy(outcome.figures, *energy);
+  report::add_body(outcome.figures, results.trials);
+  report::add_supply(outcome.figures, results.supply);
+  if (results.energy) {
+    report::add_energy(outcome.figures, *results.energy);
   }
   report::add_push_limits(outcome.figures, study.limits);
   for (const trials::TrotRow& row : study.rows) {
@@ -166,7 +176,7 @@ int run_and_report(const robot::Robot& robot, const BodyTrialOptions& o) {
       robot, o, kept_path,
       report::build_name() + ", " + report::run_info(robot, 1).configuration_hash + (o.ideal ? ", ideal joints" : ""));
   const BodyStudy study = run_all(robot, o, runs);
-  const std::vector<report::BodyTrialResult> results = report::body_results(study.rows);
+  const BodyStudyResults results(study.rows);
   const report::Outcome outcome = outcome_of(robot, study, results, runs.not_kept());
   const std::string rows_path = o.out + "/runs.csv";
   if (auto written = report::write_body_csv(rows_path, study.rows); !written) {
@@ -175,11 +185,10 @@ int run_and_report(const robot::Robot& robot, const BodyTrialOptions& o) {
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("trial", written.error().message);
   }
-  const auto energy = report::energy_result(study.rows);
-  std::printf("%s%s%s%s%s\n%s", report::body_text(outcome.figures, results).c_str(),
-              report::supply_text(report::supply_results(study.rows)).c_str(),
-              energy ? report::energy_text(*energy).c_str() : "", report::push_limits_text(study.limits).c_str(),
-              report::falls_text(study.rows).c_str(),
+  std::printf("%s%s%s%s%s\n%s", report::body_text(outcome.figures, results.trials).c_str(),
+              report::supply_text(results.supply).c_str(),
+              results.energy ? report::energy_text(*results.energy).c_str() : "",
+              report::push_limits_text(study.limits).c_str(), report::falls_text(study.rows).c_str(),
               report::verdict_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str());
   std::printf("figures: %s\nevery run: %s\n", o.json_path.c_str(), rows_path.c_str());
   if (participant::stop_requested()) {

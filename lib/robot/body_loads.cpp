@@ -77,17 +77,18 @@ void put_loads_of_body(Robot& robot) {
   }
   const gait::Schedule schedule(robot.plan, 0);
   const auto legs = static_cast<int>(robot.plan.legs.size());
-  for (Joint& joint : robot.joints) {
-    const double square = lever_at_home(joint) * lever_at_home(joint);
-    gait::JointPlan& planned =
-        robot.plan.legs[static_cast<std::size_t>(joint.leg)].joints[static_cast<std::size_t>(joint.index_in_leg)];
+  for (int leg = 0; leg < legs; ++leg) {
     for (const Phase phase : {Phase::kSwing, Phase::kStance}) {
-      const std::vector<int> standing = standing_legs(schedule, legs, joint.leg, phase);
-      const double inertia = joint_inertias_kg_m2(*robot.body, home, standing)[joint.number];
-      plant::LoadParams& load = phase == Phase::kSwing ? joint.swing_load : joint.stance_load;
-      load.mass = inertia / square - piston_mass(joint);
-      load.damping = link_of(robot, joint).damping_Nms_rad / square;
-      (phase == Phase::kSwing ? planned.swing_load : planned.stance_load) = load;
+      const body::JointVector inertias =
+          joint_inertias_kg_m2(*robot.body, home, standing_legs(schedule, legs, leg, phase));
+      for (gait::JointPlan& planned : robot.plan.legs[static_cast<std::size_t>(leg)].joints) {
+        Joint& joint = robot.joints[planned.joint];
+        const double square = lever_at_home(joint) * lever_at_home(joint);
+        plant::LoadParams& load = phase == Phase::kSwing ? joint.swing_load : joint.stance_load;
+        load.mass = inertias[joint.number] / square - piston_mass(joint);
+        load.damping = link_of(robot, joint).damping_Nms_rad / square;
+        (phase == Phase::kSwing ? planned.swing_load : planned.stance_load) = load;
+      }
     }
   }
 }

@@ -87,16 +87,11 @@ bool has_means(const BodyTrialResult& result) {
 /// Figures of simulated actuators and their supply, where there are any.
 template <class Add>
 void add_actuators(const BodyTrialResult& result, const Add& add, std::optional<double> energy_limit) {
-  constexpr std::array kPlaces{"haa", "hfe", "kfe"};
-  constexpr std::array<const char*, kPhaseCount> kPhases{"swing", "stance"};
-  for (std::size_t place = 0; place < kPlaces.size(); ++place) {
-    for (std::size_t phase = 0; phase < kPhases.size(); ++phase) {
-      if (result.force_nrmse[place][phase] > 0.0) {
-        add((std::string("force_nrmse.") + kPlaces[place] + "." + kPhases[phase]).c_str(),
-            result.force_nrmse[place][phase], std::nullopt);
-      }
+  for_each_force_error([&](std::size_t place, std::size_t phase, const std::string& name) {
+    if (result.force_nrmse[place][phase] > 0.0) {
+      add(("force_nrmse." + name).c_str(), result.force_nrmse[place][phase], std::nullopt);
     }
-  }
+  });
   if (result.least_supply_bar) {
     add("energy_error_percent", result.energy_error_percent, energy_limit);
     add("least_supply_bar", *result.least_supply_bar, std::nullopt);

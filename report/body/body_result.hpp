@@ -2,6 +2,7 @@
 
 // Result of `farrier trial body`: a row for every run, judged trial by trial.
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,18 @@ struct BodyTrialResult {
 
   double upright_share() const noexcept;
 };
+
+/// Calls visit(place, phase, "<place>.<phase>") for every entry of trials::ForceErrors.
+template <class Visit>
+void for_each_force_error(Visit visit) {
+  constexpr std::array<const char*, body::kJointsPerLeg> kPlaces{"haa", "hfe", "kfe"};
+  constexpr std::array<const char*, kPhaseCount> kPhases{"swing", "stance"};
+  for (std::size_t place = 0; place < kPlaces.size(); ++place) {
+    for (std::size_t phase = 0; phase < kPhases.size(); ++phase) {
+      visit(place, phase, std::string(kPlaces[place]) + "." + kPhases[phase]);
+    }
+  }
+}
 
 /// A result per trial that has rows, in the order of trials::kTrotTrials.
 std::vector<BodyTrialResult> body_results(std::span<const trials::TrotRow> rows);

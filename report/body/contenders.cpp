@@ -2,27 +2,17 @@
 
 #include <algorithm>
 
+#include "report/body/body_result.hpp"
 #include "report/figures/text_format.hpp"
 
 namespace farrier::report {
 namespace {
 
-constexpr std::array<const char*, body::kJointsPerLeg> kPlaces{"haa", "hfe", "kfe"};
-constexpr std::array<const char*, kPhaseCount> kPhases{"swing", "stance"};
 constexpr double kPerMetre_mm = 1000.0;
 
 const trials::ContenderResult* find(std::span<const trials::ContenderResult> results, const char* name) {
   const auto found = std::ranges::find(results, name, &trials::ContenderResult::name);
   return found == results.end() || found->height_rms_m == 0.0 ? nullptr : &*found;
-}
-
-template <class Visit>
-void for_each_error(Visit visit) {
-  for (std::size_t place = 0; place < kPlaces.size(); ++place) {
-    for (std::size_t phase = 0; phase < kPhases.size(); ++phase) {
-      visit(place, phase, std::string(kPlaces[place]) + "." + kPhases[phase]);
-    }
-  }
 }
 
 }  // namespace
@@ -34,7 +24,7 @@ void add_contenders(Figures& figures, std::span<const trials::ContenderResult> r
     figures.add(prefix + "step_falls", result.step_falls);
     if (result.height_rms_m > 0.0) {
       figures.add(prefix + "height_rms_mm", kPerMetre_mm * result.height_rms_m);
-      for_each_error([&](std::size_t place, std::size_t phase, const std::string& name) {
+      for_each_force_error([&](std::size_t place, std::size_t phase, const std::string& name) {
         figures.add(prefix + "force_nrmse." + name, result.force_nrmse[place][phase]);
       });
     }
@@ -42,7 +32,7 @@ void add_contenders(Figures& figures, std::span<const trials::ContenderResult> r
   const trials::ContenderResult* file = find(results, trials::kFileDesign);
   const trials::ContenderResult* perfect = find(results, trials::kPerfectKnowledge);
   if (file != nullptr && perfect != nullptr) {
-    for_each_error([&](std::size_t place, std::size_t phase, const std::string& name) {
+    for_each_force_error([&](std::size_t place, std::size_t phase, const std::string& name) {
       figures.add("compare.body.knowledge_ratio." + name,
                   file->force_nrmse[place][phase] / perfect->force_nrmse[place][phase], kKnowledgeRatioAtMost);
     });
@@ -58,7 +48,7 @@ std::string contenders_text(std::span<const trials::ContenderResult> results) {
                                   std::to_string(result.step_falls) + " of " + std::to_string(result.steps)};
     const bool walked = result.height_rms_m > 0.0;
     line.push_back(walked ? short_number(kPerMetre_mm * result.height_rms_m) : "-");
-    for_each_error([&](std::size_t place, std::size_t phase, const std::string&) {
+    for_each_force_error([&](std::size_t place, std::size_t phase, const std::string&) {
       line.push_back(walked ? short_number(result.force_nrmse[place][phase]) : "-");
     });
     line.push_back(result.refusal.empty() ? result.description : "refused: " + result.refusal);

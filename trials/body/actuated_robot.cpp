@@ -60,9 +60,7 @@ world::JointReading ActuatedRobot::reading(std::size_t index) const noexcept {
   return {angle_rad, linkage.angular_velocity(angle_rad, read.velocity), linkage.torque(angle_rad, read.force)};
 }
 
-void ActuatedRobot::track(std::size_t index, double reference) noexcept {
-  trace::TraceRow row;
-  robot_.describe(index, row);
+void ActuatedRobot::track(std::size_t index, const trace::TraceRow& row, double reference) noexcept {
   const double error = row.force_N_or_Nm - reference;
   Tracking& sums = tracking_[static_cast<std::size_t>(joints_[index].index_in_leg)][row.actual_phase];
   sums.error += error * error;
@@ -70,16 +68,14 @@ void ActuatedRobot::track(std::size_t index, double reference) noexcept {
   sums.count += 1.0;
 }
 
-void ActuatedRobot::announce_contact(std::size_t index) noexcept {
-  trace::TraceRow row;
-  robot_.describe(index, row);
-  if (row.actual_phase != phases_[index]) {
-    phases_[index] = row.actual_phase;
+void ActuatedRobot::announce_contact(std::size_t index, Phase phase) noexcept {
+  if (phase != phases_[index]) {
+    phases_[index] = phase;
     nodes_[index].announce_phase({.leg = static_cast<std::uint16_t>(joints_[index].leg),
                                   .count = ++contacts_,
                                   .announced_tick = tick(),
                                   .switch_tick = tick(),
-                                  .phase = row.actual_phase});
+                                  .phase = phase});
   }
 }
 
@@ -89,7 +85,9 @@ bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
   }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const robot::Joint& joint = joints_[i];
-    announce_contact(i);
+    trace::TraceRow truth;
+    robot_.describe(i, truth);
+    announce_contact(i, truth.actual_phase);
     joint_node::JointNode::Inputs inputs;
     inputs.tick = tick();
     inputs.sensors = robot_.sample(i);
@@ -103,7 +101,7 @@ bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
     ring[static_cast<std::size_t>(tick() % slots)] = valve.valve_current_A;
     currents_A_[i] = ring[static_cast<std::size_t>((tick() + 1) % slots)];
     if (tick() >= track_from_) {
-      track(i, valve.force_reference_N_or_Nm);
+      track(i, truth, valve.force_reference_N_or_Nm);
     }
   }
   const bool moved = robot_.advance(currents_A_);

@@ -54,8 +54,8 @@ class ActuatedRobot final : public world::World {
   ActuatedRobot(const robot::Robot& known, sim_bridge::BodyRobot robot);
   Result<Done> design(const robot::Joint& joint, const robot::Robot& known);
   /// Tells a joint at once that the contact of its foot has changed.
-  void announce_contact(std::size_t joint) noexcept;
-  void track(std::size_t joint, double reference) noexcept;
+  void announce_contact(std::size_t joint, Phase phase) noexcept;
+  void track(std::size_t joint, const trace::TraceRow& truth, double reference) noexcept;
 
   std::vector<robot::Joint> joints_;
   sim_bridge::BodyRobot robot_;

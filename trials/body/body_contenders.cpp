@@ -37,12 +37,19 @@ void compensate_fully(robot::Robot& robot) {
   }
 }
 
-BodyContender with_controller(const robot::Robot& robot, const char* name, const char* description, Kind kind,
-                              control::Form form = control::Form::kCompliant) {
-  BodyContender contender{name, description, robot};
-  for (robot::Joint& joint : contender.robot.joints) {
+/// The robot with a controller of another kind, and the gains of the bench.
+BodyContender with_controller(const robot::Robot& on_ground, const robot::Robot& on_bench, const char* name,
+                              const char* description, Kind kind, control::Form form = control::Form::kCompliant) {
+  BodyContender contender{name, description, on_ground};
+  for (std::size_t i = 0; i < contender.robot.joints.size(); ++i) {
+    robot::Joint& joint = contender.robot.joints[i];
+    const robot::Joint& bench = on_bench.joints[i];
     joint.kind = kind;
     joint.form = form;
+    joint.feedback_linearisation = bench.feedback_linearisation;
+    joint.pid = bench.pid;
+    joint.flow_inversion = bench.flow_inversion;
+    joint.design = bench.design;
   }
   return contender;
 }
@@ -61,33 +68,22 @@ std::vector<TrotCase> compared_cases(const robot::Robot& robot, int seeds) {
 
 std::vector<BodyContender> force_controllers(const robot::Robot& on_ground, const robot::Robot& on_bench) {
   std::vector<BodyContender> all{{kFileDesign, "as in the robot file", on_ground}};
-  all.push_back(
-      with_controller(on_ground, "feedback_linearisation", "gains of the bench", Kind::kFeedbackLinearisation));
-  all.push_back(with_controller(on_ground, "lqr", "compliant, loads of the mass matrix", Kind::kLqr));
-  all.push_back(
-      with_controller(on_ground, "lqr_full", "full state, the same loads", Kind::kLqr, control::Form::kFullState));
-  all.push_back(with_controller(on_ground, "lqr_bench", "compliant, loads of the bench", Kind::kLqr));
-  all.push_back(with_controller(on_ground, "lqr_blocked", "compliant, a blocked piston", Kind::kLqr));
-  all.push_back(with_controller(on_ground, "flow_inversion", "loads of the mass matrix", Kind::kFlowInversion));
-  all.push_back(with_controller(on_ground, "pid", "gains of the bench", Kind::kPid));
-  for (BodyContender& contender : all) {
-    for (std::size_t i = 0; i < contender.robot.joints.size(); ++i) {
-      robot::Joint& joint = contender.robot.joints[i];
-      const robot::Joint& bench = on_bench.joints[i];
-      if (contender.name != kFileDesign) {
-        joint.feedback_linearisation = bench.feedback_linearisation;
-        joint.pid = bench.pid;
-        joint.flow_inversion = bench.flow_inversion;
-        joint.design = bench.design;
-      }
-      if (contender.name == "lqr_bench") {
-        joint.swing_load = bench.swing_load;
-        joint.stance_load = bench.stance_load;
-      } else if (contender.name == "lqr_blocked") {
-        joint.swing_load.mass = joint.stance_load.mass = kBlocked * on_ground.joints[i].stance_load.mass;
-      }
-    }
+  const auto add = [&](const char* name, const char* description, Kind kind,
+                       control::Form form = control::Form::kCompliant) -> std::vector<robot::Joint>& {
+    return all.emplace_back(with_controller(on_ground, on_bench, name, description, kind, form)).robot.joints;
+  };
+  add("feedback_linearisation", "gains of the bench", Kind::kFeedbackLinearisation);
+  add("lqr", "compliant, loads of the mass matrix", Kind::kLqr);
+  add("lqr_full", "full state, the same loads", Kind::kLqr, control::Form::kFullState);
+  for (robot::Joint& joint : add("lqr_bench", "compliant, loads of the bench", Kind::kLqr)) {
+    joint.swing_load = on_bench.joints[joint.number].swing_load;
+    joint.stance_load = on_bench.joints[joint.number].stance_load;
   }
+  for (robot::Joint& joint : add("lqr_blocked", "compliant, a blocked piston", Kind::kLqr)) {
+    joint.swing_load.mass = joint.stance_load.mass = kBlocked * joint.stance_load.mass;
+  }
+  add("flow_inversion", "loads of the mass matrix", Kind::kFlowInversion);
+  add("pid", "gains of the bench", Kind::kPid);
   return all;
 }
 
