@@ -236,8 +236,8 @@ class Bench {
 }  // namespace
 
 Result<BodyBench> bench_body(const robot::Robot& robot, int rounds, std::int64_t (*allocations_so_far)()) {
-  if (!robot.body || !robot.locomotion) {
-    return Error{robot.name + " cannot walk on a ground: give body.trunk and locomotion in its file"};
+  if (!robot.can_walk()) {
+    return Error{robot.cannot_walk_error()};
   }
   const auto model = FARRIER_TRY(robot::LocomotionModel::create(*robot.body));
   Walk walk(robot, FARRIER_TRY(world::BodyWorld::create(robot, {}, 1, trials::kTrotNoise)), model);

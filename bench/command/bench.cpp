@@ -131,7 +131,7 @@ std::vector<Part> parts_of(const BenchOptions& o, const robot::Robot& robot) {
   for (const DdsChoice dds : kVendors) {
     add("lockstep", std::string("lockstep ") + to_string(dds),
         [&o, &robot, dds](report::Figures& figures) { return bench_lockstep(o, robot, dds, figures); });
-    if (robot.body && robot.locomotion) {
+    if (robot.can_walk()) {
       add("body_lockstep", std::string("body_lockstep ") + to_string(dds),
           [&o, &robot, dds](report::Figures& figures) { return bench_body_lockstep(o, robot, dds, figures); });
     }

@@ -14,10 +14,8 @@
 namespace farrier::cli {
 
 int run_body(const robot::Robot& on_bench, const CompareOptions& options) {
-  if (!on_bench.body || !on_bench.locomotion) {
-    return refuse(
-        "compare",
-        on_bench.name + " cannot walk on a ground: give body.trunk and locomotion in its file, or another --robot");
+  if (!on_bench.can_walk()) {
+    return refuse("compare", on_bench.cannot_walk_error() + ", or another --robot");
   }
   const auto on_ground = robot::load_robot(options.robot_path, {.on_ground = true});
   if (!on_ground) {

@@ -117,8 +117,8 @@ int drive(DriveOptions o) {
     return kBadInput;
   }
   const robot::Robot& robot = loaded.value();
-  if (!robot.body || !robot.locomotion) {
-    return refuse("drive", robot.name + " cannot walk on a ground: give body.trunk and locomotion in its file");
+  if (!robot.can_walk()) {
+    return refuse("drive", robot.cannot_walk_error());
   }
   if (o.trot.dds == DdsChoice::kInproc) {
     return refuse("drive", "--dds inproc runs on the lock-step clock only: choose a vendor");

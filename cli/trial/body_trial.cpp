@@ -208,10 +208,8 @@ int run_body_trials(const BodyTrialOptions& options) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;
   }
-  if (!robot.value().body || !robot.value().locomotion) {
-    return refuse("trial",
-                  robot.value().name +
-                      " cannot walk on a ground: give body.trunk and locomotion in its file, or another --robot");
+  if (!robot.value().can_walk()) {
+    return refuse("trial", robot.value().cannot_walk_error() + ", or another --robot");
   }
   if (chosen_cases(robot.value(), o).empty() && !searches_push_limit(o)) {
     return refuse("trial",

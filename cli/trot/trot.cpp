@@ -114,7 +114,7 @@ participant::World default_world(const TrotOptions& o) {
     return participant::World::kBench;
   }
   const auto robot = robot::load_robot(o.robot_path);
-  if (!robot || !robot.value().body || !robot.value().locomotion) {
+  if (!robot || !robot.value().can_walk()) {
     return participant::World::kBench;
   }
   if (!sim_bridge::has_physics_engine()) {
@@ -142,9 +142,8 @@ int trot(TrotOptions o) {
     std::fputs(robot::print_config(robot).c_str(), stdout);
     return kPassed;
   }
-  if (participant::is_on_ground(o.world) && (!robot.body || !robot.locomotion)) {
-    std::fprintf(stderr, "trot: %s has no body.trunk or no locomotion in its file: it runs on the bench\n",
-                 robot.name.c_str());
+  if (participant::is_on_ground(o.world) && !robot.can_walk()) {
+    std::fprintf(stderr, "trot: %s; it runs on the bench\n", robot.cannot_walk_error().c_str());
     o.world = participant::World::kBench;
   }
   const bool on_ground = participant::is_on_ground(o.world);

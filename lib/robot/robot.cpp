@@ -84,6 +84,10 @@ const Joint* Robot::find(std::string_view joint_name) const noexcept {
   return found == joints.end() ? nullptr : &*found;
 }
 
+std::string Robot::cannot_walk_error() const {
+  return name + " cannot walk on a ground: give body.trunk and locomotion in its file";
+}
+
 const Joint* Robot::first_electric() const noexcept {
   const auto found = std::ranges::find_if(joints, [](const Joint& joint) { return joint.electric.has_value(); });
   return found == joints.end() ? nullptr : &*found;

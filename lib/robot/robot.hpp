@@ -103,6 +103,12 @@ struct Robot {
   /// True if every joint's estimate is published at this tick; in lock-step the supervisor waits for it.
   bool estimate_due(Tick tick) const noexcept { return tick % estimate_period_ticks == 0; }
 
+  /// True if its file describes a trunk and its locomotion, so that it can walk on a ground.
+  bool can_walk() const noexcept { return body.has_value() && locomotion.has_value(); }
+
+  /// The error, with its remedy, where a robot that cannot walk is asked to.
+  std::string cannot_walk_error() const;
+
   /// Ticks between two samples of supply/state, which are 10 ms apart, from tick 0 on; >= 1.
   Tick supply_ticks() const noexcept { return std::max<Tick>(1, std::llround(0.01 / period_s)); }
 };

@@ -55,8 +55,8 @@ void note_supply(const ActuatedRobot& robot, double time_s, TrotFigures& figures
 
 Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one, Joints joints,
                                                  const std::function<bool()>& keep_on) {
-  if (!robot.body || !robot.locomotion) {
-    return Error{robot.name + " cannot walk on a ground: give body.trunk and locomotion in its file"};
+  if (!robot.can_walk()) {
+    return Error{robot.cannot_walk_error()};
   }
   const auto scene = world::load_scene_text(one.scene, one.trial + ", " + one.name);
   if (!scene) {

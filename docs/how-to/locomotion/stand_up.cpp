@@ -28,8 +28,8 @@ class OwnedStandUp final : public locomotion::Controller {
 
 Result<std::unique_ptr<participant::Application>> stand_up(participant::Participant& member, const robot::Robot& robot,
                                                            Tick ticks) {
-  if (!robot.body || !robot.locomotion) {
-    return Error{robot.name + " has no body.trunk or no locomotion in its file"};
+  if (!robot.can_walk()) {
+    return Error{robot.cannot_walk_error()};
   }
   auto model = FARRIER_TRY(robot::LocomotionModel::create(*robot.body));
   auto made = FARRIER_TRY(locomotion::create_body_locomotion(
