@@ -1,6 +1,7 @@
 #include "locomotion/body_locomotion.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/ensure.hpp"
 #include "locomotion/body_state_signal.hpp"
@@ -13,7 +14,19 @@
 namespace farrier::locomotion {
 namespace {
 
-/// Samples of one tick of all joints and of the IMU. In real time the newest of each count.
+bool finite(const signals::JointSensors& sensors) noexcept {
+  return std::isfinite(sensors.position_m_or_rad) && std::isfinite(sensors.velocity_m_s_or_rad_s) &&
+         std::isfinite(sensors.force_N_or_Nm);
+}
+
+bool finite(const signals::BodyImu& imu) noexcept {
+  const auto is_finite = [](double number) { return std::isfinite(number); };
+  return std::ranges::all_of(imu.angular_velocity_rad_s, is_finite) &&
+         std::ranges::all_of(imu.specific_force_m_s2, is_finite);
+}
+
+/// Samples of one tick of all joints and of the IMU. In real time the newest of each count. Of a sample with a number
+/// that is not finite only the tick counts: one such number would stay in the estimated state for ever.
 class ReadingsInbox {
  public:
   explicit ReadingsInbox(const robot::Robot& robot)
@@ -21,11 +34,15 @@ class ReadingsInbox {
 
   void put(const signals::JointSensors& sensors) noexcept {
     joints_.put(sensors);
-    newest_[sensors.joint] = sensors;
+    if (finite(sensors)) {
+      newest_[sensors.joint] = sensors;
+    }
   }
   void put(const signals::BodyImu& imu) noexcept {
     imu_.put(imu);
-    newest_imu_ = imu;
+    if (finite(imu)) {
+      newest_imu_ = imu;
+    }
   }
 
   bool complete(Tick tick) const noexcept { return joints_.missing(tick) == 0 && imu_.missing(tick) == 0; }
@@ -262,8 +279,8 @@ Result<std::unique_ptr<Locomotion>> create_body_locomotion(const robot::Robot& r
 Result<std::unique_ptr<Locomotion>> create_trot_locomotion(const robot::Robot& robot, std::vector<TimedCommand> script,
                                                            participant::Participant& participant, Tick ticks,
                                                            bool hears_supply) {
-  if (!robot.body || !robot.locomotion) {
-    return Error{robot.name + " cannot walk on a ground: give body.trunk and locomotion in its file"};
+  if (!robot.can_walk()) {
+    return Error{robot.cannot_walk_error()};
   }
   auto model = FARRIER_TRY(robot::LocomotionModel::create(*robot.body));
   return create_body_locomotion(robot, std::make_unique<OwnedTrot>(robot, std::move(model)), std::move(script),

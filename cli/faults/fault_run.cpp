@@ -60,7 +60,7 @@ Nanoseconds may_pause(const robot::Robot& robot, int slow) {
 
 /// Span of the row's fault in a run of that world. A body is hit in its third stride or later.
 faults::TickSpan span_of(const robot::Robot& robot, const CellSettings& settings, const faults::Row& row,
-                         const CellPlan& plan) {
+                         const faults::CellPlan& plan) {
   if (!participant::is_on_ground(settings.world)) {
     return faults::place_of(robot, gait::Schedule(robot.plan, plan.seed), row, plan.phase);
   }
@@ -75,8 +75,8 @@ faults::TickSpan span_of(const robot::Robot& robot, const CellSettings& settings
 }
 
 /// One run of a cell, judged. Refuses when the user interrupts.
-Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings& settings, const CellPlan& plan,
-                                   const std::string& title, PauseWatch& pauses) {
+Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings& settings,
+                                   const faults::CellPlan& plan, const std::string& title, PauseWatch& pauses) {
   const int slow = slow_of(settings, *plan.row);
   const faults::Row row = faults::paced(*plan.row, slow);
   const auto ticks = [&](double time_s) { return static_cast<Tick>(std::llround(time_s / robot.period_s)); };
@@ -156,22 +156,17 @@ Result<faults::Cell> run_cell_once(const robot::Robot& robot, const CellSettings
       cell.error = truth.error().message;
       return cell;
     }
-    cell.body = faults::body_after_fault(truth.value(), moments.fault.begin);
+    const gait::Schedule schedule(robot::locomotion_plan(robot.plan), plan.seed);
+    cell.body = faults::body_after_fault(truth.value(), moments.fault.begin,
+                                         {trot.velocity[0], schedule.stride_ticks(), robot.period_s});
+    if (faults::walks_on(row)) {
+      cell.checks.push_back(faults::walks_on_check(*cell.body));
+    }
   }
   return cell;
 }
 
 }  // namespace
-
-faults::Cell CellPlan::cell() const {
-  return {.row = row->name,
-          .phase = phase == gait::Phase::kStance ? "stance" : "swing",
-          .vendor = vendor,
-          .seed = seed,
-          .repeats = 0,
-          .error = {},
-          .checks = {}};
-}
 
 const std::vector<std::string>& fault_vendors() {
   static const std::vector<std::string> names = [] {
@@ -184,22 +179,7 @@ const std::vector<std::string>& fault_vendors() {
   return names;
 }
 
-std::vector<CellPlan> plan_cells(const std::vector<const faults::Row*>& rows, const std::vector<std::string>& vendors,
-                                 int seeds) {
-  std::vector<CellPlan> plans;
-  for (int seed = 1; seed <= seeds; ++seed) {
-    for (const faults::Row* row : rows) {
-      for (const std::string& vendor : vendors) {
-        for (const gait::Phase phase : {gait::Phase::kStance, gait::Phase::kSwing}) {
-          plans.push_back({row, phase, vendor, static_cast<std::uint64_t>(seed)});
-        }
-      }
-    }
-  }
-  return plans;
-}
-
-Result<faults::Cell> run_cell(const robot::Robot& robot, const CellSettings& settings, const CellPlan& plan,
+Result<faults::Cell> run_cell(const robot::Robot& robot, const CellSettings& settings, const faults::CellPlan& plan,
                               const std::string& title, PauseWatch& pauses) {
   for (int repeats = 0;; ++repeats) {
     auto cell = run_cell_once(robot, settings, plan, title, pauses);

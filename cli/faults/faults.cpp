@@ -32,6 +32,8 @@ struct FaultsOptions {
   std::vector<std::string> rows;
   std::vector<std::string> vendors{"cyclone", "fast"};
   int seeds = 3;
+  int cells = 0;           ///< to be drawn; 0: all
+  std::uint64_t seed = 1;  ///< of the draw
   int slow = 3;
   participant::World world = participant::World::kBench;
   std::string out = "out/faults";
@@ -39,29 +41,17 @@ struct FaultsOptions {
   bool go_on = false;
 };
 
-std::string place_text(const faults::Cell& cell) {
-  return cell.row + ", " + cell.phase + ", " + cell.vendor + ", seed " + std::to_string(cell.seed);
-}
-
-/// The worst of the bodies in the cells of a row. A fall breaks no bound: joints react to faults as the row says, which
-/// may let a walking robot down.
+/// The worst of the bodies in the cells of a row. A fall by itself breaks no bound: joints react to faults as the row
+/// says, which may let a walking robot down. Rows under which it walks on have a check of that.
 void add_body(report::Figures& figures, const std::vector<faults::Cell>& cells, const std::string& row) {
-  bool any = false;
-  faults::BodyAfterFault worst;
-  double falls = 0.0;
-  for (const faults::Cell& cell : cells) {
-    if (cell.row == row && cell.body) {
-      any = true;
-      falls += cell.body->fell ? 1.0 : 0.0;
-      worst.trunk_speed_m_s = std::max(worst.trunk_speed_m_s, cell.body->trunk_speed_m_s);
-      worst.ground_force_N = std::max(worst.ground_force_N, cell.body->ground_force_N);
-    }
+  const auto worst = faults::worst_body(cells, row);
+  if (!worst) {
+    return;
   }
-  if (any) {
-    figures.add("faults." + row + ".falls", falls);
-    figures.add("faults." + row + ".trunk_speed_m_s", worst.trunk_speed_m_s);
-    figures.add("faults." + row + ".ground_force_N", worst.ground_force_N);
-  }
+  const auto fell = [&](const faults::Cell& cell) { return cell.row == row && cell.fell(); };
+  figures.add("faults." + row + ".falls", static_cast<double>(std::ranges::count_if(cells, fell)));
+  figures.add("faults." + row + ".trunk_speed_m_s", worst->trunk_speed_m_s);
+  figures.add("faults." + row + ".ground_force_N", worst->ground_force_N);
 }
 
 /// A cell that was not run has not held.
@@ -73,13 +63,16 @@ report::Outcome outcome_of(const robot::Robot& robot, const std::vector<faults::
   for (const faults::Cell& cell : cells) {
     repeats += cell.repeats;
     if (!cell.error.empty()) {
-      outcome.failures.push_back(place_text(cell) + ": " + cell.error);
+      outcome.failures.push_back(faults::place_text(cell) + ": " + cell.error);
     }
   }
   outcome.figures.add("faults.cells", static_cast<double>(planned));
   outcome.figures.add("faults.repeats", repeats);
   outcome.figures.add("faults.held", static_cast<double>(std::ranges::count_if(cells, &faults::Cell::holds)),
                       static_cast<double>(planned));
+  if (std::ranges::any_of(cells, [](const faults::Cell& cell) { return cell.body.has_value(); })) {
+    outcome.figures.add("faults.falls", static_cast<double>(std::ranges::count_if(cells, &faults::Cell::fell)));
+  }
   for (const faults::Row& row : faults::rows()) {
     add_body(outcome.figures, cells, row.name);
     for (const faults::Check& check : faults::worst_checks(cells, row.name)) {
@@ -88,16 +81,6 @@ report::Outcome outcome_of(const robot::Robot& robot, const std::vector<faults::
     }
   }
   return outcome;
-}
-
-std::vector<const faults::Row*> chosen_rows(const FaultsOptions& o) {
-  std::vector<const faults::Row*> chosen;
-  for (const faults::Row& row : faults::rows()) {
-    if (o.rows.empty() || std::ranges::find(o.rows, row.name) != o.rows.end()) {
-      chosen.push_back(&row);
-    }
-  }
-  return chosen;
 }
 
 /// Cells that were run, and why some of them are not kept for --continue; empty: all are.
@@ -117,7 +100,7 @@ report::Outcome outcome_of(const robot::Robot& robot, const Ran& ran, std::size_
 /// The cells of `plans`, or those until the user interrupts. Cells that held are kept in a file, traces of those that did
 /// not in files of their names; with --continue what held in an earlier run is not run again. After every cell the figures
 /// so far are written, which do not hold before the last.
-Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector<CellPlan>& plans) {
+Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector<faults::CellPlan>& plans) {
   const report::RunInfo info = report::run_info(robot, 1);
   const faults::CellsOrigin origin{info.git_revision, info.configuration_hash, o.slow,
                                    name_of(participant::kWorlds, o.world)};
@@ -130,9 +113,10 @@ Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector
   Ran ran;
   std::vector<faults::Cell>& cells = ran.cells;
   PauseWatch pauses;
-  for (const CellPlan& plan : plans) {
-    const std::string place = place_text(plan.cell());
-    const auto known = std::ranges::find_if(kept, [&](const faults::Cell& cell) { return place_text(cell) == place; });
+  for (const faults::CellPlan& plan : plans) {
+    const std::string place = faults::place_text(plan.cell());
+    const auto known =
+        std::ranges::find_if(kept, [&](const faults::Cell& cell) { return faults::place_text(cell) == place; });
     if (known != kept.end()) {
       cells.push_back(*known);
       continue;
@@ -159,26 +143,38 @@ Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector
   return ran;
 }
 
-int run_faults(FaultsOptions o) {
-  for (const std::string& row : o.rows) {
-    if (faults::find_row(row) == nullptr) {
-      std::string names;
-      for (const faults::Row& known : faults::rows()) {
-        names += (names.empty() ? "" : ", ") + std::string(known.name);
-      }
-      return refuse("faults", "--rows: no row is called '" + row + "': " + names);
-    }
+/// The cells that the options ask for. Refuses rows that there are not, and a draw of more cells than there are.
+Result<std::vector<faults::CellPlan>> plans_of(const FaultsOptions& o, const robot::Robot& robot) {
+  const bool has_supply = o.world == participant::World::kBody && robot.supply;
+  const faults::Where place = !participant::is_on_ground(o.world) ? faults::Where::kBench
+                              : has_supply                        ? faults::Where::kSupply
+                                                                  : faults::Where::kGround;
+  const auto rows = FARRIER_TRY(faults::chosen_rows(o.rows, place));
+  std::vector<faults::CellPlan> all = faults::plan_cells(rows, o.vendors, o.seeds);
+  const auto count = static_cast<std::size_t>(o.cells);
+  if (count > all.size()) {
+    return Error{"--cells: these rows, vendors and seeds have " + std::to_string(all.size()) +
+                 " cells: ask for no more, or for more --seeds"};
   }
+  return count == 0 ? all : faults::draw_cells(all, count, o.seed);
+}
+
+int run_faults(FaultsOptions o) {
   participant::ProcessOptions file;
   file.robot_path = o.robot_path;
+  file.world = o.world;
   file.no_dither = true;
   const auto robot = process::load_robot(file);
   if (!robot) {
     std::fputs(config::to_string(robot.error()).c_str(), stderr);
     return kBadInput;
   }
-  if (participant::is_on_ground(o.world) && (!robot.value().body || !robot.value().locomotion)) {
-    return refuse("faults", "--world body: " + robot.value().name + " has no body.trunk or no locomotion in its file");
+  if (participant::is_on_ground(o.world) && !robot.value().can_walk()) {
+    return refuse("faults", "--world body: " + robot.value().cannot_walk_error());
+  }
+  const auto plans = plans_of(o, robot.value());
+  if (!plans) {
+    return refuse("faults", plans.error().message);
   }
   const auto directory = OutputDirectory::claim(o.out);
   if (!directory) {
@@ -189,15 +185,18 @@ int run_faults(FaultsOptions o) {
   if (auto way = make_way({o.json_path, o.page_path}, {o.robot_path}); !way) {
     return refuse("faults", way.error().message);
   }
-  const std::vector<CellPlan> plans = plan_cells(chosen_rows(o), o.vendors, o.seeds);
-  const Ran ran = run_all(robot.value(), o, plans);
-  const report::Outcome outcome = outcome_of(robot.value(), ran, plans.size());
+  const std::size_t planned = plans.value().size();
+  const Ran ran = run_all(robot.value(), o, plans.value());
+  const report::Outcome outcome = outcome_of(robot.value(), ran, planned);
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("faults", written.error().message);
   }
   if (!o.page_path.empty()) {
-    const std::string page = faults::fault_page_markdown(ran.cells, plans.size(), o.slow);
+    const bool on_ground = participant::is_on_ground(o.world);
+    const faults::PageFacts facts{planned, o.slow, o.cells > 0 ? std::optional(o.seed) : std::nullopt};
+    const std::string page = on_ground ? faults::ground_page_markdown(ran.cells, facts, robot.value().name)
+                                       : faults::fault_page_markdown(ran.cells, facts);
     if (auto written = replace_file(o.page_path, page); !written) {
       return fail("faults", written.error().message);
     }
@@ -225,6 +224,11 @@ std::function<int()> declare_faults(CLI::App& app) {
       ->check(CLI::Range(1, 1000))
       ->type_name("<n>")
       ->capture_default_str();
+  app.add_option("--cells", o->cells,
+                 "cells to be drawn by chance, each row once before a row comes twice; all unless told")
+      ->check(CLI::Range(1, 1000000))
+      ->type_name("<n>");
+  app.add_option("--seed", o->seed, "seed of the draw of --cells")->type_name("<n>")->capture_default_str();
   app.add_option("--slow", o->slow,
                  "slow motion: the clock goes slower than the machine's by this factor, and where a process starts by "
                  "three times it")
@@ -238,7 +242,9 @@ std::function<int()> declare_faults(CLI::App& app) {
       ->type_name("<dir>")
       ->capture_default_str();
   app.add_option("--json", o->json_path, "figures; figures.json in --out unless told")->type_name("<file>");
-  app.add_option("--page", o->page_path, "writes the table with what was measured, as docs/results/faults.md")
+  app.add_option("--page", o->page_path,
+                 "writes the table with what was measured, as docs/results/faults.md; with --world body its part about "
+                 "a ground")
       ->type_name("<file>");
   app.add_flag("--continue", o->go_on,
                "runs the cells that did not hold or were not reached; those that held in an earlier run of the same "

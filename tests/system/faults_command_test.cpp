@@ -14,18 +14,51 @@ namespace faults_command_test {
 TEST(Faults, CutAJointsCommandsAndSeeItDampAndCatchItself) {
   const ScratchDirectory scratch;
   std::string output;
-  run_farrier({"faults", "--rows", "command_cut_short", "--dds", "cyclone", "--seeds", "1", "--out",
+  run_farrier({"faults", "--rows", "command_cut_short", "--dds", "cyclone", "--cells", "1", "--out",
                scratch.file("out"), "--page", scratch.file("page.md")},
               &output);
   const nlohmann::json run = read_json(scratch.file("out/figures.json"));
   ASSERT_FALSE(run.is_discarded()) << output;
-  EXPECT_EQ(figure(run, "faults.cells"), 2.0);
+  EXPECT_EQ(figure(run, "faults.cells"), 1.0);
   // The rest depends on the computer as much as on the stack, and is not checked.
   EXPECT_GE(figure(run, "faults.command_cut_short.reaction_ms"), 4.0) << output;
   EXPECT_LE(figure(run, "faults.command_cut_short.reaction_ms"), 9.0) << output;
   EXPECT_LE(figure(run, "faults.command_cut_short.event_ms"), 9.0) << output;
   EXPECT_EQ(figure(run, "faults.command_cut_short.tripped_ms"), 0.0) << output;
   EXPECT_NE(read_file(scratch.file("page.md")).find("| `command_cut_short` |"), std::string::npos);
+}
+
+TEST(Faults, LetAWalkingRobotLoseTheImuForShortAndWalkOn) {
+  const ScratchDirectory scratch;
+  std::string output;
+  run_farrier({"faults", "--world", "body", "--rows", "imu_cut_short", "--dds", "cyclone", "--cells", "1", "--slow",
+               "1", "--out", scratch.file("out"), "--page", scratch.file("page.md")},
+              &output);
+  const nlohmann::json run = read_json(scratch.file("out/figures.json"));
+  ASSERT_FALSE(run.is_discarded()) << output;
+  EXPECT_EQ(figure(run, "faults.cells"), 1.0);
+  EXPECT_EQ(figure(run, "faults.falls"), 0.0) << output;
+  // The rest depends on the computer as much as on the stack, and is not checked.
+  EXPECT_GE(figure(run, "faults.imu_cut_short.reaction_ms"), 9.0) << output;
+  EXPECT_EQ(figure(run, "faults.imu_cut_short.tripped_ms"), 0.0) << output;
+  EXPECT_NE(read_file(scratch.file("page.md")).find("| `imu_cut_short` | may fall, on a ground only | 1 |"),
+            std::string::npos);
+}
+
+TEST(Faults, RefusesRowsOfAnotherWorldAndMoreCellsThanThereAre) {
+  const ScratchDirectory scratch;
+  std::string output;
+  const auto refuses = [&](std::vector<std::string> options, const std::string& words) {
+    options.insert(options.begin(), {"faults", "--out", scratch.file("out")});
+    EXPECT_EQ(run_farrier(options, &output), 2) << output;
+    EXPECT_NE(output.find(words), std::string::npos) << output;
+  };
+  refuses({"--world", "body", "--rows", "gains_cut"}, "add --world bench");
+  refuses({"--rows", "imu_cut_short"}, "add --world body");
+  refuses({"--world", "ideal", "--rows", "supply_cut"}, "leave it out");
+  refuses({"--rows", "sensors_cut", "--cells", "13"}, "have 12 cells: ask for no more");
+  refuses({"--world", "body", "--robot", std::string(FARRIER_ROBOTS) + "/fc1d.yaml"},
+          "fc1d cannot walk on a ground: give body.trunk and locomotion in its file");
 }
 
 TEST(Faults, RefusesUnknownRowsAndVendors) {

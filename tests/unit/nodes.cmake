@@ -69,6 +69,7 @@ foreach(test IN ITEMS joint_node_test nodes_test recorder_test bench_test)
 endforeach()
 
 farrier_test(faults_test unit ${CMAKE_CURRENT_LIST_DIR}/faults/faults_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/faults/ground_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/faults/safety_table_test.cpp)
 target_link_libraries(faults_test PRIVATE farrier_faults)
 target_compile_definitions(faults_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

@@ -26,6 +26,7 @@ json to_json(const Cell& cell) {
             {"seed", cell.seed}, {"repeats", cell.repeats}, {"checks", std::move(checks)}};
   if (cell.body) {
     line["body"] = {{"fell", cell.body->fell},
+                    {"not_walking_s", cell.body->not_walking_s},
                     {"trunk_speed_m_s", cell.body->trunk_speed_m_s},
                     {"ground_force_N", cell.body->ground_force_N}};
   }
@@ -45,7 +46,8 @@ Cell cell_of(const json& line) {
   }
   if (line.contains("body")) {
     const json& body = line["body"];
-    cell.body = BodyAfterFault{body.at("fell"), body.at("trunk_speed_m_s"), body.at("ground_force_N")};
+    cell.body = BodyAfterFault{body.at("fell"), body.at("not_walking_s"), body.at("trunk_speed_m_s"),
+                               body.at("ground_force_N")};
   }
   return cell;
 }

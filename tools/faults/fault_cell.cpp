@@ -159,9 +159,13 @@ TickSpan place_of(const robot::Robot& robot, const gait::Schedule& schedule, con
   return {begin, begin + lasts};
 }
 
-BodyAfterFault body_after_fault(const std::vector<signals::BodyTruth>& truth, Tick begin) {
+BodyAfterFault body_after_fault(const std::vector<signals::BodyTruth>& truth, Tick begin, const Walk& walk) {
+  constexpr double kShare = 0.5;
+  const double least_m = kShare * walk.speed_m_s * static_cast<double>(walk.stride_ticks) * walk.period_s;
   BodyAfterFault body;
   double start_height_m = 0.0;
+  Tick judged = begin - 1;
+  auto stride_ago = truth.begin();
   for (const signals::BodyTruth& row : truth) {
     const Eigen::Quaterniond attitude(row.attitude[0], row.attitude[1], row.attitude[2], row.attitude[3]);
     const body::Posture posture =
@@ -170,7 +174,15 @@ BodyAfterFault body_after_fault(const std::vector<signals::BodyTruth>& truth, Ti
     if (row.tick < begin) {
       continue;
     }
-    body.fell = body.fell || body::fall_of(posture, start_height_m).has_value();
+    while (stride_ago->tick < row.tick - walk.stride_ticks) {
+      ++stride_ago;
+    }
+    const double moved_m =
+        std::hypot(row.position_m[0] - stride_ago->position_m[0], row.position_m[1] - stride_ago->position_m[1]);
+    const bool lies = body::fall_of(posture, start_height_m).has_value();
+    body.fell = body.fell || lies;
+    body.not_walking_s += !lies && moved_m >= least_m ? 0.0 : static_cast<double>(row.tick - judged) * walk.period_s;
+    judged = row.tick;
     body.trunk_speed_m_s = std::max(body.trunk_speed_m_s, -row.velocity_m_s[2]);
     for (std::size_t i = 0; i < row.foot_force_N.size(); i += 3) {
       body.ground_force_N = std::max(body.ground_force_N, Eigen::Vector3d(row.foot_force_N.data() + i).norm());
@@ -178,6 +190,8 @@ BodyAfterFault body_after_fault(const std::vector<signals::BodyTruth>& truth, Ti
   }
   return body;
 }
+
+Check walks_on_check(const BodyAfterFault& body) { return {"not_walking", "not walking", 0.0, body.not_walking_s}; }
 
 std::vector<bus_faults::ArrowFault> arrow_faults(const robot::Robot& robot, const Row& row, const TickSpan& span) {
   std::vector<bus_faults::ArrowFault> faults;

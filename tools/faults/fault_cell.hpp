@@ -41,12 +41,23 @@ struct Check {
 /// The motion of the body of a robot on a ground from the beginning of the fault on.
 struct BodyAfterFault {
   bool fell = false;             ///< by body::fall_of
+  double not_walking_s = 0.0;    ///< fallen, or slower than half of the command over the last stride
   double trunk_speed_m_s = 0.0;  ///< largest, downwards
   double ground_force_N = 0.0;   ///< largest on a foot
 };
 
-/// Judges the body's trace from `begin` on.
-BodyAfterFault body_after_fault(const std::vector<signals::BodyTruth>& truth, Tick begin);
+/// The trot that a robot on a ground is asked for.
+struct Walk {
+  double speed_m_s;
+  Tick stride_ticks;
+  double period_s;
+};
+
+/// Judges the body's trace from `begin` on, which is more than a stride after the first step.
+BodyAfterFault body_after_fault(const std::vector<signals::BodyTruth>& truth, Tick begin, const Walk& walk);
+
+/// Check of rows under which a robot walks on.
+Check walks_on_check(const BodyAfterFault& body);
 
 /// One cell of the table, with its result.
 struct Cell {
@@ -57,6 +68,7 @@ struct Cell {
   std::vector<Check> checks;
   std::optional<BodyAfterFault> body = std::nullopt;  ///< none on the bench
   bool holds() const noexcept;
+  bool fell() const noexcept { return body && body->fell; }
 };
 
 /// Times of the events of a run. `armed`: the request to arm, the fault's end if there was none.

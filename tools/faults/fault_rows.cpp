@@ -1,6 +1,5 @@
 #include "tools/faults/fault_rows.hpp"
 
-#include <algorithm>
 #include <csignal>
 
 #include "core/fault.hpp"
@@ -18,6 +17,7 @@ constexpr double kReach_s = 0.004;
 constexpr double kStale_s = kLimits.sensors_stale_s + kReach_s;
 constexpr double kFrozen_s = kLimits.frozen_samples * kPeriod_s + kReach_s;
 constexpr double kDamped_s = kLimits.command_damping_s + kReach_s;
+constexpr double kUnread_s = 0.005;  // age of readings that locomotion of a body no longer answers
 constexpr double kTripped_s = kLimits.command_trip_s + kReach_s;
 constexpr double kSilent_s = kLimits.valve_silent_s + kReach_s;
 constexpr double kAtOnce_s = kReach_s;
@@ -155,7 +155,7 @@ const std::vector<Row>& rows() {
       {"estimate_cut_long", "The supervisor hears no estimate for 2 s.", "Gains stay as they are.", Hit::kAll,
        kSupervisor, {"joint/model_estimate:cut"}, 2.0, {}, says_estimates_silent()},
       {"gains_cut", "A leg's gains stop for 2 s.", "joint_node goes on with those it has.", Hit::kLeg, kJointNode,
-       {"joint/controller_gains:cut"}, 2.0, {}, {}, false, robot::Design::kAdaptive},
+       {"joint/controller_gains:cut"}, 2.0, {}, {}, false, robot::Design::kAdaptive, Where::kBench},
       {"phase_cut", "A leg does not hear for 0.2 s when it will lift off or land.", "joint_node goes on with the gains it has.",
        Hit::kLeg, kJointNode, {"gait/phase:cut"}, 0.2, {}, {}},
       {"mode_cut", "The mode does not reach a leg for 2 s.", "joint_node goes on in the mode it knows.", Hit::kLeg,
@@ -168,6 +168,21 @@ const std::vector<Row>& rows() {
        "It commands nothing: joint_node of every leg damps, then trips: valve to null until an operator arms it again.",
        Hit::kAll, "locomotion", {"clock/tick:cut"}, 2.0, {},
        reacts(Fault::kTripped, kTripped_s, kArmed_s)},
+      {"imu_cut_short", "Locomotion does not hear the IMU for 20 ms.",
+       "It commands nothing from 5 ms on: joint_node of every leg damps; by itself back.", Hit::kAll, kLocomotion,
+       {"body/imu:cut"}, 0.02, {},
+       reacts(Fault::kCommandStale, kUnread_s + kDamped_s, kReach_s), false, robot::Design::kPhases, Where::kGround},
+      {"imu_cut_long", "Locomotion does not hear the IMU for 0.1 s.",
+       "It commands nothing from 5 ms on: joint_node of every leg damps, then trips: valve to null until an operator "
+       "arms it again.",
+       Hit::kAll, kLocomotion, {"body/imu:cut"}, 0.1, {},
+       reacts(Fault::kTripped, kUnread_s + kTripped_s, kArmed_s), false, robot::Design::kPhases, Where::kGround},
+      {"readings_nan", "Locomotion reads no numbers from the encoders for 20 ms.",
+       "It commands nothing from 5 ms on: joint_node of every leg damps; by itself back.", Hit::kAll, kLocomotion,
+       {"joint/sensors:nan=position_m_or_rad"}, 0.02, {},
+       reacts(Fault::kCommandStale, kUnread_s + kDamped_s, kReach_s), false, robot::Design::kPhases, Where::kGround},
+      {"supply_cut", "Locomotion does not hear the state of the supply for 2 s.", "Everybody goes on.", Hit::kAll,
+       kLocomotion, {"supply/state:cut"}, 2.0, {}, {}, false, robot::Design::kPhases, Where::kSupply},
       {"joint_node_killed", "joint_node of a leg dies (kill -9).",
        "sim_bridge puts its three spools to null.", Hit::kLeg,
        nullptr, {}, 0.1, {{kJointNode, SIGKILL, 0.0}},
@@ -252,28 +267,6 @@ const std::vector<Row>& rows() {
   };
   // clang-format on
   return all;
-}
-
-bool leaves_trace(const Row& row) {
-  return std::ranges::none_of(row.acts, [](const ProcessAct& act) {
-    return act.signal == SIGKILL && std::string_view(act.member) == kSimBridge;
-  });
-}
-
-bool starts_process(const Row& row) {
-  return std::ranges::any_of(
-      row.acts, [](const ProcessAct& act) { return act.signal == run::kStart || act.signal == run::kStartTwin; });
-}
-
-Row paced(Row row, int slow) {
-  const bool sets = std::ranges::any_of(row.acts, [](const ProcessAct& act) { return run::sets_clock(act.signal); });
-  row.lasts_s /= sets ? slow : 1;
-  return row;
-}
-
-const Row* find_row(std::string_view name) {
-  const auto found = std::ranges::find(rows(), name, [](const Row& row) { return std::string_view(row.name); });
-  return found == rows().end() ? nullptr : &*found;
 }
 
 }  // namespace farrier::faults

@@ -16,6 +16,14 @@ namespace farrier::faults {
 /// Which joints a fault is about.
 enum class Hit { kJoint, kLeg, kAll };
 
+/// Robots that a row is about.
+enum class Where {
+  kEverywhere,
+  kBench,   ///< joints on their bench loads alone
+  kGround,  ///< a robot that walks on a ground alone
+  kSupply   ///< a robot that walks on a ground and whose joints share a supply alone
+};
+
 using run::ProcessAct;
 
 /// Reaction that a cell of the table must show of the joints that are hit. All others track throughout.
@@ -42,12 +50,19 @@ struct Row {
   Expectation expected;
   bool standby = false;                           ///< a second supervisor stands by
   robot::Design design = robot::Design::kPhases;  ///< of the supervisor
+  Where where = Where::kEverywhere;
 };
 
 const std::vector<Row>& rows();
 
 /// True if a run with this fault ends with a trace: false if its writer is killed.
 bool leaves_trace(const Row& row);
+
+/// True for a row of such robots. A robot of kSupply has the rows of kGround, too.
+bool is_row_of(const Row& row, Where robot);
+
+/// True if all joints continue to track under the fault, so that a robot on a ground must walk on.
+bool walks_on(const Row& row);
 
 /// True if a process starts in a run with this fault.
 bool starts_process(const Row& row);

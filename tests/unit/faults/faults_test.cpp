@@ -253,10 +253,10 @@ TEST(FaultPage, HasTheWorstOfEveryRowAndTheCellsThatDidNotHold) {
   broken.error = "supervisor ended with exit status 1";
   const std::vector<Cell> cells{good, bad, broken};
   EXPECT_EQ(worst_checks(cells, "sensors_cut").at(0).measured_s, 0.009);
-  const std::string page = fault_page_markdown(cells, 4, 2);
+  const std::string page = fault_page_markdown(cells, {4, 2});
   EXPECT_NE(page.find("clock, in slow motion by 2; where a process starts, in slow motion by 6."), std::string::npos)
       << page;
-  EXPECT_NE(fault_page_markdown(cells, 4, 1).find("clock; where a process starts, in slow motion by 3."),
+  EXPECT_NE(fault_page_markdown(cells, {4, 1}).find("clock; where a process starts, in slow motion by 3."),
             std::string::npos);
   EXPECT_NE(page.find("1 of 4 cells held, 1 were not run"), std::string::npos);
   EXPECT_EQ(why_not(bad), "null after 9 ms of 7 ms");
