@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 #include <limits>
 #include <vector>
 
+#include "bench/processor_time.hpp"
 #include "bench/slsqp_forces.hpp"
 #include "body/engine/engine.hpp"
+#include "core/median.hpp"
 #include "locomotion/force_distribution.hpp"
 #include "locomotion/trot_controller.hpp"
 #include "robot/locomotion_model.hpp"
@@ -19,16 +20,8 @@ namespace farrier::bench {
 namespace {
 
 constexpr int kTicksOfARound = 500;
-constexpr double kStand_s = 2.5;
-constexpr double kTrot_s = 8.0;
 constexpr double kSettled_s = 10.0;
 constexpr double kUnmeasured_s = std::numeric_limits<double>::infinity();
-
-double processor_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 template <class Work>
 double wall_s(const Work& work) {
@@ -50,9 +43,7 @@ class Walk {
   Walk(const robot::Robot& robot, world::BodyWorld world, const robot::LocomotionModel& model)
       : world_(std::move(world)),
         controller_(*robot.locomotion, robot::locomotion_plan(robot.plan), model),
-        driver_(controller_,
-                {{kStand_s, {.request = locomotion::Request::kStand}},
-                 {kTrot_s, {.request = locomotion::Request::kTrot, .forward_m_s = 0.4}}},
+        driver_(controller_, locomotion::walk_script({.request = locomotion::Request::kTrot, .forward_m_s = 0.4}),
                 robot.period_s),
         torques_Nm_(world_.joints(), 0.0) {}
 
@@ -119,8 +110,7 @@ class Bench {
   }
 
   BodyBench result() {
-    std::ranges::nth_element(ratios_, ratios_.begin() + static_cast<std::ptrdiff_t>(ratios_.size() / 2));
-    bench_.run_ratio = ratios_[ratios_.size() / 2];
+    bench_.run_ratio = median(ratios_);
     bench_.forces_difference = difference_N_ / largest_N_;
     bench_.allocations = count_ != nullptr ? allocations_ : -1;
     return bench_;

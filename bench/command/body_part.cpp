@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "bench/bench_body.hpp"
+#include "bench/bench_walk.hpp"
 #include "bench/command/allocation_count.hpp"
 
 namespace farrier::cli {
@@ -11,6 +12,7 @@ namespace {
 constexpr int kRounds = 20;
 // The least the product promises.
 constexpr double kRunRatio = 2.5;
+constexpr double kRealTime = 2.0;
 constexpr double kDynamicsSpeedup = 1.0;
 constexpr double kForcesSpeedup = 3.0;
 constexpr double kForcesDifference = 0.02;
@@ -33,6 +35,16 @@ Result<Done> measure_body(const robot::Robot& robot, report::Figures& figures) {
   figures.add("bench.body.mujoco_steps_us", 1e6 * body.bare_step_s);
   figures.add("bench.body.run_ratio", body.run_ratio, kRunRatio);
   figures.add("bench.body.allocations", static_cast<double>(body.allocations), 0.0);
+  std::fputs("body: the same on the robot's own actuators\n", stderr);
+  const auto on_ground = robot::load_robot(robot.path, {.on_ground = true});
+  if (!on_ground) {
+    return Error{config::to_string(on_ground.error())};
+  }
+  const auto walk = FARRIER_TRY(bench::bench_walk(on_ground.value(), kRounds));
+  figures.add("bench.walk.tick_us", 1e6 * walk.tick_s);
+  figures.add("bench.walk.mujoco_steps_us", 1e6 * walk.bare_step_s);
+  figures.add("bench.walk.run_ratio", walk.run_ratio, kRunRatio);
+  figures.add("bench.walk.real_time", walk.real_time, kRealTime);
   return Done{};
 }
 

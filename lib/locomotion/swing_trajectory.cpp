@@ -9,11 +9,12 @@ namespace farrier::locomotion {
 gait::PointMotion SwingTrajectory::at(double progress, double swing_s,
                                       const Eigen::Vector3d& foothold_m) const noexcept {
   const double rate = 1.0 / swing_s;
-  const gait::Smooth along = gait::smooth_step(progress);
+  const double forward_rate = rate / params_.forward_share;
+  const gait::Smooth along = gait::smooth_step(progress / params_.forward_share);
   const Eigen::Vector3d way = foothold_m - start_;
   gait::PointMotion motion{.position = start_ + along.value * way,
-                           .velocity = along.slope * rate * way,
-                           .acceleration = along.curvature * rate * rate * way};
+                           .velocity = along.slope * forward_rate * way,
+                           .acceleration = along.curvature * forward_rate * forward_rate * way};
   // two halves of the swing, each a step between lift-off, apex and end
   const double end = foothold_m.z() - params_.press_m;
   const double apex = std::max(start_.z(), foothold_m.z()) + params_.height_m;

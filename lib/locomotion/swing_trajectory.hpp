@@ -9,13 +9,15 @@ namespace farrier::locomotion {
 /// Path of a swinging foot.
 struct SwingParams {
   double height_m = 0.14;        ///< apex above the higher of lift-off and foothold, >= 0
+  double forward_share = 1.0;    ///< share of the swing after which the foot is over its foothold, 0.5..1
   double press_m = 0.02;         ///< the path ends this far below the expected ground, >= 0
   double reach_speed_m_s = 0.4;  ///< downward speed after a swing without contact, > 0
   double reach_depth_m = 0.15;   ///< lowest place of that search below the end of the path, >= 0
 };
 
 /// Path of a foot from lift-off to a foothold that may move meanwhile. World frame, smooth_step() in each direction:
-/// the foot rises over the first half and falls over the second. Position, velocity and acceleration are continuous.
+/// the foot rises over the first half and falls over the second; it moves forward during the first `forward_share`.
+/// Position, velocity and acceleration are continuous.
 /// After the swing the foot goes on downwards, until the caller sees a contact.
 class SwingTrajectory {
  public:

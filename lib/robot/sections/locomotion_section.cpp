@@ -127,6 +127,8 @@ void declare(Visitor& v, FootholdParams& f) {
 
 void declare(Visitor& v, SwingParams& s) {
   v.number("height_m", s.height_m, {0, 2}, kInitial, "Apex above the higher of lift-off and foothold.");
+  v.number("forward_share", s.forward_share, {0.5, 1}, kInitial,
+           "Share of the swing after which the foot is over its foothold.");
   v.number("press_m", s.press_m, {0, 1}, kInitial, "The path ends this far below the expected ground.");
   v.number("reach_speed_m_s", s.reach_speed_m_s, {1e-3, 10}, kInitial, "Downward speed after a swing without contact.");
   v.number("reach_depth_m", s.reach_depth_m, {0, 2}, kInitial, "Lowest place of that search below the path's end.");

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bench/bench_walk.hpp"
 #include "tests/unit/robot/test_files.hpp"
 
 namespace farrier::bench {
@@ -18,6 +19,14 @@ TEST(BodyBench, FindsTheForcesOfAnotherSolverInATrot) {
     EXPECT_LT(time_s, 0.01);
   }
   EXPECT_EQ(bench.value().allocations, -1) << "not counted";
+}
+
+TEST(WalkBench, TimesARobotOnItsOwnActuators) {
+  const auto bench = bench_walk(robot::load_shipped("hyq", {.on_ground = true}), 1);
+  ASSERT_TRUE(bench.ok()) << bench.error().message;
+  EXPECT_GT(bench.value().run_ratio, 1.0) << "a tick has more than MuJoCo's steps";
+  EXPECT_GT(bench.value().bare_step_s, 0.0);
+  EXPECT_GT(bench.value().real_time, 0.01);
 }
 
 TEST(BodyBench, RefusesARobotThatCannotWalk) {

@@ -102,7 +102,7 @@ TEST(Foothold, StaysWithinReach) {
 }
 
 TEST(SwingTrajectory, IsSmoothFromLiftOffOverTheApexIntoTheReach) {
-  const SwingParams params;
+  const SwingParams params{.forward_share = 0.9};
   SwingTrajectory swing(params);
   const Eigen::Vector3d from{0.0, 0.0, 0.02}, to{0.3, 0.05, 0.07};
   swing.lift_off(from);
@@ -119,6 +119,17 @@ TEST(SwingTrajectory, IsSmoothFromLiftOffOverTheApexIntoTheReach) {
     ASSERT_LT((slope - at.velocity).norm(), 1e-4) << u;
     ASSERT_LT((curvature - at.acceleration).norm(), 1e-2) << u;
   }
+}
+
+TEST(SwingTrajectory, IsOverTheFootholdAfterItsShareAndComesDownFromThere) {
+  SwingTrajectory swing(SwingParams{.forward_share = 0.8});
+  const Eigen::Vector3d to{0.3, 0.05, 0.07};
+  swing.lift_off(Eigen::Vector3d::Zero());
+  EXPECT_LT(swing.at(0.75, 0.25, to).position.x(), to.x());
+  const gait::PointMotion over = swing.at(0.8, 0.25, to);
+  EXPECT_LT((over.position - to).head<2>().norm(), 1e-12);
+  EXPECT_GT(over.position.z(), to.z());
+  EXPECT_LT(over.velocity.z(), 0.0);
 }
 
 TEST(SwingTrajectory, ReachesDownToItsDepthAndNoFurther) {
