@@ -174,7 +174,8 @@ void BodyLocomotion::announce_switches(Tick tick) {
   for (std::size_t leg = 0; leg < robot().plan.legs.size(); ++leg) {
     if (const auto next = controller_->announcement(static_cast<int>(leg))) {
       const auto number = static_cast<std::uint16_t>(leg);
-      announce(number, {number, next->count, tick, next->tick, next->phase});
+      announce(number,
+               {number, next->count, tick, next->tick, next->phase, static_cast<std::uint8_t>(next->felt ? 1 : 0)});
     }
   }
 }

@@ -250,6 +250,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   outcome.events_heard = monitor.heard();
   outcome.decisions = monitor.decisions();
   outcome.gains = monitor.gains();
+  outcome.phases = monitor.phases();
   return outcome;
 }
 

@@ -11,7 +11,9 @@
 #include "cli/trot/trot_run.hpp"
 #include "locomotion/motion_script.hpp"
 #include "report/figures/console.hpp"
+#include "report/trot/adaptation.hpp"
 #include "report/walk/walk.hpp"
+#include "robot/keys.hpp"
 #include "trace/body_trace.hpp"
 #include "world/scene_file.hpp"
 
@@ -45,8 +47,13 @@ std::string refused_on_ground(const robot::Robot& robot, const TrotOptions& o) {
            "--gait";
   }
   if (o.design == robot::Design::kAdaptive) {
-    return "--design adaptive is for the bench: estimates of a body's joints are not validated yet; leave it out or "
-           "add --world bench";
+    for (const robot::Joint& joint : robot.joints) {
+      if (joint.kind != control::Kind::kLqr && joint.kind != control::Kind::kFlowInversion) {
+        return std::string("--design adaptive changes nothing on a ground: joint ") + joint.name +
+               " has the controller " + name_of(robot::kControllerKinds, joint.kind) +
+               ", whose gains do not adapt; leave it out, or add --controller lqr or --world bench";
+      }
+    }
   }
   if (o.dither_cost || o.security_cost) {
     return "--dither-cost and --security-cost compare runs on the bench: add --world bench";
@@ -74,9 +81,22 @@ int run_on_ground(const robot::Robot& robot, const TrotOptions& o) {
   outcome.command = "trot";
   outcome.run = report::run_info(robot, o.seed);
   outcome.run.processes = report::process_infos(ran.value().hellos, ran.value().healths);
+  outcome.run.decisions = report::decision_infos(robot, ran.value().decisions);
   outcome.warnings = ran.value().warnings;
   const report::WalkFigures walk = report::judge_walk(plan.value(), truth.value());
   report::add_walk(outcome.figures, plan.value(), walk);
+  if (ran.value().rows.empty()) {
+    auto rows = trace::read_trace(o.trace_path, robot::joint_names(robot));
+    if (!rows) {
+      return fail("trot", rows.error().message);
+    }
+    ran.value().rows = std::move(rows).value();
+  }
+  const report::GaitChanges changes{.phases = ran.value().phases, .rows = ran.value().rows};
+  report::add_gait_changes(outcome.figures, robot, changes);
+  if (o.design == robot::Design::kAdaptive) {
+    report::add_updates(outcome.figures, robot, outcome.run.decisions, static_cast<Tick>(truth.value().size()), false);
+  }
   outcome.figures.add("trot.ticks", static_cast<double>(truth.value().size()));
   outcome.figures.add("trot.ticks_per_s", static_cast<double>(truth.value().size()) / ran.value().wall_s);
   report::add_transport(outcome.figures, outcome.run, lockstep);
@@ -91,7 +111,7 @@ int run_on_ground(const robot::Robot& robot, const TrotOptions& o) {
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("trot", written.error().message);
   }
-  const auto page = report::write_walk_report(o.out, outcome, robot, plan.value(), walk, truth.value());
+  const auto page = report::write_walk_report(o.out, outcome, robot, plan.value(), walk, truth.value(), changes);
   if (!page) {
     return fail("trot", page.error().message);
   }

@@ -40,6 +40,12 @@ struct JointFrame {
   }
 };
 
+/// One leg: changes of phase that its joints were told, since the first sample.
+struct LegFrame {
+  std::uint64_t planned_switches = 0;
+  std::uint64_t felt_switches = 0;  ///< touchdowns that locomotion felt before their plan
+};
+
 /// One process of the run.
 struct ParticipantFrame {
   signals::SystemHello hello;
@@ -84,6 +90,7 @@ struct Frame {
   double age_s = 0.0;                          ///< since any sample came; infinite before the first
   signals::SystemMode mode;                    ///< epoch 0: none yet
   std::vector<signals::Phase> phases;          ///< by leg, as announced for `tick`
+  std::vector<LegFrame> legs;                  ///< by number
   std::vector<JointFrame> joints;              ///< by number
   std::vector<ParticipantFrame> participants;  ///< by number; a hello of tick-less default: not heard of
   std::optional<BodyFrame> body;               ///< of a robot whose file describes rigid bodies

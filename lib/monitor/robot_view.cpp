@@ -38,6 +38,7 @@ void RobotView::begin_anew() {
   tick_ = kNoTick;
   mode_ = {};
   joints_.assign(robot_.joints.size(), {});
+  legs_.assign(robot_.plan.legs.size(), {});
   switches_.assign(robot_.plan.legs.size(), std::vector<Switch>{{kNoTick, signals::Phase::kStance}});
   participants_.clear();
   if (body_) {
@@ -114,7 +115,11 @@ void RobotView::take(const signals::JointUpdateDecision& decision) {
 
 void RobotView::take(const signals::GaitPhase& phase) {
   if (phase.leg < switches_.size() && known(phase.phase)) {
-    switches_[phase.leg].push_back({phase.switch_tick, phase.phase});
+    std::vector<Switch>& leg = switches_[phase.leg];
+    // A touchdown that is felt comes before the one that was announced for later.
+    std::erase_if(leg, [&](const Switch& one) { return one.tick > phase.switch_tick; });
+    leg.push_back({phase.switch_tick, phase.phase});
+    ++(phase.felt != 0 ? legs_[phase.leg].felt_switches : legs_[phase.leg].planned_switches);
   }
 }
 
@@ -182,6 +187,7 @@ Frame RobotView::frame(std::uint64_t time_ns) {
     leg.erase(leg.begin(), ahead - 1);
     frame.phases.push_back(leg.front().phase);
   }
+  frame.legs = legs_;
   for (Joint& joint : joints_) {
     while (!joint.second.empty() && seconds(joint.second.front().time_ns, time_ns) > 1.0) {
       joint.second.pop_front();

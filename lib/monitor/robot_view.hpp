@@ -78,6 +78,7 @@ class RobotView {
   Tick tick_ = kNoTick;
   signals::SystemMode mode_;
   std::vector<Joint> joints_;
+  std::vector<LegFrame> legs_;
   std::vector<std::vector<Switch>> switches_;  ///< by leg, announced and still ahead, behind the one that holds
   std::vector<Participant> participants_;
   std::vector<EventFrame> events_;

@@ -56,6 +56,22 @@ world::EnergyAudit energy_of(const json& energy) {
   return of;
 }
 
+json json_of(const trials::GainSwitches& switches) {
+  return {{"planned", switches.planned},
+          {"felt", switches.felt},
+          {"late_touchdowns", switches.late_touchdowns},
+          {"late_s", switches.late_s},
+          {"largest_late_s", switches.largest_late_s}};
+}
+
+trials::GainSwitches switches_of(const json& switches) {
+  return {.planned = switches.at("planned"),
+          .felt = switches.at("felt"),
+          .late_touchdowns = switches.at("late_touchdowns"),
+          .late_s = switches.at("late_s"),
+          .largest_late_s = switches.at("largest_late_s")};
+}
+
 json json_of(const trials::TrotRow& row) {
   const trials::TrotFigures& f = row.figures;
   return {{"trial", row.trial},
@@ -72,6 +88,7 @@ json json_of(const trials::TrotRow& row) {
           {"lateral_drift_m_s", number_or_null(f.lateral_drift_m_s)},
           {"largest_torque_Nm", f.largest_torque_Nm},
           {"force_nrmse", f.force_nrmse},
+          {"switches", json_of(f.switches)},
           {"energy_error", f.energy_error},
           {"least_supply_Pa", f.least_supply_Pa},
           {"mean_flow_m3_s", f.mean_flow_m3_s},
@@ -97,6 +114,7 @@ trials::TrotRow row_of(const json& line) {
                       .lateral_drift_m_s = number_of(line.at("lateral_drift_m_s")),
                       .largest_torque_Nm = line.at("largest_torque_Nm"),
                       .force_nrmse = line.at("force_nrmse").get<trials::ForceErrors>(),
+                      .switches = switches_of(line.at("switches")),
                       .energy_error = line.at("energy_error"),
                       .least_supply_Pa = line.at("least_supply_Pa"),
                       .mean_flow_m3_s = line.at("mean_flow_m3_s"),

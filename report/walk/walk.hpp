@@ -11,6 +11,7 @@
 
 #include "core/result.hpp"
 #include "report/figures/outcome.hpp"
+#include "report/walk/gait_changes.hpp"
 #include "robot/robot.hpp"
 #include "signals/signals.hpp"
 
@@ -53,9 +54,10 @@ void add_walk(Figures& figures, const WalkPlan& plan, const WalkFigures& walk);
 std::string walk_text(const WalkFigures& walk);
 
 /// Writes out_dir/index.html with pictures of height, tilt, speed and forces at the feet beside it; after a fall also of
-/// its last second. Refuses for the reasons of Drawing::draw.
+/// its last second. Where there are changes of gains, a picture shows them in the last second before the fall or in the
+/// settled trot. Refuses for the reasons of Drawing::draw.
 Result<std::string> write_walk_report(const std::string& out_dir, const Outcome& outcome, const robot::Robot& robot,
                                       const WalkPlan& plan, const WalkFigures& walk,
-                                      std::span<const signals::BodyTruth> truth);
+                                      std::span<const signals::BodyTruth> truth, const GaitChanges& changes = {});
 
 }  // namespace farrier::report

@@ -91,11 +91,29 @@ std::string add(Drawing& drawing, const std::string& name, const std::string& ca
   return "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(caption) + "\">\n";
 }
 
+/// The gains in three strides of the settled trot, or in the last second before a fall.
+std::string add_gait(Drawing& drawing, const WalkPlan& plan, const WalkFigures& walk, const robot::Robot& robot,
+                     const GaitChanges& changes) {
+  constexpr double kStrides = 3.0;
+  const double length_s = walk.fell_s ? kLastSecond_s : kStrides / robot.plan.gait.frequency_Hz;
+  const double end_s = walk.fell_s.value_or(static_cast<double>(changes.rows.back().tick) * plan.period_s);
+  const double settled_s = walk.fell_s ? end_s : plan.walk_s + kWalkSettles_s;
+  const double begin_s = std::max(0.0, std::min(settled_s, end_s - length_s));
+  const auto tick_of = [&plan](double time_s) { return static_cast<Tick>(std::llround(time_s / plan.period_s)); };
+  const std::string caption = "plan, contact and acting gains of each leg, high in stance";
+  const std::string path =
+      drawing.add("gait", {.caption = caption,
+                           .panels = gait_panels(robot, changes, tick_of(begin_s), tick_of(begin_s + length_s)),
+                           .key = Key::kAbove,
+                           .stacked = true});
+  return path.empty() ? "" : "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(caption) + "\">\n";
+}
+
 }  // namespace
 
 Result<std::string> write_walk_report(const std::string& out_dir, const Outcome& outcome, const robot::Robot& robot,
                                       const WalkPlan& plan, const WalkFigures& walk,
-                                      std::span<const signals::BodyTruth> truth) {
+                                      std::span<const signals::BodyTruth> truth, const GaitChanges& changes) {
   Drawing drawing(out_dir);
   std::string html = page_head(robot.name + ": " + outcome.command, outcome);
   html += "<p>The robot " + escape_html(walk_text(walk)) + ".</p>\n<h2>Body</h2>\n";
@@ -104,6 +122,9 @@ Result<std::string> write_walk_report(const std::string& out_dir, const Outcome&
                 plan, robot);
   }
   html += add(drawing, "walk", "trunk and feet over the whole run", whole(truth), plan, robot);
+  if (!changes.rows.empty()) {
+    html += "<h2>Gains</h2>\n" + add_gait(drawing, plan, walk, robot, changes);
+  }
   if (auto drawn = drawing.draw(); !drawn) {
     return drawn.error();
   }

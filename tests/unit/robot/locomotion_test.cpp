@@ -165,5 +165,19 @@ TEST(LocomotionSection, IsRefusedWithALegLongerThanItsLinks) {
                 ": locomotion.leg: has longest_leg_m 0.78, but a straight leg has 0.771: give less\n");
 }
 
+TEST(LocomotionFile, RefusesATouchdownThatCouldOnlyBeFeltAfterItsPlan) {
+  const auto with = [](const char* felt) {
+    return replaced(text_of("hyq"), "  mode: {folded",
+                    std::string("  felt_touchdown: {") + felt + "}\n  mode: {folded");
+  };
+  const std::string late = with("least_swing_s: 0.24");
+  EXPECT_EQ(problems_of(late), "hyq.yaml:" + std::to_string(line_of(late, "felt_touchdown:")) +
+                                   ": locomotion.felt_touchdown: has least_swing_s 0.24 and debounce_s 0.003, but the "
+                                   "gains of swing act for 0.24 s: give less, or on: false\n");
+  EXPECT_EQ(problems_of(with("on: false, least_swing_s: 0.24")), "");
+  EXPECT_NE(problems_of(with("force_N: 0")).find("force_N"), std::string::npos);
+  EXPECT_NE(problems_of(with("debounce_s: 1")).find("debounce_s"), std::string::npos);
+}
+
 }  // namespace locomotion_test
 }  // namespace farrier::robot
