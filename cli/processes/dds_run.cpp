@@ -65,7 +65,7 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   auto participant = FARRIER_TRY(participant::Participant::join(*seat.bus, identity));
   seat.participant = std::move(participant);
   auto listener = FARRIER_TRY(run::RunListener::create(*seat.participant, common.ticks));
-  seat.listener.emplace(std::move(listener));
+  seat.listener.emplace(listener);
   auto acts = FARRIER_TRY(RunActs::create(run.acts, *seat.participant, clock));
   seat.acts = std::move(acts);
   if (run.steers) {
