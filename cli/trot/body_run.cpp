@@ -11,8 +11,11 @@
 #include "cli/trot/trot_run.hpp"
 #include "locomotion/motion_script.hpp"
 #include "report/figures/console.hpp"
-#include "report/walk/walk.hpp"
+#include "report/walk/walk_run.hpp"
+#include "robot/keys.hpp"
 #include "trace/body_trace.hpp"
+#include "trace/supply_trace.hpp"
+#include "trace/trace.hpp"
 #include "world/scene_file.hpp"
 
 namespace farrier::cli {
@@ -35,6 +38,14 @@ Result<report::WalkPlan> plan_of(const robot::Robot& robot, const TrotOptions& o
     plan.normal = scene.value().ground * Eigen::Vector3d::UnitZ();
   }
   return plan;
+}
+
+/// The samples of the shared supply; none without a pump and with ideal joints.
+Result<std::vector<trace::SupplyRow>> supply_rows(const robot::Robot& robot, const TrotOptions& o) {
+  if (!robot.supply || o.world != participant::World::kBody) {
+    return std::vector<trace::SupplyRow>{};
+  }
+  return trace::read_supply_trace(trace::supply_trace_path(o.trace_path));
 }
 
 }  // namespace
@@ -91,7 +102,18 @@ int run_on_ground(const robot::Robot& robot, const TrotOptions& o) {
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("trot", written.error().message);
   }
-  const auto page = report::write_walk_report(o.out, outcome, robot, plan.value(), walk, truth.value());
+  const double shown_s = report::shown_from_s(plan.value(), walk, truth.value(), report::kMovingPicture_s);
+  const auto joints =
+      trace::read_trace(o.trace_path, robot::joint_names(robot), static_cast<Tick>(shown_s / robot.period_s));
+  if (!joints) {
+    return fail("trot", joints.error().message);
+  }
+  const auto supply = supply_rows(robot, o);
+  if (!supply) {
+    return fail("trot", supply.error().message);
+  }
+  const auto page = report::write_walk_report(
+      o.out, outcome, {robot, plan.value(), walk, truth.value(), joints.value(), supply.value()});
   if (!page) {
     return fail("trot", page.error().message);
   }

@@ -23,14 +23,26 @@ double seconds(std::uint64_t from_ns, std::uint64_t to_ns) noexcept {
 
 }  // namespace
 
-RobotView::RobotView(const robot::Robot& robot) : robot_(robot), body_(BodyView::create(robot)) { begin_anew(); }
+RobotView::RobotView(const robot::Robot& robot)
+    : robot_(robot), body_(BodyView::create(robot)), supply_(robot.period_s) {
+  begin_anew();
+}
 
 const std::vector<bus::TopicId>& RobotView::topics() {
   using enum bus::TopicId;
-  static const std::vector<bus::TopicId> topics{
-      kJointSummary, kJointControllerGains, kJointModelEstimateCopy, kJointUpdateDecision, kGaitPhase,
-      kSystemMode,   kSystemHello,          kSystemHealth,           kSystemEvent,         kBodyTruth,
-      kBodyState};
+  static const std::vector<bus::TopicId> topics{kJointSummary,
+                                                kJointControllerGains,
+                                                kJointModelEstimateCopy,
+                                                kJointUpdateDecision,
+                                                kGaitPhase,
+                                                kSystemMode,
+                                                kSystemHello,
+                                                kSystemHealth,
+                                                kSystemEvent,
+                                                kBodyTruth,
+                                                kBodyState,
+                                                kSupplyState,
+                                                kSupplyTruth};
   return topics;
 }
 
@@ -43,6 +55,7 @@ void RobotView::begin_anew() {
   if (body_) {
     body_->begin_anew();
   }
+  supply_.begin_anew();
 }
 
 double RobotView::since_first_s(std::uint64_t time_ns) const noexcept {
@@ -208,6 +221,7 @@ Frame RobotView::frame(std::uint64_t time_ns) {
   if (body_) {
     frame.body = body_->frame(frame.joints, time_ns);
   }
+  frame.supply = supply_.frame(time_ns);
   for (Participant& participant : participants_) {
     participant.now.age_s = seconds(participant.heard_ns, time_ns);
     frame.participants.push_back(participant.now);

@@ -42,7 +42,7 @@ std::optional<trials::SupplyFigures> supply_of(const json& supply) {
 
 json json_of(const world::EnergyAudit& energy) {
   json of;
-  for (const EnergyTerm& term : kEnergyTerms) {
+  for (const world::EnergyTerm& term : world::kEnergyTerms) {
     of[term.name] = energy.*term.energy_J;
   }
   return of;
@@ -50,7 +50,7 @@ json json_of(const world::EnergyAudit& energy) {
 
 world::EnergyAudit energy_of(const json& energy) {
   world::EnergyAudit of;
-  for (const EnergyTerm& term : kEnergyTerms) {
+  for (const world::EnergyTerm& term : world::kEnergyTerms) {
     of.*term.energy_J = energy.at(term.name);
   }
   return of;

@@ -4,17 +4,21 @@
 #include <cmath>
 
 #include "body/model/posture.hpp"
+#include "core/replace_file.hpp"
 #include "report/figures/text_format.hpp"
 #include "report/page/draw_pictures.hpp"
 #include "report/page/html_page.hpp"
 #include "report/page/html_tables.hpp"
-#include "report/walk/walk.hpp"
+#include "report/walk/moving_picture.hpp"
+#include "report/walk/supply_section.hpp"
+#include "report/walk/walk_run.hpp"
 
 namespace farrier::report {
 namespace {
 
 constexpr std::size_t kMostPoints = 2000;
 constexpr double kLastSecond_s = 1.0;
+constexpr const char* kMovingPicture = "pictures/moving.svg";
 
 /// A stretch of the run, in ticks; `step` of them give a point.
 struct Stretch {
@@ -93,17 +97,23 @@ std::string add(Drawing& drawing, const std::string& name, const std::string& ca
 
 }  // namespace
 
-Result<std::string> write_walk_report(const std::string& out_dir, const Outcome& outcome, const robot::Robot& robot,
-                                      const WalkPlan& plan, const WalkFigures& walk,
-                                      std::span<const signals::BodyTruth> truth) {
+Result<std::string> write_walk_report(const std::string& out_dir, const Outcome& outcome, const WalkRun& run) {
+  const WalkPlan& plan = run.plan;
+  const WalkFigures& walk = run.figures;
   Drawing drawing(out_dir);
-  std::string html = page_head(robot.name + ": " + outcome.command, outcome);
-  html += "<p>The robot " + escape_html(walk_text(walk)) + ".</p>\n<h2>Body</h2>\n";
-  if (walk.fell_s) {
-    html += add(drawing, "fall", "the last second before the fall", before_fall(truth, *walk.fell_s, plan.period_s),
-                plan, robot);
+  std::string html = page_head(run.robot.name + ": " + outcome.command, outcome);
+  html += "<p>The robot " + escape_html(walk_text(walk)) + ".</p>\n";
+  if (const std::string moving = moving_picture(run); !moving.empty()) {
+    FARRIER_TRY(replace_file(out_dir + "/" + kMovingPicture, moving));
+    html += std::string("<img src=\"") + kMovingPicture + "\" alt=\"the last seconds of the run, moving\">\n";
   }
-  html += add(drawing, "walk", "trunk and feet over the whole run", whole(truth), plan, robot);
+  html += "<h2>Body</h2>\n";
+  if (walk.fell_s) {
+    html += add(drawing, "fall", "the last second before the fall", before_fall(run.truth, *walk.fell_s, plan.period_s),
+                plan, run.robot);
+  }
+  html += add(drawing, "walk", "trunk and feet over the whole run", whole(run.truth), plan, run.robot);
+  html += supply_section(drawing, run);
   if (auto drawn = drawing.draw(); !drawn) {
     return drawn.error();
   }
