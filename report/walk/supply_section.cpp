@@ -94,7 +94,7 @@ struct Account {
   world::EnergyAudit audit;
 };
 
-/// Of the whole run, and of the part that is judged if the run has one.
+/// The accounts of the whole run and, if the run has one, of the part that is judged.
 std::vector<Account> accounts_of(const WalkRun& run) {
   const auto at = [](const trace::SupplyRow& row) { return world::audit_in(row.truth); };
   std::vector<Account> accounts{{"whole run", at(run.supply.back()) - at(run.supply.front())}};

@@ -21,7 +21,7 @@ inline double shown_from_s(const WalkPlan& plan, const WalkFigures& walk, std::s
   return std::max(0.0, walk.fell_s.value_or(last_s) - seconds);
 }
 
-/// What the simulation knows of a walk; each in the order of its ticks.
+/// The truth of a simulated walk; each in the order of its ticks.
 struct WalkRun {
   const robot::Robot& robot;
   const WalkPlan& plan;
@@ -35,8 +35,8 @@ struct WalkRun {
 };
 
 /// Writes out_dir/index.html with pictures of height, tilt, speed and forces at the feet beside it; after a fall also of
-/// its last second. Of a robot with a pump also of the supply, the account of its energy, and the valve currents and
-/// pressures of each leg. A moving picture shows the last seconds. Refuses for the reasons of Drawing::draw.
+/// its last second. A robot with a pump adds the supply, the account of its energy, and the valve currents and pressures
+/// of each leg. A moving picture shows the last seconds. Refuses for the reasons of Drawing::draw.
 Result<std::string> write_walk_report(const std::string& out_dir, const Outcome& outcome, const WalkRun& run);
 
 }  // namespace farrier::report
