@@ -12,6 +12,9 @@ namespace {
 // A foot that just touched down or is about to lift off may still carry this much.
 constexpr double kLeastLimit_N = 1.0;
 
+// Largest difference of a joint's torque from its command while it obeys: HyQ's joints keep 5 Nm in the soft start.
+constexpr double kObeyed_Nm = 50.0;
+
 }  // namespace
 
 TrotController::TrotController(const LocomotionParams& params, const gait::RobotPlan& plan, const BodyModel& model)
@@ -37,6 +40,12 @@ TrotController::TrotController(const LocomotionParams& params, const gait::Robot
 
 const LegTorques& TrotController::step(Tick now, const Readings& readings, const MotionCommand& command) noexcept {
   estimate(readings);
+  // Joints that are not armed do not obey. The soft start waits for them in the pose that they have: a torque that grew
+  // with their distance from the folded pose would make the legs give way when they are armed.
+  if (mode_.mode() == Mode::kLie && !obeyed(readings)) {
+    mode_.restart();
+    started_ = false;
+  }
   mode_.step(now, command, state_.trunk.rotation(2, 2), reference_, schedule_);
   state_.mode = mode_.mode();
   schedule_.step(now);
@@ -45,6 +54,15 @@ const LegTorques& TrotController::step(Tick now, const Readings& readings, const
   distribute();
   command_legs(readings);
   return torques_;
+}
+
+bool TrotController::obeyed(const Readings& readings) const noexcept {
+  for (int leg = 0; leg < legs_; ++leg) {
+    if (!((readings.legs[leg].torque_Nm - torques_[leg]).cwiseAbs().maxCoeff() <= kObeyed_Nm)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 // Trust in a standing foot falls at both ends of its stance, as it was and as it is planned.

@@ -73,6 +73,8 @@ class TrotController final : public Controller {
   const ForceDistribution& force_distribution() const noexcept { return distribution_; }
 
  private:
+  /// True if every joint has about the torque that was commanded last.
+  bool obeyed(const Readings& readings) const noexcept;
   void estimate(const Readings& readings) noexcept;
   void sequence_legs() noexcept;
   void plan_trunk(const MotionCommand& command) noexcept;
@@ -97,7 +99,7 @@ class TrotController final : public Controller {
   PerLeg<SwingTrajectory> swings_;
   PerLeg<gait::PointMotion> foot_references_;
   PerLeg<Eigen::Vector3d> touchdowns_;     // last place on the ground of each foot's lowest point, world frame
-  PerLeg<Eigen::Vector3d> first_pose_;     // joint angles of the first tick, from which the soft start begins
+  PerLeg<Eigen::Vector3d> first_pose_;     // joint angles from which the soft start begins
   PerLeg<Eigen::Vector3d> accelerations_;  // joint accelerations commanded last
   LegTorques torques_;
   bool started_ = false;
