@@ -5,8 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "bench/processor_time.hpp"
 #include "bench/slsqp_forces.hpp"
+#include "bench/walk_rounds.hpp"
 #include "body/engine/engine.hpp"
 #include "core/median.hpp"
 #include "locomotion/force_distribution.hpp"
@@ -19,8 +19,6 @@
 namespace farrier::bench {
 namespace {
 
-constexpr int kTicksOfARound = 500;
-constexpr double kSettled_s = 10.0;
 constexpr double kUnmeasured_s = std::numeric_limits<double>::infinity();
 
 template <class Work>
@@ -43,8 +41,7 @@ class Walk {
   Walk(const robot::Robot& robot, world::BodyWorld world, const robot::LocomotionModel& model)
       : world_(std::move(world)),
         controller_(*robot.locomotion, robot::locomotion_plan(robot.plan), model),
-        driver_(controller_, locomotion::walk_script({.request = locomotion::Request::kTrot, .forward_m_s = 0.4}),
-                robot.period_s),
+        driver_(controller_, benched_walk(), robot.period_s),
         torques_Nm_(world_.joints(), 0.0) {}
 
   bool tick() noexcept {

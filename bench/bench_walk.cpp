@@ -4,7 +4,7 @@
 #include <limits>
 #include <vector>
 
-#include "bench/processor_time.hpp"
+#include "bench/walk_rounds.hpp"
 #include "body/engine/engine.hpp"
 #include "core/median.hpp"
 #include "locomotion/trot_controller.hpp"
@@ -14,14 +14,6 @@
 #include "trials/body/controller_driver.hpp"
 
 namespace farrier::bench {
-namespace {
-
-constexpr int kTicksOfARound = 500;
-constexpr double kSettled_s = 10.0;
-constexpr double kSpeed_m_s = 0.4;
-
-}  // namespace
-
 Result<WalkBench> bench_walk(const robot::Robot& robot, int rounds) {
   if (!robot.can_walk()) {
     return Error{robot.cannot_walk_error()};
@@ -30,9 +22,7 @@ Result<WalkBench> bench_walk(const robot::Robot& robot, int rounds) {
   auto actuated = FARRIER_TRY(trials::ActuatedRobot::create(robot, robot, {}, 1));
   const world::BodyWorld& world = actuated.robot().body();
   locomotion::TrotController controller(*robot.locomotion, robot::locomotion_plan(robot.plan), model);
-  trials::ControllerDriver driver(
-      controller, locomotion::walk_script({.request = locomotion::Request::kTrot, .forward_m_s = kSpeed_m_s}),
-      robot.period_s);
+  trials::ControllerDriver driver(controller, benched_walk(), robot.period_s);
   auto engine =
       FARRIER_TRY(body::Engine::create(world.model(), {}, {.step_s = robot.period_s / world.steps_per_tick()}));
   std::vector<double> torques_Nm(actuated.joints(), 0.0);

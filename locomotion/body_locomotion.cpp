@@ -25,8 +25,8 @@ bool finite(const signals::BodyImu& imu) noexcept {
          std::ranges::all_of(imu.specific_force_m_s2, is_finite);
 }
 
-/// Samples of one tick of all joints and of the IMU. In real time the newest of each count. Of a sample with a number
-/// that is not finite only the tick counts: one such number would stay in the estimated state for ever.
+/// Samples of one tick of all joints and of the IMU. In real time the newest of each count. A sample with a number
+/// that is not finite gives its tick only: one such number would stay in the estimated state for ever.
 class ReadingsInbox {
  public:
   explicit ReadingsInbox(const robot::Robot& robot)
@@ -191,7 +191,8 @@ void BodyLocomotion::announce_switches(Tick tick) {
   for (std::size_t leg = 0; leg < robot().plan.legs.size(); ++leg) {
     if (const auto next = controller_->announcement(static_cast<int>(leg))) {
       const auto number = static_cast<std::uint16_t>(leg);
-      announce(number, {number, next->count, tick, next->tick, next->phase});
+      announce(number,
+               {number, next->count, tick, next->tick, next->phase, static_cast<std::uint8_t>(next->felt ? 1 : 0)});
     }
   }
 }

@@ -41,7 +41,7 @@ void PlannedGait::announce_switches(Tick tick) {
       const Tick at =
           announce_ == Announce::kActual ? schedule_.actual_switch(static_cast<int>(leg), *planned) : planned->tick;
       const auto number = static_cast<std::uint16_t>(leg);
-      announce(number, {number, planned->count, tick, at, planned->phase});
+      announce(number, {number, planned->count, tick, at, planned->phase, 0});
     }
   }
 }

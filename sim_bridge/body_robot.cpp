@@ -132,6 +132,22 @@ std::optional<signals::BodyTruth> BodyRobot::truth() const noexcept {
   return truth;
 }
 
+std::optional<signals::SupplyTruth> BodyRobot::supply_truth() const noexcept {
+  if (!meter_) {
+    return std::nullopt;
+  }
+  signals::SupplyTruth truth;
+  truth.tick = tick();
+  for (std::size_t i = 0; i < std::min(joints_.size(), truth.pressure_a_Pa.size()); ++i) {
+    if (const plant::HydraulicJoint* hydraulic = actuators_->joint(i).hydraulic()) {
+      truth.pressure_a_Pa[i] = hydraulic->state().pressure_a_Pa;
+      truth.pressure_b_Pa[i] = hydraulic->state().pressure_b_Pa;
+    }
+  }
+  world::put(actuators_->audit(), truth);
+  return truth;
+}
+
 bool has_physics_engine() noexcept { return true; }
 
 Result<std::unique_ptr<SimulatedRobot>> simulated_body(const robot::Robot& robot, const std::string& scene_path,

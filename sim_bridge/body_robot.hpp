@@ -36,6 +36,8 @@ class BodyRobot final : public SimulatedRobot {
   std::optional<world::SupplyReading> supply() const noexcept override;
   const signals::SupplyState* supply_state() const noexcept override { return meter_ ? &meter_->state() : nullptr; }
 
+  std::optional<signals::SupplyTruth> supply_truth() const noexcept override;
+
   world::JointReading reading(std::size_t joint) const noexcept override {
     const Measured& sample = sensors_[joint].sample();
     return {sample.position, sample.velocity, sample.force};

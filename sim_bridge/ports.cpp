@@ -25,6 +25,7 @@ Result<Ports> Ports::open(participant::Participant& participant, const robot::Ro
   }
   if (world.supply_state() != nullptr) {
     FARRIER_TRY(take(ports.supply, participant.publish<signals::SupplyState>({0})));
+    FARRIER_TRY(take(ports.supply_truth, participant.publish<signals::SupplyTruth>({0})));
   }
   if (participant.identity().clock == bus::ClockKind::kRealtime) {
     return ports;
@@ -67,18 +68,9 @@ void tell_supply(LowAlarm& alarm, const signals::SupplyState& sample, participan
 
 Result<Parts> Parts::assemble(std::unique_ptr<SimulatedRobot> world, const robot::Robot& robot,
                               const std::string& trace_path, participant::Participant& participant) {
-  const bool has_body = world->truth().has_value();
-  std::optional<trace::TraceWriter> trace;
-  std::optional<trace::BodyTraceWriter> body_trace;
-  if (!trace_path.empty()) {
-    trace = FARRIER_TRY(trace::TraceWriter::create(trace_path, robot::joint_names(robot)));
-    if (has_body) {
-      body_trace = FARRIER_TRY(
-          trace::BodyTraceWriter::create(trace::body_trace_path(trace_path), static_cast<int>(robot.plan.legs.size())));
-    }
-  }
+  auto traces = FARRIER_TRY(Traces::create(trace_path, robot, *world));
   const Ports ports = FARRIER_TRY(Ports::open(participant, robot, *world));
-  return Parts{std::move(world), std::move(trace), std::move(body_trace), ports};
+  return Parts{std::move(world), std::move(traces), ports};
 }
 
 }  // namespace farrier::sim_bridge

@@ -7,8 +7,7 @@
 #include "participant/participant.hpp"
 #include "robot/robot.hpp"
 #include "sim_bridge/simulated_robot.hpp"
-#include "trace/body_trace.hpp"
-#include "trace/trace.hpp"
+#include "sim_bridge/traces.hpp"
 
 namespace farrier::sim_bridge {
 
@@ -23,7 +22,8 @@ struct Ports {
   participant::Out<signals::BodyImu>* imu;      ///< of a world with a body, else null
   participant::Out<signals::BodyTruth>* truth;  ///< likewise
 
-  participant::Out<signals::SupplyState>* supply;  ///< of a world with a pump, else null
+  participant::Out<signals::SupplyState>* supply;        ///< of a world with a pump, else null
+  participant::Out<signals::SupplyTruth>* supply_truth;  ///< likewise
 
   static Result<Ports> open(participant::Participant& participant, const robot::Robot& robot,
                             const SimulatedRobot& world);
@@ -35,10 +35,12 @@ signals::BodyImu imu_sample(const world::World& world, std::int64_t sample_time_
 /// The alarm of the robot's supply; one that never goes off without a pump.
 LowAlarm supply_alarm(const robot::Robot& robot) noexcept;
 
-/// The sample of the supply that a world has at its present tick; null between samples and without a pump.
-inline const signals::SupplyState* new_supply_sample(const SimulatedRobot& world) noexcept {
+/// The sample of the supply that a world has at its present tick, with the truth; none between samples and without a pump.
+inline std::optional<trace::SupplyRow> new_supply_sample(const SimulatedRobot& world) noexcept {
   const signals::SupplyState* newest = world.supply_state();
-  return newest != nullptr && newest->tick == world.tick() ? newest : nullptr;
+  return newest != nullptr && newest->tick == world.tick()
+             ? std::optional(trace::SupplyRow{*newest, world.supply_truth().value_or(signals::SupplyTruth{})})
+             : std::nullopt;
 }
 
 /// Reports a change of the alarm by a sample as an event.
@@ -55,8 +57,7 @@ void publish_all(SpscRing<Signal, N>& ring, participant::Out<Signal>* port) {
 /// Parts of sim_bridge on either clock.
 struct Parts {
   std::unique_ptr<SimulatedRobot> world;
-  std::optional<trace::TraceWriter> trace;           ///< none for an empty path
-  std::optional<trace::BodyTraceWriter> body_trace;  ///< likewise, and none without a body
+  Traces traces;
   Ports ports;
 
   static Result<Parts> assemble(std::unique_ptr<SimulatedRobot> world, const robot::Robot& robot,

@@ -17,8 +17,7 @@ class SimBridgeLockstep final : public participant::Application {
   SimBridgeLockstep(Parts parts, const robot::Robot& robot, participant::Participant& participant, Tick ticks,
                     RowSink sink)
       : world_(std::move(parts.world)),
-        trace_(std::move(parts.trace)),
-        body_trace_(std::move(parts.body_trace)),
+        traces_(std::move(parts.traces)),
         sink_(std::move(sink)),
         ports_(parts.ports),
         participant_(participant),
@@ -51,8 +50,7 @@ class SimBridgeLockstep final : public participant::Application {
   void report(bool final_report);
 
   std::unique_ptr<SimulatedRobot> world_;
-  std::optional<trace::TraceWriter> trace_;
-  std::optional<trace::BodyTraceWriter> body_trace_;
+  Traces traces_;
   RowSink sink_;
   Ports ports_;
   participant::Participant& participant_;
@@ -121,9 +119,13 @@ void SimBridgeLockstep::begin_tick() {
     ports_.imu->publish(imu_sample(*world_, to_ns(std::chrono::steady_clock::now())));
     ports_.truth->publish(world_->truth().value_or(signals::BodyTruth{}));
   }
-  if (const signals::SupplyState* supply = new_supply_sample(*world_)) {
-    ports_.supply->publish(*supply);
-    tell_supply(supply_alarm_, *supply, participant_);
+  if (const auto supply = new_supply_sample(*world_)) {
+    ports_.supply->publish(supply->state);
+    ports_.supply_truth->publish(supply->truth);
+    tell_supply(supply_alarm_, supply->state, participant_);
+    if (traces_.supply) {
+      traces_.supply->write(*supply);
+    }
   }
   ports_.clock->publish({0, world_->tick()});
   begun_ = true;
@@ -141,15 +143,15 @@ void SimBridgeLockstep::record() noexcept {
     row.state = valve.state;
     row.generation = valve.generation;
     row.faults = valve.faults;
-    if (trace_) {
-      trace_->write(row);
+    if (traces_.joints) {
+      traces_.joints->write(row);
     }
     if (sink_) {
       sink_(row);
     }
   }
-  if (body_trace_) {
-    body_trace_->write(world_->truth().value_or(signals::BodyTruth{}));
+  if (traces_.body) {
+    traces_.body->write(world_->truth().value_or(signals::BodyTruth{}));
   }
 }
 
@@ -161,7 +163,7 @@ void SimBridgeLockstep::end_tick() {
     commands_[i] = world_->takes_forces() ? force : valve_current_A_[i];
     valve_command_tick_[i] = acting != nullptr ? acting->tick : kNoTick;
   }
-  if (trace_ || sink_) {
+  if (traces_.joints || sink_) {
     record();
   }
   if (!world_->advance(commands_)) {
@@ -194,7 +196,7 @@ void SimBridgeLockstep::poll(SteadyTime now) {
       return;
     }
     if (finished()) {
-      if ((trace_ && !trace_->finish()) || (body_trace_ && !body_trace_->finish())) {
+      if (!traces_.finish()) {
         participant_.event(participant::EventKind::kTraceIncomplete, world_->tick(), signals::kNoJoint);
       }
       report(true);

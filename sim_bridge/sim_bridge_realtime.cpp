@@ -51,14 +51,8 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
         numbers_(robot::joint_numbers(robot)),
         mail_(numbers_.size()),
         commands_(numbers_.size(), 0.0),
-        supply_alarm_(supply_alarm(robot)) {
-    if (parts.trace) {
-      trace_.emplace(std::move(*parts.trace));
-    }
-    if (parts.body_trace) {
-      body_trace_.emplace(std::move(*parts.body_trace));
-    }
-  }
+        supply_alarm_(supply_alarm(robot)),
+        traces_(std::move(parts.traces)) {}
 
   bool receive(SteadyTime now) override;
   void step(const participant::Wake& wake) noexcept override;
@@ -72,7 +66,6 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
  private:
   void fetch_valve(Mailbox& mail) noexcept;
   void apply_valve(std::size_t index, SteadyTime now) noexcept;
-  bool traces_finished() const;
   bool trace_complete() const;
   void tell_silences();
   void report(bool final_report);
@@ -97,12 +90,12 @@ class SimBridgeRealtime final : public participant::RealtimeApplication {
   SpscRing<signals::BodyImu, 16> imus_;
   SpscRing<signals::BodyTruth, 64> truths_;  ///< to publish
   SpscRing<signals::BodyTruth, 64> rows_;    ///< for the trace
-  SpscRing<signals::SupplyState, 16> supplies_;
+  SpscRing<trace::SupplyRow, 16> supplies_;
+  SpscRing<trace::SupplyRow, 16> supply_rows_;         ///< for the trace
   SpscRing<signals::SupplyState, 16> supplies_heard_;  ///< for the alarm
   LowAlarm supply_alarm_;                              ///< bus thread
   std::atomic<bool> failed_{false};                    ///< the world, by the control thread
-  std::optional<TraceThread<trace::TraceWriter>> trace_;
-  std::optional<TraceThread<trace::BodyTraceWriter>> body_trace_;
+  TraceThreads traces_;
 };
 
 bool SimBridgeRealtime::receive(SteadyTime now) {
@@ -129,9 +122,9 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
                        why);
     participant_.give_up(why);
   }
-  if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && traces_finished() && !reported_final_) {
+  if (ticks_ > 0 && sent_tick_.load(std::memory_order_acquire) >= ticks_ && traces_.finished() && !reported_final_) {
     reported_final_ = true;
-    if (trace_ && !trace_complete()) {
+    if (traces_.joints && !trace_complete()) {
       participant_.event(participant::EventKind::kTraceIncomplete, ticks_, signals::kNoJoint);
     }
     report(true);
@@ -142,12 +135,8 @@ bool SimBridgeRealtime::receive(SteadyTime now) {
   return true;
 }
 
-bool SimBridgeRealtime::traces_finished() const {
-  return (!trace_ || trace_->finished()) && (!body_trace_ || body_trace_->finished());
-}
-
 bool SimBridgeRealtime::trace_complete() const {
-  return trace_->complete() && (!body_trace_ || (body_trace_->complete() && rows_.dropped() == 0)) &&
+  return traces_.complete() && rows_.dropped() == 0 && supply_rows_.dropped() == 0 &&
          std::ranges::all_of(mail_, [](const Mailbox& mail) { return mail.rows.dropped() == 0; });
 }
 
@@ -174,7 +163,7 @@ void SimBridgeRealtime::report(bool final_report) {
 // belongs to what was sensed then, and so to the row of that tick.
 void SimBridgeRealtime::fetch_valve(Mailbox& mail) noexcept {
   mail.valve.fetch(mail.last_valve);
-  if (trace_ && mail.row.tick != kNoTick) {
+  if (traces_.joints && mail.row.tick != kNoTick) {
     mail.row.force_reference_N_or_Nm = mail.last_valve.command.force_reference_N_or_Nm;
     mail.rows.push(mail.row);
   }
@@ -231,13 +220,16 @@ void SimBridgeRealtime::step(const participant::Wake& wake) noexcept {
   if (const auto truth = world_->truth()) {
     imus_.push(imu_sample(*world_, sampled));
     truths_.push(*truth);
-    if (body_trace_) {
+    if (traces_.body) {
       rows_.push(*truth);
     }
   }
-  if (const signals::SupplyState* supply = new_supply_sample(*world_)) {
+  if (const auto supply = new_supply_sample(*world_)) {
     supplies_.push(*supply);
-    supplies_heard_.push(*supply);
+    supplies_heard_.push(supply->state);
+    if (traces_.supply) {
+      supply_rows_.push(*supply);
+    }
   }
   sensed_tick_.store(world_->tick(), std::memory_order_release);
 }
@@ -251,7 +243,10 @@ void SimBridgeRealtime::send() {
   ports_.sensors->flush();
   publish_all(imus_, ports_.imu);
   publish_all(truths_, ports_.truth);
-  publish_all(supplies_, ports_.supply);
+  for (trace::SupplyRow supply; supplies_.pop(supply);) {
+    ports_.supply->publish(supply.state);
+    ports_.supply_truth->publish(supply.truth);
+  }
   if (sensed != told_tick_) {
     told_tick_ = sensed;
     ports_.clock->publish({0, sensed});
@@ -259,23 +254,23 @@ void SimBridgeRealtime::send() {
 }
 
 void SimBridgeRealtime::send_at_leisure() {
-  for (bool any = true; any && trace_;) {
+  for (bool any = true; any && traces_.joints;) {
     any = false;
     for (Mailbox& mail : mail_) {
       if (trace::TraceRow row; mail.rows.pop(row)) {
-        trace_->write(row);
+        traces_.joints->write(row);
         any = true;
       }
     }
   }
   for (signals::BodyTruth truth; rows_.pop(truth);) {
-    body_trace_->write(truth);
+    traces_.body->write(truth);
   }
-  if (ticks_ > 0 && sending_tick_ >= ticks_ && trace_) {
-    trace_->end();
-    if (body_trace_) {
-      body_trace_->end();
-    }
+  for (trace::SupplyRow supply; supply_rows_.pop(supply);) {
+    traces_.supply->write(supply);
+  }
+  if (ticks_ > 0 && sending_tick_ >= ticks_) {
+    traces_.end();
   }
   sent_tick_.store(sending_tick_, std::memory_order_release);
 }

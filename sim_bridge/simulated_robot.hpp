@@ -30,6 +30,9 @@ class SimulatedRobot : public world::World {
 
   /// The newest sample of the shared supply; none without a pump.
   virtual const signals::SupplyState* supply_state() const noexcept { return nullptr; }
+
+  /// True pressures in the actuators and the account of the pump's work at the present tick; none without a pump.
+  virtual std::optional<signals::SupplyTruth> supply_truth() const noexcept { return std::nullopt; }
 };
 
 /// Refuses a simulated robot without a pump in place of one with it, whose processes wait for supply/state.

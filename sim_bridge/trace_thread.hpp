@@ -3,19 +3,19 @@
 #include <array>
 #include <atomic>
 #include <chrono>
+#include <optional>
 #include <string_view>
 #include <thread>
 #include <utility>
 
 #include "core/spsc_ring.hpp"
 #include "runtime/realtime_thread.hpp"
-#include "trace/body_trace.hpp"
-#include "trace/trace.hpp"
+#include "sim_bridge/traces.hpp"
 
 namespace farrier::sim_bridge {
 
 /// Writes a trace to the disk on a thread of its own, without priority: a slow disk blocks nothing else. `Writer` is
-/// trace::TraceWriter or trace::BodyTraceWriter.
+/// trace::TraceWriter, trace::BodyTraceWriter or trace::SupplyTraceWriter.
 template <class Writer>
 class TraceThread {
  public:
@@ -84,6 +84,55 @@ class TraceThread {
   SpscRing<Block, kBlocks> blocks_;
   std::atomic<bool> ended_{false}, finished_{false}, refused_{false};
   std::thread thread_;
+};
+
+/// The files of a run's trace, a thread each.
+class TraceThreads {
+ public:
+  explicit TraceThreads(Traces traces) {
+    if (traces.joints) {
+      joints.emplace(std::move(*traces.joints));
+    }
+    if (traces.body) {
+      body.emplace(std::move(*traces.body));
+    }
+    if (traces.supply) {
+      supply.emplace(std::move(*traces.supply));
+    }
+  }
+
+  std::optional<TraceThread<trace::TraceWriter>> joints;
+  std::optional<TraceThread<trace::BodyTraceWriter>> body;
+  std::optional<TraceThread<trace::SupplyTraceWriter>> supply;
+
+  /// As end(), finished() and complete() of each.
+  void end() noexcept {
+    visit([](auto& trace) { trace.end(); });
+  }
+  bool finished() const noexcept {
+    bool all = true;
+    visit([&](const auto& trace) { all = all && trace.finished(); });
+    return all;
+  }
+  bool complete() const noexcept {
+    bool all = true;
+    visit([&](const auto& trace) { all = all && trace.complete(); });
+    return all;
+  }
+
+ private:
+  template <class Act>
+  void visit(Act&& act) {
+    joints ? act(*joints) : void();
+    body ? act(*body) : void();
+    supply ? act(*supply) : void();
+  }
+  template <class Act>
+  void visit(Act&& act) const {
+    joints ? act(*joints) : void();
+    body ? act(*body) : void();
+    supply ? act(*supply) : void();
+  }
 };
 
 }  // namespace farrier::sim_bridge

@@ -27,7 +27,7 @@ Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double 
 
 std::vector<plant::LoadParams> loads_to_hold(const robot::Robot& robot, const robot::Joint& joint,
                                              signals::Phase phase) {
-  if (!is_filtered(joint, robot.period_s)) {
+  if (!is_filtered(joint, robot.period_s) && !robot.on_ground) {
     return {};
   }
   if (robot.plan.gait.pattern == gait::Pattern::kStand) {

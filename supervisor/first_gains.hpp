@@ -27,9 +27,10 @@ Result<SlotGains> design_slots(const robot::Joint& joint, Design design, double 
 /// Physics of the load that a slot's gains are for, except that adaptation begins with each phase's own.
 plant::JointPhysics first_physics(const robot::Joint& joint, Design design, signals::Phase phase) noexcept;
 
-/// Loads that a slot's gains must hold beside the estimated one: none without filters, the file's behind them, because an
-/// unstable loop grows there before an estimate can tell. A robot that stands must hold those of both phases: its loads
-/// may change within its one phase.
+/// Loads that a slot's gains must hold beside the estimated one: none on a bench without filters. Behind filters those of
+/// the file, because an unstable loop grows there before an estimate can tell. On a ground those of the mass matrix,
+/// because the estimated load is another joint's business too. A robot that stands must hold those of both phases: its
+/// loads may change within its one phase.
 std::vector<plant::LoadParams> loads_to_hold(const robot::Robot& robot, const robot::Joint& joint,
                                              signals::Phase phase);
 

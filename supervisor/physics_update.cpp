@@ -11,6 +11,8 @@ namespace {
 
 using signals::UpdateVerdict;
 
+constexpr std::size_t kLoadCount = plant::kBiasForce + 1;  // of JointPhysics, the load before valve and oil
+
 /// Reference sizes for relative changes of quantities that may be zero.
 std::array<double, plant::kPhysicsCount> least_scales(const robot::Joint& joint) noexcept {
   const control::Normalisation& n = joint.normalisation;
@@ -29,8 +31,9 @@ std::array<double, plant::kPhysicsCount> least_scales(const robot::Joint& joint)
 
 PhysicsUpdate::PhysicsUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
                              int estimate_period_ticks, int loop_delay_ticks, const plant::JointPhysics& first,
-                             const std::vector<plant::LoadParams>& loads_to_hold)
+                             const std::vector<plant::LoadParams>& loads_to_hold, bool keeps_load)
     : logic_(logic),
+      keeps_load_(keeps_load),
       law_(joint, period_s, loop_delay_ticks),
       least_scale_(least_scales(joint)),
       estimate_period_s_(estimate_period_ticks * period_s),
@@ -49,7 +52,13 @@ void PhysicsUpdate::adopt(const plant::JointPhysics& physics, const control::Dis
 
 signals::JointUpdateDecision PhysicsUpdate::look(const signals::JointModelEstimate& estimate, Tick tick) noexcept {
   signals::JointUpdateDecision decision = record_of(estimate, tick);
-  const UpdateVerdict verdict = judge(estimate);
+  signals::JointModelEstimate taken = estimate;
+  if (keeps_load_) {
+    const std::array<double, plant::kPhysicsCount> stored = plant::values_of(physics_);
+    std::copy_n(stored.begin(), kLoadCount, taken.physics.begin());
+    std::fill_n(taken.physics_error.begin(), kLoadCount, 0.0);
+  }
+  const UpdateVerdict verdict = judge(taken);
   decision.verdict = verdict;
   news_.take(verdict);
   return decision;

@@ -23,9 +23,11 @@ namespace farrier::supervisor {
 class PhysicsUpdate {
  public:
   /// `first`: the physics the slot begins with. With new ones the law must settle on each of the `loads_to_hold` too.
+  /// With `keeps_load` only valve and oil are taken from an estimate: on a ground the load behind the cell is not the
+  /// joint's own.
   PhysicsUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
                 int estimate_period_ticks, int loop_delay_ticks, const plant::JointPhysics& first,
-                const std::vector<plant::LoadParams>& loads_to_hold = {});
+                const std::vector<plant::LoadParams>& loads_to_hold = {}, bool keeps_load = false);
 
   /// Judges one estimate of the slot's phase. The decision is complete except for its generation. It has no poles or
   /// margins, because nothing here depends on them. After kAccepted physics() and model() are the new ones.
@@ -52,6 +54,7 @@ class PhysicsUpdate {
   double scale(std::size_t i) const noexcept;
 
   robot::UpdateLogicParams logic_;
+  bool keeps_load_;
   LawCheck law_;
   std::array<double, plant::kPhysicsCount> least_scale_;  ///< of quantities that may be zero
   double estimate_period_s_;

@@ -9,6 +9,19 @@
 #include "gait/schedule.hpp"
 
 namespace farrier::supervisor {
+namespace {
+
+// A touchdown that is felt ends a swing from early_progress on, and not before least_swing_s.
+Tick shortest_felt_swing(const robot::Robot& robot, Tick swing) noexcept {
+  if (!robot.on_ground || !robot.locomotion || !robot.locomotion->felt_touchdown.on) {
+    return swing;
+  }
+  const double early = robot.locomotion->contact.early_progress * static_cast<double>(swing);
+  return std::max<Tick>(std::llround(robot.locomotion->felt_touchdown.least_swing_s / robot.period_s),
+                        static_cast<Tick>(early));
+}
+
+}  // namespace
 
 LoopMargins margins_of(const control::Gains& gains, double period_s,
                        const control::MeasurementFilters& filters) noexcept {
@@ -38,7 +51,8 @@ int shortest_phase_ticks(const robot::Robot& robot) noexcept {
   }
   const gait::PhaseTicks ticks = gait::phase_ticks(robot.plan);
   const Tick lead = std::llround(robot.safety.stance_lead_s / robot.period_s);
-  const Tick swing = ticks.stride - ticks.stance - lead;
+  const Tick whole = ticks.stride - ticks.stance;
+  const Tick swing = std::min(whole - lead, shortest_felt_swing(robot, whole));
   return static_cast<int>(std::max<Tick>(std::min(ticks.stance, swing) - ticks.jitter, 0));
 }
 

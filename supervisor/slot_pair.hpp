@@ -34,8 +34,8 @@ bool sufficient(const LoopMargins& margins, const robot::UpdateLogicParams& logi
 int dwell_ticks(const control::Gains& one, const control::Gains& other) noexcept;
 
 /// Least number of ticks for which a slot of a joint acts in the gait of the robot. Stance gains act stance_lead_s
-/// before the planned touchdown, so they lengthen the stance and shorten the swing by it. A robot that stands does not
-/// change slots: control::kNoDwell.
+/// before the planned touchdown, so they lengthen the stance and shorten the swing by it. On a ground a touchdown that is
+/// felt may shorten the swing more (FeltTouchdownParams). A robot that stands does not change slots: control::kNoDwell.
 int shortest_phase_ticks(const robot::Robot& robot) noexcept;
 
 /// Constraints on the slot being redesigned.

@@ -30,7 +30,7 @@ constexpr double kMisfitLeniency = 0.5;
 
 SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
                        int estimate_period_ticks, const control::Gains& first,
-                       const std::vector<plant::LoadParams>& loads_to_hold)
+                       const std::vector<plant::LoadParams>& loads_to_hold, bool misfit_is_common)
     : rule_(joint.design),
       normalisation_(joint.normalisation),
       form_(joint.form),
@@ -40,7 +40,8 @@ SlotUpdate::SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams
       estimate_period_s_(estimate_period_ticks * period_s),
       method_(make_method(logic, joint.form, estimate_period_ticks, estimate_period_s_)),
       gains_(first),
-      designed_poles_(poles_of(first.model, joint.form)) {
+      designed_poles_(poles_of(first.model, joint.form)),
+      misfit_leniency_(misfit_is_common ? 1.0 : kMisfitLeniency) {
   if (!loads_to_hold.empty()) {
     law_.emplace(joint, period_s, first.delay_ticks);
   }
@@ -89,7 +90,7 @@ UpdateVerdict SlotUpdate::judge(const signals::JointModelEstimate& estimate, con
   const bool misfit = (estimate.flags & static_cast<std::uint32_t>(estimation::EstimateFlag::kMisfit)) != 0;
   const Evidence evidence{.prediction_error = estimate.prediction_error,
                           .whiteness = estimate.whiteness,
-                          .valid = !(estimate.validity < (misfit ? kMisfitLeniency : 1.0) * logic_.validity_min),
+                          .valid = !(estimate.validity < (misfit ? misfit_leniency_ : 1.0) * logic_.validity_min),
                           .poles = poles,
                           .pole_distance = decision.pole_distance,
                           .gain_ratio = cautious.b(2) / gains_.model.b(2)};

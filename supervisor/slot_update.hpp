@@ -26,10 +26,11 @@ namespace farrier::supervisor {
 class SlotUpdate {
  public:
   /// The slot begins with the gains `first`, with the model they are designed for. New gains must hold the joint on
-  /// each of the `loads_to_hold` too.
+  /// each of the `loads_to_hold` too. With `misfit_is_common` an estimate under misfit needs the full validity: on a
+  /// ground the model never fits, because the load is another joint's business.
   SlotUpdate(const robot::Joint& joint, const robot::UpdateLogicParams& logic, double period_s,
              int estimate_period_ticks, const control::Gains& first,
-             const std::vector<plant::LoadParams>& loads_to_hold = {});
+             const std::vector<plant::LoadParams>& loads_to_hold = {}, bool misfit_is_common = false);
 
   /// Judges one estimate of the slot's phase; new gains must fit `pair`. The decision is complete except for its
   /// generation. After kAccepted gains() are the new ones.
@@ -72,6 +73,7 @@ class SlotUpdate {
   Method method_;
   control::Gains gains_;
   PoleSet designed_poles_;
+  double misfit_leniency_;
   std::optional<LawCheck> law_;  // where there are loads to hold
   std::vector<plant::JointPhysics> physics_to_hold_;
   bool doubted_ = false;

@@ -54,8 +54,10 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
   std::vector<std::uint32_t> generations(robot.joints.size(), 0);
   std::vector<Batch> batches(1);
   std::vector<JointSlots> slots;
+  // A robot that stands on swing gains falls before an estimate can tell.
+  const Design begins = robot.on_ground && design == Design::kAdaptive ? Design::kPhases : design;
   for (const robot::Joint& joint : robot.joints) {
-    const auto first = FARRIER_TRY(first_gains.empty() ? design_slots(joint, design, robot.period_s, loop_delay_ticks)
+    const auto first = FARRIER_TRY(first_gains.empty() ? design_slots(joint, begins, robot.period_s, loop_delay_ticks)
                                                        : Result<SlotGains>(first_gains[joint.number]));
     for (const signals::Phase phase : kPhases) {
       batches[0].outputs.gains.push_back(wire_gains::with_physics(
@@ -71,11 +73,11 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     if (design == Design::kAdaptive) {
       const auto slot = [&](signals::Phase phase) {
         return SlotUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks,
-                          first[static_cast<std::size_t>(phase)], loads_to_hold(robot, joint, phase));
+                          first[static_cast<std::size_t>(phase)], loads_to_hold(robot, joint, phase), robot.on_ground);
       };
       const auto physics = [&](signals::Phase phase) {
         return PhysicsUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, loop_delay_ticks,
-                             first_physics(joint, design, phase), loads_to_hold(robot, joint, phase));
+                             first_physics(joint, design, phase), loads_to_hold(robot, joint, phase), robot.on_ground);
       };
       slots.push_back({.slots = {slot(signals::Phase::kSwing), slot(signals::Phase::kStance)},
                        .physics = joint.kind == control::Kind::kFlowInversion

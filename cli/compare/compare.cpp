@@ -26,6 +26,9 @@ const std::map<std::string, RunComparison> kComparisons{{"varied", run_varied},
                                                         {"body", run_body}};
 
 int compare(CompareOptions o, RunComparison run) {
+  if (o.estimators && run != run_body) {
+    return refuse("compare", "--estimators is for compare body");
+  }
   o.design = robot::Design::kAdaptive;
   const auto robot = process::load_robot(common_options(o));
   if (!robot) {
@@ -71,6 +74,9 @@ std::function<int()> declare_compare(CLI::App& app) {
       ->check(between(1, 10000))
       ->type_name("<n>")
       ->capture_default_str();
+  app.add_flag(
+      "--estimators", options->estimators,
+      "body: estimators of a walking robot's joints and what adaptation does with them, in place of controllers");
   return [options, run] { return compare(*options, *run); };
 }
 

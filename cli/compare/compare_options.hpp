@@ -6,7 +6,8 @@ namespace farrier::cli {
 
 /// The command line of `farrier compare`: the gait of one run, made by several contenders.
 struct CompareOptions : TrotOptions {
-  int seeds = 5;  ///< robots that are drawn, from `seed` on
+  int seeds = 5;            ///< robots that are drawn, from `seed` on
+  bool estimators = false;  ///< body: compare estimators in place of force controllers
 };
 
 }  // namespace farrier::cli

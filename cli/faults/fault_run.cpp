@@ -26,8 +26,6 @@ constexpr double kUntilArmed_s = 0.1;
 constexpr double kAfterwards_s = 0.25;
 /// The same of a body, which may sink or fall meanwhile.
 constexpr double kAfterwardsOnGround_s = 2.0;
-/// Largest number of repetitions of a cell in which the computer was stopped.
-constexpr int kMostRepeats = 10;
 
 constexpr std::array kVendors{DdsChoice::kCyclone, DdsChoice::kFast, DdsChoice::kMixed};
 
@@ -187,7 +185,7 @@ Result<faults::Cell> run_cell(const robot::Robot& robot, const CellSettings& set
       return cell.error();
     }
     const bool paused = pauses.longest() > may_pause(robot, slow_of(settings, *plan.row));
-    if (!paused || cell.value().holds() || repeats == kMostRepeats) {
+    if (!paused || cell.value().holds() || repeats == settings.most_repeats) {
       cell.value().repeats = repeats;
       return cell;
     }

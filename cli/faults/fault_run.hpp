@@ -18,10 +18,11 @@ struct CellSettings {
   std::string robot_path;
   std::string out;  ///< directory of logs and of the trace
   int slow;
+  int most_repeats;  ///< of a cell that did not hold while the computer was paused; >= 0
   participant::World world = participant::World::kBench;
 };
 
-/// One cell, judged by a run in which the computer did not stand still, or by the last of several in which it did.
+/// One cell, judged by a run in which the computer was not paused, or by the last of several in which it was.
 /// Refuses when the user interrupts.
 Result<faults::Cell> run_cell(const robot::Robot& robot, const CellSettings& settings, const faults::CellPlan& plan,
                               const std::string& title, PauseWatch& pauses);

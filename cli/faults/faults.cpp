@@ -21,6 +21,7 @@
 #include "core/replace_file.hpp"
 #include "report/figures/outcome.hpp"
 #include "report/figures/run_info.hpp"
+#include "trace/body_trace.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -35,6 +36,7 @@ struct FaultsOptions {
   int cells = 0;           ///< to be drawn; 0: all
   std::uint64_t seed = 1;  ///< of the draw
   int slow = 3;
+  int most_repeats = 10;
   participant::World world = participant::World::kBench;
   std::string out = "out/faults";
   std::string json_path, page_path;
@@ -97,9 +99,28 @@ report::Outcome outcome_of(const robot::Robot& robot, const Ran& ran, std::size_
   return outcome;
 }
 
-/// The cells of `plans`, or those until the user interrupts. Cells that held are kept in a file, traces of those that did
-/// not in files of their names; with --continue what held in an earlier run is not run again. After every cell the figures
-/// so far are written, which do not hold before the last.
+/// Names a cell that did not hold or in which the robot fell, and keeps its traces in files of its name.
+void tell_and_keep(const faults::CellPlan& plan, const faults::Cell& cell, const std::string& out) {
+  if (cell.holds() && !cell.fell()) {
+    return;
+  }
+  const std::string place = faults::place_text(cell);
+  std::fprintf(stderr, "%s: %s\n", place.c_str(),
+               cell.holds() ? "held, and the robot fell" : faults::why_not(cell).c_str());
+  if (!faults::leaves_trace(*plan.row) || !cell.error.empty()) {
+    return;  // the trace is that of another cell
+  }
+  const std::string from = out + "/trace.csv", to = out + "/" + place + ".csv";
+  std::error_code refused;
+  fs::copy_file(from, to, fs::copy_options::overwrite_existing, refused);
+  if (cell.body) {
+    fs::copy_file(trace::body_trace_path(from), trace::body_trace_path(to), fs::copy_options::overwrite_existing,
+                  refused);
+  }
+}
+
+/// The cells of `plans`, or those until the user interrupts. Cells that held are kept in a file; with --continue what held
+/// in an earlier run is not run again. After every cell the figures so far are written, which do not hold before the last.
 Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector<faults::CellPlan>& plans) {
   const report::RunInfo info = report::run_info(robot, 1);
   const faults::CellsOrigin origin{info.git_revision, info.configuration_hash, o.slow,
@@ -123,19 +144,15 @@ Ran run_all(const robot::Robot& robot, const FaultsOptions& o, const std::vector
     }
     const std::string title =
         "faults, " + std::to_string(cells.size() + 1) + " of " + std::to_string(plans.size()) + ", " + plan.row->name;
-    auto cell = run_cell(robot, {o.robot_path, o.out, o.slow, o.world}, plan, title, pauses);
+    auto cell = run_cell(robot, {o.robot_path, o.out, o.slow, o.most_repeats, o.world}, plan, title, pauses);
     if (!cell) {
       break;
     }
-    if (!cell.value().holds()) {
-      std::fprintf(stderr, "%s: %s\n", place.c_str(), faults::why_not(cell.value()).c_str());
-      if (faults::leaves_trace(*plan.row) && cell.value().error.empty()) {  // else it is that of another cell
-        std::error_code refused;
-        fs::copy_file(o.out + "/trace.csv", o.out + "/" + place + ".csv", fs::copy_options::overwrite_existing,
-                      refused);
+    tell_and_keep(plan, cell.value(), o.out);
+    if (cell.value().holds()) {
+      if (auto appended = faults::append_cell(kept_path, origin, cell.value()); !appended) {
+        ran.not_kept = appended.error().message;
       }
-    } else if (auto appended = faults::append_cell(kept_path, origin, cell.value()); !appended) {
-      ran.not_kept = appended.error().message;
     }
     cells.push_back(std::move(cell).value());
     static_cast<void>(report::write_json(o.json_path, outcome_of(robot, ran, plans.size())));  // the last is checked
@@ -235,10 +252,16 @@ std::function<int()> declare_faults(CLI::App& app) {
       ->check(CLI::Range(1, 100))
       ->type_name("<factor>")
       ->capture_default_str();
+  app.add_option("--repeats", o->most_repeats,
+                 "most repetitions of a cell that did not hold while the computer was paused")
+      ->check(CLI::Range(0, 1000))
+      ->type_name("<n>")
+      ->capture_default_str();
   add_choice(app, "--world", o->world, participant::kWorlds,
              "what is hit: each joint on its bench, or the body of a robot that walks on a ground")
       ->default_str("bench");
-  app.add_option("--out", o->out, "directory of logs, the last trace, and traces of cells that did not hold")
+  app.add_option("--out", o->out,
+                 "directory of logs, the last trace, and traces of cells that did not hold or in which the robot fell")
       ->type_name("<dir>")
       ->capture_default_str();
   app.add_option("--json", o->json_path, "figures; figures.json in --out unless told")->type_name("<file>");

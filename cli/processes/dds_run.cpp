@@ -64,8 +64,7 @@ Result<Seat> take_seat(const robot::Robot& robot, const DdsRun& run, const parti
   identity.launches = true;
   auto participant = FARRIER_TRY(participant::Participant::join(*seat.bus, identity));
   seat.participant = std::move(participant);
-  auto listener = FARRIER_TRY(run::RunListener::create(*seat.participant, common.ticks));
-  seat.listener.emplace(std::move(listener));
+  seat.listener.emplace(FARRIER_TRY(run::RunListener::create(*seat.participant, common.ticks)));
   auto acts = FARRIER_TRY(RunActs::create(run.acts, *seat.participant, clock));
   seat.acts = std::move(acts);
   if (run.steers) {
@@ -250,6 +249,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   outcome.events_heard = monitor.heard();
   outcome.decisions = monitor.decisions();
   outcome.gains = monitor.gains();
+  outcome.phases = monitor.phases();
   return outcome;
 }
 

@@ -66,6 +66,7 @@ struct RunOutcome {
   std::vector<signals::JointUpdateDecision> decisions;
   std::vector<trace::TraceRow> rows;  ///< of the trace, in order; empty over DDS, where only the file has them
   std::vector<signals::JointControllerGains> gains;  ///< every update the supervisor issued
+  std::vector<signals::GaitPhase> phases;            ///< changes of phase that joints were told
   std::vector<Tick> acted;                           ///< when acts were done, in their order
   std::vector<std::string> warnings;                 ///< what went wrong and did not end the run
   std::vector<std::optional<Growth>>

@@ -15,6 +15,7 @@
 #include "report/body/body_rows_file.hpp"
 #include "report/body/energy_result.hpp"
 #include "report/body/supply_result.hpp"
+#include "report/body/switches_result.hpp"
 #include "report/figures/console.hpp"
 #include "report/figures/outcome.hpp"
 #include "trials/body/push_limit.hpp"
@@ -133,9 +134,13 @@ BodyStudy run_all(const robot::Robot& robot, const BodyTrialOptions& o, BodyRuns
 /// The rows of a study, judged.
 struct BodyStudyResults {
   explicit BodyStudyResults(const std::vector<trials::TrotRow>& rows)
-      : trials(report::body_results(rows)), supply(report::supply_results(rows)), energy(report::energy_result(rows)) {}
+      : trials(report::body_results(rows)),
+        switches(report::switches_results(rows)),
+        supply(report::supply_results(rows)),
+        energy(report::energy_result(rows)) {}
 
   std::vector<report::BodyTrialResult> trials;
+  std::vector<report::SwitchesResult> switches;
   std::vector<report::SupplyTrialResult> supply;
   std::optional<report::EnergyResult> energy;
 };
@@ -146,6 +151,7 @@ report::Outcome outcome_of(const robot::Robot& robot, const BodyStudy& study, co
   outcome.command = "trial";
   outcome.run = report::run_info(robot, 1);
   report::add_body(outcome.figures, results.trials);
+  report::add_switches(outcome.figures, results.switches);
   report::add_supply(outcome.figures, results.supply);
   if (results.energy) {
     report::add_energy(outcome.figures, *results.energy);
@@ -185,8 +191,8 @@ int run_and_report(const robot::Robot& robot, const BodyTrialOptions& o) {
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("trial", written.error().message);
   }
-  std::printf("%s%s%s%s%s\n%s", report::body_text(outcome.figures, results.trials).c_str(),
-              report::supply_text(results.supply).c_str(),
+  std::printf("%s%s%s%s%s%s\n%s", report::body_text(outcome.figures, results.trials).c_str(),
+              report::switches_text(results.switches).c_str(), report::supply_text(results.supply).c_str(),
               results.energy ? report::energy_text(*results.energy).c_str() : "",
               report::push_limits_text(study.limits).c_str(), report::falls_text(study.rows).c_str(),
               report::verdict_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str());

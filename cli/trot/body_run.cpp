@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <optional>
 
@@ -11,8 +12,12 @@
 #include "cli/trot/trot_run.hpp"
 #include "locomotion/motion_script.hpp"
 #include "report/figures/console.hpp"
-#include "report/walk/walk.hpp"
+#include "report/trot/adaptation.hpp"
+#include "report/walk/walk_run.hpp"
+#include "robot/keys.hpp"
 #include "trace/body_trace.hpp"
+#include "trace/supply_trace.hpp"
+#include "trace/trace.hpp"
 #include "world/scene_file.hpp"
 
 namespace farrier::cli {
@@ -37,6 +42,14 @@ Result<report::WalkPlan> plan_of(const robot::Robot& robot, const TrotOptions& o
   return plan;
 }
 
+/// The samples of the shared supply; none without a pump and with ideal joints.
+Result<std::vector<trace::SupplyRow>> supply_rows(const robot::Robot& robot, const TrotOptions& o) {
+  if (!robot.supply || o.world != participant::World::kBody) {
+    return std::vector<trace::SupplyRow>{};
+  }
+  return trace::read_supply_trace(trace::supply_trace_path(o.trace_path));
+}
+
 }  // namespace
 
 std::string refused_on_ground(const robot::Robot& robot, const TrotOptions& o) {
@@ -45,8 +58,13 @@ std::string refused_on_ground(const robot::Robot& robot, const TrotOptions& o) {
            "--gait";
   }
   if (o.design == robot::Design::kAdaptive) {
-    return "--design adaptive is for the bench: estimates of a body's joints are not validated yet; leave it out or "
-           "add --world bench";
+    for (const robot::Joint& joint : robot.joints) {
+      if (joint.kind != control::Kind::kLqr && joint.kind != control::Kind::kFlowInversion) {
+        return std::string("--design adaptive changes nothing on a ground: joint ") + joint.name +
+               " has the controller " + name_of(robot::kControllerKinds, joint.kind) +
+               ", whose gains do not adapt; leave it out, or add --controller lqr or --world bench";
+      }
+    }
   }
   if (o.dither_cost || o.security_cost) {
     return "--dither-cost and --security-cost compare runs on the bench: add --world bench";
@@ -74,9 +92,23 @@ int run_on_ground(const robot::Robot& robot, const TrotOptions& o) {
   outcome.command = "trot";
   outcome.run = report::run_info(robot, o.seed);
   outcome.run.processes = report::process_infos(ran.value().hellos, ran.value().healths);
+  outcome.run.decisions = report::decision_infos(robot, ran.value().decisions);
   outcome.warnings = ran.value().warnings;
   const report::WalkFigures walk = report::judge_walk(plan.value(), truth.value());
   report::add_walk(outcome.figures, plan.value(), walk);
+  if (ran.value().rows.empty()) {
+    auto read = trace::read_trace(o.trace_path, robot::joint_names(robot));
+    if (!read) {
+      return fail("trot", read.error().message);
+    }
+    ran.value().rows = std::move(read).value();
+  }
+  const std::vector<trace::TraceRow>& rows = ran.value().rows;
+  const report::GaitChanges changes{.phases = ran.value().phases, .rows = rows};
+  report::add_gait_changes(outcome.figures, robot, changes);
+  if (o.design == robot::Design::kAdaptive) {
+    report::add_updates(outcome.figures, robot, outcome.run.decisions, static_cast<Tick>(truth.value().size()), false);
+  }
   outcome.figures.add("trot.ticks", static_cast<double>(truth.value().size()));
   outcome.figures.add("trot.ticks_per_s", static_cast<double>(truth.value().size()) / ran.value().wall_s);
   report::add_transport(outcome.figures, outcome.run, lockstep);
@@ -91,7 +123,16 @@ int run_on_ground(const robot::Robot& robot, const TrotOptions& o) {
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("trot", written.error().message);
   }
-  const auto page = report::write_walk_report(o.out, outcome, robot, plan.value(), walk, truth.value());
+  const double shown_s = report::shown_from_s(plan.value(), walk, truth.value(), report::kMovingPicture_s);
+  const auto shown =
+      std::ranges::lower_bound(rows, static_cast<Tick>(shown_s / robot.period_s), {}, &trace::TraceRow::tick);
+  const auto supply = supply_rows(robot, o);
+  if (!supply) {
+    return fail("trot", supply.error().message);
+  }
+  const auto page = report::write_walk_report(
+      o.out, outcome,
+      {robot, plan.value(), walk, truth.value(), std::span(shown, rows.end()), supply.value(), changes});
   if (!page) {
     return fail("trot", page.error().message);
   }

@@ -52,6 +52,7 @@ Result<RunOutcome> run_in_process(const robot::Robot& robot, const TrotOptions& 
   outcome.events = std::move(result.events);
   outcome.decisions = std::move(result.decisions);
   outcome.gains = std::move(result.gains);
+  outcome.phases = std::move(result.phases);
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return outcome;
 }

@@ -128,7 +128,7 @@ int trot(TrotOptions o) {
   if (!o.design) {
     // With a tick of delay one design does not suit both loads, and nothing shows yet that adaptation gets by with it
     // while it learns. So in real time each slot has the design for its own load.
-    // On a ground gains do not adapt yet.
+    // On a ground neither: most estimates of a coupled body are not valid (docs/estimators.md).
     const bool fixed = o.clock == bus::ClockKind::kRealtime || participant::is_on_ground(o.world);
     o.design = fixed ? robot::Design::kPhases : robot::Design::kAdaptive;
   }

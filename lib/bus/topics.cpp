@@ -76,6 +76,7 @@ constexpr std::array<TopicSpec, kTopicCount> kTopics{
     FARRIER_TOPIC(BodyState, {Role::kLocomotion}, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
     FARRIER_TOPIC(BodyCommand, kRequesters, Route::kRobot, Sending::kAtOnce, kRequests, kTwoTicks),
     FARRIER_TOPIC(SupplyState, {Role::kSimBridge}, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
+    FARRIER_TOPIC(SupplyTruth, {Role::kSimBridge}, Route::kRobot, Sending::kAtOnce, kLatest, kTwoTicks),
 };
 // clang-format on
 #undef FARRIER_TOPIC

@@ -13,11 +13,12 @@ namespace farrier::gait {
 
 using farrier::Phase;
 
-/// A change of phase of one leg. Counts run 1, 2, ...: odd ones are lift-offs, even ones touchdowns.
+/// A change of phase of one leg. Counts run 1, 2, ...: of a schedule odd ones are lift-offs, even ones touchdowns.
 struct PhaseSwitch {
   std::uint32_t count;
-  Tick tick;    ///< planned
-  Phase phase;  ///< that begins with this tick
+  Tick tick;          ///< planned, or of a touchdown that was felt
+  Phase phase;        ///< that begins with this tick
+  bool felt = false;  ///< a touchdown that was felt before its plan
 };
 
 /// Phases of the legs by tick: pure functions of the tick, the same on every machine. Stride, stance and offsets are

@@ -47,7 +47,8 @@ class Controller {
   /// Takes the readings of tick `now` and returns the torques for tick now + 1. Allocates nothing and has no clock.
   virtual const LegTorques& step(Tick now, const Readings& readings, const MotionCommand& command) noexcept = 0;
 
-  /// The change of phase of a leg that the last step announced. Joints choose their gains by it. None by default.
+  /// The change of phase of a leg that the last step announced, or a touchdown that it felt. Joints choose their gains by
+  /// it. Counts rise by one. None by default.
   virtual std::optional<gait::PhaseSwitch> announcement(int leg) const noexcept {
     static_cast<void>(leg);
     return std::nullopt;

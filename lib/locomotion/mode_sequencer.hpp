@@ -27,6 +27,9 @@ class ModeSequencer {
   void step(Tick now, const MotionCommand& command, double up, const TrunkReference& reference,
             TrotSchedule& schedule) noexcept;
 
+  /// Begins again with the soft start.
+  void restart() noexcept { *this = ModeSequencer(params_, period_s_); }
+
   Mode mode() const noexcept { return mode_; }
   /// True in the tick in which the mode began.
   bool entered() const noexcept { return entered_; }

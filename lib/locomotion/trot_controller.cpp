@@ -12,6 +12,9 @@ namespace {
 // A foot that just touched down or is about to lift off may still carry this much.
 constexpr double kLeastLimit_N = 1.0;
 
+// Largest difference of a joint's torque from its command while it obeys: HyQ's joints keep 5 Nm in the soft start.
+constexpr double kObeyed_Nm = 50.0;
+
 }  // namespace
 
 TrotController::TrotController(const LocomotionParams& params, const gait::RobotPlan& plan, const BodyModel& model)
@@ -27,6 +30,7 @@ TrotController::TrotController(const LocomotionParams& params, const gait::Robot
       leg_controller_(params.leg),
       mode_(params.mode, plan.period_s),
       sequencers_(for_every_leg(LegSequencer(params.contact, plan.period_s))),
+      announcers_(for_every_leg(PhaseAnnouncer(params.felt_touchdown, plan.period_s))),
       swings_(for_every_leg(SwingTrajectory(params.swing))) {
   FARRIER_ENSURE(legs_ == static_cast<int>(plan.legs.size()), "gait plan and body model differ in their legs");
   for (auto* vectors :
@@ -37,14 +41,29 @@ TrotController::TrotController(const LocomotionParams& params, const gait::Robot
 
 const LegTorques& TrotController::step(Tick now, const Readings& readings, const MotionCommand& command) noexcept {
   estimate(readings);
+  // Joints that are not armed do not obey. The soft start waits for them in the pose that they have: a torque that grew
+  // with their distance from the folded pose would make the legs give way when they are armed.
+  if (mode_.mode() == Mode::kLie && !obeyed(readings)) {
+    mode_.restart();
+    started_ = false;
+  }
   mode_.step(now, command, state_.trunk.rotation(2, 2), reference_, schedule_);
   state_.mode = mode_.mode();
   schedule_.step(now);
-  sequence_legs();
+  sequence_legs(now);
   plan_trunk(command);
   distribute();
   command_legs(readings);
   return torques_;
+}
+
+bool TrotController::obeyed(const Readings& readings) const noexcept {
+  for (int leg = 0; leg < legs_; ++leg) {
+    if (!((readings.legs[leg].torque_Nm - torques_[leg]).cwiseAbs().maxCoeff() <= kObeyed_Nm)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 // Trust in a standing foot falls at both ends of its stance, as it was and as it is planned.
@@ -70,14 +89,19 @@ void TrotController::estimate(const Readings& readings) noexcept {
   state_.trunk = estimator_.trunk();
 }
 
-void TrotController::sequence_legs() noexcept {
+void TrotController::sequence_legs(Tick now) noexcept {
   const Eigen::Vector3d normal = ground_.normal();
   for (int leg = 0; leg < legs_; ++leg) {
     const Eigen::Vector3d foot = estimator_.foot_m(leg);
     state_.felt_forces_N[leg] = estimator_.ground_force_N(leg);
     // a foot that carries no load by force control cannot lose the ground
     const double speed = mode_.force_share() >= 1.0 ? normal.dot(estimator_.foot_velocity_m_s(leg)) : 0.0;
-    sequencers_[leg].step(schedule_.swing_progress(leg), normal.dot(state_.felt_forces_N[leg]), speed);
+    const double force_N = normal.dot(state_.felt_forces_N[leg]);
+    sequencers_[leg].step(schedule_.swing_progress(leg), force_N, speed);
+    announcers_[leg].step(now, {.planned = schedule_.announcement(leg),
+                                .phase = schedule_.phase(leg),
+                                .stands = sequencers_[leg].stands(),
+                                .normal_force_N = force_N});
     if (sequencers_[leg].lifted_off()) {
       swings_[leg].lift_off(foot);
     }

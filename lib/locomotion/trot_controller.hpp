@@ -8,6 +8,7 @@
 #include "locomotion/leg_controller.hpp"
 #include "locomotion/leg_sequencer.hpp"
 #include "locomotion/mode_sequencer.hpp"
+#include "locomotion/phase_announcer.hpp"
 #include "locomotion/state_estimator.hpp"
 #include "locomotion/swing_trajectory.hpp"
 #include "locomotion/trot_schedule.hpp"
@@ -28,6 +29,7 @@ struct LocomotionParams {
   PerLeg<LegMount> mounts;
   StateEstimatorParams estimator;
   LegSequencerParams contact;
+  FeltTouchdownParams felt_touchdown;
   GroundPlaneParams ground;
   TrunkReferenceParams reference;
   TrunkWrenchParams trunk;
@@ -64,7 +66,9 @@ class TrotController final : public Controller {
 
   const LegTorques& step(Tick now, const Readings& readings, const MotionCommand& command) noexcept override;
 
-  std::optional<gait::PhaseSwitch> announcement(int leg) const noexcept override { return schedule_.announcement(leg); }
+  std::optional<gait::PhaseSwitch> announcement(int leg) const noexcept override {
+    return announcers_[leg].announcement();
+  }
   const LocomotionState* published_state() const noexcept override { return &state_; }
 
   const LocomotionState& state() const noexcept { return state_; }
@@ -73,8 +77,10 @@ class TrotController final : public Controller {
   const ForceDistribution& force_distribution() const noexcept { return distribution_; }
 
  private:
+  /// True if every joint has about the torque that was commanded last.
+  bool obeyed(const Readings& readings) const noexcept;
   void estimate(const Readings& readings) noexcept;
-  void sequence_legs() noexcept;
+  void sequence_legs(Tick now) noexcept;
   void plan_trunk(const MotionCommand& command) noexcept;
   void plan_swing(int leg) noexcept;
   void distribute() noexcept;
@@ -94,10 +100,11 @@ class TrotController final : public Controller {
   LegController leg_controller_;
   ModeSequencer mode_;
   PerLeg<LegSequencer> sequencers_;
+  PerLeg<PhaseAnnouncer> announcers_;
   PerLeg<SwingTrajectory> swings_;
   PerLeg<gait::PointMotion> foot_references_;
   PerLeg<Eigen::Vector3d> touchdowns_;     // last place on the ground of each foot's lowest point, world frame
-  PerLeg<Eigen::Vector3d> first_pose_;     // joint angles of the first tick, from which the soft start begins
+  PerLeg<Eigen::Vector3d> first_pose_;     // joint angles from which the soft start begins
   PerLeg<Eigen::Vector3d> accelerations_;  // joint accelerations commanded last
   LegTorques torques_;
   bool started_ = false;

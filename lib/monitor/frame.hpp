@@ -40,6 +40,12 @@ struct JointFrame {
   }
 };
 
+/// One leg: changes of phase that its joints were told, since the first sample.
+struct LegFrame {
+  std::uint64_t planned_switches = 0;
+  std::uint64_t felt_switches = 0;  ///< touchdowns that locomotion felt before their plan
+};
+
 /// One process of the run.
 struct ParticipantFrame {
   signals::SystemHello hello;
@@ -67,6 +73,14 @@ struct BodyFrame {
   std::optional<signals::BodyState> state;  ///< as locomotion believes it; empty while none is heard
 };
 
+/// The hydraulic supply that all joints share.
+struct SupplyFrame {
+  signals::SupplyState newest;
+  std::optional<signals::SupplyTruth> newest_truth;  ///< of a simulation; empty while none is heard
+  std::vector<signals::SupplyState> states;          ///< since the last frame, oldest first, fifty a second
+  std::vector<signals::SupplyTruth> truths;          ///< likewise
+};
+
 /// A change of state with its cause. Events of the robot's processes, and the monitor's own.
 struct EventFrame {
   std::uint64_t number = 0;  ///< from 0 on, in the order in which they came
@@ -84,9 +98,11 @@ struct Frame {
   double age_s = 0.0;                          ///< since any sample came; infinite before the first
   signals::SystemMode mode;                    ///< epoch 0: none yet
   std::vector<signals::Phase> phases;          ///< by leg, as announced for `tick`
+  std::vector<LegFrame> legs;                  ///< by number
   std::vector<JointFrame> joints;              ///< by number
   std::vector<ParticipantFrame> participants;  ///< by number; a hello of tick-less default: not heard of
   std::optional<BodyFrame> body;               ///< of a robot whose file describes rigid bodies
+  std::optional<SupplyFrame> supply;           ///< empty while none is heard
   std::vector<EventFrame> events;              ///< since the last frame
   std::uint64_t lost_samples = 0;              ///< on the way to this monitor, as far as it can tell
 };

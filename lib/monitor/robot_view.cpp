@@ -23,14 +23,26 @@ double seconds(std::uint64_t from_ns, std::uint64_t to_ns) noexcept {
 
 }  // namespace
 
-RobotView::RobotView(const robot::Robot& robot) : robot_(robot), body_(BodyView::create(robot)) { begin_anew(); }
+RobotView::RobotView(const robot::Robot& robot)
+    : robot_(robot), body_(BodyView::create(robot)), supply_(robot.period_s) {
+  begin_anew();
+}
 
 const std::vector<bus::TopicId>& RobotView::topics() {
   using enum bus::TopicId;
-  static const std::vector<bus::TopicId> topics{
-      kJointSummary, kJointControllerGains, kJointModelEstimateCopy, kJointUpdateDecision, kGaitPhase,
-      kSystemMode,   kSystemHello,          kSystemHealth,           kSystemEvent,         kBodyTruth,
-      kBodyState};
+  static const std::vector<bus::TopicId> topics{kJointSummary,
+                                                kJointControllerGains,
+                                                kJointModelEstimateCopy,
+                                                kJointUpdateDecision,
+                                                kGaitPhase,
+                                                kSystemMode,
+                                                kSystemHello,
+                                                kSystemHealth,
+                                                kSystemEvent,
+                                                kBodyTruth,
+                                                kBodyState,
+                                                kSupplyState,
+                                                kSupplyTruth};
   return topics;
 }
 
@@ -38,11 +50,13 @@ void RobotView::begin_anew() {
   tick_ = kNoTick;
   mode_ = {};
   joints_.assign(robot_.joints.size(), {});
+  legs_.assign(robot_.plan.legs.size(), {});
   switches_.assign(robot_.plan.legs.size(), std::vector<Switch>{{kNoTick, signals::Phase::kStance}});
   participants_.clear();
   if (body_) {
     body_->begin_anew();
   }
+  supply_.begin_anew();
 }
 
 double RobotView::since_first_s(std::uint64_t time_ns) const noexcept {
@@ -114,7 +128,11 @@ void RobotView::take(const signals::JointUpdateDecision& decision) {
 
 void RobotView::take(const signals::GaitPhase& phase) {
   if (phase.leg < switches_.size() && known(phase.phase)) {
-    switches_[phase.leg].push_back({phase.switch_tick, phase.phase});
+    std::vector<Switch>& leg = switches_[phase.leg];
+    // A touchdown that is felt comes before the one that was announced for later.
+    std::erase_if(leg, [&](const Switch& one) { return one.tick > phase.switch_tick; });
+    leg.push_back({phase.switch_tick, phase.phase});
+    ++(phase.felt != 0 ? legs_[phase.leg].felt_switches : legs_[phase.leg].planned_switches);
   }
 }
 
@@ -182,6 +200,7 @@ Frame RobotView::frame(std::uint64_t time_ns) {
     leg.erase(leg.begin(), ahead - 1);
     frame.phases.push_back(leg.front().phase);
   }
+  frame.legs = legs_;
   for (Joint& joint : joints_) {
     while (!joint.second.empty() && seconds(joint.second.front().time_ns, time_ns) > 1.0) {
       joint.second.pop_front();
@@ -208,6 +227,7 @@ Frame RobotView::frame(std::uint64_t time_ns) {
   if (body_) {
     frame.body = body_->frame(frame.joints, time_ns);
   }
+  frame.supply = supply_.frame(time_ns);
   for (Participant& participant : participants_) {
     participant.now.age_s = seconds(participant.heard_ns, time_ns);
     frame.participants.push_back(participant.now);

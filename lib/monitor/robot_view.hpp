@@ -6,6 +6,7 @@
 #include "bus/topics.hpp"
 #include "monitor/body_view.hpp"
 #include "monitor/frame.hpp"
+#include "monitor/supply_view.hpp"
 #include "robot/robot.hpp"
 #include "recording/recording_file.hpp"
 
@@ -19,7 +20,8 @@ class RobotView {
   explicit RobotView(const robot::Robot& robot);
 
   /// Topics it reads. Summaries of joints come fifty a second, copies of their estimates ten a second, at any control
-  /// period. The state of the body and, from a simulation, its truth come at every tick.
+  /// period. The state of the body and, from a simulation, its truth come at every tick, those of the supply every 10
+  /// ms.
   static const std::vector<bus::TopicId>& topics();
 
   /// Samples of other topics, and of joints and legs that the robot does not have, are left out. A new session,
@@ -65,6 +67,8 @@ class RobotView {
   void take(const signals::SystemEvent& event);
   void take(const signals::BodyTruth& truth);
   void take(const signals::BodyState& state);
+  void take(const signals::SupplyState& state) { supply_.take(state, newest_ns_); }
+  void take(const signals::SupplyTruth& truth) { supply_.take(truth); }
   template <class Signal>
   void take(const Signal&) {}
 
@@ -73,11 +77,13 @@ class RobotView {
 
   const robot::Robot& robot_;
   std::optional<BodyView> body_;
+  SupplyView supply_;
   std::uint64_t first_ns_ = 0, newest_ns_ = 0;  ///< log times; 0: none yet
   std::uint64_t session_ = 0;
   Tick tick_ = kNoTick;
   signals::SystemMode mode_;
   std::vector<Joint> joints_;
+  std::vector<LegFrame> legs_;
   std::vector<std::vector<Switch>> switches_;  ///< by leg, announced and still ahead, behind the one that holds
   std::vector<Participant> participants_;
   std::vector<EventFrame> events_;

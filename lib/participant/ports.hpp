@@ -23,7 +23,9 @@ inline std::uint16_t& key_of(signals::SystemMode& s) { return s.robot; }
 inline std::uint16_t& key_of(signals::SystemRequest& s) { return s.robot; }
 inline std::uint16_t& key_of(signals::ClockTick& s) { return s.clock; }
 inline std::uint16_t& key_of(signals::BodyCommand& s) { return s.robot; }
-inline std::uint16_t& key_of(signals::SupplyState& s) { return s.supply; }
+template <class Signal>
+requires requires(Signal s) { s.supply; }
+std::uint16_t& key_of(Signal& s) { return s.supply; }
 template <class Signal>
 requires requires(Signal s) { s.trunk; }
 std::uint16_t& key_of(Signal& s) { return s.trunk; }

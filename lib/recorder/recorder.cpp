@@ -96,7 +96,7 @@ template <class Signal>
 inline constexpr bool kMayBeAbsent =
     std::is_same_v<Signal, signals::BodyImu> || std::is_same_v<Signal, signals::BodyTruth> ||
     std::is_same_v<Signal, signals::BodyState> || std::is_same_v<Signal, signals::BodyCommand> ||
-    std::is_same_v<Signal, signals::SupplyState>;
+    std::is_same_v<Signal, signals::SupplyState> || std::is_same_v<Signal, signals::SupplyTruth>;
 
 bool may_be_absent(bus::TopicId topic) {
 #define FARRIER_MAY_BE_ABSENT(Signal, file) kMayBeAbsent<signals::Signal>,

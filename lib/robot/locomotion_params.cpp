@@ -24,6 +24,7 @@ std::optional<locomotion::LocomotionParams> make_locomotion_params(const RobotFi
   }
   locomotion::LocomotionParams params = file.locomotion->params;
   params.estimator.foot_radius_m = *file.body->foot_radius_m;
+  params.felt_touchdown.stance_lead_s = file.safety.params.stance_lead_s;
   for (std::size_t leg = 0; leg < file.legs.size(); ++leg) {
     params.mounts[leg] = mount_of(file, file.legs[leg].second);
   }

@@ -71,6 +71,7 @@ Result<Robot, config::Problems> build(Result<RobotFile, config::Problems> read, 
   }
   auto robot = build_robot(std::move(file));
   if (overrides.on_ground && robot && robot.value().body) {
+    robot.value().on_ground = true;
     put_loads_of_body(robot.value());
   }
   return robot;

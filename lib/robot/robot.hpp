@@ -88,6 +88,7 @@ struct Robot {
   std::optional<plant::SupplyParams> supply;                  ///< shared by the joints of a body; none without a pump
   std::optional<locomotion::SupplyGuardParams> supply_guard;  ///< limits of that supply
   std::optional<locomotion::LocomotionParams> locomotion;     ///< of a robot that can walk on a ground
+  bool on_ground = false;                                     ///< as Overrides has it; false without a body
   UpdateLogicParams update_logic;
   Safety safety;
   Bounds bounds;

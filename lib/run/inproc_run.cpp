@@ -135,6 +135,7 @@ Result<InprocResult> run_inproc(const robot::Robot& robot, const InprocRun& run)
   result.events = monitor.events();
   result.decisions = monitor.decisions();
   result.gains = monitor.gains();
+  result.phases = monitor.phases();
   return result;
 }
 

@@ -14,7 +14,9 @@ Result<RunMonitor> RunMonitor::create(bus::Bus& bus, const participant::Identity
       bus, participant::endpoint_of(identity, bus::TopicId::kSystemEvent)));
   auto decisions = FARRIER_TRY(bus::Subscription<signals::JointUpdateDecision>::create(
       bus, participant::endpoint_of(identity, bus::TopicId::kJointUpdateDecision)));
-  RunMonitor monitor(std::move(health), std::move(events), std::move(decisions),
+  auto phases = FARRIER_TRY(
+      bus::Subscription<signals::GaitPhase>::create(bus, participant::endpoint_of(identity, bus::TopicId::kGaitPhase)));
+  RunMonitor monitor(std::move(health), std::move(events), std::move(decisions), std::move(phases),
                      identity.participants);
   if (!legs.empty()) {
     auto gains = FARRIER_TRY(bus::Subscription<signals::JointControllerGains>::create(
@@ -37,6 +39,11 @@ void RunMonitor::poll(Tick now) {
   decision_in_.drain([&](const signals::JointUpdateDecision& decision) {
     if (!signals::is_probe(decision)) {
       decisions_.push_back(decision);
+    }
+  });
+  phase_in_.drain([&](const signals::GaitPhase& phase) {
+    if (!signals::is_probe(phase)) {
+      phases_.push_back(phase);
     }
   });
   if (gains_in_) {

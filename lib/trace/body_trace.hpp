@@ -1,17 +1,15 @@
 #pragma once
 
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/result.hpp"
 #include "signals/signals.hpp"
+#include "trace/line_file.hpp"
 
 namespace farrier::trace {
 
-/// Path of a trace's second file, which has the body: "out/trace.csv" gives "out/trace_body.csv".
+/// Path of the file beside a trace that has the body: "out/trace.csv" gives "out/trace_body.csv".
 std::string body_trace_path(const std::string& trace_path);
 
 /// Writes the truth of a body as CSV, a line a tick; numbers in their shortest exact form. Holds no wall time: equal
@@ -28,18 +26,15 @@ class BodyTraceWriter {
   /// Formats the line of write(), at most kLongestLine characters, at `line`; returns its end. One thread may do this
   /// while another is in write_lines().
   char* format(const signals::BodyTruth& truth, char* line) const noexcept;
-  void write_lines(std::string_view lines);
+  void write_lines(std::string_view lines) { file_.write_lines(lines); }
 
   /// Flushes; false when the disk did not take everything.
-  [[nodiscard]] bool finish();
+  [[nodiscard]] bool finish() { return file_.finish(); }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const noexcept { std::fclose(file); }
-  };
-  BodyTraceWriter(std::FILE* file, int legs) : file_(file), legs_(legs) {}
+  BodyTraceWriter(LineFile file, int legs) : file_(std::move(file)), legs_(legs) {}
 
-  std::unique_ptr<std::FILE, Close> file_;
+  LineFile file_;
   int legs_;
 };
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cerrno>
-#include <cstring>
 #include <fstream>
 
 namespace farrier::trace {
@@ -37,13 +35,7 @@ void visit_columns(Row& row, Visit&& visit) {
 }  // namespace
 
 Result<TraceWriter> TraceWriter::create(const std::string& path, std::vector<std::string> joint_names) {
-  std::FILE* file = std::fopen(path.c_str(), "w");
-  if (file == nullptr) {
-    return Error{"cannot write the trace " + path + ": " + std::strerror(errno)};
-  }
-  TraceWriter writer(file, std::move(joint_names));
-  std::fprintf(file, "%s\n", kHeader);
-  return writer;
+  return TraceWriter(FARRIER_TRY(LineFile::create(path, kHeader)), std::move(joint_names));
 }
 
 char* TraceWriter::format(const TraceRow& row, char* line) const noexcept {
@@ -69,11 +61,8 @@ void TraceWriter::write(const TraceRow& row) {
   write_lines({line, format(row, line)});
 }
 
-void TraceWriter::write_lines(std::string_view lines) { std::fwrite(lines.data(), 1, lines.size(), file_.get()); }
-
-bool TraceWriter::finish() { return std::fflush(file_.get()) == 0 && std::ferror(file_.get()) == 0; }
-
-Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vector<std::string>& joint_names) {
+Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vector<std::string>& joint_names,
+                                         Tick from) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line) || line != kHeader) {
@@ -91,6 +80,9 @@ Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vec
       at = result.ptr == end ? end : result.ptr + 1;
     };
     parse(row.tick);
+    if (good && row.tick < from) {
+      continue;
+    }
     const char* const comma = std::find(at, end, ',');
     const auto name = std::find(joint_names.begin(), joint_names.end(), std::string_view(at, comma));
     good = good && name != joint_names.end() && comma != end;

@@ -1,8 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +8,7 @@
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "signals/words.hpp"
+#include "trace/line_file.hpp"
 
 namespace farrier::trace {
 
@@ -47,22 +46,21 @@ class TraceWriter {
   /// Formats the line of write(), at most kLongestLine characters, at `line`; returns its end. One thread may do this
   /// while another is in write_lines().
   char* format(const TraceRow& row, char* line) const noexcept;
-  void write_lines(std::string_view lines);
+  void write_lines(std::string_view lines) { file_.write_lines(lines); }
 
   /// Flushes; false when the disk did not take everything.
-  [[nodiscard]] bool finish();
+  [[nodiscard]] bool finish() { return file_.finish(); }
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const noexcept { std::fclose(file); }
-  };
-  TraceWriter(std::FILE* file, std::vector<std::string> names) : file_(file), joint_names_(std::move(names)) {}
+  TraceWriter(LineFile file, std::vector<std::string> names) : file_(std::move(file)), joint_names_(std::move(names)) {}
 
-  std::unique_ptr<std::FILE, Close> file_;
+  LineFile file_;
   std::vector<std::string> joint_names_;
 };
 
-/// Reads a trace back. Joint numbers are positions in `joint_names`. Refuses a file that is not a trace, with the line.
-Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vector<std::string>& joint_names);
+/// Reads a trace back from tick `from` on. Joint numbers are positions in `joint_names`. Refuses a file that is not a
+/// trace, with the line.
+Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vector<std::string>& joint_names,
+                                         Tick from = 0);
 
 }  // namespace farrier::trace

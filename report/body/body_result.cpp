@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "core/replace_file.hpp"
+#include "core/units.hpp"
 #include "report/figures/text_format.hpp"
 
 namespace farrier::report {
@@ -17,8 +18,6 @@ constexpr double kMillimetres = 1e3;
 constexpr double kPercent = 100.0;
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kPerMinute = 60.0;
-constexpr double kBar = 1e5;              // Pa
-constexpr double kLitresPerMinute = 6e4;  // of 1 m^3/s
 constexpr double kDegreesPerMinute = kPerMinute * kDegrees;
 
 // Bounds of the runs on flat ground.
@@ -54,9 +53,9 @@ void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
   }
   if (figures.least_supply_Pa > 0.0) {
     take_larger(result.energy_error_percent, kPercent * figures.energy_error);
-    const double least_bar = figures.least_supply_Pa / kBar;
+    const double least_bar = figures.least_supply_Pa / kPascalPerBar;
     result.least_supply_bar = std::min(result.least_supply_bar.value_or(least_bar), least_bar);
-    result.mean_flow_l_min = std::max(result.mean_flow_l_min.value_or(0.0), kLitresPerMinute * figures.mean_flow_m3_s);
+    result.mean_flow_l_min = std::max(result.mean_flow_l_min.value_or(0.0), kLitrePerMinute * figures.mean_flow_m3_s);
     if (figures.way_m > kLeastWay_m) {
       const double energy_J_m = (figures.energy.pump_J - figures.energy.relief_J) / figures.way_m;
       result.energy_J_m = std::max(result.energy_J_m.value_or(0.0), energy_J_m);

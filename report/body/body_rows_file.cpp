@@ -42,7 +42,7 @@ std::optional<trials::SupplyFigures> supply_of(const json& supply) {
 
 json json_of(const world::EnergyAudit& energy) {
   json of;
-  for (const EnergyTerm& term : kEnergyTerms) {
+  for (const world::EnergyTerm& term : world::kEnergyTerms) {
     of[term.name] = energy.*term.energy_J;
   }
   return of;
@@ -50,10 +50,26 @@ json json_of(const world::EnergyAudit& energy) {
 
 world::EnergyAudit energy_of(const json& energy) {
   world::EnergyAudit of;
-  for (const EnergyTerm& term : kEnergyTerms) {
+  for (const world::EnergyTerm& term : world::kEnergyTerms) {
     of.*term.energy_J = energy.at(term.name);
   }
   return of;
+}
+
+json json_of(const trials::GainSwitches& switches) {
+  return {{"planned", switches.planned},
+          {"felt", switches.felt},
+          {"late_touchdowns", switches.late_touchdowns},
+          {"late_s", switches.late_s},
+          {"largest_late_s", switches.largest_late_s}};
+}
+
+trials::GainSwitches switches_of(const json& switches) {
+  return {.planned = switches.at("planned"),
+          .felt = switches.at("felt"),
+          .late_touchdowns = switches.at("late_touchdowns"),
+          .late_s = switches.at("late_s"),
+          .largest_late_s = switches.at("largest_late_s")};
 }
 
 json json_of(const trials::TrotRow& row) {
@@ -72,6 +88,7 @@ json json_of(const trials::TrotRow& row) {
           {"lateral_drift_m_s", number_or_null(f.lateral_drift_m_s)},
           {"largest_torque_Nm", f.largest_torque_Nm},
           {"force_nrmse", f.force_nrmse},
+          {"switches", json_of(f.switches)},
           {"energy_error", f.energy_error},
           {"least_supply_Pa", f.least_supply_Pa},
           {"mean_flow_m3_s", f.mean_flow_m3_s},
@@ -97,6 +114,7 @@ trials::TrotRow row_of(const json& line) {
                       .lateral_drift_m_s = number_of(line.at("lateral_drift_m_s")),
                       .largest_torque_Nm = line.at("largest_torque_Nm"),
                       .force_nrmse = line.at("force_nrmse").get<trials::ForceErrors>(),
+                      .switches = switches_of(line.at("switches")),
                       .energy_error = line.at("energy_error"),
                       .least_supply_Pa = line.at("least_supply_Pa"),
                       .mean_flow_m3_s = line.at("mean_flow_m3_s"),

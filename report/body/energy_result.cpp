@@ -69,7 +69,7 @@ std::optional<EnergyResult> energy_result(std::span<const trials::TrotRow> rows)
   EnergyResult result;
   result.runs = nominal.size();
   for (const trials::TrotFigures* run : nominal) {
-    for (const EnergyTerm& term : kEnergyTerms) {
+    for (const world::EnergyTerm& term : world::kEnergyTerms) {
       result.mean.*term.energy_J += run->energy.*term.energy_J / static_cast<double>(nominal.size());
     }
     result.residual_percent =
@@ -84,7 +84,7 @@ std::optional<EnergyResult> energy_result(std::span<const trials::TrotRow> rows)
 
 void add_energy(Figures& figures, const EnergyResult& result) {
   using namespace energy_result_parts;
-  for (const EnergyTerm& term : kEnergyTerms) {
+  for (const world::EnergyTerm& term : world::kEnergyTerms) {
     figures.add(std::string("body.energy.") + term.name, result.mean.*term.energy_J);
   }
   figures.add("body.energy.residual_percent", result.residual_percent, kResidual_percent);
@@ -102,7 +102,7 @@ std::string energy_text(const EnergyResult& result) {
   const auto add = [&](const std::string& name, double energy_J) {
     lines.push_back({name, number_as("%.1f", energy_J), number_as("%.2f", kInPercent * energy_J / result.mean.pump_J)});
   };
-  for (const EnergyTerm& term : kEnergyTerms) {
+  for (const world::EnergyTerm& term : world::kEnergyTerms) {
     add(term.sentence, result.mean.*term.energy_J);
   }
   add("residual", result.mean.residual_J());

@@ -13,25 +13,6 @@
 
 namespace farrier::report {
 
-/// A term of the account.
-struct EnergyTerm {
-  const char* name;
-  const char* sentence;
-  double world::EnergyAudit::*energy_J;
-};
-
-inline constexpr std::array kEnergyTerms{
-    EnergyTerm{"pump_J", "pump", &world::EnergyAudit::pump_J},
-    EnergyTerm{"relief_J", "relief valve", &world::EnergyAudit::relief_J},
-    EnergyTerm{"supply_leakage_J", "leakage of shut valves", &world::EnergyAudit::supply_leakage_J},
-    EnergyTerm{"accumulator_J", "gained by the accumulator", &world::EnergyAudit::accumulator_J},
-    EnergyTerm{"valve_J", "open valves", &world::EnergyAudit::valve_J},
-    EnergyTerm{"leakage_J", "leakage of the actuators", &world::EnergyAudit::leakage_J},
-    EnergyTerm{"return_J", "return line", &world::EnergyAudit::return_J},
-    EnergyTerm{"oil_J", "gained by compressed oil", &world::EnergyAudit::oil_J},
-    EnergyTerm{"friction_J", "friction", &world::EnergyAudit::friction_J},
-    EnergyTerm{"work_J", "work on the body", &world::EnergyAudit::work_J}};
-
 /// Medians of runs.
 struct StepMedians {
   double height_rms_mm = 0.0, tilt_rms_deg = 0.0, kfe_stance_nrmse = 0.0;

@@ -39,6 +39,15 @@ std::string in_quotes(const std::string& text) {
   return safe + "\"";
 }
 
+/// Gnuplot takes the name of a tic as a format of its number.
+std::string as_format(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    safe += c == '%' ? "%%" : std::string(1, c);
+  }
+  return safe;
+}
+
 std::string range(const char* axis, const Range& range) {
   return std::string("set ") + axis + "range [" + number(range.from) + ":" + number(range.to) + "]\n";
 }
@@ -161,7 +170,7 @@ std::string axes(const Panel& panel) {
   if (!panel.rows.empty()) {
     std::string names;
     for (std::size_t i = 0; i < panel.rows.size(); ++i) {
-      names += (i == 0 ? "" : ", ") + in_quotes(panel.rows[i]) + " " + std::to_string(i);
+      names += (i == 0 ? "" : ", ") + in_quotes(as_format(panel.rows[i])) + " " + std::to_string(i);
     }
     script += range("y", {-0.7, static_cast<double>(panel.rows.size()) - 0.3}) + "set ytics (" + names +
               ")\nunset grid; set grid xtics ls 9\nset yzeroaxis lt 1 lc rgb '#667078'\n";

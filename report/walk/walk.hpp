@@ -9,9 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/result.hpp"
 #include "report/figures/outcome.hpp"
-#include "robot/robot.hpp"
 #include "signals/signals.hpp"
 
 namespace farrier::report {
@@ -51,11 +49,5 @@ void add_walk(Figures& figures, const WalkPlan& plan, const WalkFigures& walk);
 
 /// A sentence for people: "walked 4.8 m without a fall" or "fell after 9.3 s: ...".
 std::string walk_text(const WalkFigures& walk);
-
-/// Writes out_dir/index.html with pictures of height, tilt, speed and forces at the feet beside it; after a fall also of
-/// its last second. Refuses for the reasons of Drawing::draw.
-Result<std::string> write_walk_report(const std::string& out_dir, const Outcome& outcome, const robot::Robot& robot,
-                                      const WalkPlan& plan, const WalkFigures& walk,
-                                      std::span<const signals::BodyTruth> truth);
 
 }  // namespace farrier::report

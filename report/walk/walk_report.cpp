@@ -4,17 +4,21 @@
 #include <cmath>
 
 #include "body/model/posture.hpp"
+#include "core/replace_file.hpp"
 #include "report/figures/text_format.hpp"
 #include "report/page/draw_pictures.hpp"
 #include "report/page/html_page.hpp"
 #include "report/page/html_tables.hpp"
-#include "report/walk/walk.hpp"
+#include "report/walk/moving_picture.hpp"
+#include "report/walk/supply_section.hpp"
+#include "report/walk/walk_run.hpp"
 
 namespace farrier::report {
 namespace {
 
 constexpr std::size_t kMostPoints = 2000;
 constexpr double kLastSecond_s = 1.0;
+constexpr const char* kMovingPicture = "pictures/moving.svg";
 
 /// A stretch of the run, in ticks; `step` of them give a point.
 struct Stretch {
@@ -91,19 +95,46 @@ std::string add(Drawing& drawing, const std::string& name, const std::string& ca
   return "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(caption) + "\">\n";
 }
 
+/// The gains in three strides of the settled trot, or in the last second before a fall.
+std::string add_gait(Drawing& drawing, const WalkRun& run) {
+  constexpr double kStrides = 3.0;
+  const std::optional<double>& fell_s = run.figures.fell_s;
+  const double length_s = fell_s ? kLastSecond_s : kStrides / run.robot.plan.gait.frequency_Hz;
+  const double end_s = fell_s.value_or(run.time_s(run.changes.rows.back().tick));
+  const double settled_s = fell_s ? end_s : run.plan.walk_s + kWalkSettles_s;
+  const double begin_s = std::max(0.0, std::min(settled_s, end_s - length_s));
+  const auto tick_of = [&run](double time_s) { return static_cast<Tick>(std::llround(time_s / run.plan.period_s)); };
+  const std::string caption = "plan, contact and acting gains of each leg, high in stance";
+  const std::string path =
+      drawing.add("gait", {.caption = caption,
+                           .panels = gait_panels(run.robot, run.changes, tick_of(begin_s), tick_of(begin_s + length_s)),
+                           .key = Key::kAbove,
+                           .stacked = true});
+  return path.empty() ? "" : "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(caption) + "\">\n";
+}
+
 }  // namespace
 
-Result<std::string> write_walk_report(const std::string& out_dir, const Outcome& outcome, const robot::Robot& robot,
-                                      const WalkPlan& plan, const WalkFigures& walk,
-                                      std::span<const signals::BodyTruth> truth) {
+Result<std::string> write_walk_report(const std::string& out_dir, const Outcome& outcome, const WalkRun& run) {
+  const WalkPlan& plan = run.plan;
+  const WalkFigures& walk = run.figures;
   Drawing drawing(out_dir);
-  std::string html = page_head(robot.name + ": " + outcome.command, outcome);
-  html += "<p>The robot " + escape_html(walk_text(walk)) + ".</p>\n<h2>Body</h2>\n";
-  if (walk.fell_s) {
-    html += add(drawing, "fall", "the last second before the fall", before_fall(truth, *walk.fell_s, plan.period_s),
-                plan, robot);
+  std::string html = page_head(run.robot.name + ": " + outcome.command, outcome);
+  html += "<p>The robot " + escape_html(walk_text(walk)) + ".</p>\n";
+  if (const std::string moving = moving_picture(run); !moving.empty()) {
+    FARRIER_TRY(replace_file(out_dir + "/" + kMovingPicture, moving));
+    html += std::string("<img src=\"") + kMovingPicture + "\" alt=\"the last seconds of the run, moving\">\n";
   }
-  html += add(drawing, "walk", "trunk and feet over the whole run", whole(truth), plan, robot);
+  html += "<h2>Body</h2>\n";
+  if (walk.fell_s) {
+    html += add(drawing, "fall", "the last second before the fall", before_fall(run.truth, *walk.fell_s, plan.period_s),
+                plan, run.robot);
+  }
+  html += add(drawing, "walk", "trunk and feet over the whole run", whole(run.truth), plan, run.robot);
+  if (!run.changes.rows.empty()) {
+    html += "<h2>Gains</h2>\n" + add_gait(drawing, run);
+  }
+  html += supply_section(drawing, run);
   if (auto drawn = drawing.draw(); !drawn) {
     return drawn.error();
   }

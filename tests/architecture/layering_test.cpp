@@ -120,9 +120,9 @@ TEST(Layering, NoProcessCoreReachesABusOrARuntime) {
 
 // A controller that read the true state would look better than it is: sim_bridge alone says it, and nobody whom a
 // process links reads it. Those who hand every topic on do not name it.
-TEST(Layering, NoProcessOfTheRobotReadsTheTruthAboutItsBody) {
-  static const std::regex named(R"re(\bk?BodyTruth\b)re");
-  static const std::regex heard(R"re((subscribe|Subscription|In)<(signals::)?BodyTruth>)re");
+TEST(Layering, NoProcessOfTheRobotReadsTheTruthAboutItsBodyOrActuators) {
+  static const std::regex named(R"re(\bk?(Body|Supply)Truth\b)re");
+  static const std::regex heard(R"re((subscribe|Subscription|In)<(signals::)?(Body|Supply)Truth>)re");
   const TargetGraph& graph = TargetGraph::of_product();
   int sayers = 0;
   for (const std::string& process : processes()) {

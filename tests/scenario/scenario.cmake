@@ -14,6 +14,7 @@ farrier_test(scenario_test scenario
   ${CMAKE_CURRENT_LIST_DIR}/vary_test.cpp)
 if(TARGET farrier_body_world)
   target_sources(scenario_test PRIVATE ${CMAKE_CURRENT_LIST_DIR}/walk_test.cpp)
+  target_link_libraries(scenario_test PRIVATE farrier_body_trial)
 endif()
 target_link_libraries(scenario_test PRIVATE farrier_diagnosis farrier_hide farrier_offline farrier_report_trot farrier_thesis
   farrier_trials)

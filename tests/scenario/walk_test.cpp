@@ -3,7 +3,9 @@
 #include <cmath>
 #include <fstream>
 
+#include "gait/late_touchdowns.hpp"
 #include "tests/scenario/scenario_run.hpp"
+#include "trials/body/trot_trial.hpp"
 
 namespace farrier::scenario {
 namespace walk_test {
@@ -46,6 +48,51 @@ TEST(Walk, AnnouncesThePhasesOfItsLegs) {
     swings += row.joint == 0 && row.phase == Phase::kSwing && row.actual_phase == Phase::kSwing ? 1 : 0;
   }
   EXPECT_GT(swings, 200) << "a leg whose foot is in the air has the gains of swing";
+}
+
+// Blocks end swings early. In the study of trials/body as over the bus, the joints hear of it.
+TEST(Walk, ChangesGainsByFeltTouchdownsAsTheStudyDoes) {
+  const robot::Robot hyq = load("hyq", {.on_ground = true});
+  constexpr double kSeconds = 10.5;
+  const std::string text =
+      "friction: 0.8\nblocks: {field: {x_m: 0.45, y_m: -1.5, length_m: 4, width_m: 3, size_m: 0.3, "
+      "height_m: 0.08, seed: 1}}\n";
+  const std::string scene = testing::TempDir() + "felt_blocks.yaml";
+  std::ofstream(scene) << text;
+  run::InprocRun walk = settings(kSeconds, {0.4, 0.0, 0.0});
+  walk.world = participant::World::kBody;
+  walk.scene_path = scene;
+  const Outcome processes = run(hyq, walk);
+  std::vector<gait::LateTouchdowns> legs(hyq.plan.legs.size());
+  for (const trace::TraceRow& row : processes.rows) {
+    if (hyq.joints[row.joint].index_in_leg == 0) {
+      legs[static_cast<std::size_t>(hyq.joints[row.joint].leg)].step(row.actual_phase, row.phase);
+    }
+  }
+  Tick late_ticks = 0;
+  for (const gait::LateTouchdowns& leg : legs) {
+    late_ticks += leg.ticks();
+  }
+  const auto felt = std::ranges::count_if(processes.result.phases, [](const auto& phase) { return phase.felt != 0; });
+  EXPECT_GT(felt, 2);
+
+  const trials::TrotCase one{
+      .trial = "blocks",
+      .name = "felt",
+      .seed = walk.seed,
+      .scene = text,
+      .script = locomotion::walk_script({.request = locomotion::Request::kTrot, .forward_m_s = 0.4}),
+      .trot_s = locomotion::kWalk_s,
+      .judged_from_s = locomotion::kWalk_s,
+      .judged_until_s = kSeconds,
+      .end_s = kSeconds};
+  const trials::GainSwitches study = trials::run_trot_case(hyq, one, trials::Joints::kActuators).value()->switches;
+  // The first ticks differ: a supervisor arms the joints there. So feet meet the blocks a few ticks apart.
+  constexpr double kApart = 2.0, kLate_ms = 10.0;
+  EXPECT_EQ(study.planned, std::ssize(processes.result.phases) - felt);
+  EXPECT_NEAR(study.felt, static_cast<double>(felt), kApart);
+  EXPECT_LT(study.late_s, 1e-3 * kLate_ms * study.felt);
+  EXPECT_LT(static_cast<double>(late_ticks) * hyq.period_s, 1e-3 * kLate_ms * static_cast<double>(felt));
 }
 
 // By the pressure that sim_bridge tells, through all processes.

@@ -17,7 +17,8 @@ constexpr Tick kStride = 900;
 constexpr std::uint64_t kMadeUpStep_ns = 20'000'000;
 constexpr double kForward_m_s = 0.3;
 constexpr double kTrunkHeight_m = 0.58;
-constexpr double kDrift_m = 0.02;  // of locomotion's estimate
+constexpr double kPumpFlow_m3_s = 2e-4;  // 12 l/min
+constexpr double kDrift_m = 0.02;        // of locomotion's estimate
 constexpr const char* kProcesses[] = {"sim_bridge", "supervisor", "estimator_service", "joint_node_lf"};
 
 }  // namespace
@@ -90,6 +91,8 @@ void MadeUpRobot::step(std::uint64_t time_ns) {
   }
   say_summaries();
   say_body();
+  say_supply(tick_ - kTicksPerStep / 2);
+  say_supply(tick_);
   if (tick_ % 100 == 0) {
     say_estimates();
     for (std::size_t number = 0; number < std::size(kProcesses); ++number) {
@@ -160,6 +163,38 @@ void MadeUpRobot::say_body() {
   }
   say(truth);
   say(state);
+}
+
+void MadeUpRobot::say_supply(Tick tick) {
+  if (!robot_.supply || !says_body_) {
+    return;
+  }
+  const double seconds = static_cast<double>(tick) * robot_.period_s;
+  const double swing = std::sin(2.0 * std::numbers::pi * static_cast<double>(tick) / kStride);
+  signals::SupplyState state;
+  state.tick = tick;
+  state.pressure_Pa = 150e5 + 4e5 * swing;
+  state.pump_flow_m3_s = kPumpFlow_m3_s;
+  state.flow_m3_s = kPumpFlow_m3_s * (0.6 + 0.3 * swing);
+  state.relief_flow_m3_s = 0.25 * kPumpFlow_m3_s;
+  state.leakage_flow_m3_s = 0.15 * kPumpFlow_m3_s;
+  state.power_W = state.pressure_Pa * kPumpFlow_m3_s;
+  say(state);
+  signals::SupplyTruth truth;
+  truth.tick = tick;
+  for (const robot::Joint& joint : robot_.joints) {
+    truth.pressure_a_Pa[joint.number] = 80e5 + 40e5 * swing;
+    truth.pressure_b_Pa[joint.number] = 60e5 - 30e5 * swing;
+  }
+  truth.pump_J = 3000.0 * seconds;
+  truth.relief_J = 750.0 * seconds;
+  truth.supply_leakage_J = 600.0 * seconds;
+  truth.accumulator_J = -60.0 * seconds;
+  truth.valve_J = 1500.0 * seconds;
+  truth.leakage_J = 90.0 * seconds;
+  truth.friction_J = 90.0 * seconds;
+  truth.work_J = 30.0 * seconds;
+  say(truth);
 }
 
 void MadeUpRobot::say_gains(std::uint16_t joint, Phase phase) {

@@ -38,6 +38,7 @@ class MadeUpRobot {
   void say_event(std::uint16_t participant, signals::Severity severity, std::uint16_t joint, const std::string& text);
   void say_summaries();
   void say_body();
+  void say_supply(Tick tick);
   void say_gains(std::uint16_t joint, signals::Phase phase);
   void say_estimates();
   signals::Phase phase_of(int leg, Tick tick) const;

@@ -11,6 +11,7 @@ farrier_test(core_test unit
   ${CMAKE_CURRENT_LIST_DIR}/runtime/deadline_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/runtime/histogram_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/trace/body_trace_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/trace/supply_trace_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/trace/trace_file_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(core_test PRIVATE farrier_core farrier_signals farrier_runtime farrier_trace)

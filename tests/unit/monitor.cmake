@@ -1,7 +1,9 @@
 farrier_test(monitor_test unit
   ${CMAKE_CURRENT_LIST_DIR}/monitor/feed.cpp
   ${CMAKE_CURRENT_LIST_DIR}/monitor/metrics_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/monitor/phases_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/monitor/robot_view_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/monitor/supply_view_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/monitor/table_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/monitor/terminal_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/monitor/watch_test.cpp)

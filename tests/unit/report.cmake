@@ -14,11 +14,16 @@ farrier_test(report_test unit
   ${CMAKE_CURRENT_LIST_DIR}/report/scaled_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/tracking_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/report/update_logic_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/report/vary_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/report/walk_test.cpp)
-target_link_libraries(report_test PRIVATE farrier_report_compare farrier_report_diagnosis farrier_report_trot farrier_report_walk
+  ${CMAKE_CURRENT_LIST_DIR}/report/vary_test.cpp)
+target_link_libraries(report_test PRIVATE farrier_report_compare farrier_report_diagnosis farrier_report_trot
   farrier_supervisor_core nlohmann_json::nlohmann_json)
 target_compile_definitions(report_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
+
+farrier_test(report_walk_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/report/walk_report_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/report/walk_test.cpp)
+target_link_libraries(report_walk_test PRIVATE farrier_report_walk)
+target_compile_definitions(report_walk_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
 
 farrier_test(without_body_test unit ${CMAKE_CURRENT_LIST_DIR}/cli/without_body_test.cpp
   ${PROJECT_SOURCE_DIR}/cli/trial/without_body.cpp)

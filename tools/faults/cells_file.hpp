@@ -15,7 +15,7 @@ struct CellsOrigin {
   std::string git_revision;
   std::string configuration_hash;
   int slow = 1;
-  std::string world;  ///< "bench" or "body"
+  std::string world = "bench";  ///< or "body"
 };
 
 /// Appends a cell, on a line of its own also behind one that was cut off. Refuses a file that cannot be written.

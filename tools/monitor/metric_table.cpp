@@ -72,6 +72,14 @@ constexpr std::array kSpecs{
                    }
                  }
                }},
+    MetricSpec{"farrier_leg_phase_switches_total", kCounter, {"leg", "kind"}, "Changes of phase that the joints of a leg were told: planned ones, and touchdowns that were felt before their plan.",
+               [](const State& s, const Sample& sample) {
+                 for (std::size_t leg = 0; leg < s.frame.legs.size(); ++leg) {
+                   const std::string& name = s.robot.plan.legs[leg].name;
+                   sample(as_double(s.frame.legs[leg].planned_switches), {name, "planned"});
+                   sample(as_double(s.frame.legs[leg].felt_switches), {name, "felt"});
+                 }
+               }},
     MetricSpec{"farrier_events_total", kCounter, {"severity"}, "Events of the robot's processes and of this monitor, those included from before it began, of which it is told.",
                [](const State& s, const Sample& sample) {
                  for (std::size_t i = 0; i < s.events.size(); ++i) {

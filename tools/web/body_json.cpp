@@ -1,9 +1,11 @@
 #include "tools/web/body_json.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
+
+#include "body/model/trunk_shape.hpp"
+#include "tools/web/rounded_json.hpp"
 
 namespace farrier::web {
 namespace {
@@ -14,10 +16,6 @@ constexpr double kLength = 1e-4;    // m, m/s: what no eye sees
 constexpr double kAttitude = 1e-5;  // of a unit quaternion
 constexpr double kForce = 0.1;      // N
 constexpr std::size_t kAxes = 3;
-
-json rounded(double value, double digit) {
-  return std::isfinite(value) ? json(std::round(value / digit) / std::round(1.0 / digit)) : json(nullptr);
-}
 
 json list_of(std::span<const double> values, double digit) {
   json list = json::array();
@@ -35,22 +33,9 @@ json of_feet(const std::array<double, kSize>& numbers, std::size_t legs, double 
   return list_of(std::span(numbers).first(std::min(kSize, kAxes * legs)), digit);
 }
 
-/// The sides of the box of uniform density that has this mass and these moments of inertia: with I_x = m (y^2 + z^2) / 12
-/// and so on, x^2 = 6 (I_y + I_z - I_x) / m.
-Eigen::Vector3d sides_of(const body::RigidInertia& inertia) {
-  const Eigen::Vector3d moments = inertia.tensor_kg_m2.diagonal();
-  return (6.0 / inertia.mass_kg * (Eigen::Vector3d::Constant(moments.sum()) - 2.0 * moments)).cwiseMax(0.0).cwiseSqrt();
-}
-
-/// The box spanned by the first hinges. Along an axis on which they do not differ it is as the trunk's inertia says.
 json trunk_box(const body::BodyModel& model) {
-  Eigen::AlignedBox3d hinges;
-  for (const body::LegModel& leg : model.legs) {
-    hinges.extend(leg.links.front().hinge_m);
-  }
-  const Eigen::Vector3d spanned = hinges.sizes();
-  const Eigen::Vector3d size = (spanned.array() > kLength).select(spanned, sides_of(model.trunk));
-  return {{"centre", vector_of(hinges.center())}, {"size", vector_of(size)}};
+  const body::TrunkBox box = body::shown_trunk(model);
+  return {{"centre", vector_of(box.centre_m)}, {"size", vector_of(2.0 * box.half_extents_m)}};
 }
 
 /// Hinges from the second on, and the foot: the first hinge does not move.

@@ -5,6 +5,7 @@
 
 #include "tools/monitor/metric_state.hpp"
 #include "tools/web/body_json.hpp"
+#include "tools/web/supply_json.hpp"
 
 namespace farrier::web {
 namespace {
@@ -137,6 +138,7 @@ std::string robot_json(const robot::Robot& robot, bool recorded) {
                   {"joints", std::move(joints)},
                   {"legs", std::move(legs)},
                   {"body", body_shapes(robot)},
+                  {"supply", supply_facts(robot)},
                   {"faults", std::move(faults)},
                   {"failures", std::move(failures)},
                   {"silent_s", monitor::kSilent_s},
@@ -174,6 +176,7 @@ std::string frame_json(const monitor::Frame& frame) {
                   {"phases", std::move(phases)},
                   {"joints", std::move(joints)},
                   {"body", body_json(frame.body)},
+                  {"supply", supply_json(frame.supply, frame.joints.size())},
                   {"processes", std::move(processes)},
                   {"events", std::move(events)}});
 }

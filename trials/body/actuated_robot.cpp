@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "joint_node/gains_check.hpp"
 #include "supervisor/first_gains.hpp"
 #include "wire_gains/wire_gains.hpp"
 
@@ -14,9 +15,13 @@ constexpr std::uint64_t kSession = 1;
 }  // namespace
 
 Result<ActuatedRobot> ActuatedRobot::create(const robot::Robot& known, const robot::Robot& real,
-                                            const body::Scene& scene, std::uint64_t seed, int finer) {
+                                            const body::Scene& scene, std::uint64_t seed, int finer, bool adapts) {
   auto robot = FARRIER_TRY(sim_bridge::BodyRobot::create(real, scene, seed, false, finer));
   ActuatedRobot made(known, std::move(robot));
+  if (adapts) {
+    made.adaptation_.emplace(FARRIER_TRY(JointAdaptation::create(known, kSession)));
+    return made;
+  }
   for (const robot::Joint& joint : known.joints) {
     FARRIER_TRY(made.design(joint, known));
   }
@@ -27,7 +32,8 @@ ActuatedRobot::ActuatedRobot(const robot::Robot& known, sim_bridge::BodyRobot ro
     : joints_(known.joints),
       robot_(std::move(robot)),
       currents_A_(joints_.size(), 0.0),
-      phases_(joints_.size(), Phase::kStance) {
+      period_s_(known.period_s),
+      late_(known.plan.legs.size()) {
   for (const robot::Joint& joint : joints_) {
     nodes_.emplace_back(joint, known.safety, known.period_s, known.loop_delay_lockstep, kSession);
     nodes_.back().set_mode({.epoch = 1, .session = kSession, .effective_tick = 0, .mode = signals::Mode::kArmed});
@@ -68,14 +74,38 @@ void ActuatedRobot::track(std::size_t index, const trace::TraceRow& row, double 
   sums.count += 1.0;
 }
 
-void ActuatedRobot::announce_contact(std::size_t index, Phase phase) noexcept {
-  if (phase != phases_[index]) {
-    phases_[index] = phase;
-    nodes_[index].announce_phase({.leg = static_cast<std::uint16_t>(joints_[index].leg),
-                                  .count = ++contacts_,
-                                  .announced_tick = tick(),
-                                  .switch_tick = tick(),
-                                  .phase = phase});
+void ActuatedRobot::announce(int leg, const gait::PhaseSwitch& change) noexcept {
+  ++(change.felt ? switches_.felt : switches_.planned);
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    if (joints_[i].leg == leg) {
+      nodes_[i].announce_phase({.leg = static_cast<std::uint16_t>(leg),
+                                .count = change.count,
+                                .announced_tick = tick(),
+                                .switch_tick = change.tick,
+                                .phase = change.phase,
+                                .felt = static_cast<std::uint8_t>(change.felt ? 1 : 0)});
+    }
+  }
+}
+
+GainSwitches ActuatedRobot::switches() const noexcept {
+  GainSwitches all = switches_;
+  for (const gait::LateTouchdowns& leg : late_) {
+    all.late_touchdowns += leg.count();
+    all.late_s += static_cast<double>(leg.ticks()) * period_s_;
+    all.largest_late_s = std::max(all.largest_late_s, static_cast<double>(leg.largest_ticks()) * period_s_);
+  }
+  return all;
+}
+
+void ActuatedRobot::store(const std::vector<signals::JointControllerGains>& gains) noexcept {
+  for (const signals::JointControllerGains& signal : gains) {
+    if (joint_node::check_gains(signal, joints_[signal.joint].kind)) {
+      nodes_[signal.joint].store_gains(signal, wire_gains::unpack_gains(signal));
+    } else {
+      nodes_[signal.joint].refuse_gains(signal);
+      adaptation_->refused_by_joint();
+    }
   }
 }
 
@@ -83,11 +113,13 @@ bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
   if (tick() == track_from_) {
     energy_before_ = robot_.actuators()->audit();
   }
+  if (adaptation_) {
+    store(adaptation_->begin(tick()));
+  }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const robot::Joint& joint = joints_[i];
     trace::TraceRow truth;
     robot_.describe(i, truth);
-    announce_contact(i, truth.actual_phase);
     joint_node::JointNode::Inputs inputs;
     inputs.tick = tick();
     inputs.sensors = robot_.sample(i);
@@ -95,7 +127,17 @@ bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
     inputs.command.tick = tick();
     inputs.command.position_rad = std::clamp(reading(i).position, joint.angle_min_rad, joint.angle_max_rad);
     inputs.command.torque_ff_Nm = torques_Nm[i];
-    const signals::JointValveCommand valve = nodes_[i].step(inputs).valve;
+    const joint_node::JointNode::Outputs outputs = nodes_[i].step(inputs);
+    const signals::JointValveCommand& valve = outputs.valve;
+    if (adaptation_) {
+      adaptation_->take(outputs.measurement);
+    }
+    if (listener_) {
+      listener_(outputs.measurement, truth);
+    }
+    if (joint.index_in_leg == 0) {
+      late_[static_cast<std::size_t>(joint.leg)].step(truth.actual_phase, valve.phase);
+    }
     std::vector<double>& ring = on_the_way_A_[i];
     const auto slots = static_cast<Tick>(ring.size());
     ring[static_cast<std::size_t>(tick() % slots)] = valve.valve_current_A;
@@ -103,6 +145,9 @@ bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
     if (tick() >= track_from_) {
       track(i, truth, valve.force_reference_N_or_Nm);
     }
+  }
+  if (adaptation_) {
+    adaptation_->end(tick());
   }
   const bool moved = robot_.advance(currents_A_);
   if (const plant::Supply* supply = robot_.actuators()->supply()) {

@@ -7,24 +7,38 @@
 //                    └───────────────── samples ◀──────────────────┘
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "gait/late_touchdowns.hpp"
+#include "gait/schedule.hpp"
 #include "joint_node/joint_node.hpp"
 #include "sim_bridge/body_robot.hpp"
+#include "trials/body/joint_adaptation.hpp"
 #include "world/world.hpp"
 
 namespace farrier::trials {
+
+/// Changes of phase that joints were told, and how well they match the feet.
+struct GainSwitches {
+  int planned = 0, felt = 0;
+  int late_touchdowns = 0;      ///< as gait::LateTouchdowns counts them
+  double late_s = 0.0;          ///< sum over these
+  double largest_late_s = 0.0;  ///< of one touchdown
+};
 
 /// The same robots, scene, seed and torques give the same numbers bit for bit.
 class ActuatedRobot final : public world::World {
  public:
   /// The joints' nodes have the model of `known`, the simulation that of `real`; both have the same joints. Controllers
   /// that take gains have the designs for the loads of both phases. Refuses what these designs and BodyRobot::create do.
+  /// With `adapts` estimators and a supervisor of the known robot redesign them.
   static Result<ActuatedRobot> create(const robot::Robot& known, const robot::Robot& real, const body::Scene& scene,
-                                      std::uint64_t seed, int finer = 1);
+                                      std::uint64_t seed, int finer = 1, bool adapts = false);
 
   Tick tick() const noexcept override { return robot_.tick(); }
   std::size_t joints() const noexcept override { return robot_.joints(); }
@@ -45,6 +59,16 @@ class ActuatedRobot final : public world::World {
   /// The sums of all joints at one place of a leg, from `begin` of track_from() on; the phase is that of the leg's foot.
   const PerPhase<Tracking>& tracking(std::size_t place) const noexcept { return tracking_[place]; }
   void track_from(Tick begin) noexcept { track_from_ = begin; }
+  /// Tells the joints of a leg a change of phase, at the tick in which the message arrives.
+  void announce(int leg, const gait::PhaseSwitch& change) noexcept;
+  GainSwitches switches() const noexcept;
+  /// Gets the measurement of each joint at each tick, with the true state at that tick. Set before the first tick.
+  using Listener = std::function<void(const signals::JointMeasurement&, const trace::TraceRow&)>;
+  void listen(Listener listener) { listener_ = std::move(listener); }
+  /// None for a robot that does not adapt.
+  std::optional<AdaptationCounts> adaptation() const noexcept {
+    return adaptation_ ? std::optional(adaptation_->counts()) : std::nullopt;
+  }
   /// The account of the pump's work since that tick.
   world::EnergyAudit energy() const noexcept { return robot_.actuators()->audit() - energy_before_; }
   /// Least pressure of the supply at the ticks so far; infinite without a pump.
@@ -53,18 +77,21 @@ class ActuatedRobot final : public world::World {
  private:
   ActuatedRobot(const robot::Robot& known, sim_bridge::BodyRobot robot);
   Result<Done> design(const robot::Joint& joint, const robot::Robot& known);
-  /// Tells a joint at once that the contact of its foot has changed.
-  void announce_contact(std::size_t joint, Phase phase) noexcept;
   void track(std::size_t joint, const trace::TraceRow& truth, double reference) noexcept;
+
+  void store(const std::vector<signals::JointControllerGains>& gains) noexcept;
 
   std::vector<robot::Joint> joints_;
   sim_bridge::BodyRobot robot_;
   std::vector<joint_node::JointNode> nodes_;
   std::vector<std::vector<double>> on_the_way_A_;  // rings of currents, by joint
   std::vector<double> currents_A_;
-  std::vector<Phase> phases_;  // that the joints were told, by joint
-  std::uint32_t contacts_ = 0;
+  double period_s_;
+  GainSwitches switches_;                   // without those of late_
+  std::vector<gait::LateTouchdowns> late_;  // by leg
   std::array<PerPhase<Tracking>, body::kJointsPerLeg> tracking_{};
+  Listener listener_;
+  std::optional<JointAdaptation> adaptation_;
   Tick track_from_ = 0;
   world::EnergyAudit energy_before_;
   double least_supply_Pa_ = std::numeric_limits<double>::infinity();

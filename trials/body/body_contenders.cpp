@@ -56,15 +56,22 @@ BodyContender with_controller(const robot::Robot& on_ground, const robot::Robot&
 
 bool is_compared(const TrotCase& one) { return (one.trial == "lag" && one.lag_ticks == 0) || one.trial == "step"; }
 
+}  // namespace
+
+robot::Robot with_ideal_valves(robot::Robot robot) {
+  remove_valve_dynamics(robot);
+  remove_overlap(robot);
+  return robot;
+}
+
 std::vector<TrotCase> compared_cases(const robot::Robot& robot, int seeds) {
   std::vector<TrotCase> cases = trot_cases(robot);
   std::erase_if(cases, [](const TrotCase& one) { return !is_compared(one); });
+  std::ranges::stable_partition(cases, [](const TrotCase& one) { return one.trial != "step"; });
   std::map<std::string, int> kept;
   std::erase_if(cases, [&](const TrotCase& one) { return ++kept[one.trial] > seeds; });
   return cases;
 }
-
-}  // namespace
 
 std::vector<BodyContender> force_controllers(const robot::Robot& on_ground, const robot::Robot& on_bench) {
   std::vector<BodyContender> all{{kFileDesign, "as in the robot file", on_ground}};

@@ -18,7 +18,7 @@ ControllerDriver::ControllerDriver(locomotion::Controller& controller, std::vect
     : controller_(controller),
       script_(std::move(script)),
       period_s_(period_s),
-      on_the_way_(static_cast<std::size_t>(lag_ticks) + 1, no_torques()) {}
+      on_the_way_(static_cast<std::size_t>(lag_ticks) + 1, Orders{.torques_Nm = no_torques(), .phases = {}}) {}
 
 void ControllerDriver::read(const world::World& world) noexcept {
   for (std::size_t joint = 0; joint < world.joints(); ++joint) {
@@ -47,12 +47,20 @@ locomotion::MotionCommand ControllerDriver::command_of(const world::World& world
 
 void ControllerDriver::step(const world::World& world, std::span<double> torques_Nm) noexcept {
   read(world);
-  const locomotion::LegTorques arriving = on_the_way_[next_];
-  on_the_way_[next_] = controller_.step(world.tick(), readings_, command_of(world));
+  Orders& place = on_the_way_[next_];
+  const Orders arriving = place;
+  place.torques_Nm = controller_.step(world.tick(), readings_, command_of(world));
+  for (std::size_t leg = 0; leg < place.phases.size(); ++leg) {
+    const bool there = leg * locomotion::kJointsPerLeg < world.joints();
+    place.phases[leg] = there ? controller_.announcement(static_cast<int>(leg)) : std::nullopt;
+    if (told_ != nullptr && arriving.phases[leg]) {
+      told_->announce(static_cast<int>(leg), *arriving.phases[leg]);
+    }
+  }
   next_ = (next_ + 1) % on_the_way_.size();
   for (std::size_t joint = 0; joint < torques_Nm.size(); ++joint) {
-    torques_Nm[joint] =
-        arriving[joint / locomotion::kJointsPerLeg][static_cast<Eigen::Index>(joint % locomotion::kJointsPerLeg)];
+    torques_Nm[joint] = arriving.torques_Nm[joint / locomotion::kJointsPerLeg]
+                                           [static_cast<Eigen::Index>(joint % locomotion::kJointsPerLeg)];
   }
 }
 

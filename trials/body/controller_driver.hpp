@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "locomotion/controller.hpp"
+#include "trials/body/actuated_robot.hpp"
 #include "trials/body/body_trial.hpp"
 #include "locomotion/motion_script.hpp"
 #include "locomotion/supply_guard.hpp"
@@ -24,9 +25,18 @@ class ControllerDriver final : public BodyController {
     return guard_ ? guard_->demand() : locomotion::SupplyDemand::kNone;
   }
 
+  /// From now on a robot is told the changes of phase that the controller announces, as late as its torques.
+  void tell_phases(ActuatedRobot& robot) { told_ = &robot; }
+
   void step(const world::World& world, std::span<double> torques_Nm) noexcept override;
 
  private:
+  /// Torques and changes of phase of one tick.
+  struct Orders {
+    locomotion::LegTorques torques_Nm;
+    locomotion::PerLeg<std::optional<gait::PhaseSwitch>> phases;
+  };
+
   void read(const world::World& world) noexcept;
   locomotion::MotionCommand command_of(const world::World& world) noexcept;
 
@@ -34,9 +44,10 @@ class ControllerDriver final : public BodyController {
   std::vector<locomotion::TimedCommand> script_;
   double period_s_;
   locomotion::Readings readings_;
-  std::vector<locomotion::LegTorques> on_the_way_;  // a ring
+  std::vector<Orders> on_the_way_;  // a ring
   std::size_t next_ = 0;
   std::optional<locomotion::SupplyGuard> guard_;
+  ActuatedRobot* told_ = nullptr;
 };
 
 }  // namespace farrier::trials

@@ -50,6 +50,7 @@ struct TrotCase {
   std::optional<double> supply_fault_s = std::nullopt;  ///< instant of a fault of the supply in the scene
   int finer = 1;                                        ///< divides the step of body and actuators
   bool may_sink = false;                                ///< a low trunk is no fall
+  bool adapts = false;                                  ///< the gains of actuators are redesigned from estimates
   double trot_s = 0.0;                                  ///< when it first begins to trot
   double judged_from_s = 0.0;                           ///< means are over this time ...
   double judged_until_s = 0.0;                          ///< ... to this

@@ -54,7 +54,8 @@ void note_supply(const ActuatedRobot& robot, double time_s, TrotFigures& figures
 }  // namespace
 
 Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one, Joints joints,
-                                                 const std::function<bool()>& keep_on) {
+                                                 const std::function<bool()>& keep_on,
+                                                 const ActuatedRobot::Listener& listener) {
   if (!robot.can_walk()) {
     return Error{robot.cannot_walk_error()};
   }
@@ -71,7 +72,10 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
   if (joints == Joints::kIdeal) {
     ideal.emplace(FARRIER_TRY(world::BodyWorld::create(true_robot, scene.value(), one.seed, kTrotNoise)));
   } else {
-    actuated.emplace(FARRIER_TRY(ActuatedRobot::create(robot, true_robot, scene.value(), one.seed, one.finer)));
+    actuated.emplace(
+        FARRIER_TRY(ActuatedRobot::create(robot, true_robot, scene.value(), one.seed, one.finer, one.adapts)));
+    actuated->listen(listener);
+    driver.tell_phases(*actuated);
     actuated->track_from(static_cast<Tick>(std::lround(one.judged_from_s / robot.period_s)));
   }
   world::World& moved = ideal ? static_cast<world::World&>(*ideal) : *actuated;
@@ -105,6 +109,8 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
   figures.finer = one.finer;
   if (actuated) {
     figures.force_nrmse = force_nrmse_of(*actuated);
+    figures.switches = actuated->switches();
+    figures.adaptation = actuated->adaptation();
     figures.supply = supply_judge ? std::optional(supply_judge->figures()) : std::nullopt;
     note_supply(*actuated, static_cast<double>(body.ticks) * robot.period_s, figures);
   }

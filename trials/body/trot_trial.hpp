@@ -8,6 +8,7 @@
 
 #include "core/phase.hpp"
 #include "core/result.hpp"
+#include "trials/body/actuated_robot.hpp"
 #include "trials/body/body_trial.hpp"
 #include "trials/body/supply_judge.hpp"
 #include "world/energy_audit.hpp"
@@ -36,6 +37,8 @@ struct TrotFigures {
   /// Force error of HAA, HFE and KFE by the phase of the foot, over all legs: RMS over RMS of the reference. Zero of
   /// ideal joints.
   ForceErrors force_nrmse{};
+  GainSwitches switches{};  ///< of the joints' gains, all legs and the whole run; 0 of ideal joints
+  std::optional<AdaptationCounts> adaptation = std::nullopt;  ///< of a case that adapts
   /// Work of the pump that the account of supply, oil and body does not find again, relative to it; 0 without a pump.
   double energy_error = 0.0;
   double least_supply_Pa = 0.0;  ///< of the shared supply; 0 without a pump
@@ -60,9 +63,11 @@ inline constexpr world::BodyNoise kTrotNoise = [] {
 enum class Joints { kIdeal, kActuators };
 
 /// Runs one case: the robot's TrotController with its own estimate, in a world of its own. False by `keep_on` ends it
-/// with nothing. Refuses a robot without body or locomotion, a scene that does not fit, and what ActuatedRobot refuses.
+/// with nothing. Actuators tell the `listener` their measurements. Refuses a robot without body or locomotion, a scene
+/// that does not fit, and what ActuatedRobot refuses.
 Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, const TrotCase& one, Joints joints,
-                                                 const std::function<bool()>& keep_on = {});
+                                                 const std::function<bool()>& keep_on = {},
+                                                 const ActuatedRobot::Listener& listener = {});
 
 /// A case that was run.
 struct TrotRow {

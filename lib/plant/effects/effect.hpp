@@ -11,7 +11,7 @@ namespace farrier::plant {
 struct ChamberFeed {
   double flow_a, root_a;
   double flow_b, root_b;
-  double past_a = 0.0, past_b = 0.0;
+  double past_a = -0.0, past_b = -0.0;
 };
 
 /// Values of one evaluation of the joint's equations that effects may read and change, in the order of `Effects`.
@@ -35,6 +35,7 @@ struct Instant {
   double softness_a = 0.0;       ///< 1/beta beyond the oil's own, 1/Pa
   double softness_b = 0.0;
   double play_slope = 0.0;    ///< d(piston - load) / d(force), m/N or rad/Nm
+  double seal_rate = 0.0;     ///< of the force of the piston's seals, N/s or Nm/s
   double piston_force = 0.0;  ///< on the piston, left of the load cell, positive along +position
 };
 

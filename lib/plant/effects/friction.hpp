@@ -83,7 +83,7 @@ class Friction : public Effect<1> {
   double force(const Instant& now, const X& x, X& dx) const noexcept {
     const bool settled = std::abs(x[0]) == params_.coulomb && x[0] * now.velocity > sliding_power_;
     dx[0] = settled ? 0.0 : contact_.rate(x[0], now.velocity);
-    return x[0] + contact_.damping_time() * dx[0];
+    return contact_.damping_time() > 0.0 ? x[0] + contact_.damping_time() * dx[0] : x[0];
   }
 
   FrictionParams params_;
@@ -124,7 +124,7 @@ class SlidingSeal : public Effect<0> {
     return direction_ * contact_.slid(along_, direction_ * (position - start_));
   }
   bool active() const noexcept { return true; }
-  void after_valve(Instant& now, const X&, X&) const noexcept { now.piston_force -= force(now.position); }
+  void before_valve(Instant& now, const X&) const noexcept { now.piston_force -= force(now.position); }
 
  private:
   DryContact<double> contact_;
@@ -139,7 +139,13 @@ class SealFriction : public Friction {
  public:
   using Friction::Friction;
 
-  void after_valve(Instant& now, const X& x, X& dx) const noexcept { now.piston_force -= force(now, x, dx); }
+  // Before the valve: the equations of both chambers then stand without a branch between them, in vector lanes.
+  void before_valve(Instant& now, const X& x) const noexcept {
+    X dx;
+    now.piston_force -= force(now, x, dx);
+    now.seal_rate = dx[0];
+  }
+  void after_valve(Instant& now, const X&, X& dx) const noexcept { dx[0] = now.seal_rate; }
 };
 
 }  // namespace farrier::plant

@@ -20,7 +20,9 @@ inline OilMoment<double> oil_moment(const Instant& now, const ActuatorParams& ac
           0.0,
           0.0,
           0.0,
-          actuator.return_pressure_Pa};
+          actuator.return_pressure_Pa,
+          -0.0,
+          -0.0};
 }
 
 /// Takes the leaks of their answer.

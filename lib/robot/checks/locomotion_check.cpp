@@ -47,6 +47,19 @@ void check_reach(const RobotFile& file, config::Problems& problems) {
   }
 }
 
+// A touchdown that may only be felt after its plan is never felt.
+void check_felt_touchdown(const RobotFile& file, config::Problems& problems) {
+  const LocomotionSection& section = *file.locomotion;
+  const locomotion::FeltTouchdownParams& felt = section.params.felt_touchdown;
+  const double swing_s = (1.0 - file.gait.duty) / file.gait.frequency_Hz - file.safety.params.stance_lead_s;
+  if (felt.on && felt.least_swing_s + felt.debounce_s >= swing_s) {
+    problems.push_back(section.place.problem(
+        "felt_touchdown", "has least_swing_s " + config::number_text(felt.least_swing_s) + " and debounce_s " +
+                              config::number_text(felt.debounce_s) + ", but the gains of swing act for " +
+                              config::number_text(swing_s) + " s: give less, or on: false"));
+  }
+}
+
 }  // namespace
 
 config::Problems check_locomotion(const RobotFile& file) {
@@ -60,6 +73,7 @@ config::Problems check_locomotion(const RobotFile& file) {
     return problems;
   }
   check_reach(file, problems);
+  check_felt_touchdown(file, problems);
   const std::array<FoldedAngle, kJointsOfALeg> folded{FoldedAngle{"folded_haa_rad", section.folded_haa_rad},
                                                       {"folded_hfe_rad", section.folded_hfe_rad},
                                                       {"folded_kfe_rad", section.folded_kfe_rad}};

@@ -65,6 +65,14 @@ void declare(Visitor& v, LegSequencerParams& c) {
   v.number("settle_s", c.settle_s, {0, 1}, kInitial, "After a touchdown the contact counts as kept for this long.");
 }
 
+void declare(Visitor& v, FeltTouchdownParams& f) {
+  v.flag("on", f.on, kInitial, "False: gains of stance wait for the planned touchdown.");
+  v.number("force_N", f.force_N, {1e-3, 1e5}, kInitial, "Normal force that counts as a touchdown.");
+  v.number("debounce_s", f.debounce_s, {0, 0.1}, kInitial, "The force must stay above for this long.");
+  v.number("least_swing_s", f.least_swing_s, {0, 10}, kInitial,
+           "The gains of swing act at least so long before a touchdown that is felt.");
+}
+
 void declare(Visitor& v, GroundPlaneParams& g) {
   v.number("time_constant_s", g.time_constant_s, {1e-3, 1e2}, kInitial, "Low-pass of height and slope.");
   v.number("largest_slope", g.largest_slope, {1e-3, 2}, kInitial, "Rise per metre in either direction.");
@@ -179,6 +187,8 @@ void declare(config::Visitor& v, LocomotionSection& s) {
   v.group("foothold", s.params.foothold, Defaults{}, "Places of the feet (Raibert 1986).");
   v.group("swing", s.params.swing, Defaults{}, "Path of a swinging foot.");
   v.group("contact", s.params.contact, Defaults{}, "Contacts that overrule the schedule.");
+  v.group("felt_touchdown", s.params.felt_touchdown, Defaults{},
+          "Touchdowns that are felt before their plan change the joints' gains.");
   v.group("ground", s.params.ground, Defaults{}, "Ground under the last footholds.");
   v.group("estimator", s.params.estimator, Defaults{}, "Attitude, position and velocity from IMU and joints.");
 }

@@ -24,6 +24,7 @@ namespace farrier::locomotion {
 
 void declare(config::Visitor& v, StateEstimatorParams& estimator);
 void declare(config::Visitor& v, LegSequencerParams& contact);
+void declare(config::Visitor& v, FeltTouchdownParams& felt);
 void declare(config::Visitor& v, GroundPlaneParams& ground);
 void declare(config::Visitor& v, TrunkReferenceParams& reference);
 void declare(config::Visitor& v, TrunkWrenchParams& trunk);

@@ -93,10 +93,26 @@ await check("draws the robot in three dimensions", async () => {
   assert.ok(shades > 30, `${shades} colours`);
   return `${await page.$eval("#stage", (stage) => stage.dataset.triangles)} triangles, ${shades} colours`;
 });
+await check("shows the supply of the run, and a leg that is chosen", async () => {
+  await page.$eval("#supply", (section) => section.scrollIntoView());
+  await until(page, () => /^open valves\d+ J/m.test([...document.querySelectorAll("#energy li")].map((item) => item.textContent).join("\n")), 5000);
+  await until(page, () => /pump12\.0 l\/min/.test(document.querySelector("#supply-numbers").textContent), 5000);
+  assert.match(await text(page, "#supply-numbers"), /pressure1[45]\d\.\d bar.*actuators\d+\.\d l\/min.*relief valve3\.0 l\/min/);
+  const energy = await page.$$eval("#energy li", (items) => items.map((item) => item.textContent));
+  assert.equal(energy.length, 9);
+  assert.ok(energy.some((item) => /^open valves\d+ J, 50\.0 %$/.test(item)), energy.join("; "));
+  assert.ok(energy.some((item) => /^gained by the accumulator-\d+ J, -2\.0 %$/.test(item)), energy.join("; "));
+  await page.select("#supply-leg", "2");
+  assert.match(await text(page, "#leg-charts"), /lh_haa, chambers, bar.*lh_kfe, chambers, bar/);
+  const drawn = await drawnPixels(page, "#supply canvas");
+  assert.equal(drawn.length, 6);
+  drawn.forEach(([blue], chart) => assert.ok(blue > 30, `chart ${chart}: ${blue} pixels`));
+});
 await check("draws a robot on a bench by its joints alone", async () => {
   server.say("bench");
   await until(page, () => document.querySelector("#body").dataset.pose === "unknown", 5000);
   assert.match(await text(page, "#body-text"), /No process says where the trunk is/);
+  await until(page, () => /No process says the pressure/.test(document.querySelector("#supply-text").textContent), 5000);
   await shoot(page, "live_bench");
   server.say("ground");
   await until(page, () => document.querySelector("#body").dataset.pose === "truth", 5000);
@@ -161,7 +177,8 @@ await check("says when its monitor has gone, and recovers when it is back", asyn
   await shoot(page, "monitor_gone");
   await server.start(port);
   await until(page, () => document.querySelector("#alarm").hidden &&
-                          document.querySelector("#connection").textContent === "live", 10000);
+                          document.querySelector("#connection").textContent === "live" &&
+                          document.body.dataset.tick < 2000, 10000);
   await drawsTwelve(page);
   return `ended in ${took.toFixed(0)} ms`;
 });

@@ -64,13 +64,13 @@ export async function openPage(browser, url, scheme = "light") {
   return account;
 }
 
-/// Of each joint's plot, how many of its pixels carry the colour of the measured force; and of the reference.
-export function drawnPixels(page) {
-  return page.evaluate(() => {
+/// Of each joint's plot, or the canvases that `selector` finds, how many of its pixels carry the colour of the measured force; and of the reference.
+export function drawnPixels(page, selector = ".joint canvas") {
+  return page.evaluate((selector) => {
     const style = getComputedStyle(document.documentElement);
     const rgb = (name) => style.getPropertyValue(name).trim().match(/[0-9a-f]{2}/gi).map((part) => parseInt(part, 16));
     const wanted = [rgb("--blue"), rgb("--orange")];
-    return [...document.querySelectorAll(".joint canvas")].map((canvas) => {
+    return [...document.querySelectorAll(selector)].map((canvas) => {
       const copy = new OffscreenCanvas(canvas.width, canvas.height).getContext("2d", { willReadFrequently: true });
       copy.drawImage(canvas, 0, 0);
       const { data } = copy.getImageData(0, 0, canvas.width, canvas.height);
@@ -83,7 +83,7 @@ export function drawnPixels(page) {
       }
       return counts;
     });
-  });
+  }, selector);
 }
 
 /// Number of colours in a picture of an element: an empty one has few.

@@ -14,18 +14,20 @@ namespace walk_test {
 const char* const kWalks = tested_duration("9.5");
 
 struct Traces {
-  std::string joints, body;
+  std::string joints, body, supply;
 };
 
-/// Both traces of a walk with these options. It is too short to be judged.
+/// The traces of a walk with these options. It is too short to be judged.
 Traces traces_of(const std::vector<std::string>& options) {
   const ScratchDirectory scratch;
   std::vector<std::string> arguments{"trot", "--duration", kWalks, "--out", scratch.file("out")};
   arguments.insert(arguments.end(), options.begin(), options.end());
   std::string output;
   run_farrier(arguments, &output);
-  const Traces traces{read_file(scratch.file("out/trace.csv")), read_file(scratch.file("out/trace_body.csv"))};
+  const Traces traces{read_file(scratch.file("out/trace.csv")), read_file(scratch.file("out/trace_body.csv")),
+                      read_file(scratch.file("out/trace_supply.csv"))};
   EXPECT_GT(traces.body.size(), 1000u) << output;
+  EXPECT_GT(traces.supply.size(), 1000u) << output;
   return traces;
 }
 
@@ -35,6 +37,7 @@ TEST(Walk, LeavesTheSameTracesOverEveryTransportAndGrouping) {
     const Traces other = traces_of({"--dds", dds, "--nodes", nodes});
     EXPECT_TRUE(other.joints == reference.joints) << dds << ", " << nodes;
     EXPECT_TRUE(other.body == reference.body) << dds << ", " << nodes;
+    EXPECT_TRUE(other.supply == reference.supply) << dds << ", " << nodes;
   }
 }
 
@@ -47,7 +50,9 @@ TEST(Walk, IsJudgedByItsBody) {
   EXPECT_EQ(figure(json, "trot.body.falls"), 0.0);
   EXPECT_NE(output.find("hyq walked 4."), std::string::npos) << output;
   EXPECT_GT(figure(json, "trot.body.way_m"), 4.0);
-  EXPECT_TRUE(std::filesystem::exists(scratch.file("out/pictures/walk.svg")));
+  for (const char* picture : {"walk", "moving", "supply", "energy", "leg_lf", "leg_rh"}) {
+    EXPECT_TRUE(std::filesystem::exists(scratch.file("out/pictures/" + std::string(picture) + ".svg"))) << picture;
+  }
 }
 
 TEST(Walk, ThatEndsInAFallSaysWhenAndWhy) {
@@ -74,7 +79,7 @@ TEST(Walk, RefusesWhatItCannotDo) {
     EXPECT_NE(output.find(words), std::string::npos) << output;
   };
   refuses({"--scene", scratch.file("scene.yaml")}, "scene.yaml:1");
-  refuses({"--design", "adaptive"}, "estimates of a body");
+  refuses({"--design", "adaptive"}, "whose gains do not adapt");
   refuses({"--gait", "stand"}, "the gait 'stand' is for the bench");
   refuses({"--velocity", "0.4,0"}, "--velocity");
 }

@@ -43,7 +43,7 @@ TEST(ChosenRows, AreThoseOfTheRobot) {
   EXPECT_TRUE(has(Where::kSupply, "supply_cut"));
 }
 
-TEST(ChosenRows, RefuseANameThatIsNoneOrOfAnotherRobot) {
+TEST(ChosenRows, RefuseAnUnknownNameAndARowOfAnotherRobot) {
   EXPECT_EQ(chosen_rows({"sensors_cut"}, Where::kBench).value().size(), 1u);
   EXPECT_NE(chosen_rows({"sensors_gone"}, Where::kBench).error().message.find("no row is called 'sensors_gone'"),
             std::string::npos);

@@ -77,5 +77,21 @@ TEST(StanceLead, OfTheShippedRobotsIsAsLongAsTouchdownsMayBeEarly) {
   }
 }
 
+// A touchdown that is felt has a later number and an earlier tick than the one that is announced.
+TEST(StanceLead, ChangesAtOnceWhenATouchdownIsFelt) {
+  Bench bench = early();
+  bench.announce(Phase::kSwing, 1, 20);
+  bench.announce(Phase::kStance, 2, 100);
+  EXPECT_EQ(bench.step_to(59).valve.phase, kSwing);
+  bench.announce(Phase::kStance, 3, 60);
+  bench.announce(Phase::kSwing, 4, 160);
+  for (Tick tick = 60; tick < 160; ++tick) {
+    const JointNode::Outputs outputs = bench.step();
+    EXPECT_EQ(outputs.valve.phase, kStance) << tick;
+    EXPECT_EQ(outputs.measurement.phase_count, 3u) << tick;
+  }
+  EXPECT_EQ(bench.step().valve.phase, kSwing);
+}
+
 }  // namespace stance_lead_test
 }  // namespace farrier::joint_node

@@ -7,6 +7,7 @@
 #include "locomotion/foothold.hpp"
 #include "locomotion/ground_plane.hpp"
 #include "locomotion/leg_sequencer.hpp"
+#include "locomotion/phase_announcer.hpp"
 #include "locomotion/rotation.hpp"
 #include "locomotion/swing_trajectory.hpp"
 #include "locomotion/trot_schedule.hpp"
@@ -171,6 +172,67 @@ TEST(LegSequencer, ReachesWhenTheGroundGivesWay) {
   LegSequencer leg({}, kPeriod_s);
   leg.step(-1.0, 200.0, -3.0);
   EXPECT_TRUE(leg.lost());
+}
+
+// A swing from tick 100 to its planned touchdown at 350, which is announced at 310.
+class PhaseAnnouncerTest : public testing::Test {
+ protected:
+  static constexpr Tick kLiftOff = 100, kTouchdown = 350, kAhead = 40, kLead = 10;
+
+  /// Ticks at which the joints are told of a stance, as felt ones positive and as planned ones negative.
+  std::vector<Tick> told(const FeltTouchdownParams& params, Tick first, Tick last, double force_N = 500.0) const {
+    PhaseAnnouncer announcer(params, kPeriod_s);
+    std::vector<Tick> stances;
+    for (Tick tick = 0; tick < 400; ++tick) {
+      const bool touches = tick >= first && tick <= last;
+      std::optional<gait::PhaseSwitch> planned;
+      if (tick == kLiftOff - kAhead) {
+        planned = {1, kLiftOff, Phase::kSwing};
+      } else if (tick == kTouchdown - kAhead) {
+        planned = {2, kTouchdown, Phase::kStance};
+      }
+      announcer.step(tick, {.planned = planned,
+                            .phase = tick >= kLiftOff && tick < kTouchdown ? Phase::kSwing : Phase::kStance,
+                            .stands = touches || tick < kLiftOff || tick >= kTouchdown,
+                            .normal_force_N = touches || tick < kLiftOff ? force_N : 0.0});
+      if (const auto& change = announcer.announcement()) {
+        EXPECT_EQ(change->count, static_cast<std::uint32_t>(stances.size()) + (change->phase == Phase::kSwing ? 1 : 2));
+        if (change->phase == Phase::kStance) {
+          stances.push_back(change->felt ? change->tick : -change->tick);
+        }
+      }
+    }
+    return stances;
+  }
+
+  const FeltTouchdownParams params_{
+      .on = true, .force_N = 60.0, .debounce_s = 0.003, .least_swing_s = 0.05, .stance_lead_s = kLead * kPeriod_s};
+};
+
+TEST_F(PhaseAnnouncerTest, TellsAFeltTouchdownOnceAfterItsDebounceAndThenThePlan) {
+  EXPECT_EQ(told(params_, 250, 400), (std::vector<Tick>{253, -kTouchdown}));
+  EXPECT_EQ(told(params_, 300, 400), (std::vector<Tick>{303, -kTouchdown}));
+  EXPECT_EQ(told(params_, 320, 400), (std::vector<Tick>{-kTouchdown, 323}));
+}
+
+TEST_F(PhaseAnnouncerTest, LetsThePlanGoFirstWhereBothComeAtOneTick) {
+  EXPECT_EQ(told(params_, kTouchdown - kAhead - 2, 400), (std::vector<Tick>{-kTouchdown, kTouchdown - kAhead + 2}));
+}
+
+TEST_F(PhaseAnnouncerTest, FeelsNothingThatIsShortOrWeakOrComesWithTheGainsOfStance) {
+  const std::vector<Tick> planned{-kTouchdown};
+  EXPECT_EQ(told(params_, 250, 251), planned);
+  EXPECT_EQ(told(params_, 250, 400, 59.0), planned);
+  EXPECT_EQ(told(params_, kTouchdown - kLead - 3, 400), planned);
+  EXPECT_EQ(told(params_, 400, 400), planned);
+  FeltTouchdownParams off = params_;
+  off.on = false;
+  EXPECT_EQ(told(off, 250, 400), planned);
+}
+
+TEST_F(PhaseAnnouncerTest, LetsTheGainsOfSwingActAtLeastSoLong) {
+  EXPECT_EQ(told(params_, kLiftOff, 400), (std::vector<Tick>{kLiftOff + 50, -kTouchdown}));
+  EXPECT_EQ(told(params_, kLiftOff, kLiftOff + 45), (std::vector<Tick>{-kTouchdown}));
 }
 
 TEST(GroundPlane, FindsASlopeFromFourFeet) {

@@ -59,6 +59,31 @@ TEST(TrotController, StandsUpTrotsStopsAndLiesDown) {
   EXPECT_LT(run.robot().place_m().z(), 0.45);
 }
 
+// Valves at null hold the legs of a robot that stands, and its weight with them. When they are armed, a leg must not be
+// pulled to the folded pose at once.
+TEST(TrotController, WaitsWithTheSoftStartForJointsThatDoNotObey) {
+  constexpr double kStep_Nm = 50.0, kWeightOfLeg_Nm = 5.0;  // of the torque at the time of arming
+  for (const double held_Nm : {0.0, 30.0, 80.0}) {
+    Trial run;
+    Readings blocked = run.robot().readings();
+    for (LegReadings& leg : blocked.legs) {
+      leg.position_rad *= 0.5;  // of the folded pose
+      leg.torque_Nm = {0.0, 0.0, held_Nm};
+    }
+    for (Tick tick = 0; tick < 6000; ++tick) {
+      const LegTorques& torques = run.controller().step(tick, blocked, {.request = Request::kStand});
+      for (int leg = 0; leg < PointFootRobot::kLegs; ++leg) {
+        ASSERT_LE((torques[leg] - blocked.legs[leg].torque_Nm).cwiseAbs().maxCoeff(),
+                  std::max(kStep_Nm, held_Nm) + kWeightOfLeg_Nm)
+            << held_Nm << " Nm, tick " << tick;
+      }
+    }
+    EXPECT_EQ(run.mode(), Mode::kLie);
+    run.go(8.0, {.request = Request::kStand});
+    EXPECT_EQ(run.mode(), Mode::kStand) << "the joints obey again";
+  }
+}
+
 TEST(TrotController, EstimatesItsPlaceWithinTwoPercentOfTheDistance) {
   Trial run;
   run.go(2.5, {.request = Request::kLie});

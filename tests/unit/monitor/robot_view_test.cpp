@@ -125,28 +125,6 @@ TEST(RobotView, NamesProcessAndJointOfAnEvent) {
   EXPECT_EQ(frame.events[1].severity, signals::Severity::kError);
 }
 
-TEST(RobotView, SwitchesPhasesAtTheirTick) {
-  Feed feed;
-  feed.walk(0, 5);
-  signals::GaitPhase phase;
-  phase.leg = 1;
-  phase.announced_tick = 100;
-  phase.switch_tick = 160;
-  phase.phase = signals::Phase::kSwing;
-  feed.take(phase);
-  phase.switch_tick = 400;
-  phase.phase = signals::Phase::kStance;
-  feed.take(phase);
-  EXPECT_EQ(feed.frame().phases[1], signals::Phase::kStance);
-  feed.walk(100, 2);
-  EXPECT_EQ(feed.frame().phases[1], signals::Phase::kStance);
-  feed.walk(140, 1);
-  EXPECT_EQ(feed.frame().phases[1], signals::Phase::kSwing);
-  EXPECT_EQ(feed.frame().phases[0], signals::Phase::kStance);
-  feed.walk(160, 12);
-  EXPECT_EQ(feed.frame().phases[1], signals::Phase::kStance);
-}
-
 TEST(RobotView, BeginsAgainWithAnotherSession) {
   Feed feed;
   walk_for_a_second(feed);

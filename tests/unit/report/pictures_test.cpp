@@ -77,9 +77,9 @@ TEST_F(Pictures, NamesOfRowsStandInPlaceOfNumbers) {
       {.panels = {
            {.series =
                 {{.x = {0.5, 0.7}, .y = {0.0, 1.0}, .style = Style::kBars, .low = {0.4, 0.6}, .high = {0.6, 0.9}}},
-            .rows = {"first \"row\"", "second row"}}}});
+            .rows = {"first \"row\"", "second row, 50 %"}}}});
   EXPECT_NE(svg.find("first \"row\""), std::string::npos) << svg;
-  EXPECT_NE(svg.find("second row"), std::string::npos);
+  EXPECT_NE(svg.find("second row, 50 %"), std::string::npos);
 }
 
 TEST_F(Pictures, StackedPanelsHaveNumbersOfTheXAxisOnce) {

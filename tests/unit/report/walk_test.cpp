@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace farrier::report {
@@ -74,6 +75,56 @@ TEST(Walk, ThatIsTooSlowIsBeyondItsBoundOnLevelGroundAlone) {
   blocks.plain = false;
   add_walk(uneven, blocks, walk);
   EXPECT_TRUE(uneven.all_hold());
+}
+
+/// A leg that swings by plan and gains from tick 10, touches the ground at 50, and has gains of stance from 53.
+TEST(GaitChanges, CountsWhatJointsWereToldAndHowLateItCame) {
+  const robot::Robot hyq = robot::load_robot(FARRIER_ROBOTS "/hyq.yaml").value();
+  std::vector<trace::TraceRow> rows;
+  for (Tick tick = 0; tick < 100; ++tick) {
+    for (const robot::Joint& joint : hyq.joints) {
+      trace::TraceRow row{.tick = tick, .joint = joint.number};
+      const bool leg = joint.leg == 0;
+      row.phase = leg && tick >= 10 && tick < 53 ? Phase::kSwing : Phase::kStance;
+      row.actual_phase = leg && tick >= 14 && tick < 50 ? Phase::kSwing : Phase::kStance;
+      rows.push_back(row);
+    }
+  }
+  std::vector<signals::GaitPhase> phases(3);
+  phases[0] = {.leg = 0, .count = 1, .announced_tick = 0, .switch_tick = 10, .phase = Phase::kSwing};
+  phases[1] = {.leg = 0, .count = 2, .announced_tick = 40, .switch_tick = 80, .phase = Phase::kStance};
+  phases[2] = {.leg = 0, .count = 3, .announced_tick = 52, .switch_tick = 53, .phase = Phase::kStance, .felt = 1};
+  const GaitChanges changes{phases, rows};
+  Figures figures;
+  add_gait_changes(figures, hyq, changes);
+  const auto value = [&figures](const std::string& name) {
+    return std::ranges::find(figures.all(), "trot.body." + name, &Figure::name)->value;
+  };
+  EXPECT_EQ(value("planned_switches"), 2.0);
+  EXPECT_EQ(value("felt_switches"), 1.0);
+  EXPECT_EQ(value("late_touchdowns"), 1.0);
+  EXPECT_NEAR(value("mean_late_ms"), 3.0, 1e-9);
+  EXPECT_NEAR(value("largest_late_ms"), 3.0, 1e-9);
+
+  const std::vector<Panel> panels = gait_panels(hyq, changes, 0, 100);
+  ASSERT_EQ(panels.size(), 4u);
+  EXPECT_EQ(panels[0].y_label, "lf");
+  // plan, contact and gains change where they should, and the felt touchdown is a point
+  const auto changes_of = [](const Series& series) {
+    std::vector<double> at_ms;
+    for (std::size_t i = 1; i < series.y.size(); ++i) {
+      if (series.y[i] != series.y[i - 1]) {
+        at_ms.push_back(std::round(1e3 * series.x[i]));
+      }
+    }
+    return at_ms;
+  };
+  EXPECT_EQ(changes_of(panels[0].series[0]), (std::vector<double>{10, 80}));
+  EXPECT_EQ(changes_of(panels[0].series[1]), (std::vector<double>{14, 50}));
+  EXPECT_EQ(changes_of(panels[0].series[2]), (std::vector<double>{10, 53}));
+  ASSERT_EQ(panels[0].series[3].x.size(), 1u);
+  EXPECT_NEAR(panels[0].series[3].x[0], 0.053, 1e-12);
+  EXPECT_TRUE(changes_of(panels[1].series[2]).empty());
 }
 
 }  // namespace walk_test

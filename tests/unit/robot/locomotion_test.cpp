@@ -111,8 +111,8 @@ TEST_F(HyqLocomotion, TakesPlacesFromBodyAndLegs) {
   EXPECT_EQ(params.estimator.foot_radius_m, 0.02175);
   EXPECT_EQ(params.mounts[1].hip_m, Vector3d(0.3735, -0.207, 0.0));
   EXPECT_EQ(params.mounts[1].outward, -1.0);
-  EXPECT_EQ(params.mounts[1].folded_rad, Vector3d(-0.28, 1.15, -2.3)) << "a front leg";
-  EXPECT_EQ(params.mounts[3].folded_rad, Vector3d(-0.28, -1.15, 2.3)) << "a hind leg";
+  EXPECT_EQ(params.mounts[1].folded_rad, Vector3d(-0.28, 1.05, -2.1)) << "a front leg";
+  EXPECT_EQ(params.mounts[3].folded_rad, Vector3d(-0.28, -1.05, 2.1)) << "a hind leg";
 }
 
 TEST_F(HyqLocomotion, DrawsNoTouchdowns) {
@@ -141,7 +141,7 @@ TEST(LocomotionSection, IsRefusedWithoutATrunk) {
 }
 
 TEST(LocomotionSection, IsRefusedWithAPoseBeyondAJointsLimits) {
-  const std::string text = replaced(text_of("hyq"), "folded_kfe_rad: 2.3", "folded_kfe_rad: 2.5");
+  const std::string text = replaced(text_of("hyq"), "folded_kfe_rad: 2.1", "folded_kfe_rad: 2.5");
   EXPECT_EQ(problems_of(text), "hyq.yaml:" + std::to_string(line_of(text, "folded_kfe_rad: 2.5")) +
                                    ": locomotion.folded_kfe_rad: is 2.5, but joint kfe goes from 0.3490659 to "
                                    "2.443461: give an angle between\n");
@@ -163,6 +163,20 @@ TEST(LocomotionSection, IsRefusedWithALegLongerThanItsLinks) {
   EXPECT_EQ(problems_of(text),
             "hyq.yaml:" + std::to_string(line_of(text, "  leg:\n    pose_stiffness")) +
                 ": locomotion.leg: has longest_leg_m 0.78, but a straight leg has 0.771: give less\n");
+}
+
+TEST(LocomotionFile, RefusesATouchdownThatCouldOnlyBeFeltAfterItsPlan) {
+  const auto with = [](const char* felt) {
+    return replaced(text_of("hyq"), "  mode: {folded",
+                    std::string("  felt_touchdown: {") + felt + "}\n  mode: {folded");
+  };
+  const std::string late = with("least_swing_s: 0.24");
+  EXPECT_EQ(problems_of(late), "hyq.yaml:" + std::to_string(line_of(late, "felt_touchdown:")) +
+                                   ": locomotion.felt_touchdown: has least_swing_s 0.24 and debounce_s 0.003, but the "
+                                   "gains of swing act for 0.24 s: give less, or on: false\n");
+  EXPECT_EQ(problems_of(with("on: false, least_swing_s: 0.24")), "");
+  EXPECT_NE(problems_of(with("force_N: 0")).find("force_N"), std::string::npos);
+  EXPECT_NE(problems_of(with("debounce_s: 1")).find("debounce_s"), std::string::npos);
 }
 
 }  // namespace locomotion_test

@@ -95,8 +95,31 @@ TEST(BodyRobot, SamplesItsSupplyEveryTenTicksAsMeansOfItsFlows) {
   EXPECT_NEAR(state.relief_flow_m3_s, state.pump_flow_m3_s - state.leakage_flow_m3_s - state.flow_m3_s, 1e-6);
 }
 
+TEST(BodyRobot, TellsThePressuresInItsActuatorsAndFindsTheWorkOfItsPumpAgain) {
+  const robot::Robot hyq = robot::load_shipped("hyq", {.pattern = {}, .frequency_Hz = {}, .on_ground = true});
+  BodyRobot body = BodyRobot::create(hyq, {}, 1, false).value();
+  EXPECT_EQ(body.supply_truth().value().pump_J, 0.0);
+  const std::vector<double> shut(body.joints(), 0.0);
+  for (int tick = 1; tick <= 100; ++tick) {
+    ASSERT_TRUE(body.advance(shut));
+  }
+  const signals::SupplyTruth truth = body.supply_truth().value();
+  EXPECT_EQ(truth.tick, 100);
+  EXPECT_EQ(truth.pump_J, body.supply_state()->pump_J);
+  for (std::size_t i = 0; i < body.joints(); ++i) {
+    trace::TraceRow row;
+    body.describe(i, row);
+    EXPECT_EQ(truth.pressure_a_Pa[i], row.pressure_a_Pa);
+    EXPECT_EQ(truth.pressure_b_Pa[i], row.pressure_b_Pa);
+    EXPECT_GT(truth.pressure_a_Pa[i] + truth.pressure_b_Pa[i], 1e5);
+  }
+  const world::EnergyAudit audit = world::audit_in(truth);
+  EXPECT_LT(std::abs(audit.residual_J()), 0.01 * audit.pump_J);
+}
+
 TEST(BodyRobot, HasNoSupplyWithIdealJointsOrOnABench) {
   const robot::Robot hyq = robot::load_shipped("hyq");
+  EXPECT_FALSE(simulated_body(hyq, "", 1, true).value()->supply_truth().has_value());
   EXPECT_EQ(simulated_body(hyq, "", 1, true).value()->supply_state(), nullptr);
   EXPECT_EQ(simulated_bench(hyq, 1).value()->supply_state(), nullptr);
 }

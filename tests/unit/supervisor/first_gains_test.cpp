@@ -100,5 +100,28 @@ TEST(SupervisorFirstGains, AreRefusedForAnotherDelayThanTheLoopHas) {
   EXPECT_NE(refused.error().message.find(hyq().joints[0].name), std::string::npos) << refused.error().message;
 }
 
+// A robot on a ground would stand on gains for its swinging legs until an estimate comes.
+TEST(FirstGains, OfAdaptationOnAGroundAreThoseOfEachPhaseAndItsLoadMustBeHeld) {
+  robot::Robot walking = hyq();
+  walking.on_ground = true;
+  const robot::Joint& knee = walking.joints[kKnee];
+  const auto stance = [](const robot::Robot& robot) {
+    Supervisor supervisor = Supervisor::create(robot, Design::kAdaptive, kNoDelay, kSession).value();
+    for (const JointControllerGains& gains : supervisor.step(0).gains) {
+      if (gains.joint == kKnee && gains.phase == kStance) {
+        return wire_gains::unpack_gains(gains);
+      }
+    }
+    return control::Gains{};
+  };
+  const control::Gains own = design_joint(knee, knee.stance_load, walking.period_s, kNoDelay).value();
+  EXPECT_EQ(stance(walking).force, own.force);
+  EXPECT_NE(stance(hyq()).force, own.force);
+  ASSERT_EQ(loads_to_hold(walking, knee, kStance).size(), 1u);
+  EXPECT_EQ(loads_to_hold(walking, knee, kStance)[0].mass, knee.stance_load.mass);
+  EXPECT_EQ(loads_to_hold(walking, knee, Phase::kSwing)[0].mass, knee.swing_load.mass);
+  EXPECT_TRUE(loads_to_hold(hyq(), knee, kStance).empty());
+}
+
 }  // namespace first_gains_test
 }  // namespace farrier::supervisor

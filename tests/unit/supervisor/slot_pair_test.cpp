@@ -86,6 +86,17 @@ TEST(SlotPair, KnowsTheShortestTimeForWhichASlotActs) {
   EXPECT_EQ(shortest_phase_ticks(standing), control::kNoDwell);
 }
 
+// A touchdown may be felt from half the swing of 250 ticks on.
+TEST(SlotPair, KnowsThatAFeltTouchdownShortensASwing) {
+  robot::Robot walking = hyq();
+  walking.on_ground = true;
+  EXPECT_EQ(shortest_phase_ticks(walking), 115);
+  walking.locomotion->felt_touchdown.least_swing_s = 0.2;
+  EXPECT_EQ(shortest_phase_ticks(walking), 190);
+  walking.locomotion->felt_touchdown.on = false;
+  EXPECT_EQ(shortest_phase_ticks(walking), 230);
+}
+
 TEST(SlotPair, LooksWithoutAllocation) {
   SlotUpdate slot = slot_for(cart(20.0), credulous());
   const control::Gains other = gains_for(cart(2.0));

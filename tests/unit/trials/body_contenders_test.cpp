@@ -11,9 +11,9 @@ robot::Robot hyq(bool on_ground) {
   return robot::load_robot(FARRIER_ROBOTS "hyq.yaml", {.on_ground = on_ground}).value();
 }
 
-/// The first case of flat ground, for ten seconds of trot.
+/// The first walk that is compared, for ten seconds of trot.
 TrotCase ten_seconds(const robot::Robot& robot) {
-  TrotCase one = trot_cases(robot).front();
+  TrotCase one = compared_cases(robot, 1).front();
   one.judged_until_s = one.end_s = one.trot_s + 10.0;
   return one;
 }

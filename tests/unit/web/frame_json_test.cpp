@@ -101,6 +101,37 @@ TEST(RobotJson, HasTheShapesOfARobotWithABody) {
   EXPECT_TRUE(json::parse(robot_json(bench, false)).at("body").is_null());
 }
 
+TEST(FrameJson, TellsPressureFlowsChambersAndEnergiesOfTheSupply) {
+  Feed feed;
+  EXPECT_TRUE(json::parse(frame_json(feed.frame())).at("supply").is_null());
+  signals::SupplyState state;
+  state.tick = 10;
+  state.pressure_Pa = 151.27e5;
+  state.pump_flow_m3_s = 2e-4;
+  state.flow_m3_s = -1e-5;
+  feed.take(state);
+  signals::SupplyTruth truth;
+  truth.tick = 10;
+  truth.pressure_a_Pa[2] = 80.04e5;
+  truth.pressure_b_Pa[11] = 60e5;
+  truth.pump_J = 100.0;
+  truth.work_J = 0.5;
+  feed.take(truth);
+  const json supply = json::parse(frame_json(feed.frame())).at("supply");
+  EXPECT_EQ(supply.at("s").dump(), "[[10,151.3,12.0,-0.6]]");
+  EXPECT_EQ(supply.at("pressure"), 151.3);
+  ASSERT_EQ(supply.at("chambers").size(), 1u);
+  EXPECT_EQ(supply.at("chambers").at(0).at(1).size(), 12u);
+  EXPECT_EQ(supply.at("chambers").at(0).at(1).at(2), 80);
+  EXPECT_EQ(supply.at("chambers").at(0).at(2).at(11), 60);
+  const json facts = json::parse(robot_json(hyq(), false)).at("supply");
+  ASSERT_EQ(supply.at("energy").size(), facts.at("terms").size());
+  EXPECT_EQ(supply.at("energy").at(0), 100.0);
+  EXPECT_EQ(supply.at("energy").back(), 0.5);
+  EXPECT_EQ(facts.at("terms").at(0), "pump");
+  EXPECT_TRUE(json::parse(frame_json(feed.frame())).at("supply").at("s").empty());
+}
+
 TEST(FrameJson, AcceptsTextsThatAreNoUtf8) {
   monitor::EventFrame event;
   event.text = "caf\xe9 \xff</script>\n";

@@ -1,5 +1,5 @@
 // The robot in three dimensions: where its trunk is said to be, the words about it, and the picture if there can be one.
-import { fill, number, say } from "./text.js";
+import { fill, fixed, number, say } from "./text.js";
 
 const kStance = 1;
 const kLeastLoad = 1;   // N on a foot that counts as standing, where locomotion does not say which do
@@ -61,12 +61,6 @@ export function thingsOf(frame, shapes) {
     trueVelocity: truth && truth.velocity,
     push: truth && truth.push,
   };
-}
-
-/// With so many digits, and no minus before a zero.
-function fixed(value, digits) {
-  const text = value.toFixed(digits);
-  return Number(text) === 0 ? text.replace("-", "") : text;
 }
 
 const speed = ([x, y]) => `${fixed(x, 2)} m/s forward, ${fixed(y, 2)} m/s left`;

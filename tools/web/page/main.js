@@ -8,6 +8,7 @@ import { listenToKeys } from "./keys.js";
 import { Legs } from "./legs.js";
 import { Live } from "./live.js";
 import { Recording } from "./recording.js";
+import { Supply } from "./supply.js";
 import { fill, say, seconds } from "./text.js";
 import { drawTimeline } from "./timeline.js";
 
@@ -28,6 +29,7 @@ class Page {
     this.body = new Body($("body"), robot);
     this.legs = new Legs($("legs"), robot);
     this.detail = new Detail($("detail"), robot);
+    this.supply = new Supply($("supply"), robot, () => this.draw());
     this.joints = new Joints($("joints"), robot, () => this.draw());
     say($("robot"), robot.name);
     document.title = `${robot.name} – Farrier monitor`;
@@ -42,6 +44,7 @@ class Page {
       this.body.rebuild();
       this.joints.rebuild();
       this.detail.rebuild();
+      this.supply.rebuild();
       this.draw();
     });
     addEventListener("resize", () => this.draw());
@@ -171,6 +174,7 @@ class Page {
     say($("forces-span"), stretch.words);
     this.joints.show(frame, stretch);
     this.detail.show(frame, stretch, this.joints.selected);
+    this.supply.show(frame, stretch);
     if (this.recording) {
       const { duration_s: duration, faults } = this.recording.overview;
       say($("faults-span"), "of the whole recording");

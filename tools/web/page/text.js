@@ -11,6 +11,12 @@ export function number(value, digits = 3) {
   return size >= 1e5 || size < 1e-3 ? value.toExponential(digits - 1) : String(Number(value.toPrecision(digits)));
 }
 
+/// With so many digits, and no minus before a zero.
+export function fixed(value, digits) {
+  const text = value.toFixed(digits);
+  return Number(text) === 0 ? text.replace("-", "") : text;
+}
+
 export function seconds(value) {
   return value === null ? "never" : `${value.toFixed(value < 10 ? 1 : 0)} s`;
 }
