@@ -33,7 +33,7 @@ class SupplyView {
     kept_state_ = kept_truth_ = kNoTick;
   }
 
-  /// None before the first sample, and once the newest is older than kSilent_s. Samples since the last frame are then
+  /// Empty before the first sample, and once the newest is older than kSilent_s. Samples since the last frame are then
   /// forgotten.
   std::optional<SupplyFrame> frame(std::uint64_t time_ns) {
     SupplyFrame frame = now_;

@@ -65,7 +65,7 @@ class ActuatedRobot final : public world::World {
   /// Gets the measurement of each joint at each tick, with the true state at that tick. Set before the first tick.
   using Listener = std::function<void(const signals::JointMeasurement&, const trace::TraceRow&)>;
   void listen(Listener listener) { listener_ = std::move(listener); }
-  /// None for a robot that does not adapt.
+  /// Empty for a robot that does not adapt.
   std::optional<AdaptationCounts> adaptation() const noexcept {
     return adaptation_ ? std::optional(adaptation_->counts()) : std::nullopt;
   }
