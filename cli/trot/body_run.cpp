@@ -59,10 +59,12 @@ std::string refused_on_ground(const robot::Robot& robot, const TrotOptions& o) {
   }
   if (o.design == robot::Design::kAdaptive) {
     for (const robot::Joint& joint : robot.joints) {
-      if (joint.kind != control::Kind::kLqr && joint.kind != control::Kind::kFlowInversion) {
-        return std::string("--design adaptive changes nothing on a ground: joint ") + joint.name +
-               " has the controller " + name_of(robot::kControllerKinds, joint.kind) +
-               ", whose gains do not adapt; leave it out, or add --controller lqr or --world bench";
+      if (joint.kind != control::Kind::kFlowInversion) {
+        const bool linear = joint.kind == control::Kind::kLqr;
+        return std::string("--design adaptive is not for the controller ") +
+               name_of(robot::kControllerKinds, joint.kind) + " of joint " + joint.name +
+               " on a ground: " + (linear ? "its estimates are not valid there" : "its gains do not adapt") +
+               "; leave it out, or add --world bench, or --controller flow_inversion --estimator greybox";
       }
     }
   }
