@@ -79,7 +79,8 @@ TEST(Walk, RefusesWhatItCannotDo) {
     EXPECT_NE(output.find(words), std::string::npos) << output;
   };
   refuses({"--scene", scratch.file("scene.yaml")}, "scene.yaml:1");
-  refuses({"--design", "adaptive"}, "whose gains do not adapt");
+  refuses({"--design", "adaptive"}, "its gains do not adapt");
+  refuses({"--design", "adaptive", "--controller", "lqr"}, "its estimates are not valid there");
   refuses({"--gait", "stand"}, "the gait 'stand' is for the bench");
   refuses({"--velocity", "0.4,0"}, "--velocity");
 }
