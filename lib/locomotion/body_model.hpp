@@ -50,7 +50,7 @@ struct LegState {
   Eigen::Matrix3d jacobian = Eigen::Matrix3d::Identity();  ///< J = ds/dq, m/rad
   Eigen::Vector3d foot_bias_m_s2 = Eigen::Vector3d::Zero();     ///< J' q'
   Eigen::Matrix3d inertia_kg_m2 = Eigen::Matrix3d::Identity();  ///< M, of the leg's three joints
-  Eigen::Vector3d bias_torque_Nm = Eigen::Vector3d::Zero();     ///< h, gravity and velocity terms
+  Eigen::Vector3d bias_torque_Nm = Eigen::Vector3d::Zero();     ///< h, gravity, velocity terms, joint friction
 };
 
 /// All legs of the robot at one tick, and its mass distribution.

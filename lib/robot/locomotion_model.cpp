@@ -35,7 +35,11 @@ void put_leg(const body::RigidBody& body, const Matrix3d& to_trunk, const Vector
 
 Result<LocomotionModel> LocomotionModel::create(const body::BodyModel& model) {
   const body::RigidBody body = FARRIER_TRY(body::RigidBody::create(model));
-  return LocomotionModel(body);
+  body::JointVector damping_Nms_rad = body::JointVector::Zero(model.joints());
+  for (int joint = 0; joint < model.joints(); ++joint) {
+    damping_Nms_rad[joint] = model.legs[joint / body::kJointsPerLeg].links[joint % body::kJointsPerLeg].damping_Nms_rad;
+  }
+  return LocomotionModel(body, damping_Nms_rad);
 }
 
 void LocomotionModel::update(std::span<const locomotion::LegReadings> legs, const locomotion::TrunkMotion& trunk,
@@ -50,7 +54,8 @@ void LocomotionModel::update(std::span<const locomotion::LegReadings> legs, cons
   body_.set_state(moved_);
   const Matrix3d to_trunk = rotation.transpose();
   const body::MassMatrix inertia = body_.mass_matrix();
-  const body::VelocityVector bias = body_.bias_forces();
+  body::VelocityVector bias = body_.bias_forces();
+  bias.tail(body_.joints()) += damping_Nms_rad_.cwiseProduct(moved_.velocities_rad_s);
   for (int leg = 0; leg < body_.legs(); ++leg) {
     put_leg(body_, to_trunk, trunk.angular_velocity_rad_s, leg, legs[leg], state.legs[leg]);
     const int first = body::kTrunkVelocities + body::kJointsPerLeg * leg;

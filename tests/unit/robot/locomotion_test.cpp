@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 #include "core/noise.hpp"
@@ -98,6 +99,27 @@ TEST_F(HyqLocomotion, FeelsGravityInTheTrunksAxes) {
       const Vector3d moved = state_of(up, trunk).com_m - state_of(back, trunk).com_m;
       EXPECT_NEAR(torque[joint], -model_.mass_kg() * trunk.gravity_m_s2.dot(moved) / (2.0 * kStep_rad), 1e-5);
     }
+  }
+}
+
+TEST_F(HyqLocomotion, FeelsTheFrictionOfItsJoints) {
+  body::BodyModel rough = *hyq_.body;
+  constexpr std::array kDamping_Nms_rad{0.5, 1.0, 2.0};
+  for (std::size_t leg = 0; leg < rough.legs.size(); ++leg) {
+    for (std::size_t joint = 0; joint < kDamping_Nms_rad.size(); ++joint) {
+      rough.legs[leg].links[joint].damping_Nms_rad += static_cast<double>(leg + 1) * kDamping_Nms_rad[joint];
+    }
+  }
+  const LocomotionModel model = LocomotionModel::create(rough).value();
+  const auto legs = draw_legs();
+  const locomotion::BodyState smooth = state_of(legs, kUpright);
+  locomotion::BodyState state;
+  model.update({legs.data(), 4}, kUpright, state);
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    const Vector3d friction_Nm = state.legs[leg].bias_torque_Nm - smooth.legs[leg].bias_torque_Nm;
+    const Vector3d damping_Nms_rad(kDamping_Nms_rad[0], kDamping_Nms_rad[1], kDamping_Nms_rad[2]);
+    const Vector3d expected_Nm = static_cast<double>(leg + 1) * damping_Nms_rad.cwiseProduct(legs[leg].velocity_rad_s);
+    EXPECT_LT((friction_Nm - expected_Nm).norm(), kRounding);
   }
 }
 

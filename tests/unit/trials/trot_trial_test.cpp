@@ -118,6 +118,17 @@ TEST_P(OtherRobot, TrotsForTenSeconds) {
   EXPECT_LT(figures.speed_error, 0.05);
 }
 
+// The friction of its joints, 20 times HyQ's, must not feel like a touchdown.
+TEST(TrotTrial, TrotsForTenSecondsOnItsElectricJoints) {
+  const robot::Robot robot = load_on_ground("electric_quad");
+  const TrotFigures figures = run_trot_case(robot, ten_seconds(robot), Joints::kActuators).value().value();
+  EXPECT_FALSE(figures.fell_s.has_value()) << *figures.fell_s << " s: " << figures.fall;
+  EXPECT_LT(figures.tilt_rms_rad, kDegree_rad);
+  EXPECT_LT(figures.odometry_error.value(), 0.005);
+  EXPECT_LT(std::abs(figures.heading_drift_rad_s) * 60.0, kDegree_rad);
+  EXPECT_LT(std::abs(figures.lateral_drift_m_s.value()) * 60.0, 0.2);
+}
+
 /// Counts of ticks in which exactly these legs swing, a bit each, while the robot trots for four seconds.
 std::map<unsigned, int> swinging_together(const robot::Robot& robot, double forward_m_s) {
   world::BodyWorld world = world::BodyWorld::create(robot, {}, 1, kTrotNoise).value();
