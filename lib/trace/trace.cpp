@@ -61,8 +61,7 @@ void TraceWriter::write(const TraceRow& row) {
   write_lines({line, format(row, line)});
 }
 
-Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vector<std::string>& joint_names,
-                                         Tick from) {
+Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vector<std::string>& joint_names) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line) || line != kHeader) {
@@ -80,9 +79,6 @@ Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vec
       at = result.ptr == end ? end : result.ptr + 1;
     };
     parse(row.tick);
-    if (good && row.tick < from) {
-      continue;
-    }
     const char* const comma = std::find(at, end, ',');
     const auto name = std::find(joint_names.begin(), joint_names.end(), std::string_view(at, comma));
     good = good && name != joint_names.end() && comma != end;

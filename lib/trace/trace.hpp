@@ -58,9 +58,7 @@ class TraceWriter {
   std::vector<std::string> joint_names_;
 };
 
-/// Reads a trace back from tick `from` on. Joint numbers are positions in `joint_names`. Refuses a file that is not a
-/// trace, with the line.
-Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vector<std::string>& joint_names,
-                                         Tick from = 0);
+/// Reads a trace back. Joint numbers are positions in `joint_names`. Refuses a file that is not a trace, with the line.
+Result<std::vector<TraceRow>> read_trace(const std::string& path, const std::vector<std::string>& joint_names);
 
 }  // namespace farrier::trace
