@@ -9,18 +9,24 @@ namespace phases_test {
 
 using namespace testing;
 
-TEST(RobotView, SwitchesPhasesAtTheirTick) {
-  Feed feed;
-  feed.walk(0, 5);
+/// Announces to leg 1 at tick 100 its swing from tick 160 on, and its stance. Returns the latter.
+signals::GaitPhase announce_step(Feed& feed, Tick stance_from) {
   signals::GaitPhase phase;
   phase.leg = 1;
   phase.announced_tick = 100;
   phase.switch_tick = 160;
   phase.phase = signals::Phase::kSwing;
   feed.take(phase);
-  phase.switch_tick = 400;
+  phase.switch_tick = stance_from;
   phase.phase = signals::Phase::kStance;
   feed.take(phase);
+  return phase;
+}
+
+TEST(RobotView, SwitchesPhasesAtTheirTick) {
+  Feed feed;
+  feed.walk(0, 5);
+  announce_step(feed, 400);
   EXPECT_EQ(feed.frame().phases[1], signals::Phase::kStance);
   feed.walk(100, 2);
   EXPECT_EQ(feed.frame().phases[1], signals::Phase::kStance);
@@ -34,15 +40,7 @@ TEST(RobotView, SwitchesPhasesAtTheirTick) {
 TEST(RobotView, TakesAFeltTouchdownBeforeTheAnnouncedOneAndCountsBoth) {
   Feed feed;
   feed.walk(0, 5);
-  signals::GaitPhase phase;
-  phase.leg = 1;
-  phase.announced_tick = 100;
-  phase.switch_tick = 160;
-  phase.phase = signals::Phase::kSwing;
-  feed.take(phase);
-  phase.switch_tick = 600;
-  phase.phase = signals::Phase::kStance;
-  feed.take(phase);
+  signals::GaitPhase phase = announce_step(feed, 600);
   feed.walk(180, 1);
   phase.announced_tick = phase.switch_tick = 400;
   phase.felt = 1;
