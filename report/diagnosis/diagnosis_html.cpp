@@ -16,12 +16,6 @@ std::string list(const std::vector<std::string>& items) {
   return html.empty() ? "" : "<ul>\n" + html + "</ul>\n";
 }
 
-std::string picture(const std::string& path, const std::string& what) {
-  return path.empty() ? ""
-                      : "<figure><img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(what) +
-                            "\"><figcaption>" + escape_html(what) + "</figcaption></figure>\n";
-}
-
 std::string number_cell(const std::string& text) { return "<td class=\"number\">" + escape_html(text) + "</td>"; }
 
 std::string effects_html(std::span<const ShownEffect> effects) {

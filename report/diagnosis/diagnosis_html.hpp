@@ -15,9 +15,6 @@ std::string paragraph(const std::string& text);
 /// A list; nothing for no items.
 std::string list(const std::vector<std::string>& items);
 
-/// A picture with a caption below; nothing for an empty path.
-std::string picture(const std::string& path, const std::string& what);
-
 /// A cell of a table, set as numbers are.
 std::string number_cell(const std::string& text);
 

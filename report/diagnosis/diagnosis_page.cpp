@@ -16,9 +16,10 @@ using diagnosis::ChannelReport;
 using diagnosis::Diagnosis;
 
 std::string channels_table(const Diagnosis& d) {
-  std::string html = "<table><thead><tr><th>channel</th><th>one step</th><th>50 ms ahead</th><th>free running</th>"
-                     "<th>whiteness</th><th>correlation with the input</th><th>the residual before</th></tr></thead>\n"
-                     "<tbody>\n";
+  std::string html =
+      "<table><thead><tr><th>channel</th><th>one step</th><th>50 ms ahead</th><th>free running</th>"
+      "<th>whiteness</th><th>correlation with the input</th><th>the residual before</th></tr></thead>\n"
+      "<tbody>\n";
   const auto change = [](double before, double after) {
     return number_cell(short_number(before) + " → " + short_number(after));
   };
@@ -27,8 +28,7 @@ std::string channels_table(const Diagnosis& d) {
     html += "<tr><td>" + escape_html(words_of(c.name)) + "</td>" + change(c.before.one_step, c.after.one_step) +
             change(c.before.ahead_50ms, c.after.ahead_50ms) + change(c.before.free_running, c.after.free_running) +
             change(c.whiteness, c.whiteness_after) + change(c.cross_correlation, c.cross_correlation_after) +
-            "<td class=\"meaning\">" +
-            escape_html(dependence == nullptr ? "" : shape_of(*dependence)) + "</td></tr>\n";
+            "<td class=\"meaning\">" + escape_html(dependence == nullptr ? "" : shape_of(*dependence)) + "</td></tr>\n";
   }
   return html + "</tbody></table>\n";
 }
@@ -38,16 +38,19 @@ std::string where_html(const Diagnosis& d, const DiagnosisPictures& pictures) {
     return "";
   }
   std::string html = "<h2>Where the simulation is wrong</h2>\n" +
-                     paragraph("NRMSE on time that no fit has seen: the model as given → the extended model. "
-                               "Whiteness below 4 is that of noise.") +
+                     paragraph(
+                         "NRMSE on time that no fit has seen: the model as given → the extended model. "
+                         "Whiteness below 4 is that of noise.") +
                      channels_table(d);
   for (std::size_t i = 0; i < d.channels.size(); ++i) {
     const std::string name = words_of(d.channels[i].name);
-    html += "<h3>" + escape_html(name) + "</h3>\n" +
-            picture(pictures.channels[i].time, name + ": the second in which the model as given is furthest off") +
-            picture(pictures.channels[i].dependence,
-                    name + ": mean and standard deviation of the residual before, by bins of equal counts") +
-            picture(pictures.channels[i].spectrum, name + ": spectrum of the residual");
+    html +=
+        "<h3>" + escape_html(name) + "</h3>\n" +
+        captioned_image_html(pictures.channels[i].time,
+                             name + ": the second in which the model as given is furthest off") +
+        captioned_image_html(pictures.channels[i].dependence,
+                             name + ": mean and standard deviation of the residual before, by bins of equal counts") +
+        captioned_image_html(pictures.channels[i].spectrum, name + ": spectrum of the residual");
   }
   return html;
 }
@@ -60,7 +63,7 @@ std::string cause_html(const DiagnosisResult& result, const DiagnosisPictures& p
   std::string html = "<h2>The cause</h2>\n" + paragraph(verdict_sentence(result.diagnosis.judgement)) +
                      effects_html(effects) + list(verdict_details(result));
   for (std::size_t i = 0; i < pictures.rounds.size(); ++i) {
-    html += picture(pictures.rounds[i], round_caption(i));
+    html += captioned_image_html(pictures.rounds[i], round_caption(i));
   }
   return html;
 }
@@ -88,8 +91,8 @@ Result<std::string> write_diagnosis_page(const std::string& out_dir, const Diagn
   const auto pictures = FARRIER_TRY(draw_diagnosis(out_dir, result));
   const std::string html = page_head(result.robot.name + ", joint " + result.joint.name + ": diagnosis", outcome) +
                            paragraph("Recording: " + result.recording) + list(result.diagnosis.remarks) +
-                           where_html(result.diagnosis, pictures) + cause_html(result, pictures) +
-                           gain_html(result) + page_foot(outcome);
+                           where_html(result.diagnosis, pictures) + cause_html(result, pictures) + gain_html(result) +
+                           page_foot(outcome);
   return write_page(out_dir, html);
 }
 

@@ -62,11 +62,11 @@ std::string body(const ScaledResult& result, const Pictures& pictures) {
   std::string html = list(d.remarks) + "<h2>What each effect brings</h2>\n" +
                      paragraph("Linear model: " + equation_text(d.gain_before, d.drift_before, true) +
                                ". Fits of the second half, simulated freely, by what was fitted to the first.") +
-                     fits_html(d) + picture(pictures.position, "the second half, which no fit has seen") +
+                     fits_html(d) + captioned_image_html(pictures.position, "the second half, which no fit has seen") +
                      "<h2>The cause</h2>\n" + paragraph(verdict_sentence(d.judgement)) +
                      effects_html(shown_effects(d)) + list(scaled_details(result));
   for (std::size_t i = 0; i < pictures.rounds.size(); ++i) {
-    html += picture(pictures.rounds[i], round_caption(i));
+    html += captioned_image_html(pictures.rounds[i], round_caption(i));
   }
   if (!d.judgement.effects.empty()) {
     html += "<h2>The gain</h2>\n" +

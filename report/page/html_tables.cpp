@@ -27,6 +27,10 @@ struct Column {
   const char* title;
   const char* figure;
 };
+std::string image_tag(std::string_view path, std::string_view what) {
+  return "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(what) + "\">";
+}
+
 constexpr std::array kPageColumns{Column{"updates", "updates"},
                                   Column{"stance NRMSE", "stance_nrmse"},
                                   Column{"with swing design", "swing_design_stance_nrmse"},
@@ -63,6 +67,16 @@ std::string escape_html(std::string_view text) {
     }
   }
   return escaped;
+}
+
+std::string image_html(std::string_view path, std::string_view what) {
+  return path.empty() ? "" : image_tag(path, what) + "\n";
+}
+
+std::string captioned_image_html(std::string_view path, std::string_view caption) {
+  return path.empty() ? ""
+                      : "<figure>" + image_tag(path, caption) + "<figcaption>" + escape_html(caption) +
+                            "</figcaption></figure>\n";
 }
 
 std::string joint_table_html(const Figures& figures) {

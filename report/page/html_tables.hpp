@@ -10,6 +10,13 @@ namespace farrier::report {
 /// Text as HTML shows it: & < > " ' escaped.
 std::string escape_html(std::string_view text);
 
+/// A picture as it stands in a page, on a line of its own; `what` is its text for those who do not see it. Empty without
+/// a path.
+std::string image_html(std::string_view path, std::string_view what);
+
+/// The same as a figure, with the text below it.
+std::string captioned_image_html(std::string_view path, std::string_view caption);
+
 /// One row per joint: its figures, those that fail marked.
 std::string joint_table_html(const Figures& figures);
 

@@ -7,26 +7,22 @@
 namespace farrier::report {
 namespace {
 
-std::string picture(const std::string& path, const std::string& what) {
-  return path.empty() ? "" : "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(what) + "\">\n";
-}
-
 std::string joint_section(const robot::Joint& joint, const JointPictures& pictures) {
   const std::string name = escape_html(joint.name);
   std::string html = "<h3 id=\"" + name + "\">" + name + "</h3>\n";
   if (pictures.tracking.empty()) {
     html += "<p>The run ended before its judged part began: nothing to show here.</p>\n";
   }
-  html += picture(pictures.tracking, "force reference, force and error of " + joint.name);
+  html += image_html(pictures.tracking, "force reference, force and error of " + joint.name);
   if (!pictures.gains.empty()) {
-    html += "<div class=\"beside\">\n<figure>" + picture(pictures.gains, "gains of " + joint.name + " over time") +
+    html += "<div class=\"beside\">\n<figure>" + image_html(pictures.gains, "gains of " + joint.name + " over time") +
             "</figure>\n<figure class=\"poles\">" +
-            picture(pictures.estimates, "poles of the estimates of " + joint.name) + "</figure>\n</div>\n";
+            image_html(pictures.estimates, "poles of the estimates of " + joint.name) + "</figure>\n</div>\n";
   }
   const bool compliant = joint.form == control::Form::kCompliant;
   html += "<div class=\"beside\">\n<figure>" +
-          picture(pictures.overview, "reference and error of " + joint.name + " over the whole run") +
-          "</figure>\n<figure class=\"poles\">" + picture(pictures.poles, "closed-loop poles of " + joint.name) +
+          image_html(pictures.overview, "reference and error of " + joint.name + " over the whole run") +
+          "</figure>\n<figure class=\"poles\">" + image_html(pictures.poles, "closed-loop poles of " + joint.name) +
           "<figcaption>" +
           (compliant ? "The joint is free to move: without a load spring its position is the pole at 1." : "") +
           "</figcaption></figure>\n</div>\n";

@@ -24,10 +24,6 @@ std::string number_as(const char* format, double value) {
   return text;
 }
 
-std::string image(const std::string& path, const std::string& caption) {
-  return "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(caption) + "\">\n";
-}
-
 /// A quantity of supply/state in the unit that people use.
 struct Quantity {
   const char* name;
@@ -196,14 +192,14 @@ std::string supply_section(Drawing& drawing, const WalkRun& run) {
   }
   std::string html = "<h2>Supply</h2>\n" + quantities_table(run);
   const std::string supply = "pressure and flows of the supply over the whole run";
-  html += image(drawing.add("supply", supply_picture(run, supply)), supply);
+  html += image_html(drawing.add("supply", supply_picture(run, supply)), supply);
 
   const std::vector<Account> accounts = accounts_of(run);
   Picture bars{.caption = "where the work of the pump has gone", .columns = accounts.size(), .height_px = 380.0};
   for (const Account& account : accounts) {
     bars.panels.push_back(energy_panel(account));
   }
-  html += "<h2>Energy</h2>\n" + image(drawing.add("energy", bars), bars.caption) + energy_table(accounts);
+  html += "<h2>Energy</h2>\n" + image_html(drawing.add("energy", bars), bars.caption) + energy_table(accounts);
 
   html += "<h2>Actuators</h2>\n<p>The last " + number_as("%.0f", kLegShown_s) +
           " s: pressures in the chambers of each actuator, A extends it, and the currents of the valves. A leg opens "
@@ -215,7 +211,7 @@ std::string supply_section(Drawing& drawing, const WalkRun& run) {
     const std::string caption = "chamber pressures and valve currents of leg " + name;
     html += std::string("<details") + (leg == 0 ? " open" : "") + "><summary>leg " + escape_html(name) +
             "</summary>\n" +
-            image(drawing.add("leg_" + name, leg_picture(run, static_cast<int>(leg), from_s, caption)), caption) +
+            image_html(drawing.add("leg_" + name, leg_picture(run, static_cast<int>(leg), from_s, caption)), caption) +
             "</details>\n";
   }
   return html;

@@ -92,7 +92,7 @@ std::string add(Drawing& drawing, const std::string& name, const std::string& ca
                                                          speed_panel(stretch, plan), force_panel(stretch, plan, robot)},
                                               .key = Key::kAbove,
                                               .stacked = true});
-  return "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(caption) + "\">\n";
+  return image_html(path, caption);
 }
 
 /// The gains in three strides of the settled trot, or in the last second before a fall.
@@ -110,7 +110,7 @@ std::string add_gait(Drawing& drawing, const WalkRun& run) {
                            .panels = gait_panels(run.robot, run.changes, tick_of(begin_s), tick_of(begin_s + length_s)),
                            .key = Key::kAbove,
                            .stacked = true});
-  return path.empty() ? "" : "<img src=\"" + escape_html(path) + "\" alt=\"" + escape_html(caption) + "\">\n";
+  return image_html(path, caption);
 }
 
 }  // namespace
@@ -123,7 +123,7 @@ Result<std::string> write_walk_report(const std::string& out_dir, const Outcome&
   html += "<p>The robot " + escape_html(walk_text(walk)) + ".</p>\n";
   if (const std::string moving = moving_picture(run); !moving.empty()) {
     FARRIER_TRY(replace_file(out_dir + "/" + kMovingPicture, moving));
-    html += std::string("<img src=\"") + kMovingPicture + "\" alt=\"the last seconds of the run, moving\">\n";
+    html += image_html(kMovingPicture, "the last seconds of the run, moving");
   }
   html += "<h2>Body</h2>\n";
   if (walk.fell_s) {

@@ -41,7 +41,8 @@ std::string figures_html(const StudyRun& run) {
   if (!run.result.ok() || run.result.value().figures.empty()) {
     return "";
   }
-  std::string html = "<table><thead><tr><th>figure</th><th>what was measured besides</th><th>value</th></tr></thead>\n<tbody>\n";
+  std::string html =
+      "<table><thead><tr><th>figure</th><th>what was measured besides</th><th>value</th></tr></thead>\n<tbody>\n";
   for (const thesis::StudyFigure& figure : run.result.value().figures) {
     html += "<tr><td>" + escape_html(figure.id) + "</td><td>" + escape_html(figure.meaning) +
             "</td><td class=\"number\">" + number_html(figure.value, figure.unit) + "</td></tr>\n";
@@ -55,8 +56,7 @@ std::string study_html(const report::Outcome& outcome, const StudyRun& run) {
   if (run.result.ok()) {
     const auto& pictures = run.result.value().pictures;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
-      html += "<figure><img src=\"" + picture_path(run.study, i) + "\" alt=\"" + escape_html(pictures[i].caption) +
-              "\"><figcaption>" + escape_html(pictures[i].caption) + "</figcaption></figure>\n";
+      html += report::captioned_image_html(picture_path(run.study, i), pictures[i].caption);
     }
   }
   return html +
@@ -66,8 +66,9 @@ std::string study_html(const report::Outcome& outcome, const StudyRun& run) {
 }
 
 std::string summary_html(const report::Outcome& outcome, std::span<const StudyRun> runs) {
-  std::string html = "<table><thead><tr><th>figure</th><th></th><th>holds</th><th>refuted</th><th>fails</th></tr></thead>\n"
-                     "<tbody>\n";
+  std::string html =
+      "<table><thead><tr><th>figure</th><th></th><th>holds</th><th>refuted</th><th>fails</th></tr></thead>\n"
+      "<tbody>\n";
   for (const StudyRun& run : runs) {
     const auto count = [&](thesis::Verdict verdict) {
       return std::to_string(std::ranges::count_if(outcome.claims, [&](const Claim& claim) {

@@ -25,8 +25,7 @@ class Page : public testing::OwnFolder {
   // Measures and writes the report of a run of this many strides.
   Result<std::string> write(int strides) {
     const Tick ticks = schedule_.lead_in_ticks() + strides * schedule_.stride_ticks();
-    const auto rows =
-        testing::rows_of(robot_, schedule_, ticks, testing::lagging_forces(robot_, schedule_));
+    const auto rows = testing::rows_of(robot_, schedule_, ticks, testing::lagging_forces(robot_, schedule_));
     Outcome outcome{.command = "trot", .figures = {}, .run = run_info(robot_, kSeed), .failures = {}};
     add_tracking(outcome.figures, robot_, track(robot_, schedule_, rows, 0), Judgement::kLockstep);
     FARRIER_ENSURE(add_spectral_radii(outcome.figures, robot_, 0).ok(), "HyQ has controllers");
@@ -57,6 +56,14 @@ class PageWithoutGnuplot : public Page {
 
 TEST(Html, EscapesWhatTextMayNotHold) {
   EXPECT_EQ(escape_html("<a href=\"x\">R&D's</a>"), "&lt;a href=&quot;x&quot;&gt;R&amp;D&#39;s&lt;/a&gt;");
+}
+
+TEST(Html, HasNoImageWithoutAPath) {
+  EXPECT_EQ(image_html("pictures/a.svg", "\"A\""), "<img src=\"pictures/a.svg\" alt=\"&quot;A&quot;\">\n");
+  EXPECT_EQ(captioned_image_html("a.svg", "A&B"),
+            "<figure><img src=\"a.svg\" alt=\"A&amp;B\"><figcaption>A&amp;B</figcaption></figure>\n");
+  EXPECT_EQ(image_html("", "A"), "");
+  EXPECT_EQ(captioned_image_html("", "A"), "");
 }
 
 TEST_F(Page, ShowsEveryPictureItNames) {
