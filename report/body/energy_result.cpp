@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "core/median.hpp"
@@ -44,12 +43,6 @@ StepMedians medians_of(const std::vector<const trials::TrotFigures*>& runs) {
 
 double change_percent(const EnergyResult& result, const Change& change) {
   return kInPercent * std::abs((*result.halved).*change.median / result.nominal.*change.median - 1.0);
-}
-
-std::string number_as(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 }  // namespace

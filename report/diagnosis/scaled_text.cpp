@@ -1,7 +1,6 @@
 #include "report/diagnosis/scaled_text.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "report/diagnosis/diagnosis_text.hpp"
 #include "report/diagnosis/effects_table.hpp"
@@ -13,11 +12,7 @@ namespace {
 using diagnosis::ScaledDiagnosis;
 using diagnosis::Verdict;
 
-std::string percent(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f %%", value);
-  return text;
-}
+std::string percent(double value) { return number_as("%.1f %%", value); }
 
 std::string signed_term(double value) { return (value < 0.0 ? " - " : " + ") + short_number(std::abs(value)); }
 

@@ -17,6 +17,12 @@ std::string short_number(double value) {
   return text;
 }
 
+std::string number_as(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
 std::string value_with_unit(const Figure& figure) {
   const std::string_view unit = figure.spec->unit;
   return short_number(figure.value) + (unit == "1" ? "" : " " + std::string(unit));

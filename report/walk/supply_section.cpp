@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
+#include "report/figures/text_format.hpp"
 #include "report/page/html_tables.hpp"
 #include "world/energy_audit.hpp"
 
@@ -17,12 +17,6 @@ constexpr double kKilojoule = 1000.0;    // joules
 constexpr double kLegShown_s = 2.0;
 constexpr double kNearLow = 1.1;  // the limit is drawn where the pressure comes near it
 constexpr std::size_t kMostSupplyPoints = 2000;
-
-std::string number_as(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 /// A quantity of supply/state in the unit that people use.
 struct Quantity {
