@@ -2,7 +2,6 @@
 
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
 #include <optional>
 
@@ -105,8 +104,7 @@ int run_on_ground(const robot::Robot& robot, const TrotOptions& o) {
     }
     ran.value().rows = std::move(read).value();
   }
-  const std::vector<trace::TraceRow>& rows = ran.value().rows;
-  const report::GaitChanges changes{.phases = ran.value().phases, .rows = rows};
+  const report::GaitChanges changes{.phases = ran.value().phases, .rows = ran.value().rows};
   report::add_gait_changes(outcome.figures, robot, changes);
   if (o.design == robot::Design::kAdaptive) {
     report::add_updates(outcome.figures, robot, outcome.run.decisions, static_cast<Tick>(truth.value().size()), false);
@@ -125,16 +123,12 @@ int run_on_ground(const robot::Robot& robot, const TrotOptions& o) {
   if (auto written = report::write_json(o.json_path, outcome); !written) {
     return fail("trot", written.error().message);
   }
-  const double shown_s = report::shown_from_s(plan.value(), walk, truth.value(), report::kMovingPicture_s);
-  const auto shown =
-      std::ranges::lower_bound(rows, static_cast<Tick>(shown_s / robot.period_s), {}, &trace::TraceRow::tick);
   const auto supply = supply_rows(robot, o);
   if (!supply) {
     return fail("trot", supply.error().message);
   }
-  const auto page = report::write_walk_report(
-      o.out, outcome,
-      {robot, plan.value(), walk, truth.value(), std::span(shown, rows.end()), supply.value(), changes});
+  const auto page =
+      report::write_walk_report(o.out, outcome, {robot, plan.value(), walk, truth.value(), supply.value(), changes});
   if (!page) {
     return fail("trot", page.error().message);
   }

@@ -58,13 +58,14 @@ std::vector<Moment> moments_of(const WalkRun& run, body::RigidBody& body) {
   std::vector<Moment> moments;
   std::vector<trace::TraceRow> joints(run.robot.joints.size());
   auto state = body::BodyState::zero(body.joints());
-  auto next = run.joints.begin();
+  const auto shown = run.shown_joints(kMovingPicture_s);
+  auto next = shown.begin();
   for (const signals::BodyTruth& truth : run.truth) {
     const double wanted_s = from_s + static_cast<double>(moments.size()) / kFrames_Hz;
     if (run.time_s(truth.tick) + 0.5 * run.plan.period_s < wanted_s || wanted_s > from_s + kMovingPicture_s + 1e-9) {
       continue;
     }
-    for (; next != run.joints.end() && next->tick <= truth.tick; ++next) {
+    for (; next != shown.end() && next->tick <= truth.tick; ++next) {
       joints[next->joint] = *next;
     }
     for (const robot::Joint& joint : run.robot.joints) {
@@ -266,7 +267,7 @@ class Stage {
 std::string moving_picture(const WalkRun& run) {
   using namespace moving_picture_parts;
   auto body = body::RigidBody::create(run.robot.body.value_or(body::BodyModel{}));
-  if (!run.robot.body || run.joints.empty() || !body) {
+  if (!run.robot.body || run.changes.rows.empty() || !body) {
     return "";
   }
   auto moments = moments_of(run, body.value());

@@ -53,7 +53,7 @@ std::vector<Strip> strips_of(const WalkRun& run, const StripFrame& frame) {
   const robot::Joint& joint = found != run.robot.joints.rend() ? *found : run.robot.joints.front();
   Line a{.name = "A", .colour = "#0072b2"}, b{.name = "B", .colour = "#d55e00"},
       current{.name = "", .colour = "#009e73"};
-  for (const trace::TraceRow& row : run.joints) {
+  for (const trace::TraceRow& row : run.shown_joints(frame.loop_s)) {
     if (const double time_s = run.time_s(row.tick); row.joint == joint.number && shown(time_s)) {
       a.add(time_s, row.pressure_a_Pa / kPascalPerBar);
       b.add(time_s, row.pressure_b_Pa / kPascalPerBar);

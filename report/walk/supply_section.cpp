@@ -139,7 +139,7 @@ std::string energy_table(const std::vector<Account>& accounts) {
 Panel chambers_panel(const WalkRun& run, const robot::Joint& joint, double from_s) {
   Series a{.label = "A", .colour = 1}, b{.label = "B", .colour = 2};
   Series supply{.label = "supply", .style = Style::kDashed, .colour = 5};
-  for (const trace::TraceRow& row : run.joints) {
+  for (const trace::TraceRow& row : run.shown_joints(kLegShown_s)) {
     if (row.joint == joint.number && run.time_s(row.tick) >= from_s) {
       a.add(run.time_s(row.tick), row.pressure_a_Pa / kPascalPerBar);
       b.add(run.time_s(row.tick), row.pressure_b_Pa / kPascalPerBar);
@@ -162,7 +162,7 @@ Picture leg_picture(const WalkRun& run, int leg, double from_s, const std::strin
     }
     picture.panels.push_back(chambers_panel(run, joint, from_s));
     Series current{.label = joint.name, .colour = static_cast<int>(currents.series.size()) + 1};
-    for (const trace::TraceRow& row : run.joints) {
+    for (const trace::TraceRow& row : run.shown_joints(kLegShown_s)) {
       if (row.joint == joint.number && run.time_s(row.tick) >= from_s) {
         current.add(run.time_s(row.tick), kMilliampere * row.valve_current_A);
       }

@@ -15,25 +15,26 @@ namespace farrier::report {
 /// Length of the moving picture.
 inline constexpr double kMovingPicture_s = 5.0;
 
-/// Time from which pictures show `seconds` in full: they end with the fall or with the run.
-inline double shown_from_s(const WalkPlan& plan, const WalkFigures& walk, std::span<const signals::BodyTruth> truth,
-                           double seconds) noexcept {
-  const double last_s = truth.empty() ? 0.0 : static_cast<double>(truth.back().tick) * plan.period_s;
-  return std::max(0.0, walk.fell_s.value_or(last_s) - seconds);
-}
-
 /// The truth of a simulated walk; each in the order of its ticks.
 struct WalkRun {
   const robot::Robot& robot;
   const WalkPlan& plan;
   const WalkFigures& figures;
   std::span<const signals::BodyTruth> truth;  ///< a row a tick
-  std::span<const trace::TraceRow> joints;    ///< a row a tick and joint, of the last kMovingPicture_s
   std::span<const trace::SupplyRow> supply;   ///< empty without a pump
-  GaitChanges changes = {};                   ///< of gains, over the whole run; empty where nobody wrote them down
+  GaitChanges changes = {};                   ///< a row a tick and joint; empty where nobody wrote them down
 
   double time_s(Tick tick) const noexcept { return static_cast<double>(tick) * plan.period_s; }
-  double shown_from_s(double seconds) const noexcept { return report::shown_from_s(plan, figures, truth, seconds); }
+  /// Time from which pictures show `seconds` in full: they end with the fall or with the run.
+  double shown_from_s(double seconds) const noexcept {
+    const double last_s = truth.empty() ? 0.0 : time_s(truth.back().tick);
+    return std::max(0.0, figures.fell_s.value_or(last_s) - seconds);
+  }
+  /// The rows of all joints from the tick on in which that time lies.
+  std::span<const trace::TraceRow> shown_joints(double seconds) const noexcept {
+    const auto from = static_cast<Tick>(shown_from_s(seconds) / plan.period_s);
+    return {std::ranges::lower_bound(changes.rows, from, {}, &trace::TraceRow::tick), changes.rows.end()};
+  }
 };
 
 /// Writes out_dir/index.html with pictures of height, tilt, speed and forces at the feet beside it; after a fall also of

@@ -49,7 +49,7 @@ struct Glide {
     }
   }
 
-  WalkRun run() const { return {hyq(), plan, figures, truth, joints, supply}; }
+  WalkRun run() const { return {hyq(), plan, figures, truth, supply, {.phases = {}, .rows = joints}}; }
 
   WalkPlan plan{.period_s = 0.001,
                 .forward_m_s = 0.4,
