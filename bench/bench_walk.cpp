@@ -14,6 +14,7 @@
 #include "trials/body/controller_driver.hpp"
 
 namespace farrier::bench {
+
 Result<WalkBench> bench_walk(const robot::Robot& robot, int rounds) {
   if (!robot.can_walk()) {
     return Error{robot.cannot_walk_error()};

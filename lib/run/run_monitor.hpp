@@ -9,7 +9,8 @@
 
 namespace farrier::run {
 
-/// Listens to the health, the events, the changes of phase, the gains and the decisions about gains of a run. Only adds readers.
+/// Listens to the health, the events, the changes of phase, the gains and the decisions about gains of a run. Only adds
+/// readers.
 class RunMonitor {
  public:
   /// `legs`: names of those of whose joints it collects gains; none: no gains.

@@ -5,6 +5,7 @@
 #include "estimation/estimator.hpp"
 
 namespace farrier::trials {
+
 AdaptationCounts& AdaptationCounts::operator+=(const AdaptationCounts& other) noexcept {
   estimates += other.estimates;
   valid += other.valid;
