@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 
 #include "core/phase.hpp"
 #include "core/time.hpp"
@@ -36,5 +37,22 @@ class LateTouchdowns {
   Tick now_ticks_ = 0, ticks_ = 0, largest_ticks_ = 0;
   int count_ = 0;
 };
+
+/// The late touchdowns of several legs.
+struct LateTotal {
+  int count = 0;
+  double sum = 0.0, largest = 0.0;  ///< LateTouchdowns::ticks, in ticks or in the unit asked for
+};
+
+/// `tick`: length of a tick in the unit asked for.
+inline LateTotal total_of(std::span<const LateTouchdowns> legs, double tick = 1.0) noexcept {
+  LateTotal total;
+  for (const LateTouchdowns& leg : legs) {
+    total.count += leg.count();
+    total.sum += tick * static_cast<double>(leg.ticks());
+    total.largest = std::max(total.largest, tick * static_cast<double>(leg.largest_ticks()));
+  }
+  return total;
+}
 
 }  // namespace farrier::gait

@@ -59,20 +59,14 @@ void add_gait_changes(Figures& figures, const robot::Robot& robot, const GaitCha
       legs[static_cast<std::size_t>(robot.joints[row.joint].leg)].step(row.actual_phase, row.phase);
     }
   }
-  int late = 0;
-  Tick ticks = 0, largest = 0;
-  for (const gait::LateTouchdowns& leg : legs) {
-    late += leg.count();
-    ticks += leg.ticks();
-    largest = std::max(largest, leg.largest_ticks());
-  }
+  const gait::LateTotal late = gait::total_of(legs);
   const auto felt = std::ranges::count_if(changes.phases, [](const auto& phase) { return phase.felt != 0; });
   const double tick_ms = kPerSecond_ms * robot.period_s;
   figures.add("trot.body.planned_switches", static_cast<double>(std::ssize(changes.phases) - felt));
   figures.add("trot.body.felt_switches", static_cast<double>(felt));
-  figures.add("trot.body.late_touchdowns", late);
-  figures.add("trot.body.mean_late_ms", late > 0 ? tick_ms * static_cast<double>(ticks) / late : 0.0);
-  figures.add("trot.body.largest_late_ms", tick_ms * static_cast<double>(largest));
+  figures.add("trot.body.late_touchdowns", late.count);
+  figures.add("trot.body.mean_late_ms", late.count > 0 ? tick_ms * late.sum / late.count : 0.0);
+  figures.add("trot.body.largest_late_ms", tick_ms * late.largest);
 }
 
 std::vector<Panel> gait_panels(const robot::Robot& robot, const GaitChanges& changes, Tick begin, Tick end) {

@@ -90,11 +90,10 @@ void ActuatedRobot::announce(int leg, const gait::PhaseSwitch& change) noexcept 
 
 GainSwitches ActuatedRobot::switches() const noexcept {
   GainSwitches all = switches_;
-  for (const gait::LateTouchdowns& leg : late_) {
-    all.late_touchdowns += leg.count();
-    all.late_s += static_cast<double>(leg.ticks()) * period_s_;
-    all.largest_late_s = std::max(all.largest_late_s, static_cast<double>(leg.largest_ticks()) * period_s_);
-  }
+  const gait::LateTotal late = gait::total_of(late_, period_s_);
+  all.late_touchdowns = late.count;
+  all.late_s = late.sum;
+  all.largest_late_s = late.largest;
   return all;
 }
 
