@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace farrier {
@@ -15,5 +16,8 @@ inline double median(std::vector<double> values) {
   std::ranges::sort(values);
   return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
 }
+
+/// The same; 0 of none.
+inline double median_or_zero(std::vector<double> values) { return values.empty() ? 0.0 : median(std::move(values)); }
 
 }  // namespace farrier

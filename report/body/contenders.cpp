@@ -12,7 +12,7 @@ constexpr double kPerMetre_mm = 1000.0;
 
 const trials::ContenderResult* find(std::span<const trials::ContenderResult> results, const char* name) {
   const auto found = std::ranges::find(results, name, &trials::ContenderResult::name);
-  return found == results.end() || found->height_rms_m == 0.0 ? nullptr : &*found;
+  return found == results.end() || found->runs.height_rms_m == 0.0 ? nullptr : &*found;
 }
 
 }  // namespace
@@ -20,12 +20,12 @@ const trials::ContenderResult* find(std::span<const trials::ContenderResult> res
 void add_contenders(Figures& figures, std::span<const trials::ContenderResult> results) {
   for (const trials::ContenderResult& result : results) {
     const std::string prefix = "compare.body." + result.name + ".";
-    figures.add(prefix + "walk_falls", result.walk_falls);
-    figures.add(prefix + "step_falls", result.step_falls);
-    if (result.height_rms_m > 0.0) {
-      figures.add(prefix + "height_rms_mm", kPerMetre_mm * result.height_rms_m);
+    figures.add(prefix + "walk_falls", result.runs.walk_falls);
+    figures.add(prefix + "step_falls", result.runs.step_falls);
+    if (result.runs.height_rms_m > 0.0) {
+      figures.add(prefix + "height_rms_mm", kPerMetre_mm * result.runs.height_rms_m);
       for_each_force_error([&](std::size_t place, std::size_t phase, const std::string& name) {
-        figures.add(prefix + "force_nrmse." + name, result.force_nrmse[place][phase]);
+        figures.add(prefix + "force_nrmse." + name, result.runs.force_nrmse[place][phase]);
       });
     }
   }
@@ -34,7 +34,8 @@ void add_contenders(Figures& figures, std::span<const trials::ContenderResult> r
   if (file != nullptr && perfect != nullptr) {
     for_each_force_error([&](std::size_t place, std::size_t phase, const std::string& name) {
       figures.add("compare.body.knowledge_ratio." + name,
-                  file->force_nrmse[place][phase] / perfect->force_nrmse[place][phase], kKnowledgeRatioAtMost);
+                  file->runs.force_nrmse[place][phase] / perfect->runs.force_nrmse[place][phase],
+                  kKnowledgeRatioAtMost);
     });
   }
 }
@@ -44,14 +45,14 @@ std::string contenders_text(std::span<const trials::ContenderResult> results) {
                                                "stance", "hfe swing", "stance", "kfe swing", "stance", "robot"}};
   for (const trials::ContenderResult& result : results) {
     std::vector<std::string> line{result.name,
-                                  std::to_string(result.walk_falls) + " of " + std::to_string(result.walks),
-                                  std::to_string(result.step_falls) + " of " + std::to_string(result.steps)};
-    const bool walked = result.height_rms_m > 0.0;
-    line.push_back(walked ? short_number(kPerMetre_mm * result.height_rms_m) : "-");
+                                  std::to_string(result.runs.walk_falls) + " of " + std::to_string(result.runs.walks),
+                                  std::to_string(result.runs.step_falls) + " of " + std::to_string(result.runs.steps)};
+    const bool walked = result.runs.height_rms_m > 0.0;
+    line.push_back(walked ? short_number(kPerMetre_mm * result.runs.height_rms_m) : "-");
     for_each_force_error([&](std::size_t place, std::size_t phase, const std::string&) {
-      line.push_back(walked ? short_number(result.force_nrmse[place][phase]) : "-");
+      line.push_back(walked ? short_number(result.runs.force_nrmse[place][phase]) : "-");
     });
-    line.push_back(result.refusal.empty() ? result.description : "refused: " + result.refusal);
+    line.push_back(result.runs.refusal.empty() ? result.description : "refused: " + result.runs.refusal);
     cells.push_back(line);
   }
   return aligned(cells);

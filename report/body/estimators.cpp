@@ -37,6 +37,11 @@ std::string estimator_name(const trials::AdaptingResult& result) {
   return result.estimator.empty() ? "fixed" : result.estimator;
 }
 
+double kfe_stance_nrmse(const trials::ComparedRuns& runs) {
+  constexpr std::size_t kKfe = 2;
+  return runs.force_nrmse[kKfe][static_cast<std::size_t>(Phase::kStance)];
+}
+
 }  // namespace
 
 void add_estimators(Figures& figures, const std::string& group, std::span<const trials::EstimatorResult> results) {
@@ -86,16 +91,16 @@ std::string estimators_text(std::span<const trials::EstimatorResult> results) {
 void add_adapting(Figures& figures, std::span<const trials::AdaptingResult> results) {
   for (const trials::AdaptingResult& result : results) {
     const std::string prefix = "compare.body.adapting." + result.controller + "." + estimator_name(result) + ".";
-    figures.add(prefix + "walk_falls", result.walk_falls);
-    figures.add(prefix + "step_falls", result.step_falls);
+    figures.add(prefix + "walk_falls", result.runs.walk_falls);
+    figures.add(prefix + "step_falls", result.runs.step_falls);
     if (!result.estimator.empty()) {
-      figures.add(prefix + "updates", result.counts.updates);
-      figures.add(prefix + "refused", result.counts.refused + result.counts.gains_refused);
-      figures.add(prefix + "invalid_updates", result.counts.invalid_updates, 0.0);
+      figures.add(prefix + "updates", result.runs.adaptation.updates);
+      figures.add(prefix + "refused", result.runs.adaptation.refused + result.runs.adaptation.gains_refused);
+      figures.add(prefix + "invalid_updates", result.runs.adaptation.invalid_updates, 0.0);
     }
-    if (result.height_rms_m > 0.0) {
-      figures.add(prefix + "height_rms_mm", kInMillimetres * result.height_rms_m);
-      figures.add(prefix + "kfe_stance_nrmse", result.kfe_stance_nrmse);
+    if (result.runs.height_rms_m > 0.0) {
+      figures.add(prefix + "height_rms_mm", kInMillimetres * result.runs.height_rms_m);
+      figures.add(prefix + "kfe_stance_nrmse", kfe_stance_nrmse(result.runs));
     }
   }
 }
@@ -105,14 +110,14 @@ std::string adapting_text(std::span<const trials::AdaptingResult> results) {
                                                "kfe stance", "estimates", "valid %", "updates", "designs refused",
                                                "joint refused", "invalid updates", "why not"}};
   for (const trials::AdaptingResult& result : results) {
-    const bool walked = result.height_rms_m > 0.0;
+    const bool walked = result.runs.height_rms_m > 0.0;
     std::vector<std::string> line{result.controller,
                                   estimator_name(result),
-                                  std::to_string(result.walk_falls) + " of " + std::to_string(result.walks),
-                                  std::to_string(result.step_falls) + " of " + std::to_string(result.steps),
-                                  walked ? short_number(kInMillimetres * result.height_rms_m) : "-",
-                                  walked ? short_number(result.kfe_stance_nrmse) : "-"};
-    const trials::AdaptationCounts& counts = result.counts;
+                                  std::to_string(result.runs.walk_falls) + " of " + std::to_string(result.runs.walks),
+                                  std::to_string(result.runs.step_falls) + " of " + std::to_string(result.runs.steps),
+                                  walked ? short_number(kInMillimetres * result.runs.height_rms_m) : "-",
+                                  walked ? short_number(kfe_stance_nrmse(result.runs)) : "-"};
+    const trials::AdaptationCounts& counts = result.runs.adaptation;
     if (result.estimator.empty()) {
       line.insert(line.end(), 6, "-");
     } else {
@@ -122,7 +127,7 @@ std::string adapting_text(std::span<const trials::AdaptingResult> results) {
         line.push_back(std::to_string(count));
       }
     }
-    line.push_back(result.refusal);
+    line.push_back(result.runs.refusal);
     cells.push_back(line);
   }
   return aligned(cells);

@@ -36,7 +36,7 @@ SwitchesResult result_of(const std::string& trial, std::span<const trials::TrotR
     std::vector<double> errors;
     std::ranges::transform(upright, std::back_inserter(errors),
                            [&](const auto* figures) { return figures->force_nrmse[place][phase]; });
-    result.force_nrmse[place][phase] = errors.empty() ? 0.0 : median(errors);
+    result.force_nrmse[place][phase] = median_or_zero(std::move(errors));
   });
   return result;
 }

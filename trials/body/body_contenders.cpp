@@ -1,9 +1,7 @@
 #include "trials/body/body_contenders.hpp"
 
 #include <algorithm>
-#include <map>
 
-#include "core/median.hpp"
 #include "plant/terms/active_effect.hpp"
 
 namespace farrier::trials {
@@ -54,23 +52,12 @@ BodyContender with_controller(const robot::Robot& on_ground, const robot::Robot&
   return contender;
 }
 
-bool is_compared(const TrotCase& one) { return (one.trial == "lag" && one.lag_ticks == 0) || one.trial == "step"; }
-
 }  // namespace
 
 robot::Robot with_ideal_valves(robot::Robot robot) {
   remove_valve_dynamics(robot);
   remove_overlap(robot);
   return robot;
-}
-
-std::vector<TrotCase> compared_cases(const robot::Robot& robot, int seeds) {
-  std::vector<TrotCase> cases = trot_cases(robot);
-  std::erase_if(cases, [](const TrotCase& one) { return !is_compared(one); });
-  std::ranges::stable_partition(cases, [](const TrotCase& one) { return one.trial != "step"; });
-  std::map<std::string, int> kept;
-  std::erase_if(cases, [&](const TrotCase& one) { return ++kept[one.trial] > seeds; });
-  return cases;
 }
 
 std::vector<BodyContender> force_controllers(const robot::Robot& on_ground, const robot::Robot& on_bench) {
@@ -128,40 +115,11 @@ std::vector<ContenderResult> compare_on_body(std::span<const BodyContender> cont
                                              const std::function<bool()>& done) {
   std::vector<ContenderResult> results;
   for (const BodyContender& contender : contenders) {
-    ContenderResult result{};
-    result.name = contender.name;
-    result.description = contender.description;
-    std::vector<TrotFigures> walks;
-    for (const TrotCase& one : compared_cases(contender.robot, seeds)) {
-      const bool step = one.trial == "step";
-      const auto ran = run_trot_case(contender.robot, one, Joints::kActuators);
-      if (!done()) {
-        return results;
-      }
-      if (!ran) {
-        result.refusal = ran.error().message;
-        continue;
-      }
-      const TrotFigures& figures = *ran.value();
-      ++(step ? result.steps : result.walks);
-      (step ? result.step_falls : result.walk_falls) += figures.fell_s ? 1 : 0;
-      if (!step && !figures.fell_s) {
-        walks.push_back(figures);
-      }
+    auto runs = compare_runs(contender.robot, seeds, false, done);
+    if (!runs) {
+      break;
     }
-    const auto median_of = [&walks](const auto& figure) {
-      std::vector<double> values;
-      std::ranges::transform(walks, std::back_inserter(values), figure);
-      return values.empty() ? 0.0 : median(values);
-    };
-    result.height_rms_m = median_of([](const TrotFigures& figures) { return figures.height_rms_m; });
-    for (std::size_t place = 0; place < result.force_nrmse.size(); ++place) {
-      for (std::size_t phase = 0; phase < kPhaseCount; ++phase) {
-        result.force_nrmse[place][phase] =
-            median_of([&](const TrotFigures& figures) { return figures.force_nrmse[place][phase]; });
-      }
-    }
-    results.push_back(std::move(result));
+    results.push_back({contender.name, contender.description, std::move(*runs)});
   }
   return results;
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "trials/body/trot_trial.hpp"
+#include "trials/body/compared_runs.hpp"
 
 namespace farrier::trials {
 
@@ -35,21 +35,14 @@ std::vector<BodyContender> limits_of_force(const robot::Robot& on_ground);
 /// The robot with valves that follow their current at once, and have no overlap and no leakage.
 robot::Robot with_ideal_valves(robot::Robot robot);
 
-/// The runs of a comparison: walks of 20 s on flat ground at 0.4 m/s, then walks up a step of 10 cm, `seeds` of each.
-std::vector<TrotCase> compared_cases(const robot::Robot& robot, int seeds);
-
-/// Falls and errors of a contender's runs.
+/// A contender's runs.
 struct ContenderResult {
   std::string name, description;
-  std::string refusal;  ///< why it has no runs; empty: it has
-  int walks = 0, walk_falls = 0;
-  int steps = 0, step_falls = 0;
-  ForceErrors force_nrmse{};  ///< median over the walks without a fall; 0 if all fell
-  double height_rms_m = 0.0;  ///< likewise
+  ComparedRuns runs;
 };
 
-/// Runs each contender on flat ground at 0.4 m/s, `seeds` times, and up a step at `seeds` distances. Tells `done` after
-/// each run and stops when it says false; then the results are those of the contenders that ended.
+/// compare_runs of each contender, whose gains do not adapt. Stops when `done` says false; then the results are those of
+/// the contenders that ended.
 std::vector<ContenderResult> compare_on_body(std::span<const BodyContender> contenders, int seeds,
                                              const std::function<bool()>& done);
 

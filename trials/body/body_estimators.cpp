@@ -10,7 +10,6 @@
 #include "estimation/estimator.hpp"
 #include "estimator_service/estimator_service.hpp"
 #include "robot/joint_model.hpp"
-#include "trials/body/body_contenders.hpp"
 
 namespace farrier::trials {
 namespace {
@@ -25,8 +24,6 @@ robot::Robot with_method(const robot::Robot& robot, EstimationMethod method) {
   }
   return other;
 }
-
-double median_or_zero(std::vector<double>& values) { return values.empty() ? 0.0 : median(values); }
 
 /// The truth that estimates of one joint are held against.
 struct JointTruth {
@@ -253,33 +250,11 @@ std::vector<AdaptingResult> adapt_on_body(std::span<const AdaptingRobot> robots,
                                           const std::function<bool()>& done) {
   std::vector<AdaptingResult> results;
   for (const AdaptingRobot& each : robots) {
-    AdaptingResult result{.controller = each.controller, .estimator = each.estimator, .refusal = {}};
-    std::vector<double> heights, errors;
-    for (TrotCase one : compared_cases(each.robot, seeds)) {
-      one.adapts = each.adapts;
-      const auto ran = run_trot_case(each.robot, one, Joints::kActuators);
-      if (!done()) {
-        return results;
-      }
-      if (!ran) {
-        result.refusal = ran.error().message;
-        continue;
-      }
-      const TrotFigures& figures = *ran.value();
-      const bool step = one.trial == "step";
-      ++(step ? result.steps : result.walks);
-      (step ? result.step_falls : result.walk_falls) += figures.fell_s ? 1 : 0;
-      if (figures.adaptation) {
-        result.counts += *figures.adaptation;
-      }
-      if (!step && !figures.fell_s) {
-        heights.push_back(figures.height_rms_m);
-        errors.push_back(figures.force_nrmse[2][static_cast<std::size_t>(Phase::kStance)]);
-      }
+    auto runs = compare_runs(each.robot, seeds, each.adapts, done);
+    if (!runs) {
+      break;
     }
-    result.height_rms_m = median_or_zero(heights);
-    result.kfe_stance_nrmse = median_or_zero(errors);
-    results.push_back(std::move(result));
+    results.push_back({each.controller, each.estimator, std::move(*runs)});
   }
   return results;
 }

@@ -10,7 +10,7 @@
 
 #include "estimation/estimator_params.hpp"
 #include "robot/robot.hpp"
-#include "trials/body/trot_trial.hpp"
+#include "trials/body/compared_runs.hpp"
 
 namespace farrier::trials {
 
@@ -44,14 +44,10 @@ struct EstimatorResult {
 std::vector<EstimatorResult> score_estimators(const robot::Robot& on_ground, const robot::Robot& with_grey_box,
                                               std::uint64_t seed, const std::function<bool()>& keep_on);
 
-/// Walks and steps of one robot whose gains adapt, or do not.
+/// Runs of one robot whose gains adapt, or do not.
 struct AdaptingResult {
   std::string controller, estimator;  ///< estimator empty: gains are fixed
-  std::string refusal;                ///< why it has no runs; empty: it has
-  int walks = 0, walk_falls = 0, steps = 0, step_falls = 0;
-  AdaptationCounts counts{};      ///< sum over the runs
-  double height_rms_m = 0.0;      ///< median over the walks without a fall; 0 if all fell
-  double kfe_stance_nrmse = 0.0;  ///< likewise
+  ComparedRuns runs;
 };
 
 /// A robot under comparison.
@@ -65,8 +61,7 @@ struct AdaptingRobot {
 /// inversion with nominal physics and with the grey box.
 std::vector<AdaptingRobot> adapting_robots(const robot::Robot& on_ground, const robot::Robot& with_grey_box);
 
-/// Runs each on flat ground at 0.4 m/s `seeds` times, and up a step at `seeds` distances. Tells `done` after each run and
-/// stops when it says false; then the results are those of the robots that ended.
+/// compare_runs of each. Stops when `done` says false; then the results are those of the robots that ended.
 std::vector<AdaptingResult> adapt_on_body(std::span<const AdaptingRobot> robots, int seeds,
                                           const std::function<bool()>& done);
 

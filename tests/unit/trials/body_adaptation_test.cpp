@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "trials/body/body_contenders.hpp"
+#include "trials/body/compared_runs.hpp"
 
 namespace farrier::trials {
 namespace body_adaptation_test {
