@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/choice.hpp"
 #include "core/result.hpp"
 #include "core/time.hpp"
 #include "plant/joint_physics.hpp"
@@ -49,6 +50,20 @@ enum class EstimateFlag : std::uint32_t {
   kForgettingAtLimit = 1u << 10,  ///< the covariance at its bound: the last sample was not forgotten for in full
   kInstrumentRefused = 1u << 11,  ///< the last sample was taken with the regressor for its instrument (B.18)
 };
+
+/// Every flag, by its name in reports.
+inline constexpr Option<EstimateFlag> kEstimateFlags[] = {{"not yet set", EstimateFlag::kNotYetSet},
+                                                          {"regressor too small", EstimateFlag::kRegressorTooSmall},
+                                                          {"covariance repaired", EstimateFlag::kCovarianceRepaired},
+                                                          {"sample refused", EstimateFlag::kSampleRefused},
+                                                          {"mapped to stable", EstimateFlag::kMappedToStable},
+                                                          {"eigenvalues", EstimateFlag::kEigenvalueError},
+                                                          {"blanked", EstimateFlag::kBlanked},
+                                                          {"not physical", EstimateFlag::kNotPhysical},
+                                                          {"misfit", EstimateFlag::kMisfit},
+                                                          {"not exciting", EstimateFlag::kNotExciting},
+                                                          {"forgetting at limit", EstimateFlag::kForgettingAtLimit},
+                                                          {"instrument refused", EstimateFlag::kInstrumentRefused}};
 
 constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
 

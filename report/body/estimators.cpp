@@ -1,6 +1,5 @@
 #include "report/body/estimators.hpp"
 
-#include <array>
 #include <cmath>
 
 #include "report/body/body_result.hpp"
@@ -11,11 +10,6 @@ namespace {
 
 constexpr double kWhole_percent = 100.0;
 constexpr double kInMillimetres = 1000.0;
-constexpr std::array<const char*, std::tuple_size_v<decltype(trials::EstimateScore::flags)>> kFlags{
-    "not yet set",    "regressor too small", "covariance repaired",
-    "sample refused", "mapped to stable",    "eigenvalues",
-    "blanked",        "not physical",        "misfit",
-    "not exciting",   "forgetting at limit", "instrument refused"};
 
 double share(int part, int whole) { return whole > 0 ? static_cast<double>(part) / whole : 0.0; }
 
@@ -24,9 +18,9 @@ std::string percent_text(int part, int whole) { return short_number(std::round(k
 /// The flags of at least one estimate in a hundred, with their share in percent.
 std::string flags_text(const trials::EstimateScore& score) {
   std::string text;
-  for (std::size_t flag = 0; flag < kFlags.size(); ++flag) {
+  for (std::size_t flag = 0; flag < score.flags.size(); ++flag) {
     if (kWhole_percent * share(score.flags[flag], score.estimates) >= 1.0) {
-      text += (text.empty() ? "" : ", ") + std::string(kFlags[flag]) + " " +
+      text += (text.empty() ? "" : ", ") + std::string(estimation::kEstimateFlags[flag].name) + " " +
               percent_text(score.flags[flag], score.estimates);
     }
   }

@@ -107,7 +107,7 @@ class Candidate {
   void note(const robot::Joint& joint, const signals::JointModelEstimate& estimate, Sums& sums) const {
     ++sums.score.estimates;
     for (std::size_t flag = 0; flag < sums.score.flags.size(); ++flag) {
-      sums.score.flags[flag] += (estimate.flags >> flag) & 1u ? 1 : 0;
+      sums.score.flags[flag] += (estimate.flags & bit(estimation::kEstimateFlags[flag].value)) != 0 ? 1 : 0;
     }
     sums.score.valid += estimate.validity >= robot_.update_logic.validity_min ? 1 : 0;
     if (!(estimate.validity > 0.0)) {

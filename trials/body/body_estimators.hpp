@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "estimation/estimator_params.hpp"
+#include "estimation/estimator.hpp"
 #include "robot/robot.hpp"
 #include "trials/body/compared_runs.hpp"
 
@@ -17,9 +17,9 @@ namespace farrier::trials {
 /// Estimates of all joints at one place of a leg, in one phase.
 struct EstimateScore {
   int estimates = 0;
-  int usable = 0;               ///< with a validity above 0: no flag forbids them
-  int valid = 0;                ///< with at least validity_min
-  std::array<int, 12> flags{};  ///< estimates with each flag, by its bit
+  int usable = 0;                                                  ///< with a validity above 0: no flag forbids them
+  int valid = 0;                                                   ///< with at least validity_min
+  std::array<int, std::size(estimation::kEstimateFlags)> flags{};  ///< estimates with each of these flags
   /// Medians of the usable estimates over the truth; 0 without any. A linear method is held against the joint's model for
   /// the load of the mass matrix: by the entry from current to force, and that from velocity to force. Its load is the
   /// inverse of the entry from force to velocity. The grey box is held against valve gain, bulk modulus and load mass.
