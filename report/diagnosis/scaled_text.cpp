@@ -67,15 +67,16 @@ std::string scaled_console(const ScaledResult& result) {
           "\n\nfit of the second half, simulated freely, by what was fitted to the first: an effect alone\n" +
           aligned(fits_table(d), "  ") + "\ncause: " + verdict_sentence(d.judgement) + "\n";
   for (const diagnosis::NamedEffect& effect : d.judgement.effects) {
-    text += "  " + effect_text(shown(effect, d.scales, Units::kScaled)) + "\n      " + plant::effect_info(effect.id).meaning + "\n";
+    text += "  " + effect_text(shown(effect, d.scales, Units::kScaled)) + "\n      " +
+            plant::effect_info(effect.id).meaning + "\n";
   }
   for (const std::string& line : scaled_details(result)) {
     text += "  " + line + "\n";
   }
   if (!d.judgement.effects.empty()) {
     text += "\nextended model: " + equation_text(d.gain_after, d.drift_after, false) +
-            "; no robot file, for nothing here has a unit\nheld-out fit: " + fit_text(d) + "\nheld-out NRMSE: " +
-            gain_text(d.error) + "\n";
+            "; no robot file, for nothing here has a unit\nheld-out fit: " + fit_text(d) +
+            "\nheld-out NRMSE: " + gain_text(d.error) + "\n";
   }
   return text + "diagnose: " + diagnosis::to_string(result.verdict()) + "\n";
 }
