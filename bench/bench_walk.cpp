@@ -63,4 +63,42 @@ Result<WalkBench> bench_walk(const robot::Robot& robot, int rounds) {
   return bench;
 }
 
+Result<ControlTickBench> bench_control_tick(const robot::Robot& robot, int rounds,
+                                            std::int64_t (*allocations_so_far)()) {
+  if (!robot.can_walk()) {
+    return Error{robot.cannot_walk_error()};
+  }
+  const auto model = FARRIER_TRY(robot::LocomotionModel::create(*robot.body));
+  auto actuated = FARRIER_TRY(trials::ActuatedRobot::create(robot, robot, {}, 1, 1, true));
+  locomotion::TrotController controller(*robot.locomotion, robot::locomotion_plan(robot.plan), model);
+  trials::ControllerDriver driver(controller, benched_walk(), robot.period_s);
+  std::vector<double> torques_Nm(actuated.joints(), 0.0);
+  const auto decide = [&] {
+    driver.step(actuated, torques_Nm);
+    actuated.decide(torques_Nm);
+  };
+  ControlTickBench bench{std::numeric_limits<double>::infinity(), allocations_so_far != nullptr ? 0 : -1};
+  const auto settled = static_cast<Tick>(kSettled_s / robot.period_s);
+  const Tick end = settled + static_cast<Tick>(std::max(rounds, 1)) * kTicksOfARound;
+  double round_s = 0.0;
+  while (actuated.tick() < end) {
+    const bool timed = actuated.tick() >= settled;
+    const std::int64_t before = timed && allocations_so_far != nullptr ? allocations_so_far() : 0;
+    const double start_s = processor_s();
+    decide();
+    round_s += processor_s() - start_s;
+    if (timed && allocations_so_far != nullptr) {
+      bench.allocations += allocations_so_far() - before;
+    }
+    if (!actuated.move()) {
+      return Error{actuated.failure().value_or("the robot cannot be simulated")};
+    }
+    if (actuated.tick() % kTicksOfARound == 0) {
+      bench.tick_s = timed ? std::min(bench.tick_s, round_s / kTicksOfARound) : bench.tick_s;
+      round_s = 0.0;
+    }
+  }
+  return bench;
+}
+
 }  // namespace farrier::bench

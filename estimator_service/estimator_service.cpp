@@ -11,8 +11,10 @@ Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int
   std::vector<Inputs> inputs;
   for (const robot::Joint& joint : robot.joints) {
     estimators.push_back(FARRIER_TRY(robot::make_estimator(joint, robot.period_s, loop_delay_ticks)));
-    inputs.push_back(
-        {control::ValveOpening(joint.effects, joint.actuator), robot::signal_aligner(joint, robot.period_s)});
+    // valve_flow estimates what others take for known of the valve.
+    const bool finds_valve = joint.estimator.method == estimation::EstimationMethod::kValveFlow;
+    inputs.push_back({finds_valve ? control::ValveOpening() : control::ValveOpening(joint.effects, joint.actuator),
+                      robot::signal_aligner(joint, robot.period_s)});
   }
   return EstimatorService(std::move(estimators), std::move(inputs));
 }

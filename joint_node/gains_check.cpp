@@ -29,7 +29,7 @@ struct FiniteCheck {
 
 Result<Done> check_physics(const signals::JointControllerGains& signal) {
   if (signal.has_physics == 0) {
-    return Error{"no physics, which flow_inversion needs: give has_physics and physics"};
+    return Error{"no physics, which a controller that inverts the flow law needs: give has_physics and physics"};
   }
   if (const char* bad = plant::first_unphysical(plant::physics_of(signal.physics))) {
     return Error{std::string("physics: ") + bad + " is not finite or out of its range"};
@@ -51,7 +51,7 @@ Result<Done> check_gains(const signals::JointControllerGains& signal, control::K
   if (!known(signal.phase)) {
     return Error{"phase is " + std::to_string(static_cast<int>(signal.phase)) + ": give 0 (swing) or 1 (stance)"};
   }
-  if (kind == control::Kind::kFlowInversion) {
+  if (control::takes_physics(kind)) {
     return check_physics(signal);
   }
   const control::Gains gains = wire_gains::unpack_gains(signal);

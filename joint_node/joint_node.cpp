@@ -77,6 +77,10 @@ void JointNode::announce_phase(const signals::GaitPhase& phase) noexcept {
     // early (docs/decisions/0016). Ticks before 0 are as due as 0.
     acting.switch_tick = std::max<Tick>(phase.switch_tick, 0) - stance_lead_ticks_;
   }
+  if (phase.felt != 0) {
+    // It is due at once, and a joint may not have made the tick before that of the announcement yet.
+    acting.switch_tick = std::max(acting.switch_tick, phase.announced_tick);
+  }
   upcoming_phases_.put(acting);
 }
 

@@ -113,6 +113,7 @@ class JointNode {
   double valve_current_by_gains(double reference, const control::Measurement& measured, double probe_A) noexcept;
   double valve_current_by_physics(const control::ForceReference& reference, const control::Measurement& measured,
                                   double probe_A) noexcept;
+  void take_valve_physics() noexcept;
   /// Current of a controller without gains, with the probe and within the valve's limits.
   double probed(double asked_A, bool saturated, double probe_A) noexcept;
   double holding_current(double position) noexcept;

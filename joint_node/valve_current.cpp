@@ -12,6 +12,7 @@ double JointNode::valve_current(const control::ForceReference& reference, const 
     case control::Kind::kLqr:
       return valve_current_by_gains(reference.force, measured, probe_A);
     case control::Kind::kFeedbackLinearisation: {
+      take_valve_physics();
       const control::FeedbackLinearisation::Output output = flow_law_->step(reference.force, measured);
       return probed(output.valve_current_A, output.saturated, probe_A);
     }
@@ -23,6 +24,17 @@ double JointNode::valve_current(const control::ForceReference& reference, const 
       return valve_current_by_physics(reference, measured, probe_A);
   }
   return 0.0;
+}
+
+// The law runs on the file's physics until others come. The overlap is compensated behind it.
+void JointNode::take_valve_physics() noexcept {
+  const Slot& slot = acting_[static_cast<std::size_t>(phase_)];
+  const bool changed = slot.issue != controller_issue_ || phase_ != controller_phase_;
+  if (slot.issue != 0 && changed && flow_law_->set_physics(slot.physics)) {
+    compensation_.set_overlap_A(slot.physics.overlap_A);
+    controller_issue_ = slot.issue;
+    controller_phase_ = phase_;
+  }
 }
 
 double JointNode::probed(double asked_A, bool saturated, double probe_A) noexcept {

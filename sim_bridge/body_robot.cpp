@@ -40,11 +40,15 @@ Result<BodyRobot> BodyRobot::create(const robot::Robot& robot, const body::Scene
   auto world = FARRIER_TRY(world::BodyWorld::create(robot, scene, seed, world::kImuNoise, finer));
   std::optional<world::Actuators> actuators;
   if (!ideal) {
-    actuators = FARRIER_TRY(world::Actuators::create(robot, scene.supply_changes));
+    actuators = FARRIER_TRY(world::Actuators::create(robot, scene.supply_changes, scene.actuator_changes));
   } else if (!scene.supply_changes.empty()) {
     const body::SupplyChange& change = scene.supply_changes.front();
     return Error{(change.origin.empty() ? "" : change.origin + ": ") + "supply." + change.name +
                  ": ideal joints have no supply: simulate the actuators, or leave this out"};
+  } else if (!scene.actuator_changes.empty()) {
+    const body::ActuatorChange& change = scene.actuator_changes.front();
+    return Error{(change.origin.empty() ? "" : change.origin + ": ") + "actuators." + change.name +
+                 ": ideal joints have no actuators: simulate them, or leave this out"};
   }
   std::vector<SensorChain> sensors;
   for (const robot::Joint& joint : robot.joints) {

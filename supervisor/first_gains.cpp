@@ -39,7 +39,16 @@ std::vector<plant::LoadParams> loads_to_hold(const robot::Robot& robot, const ro
 plant::JointPhysics first_physics(const robot::Joint& joint, Design design, signals::Phase phase) noexcept {
   const bool stance = phase == signals::Phase::kStance;
   const bool for_stance = design == Design::kStance || (stance && design != Design::kSwing);
-  return robot::nominal_physics(joint, for_stance ? joint.stance_load : joint.swing_load);
+  plant::JointPhysics physics = robot::nominal_physics(joint, for_stance ? joint.stance_load : joint.swing_load);
+  if (design == Design::kAdaptive && joint.estimator.method == estimation::EstimationMethod::kValveFlow) {
+    // An unknown valve is taken for a strong one: a law for a weaker valve than there is may be unstable.
+    physics.valve_gain *= 1.0 + joint.estimator.valve_flow.value_or(estimation::ValveFlowParams{}).gain_uncertainty;
+  }
+  if (joint.kind == control::Kind::kFeedbackLinearisation) {
+    physics.leakage = 0.0;  // its gains are tuned on what the lands of the valve leak
+    physics.valve_gain /= stance ? 1.0 : joint.feedback_linearisation.swing_gain;
+  }
+  return physics;
 }
 
 Result<Done> check_first(const robot::Robot& robot, const std::vector<SlotGains>& first_gains, int delay_ticks) {

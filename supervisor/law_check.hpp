@@ -14,8 +14,8 @@ class LawCheck {
  public:
   LawCheck(const robot::Joint& joint, double period_s, int delay_ticks);
 
-  /// True if the joint's own kind of law settles on a joint with the physics `actual`. A law of kind flow_inversion is
-  /// given the physics `told`. A joint of kind lqr has a linear design, and an electric one too: they always pass.
+  /// True if the joint's own kind of law settles on a joint with the physics `actual`. A law of kind flow_inversion
+  /// or feedback_linearisation is given the physics `told`. A joint of kind lqr has a linear design, and an electric one too: they always pass.
   bool settles(const plant::JointPhysics& told, const plant::JointPhysics& actual) const noexcept;
 
   /// True if the gains settle on a joint with these physics.

@@ -13,18 +13,23 @@ using signals::UpdateVerdict;
 
 constexpr std::size_t kLoadCount = plant::kBiasForce + 1;  // of JointPhysics, the load before valve and oil
 
+constexpr double kOverlapScale = 0.05;  // of full current
+constexpr double kLeakageScale = 0.05;  // of the open valve's flow at supply pressure
+
 /// Reference sizes for relative changes of quantities that may be zero.
 std::array<double, plant::kPhysicsCount> least_scales(const robot::Joint& joint) noexcept {
   const control::Normalisation& n = joint.normalisation;
   const plant::ActuatorParams& a = joint.actuator;
-  return plant::values_of({.load_mass = 0.0,
-                           .damping = 0.0,
-                           .coulomb = n.force,
-                           .stiffness = n.force / n.position,
-                           .bias_force = n.force,
-                           .valve_gain = 0.0,
-                           .bulk_modulus = 0.0,
-                           .leakage = a.valve_gain * a.valve_current_max_A / std::sqrt(a.supply_pressure_Pa)});
+  return plant::values_of(
+      {.load_mass = 0.0,
+       .damping = 0.0,
+       .coulomb = n.force,
+       .stiffness = n.force / n.position,
+       .bias_force = n.force,
+       .valve_gain = 0.0,
+       .bulk_modulus = 0.0,
+       .leakage = kLeakageScale * a.valve_gain * a.valve_current_max_A / std::sqrt(a.supply_pressure_Pa),
+       .overlap_A = kOverlapScale * a.valve_current_max_A});
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
     }
     const bool changes_slots = robot.plan.gait.pattern != gait::Pattern::kStand;
     const int dwell = changes_slots ? dwell_ticks(first[0], first[1]) : 0;
-    if (joint.kind != control::Kind::kFlowInversion) {  // there they do not act
+    if (!control::takes_physics(joint.kind)) {  // there they do not act
       record_shortfalls(robot, joint.number, first, dwell, batches[0].outputs);
     }
     if (design == Design::kAdaptive) {
@@ -75,12 +75,16 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
         return SlotUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks,
                           first[static_cast<std::size_t>(phase)], loads_to_hold(robot, joint, phase), robot.on_ground);
       };
+      // An estimate of the valve keeps the load, so it holds the phase's own; the file's valve is no longer there.
+      const bool of_valve = joint.estimator.method == estimation::EstimationMethod::kValveFlow;
       const auto physics = [&](signals::Phase phase) {
         return PhysicsUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, loop_delay_ticks,
-                             first_physics(joint, design, phase), loads_to_hold(robot, joint, phase), robot.on_ground);
+                             first_physics(joint, design, phase),
+                             of_valve ? std::vector<plant::LoadParams>{} : loads_to_hold(robot, joint, phase),
+                             robot.on_ground || of_valve);
       };
       slots.push_back({.slots = {slot(signals::Phase::kSwing), slot(signals::Phase::kStance)},
-                       .physics = joint.kind == control::Kind::kFlowInversion
+                       .physics = control::takes_physics(joint.kind)
                                       ? std::optional(PerPhase<PhysicsUpdate>{physics(signals::Phase::kSwing),
                                                                               physics(signals::Phase::kStance)})
                                       : std::nullopt,

@@ -16,6 +16,7 @@ constexpr double kRealTime = 2.0;
 constexpr double kDynamicsSpeedup = 1.0;
 constexpr double kForcesSpeedup = 3.0;
 constexpr double kForcesDifference = 0.02;
+constexpr double kControlUs = 100.0;  // a tenth of the period
 
 }  // namespace
 
@@ -45,6 +46,9 @@ Result<Done> measure_body(const robot::Robot& robot, report::Figures& figures) {
   figures.add("bench.walk.mujoco_steps_us", 1e6 * walk.bare_step_s);
   figures.add("bench.walk.run_ratio", walk.run_ratio, kRunRatio);
   figures.add("bench.walk.real_time", walk.real_time, kRealTime);
+  const auto control = FARRIER_TRY(bench::bench_control_tick(on_ground.value(), kRounds, allocation_count));
+  figures.add("bench.walk.control_us", 1e6 * control.tick_s, kControlUs);
+  figures.add("bench.walk.control_allocations", static_cast<double>(control.allocations), 0.0);
   return Done{};
 }
 

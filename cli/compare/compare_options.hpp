@@ -8,6 +8,11 @@ namespace farrier::cli {
 struct CompareOptions : TrotOptions {
   int seeds = 5;            ///< robots that are drawn, from `seed` on
   bool estimators = false;  ///< body: compare estimators in place of force controllers
+  // For adaptation; empty: all.
+  std::vector<std::string> rows, conditions, designs;
+  bool search = false;  ///< search the fixed designs in place of the comparison
+  bool go_on = false;   ///< with the runs of a comparison that was interrupted
+  int threads = 2;
 };
 
 }  // namespace farrier::cli

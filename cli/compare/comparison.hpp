@@ -50,6 +50,11 @@ int run_friction(const robot::Robot& robot, const CompareOptions& options);
 /// walk and of a step, and what limits the robot file's own. A build without MuJoCo refuses (without_body.cpp).
 int run_body(const robot::Robot& robot, const CompareOptions& options);
 
+/// farrier compare adaptation: plants that no design knows, on grounds and gaits of trials::kStudyConditions, for the
+/// designs of trials::study_designs; with `options.search` the search for a fixed design. It prints each row as it ends.
+/// A build without MuJoCo refuses (without_body.cpp).
+int run_adaptation(const robot::Robot& robot, const CompareOptions& options);
+
 /// Larger relative force error of the two heavy and of the two light quarters of trials::LoadCycle.
 struct CycleErrors {
   double heavy = 0.0, light = 0.0;

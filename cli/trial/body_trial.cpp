@@ -5,14 +5,12 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 
 #include "cli/base/command.hpp"
 #include "cli/base/output_file.hpp"
-#include "cli/base/progress.hpp"
+#include "cli/trial/body_runs.hpp"
 #include "participant/loop.hpp"
 #include "report/body/body_result.hpp"
-#include "report/body/body_rows_file.hpp"
 #include "report/body/energy_result.hpp"
 #include "report/body/supply_result.hpp"
 #include "report/body/switches_result.hpp"
@@ -25,8 +23,6 @@ namespace farrier::cli {
 namespace {
 
 using trials::PushLimitSearch;
-
-std::string key_of(const std::string& trial, const std::string& name) { return trial + ": " + name; }
 
 std::vector<trials::TrotCase> chosen_cases(const robot::Robot& robot, const BodyTrialOptions& o) {
   std::vector<trials::TrotCase> cases = trials::trot_cases(robot);
@@ -43,64 +39,6 @@ bool searches_push_limit(const BodyTrialOptions& o) {
   return !o.smoke && (o.only.empty() || std::ranges::find(o.only, PushLimitSearch::kTrial) != o.only.end());
 }
 
-/// The runs of a trial, of which some may have been kept by one that was interrupted.
-class BodyRuns {
- public:
-  BodyRuns(const robot::Robot& robot, const BodyTrialOptions& o, std::string kept_path, std::string origin)
-      : robot_(robot), o_(o), kept_path_(std::move(kept_path)), origin_(std::move(origin)) {
-    if (o.go_on) {
-      for (trials::TrotRow& row : report::read_rows(kept_path_, origin_)) {
-        rows_.insert_or_assign(key_of(row.trial, row.name), std::move(row));
-      }
-    }
-  }
-
-  /// Runs those of the cases that are not kept. Returns what came of the cases, in their order.
-  std::vector<trials::TrotRow> run(const std::string& title, const std::vector<trials::TrotCase>& cases) {
-    std::vector<trials::TrotCase> left;
-    std::ranges::copy_if(cases, std::back_inserter(left),
-                         [this](const trials::TrotCase& one) { return !rows_.contains(key_of(one.trial, one.name)); });
-    auto ended = static_cast<Tick>(cases.size() - left.size());
-    if (o_.go_on) {
-      std::fprintf(stderr, "%s: has %lld of %zu runs\n", kept_path_.c_str(), static_cast<long long>(ended),
-                   cases.size());
-    }
-    Progress bar(title, static_cast<Tick>(cases.size()), "runs");
-    const auto done = [&](const trials::TrotRow& row) {
-      keep(row);
-      bar.update(++ended);
-    };
-    trials::run_trot_cases(robot_, left, o_.ideal ? trials::Joints::kIdeal : trials::Joints::kActuators, o_.threads,
-                           done, [] { return !participant::stop_requested(); });
-    std::vector<trials::TrotRow> rows;
-    for (const trials::TrotCase& one : cases) {
-      if (const auto row = rows_.find(key_of(one.trial, one.name)); row != rows_.end()) {
-        rows.push_back(row->second);
-      }
-    }
-    return rows;
-  }
-
-  /// Why some runs are not kept for --continue; empty: all are.
-  const std::string& not_kept() const noexcept { return not_kept_; }
-
- private:
-  void keep(const trials::TrotRow& row) {
-    if (row.failure.empty()) {
-      if (const auto written = report::append_row(kept_path_, origin_, row); !written) {
-        not_kept_ = written.error().message;
-      }
-    }
-    rows_.insert_or_assign(key_of(row.trial, row.name), row);
-  }
-
-  const robot::Robot& robot_;
-  const BodyTrialOptions& o_;
-  std::string kept_path_, origin_;
-  std::map<std::string, trials::TrotRow> rows_;  // by key_of
-  std::string not_kept_;
-};
-
 /// Everything that was asked for.
 struct BodyStudy {
   std::vector<trials::TrotRow> rows;
@@ -111,7 +49,7 @@ struct BodyStudy {
 BodyStudy run_all(const robot::Robot& robot, const BodyTrialOptions& o, BodyRuns& runs) {
   BodyStudy study;
   const auto run = [&](const std::string& title, const std::vector<trials::TrotCase>& cases) {
-    std::vector<trials::TrotRow> rows = runs.run(title, cases);
+    std::vector<trials::TrotRow> rows = runs.run(title, trials::jobs_of(robot, cases));
     study.left += cases.size() - rows.size();
     study.rows.insert(study.rows.end(), rows.begin(), rows.end());
     return rows;
@@ -178,9 +116,12 @@ int run_and_report(const robot::Robot& robot, const BodyTrialOptions& o) {
     return refuse("trial", way.error().message);
   }
   participant::install_signal_handlers();
-  BodyRuns runs(
-      robot, o, kept_path,
-      report::build_name() + ", " + report::run_info(robot, 1).configuration_hash + (o.ideal ? ", ideal joints" : ""));
+  BodyRuns runs({.kept_path = kept_path,
+                 .origin = report::build_name() + ", " + report::run_info(robot, 1).configuration_hash +
+                           (o.ideal ? ", ideal joints" : ""),
+                 .go_on = o.go_on,
+                 .joints = o.ideal ? trials::Joints::kIdeal : trials::Joints::kActuators,
+                 .threads = o.threads});
   const BodyStudy study = run_all(robot, o, runs);
   const BodyStudyResults results(study.rows);
   const report::Outcome outcome = outcome_of(robot, study, results, runs.not_kept());

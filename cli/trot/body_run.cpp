@@ -58,12 +58,17 @@ std::string refused_on_ground(const robot::Robot& robot, const TrotOptions& o) {
   }
   if (o.design == robot::Design::kAdaptive) {
     for (const robot::Joint& joint : robot.joints) {
-      if (joint.kind != control::Kind::kFlowInversion) {
+      if (!control::takes_physics(joint.kind)) {
         const bool linear = joint.kind == control::Kind::kLqr;
         return std::string("--design adaptive is not for the controller ") +
                name_of(robot::kControllerKinds, joint.kind) + " of joint " + joint.name +
                " on a ground: " + (linear ? "its estimates are not valid there" : "its gains do not adapt") +
-               "; leave it out, or add --world bench, or --controller flow_inversion --estimator greybox";
+               "; leave it out, or add --world bench, or --controller feedback_linearisation";
+      }
+      if (joint.estimator.regresses()) {
+        return std::string("--design adaptive is not for the estimator ") +
+               name_of(estimation::kEstimationMethods, joint.estimator.method) + " of joint " + joint.name +
+               " on a ground: it finds no valve; add --estimator with a section of method valve_flow or greybox";
       }
     }
   }

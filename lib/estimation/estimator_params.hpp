@@ -4,17 +4,19 @@
 
 #include "core/choice.hpp"
 #include "estimation/grey_box_params.hpp"
+#include "estimation/valve_flow_params.hpp"
 
 namespace farrier::estimation {
 
 /// Method that learns the model. docs/estimators.md compares the methods and says when to choose which.
-enum class EstimationMethod { kRls, kAff, kKalman, kIv, kVdf, kSift, kGreyBox };
+enum class EstimationMethod { kRls, kAff, kKalman, kIv, kVdf, kSift, kGreyBox, kValveFlow };
 
 /// Every method, by its name in a robot file.
 inline constexpr Option<EstimationMethod> kEstimationMethods[] = {
-    {"rls", EstimationMethod::kRls},        {"aff", EstimationMethod::kAff}, {"kalman", EstimationMethod::kKalman},
-    {"iv", EstimationMethod::kIv},          {"vdf", EstimationMethod::kVdf}, {"sift", EstimationMethod::kSift},
-    {"greybox", EstimationMethod::kGreyBox}};
+    {"rls", EstimationMethod::kRls},         {"aff", EstimationMethod::kAff},
+    {"kalman", EstimationMethod::kKalman},   {"iv", EstimationMethod::kIv},
+    {"vdf", EstimationMethod::kVdf},         {"sift", EstimationMethod::kSift},
+    {"greybox", EstimationMethod::kGreyBox}, {"valve_flow", EstimationMethod::kValveFlow}};
 
 /// Test that decides if a sample may teach.
 enum class GateKind { kNone, kPe, kFft };
@@ -79,15 +81,18 @@ struct EstimatorParams {
   std::optional<VariableDirectionParams> vdf;
   std::optional<SubspaceParams> sift;
   std::optional<GreyBoxParams> grey_box;
+  std::optional<ValveFlowParams> valve_flow;
   std::optional<PersistenceParams> pe;
   std::optional<SpectrumParams> fft;
 
   /// Length of the regressor, 3 to 5.
   int columns() const noexcept { return 3 + (position ? 1 : 0) + (bias ? 1 : 0); }
 
-  /// True if the method regresses on measurements. If not, it uses only blank_ticks, min_samples, phase_memory and its
-  /// own group.
-  bool regresses() const noexcept { return method != EstimationMethod::kGreyBox; }
+  /// True if the method regresses on measured states. If not, it uses only blank_ticks, min_samples, phase_memory and its
+  /// own group; valve_flow of these only min_samples and its group.
+  bool regresses() const noexcept {
+    return method != EstimationMethod::kGreyBox && method != EstimationMethod::kValveFlow;
+  }
 
   /// True if the method has one lambda, forgetting_factor.
   bool forgets_evenly() const noexcept {

@@ -20,6 +20,7 @@ namespace farrier::estimation {
 struct KnownActuator {
   double leakage = 0.0;        ///< between its chambers, m^3/s/Pa; >= 0
   double seal_friction = 0.0;  ///< of its piston, left of the load cell, N or Nm; >= 0
+  double overlap_A = 0.0;      ///< of its valve, which the estimator does not use; >= 0
 };
 
 /// Estimates the unknown physics of a hydraulic joint with the joint's own nonlinear equations. Large motion is

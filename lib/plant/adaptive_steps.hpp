@@ -15,6 +15,9 @@ inline constexpr double kJustBelowOne = 1.0 - 1e-9;
 /// Real stability interval of RK5(4)7M is 3.3; substeps at the bound must lie inside it.
 inline constexpr double kStabilityInterval = 3.3;
 
+/// True if the shortest substep is stable at that rate, 1/s.
+inline bool stable_substep(double rate) noexcept { return rate * kShortestSubstep_s <= kStabilityInterval; }
+
 /// A trial step of equations: their own, or the integrator's.
 template <class Equations, class State>
 TrialStep<State> trial_step(const Equations& equations, const typename Equations::Input& input, const State& state,

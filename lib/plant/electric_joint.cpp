@@ -25,8 +25,6 @@ double fastest_rate(const ElectricParams& a, const LoadParams& load) noexcept {
   return std::max({winding, rotor, moved});
 }
 
-bool stable_substep(double rate) noexcept { return rate * kShortestSubstep_s <= kStabilityInterval; }
-
 bool carries(const LoadParams& load) noexcept {
   return is_physical(load, 0.0) && load.friction.coulomb == 0.0 && load.friction.breakaway == 0.0;
 }

@@ -14,10 +14,6 @@ namespace {
 /// Error estimates of substeps that stride over a bend count this much more: measured, see plant_integrator_test.
 constexpr double kUnseenBendFactor = 30.0;
 
-bool stable_at_shortest_substep(double fastest_rate) noexcept {
-  return fastest_rate * HydraulicJoint::kShortestSubstep_s <= kStabilityInterval;
-}
-
 DelayLine delay_of(std::span<const ActiveEffect> effects) {
   const ActiveEffect* delay = find(effects, effect_id<InputDelay>());
   return DelayLine(delay != nullptr ? *parameter_value(*delay, "delay_s") : 0.0);
@@ -50,7 +46,7 @@ Result<HydraulicJoint> HydraulicJoint::create(const ActuatorParams& nominal, con
     return Error{refusals};
   }
   HydraulicJoint joint(actuator, load, initial, tolerance, effects);
-  if (const double fastest = fastest_rate(actuator, load, joint.effects_); !stable_at_shortest_substep(fastest)) {
+  if (const double fastest = fastest_rate(actuator, load, joint.effects_); !stable_substep(fastest)) {
     std::ostringstream text;
     text << "joint: fastest rate " << fastest << " 1/s exceeds " << kStabilityInterval / kShortestSubstep_s
          << " 1/s; lower stop_stiffness or stop_damping, or raise line_volume_m3, laminar_pressure_Pa, mass or the "
@@ -62,7 +58,8 @@ Result<HydraulicJoint> HydraulicJoint::create(const ActuatorParams& nominal, con
 
 HydraulicJoint::HydraulicJoint(const ActuatorParams& actuator, const LoadParams& load, const State& initial,
                                double tolerance, std::span<const ActiveEffect> effects)
-    : actuator_(actuator),
+    : tolerance_(tolerance),
+      actuator_(actuator),
       equations_(without_lines(actuator), load),
       effects_(actuator, load, effects, tolerance),
       has_effects_(effects_.active()),
@@ -115,27 +112,6 @@ void HydraulicJoint::differentiate() noexcept {
   } else {
     static_cast<IntegrationState&>(derivative_) = equations_.derivative(integrated_, input_);
   }
-}
-
-bool HydraulicJoint::set_load(const LoadParams& given) noexcept {
-  LoadParams load = given;
-  load.friction = guide_.value_or(given.friction);
-  if (!is_physical(load, actuator().piston_mass)) {
-    return false;
-  }
-  Effects effects = effects_;
-  const Effects::X carried = effects.set_load(load, integrated_.x);
-  if (!stable_at_shortest_substep(fastest_rate(actuator(), load, effects))) {
-    return false;
-  }
-  equations_.set_load(load);
-  effects_ = effects;
-  integrated_.x = carried;
-  has_effects_ = effects_.active();
-  find_lean();
-  hold(command_);
-  differentiate();
-  return true;
 }
 
 CommandInput HydraulicJoint::admit(double valve_current_A, double external_force, StepReport& report) const noexcept {

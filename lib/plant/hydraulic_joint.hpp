@@ -49,6 +49,11 @@ class HydraulicJoint {
   /// effect. Returns false and keeps the old load for values create() would refuse.
   bool set_load(const LoadParams& load) noexcept;
 
+  /// Sets another valve, oil, piston and effects from now on: motion, pressures and the states of effects are
+  /// continuous. Areas, stroke, lines and the effects of the load are not changed. Returns false and keeps the old ones
+  /// for values create() would refuse.
+  bool set_actuator(const ActuatorParams& actuator, std::span<const ActiveEffect> effects) noexcept;
+
   /// Advances by `period_s` with both inputs held. The current acts within +-valve_current_max_A, the external force
   /// (on the load, positive along +position, N or Nm) within 10 supply_pressure_Pa area. Inputs that are not finite
   /// act as zero; a period outside (0, kLongestPeriod_s] moves nothing.
@@ -118,6 +123,7 @@ class HydraulicJoint {
   double effects_load_force() const noexcept;
   void publish_state() noexcept;
 
+  double tolerance_;
   ActuatorParams actuator_;
   JointEquations equations_;  ///< of chambers without the volume of their lines behind the valve
   Effects effects_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -32,6 +33,11 @@ class Joint {
   /// As the kinds' own.
   bool set_load(const LoadParams& load) noexcept {
     return std::visit([&](auto& joint) noexcept { return joint.set_load(load); }, joint_);
+  }
+  /// As HydraulicJoint's; an electric joint has none and keeps its own.
+  bool set_actuator(const ActuatorParams& actuator, std::span<const ActiveEffect> effects) noexcept {
+    auto* oil = std::get_if<HydraulicJoint>(&joint_);
+    return oil != nullptr && oil->set_actuator(actuator, effects);
   }
   /// Argument `current_A`: through the valve, or the command of an electric joint's drive.
   StepReport step(double current_A, double external_force, double period_s) noexcept {

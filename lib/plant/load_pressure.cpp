@@ -29,9 +29,8 @@ LoadPressureCoefficients load_pressure_coefficients(const ActuatorParams& actuat
   const double valve = actuator.valve_gain / std::sqrt(1.0 + alpha3);
   const double opening = valve * std::abs(point.valve_current_A);
   const double compliance = beta_e / V_a + alpha2 * beta_e / V_b;
-  const double volume_slope = volumes == Volumes::kConstant
-                                  ? 0.0
-                                  : beta_e * A_p / (V_a * V_a) - alpha3 * beta_e * A_p / (V_b * V_b);
+  const double volume_slope =
+      volumes == Volumes::kConstant ? 0.0 : beta_e * A_p / (V_a * V_a) - alpha3 * beta_e * A_p / (V_b * V_b);
   LoadPressureCoefficients of;
   of.sign = sign;
   of.root = std::sqrt(std::max(drop, actuator.laminar_pressure_Pa));
@@ -54,6 +53,14 @@ State steady_chambers(const ActuatorParams& actuator, const OperatingPoint& poin
   // (3.19)
   const double p_b = (alpha2 * (port_a - point.load_pressure_Pa) + port_b) / (1.0 + alpha2 * alpha);
   return {point.position, point.velocity, point.load_pressure_Pa + alpha * p_b, p_b};
+}
+
+double leakage_pressure_Pa(const ActuatorParams& actuator, const OperatingPoint& point) noexcept {
+  const double alpha = actuator.area_b / actuator.area_a;
+  const double by_a = 1.0 / (actuator.line_volume_m3 + point.position * actuator.area_a);
+  const double by_b = alpha / (actuator.line_volume_m3 + (actuator.stroke - point.position) * actuator.area_b);
+  const State chambers = steady_chambers(actuator, point);
+  return (chambers.pressure_a_Pa - chambers.pressure_b_Pa) * (by_a + by_b) / (by_a + alpha * by_b);
 }
 
 }  // namespace farrier::plant

@@ -19,11 +19,12 @@ body::RigidInertia mirrored(const body::RigidInertia& inertia, const Leg& leg) {
 }
 
 body::Link make_link(const Vector3d& hinge_m, const Vector3d& axis, const body::RigidInertia& inertia,
-                     double damping_Nms_rad) {
+                     const Body& body) {
   body::Link link;
   link.hinge_m = hinge_m;
   link.axis = axis;
-  link.damping_Nms_rad = damping_Nms_rad;
+  link.damping_Nms_rad = body.joint_damping_Nms_rad;
+  link.known_damping_Nms_rad = body.known_damping_share * body.joint_damping_Nms_rad;
   link.inertia = inertia;
   return link;
 }
@@ -32,13 +33,12 @@ body::LegModel make_leg(const std::string& name, const Leg& leg, const Body& bod
   const Vector3d hip_m(leg.hip_position_m[0], leg.hip_position_m[1], leg.hip_position_m[2]);
   const Vector3d haa_axis = leg.left ? -Vector3d::UnitX() : Vector3d(Vector3d::UnitX());
   const Vector3d down = -Vector3d::UnitZ();
-  const double damping_Nms_rad = body.joint_damping_Nms_rad;
   return {.name = name,
-          .links = {make_link(hip_m, haa_axis, mirrored(hip_inertia(body.hip), leg), damping_Nms_rad),
+          .links = {make_link(hip_m, haa_axis, mirrored(hip_inertia(body.hip), leg), body),
                     make_link(body.hip_offset_m * down, Vector3d::UnitY(),
-                              mirrored(leg_link_inertia(body.upper_leg), leg), damping_Nms_rad),
+                              mirrored(leg_link_inertia(body.upper_leg), leg), body),
                     make_link(body.upper_leg_m * down, Vector3d::UnitY(),
-                              mirrored(leg_link_inertia(body.lower_leg), leg), damping_Nms_rad)},
+                              mirrored(leg_link_inertia(body.lower_leg), leg), body)},
           .foot_m = body.lower_leg_m * down,
           .foot_radius_m = *body.foot_radius_m,
           .knee_radius_m = body.knee_radius_m};

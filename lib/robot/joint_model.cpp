@@ -24,6 +24,9 @@ plant::JointPhysics nominal_physics(const Joint& joint, const plant::LoadParams&
       physics.leakage += plant::parameter_value(*known, coefficient).value_or(0.0);
     }
   }
+  if (const plant::ActiveEffect* valve = plant::find(joint.effects, plant::effect_id<plant::ValveDeadband>())) {
+    physics.overlap_A = valve->values[0];
+  }
   return physics;
 }
 

@@ -37,7 +37,8 @@ Result<LocomotionModel> LocomotionModel::create(const body::BodyModel& model) {
   const body::RigidBody body = FARRIER_TRY(body::RigidBody::create(model));
   body::JointVector damping_Nms_rad = body::JointVector::Zero(model.joints());
   for (int joint = 0; joint < model.joints(); ++joint) {
-    damping_Nms_rad[joint] = model.legs[joint / body::kJointsPerLeg].links[joint % body::kJointsPerLeg].damping_Nms_rad;
+    damping_Nms_rad[joint] =
+        model.legs[joint / body::kJointsPerLeg].links[joint % body::kJointsPerLeg].known_damping_Nms_rad;
   }
   return LocomotionModel(body, damping_Nms_rad);
 }

@@ -4,6 +4,7 @@
 
 #include "estimation/grey_box_estimator.hpp"
 #include "estimation/joint_estimator.hpp"
+#include "estimation/valve_flow_estimator.hpp"
 #include "robot/joint_model.hpp"
 
 namespace farrier::robot {
@@ -44,6 +45,21 @@ Made make_grey_box_estimator(const Joint& joint, const estimation::JointScales& 
   return Made(std::make_unique<estimation::GreyBoxEstimator>(std::move(estimator).value()));
 }
 
+/// Knows valve and oil, and needs the loads for its linear model alone.
+Made make_valve_flow_estimator(const Joint& joint, const estimation::JointScales& scales) {
+  const plant::JointPhysics physics = nominal_physics(joint, joint.swing_load);
+  estimation::KnownValve known{.leakage = physics.leakage, .overlap_A = physics.overlap_A, .spool = {}};
+  if (const plant::ActiveEffect* spool = plant::find(joint.effects, plant::effect_id<plant::ValveDynamics>())) {
+    known.spool = control::SampledSpool(spool->values[0], spool->values[1], scales.period_s);
+  }
+  auto estimator = estimation::ValveFlowEstimator::create(joint.estimator, scales, joint.actuator,
+                                                          {joint.swing_load, joint.stance_load}, known);
+  if (!estimator) {
+    return refused(joint, estimator.error().message);
+  }
+  return Made(std::make_unique<estimation::ValveFlowEstimator>(std::move(estimator).value()));
+}
+
 }  // namespace
 
 estimation::JointScales estimator_scales(const Joint& joint, double period_s, int loop_delay_ticks) {
@@ -58,8 +74,14 @@ estimation::JointScales estimator_scales(const Joint& joint, double period_s, in
 
 Made make_estimator(const Joint& joint, double period_s, int loop_delay_ticks) {
   const estimation::JointScales scales = estimator_scales(joint, period_s, loop_delay_ticks);
-  return joint.estimator.regresses() ? make_regression_estimator(joint, scales)
-                                     : make_grey_box_estimator(joint, scales);
+  switch (joint.estimator.method) {
+    case estimation::EstimationMethod::kGreyBox:
+      return make_grey_box_estimator(joint, scales);
+    case estimation::EstimationMethod::kValveFlow:
+      return make_valve_flow_estimator(joint, scales);
+    default:
+      return make_regression_estimator(joint, scales);
+  }
 }
 
 }  // namespace farrier::robot

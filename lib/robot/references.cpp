@@ -29,6 +29,10 @@ class ReferenceCheck {
     if (file_.locomotion && !file_.locomotion->controller.empty()) {
       resolve(file_.controllers, "controllers", file_.locomotion->controller, file_.locomotion->place, "controller");
     }
+    if (file_.locomotion && !file_.locomotion->joint_estimator.empty()) {
+      resolve(file_.estimators, "estimators", file_.locomotion->joint_estimator, file_.locomotion->place,
+              "joint_estimator");
+    }
     for (const auto& [name, leg] : file_.legs) {
       check_leg(name, leg);
     }

@@ -25,12 +25,15 @@ std::vector<config::Setting> settings_of(const Overrides& overrides) {
   return settings;
 }
 
-/// Joints of a robot on a ground have the controllers of locomotion and effects_on_ground. A command acts as late in
+/// Joints of a robot on a ground have the controllers and estimators of locomotion and effects_on_ground. A command acts as late in
 /// lock-step as in real time.
-void put_on_ground(RobotFile& file) {
+void put_on_ground(RobotFile& file, bool estimator_is_chosen) {
   for (auto& [name, joint] : file.joints) {
     if (file.locomotion && !file.locomotion->controller.empty()) {
       joint.controller = file.locomotion->controller;
+    }
+    if (file.locomotion && !file.locomotion->joint_estimator.empty() && !estimator_is_chosen) {
+      joint.estimator = file.locomotion->joint_estimator;
     }
   }
   for (const auto& [name, added] : file.effects_on_ground) {
@@ -61,7 +64,7 @@ Result<Robot, config::Problems> build(Result<RobotFile, config::Problems> read, 
     joint.estimator = overrides.estimator.value_or(joint.estimator);
   }
   if (overrides.on_ground) {
-    put_on_ground(file);
+    put_on_ground(file, overrides.estimator.has_value());
   }
   if (overrides.without_effects) {
     file.effects.clear();

@@ -9,6 +9,19 @@ namespace farrier::world {
 
 namespace {
 
+constexpr double kWearStep_s = 0.01;
+
+/// `from` with what the change gives.
+robot::Wear end_of(const body::ActuatorChange& change, const robot::Wear& from) noexcept {
+  return {.valve_gain = change.valve_gain.value_or(from.valve_gain),
+          .bulk_modulus = change.bulk_modulus.value_or(from.bulk_modulus),
+          .viscosity = change.viscosity.value_or(from.viscosity),
+          .seal_friction = change.seal_friction.value_or(from.seal_friction),
+          .leakage = change.leakage_m3_s_Pa.value_or(from.leakage),
+          .overlap_A = change.overlap_A.value_or(from.overlap_A),
+          .stuck_A = change.stuck_A ? change.stuck_A : from.stuck_A};
+}
+
 Result<Done> check_supply_changes(const robot::Robot& robot, std::span<const body::SupplyChange> changes) {
   for (const body::SupplyChange& change : changes) {
     const std::string where = (change.origin.empty() ? "" : change.origin + ": ") + "supply." + change.name;
@@ -27,8 +40,10 @@ Result<Done> check_supply_changes(const robot::Robot& robot, std::span<const bod
 
 JointDrives::~JointDrives() = default;
 
-Result<Actuators> Actuators::create(const robot::Robot& robot, std::vector<body::SupplyChange> supply_changes) {
+Result<Actuators> Actuators::create(const robot::Robot& robot, std::vector<body::SupplyChange> supply_changes,
+                                    std::vector<body::ActuatorChange> actuator_changes) {
   FARRIER_TRY(check_supply_changes(robot, supply_changes));
+  auto changes = FARRIER_TRY(changes_of(robot, std::move(actuator_changes)));
   std::ranges::stable_sort(supply_changes, {}, &body::SupplyChange::start_s);
   std::optional<plant::Supply> supply;
   if (robot.supply) {
@@ -41,23 +56,77 @@ Result<Actuators> Actuators::create(const robot::Robot& robot, std::vector<body:
     if (!plant) {
       return Error{joint.name + ": " + plant.error().message};
     }
-    joints.push_back({joint.linkage, std::move(plant).value()});
+    joints.push_back({.linkage = joint.linkage, .plant = std::move(plant).value(), .wear = robot::no_wear(joint)});
     angles_rad[joint.number] = joint.home_angle_rad;
   }
-  return Actuators(std::move(joints), supply, std::move(supply_changes), angles_rad);
+  return Actuators(std::move(joints), supply, std::move(supply_changes), std::move(changes), robot, angles_rad);
 }
 
 Actuators::Actuators(std::vector<Joint> joints, const std::optional<plant::Supply>& supply,
-                     std::vector<body::SupplyChange> supply_changes, const body::JointVector& angles_rad)
+                     std::vector<body::SupplyChange> supply_changes, std::vector<Change> changes,
+                     const robot::Robot& robot, const body::JointVector& angles_rad)
     : joints_(std::move(joints)),
       supply_(supply),
       supply_changes_(std::move(supply_changes)),
+      as_in_file_(changes.empty() ? std::vector<robot::Joint>{} : robot.joints),
+      changes_(std::move(changes)),
       torques_Nm_(body::JointVector::Zero(static_cast<Eigen::Index>(joints_.size()))) {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     set_force(i, angles_rad[static_cast<Eigen::Index>(i)]);
   }
   oil_at_start_J_ = stored_J();
   supply_at_start_J_ = supply_ ? supply_->stored_J() : 0.0;
+}
+
+Result<std::vector<Actuators::Change>> Actuators::changes_of(const robot::Robot& robot,
+                                                             std::vector<body::ActuatorChange> actuator_changes) {
+  std::ranges::stable_sort(actuator_changes, {}, &body::ActuatorChange::start_s);
+  std::vector<Change> changes;
+  std::vector<robot::Wear> wears;
+  for (const robot::Joint& joint : robot.joints) {
+    wears.push_back(robot::no_wear(joint));
+  }
+  for (const body::ActuatorChange& change : actuator_changes) {
+    const std::string where = (change.origin.empty() ? "" : change.origin + ": ") + "actuators." + change.name;
+    const std::size_t before = changes.size();
+    for (const robot::Joint& joint : robot.joints) {
+      if (!change.joint.empty() && joint.name != change.joint) {
+        continue;
+      }
+      if (joint.electric) {
+        return Error{where + ": " + joint.name + " is electric: give a hydraulic joint"};
+      }
+      robot::Wear& wear = wears[joint.number];
+      wear = end_of(change, wear);
+      if (const auto plant = robot::make_plant(robot::worn(joint, wear), joint.stance_load); !plant) {
+        return Error{where + ": " + joint.name + ": " + plant.error().message};
+      }
+      changes.push_back({joint.number, change.start_s, change.duration_s, change});
+    }
+    if (changes.size() == before) {
+      return Error{where + ".joint: " + robot.name + " has no joint " + change.joint +
+                   ": give one of its joints, or leave the key out for all"};
+    }
+  }
+  return changes;
+}
+
+void Actuators::wear_out(double time_s) noexcept {
+  worn_until_s_ = time_s;
+  std::erase_if(changes_, [&](Change& change) {
+    if (change.start_s > time_s) {
+      return false;
+    }
+    Joint& joint = joints_[change.joint];
+    if (!change.from) {
+      change.from = joint.wear;
+    }
+    const double share = change.duration_s > 0.0 ? std::min(1.0, (time_s - change.start_s) / change.duration_s) : 1.0;
+    joint.wear = robot::between(*change.from, end_of(change.to, *change.from), share);
+    const robot::Joint worn = robot::worn(as_in_file_[change.joint], joint.wear);
+    joint.plant.set_actuator(worn.actuator, worn.effects);
+    return share >= 1.0;
+  });
 }
 
 void Actuators::set_force(std::size_t index, double angle_rad) noexcept {
@@ -74,8 +143,11 @@ void Actuators::command(std::span<const double> currents_A, double time_s) noexc
       supply_->set_accumulator_volume(*change.accumulator_volume_m3);
     }
   }
+  if (!changes_.empty() && (time_s == 0.0 || time_s >= worn_until_s_ + kWearStep_s)) {
+    wear_out(time_s);
+  }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    joints_[i].current_A = currents_A[i];
+    joints_[i].current_A = joints_[i].wear.stuck_A.value_or(currents_A[i]);
   }
 }
 

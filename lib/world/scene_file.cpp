@@ -99,6 +99,20 @@ body::Scene scene_of(const SceneFile& file) {
     scene.supply_changes.push_back(
         {name, supply.start_s, supply.pump_flow_m3_s, supply.accumulator_volume_m3, line_of(supply.place)});
   }
+  for (const auto& [name, actuator] : file.actuators) {
+    scene.actuator_changes.push_back({.name = name,
+                                      .joint = actuator.joint,
+                                      .start_s = actuator.start_s,
+                                      .duration_s = actuator.duration_s,
+                                      .valve_gain = actuator.valve_gain_factor,
+                                      .bulk_modulus = actuator.bulk_modulus_factor,
+                                      .viscosity = actuator.viscosity_factor,
+                                      .seal_friction = actuator.seal_friction_factor,
+                                      .leakage_m3_s_Pa = actuator.leakage_m3_s_Pa,
+                                      .overlap_A = actuator.overlap_A,
+                                      .stuck_A = actuator.stuck_A,
+                                      .origin = line_of(actuator.place)});
+  }
   return scene;
 }
 
@@ -189,6 +203,22 @@ void declare(Visitor& v, SupplySection& s) {
           "is missing, and so is accumulator_volume_m3: give at least one of them");
 }
 
+void declare(Visitor& v, ActuatorSection& a) {
+  v.here(a.place);
+  v.name("joint", a.joint, kLongestName, config::Default{""}, "Joint whose actuator it is. Absent: all joints.");
+  v.number("start_s", a.start_s, kTime_s, kInitial, "Time at which the change begins.");
+  v.number("duration_s", a.duration_s, kTime_s, kInitial, "Time over which it grows evenly; 0: at once.");
+  v.number("valve_gain_factor", a.valve_gain_factor, {0.01, 10}, "On the valve's gain. Absent: as before.");
+  v.number("bulk_modulus_factor", a.bulk_modulus_factor, {0.01, 10}, "On the oil's bulk modulus. Absent: as before.");
+  v.number("viscosity_factor", a.viscosity_factor, {0, 100}, "On the piston's viscous friction. Absent: as before.");
+  v.number("seal_friction_factor", a.seal_friction_factor, {0, 100}, "On the friction of seals. Absent: as before.");
+  v.number("leakage_m3_s_Pa", a.leakage_m3_s_Pa, {0, 1e-9},
+           "Leakage between the chambers, beside the robot file's. Absent: as before.");
+  v.number("overlap_A", a.overlap_A, {0, 1}, "Overlap of the valve, in place of the robot file's. Absent: as before.");
+  v.number("stuck_A", a.stuck_A, {-1, 1},
+           "Current for which the spool stays open, whatever is sent; 0: shut. Absent: it follows.");
+}
+
 void declare(Visitor& v, SceneFile& f) {
   v.here(f.place);
   v.number("friction", f.friction, {0, 10}, kInitial, "Coulomb friction of feet on everything.");
@@ -199,6 +229,7 @@ void declare(Visitor& v, SceneFile& f) {
   v.groups("pushes", f.pushes, kLongestName, Defaults{}, "Forces on the trunk's centre of mass.");
   v.groups("payloads", f.payloads, kLongestName, Defaults{}, "Masses that are put on the trunk.");
   v.groups("supply", f.supply, kLongestName, Defaults{}, "Faults of the supply of hydraulic actuators.");
+  v.groups("actuators", f.actuators, kLongestName, Defaults{}, "Wear, heat and faults of hydraulic actuators.");
 }
 
 Result<body::Scene, config::Problems> load_scene(const std::string& path) {

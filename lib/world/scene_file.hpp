@@ -63,6 +63,14 @@ struct SupplySection {
   config::Place place;
 };
 
+struct ActuatorSection {
+  std::string joint;
+  double start_s = 0.0, duration_s = 0.0;
+  std::optional<double> valve_gain_factor, bulk_modulus_factor, viscosity_factor, seal_friction_factor;
+  std::optional<double> leakage_m3_s_Pa, overlap_A, stuck_A;
+  config::Place place;
+};
+
 struct SceneFile {
   double friction = 0.8;
   GroundSection ground;
@@ -72,6 +80,7 @@ struct SceneFile {
   config::Named<PushSection> pushes;
   config::Named<PayloadSection> payloads;
   config::Named<SupplySection> supply;
+  config::Named<ActuatorSection> actuators;
   config::Place place;
 };
 
@@ -82,6 +91,7 @@ void declare(config::Visitor& v, BlocksSection& blocks);
 void declare(config::Visitor& v, PushSection& push);
 void declare(config::Visitor& v, PayloadSection& payload);
 void declare(config::Visitor& v, SupplySection& supply);
+void declare(config::Visitor& v, ActuatorSection& actuator);
 void declare(config::Visitor& v, SceneFile& file);
 
 /// Loads and checks a scene file. Refuses with every mistake in it, each with its line and remedy.

@@ -64,6 +64,18 @@ constexpr std::array kBodySpecs{
     FigureSpec{"compare.body.<contender>.step_falls", "1", kNone, "The same of walks up a step."},
     FigureSpec{"compare.body.<contender>.height_rms_mm", "mm", kNone, "As body.<trial>.height_rms_mm, median over the walks without a fall."},
     FigureSpec{"compare.body.<contender>.force_nrmse.<place>.<phase>", "1", kNone, "As body.<trial>.force_nrmse, median over the walks without a fall."},
+    // compare adaptation
+    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.runs", "1", kNone, "Runs of farrier compare adaptation."},
+    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.falls", "1", kNone, "Those that ended with a fall."},
+    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.fall_share_low", "1", kNone, "Lower end of the 95 % interval of the share that falls (Wilson 1927)."},
+    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.fall_share_high", "1", kNone, "Its upper end."},
+    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.stance_nrmse", "1", kNone, "RMS over the kinds of joint of the force error in stance, median over the runs without a fall."},
+    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.height_rms_mm", "mm", kNone, "As body.<trial>.height_rms_mm, median over the runs without a fall."},
+    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.speed_error", "1", kNone, "Relative error of the mean speed, likewise."},
+    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.energy_J_m", "J/m", kNone, "Work of the pump per way of the trunk, likewise."},
+    FigureSpec{"compare.adaptation.<row>.<condition>.ratio_to_perfect", "1", kAtMost, "Force error of the adaptive design over that of perfect knowledge."},
+    FigureSpec{"compare.adaptation.lost", "1", kAtMost, "Runs that perfect knowledge survives and adaptation does not, same row, condition and seed."},
+    FigureSpec{"compare.adaptation.caused", "1", kAtMost, "The same with the file's fixed design in place of perfect knowledge."},
     // compare body --estimators: <estimators> is estimator, or estimator_ideal_valve of a robot with ideal valves
     FigureSpec{"compare.body.<estimators>.<method>.<place>.<phase>.valid_share", "1", kNone,
                "Share of the estimates of a walk with at least the validity that the update logic asks for."},

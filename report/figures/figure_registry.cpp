@@ -219,6 +219,8 @@ constexpr std::array kSpecs{
     FigureSpec{"bench.walk.tick_us", "us", kNone, "Processor time of a tick of the robot that walks on its own actuators, all of it."},
     FigureSpec{"bench.walk.mujoco_steps_us", "us", kNone, "Processor time of MuJoCo's steps of that tick alone, from the same states."},
     FigureSpec{"bench.walk.run_ratio", "1", kAtMost, "The one over the other, median of the rounds."},
+    FigureSpec{"bench.walk.control_us", "us", kAtMost, "Processor time of what the robot computes in a tick while its gains adapt: estimates, update logic, force control, state estimate, force distribution."},
+    FigureSpec{"bench.walk.control_allocations", "1", kAtMost, "Allocations made by these ticks."},
     FigureSpec{"bench.walk.real_time", "1", kAtLeast, "Simulated time over processor time of that walk, median of the rounds."},
     FigureSpec{"bench.rls.ns_per_update", "ns", kNone, "Time of one sample of recursive least squares: three measurements, four regressors."},
     FigureSpec{"bench.rls.ns_per_update_bias", "ns", kNone, "The same with five regressors."},

@@ -15,7 +15,8 @@ constexpr std::uint64_t kSession = 1;
 }  // namespace
 
 Result<ActuatedRobot> ActuatedRobot::create(const robot::Robot& known, const robot::Robot& real,
-                                            const body::Scene& scene, std::uint64_t seed, int finer, bool adapts) {
+                                            const body::Scene& scene, std::uint64_t seed, int finer, bool adapts,
+                                            bool knows) {
   auto robot = FARRIER_TRY(sim_bridge::BodyRobot::create(real, scene, seed, false, finer));
   ActuatedRobot made(known, std::move(robot));
   if (adapts) {
@@ -24,7 +25,9 @@ Result<ActuatedRobot> ActuatedRobot::create(const robot::Robot& known, const rob
   }
   for (const robot::Joint& joint : known.joints) {
     FARRIER_TRY(made.design(joint, known));
+    made.told_.push_back(robot::no_wear(joint));
   }
+  made.knows_ = knows;
   return made;
 }
 
@@ -43,7 +46,7 @@ ActuatedRobot::ActuatedRobot(const robot::Robot& known, sim_bridge::BodyRobot ro
 
 // The gains that a supervisor without estimates gives, from the first tick on.
 Result<Done> ActuatedRobot::design(const robot::Joint& joint, const robot::Robot& known) {
-  if (joint.kind != control::Kind::kLqr && joint.kind != control::Kind::kFlowInversion) {
+  if (joint.kind != control::Kind::kLqr && !control::takes_physics(joint.kind)) {
     return Done{};
   }
   const auto slots =
@@ -108,12 +111,38 @@ void ActuatedRobot::store(const std::vector<signals::JointControllerGains>& gain
   }
 }
 
-bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
+// The new physics act from this tick on, under a generation of their own.
+void ActuatedRobot::tell_wear() {
+  constexpr std::uint32_t kAuthority = 1;
+  for (const robot::Joint& joint : joints_) {
+    const robot::Wear& wear = robot_.actuators()->wear(joint.number);
+    if (wear == told_[joint.number] || !control::takes_physics(joint.kind)) {
+      continue;
+    }
+    told_[joint.number] = wear;
+    ++generation_;
+    const robot::Joint worn = robot::worn(joint, wear);
+    for (const signals::Phase phase : supervisor::kPhases) {
+      const control::Gains none{};
+      plant::JointPhysics physics = supervisor::first_physics(worn, robot::Design::kPhases, phase);
+      physics.leakage = wear.leakage;
+      signals::JointControllerGains signal =
+          wire_gains::with_physics(wire_gains::pack_gains(joint.number, phase, kAuthority, generation_, none), physics);
+      signal.effective_tick = tick();
+      nodes_[joint.number].store_gains(signal, none);
+    }
+  }
+}
+
+void ActuatedRobot::decide(std::span<const double> torques_Nm) noexcept {
   if (tick() == track_from_) {
     energy_before_ = robot_.actuators()->audit();
   }
   if (adaptation_) {
     store(adaptation_->begin(tick()));
+  }
+  if (knows_) {
+    tell_wear();
   }
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const robot::Joint& joint = joints_[i];
@@ -148,6 +177,9 @@ bool ActuatedRobot::advance(std::span<const double> torques_Nm) noexcept {
   if (adaptation_) {
     adaptation_->end(tick());
   }
+}
+
+bool ActuatedRobot::move() noexcept {
   const bool moved = robot_.advance(currents_A_);
   if (const plant::Supply* supply = robot_.actuators()->supply()) {
     least_supply_Pa_ = std::min(least_supply_Pa_, supply->pressure_Pa());

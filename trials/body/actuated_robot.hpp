@@ -36,9 +36,10 @@ class ActuatedRobot final : public world::World {
  public:
   /// The joints' nodes have the model of `known`, the simulation that of `real`; both have the same joints. Controllers
   /// that take gains have the designs for the loads of both phases. Refuses what these designs and BodyRobot::create do.
-  /// With `adapts` estimators and a supervisor of the known robot redesign them.
+  /// With `adapts` estimators and a supervisor of the known robot redesign them. With `knows` controllers that take
+  /// physics have those of the worn actuators at once: perfect knowledge of what a scene changes.
   static Result<ActuatedRobot> create(const robot::Robot& known, const robot::Robot& real, const body::Scene& scene,
-                                      std::uint64_t seed, int finer = 1, bool adapts = false);
+                                      std::uint64_t seed, int finer = 1, bool adapts = false, bool knows = false);
 
   Tick tick() const noexcept override { return robot_.tick(); }
   std::size_t joints() const noexcept override { return robot_.joints(); }
@@ -48,7 +49,14 @@ class ActuatedRobot final : public world::World {
   std::optional<world::SupplyReading> supply() const noexcept override { return robot_.supply(); }
   std::optional<std::string> failure() const override { return robot_.failure(); }
   /// The commands are torques, Nm. A valve's current acts loop_delay_lockstep ticks after the samples that it answers.
-  bool advance(std::span<const double> torques_Nm) noexcept override;
+  bool advance(std::span<const double> torques_Nm) noexcept override {
+    decide(torques_Nm);
+    return move();
+  }
+  /// The part of advance() that a robot computes itself: force control and, where it adapts, estimates and redesign.
+  void decide(std::span<const double> torques_Nm) noexcept;
+  /// The part that is simulated.
+  bool move() noexcept;
 
   const sim_bridge::BodyRobot& robot() const noexcept { return robot_; }
 
@@ -80,6 +88,7 @@ class ActuatedRobot final : public world::World {
   void track(std::size_t joint, const trace::TraceRow& truth, double reference) noexcept;
 
   void store(const std::vector<signals::JointControllerGains>& gains) noexcept;
+  void tell_wear();
 
   std::vector<robot::Joint> joints_;
   sim_bridge::BodyRobot robot_;
@@ -92,6 +101,9 @@ class ActuatedRobot final : public world::World {
   std::array<PerPhase<Tracking>, body::kJointsPerLeg> tracking_{};
   Listener listener_;
   std::optional<JointAdaptation> adaptation_;
+  bool knows_ = false;
+  std::vector<robot::Wear> told_;  // by joint
+  std::uint32_t generation_ = 1;
   Tick track_from_ = 0;
   world::EnergyAudit energy_before_;
   double least_supply_Pa_ = std::numeric_limits<double>::infinity();

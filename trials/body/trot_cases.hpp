@@ -51,9 +51,10 @@ struct TrotCase {
   int finer = 1;                                        ///< divides the step of body and actuators
   bool may_sink = false;                                ///< a low trunk is no fall
   bool adapts = false;                                  ///< the gains of actuators are redesigned from estimates
-  double trot_s = 0.0;                                  ///< when it first begins to trot
-  double judged_from_s = 0.0;                           ///< means are over this time ...
-  double judged_until_s = 0.0;                          ///< ... to this
+  bool knows = false;           ///< actuators are told the true physics of valve and piston as they change
+  double trot_s = 0.0;          ///< when it first begins to trot
+  double judged_from_s = 0.0;   ///< means are over this time ...
+  double judged_until_s = 0.0;  ///< ... to this
   double end_s = 0.0;
 
   /// True if ideal joints cannot run it.

@@ -72,8 +72,8 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
   if (joints == Joints::kIdeal) {
     ideal.emplace(FARRIER_TRY(world::BodyWorld::create(true_robot, scene.value(), one.seed, kTrotNoise)));
   } else {
-    actuated.emplace(
-        FARRIER_TRY(ActuatedRobot::create(robot, true_robot, scene.value(), one.seed, one.finer, one.adapts)));
+    actuated.emplace(FARRIER_TRY(
+        ActuatedRobot::create(robot, true_robot, scene.value(), one.seed, one.finer, one.adapts, one.knows)));
     actuated->listen(listener);
     driver.tell_phases(*actuated);
     actuated->track_from(static_cast<Tick>(std::lround(one.judged_from_s / robot.period_s)));
@@ -117,14 +117,23 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
   return std::optional(figures);
 }
 
-void run_trot_cases(const robot::Robot& robot, std::span<const TrotCase> cases, Joints joints, int threads,
-                    const std::function<void(const TrotRow&)>& done, const std::function<bool()>& keep_on) {
+std::vector<TrotJob> jobs_of(const robot::Robot& robot, std::span<const TrotCase> cases) {
+  std::vector<TrotJob> jobs;
+  for (const TrotCase& one : cases) {
+    jobs.push_back({&robot, one});
+  }
+  return jobs;
+}
+
+void run_trot_jobs(std::span<const TrotJob> jobs, Joints joints, int threads,
+                   const std::function<void(const TrotRow&)>& done, const std::function<bool()>& keep_on) {
   std::atomic<std::size_t> next{0};
   std::mutex telling;
   const auto work = [&] {
-    for (std::size_t i = next++; i < cases.size(); i = next++) {
-      TrotRow row{.trial = cases[i].trial, .name = cases[i].name, .figures = {}, .failure = {}};
-      const auto ran = run_trot_case(robot, cases[i], joints, keep_on);
+    for (std::size_t i = next++; i < jobs.size(); i = next++) {
+      const TrotCase& one = jobs[i].one;
+      TrotRow row{.trial = one.trial, .name = one.name, .figures = {}, .failure = {}};
+      const auto ran = run_trot_case(*jobs[i].robot, one, joints, keep_on);
       if (ran && !ran.value()) {
         return;
       }

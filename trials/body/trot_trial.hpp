@@ -76,8 +76,17 @@ struct TrotRow {
   std::string failure;  ///< why there are no figures; empty: there are
 };
 
-/// Runs the cases on so many threads. Tells `done` of each as it comes, one at a time; false by `keep_on` ends all.
-void run_trot_cases(const robot::Robot& robot, std::span<const TrotCase> cases, Joints joints, int threads,
-                    const std::function<void(const TrotRow&)>& done, const std::function<bool()>& keep_on);
+/// A case and its robot, which outlives the run.
+struct TrotJob {
+  const robot::Robot* robot;
+  TrotCase one;
+};
+
+/// Runs the jobs on so many threads. Tells `done` of each as it comes, one at a time; false by `keep_on` ends all.
+void run_trot_jobs(std::span<const TrotJob> jobs, Joints joints, int threads,
+                   const std::function<void(const TrotRow&)>& done, const std::function<bool()>& keep_on);
+
+/// One job for each case.
+std::vector<TrotJob> jobs_of(const robot::Robot& robot, std::span<const TrotCase> cases);
 
 }  // namespace farrier::trials

@@ -37,6 +37,7 @@ struct Link {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();    ///< of unit length
   double armature_kg_m2 = 0.0;                        ///< inertia of the actuator, as the joint feels it; >= 0
   double damping_Nms_rad = 0.0;                       ///< viscous friction of the joint; >= 0
+  double known_damping_Nms_rad = 0.0;                 ///< part of it that controllers count; >= 0
   std::optional<JointStops> stops;                    ///< of the hinge itself; none where the actuator has them
   RigidInertia inertia;
 };

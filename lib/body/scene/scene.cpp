@@ -57,6 +57,23 @@ Result<Done> check_supply_change(const SupplyChange& change) {
   }
   return Done{};
 }
+Result<Done> check_actuator_change(const ActuatorChange& change) {
+  const auto factor = [](const std::optional<double>& value) {
+    return !value || (*value > 0.0 && std::isfinite(*value));
+  };
+  const auto possible = [](const std::optional<double>& value) {
+    return !value || (*value >= 0.0 && std::isfinite(*value));
+  };
+  if (!(change.start_s >= 0.0) || !(change.duration_s >= 0.0) || !factor(change.valve_gain) ||
+      !factor(change.bulk_modulus) || !possible(change.viscosity) || !possible(change.seal_friction) ||
+      !possible(change.leakage_m3_s_Pa) || !possible(change.overlap_A) ||
+      !std::isfinite(change.stuck_A.value_or(0.0))) {
+    return Error{"actuator change " + change.name +
+                 " begins before the run, or has a value that no actuator has: give factors above zero, and a leakage "
+                 "and an overlap of zero or more"};
+  }
+  return Done{};
+}
 
 }  // namespace
 
@@ -78,6 +95,9 @@ Result<Done> validate(const Scene& scene) {
   }
   for (const SupplyChange& change : scene.supply_changes) {
     FARRIER_TRY(check_supply_change(change));
+  }
+  for (const ActuatorChange& change : scene.actuator_changes) {
+    FARRIER_TRY(check_actuator_change(change));
   }
   return Done{};
 }

@@ -47,7 +47,27 @@ struct SupplyChange {
   std::string origin{};  ///< file and line that it comes from, before a refusal; empty for none
 };
 
-/// The robot's surroundings: a plane through the world's origin, boxes, what acts on the trunk, and faults of the supply.
+/// A change of hydraulic actuators from a time on: wear, heat, or a fault of the valve. The body does not know of it.
+/// An absent value stays as it was.
+struct ActuatorChange {
+  std::string name{};
+  std::string joint{};      ///< empty: of all joints
+  double start_s = 0.0;     ///< >= 0
+  double duration_s = 0.0;  ///< over which it grows evenly, >= 0
+  // Factors on what the robot file has:
+  std::optional<double> valve_gain = std::nullopt;     ///< > 0
+  std::optional<double> bulk_modulus = std::nullopt;   ///< > 0
+  std::optional<double> viscosity = std::nullopt;      ///< of the piston's viscous friction, >= 0
+  std::optional<double> seal_friction = std::nullopt;  ///< >= 0
+  // Values:
+  std::optional<double> leakage_m3_s_Pa = std::nullopt;  ///< between the chambers, beside the file's, >= 0
+  std::optional<double> overlap_A = std::nullopt;        ///< of the valve, >= 0
+  std::optional<double> stuck_A = std::nullopt;          ///< current for which the spool stays open whatever is sent
+  std::string origin{};  ///< file and line that it comes from, before a refusal; empty for none
+};
+
+/// The robot's surroundings: a plane through the world's origin, boxes, what acts on the trunk, and changes of the supply and of
+/// actuators.
 struct Scene {
   double friction = 0.8;                                       ///< Coulomb, of feet on everything; >= 0
   Eigen::Quaterniond ground = Eigen::Quaterniond::Identity();  ///< turns the world's z to the plane's normal
@@ -55,6 +75,7 @@ struct Scene {
   std::vector<Push> pushes;
   std::vector<Payload> payloads;
   std::vector<SupplyChange> supply_changes;
+  std::vector<ActuatorChange> actuator_changes;
 };
 
 /// Refuses ranges that no engine can simulate, by the name of the part.

@@ -23,11 +23,11 @@ namespace farrier::control {
 /// Effects that EffectCompensation and DelayPredictor can compensate. Reasons for leaving out the others:
 /// docs/decisions/0036-effect-compensation.md.
 inline constexpr std::array kCompensatedEffects{
-    plant::effect_id<plant::InputDelay>(),      plant::effect_id<plant::ValveBias>(),
-    plant::effect_id<plant::ValveDynamics>(),   plant::effect_id<plant::ValveDeadband>(),
-    plant::effect_id<plant::ValveAsymmetry>(),  plant::effect_id<plant::FlowSaturation>(),
-    plant::effect_id<plant::SupplyDroop>(),     plant::effect_id<plant::ForceSensorLag>(),
-    plant::effect_id<plant::ForceSensorGain>(), plant::effect_id<plant::ForceSensorOffset>(),
+    plant::effect_id<plant::InputDelay>(),       plant::effect_id<plant::ValveBias>(),
+    plant::effect_id<plant::ValveDynamics>(),    plant::effect_id<plant::ValveDeadband>(),
+    plant::effect_id<plant::ValveAsymmetry>(),   plant::effect_id<plant::FlowSaturation>(),
+    plant::effect_id<plant::SupplyDroop>(),      plant::effect_id<plant::ForceSensorLag>(),
+    plant::effect_id<plant::ForceSensorGain>(),  plant::effect_id<plant::ForceSensorOffset>(),
     plant::effect_id<plant::VelocityFilterLag>()};
 
 constexpr bool is_compensated(plant::EffectId id) noexcept {
@@ -36,7 +36,7 @@ constexpr bool is_compensated(plant::EffectId id) noexcept {
 
 /// Properties of a joint's sensors beside their effects.
 struct CompensationParams {
-  double period_s;  ///< > 0
+  double period_s;                        ///< > 0
   double position_noise, velocity_noise;  ///< standard deviations of a sample, m, m/s or rad, rad/s; >= 0
 };
 
@@ -62,6 +62,12 @@ class EffectCompensation {
   /// Time until a current asked for now acts: delay of the input, and the rest of the spool's.
   double delay_s() const noexcept { return delay_s_; }
 
+  /// The valve's overlap from now on, A; >= 0.
+  void set_overlap_A(double overlap_A) noexcept {
+    acts_on_valve_ = acts_on_valve_ || overlap_A > 0.0;
+    valve_.set_overlap_A(overlap_A);
+  }
+
   /// Forgets past readings and sets the spool to null.
   void reset() noexcept;
 
@@ -79,7 +85,7 @@ class EffectCompensation {
   double delay_s_ = 0.0;
   double force_gain_ = 1.0;
   double force_offset_ = 0.0;
-  LagLead force_lead_, fresh_force_lead_;              ///< fresh: as it was made
+  LagLead force_lead_, fresh_force_lead_;  ///< fresh: as it was made
   PositionRate velocity_, fresh_velocity_;
 };
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "plant/terms/valve_dynamics.hpp"
-
 namespace farrier::control {
 namespace {
 
@@ -14,14 +12,9 @@ constexpr double kSlowestPlace = 0.95;
 }  // namespace
 
 SpoolLead::SpoolLead(double natural_frequency_rad_s, double damping, double current_max_A, double period_s) noexcept
-    : current_max_A_(current_max_A) {
-  const std::array<double, 2> fitted{1.0 / natural_frequency_rad_s, damping};
-  const plant::ActuatorParams none{};
-  const plant::ValveDynamics<double> spool(fitted.data(), plant::Scales(none, {}), period_s);
-  by_error_ = spool.by_error();
-  by_rate_ = spool.by_rate();
+    : current_max_A_(current_max_A), spool_(natural_frequency_rad_s, damping, period_s) {
   // e+ = A e - B (c - asked), A = [by_error by_rate], B = by_error's and rate's part of a current.
-  const double a = by_error_[0], b = by_rate_[0], c = by_error_[1], d = by_rate_[1];
+  const double a = spool_.by_error()[0], b = spool_.by_rate()[0], c = spool_.by_error()[1], d = spool_.by_rate()[1];
   const std::array<double, 2> input{1.0 - a, -c};
   const double determinant = input[0] * (c * input[0] + d * input[1]) - input[1] * (a * input[0] + b * input[1]);
   for (double place = 0.0; place < kSlowestPlace && determinant != 0.0; place += kPlaceStep) {
@@ -38,19 +31,13 @@ SpoolLead::SpoolLead(double natural_frequency_rad_s, double damping, double curr
   lag_ticks_ = find_lag_ticks();
 }
 
-std::array<double, 2> SpoolLead::moved(double current_A) const noexcept {
-  const double error = spool_A_[0] - current_A;
-  return {current_A + by_error_[0] * error + by_rate_[0] * spool_A_[1],
-          by_error_[1] * error + by_rate_[1] * spool_A_[1]};
-}
-
 double SpoolLead::take(double asked_A) noexcept {
   if (current_max_A_ == 0.0) {
     return asked_A;
   }
-  const double lead_A = acts_ ? gain_[0] * (asked_A - spool_A_[0]) - gain_[1] * spool_A_[1] : 0.0;
+  const double lead_A = acts_ ? gain_[0] * (asked_A - spool_.place_A()) - gain_[1] * spool_.rate_A() : 0.0;
   const double current_A = std::clamp(asked_A + lead_A, -current_max_A_, current_max_A_);
-  spool_A_ = moved(current_A);
+  spool_.move(current_A);
   return current_A;
 }
 
@@ -61,9 +48,9 @@ double SpoolLead::find_lag_ticks() const noexcept {
   spool.current_max_A_ = 1e9;
   double missing = 0.0;
   for (int k = 0; k < kLongest; ++k) {
-    const double before = spool.spool_A_[0];
+    const double before = spool.spool_.place_A();
     spool.take(1.0);
-    missing += 1.0 - 0.5 * (before + spool.spool_A_[0]);
+    missing += 1.0 - 0.5 * (before + spool.spool_.place_A());
   }
   return missing;
 }

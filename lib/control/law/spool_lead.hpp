@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "control/law/sampled_spool.hpp"
+
 namespace farrier::control {
 
 /// Speeds up a spool of second order, plant::ValveDynamics. The spool is simulated from the sent currents. The current
@@ -20,20 +22,18 @@ class SpoolLead {
   /// Current for the coming period, within +-current_max_A, at which the spool goes where `asked_A` wants it.
   double take(double asked_A) noexcept;
   /// Sets the spool to null.
-  void reset() noexcept { spool_A_ = {}; }
+  void reset() noexcept { spool_.rest_at(0.0); }
 
   /// Mean time by which the spool lags the input, in periods; 0 by default.
   double lag_ticks() const noexcept { return lag_ticks_; }
 
  private:
   double find_lag_ticks() const noexcept;
-  std::array<double, 2> moved(double current_A) const noexcept;
 
   double current_max_A_ = 0.0;
   bool acts_ = false;
-  std::array<double, 2> by_error_{}, by_rate_{};  ///< of the spool over a period, about the current
+  SampledSpool spool_;
   std::array<double, 2> gain_{};
-  std::array<double, 2> spool_A_{};               ///< place, rate / w
   double lag_ticks_ = 0.0;
 };
 

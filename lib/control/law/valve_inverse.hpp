@@ -41,10 +41,13 @@ class ValveInverse {
   double current_A(double opening_A) const noexcept {
     const double asked_A = opening_A / (opening_A > 0.0 ? 1.0 + asymmetry_ : 1.0 - asymmetry_);
     const double share = asked_A * inverse_saturation_1_A_;
-    const double ports_A = share * share < 1.0 ? asked_A / std::sqrt(1.0 - share * share)
-                                               : std::copysign(current_max_A_, asked_A);
+    const double ports_A =
+        share * share < 1.0 ? asked_A / std::sqrt(1.0 - share * share) : std::copysign(current_max_A_, asked_A);
     return std::clamp(ports_A + crossed(ports_A), -current_max_A_, current_max_A_);
   }
+
+  /// The overlap from now on, A; >= 0.
+  void set_overlap_A(double overlap_A) noexcept { overlap_A_ = overlap_A; }
 
  private:
   /// Current that moves the spool over its overlap: a cubic that ends level, (3 s - s^3) / 2.

@@ -30,7 +30,7 @@ void check_joint(const RobotFile& file, const JointTemplate& joint, config::Prob
                              ", which inverts the flow of oil: an electric joint takes lqr or pid");
   }
   const EstimatorSection* estimator = config::find(file.estimators, joint.estimator);
-  if (estimator != nullptr && estimator->params.method == estimation::EstimationMethod::kGreyBox) {
+  if (estimator != nullptr && !estimator->params.regresses()) {
     refuse("estimator", joint.estimator +
                             " estimates the physics of a hydraulic joint: an electric one takes another "
                             "method");

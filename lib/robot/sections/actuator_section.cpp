@@ -219,6 +219,10 @@ void declare(Visitor& v, Controller& c) {
            "feedback_linearisation: share of the piston's own flow that the valve makes up for.");
   v.number("velocity_lead_s", f.velocity_lead_s, {0, 0.1}, Default{f.velocity_lead_s},
            "feedback_linearisation: time by which the velocity is led before that, for valve and bus; 0 is off.");
+  v.number("observer_1_s", f.observer_1_s, {0, 1e4}, Default{f.observer_1_s},
+           "feedback_linearisation: bandwidth of the observer of what the flow law does not explain; 0 is off.");
+  v.number("swing_gain", f.swing_gain, {0.1, 10}, Default{f.swing_gain},
+           "feedback_linearisation: factor on the currents of swing.");
 }
 
 }  // namespace farrier::robot

@@ -91,15 +91,21 @@ void declare(Visitor& v, EstimatorSection& section) {
     v.number("regressor_min", e.regressor_min, {0, 10}, Default{d.regressor_min},
              "Norm of the normalised regressor below which a sample says nothing (6.24).");
   }
-  v.integer("blank_ticks", e.blank_ticks, {0, 10000}, Default{d.blank_ticks},
-            "No samples are taken this long after a joint's switch of phase.");
+  const bool by_phase = e.method != EstimationMethod::kValveFlow;
+  if (by_phase) {
+    v.integer("blank_ticks", e.blank_ticks, {0, 10000}, Default{d.blank_ticks},
+              "No samples are taken this long after a joint's switch of phase. Not for valve_flow.");
+  }
   v.integer("min_samples", e.min_samples, {1, 1000000}, Default{d.min_samples},
             "Samples of a phase before its first estimate.");
   if (e.regresses()) {
     v.number("stability_limit", e.stability_limit, {0.01, 0.999999}, Default{d.stability_limit},
-             "Modulus to which an unstable pole of an estimate is mapped (8.1.1). Not for greybox.");
+             "Modulus to which an unstable pole of an estimate is mapped (8.1.1). Not for greybox and valve_flow.");
   }
-  v.flag("phase_memory", e.phase_memory, Default{d.phase_memory}, "Whether what is known of each phase is kept apart.");
+  if (by_phase) {
+    v.flag("phase_memory", e.phase_memory, Default{d.phase_memory},
+           "Whether what is known of each phase is kept apart. Not for valve_flow.");
+  }
   group_of(v, "aff", e.aff, e.method == EstimationMethod::kAff, "method",
            "Adaptive forgetting of each row (9.1)-(9.3).");
   group_of(v, "kalman", e.kalman, e.method == EstimationMethod::kKalman, "method",
@@ -110,7 +116,10 @@ void declare(Visitor& v, EstimatorSection& section) {
            "Forgetting in the subspace of information (Lai and Bernstein 2024).");
   group_of(v, "grey_box", e.grey_box, e.method == EstimationMethod::kGreyBox, "method",
            "What the joint's own equations are fitted with; not used by other methods.", "greybox");
-  v.check(e.regresses() || e.gate == GateKind::kNone, "gate", "is for regressions: greybox needs gate: none");
+  group_of(v, "valve_flow", e.valve_flow, e.method == EstimationMethod::kValveFlow, "method",
+           "What gain, overlap and leakage of a valve are fitted with; not used by other methods.", "valve_flow");
+  v.check(e.regresses() || e.gate == GateKind::kNone, "gate",
+          "is for regressions: greybox and valve_flow need gate: none");
   group_of(v, "pe", e.pe, e.gate == GateKind::kPe, "gate", "Persistence of excitation, (9.4) corrected.");
   group_of(v, "fft", e.fft, e.gate == GateKind::kFft, "gate", "Frequencies of the signals, (9.5).");
   v.check(!e.limits_covariance() || e.covariance_limit > e.columns() * e.initial_covariance, "covariance_limit",

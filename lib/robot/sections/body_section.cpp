@@ -59,7 +59,9 @@ void declare(Visitor& v, Body& b) {
   v.number("knee_radius_m", b.knee_radius_m, {0, 0.5}, kInitial,
            "Radius of a sphere about the knee that meets the ground when the robot falls; 0: none.");
   v.number("joint_damping_Nms_rad", b.joint_damping_Nms_rad, {0, 1e3}, kInitial,
-           "Viscous friction of a joint's bearings, on a ground; locomotion counts on it.");
+           "Viscous friction of a joint's bearings, on a ground.");
+  v.number("known_damping_share", b.known_damping_share, {0, 1}, kInitial,
+           "Share of that friction that locomotion counts, in the torques it asks for and in the forces it feels.");
   v.number("hip_offset_m", b.hip_offset_m, {0, 5}, "HAA axis to HFE axis.");
   v.number("upper_leg_m", b.upper_leg_m, {1e-2, 5}, "HFE axis to KFE axis.");
   v.number("lower_leg_m", b.lower_leg_m, {1e-2, 5}, "KFE axis to the centre of the foot.");

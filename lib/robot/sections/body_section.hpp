@@ -61,6 +61,7 @@ struct Body {
   std::optional<double> foot_radius_m;  ///< of the same
   double knee_radius_m = 0.0;
   double joint_damping_Nms_rad = 0.0;
+  double known_damping_share = 0.0;
   Link hip;
   Link upper_leg;
   Link lower_leg;

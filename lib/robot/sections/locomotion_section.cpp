@@ -176,6 +176,8 @@ void declare(config::Visitor& v, LocomotionSection& s) {
   v.here(s.place);
   v.name("controller", s.controller, kLongestName, config::Default{""},
          "Controller that every joint has on a ground, by name; without it they have their own.");
+  v.name("joint_estimator", s.joint_estimator, kLongestName, config::Default{""},
+         "Estimator that every joint has on a ground, by name; without it they have their own.");
   v.number("folded_haa_rad", s.folded_haa_rad, {-8, 8}, "Angle of HAA in a robot that lies.");
   v.number("folded_hfe_rad", s.folded_hfe_rad, {-8, 8}, "The same of HFE, as a hind leg counts it.");
   v.number("folded_kfe_rad", s.folded_kfe_rad, {-8, 8}, "The same of KFE, as a hind leg counts it.");

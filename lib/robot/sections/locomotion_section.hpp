@@ -9,7 +9,8 @@ namespace farrier::robot {
 
 /// Parameters of the controller of the whole robot. Places, lengths and masses are those of the sections body and legs.
 struct LocomotionSection {
-  std::string controller;  ///< section of the joints' controllers on a ground; empty: those of the joints
+  std::string controller;       ///< section of the joints' controllers on a ground; empty: those of the joints
+  std::string joint_estimator;  ///< likewise of their estimators
   locomotion::LocomotionParams params;
   double folded_haa_rad = 0.0, folded_hfe_rad = 0.0, folded_kfe_rad = 0.0;  ///< as a hind leg counts them
   config::Place place;

@@ -62,6 +62,26 @@ void declare(Visitor& v, GreyBoxParams& g) {
            "Surplus of squared, normalised prediction errors that counts as a change of load.");
 }
 
+void declare(Visitor& v, ValveFlowParams& f) {
+  const ValveFlowParams d;
+  v.number("memory_s", f.memory_s, {1e-3, 1e4}, Default{d.memory_s},
+           "Time of an open valve after which a sample counts 1/e.");
+  v.number("smoothing_s", f.smoothing_s, {1e-4, 1}, Default{d.smoothing_s},
+           "Time constant of the filter on every signal.");
+  v.number("least_opening", f.least_opening, {0, 0.9}, Default{d.least_opening},
+           "Opening beyond the overlap at which samples begin, share of the full current.");
+  v.number("flow_error", f.flow_error, {1e-6, 1}, Default{d.flow_error},
+           "Error of a smoothed flow, share of the open valve's flow at supply pressure.");
+  v.number("change_threshold", f.change_threshold, {1, 1e6}, Default{d.change_threshold},
+           "RMS of flow errors over the usual one beyond which the valve has changed, and is learnt anew.");
+  v.number("gain_uncertainty", f.gain_uncertainty, {1e-3, 5}, Default{d.gain_uncertainty},
+           "Standard deviation of the valve gain before the first sample, share of it.");
+  v.number("overlap_uncertainty", f.overlap_uncertainty, {1e-6, 1}, Default{d.overlap_uncertainty},
+           "Of the overlap before the first sample, share of the full current.");
+  v.number("leakage_uncertainty", f.leakage_uncertainty, {1e-6, 1}, Default{d.leakage_uncertainty},
+           "Of the leakage at supply pressure before the first sample, share of the open valve's flow.");
+}
+
 void declare(Visitor& v, PersistenceParams& pe) {
   const PersistenceParams d;
   v.integer("window_ticks", pe.window_ticks, {8, 4096}, Default{d.window_ticks}, "N of (9.4).");

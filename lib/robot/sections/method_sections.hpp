@@ -11,6 +11,7 @@ void declare(config::Visitor& v, RandomWalkParams& kalman);
 void declare(config::Visitor& v, VariableDirectionParams& vdf);
 void declare(config::Visitor& v, SubspaceParams& sift);
 void declare(config::Visitor& v, GreyBoxParams& grey_box);
+void declare(config::Visitor& v, ValveFlowParams& valve_flow);
 void declare(config::Visitor& v, PersistenceParams& pe);
 void declare(config::Visitor& v, SpectrumParams& fft);
 

@@ -31,10 +31,18 @@ Traces traces_of(const std::vector<std::string>& options) {
   return traces;
 }
 
+// Feet meet blocks before their plan, all valves lose half their gain, and the gains adapt.
 TEST(Walk, LeavesTheSameTracesOverEveryTransportAndGrouping) {
-  const Traces reference = traces_of({"--dds", "inproc"});
+  const ScratchDirectory scratch;
+  std::ofstream(scratch.file("hard.yaml"))
+      << "actuators: {coils: {start_s: 8.6, valve_gain_factor: 0.5}}\n"
+         "blocks: {field: {x_m: 0.45, y_m: -1.5, length_m: 3, width_m: 3, height_m: 0.08}}\n";
+  const auto hard = [&](const char* dds, const char* nodes) {
+    return traces_of({"--dds", dds, "--nodes", nodes, "--design", "adaptive", "--scene", scratch.file("hard.yaml")});
+  };
+  const Traces reference = hard("inproc", "per-leg");
   for (const auto& [dds, nodes] : {std::pair{"cyclone", "per-leg"}, {"fast", "one"}, {"mixed", "per-joint"}}) {
-    const Traces other = traces_of({"--dds", dds, "--nodes", nodes});
+    const Traces other = hard(dds, nodes);
     EXPECT_TRUE(other.joints == reference.joints) << dds << ", " << nodes;
     EXPECT_TRUE(other.body == reference.body) << dds << ", " << nodes;
     EXPECT_TRUE(other.supply == reference.supply) << dds << ", " << nodes;
@@ -79,7 +87,8 @@ TEST(Walk, RefusesWhatItCannotDo) {
     EXPECT_NE(output.find(words), std::string::npos) << output;
   };
   refuses({"--scene", scratch.file("scene.yaml")}, "scene.yaml:1");
-  refuses({"--design", "adaptive"}, "its gains do not adapt");
+  refuses({"--design", "adaptive", "--controller", "pid"}, "its gains do not adapt");
+  refuses({"--design", "adaptive", "--estimator", "rls"}, "it finds no valve");
   refuses({"--design", "adaptive", "--controller", "lqr"}, "its estimates are not valid there");
   refuses({"--gait", "stand"}, "the gait 'stand' is for the bench");
   refuses({"--velocity", "0.4,0"}, "--velocity");

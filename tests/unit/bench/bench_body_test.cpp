@@ -29,6 +29,14 @@ TEST(WalkBench, TimesARobotOnItsOwnActuators) {
   EXPECT_GT(bench.value().real_time, 0.01);
 }
 
+TEST(WalkBench, TimesWhatTheRobotComputesWhileItAdapts) {
+  const auto bench = bench_control_tick(robot::load_shipped("hyq", {.on_ground = true}), 1);
+  ASSERT_TRUE(bench.ok()) << bench.error().message;
+  EXPECT_GT(bench.value().tick_s, 0.0);
+  EXPECT_LT(bench.value().tick_s, 0.01);
+  EXPECT_EQ(bench.value().allocations, -1) << "not counted";
+}
+
 TEST(BodyBench, RefusesARobotThatCannotWalk) {
   const auto bench = bench_body(robot::load_shipped("electric_leg"), 1);
   ASSERT_FALSE(bench.ok());

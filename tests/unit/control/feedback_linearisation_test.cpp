@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "control/law/feedback_linearisation.hpp"
+#include "plant/terms/active_effect.hpp"
 #include "tests/support/allocation_guard.hpp"
 #include "tests/unit/plant/test_joints.hpp"
 
@@ -65,11 +67,66 @@ TEST(FeedbackLinearisation, FeedsTheFlowThatAMovingPistonTakes) {
   const double alpha = a.area_b / a.area_a;
   constexpr double kVelocity = 0.1;
   FeedbackLinearisation law = controller({.force_1_s = 0.0, .integral_1_s2 = 0.0, .velocity_compensation = 1.0});
-  const double drop_Pa =
-      a.supply_pressure_Pa - a.piston_damping * kVelocity / a.area_a - alpha * a.return_pressure_Pa;
+  const double drop_Pa = a.supply_pressure_Pa - a.piston_damping * kVelocity / a.area_a - alpha * a.return_pressure_Pa;
   const double root = std::sqrt(drop_Pa / (1.0 + alpha * alpha * alpha));
   const double expected_A = a.area_a * kVelocity / (a.valve_gain * root);
   EXPECT_NEAR(law.step(0.0, {0.0, kVelocity, 0.0}).valve_current_A, expected_A, 1e-12 * a.valve_current_max_A);
+}
+
+TEST(FeedbackLinearisation, TakesTheGainOfAnotherValve) {
+  const plant::ActuatorParams a = hyq_cylinder();
+  FeedbackLinearisation law = controller({.integral_1_s2 = 0.0});
+  FeedbackLinearisation told = law;
+  plant::JointPhysics weak = plant::nominal_physics(a, plant::test::swing_load());
+  weak.valve_gain *= 0.5;
+  ASSERT_TRUE(told.set_physics(weak));
+  const Measurement rest{0.0, 0.0, 300.0};
+  EXPECT_NEAR(told.step(310.0, rest).valve_current_A, 2.0 * law.step(310.0, rest).valve_current_A, 1e-15);
+  weak.valve_gain = -1.0;
+  EXPECT_FALSE(told.set_physics(weak)) << "no valve has that gain";
+}
+
+TEST(FeedbackLinearisation, MakesUpForWhatLeaksPastThePiston) {
+  const plant::ActuatorParams a = hyq_cylinder();
+  constexpr double kLeakage_m3_s_Pa = 5e-13;
+  constexpr double kShort_s = 1e-5;
+  plant::JointPhysics leaks = plant::nominal_physics(a, plant::test::swing_load());
+  leaks.leakage = kLeakage_m3_s_Pa;
+  FeedbackLinearisation law = controller({.integral_1_s2 = 0.0});
+  const auto rate_of = [&](FeedbackLinearisation& of) {
+    const plant::HydraulicJoint tight = held(a, 2000.0 / a.area_a, true);
+    const std::array effects{plant::ActiveEffect{plant::effect_id<plant::InternalLeakage>(), {kLeakage_m3_s_Pa}}};
+    plant::HydraulicJoint joint = plant::HydraulicJoint::create(a, {.mass = 1e6}, tight.state(),
+                                                                plant::HydraulicJoint::kDefaultTolerance, effects)
+                                      .value();
+    const double before = joint.hydraulic_force();
+    joint.step(of.step(before, {0.0, 0.0, before}).valve_current_A, 0.0, kShort_s);
+    return (joint.hydraulic_force() - before) / kShort_s;
+  };
+  const double without = rate_of(law);
+  ASSERT_TRUE(law.set_physics(leaks));
+  EXPECT_LT(without, -1e4) << "N/s";
+  EXPECT_NEAR(rate_of(law), 0.0, 0.02 * std::abs(without));
+}
+
+TEST(FeedbackLinearisation, RemovesAnErrorOfTheFlowLawByItsObserver) {
+  // The plant's valve has 0.6 of the gain that the law knows: a held force lags behind a ramp.
+  const auto lag_of = [](double observer_1_s) {
+    plant::ActuatorParams weak = hyq_cylinder();
+    weak.valve_gain *= 0.6;
+    plant::HydraulicJoint joint = held(weak, 0.0, true);
+    FeedbackLinearisation law = controller({.force_1_s = 300.0, .integral_1_s2 = 0.0, .observer_1_s = observer_1_s});
+    double lag_N = 0.0;
+    for (int tick = 0; tick < 200; ++tick) {
+      const double reference_N = 5.0 * tick;
+      const Measurement now = measured(joint);
+      lag_N = reference_N - now.force;
+      joint.step(law.step(reference_N, now).valve_current_A, 0.0, kPeriod_s);
+    }
+    return lag_N;
+  };
+  EXPECT_GT(lag_of(0.0), 20.0);
+  EXPECT_LT(std::abs(lag_of(100.0)), 0.75 * lag_of(0.0));
 }
 
 TEST(FeedbackLinearisation, TracksAForceOnALightAndAHeavyLoadWithOneSetting) {

@@ -61,11 +61,11 @@ TEST(JointNodeFlowInversion, RefusesGainsWithoutPhysicsAndWithPhysicsThatNoJoint
     return checked ? std::string("accepted") : checked.error().message;
   };
   EXPECT_EQ(refusal(gains_of(inverting(), Phase::kStance, 1)),
-            "no physics, which flow_inversion needs: give has_physics and physics");
+            "no physics, which a controller that inverts the flow law needs: give has_physics and physics");
   const JointControllerGains good = physics_of(inverting().stance_load, Phase::kStance, 1);
   EXPECT_EQ(refusal(good), "accepted");
-  const char* names[] = {"load_mass",  "damping",    "coulomb",      "stiffness",
-                         "bias_force", "valve_gain", "bulk_modulus", "leakage"};
+  const char* names[] = {"load_mass",  "damping",      "coulomb", "stiffness", "bias_force",
+                         "valve_gain", "bulk_modulus", "leakage", "overlap_A"};
   for (std::size_t i = 0; i < plant::kPhysicsCount; ++i) {
     JointControllerGains bad = good;
     bad.physics[i] = kNaN;

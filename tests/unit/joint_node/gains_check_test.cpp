@@ -50,7 +50,7 @@ struct Spoil {
 };
 
 TEST(CheckGains, RefusesEveryNumberThatIsNotFiniteByName) {
-  constexpr int kNumbers = 6 + 2 + 4 + 9 + 3 + 8;  // gains, delay, scales, a, b, physics
+  constexpr int kNumbers = 6 + 2 + 4 + 9 + 3 + 9;  // gains, delay, scales, a, b, physics
   using Limits = std::numeric_limits<double>;
   for (const double value : {Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity()}) {
     for (int number = 0; number < kNumbers; ++number) {

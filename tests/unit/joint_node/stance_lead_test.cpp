@@ -93,5 +93,20 @@ TEST(StanceLead, ChangesAtOnceWhenATouchdownIsFelt) {
   EXPECT_EQ(bench.step().valve.phase, kSwing);
 }
 
+// The announcement may come before or after the joint's own tick of the readings that it was felt in.
+TEST(StanceLead, AFeltTouchdownActsFromTheTickOfItsAnnouncement) {
+  Bench bench = early();
+  bench.announce(Phase::kSwing, 1, 20);
+  EXPECT_EQ(bench.step_to(58).valve.phase, kSwing);
+  bench.node.announce_phase({.leg = static_cast<std::uint16_t>(bench.joint.leg),
+                             .count = 2,
+                             .announced_tick = 60,
+                             .switch_tick = 60,
+                             .phase = Phase::kStance,
+                             .felt = 1});
+  EXPECT_EQ(bench.step_to(59).valve.phase, kSwing);
+  EXPECT_EQ(bench.step().valve.phase, kStance);
+}
+
 }  // namespace stance_lead_test
 }  // namespace farrier::joint_node

@@ -53,6 +53,24 @@ TEST(Follow, GivesTheForceOfAJointThatMovesTheSameWay) {
   }
 }
 
+TEST(Follow, GoesOnWithAnotherValveFromTheSameState) {
+  Pair pair(lean_effects());
+  pair.run(0.1);
+  const State before = pair.moved.state();
+  ActuatorParams weak = hyq_cylinder();
+  weak.valve_gain *= 0.5;
+  ASSERT_TRUE(pair.moved.set_actuator(weak, lean_effects()));
+  const State after = pair.moved.state();
+  EXPECT_EQ(after.position, before.position);
+  EXPECT_EQ(after.pressure_a_Pa, before.pressure_a_Pa);
+  EXPECT_EQ(after.pressure_b_Pa, before.pressure_b_Pa);
+  EXPECT_EQ(pair.moved.actuator().valve_gain, weak.valve_gain);
+  ActuatorParams none = hyq_cylinder();
+  none.valve_gain = 0.0;
+  EXPECT_FALSE(pair.moved.set_actuator(none, lean_effects()));
+  EXPECT_EQ(pair.moved.actuator().valve_gain, weak.valve_gain) << "the old one stays";
+}
+
 TEST(Follow, AccountsForTheEnergyOfTheSupply) {
   for (const auto& effects : {std::vector<ActiveEffect>{}, lean_effects()}) {
     Pair pair(effects);

@@ -25,6 +25,7 @@ std::string without_all(std::string text, const std::string& line) {
 std::string without_adaptation() {
   std::string text = without(without(text_of("hyq"), "estimators"), "update_logic");
   text = without_all(text, "    estimator: rls\n");
+  text = without_all(text, "  joint_estimator: valve_flow\n");
   text = without_all(text, "    dither_percent: 0.05\n");
   return without_all(text, "estimate_period_ticks: 10\n");
 }
@@ -98,8 +99,8 @@ TEST(Adaptation, AsksForAnEstimateOncePerPeriod) {
 
 TEST(Adaptation, NamesTheUpdateLogicAndKeepsTheThesisOneWhereAFileDoesNot) {
   EXPECT_EQ(load_shipped("hyq").update_logic.method, UpdateMethod::kDistinctPoles);
-  for (const UpdateMethod method : {UpdateMethod::kLimits, UpdateMethod::kSmallError, UpdateMethod::kWhiteError,
-                                    UpdateMethod::kDistinctPoles}) {
+  for (const UpdateMethod method :
+       {UpdateMethod::kLimits, UpdateMethod::kSmallError, UpdateMethod::kWhiteError, UpdateMethod::kDistinctPoles}) {
     const Robot robot = loaded(replaced(text_of("hyq"), "  pole_distance_min: 0.1",
                                         std::string("  method: ") + to_string(method) + "\n  pole_distance_min: 0.1"));
     EXPECT_EQ(robot.update_logic.method, method) << to_string(method);

@@ -107,7 +107,7 @@ TEST_F(HyqLocomotion, FeelsTheFrictionOfItsJoints) {
   constexpr std::array kDamping_Nms_rad{0.5, 1.0, 2.0};
   for (std::size_t leg = 0; leg < rough.legs.size(); ++leg) {
     for (std::size_t joint = 0; joint < kDamping_Nms_rad.size(); ++joint) {
-      rough.legs[leg].links[joint].damping_Nms_rad += static_cast<double>(leg + 1) * kDamping_Nms_rad[joint];
+      rough.legs[leg].links[joint].known_damping_Nms_rad = static_cast<double>(leg + 1) * kDamping_Nms_rad[joint];
     }
   }
   const LocomotionModel model = LocomotionModel::create(rough).value();

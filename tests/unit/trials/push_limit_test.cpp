@@ -72,5 +72,14 @@ TEST_F(PushLimitOfHyq, CountsAMissingRunAsAFall) {
   EXPECT_EQ(search.limits().front().half_Ns, PushLimitSearch::kLargest_Ns);
 }
 
+TEST(TrotCases, AreInProportionToTheRobot) {
+  const robot::Robot hyq = robot::load_robot(FARRIER_ROBOTS "hyq.yaml").value();
+  EXPECT_EQ(scaled_impulse_Ns(hyq, 80.0), 80.0);
+  EXPECT_EQ(trot_cases(hyq).front().trunk_mass_kg, 51.0);
+  const robot::Robot hexapod = robot::load_robot(FARRIER_ROBOTS "hexapod.yaml").value();
+  EXPECT_EQ(scaled_impulse_Ns(hexapod, 80.0), 120.0) << "1.5 times as heavy";
+  EXPECT_EQ(trot_cases(hexapod).front().trunk_mass_kg, 77.0);
+}
+
 }  // namespace push_limit_test
 }  // namespace farrier::trials

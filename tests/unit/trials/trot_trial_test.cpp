@@ -238,15 +238,6 @@ TEST(TrotCases, HaveNoFaultOfASupplyThatIsNotThere) {
   }
 }
 
-TEST(TrotCases, AreInProportionToTheRobot) {
-  const robot::Robot hyq = load("hyq");
-  EXPECT_EQ(scaled_impulse_Ns(hyq, 80.0), 80.0);
-  EXPECT_EQ(trot_cases(hyq).front().trunk_mass_kg, 51.0);
-  const robot::Robot hexapod = load("hexapod");
-  EXPECT_EQ(scaled_impulse_Ns(hexapod, 80.0), 120.0) << "1.5 times as heavy";
-  EXPECT_EQ(trot_cases(hexapod).front().trunk_mass_kg, 77.0);
-}
-
 TEST(TrotCases, GiveOneResultForEveryNumberOfThreads) {
   const robot::Robot hyq = load("hyq");
   std::vector<TrotCase> cases = first_of_each_trial(trot_cases(hyq));
@@ -256,8 +247,8 @@ TEST(TrotCases, GiveOneResultForEveryNumberOfThreads) {
   }
   const auto hashes = [&](int threads) {
     std::map<std::string, std::uint64_t> of;
-    run_trot_cases(hyq, cases, Joints::kIdeal, threads, [&](const TrotRow& row) { of[row.trial] = row.figures.hash; },
-                   {});
+    run_trot_jobs(jobs_of(hyq, cases), Joints::kIdeal, threads,
+                  [&](const TrotRow& row) { of[row.trial] = row.figures.hash; }, {});
     return of;
   };
   const auto by_one = hashes(1);

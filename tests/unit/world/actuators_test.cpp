@@ -149,5 +149,42 @@ TEST(Actuators, OfAnElectricRobotHaveNoSupply) {
   EXPECT_GT(actuators.energies().electric_J, 0.0);
 }
 
+TEST(ActuatorChanges, GrowEvenlyFromTheirStart) {
+  const robot::Robot hyq = load("hyq");
+  Actuators actuators =
+      Actuators::create(hyq, {}, {{.name = "drift", .start_s = 0.1, .duration_s = 0.2, .valve_gain = 0.5}}).value();
+  const std::vector<double> shut(hyq.joints.size(), 0.0);
+  const auto gain_at = [&](double time_s) {
+    actuators.command(shut, time_s);
+    return actuators.wear(0).valve_gain;
+  };
+  EXPECT_EQ(gain_at(0.0), 1.0);
+  EXPECT_EQ(gain_at(0.09), 1.0);
+  EXPECT_NEAR(gain_at(0.2), 0.75, 1e-12);
+  EXPECT_NEAR(gain_at(0.3), 0.5, 1e-12);
+  EXPECT_NEAR(gain_at(5.0), 0.5, 1e-12);
+  EXPECT_NEAR(actuators.joint(0).hydraulic()->actuator().valve_gain, 0.5 * hyq.joints[0].actuator.valve_gain, 1e-18);
+}
+
+TEST(ActuatorChanges, OfOneJointLeaveTheOthers) {
+  const robot::Robot hyq = load("hyq");
+  Actuators actuators =
+      Actuators::create(hyq, {}, {{.name = "seal", .joint = "lf_kfe", .leakage_m3_s_Pa = 5e-13}}).value();
+  const std::vector<double> shut(hyq.joints.size(), 0.0);
+  actuators.command(shut, 0.0);
+  for (const robot::Joint& joint : hyq.joints) {
+    EXPECT_EQ(actuators.wear(joint.number).leakage, joint.name == "lf_kfe" ? 5e-13 : 0.0) << joint.name;
+  }
+}
+
+TEST(ActuatorChanges, OfAJointThatIsNotThereAreRefused) {
+  const auto refused = Actuators::create(
+      load("hyq"), {}, {{.name = "coil", .joint = "tail", .valve_gain = 0.5, .origin = "scene.yaml:2"}});
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().message,
+            "scene.yaml:2: actuators.coil.joint: hyq has no joint tail: give one of its joints, or leave the key out "
+            "for all");
+}
+
 }  // namespace actuators_test
 }  // namespace farrier::world

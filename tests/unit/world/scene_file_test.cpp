@@ -93,6 +93,28 @@ TEST(SceneFile, RefusesAFaultOfTheSupplyWithoutValuesOrOutOfRange) {
             "scene.yaml:2: supply.cut.start_s: -1 is out of range: give 0 to 1e+05\n");
 }
 
+TEST(SceneFile, ReadsChangesOfActuators) {
+  const body::Scene scene = scene_of(
+      "actuators:\n  coil: {joint: lf_kfe, start_s: 12, valve_gain_factor: 0.5}\n"
+      "  oil: {start_s: 1, duration_s: 30, viscosity_factor: 0.4, bulk_modulus_factor: 0.9}\n"
+      "  stuck: {joint: rh_hfe, stuck_A: 0}");
+  ASSERT_EQ(scene.actuator_changes.size(), 3u);
+  EXPECT_EQ(scene.actuator_changes[0].joint, "lf_kfe");
+  EXPECT_EQ(scene.actuator_changes[0].start_s, 12.0);
+  EXPECT_EQ(scene.actuator_changes[0].duration_s, 0.0);
+  EXPECT_EQ(scene.actuator_changes[0].valve_gain, 0.5);
+  EXPECT_FALSE(scene.actuator_changes[0].viscosity);
+  EXPECT_EQ(scene.actuator_changes[0].origin, "scene.yaml:2");
+  EXPECT_EQ(scene.actuator_changes[1].joint, "") << "all joints";
+  EXPECT_EQ(scene.actuator_changes[1].duration_s, 30.0);
+  EXPECT_EQ(scene.actuator_changes[2].stuck_A, 0.0);
+}
+
+TEST(SceneFile, RefusesAnActuatorWithoutValveGain) {
+  EXPECT_EQ(problem_of("actuators:\n  coil: {valve_gain_factor: 0}"),
+            "scene.yaml:2: actuators.coil.valve_gain_factor: 0 is out of range: give 0.01 to 10\n");
+}
+
 TEST(SceneFile, TellsEveryBoxItsLine) {
   const body::Scene scene = scene_of(
       "boxes:\n  table: {x_m: 1, length_m: 1, width_m: 1, height_m: 1}\n"

@@ -1,0 +1,99 @@
+#pragma once
+
+// Gain, overlap and leakage of a joint's valve, from the oil side of the load cell:
+//
+//   i_v ──▶ SampledSpool ──▶ parts of the flow ──▶ Rls<3> ──▶ estimate()
+//   x, v, F_s ──▶ flow ─────────────────────────────▲
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+
+#include "control/law/sampled_spool.hpp"
+#include "core/result.hpp"
+#include "estimation/estimator.hpp"
+#include "estimation/estimator_params.hpp"
+#include "estimation/prediction_errors.hpp"
+#include "estimation/rls.hpp"
+
+namespace farrier::estimation {
+
+/// Knowledge of a joint's valve before any sample.
+struct KnownValve {
+  double leakage = 0.0;         ///< between the chambers, m^3/s/Pa; >= 0
+  double overlap_A = 0.0;       ///< >= 0
+  control::SampledSpool spool;  ///< as the data sheet has it
+};
+
+/// Least squares on the equation of the load pressure, Hubacher (2014), (3.22) to (3.33), with the overlap d and the
+/// leakage c of the flow law in it.
+///
+///   A_p v + F_h' / (A_p k) = K_v / sqrt(1 + alpha^3) root(drop) (u - d sign u) - c p_c
+///
+/// Here k is the rate of the load pressure per flow, and p_c is plant::leakage_pressure_Pa(). The left side is measured. Everything on its right side is known but K_v, K_v d and c, which are linear in it. No load
+/// is in it: other joints and contacts may do what they will behind the cell (docs/decisions/0077-valve-flow.md). One
+/// estimate serves both phases, for the valve does not know them. A valve that is shut teaches nothing; the samples
+/// begin where the port is open by least_opening beyond the overlap.
+///
+/// The load of the prior is kept, and the linear model follows from it with the estimated gain.
+class ValveFlowEstimator final : public Estimator {
+ public:
+  /// Uses valve_flow (absent: its defaults) and min_samples of `params`; a gate is refused. The loads are those of swing
+  /// and stance. Refuses settings out of range, actuators and loads that no machine has, naming each.
+  static Result<ValveFlowEstimator> create(const EstimatorParams& params, const JointScales& scales,
+                                           const plant::ActuatorParams& actuator,
+                                           const std::array<plant::LoadParams, 2>& loads, const KnownValve& known);
+
+  /// Takes one tick; `current_A` is the one that was sent. After a gap the spool is taken to rest at the sent current.
+  void take(const JointSample& sample) noexcept override;
+
+  /// Valve and leakage, with the load of the phase of the last sample. Its validity is 1 less the relative standard error
+  /// of the gain over kUselessGainError.
+  ModelEstimate estimate() const noexcept override;
+
+  std::unique_ptr<Estimator> clone() const override { return std::make_unique<ValveFlowEstimator>(*this); }
+
+ private:
+  /// Shares of the open valve's flow: the flow, its parts for a unit of each parameter, and the sizes of what compression
+  /// takes of it and of what a wrong supply pressure does to it.
+  using Terms = Eigen::Matrix<double, 6, 1>;
+
+  ValveFlowEstimator(const EstimatorParams& params, const ValveFlowParams& own, const JointScales& scales,
+                     const plant::ActuatorParams& actuator, const std::array<plant::LoadParams, 2>& loads,
+                     const KnownValve& known, const Rls<3>& regression) noexcept;
+
+  Terms terms(const Eigen::Vector3d& state, double opening_A) const noexcept;
+  void learn(const Terms& now) noexcept;
+  /// Gain over the nominal one, overlap as a share of full current, leakage as a share.
+  Eigen::Vector3d parameters() const noexcept;
+  Eigen::Vector3d standard_errors() const noexcept;
+
+  EstimatorParams params_;
+  ValveFlowParams own_;
+  JointScales scales_;
+  plant::ActuatorParams actuator_;
+  std::array<plant::LoadParams, 2> loads_;
+  double settling_oil_m3_;     ///< that the chambers take when the port opens to the other side
+  double open_flow_m3_s_;      ///< nominal, at supply pressure
+  Eigen::Vector3d prior_;      ///< of the linear parameters: gain, gain times overlap, leakage
+  Eigen::Vector3d deviation_;  ///< their standard deviations before the first sample
+  control::SampledSpool spool_;
+  Rls<3> regression_;
+  PredictionErrors errors_;
+  Terms smooth_ = Terms::Zero();
+  double open_ticks_ = 0.0;
+  double filled_ = 0.0;  ///< share of the oil that the chambers take until they are as in steady flow
+  double sign_ = 0.0;    ///< of the opening, of which the smoothed terms are
+  Eigen::Vector3d last_state_ = Eigen::Vector3d::Zero();
+  std::array<double, 3> currents_{};  ///< newest first
+  int currents_known_ = 0;
+  Tick last_tick_ = kNoTick;
+  int phase_ = 0;
+  std::uint32_t sample_flags_ = 0;
+};
+
+/// Relative standard error of the gain at which an estimate has no value any more.
+inline constexpr double kUselessGainError = 0.5;
+
+}  // namespace farrier::estimation
