@@ -31,10 +31,11 @@ struct KnownValve {
 ///
 ///   A_p v + F_h' / (A_p k) = K_v / sqrt(1 + alpha^3) root(drop) (u - d sign u) - c p_c
 ///
-/// Here k is the rate of the load pressure per flow, and p_c is plant::leakage_pressure_Pa(). The left side is measured. Everything on its right side is known but K_v, K_v d and c, which are linear in it. No load
-/// is in it: other joints and contacts may do what they will behind the cell (docs/decisions/0077-valve-flow.md). One
-/// estimate serves both phases, for the valve does not know them. A valve that is shut teaches nothing; the samples
-/// begin where the port is open by least_opening beyond the overlap.
+/// Here k is the rate of the load pressure per flow, and p_c is plant::leakage_pressure_Pa(). The left side is measured.
+/// Everything on the right side is known but K_v, K_v d and c, which are linear in it. No load is in it: other joints and
+/// contacts may do what they will behind the cell (docs/decisions/0077-valve-flow.md). One estimate serves both phases, for
+/// the valve does not know them. A valve that is shut teaches nothing. The samples begin where the port is open by
+/// least_opening beyond the overlap.
 ///
 /// The load of the prior is kept, and the linear model follows from it with the estimated gain.
 class ValveFlowEstimator final : public Estimator {

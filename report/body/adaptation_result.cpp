@@ -32,7 +32,7 @@ AdaptationCell cell_of(const std::string& design, const BySeed& runs) {
   const auto median_of = [&walked](const auto& figure) {
     std::vector<double> values;
     std::ranges::transform(walked, std::back_inserter(values), [&](const auto* figures) { return figure(*figures); });
-    return values.empty() ? 0.0 : median(values);
+    return median_or_zero(std::move(values));
   };
   cell.stance_nrmse = median_of([](const auto& f) { return trials::stance_nrmse(f.force_nrmse); });
   cell.height_rms_m = median_of([](const auto& f) { return f.height_rms_m; });

@@ -47,10 +47,12 @@ Result<Done> check_payload(const Payload& payload) {
   return Done{};
 }
 
+/// Absent, or finite and not negative.
+bool possible(const std::optional<double>& value) noexcept {
+  return !value || (*value >= 0.0 && std::isfinite(*value));
+}
+
 Result<Done> check_supply_change(const SupplyChange& change) {
-  const auto possible = [](const std::optional<double>& value) {
-    return !value || (*value >= 0.0 && std::isfinite(*value));
-  };
   if (!(change.start_s >= 0.0) || !possible(change.pump_flow_m3_s) || !possible(change.accumulator_volume_m3)) {
     return Error{"supply change " + change.name +
                  " begins before the run, or is negative or not finite: give values of zero or more"};
@@ -60,9 +62,6 @@ Result<Done> check_supply_change(const SupplyChange& change) {
 Result<Done> check_actuator_change(const ActuatorChange& change) {
   const auto factor = [](const std::optional<double>& value) {
     return !value || (*value > 0.0 && std::isfinite(*value));
-  };
-  const auto possible = [](const std::optional<double>& value) {
-    return !value || (*value >= 0.0 && std::isfinite(*value));
   };
   if (!(change.start_s >= 0.0) || !(change.duration_s >= 0.0) || !factor(change.valve_gain) ||
       !factor(change.bulk_modulus) || !possible(change.viscosity) || !possible(change.seal_friction) ||

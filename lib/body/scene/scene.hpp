@@ -66,8 +66,8 @@ struct ActuatorChange {
   std::string origin{};  ///< file and line that it comes from, before a refusal; empty for none
 };
 
-/// The robot's surroundings: a plane through the world's origin, boxes, what acts on the trunk, and changes of the supply and of
-/// actuators.
+/// The robot's surroundings: a plane through the world's origin, boxes, what acts on the trunk, and changes of the supply
+/// and of actuators.
 struct Scene {
   double friction = 0.8;                                       ///< Coulomb, of feet on everything; >= 0
   Eigen::Quaterniond ground = Eigen::Quaterniond::Identity();  ///< turns the world's z to the plane's normal

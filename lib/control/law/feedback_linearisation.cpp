@@ -11,6 +11,11 @@ namespace {
 
 double cube(double x) noexcept { return x * x * x; }
 
+/// A_p p_l = F_s + d_p v.
+double load_pressure_Pa(const plant::ActuatorParams& actuator, const Measurement& measurement) noexcept {
+  return (measurement.force + actuator.piston_damping * measurement.velocity) / actuator.area_a;
+}
+
 }  // namespace
 
 FeedbackLinearisation::FeedbackLinearisation(const plant::ActuatorParams& actuator,
@@ -38,13 +43,12 @@ bool FeedbackLinearisation::set_physics(const plant::JointPhysics& physics) noex
   return true;
 }
 
-// (3.23): p_s - p_l - alpha p_t for u > 0, alpha p_s + p_l - p_t for u < 0, with A_p p_l = F_s + d_p v
+// (3.23): p_s - p_l - alpha p_t for u > 0, alpha p_s + p_l - p_t for u < 0
 double FeedbackLinearisation::drop_root(double current_sign, const Measurement& measurement) const noexcept {
-  const double load_pressure_Pa =
-      (measurement.force + actuator_.piston_damping * measurement.velocity) / actuator_.area_a;
+  const double load_Pa = load_pressure_Pa(actuator_, measurement);
   const double drop_Pa = current_sign > 0.0
-                             ? actuator_.supply_pressure_Pa - load_pressure_Pa - alpha_ * actuator_.return_pressure_Pa
-                             : alpha_ * actuator_.supply_pressure_Pa + load_pressure_Pa - actuator_.return_pressure_Pa;
+                             ? actuator_.supply_pressure_Pa - load_Pa - alpha_ * actuator_.return_pressure_Pa
+                             : alpha_ * actuator_.supply_pressure_Pa + load_Pa - actuator_.return_pressure_Pa;
   return std::sqrt(std::max(drop_Pa, actuator_.laminar_pressure_Pa));
 }
 
@@ -52,12 +56,10 @@ double FeedbackLinearisation::leakage_flow(double current_sign, const Measuremen
   if (!(leakage_ > 0.0)) {
     return 0.0;
   }
-  const double load_pressure_Pa =
-      (measurement.force + actuator_.piston_damping * measurement.velocity) / actuator_.area_a;
   return leakage_ *
          plant::leakage_pressure_Pa(
              actuator_, {.position = std::clamp(operating_position_ + measurement.position, 0.0, actuator_.stroke),
-                         .load_pressure_Pa = load_pressure_Pa,
+                         .load_pressure_Pa = load_pressure_Pa(actuator_, measurement),
                          .valve_sign = current_sign > 0.0 ? 1.0 : -1.0});
 }
 
@@ -119,8 +121,10 @@ FeedbackLinearisation::Output FeedbackLinearisation::step(double force_reference
   if (!saturated || error * wanted_A < 0.0) {
     integral_ += gains_.integral_1_s2 * error * period_s_;
   }
-  law_rate_ = k * (valve_gain_ * drop_root(current_A, measurement) * current_A -
-                   actuator_.area_a * measurement.velocity - leakage_flow(current_A, measurement));
+  if (gains_.observer_1_s > 0.0) {
+    law_rate_ = k * (valve_gain_ * drop_root(current_A, measurement) * current_A -
+                     actuator_.area_a * measurement.velocity - leakage_flow(current_A, measurement));
+  }
   // No more than the open valve can do with all of both drops: a wild measurement leaves nothing behind for long.
   const double most = valve_gain_ * k * limit_A * std::sqrt((1.0 + alpha_) * actuator_.supply_pressure_Pa);
   integral_ = std::clamp(integral_, -most, most);
