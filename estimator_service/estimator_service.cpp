@@ -11,15 +11,16 @@ Result<EstimatorService> EstimatorService::create(const robot::Robot& robot, int
   std::vector<Inputs> inputs;
   for (const robot::Joint& joint : robot.joints) {
     estimators.push_back(FARRIER_TRY(robot::make_estimator(joint, robot.period_s, loop_delay_ticks)));
-    // valve_flow estimates what others take for known of the valve.
-    const bool finds_valve = joint.estimator.method == estimation::EstimationMethod::kValveFlow;
-    inputs.push_back({finds_valve ? control::ValveOpening() : control::ValveOpening(joint.effects, joint.actuator),
-                      robot::signal_aligner(joint, robot.period_s)});
+    // A valve that is estimated is not taken for known.
+    inputs.push_back(
+        {joint.estimator.finds_valve() ? control::ValveOpening() : control::ValveOpening(joint.effects, joint.actuator),
+         robot::signal_aligner(joint, robot.period_s)});
   }
   return EstimatorService(std::move(estimators), std::move(inputs));
 }
 
-EstimatorService::EstimatorService(const EstimatorService& other) : inputs_(other.inputs_), taken_(other.taken_) {
+EstimatorService::EstimatorService(const EstimatorService& other)
+    : inputs_(other.inputs_), taken_(other.taken_), supply_Pa_(other.supply_Pa_) {
   for (const auto& estimator : other.estimators_) {
     estimators_.push_back(estimator->clone());
   }
@@ -41,7 +42,9 @@ void EstimatorService::take(const signals::JointMeasurement& measurement) noexce
   estimators_[measurement.joint]->take({.tick = measurement.tick,
                                         .state = {measured.position, measured.velocity, measured.force},
                                         .current_A = current_A,
-                                        .phase = static_cast<int>(measurement.phase)});
+                                        .phase = static_cast<int>(measurement.phase),
+                                        .force_error = measurement.force_reference_N_or_Nm - measurement.force_N_or_Nm,
+                                        .supply_pressure_Pa = supply_Pa_});
 }
 
 signals::JointModelEstimate EstimatorService::estimate(std::uint16_t joint, Tick tick) const noexcept {

@@ -58,6 +58,9 @@ class EstimatorService {
   /// Takes one joint's measurement. Measurements of joints the robot does not have are left out.
   void take(const signals::JointMeasurement& measurement) noexcept;
 
+  /// Takes the pressure of the supply, which holds until the next one. Before the first one the robot file's holds.
+  void take(const signals::SupplyState& supply) noexcept { supply_Pa_ = supply.pressure_Pa; }
+
   /// Present estimate of a joint, as of `tick`. Not an estimate for a joint the robot does not have.
   signals::JointModelEstimate estimate(std::uint16_t joint, Tick tick) const noexcept;
 
@@ -75,6 +78,7 @@ class EstimatorService {
   std::vector<std::unique_ptr<estimation::Estimator>> estimators_;  // by joint number
   std::vector<Inputs> inputs_;                                      // likewise
   std::vector<TakenTicks> taken_;                                   // likewise
+  double supply_Pa_ = 0.0;
 };
 
 }  // namespace farrier::estimator_service

@@ -124,9 +124,9 @@ class BodyLocomotion final : public Locomotion {
   void prime() override;
   void drain() override;
   bool ready(Tick tick) const override {
-    return !lockstep() || (inbox_.complete(tick) && (inputs_.supply == nullptr || supply_tick_ >= due_supply(tick)));
+    return !lockstep() ||
+           (inbox_.complete(tick) && (inputs_.supply == nullptr || supply_tick_ >= robot().due_supply(tick)));
   }
-  Tick due_supply(Tick tick) const noexcept { return tick - tick % robot().supply_ticks(); }
   void begin(Tick first, Tick tick) override;
   MotionCommand command_at_tick(Tick tick) const noexcept;
   void tell_demand(SupplyDemand before, Tick tick);

@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
     auto made = FARRIER_TRY(
         participant::is_on_ground(options.world)
             ? locomotion::create_trot_locomotion(robot, locomotion::script_of(options.velocity), member, options.ticks,
-                                                 options.world == participant::World::kBody && robot.supply.has_value())
+                                                 participant::tells_supply(options.world, robot.supply.has_value()))
             : locomotion::create_gait_source(robot, options.seed, member, options.ticks));
     return std::unique_ptr<participant::Application>(std::move(made));
   });

@@ -40,7 +40,7 @@ plant::JointPhysics first_physics(const robot::Joint& joint, Design design, sign
   const bool stance = phase == signals::Phase::kStance;
   const bool for_stance = design == Design::kStance || (stance && design != Design::kSwing);
   plant::JointPhysics physics = robot::nominal_physics(joint, for_stance ? joint.stance_load : joint.swing_load);
-  if (design == Design::kAdaptive && joint.estimator.method == estimation::EstimationMethod::kValveFlow) {
+  if (design == Design::kAdaptive && joint.estimator.finds_valve()) {
     // An unknown valve is taken for a strong one: a law for a weaker valve than there is may be unstable.
     physics.valve_gain *= 1.0 + joint.estimator.valve_flow.value_or(estimation::ValveFlowParams{}).gain_uncertainty;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/model/model_rows.hpp"
+#include "estimation/estimator.hpp"
 #include "robot/joint_model.hpp"
 
 namespace farrier::supervisor {
@@ -72,6 +73,9 @@ signals::JointUpdateDecision PhysicsUpdate::look(const signals::JointModelEstima
 UpdateVerdict PhysicsUpdate::judge(const signals::JointModelEstimate& estimate) noexcept {
   const plant::JointPhysics estimated = plant::physics_of(estimate.physics);
   const control::DiscreteModel model = control::model_of_rows(estimate.a, estimate.b);
+  if ((estimate.flags & estimation::bit(estimation::EstimateFlag::kCountsAsStronger)) != 0) {
+    return calm(estimated.valve_gain, model);
+  }
   if (!(estimate.validity > 0.0) || estimate.validity < logic_.validity_min || estimate.has_physics == 0 ||
       plant::first_unphysical(estimated) != nullptr || !model.a.allFinite() || !model.b.allFinite()) {
     return UpdateVerdict::kNotValid;
@@ -89,6 +93,17 @@ UpdateVerdict PhysicsUpdate::judge(const signals::JointModelEstimate& estimate) 
     return UpdateVerdict::kUnstableOnStoredModel;
   }
   adopt(estimated, model);
+  return UpdateVerdict::kAccepted;
+}
+
+// The law for a stronger valve is slower, which no check needs to allow.
+UpdateVerdict PhysicsUpdate::calm(double valve_gain, const control::DiscreteModel& model) noexcept {
+  if (!(valve_gain > physics_.valve_gain) || !std::isfinite(valve_gain)) {
+    return UpdateVerdict::kNotValid;
+  }
+  plant::JointPhysics calmer = physics_;
+  calmer.valve_gain = valve_gain;
+  adopt(calmer, model);
   return UpdateVerdict::kAccepted;
 }
 

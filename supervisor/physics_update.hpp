@@ -30,7 +30,8 @@ class PhysicsUpdate {
                 const std::vector<plant::LoadParams>& loads_to_hold = {}, bool keeps_load = false);
 
   /// Judges one estimate of the slot's phase. The decision is complete except for its generation. It has no poles or
-  /// margins, because nothing here depends on them. After kAccepted physics() and model() are the new ones.
+  /// margins, because nothing here depends on them. After kAccepted physics() and model() are the new ones. A valve that
+  /// counts as stronger (EstimateFlag::kCountsAsStronger) is accepted at once: a law for it is slower than the acting one.
   signals::JointUpdateDecision look(const signals::JointModelEstimate& estimate, Tick tick) noexcept;
 
   /// Adopts another supervisor's acting physics.
@@ -49,6 +50,7 @@ class PhysicsUpdate {
 
  private:
   signals::UpdateVerdict judge(const signals::JointModelEstimate& estimate) noexcept;
+  signals::UpdateVerdict calm(double valve_gain, const control::DiscreteModel& model) noexcept;
   bool differs(const signals::JointModelEstimate& estimate) const noexcept;
   plant::JointPhysics stored_towards(const plant::JointPhysics& estimated) const noexcept;
   double scale(std::size_t i) const noexcept;

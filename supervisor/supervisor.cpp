@@ -76,7 +76,7 @@ Result<Supervisor> Supervisor::create(const robot::Robot& robot, Design design, 
                           first[static_cast<std::size_t>(phase)], loads_to_hold(robot, joint, phase), robot.on_ground);
       };
       // An estimate of the valve keeps the load, so it holds the phase's own; the file's valve is no longer there.
-      const bool of_valve = joint.estimator.method == estimation::EstimationMethod::kValveFlow;
+      const bool of_valve = joint.estimator.finds_valve();
       const auto physics = [&](signals::Phase phase) {
         return PhysicsUpdate(joint, robot.update_logic, robot.period_s, robot.estimate_period_ticks, loop_delay_ticks,
                              first_physics(joint, design, phase),

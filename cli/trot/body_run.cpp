@@ -43,7 +43,7 @@ Result<report::WalkPlan> plan_of(const robot::Robot& robot, const TrotOptions& o
 
 /// The samples of the shared supply; none without a pump and with ideal joints.
 Result<std::vector<trace::SupplyRow>> supply_rows(const robot::Robot& robot, const TrotOptions& o) {
-  if (!robot.supply || o.world != participant::World::kBody) {
+  if (!participant::tells_supply(o.world, robot.supply.has_value())) {
     return std::vector<trace::SupplyRow>{};
   }
   return trace::read_supply_trace(trace::supply_trace_path(o.trace_path));

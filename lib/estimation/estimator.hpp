@@ -30,9 +30,11 @@ Result<Done> validate(const JointScales& scales);
 /// One tick of one joint.
 struct JointSample {
   Tick tick = kNoTick;
-  Eigen::Vector3d state;  ///< position, velocity, force as measured
-  double current_A = 0;   ///< commanded, acts from this tick on
-  int phase = 0;          ///< 0 or 1: the phase whose gains acted
+  Eigen::Vector3d state;          ///< position, velocity, force as measured
+  double current_A = 0;           ///< commanded, acts from this tick on
+  int phase = 0;                  ///< 0 or 1: the phase whose gains acted
+  double force_error = 0;         ///< reference less measured force, N or Nm; 0 if unknown
+  double supply_pressure_Pa = 0;  ///< as measured; 0 if unknown
 };
 
 /// Reasons for an estimate's state; bits of JointModelEstimate::flags. Hubacher (2014), Table F.1 shares the names.
@@ -49,6 +51,7 @@ enum class EstimateFlag : std::uint32_t {
   kNotExciting = 1u << 9,         ///< the gate was closed: the last sample was left out (9.4), (9.5)
   kForgettingAtLimit = 1u << 10,  ///< the covariance at its bound: the last sample was not forgotten for in full
   kInstrumentRefused = 1u << 11,  ///< the last sample was taken with the regressor for its instrument (B.18)
+  kCountsAsStronger = 1u << 12,   ///< the valve has become stronger, and counts as such until it is estimated again
 };
 
 /// Every flag, by its name in reports.
@@ -63,7 +66,8 @@ inline constexpr Option<EstimateFlag> kEstimateFlags[] = {{"not yet set", Estima
                                                           {"misfit", EstimateFlag::kMisfit},
                                                           {"not exciting", EstimateFlag::kNotExciting},
                                                           {"forgetting at limit", EstimateFlag::kForgettingAtLimit},
-                                                          {"instrument refused", EstimateFlag::kInstrumentRefused}};
+                                                          {"instrument refused", EstimateFlag::kInstrumentRefused},
+                                                          {"counts as stronger", EstimateFlag::kCountsAsStronger}};
 
 constexpr std::uint32_t bit(EstimateFlag flag) noexcept { return static_cast<std::uint32_t>(flag); }
 

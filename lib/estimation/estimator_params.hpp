@@ -94,6 +94,9 @@ struct EstimatorParams {
     return method != EstimationMethod::kGreyBox && method != EstimationMethod::kValveFlow;
   }
 
+  /// True if the method finds the valve, which others take for known, and keeps the load that others find.
+  bool finds_valve() const noexcept { return method == EstimationMethod::kValveFlow; }
+
   /// True if the method has one lambda, forgetting_factor.
   bool forgets_evenly() const noexcept {
     return regresses() && method != EstimationMethod::kAff && method != EstimationMethod::kKalman;

@@ -13,6 +13,7 @@ struct ValveFlowParams {
   double gain_uncertainty = 0.5;      ///< of the valve gain, share of the nominal one; > 0
   double overlap_uncertainty = 0.01;  ///< of the overlap, share of full current; > 0
   double leakage_uncertainty = 0.02;  ///< of the leakage at supply pressure, share; > 0
+  double damping_uncertainty = 2.0;   ///< of the piston's damping, share of the nominal one; > 0
 };
 
 }  // namespace farrier::estimation

@@ -18,6 +18,8 @@ enum class World { kBench, kBody, kIdeal };
 inline constexpr std::array kWorlds{Option<World>{"bench", World::kBench}, Option<World>{"body", World::kBody},
                                     Option<World>{"ideal", World::kIdeal}};
 inline bool is_on_ground(World world) noexcept { return world != World::kBench; }
+/// True if sim_bridge publishes supply/state there; `pump`: the robot file has one.
+inline bool tells_supply(World world, bool pump) noexcept { return world == World::kBody && pump; }
 
 /// Command line every process of a run shares; `farrier trot` fills it in, an integrator writes it in a unit file.
 struct ProcessOptions {

@@ -1,6 +1,6 @@
 #pragma once
 
-// The functions that make processes of the robot file and a number of ticks alone: those that core/processes.def lists as
+// The functions that make processes of the robot file, the world and a number of ticks alone: those that core/processes.def lists as
 // `plain`. Each process defines its function in the namespace of its program.
 
 #include <memory>
@@ -8,6 +8,7 @@
 #include "core/processes.hpp"
 #include "core/result.hpp"
 #include "participant/application.hpp"
+#include "participant/options.hpp"
 #include "participant/participant.hpp"
 
 namespace farrier::robot {
@@ -18,6 +19,7 @@ struct Robot;
   namespace farrier::program {                                                                                \
   /* Opens the ports of the process. With `ticks` 0 it runs until told to stop. */                            \
   Result<std::unique_ptr<participant::Application>> create_application(const robot::Robot& robot,             \
+                                                                       participant::World world,              \
                                                                        participant::Participant& participant, \
                                                                        Tick ticks);                           \
   }

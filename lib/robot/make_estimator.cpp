@@ -4,7 +4,7 @@
 
 #include "estimation/grey_box_estimator.hpp"
 #include "estimation/joint_estimator.hpp"
-#include "estimation/valve_flow_estimator.hpp"
+#include "estimation/valve/valve_flow_estimator.hpp"
 #include "robot/joint_model.hpp"
 
 namespace farrier::robot {

@@ -112,6 +112,8 @@ struct Robot {
 
   /// Ticks between two samples of supply/state, which are 10 ms apart, from tick 0 on; >= 1.
   Tick supply_ticks() const noexcept { return std::max<Tick>(1, std::llround(0.01 / period_s)); }
+  /// Tick of the sample of supply/state that is due at this tick.
+  Tick due_supply(Tick tick) const noexcept { return tick - tick % supply_ticks(); }
 };
 
 /// Settings that a command line may change.

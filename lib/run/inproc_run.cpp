@@ -48,13 +48,13 @@ Result<std::unique_ptr<participant::Application>> create_application(const Membe
       auto made = FARRIER_TRY(
           participant::is_on_ground(run.world)
               ? locomotion::create_trot_locomotion(robot, locomotion::script_of(run.velocity), participant, run.ticks,
-                                                   run.world == participant::World::kBody && robot.supply.has_value())
+                                                   participant::tells_supply(run.world, robot.supply.has_value()))
               : locomotion::create_gait_source(robot, run.seed, participant, run.ticks, run.announce));
       return std::unique_ptr<participant::Application>(std::move(made));
     }
 #define FARRIER_MAKE_plain(constant, program) \
   case info(Program::constant).number:        \
-    return program::create_application(robot, participant, run.ticks);
+    return program::create_application(robot, run.world, participant, run.ticks);
 #define FARRIER_MAKE_specially(constant, program)
 #define FARRIER_PROCESS(constant, program, number, needed, made) FARRIER_MAKE_##made(constant, program)
 #include "core/processes.def"

@@ -20,6 +20,7 @@ farrier_test(robot_test unit
   ${CMAKE_CURRENT_LIST_DIR}/robot/mistakes_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/round_trip_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/robot/rig_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/estimation/chamber_oil_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/estimation/valve_flow_test.cpp
   ${PROJECT_SOURCE_DIR}/tests/support/allocation_guard.cpp)
 target_link_libraries(robot_test PRIVATE farrier_robot)

@@ -140,6 +140,9 @@ void ActuatedRobot::decide(std::span<const double> torques_Nm) noexcept {
   }
   if (adaptation_) {
     store(adaptation_->begin(tick()));
+    if (const signals::SupplyState* supply = robot_.supply_state()) {
+      adaptation_->take(*supply);
+    }
   }
   if (knows_) {
     tell_wear();

@@ -32,6 +32,7 @@ class JointAdaptation {
   /// Runs the supervisor's step of a tick. Returns the gains that it issues; at tick 0 the first ones.
   const std::vector<signals::JointControllerGains>& begin(Tick tick) noexcept;
   void take(const signals::JointMeasurement& measurement) noexcept { service_.take(measurement); }
+  void take(const signals::SupplyState& supply) noexcept { service_.take(supply); }
   /// Ends a tick after its last measurement.
   void end(Tick tick) noexcept;
   void refused_by_joint() noexcept { ++counts_.gains_refused; }

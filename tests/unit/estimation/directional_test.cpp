@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include <cmath>
 
 #include "estimation/directional_forgetting.hpp"
@@ -63,9 +62,12 @@ template <int N>
 Eigen::Matrix<double, N, 1> awkward(int k) {
   const auto base = normal<N>(7, "base", k / 50);
   switch (k / 400 % 4) {
-    case 0: return base;
-    case 1: return 2.0 * kThreshold * normal<N>(8, "small", k);
-    case 2: return (base + 0.05 * normal<N>(9, "wobble", k)).normalized();
+    case 0:
+      return base;
+    case 1:
+      return 2.0 * kThreshold * normal<N>(8, "small", k);
+    case 2:
+      return (base + 0.05 * normal<N>(9, "wobble", k)).normalized();
     default: {
       Eigen::Matrix<double, N, 1> turning = Eigen::Matrix<double, N, 1>::Zero();
       turning(0) = std::cos(1e-3 * k);

@@ -95,8 +95,8 @@ TEST(PredictionErrors, CorrelateOnlyWhatFollowsTickByTick) {
 
 TEST(PredictionErrors, StayInTheirRangesWhateverComesAndAllocateNothing) {
   const test::AllocationGuard guard;
-  for (const double bad : {1e40, 1e200, std::numeric_limits<double>::infinity(),
-                           std::numeric_limits<double>::quiet_NaN()}) {
+  for (const double bad :
+       {1e40, 1e200, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
     PredictionErrors errors;
     for (int k = 0; k < 20; ++k) {
       errors.take(k % 3 == 0 ? bad : 1.0);

@@ -115,13 +115,20 @@ TEST(Rls, ChangesNothingOnASampleThatIsNotFinite) {
 Eigen::Vector4d nasty_regressor(int k) {
   const Eigen::Vector4d white = normal<4>(5, "regressor", k / 10 % 977);
   switch (k / 500 % 7) {
-    case 0: return Eigen::Vector4d::Zero();
-    case 1: return Eigen::Vector4d(1.0, -2.0, 3.0, 0.25);
-    case 2: return 1e-160 * white;
-    case 3: return std::pow(10.0, k % 100) * white;
-    case 4: return white(0) * Eigen::Vector4d(1.0, 1.0 + 1e-15, -1.0, 1.0);
-    case 5: return Eigen::Vector4d::Unit(k % 4) * std::pow(10.0, k % 37 - 18);
-    default: return white;
+    case 0:
+      return Eigen::Vector4d::Zero();
+    case 1:
+      return Eigen::Vector4d(1.0, -2.0, 3.0, 0.25);
+    case 2:
+      return 1e-160 * white;
+    case 3:
+      return std::pow(10.0, k % 100) * white;
+    case 4:
+      return white(0) * Eigen::Vector4d(1.0, 1.0 + 1e-15, -1.0, 1.0);
+    case 5:
+      return Eigen::Vector4d::Unit(k % 4) * std::pow(10.0, k % 37 - 18);
+    default:
+      return white;
   }
 }
 

@@ -58,8 +58,7 @@ Comparison compare(double forgetting_factor, const std::vector<Sample<N>>& sampl
   for (int row = 0; row < 3; ++row) {
     blocks.template block<N, N>(N * row, N * row) = ours.covariance();
   }
-  result.covariance_difference =
-      (blocks - textbook.covariance()).cwiseAbs().maxCoeff() / blocks.cwiseAbs().maxCoeff();
+  result.covariance_difference = (blocks - textbook.covariance()).cwiseAbs().maxCoeff() / blocks.cwiseAbs().maxCoeff();
   return result;
 }
 

@@ -1,6 +1,6 @@
 // The estimator of a valve's gain, overlap and leakage, on a piston that a mechanism moves.
 
-#include "estimation/valve_flow_estimator.hpp"
+#include "estimation/valve/valve_flow_estimator.hpp"
 
 #include <gtest/gtest.h>
 
@@ -53,7 +53,9 @@ class MovedJoint {
       estimator_->take({.tick = tick_,
                         .state = {seen.position, seen.velocity, seen.force},
                         .current_A = current_A,
-                        .phase = static_cast<int>(tick_ / 350 % 2)});
+                        .phase = static_cast<int>(tick_ / 350 % 2),
+                        .force_error = reference - seen.force,
+                        .supply_pressure_Pa = told_supply_Pa_});
       for (int substep = 1; substep <= kSubsteps; ++substep) {
         const double then = t + kPeriod_s * substep / kSubsteps;
         const double a = 2.0 * kPi * 1.4, b = 2.0 * kPi * 3.0;
@@ -68,6 +70,12 @@ class MovedJoint {
   void wear(const robot::Wear& wear) {
     const robot::Joint worn = robot::worn(joint_, wear);
     ASSERT_TRUE(plant_.set_actuator(worn.actuator, worn.effects));
+  }
+  void weaken_supply(double pressure_Pa, bool told) {
+    plant::ActuatorParams weak = joint_.actuator;
+    weak.supply_pressure_Pa = pressure_Pa;
+    ASSERT_TRUE(plant_.set_actuator(weak, joint_.effects));
+    told_supply_Pa_ = told ? pressure_Pa : 0.0;
   }
   ModelEstimate estimate() const { return estimator_->estimate(); }
   double gain() const { return estimate().physics.valve_gain / joint_.actuator.valve_gain; }
@@ -90,6 +98,7 @@ class MovedJoint {
   std::unique_ptr<Estimator> estimator_;
   NoiseStream noise_{1, "moved joint", "sensors"};
   double last_A_ = 0.0;
+  double told_supply_Pa_ = 0.0;
   Tick tick_ = 0;
 };
 
@@ -135,6 +144,58 @@ TEST(ValveFlow, FollowsAValveThatLosesHalfItsGainWithinAFifthOfASecond) {
   moved.wear(lost);
   moved.run(0.2);
   EXPECT_NEAR(moved.gain(), 0.5, 0.05);
+}
+
+TEST(ValveFlow, CountsAValveThatGrowsAsStrongerUntilItIsEstimatedAgain) {
+  MovedJoint moved(no_wear());
+  moved.run(3.0);
+  robot::Wear grown = no_wear();
+  grown.valve_gain = 1.75;
+  moved.wear(grown);
+  moved.run(0.03);
+  const ModelEstimate counted = moved.estimate();
+  EXPECT_NE(counted.flags & bit(EstimateFlag::kCountsAsStronger), 0u);
+  EXPECT_EQ(counted.validity, 0.0);
+  EXPECT_GT(moved.gain(), 1.4);
+  moved.run(1.0);
+  EXPECT_EQ(moved.estimate().flags & bit(EstimateFlag::kCountsAsStronger), 0u);
+  EXPECT_NEAR(moved.gain(), 1.75, 0.09);
+}
+
+TEST(ValveFlow, CountsTheValveOfAnOscillatingLoopAsStronger) {
+  MovedJoint moved(no_wear());
+  moved.run(2.0);
+  for (Tick tick = 0; tick < 50; ++tick) {
+    const double error_N = 900.0 * std::sin(2.0 * kPi * 0.115 * static_cast<double>(tick));
+    moved.estimator().take({.tick = moved.tick() + tick,
+                            .state = {0.04, 0.0, -error_N},
+                            .current_A = 1e-5,
+                            .phase = 0,
+                            .force_error = error_N});
+  }
+  EXPECT_NE(moved.estimate().flags & bit(EstimateFlag::kCountsAsStronger), 0u);
+  EXPECT_NEAR(moved.gain(), 1.5, 0.05);
+}
+
+TEST(ValveFlow, DoesNotTakeAWeakSupplyForAWeakValveOnceItIsTold) {
+  for (const bool told : {true, false}) {
+    MovedJoint moved(no_wear());
+    moved.weaken_supply(112e5, told);
+    moved.run(3.0);
+    if (told) {
+      EXPECT_NEAR(moved.gain(), 1.0, 0.04);
+    } else {
+      EXPECT_LT(moved.gain(), 0.9);
+    }
+  }
+}
+
+TEST(ValveFlow, FindsTheGainInThickOil) {
+  robot::Wear wear = no_wear();
+  wear.viscosity = 4.0;
+  MovedJoint moved(wear);
+  moved.run(4.0);
+  EXPECT_NEAR(moved.gain(), 1.0, 0.05);
 }
 
 TEST(ValveFlow, LearnsNothingFromAShutValve) {

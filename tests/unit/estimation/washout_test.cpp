@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-
 #include <cmath>
 
 #include "data.hpp"
@@ -47,7 +46,8 @@ TEST(Washout, LeavesAConstantOfARampWithOneStageAndNothingWithMore) {
     for (int k = 0; k < kSettled; ++k) {
       out = washout.pass(k * slope);
     }
-    const Eigen::Vector4d lag = order == 1 ? Eigen::Vector4d(slope * (1.0 / kSmoothing - 1.0)) : Eigen::Vector4d::Zero();
+    const Eigen::Vector4d lag =
+        order == 1 ? Eigen::Vector4d(slope * (1.0 / kSmoothing - 1.0)) : Eigen::Vector4d::Zero();
     EXPECT_LT((out - lag).norm(), kRounding) << order;
   }
 }

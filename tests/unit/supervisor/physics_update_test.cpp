@@ -120,6 +120,21 @@ TEST(PhysicsUpdate, RefusesWhatIsNoEstimateOfPhysics) {
   EXPECT_EQ(verdict_when([](auto&) {}), UpdateVerdict::kAccepted) << "unchanged";
 }
 
+TEST(PhysicsUpdate, TakesAValveThatCountsAsStrongerAtOnceAndNothingElseOfItsEstimate) {
+  PhysicsUpdate slot = slot_for(physics_for(10.0));
+  JointPhysics counted = physics_for(12.0);
+  counted.valve_gain *= 1.5;
+  JointModelEstimate estimate = estimate_of(counted);
+  estimate.validity = 0.0;
+  estimate.flags = bit(estimation::EstimateFlag::kCountsAsStronger);
+  EXPECT_EQ(verdict_on(slot, estimate), UpdateVerdict::kAccepted);
+  EXPECT_EQ(slot.physics().valve_gain, counted.valve_gain);
+  EXPECT_EQ(slot.physics().load_mass, 10.0);
+  EXPECT_EQ(verdict_on(slot, estimate), UpdateVerdict::kNotValid) << "it has been taken";
+  estimate.physics[plant::kBiasForce + 1] = std::nan("");
+  EXPECT_EQ(verdict_on(slot, estimate), UpdateVerdict::kNotValid);
+}
+
 // 100 ms: half of what a run of Fig. 7.8 may take before it is judged.
 TEST(PhysicsUpdate, TakesTheOtherLoadOfTheCycleWithinATenthOfASecondWhateverItsSign) {
   const int most = static_cast<int>(std::llround(0.1 / (rig().period_s * rig().estimate_period_ticks)));

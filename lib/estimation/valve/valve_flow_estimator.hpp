@@ -2,13 +2,14 @@
 
 // Gain, overlap and leakage of a joint's valve, from the oil side of the load cell:
 //
-//   i_v ──▶ SampledSpool ──▶ parts of the flow ──▶ Rls<3> ──▶ estimate()
+//   i_v ──▶ SampledSpool ──▶ parts of the flow ──▶ Rls ──▶ estimate()
 //   x, v, F_s ──▶ flow ─────────────────────────────▲
 
 #include <Eigen/Core>
 
 #include <array>
 #include <cstdint>
+#include <limits>
 
 #include "control/law/sampled_spool.hpp"
 #include "core/result.hpp"
@@ -16,6 +17,9 @@
 #include "estimation/estimator_params.hpp"
 #include "estimation/prediction_errors.hpp"
 #include "estimation/rls.hpp"
+#include "estimation/valve/chamber_oil.hpp"
+#include "estimation/valve/oscillation_monitor.hpp"
+#include "plant/load_pressure.hpp"
 
 namespace farrier::estimation {
 
@@ -32,10 +36,15 @@ struct KnownValve {
 ///   A_p v + F_h' / (A_p k) = K_v / sqrt(1 + alpha^3) root(drop) (u - d sign u) - c p_c
 ///
 /// Here k is the rate of the load pressure per flow, and p_c is plant::leakage_pressure_Pa(). The left side is measured.
-/// Everything on the right side is known but K_v, K_v d and c, which are linear in it. No load is in it: other joints and
-/// contacts may do what they will behind the cell (docs/decisions/0077-valve-flow.md). One estimate serves both phases, for
-/// the valve does not know them. A valve that is shut teaches nothing. The samples begin where the port is open by
-/// least_opening beyond the overlap.
+/// Everything on the right side is known but K_v, K_v d and c, which are linear in it. The drop depends on the force that
+/// the piston's damping takes; what that has grown by is a fourth parameter, linearised, and is not told. No load is in it:
+/// other joints and contacts may do what they will behind the cell (docs/decisions/0077-valve-flow.md). One estimate serves
+/// both phases, for the valve does not know them. A valve that is shut teaches nothing, nor does one whose chambers are not
+/// in steady flow (ChamberOil). The samples begin where the port is open by least_opening beyond the overlap.
+///
+/// Flow errors beyond the usual ones mean that the valve has changed, and it is estimated from the start. If it lets more through than
+/// expected, or if the force loop oscillates (OscillationMonitor), it counts as stronger by gain_uncertainty at once: the
+/// flag kCountsAsStronger is set until there are min_samples again. A law for a weaker valve than there is may be unstable.
 ///
 /// The load of the prior is kept, and the linear model follows from it with the estimated gain.
 class ValveFlowEstimator final : public Estimator {
@@ -56,42 +65,56 @@ class ValveFlowEstimator final : public Estimator {
   std::unique_ptr<Estimator> clone() const override { return std::make_unique<ValveFlowEstimator>(*this); }
 
  private:
+  static constexpr int kParameters = 4;
+  using Parameters = Eigen::Vector4d;
   /// Shares of the open valve's flow: the flow, its parts for a unit of each parameter, and the sizes of what compression
   /// takes of it and of what a wrong supply pressure does to it.
-  using Terms = Eigen::Matrix<double, 6, 1>;
+  using Terms = Eigen::Matrix<double, 7, 1>;
 
   ValveFlowEstimator(const EstimatorParams& params, const ValveFlowParams& own, const JointScales& scales,
                      const plant::ActuatorParams& actuator, const std::array<plant::LoadParams, 2>& loads,
-                     const KnownValve& known, const Rls<3>& regression) noexcept;
+                     const KnownValve& known, const Rls<kParameters>& regression) noexcept;
 
   Terms terms(const Eigen::Vector3d& state, double opening_A) const noexcept;
-  void learn(const Terms& now) noexcept;
-  /// Gain over the nominal one, overlap as a share of full current, leakage as a share.
-  Eigen::Vector3d parameters() const noexcept;
-  Eigen::Vector3d standard_errors() const noexcept;
+  plant::OperatingPoint point_of(const Eigen::Vector3d& state, double sign) const noexcept;
+  void interrupt() noexcept;
+  void smooth(const Terms& now) noexcept;
+  void learn() noexcept;
+  void watch(const JointSample& sample) noexcept;
+  void count_as_stronger() noexcept;
+  void begin_from(const Rls<kParameters>::Parameters& parameters) noexcept;
+  /// Gain over the nominal one, overlap as a share of full current, leakage as a share, damping beyond the nominal one as a
+  /// share of that.
+  Parameters parameters() const noexcept;
+  Parameters standard_errors() const noexcept;
 
   EstimatorParams params_;
   ValveFlowParams own_;
   JointScales scales_;
   plant::ActuatorParams actuator_;
+  plant::ActuatorParams supplied_;  ///< the same at the supply's measured pressure
+  double supply_error_;             ///< share of that pressure
   std::array<plant::LoadParams, 2> loads_;
-  double settling_oil_m3_;     ///< that the chambers take when the port opens to the other side
-  double open_flow_m3_s_;      ///< nominal, at supply pressure
-  Eigen::Vector3d prior_;      ///< of the linear parameters: gain, gain times overlap, leakage
-  Eigen::Vector3d deviation_;  ///< their standard deviations before the first sample
+  double open_flow_m3_s_;  ///< nominal, at supply pressure
+  Parameters prior_;       ///< of the linear parameters: gain, gain times overlap, leakage, damping
+  Parameters deviation_;   ///< their standard deviations before the first sample
   control::SampledSpool spool_;
-  Rls<3> regression_;
+  Rls<kParameters> regression_;
   PredictionErrors errors_;
+  ChamberOil oil_;
   Terms smooth_ = Terms::Zero();
-  double open_ticks_ = 0.0;
-  double filled_ = 0.0;  ///< share of the oil that the chambers take until they are as in steady flow
-  double sign_ = 0.0;    ///< of the opening, of which the smoothed terms are
+  double smoothed_ticks_ = 0.0;
+  double sign_ = 0.0;  ///< of the opening, of which the smoothed terms are
   Eigen::Vector3d last_state_ = Eigen::Vector3d::Zero();
   std::array<double, 3> currents_{};  ///< newest first
   int currents_known_ = 0;
   Tick last_tick_ = kNoTick;
   int phase_ = 0;
   std::uint32_t sample_flags_ = 0;
+  OscillationMonitor loop_;
+  double since_alarm_s_ = std::numeric_limits<double>::infinity();  ///< of an oscillating loop
+  double surplus_ = 0.0;   ///< unexpected flow towards the opening, summed over about 50 samples
+  bool stronger_ = false;  ///< the valve counts as stronger, and no estimate has been valid since
 };
 
 /// Relative standard error of the gain at which an estimate has no value any more.

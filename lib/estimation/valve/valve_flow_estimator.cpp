@@ -1,56 +1,43 @@
-#include "estimation/valve_flow_estimator.hpp"
+#include "estimation/valve/valve_flow_estimator.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "control/model/discretise.hpp"
 #include "core/portable_math.hpp"
 #include "core/ticks_since.hpp"
 #include "estimation/joint_estimator.hpp"
+#include "estimation/valve/valve_flow_check.hpp"
 #include "plant/linear_model.hpp"
 #include "plant/load_pressure.hpp"
 
 namespace farrier::estimation {
 namespace {
 
-constexpr int kFlow = 0, kParts = 1, kCompression = 4, kSupply = 5;  // of the terms
+constexpr int kFlow = 0, kParts = 1, kCompression = 5, kSupply = 6;  // of the terms
 // Least residual variance for the detection of changes: a little noise is no change of a valve that had none.
-constexpr double kLeastResidual = 0.25;
+constexpr double kLeastResidual = 0.02;
 // Least residual variance of standard errors: errors of the model are no noise.
 constexpr double kLeastVariance = 0.1;
 // Error of the supply's pressure, share: the flow goes with the root of a drop that it is part of.
 constexpr double kSupplyError = 0.1;
-// Share of the supply pressure that the chambers change by when the port opens to the other side.
-constexpr double kSettlingShare = 0.25;
-constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2;
+// A supply sensor that reads more than this share of the nominal pressure is broken: the relief valve opens before.
+constexpr double kLargestSupply = 1.5;
+constexpr double kMeasuredSupplyError = 0.03;                     // it is sampled every 10 ms
+constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2;  // and 3, the damping, which is not told
 // Limit of the covariance's trace over that at the start: without excitation an estimate stays as certain as at first.
 constexpr double kCovarianceLimit = 1.01;
 // Gains beyond these shares of the nominal one are no valve's.
 constexpr double kLeastGain = 0.05, kLargestGain = 5.0;
+// After an alarm nothing is learnt for so long: the oscillation dies out, and the supply recovers from what it drew.
+constexpr double kCalm_s = 0.15;
+// The calmer law is there within 20 ms and needs a few cycles.
+constexpr double kDeaf_s = 0.06;
+// A loop that oscillates with gains for a valve of this share has another cause.
+constexpr double kStrongest = 2.5;
 // A leakage or an overlap below zero by more standard errors than these, and by more than the share, is no valve's.
 constexpr double kNegativeSigmas = 3.0;
 constexpr double kNegativeShare = 0.02;
-
-Result<Done> check(const ValveFlowParams& p) {
-  std::string text;
-  const auto positive = [&text](const char* name, double value) {
-    if (!(value > 0.0 && std::isfinite(value))) {
-      text += std::string(text.empty() ? "" : "; ") + name + " must be above 0, is " + std::to_string(value);
-    }
-  };
-  positive("memory_s", p.memory_s);
-  positive("smoothing_s", p.smoothing_s);
-  positive("flow_error", p.flow_error);
-  positive("change_threshold", p.change_threshold);
-  positive("gain_uncertainty", p.gain_uncertainty);
-  positive("overlap_uncertainty", p.overlap_uncertainty);
-  positive("leakage_uncertainty", p.leakage_uncertainty);
-  if (!(p.least_opening >= 0.0 && p.least_opening < 1.0)) {
-    text += std::string(text.empty() ? "" : "; ") + "least_opening must be within [0, 1)";
-  }
-  return text.empty() ? Result<Done>(Done{}) : Result<Done>(Error{"valve_flow: " + text});
-}
 
 }  // namespace
 
@@ -59,7 +46,7 @@ Result<ValveFlowEstimator> ValveFlowEstimator::create(const EstimatorParams& par
                                                       const std::array<plant::LoadParams, 2>& loads,
                                                       const KnownValve& known) {
   const ValveFlowParams own = params.valve_flow.value_or(ValveFlowParams{});
-  FARRIER_TRY(check(own));
+  FARRIER_TRY(validate(own));
   if (params.gate != GateKind::kNone) {
     return Error{"a gate chooses what a regression on states learns from: valve_flow needs gate: none"};
   }
@@ -70,50 +57,50 @@ Result<ValveFlowEstimator> ValveFlowEstimator::create(const EstimatorParams& par
   }
   const RlsParams rls{.forgetting_factor = portable::exp(-scales.period_s / own.memory_s),
                       .initial_covariance = 1.0,
-                      .covariance_limit = kCovarianceLimit * 3.0};
-  const auto regression = FARRIER_TRY(Rls<3>::create(rls));
+                      .covariance_limit = kCovarianceLimit * kParameters};
+  const auto regression = FARRIER_TRY(Rls<kParameters>::create(rls));
   return ValveFlowEstimator(params, own, scales, actuator, loads, known, regression);
 }
 
 ValveFlowEstimator::ValveFlowEstimator(const EstimatorParams& params, const ValveFlowParams& own,
                                        const JointScales& scales, const plant::ActuatorParams& actuator,
                                        const std::array<plant::LoadParams, 2>& loads, const KnownValve& known,
-                                       const Rls<3>& regression) noexcept
+                                       const Rls<kParameters>& regression) noexcept
     : params_(params),
       own_(own),
       scales_(scales),
       actuator_(actuator),
+      supplied_(actuator),
+      supply_error_(kSupplyError),
       loads_(loads),
-      settling_oil_m3_(kSettlingShare * actuator.supply_pressure_Pa / actuator.bulk_modulus_Pa *
-                       (2.0 * actuator.line_volume_m3 + actuator.area_a * actuator.stroke)),
       open_flow_m3_s_(actuator.valve_gain * actuator.valve_current_max_A * std::sqrt(actuator.supply_pressure_Pa)),
       prior_(1.0, known.overlap_A / actuator.valve_current_max_A,
-             known.leakage * actuator.supply_pressure_Pa / open_flow_m3_s_),
-      deviation_(own.gain_uncertainty, own.overlap_uncertainty, own.leakage_uncertainty),
+             known.leakage * actuator.supply_pressure_Pa / open_flow_m3_s_, 0.0),
+      deviation_(own.gain_uncertainty, own.overlap_uncertainty, own.leakage_uncertainty, own.damping_uncertainty),
       spool_(known.spool),
-      regression_(regression) {}
+      regression_(regression),
+      oil_(actuator) {}
 
 // The state is the mean of a period's ends but for the force, which is the rate of the hydraulic one.
 ValveFlowEstimator::Terms ValveFlowEstimator::terms(const Eigen::Vector3d& state, double opening_A) const noexcept {
   const Eigen::Vector3d mean = 0.5 * (state + last_state_);
   const Eigen::Vector3d change = state - last_state_;
   const double sign = opening_A > 0.0 ? 1.0 : -1.0;
-  const double force = mean(2) + actuator_.piston_damping * mean(1);
   const double force_rate = (change(2) + actuator_.piston_damping * change(1)) / scales_.period_s;
-  const plant::OperatingPoint point{.position = std::clamp(mean(0), 0.0, actuator_.stroke),
-                                    .load_pressure_Pa = force / actuator_.area_a,
-                                    .valve_sign = sign};
-  const plant::LoadPressureCoefficients rates = plant::load_pressure_coefficients(actuator_, point);
+  const plant::OperatingPoint point = point_of(mean, sign);
+  const plant::LoadPressureCoefficients rates = plant::load_pressure_coefficients(supplied_, point);
   const double compliance = -rates.K_vp / actuator_.area_a;  // rate of the load pressure per flow
   const double compression = force_rate / (actuator_.area_a * compliance);
   const double flow = actuator_.area_a * mean(1) + compression;
   const double per_opening = rates.by_current() / compliance * actuator_.valve_current_max_A;
+  const double damping_Pa = actuator_.piston_damping * mean(1) / actuator_.area_a;
   Terms terms;
   terms << flow / open_flow_m3_s_, per_opening * opening_A / actuator_.valve_current_max_A / open_flow_m3_s_,
       -sign * per_opening / open_flow_m3_s_,
-      -plant::leakage_pressure_Pa(actuator_, point) / actuator_.supply_pressure_Pa,
+      -plant::leakage_pressure_Pa(supplied_, point) / actuator_.supply_pressure_Pa,
+      -sign * damping_Pa / (2.0 * rates.root * rates.root) * flow / open_flow_m3_s_,
       std::abs(compression) / open_flow_m3_s_,
-      kSupplyError * actuator_.supply_pressure_Pa / (2.0 * rates.root * rates.root) * std::abs(flow) / open_flow_m3_s_;
+      supply_error_ * supplied_.supply_pressure_Pa / (2.0 * rates.root * rates.root) * std::abs(flow) / open_flow_m3_s_;
   return terms;
 }
 
@@ -129,6 +116,10 @@ void ValveFlowEstimator::take(const JointSample& sample) noexcept {
   last_tick_ = sample.tick;
   phase_ = sample.phase;
   sample_flags_ = 0;
+  if (sample.supply_pressure_Pa > 0.0 && sample.supply_pressure_Pa <= kLargestSupply * actuator_.supply_pressure_Pa) {
+    supplied_.supply_pressure_Pa = sample.supply_pressure_Pa;
+    supply_error_ = kMeasuredSupplyError;
+  }
   const double limit_A = actuator_.valve_current_max_A;
   if (follows && currents_known_ > scales_.input_delay_ticks) {
     const double before_A = spool_.place_A();
@@ -137,67 +128,125 @@ void ValveFlowEstimator::take(const JointSample& sample) noexcept {
     const double shut_A = (own_.least_opening + std::max(0.0, parameters()(kOverlapPart))) * limit_A;
     const double sign = opening_A > 0.0 ? 1.0 : -1.0;
     if (std::abs(opening_A) < shut_A) {
-      open_ticks_ = filled_ = 0.0;
+      interrupt();
       sample_flags_ = bit(EstimateFlag::kNotExciting);
-      errors_.interrupt();
     } else {
-      const Terms now = terms(sample.state, opening_A);
       if (sign != sign_) {
-        open_ticks_ = filled_ = 0.0;
+        oil_.interrupt();
+        smoothed_ticks_ = 0.0;
       }
-      open_ticks_ += 1.0;
       sign_ = sign;
-      filled_ += std::abs(now(kFlow)) * open_flow_m3_s_ * scales_.period_s / settling_oil_m3_;
-      learn(now);
+      const Terms now = terms(sample.state, opening_A);
+      const double oil_m3 = std::abs(now(kFlow)) * open_flow_m3_s_ * scales_.period_s;
+      const bool steady = oil_.take(supplied_, point_of(sample.state, sign), oil_m3);
+      if (oil_.fills()) {
+        smooth(now);
+      } else {
+        smoothed_ticks_ = 0.0;
+        sample_flags_ = bit(EstimateFlag::kNotExciting);
+        errors_.interrupt();
+      }
+      if (steady && smoothed_ticks_ * scales_.period_s >= own_.smoothing_s && since_alarm_s_ >= kCalm_s) {
+        learn();
+      }
     }
   } else {
     currents_known_ = follows ? currents_known_ : 0;
-    open_ticks_ = filled_ = 0.0;
+    interrupt();
     spool_.rest_at(std::clamp(sample.current_A, -limit_A, limit_A));
-    errors_.interrupt();
   }
+  watch(sample);
   last_state_ = sample.state;
   currents_ = {sample.current_A, currents_[0], currents_[1]};
   currents_known_ = std::min(currents_known_ + 1, 3);
 }
 
-// The mean of what came since the port opened, until that is longer than the filter's memory.
-void ValveFlowEstimator::learn(const Terms& now) noexcept {
-  const double share = std::max(1.0 / open_ticks_, scales_.period_s / (own_.smoothing_s + scales_.period_s));
+plant::OperatingPoint ValveFlowEstimator::point_of(const Eigen::Vector3d& state, double sign) const noexcept {
+  return {.position = std::clamp(state(0), 0.0, actuator_.stroke),
+          .load_pressure_Pa = (state(2) + actuator_.piston_damping * state(1)) / actuator_.area_a,
+          .valve_sign = sign};
+}
+
+void ValveFlowEstimator::interrupt() noexcept {
+  oil_.interrupt();
+  smoothed_ticks_ = 0.0;
+  errors_.interrupt();
+}
+
+// The mean of what came since the interruption, until that is longer than the filter's memory.
+void ValveFlowEstimator::smooth(const Terms& now) noexcept {
+  smoothed_ticks_ += 1.0;
+  const double share = std::max(1.0 / smoothed_ticks_, scales_.period_s / (own_.smoothing_s + scales_.period_s));
   smooth_ += share * (now - smooth_);
-  if (open_ticks_ * scales_.period_s < own_.smoothing_s || filled_ < 1.0) {
-    return;
-  }
-  const Eigen::Vector3d parts = smooth_.segment<3>(kParts);
+}
+
+void ValveFlowEstimator::learn() noexcept {
+  const Parameters parts = smooth_.segment<kParameters>(kParts);
   const double deviation = std::hypot(own_.flow_error, smooth_(kCompression), smooth_(kSupply));
   const double error = (smooth_(kFlow) - parts.dot(prior_)) / deviation;
-  const Eigen::Vector3d scaled = parts.cwiseProduct(deviation_) / deviation;
-  errors_.take(error - regression_.parameters().row(0).dot(scaled));
+  const Parameters scaled = parts.cwiseProduct(deviation_) / deviation;
+  const double unexpected = error - regression_.parameters().row(0).dot(scaled);
+  errors_.take(unexpected);
+  surplus_ = PredictionErrors::kMemory * surplus_ + (parts(kGainPart) > 0.0 ? unexpected : -unexpected);
   const double usual = std::sqrt(std::max(kLeastResidual, regression_.residual_variance()(0)));
   if (std::sqrt(errors_.variance()) > own_.change_threshold * usual) {
-    // The old estimate stays, as uncertain as at the start.
-    regression_.reset(regression_.parameters());
-    errors_ = PredictionErrors();
     sample_flags_ |= bit(EstimateFlag::kMisfit);
+    if (surplus_ > 0.0 || unexpected * parts(kGainPart) > 0.0) {
+      count_as_stronger();
+    } else {
+      begin_from(regression_.parameters());
+    }
   }
   if (regression_.update(scaled, {error, 0.0, 0.0}) == RlsStatus::kCovarianceNotPositiveDefinite) {
     sample_flags_ |= bit(EstimateFlag::kCovarianceRepaired);
   }
 }
 
-Eigen::Vector3d ValveFlowEstimator::parameters() const noexcept {
-  Eigen::Vector3d all = prior_ + regression_.parameters().row(0).transpose().cwiseProduct(deviation_);
+// A loop whose gain was right before oscillates because the valve has become stronger. Samples do not tell so soon: the valve
+// changes sides before the chambers have taken their oil.
+void ValveFlowEstimator::watch(const JointSample& sample) noexcept {
+  stronger_ = stronger_ && regression_.samples() < params_.min_samples;
+  since_alarm_s_ += scales_.period_s;
+  if (since_alarm_s_ < kDeaf_s) {
+    loop_.reset();
+  }
+  if (!loop_.take(sample.force_error / (actuator_.area_a * actuator_.supply_pressure_Pa))) {
+    return;
+  }
+  since_alarm_s_ = 0.0;
+  count_as_stronger();
+}
+
+// A law for a weaker valve than there is may be unstable; a law for a stronger one is slow.
+void ValveFlowEstimator::count_as_stronger() noexcept {
+  stronger_ = true;
+  Parameters all = prior_ + regression_.parameters().row(0).transpose().cwiseProduct(deviation_);
+  all.head<2>() *= std::clamp(kStrongest / all(kGainPart), 1.0, 1.0 + own_.gain_uncertainty);
+  Rls<kParameters>::Parameters raised = regression_.parameters();
+  raised.row(0) = (all - prior_).cwiseQuotient(deviation_).transpose();
+  begin_from(raised);
+}
+
+// As uncertain as at the start: samples of the valve before the change count no more.
+void ValveFlowEstimator::begin_from(const Rls<kParameters>::Parameters& parameters) noexcept {
+  regression_.reset(parameters);
+  errors_ = PredictionErrors();
+  surplus_ = 0.0;
+}
+
+ValveFlowEstimator::Parameters ValveFlowEstimator::parameters() const noexcept {
+  Parameters all = prior_ + regression_.parameters().row(0).transpose().cwiseProduct(deviation_);
   all(kOverlapPart) /= std::max(all(kGainPart), kLeastGain);
   return all;
 }
 
 // Smoothed samples are correlated over twice the filter's time constant.
-Eigen::Vector3d ValveFlowEstimator::standard_errors() const noexcept {
+ValveFlowEstimator::Parameters ValveFlowEstimator::standard_errors() const noexcept {
   const double variance =
       std::max(regression_.residual_variance()(0), kLeastVariance) * 2.0 * own_.smoothing_s / scales_.period_s;
-  const Rls<3>::Covariance covariance = regression_.covariance();
-  Eigen::Vector3d errors;
-  for (int i = 0; i < 3; ++i) {
+  const Rls<kParameters>::Covariance covariance = regression_.covariance();
+  Parameters errors;
+  for (int i = 0; i < kParameters; ++i) {
     errors(i) = deviation_(i) * std::sqrt(std::min(1.0, variance * covariance(i, i)));
   }
   errors(kOverlapPart) /= std::max(parameters()(kGainPart), kLeastGain);
@@ -211,9 +260,10 @@ ModelEstimate ValveFlowEstimator::estimate() const noexcept {
   out.samples = static_cast<std::uint32_t>(std::min<std::int64_t>(regression_.samples(), UINT32_MAX));
   if (regression_.samples() < params_.min_samples) {
     out.flags |= bit(EstimateFlag::kNotYetSet);
+    out.flags |= stronger_ ? bit(EstimateFlag::kCountsAsStronger) : 0u;
   }
-  const Eigen::Vector3d found = parameters();
-  const Eigen::Vector3d errors = standard_errors();
+  const Parameters found = parameters();
+  const Parameters errors = standard_errors();
   const bool negative = std::ranges::any_of(std::array<int, 2>{kOverlapPart, kLeakagePart}, [&](int i) {
     return found(i) < -std::max(kNegativeSigmas * errors(i), kNegativeShare);
   });
