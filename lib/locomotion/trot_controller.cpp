@@ -26,6 +26,7 @@ TrotController::TrotController(const LocomotionParams& params, const gait::Robot
       ground_(params.ground, plan.period_s),
       reference_(params.reference, plan.period_s),
       trunk_(params.trunk, model.mass_kg(), plan.period_s),
+      payload_(params.payload, model.mass_kg(), plan.period_s),
       distribution_(params.forces),
       leg_controller_(params.leg),
       mode_(params.mode, plan.period_s),
@@ -52,6 +53,7 @@ const LegTorques& TrotController::step(Tick now, const Readings& readings, const
   schedule_.step(now);
   sequence_legs(now);
   plan_trunk(command);
+  estimate_payload(readings);
   distribute();
   command_legs(readings);
   return torques_;
@@ -171,10 +173,46 @@ double TrotController::load_limit_N(int leg) const noexcept {
   return std::max(kLeastLimit_N, mode_.force_share() * share * full);
 }
 
+// The balance of forces holds while nothing but the feet carries the robot.
+bool TrotController::on_its_feet() const noexcept {
+  const Mode mode = mode_.mode();
+  int standing = 0;
+  for (int leg = 0; leg < legs_; ++leg) {
+    standing += sequencers_[leg].stands() ? 1 : 0;
+  }
+  return mode_.force_share() >= 1.0 && (mode == Mode::kStand || mode == Mode::kTrot || mode == Mode::kStop) &&
+         standing >= 2;
+}
+
+void TrotController::estimate_payload(const Readings& readings) noexcept {
+  if (mode_.mode() == Mode::kLie) {
+    payload_.reset();
+  }
+  const Eigen::Vector3d com = estimator_.body().com_m;
+  if (on_its_feet()) {
+    const Eigen::Matrix3d to_trunk = state_.trunk.rotation.transpose();
+    ForceBalance balance{.specific_force_m_s2 = readings.imu.specific_force_m_s2, .up = to_trunk.col(2), .com_m = com};
+    for (int leg = 0; leg < legs_; ++leg) {
+      if (sequencers_[leg].stands()) {
+        const Eigen::Vector3d force = to_trunk * state_.felt_forces_N[leg];
+        balance.wanted_lift_N += state_.forces_N[leg].z();  // of the last tick
+        balance.force_N += force;
+        balance.moment_Nm += (to_trunk * (touchdowns_[leg] - state_.trunk.position_m)).cross(force);
+      }
+    }
+    payload_.update(balance);
+  }
+  payload_.assume(com);
+  state_.payload = payload_.payload();
+  state_.assumed = payload_.assumed();
+}
+
 void TrotController::distribute() noexcept {
+  trunk_.set_mass(state_.assumed.mass_kg);
   state_.wrench = trunk_.step(state_.wanted, state_.trunk, mode_.force_share());
   const Eigen::Vector3d normal = ground_.normal();
-  const Eigen::Vector3d com = state_.trunk.position_m + state_.trunk.rotation * estimator_.body().com_m;
+  const Eigen::Vector3d com =
+      state_.trunk.position_m + state_.trunk.rotation * (estimator_.body().com_m + state_.assumed.shift_m);
   PerLeg<Contact> contacts;
   PerLeg<int> numbers{};
   PerLeg<Eigen::Vector3d> forces;

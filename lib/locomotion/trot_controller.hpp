@@ -8,6 +8,7 @@
 #include "locomotion/leg_controller.hpp"
 #include "locomotion/leg_sequencer.hpp"
 #include "locomotion/mode_sequencer.hpp"
+#include "locomotion/payload/payload_estimator.hpp"
 #include "locomotion/phase_announcer.hpp"
 #include "locomotion/state_estimator.hpp"
 #include "locomotion/swing_trajectory.hpp"
@@ -33,6 +34,7 @@ struct LocomotionParams {
   GroundPlaneParams ground;
   TrunkReferenceParams reference;
   TrunkWrenchParams trunk;
+  PayloadParams payload;
   ForceDistributionParams forces;
   FootholdParams foothold;
   SwingParams swing;
@@ -45,6 +47,8 @@ struct LocomotionState {
   Mode mode = Mode::kLie;
   TrunkState trunk, wanted;
   Wrench wrench = Wrench::Zero();
+  Payload payload;      ///< estimated
+  AssumedMass assumed;  ///< by which the wrench is computed and distributed
   PerLeg<LegAction> actions{};
   PerLeg<Eigen::Vector3d> forces_N;       ///< wanted forces of the ground on the feet, world frame
   PerLeg<Eigen::Vector3d> felt_forces_N;  ///< by the joint torques, world frame
@@ -83,6 +87,8 @@ class TrotController final : public Controller {
   void sequence_legs(Tick now) noexcept;
   void plan_trunk(const MotionCommand& command) noexcept;
   void plan_swing(int leg) noexcept;
+  bool on_its_feet() const noexcept;
+  void estimate_payload(const Readings& readings) noexcept;
   void distribute() noexcept;
   void command_legs(const Readings& readings) noexcept;
   double trust(int leg) const noexcept;
@@ -96,6 +102,7 @@ class TrotController final : public Controller {
   GroundPlane ground_;
   TrunkReference reference_;
   TrunkWrench trunk_;
+  PayloadEstimator payload_;
   ForceDistribution distribution_;
   LegController leg_controller_;
   ModeSequencer mode_;

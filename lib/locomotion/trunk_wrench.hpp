@@ -42,6 +42,9 @@ class TrunkWrench {
 
   void reset_integrals() noexcept;
 
+  /// Sets the mass of the robot, kg, > 0.
+  void set_mass(double mass_kg) noexcept { mass_kg_ = mass_kg; }
+
  private:
   TrunkWrenchParams params_;
   double mass_kg_;

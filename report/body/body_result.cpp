@@ -23,6 +23,7 @@ constexpr double kDegreesPerMinute = kPerMinute * kDegrees;
 // Bounds of the runs on flat ground.
 constexpr double kHeightRms_mm = 10.0;
 constexpr double kHeightOffset_mm = 15.0;
+constexpr double kLoadedSag_mm = 10.0;
 constexpr double kTiltRms_deg = 1.0;
 constexpr double kSpeedError_percent = 5.0;
 constexpr double kOdometryError_percent = 2.0;
@@ -64,6 +65,9 @@ void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
   take_larger(result.height_rms_mm, kMillimetres * figures.height_rms_m);
   take_larger(result.height_offset_mm, kMillimetres * figures.height_offset_m);
   take_larger(result.sag_mm, kMillimetres * figures.sag_m);
+  if (figures.loaded_sag_m) {
+    result.loaded_sag_mm = std::max(result.loaded_sag_mm.value_or(0.0), kMillimetres * *figures.loaded_sag_m);
+  }
   take_larger(result.tilt_rms_deg, kDegrees * figures.tilt_rms_rad);
   take_larger(result.speed_error_percent, kPercent * figures.speed_error);
   if (figures.odometry_error) {
@@ -121,6 +125,9 @@ void add_result(Figures& figures, const BodyTrialResult& result) {
   add("height_rms_mm", result.height_rms_mm, bound(closely, kHeightRms_mm));
   add("height_offset_mm", result.height_offset_mm, bound(closely, kHeightOffset_mm));
   add("sag_mm", result.sag_mm);
+  if (result.loaded_sag_mm) {
+    add("sag_after_2_s_mm", *result.loaded_sag_mm, kLoadedSag_mm);
+  }
   add("tilt_rms_deg", result.tilt_rms_deg, bound(closely, kTiltRms_deg));
   add("speed_error_percent", result.speed_error_percent, bound(closely, kSpeedError_percent));
   if (result.odometry_error_percent) {

@@ -21,6 +21,7 @@ struct BodyTrialResult {
   std::size_t runs = 0;
   std::size_t falls = 0;
   double height_rms_mm = 0.0, height_offset_mm = 0.0, sag_mm = 0.0;
+  std::optional<double> loaded_sag_mm;  ///< from 2 s after a load is put on; none without a load
   double tilt_rms_deg = 0.0;
   double speed_error_percent = 0.0;
   std::optional<double> odometry_error_percent;  ///< none if no run went 1 m

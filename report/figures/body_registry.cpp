@@ -17,6 +17,7 @@ constexpr std::array kBodySpecs{
     FigureSpec{"body.<trial>.height_rms_mm", "mm", kAtMost, "RMS of the trunk's height above the ground's plane about its mean."},
     FigureSpec{"body.<trial>.height_offset_mm", "mm", kAtMost, "Distance of that mean from the default height."},
     FigureSpec{"body.<trial>.sag_mm", "mm", kNone, "Largest depth of the trunk below the default height in a settled trot."},
+    FigureSpec{"body.<trial>.sag_after_2_s_mm", "mm", kAtMost, "The same from 2 s after a load is put on the trunk."},
     FigureSpec{"body.<trial>.tilt_rms_deg", "deg", kAtMost, "RMS of the angle between the trunk's z axis and the ground's normal."},
     FigureSpec{"body.<trial>.speed_error_percent", "%", kAtMost,
                "Distance of the mean velocity from the command, relative to it; on the spot that of the mean yaw rate."},

@@ -141,6 +141,7 @@ void add_payloads(const robot::Robot& robot, std::vector<TrotCase>& cases) {
     one.scene += "payloads: {load: {start_s: " + config::number_text(kLoad_s) +
                  ", mass_kg: " + config::number_text(rounded(mass_share(robot) * 20.0, 1.0)) +
                  ", z_m: " + scaled_height_text(robot, 0.15) + "}}\n";
+    one.load_s = kLoad_s;
     one.judged_from_s = kLoad_s + kSettle_s;
     cases.push_back(one);
   }

@@ -48,6 +48,7 @@ struct TrotCase {
   std::string scene;                                   ///< in the format of a scene file
   std::vector<locomotion::TimedCommand> script;
   std::optional<double> supply_fault_s = std::nullopt;  ///< instant of a fault of the supply in the scene
+  std::optional<double> load_s = std::nullopt;          ///< instant of a payload in the scene
   int finer = 1;                                        ///< divides the step of body and actuators
   bool may_sink = false;                                ///< a low trunk is no fall
   bool adapts = false;                                  ///< the gains of actuators are redesigned from estimates
@@ -56,6 +57,8 @@ struct TrotCase {
   double judged_from_s = 0.0;   ///< means are over this time ...
   double judged_until_s = 0.0;  ///< ... to this
   double end_s = 0.0;
+
+  static constexpr double kLoadSettled_s = 2.0;  ///< after a load is put on
 
   /// True if ideal joints cannot run it.
   bool needs_pump() const noexcept { return supply_fault_s || trial == "energy"; }

@@ -48,6 +48,9 @@ void TrotJudge::observe() {
   }
   if (since_s_ >= kSettled_s && now_s < one_.judged_until_s) {
     sag_m_ = std::max(sag_m_, height_m_ - height_of(is));
+    if (one_.load_s && now_s >= *one_.load_s + TrotCase::kLoadSettled_s) {
+      loaded_sag_m_ = std::max(loaded_sag_m_.value_or(0.0), height_m_ - height_of(is));
+    }
   }
 }
 
@@ -59,6 +62,7 @@ TrotFigures TrotJudge::figures(const BodyFigures& body) const {
   }
   figures.largest_torque_Nm = *std::ranges::max_element(body.largest_torque_Nm);
   figures.sag_m = sag_m_;
+  figures.loaded_sag_m = loaded_sag_m_;
   figures.hash = hash_;
   if (count_ > 0) {
     const double n = count_;

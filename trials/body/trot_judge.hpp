@@ -47,6 +47,7 @@ class TrotJudge {
   Eigen::Vector3d start_, last_, estimated_start_, estimated_last_, judged_start_, judged_last_;
   double heading_ = 0.0;  // when the trot began
   double heading_error_ = 0.0, heading_drift_ = 0.0, since_s_ = 0.0, way_m_ = 0.0, sag_m_ = 0.0;
+  std::optional<double> loaded_sag_m_;
   double heights_m_ = 0.0, height_squares_m2_ = 0.0, tilt_squares_ = 0.0, yaw_rates_ = 0.0, count_ = 0.0;
   Eigen::Vector3d velocities_ = Eigen::Vector3d::Zero();
   std::uint64_t hash_ = 0xcbf29ce484222325ull;

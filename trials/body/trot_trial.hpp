@@ -26,8 +26,10 @@ struct TrotFigures {
   double height_rms_m = 0.0;     ///< of the trunk's origin above the ground's plane, about its mean
   double height_offset_m = 0.0;  ///< mean less the default height
   double sag_m = 0.0;            ///< largest depth below the default height, from the settled trot on
-  double tilt_rms_rad = 0.0;     ///< between the trunk's z axis and the plane's normal
-  double speed_error = 0.0;      ///< of the mean velocity, or turning on the spot of the mean yaw rate, relative
+  /// The same from TrotCase::kLoadSettled_s after a load is put on. None of a case without a load.
+  std::optional<double> loaded_sag_m = std::nullopt;
+  double tilt_rms_rad = 0.0;  ///< between the trunk's z axis and the plane's normal
+  double speed_error = 0.0;   ///< of the mean velocity, or turning on the spot of the mean yaw rate, relative
   std::optional<double> odometry_error;  ///< of the estimated way since the trot began, relative; none below 1 m
   double heading_drift_rad_s = 0.0;      ///< of the estimated heading, mean since the trot began, signed
   /// Way of the trunk to the left of the line that it was asked to follow, per time, signed. The line begins with the

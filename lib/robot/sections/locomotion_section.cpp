@@ -117,6 +117,25 @@ void declare(Visitor& v, TrunkWrenchParams& t) {
   v.number("tilt_integral_limit_Nm", t.tilt_integral_limit_Nm, {0, 1e4}, kInitial, "Largest moment by that integral.");
 }
 
+void declare(Visitor& v, PayloadParams& p) {
+  v.flag("on", p.on, kInitial, "False: the legs support the model's weight, and integrals the rest.");
+  v.number("time_constant_s", p.time_constant_s, {1e-2, 1e2}, kInitial, "Memory of the balance of forces.");
+  v.number("moment_time_constant_s", p.moment_time_constant_s, {1e-2, 1e2}, kInitial,
+           "Memory of the balance of moments: a tilting trunk moves it to and fro.");
+  v.number("least_share", p.least_share, {-0.9, 0}, kInitial, "Least payload that is used, per mass of the robot.");
+  v.number("largest_share", p.largest_share, {0, 2}, kInitial, "Largest payload that is used, per mass of the robot.");
+  v.number("largest_rate_1_s", p.largest_rate_1_s, {1e-3, 1e2}, kInitial, "Of the payload that is used, likewise.");
+  v.number("largest_shift_m", p.largest_shift_m, {0, 1}, kInitial,
+           "Of the centre of mass that is used, along each axis of the trunk.");
+  v.number("largest_shift_rate_m_s", p.largest_shift_rate_m_s, {1e-3, 1e2}, kInitial, "Speed of that shift.");
+  v.number("push_gate_m_s2", p.push_gate_m_s2, {1e-2, 1e3}, kInitial,
+           "A horizontal force per kilogram that the feet do not explain: above it the estimate rests.");
+  v.number("push_time_constant_s", p.push_time_constant_s, {1e-3, 10}, kInitial, "Low-pass of that force.");
+  v.number("shortfall_gate_m_s2", p.shortfall_gate_m_s2, {1e-2, 1e3}, kInitial,
+           "Lift per kilogram that the feet are asked for and do not give: above it the estimate rests.");
+  v.number("shortfall_time_constant_s", p.shortfall_time_constant_s, {1e-3, 10}, kInitial, "Low-pass of that lift.");
+}
+
 void declare(Visitor& v, ForceDistributionParams& f) {
   number_of_all(v, "horizontal_weight_1_N", f.weight.head<2>(), {0, 1e6}, "Weight of an error of horizontal force.");
   v.number("vertical_weight_1_N", f.weight[2], {0, 1e6}, kInitial, "The same of vertical force.");
@@ -186,6 +205,7 @@ void declare(config::Visitor& v, LocomotionSection& s) {
   v.group("leg", s.params.leg, "Torques of one leg.");
   v.group("mode", s.params.mode, "Lying, standing up, trotting, stopping.");
   v.group("forces", s.params.forces, Defaults{}, "Distribution of the wrench over the feet.");
+  v.group("payload", s.params.payload, Defaults{}, "Mass that the model does not know, from the forces at the feet.");
   v.group("foothold", s.params.foothold, Defaults{}, "Places of the feet (Raibert 1986).");
   v.group("swing", s.params.swing, Defaults{}, "Path of a swinging foot.");
   v.group("contact", s.params.contact, Defaults{}, "Contacts that overrule the schedule.");

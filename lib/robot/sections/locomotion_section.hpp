@@ -29,6 +29,7 @@ void declare(config::Visitor& v, FeltTouchdownParams& felt);
 void declare(config::Visitor& v, GroundPlaneParams& ground);
 void declare(config::Visitor& v, TrunkReferenceParams& reference);
 void declare(config::Visitor& v, TrunkWrenchParams& trunk);
+void declare(config::Visitor& v, PayloadParams& payload);
 void declare(config::Visitor& v, ForceDistributionParams& forces);
 void declare(config::Visitor& v, FootholdParams& foothold);
 void declare(config::Visitor& v, SwingParams& swing);
