@@ -98,7 +98,8 @@ UpdateVerdict PhysicsUpdate::judge(const signals::JointModelEstimate& estimate) 
 
 // The law for a stronger valve is slower, which no check needs to allow.
 UpdateVerdict PhysicsUpdate::calm(double valve_gain, const control::DiscreteModel& model) noexcept {
-  if (!(valve_gain > physics_.valve_gain) || !std::isfinite(valve_gain)) {
+  if (!(valve_gain > physics_.valve_gain) || !std::isfinite(valve_gain) || !model.a.allFinite() ||
+      !model.b.allFinite()) {
     return UpdateVerdict::kNotValid;
   }
   plant::JointPhysics calmer = physics_;

@@ -20,10 +20,9 @@ constexpr double kLeastResidual = 0.02;
 // Least residual variance of standard errors: errors of the model are no noise.
 constexpr double kLeastVariance = 0.1;
 // Error of the supply's pressure, share: the flow goes with the root of a drop that it is part of.
-constexpr double kSupplyError = 0.1;
+constexpr double kSupplyError = 0.1, kMeasuredSupplyError = 0.03;  // the measured one is at most 10 ms old
 // A supply sensor that reads more than this share of the nominal pressure is broken: the relief valve opens before.
 constexpr double kLargestSupply = 1.5;
-constexpr double kMeasuredSupplyError = 0.03;                     // it is sampled every 10 ms
 constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2;  // and 3, the damping, which is not told
 // Limit of the covariance's trace over that at the start: without excitation an estimate stays as certain as at first.
 constexpr double kCovarianceLimit = 1.01;
@@ -36,8 +35,7 @@ constexpr double kDeaf_s = 0.06;
 // A loop that oscillates with gains for a valve of this share has another cause.
 constexpr double kStrongest = 2.5;
 // A leakage or an overlap below zero by more standard errors than these, and by more than the share, is no valve's.
-constexpr double kNegativeSigmas = 3.0;
-constexpr double kNegativeShare = 0.02;
+constexpr double kNegativeSigmas = 3.0, kNegativeShare = 0.02;
 
 }  // namespace
 
@@ -85,9 +83,8 @@ ValveFlowEstimator::ValveFlowEstimator(const EstimatorParams& params, const Valv
 ValveFlowEstimator::Terms ValveFlowEstimator::terms(const Eigen::Vector3d& state, double opening_A) const noexcept {
   const Eigen::Vector3d mean = 0.5 * (state + last_state_);
   const Eigen::Vector3d change = state - last_state_;
-  const double sign = opening_A > 0.0 ? 1.0 : -1.0;
   const double force_rate = (change(2) + actuator_.piston_damping * change(1)) / scales_.period_s;
-  const plant::OperatingPoint point = point_of(mean, sign);
+  const plant::OperatingPoint point = point_of(mean, sign_);
   const plant::LoadPressureCoefficients rates = plant::load_pressure_coefficients(supplied_, point);
   const double compliance = -rates.K_vp / actuator_.area_a;  // rate of the load pressure per flow
   const double compression = force_rate / (actuator_.area_a * compliance);
@@ -96,9 +93,9 @@ ValveFlowEstimator::Terms ValveFlowEstimator::terms(const Eigen::Vector3d& state
   const double damping_Pa = actuator_.piston_damping * mean(1) / actuator_.area_a;
   Terms terms;
   terms << flow / open_flow_m3_s_, per_opening * opening_A / actuator_.valve_current_max_A / open_flow_m3_s_,
-      -sign * per_opening / open_flow_m3_s_,
+      -sign_ * per_opening / open_flow_m3_s_,
       -plant::leakage_pressure_Pa(supplied_, point) / actuator_.supply_pressure_Pa,
-      -sign * damping_Pa / (2.0 * rates.root * rates.root) * flow / open_flow_m3_s_,
+      -sign_ * damping_Pa / (2.0 * rates.root * rates.root) * flow / open_flow_m3_s_,
       std::abs(compression) / open_flow_m3_s_,
       supply_error_ * supplied_.supply_pressure_Pa / (2.0 * rates.root * rates.root) * std::abs(flow) / open_flow_m3_s_;
   return terms;
@@ -259,8 +256,7 @@ ModelEstimate ValveFlowEstimator::estimate() const noexcept {
   out.flags = sample_flags_;
   out.samples = static_cast<std::uint32_t>(std::min<std::int64_t>(regression_.samples(), UINT32_MAX));
   if (regression_.samples() < params_.min_samples) {
-    out.flags |= bit(EstimateFlag::kNotYetSet);
-    out.flags |= stronger_ ? bit(EstimateFlag::kCountsAsStronger) : 0u;
+    out.flags |= bit(EstimateFlag::kNotYetSet) | (stronger_ ? bit(EstimateFlag::kCountsAsStronger) : 0u);
   }
   const Parameters found = parameters();
   const Parameters errors = standard_errors();

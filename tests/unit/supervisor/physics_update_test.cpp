@@ -131,6 +131,9 @@ TEST(PhysicsUpdate, TakesAValveThatCountsAsStrongerAtOnceAndNothingElseOfItsEsti
   EXPECT_EQ(slot.physics().valve_gain, counted.valve_gain);
   EXPECT_EQ(slot.physics().load_mass, 10.0);
   EXPECT_EQ(verdict_on(slot, estimate), UpdateVerdict::kNotValid) << "it has been taken";
+  estimate.physics[plant::kBiasForce + 1] = 2.0 * counted.valve_gain;
+  estimate.b[2] = INFINITY;
+  EXPECT_EQ(verdict_on(slot, estimate), UpdateVerdict::kNotValid);
   estimate.physics[plant::kBiasForce + 1] = std::nan("");
   EXPECT_EQ(verdict_on(slot, estimate), UpdateVerdict::kNotValid);
 }
