@@ -130,6 +130,7 @@ class BodyLocomotion final : public Locomotion {
   void begin(Tick first, Tick tick) override;
   MotionCommand command_at_tick(Tick tick) const noexcept;
   void tell_demand(SupplyDemand before, Tick tick);
+  void tell_dead_joint(const LocomotionState& state, Tick tick);
   void command_joints(const Readings& readings, const LegTorques& torques_Nm, Tick tick);
   void announce_switches(Tick tick);
 
@@ -149,6 +150,7 @@ class BodyLocomotion final : public Locomotion {
   SupplyGuard guard_;
   std::optional<SupplyReading> supply_;  ///< the newest
   Tick supply_tick_ = kNoTick;           ///< of it
+  std::optional<LegJoint> dead_joint_;   ///< that was reported
 };
 
 // Tick 0 begins at rest in the home pose, before any reading: no torque.
@@ -230,16 +232,32 @@ void BodyLocomotion::begin(Tick first, Tick tick) {
   FARRIER_ENSURE(torques_Nm != nullptr, "a tick has begun");
   command_joints(readings, *torques_Nm, tick + 1);
   if (const LocomotionState* state = controller_->published_state()) {
+    tell_dead_joint(*state, tick);
     inputs_.state->publish(body_state_signal(*state, command, tick));
   }
 }
 
 void BodyLocomotion::tell_demand(SupplyDemand before, Tick tick) {
-  if (guard_.demand() > before) {
-    participant().event(guard_.demand() == SupplyDemand::kLie ? participant::EventKind::kSupplyLie
-                                                              : participant::EventKind::kSupplyStand,
-                        tick, signals::kNoJoint);
+  using enum participant::EventKind;
+  const SupplyDemand now = guard_.demand();
+  if (now > before) {
+    const auto kind =
+        now == SupplyDemand::kLie ? kSupplyLie : (now == SupplyDemand::kStand ? kSupplyStand : kSupplySlow);
+    participant().event(kind, tick, signals::kNoJoint);
+  } else if (now == SupplyDemand::kNone && before == SupplyDemand::kSlow) {
+    participant().event(kSupplyFast, tick, signals::kNoJoint);
   }
+}
+
+void BodyLocomotion::tell_dead_joint(const LocomotionState& state, Tick tick) {
+  if (state.dead_joint && state.dead_joint != dead_joint_) {
+    for (const robot::Joint& joint : robot().joints) {
+      if (joint.leg == state.dead_joint->leg && joint.index_in_leg == state.dead_joint->index) {
+        participant().event(participant::EventKind::kJointDead, tick, joint.number);
+      }
+    }
+  }
+  dead_joint_ = state.dead_joint;
 }
 
 /// The trot controller with the model that it refers to.

@@ -32,6 +32,8 @@ struct MotionCommand {
   double yaw_rate_rad_s = 0.0;  ///< positive to the left
   double height_m = 0.0;        ///< trunk's origin above the ground; 0 selects the default
   bool at_once = false;         ///< brakes and sits down several times as fast, and does not settle before
+  bool feet_down = false;       ///< with at_once: no further foot lifts off, though the robot still moves
+  bool weak_supply = false;     ///< joints may lack torque because the supply is weak, so none counts as dead
 };
 
 /// Joint torques of each leg, Nm, in the order HAA, HFE, KFE.

@@ -67,7 +67,8 @@ void ModeSequencer::step(Tick now, const MotionCommand& command, double up, cons
     schedule.start(now);
   }
   rest_s_ = mode_ == Mode::kStop && reference.at_rest() ? rest_s_ + period_s_ : 0.0;
-  if (mode_ == Mode::kFallen || (mode_ == Mode::kStop && rest_s_ > (command.at_once ? 0.0 : params_.settle_s))) {
+  const bool stops = command.feet_down || rest_s_ > (command.at_once ? 0.0 : params_.settle_s);
+  if (mode_ == Mode::kFallen || (mode_ == Mode::kStop && stops)) {
     schedule.stop();
   }
 }

@@ -30,6 +30,7 @@ TrotController::TrotController(const LocomotionParams& params, const gait::Robot
       distribution_(params.forces),
       leg_controller_(params.leg),
       mode_(params.mode, plan.period_s),
+      joint_guard_(params.joint_guard, params.leg.torque_limit_Nm, legs_, plan.period_s),
       sequencers_(for_every_leg(LegSequencer(params.contact, plan.period_s))),
       announcers_(for_every_leg(PhaseAnnouncer(params.felt_touchdown, plan.period_s))),
       swings_(for_every_leg(SwingTrajectory(params.swing))) {
@@ -40,8 +41,12 @@ TrotController::TrotController(const LocomotionParams& params, const gait::Robot
   }
 }
 
-const LegTorques& TrotController::step(Tick now, const Readings& readings, const MotionCommand& command) noexcept {
+const LegTorques& TrotController::step(Tick now, const Readings& readings, const MotionCommand& asked) noexcept {
   estimate(readings);
+  const Mode before = mode_.mode();
+  joint_guard_.step(readings, torques_, before != Mode::kLie && before != Mode::kFallen && !asked.weak_supply);
+  const MotionCommand command = joint_guard_.command(asked, before == Mode::kLie);
+  state_.dead_joint = joint_guard_.dead();
   // Joints that are not armed do not obey. The soft start waits for them in the pose that they have: a torque that grew
   // with their distance from the folded pose would make the legs give way when they are armed.
   if (mode_.mode() == Mode::kLie && !obeyed(readings)) {

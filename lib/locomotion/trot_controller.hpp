@@ -5,6 +5,7 @@
 #include "locomotion/foothold.hpp"
 #include "locomotion/force_distribution.hpp"
 #include "locomotion/ground_plane.hpp"
+#include "locomotion/guards/joint_guard.hpp"
 #include "locomotion/leg_controller.hpp"
 #include "locomotion/leg_sequencer.hpp"
 #include "locomotion/mode_sequencer.hpp"
@@ -40,6 +41,7 @@ struct LocomotionParams {
   SwingParams swing;
   LegControllerParams leg;
   ModeSequencerParams mode;
+  JointGuardParams joint_guard;
 };
 
 /// State of the controller after one tick, for body/state, logs and tests.
@@ -53,6 +55,7 @@ struct LocomotionState {
   PerLeg<Eigen::Vector3d> forces_N;       ///< wanted forces of the ground on the feet, world frame
   PerLeg<Eigen::Vector3d> felt_forces_N;  ///< by the joint torques, world frame
   PerLeg<Eigen::Vector3d> footholds_m;    ///< where the foot stands or is going to, world frame
+  std::optional<LegJoint> dead_joint;     ///< does not follow, so the robot lies down
 };
 
 /// Trot controller for a robot with legs of three joints. It estimates the state, plans trunk and feet, distributes the
@@ -68,7 +71,7 @@ class TrotController final : public Controller {
   /// `plan` must pass gait::validate() and have the model's legs. `model` must outlive the controller.
   TrotController(const LocomotionParams& params, const gait::RobotPlan& plan, const BodyModel& model);
 
-  const LegTorques& step(Tick now, const Readings& readings, const MotionCommand& command) noexcept override;
+  const LegTorques& step(Tick now, const Readings& readings, const MotionCommand& asked) noexcept override;
 
   std::optional<gait::PhaseSwitch> announcement(int leg) const noexcept override {
     return announcers_[leg].announcement();
@@ -106,6 +109,7 @@ class TrotController final : public Controller {
   ForceDistribution distribution_;
   LegController leg_controller_;
   ModeSequencer mode_;
+  JointGuard joint_guard_;
   PerLeg<LegSequencer> sequencers_;
   PerLeg<PhaseAnnouncer> announcers_;
   PerLeg<SwingTrajectory> swings_;

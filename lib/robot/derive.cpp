@@ -133,10 +133,12 @@ std::optional<locomotion::SupplyGuardParams> supply_guard_params(const RobotFile
     return std::nullopt;
   }
   return locomotion::SupplyGuardParams{.low_Pa = supply->low_share * supply->supply_pressure_Pa,
+                                       .slow_Pa = supply->slow_share * supply->supply_pressure_Pa,
                                        .recovered_Pa = supply->recovered_share * supply->supply_pressure_Pa,
                                        .lie_Pa = supply->lie_share * supply->supply_pressure_Pa,
                                        .least_pump_flow_m3_s = kStopped * supply->pump->flow_m3_s,
-                                       .stand_after_s = supply->stand_after_s};
+                                       .stand_after_s = supply->stand_after_s,
+                                       .slowest = supply->slowest};
 }
 
 ForceLimits force_limits(const plant::ActuatorParams& a, double rated) {

@@ -22,10 +22,13 @@ json json_of(const std::optional<trials::SupplyFigures>& supply) {
   }
   return {{"low_s", number_or_null(supply->low_s)},
           {"sag_s", number_or_null(supply->sag_s)},
+          {"slows_s", number_or_null(supply->slows_s)},
           {"acts_s", number_or_null(supply->acts_s)},
           {"lying_s", number_or_null(supply->lying_s)},
           {"largest_sinking_m_s", supply->largest_sinking_m_s},
-          {"largest_foot_force_N", supply->largest_foot_force_N}};
+          {"largest_foot_force_N", supply->largest_foot_force_N},
+          {"recovers", supply->recovers},
+          {"end_speed_m_s", supply->end_speed_m_s}};
 }
 
 std::optional<trials::SupplyFigures> supply_of(const json& supply) {
@@ -34,10 +37,13 @@ std::optional<trials::SupplyFigures> supply_of(const json& supply) {
   }
   return trials::SupplyFigures{.low_s = number_of(supply.at("low_s")),
                                .sag_s = number_of(supply.at("sag_s")),
+                               .slows_s = number_of(supply.at("slows_s")),
                                .acts_s = number_of(supply.at("acts_s")),
                                .lying_s = number_of(supply.at("lying_s")),
                                .largest_sinking_m_s = supply.at("largest_sinking_m_s"),
-                               .largest_foot_force_N = supply.at("largest_foot_force_N")};
+                               .largest_foot_force_N = supply.at("largest_foot_force_N"),
+                               .recovers = supply.at("recovers"),
+                               .end_speed_m_s = supply.at("end_speed_m_s")};
 }
 
 json json_of(const world::EnergyAudit& energy) {

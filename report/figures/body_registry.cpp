@@ -48,8 +48,16 @@ constexpr std::array kBodySpecs{
                "Work of the pump that the other terms do not find again; the largest run."},
     FigureSpec{"body.energy.half_step.<figure>_percent", "%", kAtMost,
                "Change of the median of height_rms, tilt_rms or kfe_stance_nrmse with half the step."},
-    // trials with a fault of the supply; seconds are since the fault
-    FigureSpec{"body.<trial>.acted", "1", kAtMost, "Runs in which locomotion stood or lay down because of the supply."},
+    // trials with a fault of the supply or of an actuator; seconds are since the fault
+    FigureSpec{"body.<trial>.acted", "1", kAtMost, "Runs in which locomotion stood or lay down because of the supply or of a joint."},
+    FigureSpec{"body.<trial>.slowed", "1", kAtMost, "Runs in which locomotion trotted more slowly because of the supply."},
+    FigureSpec{"body.<trial>.not_recovered", "1", kAtMost,
+               "Runs that end with less pressure than that from which on a trot slows down."},
+    FigureSpec{"body.<trial>.hard_landings", "1", kAtMost,
+               "Runs in which the robot fell, never lay, or sank at 0.5 m/s or more."},
+    FigureSpec{"body.<trial>.slows_s", "s", kNone, "Time until locomotion trots more slowly; the earliest run."},
+    FigureSpec{"body.<trial>.end_speed_m_s", "m/s", kNone,
+               "Speed of the trunk from 10 s after the fault to the end, mean of the runs."},
     FigureSpec{"body.<trial>.unnoticed_sags", "1", kAtMost,
                "Runs in which the trunk was 20 mm too low before the supply counted as low."},
     FigureSpec{"body.<trial>.not_lying", "1", kAtMost, "Runs in which the robot never lay."},

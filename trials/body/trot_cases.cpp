@@ -159,8 +159,36 @@ TrotCase supply_case(const robot::Robot& robot, const std::string& trial, int se
     one.scene += "  accumulator: " + start + ", accumulator_volume_m3: " +
                  config::number_text(accumulator_share * robot.supply->accumulator_volume_m3) + "}\n";
   }
-  one.supply_fault_s = kFault_s;
+  one.fault_s = kFault_s;
   return one;
+}
+
+// The valve of the first knee stays at this share of its full current, from a phase of the stride on.
+TrotCase stuck_case(const robot::Robot& robot, const std::string& trial, double share, int phase) {
+  const robot::Joint& knee = robot.joints[body::kJointsPerLeg - 1];
+  const double stride_s = 1.0 / robot.plan.gait.frequency_Hz;
+  const double fault_s = kTrot_s + 6.0 + phase * stride_s / kPushPhases;
+  const std::string sign = share > 0.0 ? "out, " : (share < 0.0 ? "in, " : "");
+  TrotCase one = walk(trial, sign + "phase " + std::to_string(phase) + " of 8", 1, trot(0.4), 12.0);
+  one.scene += "actuators: {dead: {joint: " + knee.name + ", start_s: " + config::number_text(fault_s) +
+               ", stuck_A: " + config::number_text(share * knee.actuator.valve_current_max_A) + "}}\n";
+  one.fault_s = fault_s;
+  one.may_sink = true;
+  return one;
+}
+
+void add_dead_joints(const robot::Robot& robot, std::vector<TrotCase>& cases) {
+  if (!robot.supply || robot.joints[body::kJointsPerLeg - 1].electric) {
+    return;
+  }
+  for (int phase = 0; phase < kPushPhases; ++phase) {
+    cases.push_back(stuck_case(robot, "dead_joint", 0.0, phase));
+  }
+  for (const double share : {0.5, -0.5}) {
+    for (int phase = 0; phase < kPushPhases; ++phase) {
+      cases.push_back(stuck_case(robot, "open_valve", share, phase));
+    }
+  }
 }
 
 void add_supply_trials(const robot::Robot& robot, std::vector<TrotCase>& cases) {
@@ -170,13 +198,14 @@ void add_supply_trials(const robot::Robot& robot, std::vector<TrotCase>& cases) 
   for (int seed = 1; seed <= kWalkSeeds; ++seed) {
     cases.push_back(supply_case(robot, "supply", seed, 7.0 / 12.0, 0.2));
   }
-  for (int seed = 1; seed <= kSeeds; ++seed) {
+  for (int seed = 1; seed <= kWalkSeeds; ++seed) {
     cases.push_back(supply_case(robot, "low_supply", seed, 0.5, 1.0));
   }
   for (int seed = 1; seed <= kSeeds; ++seed) {
     cases.push_back(supply_case(robot, "pump_stops", seed, 0.0, 1.0));
     cases.back().may_sink = true;
   }
+  add_dead_joints(robot, cases);
   for (int seed = 1; seed <= kWalkSeeds; ++seed) {
     for (const int finer : {1, 2}) {
       cases.push_back(walk("energy", seed_text(seed) + (finer > 1 ? ", half the step" : ""),

@@ -33,8 +33,10 @@ inline constexpr std::array kTrotTrials{
     TrotTrial{"long_lag", "the same 20 ticks later; not judged"},
     TrotTrial{"payload", "20 kg are put on the trunk, and no controller is told; three seeds"},
     TrotTrial{"supply", "0.4 m/s while the pump gives 7/12 and the accumulator a fifth; ten seeds"},
-    TrotTrial{"low_supply", "0.4 m/s while the pump gives half; three seeds"},
+    TrotTrial{"low_supply", "0.4 m/s while the pump gives half, 20 s; ten seeds"},
     TrotTrial{"pump_stops", "0.4 m/s while the pump stops; three seeds"},
+    TrotTrial{"dead_joint", "0.4 m/s while the valve of the first knee sticks shut; eight phases of the stride"},
+    TrotTrial{"open_valve", "the same half open to either side; not judged"},
     TrotTrial{"energy",
               "the account of the pump's work over 10 s at 0.4 m/s, and again with half the step; ten seeds"}};
 
@@ -47,11 +49,11 @@ struct TrotCase {
   int lag_ticks = 0;                                   ///< beyond the one tick of every command
   std::string scene;                                   ///< in the format of a scene file
   std::vector<locomotion::TimedCommand> script;
-  std::optional<double> supply_fault_s = std::nullopt;  ///< instant of a fault of the supply in the scene
-  std::optional<double> load_s = std::nullopt;          ///< instant of a payload in the scene
-  int finer = 1;                                        ///< divides the step of body and actuators
-  bool may_sink = false;                                ///< a low trunk is no fall
-  bool adapts = false;                                  ///< the gains of actuators are redesigned from estimates
+  std::optional<double> fault_s = std::nullopt;  ///< instant of a fault of the supply or of an actuator in the scene
+  std::optional<double> load_s = std::nullopt;   ///< instant of a payload in the scene
+  int finer = 1;                                 ///< divides the step of body and actuators
+  bool may_sink = false;                         ///< a low trunk is no fall
+  bool adapts = false;                           ///< the gains of actuators are redesigned from estimates
   bool knows = false;           ///< actuators are told the true physics of valve and piston as they change
   double trot_s = 0.0;          ///< when it first begins to trot
   double judged_from_s = 0.0;   ///< means are over this time ...
@@ -61,7 +63,7 @@ struct TrotCase {
   static constexpr double kLoadSettled_s = 2.0;  ///< after a load is put on
 
   /// True if ideal joints cannot run it.
-  bool needs_pump() const noexcept { return supply_fault_s || trial == "energy"; }
+  bool needs_pump() const noexcept { return fault_s || trial == "energy"; }
   /// The command that is judged.
   const locomotion::MotionCommand& judged_command() const noexcept;
 };
@@ -83,7 +85,8 @@ TrotCase push_case(const robot::Robot& robot, const std::string& trial, const Pu
 double scaled_impulse_Ns(const robot::Robot& robot, double of_hyq_Ns);
 
 /// All cases but those of push_limit (push_limit.hpp), trial by trial in the order of kTrotTrials. The robot needs body
-/// and locomotion. One without a pump has no case with a fault of the supply, and ideal joints cannot run them.
+/// and locomotion. One without a pump has no case with a fault of the supply or of an
+/// actuator, and ideal joints cannot run them.
 std::vector<TrotCase> trot_cases(const robot::Robot& robot);
 
 /// The first case of every trial.

@@ -84,8 +84,8 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
   std::optional<SupplyJudge> supply_judge;
   if (actuated && robot.supply_guard) {
     driver.guard_supply(*robot.supply_guard);
-    if (one.supply_fault_s) {
-      supply_judge.emplace(*robot.supply_guard, *robot.locomotion, *one.supply_fault_s, kDeepSag_m);
+    if (one.fault_s) {
+      supply_judge.emplace(*robot.supply_guard, *robot.locomotion, *one.fault_s, kDeepSag_m);
     }
   }
   bool stopped = false;
@@ -96,7 +96,8 @@ Result<std::optional<TrotFigures>> run_trot_case(const robot::Robot& robot, cons
         judge.observe();
         if (supply_judge) {
           supply_judge->observe(static_cast<double>(truth.tick()) * robot.period_s, truth, judge.height_m(),
-                                moved.supply()->pressure_Pa, driver.demand());
+                                moved.supply()->pressure_Pa, driver.demand(),
+                                controller.state().dead_joint.has_value());
         }
         stopped = keep_on && !keep_on();
         return !stopped;

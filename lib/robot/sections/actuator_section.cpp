@@ -35,12 +35,17 @@ void declare(Visitor& v, Supply& s) {
   v.group("accumulator", s.accumulator, "Accumulator beside the pump; absent: there is none.");
   v.number("low_share", s.low_share, {0, 1}, kInitial,
            "With a pump: below this share of supply_pressure_Pa the supply is low, and an event says so.");
-  v.number("recovered_share", s.recovered_share, {0, 1}, kInitial, "From this share on it has recovered.");
+  v.number("slow_share", s.slow_share, {0, 1}, kInitial, "Below this share a robot that trots slows down.");
+  v.number("recovered_share", s.recovered_share, {0, 1}, kInitial,
+           "From this share on it has recovered, and a robot that slowed down speeds up again.");
   v.number("lie_share", s.lie_share, {0, 1}, kInitial,
            "Below this share, and without flow of the pump, the robot lies down.");
   v.number("stand_after_s", s.stand_after_s, {0, 100}, kInitial,
            "Time for which the supply is low before a robot that trots stands.");
-  v.check(s.low_share <= s.recovered_share, "recovered_share", "must not be below low_share");
+  v.number("slowest", s.slowest, {0, 1}, kInitial,
+           "Least factor on the commanded velocities of a robot that slows down.");
+  v.check(s.low_share <= s.slow_share, "slow_share", "must not be below low_share");
+  v.check(s.slow_share <= s.recovered_share, "recovered_share", "must not be below slow_share");
   v.check(s.lie_share <= s.low_share, "lie_share", "must not be above low_share");
   v.check(!s.accumulator || s.pump, "accumulator", "needs pump: give it, or leave the accumulator out");
   v.check(s.return_pressure_Pa < s.supply_pressure_Pa, "return_pressure_Pa", "must be below supply_pressure_Pa");

@@ -41,9 +41,11 @@ struct Supply {
   std::optional<Pump> pump;
   std::optional<Accumulator> accumulator;
   double low_share = 0.8;
+  double slow_share = 0.85;
   double recovered_share = 0.9;
   double lie_share = 0.6;
   double stand_after_s = 0.3;
+  double slowest = 0.3;
 };
 
 struct Valve {

@@ -186,6 +186,14 @@ void declare(Visitor& v, ModeSequencerParams& m) {
            "Cosine of the tilt from which on the robot counts as fallen.");
 }
 
+void declare(Visitor& v, JointGuardParams& g) {
+  v.number("torque_share", g.torque_share, {0, 1}, kInitial,
+           "A joint whose torque differs by less than this share of its limit follows.");
+  v.number("still_rad_s", g.still_rad_s, {1e-3, 10}, kInitial, "A joint that moves faster is not dead.");
+  v.number("dead_after_s", g.dead_after_s, {0, 10}, kInitial,
+           "Time for which a joint neither follows nor moves until it is dead and the robot lies down.");
+}
+
 }  // namespace farrier::locomotion
 
 namespace farrier::robot {
@@ -204,6 +212,7 @@ void declare(config::Visitor& v, LocomotionSection& s) {
   v.group("trunk", s.params.trunk, "Wrench on the trunk (Focchi 2016; Bledt 2018).");
   v.group("leg", s.params.leg, "Torques of one leg.");
   v.group("mode", s.params.mode, "Lying, standing up, trotting, stopping.");
+  v.group("joint_guard", s.params.joint_guard, Defaults{}, "Joints that do not follow.");
   v.group("forces", s.params.forces, Defaults{}, "Distribution of the wrench over the feet.");
   v.group("payload", s.params.payload, Defaults{}, "Mass that the model does not know, from the forces at the feet.");
   v.group("foothold", s.params.foothold, Defaults{}, "Places of the feet (Raibert 1986).");

@@ -35,5 +35,6 @@ void declare(config::Visitor& v, FootholdParams& foothold);
 void declare(config::Visitor& v, SwingParams& swing);
 void declare(config::Visitor& v, LegControllerParams& leg);
 void declare(config::Visitor& v, ModeSequencerParams& mode);
+void declare(config::Visitor& v, JointGuardParams& guard);
 
 }  // namespace farrier::locomotion

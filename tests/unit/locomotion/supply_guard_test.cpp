@@ -51,6 +51,55 @@ TEST(SupplyGuard, PassesTheCommandOfAGoodSupply) {
   EXPECT_FALSE(command.at_once);
 }
 
+SupplyGuard slowing_guard() {
+  return SupplyGuard({.low_Pa = 128e5, .slow_Pa = 136e5, .recovered_Pa = 144e5, .lie_Pa = 96e5}, kPeriod_s);
+}
+
+TEST(SupplyGuard, SlowsDownBetweenLowAndSlow) {
+  SupplyGuard guard = slowing_guard();
+  EXPECT_EQ(after(guard, 1.0, 137e5).forward_m_s, 0.4);
+  EXPECT_EQ(guard.demand(), SupplyDemand::kNone);
+  const MotionCommand slower =
+      after(guard, 1.0, 130e5, kPump_m3_s,
+            {.request = Request::kTrot, .forward_m_s = 0.4, .left_m_s = -0.2, .yaw_rate_rad_s = 0.6});
+  EXPECT_EQ(slower.request, Request::kTrot);
+  EXPECT_NEAR(slower.forward_m_s, 0.5 * 0.4, 1e-9);
+  EXPECT_NEAR(slower.left_m_s, -0.5 * 0.2, 1e-9);
+  EXPECT_NEAR(slower.yaw_rate_rad_s, 0.5 * 0.6, 1e-9);
+  EXPECT_EQ(guard.demand(), SupplyDemand::kSlow);
+  EXPECT_TRUE(slower.weak_supply);
+  EXPECT_NEAR(after(guard, 10.0, 130e5).forward_m_s, 0.3 * 0.4, 1e-9) << "the slowest";
+}
+
+TEST(SupplyGuard, SpeedsUpFromTheHigherLimitOn) {
+  SupplyGuard guard = slowing_guard();
+  after(guard, 1.0, 130e5);
+  EXPECT_NEAR(after(guard, 10.0, 143e5).forward_m_s, 0.2, 1e-9) << "between the limits the speed stays";
+  EXPECT_NEAR(after(guard, 2.0, 145e5).forward_m_s, (0.5 + 0.2) * 0.4, 1e-9);
+  EXPECT_EQ(guard.demand(), SupplyDemand::kSlow);
+  EXPECT_EQ(after(guard, 4.0, 145e5).forward_m_s, 0.4);
+  EXPECT_EQ(guard.demand(), SupplyDemand::kNone) << "no operator is needed";
+}
+
+TEST(SupplyGuard, ChangesTheSpeedWithoutAStep) {
+  SupplyGuard guard = slowing_guard();
+  double before = 1.0;
+  for (const double pressure_Pa : {130e5, 150e5, std::numeric_limits<double>::quiet_NaN(), 150e5}) {
+    for (int tick = 0; tick < 1000; ++tick) {
+      guard.step(kTrot, SupplyReading{pressure_Pa, kPump_m3_s});
+      ASSERT_LE(std::abs(guard.speed() - before), 0.5 * kPeriod_s + 1e-12);
+      before = guard.speed();
+    }
+  }
+}
+
+TEST(SupplyGuard, StandsWhenSlowingDoesNotSuffice) {
+  SupplyGuard guard = slowing_guard();
+  after(guard, 2.0, 130e5);
+  EXPECT_EQ(after(guard, 0.31, 120e5).request, Request::kStand);
+  EXPECT_EQ(guard.demand(), SupplyDemand::kStand);
+}
+
 TEST(SupplyGuard, StandsWhenTheSupplyIsLowForLong) {
   SupplyGuard guard = supply_guard_test::guard();
   EXPECT_EQ(after(guard, 0.29, 120e5).request, Request::kTrot);

@@ -160,8 +160,15 @@ trials::TrotRow supply_row(const std::string& trial, const trials::SupplyFigures
 
 TEST(SupplyResult, IsTheWorstRunOfATrial) {
   const std::vector<trials::TrotRow> rows{
-      supply_row("low_supply", {.low_s = 1.0, .sag_s = 2.0, .largest_sinking_m_s = 0.1, .largest_foot_force_N = 800.0}),
-      supply_row("low_supply", {.low_s = 3.0, .sag_s = 2.5, .acts_s = 3.3, .largest_sinking_m_s = 0.2})};
+      supply_row("low_supply", {.low_s = 1.0,
+                                .sag_s = 2.0,
+                                .slows_s = 0.5,
+                                .largest_sinking_m_s = 0.1,
+                                .largest_foot_force_N = 800.0,
+                                .recovers = true,
+                                .end_speed_m_s = 0.1}),
+      supply_row("low_supply",
+                 {.low_s = 3.0, .sag_s = 2.5, .acts_s = 3.3, .largest_sinking_m_s = 0.2, .end_speed_m_s = 0.2})};
   const auto results = supply_results(rows);
   Figures figures;
   add_supply(figures, results);
@@ -170,10 +177,12 @@ TEST(SupplyResult, IsTheWorstRunOfATrial) {
   EXPECT_EQ(figures.find("body.low_supply.unnoticed_sags")->value, 1.0);
   EXPECT_FALSE(figures.find("body.low_supply.unnoticed_sags")->holds());
   EXPECT_EQ(figures.find("body.low_supply.lying_s"), nullptr);
+  EXPECT_FALSE(figures.find("body.low_supply.acted")->holds()) << "it shall slow down";
+  EXPECT_FALSE(figures.find("body.low_supply.not_recovered")->holds());
   EXPECT_EQ(
       supply_text(results),
-      "low_supply: low after 3.00 s, 20 mm of sag after 2.00 s, locomotion acts after 3.30 s, lies never, sinks by "
-      "at most 0.20 m/s, foot force at most 800 N\n");
+      "low_supply: low after 3.00 s, 20 mm of sag after 2.00 s, slows after 0.50 s, locomotion acts after 3.30 s, "
+      "lies never, sinks by at most 0.20 m/s, foot force at most 800 N, speed at the end 0.15 m/s\n");
 }
 
 trials::TrotRow energy_row(double work_J, double nrmse, int finer) {
@@ -208,7 +217,8 @@ TEST(BodyRows, KeepWhatSupplyAndEnergyAre) {
   std::remove(path.c_str());
   trials::TrotRow of = energy_row(40.0, 0.1, 2);
   of.figures.way_m = 4.0;
-  of.figures.supply = {.low_s = 1.5, .largest_foot_force_N = 900.0};
+  of.figures.supply = {
+      .low_s = 1.5, .slows_s = 0.5, .largest_foot_force_N = 900.0, .recovers = true, .end_speed_m_s = 0.1};
   ASSERT_TRUE(append_row(path, "origin", of));
   const std::vector<trials::TrotRow> kept = read_rows(path, "origin");
   ASSERT_EQ(kept.size(), 1u);
@@ -216,6 +226,9 @@ TEST(BodyRows, KeepWhatSupplyAndEnergyAre) {
   EXPECT_EQ(kept[0].figures.finer, 2);
   EXPECT_EQ(kept[0].figures.way_m, 4.0);
   EXPECT_EQ(kept[0].figures.supply->low_s, 1.5);
+  EXPECT_EQ(kept[0].figures.supply->slows_s, 0.5);
+  EXPECT_TRUE(kept[0].figures.supply->recovers);
+  EXPECT_EQ(kept[0].figures.supply->end_speed_m_s, 0.1);
   EXPECT_FALSE(kept[0].figures.supply->lying_s);
 }
 
@@ -227,6 +240,25 @@ TEST(SupplyResult, BoundsThatAWalkGoesOnAndThatARobotWithoutAPumpLies) {
   EXPECT_FALSE(figures.find("body.supply.not_lying")->bound.has_value());
   EXPECT_FALSE(figures.find("body.pump_stops.not_lying")->holds());
   EXPECT_TRUE(supply_results(std::vector<trials::TrotRow>{row("flat")}).empty());
+}
+
+TEST(SupplyResult, AllowsOneHardLandingOfEight) {
+  const auto judged = [](int falls, int soft, double sinking_m_s) {
+    std::vector<trials::TrotRow> rows;
+    for (int run = 0; run < falls + soft; ++run) {
+      rows.push_back(supply_row("dead_joint", {.acts_s = 0.1, .lying_s = 1.0, .largest_sinking_m_s = sinking_m_s}));
+      if (run < falls) {
+        rows.back().figures.fell_s = 15.0;
+      }
+    }
+    Figures figures;
+    add_supply(figures, supply_results(rows));
+    return figures.find("body.dead_joint.hard_landings")->holds();
+  };
+  EXPECT_TRUE(judged(0, 1, 0.4));
+  EXPECT_FALSE(judged(0, 1, 0.5));
+  EXPECT_TRUE(judged(1, 7, 0.4));
+  EXPECT_FALSE(judged(2, 6, 0.4));
 }
 
 }  // namespace body_test

@@ -52,7 +52,7 @@ TrotFigures after_fault(const std::string& trial, double seconds) {
   const robot::Robot hyq = load_on_ground("hyq");
   const std::vector<TrotCase> cases = trot_cases(hyq);
   TrotCase one = *std::ranges::find(cases, trial, &TrotCase::trial);
-  one.end_s = *one.supply_fault_s + seconds;
+  one.end_s = *one.fault_s + seconds;
   return run_trot_case(hyq, one, Joints::kActuators).value().value();
 }
 
@@ -88,6 +88,26 @@ TEST(TrotTrial, LiesDownOnTheOilOfItsAccumulatorWhenThePumpStops) {
   EXPECT_LT(figures.supply->acts_s.value(), 0.15);
   EXPECT_LT(figures.supply->lying_s.value(), 1.6);
   EXPECT_LT(figures.supply->largest_sinking_m_s, 0.5);
+}
+
+TEST(TrotTrial, LiesDownSoftlyWithAValveThatSticks) {
+  const TrotFigures figures = after_fault("dead_joint", 3.0);
+  EXPECT_FALSE(figures.fell_s.has_value());
+  ASSERT_TRUE(figures.supply);
+  EXPECT_LT(figures.supply->acts_s.value(), 0.5);
+  EXPECT_TRUE(figures.supply->lying_s.has_value());
+  EXPECT_LT(figures.supply->largest_sinking_m_s, 0.5);
+}
+
+TEST(TrotTrial, WalksOnMoreSlowlyWithHalfThePump) {
+  const TrotFigures figures = after_fault("low_supply", 14.0);
+  EXPECT_FALSE(figures.fell_s.has_value());
+  ASSERT_TRUE(figures.supply);
+  EXPECT_TRUE(figures.supply->slows_s.has_value());
+  EXPECT_FALSE(figures.supply->acts_s.has_value());
+  EXPECT_TRUE(figures.supply->recovers);
+  EXPECT_LT(figures.supply->end_speed_m_s, 0.3);
+  EXPECT_GT(figures.supply->end_speed_m_s, 0.1);
 }
 
 TEST(TrotTrial, TrotsForTenSeconds) {

@@ -1,0 +1,106 @@
+#include "locomotion/guards/joint_guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace farrier::locomotion {
+namespace joint_guard_test {
+
+constexpr double kPeriod_s = 1e-3;
+constexpr int kLegs = 4;
+
+/// A guard whose joints have the torques commanded two ticks ago, but one.
+class Joints {
+ public:
+  Joints() {
+    readings_.legs.fill({});
+    asked_.fill(Eigen::Vector3d::Zero());
+    late_ = asked_;
+  }
+
+  /// For so long the knee of leg 1 is off by this torque and has this velocity. Others are asked for a wave.
+  void go(double seconds, double off_Nm, double velocity_rad_s, bool acts = true) {
+    for (int tick = 0; tick < std::lround(seconds / kPeriod_s); ++tick) {
+      for (int leg = 0; leg < kLegs; ++leg) {
+        readings_.legs[leg].torque_Nm = late_[leg];
+      }
+      readings_.legs[1].torque_Nm[2] += off_Nm;
+      readings_.legs[1].velocity_rad_s[2] = velocity_rad_s;
+      late_ = asked_;
+      guard_.step(readings_, late_, acts);
+      ++now_;
+      asked_.fill(Eigen::Vector3d::Constant(100.0 * std::sin(0.05 * static_cast<double>(now_))));
+    }
+  }
+  JointGuard& guard() { return guard_; }
+
+ private:
+  JointGuard guard_{{}, {140.0, 140.0, 140.0}, kLegs, kPeriod_s};
+  Readings readings_;
+  LegTorques asked_, late_;
+  int now_ = 0;
+};
+
+TEST(JointGuard, RaisesNoAlarmForJointsThatFollow) {
+  Joints joints;
+  joints.go(2.0, 20.0, 0.0);
+  EXPECT_FALSE(joints.guard().dead());
+}
+
+TEST(JointGuard, FindsAJointThatNeitherFollowsNorMoves) {
+  Joints joints;
+  joints.go(1.0, 0.0, 0.0);
+  joints.go(0.058, 30.0, 0.0);
+  EXPECT_FALSE(joints.guard().dead());
+  joints.go(0.005, -30.0, 0.1);
+  EXPECT_EQ(joints.guard().dead(), (LegJoint{1, 2}));
+}
+
+TEST(JointGuard, TakesAJointThatMovesForAWeakOne) {
+  Joints joints;
+  joints.go(2.0, 60.0, 0.5);
+  EXPECT_FALSE(joints.guard().dead());
+}
+
+TEST(JointGuard, ForgetsATouchdown) {
+  Joints joints;
+  for (int stride = 0; stride < 20; ++stride) {
+    joints.go(0.030, 80.0, 0.0);
+    joints.go(0.030, 0.0, 0.0);
+  }
+  EXPECT_FALSE(joints.guard().dead());
+}
+
+TEST(JointGuard, IgnoresJointsThatNeedNotFollow) {
+  Joints joints;
+  joints.go(2.0, 100.0, 0.0, false);
+  EXPECT_FALSE(joints.guard().dead());
+  joints.go(0.055, 100.0, 0.0);
+  EXPECT_FALSE(joints.guard().dead()) << "it counts from then on";
+}
+
+TEST(JointGuard, TakesNoNumberForNoAlarm) {
+  Joints joints;
+  joints.go(1.0, std::numeric_limits<double>::quiet_NaN(), 0.0);
+  EXPECT_FALSE(joints.guard().dead());
+}
+
+TEST(JointGuard, LiesDownUntilTheOperatorAsksARobotThatLiesToLie) {
+  const MotionCommand trot{.request = Request::kTrot, .forward_m_s = 0.4}, lie{.request = Request::kLie};
+  Joints joints;
+  EXPECT_EQ(joints.guard().command(trot, false).request, Request::kTrot);
+  joints.go(0.1, 30.0, 0.0);
+  const MotionCommand acts = joints.guard().command(trot, false);
+  EXPECT_EQ(acts.request, Request::kLie);
+  EXPECT_TRUE(acts.at_once);
+  EXPECT_EQ(joints.guard().command(lie, false).request, Request::kLie);
+  EXPECT_EQ(joints.guard().command(trot, true).request, Request::kLie) << "an operator has to ask to lie";
+  joints.guard().command(lie, true);
+  EXPECT_FALSE(joints.guard().dead());
+  EXPECT_EQ(joints.guard().command(trot, true).request, Request::kTrot);
+}
+
+}  // namespace joint_guard_test
+}  // namespace farrier::locomotion
