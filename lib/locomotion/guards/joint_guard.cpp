@@ -4,23 +4,44 @@
 #include <cmath>
 
 namespace farrier::locomotion {
+namespace {
+
+// Time constant of the mean error: a force loop that swings about its command with 50 Hz and more follows it.
+constexpr double kMean_s = 0.010;
+
+}  // namespace
 
 JointGuard::JointGuard(const JointGuardParams& params, const Eigen::Vector3d& torque_limits_Nm, int legs,
                        double period_s) noexcept
-    : params_(params), most_error_Nm_(params.torque_share * torque_limits_Nm), legs_(legs), period_s_(period_s) {
+    : params_(params),
+      most_error_Nm_(params.torque_share * torque_limits_Nm),
+      legs_(legs),
+      period_s_(period_s),
+      share_(std::min(1.0, period_s / kMean_s)) {
   before_Nm_.fill(Eigen::Vector3d::Zero());
   off_s_.fill(Eigen::Vector3d::Zero());
+  mean_error_Nm_ = off_s_;
 }
 
 void JointGuard::step(const Readings& readings, const LegTorques& asked_Nm, bool acts) noexcept {
   for (int leg = 0; leg < legs_; ++leg) {
     const LegReadings& is = readings.legs[leg];
     for (int joint = 0; joint < kJointsPerLeg; ++joint) {
-      const double error_Nm = std::abs(is.torque_Nm[joint] - before_Nm_[leg][joint]);
-      const bool off = acts && error_Nm > most_error_Nm_[joint] &&
-                       std::abs(is.velocity_rad_s[joint]) < params_.still_rad_s;  // false for NaN
+      const double asked_Nm = before_Nm_[leg][joint];
+      const double error_Nm = is.torque_Nm[joint] - asked_Nm;
+      double& mean_Nm = mean_error_Nm_[leg][joint];
+      // e <- e + (T / tau) (tau_felt - tau_asked - e)
+      mean_Nm += std::isfinite(error_Nm) ? share_ * (error_Nm - mean_Nm) : -mean_Nm;
+      const bool off = std::abs(mean_Nm) > most_error_Nm_[joint];
+      const bool still = std::abs(is.velocity_rad_s[joint]) < params_.still_rad_s;  // false for NaN
       double& off_s = off_s_[leg][joint];
-      off_s = acts ? std::max(0.0, off_s + (off ? period_s_ : -period_s_)) : 0.0;
+      if (!acts) {
+        off_s = 0.0;
+      } else if (still && off) {
+        off_s += period_s_;
+      } else if (!still || std::abs(asked_Nm) > most_error_Nm_[joint]) {
+        off_s = std::max(0.0, off_s - period_s_);
+      }
       if (!dead_ && off_s > params_.dead_after_s) {
         dead_ = LegJoint{leg, joint};
       }
