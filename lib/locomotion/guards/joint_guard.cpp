@@ -27,10 +27,10 @@ void JointGuard::step(const Readings& readings, const LegTorques& asked_Nm, bool
   for (int leg = 0; leg < legs_; ++leg) {
     const LegReadings& is = readings.legs[leg];
     for (int joint = 0; joint < kJointsPerLeg; ++joint) {
-      const double asked_Nm = before_Nm_[leg][joint];
-      const double error_Nm = is.torque_Nm[joint] - asked_Nm;
+      const double commanded_Nm = before_Nm_[leg][joint];
+      const double error_Nm = is.torque_Nm[joint] - commanded_Nm;
       double& mean_Nm = mean_error_Nm_[leg][joint];
-      // e <- e + (T / tau) (tau_felt - tau_asked - e)
+      // e <- e + (T / tau) (tau_felt - tau_commanded - e)
       mean_Nm += std::isfinite(error_Nm) ? share_ * (error_Nm - mean_Nm) : -mean_Nm;
       const bool off = std::abs(mean_Nm) > most_error_Nm_[joint];
       const bool still = std::abs(is.velocity_rad_s[joint]) < params_.still_rad_s;  // false for NaN
@@ -39,7 +39,7 @@ void JointGuard::step(const Readings& readings, const LegTorques& asked_Nm, bool
         off_s = 0.0;
       } else if (still && off) {
         off_s += period_s_;
-      } else if (!still || std::abs(asked_Nm) > most_error_Nm_[joint]) {
+      } else if (!still || std::abs(commanded_Nm) > most_error_Nm_[joint]) {
         off_s = std::max(0.0, off_s - period_s_);
       }
       if (!dead_ && off_s > params_.dead_after_s) {

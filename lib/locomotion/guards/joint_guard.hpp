@@ -8,9 +8,9 @@ namespace farrier::locomotion {
 
 /// Limits from which a joint counts as dead.
 struct JointGuardParams {
-  double torque_share = 0.15;  ///< of the joint's torque limit: a joint whose torque is off by less follows, 0..1
+  double torque_share = 0.10;  ///< of the joint's torque limit: a joint whose torque is off by less follows, 0..1
   double still_rad_s = 0.2;    ///< a joint that moves faster is weak and not dead, > 0
-  double dead_after_s = 0.05;  ///< ticks that are off and still, less those that follow, so long; >= 0
+  double dead_after_s = 0.06;  ///< ticks that are off and still, less those that follow, so long; >= 0
 };
 
 /// A joint of a leg.
@@ -21,8 +21,9 @@ struct LegJoint {
   friend bool operator==(const LegJoint&, const LegJoint&) = default;
 };
 
-/// Finds a joint that does not follow: it stays where it is, and its torque is not the one that it was asked for. A valve
-/// that is stuck holds its oil. A weak valve moves the joint, though too slowly.
+/// Finds a joint that does not follow: it stays where it is, and its mean torque is not the one that it was asked for. A
+/// valve that is stuck holds its oil. A weak valve moves the joint, though too slowly. A joint follows if it moves, or if
+/// it is asked for much and has it. One that is still and asked for little proves neither.
 ///
 /// The alarm stays until the robot lies and is asked to lie.
 class JointGuard {

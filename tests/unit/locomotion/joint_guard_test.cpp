@@ -31,21 +31,23 @@ class Joints {
       late_ = asked_;
       guard_.step(readings_, late_, acts);
       ++now_;
-      asked_.fill(Eigen::Vector3d::Constant(100.0 * std::sin(0.05 * static_cast<double>(now_))));
+      asked_.fill(Eigen::Vector3d::Constant(amplitude_Nm_ * std::sin(0.05 * static_cast<double>(now_))));
     }
   }
+  void ask(double amplitude_Nm) { amplitude_Nm_ = amplitude_Nm; }
   JointGuard& guard() { return guard_; }
 
  private:
   JointGuard guard_{{}, {140.0, 140.0, 140.0}, kLegs, kPeriod_s};
   Readings readings_;
   LegTorques asked_, late_;
+  double amplitude_Nm_ = 100.0;
   int now_ = 0;
 };
 
 TEST(JointGuard, RaisesNoAlarmForJointsThatFollow) {
   Joints joints;
-  joints.go(2.0, 20.0, 0.0);
+  joints.go(2.0, 10.0, 0.0);
   EXPECT_FALSE(joints.guard().dead());
 }
 
@@ -54,7 +56,26 @@ TEST(JointGuard, FindsAJointThatNeitherFollowsNorMoves) {
   joints.go(1.0, 0.0, 0.0);
   joints.go(0.058, 30.0, 0.0);
   EXPECT_FALSE(joints.guard().dead());
-  joints.go(0.005, -30.0, 0.1);
+  joints.go(0.015, 30.0, 0.1);
+  EXPECT_EQ(joints.guard().dead(), (LegJoint{1, 2}));
+}
+
+TEST(JointGuard, FollowsAForceLoopThatSwingsAboutItsCommand) {
+  Joints joints;
+  for (int period = 0; period < 200; ++period) {
+    joints.go(0.005, 40.0, 0.0);
+    joints.go(0.005, -40.0, 0.0);
+  }
+  EXPECT_FALSE(joints.guard().dead());
+}
+
+TEST(JointGuard, LearnsNothingFromAStillJointThatIsAskedForLittle) {
+  Joints joints;
+  joints.ask(0.0);
+  joints.go(0.040, 50.0, 0.0);
+  joints.go(1.000, 0.0, 0.0);
+  EXPECT_FALSE(joints.guard().dead());
+  joints.go(0.040, 50.0, 0.0);
   EXPECT_EQ(joints.guard().dead(), (LegJoint{1, 2}));
 }
 
@@ -68,7 +89,7 @@ TEST(JointGuard, ForgetsATouchdown) {
   Joints joints;
   for (int stride = 0; stride < 20; ++stride) {
     joints.go(0.030, 80.0, 0.0);
-    joints.go(0.030, 0.0, 0.0);
+    joints.go(0.060, 0.0, 0.5);
   }
   EXPECT_FALSE(joints.guard().dead());
 }
