@@ -22,6 +22,7 @@ if(TARGET farrier_body_world)
   farrier_test(trot_trial_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/push_limit_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/trials/body_adaptation_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/trials/body_contenders_test.cpp ${CMAKE_CURRENT_LIST_DIR}/trials/trot_trial_test.cpp
+    ${CMAKE_CURRENT_LIST_DIR}/trials/trot_faults_test.cpp
     ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
   target_link_libraries(trot_trial_test PRIVATE farrier_body_trial)
   target_compile_definitions(trot_trial_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
