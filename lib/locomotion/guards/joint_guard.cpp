@@ -6,7 +6,7 @@
 namespace farrier::locomotion {
 namespace {
 
-// Time constant of the mean error: a force loop that swings about its command with 50 Hz and more follows it.
+// Time constant of the means: a force loop that swings about its command with 50 Hz and more follows it.
 constexpr double kMean_s = 0.010;
 
 }  // namespace
@@ -21,6 +21,13 @@ JointGuard::JointGuard(const JointGuardParams& params, const Eigen::Vector3d& to
   before_Nm_.fill(Eigen::Vector3d::Zero());
   off_s_.fill(Eigen::Vector3d::Zero());
   mean_error_Nm_ = off_s_;
+  mean_velocity_rad_s_ = off_s_;
+}
+
+// x <- x + (T / tau) (u - x), where u is a number
+double JointGuard::averaged(double& mean, double value) const noexcept {
+  mean += std::isfinite(value) ? share_ * (value - mean) : -mean;
+  return mean;
 }
 
 void JointGuard::step(const Readings& readings, const LegTorques& asked_Nm, bool acts) noexcept {
@@ -28,12 +35,10 @@ void JointGuard::step(const Readings& readings, const LegTorques& asked_Nm, bool
     const LegReadings& is = readings.legs[leg];
     for (int joint = 0; joint < kJointsPerLeg; ++joint) {
       const double commanded_Nm = before_Nm_[leg][joint];
-      const double error_Nm = is.torque_Nm[joint] - commanded_Nm;
-      double& mean_Nm = mean_error_Nm_[leg][joint];
-      // e <- e + (T / tau) (tau_felt - tau_commanded - e)
-      mean_Nm += std::isfinite(error_Nm) ? share_ * (error_Nm - mean_Nm) : -mean_Nm;
-      const bool off = std::abs(mean_Nm) > most_error_Nm_[joint];
-      const bool still = std::abs(is.velocity_rad_s[joint]) < params_.still_rad_s;  // false for NaN
+      const double error_Nm = averaged(mean_error_Nm_[leg][joint], is.torque_Nm[joint] - commanded_Nm);
+      const double velocity_rad_s = averaged(mean_velocity_rad_s_[leg][joint], is.velocity_rad_s[joint]);
+      const bool off = std::abs(error_Nm) > most_error_Nm_[joint];
+      const bool still = std::abs(velocity_rad_s) < params_.still_rad_s;
       double& off_s = off_s_[leg][joint];
       if (!acts) {
         off_s = 0.0;

@@ -9,7 +9,7 @@ namespace farrier::locomotion {
 /// Limits from which a joint counts as dead.
 struct JointGuardParams {
   double torque_share = 0.10;  ///< of the joint's torque limit: a joint whose torque is off by less follows, 0..1
-  double still_rad_s = 0.2;    ///< a joint that moves faster is weak and not dead, > 0
+  double still_rad_s = 0.06;   ///< a joint that moves faster in the mean is weak and not dead, > 0
   double dead_after_s = 0.06;  ///< ticks that are off and still, less those that follow, so long; >= 0
 };
 
@@ -43,13 +43,15 @@ class JointGuard {
   const std::optional<LegJoint>& dead() const noexcept { return dead_; }
 
  private:
+  double averaged(double& mean, double value) const noexcept;
+
   JointGuardParams params_;
   Eigen::Vector3d most_error_Nm_;
   int legs_;
   double period_s_;
   double share_;          // of a new error in the mean
   LegTorques before_Nm_;  // commanded two ticks ago: a torque acts one tick after its command, and is read at the next
-  PerLeg<Eigen::Vector3d> mean_error_Nm_;
+  PerLeg<Eigen::Vector3d> mean_error_Nm_, mean_velocity_rad_s_;
   PerLeg<Eigen::Vector3d> off_s_;
   std::optional<LegJoint> dead_;
 };

@@ -189,7 +189,7 @@ void declare(Visitor& v, ModeSequencerParams& m) {
 void declare(Visitor& v, JointGuardParams& g) {
   v.number("torque_share", g.torque_share, {0, 1}, kInitial,
            "A joint whose torque differs by less than this share of its limit follows.");
-  v.number("still_rad_s", g.still_rad_s, {1e-3, 10}, kInitial, "A joint that moves faster is not dead.");
+  v.number("still_rad_s", g.still_rad_s, {1e-3, 10}, kInitial, "A joint whose mean velocity is larger is not dead.");
   v.number("dead_after_s", g.dead_after_s, {0, 10}, kInitial,
            "Time for which a joint neither follows nor moves until it is dead and the robot lies down.");
 }

@@ -56,7 +56,7 @@ TEST(JointGuard, FindsAJointThatNeitherFollowsNorMoves) {
   joints.go(1.0, 0.0, 0.0);
   joints.go(0.058, 30.0, 0.0);
   EXPECT_FALSE(joints.guard().dead());
-  joints.go(0.015, 30.0, 0.1);
+  joints.go(0.015, 30.0, 0.03);
   EXPECT_EQ(joints.guard().dead(), (LegJoint{1, 2}));
 }
 
