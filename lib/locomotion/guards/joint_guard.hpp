@@ -8,9 +8,9 @@ namespace farrier::locomotion {
 
 /// Limits from which a joint counts as dead.
 struct JointGuardParams {
-  double torque_share = 0.10;  ///< of the joint's torque limit: a joint whose torque is off by less follows, 0..1
-  double still_rad_s = 0.06;   ///< a joint that moves faster in the mean is weak and not dead, > 0
-  double dead_after_s = 0.06;  ///< ticks that are off and still, less those that follow, so long; >= 0
+  double torque_share = 0.14;   ///< of the joint's torque limit: a joint whose torque is off by less follows, 0..1
+  double still_rad_s = 0.06;    ///< a joint that moves faster in the mean is weak and not dead, > 0
+  double dead_after_s = 0.045;  ///< ticks that are off and still, less those that follow, so long; >= 0
 };
 
 /// A joint of a leg.

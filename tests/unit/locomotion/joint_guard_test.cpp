@@ -54,7 +54,7 @@ TEST(JointGuard, RaisesNoAlarmForJointsThatFollow) {
 TEST(JointGuard, FindsAJointThatNeitherFollowsNorMoves) {
   Joints joints;
   joints.go(1.0, 0.0, 0.0);
-  joints.go(0.058, 30.0, 0.0);
+  joints.go(0.050, 30.0, 0.0);
   EXPECT_FALSE(joints.guard().dead());
   joints.go(0.015, 30.0, 0.03);
   EXPECT_EQ(joints.guard().dead(), (LegJoint{1, 2}));
@@ -72,10 +72,10 @@ TEST(JointGuard, FollowsAForceLoopThatSwingsAboutItsCommand) {
 TEST(JointGuard, LearnsNothingFromAStillJointThatIsAskedForLittle) {
   Joints joints;
   joints.ask(0.0);
-  joints.go(0.040, 50.0, 0.0);
+  joints.go(0.030, 50.0, 0.0);
   joints.go(1.000, 0.0, 0.0);
   EXPECT_FALSE(joints.guard().dead());
-  joints.go(0.040, 50.0, 0.0);
+  joints.go(0.030, 50.0, 0.0);
   EXPECT_EQ(joints.guard().dead(), (LegJoint{1, 2}));
 }
 
@@ -98,7 +98,7 @@ TEST(JointGuard, IgnoresJointsThatNeedNotFollow) {
   Joints joints;
   joints.go(2.0, 100.0, 0.0, false);
   EXPECT_FALSE(joints.guard().dead());
-  joints.go(0.055, 100.0, 0.0);
+  joints.go(0.040, 100.0, 0.0);
   EXPECT_FALSE(joints.guard().dead()) << "it counts from then on";
 }
 
