@@ -5,17 +5,14 @@
 #include <cmath>
 #include <numbers>
 
-#include "robot/joint_model.hpp"
 #include "core/noise.hpp"
-#include "joint_node/joint_node.hpp"
 #include "plant/hydraulic_joint.hpp"
 #include "sim_bridge/sensor_chain.hpp"
-#include "supervisor/joint_design.hpp"
+#include "trials/armed_joint.hpp"
 
 namespace farrier::trials {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr std::array kFrequencies_Hz{2.0, 5.0, 10.0};
 constexpr double kLevel_s = 0.25;
 constexpr double kRise_s = 0.02;
@@ -36,7 +33,7 @@ Centring centring_of(const plant::LoadParams& load, const plant::ActuatorParams&
     return {};
   }
   const double mass = load.mass + actuator.piston_mass;
-  const double rate = kTwoPi * kCentring_Hz;
+  const double rate = 2.0 * std::numbers::pi * kCentring_Hz;
   return {(mass * rate + load.damping) * rate, std::max(0.0, 2.0 * kCentringDamping * mass * rate - load.damping)};
 }
 
@@ -67,7 +64,7 @@ class ReferenceForce {
     double speed = 0.0;
     for (const double frequency_Hz : kFrequencies_Hz) {
       // x / F = 1 / (k + d s + m s^2)
-      const double rate = kTwoPi * frequency_Hz;
+      const double rate = 2.0 * std::numbers::pi * frequency_Hz;
       const double gain = 1.0 / std::hypot(load.stiffness + centring.stiffness - load.mass * rate * rate,
                                            (load.damping + centring.damping) * rate);
       travel += gain;
@@ -82,7 +79,8 @@ class ReferenceForce {
   double at(double time_s) const noexcept {
     double force = level(time_s);
     for (std::size_t i = 0; i < kFrequencies_Hz.size(); ++i) {
-      force += std::sin(kTwoPi * (kFrequencies_Hz[i] * time_s + stream_.uniform(-1 - static_cast<Tick>(i))));
+      force +=
+          std::sin(2.0 * std::numbers::pi * (kFrequencies_Hz[i] * time_s + stream_.uniform(-1 - static_cast<Tick>(i))));
     }
     return size_ * force;
   }
@@ -118,22 +116,6 @@ class Judge {
   double errors_ = 0.0, sum_ = 0.0, squares_ = 0.0, count_ = 0.0;
 };
 
-Result<Done> arm(joint_node::JointNode& node, const robot::Joint& believed, double period_s) {
-  constexpr std::uint32_t kFirst = 1;
-  node.set_mode({.robot = 0, .epoch = kFirst, .session = 0, .effective_tick = 0, .mode = signals::Mode::kArmed});
-  const auto gains = FARRIER_TRY(supervisor::design_joint(believed, believed.swing_load, period_s, 0));
-  signals::JointControllerGains signal;
-  signal.joint = believed.number;
-  signal.phase = signals::Phase::kStance;  // the phase a node begins in
-  signal.authority = kFirst;
-  signal.generation = kFirst;
-  signal.effective_tick = 0;
-  signal.has_physics = 1;
-  signal.physics = plant::values_of(robot::nominal_physics(believed, believed.swing_load));
-  node.store_gains(signal, gains);
-  return Done{};
-}
-
 }  // namespace
 
 Result<double> tracking_nrmse(const robot::Joint& world, const robot::Joint& believed, const ForceTracking& run) {
@@ -159,8 +141,7 @@ Result<double> tracking_nrmse(const robot::Joint& world, const robot::Joint& bel
 
   robot::Joint quiet = believed;
   quiet.dither_percent = 0.0;
-  joint_node::JointNode node(quiet, {}, run.period_s, 0, 0);
-  FARRIER_TRY(arm(node, quiet, run.period_s));
+  joint_node::JointNode node = FARRIER_TRY(armed_joint(quiet, quiet, run.period_s, 0));
   const ReferenceForce reference(world, run.seed);
   const Centring centring = centring_of(load, world.actuator);
   const double lever = world.linkage.lever(world.home_angle_rad);

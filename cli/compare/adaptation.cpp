@@ -89,8 +89,11 @@ std::vector<trials::TrotJob> jobs_of(const Contenders& contenders, const trials:
   return jobs;
 }
 
-int search(const robot::Robot& on_ground, BodyRuns& runs) {
+int search(const robot::Robot& on_ground, const CompareOptions& o, BodyRuns& runs) {
   for (const bool with_observer : {false, true}) {
+    if (!is_chosen(o.designs, with_observer ? trials::kObserver : trials::kTuned)) {
+      continue;
+    }
     trials::FixedSearch search(on_ground, with_observer);
     const std::string title = with_observer ? "search with observer" : "search";
     for (auto jobs = search.next(); !jobs.empty(); jobs = search.next()) {
@@ -121,7 +124,8 @@ int run_adaptation(const robot::Robot& on_bench, const CompareOptions& o) {
   if (!with_rls) {
     return fail("compare", config::to_string(with_rls.error()));
   }
-  auto designs = trials::study_designs(on_ground.value(), with_rls.value());
+  auto designs =
+      o.noise ? trials::noise_designs(on_ground.value()) : trials::study_designs(on_ground.value(), with_rls.value());
   if (const std::string unknown = unknown_of(o, designs); !unknown.empty()) {
     return refuse("compare", unknown);
   }
@@ -136,7 +140,7 @@ int run_adaptation(const robot::Robot& on_bench, const CompareOptions& o) {
                  .go_on = o.go_on,
                  .threads = o.threads});
   if (o.search) {
-    return search(on_ground.value(), runs);
+    return search(on_ground.value(), o, runs);
   }
   const Contenders contenders = contenders_of(std::move(designs), o);
   std::vector<trials::TrotRow> all;

@@ -23,6 +23,7 @@ const std::map<std::string, RunComparison> kComparisons{{"varied", run_varied},
                                                         {"noise", run_noise},
                                                         {"models", run_models},
                                                         {"filters", run_filters},
+                                                        {"bandwidth", run_bandwidth},
                                                         {"friction", run_friction},
                                                         {"body", run_body},
                                                         {"adaptation", run_adaptation}};
@@ -39,9 +40,11 @@ int compare(CompareOptions o, RunComparison run) {
   if (o.estimators && run != run_body) {
     return refuse("compare", "--estimators is for compare body");
   }
-  const bool of_adaptation = !o.rows.empty() || !o.conditions.empty() || !o.designs.empty() || o.search || o.go_on;
+  const bool of_adaptation =
+      !o.rows.empty() || !o.conditions.empty() || !o.designs.empty() || o.search || o.noise || o.go_on;
   if (of_adaptation && run != run_adaptation) {
-    return refuse("compare", "--rows, --conditions, --designs, --search and --continue are for compare adaptation");
+    return refuse("compare",
+                  "--rows, --conditions, --designs, --noise, --search and --continue are for compare adaptation");
   }
   o.design = robot::Design::kAdaptive;
   const auto robot = process::load_robot(common_options(o));
@@ -73,12 +76,13 @@ std::function<int()> declare_compare(CLI::App& app) {
   options->out = "out/compare";
   add_choice(
       app, "what", *run, kComparisons,
-      "varied|controllers|update-logic|switching|noise|models|filters|friction|body|adaptation",
+      "varied|controllers|update-logic|switching|noise|models|filters|bandwidth|friction|body|adaptation",
       "varied: robots whose loads, supply, friction and valves are drawn and known to no controller, under "
       "adaptation, perfect knowledge and fixed controllers; controllers: every kind of them on such robots and "
       "on the rig whose load changes; update-logic: the four of the thesis on both; switching: the worth of "
       "gains that change at touchdown; noise: adaptation with better and with worse sensors; models: the "
-      "rig's linear model, exact and as the thesis has it; filters: margins behind sensors that filter; friction: "
+      "rig's linear model, exact and as the thesis has it; filters: margins behind sensors that filter; "
+      "bandwidth: frequencies up to which a held joint's force follows, by pose and amplitude; friction: "
       "every kind of controller on contacts that stick, behind filters; body: every kind of controller under the whole "
       "robot on a ground, and what limits the best; adaptation: plants that no design knows, under the whole robot "
       "with "
@@ -103,6 +107,9 @@ std::function<int()> declare_compare(CLI::App& app) {
   words("--conditions", options->conditions, "adaptation: only these grounds and gaits: easy, fast, rough");
   words("--designs", options->designs,
         "adaptation: only these designs: nominal, tuned, observer, thesis, adaptive, perfect");
+  app.add_flag(
+      "--noise", options->noise,
+      "adaptation: the adaptive design with 0, 10, 100 and 300 % of the sensors' noise, in place of the designs");
   app.add_flag("--search", options->search, "adaptation: search the designs tuned and observer, and print them");
   app.add_flag("--continue", options->go_on, "adaptation: go on with the runs in --out of one that was interrupted");
   app.add_option("--threads", options->threads, "adaptation: runs at a time")

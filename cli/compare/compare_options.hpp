@@ -11,6 +11,7 @@ struct CompareOptions : TrotOptions {
   // For adaptation; empty: all.
   std::vector<std::string> rows, conditions, designs;
   bool search = false;  ///< search the fixed designs in place of the comparison
+  bool noise = false;   ///< levels of noise in place of the designs
   bool go_on = false;   ///< with the runs of a comparison that was interrupted
   int threads = 2;
 };

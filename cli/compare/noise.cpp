@@ -14,6 +14,7 @@
 #include "participant/loop.hpp"
 #include "report/compare/noise.hpp"
 #include "report/figures/console.hpp"
+#include "robot/sensor_path.hpp"
 #include "trials/load_cycle.hpp"
 
 namespace farrier::cli {
@@ -26,20 +27,10 @@ using report::RigNoise;
 constexpr std::array kOnTrot{Contender::kAdaptive, Contender::kPerfect, Contender::kGreyBox};
 constexpr std::array kOnRig{trials::kAdaptiveCase, trials::kTrueLoadCase, trials::kGreyBoxCase};
 
-/// The robot with every joint's noise multiplied; everybody who believes in this robot knows it.
-robot::Robot with_noise(robot::Robot robot, double factor) {
-  for (robot::Joint& joint : robot.joints) {
-    joint.noise.position *= factor;
-    joint.noise.velocity *= factor;
-    joint.noise.force *= factor;
-  }
-  return robot;
-}
-
 /// The load cycle of Fig. 7.8 under one case.
 Result<RigNoise> load_steps(const trials::LoadCycle& cycle, const trials::LoadCycleCase& one, double factor,
                             std::uint64_t seed) {
-  const robot::Robot robot = with_noise(trials::robot_of(cycle, one), factor);
+  const robot::Robot robot = robot::with_noise(trials::robot_of(cycle, one), factor);
   const auto errors = FARRIER_TRY(run_load_cycle(cycle, robot, trials::run_of(cycle, one, seed)));
   return RigNoise{.heavy = errors.heavy, .light = errors.light};
 }
@@ -58,7 +49,7 @@ Result<Done> add_rig(const trials::LoadCycle& cycle, const CompareOptions& o, Pr
 }
 
 Result<Done> add_trot(const robot::Robot& robot, const CompareOptions& o, NoiseLevel& level) {
-  const robot::Robot nominal = with_noise(trials::with_varied_body(robot), level.factor.value);
+  const robot::Robot nominal = robot::with_noise(trials::with_varied_body(robot), level.factor.value);
   VariedStudy study(nominal, kOnTrot, o, std::string("compare noise, trots, noise ") + level.factor.name);
   FARRIER_TRY(study.run());
   if (!study.long_enough()) {

@@ -83,6 +83,15 @@ control::MeasurementFilters measurement_filters(const Joint& joint, double perio
   return {way(s.position, equal.position), way(s.velocity, equal.velocity), way(s.force, equal.force)};
 }
 
+Robot with_noise(Robot robot, double factor) {
+  for (Joint& joint : robot.joints) {
+    joint.noise.position *= factor;
+    joint.noise.velocity *= factor;
+    joint.noise.force *= factor;
+  }
+  return robot;
+}
+
 std::string filters_text(const Joint& joint) {
   const Sensors& s = joint.sensors;
   std::string text;

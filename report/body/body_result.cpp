@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <sstream>
 
 #include "core/replace_file.hpp"
@@ -16,7 +15,6 @@ namespace {
 
 constexpr double kMillimetres = 1e3;
 constexpr double kPercent = 100.0;
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kPerMinute = 60.0;
 constexpr double kDegreesPerMinute = kPerMinute * kDegrees;
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/median.hpp"
+#include "core/units.hpp"
 #include "report/figures/text_format.hpp"
 
 namespace farrier::report {
@@ -36,7 +36,7 @@ StepMedians medians_of(const std::vector<const trials::TrotFigures*>& runs) {
   };
   using Run = trials::TrotFigures;
   return {.height_rms_mm = median([](const Run& run) { return 1e3 * run.height_rms_m; }),
-          .tilt_rms_deg = median([](const Run& run) { return 180.0 / std::numbers::pi * run.tilt_rms_rad; }),
+          .tilt_rms_deg = median([](const Run& run) { return kDegrees * run.tilt_rms_rad; }),
           .kfe_stance_nrmse =
               median([](const Run& run) { return run.force_nrmse[kKfe][static_cast<std::size_t>(Phase::kStance)]; })};
 }

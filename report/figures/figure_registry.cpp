@@ -135,6 +135,9 @@ constexpr std::array kSpecs{
     FigureSpec{"compare.models.<load>.<form>.disk_margin", "1", kNone, "Disk margin of these gains on the exact form."},
     FigureSpec{"compare.filters.<count>", "1", kAtMost, "Sets of filters drawn, and how many of them are of a kind."},
     FigureSpec{"compare.filters.<margin>.error_<statistic>", "1", kAtMost, "The running loop's margin from the computed."},
+    FigureSpec{"compare.bandwidth.<joint>.<design>.gain_Hz", "Hz", kNone,
+               "Where the force of the held joint, at home and with a tenth of its force, falls by 3 dB."},
+    FigureSpec{"compare.bandwidth.<joint>.<design>.phase_Hz", "Hz", kNone, "Where it lags by 90 degrees."},
     FigureSpec{"compare.friction.<count>", "1", kAtMost, "Runs, and how many of them are of a kind."},
     // compare varied: stance NRMSE over all pairs of a joint and a seed
     FigureSpec{"trot.vary.seeds", "1", kNone, "Robots drawn."},

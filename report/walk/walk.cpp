@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "body/model/posture.hpp"
+#include "core/units.hpp"
 #include "report/figures/text_format.hpp"
 
 namespace farrier::report {

@@ -3,7 +3,6 @@
 // A walk of the whole robot: what its body did, from the truth of the simulation.
 
 #include <Eigen/Core>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <string>
@@ -24,8 +23,7 @@ struct WalkPlan {
   bool plain;              ///< level ground without pushes and payloads: the figures have bounds
 };
 
-inline constexpr double kMillimetres = 1000.0;                ///< of a metre
-inline constexpr double kDegrees = 180.0 / std::numbers::pi;  ///< of a radian
+inline constexpr double kMillimetres = 1000.0;  ///< of a metre
 
 /// Time from the command to walk until means count.
 inline constexpr double kWalkSettles_s = 4.0;

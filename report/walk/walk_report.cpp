@@ -5,6 +5,7 @@
 
 #include "body/model/posture.hpp"
 #include "core/replace_file.hpp"
+#include "core/units.hpp"
 #include "report/figures/text_format.hpp"
 #include "report/page/draw_pictures.hpp"
 #include "report/page/html_page.hpp"

@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "robot/wear.hpp"
+#include "trials/force_bandwidth.hpp"
 #include "trials/tracking_gain.hpp"
 #include "robot/joint_effects.hpp"
 
@@ -28,6 +30,39 @@ double ratio(const robot::Joint& joint, plant::ActiveEffect effect) {
   const auto gain = tracking_gain(with, joint, with);
   EXPECT_TRUE(gain.ok()) << (gain ? "" : gain.error().message);
   return gain ? gain.value().old_nrmse / gain.value().new_nrmse : 0.0;
+}
+
+// A valve of half its gain, of 1.75 times its gain, and what the joint's node gets back by knowing it.
+TEST(ForceBandwidth, ComesBackWithTheKnowledgeOfTheValve) {
+  static const robot::Robot robot =
+      robot::load_robot(std::string(FARRIER_ROBOTS) + "hyq.yaml", {.on_ground = true}).value();
+  const robot::Joint& joint = *robot.find("lf_kfe");
+  const auto bandwidth = [&](double valve_gain, bool knows) {
+    robot::Wear wear = robot::no_wear(joint);
+    wear.valve_gain = valve_gain;
+    const robot::Joint real = robot::worn(joint, wear);
+    const double amplitude = 0.1 * std::min(joint.push_limit, joint.pull_limit);
+    return force_bandwidth({.real = real,
+                            .designed = joint,
+                            .known = knows ? real : joint,
+                            .angle_rad = joint.home_angle_rad,
+                            .period_s = robot.period_s,
+                            .delay_ticks = robot.loop_delay_lockstep},
+                           amplitude)
+        .value();
+  };
+  const ForceBandwidth filed = bandwidth(1.0, false);
+  ASSERT_TRUE(filed.phase_Hz);
+  EXPECT_GT(*filed.phase_Hz, 60.0);
+  EXPECT_LT(*filed.phase_Hz, spool_Hz(joint).value());
+  const ForceBandwidth half = bandwidth(0.5, false);
+  EXPECT_LT(half.phase_Hz.value(), 0.75 * *filed.phase_Hz);
+  EXPECT_TRUE(bandwidth(1.75, false).swings);
+  for (const double valve_gain : {0.5, 1.75}) {
+    const ForceBandwidth adapted = bandwidth(valve_gain, true);
+    EXPECT_NEAR(adapted.phase_Hz.value() / *filed.phase_Hz, 1.0, 0.05);
+    EXPECT_NEAR(adapted.gain_Hz.value() / filed.gain_Hz.value(), 1.0, 0.05);
+  }
 }
 
 TEST(TrackingGain, OfANominalJointIsZero) {

@@ -4,6 +4,7 @@
 
 #include "config/visitor.hpp"
 #include "locomotion/motion_script.hpp"
+#include "robot/sensor_path.hpp"
 
 namespace farrier::trials {
 namespace {
@@ -57,6 +58,17 @@ std::vector<StudyDesign> study_designs(const robot::Robot& on_ground, const robo
                  .sentence = "the file's design with the true valve, overlap and leakage",
                  .robot = on_ground,
                  .knows = true});
+  return all;
+}
+
+std::vector<StudyDesign> noise_designs(const robot::Robot& on_ground) {
+  std::vector<StudyDesign> all;
+  for (const int percent : {0, 10, 100, 300}) {
+    all.push_back({.name = "noise_" + std::to_string(percent),
+                   .sentence = "adaptive with " + std::to_string(percent) + " % of the sensors' noise",
+                   .robot = robot::with_noise(on_ground, percent / 100.0),
+                   .adapts = true});
+  }
   return all;
 }
 

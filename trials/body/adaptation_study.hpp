@@ -47,6 +47,10 @@ struct StudyDesign {
 /// file, with the estimators of the bench.
 std::vector<StudyDesign> study_designs(const robot::Robot& on_ground, const robot::Robot& with_rls);
 
+/// The adaptive design with none, a tenth, all and three times of the noise of its joints' sensors, named "noise_0",
+/// "noise_10", "noise_100" and "noise_300". The noise of the IMU stays.
+std::vector<StudyDesign> noise_designs(const robot::Robot& on_ground);
+
 /// A fixed design with these gains on every joint.
 StudyDesign fixed_design(const robot::Robot& on_ground, const std::string& name, const std::string& sentence,
                          const control::FeedbackLinearisationGains& gains);

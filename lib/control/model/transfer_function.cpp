@@ -9,6 +9,7 @@
 
 #include "control/numerics/balance.hpp"
 #include "core/ensure.hpp"
+#include "core/units.hpp"
 
 namespace farrier::control {
 namespace {
@@ -17,7 +18,6 @@ using Complex = std::complex<double>;
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMarkovRoundings = 64.0;
-constexpr double kDegree = 180.0 / std::numbers::pi;
 
 /// The same system in states scaled by powers of two, in which rounding is of like size everywhere. NaN throughout for
 /// entries that are not finite.
@@ -172,7 +172,7 @@ std::vector<double> unwrapped_degrees(std::span<const Complex> values) {
   std::vector<double> degrees;
   degrees.reserve(values.size());
   for (const Complex& value : values) {
-    double phase = kDegree * std::arg(value);
+    double phase = kDegrees * std::arg(value);
     if (!degrees.empty()) {
       phase += 360.0 * std::round((degrees.back() - phase) / 360.0);
     }
@@ -280,16 +280,16 @@ SingleInOut<N> normalise(const SingleInOut<N>& system, const Eigen::Matrix<doubl
   return of;
 }
 
-#define FARRIER_INSTANTIATE(N)                                                                                   \
-  template struct Rational<N>;                                                                                   \
-  template Rational<N> transfer_function<N>(const SingleInOut<N>&) noexcept;                                     \
-  template Complex response<N>(const SingleInOut<N>&, double) noexcept;                                          \
-  template std::vector<Complex> responses<N>(const SingleInOut<N>&, std::span<const double>);                    \
-  template SmallSpectrum poles<N>(const SingleInOut<N>&) noexcept;                                               \
-  template SmallSpectrum zeros<N>(const SingleInOut<N>&) noexcept;                                               \
-  template std::optional<Resonance> resonance<N>(const SingleInOut<N>&, double, double);                         \
-  template SingleInOut<N> normalise<N>(const SingleInOut<N>&, const Eigen::Matrix<double, N, 1>&, double, double) \
-      noexcept;
+#define FARRIER_INSTANTIATE(N)                                                                            \
+  template struct Rational<N>;                                                                            \
+  template Rational<N> transfer_function<N>(const SingleInOut<N>&) noexcept;                              \
+  template Complex response<N>(const SingleInOut<N>&, double) noexcept;                                   \
+  template std::vector<Complex> responses<N>(const SingleInOut<N>&, std::span<const double>);             \
+  template SmallSpectrum poles<N>(const SingleInOut<N>&) noexcept;                                        \
+  template SmallSpectrum zeros<N>(const SingleInOut<N>&) noexcept;                                        \
+  template std::optional<Resonance> resonance<N>(const SingleInOut<N>&, double, double);                  \
+  template SingleInOut<N> normalise<N>(const SingleInOut<N>&, const Eigen::Matrix<double, N, 1>&, double, \
+                                       double) noexcept;
 FARRIER_INSTANTIATE(3)
 FARRIER_INSTANTIATE(4)
 #undef FARRIER_INSTANTIATE

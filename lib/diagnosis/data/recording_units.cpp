@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 #include <string>
 
+#include "core/units.hpp"
 #include "diagnosis/judge/finding_text.hpp"
 #include "diagnosis/data/sample_statistics.hpp"
 
@@ -17,8 +17,6 @@ struct Unit {
   const char* name;
   double per_SI;  ///< how many of it are one of ours
 };
-
-constexpr double kDegrees = 180.0 / std::numbers::pi;
 
 class UnitCheck {
  public:
@@ -91,7 +89,8 @@ class UnitCheck {
       findings_.push_back({"out_of_range", outside.first(),
                            (outside.first() == 0 ? "" : outside.text() + ", ") + "column " + column + ": " +
                                counted(outside.count(), "value") + " outside " + stroke_text + " (" + rounded(*least) +
-                               " to " + rounded(*most) + "); count from the fully retracted end, or correct the stroke "
+                               " to " + rounded(*most) +
+                               "); count from the fully retracted end, or correct the stroke "
                                "in the robot file"});
     }
   }
@@ -109,8 +108,8 @@ class UnitCheck {
 
   void judge_velocity(double ratio, double correlation) {
     const char* const column = velocity_column(recording_.coordinates);
-    const std::string seen = rounded(std::abs(ratio)) + " times the derivative of " +
-                             position_column(recording_.coordinates);
+    const std::string seen =
+        rounded(std::abs(ratio)) + " times the derivative of " + position_column(recording_.coordinates);
     const Unit unit = rotary_ ? Unit{"degrees per second", kDegrees} : Unit{"millimetres per second", 1e3};
     const double size = std::abs(ratio);
     velocity_good_ = std::abs(correlation) > 0.7 && ratio > 0.5 && ratio < 2.0;
@@ -118,17 +117,18 @@ class UnitCheck {
       return;
     }
     if (std::abs(correlation) <= 0.7) {
-      refuse("inconsistent", column, "does not follow the derivative of " +
-                                         std::string(position_column(recording_.coordinates)) + " (correlation " +
-                                         rounded(correlation) + "); check which sensors were recorded");
+      refuse("inconsistent", column,
+             "does not follow the derivative of " + std::string(position_column(recording_.coordinates)) +
+                 " (correlation " + rounded(correlation) + "); check which sensors were recorded");
     } else if (size > 0.5 * unit.per_SI && size < 2.0 * unit.per_SI) {
       refuse_unit(column, seen, &unit, rotary_ ? "rad/s" : "m/s");
     } else if (size <= 0.5 || size >= 2.0) {
       refuse("inconsistent", column, seen + "; check the scale of both");
     }
     if (correlation < -0.7) {
-      refuse("wrong_sign", column, "falls where " + std::string(position_column(recording_.coordinates)) +
-                                       " rises; both are positive towards extension: turn one of them");
+      refuse("wrong_sign", column,
+             "falls where " + std::string(position_column(recording_.coordinates)) +
+                 " rises; both are positive towards extension: turn one of them");
     }
   }
 
@@ -140,8 +140,9 @@ class UnitCheck {
         std::max(joint_.actuator.area_a, joint_.actuator.area_b) * joint_.actuator.supply_pressure_Pa;
     const std::string unit_name = rotary_ ? "Nm" : "N";
     if (size > 3.0 * hydraulic) {
-      refuse_unit(column, "values up to " + rounded(size) + " where the supply gives " + rounded(hydraulic) + " " +
-                              unit_name, nullptr, unit_name);
+      refuse_unit(column,
+                  "values up to " + rounded(size) + " where the supply gives " + rounded(hydraulic) + " " + unit_name,
+                  nullptr, unit_name);
       return;
     }
     // A recording in kilonewtons stays below a thousandth of the limit. A moving joint's recording in newtons does so
@@ -155,9 +156,9 @@ class UnitCheck {
     if (size > 0.0 && size < 1.5e-3 * limit && (moves_ || !position_good_) &&
         (expected == 0.0 || size < 0.03 * expected)) {
       const Unit kilo{rotary_ ? "kilonewton metres" : "kilonewtons", 1e-3};
-      refuse("wrong_units", column, "values up to " + rounded(size) + " while the joint moves, of which " +
-                                        rounded(limit) + " " + unit_name + " are possible; this looks like " +
-                                        kilo.name + ": multiply by 1000 to give " + unit_name);
+      refuse("wrong_units", column,
+             "values up to " + rounded(size) + " while the joint moves, of which " + rounded(limit) + " " + unit_name +
+                 " are possible; this looks like " + kilo.name + ": multiply by 1000 to give " + unit_name);
     }
   }
 
@@ -176,8 +177,9 @@ class UnitCheck {
       }
       const Unit percent{"percent of full opening", 100.0 / limit};
       looks_like = looks_like == nullptr && size <= 101.0 ? &percent : looks_like;
-      refuse_unit("valve_current_A", "values up to " + rounded(size) + " where the valve is full open at " +
-                                         rounded(limit) + " A", looks_like, "A");
+      refuse_unit("valve_current_A",
+                  "values up to " + rounded(size) + " where the valve is full open at " + rounded(limit) + " A",
+                  looks_like, "A");
     }
   }
 
@@ -186,8 +188,8 @@ class UnitCheck {
     if (values.empty()) {
       return;
     }
-    static constexpr Unit kUnits[] = {{"bar", 1e-5}, {"megapascals", 1e-6}, {"pounds per square inch", 1.0 / 6894.757},
-                                      {"kilopascals", 1e-3}};
+    static constexpr Unit kUnits[] = {
+        {"bar", 1e-5}, {"megapascals", 1e-6}, {"pounds per square inch", 1.0 / 6894.757}, {"kilopascals", 1e-3}};
     const double supply = joint_.actuator.supply_pressure_Pa;
     const double size = magnitude(values);
     if (size == 0.0 || (size >= 0.1 * least * supply && size <= 3.0 * supply)) {
@@ -207,8 +209,9 @@ class UnitCheck {
     if (looks_like == nullptr) {
       refuse_unit(column, seen, nullptr, "Pa");
     } else {
-      refuse("wrong_units", column, seen + "; this looks like " + looks_like->name + ": multiply by " +
-                                        rounded(1.0 / looks_like->per_SI) + " to give Pa");
+      refuse("wrong_units", column,
+             seen + "; this looks like " + looks_like->name + ": multiply by " + rounded(1.0 / looks_like->per_SI) +
+                 " to give Pa");
     }
   }
 
