@@ -137,7 +137,7 @@ void EstimatorApplication::poll(SteadyTime now) {
 
 std::string EstimatorApplication::waits_for() const {
   const std::string lacking = participant_.greeting_lacks();
-  if (lacking.empty() && lockstep_ && inbox_.missing(tick_) == 0) {
+  if (lacking.empty() && lockstep_ && inbox_.missing(tick_) == 0 && lacks_supply()) {
     return "supply/state at tick " + std::to_string(robot_.due_supply(tick_));
   }
   return lacking.empty() ? "joint/measurement of joint " + std::to_string(inbox_.first_missing(tick_)) + " at tick " +

@@ -35,8 +35,8 @@ Result<ForceBandwidth> force_bandwidth(const HeldJoint& joint, double amplitude)
 /// spool that follows at once.
 std::optional<double> spool_Hz(const robot::Joint& real);
 
-/// Frequency at which a sine of the force takes the flow of the open valve when it crosses zero: F'_max / (2 pi F), with
-/// F'_max = A_p K_uv sqrt(drop) u_max of the slower direction (Hubacher 2014, (3.26), (3.33)). Hz.
+/// Frequency at which a sine of the force takes the flow of the open valve when it crosses zero, F'_max / (2 pi F) in Hz. Here
+/// F'_max = A_p K_uv sqrt(drop) u_max of the slower direction (Hubacher 2014, (3.26), (3.33)).
 double full_flow_Hz(const robot::Joint& real, double angle_rad, double amplitude);
 
 }  // namespace farrier::trials

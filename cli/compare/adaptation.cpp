@@ -9,6 +9,7 @@
 #include "cli/base/output_file.hpp"
 #include "cli/compare/comparison.hpp"
 #include "cli/trial/body_runs.hpp"
+#include "core/text.hpp"
 #include "participant/loop.hpp"
 #include "report/body/adaptation_result.hpp"
 #include "report/figures/console.hpp"
@@ -30,11 +31,7 @@ std::string unknown_of(const char* option, const std::vector<std::string>& names
                        const std::vector<std::string>& known) {
   for (const std::string& name : names) {
     if (std::ranges::find(known, name) == known.end()) {
-      std::string list;
-      for (const std::string& each : known) {
-        list += (list.empty() ? "" : ", ") + each;
-      }
-      return std::string(option) + ": there is no " + name + ": give one of " + list;
+      return std::string(option) + ": there is no " + name + ": give one of " + join(known, ", ");
     }
   }
   return "";

@@ -38,9 +38,8 @@ int run_noise(const robot::Robot& robot, const CompareOptions& options);
 /// without mass. For some loads, each form's resonance, the gains designed on it and their margin on the exact one.
 int run_models(const robot::Robot& robot, const CompareOptions& options);
 
-/// farrier compare bandwidth: frequencies of -3 dB and of -90 degrees of the force of each joint of a leg, held in three
-/// poses, for sines of three amplitudes, with the file's valve and with one of 0.5 and 1.75 times its gain, of which the
-/// joint's node knows or does not.
+/// farrier compare bandwidth: frequencies of -3 dB and of -90 degrees of the force of each joint of a leg. The joint is held
+/// in three poses and follows sines of three amplitudes, with the file's valve and with valves of report::kBandwidthDesigns.
 int run_bandwidth(const robot::Robot& robot, const CompareOptions& options);
 
 /// farrier compare filters: disk margins of the rig's and the robot's designs behind sensors that filter, and margins

@@ -51,25 +51,32 @@ Result<std::vector<trace::SupplyRow>> supply_rows(const robot::Robot& robot, con
 
 }  // namespace
 
+std::string cannot_adapt_on_ground(const robot::Robot& robot) {
+  for (const robot::Joint& joint : robot.joints) {
+    if (!control::takes_physics(joint.kind)) {
+      const bool linear = joint.kind == control::Kind::kLqr;
+      return std::string("--design adaptive is not for the controller ") +
+             name_of(robot::kControllerKinds, joint.kind) + " of joint " + joint.name +
+             " on a ground: " + (linear ? "its estimates are not valid there" : "its gains do not adapt") +
+             "; leave it out, or add --world bench, or --controller feedback_linearisation";
+    }
+    if (joint.estimator.regresses()) {
+      return std::string("--design adaptive is not for the estimator ") +
+             name_of(estimation::kEstimationMethods, joint.estimator.method) + " of joint " + joint.name +
+             " on a ground: it finds no valve; add --estimator with a section of method valve_flow or greybox";
+    }
+  }
+  return "";
+}
+
 std::string refused_on_ground(const robot::Robot& robot, const TrotOptions& o) {
   if (robot.plan.gait.pattern == gait::Pattern::kStand) {
     return "the gait 'stand' is for the bench, a robot on a ground needs steps: add --world bench, or give another "
            "--gait";
   }
   if (o.design == robot::Design::kAdaptive) {
-    for (const robot::Joint& joint : robot.joints) {
-      if (!control::takes_physics(joint.kind)) {
-        const bool linear = joint.kind == control::Kind::kLqr;
-        return std::string("--design adaptive is not for the controller ") +
-               name_of(robot::kControllerKinds, joint.kind) + " of joint " + joint.name +
-               " on a ground: " + (linear ? "its estimates are not valid there" : "its gains do not adapt") +
-               "; leave it out, or add --world bench, or --controller feedback_linearisation";
-      }
-      if (joint.estimator.regresses()) {
-        return std::string("--design adaptive is not for the estimator ") +
-               name_of(estimation::kEstimationMethods, joint.estimator.method) + " of joint " + joint.name +
-               " on a ground: it finds no valve; add --estimator with a section of method valve_flow or greybox";
-      }
+    if (std::string why = cannot_adapt_on_ground(robot); !why.empty()) {
+      return why;
     }
   }
   if (o.dither_cost || o.security_cost) {

@@ -8,6 +8,9 @@ namespace farrier::cli {
 /// twelfth.
 inline constexpr double kWalkDuration_s = 20.0;
 
+/// Why --design adaptive is refused for this robot on a ground, with the remedy; empty: it is not.
+std::string cannot_adapt_on_ground(const robot::Robot& robot);
+
 /// Error of options that a run on a ground does not have; empty for none.
 std::string refused_on_ground(const robot::Robot& robot, const TrotOptions& options);
 

@@ -124,13 +124,26 @@ participant::World default_world(const TrotOptions& o) {
   return participant::World::kBody;
 }
 
+/// With a tick of delay one design does not suit both loads, and nothing shows yet that adaptation gets by with it while it
+/// learns. So in real time each slot has the design for its own load, and so have joints on a ground that cannot adapt.
+robot::Design default_design(const TrotOptions& o) {
+  if (o.clock == bus::ClockKind::kRealtime || o.world == participant::World::kIdeal) {
+    return robot::Design::kPhases;
+  }
+  if (participant::is_on_ground(o.world)) {
+    TrotOptions adaptive = o;
+    adaptive.design = robot::Design::kAdaptive;
+    const auto robot = process::load_robot(common_options(adaptive));
+    if (robot && robot.value().can_walk() && !cannot_adapt_on_ground(robot.value()).empty()) {
+      return robot::Design::kPhases;
+    }
+  }
+  return robot::Design::kAdaptive;
+}
+
 int trot(TrotOptions o) {
   if (!o.design) {
-    // With a tick of delay one design does not suit both loads, and nothing shows yet that adaptation gets by with it
-    // while it learns. So in real time each slot has the design for its own load.
-    // On a ground neither: most estimates of a coupled body are not valid (docs/estimators.md).
-    const bool fixed = o.clock == bus::ClockKind::kRealtime || participant::is_on_ground(o.world);
-    o.design = fixed ? robot::Design::kPhases : robot::Design::kAdaptive;
+    o.design = default_design(o);
   }
   const auto loaded = process::load_robot(common_options(o));
   if (!loaded) {

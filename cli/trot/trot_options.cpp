@@ -79,7 +79,8 @@ void declare_control(CLI::App& app, TrotOptions& o) {
              "gains: adaptive begins with the swing design in both phases and redesigns from what it measures, "
              "probing the valves as the robot file says; stance and swing keep one design in both phases, phases "
              "keeps one for each; none of the three probes")
-      ->default_str("adaptive; phases with --clock realtime");
+      ->default_str(
+          "adaptive; phases with --clock realtime, with --world ideal, and where joints on a ground cannot adapt");
   app.add_option("--estimator", o.estimator, "section of the robot file's estimators that every joint uses")
       ->type_name("<name>");
   add_name(app, "--controller", o.controller, robot::kControllerKinds,

@@ -32,7 +32,7 @@ control::SignalAligner signal_aligner(const Joint& joint, double period_s) noexc
 /// The way of each channel, for margins. Effects of sensors are left out: the joint's node corrects them.
 control::MeasurementFilters measurement_filters(const Joint& joint, double period_s) noexcept;
 
-/// The robot with the noise of every joint's sensors multiplied by `factor` >= 0; whoever believes in this robot knows it.
+/// The robot with the noise of every joint's sensors multiplied by `factor` >= 0. Designs for this robot know it.
 Robot with_noise(Robot robot, double factor);
 
 /// "force filter 100 Hz, velocity filter 200 Hz": those that the joint's channels have; empty for none.

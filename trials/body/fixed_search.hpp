@@ -8,9 +8,10 @@
 
 namespace farrier::trials {
 
-/// Searches one fixed design for all plants, by successive halving (Jamieson and Talwalkar 2016). Gains that are drawn at
-/// random walk through rows in which fixed designs differ. The better quarter goes on with more rows, then with more
-/// seeds. Fewer falls are better, then a smaller force error in stance. Its terrains and seeds are not those of the study.
+/// Searches one fixed design for all plants, by successive halving (Jamieson and Talwalkar 2016) with one refinement. The
+/// file's gains and gains that are drawn at random walk through rows in which fixed designs differ. The best quarter goes
+/// on beside gains that are drawn around them. The best quarter of those goes on with more rows, and the best of these with
+/// more seeds. Fewer falls are better, then a smaller force error in stance. Terrains and seeds are not those of the study.
 class FixedSearch {
  public:
   /// `with_observer`: the bandwidth of the disturbance observer is drawn too. The robot must outlive the search.
@@ -25,7 +26,7 @@ class FixedSearch {
 
   /// A candidate after some rounds, with all its runs so far.
   struct Candidate {
-    int number;
+    int number;  ///< 0: the file's gains
     control::FeedbackLinearisationGains gains;
     int falls = 0, runs = 0;
     double errors = 0.0;  ///< sum over the runs without a fall
@@ -37,6 +38,7 @@ class FixedSearch {
 
  private:
   const robot::Robot& on_ground_;
+  bool with_observer_;
   std::string kind_;  // of candidates, in the names of runs
   std::vector<Candidate> candidates_;
   std::vector<StudyDesign> designs_;       // of the round, by condition and candidate

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "control/model/discretise.hpp"
 #include "core/portable_math.hpp"
 #include "core/ticks_since.hpp"
 #include "estimation/joint_estimator.hpp"
 #include "estimation/valve/valve_flow_check.hpp"
-#include "plant/linear_model.hpp"
 #include "plant/load_pressure.hpp"
 
 namespace farrier::estimation {
@@ -17,25 +15,18 @@ namespace {
 constexpr int kFlow = 0, kParts = 1, kCompression = 5, kSupply = 6;  // of the terms
 // Least residual variance for the detection of changes: a little noise is no change of a valve that had none.
 constexpr double kLeastResidual = 0.02;
-// Least residual variance of standard errors: errors of the model are no noise.
-constexpr double kLeastVariance = 0.1;
 // Error of the supply's pressure, share: the flow goes with the root of a drop that it is part of.
 constexpr double kSupplyError = 0.1, kMeasuredSupplyError = 0.03;  // the measured one is at most 10 ms old
 // A supply sensor that reads more than this share of the nominal pressure is broken: the relief valve opens before.
 constexpr double kLargestSupply = 1.5;
-constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2;  // and 3, the damping, which is not told
 // Limit of the covariance's trace over that at the start: without excitation an estimate stays as certain as at first.
 constexpr double kCovarianceLimit = 1.01;
-// Gains beyond these shares of the nominal one are no valve's.
-constexpr double kLeastGain = 0.05, kLargestGain = 5.0;
 // After an alarm nothing is learnt for so long: the oscillation dies out, and the supply recovers from what it drew.
 constexpr double kCalm_s = 0.15;
 // The calmer law is there within 20 ms and needs a few cycles.
 constexpr double kDeaf_s = 0.06;
 // A loop that oscillates with gains for a valve of this share has another cause.
 constexpr double kStrongest = 2.5;
-// A leakage or an overlap below zero by more standard errors than these, and by more than the share, is no valve's.
-constexpr double kNegativeSigmas = 3.0, kNegativeShare = 0.02;
 
 }  // namespace
 
@@ -84,7 +75,7 @@ ValveFlowEstimator::Terms ValveFlowEstimator::terms(const Eigen::Vector3d& state
   const Eigen::Vector3d mean = 0.5 * (state + last_state_);
   const Eigen::Vector3d change = state - last_state_;
   const double force_rate = (change(2) + actuator_.piston_damping * change(1)) / scales_.period_s;
-  const plant::OperatingPoint point = point_of(mean, sign_);
+  const plant::OperatingPoint point = point_of(mean);
   const plant::LoadPressureCoefficients rates = plant::load_pressure_coefficients(supplied_, point);
   const double compliance = -rates.K_vp / actuator_.area_a;  // rate of the load pressure per flow
   const double compression = force_rate / (actuator_.area_a * compliance);
@@ -121,32 +112,7 @@ void ValveFlowEstimator::take(const JointSample& sample) noexcept {
   if (follows && currents_known_ > scales_.input_delay_ticks) {
     const double before_A = spool_.place_A();
     spool_.move(std::clamp(currents_[static_cast<std::size_t>(scales_.input_delay_ticks)], -limit_A, limit_A));
-    const double opening_A = 0.5 * (before_A + spool_.place_A());
-    const double shut_A = (own_.least_opening + std::max(0.0, parameters()(kOverlapPart))) * limit_A;
-    const double sign = opening_A > 0.0 ? 1.0 : -1.0;
-    if (std::abs(opening_A) < shut_A) {
-      interrupt();
-      sample_flags_ = bit(EstimateFlag::kNotExciting);
-    } else {
-      if (sign != sign_) {
-        oil_.interrupt();
-        smoothed_ticks_ = 0.0;
-      }
-      sign_ = sign;
-      const Terms now = terms(sample.state, opening_A);
-      const double oil_m3 = std::abs(now(kFlow)) * open_flow_m3_s_ * scales_.period_s;
-      const bool steady = oil_.take(supplied_, point_of(sample.state, sign), oil_m3);
-      if (oil_.fills()) {
-        smooth(now);
-      } else {
-        smoothed_ticks_ = 0.0;
-        sample_flags_ = bit(EstimateFlag::kNotExciting);
-        errors_.interrupt();
-      }
-      if (steady && smoothed_ticks_ * scales_.period_s >= own_.smoothing_s && since_alarm_s_ >= kCalm_s) {
-        learn();
-      }
-    }
+    take_opening(sample.state, 0.5 * (before_A + spool_.place_A()));
   } else {
     currents_known_ = follows ? currents_known_ : 0;
     interrupt();
@@ -158,10 +124,38 @@ void ValveFlowEstimator::take(const JointSample& sample) noexcept {
   currents_known_ = std::min(currents_known_ + 1, 3);
 }
 
-plant::OperatingPoint ValveFlowEstimator::point_of(const Eigen::Vector3d& state, double sign) const noexcept {
+void ValveFlowEstimator::take_opening(const Eigen::Vector3d& state, double opening_A) noexcept {
+  const double shut = own_.least_opening + std::max(0.0, parameters()(kOverlapPart));
+  if (std::abs(opening_A) < shut * actuator_.valve_current_max_A) {
+    interrupt();
+    sample_flags_ = bit(EstimateFlag::kNotExciting);
+    return;
+  }
+  const double sign = opening_A > 0.0 ? 1.0 : -1.0;
+  if (sign != sign_) {
+    oil_.interrupt();
+    smoothed_ticks_ = 0.0;
+  }
+  sign_ = sign;
+  const Terms now = terms(state, opening_A);
+  const double oil_m3 = std::abs(now(kFlow)) * open_flow_m3_s_ * scales_.period_s;
+  const bool steady = oil_.take(supplied_, point_of(state), oil_m3);
+  if (oil_.fills()) {
+    smooth(now);
+  } else {
+    smoothed_ticks_ = 0.0;
+    sample_flags_ = bit(EstimateFlag::kNotExciting);
+    errors_.interrupt();
+  }
+  if (steady && smoothed_ticks_ * scales_.period_s >= own_.smoothing_s && since_alarm_s_ >= kCalm_s) {
+    learn();
+  }
+}
+
+plant::OperatingPoint ValveFlowEstimator::point_of(const Eigen::Vector3d& state) const noexcept {
   return {.position = std::clamp(state(0), 0.0, actuator_.stroke),
           .load_pressure_Pa = (state(2) + actuator_.piston_damping * state(1)) / actuator_.area_a,
-          .valve_sign = sign};
+          .valve_sign = sign_};
 }
 
 void ValveFlowEstimator::interrupt() noexcept {
@@ -217,7 +211,7 @@ void ValveFlowEstimator::watch(const JointSample& sample) noexcept {
 // A law for a weaker valve than there is may be unstable; a law for a stronger one is slow.
 void ValveFlowEstimator::count_as_stronger() noexcept {
   stronger_ = true;
-  Parameters all = prior_ + regression_.parameters().row(0).transpose().cwiseProduct(deviation_);
+  Parameters all = linear_parts();
   all.head<2>() *= std::clamp(kStrongest / all(kGainPart), 1.0, 1.0 + own_.gain_uncertainty);
   Rls<kParameters>::Parameters raised = regression_.parameters();
   raised.row(0) = (all - prior_).cwiseQuotient(deviation_).transpose();
@@ -229,72 +223,6 @@ void ValveFlowEstimator::begin_from(const Rls<kParameters>::Parameters& paramete
   regression_.reset(parameters);
   errors_ = PredictionErrors();
   surplus_ = 0.0;
-}
-
-ValveFlowEstimator::Parameters ValveFlowEstimator::parameters() const noexcept {
-  Parameters all = prior_ + regression_.parameters().row(0).transpose().cwiseProduct(deviation_);
-  all(kOverlapPart) /= std::max(all(kGainPart), kLeastGain);
-  return all;
-}
-
-// Smoothed samples are correlated over twice the filter's time constant.
-ValveFlowEstimator::Parameters ValveFlowEstimator::standard_errors() const noexcept {
-  const double variance =
-      std::max(regression_.residual_variance()(0), kLeastVariance) * 2.0 * own_.smoothing_s / scales_.period_s;
-  const Rls<kParameters>::Covariance covariance = regression_.covariance();
-  Parameters errors;
-  for (int i = 0; i < kParameters; ++i) {
-    errors(i) = deviation_(i) * std::sqrt(std::min(1.0, variance * covariance(i, i)));
-  }
-  errors(kOverlapPart) /= std::max(parameters()(kGainPart), kLeastGain);
-  return errors;
-}
-
-ModelEstimate ValveFlowEstimator::estimate() const noexcept {
-  ModelEstimate out;
-  out.phase = phase_;
-  out.flags = sample_flags_;
-  out.samples = static_cast<std::uint32_t>(std::min<std::int64_t>(regression_.samples(), UINT32_MAX));
-  if (regression_.samples() < params_.min_samples) {
-    out.flags |= bit(EstimateFlag::kNotYetSet) | (stronger_ ? bit(EstimateFlag::kCountsAsStronger) : 0u);
-  }
-  const Parameters found = parameters();
-  const Parameters errors = standard_errors();
-  const bool negative = std::ranges::any_of(std::array<int, 2>{kOverlapPart, kLeakagePart}, [&](int i) {
-    return found(i) < -std::max(kNegativeSigmas * errors(i), kNegativeShare);
-  });
-  if (!(found(kGainPart) >= kLeastGain && found(kGainPart) <= kLargestGain) || negative) {
-    out.flags |= bit(EstimateFlag::kNotPhysical);
-  }
-  out.prediction_error = std::sqrt(errors_.variance());
-  out.whiteness = errors_.whiteness();
-  if (out.prediction_error > kMisfitFree) {
-    out.flags |= bit(EstimateFlag::kMisfit);
-  }
-  const plant::LoadParams& load = loads_[static_cast<std::size_t>(phase_)];
-  plant::ActuatorParams actuator = actuator_;
-  actuator.valve_gain *= std::clamp(found(kGainPart), kLeastGain, kLargestGain);
-  const plant::OperatingPoint home{.position = scales_.home_position, .valve_sign = 1.0};
-  const plant::LinearModel model = plant::linearise_load_cell_force(actuator, load, home);
-  const control::DiscreteModel sampled = control::discretise(model.a, model.b, scales_.period_s);
-  out.a = sampled.a;
-  out.b = sampled.b;
-  const double gain_error = errors(kGainPart) / std::max(found(kGainPart), kLeastGain);
-  out.b_error = gain_error * out.b.cwiseAbs();
-  const std::uint32_t forbidding = bit(EstimateFlag::kNotPhysical) | bit(EstimateFlag::kNotYetSet);
-  const bool usable = (out.flags & forbidding) == 0 && out.a.allFinite() && out.b.allFinite();
-  out.validity = usable ? std::clamp(1.0 - gain_error / kUselessGainError, 0.0, 1.0) : 0.0;
-  out.excitation = 1.0 / regression_.covariance_trace();
-
-  out.has_physics = true;
-  out.physics = plant::nominal_physics(actuator, load);
-  const double per_leakage = open_flow_m3_s_ / actuator_.supply_pressure_Pa;
-  out.physics.leakage = std::max(0.0, found(kLeakagePart)) * per_leakage;
-  out.physics.overlap_A = std::max(0.0, found(kOverlapPart)) * actuator_.valve_current_max_A;
-  out.physics_error.valve_gain = errors(kGainPart) * actuator_.valve_gain;
-  out.physics_error.leakage = errors(kLeakagePart) * per_leakage;
-  out.physics_error.overlap_A = errors(kOverlapPart) * actuator_.valve_current_max_A;
-  return out;
 }
 
 }  // namespace farrier::estimation

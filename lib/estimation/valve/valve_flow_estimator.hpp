@@ -67,6 +67,8 @@ class ValveFlowEstimator final : public Estimator {
  private:
   static constexpr int kParameters = 4;
   using Parameters = Eigen::Vector4d;
+  static constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2;  // and 3, the damping, which is not told
+  static constexpr double kLeastGain = 0.05;  ///< share of the nominal gain; a smaller one is no valve's
   /// Shares of the open valve's flow: the flow, its parts for a unit of each parameter, and the sizes of what compression
   /// takes of it and of what a wrong supply pressure does to it.
   using Terms = Eigen::Matrix<double, 7, 1>;
@@ -76,7 +78,8 @@ class ValveFlowEstimator final : public Estimator {
                      const KnownValve& known, const Rls<kParameters>& regression) noexcept;
 
   Terms terms(const Eigen::Vector3d& state, double opening_A) const noexcept;
-  plant::OperatingPoint point_of(const Eigen::Vector3d& state, double sign) const noexcept;
+  void take_opening(const Eigen::Vector3d& state, double opening_A) noexcept;
+  plant::OperatingPoint point_of(const Eigen::Vector3d& state) const noexcept;
   void interrupt() noexcept;
   void smooth(const Terms& now) noexcept;
   void learn() noexcept;
@@ -85,6 +88,7 @@ class ValveFlowEstimator final : public Estimator {
   void begin_from(const Rls<kParameters>::Parameters& parameters) noexcept;
   /// Gain over the nominal one, overlap as a share of full current, leakage as a share, damping beyond the nominal one as a
   /// share of that.
+  Parameters linear_parts() const noexcept;
   Parameters parameters() const noexcept;
   Parameters standard_errors() const noexcept;
 
