@@ -12,8 +12,8 @@ class App;
 namespace farrier::cli {
 
 inline constexpr int kPassed = 0;
-inline constexpr int kFailed = 1;       ///< ran, and did not meet its bounds, or broke down
-inline constexpr int kBadInput = 2;     ///< refused before anything moved; interrupted: 130 or 143
+inline constexpr int kFailed = 1;    ///< ran, and did not meet its bounds, or broke down
+inline constexpr int kBadInput = 2;  ///< refused before anything moved; interrupted: 129, 130 or 143
 
 /// Says on standard error why `farrier <command>` ends. Returns its exit status: `status`, or that of an interrupt when the
 /// user has stopped the command.

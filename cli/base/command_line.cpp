@@ -11,6 +11,7 @@
 #include "cli/base/help.hpp"
 #include "cli/base/installation.hpp"
 #include "cli/base/renamed_options.hpp"
+#include "cli/base/standard_output.hpp"
 #include "cli/base/verbs.hpp"
 #include "report/figures/run_info.hpp"
 
@@ -26,9 +27,10 @@ int start_program(const Verb& verb, std::vector<std::string> arguments) {
   }
   argv.push_back(nullptr);
   ::execv(program.c_str(), argv.data());
-  std::fprintf(stderr,
-               "farrier %s: %s is not there: './farrier %s' in the source tree builds it, the package farrier-tools has it\n",
-               arguments[1].c_str(), program.c_str(), arguments[1].c_str());
+  std::fprintf(
+      stderr,
+      "farrier %s: %s is not there: './farrier %s' in the source tree builds it, the package farrier-tools has it\n",
+      arguments[1].c_str(), program.c_str(), arguments[1].c_str());
   return kBadInput;
 }
 
@@ -60,16 +62,17 @@ int run_program(std::span<const DeclaredVerb> declared, int argc, char** argv) {
   }
   std::function<int()> run;
   const auto app = command_line(declared, run);
+  prepare_standard_streams();
   try {
     app->parse(std::vector<std::string>(arguments.rbegin(), arguments.rend() - 1));
   } catch (const CLI::ParseError& problem) {
-    return app->exit(problem) == 0 ? kPassed : kBadInput;
+    return status_of_output("", app->exit(problem) == 0 ? kPassed : kBadInput);
   }
   if (!run) {
     std::fputs(app->help().c_str(), stderr);
     return kBadInput;
   }
-  return run();
+  return status_of_output(arguments[1], run());
 }
 
 }  // namespace farrier::cli

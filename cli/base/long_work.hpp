@@ -6,7 +6,7 @@
 
 namespace farrier::cli {
 
-/// Stops long work at SIGINT and SIGTERM, and shows its progress once it has lasted two seconds, until the last copy of what
+/// Stops long work at SIGINT, SIGTERM and SIGHUP, and shows its progress once it has lasted two seconds, until the last copy of what
 /// is returned is gone.
 KeepOn long_work(const std::string& title);
 

@@ -71,7 +71,7 @@ Result<robot::Robot> model_of(const DiagnoseOptions& o) {
   if (!playback::is_recording(o.recording)) {
     return Error{"farrier diagnose: give --model, the robot file of the machine that was recorded\n"};
   }
-  auto run = playback::RecordedRun::open(o.recording);
+  auto run = playback::RecordedRun::open(o.recording, {}, long_work("diagnose, reading"));
   return run ? Result<robot::Robot>(run.value().robot()) : Error{"farrier diagnose: " + run.error().message + "\n"};
 }
 
@@ -112,8 +112,8 @@ Result<std::string> write_model(const std::string& path, const robot::Robot& rob
   if (path.empty()) {
     return std::string();
   }
-  const std::string head = "# " + robot.name + " with the effects that farrier diagnose found at joint " + joint.name +
-                           ".\n";
+  const std::string head =
+      "# " + robot.name + " with the effects that farrier diagnose found at joint " + joint.name + ".\n";
   FARRIER_TRY(replace_file(path, head + model.value()));
   if (const auto loaded = robot::load_robot(path); !loaded) {
     return Error{"the extended model does not load: " + config::to_string(loaded.error())};
@@ -159,10 +159,10 @@ int diagnose(const DiagnoseOptions& o) {
     return diagnose_scaled(o);
   }
   if (o.benchmark) {
-    return o.recording.empty() ? run_diagnose_benchmark(
-                                     {o.json_path, o.confusion_path, o.seed, o.trials, o.threads, o.go_on},
-                                     robots_directory())
-                               : refuse("diagnose", "--benchmark makes its recordings: name none");
+    return o.recording.empty()
+               ? run_diagnose_benchmark({o.json_path, o.confusion_path, o.seed, o.trials, o.threads, o.go_on},
+                                        robots_directory())
+               : refuse("diagnose", "--benchmark makes its recordings: name none");
   }
   if (o.recording.empty()) {
     return refuse("diagnose", "name a recording; see 'farrier diagnose --help'");
@@ -178,8 +178,9 @@ int diagnose(const DiagnoseOptions& o) {
     return refuse("diagnose", joint.error().message);
   }
   if (joint.value()->electric) {
-    return refuse("diagnose", "--model: " + joint.value()->name + " of " + robot.name + " is electric, and only what hydraulic "
-                  "joints have is looked for: name a hydraulic one");
+    return refuse("diagnose", "--model: " + joint.value()->name + " of " + robot.name +
+                                  " is electric, and only what hydraulic "
+                                  "joints have is looked for: name a hydraulic one");
   }
   std::optional<OutputDirectory> directory;
   if (!o.out.empty()) {

@@ -96,7 +96,7 @@ int identify(const IdentifyOptions& o) {
   if (!o.estimator.empty()) {
     overrides.estimator = o.estimator;
   }
-  auto run = playback::RecordedRun::open(o.path, overrides);
+  auto run = playback::RecordedRun::open(o.path, overrides, long_work("identify, reading"));
   if (!run) {
     return refuse("identify", run.error().message);
   }
@@ -108,7 +108,6 @@ int identify(const IdentifyOptions& o) {
   if (auto way = make_way({o.csv_path}, {o.path}); !way) {
     return refuse("identify", way.error().message);
   }
-  run.value().ask(long_work("identify, reading"));
   const playback::Measurements measured = playback::read_measurements(run.value());
   if (participant::stop_requested()) {
     return participant::stop_status();
@@ -140,9 +139,15 @@ int identify(const IdentifyOptions& o) {
   }
   if (estimates == 0) {
     const std::string whose = only == nullptr ? "" : " of " + o.joint;
-    return refuse("identify", o.path + " has no joint/measurement" + whose + ": record that topic");
+    return refuse("identify", o.path + " has no joint/measurement" + whose + ": " +
+                                  (measured.ending.empty() ? "record that topic" : measured.ending));
   }
   print(robot, last);
+  if (measured.late > 0) {
+    std::fprintf(stderr,
+                 "farrier identify: %llu measurements repeat earlier ticks, as of another run, and are left out\n",
+                 static_cast<unsigned long long>(measured.late));
+  }
   if (file && !file->ended_well()) {
     return fail("identify", "cannot write " + o.csv_path + ": is the disk full?");
   }

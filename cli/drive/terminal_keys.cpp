@@ -37,6 +37,10 @@ constexpr std::array kKeys{
 
 constexpr std::string_view kArrow = "\x1b[";
 
+volatile std::sig_atomic_t hung_up = 0;
+
+void hang_up(int /*signal*/) { hung_up = 1; }
+
 }  // namespace
 
 std::vector<Key> keys_in(std::string& bytes) {
@@ -71,7 +75,7 @@ Result<TerminalKeys> TerminalKeys::open() {
   if (::tcsetattr(STDIN_FILENO, TCSANOW, &raw) != 0) {
     return Error{"the terminal does not take keys one by one"};
   }
-  std::signal(SIGHUP, SIG_IGN);  // a terminal that is lost is noticed by pressed()
+  std::signal(SIGHUP, hang_up);
   return TerminalKeys(before);
 }
 
@@ -85,6 +89,8 @@ TerminalKeys::~TerminalKeys() {
     static_cast<void>(::tcsetattr(STDIN_FILENO, TCSANOW, &before_));
   }
 }
+
+bool TerminalKeys::lost() const noexcept { return lost_ || hung_up != 0; }
 
 std::vector<Key> TerminalKeys::pressed() {
   pollfd waiting{.fd = STDIN_FILENO, .events = POLLIN, .revents = 0};

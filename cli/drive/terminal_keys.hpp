@@ -25,14 +25,14 @@ class TerminalKeys {
   /// Keys that were pressed since the last call. Does not wait.
   std::vector<Key> pressed();
   /// True when the terminal is gone.
-  bool lost() const noexcept { return lost_; }
+  bool lost() const noexcept;
 
  private:
   explicit TerminalKeys(const termios& before) noexcept : before_(before) {}
 
   termios before_;
   std::string bytes_;
-  bool lost_ = false;
+  bool lost_ = false;  ///< noticed by a read
   bool owns_ = true;
 };
 

@@ -115,7 +115,7 @@ int show_once(bus::Bus& bus, monitor::Watch& watch, const robot::Robot& robot, c
   if (frame.joints.empty() || std::isinf(frame.age_s)) {
     return fail("monitor", nothing_comes(o));
   }
-  return display::print_table(frame, robot, events.all()) ? kPassed : fail("monitor", "what reads its output is gone");
+  return display::print_table(frame, robot, events.all()) ? kPassed : kFailed;
 }
 
 int run_monitor(const MonitorOptions& o) {

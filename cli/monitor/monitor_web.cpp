@@ -50,13 +50,15 @@ void tell(const std::string& what, const std::string& url) {
 }  // namespace
 
 void declare_web(CLI::App& app, WebOptions& options, CLI::Option* once) {
-  CLI::Option* web = app.add_option("--web", options.address,
-                 "serve a page for browsers: of this computer at --web, --web 8642 or --web :8642, of others too at "
-                 "--web 0.0.0.0:8642, which asks for the token that is printed; at --web 0 on any port that is free")
-      ->expected(0, 1)
-      ->default_str(kUsual)
-      ->type_name("<address:port>")
-      ->excludes(once);
+  CLI::Option* web =
+      app.add_option(
+             "--web", options.address,
+             "serve a page for browsers: of this computer at --web, --web 8642 or --web :8642, of others too at "
+             "--web 0.0.0.0:8642, which asks for the token that is printed; at --web 0 on any port that is free")
+          ->expected(0, 1)
+          ->default_str(kUsual)
+          ->type_name("<address:port>")
+          ->excludes(once);
   app.add_option_function<int>(
          "--port", [&options](const int& port) { options.address = ":" + std::to_string(port); },
          "short for --web with a port: serve the page at this port of this computer alone")
@@ -87,6 +89,9 @@ int show_recording(const WebOptions& options) {
   auto frames = web::RecordedFrames::read(options.recording, long_work("monitor, reading"));
   if (!frames) {
     return participant::stop_requested() ? participant::stop_status() : refuse("monitor", frames.error().message);
+  }
+  for (const std::string& remark : frames.value().remarks()) {
+    std::fprintf(stderr, "farrier monitor: %s: %s\n", options.recording.c_str(), remark.c_str());
   }
   auto site = web::RecordedFrames::site(std::make_shared<const web::RecordedFrames>(std::move(frames).value()),
                                         std::move(opened.value().page));

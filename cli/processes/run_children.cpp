@@ -86,11 +86,15 @@ Result<ChildProcess> start_recorder(const robot::Robot& robot, const DdsRun& run
   // The robot with the options of this run, which is in no other file.
   const std::string robot_path = run.log_directory + "/" + robot.name + ".yaml";
   FARRIER_TRY(replace_file(robot_path, robot::print_config(robot)));
-  std::vector<std::string> arguments{
-      "record",   run.record_path,
-      "--robot",  robot_path,
-      "--domain", std::to_string(common.network.domain),
-      "--dds",    to_string(run.dds == DdsChoice::kFast ? Vendor::kFast : Vendor::kCyclone)};
+  std::vector<std::string> arguments{"record",
+                                     run.record_path,
+                                     "--force",
+                                     "--robot",
+                                     robot_path,
+                                     "--domain",
+                                     std::to_string(common.network.domain),
+                                     "--dds",
+                                     to_string(run.dds == DdsChoice::kFast ? Vendor::kFast : Vendor::kCyclone)};
   if (!common.security.empty()) {
     arguments.insert(arguments.end(), {"--security", common.security});
   }

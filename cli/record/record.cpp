@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -14,7 +15,6 @@
 #include "recording/background_writer.hpp"
 #include "cli/base/command.hpp"
 #include "cli/record/guest.hpp"
-#include "cli/base/output_file.hpp"
 #include "cli/record/topic_choice.hpp"
 #include "report/figures/recording_facts.hpp"
 #include "report/figures/text_format.hpp"
@@ -31,6 +31,7 @@ struct RecordOptions {
   std::vector<std::string> topics;
   std::vector<std::string> facts;
   double duration_s = 0.0;
+  bool force = false;
   GuestOptions guest;
 };
 
@@ -102,8 +103,16 @@ int run_record(const RecordOptions& o) {
     }
     facts[fact.substr(0, equals)] = fact.substr(equals + 1);
   }
-  if (auto way = make_way({o.path}, {o.guest.robot_path}); !way) {
-    return refuse("record", way.error().message);
+  if (auto free = recording::refuse_existing(o.path); !free && !o.force) {
+    return refuse("record", free.error().message);
+  }
+  std::error_code unknown;
+  if (std::filesystem::equivalent(o.path, o.guest.robot_path, unknown)) {
+    return refuse("record", o.path + " is the robot file: give another file");
+  }
+  auto file = recording::RunFileWriter::create(o.path, facts);
+  if (!file) {
+    return refuse("record", file.error().message);
   }
   auto bus = join_as_guest(o.guest, bus::Role::kMonitor);
   if (!bus) {
@@ -113,10 +122,6 @@ int run_record(const RecordOptions& o) {
                                    : recorder::Recorder::create(*bus.value(), robot.value(), topics_of(o.topics));
   if (!recorder) {
     return fail("record", recorder.error().message);
-  }
-  auto file = recording::RunFileWriter::create(o.path, facts);
-  if (!file) {
-    return refuse("record", file.error().message);
   }
   recording::BackgroundWriter writer(std::move(file).value());
   const std::string part = recording::path_while_written(o.path);
@@ -144,6 +149,7 @@ std::function<int()> declare_record(CLI::App& app) {
   app.add_option("--duration", o->duration_s, "seconds from the first sample; without it, Ctrl-C ends the recording")
       ->check(CLI::PositiveNumber)
       ->type_name("<s>");
+  app.add_flag("--force", o->force, "replace the file if it is there");
   app.add_option("--fact", o->facts, "something else that the recording is to say of the run")
       ->type_name("<name>=<value>");
   declare_guest(app, o->guest);

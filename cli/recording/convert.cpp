@@ -31,7 +31,7 @@ int run_convert(const std::string& from, const std::string& to) {
   }
   std::printf("%s: %llu samples\n", to.c_str(), static_cast<unsigned long long>(converted.value().samples));
   if (!converted.value().ending.empty()) {
-    return fail("convert", from + ": " + converted.value().ending + "; what came before is converted");
+    return fail("convert", from + ": " + converted.value().ending + "; the rest is converted");
   }
   return kPassed;
 }

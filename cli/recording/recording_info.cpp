@@ -15,6 +15,8 @@
 namespace farrier::cli {
 namespace {
 
+using nlohmann::json;
+
 struct InfoOptions {
   std::string path;
   bool json = false;
@@ -23,7 +25,7 @@ struct InfoOptions {
 /// Summary of one topic.
 struct TopicSum {
   std::uint64_t samples = 0;
-  std::uint64_t first_ns = 0, last_ns = 0;  // logged
+  std::uint64_t first_ns = 0, last_ns = 0;  // elapsed
 
   double seconds() const noexcept { return static_cast<double>(last_ns - first_ns) * 1e-9; }
   double rate_hz() const noexcept {
@@ -36,6 +38,10 @@ struct Contents {
   TopicSum all;
   mcap::Text facts, lost;  // lost: empty without its record, which is written last
   std::string ending;
+  std::string nothing;  // of Farrier is in the file, and what is; empty: something is
+  std::uint64_t damaged = 0;
+  std::map<std::string, recording::ForeignTopic> foreign;
+  recording::Timeline timeline;
 };
 
 Contents read_all(recording::RunFileReader& file) {
@@ -43,14 +49,18 @@ Contents read_all(recording::RunFileReader& file) {
   recording::Sample sample;
   while (file.next(sample)) {
     for (TopicSum* sum : {&contents.topics[static_cast<std::size_t>(sample.topic)], &contents.all}) {
-      sum->first_ns = sum->samples == 0 ? sample.log_time_ns : std::min(sum->first_ns, sample.log_time_ns);
-      sum->last_ns = std::max(sum->last_ns, sample.log_time_ns);
+      sum->first_ns = sum->samples == 0 ? sample.elapsed_ns : sum->first_ns;
+      sum->last_ns = sample.elapsed_ns;
       ++sum->samples;
     }
   }
   contents.facts = file.metadata(recording::kRunFacts);
   contents.lost = file.metadata(recording::kLosses);
   contents.ending = file.ending();
+  contents.nothing = file.nothing_of_farrier();
+  contents.damaged = file.damaged_samples();
+  contents.foreign = file.foreign();
+  contents.timeline = file.timeline();
   return contents;
 }
 
@@ -72,43 +82,73 @@ void print_text(const Contents& contents) {
     std::printf("%-24s %10llu %10s %10s\n", topic.name, static_cast<unsigned long long>(sum.samples),
                 report::short_number(sum.rate_hz()).c_str(), lost_text(contents, topic.name).c_str());
   }
+  if (!contents.foreign.empty()) {
+    std::vector<std::vector<std::string>> rows{{"topic of another program", "messages", "type", "encoding"}};
+    for (const auto& [name, topic] : contents.foreign) {
+      rows.push_back({name, std::to_string(topic.messages), topic.type, topic.encoding});
+    }
+    std::printf("\n%s", report::aligned(rows).c_str());
+  }
+}
+
+json foreign_json(const Contents& contents) {
+  json all = json::object();
+  for (const auto& [name, topic] : contents.foreign) {
+    all[name] = {{"messages", topic.messages}, {"type", topic.type}, {"encoding", topic.encoding}};
+  }
+  return all;
+}
+
+json steps_json(const Contents& contents) {
+  json all = json::array();
+  for (const recording::ClockStep& step : contents.timeline.steps()) {
+    all.push_back({{"at_s", static_cast<double>(step.at_ns) * 1e-9}, {"by_s", step.by_s()}});
+  }
+  return all;
 }
 
 void print_json(const Contents& contents) {
-  nlohmann::json topics = nlohmann::json::object();
+  json topics = json::object();
   for (const bus::TopicSpec& topic : bus::topics()) {
     const TopicSum& sum = contents.topics[static_cast<std::size_t>(topic.id)];
-    nlohmann::json one = {{"samples", sum.samples}, {"duration_s", sum.seconds()}, {"rate_hz", sum.rate_hz()}};
+    json one = {{"samples", sum.samples}, {"duration_s", sum.seconds()}, {"rate_hz", sum.rate_hz()}};
     if (const auto lost = contents.lost.find(topic.name); lost != contents.lost.end()) {
       one["lost"] = std::strtoull(lost->second.c_str(), nullptr, 10);
     }
     topics[topic.name] = std::move(one);
   }
-  const nlohmann::json all = {{"run", contents.facts},
-                              {"duration_s", contents.all.seconds()},
-                              {"samples", contents.all.samples},
-                              {"topics", std::move(topics)},
-                              {"whole", contents.ending.empty()},
-                              {"ending", contents.ending}};
-  std::printf("%s\n", all.dump(2).c_str());
+  const json all = {{"run", contents.facts},
+                    {"duration_s", contents.all.seconds()},
+                    {"samples", contents.all.samples},
+                    {"topics", std::move(topics)},
+                    {"foreign", foreign_json(contents)},
+                    {"damaged_samples", contents.damaged},
+                    {"clock_steps", steps_json(contents)},
+                    {"whole", contents.ending.empty()},
+                    {"ending", contents.ending}};
+  std::printf("%s\n", all.dump(2, ' ', false, json::error_handler_t::replace).c_str());
 }
 
 int run_info_command(const InfoOptions& o) {
   auto file = recording::RunFileReader::open(o.path);
   if (!file) {
-    std::fprintf(stderr, "farrier info: %s\n", file.error().message.c_str());
-    return kBadInput;
+    return refuse("info", file.error().message);
   }
   file.value().ask(long_work("info"));
   const Contents contents = read_all(file.value());
   if (participant::stop_requested()) {
     return participant::stop_status();
   }
+  if (!contents.nothing.empty()) {
+    return refuse("info", contents.nothing);
+  }
   o.json ? print_json(contents) : print_text(contents);
+  std::fflush(stdout);  // remarks come behind it
+  for (const std::string& step : recording::step_texts(contents.timeline)) {
+    std::fprintf(stderr, "farrier info: %s: %s; durations leave the step out\n", o.path.c_str(), step.c_str());
+  }
   if (!contents.ending.empty()) {
-    std::fprintf(stderr, "farrier info: %s: %s; what is above is what came before\n", o.path.c_str(),
-                 contents.ending.c_str());
-    return kFailed;
+    return fail("info", o.path + ": " + contents.ending + "; what is above is the rest");
   }
   return kPassed;
 }

@@ -3,13 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
-#include <optional>
 
 #include "bus_factory/bus_factory.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "recorder/watching_endpoint.hpp"
 #include "cli/base/command.hpp"
+#include "cli/base/long_work.hpp"
 #include "cli/record/guest.hpp"
 #include "cli/recording/rerun.hpp"
 #include "cli/record/topic_choice.hpp"
@@ -22,7 +22,7 @@ namespace {
 using namespace std::chrono_literals;
 using signals::SystemHello;
 
-constexpr auto kListen = 1s;     // processes that run say hello fifty times a second while they start, then with health
+constexpr auto kListen = 1s;  // processes that run say hello fifty times a second while they start, then with health
 
 struct ReplayOptions {
   std::string path;
@@ -35,8 +35,8 @@ struct ReplayOptions {
 
 /// Refuses where a robot of this name runs: a replay would speak in the name of its processes.
 Result<Done> nobody_is_there(bus::Bus& bus, const robot::Robot& robot, int domain) {
-  auto hellos = FARRIER_TRY(bus::Subscription<SystemHello>::create(
-      bus, recorder::watching_endpoint(robot, bus::TopicId::kSystemHello)));
+  auto hellos = FARRIER_TRY(
+      bus::Subscription<SystemHello>::create(bus, recorder::watching_endpoint(robot, bus::TopicId::kSystemHello)));
   std::string heard;
   nap(bus, participant::steady_now() + kListen);
   hellos.drain([&](const SystemHello& hello) { heard = signals::text_of(hello.name); });
@@ -47,15 +47,17 @@ Result<Done> nobody_is_there(bus::Bus& bus, const robot::Robot& robot, int domai
   return Done{};
 }
 
-/// Publishes all samples as far apart as they were recorded; how many.
+/// Publishes all samples as far apart as they were recorded, without the steps of the clock; how many.
 std::uint64_t play(bus::Bus& bus, playback::Replayer& replayer, playback::RecordedRun& run, double speed) {
   const SteadyTime begin = participant::steady_now();
-  std::optional<std::uint64_t> first_ns;
+  std::size_t told = 0;  // steps
   std::uint64_t published = 0;
   for (recording::Sample sample; run.next(sample);) {
-    first_ns = first_ns.value_or(sample.log_time_ns);
-    const std::uint64_t since_ns = sample.log_time_ns - std::min(sample.log_time_ns, *first_ns);
-    nap(bus, begin + Nanoseconds(static_cast<std::int64_t>(static_cast<double>(since_ns) / speed)));
+    for (const auto& steps = run.timeline().steps(); told < steps.size(); ++told) {
+      std::fprintf(stderr, "farrier replay: %s; the replay goes on without the step\n",
+                   recording::to_string(steps[told]).c_str());
+    }
+    nap(bus, begin + Nanoseconds(static_cast<std::int64_t>(static_cast<double>(sample.elapsed_ns) / speed)));
     if (participant::stop_requested()) {
       break;
     }
@@ -66,7 +68,8 @@ std::uint64_t play(bus::Bus& bus, playback::Replayer& replayer, playback::Record
 
 int run_replay(const ReplayOptions& o) {
   participant::install_signal_handlers();
-  auto run = playback::RecordedRun::open(o.path);
+  const KeepOn until_stopped = [](double) { return !participant::stop_requested(); };
+  auto run = playback::RecordedRun::open(o.path, {}, o.rerun_of.empty() ? until_stopped : long_work("replay, reading"));
   if (!run) {
     return refuse("replay", run.error().message);
   }

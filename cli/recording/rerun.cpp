@@ -24,7 +24,6 @@ std::string text_of(const std::optional<playback::Difference>& first) {
 }  // namespace
 
 int rerun_estimator(playback::RecordedRun& run, const std::string& path) {
-  run.ask(long_work("replay, reading"));
   const auto rerun = playback::rerun_estimator(run, long_work("replay --rerun estimator"));
   if (participant::stop_requested()) {
     return participant::stop_status();
@@ -48,14 +47,14 @@ int rerun_estimator(playback::RecordedRun& run, const std::string& path) {
   std::printf("%s: %llu estimates compared, %llu different\n", path.c_str(), static_cast<unsigned long long>(compared),
               static_cast<unsigned long long>(different));
   if (different > 0 && (rerun.value().first_tick > 0 || missing > 0)) {
-    std::fputs("The recorded estimators knew more than this file tells: it begins after the run, or lacks "
-               "measurements.\n",
-               stdout);
+    std::fputs(
+        "The recorded estimators knew more than this file tells: it begins after the run, or lacks "
+        "measurements.\n",
+        stdout);
   }
   if (compared == 0) {
-    std::fprintf(stderr, "farrier replay: %s has no joint/measurement with joint/model_estimate: record both\n",
-                 path.c_str());
-    return kBadInput;
+    return refuse("replay", path + " has no joint/measurement with joint/model_estimate: " +
+                                (rerun.value().ending.empty() ? "record both" : rerun.value().ending));
   }
   if (!rerun.value().ending.empty()) {
     std::fprintf(stderr, "farrier replay: %s: %s\n", path.c_str(), rerun.value().ending.c_str());

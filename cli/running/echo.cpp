@@ -46,7 +46,8 @@ class TypedEcho final : public Echo {
  public:
   static Result<std::unique_ptr<Echo>> create(bus::Bus& bus, const Filter& filter) {
     const bus::TopicSpec& topic = bus::spec(bus::TopicOf<Signal>::id);
-    auto heard = FARRIER_TRY(bus::Subscription<Signal>::create(bus, recorder::watching_endpoint(filter.robot, topic.id)));
+    auto heard =
+        FARRIER_TRY(bus::Subscription<Signal>::create(bus, recorder::watching_endpoint(filter.robot, topic.id)));
     return std::unique_ptr<Echo>(new TypedEcho(topic.name, std::move(heard), filter));
   }
 
@@ -96,7 +97,7 @@ int listen(bus::Bus& bus, const std::vector<std::unique_ptr<Echo>>& echoes, cons
       left -= echo->print(left);
     }
     if (std::fflush(stdout) != 0) {
-      return fail("echo", "what reads its output is gone");
+      return kFailed;  // the reason is that of the output
     }
     const SteadyTime now = participant::steady_now();
     if (left != before) {

@@ -2,13 +2,59 @@
 
 #include <zlib.h>
 #include <zstd.h>
+#include <zstd_errors.h>
+
+#include <algorithm>
+#include <optional>
 
 #include "core/ensure.hpp"
+#include "mcap/lz4_frame.hpp"
 
 namespace farrier::mcap {
 namespace {
 
 constexpr int kLevel = -2;  // two thirds of the time of level 1, for chunks an eighth larger
+
+/// Room for a chunk before more of it has come: a false size costs no memory.
+constexpr std::size_t kFirstBytes = 1u << 16;
+
+struct FreeDecompressor {
+  void operator()(ZSTD_DCtx* context) const noexcept { ZSTD_freeDCtx(context); }
+};
+
+/// Expands zstd frames to at most `size` bytes. Empty for bytes that are no whole frames or give more. Bytes behind a
+/// frame that ends at `size` are left.
+std::optional<std::vector<std::uint8_t>> expand_zstd(std::span<const std::uint8_t> data, std::size_t size) {
+  const std::unique_ptr<ZSTD_DCtx, FreeDecompressor> context(ZSTD_createDCtx());
+  std::vector<std::uint8_t> out(std::min(size + 1, std::max(kFirstBytes, 4 * data.size())));
+  ZSTD_inBuffer in{data.data(), data.size(), 0};
+  std::size_t filled = 0, left_of_frame = 0;
+  while (in.pos < in.size || filled == out.size()) {
+    if (filled == out.size()) {
+      if (out.size() > size) {
+        return std::nullopt;
+      }
+      out.resize(std::min(size + 1, 2 * out.size()));
+    }
+    ZSTD_outBuffer to{out.data(), out.size(), filled};
+    const std::size_t left = ZSTD_decompressStream(context.get(), &to, &in);
+    if (ZSTD_getErrorCode(left) == ZSTD_error_frameParameter_windowTooLarge) {
+      out.resize(size);  // at once, no window is needed
+      const std::size_t all = ZSTD_decompressDCtx(context.get(), out.data(), size, data.data(), data.size());
+      return ZSTD_isError(all) == 0 && all == size ? std::optional(std::move(out)) : std::nullopt;
+    }
+    if (ZSTD_isError(left) != 0) {
+      if (filled != size || left_of_frame != 0) {
+        return std::nullopt;
+      }
+      break;
+    }
+    left_of_frame = left;
+    filled = to.pos;
+  }
+  out.resize(filled);
+  return left_of_frame == 0 ? std::optional(std::move(out)) : std::nullopt;
+}
 
 }  // namespace
 
@@ -35,30 +81,26 @@ std::span<const std::uint8_t> Compressor::compress(std::span<const std::uint8_t>
   return std::span(out).first(size);
 }
 
-Result<std::vector<std::uint8_t>> decompress(std::span<const std::uint8_t> data, const std::string& compression,
+Result<std::vector<std::uint8_t>> decompress(std::vector<std::uint8_t> data, const std::string& compression,
                                              std::uint64_t uncompressed_size) {
   if (uncompressed_size > kLargestChunk) {
     return Error{"a chunk claims " + std::to_string(uncompressed_size) + " bytes"};
   }
-  const Error damaged{"the bytes of a chunk are damaged"};
+  const auto size = static_cast<std::size_t>(uncompressed_size);
+  std::optional<std::vector<std::uint8_t>> out;
   if (compression.empty()) {
-    if (data.size() != uncompressed_size) {
-      return damaged;
-    }
-    return std::vector<std::uint8_t>(data.begin(), data.end());
+    out = std::move(data);
+  } else if (compression == "zstd") {
+    out = expand_zstd(data, size);
+  } else if (compression == "lz4") {
+    out = expand_lz4_frames(data, size);
+  } else {
+    return Error{"it is compressed with '" + compression + "'; Farrier reads zstd, lz4 and uncompressed chunks"};
   }
-  if (compression != "zstd") {
-    return Error{"a chunk is compressed with '" + compression + "'; Farrier reads zstd and uncompressed chunks"};
+  if (!out || out->size() != size) {
+    return Error{"its bytes are damaged"};
   }
-  if (ZSTD_getFrameContentSize(data.data(), data.size()) != uncompressed_size) {  // before room is made for a false claim
-    return damaged;
-  }
-  std::vector<std::uint8_t> out(static_cast<std::size_t>(uncompressed_size));
-  const std::size_t size = ZSTD_decompress(out.data(), out.size(), data.data(), data.size());
-  if (ZSTD_isError(size) != 0 || size != uncompressed_size) {
-    return damaged;
-  }
-  return out;
+  return std::move(*out);
 }
 
 }  // namespace farrier::mcap

@@ -29,9 +29,10 @@ class Compressor {
   std::unique_ptr<Context> context_;
 };
 
-/// Decompresses a chunk. `compression`: "zstd", or "" for none. Refuses another compression, bytes that are not valid
-/// for it or have another size, and chunks of more than kLargestChunk bytes.
-Result<std::vector<std::uint8_t>> decompress(std::span<const std::uint8_t> data, const std::string& compression,
+/// Decompresses a chunk. `compression`: "zstd" or "lz4", in any number of frames with or without their sizes; "" for
+/// none. Refuses another compression, bytes that are not valid for it or have another size, and chunks of more than
+/// kLargestChunk bytes.
+Result<std::vector<std::uint8_t>> decompress(std::vector<std::uint8_t> data, const std::string& compression,
                                              std::uint64_t uncompressed_size);
 
 /// No known recorder makes larger ones; a file that claims one is broken.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "mcap/bytes.hpp"
 
 namespace farrier::mcap {
@@ -77,14 +79,15 @@ inline Schema read_schema(ByteReader in) {
   return schema;
 }
 
-inline Channel read_channel(ByteReader in) {
+/// Empty for bytes that are no channel.
+inline std::optional<Channel> read_channel(ByteReader in) {
   Channel channel;
   channel.id = in.number<std::uint16_t>();
   channel.schema_id = in.number<std::uint16_t>();
   channel.topic = in.text();
   channel.message_encoding = in.text();
   channel.metadata = in.text_map();
-  return channel;
+  return in.good() ? std::optional(std::move(channel)) : std::nullopt;
 }
 
 inline Message read_message(ByteReader in) {

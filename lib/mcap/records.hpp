@@ -47,6 +47,7 @@ struct Channel {
   std::string topic{};
   std::string message_encoding{};  ///< such as "cdr"
   Text metadata{};
+  bool operator==(const Channel&) const = default;
 };
 
 struct Message {
@@ -67,7 +68,7 @@ struct ChunkIndex {
   std::uint64_t first_ns = 0;
   std::uint64_t last_ns = 0;
   std::uint64_t offset = 0;
-  std::uint64_t length = 0;                               ///< of the whole record
+  std::uint64_t length = 0;                                ///< of the whole record
   std::map<std::uint16_t, std::uint64_t> index_offsets{};  ///< of each channel's message index
   std::uint64_t index_length = 0;
   std::string compression{};

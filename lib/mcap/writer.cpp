@@ -1,5 +1,10 @@
 #include "mcap/writer.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -16,14 +21,37 @@ struct SummaryGroup {
   std::uint64_t length;
 };
 
+/// Opens a file for writing. It is empty, and no other Writer has it.
+Result<std::FILE*> open_alone(const std::string& path) {
+  constexpr mode_t kForAll = 0666;
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kForAll);
+  struct stat facts {};
+  std::FILE* file = nullptr;
+  if (descriptor >= 0 && ::fstat(descriptor, &facts) == 0) {
+    // A file system without locks gives no exclusiveness, and no reason to refuse.
+    if (S_ISREG(facts.st_mode) && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(descriptor);
+      return Error{"another program writes " + path + ": wait for it or give another file"};
+    }
+    if (!S_ISREG(facts.st_mode) || ::ftruncate(descriptor, 0) == 0) {
+      file = ::fdopen(descriptor, "wb");
+    }
+  }
+  if (file == nullptr) {
+    const Error refused{"cannot write " + path + ": " + std::strerror(errno)};
+    if (descriptor >= 0) {
+      ::close(descriptor);
+    }
+    return refused;
+  }
+  return file;
+}
+
 }  // namespace
 
 Result<Writer> Writer::create(const std::string& path, const std::string& profile, const std::string& library,
                               std::size_t chunk_bytes) {
-  std::FILE* file = std::fopen(path.c_str(), "wb");
-  if (file == nullptr) {
-    return Error{"cannot write " + path + ": " + std::strerror(errno)};
-  }
+  std::FILE* const file = FARRIER_TRY(open_alone(path));
   Writer writer(file, path, chunk_bytes);
   writer.scratch_.bytes(kMagic);
   writer.scratch_.record(Opcode::kHeader, [&] {
@@ -115,7 +143,8 @@ void Writer::put_chunk(const Chunk& chunk) {
   index.index_length = offset_ - indexes_at;
   chunks_.push_back(std::move(index));
   if (chunk.messages() > 0) {
-    statistics_.first_ns = statistics_.messages == 0 ? chunk.first_ns() : std::min(statistics_.first_ns, chunk.first_ns());
+    statistics_.first_ns =
+        statistics_.messages == 0 ? chunk.first_ns() : std::min(statistics_.first_ns, chunk.first_ns());
     statistics_.last_ns = std::max(statistics_.last_ns, chunk.last_ns());
     statistics_.messages += chunk.messages();
   }

@@ -20,7 +20,7 @@ class Writer {
  public:
   static constexpr std::size_t kChunkBytes = 1u << 20;
 
-  /// Refuses a path that cannot be written. `library` names the program, for people.
+  /// Refuses a path that cannot be written, and a file that another Writer has open. `library` names the program, for people.
   static Result<Writer> create(const std::string& path, const std::string& profile, const std::string& library,
                                std::size_t chunk_bytes = kChunkBytes);
 

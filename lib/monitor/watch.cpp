@@ -18,8 +18,12 @@ Result<Watch> Watch::create(bus::Bus& bus, const robot::Robot& robot) {
 }
 
 Frame Watch::look() {
-  recorder_.drain([this](const recording::Sample& sample) { view_.take(sample); });
-  const std::uint64_t now_ns = participant::date_now_ns();
+  // The clock of day may be set while a robot runs.
+  const auto now_ns = static_cast<std::uint64_t>(participant::steady_now().time_since_epoch().count());
+  recorder_.drain([&](recording::Sample sample) {
+    sample.log_time_ns = now_ns;
+    view_.take(sample);
+  });
   const std::uint64_t lost = note_losses(now_ns);
   Frame frame = view_.frame(now_ns);
   frame.lost_samples = lost;
@@ -41,7 +45,8 @@ std::uint64_t Watch::note_losses(std::uint64_t time_ns) {
     }
     if (lost > told.lost && time_ns >= told.time_ns + kBetweenNotes_ns) {
       view_.note(signals::Severity::kWarning,
-                 std::to_string(lost - told.lost) + " samples of " + name + " lost on the way to this monitor", time_ns);
+                 std::to_string(lost - told.lost) + " samples of " + name + " lost on the way to this monitor",
+                 time_ns);
       told.lost = lost;
       told.time_ns = time_ns;
     }

@@ -28,6 +28,10 @@ void install_signal_handlers() {
   action.sa_handler = request_stop;
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGINT, &action, nullptr);
+  struct sigaction before {};
+  if (sigaction(SIGHUP, nullptr, &before) == 0 && before.sa_handler == SIG_DFL) {  // nohup has it ignored
+    sigaction(SIGHUP, &action, nullptr);
+  }
 }
 
 bool stop_requested() noexcept { return stop_signal != 0; }

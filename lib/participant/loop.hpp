@@ -5,13 +5,13 @@
 
 namespace farrier::participant {
 
-/// Makes SIGTERM and SIGINT end run().
+/// Makes SIGTERM, SIGINT and SIGHUP end run(). SIGHUP that is ignored or handled already stays so.
 void install_signal_handlers();
 
-/// True once SIGTERM or SIGINT came.
+/// True once SIGTERM, SIGINT or SIGHUP came.
 bool stop_requested() noexcept;
 
-/// Exit status of a program that SIGINT or SIGTERM ended, as shells count: 130 or 143; 0 before.
+/// Exit status of a program that SIGHUP, SIGINT or SIGTERM ended, as shells count: 129, 130 or 143; 0 before.
 int stop_status() noexcept;
 
 /// Exit status of a process after its run: 0, or 1 with the reason on standard error if it could not take part.

@@ -1,6 +1,5 @@
 #include "recording/recording_file.hpp"
 
-#include <algorithm>
 #include <filesystem>
 
 #include "core/replace_file.hpp"
@@ -10,13 +9,6 @@ namespace farrier::recording {
 namespace {
 
 constexpr const char* kProfile = "farrier";
-constexpr const char* kVersion = "version";  // of a topic, in its channel's metadata
-
-const bus::TopicSpec* find_topic(const std::string& name) {
-  const auto topics = bus::topics();
-  const auto found = std::ranges::find_if(topics, [&](const bus::TopicSpec& topic) { return topic.name == name; });
-  return found == topics.end() ? nullptr : &*found;
-}
 
 /// A device or a pipe, which is written where it is.
 bool is_special(const std::string& path) {
@@ -27,6 +19,21 @@ bool is_special(const std::string& path) {
 }  // namespace
 
 std::string path_while_written(const std::string& path) { return is_special(path) ? path : part_path(path); }
+
+Result<Done> refuse_existing(const std::string& path) {
+  std::error_code unknown;
+  if (std::filesystem::is_regular_file(path, unknown)) {
+    return Error{path + " is there already: give another file, or --force to replace it"};
+  }
+  const std::string part = part_path(path);
+  if (!is_special(path) && std::filesystem::is_regular_file(part, unknown) &&
+      std::filesystem::file_size(part, unknown) > 0) {
+    return Error{part +
+                 " is there, of a recorder that was killed or still runs: give another file or rename that one, "
+                 "or --force to replace it"};
+  }
+  return Done{};
+}
 
 std::string left_behind(const std::string& path) {
   return path.empty() ? "" : "; what was recorded is in " + path_while_written(path);
@@ -41,7 +48,7 @@ Result<RunFileWriter> RunFileWriter::create(const std::string& path, const mcap:
     writer.file_.add_channel({.schema_id = schema,
                               .topic = topic.name,
                               .message_encoding = "cdr",
-                              .metadata = {{kVersion, std::to_string(topic.version)}}});
+                              .metadata = {{kVersionOfTopic, std::to_string(topic.version)}}});
   }
   writer.file_.write(mcap::Metadata{kRunFacts, facts});
   writer.flush();
@@ -68,61 +75,6 @@ Result<Done> RunFileWriter::finish(const TopicCounts& lost) {
     return finished;
   }
   return path_.empty() ? Result<Done>(Done{}) : name_part(path_);
-}
-
-Result<RunFileReader> RunFileReader::open(const std::string& path) {
-  auto file = FARRIER_TRY(mcap::Reader::open(path));
-  return RunFileReader(std::move(file));
-}
-
-bool RunFileReader::next(Sample& sample) {
-  const bool more = keeps_on() && read(sample);
-  if (!more) {
-    keep_on_ = nullptr;
-  }
-  return more;
-}
-
-bool RunFileReader::keeps_on() {
-  if (keep_on_ && asked_ != file_.chunks()) {
-    asked_ = file_.chunks();
-    if (!keep_on_(file_.share_read())) {
-      ending_ = kInterrupted;
-    }
-  }
-  return ending_.empty();
-}
-
-bool RunFileReader::read(Sample& sample) {
-  mcap::Message message;
-  while (ending_.empty() && file_.next(message)) {
-    auto [known, added] = topics_.try_emplace(message.channel_id);
-    if (added) {
-      const mcap::Channel& channel = file_.channels().at(message.channel_id);
-      const bus::TopicSpec* topic = find_topic(channel.topic);
-      const auto version = channel.metadata.find(kVersion);
-      if (topic != nullptr && version != channel.metadata.end() && version->second != std::to_string(topic->version)) {
-        ending_ = channel.topic + " is of version " + version->second + ", this farrier's is of version " +
-                  std::to_string(topic->version) + ": read it with the farrier that wrote it";
-        return false;
-      }
-      known->second = channel.message_encoding == "cdr" && version != channel.metadata.end() ? topic : nullptr;
-    }
-    if (known->second != nullptr) {
-      sample = {known->second->id, message.sequence, message.log_time_ns, message.publish_time_ns, message.data};
-      return true;
-    }
-  }
-  return false;
-}
-
-mcap::Text RunFileReader::metadata(const std::string& name) const {
-  for (const mcap::Metadata& one : file_.metadata()) {
-    if (one.name == name) {
-      return one.values;
-    }
-  }
-  return {};
 }
 
 }  // namespace farrier::recording

@@ -100,9 +100,9 @@ consteval std::size_t most_octets() {
   return most;
 }
 
-/// False for bytes that are not little-endian CDR of this signal; the signal is then as it was.
+/// True for bytes that are little-endian CDR of such a signal.
 template <class Signal>
-bool from_cdr(std::span<const std::uint8_t> bytes, Signal& signal) {
+bool is_cdr(std::span<const std::uint8_t> bytes) {
   static const std::size_t least = cdr_size<Signal>();
   if (bytes.size() < least || bytes[0] != 0 || bytes[1] != 1) {
     return false;
@@ -113,7 +113,13 @@ bool from_cdr(std::span<const std::uint8_t> bytes, Signal& signal) {
   }
   const std::size_t size = least + octets;
   // Vendors may pad the end to a multiple of four.
-  if (octets > most_octets<Signal>() || bytes.size() < size || bytes.size() >= size + kCdrHeadBytes) {
+  return octets <= most_octets<Signal>() && bytes.size() >= size && bytes.size() < size + kCdrHeadBytes;
+}
+
+/// False for bytes that are not little-endian CDR of this signal; the signal is then as it was.
+template <class Signal>
+bool from_cdr(std::span<const std::uint8_t> bytes, Signal& signal) {
+  if (!is_cdr<Signal>(bytes)) {
     return false;
   }
   std::size_t offset = 0;

@@ -81,7 +81,7 @@ Recording joint_recording(const playback::Measurements& measured, const robot::R
 
 Result<Recording, RecordingProblems> read_joint_recording(const std::string& path, const std::string& joint_name,
                                                           KeepOn keep_on) {
-  auto run = playback::RecordedRun::open(path);
+  auto run = playback::RecordedRun::open(path, {}, std::move(keep_on));
   if (!run) {
     return problem("unreadable", run.error().message);
   }
@@ -92,11 +92,11 @@ Result<Recording, RecordingProblems> read_joint_recording(const std::string& pat
                                         "; it has " + join(robot::joint_names(robot), ", ") +
                                         ": give --joint one of them");
   }
-  run.value().ask(std::move(keep_on));
   playback::Measurements measured = playback::read_measurements(run.value());
   Recording recording = joint_recording(measured, robot, *joint);
   if (recording.time_s.empty()) {
-    return problem("no_such_joint", "the recording has no joint/measurement of " + joint_name + ": record that topic");
+    return problem("no_such_joint", "the recording has no joint/measurement of " + joint_name + ": " +
+                                        (measured.ending.empty() ? "record that topic" : measured.ending));
   }
   const double duration_s = static_cast<double>(recording.time_s.size()) * recording.period_s;
   if (recording.time_s.size() < diagnosis::kFewestSamples || duration_s < diagnosis::kShortestDuration_s) {
@@ -105,7 +105,7 @@ Result<Recording, RecordingProblems> read_joint_recording(const std::string& pat
   }
   recording.source = std::filesystem::path(path).filename().string();
   if (!measured.ending.empty()) {
-    recording.remarks.push_back("The recording ends early: " + measured.ending + ".");
+    recording.remarks.push_back("The recording is not whole: " + measured.ending + ".");
   }
   return recording;
 }

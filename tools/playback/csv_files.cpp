@@ -200,15 +200,15 @@ Result<Converted> to_csv(const std::string& recording, const std::string& folder
     }
     row = std::to_string(converted.samples) + ',' + std::to_string(sample.log_time_ns) + ',' +
           std::to_string(sample.publish_time_ns);
-    if (!format_of(sample.topic).append(row, sample.cdr)) {
-      return Error{recording + ": sample " + std::to_string(converted.samples) + " is no " +
-                   bus::spec(sample.topic).name + " of this version"};
-    }
+    format_of(sample.topic).append(row, sample.cdr);
     file << row << '\n';
   }
   converted.ending = reader.ending();
   if (converted.ending == recording::kInterrupted) {
     return Error{converted.ending};
+  }
+  if (std::string nothing = reader.nothing_of_farrier(); !nothing.empty()) {
+    return Error{std::move(nothing)};
   }
   json metadata;
   for (const mcap::Metadata& one : reader.file().metadata()) {

@@ -23,6 +23,8 @@ Measurements read_measurements(RecordedRun& run, const recording::TakeSample& ot
     std::vector<signals::JointMeasurement>& joint = all.joints[measurement.joint];
     if (measurement.tick >= 0 && (joint.empty() || measurement.tick > joint.back().tick)) {
       joint.push_back(measurement);
+    } else if (measurement.tick >= 0) {
+      ++all.late;
     }
   }
   all.ending = run.ending();

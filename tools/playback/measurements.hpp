@@ -10,7 +10,8 @@ namespace farrier::playback {
 struct Measurements {
   bool lockstep = false;  ///< which clock the run had: only lock-step has clock/tick_done
   std::vector<std::vector<signals::JointMeasurement>> joints;  ///< by number, ticks rising
-  std::string ending;     ///< of the file: RecordedRun::ending
+  std::string ending;                                          ///< of the file: RecordedRun::ending
+  std::uint64_t late = 0;  ///< measurements left out because their tick had come already, as in a second run
 
   int loop_delay_ticks(const robot::Robot& robot) const noexcept {
     return lockstep ? robot.loop_delay_lockstep : robot.loop_delay_realtime;

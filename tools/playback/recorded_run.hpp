@@ -13,20 +13,18 @@ bool is_recording(const std::string& path);
 /// A recording, with the robot that it names.
 class RecordedRun {
  public:
-  /// Refuses if recording::RunFileReader does, a file without samples, and one that does not name its robot.
-  /// `overrides` change that robot.
-  static Result<RecordedRun> open(const std::string& path, const robot::Overrides& overrides = {});
+  /// Refuses if recording::RunFileReader does, a file without samples, one that does not name its robot anywhere, and
+  /// when `keep_on` does. `overrides` change that robot. `keep_on` is called until the last sample.
+  static Result<RecordedRun> open(const std::string& path, const robot::Overrides& overrides = {}, KeepOn keep_on = {});
 
   const robot::Robot& robot() const noexcept { return robot_; }
-
-  /// As recording::RunFileReader.
-  void ask(KeepOn keep_on) { file_.ask(std::move(keep_on)); }
 
   /// Reads the next sample, valid until the next call. Returns false at the end: see `ending`.
   bool next(recording::Sample& sample);
 
-  /// Empty: the file was read to its regular end. Otherwise the reason why not.
+  /// As of recording::RunFileReader.
   const std::string& ending() const noexcept { return file_.ending(); }
+  const recording::Timeline& timeline() const noexcept { return file_.timeline(); }
 
  private:
   RecordedRun(recording::RunFileReader file, robot::Robot robot, const recording::Sample& first)

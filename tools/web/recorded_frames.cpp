@@ -17,7 +17,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kFramesPerBlock = 100;
-constexpr std::size_t kMostEvents = 5000;   // in the overview; a frame has all of its own
+constexpr std::size_t kMostEvents = 5000;  // in the overview; a frame has all of its own
+constexpr std::uint64_t kBegin_ns = 1'000'000'000;
 constexpr auto kStep_ns = static_cast<std::uint64_t>(1e9 / RecordedFrames::kFramesPerSecond);
 
 std::string compressed(const std::string& text) {
@@ -49,12 +50,19 @@ class RecordedFrames::Maker {
   explicit Maker(RecordedFrames& to) : to_(to), view_(*to.robot_), faults_(to.robot_->joints.size()) {}
 
   void take(const recording::Sample& sample) {
-    next_ns_ = next_ns_ == 0 ? sample.log_time_ns + kStep_ns : next_ns_;
-    while (sample.log_time_ns >= next_ns_) {
+    recording::Sample timed = sample;
+    timed.log_time_ns = kBegin_ns + sample.elapsed_ns;  // for the view 0 is no time
+    next_ns_ = next_ns_ == 0 ? timed.log_time_ns + kStep_ns : next_ns_;
+    while (timed.log_time_ns >= next_ns_) {
       put(view_.frame(next_ns_));
       next_ns_ += kStep_ns;
     }
-    view_.take(sample);
+    view_.take(timed);
+  }
+
+  /// Adds an event of the page's own.
+  void note(const std::string& text) {
+    view_.note(signals::Severity::kWarning, text, std::max(next_ns_, kBegin_ns + kStep_ns) - kStep_ns);
   }
 
   void finish(const std::string& ending) {
@@ -67,12 +75,9 @@ class RecordedFrames::Maker {
       end_fault(joint, end_s_);
       faults.push_back(std::move(faults_[joint].past));
     }
-    const json overview = {{"duration_s", end_s_},
-                           {"opens_at_s", opens_at_s_},
-                           {"frames", to_.count_},
-                           {"frames_per_s", kFramesPerSecond},
-                           {"ending", ending},
-                           {"events", std::move(events_)},
+    const json overview = {{"duration_s", end_s_},       {"opens_at_s", opens_at_s_},
+                           {"frames", to_.count_},       {"frames_per_s", kFramesPerSecond},
+                           {"ending", ending},           {"events", std::move(events_)},
                            {"faults", std::move(faults)}};
     to_.overview_ = overview.dump(-1, ' ', false, json::error_handler_t::replace);
   }
@@ -136,15 +141,18 @@ class RecordedFrames::Maker {
 };
 
 Result<RecordedFrames> RecordedFrames::read(const std::string& path, KeepOn keep_on) {
-  auto run = FARRIER_TRY(playback::RecordedRun::open(path));
-  run.ask(std::move(keep_on));
+  auto run = FARRIER_TRY(playback::RecordedRun::open(path, {}, std::move(keep_on)));
   RecordedFrames frames;
   frames.robot_ = std::make_shared<const robot::Robot>(run.robot());
   Maker maker(frames);
   const auto& topics = monitor::RobotView::topics();
   bool summaries = false;
+  std::size_t told = 0;  // steps of the clock
   recording::Sample sample;
   while (run.next(sample)) {
+    for (const auto& steps = run.timeline().steps(); told < steps.size(); ++told) {
+      maker.note(recording::to_string(steps[told]) + "; the page goes on without the step");
+    }
     if (std::ranges::find(topics, sample.topic) != topics.end()) {
       summaries = summaries || sample.topic == bus::TopicId::kJointSummary;
       maker.take(sample);
@@ -154,7 +162,13 @@ Result<RecordedFrames> RecordedFrames::read(const std::string& path, KeepOn keep
     return Error{path + ": " + run.ending()};
   }
   if (!summaries) {
-    return Error{path + " has no samples of lf/joint/summary, from which pages are drawn " + run.ending()};
+    return Error{path + " has no samples of lf/joint/summary, from which pages are drawn" +
+                 (run.ending().empty() ? "" : ": " + run.ending())};
+  }
+  frames.remarks_ = recording::step_texts(run.timeline());
+  if (!run.ending().empty()) {
+    frames.remarks_.push_back(run.ending());
+    maker.note("the recording is not whole: " + run.ending());
   }
   maker.finish(run.ending());
   return frames;

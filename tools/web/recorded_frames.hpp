@@ -26,6 +26,9 @@ class RecordedFrames {
   /// last frame with summaries among those in which most joints have been heard.
   const std::string& overview() const noexcept { return overview_; }
 
+  /// Steps of the clock of day, which the frames leave out, and the reason if the file is not whole.
+  const std::vector<std::string>& remarks() const noexcept { return remarks_; }
+
   /// Every `every`-th frame from number `from` until before `to`, as a JSON array; at most kMostAtOnce of them. Empty
   /// where there are none, or `every` is 0.
   std::string frames(std::size_t from, std::size_t to, std::size_t every = 1) const;
@@ -42,6 +45,7 @@ class RecordedFrames {
   std::size_t count_ = 0;
   std::vector<std::string> blocks_;  ///< of kFramesPerBlock frames each, a line each, zstd
   std::string overview_;
+  std::vector<std::string> remarks_;
 };
 
 }  // namespace farrier::web

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 
@@ -20,8 +21,10 @@ class McapFile : public testing::Test {
     auto writer = Writer::create(path_, "test", "mcap_test", 256);
     EXPECT_TRUE(writer.ok());
     const std::uint16_t schema = writer.value().add_schema({.name = "wire::X", .encoding = "omgidl", .data = "module"});
-    const std::uint16_t one = writer.value().add_channel({.schema_id = schema, .topic = "one", .message_encoding = "cdr"});
-    const std::uint16_t two = writer.value().add_channel({.schema_id = schema, .topic = "two", .message_encoding = "cdr"});
+    const std::uint16_t one =
+        writer.value().add_channel({.schema_id = schema, .topic = "one", .message_encoding = "cdr"});
+    const std::uint16_t two =
+        writer.value().add_channel({.schema_id = schema, .topic = "two", .message_encoding = "cdr"});
     for (std::uint32_t i = 0; i < kMessages; ++i) {
       const Bytes data = data_of(i);
       writer.value().write(Message{.channel_id = i % 3 == 0 ? two : one,
@@ -36,10 +39,16 @@ class McapFile : public testing::Test {
     return {std::istreambuf_iterator<char>(in), {}};
   }
 
+  /// A file that is cut short and written again waits for the disk on some file systems; a new one does not.
+  void write(std::span<const std::uint8_t> bytes) const {
+    std::filesystem::remove(path_);
+    std::ofstream(path_, std::ios::binary)
+        .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  }
+
   /// Reads `bytes` as a file and checks that its messages are the first of those written; how many they were.
   std::uint32_t prefix_read(std::span<const std::uint8_t> bytes, std::string& ending) {
-    std::ofstream(path_, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()),
-                                                 static_cast<std::streamsize>(bytes.size()));
+    write(bytes);
     auto reader = Reader::open(path_);
     if (!reader) {
       ending = reader.error().message;
@@ -102,8 +111,7 @@ TEST_F(McapFile, DamagedAnywhereItsMessagesAreThoseWrittenOrNone) {
   for (std::size_t at = kMagic.size(); at < whole.size(); ++at) {
     Bytes damaged = whole;
     damaged[at] ^= 0x41;
-    std::ofstream(path_, std::ios::binary).write(reinterpret_cast<const char*>(damaged.data()),
-                                                 static_cast<std::streamsize>(damaged.size()));
+    write(damaged);
     auto reader = Reader::open(path_);
     std::uint32_t read = 0;
     if (reader) {
@@ -143,12 +151,42 @@ TEST_F(McapFile, AFullDiskIsSaidAndNothingFails) {
 TEST(McapCompression, RefusesFalseSizesAndOtherCompressions) {
   Compressor compressor;
   const Bytes data(1000, 3);
-  const auto compressed = compressor.compress(data);
+  const auto frame = compressor.compress(data);
+  const Bytes compressed(frame.begin(), frame.end());
   ASSERT_TRUE(decompress(compressed, "zstd", data.size()).ok());
   EXPECT_FALSE(decompress(compressed, "zstd", data.size() + 1).ok());
   EXPECT_FALSE(decompress(compressed, "zstd", kLargestChunk + 1).ok());
   EXPECT_FALSE(decompress(compressed, "lz4", data.size()).ok());
+  EXPECT_FALSE(decompress(compressed, "brotli", data.size()).ok());
   EXPECT_FALSE(decompress(data, "", data.size() - 1).ok());
+}
+
+// Frames of the program lz4 1.9.4, of linked blocks, and of independent ones with a checksum each.
+TEST(McapCompression, ExpandsLz4) {
+  std::string text;
+  for (int i = 0; i < 12; ++i) {
+    text += "joint " + std::to_string(i % 3) + " of the left front leg; ";
+  }
+  text += std::string(300, 'A');
+  const Bytes block{0xf2, 0x10, 'j',  'o',  'i',  'n',  't',  ' ',  '0',  ' ', 'o',  'f',  ' ',  't',  'h',  'e',
+                    ' ',  'l',  'e',  'f',  't',  ' ',  'f',  'r',  'o',  'n', 't',  ' ',  'l',  'e',  'g',  ';',
+                    ' ',  0x1f, 0x00, 0x1f, '1',  0x1f, 0x00, 0x0b, 0x1f, '2', 0x1f, 0x00, 0x05, 0x0f, 0x5d, 0x00,
+                    0xff, 0x05, 0x1f, 'A',  0x01, 0x00, 0xff, 0x14, 0x50, 'A', 'A',  'A',  'A',  'A'};
+  const Bytes end{0x00, 0x00, 0x00, 0x00, 0x8b, 0x00, 0xe4, 0xf0};
+  Bytes linked{0x04, 0x22, 0x4d, 0x18, 0x64, 0x40, 0xa7, 0x3e, 0x00, 0x00, 0x00};
+  linked.insert(linked.end(), block.begin(), block.end());
+  linked.insert(linked.end(), end.begin(), end.end());
+  Bytes independent{0x04, 0x22, 0x4d, 0x18, 0x74, 0x40, 0xbd, 0x3e, 0x00, 0x00, 0x00};
+  independent.insert(independent.end(), block.begin(), block.end());
+  independent.insert(independent.end(), {0x2d, 0xdf, 0x58, 0x59});
+  independent.insert(independent.end(), end.begin(), end.end());
+  for (const Bytes& frame : {linked, independent}) {
+    const auto expanded = decompress(frame, "lz4", text.size());
+    ASSERT_TRUE(expanded.ok());
+    EXPECT_EQ(std::string(expanded.value().begin(), expanded.value().end()), text);
+    EXPECT_FALSE(decompress(frame, "lz4", text.size() - 1).ok());
+    EXPECT_FALSE(decompress(Bytes(frame.begin(), frame.end() - 20), "lz4", text.size()).ok());
+  }
 }
 
 // The check value of the polynomial's entry (Cook, "Catalogue of parametrised CRC algorithms", CRC-32/ISO-HDLC).
