@@ -1,5 +1,6 @@
 #include "mcap/compression.hpp"
 
+#include <lz4frame.h>
 #include <zlib.h>
 #include <zstd.h>
 #include <zstd_errors.h>
@@ -8,7 +9,6 @@
 #include <optional>
 
 #include "core/ensure.hpp"
-#include "mcap/lz4_frame.hpp"
 
 namespace farrier::mcap {
 namespace {
@@ -18,23 +18,34 @@ constexpr int kLevel = -2;  // two thirds of the time of level 1, for chunks an 
 /// Room for a chunk before more of it has come: a false size costs no memory.
 constexpr std::size_t kFirstBytes = 1u << 16;
 
+std::vector<std::uint8_t> first_room(std::size_t compressed, std::size_t size) {
+  return std::vector<std::uint8_t>(std::min(size + 1, std::max(kFirstBytes, 4 * compressed)));
+}
+
+/// False if `out` already has more than `size` bytes.
+bool grow(std::vector<std::uint8_t>& out, std::size_t size) {
+  if (out.size() > size) {
+    return false;
+  }
+  out.resize(std::min(size + 1, 2 * out.size()));
+  return true;
+}
+
 struct FreeDecompressor {
   void operator()(ZSTD_DCtx* context) const noexcept { ZSTD_freeDCtx(context); }
+  void operator()(LZ4F_dctx* context) const noexcept { LZ4F_freeDecompressionContext(context); }
 };
 
 /// Expands zstd frames to at most `size` bytes. Empty for bytes that are no whole frames or give more. Bytes behind a
 /// frame that ends at `size` are left.
 std::optional<std::vector<std::uint8_t>> expand_zstd(std::span<const std::uint8_t> data, std::size_t size) {
   const std::unique_ptr<ZSTD_DCtx, FreeDecompressor> context(ZSTD_createDCtx());
-  std::vector<std::uint8_t> out(std::min(size + 1, std::max(kFirstBytes, 4 * data.size())));
+  std::vector<std::uint8_t> out = first_room(data.size(), size);
   ZSTD_inBuffer in{data.data(), data.size(), 0};
   std::size_t filled = 0, left_of_frame = 0;
   while (in.pos < in.size || filled == out.size()) {
-    if (filled == out.size()) {
-      if (out.size() > size) {
-        return std::nullopt;
-      }
-      out.resize(std::min(size + 1, 2 * out.size()));
+    if (filled == out.size() && !grow(out, size)) {
+      return std::nullopt;
     }
     ZSTD_outBuffer to{out.data(), out.size(), filled};
     const std::size_t left = ZSTD_decompressStream(context.get(), &to, &in);
@@ -51,6 +62,34 @@ std::optional<std::vector<std::uint8_t>> expand_zstd(std::span<const std::uint8_
     }
     left_of_frame = left;
     filled = to.pos;
+  }
+  out.resize(filled);
+  return left_of_frame == 0 ? std::optional(std::move(out)) : std::nullopt;
+}
+
+/// Expands LZ4 frames (LZ4 Frame Format 1.6.4, by Y. Collet), skippable ones among them, to at most `size` bytes. Empty for
+/// bytes that are no whole frames, have a wrong checksum, need a dictionary or give more.
+std::optional<std::vector<std::uint8_t>> expand_lz4(std::span<const std::uint8_t> data, std::size_t size) {
+  LZ4F_dctx* made = nullptr;
+  if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION)) != 0) {
+    return std::nullopt;
+  }
+  const std::unique_ptr<LZ4F_dctx, FreeDecompressor> context(made);
+  std::vector<std::uint8_t> out = first_room(data.size(), size);
+  std::size_t filled = 0, left_of_frame = 0;
+  bool moves = true;
+  while (moves && (!data.empty() || left_of_frame != 0)) {
+    if (filled == out.size() && !grow(out, size)) {
+      return std::nullopt;
+    }
+    std::size_t written = out.size() - filled, read = data.size();
+    left_of_frame = LZ4F_decompress(context.get(), out.data() + filled, &written, data.data(), &read, nullptr);
+    if (LZ4F_isError(left_of_frame) != 0) {
+      return std::nullopt;
+    }
+    filled += written;
+    data = data.subspan(read);
+    moves = written + read > 0;
   }
   out.resize(filled);
   return left_of_frame == 0 ? std::optional(std::move(out)) : std::nullopt;
@@ -93,7 +132,7 @@ Result<std::vector<std::uint8_t>> decompress(std::vector<std::uint8_t> data, con
   } else if (compression == "zstd") {
     out = expand_zstd(data, size);
   } else if (compression == "lz4") {
-    out = expand_lz4_frames(data, size);
+    out = expand_lz4(data, size);
   } else {
     return Error{"it is compressed with '" + compression + "'; Farrier reads zstd, lz4 and uncompressed chunks"};
   }
