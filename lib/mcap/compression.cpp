@@ -15,19 +15,13 @@ namespace {
 
 constexpr int kLevel = -2;  // two thirds of the time of level 1, for chunks an eighth larger
 
-/// Room for a chunk before more of it has come: a false size costs no memory.
-constexpr std::size_t kFirstBytes = 1u << 16;
-
-std::vector<std::uint8_t> first_room(std::size_t compressed, std::size_t size) {
-  return std::vector<std::uint8_t>(std::min(size + 1, std::max(kFirstBytes, 4 * compressed)));
-}
-
-/// False if `out` already has more than `size` bytes.
-bool grow(std::vector<std::uint8_t>& out, std::size_t size) {
-  if (out.size() > size) {
+/// Room for another piece. False if `out` already has more than `size` bytes, and when `go_on` returns false.
+bool make_room(std::vector<std::uint8_t>& out, std::size_t size, const GoOn& go_on) {
+  const std::size_t filled = out.size();
+  if (filled > size || (filled > 0 && !go_on())) {
     return false;
   }
-  out.resize(std::min(size + 1, 2 * out.size()));
+  out.resize(std::min(size + 1, filled + kPieceBytes));
   return true;
 }
 
@@ -36,15 +30,17 @@ struct FreeDecompressor {
   void operator()(LZ4F_dctx* context) const noexcept { LZ4F_freeDecompressionContext(context); }
 };
 
-/// Expands zstd frames to at most `size` bytes. Empty for bytes that are no whole frames or give more. Bytes behind a
-/// frame that ends at `size` are left.
-std::optional<std::vector<std::uint8_t>> expand_zstd(std::span<const std::uint8_t> data, std::size_t size) {
+/// Expands zstd frames to at most `size` bytes. Empty for bytes that are no whole frames or give more, and when `go_on`
+/// returns false. Bytes behind a frame that ends at `size` are left.
+std::optional<std::vector<std::uint8_t>> expand_zstd(std::span<const std::uint8_t> data, std::size_t size,
+                                                     const GoOn& go_on) {
   const std::unique_ptr<ZSTD_DCtx, FreeDecompressor> context(ZSTD_createDCtx());
-  std::vector<std::uint8_t> out = first_room(data.size(), size);
+  std::vector<std::uint8_t> out;
+  out.reserve(size + 1);
   ZSTD_inBuffer in{data.data(), data.size(), 0};
   std::size_t filled = 0, left_of_frame = 0;
   while (in.pos < in.size || filled == out.size()) {
-    if (filled == out.size() && !grow(out, size)) {
+    if (filled == out.size() && !make_room(out, size, go_on)) {
       return std::nullopt;
     }
     ZSTD_outBuffer to{out.data(), out.size(), filled};
@@ -68,18 +64,20 @@ std::optional<std::vector<std::uint8_t>> expand_zstd(std::span<const std::uint8_
 }
 
 /// Expands LZ4 frames (LZ4 Frame Format 1.6.4, by Y. Collet), skippable ones among them, to at most `size` bytes. Empty for
-/// bytes that are no whole frames, have a wrong checksum, need a dictionary or give more.
-std::optional<std::vector<std::uint8_t>> expand_lz4(std::span<const std::uint8_t> data, std::size_t size) {
+/// bytes that are no whole frames, have a wrong checksum, need a dictionary or give more, and when `go_on` returns false.
+std::optional<std::vector<std::uint8_t>> expand_lz4(std::span<const std::uint8_t> data, std::size_t size,
+                                                    const GoOn& go_on) {
   LZ4F_dctx* made = nullptr;
   if (LZ4F_isError(LZ4F_createDecompressionContext(&made, LZ4F_VERSION)) != 0) {
     return std::nullopt;
   }
   const std::unique_ptr<LZ4F_dctx, FreeDecompressor> context(made);
-  std::vector<std::uint8_t> out = first_room(data.size(), size);
+  std::vector<std::uint8_t> out;
+  out.reserve(size + 1);
   std::size_t filled = 0, left_of_frame = 0;
   bool moves = true;
   while (moves && (!data.empty() || left_of_frame != 0)) {
-    if (filled == out.size() && !grow(out, size)) {
+    if (filled == out.size() && !make_room(out, size, go_on)) {
       return std::nullopt;
     }
     std::size_t written = out.size() - filled, read = data.size();
@@ -121,7 +119,7 @@ std::span<const std::uint8_t> Compressor::compress(std::span<const std::uint8_t>
 }
 
 Result<std::vector<std::uint8_t>> decompress(std::vector<std::uint8_t> data, const std::string& compression,
-                                             std::uint64_t uncompressed_size) {
+                                             std::uint64_t uncompressed_size, const GoOn& go_on) {
   if (uncompressed_size > kLargestChunk) {
     return Error{"a chunk claims " + std::to_string(uncompressed_size) + " bytes"};
   }
@@ -130,9 +128,9 @@ Result<std::vector<std::uint8_t>> decompress(std::vector<std::uint8_t> data, con
   if (compression.empty()) {
     out = std::move(data);
   } else if (compression == "zstd") {
-    out = expand_zstd(data, size);
+    out = expand_zstd(data, size, go_on);
   } else if (compression == "lz4") {
-    out = expand_lz4(data, size);
+    out = expand_lz4(data, size, go_on);
   } else {
     return Error{"it is compressed with '" + compression + "'; Farrier reads zstd, lz4 and uncompressed chunks"};
   }

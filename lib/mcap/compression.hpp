@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/result.hpp"
+#include "mcap/go_on.hpp"
 
 namespace farrier::mcap {
 
@@ -31,9 +32,10 @@ class Compressor {
 
 /// Decompresses a chunk. `compression`: "zstd" or "lz4", in any number of frames with or without their sizes; "" for
 /// none. Refuses another compression, bytes that are not valid for it or have another size, and chunks of more than
-/// kLargestChunk bytes.
-Result<std::vector<std::uint8_t>> decompress(std::vector<std::uint8_t> data, const std::string& compression,
-                                             std::uint64_t uncompressed_size);
+/// kLargestChunk bytes, and when `go_on` returns false.
+Result<std::vector<std::uint8_t>> decompress(
+    std::vector<std::uint8_t> data, const std::string& compression, std::uint64_t uncompressed_size,
+    const GoOn& go_on = [] { return true; });
 
 /// No known recorder makes larger ones; a file that claims one is broken.
 inline constexpr std::uint64_t kLargestChunk = 1u << 28;

@@ -223,56 +223,44 @@ bool Reader::read_chunk() {
     return leave_out(chunk_name(number) + " has " + std::to_string(std::max(size, compressed)) + " bytes, more than " +
                      std::to_string(kLargestChunk) + ": write smaller chunks");
   }
-  std::vector<std::uint8_t> bytes(in.rest().begin(), in.rest().end());
-  const std::size_t before = std::min<std::size_t>(bytes.size(), static_cast<std::size_t>(compressed));
-  bytes.resize(static_cast<std::size_t>(compressed));
-  const std::span<std::uint8_t> rest = std::span(bytes).subspan(before);
-  if (!file_.read(rest)) {
-    return end(file_.failure().empty() ? kCutOff : file_.failure());
+  chunk_ = {};
+  at_ = 0;
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(static_cast<std::size_t>(compressed));
+  bytes.assign(in.rest().begin(),
+               in.rest().begin() + static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(compressed, in.rest().size())));
+  while (bytes.size() < compressed) {
+    const std::size_t before = bytes.size();
+    bytes.resize(std::min(static_cast<std::size_t>(compressed), before + kPieceBytes));
+    if (!file_.read(std::span(bytes).subspan(before))) {
+      return end(file_.failure().empty() ? kCutOff : file_.failure());
+    }
+    length_ -= bytes.size() - before;
+    if (bytes.size() < compressed && !keeps_on(true)) {
+      return false;
+    }
   }
-  length_ -= rest.size();
-  auto records = decompress(std::move(bytes), compression, size);
+  auto records = decompress(std::move(bytes), compression, size, [this] { return keeps_on(true); });
+  if (ended_) {
+    return false;
+  }
   if (!records) {
     return leave_out(chunk_name(number) + ": " + records.error().message);
   }
-  if (crc != 0 && crc32(records.value()) != crc) {
+  std::uint32_t sum = 0;
+  for (std::span<const std::uint8_t> rest = records.value(); !rest.empty() && crc != 0;) {
+    const auto piece = rest.first(std::min(rest.size(), kPieceBytes));
+    sum = crc32(piece, sum);
+    rest = rest.subspan(piece.size());
+    if (!rest.empty() && !keeps_on(true)) {
+      return false;
+    }
+  }
+  if (sum != crc) {
     return leave_out(chunk_name(number) + ": its CRC is not that of its bytes");
   }
   chunk_ = std::move(records).value();
-  at_ = 0;
   return true;
-}
-
-std::optional<Metadata> find_metadata(const std::string& path, const std::string& name, const KeepOn& keep_on) {
-  auto file = InputFile::open(path);
-  if (!file) {
-    return std::nullopt;
-  }
-  std::array<std::uint8_t, kRecordHead> head{};
-  file.value().skip(kMagic.size());
-  for (std::uint64_t records = 0; file.value().read(head); ++records) {
-    ByteReader in(head);
-    const auto opcode = static_cast<Opcode>(in.number<std::uint8_t>());
-    const auto length = in.number<std::uint64_t>();
-    const double share = 1.0 - static_cast<double>(file.value().left()) / static_cast<double>(file.value().size());
-    if (opcode == Opcode::kDataEnd || length > file.value().left() ||
-        (keep_on && records % kAskEveryRecords == 0 && !keep_on(share))) {
-      break;
-    }
-    if (opcode != Opcode::kMetadata || length > Reader::kLargestRecord) {
-      file.value().skip(length);
-      continue;
-    }
-    std::vector<std::uint8_t> content(static_cast<std::size_t>(length));
-    if (!file.value().read(content)) {
-      break;
-    }
-    Metadata metadata = read_metadata(ByteReader(content));
-    if (metadata.name == name) {
-      return metadata;
-    }
-  }
-  return std::nullopt;
 }
 
 }  // namespace farrier::mcap

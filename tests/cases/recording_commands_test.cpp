@@ -9,7 +9,7 @@
 #include <fstream>
 #include <thread>
 
-#include "farrier_command.hpp"
+#include "tests/system/farrier_command.hpp"
 #include "recording/recording_file.hpp"
 #include "report/figures/recording_facts.hpp"
 #include "tests/cases/any_mcap.hpp"

@@ -153,6 +153,10 @@ class TopicFile {
   bool present_ = false;
 };
 
+std::string unwritten(const std::string& folder) {
+  return "cannot write all of " + folder + ": " + std::strerror(errno);
+}
+
 /// Content of metadata.json.
 struct Metadata {
   mcap::Text facts;
@@ -201,7 +205,10 @@ Result<Converted> to_csv(const std::string& recording, const std::string& folder
     row = std::to_string(converted.samples) + ',' + std::to_string(sample.log_time_ns) + ',' +
           std::to_string(sample.publish_time_ns);
     format_of(sample.topic).append(row, sample.cdr);
-    file << row << '\n';
+    if (!(file << row << '\n')) {
+      converted.refusal = unwritten(folder);
+      return converted;
+    }
   }
   converted.ending = reader.ending();
   if (converted.ending == recording::kInterrupted) {
@@ -215,12 +222,13 @@ Result<Converted> to_csv(const std::string& recording, const std::string& folder
     metadata[one.name] = one.values;
   }
   std::ofstream facts(folder + "/" + kMetadata);
-  facts << metadata.dump(2) << '\n';
+  facts << metadata.dump(2, ' ', false, json::error_handler_t::replace) << '\n';
   facts.flush();
   for (std::ofstream& file : files) {
     file.flush();
     if (!file || !facts) {
-      return Error{"cannot write all of " + folder + ": " + std::strerror(errno)};
+      converted.refusal = unwritten(folder);
+      return converted;
     }
   }
   made.keep();
@@ -252,7 +260,7 @@ Result<Converted> from_csv(const std::string& folder, const std::string& recordi
     for (const auto& file : files) {
       first = file->present() && (first == nullptr || file->index() < first->index()) ? file.get() : first;
     }
-    if (first == nullptr) {
+    if (first == nullptr || writer.failed()) {
       break;
     }
     writer.write(first->sample());
@@ -265,7 +273,10 @@ Result<Converted> from_csv(const std::string& folder, const std::string& recordi
       return advanced.error();
     }
   }
-  FARRIER_TRY(writer.finish(metadata.lost));
+  if (auto finished = writer.finish(metadata.lost); !finished) {
+    std::remove(recording::path_while_written(recording).c_str());
+    converted.refusal = finished.error().message;
+  }
   return converted;
 }
 

@@ -16,6 +16,7 @@ namespace farrier::playback {
 struct Converted {
   std::uint64_t samples = 0;
   std::string ending;
+  std::string refusal;  ///< reason if the disk did not take all; then nothing is left of the output
 };
 
 /// Refuses a file that is no recording, a folder that cannot be written or has files of another recording. If `keep_on`
