@@ -170,7 +170,7 @@ int diagnose(const DiagnoseOptions& o) {
   const auto loaded = model_of(o);
   if (!loaded) {
     std::fputs(loaded.error().message.c_str(), stderr);
-    return kBadInput;
+    return participant::stop_requested() ? participant::stop_status() : kBadInput;
   }
   const robot::Robot& robot = loaded.value();
   const auto joint = joint_of(robot, o.joint);

@@ -83,7 +83,7 @@ class RunFileWriter {
   std::string path_;  ///< that it gets; empty: it has its name
 };
 
-/// What a file has of one topic of another program.
+/// Messages of one topic of another program in a file.
 struct ForeignTopic {
   std::string type;      ///< name of its schema; may be empty
   std::string encoding;  ///< of its messages, such as "cdr"

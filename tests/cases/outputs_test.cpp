@@ -136,8 +136,8 @@ TEST_F(Outputs, AreOfOneRecorder) {
 
 TEST_F(Outputs, EndWithinASecondOfASignalInTheMiddleOfALargeChunk) {
   // One chunk of 200 MB, which alone takes a while.
-  AnyMcap file;
   const std::vector<PlacedSample> samples = bench_samples(leg(), 1, kBegin_ns);
+  AnyMcap file = ordinary_file(leg(), {}, Packing::kNone);
   file.put(channel_of(samples.front().topic, 1));
   while (file.chunk().size() < 200'000'000) {
     file.put(1, samples.front());
@@ -147,7 +147,11 @@ TEST_F(Outputs, EndWithinASecondOfASignalInTheMiddleOfALargeChunk) {
   file.put_footer();
   file.save(path_);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
-    for (const Arguments& command : {Arguments{"info", path_}, {"convert", path_, scratch_.file("csv")}}) {
+    for (const Arguments& command : {Arguments{"info", path_},
+                                     {"convert", path_, scratch_.file("csv")},
+                                     {"identify", path_},
+                                     {"diagnose", path_, "--joint", "fc1d"},
+                                     {"monitor", "--open", path_, "--web", "0"}}) {
       FarrierCommand running(command);
       std::this_thread::sleep_for(100ms);
       running.signal(signal);

@@ -47,9 +47,9 @@ void require_findings(const std::vector<diagnosis::Finding>& findings) {
 }
 
 void require_sound(const diagnosis::Recording& recording, const robot::Joint& joint) {
-  for (const auto* column : {&recording.time_s, &recording.position, &recording.velocity, &recording.force,
-                             &recording.valve_current_A, &recording.pressure_a_Pa, &recording.pressure_b_Pa,
-                             &recording.supply_pressure_Pa}) {
+  for (const auto* column :
+       {&recording.time_s, &recording.position, &recording.velocity, &recording.force, &recording.valve_current_A,
+        &recording.pressure_a_Pa, &recording.pressure_b_Pa, &recording.supply_pressure_Pa}) {
     require(column->empty() || column->size() == recording.time_s.size(), "all columns are equally long");
     require(finite(*column), "all samples are finite");
   }
@@ -101,14 +101,26 @@ void run_file(Bytes bytes) {
   if (!reader) {
     return require(!reader.error().message.empty(), "a refusal says why");
   }
+  std::uint64_t elapsed_ns = 0;
   for (farrier::recording::Sample sample; reader.value().next(sample);) {
+    require(sample.elapsed_ns >= elapsed_ns, "elapsed time does not go back");
+    elapsed_ns = sample.elapsed_ns;
     require(static_cast<std::size_t>(sample.topic) < bus::kTopicCount, "a sample is of a topic that there is");
     signals::JointMeasurement measurement;
-    require(!signals::from_cdr(sample.cdr, measurement) || sample.cdr.size() >= signals::cdr_size<signals::JointMeasurement>(),
+    require(!signals::from_cdr(sample.cdr, measurement) ||
+                sample.cdr.size() >= signals::cdr_size<signals::JointMeasurement>(),
             "what is read is all there");
   }
   farrier::recording::Sample none;
   require(!reader.value().next(none), "the end stays the end");
+  require(reader.value().damaged_samples() == 0 || !reader.value().ending().empty(), "damaged samples are named");
+  require(
+      farrier::recording::step_texts(reader.value().timeline()).size() <=
+          std::min<std::uint64_t>(reader.value().timeline().step_count(), farrier::recording::Timeline::kMostSteps + 1),
+      "steps are named, and not more than there are");
+  const bool own = reader.value().samples() > 0;
+  require(!own || reader.value().nothing_of_farrier().empty(), "a file with samples has something of Farrier");
+  mcap::find_metadata(file.path(), farrier::recording::kRunFacts);
 }
 
 }  // namespace farrier::fuzz
