@@ -22,6 +22,7 @@
 #include "cli/trot/trot_options.hpp"
 #include "cli/trot/trot_run.hpp"
 #include "cli/trot/trot_security.hpp"
+#include "robot/derive.hpp"
 #include "report/trot/adaptation.hpp"
 #include "report/figures/console.hpp"
 #include "report/figures/text_format.hpp"
@@ -183,6 +184,9 @@ int trot(TrotOptions o) {
   if (auto way = make_way({o.trace_path, o.json_path, o.record_path}, {o.robot_path}); !way) {
     std::fprintf(stderr, "farrier trot: %s\n", way.error().message.c_str());
     return kBadInput;
+  }
+  if (const std::string note = robot::rigid_spring_note(robot.file); !note.empty()) {
+    std::fprintf(stderr, "trot: note: %s\n", note.c_str());
   }
   if (on_ground) {
     return run_on_ground(robot, o);

@@ -10,18 +10,33 @@
 namespace farrier::plant {
 namespace {
 
+// Slope of an engaging stop: k (s + s' depth) <= 1.7 k, and d v s' <= 1.5 d v / ramp at the no-load speed.
+double stop_slope(const ElectricParams& a) noexcept {
+  return 1.7 * a.stop_stiffness + 1500.0 * a.stop_damping * no_load_speed(a) / a.travel;
+}
+
+double fastest_rigid_rate(const ElectricParams& a, const LoadParams& load) noexcept {
+  const double mass = load.mass + armature_kg_m2(a);
+  const double limit = a.gear_ratio * a.torque_constant_Nm_A / a.winding_resistance_Ohm;  // of the voltage, A s/rad
+  const double damping = a.damping + a.coulomb / a.slip_velocity + load.damping + a.stop_damping;
+  const double stiffness =
+      load.stiffness + stop_slope(a) + a.gear_ratio * a.torque_constant_Nm_A * limit / a.torque_time_constant_s;
+  return std::max(1.0 / a.torque_time_constant_s, damping / mass + std::sqrt(stiffness / mass));
+}
+
 // Winding, rotor and load each by themselves: their dampers, and the stiffness of all that holds them.
 double fastest_rate(const ElectricParams& a, const LoadParams& load) noexcept {
+  if (a.rigid) {
+    return fastest_rigid_rate(a, load);
+  }
   const double output_constant = a.gear_ratio * a.torque_constant_Nm_A;
-  const double inertia = a.rotor_inertia_kg_m2 * a.gear_ratio * a.gear_ratio;
+  const double inertia = armature_kg_m2(a);
   const double winding = a.winding_resistance_Ohm / a.winding_inductance_H;
   const double rotor_stiffness = a.spring_stiffness + output_constant * output_constant / a.winding_inductance_H;
   const double rotor =
       (a.damping + a.coulomb / a.slip_velocity + a.spring_damping) / inertia + std::sqrt(rotor_stiffness / inertia);
-  // Slope of an engaging stop: k (s + s' depth) <= 1.7 k, and d v s' <= 1.5 d v / ramp at the no-load speed.
-  const double stop = 1.7 * a.stop_stiffness + 1500.0 * a.stop_damping * no_load_speed(a) / a.travel;
   const double moved = (load.damping + a.spring_damping + a.stop_damping) / load.mass +
-                       std::sqrt((load.stiffness + a.spring_stiffness + stop) / load.mass);
+                       std::sqrt((load.stiffness + a.spring_stiffness + stop_slope(a)) / load.mass);
   return std::max({winding, rotor, moved});
 }
 
@@ -65,11 +80,12 @@ ElectricJoint::ElectricJoint(const ElectricParams& actuator, const LoadParams& l
       state_(initial),
       command_limit_A_(current_max_A(actuator)),
       external_force_limit_(10.0 * stall_torque(actuator)),
-      inverse_tolerance_{.position = 1.0 / (tolerance * actuator.travel),
-                         .velocity = 1.0 / (tolerance * no_load_speed(actuator)),
-                         .deflection = actuator.spring_stiffness / (tolerance * stall_torque(actuator)),
-                         .rotor = 1.0 / (tolerance * no_load_speed(actuator)),
-                         .current_A = 1.0 / (tolerance * command_limit_A_)} {}
+      inverse_tolerance_{
+          .position = 1.0 / (tolerance * actuator.travel),
+          .velocity = 1.0 / (tolerance * no_load_speed(actuator)),
+          .deflection = actuator.rigid ? 0.0 : actuator.spring_stiffness / (tolerance * stall_torque(actuator)),
+          .rotor = 1.0 / (tolerance * no_load_speed(actuator)),
+          .current_A = 1.0 / (tolerance * command_limit_A_)} {}
 
 bool ElectricJoint::set_load(const LoadParams& load) noexcept {
   if (!carries(load) || !stable_substep(fastest_rate(actuator(), load))) {
@@ -95,7 +111,6 @@ double ElectricJoint::admit(double command_A, StepReport& report) const noexcept
 double ElectricJoint::advance(const ElectricEquations::Input& input, double period_s, StepReport& report,
                               ElectricAccount* account) noexcept {
   ElectricState derivative = equations_.derivative(state_, input);
-  const double volts = actuator().winding_resistance_Ohm * input.command_A;
   ElectricState before = state_;
   double substep_s = 0.0;
   return advance_adaptively(
@@ -107,9 +122,10 @@ double ElectricJoint::advance(const ElectricEquations::Input& input, double peri
       [&]() noexcept {
         report.at_stop |= state_.position < 0.0 || state_.position > actuator().travel;
         if (account != nullptr) {
-          const double force = equations_.spring_torque(before) + equations_.stop_force(before) +
-                               equations_.spring_torque(state_) + equations_.stop_force(state_);
-          account->drawn_J += 0.5 * substep_s * volts * (before.current_A + state_.current_A);
+          const double force = equations_.mechanism_torque(before) + equations_.mechanism_torque(state_);
+          account->drawn_J += 0.5 * substep_s *
+                              (equations_.voltage_V(before, input.command_A) * before.current_A +
+                               equations_.voltage_V(state_, input.command_A) * state_.current_A);
           account->work_J += 0.5 * substep_s * state_.velocity * force;
           before = state_;
         }

@@ -34,12 +34,13 @@ class ElectricJoint {
   /// Advances by `period_s` while a mechanism moves the load to `end`, at a constant velocity and whatever the torque that
   /// it needs, as HydraulicJoint::follow. Adds to `account`.
   StepReport follow(double command_A, const Motion& end, double period_s, ElectricAccount& account) noexcept;
-  /// Torque on the mechanism, Nm: that of the spring and of the end stops.
-  double mechanism_force() const noexcept { return load_cell_force() + equations_.stop_force(state_); }
+  /// Torque on the mechanism, Nm: that of the spring, or of a rigid drive less its friction, and of the end stops. The
+  /// mechanism has the inertia of a rigid drive's rotor.
+  double mechanism_force() const noexcept { return equations_.mechanism_torque(state_); }
 
   const ElectricState& state() const noexcept { return state_; }
-  /// T, what the torque sensor reads, Nm.
-  double load_cell_force() const noexcept { return equations_.spring_torque(state_); }
+  /// T, what the torque sensor reads or a rigid drive knows from its current, Nm.
+  double load_cell_force() const noexcept { return equations_.sensed_torque(state_); }
 
   const ElectricParams& actuator() const noexcept { return equations_.actuator(); }
   const LoadParams& load() const noexcept { return equations_.load(); }

@@ -13,7 +13,7 @@ class Refusals {
  public:
   explicit Refusals(const char* subject) : subject_(subject) {}
 
-  void require(bool holds, const char* name, double value, const char* rule) {
+  void require(bool holds, const char* name, double value, const std::string& rule) {
     if (!holds || !std::isfinite(value)) {
       text_ << (text_.tellp() > 0 ? "; " : "") << name << " = " << value << " must be " << rule;
     }

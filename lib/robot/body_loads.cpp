@@ -18,7 +18,13 @@ body::Link& link_of(Robot& robot, const Joint& joint) {
 
 double lever_at_home(const Joint& joint) { return joint.linkage.lever(joint.home_angle_rad); }
 
-double piston_mass(const Joint& joint) { return joint.electric ? 0.0 : joint.actuator.piston_mass; }
+/// Inertia of the actuator that moves with the joint at all times, actuator coordinates. A rotor behind a spring does not.
+double piston_mass(const Joint& joint) {
+  if (joint.electric) {
+    return joint.electric->rigid ? plant::armature_kg_m2(*joint.electric) : 0.0;
+  }
+  return joint.actuator.piston_mass;
+}
 
 /// The legs that stand by plan in the middle of a leg's swing or stance, of a stride after the first.
 std::vector<int> standing_legs(const gait::Schedule& schedule, int legs, int leg, Phase phase) {

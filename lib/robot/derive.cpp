@@ -22,21 +22,31 @@ plant::ActuatorParams common_params(const Supply& supply, const Valve& valve, co
   return params;
 }
 
-plant::ElectricParams electric_params(const ElectricActuator& a) {
-  return {.torque_constant_Nm_A = a.torque_constant_Nm_A,
-          .winding_resistance_Ohm = a.winding_resistance_Ohm,
-          .winding_inductance_H = a.winding_inductance_H,
-          .supply_voltage_V = a.supply_voltage_V,
-          .rotor_inertia_kg_m2 = a.rotor_inertia_kg_m2,
-          .gear_ratio = a.gear_ratio,
-          .damping = a.damping_Nms_rad,
-          .coulomb = a.coulomb_Nm,
-          .slip_velocity = a.slip_velocity_rad_s,
-          .spring_stiffness = a.spring_stiffness_Nm_rad,
-          .spring_damping = a.spring_damping_Nms_rad,
-          .travel = a.travel_rad,
-          .stop_stiffness = a.stops.stiffness_Nm_rad,
-          .stop_damping = a.stops.damping_Nms_rad};
+// A joint known by its limits is a motor with K = N = 1, whose voltage lets the torque fall from its limit at the largest
+// speed to nothing at 1.05 of it.
+void set_motor(plant::ElectricParams& params, const ElectricActuator& a) {
+  constexpr double kFade = 0.05;
+  params.torque_constant_Nm_A = a.torque_constant_Nm_A.value_or(1.0);
+  params.gear_ratio = a.gear_ratio.value_or(1.0);
+  params.winding_inductance_H = a.winding_inductance_H.value_or(0.0);
+  if (a.by_limits()) {
+    params.rigid = true;
+    params.rotor_inertia_kg_m2 = *a.armature_kg_m2;
+    params.current_limit_A = *a.torque_limit_Nm;
+    params.winding_resistance_Ohm = kFade * *a.speed_limit_rad_s / *a.torque_limit_Nm;
+    params.supply_voltage_V = (1.0 + kFade) * *a.speed_limit_rad_s;
+    return;
+  }
+  params.winding_resistance_Ohm = *a.winding_resistance_Ohm;
+  params.supply_voltage_V = *a.supply_voltage_V;
+  params.rotor_inertia_kg_m2 = *a.rotor_inertia_kg_m2;
+  params.rigid = !a.spring_stiffness_Nm_rad || spring_is_rigid(a);
+}
+
+// Stops that the largest torque presses in by half of what plant::validate allows, and that take it up at full speed.
+RotaryStops usual_stops(const plant::ElectricParams& params) {
+  return {.stiffness_Nm_rad = 200.0 * plant::stall_torque(params) / params.travel,
+          .damping_Nms_rad = plant::stall_torque(params) / plant::no_load_speed(params)};
 }
 
 /// The fields of a hydraulic actuator that code for both kinds of joint reads: travel and largest current. The rest is
@@ -53,6 +63,54 @@ plant::LoadParams rotary_load(const RotaryLoad& load) {
 }
 
 }  // namespace
+
+plant::ElectricParams electric_params(const ElectricActuator& a) {
+  plant::ElectricParams params{.damping = a.damping_Nms_rad,
+                               .coulomb = a.coulomb_Nm,
+                               .slip_velocity = a.slip_velocity_rad_s,
+                               .spring_stiffness = a.spring_stiffness_Nm_rad.value_or(0.0),
+                               .spring_damping = a.spring_damping_Nms_rad,
+                               .travel = a.travel_rad,
+                               .torque_time_constant_s = a.torque_time_constant_s};
+  set_motor(params, a);
+  const RotaryStops stops = a.stops.value_or(usual_stops(params));
+  params.stop_stiffness = stops.stiffness_Nm_rad;
+  params.stop_damping = stops.damping_Nms_rad;
+  return params;
+}
+
+SpringLimits spring_limits(const ElectricActuator& a) {
+  const plant::ElectricParams motor{.torque_constant_Nm_A = *a.torque_constant_Nm_A,
+                                    .winding_resistance_Ohm = *a.winding_resistance_Ohm,
+                                    .rotor_inertia_kg_m2 = *a.rotor_inertia_kg_m2,
+                                    .gear_ratio = *a.gear_ratio,
+                                    .damping = a.damping_Nms_rad};
+  return {plant::stiffest_spring_Nm_rad(motor), plant::softest_rigid_spring_Nm_rad(motor)};
+}
+
+bool spring_is_rigid(const ElectricActuator& a) {
+  if (a.by_limits() || !a.spring_stiffness_Nm_rad) {
+    return false;
+  }
+  const auto [stiffest, softest_rigid] = spring_limits(a);
+  return *a.spring_stiffness_Nm_rad > stiffest && *a.spring_stiffness_Nm_rad >= softest_rigid;
+}
+
+std::string rigid_spring_note(const RobotFile& file) {
+  std::string names;
+  for (const auto& [name, actuator] : file.electric_actuators) {
+    if (spring_is_rigid(actuator)) {
+      names += (names.empty() ? "" : ", ") + name;
+    }
+  }
+  return names.empty() ? ""
+                       : "rotors oscillate above 100 Hz on the springs of " + names +
+                             ": these drives count as rigid, and their torque is known from the current";
+}
+
+double rated_torque_Nm(const ElectricActuator& a) {
+  return a.rated_torque_Nm.value_or(plant::stall_torque(electric_params(a)));
+}
 
 Result<plant::Linkage> make_linkage(const LinkageSection& section, bool mirrored) {
   const double mirror = mirrored ? -1.0 : 1.0;
@@ -183,10 +241,12 @@ void drive_electrically(Joint& joint, const ElectricActuator& actuator, const Ro
   joint.actuator = limits_of_electric(params);
   joint.swing_load = rotary_load(loads.swing);
   joint.stance_load = rotary_load(loads.stance);
-  joint.noise = {actuator.noise.position_rad, actuator.noise.velocity_rad_s, actuator.noise.torque_Nm};
-  joint.normalisation = {0.5 * params.travel, actuator.velocity_norm_rad_s, actuator.torque_norm_Nm,
-                         plant::current_max_A(params)};
-  joint.push_limit = joint.pull_limit = std::min(actuator.rated_torque_Nm, plant::stall_torque(params));
+  const double rated = rated_torque_Nm(actuator);
+  const RotaryNoise noise = actuator.noise.value_or(RotaryNoise{1e-5, 2e-3, 1e-3 * rated});
+  joint.noise = {noise.position_rad, noise.velocity_rad_s, noise.torque_Nm};
+  joint.normalisation = {0.5 * params.travel, actuator.velocity_norm_rad_s.value_or(plant::no_load_speed(params)),
+                         actuator.torque_norm_Nm.value_or(rated), plant::current_max_A(params)};
+  joint.push_limit = joint.pull_limit = std::min(rated, plant::stall_torque(params));
 }
 
 }  // namespace farrier::robot

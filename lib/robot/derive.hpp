@@ -59,6 +59,26 @@ control::Normalisation cylinder_normalisation(const Cylinder& cylinder, const pl
 /// then asks the same of a hip and a knee: equal power, equal stiffness of the loop at the leg.
 control::Normalisation motor_normalisation(const Cylinder& like, const plant::ActuatorParams& params, double lever_m);
 
+/// Motor, gear and spring of an electric actuator. One known by its limits is rigid, likewise one without a spring or
+/// with a rigid one.
+plant::ElectricParams electric_params(const ElectricActuator& actuator);
+
+/// Stiffnesses between which a spring suits no model, Nm/rad, see electric_actuator.hpp; `softest_rigid` may be the
+/// smaller one. The actuator has a motor's values.
+struct SpringLimits {
+  double stiffest;
+  double softest_rigid;
+};
+SpringLimits spring_limits(const ElectricActuator& actuator);
+/// True if the actuator has a spring so stiff that the drive counts as rigid.
+bool spring_is_rigid(const ElectricActuator& actuator);
+
+/// The sentence that says which springs of the file are so stiff that their drives count as rigid; empty for none.
+std::string rigid_spring_note(const RobotFile& file);
+
+/// That of the file, or the largest torque of the drive, Nm.
+double rated_torque_Nm(const ElectricActuator& actuator);
+
 /// Sets the fields of a joint that follow from an electric actuator and its loads. T = W of (3.52): half the travel,
 /// velocity and torque by the file; V of (3.53) is the largest current of its drive. Torques up to the rated or stall
 /// torque.

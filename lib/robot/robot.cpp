@@ -1,6 +1,7 @@
 #include "robot/robot.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <utility>
 
 #include "config/printer.hpp"
@@ -9,10 +10,13 @@
 #include "core/noise.hpp"
 #include "plant/terms/supply_droop.hpp"
 #include "robot/body_loads.hpp"
+#include "robot/description_format.hpp"
 #include "robot/robot_builder.hpp"
 
 namespace farrier::robot {
 namespace {
+
+constexpr std::size_t kLongestForeign = 4u << 20;  // of a robot's description of another kind, as much as is searched
 
 std::vector<config::Setting> settings_of(const Overrides& overrides) {
   std::vector<config::Setting> settings;
@@ -98,11 +102,24 @@ const Joint* Robot::first_electric() const noexcept {
 }
 
 Result<Robot, config::Problems> load_robot(const std::string& path, const Overrides& overrides) {
-  return build(config::read_file<RobotFile>(path, settings_of(overrides)), overrides);
+  auto read = config::read_file<RobotFile>(path, settings_of(overrides));
+  if (!read) {
+    std::ifstream stream(path, std::ios::binary);
+    std::string begin(kLongestForeign, '\0');
+    stream.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(std::max<std::streamsize>(stream.gcount(), 0)));
+    if (auto foreign = foreign_description(begin, path)) {
+      return config::Problems{std::move(*foreign)};
+    }
+  }
+  return build(std::move(read), overrides);
 }
 
 Result<Robot, config::Problems> load_robot_text(const std::string& text, const std::string& file,
                                                 const Overrides& overrides) {
+  if (auto foreign = foreign_description(text, file)) {
+    return config::Problems{std::move(*foreign)};
+  }
   return build(config::read_text<RobotFile>(text, file, settings_of(overrides)), overrides);
 }
 

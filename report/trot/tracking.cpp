@@ -6,6 +6,7 @@
 
 #include "core/ensure.hpp"
 #include "core/fault.hpp"
+#include "robot/derive.hpp"
 #include "signals/signals.hpp"
 
 namespace farrier::report {
@@ -94,7 +95,7 @@ bool turns(const robot::Robot& robot, const robot::Joint& joint) {
 Rating rating_of(const robot::Robot& robot, const robot::Joint& joint) {
   const robot::JointTemplate& from = template_of(robot, joint);
   if (const auto* electric = config::find(robot.file.electric_actuators, from.actuator)) {
-    return {electric->rated_torque_Nm, true};
+    return {robot::rated_torque_Nm(*electric), true};
   }
   const robot::Actuator& actuator = *config::find(robot.file.actuators, from.actuator);
   return actuator.cylinder ? Rating{actuator.cylinder->rated_force_N, false}

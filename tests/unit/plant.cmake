@@ -19,5 +19,6 @@ farrier_test(plant_test unit
 target_link_libraries(plant_test PRIVATE test_solvers farrier_plant)
 
 farrier_test(electric_joint_test unit ${CMAKE_CURRENT_LIST_DIR}/plant/electric_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/plant/rigid_drive_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/../support/allocation_guard.cpp)
 target_link_libraries(electric_joint_test PRIVATE farrier_plant)

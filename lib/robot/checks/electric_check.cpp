@@ -1,5 +1,10 @@
 #include "robot/checks/electric_check.hpp"
 
+#include <iomanip>
+#include <sstream>
+
+#include "robot/derive.hpp"
+
 namespace farrier::robot {
 namespace {
 
@@ -37,6 +42,26 @@ void check_joint(const RobotFile& file, const JointTemplate& joint, config::Prob
   }
 }
 
+std::string rounded(double value) {
+  std::ostringstream text;
+  text << std::setprecision(3) << value;
+  return text.str();
+}
+
+void check_spring(const ElectricActuator& actuator, config::Problems& problems) {
+  if (actuator.by_limits() || !actuator.spring_stiffness_Nm_rad || spring_is_rigid(actuator)) {
+    return;
+  }
+  const auto [stiffest, softest_rigid] = spring_limits(actuator);
+  if (*actuator.spring_stiffness_Nm_rad > stiffest) {
+    problems.push_back(actuator.place.problem(
+        "spring_stiffness_Nm_rad", rounded(*actuator.spring_stiffness_Nm_rad) +
+                                       " lets the rotor oscillate on the spring: give at most " + rounded(stiffest) +
+                                       ", or leave the key out for a drive without a spring; from " +
+                                       rounded(softest_rigid) + " on the drive counts as rigid"));
+  }
+}
+
 /// `name` is that of a joint of a leg or of a section of joints.
 bool is_electric(const RobotFile& file, const std::string& name) {
   const JointTemplate* joint = config::find(file.joints, name);
@@ -67,6 +92,7 @@ config::Problems check_electric(const RobotFile& file) {
     problems.push_back(file.place.problem("supply", "is missing: hydraulic actuators need it"));
   }
   for (const auto& [name, actuator] : file.electric_actuators) {
+    check_spring(actuator, problems);
     if (config::find(file.actuators, name) != nullptr) {
       problems.push_back(actuator.place.problem("", "has the name of a hydraulic actuator: rename one"));
     }

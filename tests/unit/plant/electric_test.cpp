@@ -246,7 +246,7 @@ TEST(ElectricJoint, RefusesWhatNoMachineHasAndNamesIt) {
   const auto refused = ElectricJoint::create(wrong, {.mass = 0.0}, {.position = 1.0});
   ASSERT_FALSE(refused.ok());
   EXPECT_NE(refused.error().message.find("winding_resistance_Ohm = -1 must be finite and > 0"), std::string::npos);
-  EXPECT_NE(refused.error().message.find("travel = 0 must be finite and > 0"), std::string::npos);
+  EXPECT_NE(refused.error().message.find("travel_rad = 0 must be finite and > 0"), std::string::npos);
 }
 
 TEST(ElectricJoint, RefusesASpringOnWhichTheRotorSwings) {
@@ -257,7 +257,7 @@ TEST(ElectricJoint, RefusesASpringOnWhichTheRotorSwings) {
   stiff.spring_stiffness = 1.01 * most;
   const auto refused = validate(stiff);
   ASSERT_FALSE(refused.ok());
-  EXPECT_NE(refused.error().message.find("spring_stiffness"), std::string::npos);
+  EXPECT_NE(refused.error().message.find("spring_stiffness_Nm_rad = 77"), std::string::npos) << refused.error().message;
 }
 
 TEST(ElectricJoint, RefusesALoadWithDryFriction) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "plant/electric_actuator.hpp"
+#include "robot/derive.hpp"
 #include "robot/joint_model.hpp"
 #include "robot/joint_plant.hpp"
 #include "test_files.hpp"
@@ -70,24 +71,45 @@ TEST_P(ElectricFileMistake, IsReportedWithItsLineAndRemedy) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, ElectricFileMistake,
-    testing::Values(
-        Mistake{"gear_ratio: 50", "gear_ratio: 0.5",
-                "electric_actuators.drive.gear_ratio: 0.5 is out of range: give 1 to 1000"},
-        Mistake{"    angle_max_rad: 0.8", "    angle_max_rad: 1.2",
-                "joints.hfe.angle_max_rad: 1.2 puts actuator drive at 2.9, outside its stroke: 0 to 2.6"},
-        Mistake{"stance: {inertia_kg_m2: 0.6,", "stance: {inertia_kg_m2: -1,",
-                "loads.kfe.rotary.stance.inertia_kg_m2: -1 is out of range: give 1e-05 to 1000"}));
+    testing::Values(Mistake{"gear_ratio: 50", "gear_ratio: 0.5",
+                            "electric_actuators.drive.gear_ratio: 0.5 is out of range: give 1 to 1000"},
+                    Mistake{"    angle_max_rad: 0.8", "    angle_max_rad: 1.2",
+                            "joints.hfe.angle_max_rad: 1.2 puts actuator drive at 2.9, outside its stroke: 0 to 2.6"},
+                    Mistake{"stance: {inertia_kg_m2: 0.6,", "stance: {inertia_kg_m2: -1,",
+                            "loads.kfe.rotary.stance.inertia_kg_m2: -1 is out of range: give 1e-05 to 1000"}));
 
 std::string problem_of(const std::string& text) {
   const auto robot = load_robot_text(text, "leg.yaml");
   return robot ? "" : to_string(robot.error());
 }
 
-TEST(ElectricFileMistakes, IncludeASpringOnWhichTheRotorSwings) {
-  const std::string told = problem_of(replaced(text_of("electric_leg"), "spring_stiffness_Nm_rad: 1e4",
-                                               "spring_stiffness_Nm_rad: 1e5"));
-  EXPECT_NE(told.find("electric_actuators.drive: electric actuator: spring_stiffness = 100000 must be"),
-            std::string::npos) << told;
+TEST(ElectricLeg, CountsAsRigidWithASpringOnWhichTheRotorSwingsFast) {
+  const auto robot = load_robot_text(
+      replaced(text_of("electric_leg"), "spring_stiffness_Nm_rad: 1e4", "spring_stiffness_Nm_rad: 1e5"), "leg.yaml");
+  ASSERT_TRUE(robot.ok()) << to_string(robot.error());
+  EXPECT_TRUE(robot.value().joints[0].electric->rigid);
+  EXPECT_NE(rigid_spring_note(robot.value().file).find("springs of drive"), std::string::npos);
+  EXPECT_EQ(rigid_spring_note(load_shipped("electric_leg").file), "");
+}
+
+TEST(Go1, IsKnownByItsLimits) {
+  const Robot go1 = load_shipped("go1", {.on_ground = true});
+  ASSERT_EQ(go1.joints.size(), 12u);
+  for (const Joint& joint : go1.joints) {
+    ASSERT_TRUE(joint.electric.has_value());
+    EXPECT_TRUE(joint.electric->rigid);
+    EXPECT_EQ(joint.push_limit, 23.7);
+    EXPECT_EQ(joint.normalisation.force, 23.7);
+    EXPECT_NEAR(joint.normalisation.velocity, 1.05 * 30.1, 1e-9);
+    EXPECT_NEAR(joint.noise.force, 0.0237, 1e-12);
+    EXPECT_GT(joint.noise.position, 0.0) << "readings without noise count as frozen";
+    const auto& links = go1.body->legs[static_cast<std::size_t>(joint.leg)].links;
+    EXPECT_EQ(links[static_cast<std::size_t>(joint.index_in_leg)].armature_kg_m2, 0.01);
+    EXPECT_TRUE(make_plant(joint, joint.stance_load).ok());
+  }
+  const auto again = load_robot_text(print_config(go1), "printed.yaml");
+  ASSERT_TRUE(again.ok()) << to_string(again.error());
+  EXPECT_EQ(configuration_hash(again.value()), configuration_hash(go1));
 }
 
 TEST(ElectricFileMistakes, IncludeAGreyBoxEstimator) {
@@ -103,7 +125,8 @@ TEST(ElectricFileMistakes, IncludeAGreyBoxEstimator) {
 TEST(ElectricFileMistakes, IncludeEffectsOfHydraulicJoints) {
   const std::string text = text_of("electric_leg") + "\neffects:\n  kfe: {valve_deadband: {half_width_A: 1e-4}}\n";
   EXPECT_NE(problem_of(text).find("effects.kfe: is an electric joint: effects are those of hydraulic ones"),
-            std::string::npos) << problem_of(text);
+            std::string::npos)
+      << problem_of(text);
 }
 
 TEST(ElectricFileMistakes, IncludeControllersThatInvertTheFlow) {
@@ -111,8 +134,11 @@ TEST(ElectricFileMistakes, IncludeControllersThatInvertTheFlow) {
       replaced(text_of("electric_leg"), "    form: compliant", "    kind: feedback_linearisation\n    form: compliant");
   const std::string told = problem_of(text);
   for (const char* joint : {"haa", "hfe", "kfe"}) {
-    EXPECT_NE(told.find("joints." + std::string(joint) + ".controller: torque is of kind feedback_linearisation, which "
-                        "inverts the flow of oil: an electric joint takes lqr or pid"), std::string::npos) << told;
+    EXPECT_NE(told.find("joints." + std::string(joint) +
+                        ".controller: torque is of kind feedback_linearisation, which "
+                        "inverts the flow of oil: an electric joint takes lqr or pid"),
+              std::string::npos)
+        << told;
   }
 }
 
@@ -133,11 +159,12 @@ TEST(ElectricFileMistakes, IncludeARobotWithoutActuators) {
 
 TEST(HydraulicFileMistakes, IncludeTheLoadOfAnElectricJoint) {
   const std::string load = "{inertia_kg_m2: 1, damping_Nms_rad: 1}";
-  const std::string text = replaced(text_of("hyq"), "loads:\n",
-                                    "loads:\n  turned: {rotary: {swing: " + load + ", stance: " + load + "}}\n");
+  const std::string text =
+      replaced(text_of("hyq"), "loads:\n", "loads:\n  turned: {rotary: {swing: " + load + ", stance: " + load + "}}\n");
   const std::string told = problem_of(replaced(text, "    load: leg", "    load: turned"));
   EXPECT_NE(told.find("joints.haa.load: turned is for an electric joint: a hydraulic one takes one with leg_about_haa"),
-            std::string::npos) << told;
+            std::string::npos)
+      << told;
 }
 
 }  // namespace electric_test
