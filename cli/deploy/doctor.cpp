@@ -36,7 +36,7 @@ deploy::Findings local_findings(const DoctorOptions& o, const std::string& inter
   deploy::append(findings, deploy::port_findings(o.network, deploy::bound_udp_ports(), deploy::ephemeral_ports()));
   deploy::append(findings, deploy::buffer_findings(facts));
   deploy::append(findings, deploy::leftover_findings(o.shared_memory));
-  deploy::append(findings, deploy::environment_findings());
+  deploy::append(findings, deploy::environment_findings(o.network));
   if (o.realtime) {
     deploy::append(findings, deploy::realtime_findings(facts, runtime::kControlPriority));
   }
@@ -66,8 +66,8 @@ int run_doctor(DoctorOptions o) {
     }
   }
   deploy::Findings findings = local_findings(o, interface);
-  const auto found = bus_factory::discover(o.network, std::chrono::duration_cast<Nanoseconds>(
-                                                          std::chrono::duration<double>(o.look_s)));
+  const auto found = bus_factory::discover(
+      o.network, std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(o.look_s)));
   if (!found) {
     findings.push_back({found.error().message, "see what was found before this; DDS cannot be looked into until then"});
   } else {

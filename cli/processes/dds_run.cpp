@@ -1,9 +1,11 @@
 #include "cli/processes/dds_run.hpp"
 
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 #include <thread>
 
+#include "bus/settings/user_settings.hpp"
 #include "bus_factory/bus_factory.hpp"
 #include "run/run_listener.hpp"
 #include "run/run_monitor.hpp"
@@ -193,6 +195,7 @@ Result<RunOutcome> run_over_dds(const robot::Robot& robot, const DdsRun& run) {
   outcome.members = run::plan_processes(robot, run.grouping, run.standby);
   participant::ProcessOptions common = run.common;
   common.network.domain = lock.domain();
+  std::fputs(bus::lines_of_user_settings(common.network, run.title + ": note: ").c_str(), stderr);
   common.participants = static_cast<std::uint16_t>(outcome.members.size());
 
   std::error_code refused;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "bus/settings/user_settings.hpp"
 #include "cli/processes/process_stat.hpp"
 #include "cli/processes/run_children.hpp"
 
@@ -87,7 +88,7 @@ std::string RunLimits::start_lacks(const participant::Participant& launcher,
     } else if (child != children.end() && hello.session == 0) {
       const std::string said = child->last_line();
       missing += "\n  " + named(*child) + " runs and is not heard; its log " + child->log_path() +
-                (said.empty() ? " is empty" : " ends with: " + said);
+                 (said.empty() ? " is empty" : " ends with: " + said);
       runs_unheard = true;
     } else if (hello.routes_heard < hello.routes_expected) {
       deaf += "\n  " + member.name + " hears " + std::to_string(hello.routes_heard) + " of " +
@@ -100,6 +101,10 @@ std::string RunLimits::start_lacks(const participant::Participant& launcher,
     text += "\nDDS domain " + std::to_string(common_.network.domain) + " or the network of address " +
             common_.network.address + " may not carry samples: farrier doctor --domain " +
             std::to_string(common_.network.domain) + " --address " + common_.network.address + " looks for the cause";
+  }
+  if (const std::string settings = bus::lines_of_user_settings(common_.network, "  "); !settings.empty()) {
+    text += "\nDDS settings of the environment may be the cause; start the run without those that are honoured:\n" +
+            settings.substr(0, settings.size() - 1);
   }
   return text + "\n--start-limit 0 lets a start wait for ever";
 }

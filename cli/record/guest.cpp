@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "bus/settings/peer_address.hpp"
 #include "bus_factory/bus_factory.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
@@ -19,11 +20,13 @@ std::array<CLI::Option*, 3> declare_network(CLI::App& app, bus::NetworkOptions& 
               ->check(CLI::Range(0, 232))
               ->type_name("<n>")
               ->capture_default_str(),
-          app.add_option("--address", network.address, "address of this computer that DDS uses")
+          app.add_option("--address", network.address, "IPv4 address of this computer that DDS uses")
+              ->check(bus::address_error)
               ->type_name("<ip>")
               ->capture_default_str(),
-          app.add_option("--peers", network.peers, "computers the robot runs on")
+          app.add_option("--peers", network.peers, "computers the robot runs on, by IPv4 address or name")
               ->delimiter(',')
+              ->check(bus::peer_error)
               ->type_name("<ip>,...")
               ->default_str("127.0.0.1")};
 }
@@ -34,12 +37,9 @@ void declare_vendor(CLI::App& app, std::string& vendor) {
 
 void declare_guest(CLI::App& app, GuestOptions& options) {
   declare_network(app, options.network);
-  app.add_option("--robot", options.robot_path, "robot file")
-      ->type_name("<file>")
-      ->default_str("hyq.yaml, as shipped");
+  app.add_option("--robot", options.robot_path, "robot file")->type_name("<file>")->default_str("hyq.yaml, as shipped");
   declare_vendor(app, options.vendor);
-  app.add_option("--security", options.security,
-                 "folder of keys and permissions, of a robot that runs with --security")
+  app.add_option("--security", options.security, "folder of keys and permissions, of a robot that runs with --security")
       ->type_name("<dir>");
 }
 

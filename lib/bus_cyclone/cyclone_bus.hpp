@@ -13,7 +13,8 @@ namespace farrier::bus_cyclone {
 /// Joins the DDS domain of `options` as one participant with sockets of its own, also when the process already
 /// holds another bus of this domain.
 ///
-/// A user's CYCLONEDDS_URI is read after the settings made here. It changes only what it names:
+/// A user's CYCLONEDDS_URI is read after the settings made here, but for what it says of interfaces, discovery, message
+/// sizes and the like (bus/settings/user_settings.hpp). It changes only what it names:
 ///   CYCLONEDDS_URI='<Domain Id="any"><Tracing><Verbosity>config</Verbosity></Tracing></Domain>'
 ///
 /// Arrivals are counted on the receive thread, once per sample. The end of a writer, which every key it wrote reports,

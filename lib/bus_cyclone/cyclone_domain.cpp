@@ -1,8 +1,10 @@
 #include "bus_cyclone/cyclone_domain.hpp"
 
+#include <cstdio>
 #include <cstdlib>
 #include <string>
 
+#include "bus/settings/user_settings.hpp"
 #include "bus_cyclone/cyclone_config.hpp"
 #include "bus_cyclone/cyclone_qos.hpp"
 #include "bus_cyclone/cyclone_waits.hpp"
@@ -25,13 +27,20 @@ dds_domainid_t local_number(const bus::NetworkOptions& options, int bus) {
   return options.security ? (domain + others) % kSecureDomains : domain + others * kLocalDomainStride;
 }
 
-std::string config_with_user_part(const bus::NetworkOptions& options) {
-  std::string config = cyclone_config(options);
-  const char* user = std::getenv("CYCLONEDDS_URI");
-  if (user != nullptr && *user != '\0') {
-    config += std::string(",") + user;
+/// XML of the settings of a user's CYCLONEDDS_URI that are honoured.
+std::string users_config(const bus::NetworkOptions& options) {
+  const char* const user = std::getenv("CYCLONEDDS_URI");
+  return user == nullptr ? "" : bus::cyclone_settings(user, options).config;
+}
+
+Domain open_domain_with(const std::string& config, const bus::NetworkOptions& options) {
+  dds_domainid_t number = local_number(options, 0);
+  dds_entity_t domain = dds_create_domain(number, config.c_str());
+  for (int i = 1; i < kMaxBusesOfADomain && domain == DDS_RETCODE_PRECONDITION_NOT_MET; ++i) {
+    number = local_number(options, i);
+    domain = dds_create_domain(number, config.c_str());
   }
-  return config;
+  return {domain, number};
 }
 
 }  // namespace
@@ -48,20 +57,22 @@ Result<Domain> open_domain(const bus::NetworkOptions& options) {
     return Error{"network: max_processes must be at least 1 and peers must name a computer"};
   }
   wait_on_steady_clock();
-  const std::string config = config_with_user_part(options);
-  dds_domainid_t number = local_number(options, 0);
-  dds_entity_t domain = dds_create_domain(number, config.c_str());
-  for (int i = 1; i < kMaxBusesOfADomain && domain == DDS_RETCODE_PRECONDITION_NOT_MET; ++i) {
-    number = local_number(options, i);
-    domain = dds_create_domain(number, config.c_str());
+  const std::string config = cyclone_config(options);
+  const std::string users = users_config(options);
+  Domain domain = open_domain_with(users.empty() ? config : config + "," + users, options);
+  if (domain.entity < 0 && !users.empty()) {
+    domain = open_domain_with(config, options);
+    if (domain.entity >= 0) {
+      std::fputs("CYCLONEDDS_URI: set aside, Cyclone refuses what it says (its own message is above)\n", stderr);
+    }
   }
-  if (domain < 0) {
+  if (domain.entity < 0) {
     return refused("domain " + std::to_string(options.domain) + " on " + options.address +
-                       " (its own message is above; is the address this computer's, CYCLONEDDS_URI well-formed, and " +
-                       "are fewer than " + std::to_string(options.max_processes) + " processes running?)",
-                   domain);
+                       " (its own message is above; is the address this computer's, and are fewer than " +
+                       std::to_string(options.max_processes) + " processes running?)",
+                   domain.entity);
   }
-  return Domain{domain, number};
+  return domain;
 }
 
 Result<dds_entity_t> join_domain(const Domain& domain, const bus::NetworkOptions& options) {

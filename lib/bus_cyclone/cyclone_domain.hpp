@@ -18,7 +18,8 @@ struct Domain {
 /// Error for a call that Cyclone refused, with its reason.
 Error refused(const std::string& what, dds_return_t code);
 
-/// Opens the domain of `options`. A user's CYCLONEDDS_URI is read after the settings made here.
+/// Opens the domain of `options`. The settings of a user's CYCLONEDDS_URI that bus::cyclone_settings honours are read after
+/// those made here. If Cyclone refuses them, they are set aside, which is said on stderr.
 Result<Domain> open_domain(const bus::NetworkOptions& options);
 
 /// Joins it, secured as `options` says. If Cyclone refuses, it ends the domain and refuses, too.

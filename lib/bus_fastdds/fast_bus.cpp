@@ -1,6 +1,7 @@
 #include "bus_fastdds/fast_bus.hpp"
 
 #include "bus/endpoint_check.hpp"
+#include "bus/settings/user_settings.hpp"
 #include "bus_fastdds/fast_endpoints.hpp"
 
 namespace farrier::bus_fastdds {
@@ -42,6 +43,7 @@ Result<std::unique_ptr<bus::Bus>> create_fast_bus(const bus::NetworkOptions& opt
   if (options.max_processes < 1 || options.peers.empty()) {
     return Error{"network: max_processes must be at least 1 and peers must name a computer"};
   }
+  bus::set_aside_discovery_servers();
   auto session = FARRIER_TRY(FastSession::open(options));
   return std::unique_ptr<bus::Bus>(std::make_unique<FastBus>(std::move(session)));
 }

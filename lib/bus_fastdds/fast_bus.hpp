@@ -15,7 +15,7 @@ namespace farrier::bus_fastdds {
 ///
 /// Everything is configured here. A user's FASTRTPS_DEFAULT_PROFILES_FILE is read but changes neither participants
 /// nor endpoints, and samples between two buses of one process cross UDP whatever it says.
-/// ROS_DISCOVERY_SERVER is read by Fast DDS itself and would turn discovery into a client's: leave it unset.
+/// ROS_DISCOVERY_SERVER, which would turn discovery into a server's client, is removed from this process's environment.
 ///
 /// Arrivals are counted on the receive thread. Fast DDS reports several samples at once when a gap in a reliable stream
 /// closes. Each of them is counted at least once; in a race with take() some may be counted twice.

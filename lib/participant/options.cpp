@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "bus/settings/peer_address.hpp"
 #include "participant/fault_injection.hpp"
 
 namespace farrier::participant {
@@ -100,8 +101,12 @@ void declare(CLI::App& app, ProcessOptions& o) {
       ->transform(CLI::CheckedTransformer(by_name(kDdsVendors)));
   app.add_option("--clock", o.clock, "lockstep or realtime")->transform(CLI::CheckedTransformer(by_name(kClockKinds)));
   app.add_option("--domain", o.network.domain, "DDS domain")->check(CLI::Range(0, 232))->capture_default_str();
-  app.add_option("--address", o.network.address, "Address of the interface DDS uses")->capture_default_str();
-  app.add_option("--peers", o.network.peers, "Computers to look for processes on")->delimiter(',');
+  app.add_option("--address", o.network.address, "IPv4 address of the interface DDS uses")
+      ->check(bus::address_error)
+      ->capture_default_str();
+  app.add_option("--peers", o.network.peers, "Computers to look for processes on, by IPv4 address or name")
+      ->check(bus::peer_error)
+      ->delimiter(',');
   app.add_option(
       "--security", o.security,
       "Folder of keys and permissions, as farrier security init makes it; without, DDS is open to everybody");

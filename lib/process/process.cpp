@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "bus/settings/user_settings.hpp"
 #include "bus_factory/bus_factory.hpp"
 #include "participant/fault_injection.hpp"
 #include "participant/clock.hpp"
@@ -92,6 +93,7 @@ int run(const participant::ProcessOptions& options, const Factory<participant::A
       std::fprintf(stderr, "%s: its bus runs without %s\n", name, lacking.c_str());
     }
   }
+  std::fputs(bus::lines_of_user_settings(network, options.name + ": ").c_str(), stderr);
   auto bus = bus_factory::create_bus(options.vendor, network);
   if (!bus) {
     return refuse(name, bus.error());

@@ -4,8 +4,9 @@
 #include <sys/file.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <filesystem>
+
+#include "bus/settings/user_settings.hpp"
 
 namespace farrier::deploy {
 namespace {
@@ -40,14 +41,14 @@ Findings leftover_findings(const std::string& folder) {
            "fastdds shm clean (package fastdds-tools); Farrier's own processes use UDP alone", false}};
 }
 
-Findings environment_findings() {
+Findings environment_findings(const bus::NetworkOptions& network) {
   Findings findings;
-  for (const char* name : {"CYCLONEDDS_URI", "FASTRTPS_DEFAULT_PROFILES_FILE"}) {
-    if (const char* value = std::getenv(name); value != nullptr && *value != '\0') {
-      findings.push_back({std::string(name) + " is set: what it says of interfaces, discovery or transports overrides "
-                          "what Farrier chooses",
-                          "unset " + std::string(name) + " where the robot is started, unless that is wanted", false});
-    }
+  for (const bus::UserSetting& setting : bus::user_settings(network)) {
+    const bool acts = setting.use == bus::SettingUse::kHonoured;
+    findings.push_back({bus::to_string(setting),
+                        acts ? "unset " + setting.variable + " where the robot is started, unless that is wanted"
+                             : "nothing: it acts on programs of others alone",
+                        false});
   }
   return findings;
 }

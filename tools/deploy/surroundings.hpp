@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "bus/network.hpp"
 #include "tools/deploy/finding.hpp"
 #include "tools/deploy/host_facts.hpp"
 
@@ -11,8 +12,8 @@ namespace farrier::deploy {
 /// that do may fail to find each other over it. `folder` is /dev/shm.
 Findings leftover_findings(const std::string& folder);
 
-/// Effects of the environment on every DDS process that is started with it.
-Findings environment_findings();
+/// DDS settings of the environment, one note each, with file and line: whether they act on Farrier's processes.
+Findings environment_findings(const bus::NetworkOptions& network);
 
 /// Reports that an interface has no multicast, by which some programs search others.
 Findings multicast_findings(const HostFacts& facts, const std::string& address);

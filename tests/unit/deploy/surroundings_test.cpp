@@ -75,8 +75,7 @@ TEST(PortFindings, NameADomainThatHasNoIndexLeft) {
   EXPECT_TRUE(port_findings(domain(3), ports_of(39), kUsual).empty());
   const Findings findings = port_findings(domain(3), ports_of(40), kUsual);
   ASSERT_EQ(findings.size(), 1u);
-  EXPECT_EQ(findings[0].what,
-            "all 40 participant indexes of domain 3 are taken on this computer: no process can join");
+  EXPECT_EQ(findings[0].what, "all 40 participant indexes of domain 3 are taken on this computer: no process can join");
 }
 
 TEST(PortFindings, NameADomainWhosePortsLinuxHandsOut) {
@@ -102,12 +101,13 @@ TEST(Leftovers, AreSegmentsWhoseLockNobodyHolds) {
 
 TEST(Leftovers, AreNoneInAnEmptyFolder) { EXPECT_TRUE(leftover_findings(ScratchDirectory().file("")).empty()); }
 
-TEST(Environment, IsNotedWhereItOverridesTheNetwork) {
-  ::setenv("CYCLONEDDS_URI", "<Domain/>", 1);
-  const Findings findings = environment_findings();
+TEST(Environment, IsNotedWithWhatBecomesOfIt) {
+  ::setenv("CYCLONEDDS_URI", "<General><AllowMulticast>true</AllowMulticast></General>", 1);
+  const Findings findings = environment_findings({});
   ::unsetenv("CYCLONEDDS_URI");
   ASSERT_FALSE(findings.empty());
-  EXPECT_TRUE(findings[0].what.starts_with("CYCLONEDDS_URI is set"));
+  EXPECT_EQ(findings[0].what, "CYCLONEDDS_URI, General/AllowMulticast true: set aside, processes use unicast alone");
+  EXPECT_FALSE(findings[0].fault);
 }
 
 TEST(Multicast, IsNotedWhereTheInterfaceHasNone) {
