@@ -52,10 +52,10 @@ Result<Recording, diagnosis::RecordingProblems> read(const DiagnoseOptions& o, c
   auto recording = playback::is_recording(o.recording)
                        ? offline::read_joint_recording(o.recording, joint.name, long_work("diagnose, reading"))
                    : diagnosis::is_trace(o.recording) ? diagnosis::recording_of_trace(o.recording, robot, joint)
-                                                      : diagnosis::read_recording(o.recording);
+                                                      : diagnosis::read_recording(o.recording, joint.name);
   if (recording) {
     if (auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
-      return diagnosis::RecordingProblems{std::move(findings)};
+      return diagnosis::RecordingProblems{std::move(findings), recording.value().remarks};
     }
   }
   return recording;
@@ -138,6 +138,9 @@ int finish(const report::DiagnosisResult& result, const Outputs& outputs, const 
   }
   if (bad) {
     std::fputs(diagnosis::to_string(result.findings, o.recording).c_str(), stderr);
+    for (const std::string& remark : result.diagnosis.remarks) {
+      std::fprintf(stderr, "%s: note: %s\n", o.recording.c_str(), remark.c_str());
+    }
   } else {
     std::fputs(report::diagnosis_console(result).c_str(), stdout);
   }
@@ -201,6 +204,7 @@ int diagnose(const DiagnoseOptions& o) {
   if (!recording) {
     Diagnosis none{};
     none.judgement.verdict = diagnosis::Verdict::kBadData;
+    none.remarks = recording.error().remarks;
     return finish({.diagnosis = none,
                    .robot = robot,
                    .joint = *joint.value(),

@@ -60,11 +60,15 @@ void require_sound(const diagnosis::Recording& recording, const robot::Joint& jo
 }  // namespace
 
 void recording(Bytes bytes) {
-  const auto read = diagnosis::read_recording(File(bytes).path());
-  if (!read) {
-    return require_findings(read.error().findings);
+  const robot::Joint& joint = hyq().joints.front();
+  for (const std::string& name : {std::string(), joint.name}) {
+    const auto read = diagnosis::read_recording(File(bytes).path(), name);
+    if (!read) {
+      require_findings(read.error().findings);
+    } else {
+      require_sound(read.value(), joint);
+    }
   }
-  require_sound(read.value(), hyq().joints.front());
 }
 
 void scaled_recording(Bytes bytes) {

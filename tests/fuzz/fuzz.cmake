@@ -42,8 +42,9 @@ farrier_fuzz(fuzzed_journals SOURCES ${fuzz_dir}/journal.cpp HARNESSES journal)
 target_link_libraries(fuzzed_journals PRIVATE farrier_recorder farrier_signals)
 
 farrier_fuzz(fuzzed_files SOURCES ${fuzz_dir}/robot_file.cpp ${fuzz_dir}/scene_file.cpp ${fuzz_dir}/files.cpp
-  HARNESSES robot_file scene_file recording scaled_recording trace run_file)
-target_link_libraries(fuzzed_files PRIVATE farrier_robot farrier_world farrier_diagnosis farrier_trace farrier_recording
+  ${fuzz_dir}/user_files.cpp
+  HARNESSES robot_file scene_file recording scaled_recording trace run_file log_times dds_settings description)
+target_link_libraries(fuzzed_files PRIVATE farrier_bus farrier_robot farrier_world farrier_diagnosis farrier_trace farrier_recording
   farrier_signals)
 
 farrier_fuzz(fuzzed_cores SOURCES ${fuzz_dir}/joint_core.cpp ${fuzz_dir}/adaptation_cores.cpp

@@ -40,6 +40,9 @@ void recording(Bytes bytes);
 void scaled_recording(Bytes bytes);
 void trace(Bytes bytes);
 void run_file(Bytes bytes);
+void log_times(Bytes bytes);
+void dds_settings(Bytes bytes);
+void description(Bytes bytes);
 
 // Samples as they come from the network; the first byte is the topic's number.
 void cyclone_codec(Bytes bytes);

@@ -12,6 +12,10 @@ constexpr std::size_t kLongestLine = 65'536;
 
 bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
+bool is_comment(std::string_view content) {
+  return content.front() == '#' || content.front() == '%' || content.starts_with("//");
+}
+
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_space(text.front())) {
     text.remove_prefix(1);
@@ -44,14 +48,22 @@ bool CsvLines::next_of_any_kind() {
 bool CsvLines::next() {
   while (next_of_any_kind()) {
     const std::string_view content = trimmed(text_);
-    if (!content.empty() && content.front() != '#') {
+    if (!content.empty() && !is_comment(content)) {
       return true;
     }
   }
   return false;
 }
 
-void split(std::string_view line, std::vector<std::string>& cells) {
+char separator_of(std::string_view line) {
+  char best = ',';
+  for (const char separator : {';', '\t'}) {
+    best = std::ranges::count(line, separator) > std::ranges::count(line, best) ? separator : best;
+  }
+  return best;
+}
+
+void split(std::string_view line, char separator, std::vector<std::string>& cells) {
   std::size_t used = 0;
   for (std::size_t at = 0;;) {
     if (used == cells.size()) {
@@ -59,12 +71,12 @@ void split(std::string_view line, std::vector<std::string>& cells) {
     }
     std::string& cell = cells[used++];
     cell.clear();
-    while (at < line.size() && is_space(line[at])) {
+    while (at < line.size() && is_space(line[at]) && line[at] != separator) {
       ++at;
     }
     const bool in_quotes = at < line.size() && line[at] == '"';
     at += in_quotes ? 1 : 0;
-    for (bool open = in_quotes; at < line.size() && (open || line[at] != ','); ++at) {
+    for (bool open = in_quotes; at < line.size() && (open || line[at] != separator); ++at) {
       if (open && line[at] == '"') {
         open = at + 1 < line.size() && line[at + 1] == '"';  // a doubled quote is one
         at += open ? 1 : 0;
@@ -78,7 +90,7 @@ void split(std::string_view line, std::vector<std::string>& cells) {
     if (at >= line.size()) {
       break;
     }
-    ++at;  // the comma
+    ++at;  // the separator
   }
   cells.resize(used);
 }
@@ -86,6 +98,11 @@ void split(std::string_view line, std::vector<std::string>& cells) {
 Cell parse_cell(const std::string& cell, double& value) {
   if (cell.empty()) {
     return Cell::kEmpty;
+  }
+  if (std::ranges::count(cell, ',') == 1 && cell.find('.') == std::string::npos) {
+    std::string with_point = cell;
+    std::ranges::replace(with_point, ',', '.');
+    return parse_cell(with_point, value);
   }
   const bool plus = cell.size() > 1 && cell[0] == '+' && cell[1] != '-';
   const char* const end = cell.data() + cell.size();

@@ -14,7 +14,7 @@ class CsvLines {
  public:
   explicit CsvLines(const std::string& path);
 
-  /// Goes to the next line that is neither empty nor a comment ("#"); false at the end.
+  /// Goes to the next line that is neither empty nor a comment ("#", "%" or "//"); false at the end.
   bool next();
 
   /// The line without its line end and, on the first line, without a UTF-8 byte order mark. Valid until next().
@@ -34,12 +34,16 @@ class CsvLines {
 };
 
 /// The cells of a line, at least one, without white space and quotes around them.
-void split(std::string_view line, std::vector<std::string>& cells);
+void split(std::string_view line, char separator, std::vector<std::string>& cells);
+
+/// The separator that a line of names has most of: ",", ";" or a tab. "," for none of them.
+char separator_of(std::string_view line);
 
 /// Content of a cell.
 enum class Cell { kNumber, kEmpty, kText, kNotFinite };
 
-/// Reads a decimal number in the notation of C, in any locale; `value` changes unless the cell is empty or text.
+/// Reads a decimal number in the notation of C, in any locale; `value` changes unless the cell is empty or text. One comma
+/// and no point is a decimal comma, which the cells of a file with other separators may have.
 Cell parse_cell(const std::string& cell, double& value);
 
 /// True if a line has no control characters but white space.

@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "config/suggest.hpp"
+#include "diagnosis/data/column_names.hpp"
 #include "diagnosis/data/csv_columns.hpp"
 #include "diagnosis/data/derive_velocity.hpp"
+#include "diagnosis/data/even_times.hpp"
 #include "diagnosis/judge/finding_text.hpp"
 #include "diagnosis/data/sampling.hpp"
 
@@ -17,8 +19,18 @@ namespace {
 
 /// Columns, in the order of kNames.
 enum Column : std::size_t {
-  kTime, kCurrent, kPressureA, kPressureB, kSupply, kSwing,
-  kLinearPosition, kLinearVelocity, kLinearForce, kRotaryPosition, kRotaryVelocity, kRotaryForce
+  kTime,
+  kCurrent,
+  kPressureA,
+  kPressureB,
+  kSupply,
+  kSwing,
+  kLinearPosition,
+  kLinearVelocity,
+  kLinearForce,
+  kRotaryPosition,
+  kRotaryVelocity,
+  kRotaryForce
 };
 
 const std::vector<std::string> kNames = {
@@ -40,7 +52,9 @@ std::vector<std::string> names_of(Coordinates coordinates) {
 /// Makes a recording of the columns of one file.
 class RecordingReader {
  public:
-  explicit RecordingReader(const std::string& path) : csv_(read_columns(path, kNames)) {
+  RecordingReader(const std::string& path, const std::string& joint)
+      : csv_(read_columns(path, kNames, std::nullopt, {.meanings = true, .joint = joint})) {
+    recording_.remarks = csv_.remarks;
     recording_.source = std::filesystem::path(path).filename().string();
   }
 
@@ -52,7 +66,7 @@ class RecordingReader {
     }
     if (!csv_.findings.empty()) {
       sort_by_line(csv_.findings);
-      return RecordingProblems{std::move(csv_.findings)};
+      return RecordingProblems{std::move(csv_.findings), std::move(recording_.remarks)};
     }
     fill();
     return std::move(recording_);
@@ -76,17 +90,22 @@ class RecordingReader {
     const std::string rotary = first(kRotary);
     recording_.coordinates = linear.empty() && !rotary.empty() ? Coordinates::kRotary : Coordinates::kLinear;
     if (!linear.empty() && !rotary.empty()) {
-      refuse("mixed_coordinates", "columns " + linear + " and " + rotary + ": a joint has either position_m, "
-             "velocity_m_s and force_N or angle_rad, velocity_rad_s and torque_Nm; keep those of its actuator");
+      refuse("mixed_coordinates",
+             "columns " + linear + " and " + rotary +
+                 ": a joint has either position_m, "
+                 "velocity_m_s and force_N or angle_rad, velocity_rad_s and torque_Nm; keep those of its actuator");
     }
   }
 
   void check_names() {
     const std::vector<std::string> known = names_of(recording_.coordinates);
     std::vector<std::pair<std::string, config::Suggestion>> unknown;
-    for (const std::string& name : csv_.header) {
-      if (std::find(kNames.begin(), kNames.end(), name) == kNames.end()) {
-        unknown.emplace_back(name, config::suggest(name, known));
+    for (std::size_t i = 0; i < csv_.header.size(); ++i) {
+      const std::string& name = csv_.header[i];
+      if (!csv_.read[i] && std::find(kNames.begin(), kNames.end(), name) == kNames.end()) {
+        const auto meant = meant_column(name);
+        const bool guessed = meant && meant->group.empty() && std::ranges::find(known, meant->name) != known.end();
+        unknown.emplace_back(name, guessed ? config::Suggestion{meant->name, ""} : config::suggest(name, known));
       }
     }
     for (const Column column : {kTime, motion()[0], motion()[2]}) {
@@ -105,9 +124,8 @@ class RecordingReader {
     for (const auto& [name, suggestion] : unknown) {
       const auto place = std::find(kNames.begin(), kNames.end(), suggestion.name) - kNames.begin();
       const bool meant = !suggestion.name.empty() && !csv_.present[static_cast<std::size_t>(place)];
-      recording_.remarks.push_back(
-          (name.empty() ? "A column without a name" : "Column " + shown(name)) + " is not read" +
-          (meant ? "; did you mean " + suggestion.name + "?" : "."));
+      recording_.remarks.push_back((name.empty() ? "A column without a name" : "Column " + shown(name)) +
+                                   " is not read" + (meant ? "; did you mean " + suggestion.name + "?" : "."));
     }
   }
 
@@ -121,16 +139,38 @@ class RecordingReader {
         }
       }
       if (bad.count() > 0) {
-        csv_.findings.push_back({"not_a_flag", bad.first(), bad.text() + ", column swing: " +
-                                                                counted(bad.count(), "value") +
-                                                                " neither 0 (stance load) nor 1 (swing load)"
-                                                                "; write one of them"});
+        csv_.findings.push_back({"not_a_flag", bad.first(),
+                                 bad.text() + ", column swing: " + counted(bad.count(), "value") +
+                                     " neither 0 (stance load) nor 1 (swing load)"
+                                     "; write one of them"});
       }
     }
     if (has(kTime)) {
+      check_sample_times();
+    }
+  }
+
+  void check_sample_times() {
+    if (!csv_.findings.empty()) {
       const std::vector<Finding> times = check_times(csv_.columns[kTime], csv_.line);
       csv_.findings.insert(csv_.findings.end(), times.begin(), times.end());
+      return;
     }
+    std::vector<TimedColumn> columns;
+    for (const Column column :
+         {motion()[0], motion()[1], motion()[2], kCurrent, kPressureA, kPressureB, kSupply, kSwing}) {
+      columns.push_back({.values = &csv_.columns[column],
+                         .carry = column == kCurrent ? Carry::kHeld
+                                  : column == kSwing ? Carry::kFlag
+                                                     : Carry::kInterpolated,
+                         .name = kNames[column]});
+    }
+    EvenTimes even = make_even(csv_.columns[kTime], csv_.line, columns);
+    csv_.findings = std::move(even.findings);
+    recording_.remarks.insert(recording_.remarks.end(), even.remarks.begin(), even.remarks.end());
+    recording_.position_error = even.added_error[0];
+    recording_.velocity_error = even.added_error[1];
+    recording_.force_error = even.added_error[2];
   }
 
   void fill() {
@@ -179,8 +219,8 @@ std::string to_string(const std::vector<Finding>& findings, const std::string& s
   return text;
 }
 
-Result<Recording, RecordingProblems> read_recording(const std::string& path) {
-  return RecordingReader(path).read();
+Result<Recording, RecordingProblems> read_recording(const std::string& path, const std::string& joint) {
+  return RecordingReader(path, joint).read();
 }
 
 }  // namespace farrier::diagnosis

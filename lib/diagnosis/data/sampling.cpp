@@ -4,36 +4,21 @@
 #include <cmath>
 #include <string>
 
+#include "diagnosis/data/time_line.hpp"
 #include "diagnosis/judge/finding_text.hpp"
 
 namespace farrier::diagnosis {
 namespace {
 
-constexpr double kUneven = 0.02;          // of the median interval
-constexpr double kGap = 1.5;              // median intervals
-constexpr double kOccasionalShare = 0.01; // of all intervals
+constexpr double kUneven = 0.02;           // of the median interval
+constexpr double kOccasionalShare = 0.01;  // of all intervals
 constexpr double kShortestPeriod_s = 20e-6;
 constexpr double kLongestPeriod_s = 50e-3;
-constexpr double kDecimalRounding = 1e-6;        // of times written in decimals
+constexpr double kDecimalRounding = 1e-6;  // of times written in decimals
 
 bool is_period(double period_s) {
-  return period_s >= kShortestPeriod_s * (1.0 - kDecimalRounding) && period_s <= kLongestPeriod_s * (1.0 + kDecimalRounding);
-}
-
-/// Median of the intervals that go forward; 0 for none.
-double median_interval(std::span<const double> time_s) {
-  std::vector<double> intervals;
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    if (const double interval = time_s[i] - time_s[i - 1]; interval > 0.0 && std::isfinite(interval)) {
-      intervals.push_back(interval);
-    }
-  }
-  if (intervals.empty()) {
-    return 0.0;
-  }
-  const auto middle = intervals.begin() + static_cast<std::ptrdiff_t>(intervals.size() / 2);
-  std::nth_element(intervals.begin(), middle, intervals.end());
-  return *middle;
+  return period_s >= kShortestPeriod_s * (1.0 - kDecimalRounding) &&
+         period_s <= kLongestPeriod_s * (1.0 + kDecimalRounding);
 }
 
 /// Intervals by kind of defect.
@@ -82,9 +67,9 @@ void report_intervals(const Intervals& intervals, double median, std::vector<Fin
       counted(intervals.gaps.count(), "gap") + " before, up to " + rounded(intervals.longest_gap) +
           " s where samples are " + rounded(median) +
           " s apart; keep the longest part without one, or record without loss");
-  const std::string uneven = counted(intervals.uneven.count(), "interval") + " of " +
-                             std::to_string(intervals.judged) + " off the median of " + rounded(median) +
-                             " s by up to " + rounded(100.0 * intervals.largest_deviation) + " %; ";
+  const std::string uneven = counted(intervals.uneven.count(), "interval") + " of " + std::to_string(intervals.judged) +
+                             " off the median of " + rounded(median) + " s by up to " +
+                             rounded(100.0 * intervals.largest_deviation) + " %; ";
   const double share = static_cast<double>(intervals.uneven.count()) / static_cast<double>(intervals.judged);
   if (share <= kOccasionalShare) {
     add("jitter", intervals.uneven, uneven + "cut the recording there, or interpolate it to even times");
@@ -121,15 +106,16 @@ void report_length(std::size_t samples, double median, std::vector<Finding>& fin
   }
   std::string text = "the file holds " + counted(samples, "sample");
   text += judged ? " over " + rounded(duration_s) + " s" : "";
-  findings.push_back({"too_short", 0, text + "; record at least " + counted(kFewestSamples, "sample") + " and " +
-                                          rounded(kShortestDuration_s) + " s"});
+  findings.push_back({"too_short", 0,
+                      text + "; record at least " + counted(kFewestSamples, "sample") + " and " +
+                          rounded(kShortestDuration_s) + " s"});
 }
 
 }  // namespace
 
 std::vector<Finding> check_times(std::span<const double> time_s, std::span<const std::size_t> line) {
   std::vector<Finding> findings;
-  const double median = median_interval(time_s);
+  const double median = median_step({time_s.begin(), time_s.end()});
   if (time_s.size() > 1) {
     const Intervals intervals(time_s, line, median);
     if (intervals.judged > 0) {

@@ -40,9 +40,10 @@ std::vector<plant::EffectId> all_effects() {
 Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const DiagnosisOptions& options) {
   Diagnosis result;
   result.remarks = recording.remarks;
-  const SensorNoiseLevels noise{joint.noise.position,
-                                recording.velocity_derived ? recording.derived_velocity_noise : joint.noise.velocity,
-                                joint.noise.force};
+  const double velocity_noise = recording.velocity_derived ? recording.derived_velocity_noise : joint.noise.velocity;
+  const SensorNoiseLevels noise{std::hypot(joint.noise.position, recording.position_error),
+                                std::hypot(velocity_noise, recording.velocity_error),
+                                std::hypot(joint.noise.force, recording.force_error)};
   const bool moves = standard_deviation(recording.position) > kLeastExcitation * noise.position;
   const bool pushes = standard_deviation(recording.force) > kLeastExcitation * noise.force;
   if (!moves && !pushes) {
@@ -54,7 +55,7 @@ Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const 
   }
   const plant::Scales scales(joint.actuator, joint.swing_load);
   const JointModel model(joint.actuator, joint.swing_load, known_effects(joint, scales));
-  const JointData data = prepare(recording, joint.actuator, joint.noise.position);
+  const JointData data = prepare(recording, joint.actuator, noise.position);
   const ChannelMask judged{!recording.valve_current_A.empty(), true, !recording.velocity_derived};
   const JointSimulator simulator(model, data, noise.force);
   const Bench bench(simulator, judged, options.fit);
