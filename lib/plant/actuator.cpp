@@ -33,16 +33,20 @@ Result<Done> validate(const ActuatorParams& actuator) {
   refusals.positive("valve_current_max_A", actuator.valve_current_max_A);
   refusals.not_negative("return_pressure_Pa", actuator.return_pressure_Pa);
   refusals.require(actuator.supply_pressure_Pa > actuator.return_pressure_Pa, "supply_pressure_Pa",
-                   actuator.supply_pressure_Pa, "finite and > return_pressure_Pa");
+                   actuator.supply_pressure_Pa,
+                   "above return_pressure_Pa, " + number_text(actuator.return_pressure_Pa));
   refusals.not_negative("piston_mass", actuator.piston_mass);
   refusals.not_negative("piston_damping", actuator.piston_damping);
   const double full_push = actuator.supply_pressure_Pa * std::max(actuator.area_a, actuator.area_b);
   refusals.require(actuator.stop_stiffness * actuator.stroke >= 100.0 * full_push, "stop_stiffness",
-                   actuator.stop_stiffness, "finite and >= 100 supply_pressure_Pa area / stroke");
+                   actuator.stop_stiffness,
+                   "at least " + number_text(100.0 * full_push / actuator.stroke) +
+                       " (stops.stiffness_N_m of the cylinder), so that the full supply presses in 1 % of the stroke");
   refusals.not_negative("stop_damping", actuator.stop_damping);
   refusals.positive("laminar_pressure_Pa", actuator.laminar_pressure_Pa);
   refusals.require(actuator.valve_deadband_A >= 0.0 && actuator.valve_deadband_A < actuator.valve_current_max_A,
-                   "valve_deadband_A", actuator.valve_deadband_A, "finite, >= 0 and < valve_current_max_A");
+                   "valve_deadband_A", actuator.valve_deadband_A,
+                   "at least 0 and below valve_current_max_A, " + number_text(actuator.valve_current_max_A));
   return together({refusals.verdict(), validate(actuator.spool), validate(actuator.line, actuator.line_volume_m3)});
 }
 

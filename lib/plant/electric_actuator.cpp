@@ -3,15 +3,6 @@
 #include "plant/refusals.hpp"
 
 namespace farrier::plant {
-namespace {
-
-std::string number_text(double value) {
-  std::ostringstream text;
-  text << value;
-  return text.str();
-}
-
-}  // namespace
 
 // The names are those of the keys in a robot file.
 Result<Done> validate(const ElectricParams& a) {

@@ -8,6 +8,13 @@
 
 namespace farrier::plant {
 
+/// A number as refusals have it.
+inline std::string number_text(double value) {
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
 /// Collects every refused value of one subject, so that a person corrects them in one round.
 class Refusals {
  public:

@@ -8,7 +8,7 @@
 #include "bus/settings/peer_address.hpp"
 #include "bus/settings/user_settings.hpp"
 #include "bus/settings/xml_elements.hpp"
-#include "farrier_command.hpp"
+#include "tests/system/farrier_command.hpp"
 
 namespace farrier::test {
 namespace dds_cases {
@@ -151,6 +151,21 @@ TEST(DdsCase, ARobotOverFastDdsStartsInARosShell) {
   EXPECT_NE(output.find("trot: note: ROS_DISCOVERY_SERVER=127.0.0.1:11811: set aside"), std::string::npos) << output;
   EXPECT_NE(output.find("super_client.xml:3, profiles/participant super: set aside"), std::string::npos) << output;
   EXPECT_EQ(output.find("ROS_LOCALHOST_ONLY"), std::string::npos) << "it fits: " << output;
+}
+
+TEST(DdsCase, AStartThatASettingPreventsNamesIt) {
+  const ScratchDirectory scratch;
+  int status = 0;
+  const std::string output =
+      output_of({"trot", "--robot", std::string(FARRIER_ROBOTS) + "/electric_leg.yaml", "--start-limit", "2", "--out",
+                 scratch.file("out")},
+                {{"CYCLONEDDS_URI", "<Internal><Test><XmitLossiness>1000</XmitLossiness></Test></Internal>"}}, &status);
+  EXPECT_EQ(status, 1) << output;
+  EXPECT_NE(output.find("the start is not complete after 2 s"), std::string::npos) << output;
+  EXPECT_NE(output.find("DDS settings of the environment may be the cause; start the run without those that are "
+                        "honoured:\n  CYCLONEDDS_URI, Internal/Test: honoured"),
+            std::string::npos)
+      << output;
 }
 
 TEST(DdsCase, TheDoctorNamesEachSetting) {

@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "farrier_command.hpp"
+#include "tests/system/farrier_command.hpp"
 
 namespace farrier::test {
 namespace robot_cases {

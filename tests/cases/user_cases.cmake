@@ -5,7 +5,6 @@ set(user_cases robot_cases dds_cases)
 set(sources ${user_cases})
 list(TRANSFORM sources REPLACE "(.+)" "${cases_dir}/\\1_test.cpp")
 farrier_test_executable(user_cases_test ${sources} ${cases_dir}/../system/farrier_command.cpp)
-target_include_directories(user_cases_test PRIVATE ${cases_dir}/../system)
 target_link_libraries(user_cases_test PRIVATE farrier_bus farrier_cli_processes farrier_core farrier_robot
   nlohmann_json::nlohmann_json)
 target_compile_definitions(user_cases_test PRIVATE FARRIER_COMMAND="$<TARGET_FILE:farrier>"
