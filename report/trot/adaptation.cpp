@@ -27,8 +27,10 @@ void add_updates(Figures& figures, const robot::Robot& robot, std::span<const De
         return decision.joint == joint.name && decision.accepted() == accepted;
       }));
     };
+    // The torque of a rigid drive does not depend on its load: the first design suits both phases.
+    const bool rigid = joint.electric && joint.electric->rigid;
     figures.add("trot." + joint.name + ".updates", count(true),
-                bounded && flexes(robot, joint) ? std::optional(kUpdatesAtLeast) : std::nullopt);
+                bounded && !rigid && flexes(robot, joint) ? std::optional(kUpdatesAtLeast) : std::nullopt);
     figures.add("trot." + joint.name + ".refused_designs", count(false));
   }
   figures.add("trot.updates", static_cast<double>(std::ranges::count_if(decisions, &DecisionInfo::accepted)));

@@ -15,7 +15,7 @@ inline constexpr double kUpdatesJudgedFrom_s = 9.0;
 
 /// Adds trot.<joint>.updates and .refused_designs and trot.updates. `judged`: the run adapts on the lock-step clock.
 /// Bounds then apply to hips and knees that flex in a three-jointed leg of a judged robot that trots for `ticks` of at
-/// least kUpdatesJudgedFrom_s. HAA see nearly one load in both phases.
+/// least kUpdatesJudgedFrom_s. HAA see nearly one load in both phases, rigid drives need no other gains.
 void add_updates(Figures& figures, const robot::Robot& robot, std::span<const DecisionInfo> decisions, Tick ticks,
                  bool judged);
 

@@ -41,7 +41,7 @@ Answer trot(const std::string& content, const std::string& name, std::vector<std
   return answer;
 }
 
-const std::vector<std::string> kOnBench{"--world", "bench", "--dds", "inproc", "--duration", "5"};
+const std::vector<std::string> kOnBench{"--world", "bench", "--dds", "inproc", "--duration", "9"};
 
 /// electric_leg's file with the public numbers of a small direct drive (Katz 2018): rotor on `spring`.
 std::string direct_drive_leg(const std::string& spring) {
