@@ -24,12 +24,14 @@ void prepare_standard_streams() {
       static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
     }
   }
-  // A handler, because programs that are started would inherit SIG_IGN.
+  // A handler, because programs that are started would inherit SIG_IGN. A signal that is ignored already stays so.
   for (const int signal : {SIGPIPE, SIGXFSZ}) {
     struct sigaction action {};
-    action.sa_handler = go_on;
-    action.sa_flags = SA_RESTART;
-    ::sigaction(signal, &action, nullptr);
+    if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_DFL) {
+      action.sa_handler = go_on;
+      action.sa_flags = SA_RESTART;
+      ::sigaction(signal, &action, nullptr);
+    }
   }
 }
 

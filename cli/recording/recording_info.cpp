@@ -1,6 +1,7 @@
 // farrier info: the content of a recording, its run, and its losses.
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
@@ -49,8 +50,8 @@ Contents read_all(recording::RunFileReader& file) {
   recording::Sample sample;
   while (file.next(sample)) {
     for (TopicSum* sum : {&contents.topics[static_cast<std::size_t>(sample.topic)], &contents.all}) {
-      sum->first_ns = sum->samples == 0 ? sample.elapsed_ns : sum->first_ns;
-      sum->last_ns = sample.elapsed_ns;
+      sum->first_ns = sum->samples == 0 ? sample.elapsed_ns : std::min(sum->first_ns, sample.elapsed_ns);
+      sum->last_ns = std::max(sum->last_ns, sample.elapsed_ns);
       ++sum->samples;
     }
   }

@@ -36,7 +36,7 @@ struct NetworkOptions {
   /// after that would be lost: kPatientLease.
   std::chrono::seconds lease{10};
   /// Without it, DDS is not secured. With it, a bus that cannot honour it is refused.
-  std::optional<SecurityFiles> security;
+  std::optional<SecurityFiles> security = std::nullopt;
 };
 
 }  // namespace farrier::bus

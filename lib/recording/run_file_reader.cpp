@@ -102,7 +102,7 @@ bool RunFileReader::read(Sample& sample) {
     }
     sample = {topic->id,           message.sequence,
               message.log_time_ns, message.publish_time_ns,
-              message.data,        timeline_.elapsed_ns(message.log_time_ns)};
+              message.data,        timeline_.elapsed_ns(message.channel_id, message.log_time_ns)};
     if (other != nullptr) {
       ++other->samples;
     } else if (kSampleForms[static_cast<std::size_t>(topic->id)].fits(sample.cdr)) {

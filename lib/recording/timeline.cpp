@@ -1,5 +1,6 @@
 #include "recording/timeline.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 
@@ -32,24 +33,28 @@ std::string to_string(const ClockStep& step) {
          date_of(step.to_ns) + ", by " + by + " s";
 }
 
-std::uint64_t Timeline::elapsed_ns(std::uint64_t log_time_ns) {
+std::uint64_t Timeline::elapsed_ns(std::uint16_t channel, std::uint64_t log_time_ns) {
   if (!begun_) {
     begun_ = true;
     newest_ns_ = log_time_ns;
   }
-  const bool on = log_time_ns >= newest_ns_;
-  const std::uint64_t by_ns = on ? log_time_ns - newest_ns_ : newest_ns_ - log_time_ns;
-  if (by_ns > (on ? kLongestGap_ns : kLargestDisorder_ns)) {
+  std::uint64_t& newest_of_ns = newest_of_ns_.try_emplace(channel, log_time_ns).first->second;
+  const std::uint64_t on_by_ns = log_time_ns > newest_ns_ ? log_time_ns - newest_ns_ : 0;
+  const std::uint64_t lag_ns = log_time_ns < newest_ns_ ? newest_ns_ - log_time_ns : 0;
+  const std::uint64_t back_by_ns = log_time_ns < newest_of_ns ? newest_of_ns - log_time_ns : 0;
+  newest_of_ns = std::max(newest_of_ns, log_time_ns);
+  if (on_by_ns > kLongestGap_ns || back_by_ns > kLargestDisorder_ns || lag_ns > kLongestLag_ns) {
     ++step_count_;
     if (steps_.size() < kMostSteps) {
       steps_.push_back({elapsed_ns_, newest_ns_, log_time_ns});
     }
     newest_ns_ = log_time_ns;
-  } else if (on) {
-    elapsed_ns_ += by_ns;
-    newest_ns_ = log_time_ns;
+    newest_of_ns_ = {{channel, log_time_ns}};
+    return elapsed_ns_;
   }
-  return elapsed_ns_;
+  elapsed_ns_ += on_by_ns;
+  newest_ns_ = std::max(newest_ns_, log_time_ns);
+  return elapsed_ns_ - std::min(elapsed_ns_, lag_ns);
 }
 
 std::vector<std::string> step_texts(const Timeline& timeline) {

@@ -162,8 +162,7 @@ TEST_F(RecordingFile, NamesEveryMissingColumn) {
   file.names[kForce] = "load";
   const auto found = findings(file);
   ASSERT_EQ(summary(found), "missing_column@1 missing_column@1");
-  EXPECT_EQ(found[0].text,
-            "line 1, column position_m is missing; 'position_in' may be meant: give it that name");
+  EXPECT_EQ(found[0].text, "line 1, column position_m is missing; 'position_in' may be meant: give it that name");
   EXPECT_EQ(found[1].text, "line 1, column force_N is missing; add it");
 }
 

@@ -65,7 +65,7 @@ TEST(AdaptationStudy, GivesEachRowAScene) {
   }
 }
 
-TEST(FixedSearch, KeepsTheQuarterWithTheFewestFalls) {
+TEST(FixedSearch, KeepsTheQuarterWithTheFewestFallsAndDrawsOthersAroundIt) {
   const robot::Robot hyq = robot::load_robot(FARRIER_ROBOTS "hyq.yaml", {.on_ground = true}).value();
   FixedSearch search(hyq, false);
   const std::size_t first = search.candidates().size();
@@ -79,9 +79,15 @@ TEST(FixedSearch, KeepsTheQuarterWithTheFewestFalls) {
     }
   }
   search.take(rows);
-  EXPECT_EQ(search.candidates().size(), first / 4);
-  EXPECT_EQ(search.candidates().front().number, 7);
-  EXPECT_EQ(search.candidates().front().falls, 0);
+  ASSERT_EQ(search.candidates().size(), first);
+  const FixedSearch::Candidate& best = search.candidates().front();
+  EXPECT_EQ(best.number, 7);
+  EXPECT_EQ(best.falls, 0);
+  const FixedSearch::Candidate& around_best = search.candidates()[first / 4];
+  EXPECT_GE(around_best.number, static_cast<int>(first));
+  EXPECT_EQ(around_best.runs, 0);
+  EXPECT_NEAR(around_best.gains.force_1_s, best.gains.force_1_s, 100.0);
+  EXPECT_NE(around_best.gains.force_1_s, best.gains.force_1_s);
 }
 
 }  // namespace body_adaptation_test
