@@ -28,10 +28,10 @@ struct SecurityFiles {
 /// Addresses at which a DDS process searches the others. The default finds up to `max_processes` processes on this
 /// computer by unicast alone: it works on a loopback device without multicast.
 struct NetworkOptions {
-  int domain = 0;                              ///< DDS domain, 0..232
-  std::string address = "127.0.0.1";           ///< address of the one interface DDS uses
-  std::vector<std::string> peers{"127.0.0.1"}; ///< computers to look for processes on
-  int max_processes = 40;                      ///< per computer
+  int domain = 0;                               ///< DDS domain, 0..232
+  std::string address = "127.0.0.1";            ///< address of the one interface DDS uses
+  std::vector<std::string> peers{"127.0.0.1"};  ///< computers to look for processes on
+  int max_processes = 40;                       ///< per computer
   /// Silence after which the others drop a process. In lock-step a debugger may stop one for long, and its samples
   /// after that would be lost: kPatientLease.
   std::chrono::seconds lease{10};

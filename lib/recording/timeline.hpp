@@ -25,7 +25,7 @@ class Timeline {
   /// A robot that runs says something every second; a longer silence is a step.
   static constexpr std::uint64_t kLongestGap_ns = 10'000'000'000;
   /// A channel whose own log time goes back by more than this is a step.
-  static constexpr std::uint64_t kLargestDisorder_ns = 1'000'000'000;
+  static constexpr std::uint64_t kLargestDisorder_ns = 10'000'000'000;
   /// A channel may lie behind others by so much: a recorder that lags writes the channels one after another.
   static constexpr std::uint64_t kLongestLag_ns = 60'000'000'000;
   /// Steps that are kept. All are counted.
