@@ -31,7 +31,8 @@ struct Response {
   double rest = 0.0;       ///< share of the force's mean square that is no part of the sine
 };
 
-Result<Response> response_at(const HeldJoint& of, double amplitude, double frequency_Hz) {
+/// `node` is armed and has not run.
+Result<Response> response_at(const HeldJoint& of, joint_node::JointNode node, double amplitude, double frequency_Hz) {
   robot::Joint real = of.real;
   real.noise = {};
   const double position = real.linkage.position(of.angle_rad);
@@ -40,9 +41,6 @@ Result<Response> response_at(const HeldJoint& of, double amplitude, double frequ
       plant::HydraulicJoint::kDefaultTolerance, real.effects)));
   sim_bridge::SensorChain sensors = FARRIER_TRY(sim_bridge::SensorChain::create(real, of.period_s, 0));
   sensors.begin(sim_bridge::truth_of(plant));
-  robot::Joint quiet = of.designed;
-  quiet.dither_percent = 0.0;
-  joint_node::JointNode node = FARRIER_TRY(armed_joint(quiet, of.known, of.period_s, of.delay_ticks));
   std::vector<double> on_the_way_A(static_cast<std::size_t>(of.delay_ticks) + 1, 0.0);
   const auto settled = static_cast<Tick>(std::llround(kSettle_s / of.period_s));
   const Tick end = settled + static_cast<Tick>(std::llround(kWindow_s / of.period_s));
@@ -90,12 +88,15 @@ double crossing_Hz(double low_Hz, double high_Hz, double before, double now, dou
 }  // namespace
 
 Result<ForceBandwidth> force_bandwidth(const HeldJoint& joint, double amplitude) {
+  robot::Joint quiet = joint.designed;
+  quiet.dither_percent = 0.0;
+  const joint_node::JointNode armed = FARRIER_TRY(armed_joint(quiet, joint.known, joint.period_s, joint.delay_ticks));
   ForceBandwidth found;
   Response before;
   double before_Hz = 0.5 * kStep_Hz;
   double frequency_Hz = kStep_Hz;
   while (frequency_Hz <= ForceBandwidth::kHighest_Hz && !(found.gain_Hz && found.phase_Hz)) {
-    Response now = FARRIER_TRY(response_at(joint, amplitude, frequency_Hz));
+    Response now = FARRIER_TRY(response_at(joint, armed, amplitude, frequency_Hz));
     if (frequency_Hz == kStep_Hz && now.rest > kSwings) {
       found.swings = true;
       return found;

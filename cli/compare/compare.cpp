@@ -85,15 +85,13 @@ std::function<int()> declare_compare(CLI::App& app) {
       "bandwidth: frequencies up to which a held joint's force follows, by pose and amplitude; friction: "
       "every kind of controller on contacts that stick, behind filters; body: every kind of controller under the whole "
       "robot on a ground, and what limits the best; adaptation: plants that no design knows, under the whole robot "
-      "with "
-      "fixed designs, adaptation and perfect knowledge");
+      "with fixed designs, adaptation and perfect knowledge");
   declare_gait(app, *options);
   app.add_option("--estimator", options->estimator, "section of the robot file's estimators that every joint uses")
       ->type_name("<name>");
   app.add_option("--seeds", options->seeds,
                  "robots that varied, controllers and noise draw, from --seed on; runs of each cell of adaptation, and "
-                 "twice as many and "
-                 "two more where fixed designs fall")
+                 "twice as many and two more where fixed designs fall")
       ->check(between(1, 10000))
       ->type_name("<n>")
       ->capture_default_str();

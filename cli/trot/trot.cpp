@@ -22,13 +22,13 @@
 #include "cli/trot/trot_options.hpp"
 #include "cli/trot/trot_run.hpp"
 #include "cli/trot/trot_security.hpp"
-#include "robot/derive.hpp"
 #include "report/trot/adaptation.hpp"
 #include "report/figures/console.hpp"
 #include "report/figures/text_format.hpp"
 #include "report/trot/html_report.hpp"
 #include "report/trot/joint_poles.hpp"
 #include "report/trot/tracking.hpp"
+#include "robot/derive.hpp"
 
 namespace farrier::cli {
 namespace {

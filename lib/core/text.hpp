@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cctype>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,6 +16,11 @@ inline std::string join(const std::vector<std::string>& parts, std::string_view 
     text += part;
   }
   return text;
+}
+
+/// "1 value", "3 values"; `one` takes an "s".
+inline std::string counted(std::uint64_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
 }
 
 /// ASCII letters in lower case.

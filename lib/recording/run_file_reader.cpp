@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/text.hpp"
 #include "recording/recording_file.hpp"
 #include "signals/cdr.hpp"
 
@@ -24,10 +25,6 @@ struct SampleForm {
 #define FARRIER_SAMPLE_FORM(Signal, file) {&signals::is_cdr<signals::Signal>, &signals::cdr_size<signals::Signal>},
 constexpr SampleForm kSampleForms[] = {FARRIER_SIGNALS(FARRIER_SAMPLE_FORM)};
 #undef FARRIER_SAMPLE_FORM
-
-std::string count_text(std::uint64_t count, const char* thing) {
-  return std::to_string(count) + ' ' + thing + (count == 1 ? "" : "s");
-}
 
 }  // namespace
 
@@ -55,20 +52,18 @@ void RunFileReader::end() {
   for (const auto& [topic, other] : others_) {
     if (other.samples > 0) {
       parts.push_back(topic + " is of version " + other.version + ", this farrier's is of version " +
-                      std::to_string(topic_named(topic)->version) + ": " + count_text(other.samples, "sample") +
+                      std::to_string(topic_named(topic)->version) + ": " + counted(other.samples, "sample") +
                       " left out, read with the farrier that wrote it");
     }
   }
   if (damaged_ > 0) {
-    parts.push_back(count_text(damaged_, "sample") + (damaged_ == 1 ? " is" : " are") +
+    parts.push_back(counted(damaged_, "sample") + (damaged_ == 1 ? " is" : " are") +
                     " damaged and left out: " + (damaged_ == 1 ? "" : "first ") + first_damaged_);
   }
   if (!file_.ending().empty()) {
     parts.push_back(file_.ending());
   }
-  for (const std::string& part : parts) {
-    ending_ += (ending_.empty() ? "" : "; ") + part;
-  }
+  ending_ = join(parts, "; ");
 }
 
 RunFileReader::Meaning RunFileReader::meaning_of(std::uint16_t channel) {
@@ -154,7 +149,7 @@ std::string RunFileReader::nothing_of_farrier() const {
       what += ", and " + std::to_string(foreign_.size() - kForeignTopicsInAText) + " further topics";
       break;
     }
-    what += (what.empty() ? "" : ", ") + count_text(topic.messages, "message") + " of " + name + " (" +
+    what += (what.empty() ? "" : ", ") + counted(topic.messages, "message") + " of " + name + " (" +
             (topic.type.empty() ? "" : topic.type + ", ") + topic.encoding + ")";
   }
   return path_ + " has nothing of Farrier in it: it holds " + (what.empty() ? "no messages" : what) +

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <numbers>
+#include <vector>
+
+#include "core/text.hpp"
 
 namespace farrier::robot {
 namespace {
@@ -97,14 +100,14 @@ bool spring_is_rigid(const ElectricActuator& a) {
 }
 
 std::string rigid_spring_note(const RobotFile& file) {
-  std::string names;
+  std::vector<std::string> names;
   for (const auto& [name, actuator] : file.electric_actuators) {
     if (spring_is_rigid(actuator)) {
-      names += (names.empty() ? "" : ", ") + name;
+      names.push_back(name);
     }
   }
   return names.empty() ? ""
-                       : "rotors oscillate above 100 Hz on the springs of " + names +
+                       : "rotors oscillate above 100 Hz on the springs of " + join(names, ", ") +
                              ": these drives count as rigid, and their torque is known from the current";
 }
 

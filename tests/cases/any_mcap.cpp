@@ -84,6 +84,11 @@ PlacedSample placed(const Signal& signal, Tick tick, std::uint64_t log_time_ns) 
 
 }  // namespace
 
+const robot::Robot& leg() {
+  static const robot::Robot robot = robot::load_robot(FARRIER_ROBOTS "/fc1d.yaml").value();
+  return robot;
+}
+
 std::vector<PlacedSample> bench_samples(const robot::Robot& robot, Tick ticks, std::uint64_t begin_ns) {
   std::vector<PlacedSample> samples;
   for (Tick tick = 0; tick < ticks; ++tick) {

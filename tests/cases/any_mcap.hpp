@@ -13,6 +13,11 @@
 
 namespace farrier::test {
 
+inline constexpr std::uint64_t kBegin_ns = 1'700'000'000'000'000'000;  ///< a log time in 2023
+
+/// The robot of these files, a rig of one joint.
+const robot::Robot& leg();
+
 /// One sample of a topic, to be put into a file.
 struct PlacedSample {
   bus::TopicId topic{};

@@ -12,7 +12,6 @@
 namespace farrier::test {
 namespace mcap_forms_test {
 
-constexpr std::uint64_t kBegin_ns = 1'700'000'000'000'000'000;
 constexpr std::uint64_t kLarge = 3'000'000'000;  // bytes
 constexpr std::uint16_t kMeasurement = static_cast<std::uint16_t>(bus::TopicId::kJointMeasurement);
 constexpr std::uint16_t kForeign = 500;
@@ -73,7 +72,7 @@ class McapForms : public testing::Test {
   static constexpr Tick kTicks = 1000;
   const ScratchDirectory scratch_;
   const std::string path_ = scratch_.file("file.mcap");
-  const robot::Robot robot_ = robot::load_robot(FARRIER_ROBOTS "/fc1d.yaml").value();
+  const robot::Robot robot_ = leg();
   const std::vector<PlacedSample> samples_ = bench_samples(robot_, kTicks, kBegin_ns);
   std::vector<std::uint32_t> every_tick_;
 };

@@ -19,15 +19,9 @@ using namespace std::chrono_literals;
 using Arguments = std::vector<std::string>;
 
 constexpr const char* kDomain = "95";  // of no run
-constexpr std::uint64_t kBegin_ns = 1'700'000'000'000'000'000;
 constexpr Tick kTicks = 2000;
 // A command on a small ordinary file has up to 40 MB, most of which are libraries.
 constexpr double kMost_MB = 120.0;
-
-const robot::Robot& leg() {
-  static const robot::Robot robot = robot::load_robot(FARRIER_ROBOTS "/fc1d.yaml").value();
-  return robot;
-}
 
 /// Largest memory that a running process has had.
 double peak_MB(pid_t process) {

@@ -20,12 +20,6 @@ using namespace std::chrono_literals;
 using Arguments = std::vector<std::string>;
 
 constexpr const char* kDomain = "96";  // of no run
-constexpr std::uint64_t kBegin_ns = 1'700'000'000'000'000'000;
-
-const robot::Robot& leg() {
-  static const robot::Robot robot = robot::load_robot(FARRIER_ROBOTS "/fc1d.yaml").value();
-  return robot;
-}
 
 void write_recording(const std::string& path, Tick ticks) {
   AnyMcap file = ordinary_file(leg(), bench_samples(leg(), ticks, kBegin_ns), Packing::kZstd);

@@ -20,15 +20,10 @@ namespace recording_commands_test {
 using namespace std::chrono_literals;
 using nlohmann::json;
 
-constexpr std::uint64_t kBegin_ns = 1'700'000'000'000'000'000;
 constexpr std::uint64_t kAfterStart_ns = 5'000'000'000;
 constexpr rlim_t kMostMemory_bytes = 3'000'000'000;
 constexpr const char* kDomain = "97";  // of no run
 
-const robot::Robot& leg() {
-  static const robot::Robot robot = robot::load_robot(FARRIER_ROBOTS "/fc1d.yaml").value();
-  return robot;
-}
 const std::string& joint() { return leg().joints.front().name; }
 
 void put_end(AnyMcap& file) {

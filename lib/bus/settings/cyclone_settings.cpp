@@ -3,8 +3,6 @@
 #include <netinet/in.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "bus/settings/user_settings.hpp"
@@ -105,9 +103,7 @@ class Reader {
     file_ = file;
     const auto parsed = parse_xml(text);
     if (!parsed) {
-      result_.settings.push_back({.variable = kCyclone,
-                                  .place = file,
-                                  .reason = "it is not well formed XML (" + parsed.error().message + ")"});
+      result_.settings.push_back({.variable = kCyclone, .place = file, .reason = parsed.error().message});
       return;
     }
     for (const XmlElement& root : parsed.value()) {
@@ -122,14 +118,12 @@ class Reader {
   }
 
   void read_file(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file || text.empty()) {
-      result_.settings.push_back(
-          {.variable = kCyclone, .place = path, .reason = "the file cannot be read or is empty"});
+    const auto text = read_settings_file(path);
+    if (!text) {
+      result_.settings.push_back({.variable = kCyclone, .place = path, .reason = text.error().message});
       return;
     }
-    read_text(text, path);
+    read_text(text.value(), path);
   }
 
   CycloneSettings result() && {

@@ -2,8 +2,7 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <span>
 
 #include "bus/settings/xml_elements.hpp"
 
@@ -27,21 +26,20 @@ void add_profiles(const std::string& variable, const std::string& path, std::vec
                        const std::string& reason) {
     settings.push_back({.variable = variable, .place = place, .name = name, .value = value, .reason = reason});
   };
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file || text.empty()) {
-    add(path, "", "", "the file cannot be read or is empty");
+  const auto text = read_settings_file(path);
+  if (!text) {
+    add(path, "", "", text.error().message);
     return;
   }
-  const auto parsed = parse_xml(text);
+  const auto parsed = parse_xml(text.value());
   if (!parsed) {
-    add(path, "", "", "it is not well formed XML (" + parsed.error().message + ")");
+    add(path, "", "", parsed.error().message);
     return;
   }
   constexpr const char* kOwn = "Farrier's participants and endpoints have settings of their own";
-  std::size_t before = settings.size();
+  const std::size_t before = settings.size();
   for (const XmlElement& root : parsed.value()) {
-    for (const XmlElement& group : same_name(root.name, "dds") ? root.children : parsed.value()) {
+    for (const XmlElement& group : same_name(root.name, "dds") ? std::span(root.children) : std::span(&root, 1)) {
       for (const XmlElement& profile : group.children) {
         add(path + ":" + std::to_string(profile.line), group.name + "/" + profile.name,
             profile.attribute("profile_name"), kOwn);

@@ -1,6 +1,8 @@
 #include "bus/settings/xml_elements.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 namespace farrier::bus {
 namespace {
@@ -19,7 +21,7 @@ class Parser {
     XmlElement root;
     const std::string problem = content(root, 0);
     if (!problem.empty()) {
-      return Error{"line " + std::to_string(line_at(at_)) + ": " + problem};
+      return Error{"it is not well formed XML (line " + std::to_string(line_at(at_)) + ": " + problem + ")"};
     }
     return std::move(root.children);
   }
@@ -156,9 +158,18 @@ std::string XmlElement::attribute(std::string_view wanted) const {
   return found == attributes.end() ? "" : found->second;
 }
 
+Result<std::string> read_settings_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file || text.empty()) {
+    return Error{"the file cannot be read or is empty"};
+  }
+  return text;
+}
+
 Result<std::vector<XmlElement>> parse_xml(std::string_view text) {
   if (text.size() > kLongest) {
-    return Error{"line 1: more than 1 MB"};
+    return Error{"it is not well formed XML (line 1: more than 1 MB)"};
   }
   if (text.starts_with("\xEF\xBB\xBF")) {
     text.remove_prefix(3);

@@ -25,8 +25,11 @@ struct XmlElement {
 /// True if two names are equal in any case of ASCII letters, as Cyclone compares them.
 bool same_name(std::string_view left, std::string_view right) noexcept;
 
-/// The elements of a text at its top level, in order. Refuses a text that is not well formed, with its line: "line 3: ...".
-/// At most 1 MB and 32 levels. The elements refer to `text`.
+/// Text of a file. Refuses one that cannot be read or is empty.
+Result<std::string> read_settings_file(const std::string& path);
+
+/// The elements of a text at its top level, in order. Refuses a text that is not well formed: "it is not well formed XML (line
+/// 3: ...)". At most 1 MB and 32 levels. The elements refer to `text`.
 Result<std::vector<XmlElement>> parse_xml(std::string_view text);
 
 }  // namespace farrier::bus

@@ -30,7 +30,7 @@ class Evener {
 
   EvenTimes make() && {
     result_.findings = check_times(time_s_, line_);
-    if (defects().empty() || !can_be_tried()) {
+    if (without_length(result_.findings).empty() || !can_be_tried()) {
       return std::move(result_);
     }
     const TimedRows::Copy before = rows_.copy();
@@ -54,12 +54,12 @@ class Evener {
 
  private:
   static bool is_length(const Finding& finding) { return finding.what == "too_short"; }
-  /// Findings in the times beside their length.
-  std::vector<Finding> defects() const {
-    std::vector<Finding> found = check_times(time_s_, line_);
+  static std::vector<Finding> without_length(std::vector<Finding> found) {
     std::erase_if(found, is_length);
     return found;
   }
+  /// Findings in the times beside their length.
+  std::vector<Finding> defects() const { return without_length(check_times(time_s_, line_)); }
 
   bool can_be_tried() const {
     return std::ranges::all_of(result_.findings, [](const Finding& finding) {

@@ -115,7 +115,7 @@ void report_length(std::size_t samples, double median, std::vector<Finding>& fin
 
 std::vector<Finding> check_times(std::span<const double> time_s, std::span<const std::size_t> line) {
   std::vector<Finding> findings;
-  const double median = median_step({time_s.begin(), time_s.end()});
+  const double median = median_step(time_s);
   if (time_s.size() > 1) {
     const Intervals intervals(time_s, line, median);
     if (intervals.judged > 0) {

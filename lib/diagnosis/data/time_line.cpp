@@ -5,7 +5,7 @@
 
 namespace farrier::diagnosis {
 
-double median_step(const std::vector<double>& time_s) {
+double median_step(std::span<const double> time_s) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < time_s.size(); ++i) {
     if (time_s[i] > time_s[i - 1]) {

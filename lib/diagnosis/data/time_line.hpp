@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 namespace farrier::diagnosis {
@@ -8,7 +9,7 @@ namespace farrier::diagnosis {
 inline constexpr double kGap = 1.5;
 
 /// Median of the intervals that go forward, s; 0 for none.
-double median_step(const std::vector<double>& time_s);
+double median_step(std::span<const double> time_s);
 
 /// Mean of the intervals of rising times without those in which samples are missing, s.
 double mean_step(const std::vector<double>& time_s);

@@ -18,10 +18,6 @@ std::string Places::text() const {
   return count_ > named ? text + " and " + std::to_string(count_ - named) + " more" : text;
 }
 
-std::string counted(std::size_t count, const std::string& one) {
-  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
-}
-
 std::string rounded(double value) {
   char text[40];
   std::snprintf(text, sizeof text, "%.4g", value);

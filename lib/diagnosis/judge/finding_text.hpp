@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/text.hpp"
 #include "diagnosis/data/recording.hpp"
 
 namespace farrier::diagnosis {
@@ -29,9 +30,6 @@ class Places {
   std::array<std::size_t, 3> first_{};
   std::size_t count_ = 0;
 };
-
-/// "1 value", "3 values"; `one` takes an "s".
-std::string counted(std::size_t count, const std::string& one);
 
 /// A number for a sentence, four digits.
 std::string rounded(double value);
