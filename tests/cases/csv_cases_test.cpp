@@ -256,7 +256,8 @@ TEST_F(CsvCase, MergedStampsAreTakenForEvenSamples) {
   for (const std::size_t group : {2, 8}) {
     CsvFile file = good();
     for (std::size_t i = 0; i < file.rows.size(); ++i) {
-      file.rows[i][kTime] = CsvFile::number(1e-3 * static_cast<double>(i / group * group));
+      const std::size_t stamped = i - i % group;
+      file.rows[i][kTime] = CsvFile::number(1e-3 * static_cast<double>(stamped));
     }
     const Recording recording =
         accepted(file.text(), "Up to " + std::to_string(group) + " rows in a row have one time");

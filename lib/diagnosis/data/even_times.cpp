@@ -34,7 +34,7 @@ class Evener {
       return std::move(result_);
     }
     const TimedRows::Copy before = rows_.copy();
-    const std::vector<Finding> as_read = std::move(result_.findings);
+    std::vector<Finding> as_read = std::move(result_.findings);
     result_.findings.clear();
     const bool evened = sort() && part_equal_times() && cut_at_gaps() && even_out();
     const std::vector<Finding> left = evened ? check_times(time_s_, line_) : as_read;
@@ -47,7 +47,9 @@ class Evener {
       result_.findings = left;  // its length alone is wrong
     } else {
       result_.remarks.clear();
-      result_.findings = result_.findings.empty() ? as_read : std::move(result_.findings);
+      if (result_.findings.empty()) {
+        result_.findings = std::move(as_read);
+      }
     }
     return std::move(result_);
   }

@@ -198,7 +198,7 @@ class RecordingReader {
     const std::string unit = recording_.coordinates == Coordinates::kLinear ? " m/s" : " rad/s";
     recording_.remarks.push_back(
         "No " + kNames[motion()[1]] + " is recorded: it is derived from " + kNames[motion()[0]] + " over windows of " +
-        counted(static_cast<std::size_t>(2 * derived.half_window + 1), "sample") + ", with a noise of " +
+        counted(2 * static_cast<std::size_t>(derived.half_window) + 1, "sample") + ", with a noise of " +
         rounded(derived.noise) + unit + " and a bias of " + rounded(derived.bias) + unit + ".");
     recording_.velocity = std::move(derived.velocity);
     recording_.velocity_derived = true;
