@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/model/discretise.hpp"
+#include "estimation/joint_estimator.hpp"
 #include "estimation/valve/valve_flow_estimator.hpp"
 #include "plant/linear_model.hpp"
 
