@@ -78,7 +78,7 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "gnuplot-nox, fonts-dejavu-core")
 # Scrapes what "farrier monitor --prometheus" serves, on whichever computer that is.
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SUGGESTS "prometheus")
 # What its libraries are linked with and its headers include.
-set(FARRIER_DEV_NEEDS cyclonedds-dev libeigen3-dev libssl-dev libsystemd-dev libyaml-cpp-dev)
+set(FARRIER_DEV_NEEDS cyclonedds-dev libeigen3-dev libssl-dev libsystemd-dev libtinyxml2-dev libyaml-cpp-dev)
 if(FARRIER_HAS_FAST_DDS)
   list(APPEND FARRIER_DEV_NEEDS libfastcdr-dev libfastrtps-dev)
 endif()

@@ -150,6 +150,7 @@ TEST(RobotCase, OtherDescriptionsAreNamed) {
            {"\xEF\xBB\xBF<robot name='a'><xacro:include filename='leg.xacro'/></robot>", "is a xacro file of a"},
            {"<sdf version='1.7'><model name='b'/></sdf>", "is an SDF file"},
            {"<mujoco model=\"c\">\n</mujoco>", "is an MJCF file of c"},
+           {"<robot name='d'>\n  <link", "is a URDF, not a robot file"},
            {"<html></html>", "is XML, not a robot file"}}) {
     const Answer answer = trot(content, "robot", kOnBench);
     EXPECT_EQ(answer.status, 2);

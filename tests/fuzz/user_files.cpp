@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "bus/settings/user_settings.hpp"
-#include "bus/settings/xml_elements.hpp"
 #include "diagnosis/data/even_times.hpp"
 #include "robot/description_format.hpp"
 #include "tests/fuzz/harness.hpp"
@@ -54,7 +53,9 @@ void dds_settings(Bytes bytes) {
   for (const bus::UserSetting& setting : read.settings) {
     require(!bus::to_string(setting).empty(), "a setting has its sentence");
   }
-  require(read.config.empty() || bus::parse_xml(read.config).ok(), "what is handed on is well formed");
+  for (const bus::UserSetting& setting : bus::cyclone_settings(read.config, {}).settings) {
+    require(setting.use == bus::SettingUse::kHonoured, "what is handed on is well formed and honoured");
+  }
 }
 
 void description(Bytes bytes) {

@@ -11,6 +11,8 @@
 namespace farrier::bus {
 namespace {
 
+using tinyxml2::XMLElement;
+
 constexpr const char* kCyclone = "CYCLONEDDS_URI";
 
 /// A section of a domain, or an element in one, that is set aside.
@@ -97,102 +99,93 @@ UserSetting judge_interface(UserSetting setting, const NetworkOptions& network) 
 
 class Reader {
  public:
-  explicit Reader(const NetworkOptions& network) : network_(network) {}
+  explicit Reader(const NetworkOptions& network) : network_(network) { domain_.SetAttribute("Id", "any"); }
 
-  void read_text(std::string_view text, const std::string& file) {
+  void read(const Result<XmlPtr>& parsed, const std::string& file) {
     file_ = file;
-    const auto parsed = parse_xml(text);
     if (!parsed) {
       result_.settings.push_back({.variable = kCyclone, .place = file, .reason = parsed.error().message});
       return;
     }
-    for (const XmlElement& root : parsed.value()) {
-      if (same_name(root.name, "CycloneDDS")) {
-        for (const XmlElement& child : root.children) {
-          read_domain_or_section(child);
-        }
+    for_each_element(*parsed.value(), [this](const XMLElement& root) {
+      if (same_name(root.Name(), "CycloneDDS")) {
+        for_each_element(root, [this](const XMLElement& child) { read_domain_or_section(child); });
       } else {
         read_domain_or_section(root);
       }
-    }
-  }
-
-  void read_file(const std::string& path) {
-    const auto text = read_settings_file(path);
-    if (!text) {
-      result_.settings.push_back({.variable = kCyclone, .place = path, .reason = text.error().message});
-      return;
-    }
-    read_text(text.value(), path);
+    });
   }
 
   CycloneSettings result() && {
-    if (!result_.config.empty()) {
-      result_.config = "<CycloneDDS><Domain Id=\"any\">" + result_.config + "</Domain></CycloneDDS>";
+    if (!domain_.NoChildren()) {
+      tinyxml2::XMLPrinter printer(nullptr, true);
+      config_.Print(&printer);
+      result_.config = printer.CStr();
     }
     return std::move(result_);
   }
 
  private:
-  void read_domain_or_section(const XmlElement& element) {
-    if (!same_name(element.name, "Domain")) {
+  void read_domain_or_section(const XMLElement& element) {
+    if (!same_name(element.Name(), "Domain")) {
       read_section(element);
       return;
     }
-    const std::string id = element.attribute("Id");
+    const std::string id = attribute_of(element, "Id");
     if (id.empty() || same_name(id, "any") || id == std::to_string(network_.domain)) {
-      for (const XmlElement& section : element.children) {
-        read_section(section);
-      }
+      for_each_element(element, [this](const XMLElement& section) { read_section(section); });
     }
   }
 
-  void read_section(const XmlElement& section) {
-    std::string honoured;
-    const bool internal = same_name(section.name, "Unsupported") || same_name(section.name, "Internal");
-    const std::string name = internal ? "Internal" : section.name;
-    for (const XmlElement& element : section.children) {
-      const Rule* const rule = rule_of(name, element.name);
-      if (same_name(name, "General") && same_name(element.name, "Interfaces")) {
-        for (const XmlElement& interface : element.children) {
-          const std::string by_name = interface.attribute("name");
-          const std::string by_address = interface.attribute("address");
-          add_interface(interface, section.name + "/" + element.name + "/" + interface.name,
-                        by_name.empty() ? by_address : by_name);
-        }
-      } else if (same_name(name, "General") && same_name(element.name, "NetworkInterfaceAddress")) {
-        add_interface(element, section.name + "/" + element.name, element.text);
+  void read_section(const XMLElement& section) {
+    XMLElement* honoured = nullptr;
+    const bool internal = same_name(section.Name(), "Unsupported") || same_name(section.Name(), "Internal");
+    const std::string section_name = internal ? "Internal" : section.Name();
+    for_each_element(section, [&](const XMLElement& element) {
+      const std::string name = std::string(section.Name()) + "/" + element.Name();
+      const std::string text = text_of(element);
+      const Rule* const rule = rule_of(section_name, element.Name());
+      if (same_name(name, "General/Interfaces")) {
+        for_each_element(element, [&](const XMLElement& interface) {
+          const std::string by_name = attribute_of(interface, "name");
+          add_interface(interface, name + "/" + interface.Name(),
+                        by_name.empty() ? attribute_of(interface, "address") : by_name);
+        });
+      } else if (same_name(name, "General/NetworkInterfaceAddress")) {
+        add_interface(element, name, text);
       } else {
-        UserSetting setting = setting_of(element, section.name + "/" + element.name, element.text);
+        UserSetting setting = setting_of(element, name, text);
         if (rule == nullptr) {
           setting.use = SettingUse::kHonoured;
-          honoured += element.source;
+          honoured = honoured == nullptr ? domain_.InsertNewChildElement(section.Name()) : honoured;
+          honoured->InsertEndChild(element.DeepClone(&config_));
         } else {
-          const bool fits = rule->fits != nullptr && same_name(element.text, rule->fits);
+          const bool fits = rule->fits != nullptr && same_name(text, rule->fits);
           setting.use = fits ? SettingUse::kFits : SettingUse::kSetAside;
           setting.reason = rule->reason;
         }
         result_.settings.push_back(std::move(setting));
       }
-    }
-    if (!honoured.empty()) {
-      result_.config += "<" + section.name + ">" + honoured + "</" + section.name + ">";
-    }
+    });
   }
 
-  void add_interface(const XmlElement& element, const std::string& name, const std::string& value) {
+  void add_interface(const XMLElement& element, const std::string& name, const std::string& value) {
     result_.settings.push_back(judge_interface(setting_of(element, name, value), network_));
   }
 
-  UserSetting setting_of(const XmlElement& element, const std::string& name, const std::string& value) const {
+  UserSetting setting_of(const XMLElement& element, const std::string& name, const std::string& value) const {
     return {.variable = kCyclone,
-            .place = file_.empty() ? "" : file_ + ":" + std::to_string(element.line),
+            .place = file_.empty() ? "" : file_ + ":" + std::to_string(element.GetLineNum()),
             .name = name,
             .value = value};
   }
 
   const NetworkOptions& network_;
   std::string file_;
+  tinyxml2::XMLDocument config_;
+  XMLElement& domain_ = *config_.InsertEndChild(config_.NewElement("CycloneDDS"))
+                             ->InsertEndChild(config_.NewElement("Domain"))
+                             ->ToElement();
   CycloneSettings result_;
 };
 
@@ -216,13 +209,14 @@ CycloneSettings cyclone_settings(const std::string& uri, const NetworkOptions& n
        at = uri.find_first_not_of(" \t\r\n,", at)) {
     if (uri[at] == '<') {
       const std::size_t end = end_of_text(uri, at);
-      reader.read_text(std::string_view(uri).substr(at, end - at), "");
+      reader.read(parse_xml(std::string_view(uri).substr(at, end - at)), "");
       at = end;
     } else {
       const std::size_t end = std::min(uri.find(',', at), uri.size());
       std::string path = uri.substr(at, end - at);
       path = path.starts_with("file://") ? path.substr(7) : path;
-      reader.read_file(path.substr(0, path.find_last_not_of(" \t\r\n") + 1));
+      path.erase(path.find_last_not_of(" \t\r\n") + 1);
+      reader.read(parse_xml_file(path), path);
       at = end;
     }
   }

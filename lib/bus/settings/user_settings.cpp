@@ -2,7 +2,6 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <span>
 
 #include "bus/settings/xml_elements.hpp"
 
@@ -26,26 +25,26 @@ void add_profiles(const std::string& variable, const std::string& path, std::vec
                        const std::string& reason) {
     settings.push_back({.variable = variable, .place = place, .name = name, .value = value, .reason = reason});
   };
-  const auto text = read_settings_file(path);
-  if (!text) {
-    add(path, "", "", text.error().message);
-    return;
-  }
-  const auto parsed = parse_xml(text.value());
+  const auto parsed = parse_xml_file(path);
   if (!parsed) {
     add(path, "", "", parsed.error().message);
     return;
   }
   constexpr const char* kOwn = "Farrier's participants and endpoints have settings of their own";
   const std::size_t before = settings.size();
-  for (const XmlElement& root : parsed.value()) {
-    for (const XmlElement& group : same_name(root.name, "dds") ? std::span(root.children) : std::span(&root, 1)) {
-      for (const XmlElement& profile : group.children) {
-        add(path + ":" + std::to_string(profile.line), group.name + "/" + profile.name,
-            profile.attribute("profile_name"), kOwn);
-      }
+  const auto add_group = [&](const tinyxml2::XMLElement& group) {
+    for_each_element(group, [&](const tinyxml2::XMLElement& profile) {
+      add(path + ":" + std::to_string(profile.GetLineNum()), std::string(group.Name()) + "/" + profile.Name(),
+          attribute_of(profile, "profile_name"), kOwn);
+    });
+  };
+  for_each_element(*parsed.value(), [&](const tinyxml2::XMLElement& root) {
+    if (same_name(root.Name(), "dds")) {
+      for_each_element(root, add_group);
+    } else {
+      add_group(root);
     }
-  }
+  });
   if (settings.size() == before) {
     add(path, "", "", kOwn);
   }
