@@ -68,7 +68,7 @@ std::optional<config::Problem> foreign_description(const std::string& text, cons
   for (const Format& format : {Format{"xacro:", "a xacro file"}, Format{"robot", "a URDF"},
                                Format{"sdf", "an SDF file"}, Format{"mujoco", "an MJCF file"}}) {
     const std::string_view tag = survey.xacro() ? "xacro:" : root == nullptr ? "" : root->Name();
-    // Of a damaged description, and of the begin of a long one, tinyxml2 keeps no element.
+    // tinyxml2 keeps no element of a damaged description, or of the begin of a long one.
     if (document.Error() ? text.find(std::string("<") + format.tag) == std::string::npos : tag != format.tag) {
       continue;
     }
