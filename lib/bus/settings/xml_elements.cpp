@@ -59,7 +59,7 @@ Result<XmlPtr> parse_xml(std::string_view text) {
 
 Result<XmlPtr> parse_xml_file(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  std::string text(kLongest + 1, '\0');
+  std::string text(file ? kLongest + 1 : 0, '\0');
   file.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.empty()) {
