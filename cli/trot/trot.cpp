@@ -106,7 +106,7 @@ Result<Done> add_runs_beside(const robot::Robot& robot, const TrotOptions& o, re
       return added;
     }
   }
-  return add_swing_design(robot, o, figures);
+  return o.no_comparison ? Result<Done>(Done{}) : add_swing_design(robot, o, figures);
 }
 
 /// Robots that can walk on a ground do so unless --world says otherwise. A printed configuration is the file's own.
@@ -199,8 +199,9 @@ int trot(TrotOptions o) {
     std::fprintf(stderr, "trot: warning: %s\n", flight.c_str());
   }
   const bool lockstep = o.clock == bus::ClockKind::kLockstep;
+  const bool compared_in_realtime = !lockstep && !o.no_comparison;
   Yardstick yardstick;
-  if (!lockstep) {
+  if (compared_in_realtime) {
     auto measured = measure_yardstick(robot, o);
     if (!measured) {
       return fail("trot", measured.error().message);
@@ -248,7 +249,7 @@ int trot(TrotOptions o) {
     std::ranges::move(report::add_growth(outcome.figures, outcome.run.processes), std::back_inserter(outcome.failures));
   }
   report::add_transport(outcome.figures, outcome.run, lockstep);
-  if (!lockstep) {
+  if (compared_in_realtime) {
     if (auto added = add_realtime(outcome, robot, o, yardstick, tracking.value()); !added) {
       return fail("trot", added.error().message);
     }

@@ -120,6 +120,10 @@ void declare(CLI::App& app, TrotOptions& o) {
                "two more runs in process, each phase with its fixed design, with the dither of the robot file and "
                "without: figure trot.dither_cost_ratio")
       ->type_name("");
+  app.add_flag("--no-comparison", o.no_comparison,
+               "bench: none of the runs that this one is compared with, nor their figures: the swing design's, in real "
+               "time those of a bare timer, of the bare exchange and in lock-step")
+      ->type_name("");
   app.add_flag("--soak", o.soak,
                "watch memory, threads and descriptors of every process started, which must not grow after the first "
                "tenth of the "

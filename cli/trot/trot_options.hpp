@@ -35,6 +35,7 @@ struct TrotOptions {
   bool security_cost = false;  ///< short runs with and without `security` beside
   bool dither_cost = false;    ///< two more runs, for the cost of the robot file's dither
   bool soak = false;           ///< watch what processes grow by
+  bool no_comparison = false;  ///< none of the runs that the figures of this one are compared with
   bool standby = false;        ///< a second supervisor stands by, real time only
   std::string record_path;     ///< a recording of everything goes there; empty: none
 };
