@@ -54,8 +54,8 @@ endfunction()
 # namespaces of their own, so that DDS domains and ports never meet.
 set(FARRIER_PARALLEL_TESTS trace_identity_test process_failure_test process_end_test recorded_run_test command_line_test
   reproduce_test diagnose_test diagnose_scaled_test robots_system_test security_system_test echo_test
-  monitor_command_test monitor_page_test network_test dds_cases_test memory_test outputs_test recording_commands_test
-  traffic_test bench_parts_test surroundings_test prometheus_test three_hosts_test security_bus_test readme_test
+  monitor_command_test monitor_page_test dds_cases_test memory_test outputs_test recording_commands_test
+  bench_parts_test surroundings_test prometheus_test three_hosts_test security_bus_test readme_test
   gathering_test trial_body_test walk_test)
 
 # farrier_test_entry(NAME LABEL EXECUTABLE ARGUMENTS...) has CTest run a test executable as <LABEL>/<NAME>; the target

@@ -47,6 +47,8 @@ class FarrierCommand {
   /// DDS domain of a trot that has begun.
   int domain() const;
   pid_t pid() const noexcept { return pid_; }
+  /// Gives every thread of it and of the processes of its run this nice value, which 0 to 19 are, where this user may.
+  void renice(int value) const;
 
  private:
   ScratchDirectory scratch_;

@@ -8,7 +8,7 @@ set(system_definitions FARRIER_COMMAND="$<TARGET_FILE:farrier>" FARRIER_JOINT_NO
 
 # One robot on this computer.
 set(system_tests trace_identity process_failure command_line bench_parts reproduce diagnose diagnose_scaled process_end
-  surroundings traffic robots_system security_system echo monitor_command monitor_page record recorded_run network)
+  surroundings robots_system security_system echo monitor_command monitor_page record recorded_run)
 if(TARGET farrier_report_body)
   list(APPEND system_tests body/trial_body body/walk body/other_processor)
 endif()
