@@ -14,11 +14,11 @@ namespace farrier::test {
 namespace cut_cable_test {
 
 // All in ticks, of 1 ms in slow motion.
-constexpr Tick kUndisturbed = 2500;
+constexpr Tick kUndisturbed = 1500;
 constexpr Tick kCuts[] = {300, 2000};
-constexpr Tick kUntilArmed = 500;
+constexpr Tick kUntilArmed = 300;
 constexpr Tick kBefore = 10;  // a joint that hears nothing tells the last tick that it knows
-constexpr Tick kAfterwards = 1000;
+constexpr Tick kAfterwards = 600;
 constexpr Tick kNulledWithin = 20;     // 5 without valve commands, and what the watch is behind
 constexpr Tick kHeardAgainWithin = 50; // 150 ms of the machine's: DDS goes by its clock
 constexpr Tick kTrackingWithin = 24;   // as docs/faults.md

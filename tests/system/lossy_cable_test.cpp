@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "gait/schedule.hpp"
 #include "robot_watch.hpp"
@@ -17,7 +19,7 @@ namespace lossy_cable_test {
 
 using namespace std::chrono_literals;
 
-constexpr Tick kTicks = 4000;
+const Tick kTicks = std::lround(std::atof(tested_duration("3")) * 1e3);
 /// On the robot's clock: up to a period.
 constexpr Impairment kCable{.loss = 0.01, .most = kSlow * Nanoseconds(1ms)};
 

@@ -61,7 +61,7 @@ const freePort = () => new Promise((resolve) => {
   });
 });
 const drawsTwelve = async (page) => {
-  await until(page, () => Number(document.body.dataset.tick) > 3000, 20000);
+  await until(page, () => Number(document.body.dataset.tick) > 1500, 20000);
   const pixels = await drawnPixels(page);
   assert.equal(pixels.length, 12);
   pixels.forEach(([measured], joint) => assert.ok(measured > 30, `joint ${joint}: ${measured} pixels of force`));
@@ -76,10 +76,9 @@ try {
   await monitor.said;
   const { page, complaints } = await openPage(browser, `http://127.0.0.1:${port}/`);
   await drawsTwelve(page);
-  await sleep(2000);
   await page.screenshot({ path: join(pictures, "trot_light.png"), fullPage: true });
   await page.emulateMediaFeatures([{ name: "prefers-color-scheme", value: "dark" }]);
-  await sleep(500);
+  await sleep(200);
   await page.screenshot({ path: join(pictures, "trot_dark.png"), fullPage: true });
 
   // A computer that others use stands still now and then: the best of three legs counts.
