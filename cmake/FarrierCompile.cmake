@@ -56,7 +56,7 @@ set(FARRIER_PARALLEL_TESTS trace_identity_test process_failure_test process_end_
   reproduce_test diagnose_test diagnose_scaled_test robots_system_test security_system_test echo_test
   monitor_command_test monitor_page_test dds_cases_test memory_test outputs_test recording_commands_test
   bench_parts_test surroundings_test prometheus_test three_hosts_test security_bus_test readme_test
-  gathering_test trial_body_test walk_test)
+  gathering_test trial_body_test walk_test service_test other_processor_test faults_refusals_test)
 
 # farrier_test_entry(NAME LABEL EXECUTABLE ARGUMENTS...) has CTest run a test executable as <LABEL>/<NAME>; the target
 # tier_<LABEL> builds it. Tests that start processes or hold leases of a few milliseconds have the machine to themselves,

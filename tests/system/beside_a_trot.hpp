@@ -33,8 +33,8 @@ class BesideATrot : public testing::TestWithParam<const char*> {
     return {"--domain", std::to_string(trot_->domain()), "--dds", GetParam()};
   }
 
-  /// In lock-step the trot takes all of the processors that others leave: the nice value of a tenth of their share.
-  static constexpr int kBehindOthers = 10;
+  /// In lock-step the trot takes all of the processors that others leave: the nice value of a third of their share.
+  static constexpr int kBehindOthers = 5;
 
   static inline std::unique_ptr<ScratchDirectory> scratch_;
   static inline std::unique_ptr<FarrierCommand> trot_;

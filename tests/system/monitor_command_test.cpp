@@ -84,7 +84,7 @@ TEST_P(StoppedMonitors, HoldNoWriterBack) {
   constexpr int kMonitors = 10;
   const ScratchDirectory scratch;
   FarrierCommand trot(
-      {"trot", "--world", "bench", "--dds", GetParam(), "--duration", "40", "--out", scratch.file("out")});
+      {"trot", "--world", "bench", "--dds", GetParam(), "--duration", "20", "--out", scratch.file("out")});
   ASSERT_TRUE(trot.says("trot: tick")) << trot.output();
   std::vector<std::unique_ptr<FarrierCommand>> monitors;
   for (int i = 0; i < kMonitors; ++i) {

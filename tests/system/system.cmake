@@ -8,7 +8,7 @@ set(system_definitions FARRIER_COMMAND="$<TARGET_FILE:farrier>" FARRIER_JOINT_NO
 
 # One robot on this computer.
 set(system_tests trace_identity process_failure command_line bench_parts reproduce diagnose diagnose_scaled process_end
-  surroundings robots_system security_system echo monitor_command monitor_page record recorded_run)
+  surroundings robots_system security_system echo monitor_command monitor_page record recorded_run faults_refusals)
 if(TARGET farrier_report_body)
   list(APPEND system_tests body/trial_body body/walk body/other_processor)
 endif()
@@ -65,7 +65,7 @@ farrier_suites(hosts_test long ${system_dir}/three_hosts_test.cpp NAME long_thre
 foreach(name IN ITEMS cut_cable_test lossy_cable_test)
   farrier_suites(hosts_test realtime ${system_dir}/${name}.cpp)
   farrier_suites(hosts_test long ${system_dir}/${name}.cpp NAME long_${name}
-    ENVIRONMENT FARRIER_TEST_VENDORS=cyclone,fast)
+    ENVIRONMENT FARRIER_TEST_DURATION_S=4 FARRIER_TEST_VENDORS=cyclone,fast)
 endforeach()
 set_tests_properties(system/doctor_test PROPERTIES RUN_SERIAL FALSE)  # nothing it looks at runs a loop
 
