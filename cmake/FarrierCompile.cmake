@@ -58,6 +58,12 @@ set(FARRIER_PARALLEL_TESTS trace_identity_test process_failure_test process_end_
   bench_parts_test surroundings_test prometheus_test three_hosts_test security_bus_test readme_test
   gathering_test trial_body_test walk_test service_test other_processor_test faults_refusals_test)
 
+# Tests that take longest among those that run at the same time, the longest first. CTest starts them first, also in a clean
+# clone, where it has no times of its own: the last of them then does not run alone at the end.
+set(FARRIER_LONGEST_TESTS readme_test tidy_test scenario_test walk_test trial_body_test process_failure_test
+  security_bus_test echo_test monitor_command_test truth_test trot_trial_test security_system_test prometheus_test
+  trace_identity_test doctor_test blind_trials_test locomotion_test process_end_test robot_test reproduce_test)
+
 # farrier_test_entry(NAME LABEL EXECUTABLE ARGUMENTS...) has CTest run a test executable as <LABEL>/<NAME>; the target
 # tier_<LABEL> builds it. Tests that start processes or hold leases of a few milliseconds have the machine to themselves,
 # but for those of FARRIER_PARALLEL_TESTS.
@@ -72,6 +78,11 @@ function(farrier_test_entry name label executable)
   endif()
   add_test(NAME ${label}/${name} COMMAND ${own_network} $<TARGET_FILE:${executable}> ${ARGN})
   set_tests_properties(${label}/${name} PROPERTIES LABELS ${label})
+  list(FIND FARRIER_LONGEST_TESTS ${name} place)
+  if(place GREATER_EQUAL 0)
+    math(EXPR cost "100 - ${place}")
+    set_tests_properties(${label}/${name} PROPERTIES COST ${cost})
+  endif()
   if(FARRIER_SANITIZE)
     set(asan_options new_delete_type_mismatch=1)
     if(label STREQUAL contract)

@@ -29,10 +29,14 @@ TEST(Walk, LiesUntilItIsAskedToStand) {
   EXPECT_GT(std::abs(stretched - folded), 0.005) << "the knee's piston stands elsewhere in a robot that stands";
 }
 
+/// A walk that two tests judge.
+const std::vector<trace::TraceRow>& rows_of_a_walk() {
+  static const std::vector<trace::TraceRow> rows = run(load("hyq"), settings(10.0, {0.4, 0.0, 0.0})).rows;
+  return rows;
+}
+
 TEST(Walk, HasNoJointThatTripsOrLosesItsReadings) {
-  const robot::Robot hyq = load("hyq");
-  const Outcome walk = run(hyq, settings(10.0, {0.4, 0.0, 0.0}));
-  for (const trace::TraceRow& row : walk.rows) {
+  for (const trace::TraceRow& row : rows_of_a_walk()) {
     const FaultSet faults(row.faults);
     ASSERT_FALSE(faults.has(Fault::kTripped)) << row.tick;
     ASSERT_FALSE(row.tick > 10 && faults.has(Fault::kSensorsStale)) << row.tick;
@@ -41,10 +45,8 @@ TEST(Walk, HasNoJointThatTripsOrLosesItsReadings) {
 }
 
 TEST(Walk, AnnouncesThePhasesOfItsLegs) {
-  const robot::Robot hyq = load("hyq");
-  const Outcome walk = run(hyq, settings(10.0, {0.4, 0.0, 0.0}));
   int swings = 0;
-  for (const trace::TraceRow& row : walk.rows) {
+  for (const trace::TraceRow& row : rows_of_a_walk()) {
     swings += row.joint == 0 && row.phase == Phase::kSwing && row.actual_phase == Phase::kSwing ? 1 : 0;
   }
   EXPECT_GT(swings, 200) << "a leg whose foot is in the air has the gains of swing";

@@ -19,9 +19,9 @@ constexpr Tick kCuts[] = {300, 2000};
 constexpr Tick kUntilArmed = 300;
 constexpr Tick kBefore = 10;  // a joint that hears nothing tells the last tick that it knows
 constexpr Tick kAfterwards = 600;
-constexpr Tick kNulledWithin = 20;     // 5 without valve commands, and what the watch is behind
-constexpr Tick kHeardAgainWithin = 50; // 150 ms of the machine's: DDS goes by its clock
-constexpr Tick kTrackingWithin = 24;   // as docs/faults.md
+constexpr Tick kNulledWithin = 20;      // 5 without valve commands, and what the watch is behind
+constexpr Tick kHeardAgainWithin = 50;  // 150 ms of the machine's: DDS goes by its clock
+constexpr Tick kTrackingWithin = 24;    // as docs/faults.md
 /// A computer with other users is stopped now and then.
 constexpr double kMayNotTrack = 0.1;
 
@@ -66,7 +66,8 @@ void play(const NetworkNamespaces& network, const DeployedProcesses& processes, 
     std::set<std::uint16_t> tripped;
     for (const signals::SystemEvent& event : watch.monitor().events()) {
       const bool of_the_cut = event.tick > cut.begin - kBefore && event.tick < cut.end;
-      if (of_the_cut && signals::text_of(event.text).find("tripped, sensors stale, command stale") != std::string::npos) {
+      if (of_the_cut &&
+          signals::text_of(event.text).find("tripped, sensors stale, command stale") != std::string::npos) {
         tripped.insert(event.joint);
       }
     }
@@ -83,7 +84,8 @@ void judge(const JointCourse& front, const JointCourse& hind, CutRun& run) {
   const Tick undisturbed = run.cuts.front().begin;
   for (const JointCourse* legs : {&front, &hind}) {
     must(legs->count(has_tripped, kStanding, undisturbed) == 0, "a joint trips before the first cut");
-    must(share(*legs, is_not_tracking, kStanding, undisturbed) <= kMayNotTrack, "joints do not track before the first cut");
+    must(share(*legs, is_not_tracking, kStanding, undisturbed) <= kMayNotTrack,
+         "joints do not track before the first cut");
   }
   for (const Cut& cut : run.cuts) {
     const auto silent = front.first(is_silent, cut.begin, cut.end);

@@ -1,4 +1,4 @@
-// What farrier faults, processes with faults and farrier request refuse, and a request that nobody answers.
+// Refusals of farrier faults, of processes with faults and of farrier request, and a request that no process answers.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace farrier::test {
 namespace faults_refusals_test {
 
-TEST(Faults, RefusesRowsOfAnotherWorldAndMoreCellsThanThereAre) {
+TEST(FaultsCommand, RefusesRowsOfAnotherWorldAndMoreCellsThanThereAre) {
   const ScratchDirectory scratch;
   std::string output;
   const auto refuses = [&](std::vector<std::string> options, const std::string& words) {
@@ -24,7 +24,7 @@ TEST(Faults, RefusesRowsOfAnotherWorldAndMoreCellsThanThereAre) {
           "fc1d cannot walk on a ground: give body.trunk and locomotion in its file");
 }
 
-TEST(Faults, RefusesUnknownRowsAndVendors) {
+TEST(FaultsCommand, RefusesUnknownRowsAndVendors) {
   const ScratchDirectory scratch;
   std::string output;
   EXPECT_EQ(run_farrier({"faults", "--rows", "sensors_gone", "--out", scratch.file("out")}, &output), 2);
@@ -32,7 +32,7 @@ TEST(Faults, RefusesUnknownRowsAndVendors) {
   EXPECT_EQ(run_farrier({"faults", "--dds", "inproc", "--out", scratch.file("out")}, &output), 2);
 }
 
-TEST(Faults, OfAProcessAreRefusedInLockstepAndWhenUnreadable) {
+TEST(FaultOptions, OfAProcessAreRefusedInLockstepAndWhenUnreadable) {
   std::string output;
   const std::vector<std::string> node{"--number", std::to_string(info(Program::kJointNode).number), "--participants",
                                       "9"};
@@ -46,7 +46,7 @@ TEST(Faults, OfAProcessAreRefusedInLockstepAndWhenUnreadable) {
   EXPECT_NE(output.find("'joint/sensor' is no topic"), std::string::npos) << output;
 }
 
-TEST(Faults, AreNoOptionOfAProgramThatShips) {
+TEST(FaultOptions, AreNoneOfAProgramThatShips) {
   std::string output;
   EXPECT_EQ(run_farrier({"--number", std::to_string(info(Program::kJointNode).number), "--participants", "9", "--clock",
                          "realtime", "--fault", "joint/sensors:cut"},
@@ -56,7 +56,7 @@ TEST(Faults, AreNoOptionOfAProgramThatShips) {
   EXPECT_EQ(output.find("TOPIC:KIND"), std::string::npos) << output;
 }
 
-TEST(Request, SaysWhereNobodyAnswers) {
+TEST(RequestWithoutARobot, SaysWhereNobodyAnswers) {
   std::string output;
   EXPECT_EQ(run_farrier({"request", "arm", "--session", "7", "--domain", "231"}, &output), 1);
   EXPECT_NE(output.find("no supervisor of hyq, session 7, domain 231 answers"), std::string::npos) << output;

@@ -66,7 +66,8 @@ TEST_P(LossyCable, TripsNoJoint) {
     const gait::Schedule schedule(robot.plan, processes.options_of("sim_bridge").seed);
     const report::Tracking tracking = report::track(robot, schedule, trace.value(), robot.loop_delay_realtime);
     std::printf("%s: %lu of %lu packets lost, stance NRMSE %s in front, %s behind\n", GetParam(), relay.lost(),
-                relay.packets(), stance_nrmse(robot, tracking, 'f').c_str(), stance_nrmse(robot, tracking, 'h').c_str());
+                relay.packets(), stance_nrmse(robot, tracking, 'f').c_str(),
+                stance_nrmse(robot, tracking, 'h').c_str());
     return std::ranges::any_of(tracking.joints, &report::JointTracking::tripped) ? "a joint trips\n" : "";
   });
 }

@@ -77,12 +77,12 @@ TEST(StoppedProcess, IsNamedWithItsPidAndTheTickTheRunStandsAt) {
 
 TEST(KilledProcessInALog, IsQuotedWithItsLastWords) {
   const ScratchDirectory scratch;
-  FarrierCommand trot(long_trot(scratch, "cyclone", "20"));
+  FarrierCommand trot(long_trot(scratch, "cyclone", "5"));
   const pid_t stopped = trot.process("sim_bridge");
   const pid_t killed = trot.process("joint_node_lh");
   ASSERT_NE(stopped, 0);
   ASSERT_NE(killed, 0);
-  ASSERT_TRUE(trot.says("trot: tick 2"));  // a tenth of the run: everyone has begun
+  ASSERT_TRUE(trot.says("trot: tick 5"));  // a tenth of the run: everyone has begun
   ASSERT_EQ(::kill(stopped, SIGSTOP), 0);
   // By the time the launcher speaks of the standstill, the joint node has said in its log what it waits for.
   ASSERT_TRUE(trot.says("stopped: sim_bridge", 30s)) << trot.output();
