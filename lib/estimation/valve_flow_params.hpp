@@ -10,10 +10,11 @@ struct ValveFlowParams {
   double flow_error = 0.004;      ///< error of a smoothed flow, share; > 0
   double change_threshold = 4.0;  ///< RMS of flow errors over the usual one, beyond which the valve has changed; > 1
   // Standard deviations before the first sample:
-  double gain_uncertainty = 0.5;      ///< of the valve gain, share of the nominal one; > 0
-  double overlap_uncertainty = 0.01;  ///< of the overlap, share of full current; > 0
-  double leakage_uncertainty = 0.02;  ///< of the leakage at supply pressure, share; > 0
-  double damping_uncertainty = 2.0;   ///< of the piston's damping, share of the nominal one; > 0
+  double gain_uncertainty = 0.5;             ///< of the valve gain, share of the nominal one; > 0
+  double overlap_uncertainty = 0.01;         ///< of the overlap, share of full current; > 0
+  double leakage_uncertainty = 0.02;         ///< of the leakage at supply pressure, share; > 0
+  double damping_uncertainty = 2.0;          ///< of the piston's damping, share of the nominal one; > 0
+  double compressibility_uncertainty = 1.0;  ///< of the oil's compressibility, share of the nominal one; > 0
 };
 
 }  // namespace farrier::estimation

@@ -20,6 +20,7 @@ Result<Done> validate(const ValveFlowParams& p) {
   positive("overlap_uncertainty", p.overlap_uncertainty);
   positive("leakage_uncertainty", p.leakage_uncertainty);
   positive("damping_uncertainty", p.damping_uncertainty);
+  positive("compressibility_uncertainty", p.compressibility_uncertainty);
   if (!(p.least_opening >= 0.0 && p.least_opening < 1.0)) {
     text += std::string(text.empty() ? "" : "; ") + "least_opening must be within [0, 1)";
   }

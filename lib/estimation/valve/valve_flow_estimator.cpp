@@ -12,7 +12,7 @@
 namespace farrier::estimation {
 namespace {
 
-constexpr int kFlow = 0, kParts = 1, kCompression = 5, kSupply = 6;  // of the terms
+constexpr int kFlow = 0, kParts = 1, kCompression = 6, kSupply = 7;  // of the terms
 // Least residual variance for the detection of changes: a little noise is no change of a valve that had none.
 constexpr double kLeastResidual = 0.02;
 // Error of the supply's pressure, share: the flow goes with the root of a drop that it is part of.
@@ -63,9 +63,10 @@ ValveFlowEstimator::ValveFlowEstimator(const EstimatorParams& params, const Valv
       supply_error_(kSupplyError),
       loads_(loads),
       open_flow_m3_s_(actuator.valve_gain * actuator.valve_current_max_A * std::sqrt(actuator.supply_pressure_Pa)),
-      prior_(1.0, known.overlap_A / actuator.valve_current_max_A,
-             known.leakage * actuator.supply_pressure_Pa / open_flow_m3_s_, 0.0),
-      deviation_(own.gain_uncertainty, own.overlap_uncertainty, own.leakage_uncertainty, own.damping_uncertainty),
+      prior_{1.0, known.overlap_A / actuator.valve_current_max_A,
+             known.leakage * actuator.supply_pressure_Pa / open_flow_m3_s_, 0.0, 0.0},
+      deviation_{own.gain_uncertainty, own.overlap_uncertainty, own.leakage_uncertainty, own.damping_uncertainty,
+                 own.compressibility_uncertainty},
       spool_(known.spool),
       regression_(regression),
       oil_(actuator) {}
@@ -86,7 +87,7 @@ ValveFlowEstimator::Terms ValveFlowEstimator::terms(const Eigen::Vector3d& state
   terms << flow / open_flow_m3_s_, per_opening * opening_A / actuator_.valve_current_max_A / open_flow_m3_s_,
       -sign_ * per_opening / open_flow_m3_s_,
       -plant::leakage_pressure_Pa(supplied_, point) / actuator_.supply_pressure_Pa,
-      -sign_ * damping_Pa / (2.0 * rates.root * rates.root) * flow / open_flow_m3_s_,
+      -sign_ * damping_Pa / (2.0 * rates.root * rates.root) * flow / open_flow_m3_s_, -compression / open_flow_m3_s_,
       std::abs(compression) / open_flow_m3_s_,
       supply_error_ * supplied_.supply_pressure_Pa / (2.0 * rates.root * rates.root) * std::abs(flow) / open_flow_m3_s_;
   return terms;

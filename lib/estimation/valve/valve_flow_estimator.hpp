@@ -37,7 +37,8 @@ struct KnownValve {
 ///
 /// Here k is the rate of the load pressure per flow, and p_c is plant::leakage_pressure_Pa(). The left side is measured.
 /// Everything on the right side is known but K_v, K_v d and c, which are linear in it. The drop depends on the force that
-/// the piston's damping takes; what that has grown by is a fourth parameter, linearised, and is not told. No load is in it:
+/// the piston's damping takes; what that has grown by is a fourth parameter, linearised. The compressibility 1 / k beyond the nominal one is a fifth.
+/// Neither is told. No load is in it:
 /// other joints and contacts may do what they will behind the cell (docs/decisions/0077-valve-flow.md). One estimate serves
 /// both phases, for the valve does not know them. A valve that is shut teaches nothing, nor does one whose chambers are not
 /// in steady flow (ChamberOil). The samples begin where the port is open by least_opening beyond the overlap.
@@ -65,13 +66,13 @@ class ValveFlowEstimator final : public Estimator {
   std::unique_ptr<Estimator> clone() const override { return std::make_unique<ValveFlowEstimator>(*this); }
 
  private:
-  static constexpr int kParameters = 4;
-  using Parameters = Eigen::Vector4d;
-  static constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2;  // and 3, the damping, which is not told
+  static constexpr int kParameters = 5;
+  using Parameters = Eigen::Matrix<double, kParameters, 1>;
+  static constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2;  // then damping and compressibility
   static constexpr double kLeastGain = 0.05;  ///< share of the nominal gain; a smaller one is no valve's
   /// Shares of the open valve's flow: the flow, its parts for a unit of each parameter, and the sizes of what compression
   /// takes of it and of what a wrong supply pressure does to it.
-  using Terms = Eigen::Matrix<double, 7, 1>;
+  using Terms = Eigen::Matrix<double, kParameters + 3, 1>;
 
   ValveFlowEstimator(const EstimatorParams& params, const ValveFlowParams& own, const JointScales& scales,
                      const plant::ActuatorParams& actuator, const std::array<plant::LoadParams, 2>& loads,

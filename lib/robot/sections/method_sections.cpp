@@ -80,6 +80,9 @@ void declare(Visitor& v, ValveFlowParams& f) {
            "Of the overlap before the first sample, share of the full current.");
   v.number("leakage_uncertainty", f.leakage_uncertainty, {1e-6, 1}, Default{d.leakage_uncertainty},
            "Of the leakage at supply pressure before the first sample, share of the open valve's flow.");
+  v.number("compressibility_uncertainty", f.compressibility_uncertainty, {1e-6, 100},
+           Default{d.compressibility_uncertainty},
+           "Of the oil's compressibility before the first sample, share of the nominal one.");
   v.number("damping_uncertainty", f.damping_uncertainty, {1e-6, 100}, Default{d.damping_uncertainty},
            "Of the piston's damping before the first sample, share of the nominal one.");
 }
