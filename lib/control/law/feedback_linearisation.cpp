@@ -40,6 +40,7 @@ bool FeedbackLinearisation::set_physics(const plant::JointPhysics& physics) noex
   }
   valve_gain_ = physics.valve_gain / std::sqrt(1.0 + cube(alpha_));
   leakage_ = physics.leakage;
+  actuator_.bulk_modulus_Pa = physics.bulk_modulus;
   return true;
 }
 

@@ -15,6 +15,8 @@ namespace {
 constexpr int kFlow = 0, kParts = 1, kCompression = 6, kSupply = 7;  // of the terms
 // Least residual variance for the detection of changes: a little noise is no change of a valve that had none.
 constexpr double kLeastResidual = 0.02;
+// Error of the compression, share: the rest of it is the fifth parameter.
+constexpr double kCompressionError = 0.25;
 // Error of the supply's pressure, share: the flow goes with the root of a drop that it is part of.
 constexpr double kSupplyError = 0.1, kMeasuredSupplyError = 0.03;  // the measured one is at most 10 ms old
 // A supply sensor that reads more than this share of the nominal pressure is broken: the relief valve opens before.
@@ -174,10 +176,12 @@ void ValveFlowEstimator::smooth(const Terms& now) noexcept {
 
 void ValveFlowEstimator::learn() noexcept {
   const Parameters parts = smooth_.segment<kParameters>(kParts);
-  const double deviation = std::hypot(own_.flow_error, smooth_(kCompression), smooth_(kSupply));
+  const double deviation = std::hypot(own_.flow_error, kCompressionError * smooth_(kCompression), smooth_(kSupply));
   const double error = (smooth_(kFlow) - parts.dot(prior_)) / deviation;
   const Parameters scaled = parts.cwiseProduct(deviation_) / deviation;
-  const double unexpected = error - regression_.parameters().row(0).dot(scaled);
+  // The innovation over its deviation: what the parameters' own uncertainty explains is no change of the valve.
+  const double unexpected = (error - regression_.parameters().row(0).dot(scaled)) /
+                            std::sqrt(1.0 + scaled.dot(regression_.covariance() * scaled));
   errors_.take(unexpected);
   surplus_ = PredictionErrors::kMemory * surplus_ + (parts(kGainPart) > 0.0 ? unexpected : -unexpected);
   const double usual = std::sqrt(std::max(kLeastResidual, regression_.residual_variance()(0)));

@@ -68,7 +68,7 @@ class ValveFlowEstimator final : public Estimator {
  private:
   static constexpr int kParameters = 5;
   using Parameters = Eigen::Matrix<double, kParameters, 1>;
-  static constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2;  // then damping and compressibility
+  static constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2, kCompressibilityPart = 4;  // 3: damping
   static constexpr double kLeastGain = 0.05;  ///< share of the nominal gain; a smaller one is no valve's
   /// Shares of the open valve's flow: the flow, its parts for a unit of each parameter, and the sizes of what compression
   /// takes of it and of what a wrong supply pressure does to it.
