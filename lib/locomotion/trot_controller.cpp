@@ -15,6 +15,12 @@ constexpr double kLeastLimit_N = 1.0;
 // Largest difference of a joint's torque from its command while it obeys: HyQ's joints keep 5 Nm in the soft start.
 constexpr double kObeyed_Nm = 50.0;
 
+JointDuty duty_in(Mode mode) noexcept {
+  return mode == Mode::kLie || mode == Mode::kFallen ? JointDuty::kNone
+         : mode == Mode::kTrot                       ? JointDuty::kWalk
+                                                     : JointDuty::kStand;
+}
+
 }  // namespace
 
 TrotController::TrotController(const LocomotionParams& params, const gait::RobotPlan& plan, const BodyModel& model)
@@ -44,7 +50,7 @@ TrotController::TrotController(const LocomotionParams& params, const gait::Robot
 const LegTorques& TrotController::step(Tick now, const Readings& readings, const MotionCommand& asked) noexcept {
   estimate(readings);
   const Mode before = mode_.mode();
-  joint_guard_.step(readings, torques_, before != Mode::kLie && before != Mode::kFallen && !asked.weak_supply);
+  joint_guard_.step(readings, torques_, asked.weak_supply ? JointDuty::kNone : duty_in(before));
   const MotionCommand command = joint_guard_.command(asked, before == Mode::kLie);
   state_.dead_joint = joint_guard_.dead();
   // Joints that are not armed do not obey. The soft start waits for them in the pose that they have: a torque that grew

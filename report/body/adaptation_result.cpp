@@ -16,14 +16,12 @@ constexpr double kPercentOfShare = 100.0;
 /// Runs of one design, by the text of their seed.
 using BySeed = std::map<std::string, const trials::TrotRow*>;
 
-bool fell(const trials::TrotRow& run) { return !run.failure.empty() || run.figures.fell_s.has_value(); }
-
 AdaptationCell cell_of(const std::string& design, const BySeed& runs) {
   AdaptationCell cell{.design = design};
   std::vector<const trials::TrotFigures*> walked;
   for (const auto& [seed, run] : runs) {
     ++cell.runs;
-    if (fell(*run)) {
+    if (trials::is_lost(*run)) {
       ++cell.falls;
     } else {
       walked.push_back(&run->figures);
@@ -46,7 +44,7 @@ int lost_seeds(const BySeed& walks, const BySeed& falls) {
   int lost = 0;
   for (const auto& [seed, run] : walks) {
     const auto other = falls.find(seed);
-    lost += other != falls.end() && !fell(*run) && fell(*other->second) ? 1 : 0;
+    lost += other != falls.end() && !trials::is_lost(*run) && trials::is_lost(*other->second) ? 1 : 0;
   }
   return lost;
 }

@@ -30,6 +30,10 @@ control::FeedbackLinearisationGains observer_gains() noexcept {
 
 }  // namespace
 
+bool is_lost(const TrotRow& run) noexcept {
+  return !run.failure.empty() || run.figures.fell_s || run.figures.speed_error > kDoesNotWalk;
+}
+
 StudyDesign fixed_design(const robot::Robot& on_ground, const std::string& name, const std::string& sentence,
                          const control::FeedbackLinearisationGains& gains) {
   StudyDesign design{.name = name, .sentence = sentence, .robot = on_ground};

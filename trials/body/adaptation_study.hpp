@@ -12,6 +12,12 @@
 
 namespace farrier::trials {
 
+/// Speed error, share, from which on a run counts as a fall: the robot lay down, or hardly walks.
+inline constexpr double kDoesNotWalk = 0.5;
+
+/// True if a robot of the study fell, lay down or was not simulated.
+bool is_lost(const TrotRow& run) noexcept;
+
 /// A ground and a gait.
 struct StudyCondition {
   const char* name;      ///< of one word

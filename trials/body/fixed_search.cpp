@@ -93,7 +93,7 @@ void FixedSearch::take(std::span<const TrotRow> rows) {
   for (std::size_t i = 0; i < rows.size() && i < candidate_of_.size(); ++i) {
     Candidate& candidate = candidates_[candidate_of_[i]];
     ++candidate.runs;
-    if (!rows[i].failure.empty() || rows[i].figures.fell_s) {
+    if (is_lost(rows[i])) {
       ++candidate.falls;
     } else {
       candidate.errors += stance_nrmse(rows[i].figures.force_nrmse);

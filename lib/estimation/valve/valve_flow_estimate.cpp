@@ -15,8 +15,6 @@ namespace {
 constexpr double kLeastVariance = 0.1;
 // A gain of more than this share of the nominal one is no valve's.
 constexpr double kLargestGain = 5.0;
-// Compressibility over the nominal one that a law may use: a softer oil has so much air that no law helps.
-constexpr double kLeastCompressibility = 0.5, kLargestCompressibility = 5.0;
 // A leakage or an overlap below zero by more standard errors than these, and by more than the share, is no valve's.
 constexpr double kNegativeSigmas = 3.0, kNegativeShare = 0.02;
 
@@ -69,8 +67,7 @@ ModelEstimate ValveFlowEstimator::estimate() const noexcept {
   const plant::LoadParams& load = loads_[static_cast<std::size_t>(phase_)];
   plant::ActuatorParams actuator = actuator_;
   actuator.valve_gain *= std::clamp(found(kGainPart), kLeastGain, kLargestGain);
-  const double compressibility = std::clamp(1.0 + found(kCompressibilityPart), kLeastCompressibility, kLargestCompressibility);
-  actuator.bulk_modulus_Pa /= compressibility;
+  actuator.bulk_modulus_Pa /= compressibility_;
   const plant::OperatingPoint home{.position = scales_.home_position, .valve_sign = 1.0};
   const plant::LinearModel model = plant::linearise_load_cell_force(actuator, load, home);
   const control::DiscreteModel sampled = control::discretise(model.a, model.b, scales_.period_s);
@@ -89,7 +86,7 @@ ModelEstimate ValveFlowEstimator::estimate() const noexcept {
   out.physics.leakage = std::max(0.0, found(kLeakagePart)) * per_leakage;
   out.physics.overlap_A = std::max(0.0, found(kOverlapPart)) * actuator_.valve_current_max_A;
   out.physics_error.valve_gain = errors(kGainPart) * actuator_.valve_gain;
-  out.physics_error.bulk_modulus = errors(kCompressibilityPart) / compressibility * actuator.bulk_modulus_Pa;
+  out.physics_error.bulk_modulus = errors(kCompressibilityPart) / compressibility_ * actuator.bulk_modulus_Pa;
   out.physics_error.leakage = errors(kLeakagePart) * per_leakage;
   out.physics_error.overlap_A = errors(kOverlapPart) * actuator_.valve_current_max_A;
   return out;

@@ -15,8 +15,12 @@ namespace {
 constexpr int kFlow = 0, kParts = 1, kCompression = 6, kSupply = 7;  // of the terms
 // Least residual variance for the detection of changes: a little noise is no change of a valve that had none.
 constexpr double kLeastResidual = 0.02;
-// Error of the compression, share: the rest of it is the fifth parameter.
-constexpr double kCompressionError = 0.25;
+// Samples since a change of the valve after which the oil's compressibility is taken anew: oil does not change with a valve,
+// and a loop that oscillates compresses it.
+constexpr std::int64_t kOilSamples = 2500;
+// The least and the largest compressibility over the nominal one that are given on. Oil that is softer has so much air that no
+// law helps.
+constexpr double kLeastCompressibility = 0.5, kLargestCompressibility = 5.0;
 // Error of the supply's pressure, share: the flow goes with the root of a drop that it is part of.
 constexpr double kSupplyError = 0.1, kMeasuredSupplyError = 0.03;  // the measured one is at most 10 ms old
 // A supply sensor that reads more than this share of the nominal pressure is broken: the relief valve opens before.
@@ -29,6 +33,12 @@ constexpr double kCalm_s = 0.15;
 constexpr double kDeaf_s = 0.06;
 // A loop that oscillates with gains for a valve of this share has another cause.
 constexpr double kStrongest = 2.5;
+
+// The positive part of the estimate of James and Stein (1961): an uncertain change counts as less.
+double shrunk(double change, double error) noexcept {
+  const double uncertain = error / std::max(std::abs(change), 1e-300);
+  return change * std::max(0.0, 1.0 - uncertain * uncertain);
+}
 
 }  // namespace
 
@@ -176,12 +186,10 @@ void ValveFlowEstimator::smooth(const Terms& now) noexcept {
 
 void ValveFlowEstimator::learn() noexcept {
   const Parameters parts = smooth_.segment<kParameters>(kParts);
-  const double deviation = std::hypot(own_.flow_error, kCompressionError * smooth_(kCompression), smooth_(kSupply));
+  const double deviation = std::hypot(own_.flow_error, smooth_(kCompression), smooth_(kSupply));
   const double error = (smooth_(kFlow) - parts.dot(prior_)) / deviation;
   const Parameters scaled = parts.cwiseProduct(deviation_) / deviation;
-  // The innovation over its deviation: what the parameters' own uncertainty explains is no change of the valve.
-  const double unexpected = (error - regression_.parameters().row(0).dot(scaled)) /
-                            std::sqrt(1.0 + scaled.dot(regression_.covariance() * scaled));
+  const double unexpected = error - regression_.parameters().row(0).dot(scaled);
   errors_.take(unexpected);
   surplus_ = PredictionErrors::kMemory * surplus_ + (parts(kGainPart) > 0.0 ? unexpected : -unexpected);
   const double usual = std::sqrt(std::max(kLeastResidual, regression_.residual_variance()(0)));
@@ -195,6 +203,11 @@ void ValveFlowEstimator::learn() noexcept {
   }
   if (regression_.update(scaled, {error, 0.0, 0.0}) == RlsStatus::kCovarianceNotPositiveDefinite) {
     sample_flags_ |= bit(EstimateFlag::kCovarianceRepaired);
+  }
+  if (regression_.samples() > kOilSamples) {
+    const double change = parameters()(kCompressibilityPart);
+    compressibility_ = std::clamp(1.0 + shrunk(change, standard_errors()(kCompressibilityPart)), kLeastCompressibility,
+                                  kLargestCompressibility);
   }
 }
 

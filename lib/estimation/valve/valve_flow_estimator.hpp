@@ -118,8 +118,9 @@ class ValveFlowEstimator final : public Estimator {
   std::uint32_t sample_flags_ = 0;
   OscillationMonitor loop_;
   double since_alarm_s_ = std::numeric_limits<double>::infinity();  ///< of an oscillating loop
-  double surplus_ = 0.0;   ///< unexpected flow towards the opening, summed over about 50 samples
-  bool stronger_ = false;  ///< the valve counts as stronger, and no estimate has been valid since
+  double compressibility_ = 1.0;  ///< of the oil over the nominal one, once enough samples tell it from the valve
+  double surplus_ = 0.0;          ///< unexpected flow towards the opening, summed over about 50 samples
+  bool stronger_ = false;         ///< the valve counts as stronger, and no estimate has been valid since
 };
 
 /// Relative standard error of the gain at which an estimate has no value any more.

@@ -14,7 +14,8 @@ constexpr double kMean_s = 0.010;
 JointGuard::JointGuard(const JointGuardParams& params, const Eigen::Vector3d& torque_limits_Nm, int legs,
                        double period_s) noexcept
     : params_(params),
-      most_error_Nm_(params.torque_share * torque_limits_Nm),
+      most_error_Nm_(Eigen::Vector3d(params.haa_torque_share, params.torque_share, params.torque_share)
+                         .cwiseProduct(torque_limits_Nm)),
       legs_(legs),
       period_s_(period_s),
       share_(std::min(1.0, period_s / kMean_s)) {
@@ -30,7 +31,8 @@ double JointGuard::averaged(double& mean, double value) const noexcept {
   return mean;
 }
 
-void JointGuard::step(const Readings& readings, const LegTorques& asked_Nm, bool acts) noexcept {
+void JointGuard::step(const Readings& readings, const LegTorques& asked_Nm, JointDuty duty) noexcept {
+  const double dead_after_s = duty == JointDuty::kWalk ? params_.dead_after_s : params_.dead_standing_after_s;
   for (int leg = 0; leg < legs_; ++leg) {
     const LegReadings& is = readings.legs[leg];
     for (int joint = 0; joint < kJointsPerLeg; ++joint) {
@@ -40,14 +42,14 @@ void JointGuard::step(const Readings& readings, const LegTorques& asked_Nm, bool
       const bool off = std::abs(error_Nm) > most_error_Nm_[joint];
       const bool still = std::abs(velocity_rad_s) < params_.still_rad_s;
       double& off_s = off_s_[leg][joint];
-      if (!acts) {
+      if (duty == JointDuty::kNone) {
         off_s = 0.0;
       } else if (still && off) {
         off_s += period_s_;
       } else if (!still || std::abs(commanded_Nm) > most_error_Nm_[joint]) {
         off_s = std::max(0.0, off_s - period_s_);
       }
-      if (!dead_ && off_s > params_.dead_after_s) {
+      if (!dead_ && off_s > dead_after_s) {
         dead_ = LegJoint{leg, joint};
       }
     }

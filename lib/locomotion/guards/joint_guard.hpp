@@ -8,10 +8,15 @@ namespace farrier::locomotion {
 
 /// Limits from which a joint counts as dead.
 struct JointGuardParams {
-  double torque_share = 0.14;   ///< of the joint's torque limit: a joint whose torque is off by less follows, 0..1
-  double still_rad_s = 0.06;    ///< a joint that moves faster in the mean is weak and not dead, > 0
-  double dead_after_s = 0.045;  ///< ticks that are off and still, less those that follow, so long; >= 0
+  double torque_share = 0.14;      ///< of the joint's torque limit: a joint whose torque is off by less follows, 0..1
+  double haa_torque_share = 0.28;  ///< the same of HAA, which is still in much of a trot; 0..1
+  double still_rad_s = 0.06;       ///< a joint that moves faster in the mean is weak and not dead, > 0
+  double dead_after_s = 0.045;     ///< ticks that are off and still, less those that follow, so long; >= 0
+  double dead_standing_after_s = 1.0;  ///< the same on four feet, where no fall is near; >= 0
 };
+
+/// What joints have to do. They need not follow while the robot lies, before they are armed, and after a fall.
+enum class JointDuty { kNone, kStand, kWalk };
 
 /// A joint of a leg.
 struct LegJoint {
@@ -32,9 +37,8 @@ class JointGuard {
   JointGuard(const JointGuardParams& params, const Eigen::Vector3d& torque_limits_Nm, int legs,
              double period_s) noexcept;
 
-  /// Takes the readings of a tick. `asked_Nm` are the torques commanded in the tick before. `acts` is false while joints
-  /// need not follow: lying, before they are armed, and after a fall.
-  void step(const Readings& readings, const LegTorques& asked_Nm, bool acts) noexcept;
+  /// Takes the readings of a tick. `asked_Nm` are the torques commanded in the tick before.
+  void step(const Readings& readings, const LegTorques& asked_Nm, JointDuty duty) noexcept;
 
   /// The command that acts: with an alarm the robot lies down at once. `lies`: the robot lies.
   MotionCommand command(const MotionCommand& asked, bool lies) noexcept;

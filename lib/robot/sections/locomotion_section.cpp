@@ -189,9 +189,13 @@ void declare(Visitor& v, ModeSequencerParams& m) {
 void declare(Visitor& v, JointGuardParams& g) {
   v.number("torque_share", g.torque_share, {0, 1}, kInitial,
            "A joint whose torque differs by less than this share of its limit follows.");
+  v.number("haa_torque_share", g.haa_torque_share, {0, 1}, kInitial,
+           "The same of HAA, which is still in much of a trot.");
   v.number("still_rad_s", g.still_rad_s, {1e-3, 10}, kInitial, "A joint whose mean velocity is larger is not dead.");
   v.number("dead_after_s", g.dead_after_s, {0, 10}, kInitial,
            "Time for which a joint neither follows nor moves until it is dead and the robot lies down.");
+  v.number("dead_standing_after_s", g.dead_standing_after_s, {0, 10}, kInitial,
+           "The same on four feet: adaptation finds a wide overlap in less.");
 }
 
 }  // namespace farrier::locomotion

@@ -40,6 +40,25 @@ plant::HydraulicJoint held(const plant::ActuatorParams& a, double load_pressure_
   return plant::HydraulicJoint::create(a, {.mass = 1e6, .damping = 0.0}, state).value();
 }
 
+TEST(FeedbackLinearisation, MakesTheForceRateItWantsWithTheOilThatItIsTold) {
+  plant::ActuatorParams soft = hyq_cylinder();
+  soft.bulk_modulus_Pa *= 0.25;
+  constexpr double kShort_s = 1e-5, kError_N = 200.0;
+  const FeedbackLinearisationGains proportional{.force_1_s = 400.0, .integral_1_s2 = 0.0, .velocity_compensation = 1.0};
+  for (const bool told : {false, true}) {
+    plant::HydraulicJoint joint = held(soft, 0.0, true);
+    FeedbackLinearisation law = controller(proportional);
+    if (told) {
+      ASSERT_TRUE(law.set_physics(plant::nominal_physics(soft, {.mass = 1.0, .damping = 0.0})));
+    }
+    const double before = joint.hydraulic_force();
+    joint.step(law.step(before + kError_N, {0.0, 0.0, before}).valve_current_A, 0.0, kShort_s);
+    const double rate = (joint.hydraulic_force() - before) / kShort_s;
+    const double wanted = proportional.force_1_s * kError_N;
+    EXPECT_NEAR(rate, told ? wanted : 0.25 * wanted, 0.01 * wanted) << told;
+  }
+}
+
 TEST(FeedbackLinearisation, MakesTheForceRateItWantsEitherWay) {
   // The plant's root is 0.25 % below sqrt at a drop of ten laminar pressures; here the drop is at least sixty. Over
   // 10 us the pressures move by a thousandth of the drop. Damping of the piston has no effect at rest.

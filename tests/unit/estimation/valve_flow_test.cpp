@@ -135,6 +135,20 @@ TEST(ValveFlow, FindsALeakagePastThePiston) {
   EXPECT_NEAR(moved.estimate().physics.leakage, 5e-13, 1.5e-13);
 }
 
+TEST(ValveFlow, FindsOilThatIsSofterThanItsFileSays) {
+  for (const double bulk_modulus : {0.4, 1.0}) {
+    robot::Wear wear = no_wear();
+    wear.bulk_modulus = bulk_modulus;
+    MovedJoint moved(wear);
+    moved.run(4.0);
+    const ModelEstimate estimate = moved.estimate();
+    const double nominal_Pa = moved.joint().actuator.bulk_modulus_Pa;
+    EXPECT_NEAR(nominal_Pa / estimate.physics.bulk_modulus, 1.0 / bulk_modulus, 0.3 / bulk_modulus) << bulk_modulus;
+    EXPECT_GT(estimate.physics_error.bulk_modulus, 0.0);
+    EXPECT_NEAR(moved.gain(), 1.0, 0.04) << bulk_modulus;
+  }
+}
+
 TEST(ValveFlow, FollowsAValveThatLosesHalfItsGainWithinAFifthOfASecond) {
   MovedJoint moved(no_wear());
   moved.run(3.0);

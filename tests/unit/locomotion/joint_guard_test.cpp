@@ -21,7 +21,7 @@ class Joints {
   }
 
   /// For so long the knee of leg 1 is off by this torque and has this velocity. Others are asked for a wave.
-  void go(double seconds, double off_Nm, double velocity_rad_s, bool acts = true) {
+  void go(double seconds, double off_Nm, double velocity_rad_s, JointDuty duty = JointDuty::kWalk) {
     for (int tick = 0; tick < std::lround(seconds / kPeriod_s); ++tick) {
       for (int leg = 0; leg < kLegs; ++leg) {
         readings_.legs[leg].torque_Nm = late_[leg];
@@ -29,7 +29,7 @@ class Joints {
       readings_.legs[1].torque_Nm[2] += off_Nm;
       readings_.legs[1].velocity_rad_s[2] = velocity_rad_s;
       late_ = asked_;
-      guard_.step(readings_, late_, acts);
+      guard_.step(readings_, late_, duty);
       ++now_;
       asked_.fill(Eigen::Vector3d::Constant(amplitude_Nm_ * std::sin(0.05 * static_cast<double>(now_))));
     }
@@ -57,6 +57,15 @@ TEST(JointGuard, FindsAJointThatNeitherFollowsNorMoves) {
   joints.go(0.050, 30.0, 0.0);
   EXPECT_FALSE(joints.guard().dead());
   joints.go(0.015, 30.0, 0.03);
+  EXPECT_EQ(joints.guard().dead(), (LegJoint{1, 2}));
+}
+
+TEST(JointGuard, GivesARobotThatStandsTheTimeToFindAWideOverlap) {
+  Joints joints;
+  joints.go(0.9, 30.0, 0.0, JointDuty::kStand);
+  EXPECT_FALSE(joints.guard().dead());
+  joints.go(2.0, 0.0, 0.0, JointDuty::kStand);
+  joints.go(1.1, 30.0, 0.0, JointDuty::kStand);
   EXPECT_EQ(joints.guard().dead(), (LegJoint{1, 2}));
 }
 
@@ -96,7 +105,7 @@ TEST(JointGuard, ForgetsATouchdown) {
 
 TEST(JointGuard, IgnoresJointsThatNeedNotFollow) {
   Joints joints;
-  joints.go(2.0, 100.0, 0.0, false);
+  joints.go(2.0, 100.0, 0.0, JointDuty::kNone);
   EXPECT_FALSE(joints.guard().dead());
   joints.go(0.040, 100.0, 0.0);
   EXPECT_FALSE(joints.guard().dead()) << "it counts from then on";
