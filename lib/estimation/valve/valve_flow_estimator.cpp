@@ -15,7 +15,7 @@ namespace {
 constexpr int kFlow = 0, kParts = 1, kCompression = 6, kSupply = 7;  // of the terms
 // Least residual variance for the detection of changes: a little noise is no change of a valve that had none.
 constexpr double kLeastResidual = 0.02;
-// Samples since a change of the valve after which the oil's compressibility is taken anew: oil does not change with a valve,
+// Samples after a change of the valve before the oil's compressibility follows again. Oil does not change with a valve,
 // and a loop that oscillates compresses it.
 constexpr std::int64_t kOilSamples = 2500;
 // The least and the largest compressibility over the nominal one that are given on. Oil that is softer has so much air that no

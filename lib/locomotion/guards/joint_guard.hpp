@@ -15,7 +15,7 @@ struct JointGuardParams {
   double dead_standing_after_s = 1.0;  ///< the same on four feet, where no fall is near; >= 0
 };
 
-/// What joints have to do. They need not follow while the robot lies, before they are armed, and after a fall.
+/// Duty of the joints. They need not follow while the robot lies, before they are armed, and after a fall.
 enum class JointDuty { kNone, kStand, kWalk };
 
 /// A joint of a leg.
