@@ -75,7 +75,7 @@ constexpr std::array kBodySpecs{
     FigureSpec{"compare.body.<contender>.force_nrmse.<place>.<phase>", "1", kNone, "As body.<trial>.force_nrmse, median over the walks without a fall."},
     // compare adaptation
     FigureSpec{"compare.adaptation.<row>.<condition>.<design>.runs", "1", kNone, "Runs of farrier compare adaptation."},
-    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.falls", "1", kNone, "Those that ended with a fall."},
+    FigureSpec{"compare.adaptation.<row>.<condition>.<design>.falls", "1", kNone, "Those in which the robot fell or lay down: it walks at less than half of the speed asked."},
     FigureSpec{"compare.adaptation.<row>.<condition>.<design>.fall_share_low", "1", kNone, "Lower end of the 95 % interval of the share that falls (Wilson 1927)."},
     FigureSpec{"compare.adaptation.<row>.<condition>.<design>.fall_share_high", "1", kNone, "Its upper end."},
     FigureSpec{"compare.adaptation.<row>.<condition>.<design>.stance_nrmse", "1", kNone, "RMS over the kinds of joint of the force error in stance, median over the runs without a fall."},

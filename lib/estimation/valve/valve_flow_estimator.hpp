@@ -35,17 +35,19 @@ struct KnownValve {
 ///
 ///   A_p v + F_h' / (A_p k) = K_v / sqrt(1 + alpha^3) root(drop) (u - d sign u) - c p_c
 ///
-/// Here k is the rate of the load pressure per flow, and p_c is plant::leakage_pressure_Pa(). The left side is measured.
-/// Everything on the right side is known but K_v, K_v d and c, which are linear in it. The drop depends on the force that
-/// the piston's damping takes; what that has grown by is a fourth parameter, linearised. The compressibility 1 / k beyond the nominal one is a fifth.
-/// Neither is told. No load is in it:
-/// other joints and contacts may do what they will behind the cell (docs/decisions/0077-valve-flow.md). One estimate serves
-/// both phases, for the valve does not know them. A valve that is shut teaches nothing, nor does one whose chambers are not
-/// in steady flow (ChamberOil). The samples begin where the port is open by least_opening beyond the overlap.
+/// Here k is the rate of the load pressure per flow, and p_c is plant::leakage_pressure_Pa(). The left side is
+/// measured. Everything on the right side is known but K_v, K_v d and c, which are linear in it. The drop depends on
+/// the force that the piston's damping takes; what that has grown by is a fourth parameter, linearised, which is not
+/// told. A fifth is the oil's compressibility over the nominal one, less one, times F_h' / (A_p k). No load is in it:
+/// other joints and contacts may do what they will behind the cell (docs/decisions/0077-valve-flow.md). One estimate
+/// serves both phases, for the valve does not know them. A valve that is shut teaches nothing, nor does one whose
+/// chambers are not in steady flow (ChamberOil). The samples begin where the port is open by least_opening beyond the
+/// overlap.
 ///
-/// Flow errors beyond the usual ones mean that the valve has changed, and it is estimated from the start. If it lets more through than
-/// expected, or if the force loop oscillates (OscillationMonitor), it counts as stronger by gain_uncertainty at once: the
-/// flag kCountsAsStronger is set until there are min_samples again. A law for a weaker valve than there is may be unstable.
+/// Flow errors beyond the usual ones mean that the valve has changed, and it is estimated from the start. If it lets
+/// more through than expected, or if the force loop oscillates (OscillationMonitor), it counts as stronger by
+/// gain_uncertainty at once: the flag kCountsAsStronger is set until there are min_samples again. A law for a weaker
+/// valve than there is may be unstable.
 ///
 /// The load of the prior is kept, and the linear model follows from it with the estimated gain.
 class ValveFlowEstimator final : public Estimator {
@@ -101,7 +103,7 @@ class ValveFlowEstimator final : public Estimator {
   double supply_error_;             ///< share of that pressure
   std::array<plant::LoadParams, 2> loads_;
   double open_flow_m3_s_;  ///< nominal, at supply pressure
-  Parameters prior_;       ///< of the linear parameters: gain, gain times overlap, leakage, damping
+  Parameters prior_;       ///< of the linear parameters: gain, gain times overlap, leakage, damping, compressibility
   Parameters deviation_;   ///< their standard deviations before the first sample
   control::SampledSpool spool_;
   Rls<kParameters> regression_;
