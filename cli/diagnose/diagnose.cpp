@@ -16,6 +16,7 @@
 #include "cli/diagnose/diagnose_control.hpp"
 #include "cli/diagnose/diagnose_options.hpp"
 #include "cli/diagnose/diagnose_scaled.hpp"
+#include "cli/diagnose/diagnose_wiring.hpp"
 #include "cli/base/installation.hpp"
 #include "cli/base/long_work.hpp"
 #include "cli/base/output_file.hpp"
@@ -46,19 +47,29 @@ Result<const robot::Joint*> joint_of(const robot::Robot& robot, const std::strin
                           : Error{"--joint: " + robot.name + " has no joint '" + name + "'; it has " + names};
 }
 
-/// A recording, or what is wrong with it.
-Result<Recording, diagnosis::RecordingProblems> read(const DiagnoseOptions& o, const robot::Robot& robot,
-                                                     const robot::Joint& joint) {
+/// Reason why a recording cannot be judged.
+struct Refusal {
+  diagnosis::RecordingProblems problems;
+  std::vector<diagnosis::WiringAnswer> wiring = {};  ///< empty: the data are bad
+};
+
+/// A recording, or what is wrong with it: its wiring before its data.
+Result<Recording, Refusal> read(const DiagnoseOptions& o, const robot::Robot& robot, const robot::Joint& joint) {
   auto recording = playback::is_recording(o.recording)
                        ? offline::read_joint_recording(o.recording, joint.name, long_work("diagnose, reading"))
                    : diagnosis::is_trace(o.recording) ? diagnosis::recording_of_trace(o.recording, robot, joint)
                                                       : diagnosis::read_recording(o.recording, joint.name);
-  if (recording) {
-    if (auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
-      return diagnosis::RecordingProblems{std::move(findings), recording.value().remarks};
-    }
+  if (!recording) {
+    return Refusal{std::move(recording).error()};
   }
-  return recording;
+  if (auto wiring = wiring_of(o, robot, joint, recording.value()); !wiring.empty()) {
+    auto findings = diagnosis::wiring_findings(wiring, recording.value(), joint.name);
+    return Refusal{{std::move(findings), recording.value().remarks}, std::move(wiring)};
+  }
+  if (auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
+    return Refusal{{std::move(findings), recording.value().remarks}};
+  }
+  return std::move(recording).value();
 }
 
 /// The robot that --model names, or without it the one a recording of farrier record is of. Refuses with all that is
@@ -122,7 +133,7 @@ Result<std::string> write_model(const std::string& path, const robot::Robot& rob
 }
 
 int finish(const report::DiagnosisResult& result, const Outputs& outputs, const DiagnoseOptions& o) {
-  const bool bad = result.diagnosis.judgement.verdict == diagnosis::Verdict::kBadData;
+  const bool bad = report::is_refused(result);
   report::Outcome outcome;
   outcome.command = "diagnose";
   outcome.run = report::run_info(result.robot, 0);
@@ -203,13 +214,15 @@ int diagnose(const DiagnoseOptions& o) {
   }
   if (!recording) {
     Diagnosis none{};
-    none.judgement.verdict = diagnosis::Verdict::kBadData;
-    none.remarks = recording.error().remarks;
+    const Refusal& refusal = recording.error();
+    none.judgement.verdict = refusal.wiring.empty() ? diagnosis::Verdict::kBadData : diagnosis::Verdict::kWiring;
+    none.remarks = refusal.problems.remarks;
     return finish({.diagnosis = none,
                    .robot = robot,
                    .joint = *joint.value(),
                    .recording = o.recording,
-                   .findings = recording.error().findings},
+                   .findings = refusal.problems.findings,
+                   .wiring = refusal.wiring},
                   outputs, o);
   }
   const Diagnosis found = diagnose_with_bar(recording.value(), *joint.value(), o.threads);

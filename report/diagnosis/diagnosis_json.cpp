@@ -1,5 +1,6 @@
 #include "report/diagnosis/diagnosis_json.hpp"
 
+#include "diagnosis/data/trace_recording.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
 #include "report/diagnosis/judgement_json.hpp"
 
@@ -11,14 +12,10 @@ using diagnosis::Diagnosis;
 const char* effect_name(plant::EffectId id) { return plant::effect_info(id).name; }
 
 Json experiment_json(const diagnosis::Experiment& experiment) {
-  return {{"one", effect_name(experiment.one)},
-          {"other", effect_name(experiment.other)},
-          {"excitation", experiment.excitation},
-          {"amplitude_A", experiment.amplitude_A},
-          {"frequency_Hz", experiment.frequency_Hz},
-          {"duration_s", experiment.duration_s},
-          {"difference", experiment.difference},
-          {"text", experiment_text(experiment)}};
+  return {{"one", effect_name(experiment.one)},      {"other", effect_name(experiment.other)},
+          {"excitation", experiment.excitation},     {"amplitude_A", experiment.amplitude_A},
+          {"frequency_Hz", experiment.frequency_Hz}, {"duration_s", experiment.duration_s},
+          {"difference", experiment.difference},     {"text", experiment_text(experiment)}};
 }
 
 Json channel_json(const diagnosis::ChannelReport& channel, const DiagnosisResult& result) {
@@ -38,12 +35,21 @@ Json channel_json(const diagnosis::ChannelReport& channel, const DiagnosisResult
           {"left", {{"rms", left.rms}, {"expected", left.expected}, {"nrmse", left.nrmse}}}};
 }
 
+Json wiring_json(const diagnosis::WiringAnswer& answer, const robot::Joint& joint) {
+  return {{"what", diagnosis::to_string(answer.fault.kind)},
+          {"columns", diagnosis::columns_of(answer.fault, diagnosis::coordinates_of(joint))},
+          {"amount", answer.fault.amount},
+          {"joint", answer.fault.joint.empty() ? Json(nullptr) : Json(answer.fault.joint)},
+          {"confidence", answer.confidence},
+          {"left", answer.left}};
+}
+
 }  // namespace
 
 std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome) {
   const Diagnosis& d = result.diagnosis;
   const diagnosis::Judgement& judgement = d.judgement;
-  const bool bad = judgement.verdict == diagnosis::Verdict::kBadData;
+  const bool bad = is_refused(result);
   Json common = Json::parse(to_json(outcome));
   Json json{{"command", outcome.command},
             {"verdict", diagnosis::to_string(judgement.verdict)},
@@ -77,6 +83,12 @@ std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome
   json["remarks"] = d.remarks;
   if (bad) {
     json["findings"] = json_of(result.findings);
+  }
+  if (!result.wiring.empty()) {
+    json["wiring"] = Json::array();
+    for (const diagnosis::WiringAnswer& answer : result.wiring) {
+      json["wiring"].push_back(wiring_json(answer, result.joint));
+    }
   }
   json["figures"] = std::move(common["figures"]);
   json["run"] = std::move(common["run"]);

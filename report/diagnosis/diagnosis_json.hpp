@@ -9,7 +9,7 @@
 namespace farrier::report {
 
 /// The form of every command, to_json(outcome). "verdict" is "effects" | "none" | "cannot_separate" | "unknown" |
-/// "not_excited" | "bad_data". Values that are not finite are null. Further keys:
+/// "not_excited" | "bad_data" | "wiring". Values that are not finite are null. Further keys:
 ///
 /// "robot", "joint", "recording" are texts, and "extended_model" is a path or null. "effects": [{"name", "parameter",
 /// "value", "unit", "low", "high" (95 %), "confidence", "share", "parameters": [{"name", "value", "unit"}]}], by their
@@ -18,7 +18,9 @@ namespace farrier::report {
 /// are all of them, and "not_judged" is [name]. "held_out": {"nrmse_before", "nrmse_after", "low", "high" (95 % of the
 /// one over the other)} or null. "control": {"effect", "old_nrmse", "new_nrmse"} or null. "channels": [{"name", "unit",
 /// "dependences": [{"driver", "explained", "shape", "from", "mean", "deviation"}], "left": {"rms", "expected",
-/// "nrmse"}}]. "remarks" is [text]. With bad data "findings" are [{"what", "row", "text"}].
+/// "nrmse"}}]. "remarks" is [text]. With bad data and wrong wiring "findings" are [{"what", "row", "text"}]. "wiring", with
+/// that verdict alone and in the order of "findings", is [{"what", "columns", "amount" (factor or samples), "joint" (whose
+/// sensor it is) or null, "confidence", "left" (share of the deviation once undone)}].
 std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome);
 
 /// Writes it to `path`; refuses what the disk does not take.

@@ -76,6 +76,11 @@ ShownEffect shown(const diagnosis::NamedEffect& effect, const robot::Joint& join
   return shown(effect, plant::Scales(joint.actuator, joint.swing_load), joint.rotary ? Units::kRotary : Units::kLinear);
 }
 
+bool is_refused(const DiagnosisResult& result) noexcept {
+  const diagnosis::Verdict verdict = result.diagnosis.judgement.verdict;
+  return verdict == diagnosis::Verdict::kBadData || verdict == diagnosis::Verdict::kWiring;
+}
+
 void add_diagnosis(Figures& figures, const DiagnosisResult& result) {
   const diagnosis::Diagnosis& diagnosis = result.diagnosis;
   if (diagnosis.channels.empty()) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "diagnosis/judge/diagnosis.hpp"
+#include "diagnosis/wiring/wiring.hpp"
 #include "robot/robot.hpp"
 #include "report/figures/figures.hpp"
 
@@ -21,12 +22,16 @@ struct DiagnosisResult {
   const diagnosis::Diagnosis& diagnosis;
   const robot::Robot& robot;
   const robot::Joint& joint;
-  std::string recording;       ///< the file's path, for people
-  double period_s = 0.0;       ///< of the recording; 0 for data that could not be read
-  std::vector<diagnosis::Finding> findings = {};  ///< what is wrong with bad data
-  std::string extended_model = {};  ///< path of the file; empty: none was written
+  std::string recording;                             ///< the file's path, for people
+  double period_s = 0.0;                             ///< of the recording; 0 for data that could not be read
+  std::vector<diagnosis::Finding> findings = {};     ///< what is wrong with bad data, or with the wiring
+  std::vector<diagnosis::WiringAnswer> wiring = {};  ///< of the verdict `wiring`, in the order of `findings`
+  std::string extended_model = {};                   ///< path of the file; empty: none was written
   std::optional<ControlGain> control = {};
 };
+
+/// True for a verdict about the recording, not about the joint: `bad_data` and `wiring`.
+bool is_refused(const DiagnosisResult& result) noexcept;
 
 /// Units in which the numbers of an effect are shown: of a cylinder's file, of a rotary motor's, or of a recording
 /// without units, in which times are counted in samples.

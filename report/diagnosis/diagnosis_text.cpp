@@ -55,9 +55,8 @@ std::vector<std::string> remainders(const DiagnosisResult& result) {
       continue;
     }
     std::string line = words_of(channel.name) + ": " + short_number(left.rms) + " " +
-                       unit_of(channel.channel, result.joint) +
-                       " rms are left, where the sensors' noise explains " + short_number(left.expected) +
-                       "; NRMSE " + short_number(left.nrmse);
+                       unit_of(channel.channel, result.joint) + " rms are left, where the sensors' noise explains " +
+                       short_number(left.expected) + "; NRMSE " + short_number(left.nrmse);
     if (const double at = peak_Hz(channel); at > 0.0) {
       line += "; strongest at " + short_number(at) + " Hz";
     }
@@ -112,6 +111,8 @@ std::string verdict_sentence(const diagnosis::Judgement& judgement) {
       return "the recording moves too little to judge the model by";
     case Verdict::kBadData:
       return "the data cannot be judged: mend the recording first";
+    case Verdict::kWiring:
+      return "the channels contradict each other as no joint can: mend the wiring first";
   }
   return "";
 }
@@ -160,6 +161,7 @@ std::vector<std::string> verdict_details(const DiagnosisResult& result) {
       lines = remainders(result);
       break;
     case Verdict::kBadData:
+    case Verdict::kWiring:
       lines = findings_text(result.findings);
       break;
   }
@@ -173,8 +175,8 @@ std::string effect_text(const ShownEffect& effect) {
   const auto with_unit = [](const ShownEffect::Number& number) {
     return number.name + " " + short_number(number.value) + (number.unit == "1" ? "" : " " + number.unit);
   };
-  std::string text = std::string(effect.info->name) + ": " + with_unit(effect.numbers[0]) + " (95 %: " +
-                     short_number(effect.low) + " to " + short_number(effect.high) + ")";
+  std::string text = std::string(effect.info->name) + ": " + with_unit(effect.numbers[0]) +
+                     " (95 %: " + short_number(effect.low) + " to " + short_number(effect.high) + ")";
   for (std::size_t i = 1; i < effect.numbers.size(); ++i) {
     text += ", " + with_unit(effect.numbers[i]);
   }
@@ -210,8 +212,7 @@ std::string diagnosis_console(const DiagnosisResult& result) {
       const diagnosis::Dependence* dependence = strongest(c);
       rows.push_back({words_of(c.name), change(c.before.one_step, c.after.one_step),
                       change(c.before.ahead_50ms, c.after.ahead_50ms),
-                      change(c.before.free_running, c.after.free_running),
-                      change(c.whiteness, c.whiteness_after),
+                      change(c.before.free_running, c.after.free_running), change(c.whiteness, c.whiteness_after),
                       change(c.cross_correlation, c.cross_correlation_after),
                       dependence == nullptr ? "" : shape_of(*dependence)});
     }

@@ -48,7 +48,8 @@ std::string hidden_text(const HideTrial& trial) {
 
 bool JointVerdict::suspects() const {
   using enum diagnosis::Verdict;
-  return verdict != to_string(kNone) && verdict != to_string(kNotExcited) && verdict != to_string(kBadData);
+  return verdict != to_string(kNone) && verdict != to_string(kNotExcited) && verdict != to_string(kBadData) &&
+         verdict != to_string(kWiring);
 }
 
 const JointVerdict* HideTrial::suspect() const {

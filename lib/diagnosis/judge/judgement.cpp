@@ -55,6 +55,8 @@ const char* to_string(Verdict verdict) noexcept {
       return "not_excited";
     case Verdict::kBadData:
       return "bad_data";
+    case Verdict::kWiring:
+      return "wiring";
   }
   return "";
 }

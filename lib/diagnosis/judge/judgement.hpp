@@ -10,7 +10,7 @@
 
 namespace farrier::diagnosis {
 
-enum class Verdict { kEffects, kNone, kCannotSeparate, kUnknown, kNotExcited, kBadData };
+enum class Verdict { kEffects, kNone, kCannotSeparate, kUnknown, kNotExcited, kBadData, kWiring };
 const char* to_string(Verdict verdict) noexcept;
 
 /// Bounds of the rules.

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "cli/diagnose/diagnose_options.hpp"
+#include "diagnosis/wiring/wiring.hpp"
+#include "robot/robot.hpp"
+
+namespace farrier::cli {
+
+/// Faults of wiring that the recording of one joint has. If they may be of another joint, the file is read again for the
+/// other joints that it has.
+std::vector<diagnosis::WiringAnswer> wiring_of(const DiagnoseOptions& options, const robot::Robot& robot,
+                                               const robot::Joint& joint, const diagnosis::Recording& recording);
+
+}  // namespace farrier::cli

@@ -1,0 +1,92 @@
+#include "cli/diagnose/diagnose_wiring_trials.hpp"
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "cli/base/command.hpp"
+#include "cli/base/output_file.hpp"
+#include "cli/base/progress.hpp"
+#include "participant/loop.hpp"
+#include "report/figures/console.hpp"
+#include "report/figures/outcome.hpp"
+#include "report/figures/text_format.hpp"
+#include "trials/wiring/wiring_trials.hpp"
+
+namespace farrier::cli {
+namespace {
+
+constexpr double kPossible = 0.9;   // of the recordings with a fault
+constexpr double kWrong = 0.03;     // likewise
+constexpr double kFalseAlarms = 0;  // of the recordings without
+
+void print(const std::vector<wiring::KindScore>& scores) {
+  std::vector<std::vector<std::string>> rows{{"fault", "recordings", "named first", "named", "another named"}};
+  for (const wiring::KindScore& score : scores) {
+    rows.push_back({score.name, std::to_string(score.recordings), std::to_string(score.first),
+                    std::to_string(score.possible), std::to_string(score.wrong)});
+  }
+  std::fputs(report::aligned(rows, "").c_str(), stdout);
+}
+
+}  // namespace
+
+int run_wiring_benchmark(const std::string& json_path, std::uint64_t seed, int trials, int threads,
+                         const std::string& robots) {
+  participant::install_signal_handlers();
+  if (!json_path.empty()) {
+    if (auto free = make_way(json_path); !free) {
+      return refuse("diagnose --wiring", free.error().message);
+    }
+  }
+  const auto rig = robot::load_robot((std::filesystem::path(robots) / "fc1d.yaml").string());
+  const auto legs = robot::load_robot((std::filesystem::path(robots) / "hyq.yaml").string(), {.without_effects = true});
+  if (!rig || !legs) {
+    return refuse("diagnose --wiring", config::to_string(!rig ? rig.error() : legs.error()));
+  }
+  const robot::Joint *const cylinder = &rig.value().joints.front(), *const motor = &legs.value().joints.front();
+  const auto scores = wiring::run_wiring_trials({cylinder, motor, legs.value().find("lf_hfe")}, seed);
+  if (!scores) {
+    return fail("diagnose --wiring", scores.error().message);
+  }
+  print(scores.value());
+  const auto plans = blind::spread(blind::all_trials(2, seed), trials);
+  Progress bar("diagnose --wiring", static_cast<Tick>(plans.size()), "trials");
+  std::size_t done = 0;
+  const std::vector<std::string> alarms = wiring::false_alarms(plans, {cylinder, motor}, threads, [&] {
+    bar.update(static_cast<Tick>(++done));
+    return !participant::stop_requested();
+  });
+  if (participant::stop_requested()) {
+    return participant::stop_status();
+  }
+  double recordings = 0.0, first = 0.0, possible = 0.0, wrong = 0.0;
+  for (const wiring::KindScore& score : scores.value()) {
+    recordings += score.recordings;
+    first += score.first;
+    possible += score.possible;
+    wrong += score.wrong;
+  }
+  report::Outcome outcome;
+  outcome.command = "diagnose";
+  outcome.run = report::run_info(rig.value(), seed);
+  for (const std::string& alarm : alarms) {
+    outcome.failures.push_back(alarm);
+  }
+  outcome.figures.add("diagnose.wiring.recordings", recordings);
+  outcome.figures.add("diagnose.wiring.named_first", first / recordings);
+  outcome.figures.add("diagnose.wiring.named", possible / recordings, kPossible);
+  outcome.figures.add("diagnose.wiring.another_named", wrong / recordings, kWrong);
+  outcome.figures.add("diagnose.wiring.trials", static_cast<double>(plans.size()));
+  outcome.figures.add("diagnose.wiring.false_alarms", static_cast<double>(alarms.size()), kFalseAlarms);
+  std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
+  if (!json_path.empty()) {
+    if (auto written = report::write_json(json_path, outcome); !written) {
+      return fail("diagnose --wiring", written.error().message);
+    }
+  }
+  return outcome.passes() ? kPassed : kFailed;
+}
+
+}  // namespace farrier::cli

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <limits>
+#include <optional>
+
+#include "diagnosis/wiring/box_regression.hpp"
+#include "diagnosis/wiring/wiring_signals.hpp"
+
+namespace farrier::diagnosis {
+
+/// A channel as it was recorded: `factor` times its true value, `late` samples late (negative: early).
+struct ChannelChange {
+  double factor = 1.0;
+  int late = 0;
+  bool operator==(const ChannelChange&) const = default;
+};
+
+/// Changes of all channels; by default each is as it should be.
+struct WiringHypothesis {
+  std::array<ChannelChange, kWiredChannels> changes{};
+  bool pressures_exchanged = false;
+
+  ChannelChange& of(WiredChannel channel) noexcept { return changes[static_cast<std::size_t>(channel)]; }
+  const ChannelChange& of(WiredChannel channel) const noexcept { return changes[static_cast<std::size_t>(channel)]; }
+};
+
+/// Laws that tie channels of a joint to each other, whatever physical effect it has:
+///
+///   kKinematics      v = x' - t v'                                    velocity, position
+///   kLoad            F = m a + d v + C x - t F'                       force, motion by position or by velocity
+///   kOil             u = (K_h v + d_p a + m_p a' + F') / (S K_v root) current, force, motion likewise; after a delay
+///   kCell            F = g (A_a p_a - A_b p_b) - d_p v - m_p a - t F' force, pressures, position
+///   kLevels          p_a + p_b = p_s                                  pressures
+enum class WiringLaw { kKinematics, kLoadByPosition, kLoadByVelocity, kOilByPosition, kOilByVelocity, kCell, kLevels };
+inline constexpr std::size_t kWiringLaws = 7;
+
+/// Share of a law's left side that it leaves unexplained (mean squares), with its numbers free in what effects of
+/// docs/effects.md can make of them; not a number for a law whose channels were not recorded or do not move.
+using Unexplained = std::array<double, kWiringLaws>;
+
+/// Judges hypotheses by the laws.
+class WiringJudge {
+ public:
+  static constexpr int kMostLate = 50;  ///< samples
+
+  WiringJudge(const Recording& recording, const robot::Joint& joint);
+
+  /// Laws of the channels that the hypothesis changes; the others are as without a fault.
+  Unexplained judge(const WiringHypothesis& hypothesis) const;
+  const Unexplained& without_fault() const noexcept { return none_; }
+
+  /// Root mean square of a channel about its mean (of the position: of its derivative), and about as large as the other
+  /// channels say that it should be; not a number where none does.
+  double seen(WiredChannel channel) const noexcept;
+  double expected(WiredChannel channel) const;
+
+  /// Largest lag that is tried, samples.
+  int most_late() const noexcept { return most_late_; }
+  /// Samples of the longest physical delay of an input.
+  int longest_delay() const noexcept { return longest_delay_; }
+
+ private:
+  struct Motion;
+
+  double law(WiringLaw law, const WiringHypothesis& hypothesis) const;
+  BoxRegression::Result kinematics(const WiringHypothesis& h) const;
+  BoxRegression::Result load(const WiringHypothesis& h, const Motion& motion) const;
+  BoxRegression::Result cell(const WiringHypothesis& h) const;
+  double oil(const WiringHypothesis& h, const Motion& motion) const;
+  double levels(const WiringHypothesis& h) const;
+  Motion by_position(const WiringHypothesis& h) const;
+  Motion by_velocity(const WiringHypothesis& h, double lag_s, bool quick) const;
+  double force_lag(const WiringHypothesis& h) const;
+
+  template <class Add>
+  void each(Add&& add) const {
+    for (std::size_t i = margin_; i + margin_ < signals_.size(); i += stride_) {
+      add(i);
+    }
+  }
+
+  WiringSignals signals_;
+  plant::ActuatorParams actuator_;
+  plant::LoadParams load_;
+  double period_s_;
+  int most_late_, longest_delay_;
+  std::size_t margin_, stride_;
+  bool load_known_throughout_ = true;
+  bool load_ever_known_ = true;
+  double force_rms_ = 0.0, speed_rms_ = 0.0, travel_rms_ = 0.0, current_rms_ = 0.0;
+  double level_a_ = 0.0, level_b_ = 0.0;  ///< medians over the supply pressure
+  Unexplained none_{};
+};
+
+}  // namespace farrier::diagnosis

@@ -1,0 +1,121 @@
+#include "trials/wiring/wiring_trials.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+
+#include "diagnosis/judge/parallel.hpp"
+#include "trials/wiring/wiring_faults.hpp"
+
+namespace farrier::wiring {
+namespace {
+
+constexpr double kPeriod_s = 0.001;
+
+std::string words_of(const blind::TrialPlan& plan) {
+  std::string words;
+  for (const truth::Hidden& hidden : plan.plan.hidden) {
+    words += (words.empty() ? "" : " and ") + hidden.name;
+  }
+  return words.empty() ? "no effect" : words;
+}
+
+}  // namespace
+
+bool is_fault(const diagnosis::WiringFault& answer, const diagnosis::WiringFault& fault) noexcept {
+  using diagnosis::WiringKind;
+  if (answer.kind != fault.kind || answer.channel != fault.channel || answer.both_pressures != fault.both_pressures ||
+      answer.joint != fault.joint || (fault.kind == WiringKind::kExchanged && answer.other != fault.other)) {
+    return false;
+  }
+  const bool lag = fault.kind == WiringKind::kLate || fault.kind == WiringKind::kEarly;
+  return std::abs(answer.amount - fault.amount) <= 0.1 * fault.amount + (lag ? 1.0 : 0.0);
+}
+
+diagnosis::Recording recording_of(const truth::Samples& samples, const robot::Joint& joint) {
+  diagnosis::Recording recording;
+  recording.coordinates = joint.rotary ? diagnosis::Coordinates::kRotary : diagnosis::Coordinates::kLinear;
+  recording.period_s = samples.period_s;
+  for (std::size_t i = 0; i < samples.position.size(); ++i) {
+    recording.time_s.push_back(static_cast<double>(i) * samples.period_s);
+  }
+  recording.valve_current_A = samples.valve_current_A;
+  recording.position = samples.position;
+  recording.velocity = samples.velocity;
+  recording.force = samples.force;
+  recording.pressure_a_Pa = samples.pressure_a_Pa;
+  recording.pressure_b_Pa = samples.pressure_b_Pa;
+  recording.supply_pressure_Pa = samples.supply_pressure_Pa;
+  return recording;
+}
+
+Result<std::vector<KindScore>> run_wiring_trials(const std::vector<const robot::Joint*>& joints, std::uint64_t seed) {
+  std::vector<const robot::Joint*> of;
+  std::vector<diagnosis::Recording> recordings;
+  // One more than there are of a kind: the other joint's of the last.
+  for (int i = 0; i <= kRecordings; ++i) {
+    const auto n = static_cast<std::size_t>(i);
+    of.push_back(joints[n % joints.size()]);
+    const truth::Plan plan{.seed = seed + n, .excitation = static_cast<truth::Excitation>(i % 3), .hidden = {}};
+    const auto trial = FARRIER_TRY(truth::generate(*of.back(), kPeriod_s, plan));
+    recordings.push_back(recording_of(trial.samples, *of.back()));
+  }
+  std::vector<KindScore> scores;
+  for (const FaultKind& kind : fault_kinds()) {
+    KindScore score{.name = kind.name};
+    for (int i = 0; i < kRecordings; ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      diagnosis::Recording recording = recordings[n];
+      diagnosis::OtherJoint other{of[n + 1]->name, recordings[n + 1]};
+      const diagnosis::WiringFault fault = kind.put(recording, *of[n], other, i);
+      const auto answers = diagnosis::find_wiring(recording, *of[n], {&other, 1});
+      const auto right = [&](const diagnosis::WiringAnswer& answer) { return is_fault(answer.fault, fault); };
+      const bool possible = std::ranges::any_of(answers, right);
+      ++score.recordings;
+      score.first += !answers.empty() && right(answers.front()) ? 1 : 0;
+      score.possible += possible ? 1 : 0;
+      score.wrong += !answers.empty() && !possible ? 1 : 0;
+    }
+    scores.push_back(score);
+  }
+  return scores;
+}
+
+std::vector<std::string> false_alarms(const std::vector<blind::TrialPlan>& plans,
+                                      const std::vector<const robot::Joint*>& joints, int threads,
+                                      const std::function<bool()>& done) {
+  std::vector<std::string> alarms;
+  std::atomic<bool> goes_on{true};
+  std::mutex telling;
+  diagnosis::by_threads(threads, [](double) {}, 1)(plans.size(), [&](std::size_t i) {
+    if (!goes_on) {
+      return;
+    }
+    const robot::Joint& joint = *joints[plans[i].joint];
+    const auto trial = truth::generate(joint, kPeriod_s, plans[i].plan);
+    std::vector<std::string> mine;
+    for (const bool pressures : {true, false}) {
+      if (!trial) {
+        break;
+      }
+      diagnosis::Recording recording = recording_of(trial.value().samples, joint);
+      if (!pressures) {
+        recording.pressure_a_Pa = recording.pressure_b_Pa = recording.supply_pressure_Pa = {};
+      }
+      const auto answers = diagnosis::find_wiring(recording, joint);
+      for (const diagnosis::Finding& finding : diagnosis::wiring_findings(answers, recording, joint.name)) {
+        mine.push_back("trial " + std::to_string(i) + ", " + words_of(plans[i]) + ": " + finding.text);
+      }
+    }
+    const std::lock_guard lock(telling);
+    alarms.insert(alarms.end(), mine.begin(), mine.end());
+    if (!trial) {
+      alarms.push_back("trial " + std::to_string(i) + " could not be made: " + trial.error().message);
+    }
+    goes_on = done() && goes_on;
+  });
+  return alarms;
+}
+
+}  // namespace farrier::wiring
