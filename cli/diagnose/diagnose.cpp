@@ -17,6 +17,7 @@
 #include "cli/diagnose/diagnose_options.hpp"
 #include "cli/diagnose/diagnose_scaled.hpp"
 #include "cli/diagnose/diagnose_wiring.hpp"
+#include "cli/diagnose/diagnose_wiring_trials.hpp"
 #include "cli/base/installation.hpp"
 #include "cli/base/long_work.hpp"
 #include "cli/base/output_file.hpp"
@@ -171,6 +172,11 @@ int finish(const report::DiagnosisResult& result, const Outputs& outputs, const 
 int diagnose(const DiagnoseOptions& o) {
   if (o.units == Units::kScaled) {
     return diagnose_scaled(o);
+  }
+  if (o.wiring) {
+    return o.recording.empty() && !o.benchmark
+               ? run_wiring_benchmark(o.json_path, o.seed, o.trials, o.threads, robots_directory())
+               : refuse("diagnose", "--wiring makes its recordings: name none, and no --benchmark");
   }
   if (o.benchmark) {
     return o.recording.empty()

@@ -32,18 +32,6 @@ constexpr double kConfidentlyWrong = 0.01;
 constexpr double kMedianGain = 3.0;
 constexpr double kControlGain = 1.3;
 
-std::vector<blind::TrialPlan> spread(const std::vector<blind::TrialPlan>& all, int count) {
-  if (count <= 0 || static_cast<std::size_t>(count) >= all.size()) {
-    return all;
-  }
-  std::vector<blind::TrialPlan> some;
-  const auto n = static_cast<std::size_t>(count);
-  for (std::size_t i = 0; i < n; ++i) {
-    some.push_back(all[i * all.size() / n]);
-  }
-  return some;
-}
-
 void add_figures(report::Figures& figures, const std::vector<blind::Outcome>& outcomes) {
   const blind::Score s = blind::score(outcomes);
   const auto add = [&](const std::string& name, double value, std::optional<double> bound = std::nullopt) {
@@ -135,7 +123,7 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
     return refuse("diagnose --benchmark", config::to_string(!rig ? rig.error() : legs.error()));
   }
   const std::vector<const robot::Joint*> joints{&rig.value().joints.front(), &legs.value().joints.front()};
-  const auto plans = spread(blind::all_trials(joints.size(), o.seed), o.trials);
+  const auto plans = blind::spread(blind::all_trials(joints.size(), o.seed), o.trials);
   const std::string kept_path = o.json_path.empty() ? "" : o.json_path + ".trials";
   const std::string origin = report::build_name() + ", " + report::run_info(rig.value(), o.seed).configuration_hash +
                              ", " + report::run_info(legs.value(), o.seed).configuration_hash + ", seed " +

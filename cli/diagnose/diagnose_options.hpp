@@ -19,6 +19,7 @@ struct DiagnoseOptions {
   std::string json_path;  ///< empty: figures.json in `out`, or none
   int threads = 2;
   bool benchmark = false;      ///< run blind trials in place of a recording
+  bool wiring = false;         ///< likewise trials of faults of wiring
   std::string confusion_path;  ///< of those: what was taken for what; empty: none
   std::uint64_t seed = 1;
   int trials = 0;              ///< 0: all

@@ -35,6 +35,12 @@ constexpr std::array kDiagnosisSpecs{
                "RMS of force's error over reference's deviation on the extended model, controller for the given one."},
     FigureSpec{"diagnose.control.new_nrmse", "1", kNone, "The same, controller that knows the effects."},
     FigureSpec{"diagnose.control.ratio", "1", kNone, "The first over the second."},
+    FigureSpec{"diagnose.wiring.recordings", "1", kNone, "diagnose --wiring: recordings into which a fault was put."},
+    FigureSpec{"diagnose.wiring.named_first", "1", kNone, "Of them: the fault is named first."},
+    FigureSpec{"diagnose.wiring.named", "1", kAtLeast, "Of them: the fault is among those that may be meant."},
+    FigureSpec{"diagnose.wiring.another_named", "1", kAtMost, "Of them: only other faults are named."},
+    FigureSpec{"diagnose.wiring.trials", "1", kNone, "Blind trials without a fault of wiring that were run."},
+    FigureSpec{"diagnose.wiring.false_alarms", "1", kAtMost, "In these: faults of wiring that were named."},
     // diagnose --benchmark: shares are of trials whose hidden effects change the held-out error by more than 10 %
     FigureSpec{"diagnose.benchmark.trials", "1", kNone, "Blind trials that were run."},
     FigureSpec{"diagnose.benchmark.counted", "1", kNone, "Those that hide one effect of the library and count."},

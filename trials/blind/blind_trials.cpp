@@ -108,6 +108,18 @@ std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed) {
   return plans;
 }
 
+std::vector<TrialPlan> spread(const std::vector<TrialPlan>& all, int count) {
+  if (count <= 0 || static_cast<std::size_t>(count) >= all.size()) {
+    return all;
+  }
+  std::vector<TrialPlan> some;
+  const auto n = static_cast<std::size_t>(count);
+  for (std::size_t i = 0; i < n; ++i) {
+    some.push_back(all[i * all.size() / n]);
+  }
+  return some;
+}
+
 Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints) {
   Outcome outcome;
   outcome.plan = plan;

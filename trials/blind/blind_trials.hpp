@@ -50,6 +50,9 @@ struct Outcome {
 /// effect outside the library; of `joints` joints in turn.
 std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
 
+/// `count` of the trials, spread evenly over all; 0: all.
+std::vector<TrialPlan> spread(const std::vector<TrialPlan>& all, int count);
+
 /// `joints` outlive the call; nominal ones.
 Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints);
 

@@ -47,12 +47,12 @@ FaultKind dead(const char* name, WiredChannel channel) {
   return {name, [channel](Recording& r, const robot::Joint& joint, const OtherJoint&, int number) {
             std::vector<double>& values = column(r, channel);
             const double level = channel == kPosition && number > 1 ? values.front() : 0.0;
-            const double noise = number % 2 == 0                                  ? 0.0
-                                 : channel == kPosition                           ? joint.noise.position
-                                 : channel == kVelocity                           ? joint.noise.velocity
-                                 : channel == kForce                              ? joint.noise.force
-                                 : channel == kCurrent ? 1e-4 * joint.actuator.valve_current_max_A
-                                                       : 2e3;
+            const double noise = number % 2 == 0        ? 0.0
+                                 : channel == kPosition ? joint.noise.position
+                                 : channel == kVelocity ? joint.noise.velocity
+                                 : channel == kForce    ? joint.noise.force
+                                 : channel == kCurrent  ? 1e-4 * joint.actuator.valve_current_max_A
+                                                        : 2e3;
             const NoiseStream stream(static_cast<std::uint64_t>(number), joint.name, "dead channel");
             for (std::size_t i = 0; i < values.size(); ++i) {
               values[i] = level + noise * stream.normal(static_cast<Tick>(i));
@@ -80,8 +80,8 @@ WiringFault shifted(Recording& r, const std::vector<WiredChannel>& channels, int
 }
 
 FaultKind lagged(const char* name, int sign, std::vector<WiredChannel> channels) {
-  return {name, [sign, channels = std::move(channels)](Recording& r, const robot::Joint&, const OtherJoint&,
-                                                       int number) {
+  return {name,
+          [sign, channels = std::move(channels)](Recording& r, const robot::Joint&, const OtherJoint&, int number) {
             return shifted(r, channels, sign * kLags[static_cast<std::size_t>(number)]);
           }};
 }
@@ -144,10 +144,8 @@ std::vector<FaultKind> fault_kinds() {
       lagged("force late", 1, {kForce}),
       lagged("force early", -1, {kForce}),
       lagged("current late", 1, {kCurrent}),
-      {"current early by more than a delay",
-       [](Recording& r, const robot::Joint&, const OtherJoint&, int number) {
-         return shifted(r, {kCurrent}, -34 - 4 * number);
-       }},
+      {"current early by more than a delay", [](Recording& r, const robot::Joint&, const OtherJoint&,
+                                                int number) { return shifted(r, {kCurrent}, -34 - 4 * number); }},
       lagged("velocity late", 1, {kVelocity}),
       lagged("velocity early", -1, {kVelocity}),
       lagged("position late", 1, {kPosition}),

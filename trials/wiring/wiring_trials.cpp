@@ -88,7 +88,8 @@ std::vector<std::string> false_alarms(const std::vector<blind::TrialPlan>& plans
   std::vector<std::string> alarms;
   std::atomic<bool> goes_on{true};
   std::mutex telling;
-  diagnosis::by_threads(threads, [](double) {}, 1)(plans.size(), [&](std::size_t i) {
+  diagnosis::by_threads(
+      threads, [](double) {}, 1)(plans.size(), [&](std::size_t i) {
     if (!goes_on) {
       return;
     }

@@ -123,6 +123,16 @@ std::vector<JudgedFault> of_other_joints(const WiringJudge& judge, const Recordi
   return faults;
 }
 
+/// True if no law that the fault bears on is left as badly explained as by no effect.
+bool explains(const Unexplained& before, const JudgedFault& fault, double most_unexplained) {
+  for (std::size_t i = 0; i < kWiringLaws; ++i) {
+    if (!std::isnan(before[i]) && fault.unexplained[i] != before[i] && fault.unexplained[i] > most_unexplained) {
+      return false;
+    }
+  }
+  return true;
+}
+
 double share_left(const Unexplained& before, const JudgedFault& fault) {
   double sum = 0.0;
   int changed = 0;
@@ -152,6 +162,9 @@ std::vector<WiringAnswer> find_wiring(const Recording& recording, const robot::J
   std::vector<JudgedFault> faults = judge_faults(judge, recording, joint);
   const std::vector<JudgedFault> foreign = of_other_joints(judge, recording, joint, others, rules.same_share);
   faults.insert(faults.end(), foreign.begin(), foreign.end());
+  std::erase_if(faults, [&](const JudgedFault& fault) {
+    return !explains(judge.without_fault(), fault, rules.most_unexplained);
+  });
   std::ranges::stable_sort(faults, std::greater{}, &JudgedFault::gain);
   add_scaled_supply(recording, joint, answers);
   if (!faults.empty() && faults.front().gain >= rules.least_gain) {

@@ -25,9 +25,10 @@ struct OtherJoint {
 struct WiringRules {
   /// Sum over the laws of the logarithm of unexplained mean squares, without the fault over with it undone.
   double least_gain = 3.0;
-  double rival_weight = 0.05;  ///< of the best, above which another fault may be meant as well
-  double dead_share = 0.02;    ///< of a channel's expected movement, below which it is dead
-  double same_share = 0.02;    ///< of a channel's movement, within which it is another joint's
+  double most_unexplained = 0.35;  ///< of each law that the fault bears on, once it is undone
+  double rival_weight = 0.05;      ///< of the best, above which another fault may be meant as well
+  double dead_share = 0.02;        ///< of a channel's expected movement, below which it is dead
+  double same_share = 0.02;        ///< of a channel's movement, within which it is another joint's
 };
 
 /// Faults that a recording has: the likeliest first, then others that explain it about as well. Empty if no fault explains

@@ -1,6 +1,7 @@
 #include "diagnosis/wiring/wiring_hypotheses.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,7 +10,9 @@
 namespace farrier::diagnosis {
 namespace {
 
-constexpr double kFloor = 5e-4;  // of what a law leaves unexplained; noise and a tolerance of 3 % leave as much
+/// Of what a law leaves unexplained, the part that counts as nothing: the noise and the shape of a law that is exact, and
+/// for the oil its nonlinearity in a trot, a twentieth of the current (rms) and more.
+constexpr std::array<double, kWiringLaws> kFloors{5e-4, 1e-3, 1e-3, 5e-3, 5e-3, 1e-3, 5e-4};
 
 /// Searches the faults of one recording.
 class Search {
@@ -176,7 +179,7 @@ double log_gain(const Unexplained& before, const Unexplained& after) noexcept {
   double gain = 0.0;
   for (std::size_t i = 0; i < kWiringLaws; ++i) {
     if (!std::isnan(before[i]) && !std::isnan(after[i])) {
-      gain += std::log(std::max(std::min(before[i], 1.0), kFloor) / std::max(std::min(after[i], 1.0), kFloor));
+      gain += std::log(std::max(std::min(before[i], 1.0), kFloors[i]) / std::max(std::min(after[i], 1.0), kFloors[i]));
     }
   }
   return gain;
