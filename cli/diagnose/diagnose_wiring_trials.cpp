@@ -17,11 +17,11 @@
 namespace farrier::cli {
 namespace {
 
-constexpr double kPossible = 0.9;   // of the recordings with a fault
-constexpr double kWrong = 0.03;     // likewise
-constexpr double kFalseAlarms = 0;  // of the recordings without
+constexpr double kFaultsNamed = 0.9;    // of the recordings with a fault
+constexpr double kAnotherNamed = 0.03;  // likewise
+constexpr double kFalselyNamed = 0;     // of the recordings without
 
-void print(const std::vector<wiring::KindScore>& scores) {
+void print_scores(const std::vector<wiring::KindScore>& scores) {
   std::vector<std::vector<std::string>> rows{{"fault", "recordings", "named first", "named", "another named"}};
   for (const wiring::KindScore& score : scores) {
     rows.push_back({score.name, std::to_string(score.recordings), std::to_string(score.first),
@@ -50,7 +50,7 @@ int run_wiring_benchmark(const std::string& json_path, std::uint64_t seed, int t
   if (!scores) {
     return fail("diagnose --wiring", scores.error().message);
   }
-  print(scores.value());
+  print_scores(scores.value());
   const auto plans = blind::spread(blind::all_trials(2, seed), trials);
   Progress bar("diagnose --wiring", static_cast<Tick>(plans.size()), "trials");
   std::size_t done = 0;
@@ -76,10 +76,10 @@ int run_wiring_benchmark(const std::string& json_path, std::uint64_t seed, int t
   }
   outcome.figures.add("diagnose.wiring.recordings", recordings);
   outcome.figures.add("diagnose.wiring.named_first", first / recordings);
-  outcome.figures.add("diagnose.wiring.named", possible / recordings, kPossible);
-  outcome.figures.add("diagnose.wiring.another_named", wrong / recordings, kWrong);
+  outcome.figures.add("diagnose.wiring.named", possible / recordings, kFaultsNamed);
+  outcome.figures.add("diagnose.wiring.another_named", wrong / recordings, kAnotherNamed);
   outcome.figures.add("diagnose.wiring.trials", static_cast<double>(plans.size()));
-  outcome.figures.add("diagnose.wiring.false_alarms", static_cast<double>(alarms.size()), kFalseAlarms);
+  outcome.figures.add("diagnose.wiring.false_alarms", static_cast<double>(alarms.size()), kFalselyNamed);
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   if (!json_path.empty()) {
     if (auto written = report::write_json(json_path, outcome); !written) {

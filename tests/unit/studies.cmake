@@ -8,6 +8,9 @@ farrier_test(studies_test unit
 target_link_libraries(studies_test PRIVATE farrier_thesis_report nlohmann_json::nlohmann_json)
 target_compile_definitions(studies_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")
 
+farrier_test(wiring_trials_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/wiring_trials_test.cpp)
+target_link_libraries(wiring_trials_test PRIVATE farrier_wiring_trials)
+target_compile_definitions(wiring_trials_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 farrier_test(truth_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/truth_test.cpp)
 target_link_libraries(truth_test PRIVATE farrier_truth)
 target_compile_definitions(truth_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots")

@@ -93,7 +93,7 @@ std::vector<JudgedFault> of_other_joints(const WiringJudge& judge, const Recordi
   const Unexplained& none = judge.without_fault();
   for (const OtherJoint& other : others) {
     if (other.recording.position.size() != recording.position.size() ||
-        other.recording.position == recording.position ||
+        (other.recording.position == recording.position && other.recording.force == recording.force) ||
         (!recording.time_s.empty() && !other.recording.time_s.empty() &&
          std::abs(other.recording.time_s.front() - recording.time_s.front()) > 0.5 * recording.period_s)) {
       continue;

@@ -12,7 +12,7 @@ namespace {
 
 /// Of what a law leaves unexplained, the part that counts as nothing: the noise and the shape of a law that is exact, and
 /// for the oil its nonlinearity in a trot, a twentieth of the current (rms) and more.
-constexpr std::array<double, kWiringLaws> kFloors{5e-4, 1e-3, 1e-3, 5e-3, 5e-3, 1e-3, 5e-4};
+constexpr std::array<double, kWiringLaws> kFloors{5e-4, 1e-3, 1e-3, 5e-3, 5e-3, 5e-4, 5e-4};
 
 /// Searches the faults of one recording.
 class Search {
