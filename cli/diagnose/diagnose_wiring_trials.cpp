@@ -51,6 +51,7 @@ int run_wiring_benchmark(const std::string& json_path, std::uint64_t seed, int t
     return fail("diagnose --wiring", scores.error().message);
   }
   print_scores(scores.value());
+  std::fflush(stdout);
   const auto plans = blind::spread(blind::all_trials(2, seed), trials);
   Progress bar("diagnose --wiring", static_cast<Tick>(plans.size()), "trials");
   std::size_t done = 0;
