@@ -12,7 +12,7 @@ namespace wiring_cases {
 
 class WiringCase : public RecordingFile {
  protected:
-  /// What is said of a file of the rig with these columns.
+  /// Returns the findings of a file of the rig with these columns.
   std::vector<Finding> said_of(const CsvFile& file) const {
     const auto recording = read(file);
     EXPECT_TRUE(recording.ok());

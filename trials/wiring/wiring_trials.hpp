@@ -31,8 +31,8 @@ diagnosis::Recording recording_of(const truth::Samples& samples, const robot::Jo
 /// `joints` are hydraulic ones of `truth::generate`, at least two. Refuses what the generator does.
 Result<std::vector<KindScore>> run_wiring_trials(const std::vector<const robot::Joint*>& joints, std::uint64_t seed);
 
-/// Recordings of blind trials in which a fault of wiring was named, as "trial 12, valve_bias: ...", with and without
-/// their pressures. `done` is called after each trial; if it returns false, the rest is left out.
+/// Blind trials in which a fault of wiring was named, as "trial 12, valve_bias: ...". Each is judged with and without its
+/// pressures. `done` is called after each trial; if it returns false, the rest is left out.
 std::vector<std::string> false_alarms(const std::vector<blind::TrialPlan>& plans,
                                       const std::vector<const robot::Joint*>& joints, int threads,
                                       const std::function<bool()>& done);

@@ -123,7 +123,7 @@ std::vector<JudgedFault> of_other_joints(const WiringJudge& judge, const Recordi
   return faults;
 }
 
-/// True if no law that the fault bears on is left as badly explained as by no effect.
+/// True if each law that undoing the fault changes is explained well enough then.
 bool explains(const Unexplained& before, const JudgedFault& fault, double most_unexplained) {
   for (std::size_t i = 0; i < kWiringLaws; ++i) {
     if (!std::isnan(before[i]) && fault.unexplained[i] != before[i] && fault.unexplained[i] > most_unexplained) {

@@ -25,7 +25,7 @@ struct OtherJoint {
 struct WiringRules {
   /// Sum over the laws of the logarithm of unexplained mean squares, without the fault over with it undone.
   double least_gain = 3.0;
-  double most_unexplained = 0.35;  ///< of each law that the fault bears on, once it is undone
+  double most_unexplained = 0.35;  ///< of each law that undoing the fault changes, after it
   double rival_weight = 0.05;      ///< of the best, above which another fault may be meant as well
   double dead_share = 0.02;        ///< of a channel's expected movement, below which it is dead
   double same_share = 0.02;        ///< of a channel's movement, within which it is another joint's

@@ -10,8 +10,8 @@
 namespace farrier::diagnosis {
 namespace {
 
-/// Of what a law leaves unexplained, the part that counts as nothing: the noise and the shape of a law that is exact, and
-/// for the oil its nonlinearity in a trot, a twentieth of the current (rms) and more.
+/// Unexplained parts that count as nothing, by law: the noise and a shape that is not exact. The oil's nonlinearity in a
+/// trot leaves 1 % of the current's mean square.
 constexpr std::array<double, kWiringLaws> kFloors{5e-4, 1e-3, 1e-3, 5e-3, 5e-3, 5e-4, 5e-4};
 
 /// Searches the faults of one recording.
@@ -88,7 +88,7 @@ class Search {
     add({.kind = WiringKind::kScaled, .channel = channel, .amount = factor, .both_pressures = both}, hypothesis);
   }
 
-  /// Of both signs the best lag, from coarse to fine.
+  /// Adds the best lag of either sign, from coarse to fine.
   void lag(const std::vector<WiredChannel>& channels) {
     for (const int sign : {1, -1}) {
       const auto at = [&](int samples) {

@@ -10,7 +10,7 @@ namespace farrier::diagnosis {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-// What effects can make of the numbers of a joint, as factors: twice what a joint has that works.
+// Factors of the numbers of a joint that effects explain.
 constexpr double kLeastFactor = 0.2;
 constexpr double kMostFactor = 5.0;
 constexpr double kLongestLag_s = 0.05;    // of a load cell or a filter of the velocity
@@ -270,7 +270,7 @@ double WiringJudge::expected(WiredChannel channel) const {
     case WiredChannel::kVelocity:
       return speed_rms_;
     case WiredChannel::kForce: {
-      // Of a load at rest on its spring or in motion, without knowing the phase between them.
+      // The larger of both parts: their phase is not known.
       const double of_load =
           load_known_throughout_ ? std::max(load_.damping * speed, load_.stiffness * travel_rms_) : 0.0;
       std::vector<double> of_oil;

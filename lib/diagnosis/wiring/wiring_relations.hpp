@@ -25,18 +25,21 @@ struct WiringHypothesis {
   const ChannelChange& of(WiredChannel channel) const noexcept { return changes[static_cast<std::size_t>(channel)]; }
 };
 
-/// Laws that tie channels of a joint to each other, whatever physical effect it has:
-///
-///   kKinematics      v = x' - t v'                                    velocity, position
-///   kLoad            F = m a + d v + C x - t F'                       force, motion by position or by velocity
-///   kOil             u = (K_h v + d_p a + m_p a' + F') / (S K_v root) current, force, motion likewise; after a delay
-///   kCell            F = g (A_a p_a - A_b p_b) - d_p v - m_p a - t F' force, pressures, position
-///   kLevels          p_a + p_b = p_s                                  pressures
-enum class WiringLaw { kKinematics, kLoadByPosition, kLoadByVelocity, kOilByPosition, kOilByVelocity, kCell, kLevels };
+/// Laws that tie channels of a joint to each other, whatever physical effect it has. The motion of load and oil is that
+/// of the position or that of the velocity.
+enum class WiringLaw {
+  kKinematics,      ///< v = x' - t v'
+  kLoadByPosition,  ///< F = m a + d v + C x - t F'
+  kLoadByVelocity,
+  kOilByPosition,   ///< u = (K_h v + d_p a + m_p a' + F') / (S K_v root), after a delay
+  kOilByVelocity,
+  kCell,            ///< F = g (A_a p_a - A_b p_b) - d_p v - m_p a - t F'
+  kLevels           ///< p_a + p_b = p_s
+};
 inline constexpr std::size_t kWiringLaws = 7;
 
-/// Share of a law's left side that it leaves unexplained (mean squares), with its numbers free in what effects of
-/// docs/effects.md can make of them; not a number for a law whose channels were not recorded or do not move.
+/// Share of a law's left side that it leaves unexplained, mean squares. Its numbers are free in what effects of
+/// docs/effects.md can make of them. Not a number for a law whose channels were not recorded.
 using Unexplained = std::array<double, kWiringLaws>;
 
 /// Judges hypotheses by the laws.
