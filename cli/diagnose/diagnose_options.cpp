@@ -18,9 +18,10 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
                  "CSV of one joint (time_s, position_m, force_N, where recorded valve_current_A, velocity_m_s, ...: "
                  "docs/diagnosis.md), a recording of farrier record, or a trace of farrier trot")
       ->type_name("<file>");
-  add_choice(app, "--units", o.units, kUnits, "si|scaled",
-             "of the recording; scaled: a CSV of sample, valve and position in units of its own, which needs no --model "
-             "and is judged by what its valve does to its position")
+  add_choice(
+      app, "--units", o.units, kUnits, "si|scaled",
+      "of the recording; scaled: a CSV of sample, valve and position in units of its own, which needs no --model "
+      "and is judged by what its valve does to its position")
       ->default_str("si");
   app.add_option("--model", o.model_path, "robot file of the machine that was recorded; it is only read")
       ->type_name("<file>")
@@ -36,19 +37,21 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   app.add_flag("--benchmark", o.benchmark,
                "run blind trials in place of a recording: effects hidden in recordings by a generator that shares no "
                "code with the diagnosis; takes up to half an hour");
-  app.add_flag("--wiring", o.wiring,
-               "put faults of wiring into recordings of the same generator in place of a recording, and count those named; "
-               "then count those named in all blind trials of --benchmark, which have none");
-  auto* const confusion = app.add_option("--confusion", o.confusion_path,
-                                         "Markdown of what --benchmark hid and what it was taken for");
+  app.add_flag(
+      "--wiring", o.wiring,
+      "put faults of wiring into recordings of the same generator in place of a recording, and count those named; "
+      "then count those named in all blind trials of --benchmark, which have none");
+  auto* const confusion =
+      app.add_option("--confusion", o.confusion_path, "Markdown of what --benchmark hid and what it was taken for");
   auto* const seed = app.add_option("--seed", o.seed, "of the first trial of --benchmark or --wiring");
   auto* const trials = app.add_option("--trials", o.trials, "how many of the blind trials, spread evenly; 0: all");
   confusion->type_name("<file>")->needs("--benchmark");
   seed->type_name("<n>")->capture_default_str();
   trials->check(between(0, 100000))->type_name("<n>")->capture_default_str();
-  app.add_flag("--continue", o.go_on,
-               "--benchmark takes over the trials that an interrupted run of the same build, --seed and --trials kept beside "
-               "--json")
+  app.add_flag(
+         "--continue", o.go_on,
+         "--benchmark takes over the trials that an interrupted run of the same build, --seed and --trials kept beside "
+         "--json")
       ->needs("--benchmark")
       ->needs("--json");
   app.add_option("--threads", o.threads, "candidates, or trials of --benchmark, that are fitted at a time")

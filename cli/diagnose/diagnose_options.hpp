@@ -22,8 +22,8 @@ struct DiagnoseOptions {
   bool wiring = false;         ///< likewise trials of faults of wiring
   std::string confusion_path;  ///< of those: what was taken for what; empty: none
   std::uint64_t seed = 1;
-  int trials = 0;              ///< 0: all
-  bool go_on = false;          ///< the benchmark goes on from the trials that are kept
+  int trials = 0;      ///< 0: all
+  bool go_on = false;  ///< the benchmark goes on from the trials that are kept
 };
 
 void declare(CLI::App& app, DiagnoseOptions& options);

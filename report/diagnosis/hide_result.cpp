@@ -39,9 +39,8 @@ std::string found_text(const JointVerdict& verdict) {
 }
 
 std::string hidden_text(const HideTrial& trial) {
-  return "hidden: " + trial.joint + ' ' + trial.effect + ' ' + trial.parameter +
-         line(" = %.4g", trial.value) + (trial.unit == "1" ? "" : " " + trial.unit) + ", seed " +
-         std::to_string(trial.seed);
+  return "hidden: " + trial.joint + ' ' + trial.effect + ' ' + trial.parameter + line(" = %.4g", trial.value) +
+         (trial.unit == "1" ? "" : " " + trial.unit) + ", seed " + std::to_string(trial.seed);
 }
 
 }  // namespace
@@ -116,8 +115,11 @@ std::string hide_text(std::span<const HideTrial> trials) {
   }
   for (const HideTrial& trial : trials) {
     const JointVerdict* const found = trial.suspect();
-    text += hidden_text(trial) + "\n  " + (trial.named() ? "named" : trial.named_or_tied() ? "tied" : "missed") + ": " +
-            (found != nullptr ? found->joint + ", " + found_text(*found) : std::string("no joint")) +
+    text += hidden_text(trial) + "\n  " +
+            (trial.named()           ? "named"
+             : trial.named_or_tied() ? "tied"
+                                     : "missed") +
+            ": " + (found != nullptr ? found->joint + ", " + found_text(*found) : std::string("no joint")) +
             line("; %zu other joints suspected; stance NRMSE nominal %.4f, hidden %.4f, known %.4f\n",
                  trial.false_joints(), trial.nrmse_nominal, trial.nrmse_hidden, trial.nrmse_known);
   }
@@ -126,8 +128,9 @@ std::string hide_text(std::span<const HideTrial> trials) {
 
 Result<Done> write_hide_csv(const std::string& path, std::span<const HideTrial> trials) {
   std::ostringstream file;
-  file << "seed,hidden_joint,hidden_effect,value,unit,nrmse_nominal,nrmse_hidden,nrmse_known,joint,verdict,effects,tied,"
-          "gain,suspect\n";
+  file
+      << "seed,hidden_joint,hidden_effect,value,unit,nrmse_nominal,nrmse_hidden,nrmse_known,joint,verdict,effects,tied,"
+         "gain,suspect\n";
   for (const HideTrial& trial : trials) {
     for (const JointVerdict& verdict : trial.verdicts) {
       file << trial.seed << ',' << trial.joint << ',' << trial.effect

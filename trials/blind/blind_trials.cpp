@@ -51,9 +51,9 @@ std::vector<plant::ActiveEffect> hidden_effects(const std::vector<truth::Answer>
     }
     const plant::ActiveEffect* const like = plant::find(found, effect.id);
     for (std::size_t i = 0; i < effect.info().parameters.size(); ++i) {
-      effect.values[i] = like != nullptr ? like->values[i]
-                                         : plant::default_value(effect.info().parameters[i], scales, joint.actuator,
-                                                                joint.swing_load);
+      effect.values[i] =
+          like != nullptr ? like->values[i]
+                          : plant::default_value(effect.info().parameters[i], scales, joint.actuator, joint.swing_load);
     }
     effect.values[0] = answer.value;
     hidden.push_back(effect);
@@ -62,7 +62,7 @@ std::vector<plant::ActiveEffect> hidden_effects(const std::vector<truth::Answer>
 }
 
 std::optional<trials::TrackingGain> control_gain(const std::vector<truth::Answer>& answers, const robot::Joint& joint,
-                                              const std::vector<plant::ActiveEffect>& found) {
+                                                 const std::vector<plant::ActiveEffect>& found) {
   const std::vector<plant::ActiveEffect> hidden = hidden_effects(answers, joint, found);
   if (hidden.empty() || std::ranges::none_of(found, control::is_compensated, &plant::ActiveEffect::id)) {
     return std::nullopt;
@@ -81,7 +81,8 @@ std::optional<trials::TrackingGain> control_gain(const std::vector<truth::Answer
 std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed) {
   std::vector<TrialPlan> plans;
   const auto add = [&](Kind kind, std::vector<truth::Hidden> hidden, int excitation) {
-    plans.push_back({kind, plans.size() % joints,
+    plans.push_back({kind,
+                     plans.size() % joints,
                      {seed + plans.size(), static_cast<truth::Excitation>(excitation), std::move(hidden)}});
   };
   const std::vector<std::string> known = truth::known_effects();
@@ -139,8 +140,7 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
   const diagnosis::Diagnosis found = diagnosis::diagnose(recording, joint, options);
   const auto with_none = base_error(twin.value().samples, joint);
   for (std::size_t c = 0; c < with_none.size(); ++c) {
-    outcome.detectable =
-        std::max(outcome.detectable, std::sqrt(found.judgement.base.total(c)) / with_none[c] - 1.0);
+    outcome.detectable = std::max(outcome.detectable, std::sqrt(found.judgement.base.total(c)) / with_none[c] - 1.0);
   }
   outcome.verdict = found.judgement.verdict;
   outcome.error_before = found.nrmse_before;
@@ -183,7 +183,8 @@ std::vector<Outcome> run_trials(const std::vector<TrialPlan>& plans, const std::
   }
   std::atomic<bool> goes_on{true};
   std::mutex telling;
-  diagnosis::by_threads(threads, [](double) {}, 1)(plans.size(), [&](std::size_t i) {
+  diagnosis::by_threads(
+      threads, [](double) {}, 1)(plans.size(), [&](std::size_t i) {
     if (goes_on) {
       outcomes[i] = run_or_refuse(plans[i], joints);
       const std::lock_guard lock(telling);

@@ -43,7 +43,7 @@ struct Outcome {
   /// hidden ones are of the library. Both controllers control the nominal joint with the hidden effects. The headline
   /// parameter is that of the answer, others are as found, or else plant::default_value.
   std::optional<trials::TrackingGain> control;
-  std::string refused;           ///< why the trial could not be made; empty: it was
+  std::string refused;  ///< why the trial could not be made; empty: it was
 };
 
 /// Every effect of the library at three magnitudes under three excitations, 60 trials with none, 30 pairs, 36 with an

@@ -16,26 +16,26 @@ const char* to_string(Verdict verdict) noexcept;
 /// Bounds of the rules.
 struct Rules {
   std::size_t most_effects = 3;
-  double least_reduction = 0.08;     ///< of a channel's held-out rms, that an effect must bring
-  double neutral_deviations = 2.5;   ///< by which a parameter must lie outside its neutral band
-  double least_step = 0.04;          ///< of a channel's rms before any effect, that the first effect must remove
-  double further_step = 0.08;        ///< the same of further ones, which may be details of the first
-  double structure_ratio = 1.6;      ///< rms over that of a twin, above which a remainder has a structure
-  double open_ratio = 1.15;          ///< rms over that of a twin with its sensors' noise, above which there may be more
-  double unexplained = 0.2;          ///< of a channel's rms before any effect, above which a remainder is no detail
-  double least_nrmse = 0.02;         ///< NRMSE that a simulation of this form cannot improve
+  double least_reduction = 0.08;    ///< of a channel's held-out rms, that an effect must bring
+  double neutral_deviations = 2.5;  ///< by which a parameter must lie outside its neutral band
+  double least_step = 0.04;         ///< of a channel's rms before any effect, that the first effect must remove
+  double further_step = 0.08;       ///< the same of further ones, which may be details of the first
+  double structure_ratio = 1.6;     ///< rms over that of a twin, above which a remainder has a structure
+  double open_ratio = 1.15;         ///< rms over that of a twin with its sensors' noise, above which there may be more
+  double unexplained = 0.2;         ///< of a channel's rms before any effect, above which a remainder is no detail
+  double least_nrmse = 0.02;        ///< NRMSE that a simulation of this form cannot improve
   double confidence_if_unknown = 0.5;  ///< factor on the confidence of effects that leave a structure behind
-  double tie_chance = 0.025;         ///< chance of being right above which a rival cannot be excluded
-  double clear_lead = 0.05;          ///< of a channel's held-out rms, from which a lead over a rival counts in full
+  double tie_chance = 0.025;           ///< chance of being right above which a rival cannot be excluded
+  double clear_lead = 0.05;            ///< of a channel's held-out rms, from which a lead over a rival counts in full
 };
 
 /// One effect that was named.
 struct NamedEffect {
   plant::EffectId id;
-  std::vector<double> fitted;    ///< numbers of its parameters
-  double deviation;              ///< standard deviation of the first
-  double share;                  ///< of the whole log gain
-  double confidence;             ///< chance that it is present and no rival is
+  std::vector<double> fitted;  ///< numbers of its parameters
+  double deviation;            ///< standard deviation of the first
+  double share;                ///< of the whole log gain
+  double confidence;           ///< chance that it is present and no rival is
 };
 
 /// Remainder on a channel that the model's sensors do not explain.
@@ -55,14 +55,14 @@ struct Candidate {
 
 struct Judgement {
   Verdict verdict = Verdict::kNone;
-  std::vector<NamedEffect> effects;                                      ///< by share, largest first
-  std::vector<std::pair<plant::EffectId, plant::EffectId>> alternatives; ///< that this recording does not tell apart
-  std::vector<Hypothesis> rivals;                                        ///< with the second of each alternative
-  std::vector<plant::EffectId> not_judged;                               ///< that it could not show
-  std::vector<std::vector<Candidate>> rounds;                            ///< of forward selection
+  std::vector<NamedEffect> effects;                                       ///< by share, largest first
+  std::vector<std::pair<plant::EffectId, plant::EffectId>> alternatives;  ///< that this recording does not tell apart
+  std::vector<Hypothesis> rivals;                                         ///< with the second of each alternative
+  std::vector<plant::EffectId> not_judged;                                ///< that it could not show
+  std::vector<std::vector<Candidate>> rounds;                             ///< of forward selection
   Hypothesis base, chosen;
-  Gain gain{};                                                           ///< from base to chosen
-  std::array<Remainder, kChannels> left{};                               ///< after `chosen`
+  Gain gain{};                              ///< from base to chosen
+  std::array<Remainder, kChannels> left{};  ///< after `chosen`
 };
 
 /// Runs `count` pieces of work, possibly in parallel.

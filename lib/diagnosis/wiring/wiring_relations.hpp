@@ -31,10 +31,10 @@ enum class WiringLaw {
   kKinematics,      ///< v = x' - t v'
   kLoadByPosition,  ///< F = m a + d v + C x - t F'
   kLoadByVelocity,
-  kOilByPosition,   ///< u = (K_h v + d_p a + m_p a' + F') / (S K_v root), after a delay
+  kOilByPosition,  ///< u = (K_h v + d_p a + m_p a' + F') / (S K_v root), after a delay
   kOilByVelocity,
-  kCell,            ///< F = g (A_a p_a - A_b p_b) - d_p v - m_p a - t F'
-  kLevels           ///< p_a + p_b = p_s
+  kCell,   ///< F = g (A_a p_a - A_b p_b) - d_p v - m_p a - t F'
+  kLevels  ///< p_a + p_b = p_s
 };
 inline constexpr std::size_t kWiringLaws = 7;
 
