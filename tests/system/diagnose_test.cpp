@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include "farrier_command.hpp"
 
@@ -102,6 +105,43 @@ TEST(Diagnose, RefusesBadDataWithItsRowsAndStillWritesThem) {
   ASSERT_FALSE(json["findings"].empty());
   EXPECT_EQ(json["findings"][0]["what"], "nan");
   EXPECT_EQ(json["findings"][0]["row"], 702);
+}
+
+TEST(Diagnose, NamesReversedForcesBeforeAnyEffect) {
+  const ScratchDirectory scratch;
+  const std::string trace = record(scratch, robot_file("fc1d.yaml"), "2");
+  std::ifstream in(trace);
+  std::ofstream out(scratch.file("reversed.csv"));
+  std::size_t force = 0;
+  for (std::string line; std::getline(in, line);) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) {
+      cells.push_back(cell);
+    }
+    if (const auto found = std::ranges::find(cells, "force_N_or_Nm"); found != cells.end()) {
+      force = static_cast<std::size_t>(found - cells.begin());
+    } else {
+      std::string& cell = cells.at(force);
+      cell = cell.starts_with('-') ? cell.substr(1) : "-" + cell;
+    }
+    for (const std::string& cell : cells) {
+      out << (&cell == cells.data() ? "" : ",") << cell;
+    }
+    out << "\n";
+  }
+  out.close();
+  std::string output;
+  EXPECT_EQ(run_farrier({"diagnose", scratch.file("reversed.csv"), "--model", robot_file("fc1d.yaml"), "--json",
+                         scratch.file("found.json")},
+                        &output),
+            2);
+  EXPECT_NE(output.find("is reversed: the load cell's wires are exchanged"), std::string::npos) << output;
+  const auto json = read_json(scratch.file("found.json"));
+  EXPECT_EQ(json["verdict"], "wiring");
+  EXPECT_EQ(json["wiring"][0]["what"], "reversed");
+  EXPECT_EQ(json["wiring"][0]["columns"], "force_N");
+  EXPECT_EQ(json["findings"].size(), json["wiring"].size());
 }
 
 TEST(Diagnose, RefusesAFileThatIsNotThere) {
