@@ -17,6 +17,18 @@ constexpr double kLeastVariance = 0.1;
 constexpr double kLargestGain = 5.0;
 // A leakage or an overlap below zero by more standard errors than these, and by more than the share, is no valve's.
 constexpr double kNegativeSigmas = 3.0, kNegativeShare = 0.02;
+// Samples after a change of the valve before the oil's compressibility follows again. Oil does not change with a valve,
+// and a loop that oscillates compresses it.
+constexpr std::int64_t kOilSamples = 2500;
+// The least and the largest compressibility over the nominal one that are given on. Oil that is softer has so much air that no
+// law helps.
+constexpr double kLeastCompressibility = 0.5, kLargestCompressibility = 5.0;
+
+// The positive part of the estimate of James and Stein (1961): an uncertain change counts as less.
+double shrunk(double change, double error) noexcept {
+  const double uncertain = error / std::max(std::abs(change), 1e-300);
+  return change * std::max(0.0, 1.0 - uncertain * uncertain);
+}
 
 }  // namespace
 
@@ -43,6 +55,14 @@ ValveFlowEstimator::Parameters ValveFlowEstimator::standard_errors() const noexc
   return errors;
 }
 
+double ValveFlowEstimator::compressibility() const noexcept {
+  if (regression_.samples() <= kOilSamples) {
+    return held_compressibility_;
+  }
+  const double change = shrunk(parameters()(kCompressibilityPart), standard_errors()(kCompressibilityPart));
+  return std::clamp(1.0 + change, kLeastCompressibility, kLargestCompressibility);
+}
+
 ModelEstimate ValveFlowEstimator::estimate() const noexcept {
   ModelEstimate out;
   out.phase = phase_;
@@ -67,7 +87,8 @@ ModelEstimate ValveFlowEstimator::estimate() const noexcept {
   const plant::LoadParams& load = loads_[static_cast<std::size_t>(phase_)];
   plant::ActuatorParams actuator = actuator_;
   actuator.valve_gain *= std::clamp(found(kGainPart), kLeastGain, kLargestGain);
-  actuator.bulk_modulus_Pa /= compressibility_;
+  const double compressibility = this->compressibility();
+  actuator.bulk_modulus_Pa /= compressibility;
   const plant::OperatingPoint home{.position = scales_.home_position, .valve_sign = 1.0};
   const plant::LinearModel model = plant::linearise_load_cell_force(actuator, load, home);
   const control::DiscreteModel sampled = control::discretise(model.a, model.b, scales_.period_s);
@@ -86,7 +107,7 @@ ModelEstimate ValveFlowEstimator::estimate() const noexcept {
   out.physics.leakage = std::max(0.0, found(kLeakagePart)) * per_leakage;
   out.physics.overlap_A = std::max(0.0, found(kOverlapPart)) * actuator_.valve_current_max_A;
   out.physics_error.valve_gain = errors(kGainPart) * actuator_.valve_gain;
-  out.physics_error.bulk_modulus = errors(kCompressibilityPart) / compressibility_ * actuator.bulk_modulus_Pa;
+  out.physics_error.bulk_modulus = errors(kCompressibilityPart) / compressibility * actuator.bulk_modulus_Pa;
   out.physics_error.leakage = errors(kLeakagePart) * per_leakage;
   out.physics_error.overlap_A = errors(kOverlapPart) * actuator_.valve_current_max_A;
   return out;

@@ -15,12 +15,6 @@ namespace {
 constexpr int kFlow = 0, kParts = 1, kCompression = 6, kSupply = 7;  // of the terms
 // Least residual variance for the detection of changes: a little noise is no change of a valve that had none.
 constexpr double kLeastResidual = 0.02;
-// Samples after a change of the valve before the oil's compressibility follows again. Oil does not change with a valve,
-// and a loop that oscillates compresses it.
-constexpr std::int64_t kOilSamples = 2500;
-// The least and the largest compressibility over the nominal one that are given on. Oil that is softer has so much air that no
-// law helps.
-constexpr double kLeastCompressibility = 0.5, kLargestCompressibility = 5.0;
 // Error of the supply's pressure, share: the flow goes with the root of a drop that it is part of.
 constexpr double kSupplyError = 0.1, kMeasuredSupplyError = 0.03;  // the measured one is at most 10 ms old
 // A supply sensor that reads more than this share of the nominal pressure is broken: the relief valve opens before.
@@ -33,12 +27,6 @@ constexpr double kCalm_s = 0.15;
 constexpr double kDeaf_s = 0.06;
 // A loop that oscillates with gains for a valve of this share has another cause.
 constexpr double kStrongest = 2.5;
-
-// The positive part of the estimate of James and Stein (1961): an uncertain change counts as less.
-double shrunk(double change, double error) noexcept {
-  const double uncertain = error / std::max(std::abs(change), 1e-300);
-  return change * std::max(0.0, 1.0 - uncertain * uncertain);
-}
 
 }  // namespace
 
@@ -204,11 +192,6 @@ void ValveFlowEstimator::learn() noexcept {
   if (regression_.update(scaled, {error, 0.0, 0.0}) == RlsStatus::kCovarianceNotPositiveDefinite) {
     sample_flags_ |= bit(EstimateFlag::kCovarianceRepaired);
   }
-  if (regression_.samples() > kOilSamples) {
-    const double change = parameters()(kCompressibilityPart);
-    compressibility_ = std::clamp(1.0 + shrunk(change, standard_errors()(kCompressibilityPart)), kLeastCompressibility,
-                                  kLargestCompressibility);
-  }
 }
 
 // A loop whose gain was right before oscillates because the valve has become stronger. Samples do not tell so soon: the valve
@@ -238,6 +221,7 @@ void ValveFlowEstimator::count_as_stronger() noexcept {
 
 // As uncertain as at the start: samples of the valve before the change count no more.
 void ValveFlowEstimator::begin_from(const Rls<kParameters>::Parameters& parameters) noexcept {
+  held_compressibility_ = compressibility();
   regression_.reset(parameters);
   errors_ = PredictionErrors();
   surplus_ = 0.0;

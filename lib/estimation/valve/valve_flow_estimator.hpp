@@ -89,11 +89,13 @@ class ValveFlowEstimator final : public Estimator {
   void watch(const JointSample& sample) noexcept;
   void count_as_stronger() noexcept;
   void begin_from(const Rls<kParameters>::Parameters& parameters) noexcept;
-  /// Gain over the nominal one, overlap as a share of full current, leakage as a share, damping beyond the nominal one as a
-  /// share of that.
+  /// Gain over the nominal one, overlap as a share of full current, leakage as a share, damping and compressibility beyond
+  /// the nominal ones as shares of those.
   Parameters linear_parts() const noexcept;
   Parameters parameters() const noexcept;
   Parameters standard_errors() const noexcept;
+  /// Compressibility of the oil over the nominal one: held after a change of the valve, until enough samples tell it from that.
+  double compressibility() const noexcept;
 
   EstimatorParams params_;
   ValveFlowParams own_;
@@ -120,9 +122,9 @@ class ValveFlowEstimator final : public Estimator {
   std::uint32_t sample_flags_ = 0;
   OscillationMonitor loop_;
   double since_alarm_s_ = std::numeric_limits<double>::infinity();  ///< of an oscillating loop
-  double compressibility_ = 1.0;  ///< of the oil over the nominal one, once enough samples tell it from the valve
-  double surplus_ = 0.0;          ///< unexpected flow towards the opening, summed over about 50 samples
-  bool stronger_ = false;         ///< the valve counts as stronger, and no estimate has been valid since
+  double held_compressibility_ = 1.0;                               ///< at the last change of the valve
+  double surplus_ = 0.0;   ///< unexpected flow towards the opening, summed over about 50 samples
+  bool stronger_ = false;  ///< the valve counts as stronger, and no estimate has been valid since
 };
 
 /// Relative standard error of the gain at which an estimate has no value any more.
