@@ -48,6 +48,13 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   confusion->type_name("<file>")->needs("--benchmark");
   seed->type_name("<n>")->capture_default_str();
   trials->check(between(0, 100000))->type_name("<n>")->capture_default_str();
+  app.parse_complete_callback([seed, trials, &o] {
+    for (const CLI::Option* const option : {seed, trials}) {
+      if (option->count() > 0 && !o.benchmark && !o.wiring) {
+        throw CLI::RequiresError(option->get_name(), "--benchmark or --wiring");
+      }
+    }
+  });
   app.add_flag(
          "--continue", o.go_on,
          "--benchmark takes over the trials that an interrupted run of the same build, --seed and --trials kept beside "
