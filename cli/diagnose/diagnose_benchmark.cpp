@@ -108,6 +108,15 @@ Trials run_all(const std::vector<blind::TrialPlan>& plans, const std::vector<con
 
 }  // namespace
 
+Result<TrialRobots> load_trial_robots(const std::string& folder) {
+  auto rig = robot::load_robot((std::filesystem::path(folder) / "fc1d.yaml").string());
+  auto legs = robot::load_robot((std::filesystem::path(folder) / "hyq.yaml").string(), {.without_effects = true});
+  if (!rig || !legs) {
+    return Error{config::to_string(!rig ? rig.error() : legs.error())};
+  }
+  return TrialRobots{std::move(rig).value(), std::move(legs).value()};
+}
+
 int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots) {
   participant::install_signal_handlers();
   for (const std::string* path : {&o.json_path, &o.confusion_path}) {
@@ -117,22 +126,22 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
       }
     }
   }
-  const auto rig = robot::load_robot((std::filesystem::path(robots) / "fc1d.yaml").string());
-  const auto legs = robot::load_robot((std::filesystem::path(robots) / "hyq.yaml").string(), {.without_effects = true});
-  if (!rig || !legs) {
-    return refuse("diagnose --benchmark", config::to_string(!rig ? rig.error() : legs.error()));
+  const auto loaded = load_trial_robots(robots);
+  if (!loaded) {
+    return refuse("diagnose --benchmark", loaded.error().message);
   }
-  const std::vector<const robot::Joint*> joints{&rig.value().joints.front(), &legs.value().joints.front()};
+  const auto& [rig, legs] = loaded.value();
+  const std::vector<const robot::Joint*> joints = loaded.value().joints();
   const auto plans = blind::spread(blind::all_trials(joints.size(), o.seed), o.trials);
   const std::string kept_path = o.json_path.empty() ? "" : o.json_path + ".trials";
-  const std::string origin = report::build_name() + ", " + report::run_info(rig.value(), o.seed).configuration_hash +
-                             ", " + report::run_info(legs.value(), o.seed).configuration_hash + ", seed " +
-                             std::to_string(o.seed) + ", " + std::to_string(plans.size()) + " trials";
+  const std::string origin = report::build_name() + ", " + report::run_info(rig, o.seed).configuration_hash + ", " +
+                             report::run_info(legs, o.seed).configuration_hash + ", seed " + std::to_string(o.seed) +
+                             ", " + std::to_string(plans.size()) + " trials";
   Trials trials = run_all(plans, joints, o, kept_path, origin);
   std::vector<blind::Outcome>& outcomes = trials.outcomes;
   report::Outcome outcome;
   outcome.command = "diagnose";
-  outcome.run = report::run_info(rig.value(), o.seed);
+  outcome.run = report::run_info(rig, o.seed);
   const auto not_run = std::ranges::count(outcomes, blind::kNotRun, &blind::Outcome::refused);
   if (not_run > 0) {
     outcome.failures.push_back("interrupted: " + std::to_string(not_run) + " of " + std::to_string(outcomes.size()) +

@@ -2,6 +2,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include "robot/robot.hpp"
 
 namespace farrier::cli {
 
@@ -10,10 +13,21 @@ struct DiagnoseBenchmark {
   std::string json_path;       ///< empty: none
   std::string confusion_path;  ///< Markdown of what was taken for what; empty: none
   std::uint64_t seed = 1;
-  int trials = 0;              ///< spread evenly over all; 0: all
+  int trials = 0;  ///< spread evenly over all; 0: all
   int threads = 2;
-  bool go_on = false;          ///< takes the trials over that an earlier run of this build kept beside `json_path`
+  bool go_on = false;  ///< takes the trials over that an earlier run of this build kept beside `json_path`
 };
+
+/// Robots of which trials are made: a rig with one cylinder, and legs without the effects of their file.
+struct TrialRobots {
+  robot::Robot rig, legs;
+
+  /// The joints of blind trials: the rig's and the first of the legs.
+  std::vector<const robot::Joint*> joints() const { return {&rig.joints.front(), &legs.joints.front()}; }
+};
+
+/// fc1d.yaml and hyq.yaml of a folder.
+Result<TrialRobots> load_trial_robots(const std::string& folder);
 
 /// Blind trials of the diagnosis on the nominal robots in `robots`, a folder with fc1d.yaml and hyq.yaml. Exit status of
 /// the command.

@@ -3,11 +3,11 @@
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 
 #include "cli/base/command.hpp"
 #include "cli/base/output_file.hpp"
 #include "cli/base/progress.hpp"
+#include "cli/diagnose/diagnose_benchmark.hpp"
 #include "participant/loop.hpp"
 #include "report/figures/console.hpp"
 #include "report/figures/outcome.hpp"
@@ -40,22 +40,23 @@ int run_wiring_benchmark(const std::string& json_path, std::uint64_t seed, int t
       return refuse("diagnose --wiring", free.error().message);
     }
   }
-  const auto rig = robot::load_robot((std::filesystem::path(robots) / "fc1d.yaml").string());
-  const auto legs = robot::load_robot((std::filesystem::path(robots) / "hyq.yaml").string(), {.without_effects = true});
-  if (!rig || !legs) {
-    return refuse("diagnose --wiring", config::to_string(!rig ? rig.error() : legs.error()));
+  const auto loaded = load_trial_robots(robots);
+  if (!loaded) {
+    return refuse("diagnose --wiring", loaded.error().message);
   }
-  const robot::Joint *const cylinder = &rig.value().joints.front(), *const motor = &legs.value().joints.front();
-  const auto scores = wiring::run_wiring_trials({cylinder, motor, legs.value().find("lf_hfe")}, seed);
+  const std::vector<const robot::Joint*> joints = loaded.value().joints();
+  std::vector<const robot::Joint*> wired = joints;
+  wired.push_back(loaded.value().legs.find("lf_hfe"));
+  const auto scores = wiring::run_wiring_trials(wired, seed);
   if (!scores) {
     return fail("diagnose --wiring", scores.error().message);
   }
   print_scores(scores.value());
   std::fflush(stdout);
-  const auto plans = blind::spread(blind::all_trials(2, seed), trials);
+  const auto plans = blind::spread(blind::all_trials(joints.size(), seed), trials);
   Progress bar("diagnose --wiring", static_cast<Tick>(plans.size()), "trials");
   std::size_t done = 0;
-  const std::vector<std::string> alarms = wiring::false_alarms(plans, {cylinder, motor}, threads, [&] {
+  const std::vector<std::string> alarms = wiring::false_alarms(plans, joints, threads, [&] {
     bar.update(static_cast<Tick>(++done));
     return !participant::stop_requested();
   });
@@ -71,7 +72,7 @@ int run_wiring_benchmark(const std::string& json_path, std::uint64_t seed, int t
   }
   report::Outcome outcome;
   outcome.command = "diagnose";
-  outcome.run = report::run_info(rig.value(), seed);
+  outcome.run = report::run_info(loaded.value().rig, seed);
   for (const std::string& alarm : alarms) {
     outcome.failures.push_back(alarm);
   }

@@ -45,6 +45,13 @@ std::string record(const ScratchDirectory& scratch, const std::string& robot, co
   return trace;
 }
 
+/// Returns the JSON of a diagnosis by the rig's model that refuses a file.
+nlohmann::json refusal_of(const ScratchDirectory& scratch, const std::string& file, std::string& output) {
+  const std::string json = scratch.file("found.json");
+  EXPECT_EQ(run_farrier({"diagnose", file, "--model", robot_file("fc1d.yaml"), "--json", json}, &output), 2);
+  return read_json(json);
+}
+
 TEST(Diagnose, OfTheSimulationByItsOwnModelFindsNothingMissing) {
   const ScratchDirectory scratch;
   const std::string trace = record(scratch, robot_file("fc1d.yaml"), "8");
@@ -95,12 +102,8 @@ TEST(Diagnose, RefusesBadDataWithItsRowsAndStillWritesThem) {
     return i == 700 ? line.substr(0, line.rfind(',')) + ",nan" : line;
   });
   std::string output;
-  EXPECT_EQ(run_farrier({"diagnose", scratch.file("run.csv"), "--model", robot_file("fc1d.yaml"), "--json",
-                         scratch.file("found.json")},
-                        &output),
-            2);
+  const auto json = refusal_of(scratch, scratch.file("run.csv"), output);
   EXPECT_NE(output.find("run.csv:702:"), std::string::npos) << output;
-  const auto json = read_json(scratch.file("found.json"));
   EXPECT_EQ(json["verdict"], "bad_data");
   ASSERT_FALSE(json["findings"].empty());
   EXPECT_EQ(json["findings"][0]["what"], "nan");
@@ -132,12 +135,8 @@ TEST(Diagnose, NamesReversedForcesBeforeAnyEffect) {
   }
   out.close();
   std::string output;
-  EXPECT_EQ(run_farrier({"diagnose", scratch.file("reversed.csv"), "--model", robot_file("fc1d.yaml"), "--json",
-                         scratch.file("found.json")},
-                        &output),
-            2);
+  const auto json = refusal_of(scratch, scratch.file("reversed.csv"), output);
   EXPECT_NE(output.find("is reversed: the load cell's wires are exchanged"), std::string::npos) << output;
-  const auto json = read_json(scratch.file("found.json"));
   EXPECT_EQ(json["verdict"], "wiring");
   EXPECT_EQ(json["wiring"][0]["what"], "reversed");
   EXPECT_EQ(json["wiring"][0]["columns"], "force_N");
@@ -147,12 +146,9 @@ TEST(Diagnose, NamesReversedForcesBeforeAnyEffect) {
 TEST(Diagnose, RefusesAFileThatIsNotThere) {
   const ScratchDirectory scratch;
   std::string output;
-  EXPECT_EQ(run_farrier({"diagnose", scratch.file("no.csv"), "--model", robot_file("fc1d.yaml"), "--json",
-                         scratch.file("found.json")},
-                        &output),
-            2);
+  const auto json = refusal_of(scratch, scratch.file("no.csv"), output);
   EXPECT_NE(output.find("no.csv"), std::string::npos) << output;
-  EXPECT_EQ(read_json(scratch.file("found.json"))["findings"][0]["what"], "unreadable");
+  EXPECT_EQ(json["findings"][0]["what"], "unreadable");
 }
 
 TEST(Diagnose, RefusesJointsThatTheRobotDoesNotHaveAndNamesThoseItHas) {
@@ -172,6 +168,8 @@ TEST(Diagnose, RefusesToGoWithoutRecordingOrModel) {
   EXPECT_NE(output.find("--model"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"diagnose", "run.csv", "--model", "nowhere.yaml"}, &output), 2);
   EXPECT_NE(output.find("nowhere.yaml"), std::string::npos) << output;
+  EXPECT_EQ(run_farrier({"diagnose", "run.csv", "--model", robot_file("fc1d.yaml"), "--seed", "2"}, &output), 2);
+  EXPECT_NE(output.find("--seed requires --benchmark or --wiring"), std::string::npos) << output;
   EXPECT_EQ(run_farrier({"diagnose", "run.csv", "--colour"}, &output), 2);
   EXPECT_NE(output.find("farrier diagnose --help"), std::string::npos) << output;
 }

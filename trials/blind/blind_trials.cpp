@@ -12,12 +12,6 @@
 #include "robot/joint_effects.hpp"
 
 namespace farrier::blind {
-namespace {
-
-constexpr double kPeriod_s = 0.001;
-constexpr int kNone = 60;
-constexpr int kPairs = 30;
-constexpr int kOutside = 36;
 
 diagnosis::Recording recording_of(const truth::Samples& samples) {
   diagnosis::Recording recording;
@@ -28,6 +22,13 @@ diagnosis::Recording recording_of(const truth::Samples& samples) {
   recording.force = samples.force;
   return recording;
 }
+
+namespace {
+
+constexpr double kPeriod_s = 0.001;
+constexpr int kNone = 60;
+constexpr int kPairs = 30;
+constexpr int kOutside = 36;
 
 /// Held-out rms by channel of the nominal model with its constants fitted.
 std::array<double, diagnosis::kChannels> base_error(const truth::Samples& samples, const robot::Joint& joint) {

@@ -50,6 +50,9 @@ struct Outcome {
 /// effect outside the library; of `joints` joints in turn.
 std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
 
+/// Returns the recording that the diagnosis gets of a truth's samples: current, position, velocity and force.
+diagnosis::Recording recording_of(const truth::Samples& samples);
+
 /// `count` of the trials, spread evenly over all; 0: all.
 std::vector<TrialPlan> spread(const std::vector<TrialPlan>& all, int count);
 

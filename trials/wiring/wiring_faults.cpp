@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/noise.hpp"
+#include "core/units.hpp"
 
 namespace farrier::wiring {
 namespace {
@@ -18,7 +19,7 @@ using enum diagnosis::WiredChannel;
 
 constexpr std::array<int, kRecordings> kLags{2, 5, 11, 24, 50};
 constexpr std::array<double, kRecordings> kFactors{10.0, 0.1, 1e3, 1e-3, 100.0};
-constexpr std::array<double, kRecordings> kPressureFactors{1e-5, 1e-6, 1.0 / 6894.757, 10.0, 0.1};
+constexpr std::array<double, kRecordings> kPressureFactors{1e-5, 1e-6, 1.0 / kPascalPerPsi, 10.0, 0.1};
 
 void scale(std::vector<double>& values, double factor) {
   for (double& value : values) {

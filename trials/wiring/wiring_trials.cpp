@@ -34,16 +34,11 @@ bool is_fault(const diagnosis::WiringFault& answer, const diagnosis::WiringFault
 }
 
 diagnosis::Recording recording_of(const truth::Samples& samples, const robot::Joint& joint) {
-  diagnosis::Recording recording;
+  diagnosis::Recording recording = blind::recording_of(samples);
   recording.coordinates = joint.rotary ? diagnosis::Coordinates::kRotary : diagnosis::Coordinates::kLinear;
-  recording.period_s = samples.period_s;
   for (std::size_t i = 0; i < samples.position.size(); ++i) {
     recording.time_s.push_back(static_cast<double>(i) * samples.period_s);
   }
-  recording.valve_current_A = samples.valve_current_A;
-  recording.position = samples.position;
-  recording.velocity = samples.velocity;
-  recording.force = samples.force;
   recording.pressure_a_Pa = samples.pressure_a_Pa;
   recording.pressure_b_Pa = samples.pressure_b_Pa;
   recording.supply_pressure_Pa = samples.supply_pressure_Pa;

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/text.hpp"
+#include "core/units.hpp"
 #include "diagnosis/judge/finding_text.hpp"
 
 namespace farrier::diagnosis {
@@ -60,7 +61,7 @@ constexpr NamedUnit kNamedUnits[] = {{"s", "s", 1.0},
                                      {"MPa", "Pa", 1e6},
                                      {"bar", "Pa", 1e5},
                                      {"mbar", "Pa", 1e2},
-                                     {"psi", "Pa", 6894.757}};
+                                     {"psi", "Pa", kPascalPerPsi}};
 
 /// Words for a quantity, by the name of the column that has the unit.
 struct QuantityWord {

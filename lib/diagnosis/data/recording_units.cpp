@@ -12,12 +12,6 @@
 namespace farrier::diagnosis {
 namespace {
 
-/// A unit somebody may have recorded in.
-struct Unit {
-  const char* name;
-  double per_SI;  ///< how many of it are one of ours
-};
-
 class UnitCheck {
  public:
   UnitCheck(const Recording& recording, const robot::Joint& joint)
@@ -188,8 +182,6 @@ class UnitCheck {
     if (values.empty()) {
       return;
     }
-    static constexpr Unit kUnits[] = {
-        {"bar", 1e-5}, {"megapascals", 1e-6}, {"pounds per square inch", 1.0 / 6894.757}, {"kilopascals", 1e-3}};
     const double supply = joint_.actuator.supply_pressure_Pa;
     const double size = magnitude(values);
     if (size == 0.0 || (size >= 0.1 * least * supply && size <= 3.0 * supply)) {
@@ -197,7 +189,7 @@ class UnitCheck {
     }
     const Unit* looks_like = nullptr;
     double nearest = 0.0;
-    for (const Unit& unit : kUnits) {
+    for (const Unit& unit : kPressureUnits) {
       const double share = size / unit.per_SI / supply;
       const double distance = std::abs(std::log(share / usual));
       if (share >= least && share <= 1.5 && (looks_like == nullptr || distance < nearest)) {

@@ -27,7 +27,7 @@ BoxRegression::Result BoxRegression::solve(const std::array<Bounds, kMost>& boun
   if (points_ == 0 || !(variance > 1e-12 * yy_ / n)) {
     return result;
   }
-  result.rms = std::sqrt(variance);
+  const double rms = std::sqrt(variance);
   Values along{};
   std::array<Values, kMost> gram{};
   for (std::size_t i = 0; i < count_; ++i) {
@@ -53,7 +53,7 @@ BoxRegression::Result BoxRegression::solve(const std::array<Bounds, kMost>& boun
       moved = std::max(moved, std::abs(next - c[i]) * std::sqrt(gram[i][i]));
       c[i] = next;
     }
-    if (moved < kSettled * result.rms) {
+    if (moved < kSettled * rms) {
       break;
     }
   }

@@ -9,7 +9,7 @@ namespace farrier::diagnosis {
 /// point. A regressor with equal bounds has that coefficient.
 class BoxRegression {
  public:
-  static constexpr std::size_t kMost = 5;
+  static constexpr std::size_t kMost = 4;
   struct Bounds {
     double low = 0.0, high = 0.0;
   };
@@ -23,12 +23,9 @@ class BoxRegression {
   struct Result {
     double unexplained = 1.0;  ///< residual over y, mean squares about the mean; 1 for a constant y
     Values coefficients{};
-    double rms = 0.0;  ///< of y about its mean
   };
   /// By coordinate descent (Hildreth 1957) from the middle of the bounds; unexplained may exceed 1.
   Result solve(const std::array<Bounds, kMost>& bounds) const noexcept;
-
-  std::size_t points() const noexcept { return points_; }
 
  private:
   std::size_t count_;

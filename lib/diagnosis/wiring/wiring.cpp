@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "diagnosis/data/sample_statistics.hpp"
 
@@ -69,7 +70,7 @@ void add_scaled_supply(const Recording& recording, const robot::Joint& joint, st
     return;
   }
   const double level = quantile(recording.supply_pressure_Pa, 0.5) / joint.actuator.supply_pressure_Pa;
-  for (const double factor : {1e-6, 1e-5, 1.0 / 6894.757, 1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3}) {
+  for (const double factor : kPressureFactors) {
     if (level > 0.75 * factor && level < 1.3 * factor) {
       answers.push_back({{.kind = WiringKind::kScaled, .channel = kSupply, .amount = factor}, 1.0, 0.0});
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/units.hpp"
@@ -47,7 +48,7 @@ class Search {
       WiringHypothesis exchanged;
       exchanged.pressures_exchanged = true;
       add({.kind = WiringKind::kExchanged, .channel = kPressureA, .other = kPressureB}, exchanged);
-      for (const double factor : {1e-6, 1e-5, 1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3, 1.0 / 6894.757}) {
+      for (const double factor : kPressureFactors) {
         scale(kPressureA, factor);
         scale(kPressureB, factor);
         scale(kPressureA, factor, true);

@@ -1,15 +1,19 @@
 #pragma once
 
-#include <functional>
+#include <array>
 #include <string>
 #include <vector>
 
+#include "core/units.hpp"
 #include "diagnosis/wiring/wiring_relations.hpp"
 
 namespace farrier::diagnosis {
 
 /// Ways in which a channel is wrong.
 enum class WiringKind { kReversed, kMirrored, kDead, kScaled, kLate, kEarly, kExchanged, kOtherJoint };
+
+/// Factors that a wrong unit or range puts on a pressure in Pa.
+inline constexpr std::array kPressureFactors{1e-6, 1e-5, 1e-3, 1e-2, 0.1, 10.0, 100.0, 1e3, 1.0 / kPascalPerPsi};
 
 /// One way in which a recording may be wrong. `amount`: of kScaled the factor of the recorded numbers; of kLate and
 /// kEarly samples, > 0; else 1.

@@ -1,7 +1,10 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "core/units.hpp"
+#include "diagnosis/data/recording_units.hpp"
 #include "diagnosis/data/sample_statistics.hpp"
 #include "diagnosis/judge/finding_text.hpp"
 #include "diagnosis/wiring/wiring.hpp"
@@ -50,43 +53,37 @@ std::string reversed_text(const WiringFault& fault, const std::string& column) {
   }
 }
 
-/// A unit in which numbers are `factor` times those of the column.
+/// The unit in which numbers are the fault's `amount` times those of the column; empty for none.
 std::string unit_of(const WiringFault& fault, bool rotary) {
-  struct Unit {
-    double factor;
-    const char *linear, *turning;
-  };
-  static constexpr std::array kPositions{Unit{1e3, "millimetres", "milliradians"}, Unit{100.0, "centimetres", ""},
-                                         Unit{kDegrees, "", "degrees"}};
-  static constexpr std::array kVelocities{Unit{1e3, "millimetres per second", "milliradians per second"},
-                                          Unit{100.0, "centimetres per second", ""},
-                                          Unit{kDegrees, "", "degrees per second"}};
-  static constexpr std::array kForces{Unit{1e-3, "kilonewtons", "kilonewton metres"},
-                                      Unit{1e3, "millinewtons", "newton millimetres"}};
-  static constexpr std::array kCurrents{Unit{1e3, "milliamperes", "milliamperes"}};
-  static constexpr std::array kPressures{Unit{1e-5, "bar", "bar"}, Unit{1e-6, "megapascals", "megapascals"},
-                                         Unit{1e-3, "kilopascals", "kilopascals"},
-                                         Unit{1.0 / 6894.757, "pounds per square inch", "pounds per square inch"}};
-  const auto named = [&](const auto& units) -> std::string {
-    for (const Unit& unit : units) {
-      if (std::abs(std::log(unit.factor / fault.amount)) < 0.01) {
-        return rotary ? unit.turning : unit.linear;
-      }
-    }
-    return "";
-  };
+  static constexpr std::array kLengths{Unit{"millimetres", 1e3}, Unit{"centimetres", 100.0}};
+  static constexpr std::array kAngles{Unit{"milliradians", 1e3}, Unit{"degrees", kDegrees}};
+  static constexpr std::array kSpeeds{Unit{"millimetres per second", 1e3}, Unit{"centimetres per second", 100.0}};
+  static constexpr std::array kRates{Unit{"milliradians per second", 1e3}, Unit{"degrees per second", kDegrees}};
+  static constexpr std::array kForces{Unit{"kilonewtons", 1e-3}, Unit{"millinewtons", 1e3}};
+  static constexpr std::array kTorques{Unit{"kilonewton metres", 1e-3}, Unit{"newton millimetres", 1e3}};
+  static constexpr std::array kCurrents{Unit{"milliamperes", 1e3}};
+  std::span<const Unit> units = kPressureUnits;
   switch (fault.channel) {
     case kPosition:
-      return named(kPositions);
+      units = rotary ? kAngles : kLengths;
+      break;
     case kVelocity:
-      return named(kVelocities);
+      units = rotary ? kRates : kSpeeds;
+      break;
     case kForce:
-      return named(kForces);
+      units = rotary ? kTorques : kForces;
+      break;
     case kCurrent:
-      return named(kCurrents);
-    default:
-      return named(kPressures);
+      units = kCurrents;
+      break;
+    case kPressureA:
+    case kPressureB:
+    case kSupply:
+      break;
   }
+  const auto found = std::ranges::find_if(
+      units, [&](const Unit& unit) { return std::abs(std::log(unit.per_SI / fault.amount)) < 0.01; });
+  return found == units.end() ? "" : found->name;
 }
 
 std::string factor_text(double factor) {
