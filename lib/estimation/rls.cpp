@@ -69,7 +69,7 @@ RlsStatus Rls<N>::update(const Regressor& h, const Eigen::Vector3d& y) noexcept 
 }
 
 template <int N>
-void Rls<N>::reset(const Parameters& theta0) noexcept {
+void Rls<N>::reset(const Parameters& theta0, const Regressor& variances) noexcept {
   for (int j = 0; j < N; ++j) {
     theta_[j].setZero();
     for (int i = 0; i < 3; ++i) {
@@ -81,7 +81,7 @@ void Rls<N>::reset(const Parameters& theta0) noexcept {
   samples_ = 0;
   status_ = RlsStatus::kNotYetSet;
   limited_ = false;
-  p_.begin_anew();
+  p_.begin_from(variances);
 }
 
 template <int N>

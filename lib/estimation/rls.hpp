@@ -56,7 +56,10 @@ class Rls {
   RlsStatus update(const Regressor& h, const Eigen::Vector3d& y) noexcept;
 
   /// As after create() with this theta0; entries that are not finite become zero.
-  void reset(const Parameters& theta0) noexcept;
+  void reset(const Parameters& theta0) noexcept { reset(theta0, Regressor::Constant(params_.initial_covariance)); }
+
+  /// The same with P = diag(variances), of which each is taken as at most the initial one.
+  void reset(const Parameters& theta0, const Regressor& variances) noexcept;
 
   /// Theta, one row per measurement.
   Parameters parameters() const noexcept;

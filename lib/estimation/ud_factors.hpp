@@ -94,10 +94,13 @@ class UdFactors {
     return false;
   }
 
-  void begin_anew() noexcept {
+  void begin_anew() noexcept { begin_from(Regressor::Constant(initial_)); }
+
+  /// P = diag(variances); each is taken as at most the initial one.
+  void begin_from(const Regressor& variances) noexcept {
     for (int j = 0; j < N; ++j) {
       std::fill(u_[j], u_[j] + N, 0.0);
-      d_[j] = initial_;
+      d_[j] = std::clamp(variances(j), d_min_, initial_);
     }
     trace_ = trace_of_factors();
   }

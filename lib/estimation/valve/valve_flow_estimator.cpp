@@ -25,6 +25,8 @@ constexpr double kCovarianceLimit = 1.01;
 constexpr double kCalm_s = 0.15;
 // The calmer law is there within 20 ms and needs a few cycles.
 constexpr double kDeaf_s = 0.06;
+// Factor on the variances of damping and oil at a change of the valve: what passes in the change is not all the valve's.
+constexpr double kLessSure = 4.0;
 // A loop that oscillates with gains for a valve of this share has another cause.
 constexpr double kStrongest = 2.5;
 
@@ -219,10 +221,13 @@ void ValveFlowEstimator::count_as_stronger() noexcept {
   begin_from(raised);
 }
 
-// As uncertain as at the start: samples of the valve before the change count no more.
+// The valve is as uncertain as at the start: samples before its change count no more. Damping and oil do not change with it.
 void ValveFlowEstimator::begin_from(const Rls<kParameters>::Parameters& parameters) noexcept {
   held_compressibility_ = compressibility();
-  regression_.reset(parameters);
+  Parameters variances = regression_.covariance().diagonal();
+  variances.head<kValveParts>().setOnes();
+  variances.tail<kParameters - kValveParts>() *= kLessSure;
+  regression_.reset(parameters, variances);
   errors_ = PredictionErrors();
   surplus_ = 0.0;
 }

@@ -44,7 +44,8 @@ struct KnownValve {
 /// chambers are not in steady flow (ChamberOil). The samples begin where the port is open by least_opening beyond the
 /// overlap.
 ///
-/// Flow errors beyond the usual ones mean that the valve has changed, and it is estimated from the start. If it lets
+/// Flow errors beyond the usual ones mean that the valve has changed, and it is estimated from the start, with what is known
+/// of the damping and the oil. If it lets
 /// more through than expected, or if the force loop oscillates (OscillationMonitor), it counts as stronger by
 /// gain_uncertainty at once: the flag kCountsAsStronger is set until there are min_samples again. A law for a weaker
 /// valve than there is may be unstable.
@@ -71,6 +72,7 @@ class ValveFlowEstimator final : public Estimator {
   static constexpr int kParameters = 5;
   using Parameters = Eigen::Matrix<double, kParameters, 1>;
   static constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2, kCompressibilityPart = 4;  // 3: damping
+  static constexpr int kValveParts = 3;       ///< gain, overlap and leakage come first
   static constexpr double kLeastGain = 0.05;  ///< share of the nominal gain; a smaller one is no valve's
   /// Shares of the open valve's flow: the flow, its parts for a unit of each parameter, and the sizes of what compression
   /// takes of it and of what a wrong supply pressure does to it.

@@ -185,6 +185,18 @@ TEST(Rls, StartsAfreshAfterAReset) {
   expect_same(rls, Rls<4>::create(kParams).value());
 }
 
+TEST(Rls, KeepsTheVariancesThatAResetGives) {
+  Rls<4> rls = settled();
+  const Eigen::Vector4d given(1.0, 1e-3, 2.0 * kParams.initial_covariance, -1.0);
+  rls.reset(truth(), given);
+  const Eigen::Matrix4d kept = rls.covariance();
+  EXPECT_TRUE(kept.isDiagonal());
+  EXPECT_EQ(kept(0, 0), 1.0);
+  EXPECT_EQ(kept(1, 1), 1e-3);
+  EXPECT_EQ(kept(2, 2), kParams.initial_covariance) << "none is more uncertain than at the start";
+  EXPECT_GT(kept(3, 3), 0.0);
+}
+
 TEST(Rls, DoesNotAllocate) {
   Rls<4> rls = settled();
   double sum = 0.0;

@@ -179,6 +179,20 @@ TEST(ValveFlow, CountsAValveThatGrowsAsStrongerUntilItIsEstimatedAgain) {
   EXPECT_NEAR(moved.gain(), 1.75, 0.09);
 }
 
+TEST(ValveFlow, StaysAsSureOfTheOilWhenTheValveChanges) {
+  MovedJoint moved(no_wear());
+  moved.run(3.0);
+  const ModelEstimate before = moved.estimate();
+  robot::Wear grown = no_wear();
+  grown.valve_gain = 1.75;
+  moved.wear(grown);
+  moved.run(0.03);
+  const ModelEstimate after = moved.estimate();
+  ASSERT_NE(after.flags & bit(EstimateFlag::kCountsAsStronger), 0u);
+  EXPECT_GT(after.physics_error.valve_gain, 3.0 * before.physics_error.valve_gain);
+  EXPECT_LT(after.physics_error.bulk_modulus, 2.1 * before.physics_error.bulk_modulus);
+}
+
 TEST(ValveFlow, CountsTheValveOfAnOscillatingLoopAsStronger) {
   MovedJoint moved(no_wear());
   moved.run(2.0);
