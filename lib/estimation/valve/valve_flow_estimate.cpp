@@ -20,9 +20,8 @@ constexpr double kNegativeSigmas = 3.0, kNegativeShare = 0.02;
 // Samples after a change of the valve before the oil's compressibility follows again. Oil does not change with a valve,
 // and a loop that oscillates compresses it.
 constexpr std::int64_t kOilSamples = 2500;
-// The least and the largest compressibility over the nominal one that are given on. Oil that is softer has so much air that no
-// law helps.
-constexpr double kLeastCompressibility = 0.5, kLargestCompressibility = 5.0;
+// The largest compressibility over the nominal one that is given on. Oil that is softer has so much air that no law helps.
+constexpr double kLargestCompressibility = 5.0;
 
 // The positive part of the estimate of James and Stein (1961): an uncertain change counts as less.
 double shrunk(double change, double error) noexcept {
@@ -59,7 +58,9 @@ double ValveFlowEstimator::compressibility() const noexcept {
   if (regression_.samples() <= kOilSamples) {
     return held_compressibility_;
   }
-  const double change = shrunk(parameters()(kCompressibilityPart), standard_errors()(kCompressibilityPart));
+  // A law for softer oil than there is may be unstable, one for stiffer oil is slow: only softer oil has to be certain.
+  const double found = parameters()(kCompressibilityPart);
+  const double change = found < 0.0 ? found : shrunk(found, standard_errors()(kCompressibilityPart));
   return std::clamp(1.0 + change, kLeastCompressibility, kLargestCompressibility);
 }
 

@@ -27,6 +27,8 @@ constexpr double kCalm_s = 0.15;
 constexpr double kDeaf_s = 0.06;
 // Factor on the variances of damping and oil at a change of the valve: what passes in the change is not all the valve's.
 constexpr double kLessSure = 4.0;
+// A valve whose gain is within this share of what it was at the last alarm has not changed. The oil is then stiffer, by this factor.
+constexpr double kSameValve = 0.15, kStiffer = 1.5;
 // A loop that oscillates with gains for a valve of this share has another cause.
 constexpr double kStrongest = 2.5;
 
@@ -208,7 +210,14 @@ void ValveFlowEstimator::watch(const JointSample& sample) noexcept {
     return;
   }
   since_alarm_s_ = 0.0;
+  const double gain = parameters()(kGainPart);
+  const bool known = regression_.samples() >= params_.min_samples;
+  const bool same_valve = known && std::abs(gain / alarm_gain_ - 1.0) < kSameValve;
   count_as_stronger();
+  if (same_valve) {
+    count_as_stiffer();
+  }
+  alarm_gain_ = known ? gain : alarm_gain_;
 }
 
 // A law for a weaker valve than there is may be unstable; a law for a stronger one is slow.
@@ -219,6 +228,15 @@ void ValveFlowEstimator::count_as_stronger() noexcept {
   Rls<kParameters>::Parameters raised = regression_.parameters();
   raised.row(0) = (all - prior_).cwiseQuotient(deviation_).transpose();
   begin_from(raised);
+}
+
+// The gain of the loop goes with that of the valve over the compressibility of the oil.
+void ValveFlowEstimator::count_as_stiffer() noexcept {
+  held_compressibility_ = std::max(kLeastCompressibility, held_compressibility_ / kStiffer);
+  Rls<kParameters>::Parameters stiffer = regression_.parameters();
+  stiffer(0, kCompressibilityPart) =
+      (held_compressibility_ - 1.0 - prior_(kCompressibilityPart)) / deviation_(kCompressibilityPart);
+  regression_.reset(stiffer, regression_.covariance().diagonal());
 }
 
 // The valve is as uncertain as at the start: samples before its change count no more. Damping and oil do not change with it.

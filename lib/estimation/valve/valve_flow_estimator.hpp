@@ -45,10 +45,10 @@ struct KnownValve {
 /// overlap.
 ///
 /// Flow errors beyond the usual ones mean that the valve has changed, and it is estimated from the start, with what is known
-/// of the damping and the oil. If it lets
-/// more through than expected, or if the force loop oscillates (OscillationMonitor), it counts as stronger by
-/// gain_uncertainty at once: the flag kCountsAsStronger is set until there are min_samples again. A law for a weaker
-/// valve than there is may be unstable.
+/// of the damping and the oil. If it lets more through than expected, or if the force loop oscillates (OscillationMonitor),
+/// it counts as stronger by gain_uncertainty at once: the flag kCountsAsStronger is set until there are min_samples again.
+/// A law for a weaker valve than there is may be unstable. If the loop oscillates again and the valve is the same, the oil
+/// counts as stiffer: the loop's gain goes with the valve's and with the bulk modulus.
 ///
 /// The load of the prior is kept, and the linear model follows from it with the estimated gain.
 class ValveFlowEstimator final : public Estimator {
@@ -72,8 +72,9 @@ class ValveFlowEstimator final : public Estimator {
   static constexpr int kParameters = 5;
   using Parameters = Eigen::Matrix<double, kParameters, 1>;
   static constexpr int kGainPart = 0, kOverlapPart = 1, kLeakagePart = 2, kCompressibilityPart = 4;  // 3: damping
-  static constexpr int kValveParts = 3;       ///< gain, overlap and leakage come first
-  static constexpr double kLeastGain = 0.05;  ///< share of the nominal gain; a smaller one is no valve's
+  static constexpr int kValveParts = 3;                 ///< gain, overlap and leakage come first
+  static constexpr double kLeastCompressibility = 0.5;  ///< over the nominal one
+  static constexpr double kLeastGain = 0.05;            ///< share of the nominal gain; a smaller one is no valve's
   /// Shares of the open valve's flow: the flow, its parts for a unit of each parameter, and the sizes of what compression
   /// takes of it and of what a wrong supply pressure does to it.
   using Terms = Eigen::Matrix<double, kParameters + 3, 1>;
@@ -90,6 +91,7 @@ class ValveFlowEstimator final : public Estimator {
   void learn() noexcept;
   void watch(const JointSample& sample) noexcept;
   void count_as_stronger() noexcept;
+  void count_as_stiffer() noexcept;
   void begin_from(const Rls<kParameters>::Parameters& parameters) noexcept;
   /// Gain over the nominal one, overlap as a share of full current, leakage as a share, damping and compressibility beyond
   /// the nominal ones as shares of those.
@@ -124,6 +126,7 @@ class ValveFlowEstimator final : public Estimator {
   std::uint32_t sample_flags_ = 0;
   OscillationMonitor loop_;
   double since_alarm_s_ = std::numeric_limits<double>::infinity();  ///< of an oscillating loop
+  double alarm_gain_ = std::numeric_limits<double>::quiet_NaN();    ///< of the valve when the loop oscillated last
   double held_compressibility_ = 1.0;                               ///< at the last change of the valve
   double surplus_ = 0.0;   ///< unexpected flow towards the opening, summed over about 50 samples
   bool stronger_ = false;  ///< the valve counts as stronger, and no estimate has been valid since

@@ -193,9 +193,7 @@ TEST(ValveFlow, StaysAsSureOfTheOilWhenTheValveChanges) {
   EXPECT_LT(after.physics_error.bulk_modulus, 2.1 * before.physics_error.bulk_modulus);
 }
 
-TEST(ValveFlow, CountsTheValveOfAnOscillatingLoopAsStronger) {
-  MovedJoint moved(no_wear());
-  moved.run(2.0);
+void oscillate(MovedJoint& moved) {
   for (Tick tick = 0; tick < 50; ++tick) {
     const double error_N = 900.0 * std::sin(2.0 * kPi * 0.115 * static_cast<double>(tick));
     moved.estimator().take({.tick = moved.tick() + tick,
@@ -204,8 +202,32 @@ TEST(ValveFlow, CountsTheValveOfAnOscillatingLoopAsStronger) {
                             .phase = 0,
                             .force_error = error_N});
   }
+}
+
+TEST(ValveFlow, CountsTheValveOfAnOscillatingLoopAsStronger) {
+  MovedJoint moved(no_wear());
+  moved.run(2.0);
+  oscillate(moved);
   EXPECT_NE(moved.estimate().flags & bit(EstimateFlag::kCountsAsStronger), 0u);
   EXPECT_NEAR(moved.gain(), 1.5, 0.05);
+}
+
+TEST(ValveFlow, CountsTheOilAsStifferIfTheLoopOscillatesAgainWithTheSameValve) {
+  MovedJoint moved(no_wear());
+  const double nominal_Pa = moved.joint().actuator.bulk_modulus_Pa;
+  moved.run(2.0);
+  oscillate(moved);
+  EXPECT_EQ(moved.estimate().physics.bulk_modulus, nominal_Pa) << "the valve is suspected first";
+  moved.run(1.0);
+  EXPECT_NEAR(moved.gain(), 1.0, 0.1);
+  oscillate(moved);
+  EXPECT_DOUBLE_EQ(moved.estimate().physics.bulk_modulus, 1.5 * nominal_Pa);
+  moved.run(1.0);
+  for (int again = 0; again < 5; ++again) {
+    oscillate(moved);
+    moved.run(1.0);
+  }
+  EXPECT_DOUBLE_EQ(moved.estimate().physics.bulk_modulus, 2.0 * nominal_Pa) << "the largest that is given on";
 }
 
 TEST(ValveFlow, DoesNotTakeAWeakSupplyForAWeakValveOnceItIsTold) {
