@@ -22,8 +22,8 @@ Bench::Bench(const Simulator& simulator, const ChannelMask& judged, const FitOpt
     : simulator_(simulator), options_(options), fit_data_{&simulator, judged, {1.0, 1.0, 1.0}} {
   for (std::size_t c = 0; c < kChannels; ++c) {
     if (judged[c]) {
-      const auto error = residuals(simulator, {0, simulator.size()}, simulator.nominal(), static_cast<Channel>(c),
-                                   options_);
+      const auto error =
+          residuals(simulator, {0, simulator.size()}, simulator.nominal(), static_cast<Channel>(c), options_);
       fit_data_.weight[c] = std::max(judged_rms(error), 1e-12);
     }
   }
@@ -114,27 +114,37 @@ Hypothesis Bench::base() const {
   return base;
 }
 
-std::optional<Hypothesis> Bench::with(const Hypothesis& from, plant::EffectId effect, double least_gain) const {
+std::optional<Bench::Sketch> Bench::sketch(const Hypothesis& from, plant::EffectId effect,
+                                           const std::vector<std::vector<double>>& starts) const {
   const ChannelMask mask = closure(channels_of(effect), from.halves[0].model.effects);
   FitOptions quick = options_;
   quick.most_iterations = 6;
   quick.tolerance = 1e-2;
-  FitResult rough;
-  for (const auto& start : simulator_.starts(effect)) {
+  std::optional<FitResult> best;
+  for (const auto& start : starts) {
     Model model = from.halves[0].model;
     model.effects.push_back({effect, start});
     FitResult found = fit(fit_data_, halves()[0], model, mask, quick);
-    if (rough.model.effects.empty() || found.cost < rough.cost) {
-      rough = std::move(found);
+    if (!best || found.cost < best->cost) {
+      best = std::move(found);
     }
   }
-  if (rough.model.effects.empty() || promise(from, rough.model, mask) < least_gain) {
+  if (!best) {
     return std::nullopt;
   }
+  const double promised = promise(from, best->model, mask);
+  return Sketch{effect, std::move(best->model), promised};
+}
+
+std::optional<Hypothesis> Bench::with(const Hypothesis& from, const Sketch& sketch, double least_gain) const {
+  if (sketch.promise < least_gain) {
+    return std::nullopt;
+  }
+  const ChannelMask mask = closure(channels_of(sketch.effect), from.halves[0].model.effects);
   Hypothesis with;
   with.effects = from.effects;
-  with.effects.push_back(effect);
-  with.halves[0] = fit(fit_data_, halves()[0], rough.model, mask, options_);
+  with.effects.push_back(sketch.effect);
+  with.halves[0] = fit(fit_data_, halves()[0], sketch.model, mask, options_);
   with.halves[1] = fit(fit_data_, halves()[1], with.halves[0].model, mask, options_);
   judge(with, &from, mask);
   return fitted_gain(from, with, mask) < least_gain ? std::nullopt : std::optional(std::move(with));

@@ -23,11 +23,11 @@ struct Hypothesis {
 
 /// By how much the held-out error of `after` is below that of `before`.
 struct Gain {
-  double log_ratio;        ///< sum over the channels of ln(rms before / rms after)
-  double low, high;        ///< its 95 % band under resampled blocks (Kuensch 1989)
+  double log_ratio;  ///< sum over the channels of ln(rms before / rms after)
+  double low, high;  ///< its 95 % band under resampled blocks (Kuensch 1989)
   std::array<double, 2> by_half;
   std::array<double, kChannels> reduction;  ///< 1 - rms after / rms before
-  double chance;           ///< share of resamplings in which `after` is better
+  double chance;                            ///< share of resamplings in which `after` is better
 };
 
 /// Held-out NRMSE of two hypotheses: the root of the mean over channels of squared error over the variance of the
@@ -44,10 +44,18 @@ class Bench {
 
   /// The nominal model, its constants fitted within their band.
   Hypothesis base() const;
-  /// Adds one effect to `from`, with the best of its starts. Empty if a short fit to the first half improves the second
-  /// by less than `least_gain` of log ratio, or a fit its own half. Also empty for an effect that the recording cannot
-  /// show.
-  std::optional<Hypothesis> with(const Hypothesis& from, plant::EffectId effect, double least_gain) const;
+  /// An effect beside a hypothesis, fitted to the first half in few steps.
+  struct Sketch {
+    plant::EffectId effect;
+    Model model;
+    double promise;  ///< log ratio of errors that it improves on the second half
+  };
+  /// Sketches one effect beside `from`, from the best of `starts`; empty without a start.
+  std::optional<Sketch> sketch(const Hypothesis& from, plant::EffectId effect,
+                               const std::vector<std::vector<double>>& starts) const;
+  /// Adds the sketched effect to `from`. Empty if the sketch promises less than `least_gain` of log ratio, or if a fit
+  /// improves its own half by less.
+  std::optional<Hypothesis> with(const Hypothesis& from, const Sketch& sketch, double least_gain) const;
   /// `from` with one effect less.
   Hypothesis without(const Hypothesis& from, plant::EffectId effect) const;
   /// `from` with `other` in place of `effect`, its fits beginning at `fitted` by half; it stands last.
@@ -61,13 +69,14 @@ class Bench {
   const FitData& fit_data() const noexcept { return fit_data_; }
   const FitOptions& options() const noexcept { return options_; }
   std::array<Span, 2> halves() const noexcept;
+  /// `mask` and the channels of those effects that reach into it: what must be fitted together.
+  ChannelMask closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept;
 
  private:
   void judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelMask& changed) const;
   std::vector<double> block_squares(const Model& model, std::size_t half, std::size_t channel) const;
   double fitted_gain(const Hypothesis& from, const Hypothesis& with, const ChannelMask& mask) const;
   double promise(const Hypothesis& from, const Model& model, const ChannelMask& mask) const;
-  ChannelMask closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept;
 
   const Simulator& simulator_;
   FitOptions options_;

@@ -2,29 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
-#include "diagnosis/data/sample_statistics.hpp"
+#include "diagnosis/judge/remainder.hpp"
 #include "diagnosis/judge/selection.hpp"
 
 namespace farrier::diagnosis {
 namespace {
-
-std::array<Remainder, kChannels> remainder(const Bench& bench, const Hypothesis& hypothesis,
-                                           const ExpectedResiduals& expected_residuals) {
-  std::array<Remainder, kChannels> left{};
-  const auto expected = expected_residuals(hypothesis);
-  const double warm = 2.0 * bench.options().warm_up_s / bench.simulator().period_s();
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    if (bench.fit_data().judged[c]) {
-      const double count = static_cast<double>(bench.simulator().size()) - warm;
-      left[c].rms = std::sqrt(hypothesis.total(c) / count);
-      left[c].expected = expected[c];
-      left[c].nrmse = left[c].rms / standard_deviation(bench.simulator().measured(static_cast<Channel>(c)));
-    }
-  }
-  return left;
-}
 
 /// True if a channel's remainder is more than its sensors' noise.
 bool is_structured(const Remainder& left, const Rules& rules) {
@@ -62,22 +45,13 @@ const char* to_string(Verdict verdict) noexcept {
 }
 
 Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each) {
-  Selection selection(bench, rules, for_each);
+  Selection selection(bench, expected, rules, for_each);
   Judgement judgement;
   judgement.base = selection.base();
   const auto before = remainder(bench, judgement.base, expected);
-  ChannelMask open = bench.fit_data().judged;
-  for (std::size_t round = 0; round < rules.most_effects && selection.add(open); ++round) {
-    const auto left = remainder(bench, selection.chosen(), expected);
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      open[c] = bench.fit_data().judged[c] && left[c].rms > rules.open_ratio * left[c].expected &&
-                left[c].rms > rules.further_step * before[c].rms;
-    }
-    if (std::ranges::none_of(open, std::identity{})) {
-      break;
-    }
-  }
-  selection.prune();
+  selection.grow();
+  selection.grow_from_others();
+  selection.exchange();
   selection.compare_rivals();
   judgement.chosen = selection.chosen();
   judgement.rounds = selection.rounds();

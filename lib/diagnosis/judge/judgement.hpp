@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "diagnosis/judge/hypothesis.hpp"
+#include "diagnosis/judge/remainder.hpp"
 
 namespace farrier::diagnosis {
 
@@ -15,11 +16,17 @@ const char* to_string(Verdict verdict) noexcept;
 
 /// Bounds of the rules.
 struct Rules {
-  std::size_t most_effects = 3;
+  std::size_t most_effects = 6;
+  std::size_t most_fitted = 5;    ///< effects of a channel that are fitted in a round, the most promising first
+  double near_best = 0.4;         ///< of the best sketch's promise, below which an effect is not fitted in full
+  std::size_t most_regrown = 3;   ///< other first effects from which a set is grown anew
+  double price_of_effect = 0.03;  ///< log gain that an effect must bring for a larger set to be the better one
+  double least_promise = 0.5;     ///< of least_reduction, that a linearised step must predict before a fit is tried
+  double least_exchange = 0.8;  ///< of an effect's log gain, that another must promise in its place before it is fitted
   double least_reduction = 0.08;    ///< of a channel's held-out rms, that an effect must bring
   double neutral_deviations = 2.5;  ///< by which a parameter must lie outside its neutral band
   double least_step = 0.04;         ///< of a channel's rms before any effect, that the first effect must remove
-  double further_step = 0.08;       ///< the same of further ones, which may be details of the first
+  double further_step = 0.02;       ///< the same of further ones, which may be details of the first
   double structure_ratio = 1.6;     ///< rms over that of a twin, above which a remainder has a structure
   double open_ratio = 1.15;         ///< rms over that of a twin with its sensors' noise, above which there may be more
   double unexplained = 0.2;         ///< of a channel's rms before any effect, above which a remainder is no detail
@@ -36,13 +43,6 @@ struct NamedEffect {
   double deviation;            ///< standard deviation of the first
   double share;                ///< of the whole log gain
   double confidence;           ///< chance that it is present and no rival is
-};
-
-/// Remainder on a channel that the model's sensors do not explain.
-struct Remainder {
-  double rms;       ///< of the held-out residual, N | m/s
-  double expected;  ///< of a twin of the model with its sensors' noise
-  double nrmse;     ///< rms over the standard deviation of the measurement
 };
 
 /// One line of the table of candidates, for reports.
@@ -67,9 +67,6 @@ struct Judgement {
 
 /// Runs `count` pieces of work, possibly in parallel.
 using ForEach = std::function<void(std::size_t count, const std::function<void(std::size_t)>&)>;
-
-/// Root mean square by channel of a hypothesis's residuals if it were right.
-using ExpectedResiduals = std::function<std::array<double, kChannels>(const Hypothesis& hypothesis)>;
 
 Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each);
 

@@ -34,15 +34,16 @@ std::vector<double> held_out(const Bench& bench, const Hypothesis& hypothesis) {
 std::vector<EffectAlone> try_alone(const Bench& bench, const Judgement& judgement, std::span<const double> measured) {
   std::vector<EffectAlone> alone;
   for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
-    const auto with = id == kBias ? std::nullopt
-                                  : bench.with(judgement.base, id, -std::numeric_limits<double>::infinity());
+    const auto sketch = id == kBias ? std::nullopt : bench.sketch(judgement.base, id, bench.simulator().starts(id));
+    const auto with = sketch ? bench.with(judgement.base, *sketch, -std::numeric_limits<double>::infinity())
+                             : std::optional<Hypothesis>();
     if (!with) {
       continue;
     }
-    const bool accepted = !judgement.rounds.empty() &&
-                          std::ranges::any_of(judgement.rounds.front(), [id](const Candidate& candidate) {
-                            return candidate.id == id && candidate.accepted;
-                          });
+    const bool accepted =
+        !judgement.rounds.empty() && std::ranges::any_of(judgement.rounds.front(), [id](const Candidate& candidate) {
+          return candidate.id == id && candidate.accepted;
+        });
     const FitResult& first = with->halves[0];
     const std::vector<double>& fitted = first.model.effects[0].fitted;
     alone.push_back({id, fitted, first.deviation[0], fit_percent(measured, held_out(bench, *with)), accepted});
@@ -79,7 +80,10 @@ ScaledDiagnosis diagnose_scaled(const ScaledRecording& recording, const Diagnosi
     rules.most_effects = 0;  // nothing is left that an effect could explain
   }
   Judgement judgement = judge(
-      bench, [expected](const Hypothesis&) { return std::array<double, kChannels>{expected, 0.0, 0.0}; },
+      bench,
+      [expected](const Hypothesis&) {
+        return std::array<double, kChannels>{expected, 0.0, 0.0};
+      },
       rules, by_threads(options.threads, options.progress, rules.most_effects));
   for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
     const bool drift = id == kBias && std::ranges::none_of(judgement.chosen.effects, bends);

@@ -20,14 +20,14 @@ struct EffectAlone {
 /// and simulations s that run freely over the second half, of models fitted to the first (ScaledSimulator).
 struct ScaledDiagnosis {
   Judgement judgement;
-  plant::Scales scales;                           ///< of the effects' numbers; times in ScaledSimulator::kSample_s
-  double gain_before, drift_before;               ///< per sample, of the linear model
-  double gain_after, drift_after;                 ///< with the effects
+  plant::Scales scales;              ///< of the effects' numbers; times in ScaledSimulator::kSample_s
+  double gain_before, drift_before;  ///< per sample, of the linear model
+  double gain_after, drift_after;    ///< with the effects
   double fit_before_percent, fit_after_percent;
-  ErrorRatio error;                               ///< held-out NRMSE, each half by the other's fit
+  ErrorRatio error;  ///< held-out NRMSE, each half by the other's fit
   std::vector<EffectAlone> alone;
-  std::size_t held_out_begin;                     ///< sample
-  std::vector<double> measured, before, after;    ///< of the second half, for pictures
+  std::size_t held_out_begin;                   ///< sample
+  std::vector<double> measured, before, after;  ///< of the second half, for pictures
   std::vector<std::string> remarks;
 };
 

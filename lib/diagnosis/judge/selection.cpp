@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
+
+#include "diagnosis/judge/screening.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -43,9 +46,67 @@ Estimate pooled(const Hypothesis& hypothesis, std::size_t index) {
   return estimate;
 }
 
-Selection::Selection(const Bench& bench, const Rules& rules, const ForEach& for_each)
-    : bench_(bench), rules_(rules), for_each_(for_each), base_(bench.base()), chosen_(base_) {
+Selection::Selection(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each)
+    : bench_(bench),
+      expected_(expected),
+      rules_(rules),
+      for_each_(for_each),
+      base_(bench.base()),
+      chosen_(base_),
+      before_(remainder(bench, base_, expected)) {
   confidence_.fill(1.0);
+}
+
+ChannelMask Selection::open_channels() const {
+  const auto left = remainder(bench_, chosen_, expected_);
+  ChannelMask open{};
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    open[c] = bench_.fit_data().judged[c] && left[c].rms > rules_.open_ratio * left[c].expected &&
+              left[c].rms > rules_.further_step * before_[c].rms && left[c].nrmse > 0.5 * rules_.least_nrmse;
+  }
+  return open;
+}
+
+double Selection::score(const Hypothesis& hypothesis) const {
+  return bench_.gain(base_, hypothesis).log_ratio -
+         rules_.price_of_effect * static_cast<double>(hypothesis.effects.size());
+}
+
+void Selection::grow() {
+  ChannelMask open = chosen_.effects.empty() ? bench_.fit_data().judged : open_channels();
+  for (std::size_t round = 0; round < 2 * rules_.most_effects && meet(open, open) && add(open); ++round) {
+    prune();
+    open = open_channels();
+  }
+}
+
+void Selection::grow_from_others() {
+  const ChannelMask open = open_channels();
+  if (chosen_.effects.size() < 2 && !meet(open, open)) {
+    return;
+  }
+  std::size_t grown = 0;
+  for (std::size_t i = 1; i < first_.size() && grown < rules_.most_regrown; ++i) {
+    const Hypothesis best = chosen_;
+    if (holds(best, first_[i].effects.front())) {
+      continue;
+    }
+    ++grown;
+    const auto confidence = confidence_;
+    const auto rivals = rivals_;
+    const auto rounds = rounds_;
+    confidence_.fill(1.0);
+    rivals_.clear();
+    rounds_.resize(1);
+    choose(first_[i]);
+    grow();
+    if (score(chosen_) <= score(best)) {
+      choose(best);
+      confidence_ = confidence;
+      rivals_ = rivals;
+      rounds_ = rounds;
+    }
+  }
 }
 
 bool Selection::outside_neutral(plant::EffectId id, const Estimate& estimate) const {
@@ -73,14 +134,55 @@ bool Selection::worth_it(const Hypothesis& after) const {
   return false;
 }
 
+std::vector<plant::EffectId> Selection::promising(const std::vector<Screening::Promise>& promises,
+                                                  const ChannelMask& open) const {
+  const double least = rules_.least_promise * rules_.least_reduction;
+  std::vector<plant::EffectId> all;
+  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+    if (!promises[id].start.empty() && promises[id].log_ratio > least) {
+      all.push_back(id);
+    }
+  }
+  std::ranges::sort(all, std::greater{}, [&](plant::EffectId id) { return promises[id].log_ratio; });
+  std::vector<plant::EffectId> kept;
+  std::array<std::size_t, kChannels> on_channel{};
+  for (const plant::EffectId id : all) {
+    const ChannelMask shows = channels_of(id);
+    bool wanted = false;
+    for (std::size_t c = 0; c < kChannels; ++c) {
+      wanted = wanted || (shows[c] && open[c] && on_channel[c]++ < rules_.most_fitted);
+    }
+    if (wanted) {
+      kept.push_back(id);
+    }
+  }
+  return kept;
+}
+
 std::vector<Selection::Tried> Selection::try_all(const ChannelMask& open) const {
   std::vector<Tried> tried(plant::kEffectCount);
+  const Screening screening(bench_, chosen_);
+  std::vector<Screening::Promise> promises(plant::kEffectCount);
   for_each_(plant::kEffectCount, [&](std::size_t id) {
-    if (!meet(channels_of(id), open) || holds(chosen_, id)) {
+    if (meet(channels_of(id), open) && !holds(chosen_, id)) {
+      promises[id] = screening.promise_of(id);
+    }
+  });
+  const std::vector<plant::EffectId> ids = promising(promises, open);
+  std::vector<std::optional<Bench::Sketch>> sketches(ids.size());
+  for_each_(ids.size(), [&](std::size_t i) { sketches[i] = bench_.sketch(chosen_, ids[i], {promises[ids[i]].start}); });
+  double best = 0.0;
+  for (const auto& sketch : sketches) {
+    best = std::max(best, sketch ? sketch->promise : 0.0);
+  }
+  const double least = std::max(0.5 * rules_.least_reduction, rules_.near_best * best);
+  for_each_(ids.size(), [&](std::size_t i) {
+    if (!sketches[i] || sketches[i]->promise < least) {
       return;
     }
+    const plant::EffectId id = ids[i];
     Tried& one = tried[id];
-    one.hypothesis = bench_.with(chosen_, id, 0.5 * rules_.least_reduction);
+    one.hypothesis = bench_.with(chosen_, *sketches[i], 0.5 * rules_.least_reduction);
     if (one.hypothesis) {
       const Hypothesis& with = *one.hypothesis;
       one.gain = bench_.gain(chosen_, with);
@@ -93,6 +195,9 @@ std::vector<Selection::Tried> Selection::try_all(const ChannelMask& open) const 
 }
 
 bool Selection::add(const ChannelMask& open) {
+  if (chosen_.effects.size() >= rules_.most_effects) {
+    return false;
+  }
   std::vector<Tried> tried = try_all(open);
   std::vector<Candidate> lines;
   plant::EffectId best = plant::kEffectCount;
@@ -107,6 +212,14 @@ bool Selection::add(const ChannelMask& open) {
     }
   }
   rounds_.push_back(std::move(lines));
+  if (chosen_.effects.empty()) {
+    for (Tried& one : tried) {
+      if (one.accepted) {
+        first_.push_back(*one.hypothesis);
+      }
+    }
+    std::ranges::sort(first_, std::greater{}, [&](const Hypothesis& h) { return score(h); });
+  }
   if (best == plant::kEffectCount) {
     return false;
   }
@@ -132,8 +245,7 @@ void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId bes
     const double chance = chance_of(*tried[best].hypothesis, *tried[id].hypothesis);
     if (1.0 - chance > rules_.tie_chance) {
       const auto& halves = tried[id].hypothesis->halves;
-      rivals_.push_back(
-          {best, id, {halves[0].model.effects.back().fitted, halves[1].model.effects.back().fitted}});
+      rivals_.push_back({best, id, {halves[0].model.effects.back().fitted, halves[1].model.effects.back().fitted}});
     } else {
       confidence_[best] = std::min(confidence_[best], chance);
     }
@@ -142,7 +254,8 @@ void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId bes
 
 const Hypothesis& Selection::without(plant::EffectId effect) {
   const auto known = without_.find(effect);
-  return known != without_.end() ? known->second : without_.emplace(effect, bench_.without(chosen_, effect)).first->second;
+  return known != without_.end() ? known->second
+                                 : without_.emplace(effect, bench_.without(chosen_, effect)).first->second;
 }
 
 void Selection::choose(Hypothesis hypothesis) {
@@ -150,10 +263,47 @@ void Selection::choose(Hypothesis hypothesis) {
   without_.clear();
 }
 
+bool Selection::is_needed(std::size_t index) {
+  const Gain gain = bench_.gain(without(chosen_.effects[index]), chosen_);
+  return outside_neutral(chosen_.effects[index], pooled(chosen_, index)) && gain.low > 0.0 &&
+         *std::ranges::max_element(gain.reduction) > 0.5 * rules_.least_reduction;
+}
+
+void Selection::exchange() {
+  for (std::size_t i = 0; i < chosen_.effects.size();) {
+    const plant::EffectId was = chosen_.effects[i];
+    const Hypothesis less = without(was);
+    const double mine = bench_.gain(less, chosen_).log_ratio;
+    const Screening screening(bench_, less);
+    std::vector<Screening::Promise> promises(plant::kEffectCount);
+    for_each_(plant::kEffectCount, [&](std::size_t id) {
+      if (may_be_rivals(id, was) && !holds(chosen_, id)) {
+        promises[id] = screening.promise_of(id);
+      }
+    });
+    const auto best = std::ranges::max_element(promises, {}, &Screening::Promise::log_ratio);
+    const auto id = static_cast<plant::EffectId>(best - promises.begin());
+    if (best->start.empty() || best->log_ratio < rules_.least_exchange * mine) {
+      ++i;
+      continue;
+    }
+    const auto sketch = bench_.sketch(less, id, {best->start});
+    auto other = sketch ? bench_.with(less, *sketch, 0.5 * rules_.least_reduction) : std::optional<Hypothesis>();
+    if (other && bench_.gain(chosen_, *other).low > 0.0 && !at_bound(id, pooled(*other, other->effects.size() - 1)) &&
+        outside_neutral(id, pooled(*other, other->effects.size() - 1))) {
+      choose(std::move(*other));
+      prune();
+      i = 0;
+    } else {
+      ++i;
+    }
+  }
+}
+
 void Selection::prune() {
   for (std::size_t i = 0; chosen_.effects.size() > 1 && i < chosen_.effects.size();) {
     const plant::EffectId id = chosen_.effects[i];
-    if (outside_neutral(id, pooled(chosen_, i)) && bench_.gain(without(id), chosen_).low > 0.0) {
+    if (is_needed(i)) {
       ++i;
     } else {
       choose(Hypothesis(without(id)));

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "diagnosis/judge/judgement.hpp"
+#include "diagnosis/judge/screening.hpp"
 
 namespace farrier::diagnosis {
 
@@ -21,13 +22,16 @@ Estimate pooled(const Hypothesis& hypothesis, std::size_t index);
 class Selection {
  public:
   /// All outlive this.
-  Selection(const Bench& bench, const Rules& rules, const ForEach& for_each);
+  Selection(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each);
 
-  /// Tries every effect that concerns an open channel beside the chosen ones and keeps the best that is accepted.
-  /// Returns false if none is.
-  bool add(const ChannelMask& open);
-  /// Removes effects that became negligible beside later ones.
-  void prune();
+  /// Adds effects while a channel is open and one is accepted; removes those that later ones made needless.
+  void grow();
+  /// Grows anew from the other effects that were accepted at first, and keeps the set that explains most. A wrong first
+  /// effect may stand for two or three right ones.
+  void grow_from_others();
+
+  /// Tries every effect in the place of each chosen one, and takes those that explain more, until none does.
+  void exchange();
   /// Fits every rival in the place of the effect it was tried beside and keeps the better one. A rival that may be
   /// right by more than tie_chance cannot be excluded; of these two the one that shows on fewer channels stays.
   void compare_rivals();
@@ -59,10 +63,24 @@ class Selection {
     std::array<std::vector<double>, 2> fitted;  ///< of the rival, by half
   };
 
+  /// Tries every effect that concerns an open channel beside the chosen ones and keeps the best that is accepted.
+  /// Returns false if none is, or there are most_effects.
+  bool add(const ChannelMask& open);
+  /// Removes effects that became negligible beside later ones.
+  void prune();
+  /// Channels on which something is left to explain.
+  ChannelMask open_channels() const;
+  /// Log ratio of errors that a set explains, less what each effect must bring.
+  double score(const Hypothesis& hypothesis) const;
+  /// The promising effects of each open channel, the most promising first.
+  std::vector<plant::EffectId> promising(const std::vector<Screening::Promise>& promises,
+                                         const ChannelMask& open) const;
   /// The chosen hypothesis without one of its effects, fitted once.
   const Hypothesis& without(plant::EffectId effect);
   void choose(Hypothesis hypothesis);
   std::vector<Tried> try_all(const ChannelMask& open) const;
+  /// True if the chosen hypothesis is worse without the effect at `index`.
+  bool is_needed(std::size_t index);
   bool worth_it(const Hypothesis& after) const;
   bool outside_neutral(plant::EffectId id, const Estimate& estimate) const;
   /// Chance that `one` is right and not `other`, which explains the same. It is the share of resampled blocks in which
@@ -71,9 +89,12 @@ class Selection {
   void note_rivals(const std::vector<Tried>& tried, plant::EffectId best);
 
   const Bench& bench_;
+  const ExpectedResiduals& expected_;
   const Rules& rules_;
   const ForEach& for_each_;
   Hypothesis base_, chosen_;
+  std::array<Remainder, kChannels> before_;        ///< of the base
+  std::vector<Hypothesis> first_;                  ///< accepted in the first round, the best first
   std::map<plant::EffectId, Hypothesis> without_;  ///< by effect, of the chosen hypothesis as it is
   std::vector<std::vector<Candidate>> rounds_;
   std::vector<Rival> rivals_;

@@ -1,0 +1,150 @@
+#include "diagnosis/judge/screening.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+#include "diagnosis/judge/fit_costs.hpp"
+
+namespace farrier::diagnosis {
+namespace {
+
+/// Least diagonal of a normal matrix, over its largest element: numbers that nothing shows stay where they are.
+constexpr double kLeastDiagonal = 1e-9;
+
+std::size_t number_count(const Model& model) {
+  std::size_t count = 0;
+  for (const Model::Effect& effect : model.effects) {
+    count += effect.fitted.size();
+  }
+  return count;
+}
+
+}  // namespace
+
+Screening::Screening(const Bench& bench, const Hypothesis& from)
+    : bench_(bench),
+      from_(from),
+      span_(bench.halves()[0]),
+      free_(bench.simulator().free_numbers(from.halves[0].model, bench.fit_data().judged,
+                                           bench.options().nominal_spread)) {
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (bench_.fit_data().judged[c]) {
+      own_[c] = linearise(from_.halves[0].model, static_cast<Channel>(c), free_);
+    }
+  }
+}
+
+Screening::Linearised Screening::linearise(const Model& model, Channel channel,
+                                           const std::vector<FreeNumber>& free) const {
+  const Simulator& simulator = bench_.simulator();
+  const FitOptions& options = bench_.options();
+  const auto c = static_cast<std::size_t>(channel);
+  const double scale = 1.0 / (bench_.fit_data().weight[c] * std::sqrt(options.samples_per_fact));
+  const auto skip = static_cast<std::size_t>(options.warm_up_s / simulator.period_s());
+  const std::vector<double>& measured = simulator.measured(channel);
+  std::vector<std::size_t> mine;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    if (free[i].channels[c]) {
+      mine.push_back(i);
+    }
+  }
+  const auto rows = static_cast<Eigen::Index>(span_.size());
+  Linearised out{Eigen::VectorXd::Zero(rows), Eigen::MatrixXd::Zero(rows, std::ssize(free))};
+  bool first = true;
+  for (std::size_t from = 0; from < mine.size() || first; from += Simulator::kLanes) {
+    std::vector<std::size_t> lanes;
+    for (std::size_t i = from; i < std::min(from + Simulator::kLanes, mine.size()); ++i) {
+      lanes.push_back(free[mine[i]].place);
+    }
+    std::vector<double> jacobian;
+    const auto simulated = simulator.simulate_lanes(span_, model, channel, options.observer, lanes, jacobian);
+    for (std::size_t i = skip; i < span_.size(); ++i) {
+      if (!simulator.explains(channel, span_.begin + i)) {
+        continue;
+      }
+      const auto row = static_cast<Eigen::Index>(i);
+      out.residual[row] = scale * (measured[span_.begin + i] - simulated[i]);
+      for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
+        out.slope(row, static_cast<Eigen::Index>(mine[from + lane])) = scale * jacobian[i * lanes.size() + lane];
+      }
+    }
+    first = false;
+  }
+  return out;
+}
+
+double Screening::predicted_log_ratio(const Model& with, const ChannelMask& shows, const ChannelMask& concerned) const {
+  const Simulator& simulator = bench_.simulator();
+  const ChannelMask& judged = bench_.fit_data().judged;
+  const std::size_t first_place = kNominals + number_count(from_.halves[0].model);
+  std::vector<FreeNumber> added = simulator.free_numbers(with, shows, bench_.options().nominal_spread);
+  std::erase_if(added, [&](const FreeNumber& free) { return free.place < first_place; });
+  const Eigen::Index own = std::ssize(free_);
+  const Eigen::Index all = own + std::ssize(added);
+  std::array<Linearised, kChannels> parts;
+  Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(all, all);
+  Eigen::VectorXd descent = Eigen::VectorXd::Zero(all);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (!concerned[c] || !judged[c]) {
+      continue;
+    }
+    parts[c] = shows[c]
+                   ? linearise(with, static_cast<Channel>(c), added)
+                   : Linearised{own_[c].residual, Eigen::MatrixXd::Zero(own_[c].residual.size(), std::ssize(added))};
+    if (!parts[c].residual.allFinite() || !parts[c].slope.allFinite()) {
+      return 0.0;
+    }
+    const Eigen::MatrixXd& mine = own_[c].slope;
+    normal.topLeftCorner(own, own) += mine.transpose() * mine;
+    normal.topRightCorner(own, std::ssize(added)) += mine.transpose() * parts[c].slope;
+    normal.bottomRightCorner(std::ssize(added), std::ssize(added)) += parts[c].slope.transpose() * parts[c].slope;
+    descent.head(own) += mine.transpose() * parts[c].residual;
+    descent.tail(std::ssize(added)) += parts[c].slope.transpose() * parts[c].residual;
+  }
+  normal.bottomLeftCorner(std::ssize(added), own) = normal.topRightCorner(own, std::ssize(added)).transpose();
+  Model from = from_.halves[0].model;
+  for (Eigen::Index i = 0; i < own; ++i) {
+    const FreeNumber& free = free_[static_cast<std::size_t>(i)];
+    if (free.spread > 0.0) {
+      const double weight = 1.0 / (free.spread * free.spread);
+      normal(i, i) += weight;
+      descent[i] += weight * (free.prior - number_at(from, free.place));
+    }
+  }
+  normal.diagonal().array() += kLeastDiagonal * std::max(normal.diagonal().maxCoeff(), 1e-300);
+  Eigen::VectorXd step = normal.ldlt().solve(descent);
+  Model moved = with;
+  for (Eigen::Index i = 0; i < all; ++i) {
+    const FreeNumber& free = i < own ? free_[static_cast<std::size_t>(i)] : added[static_cast<std::size_t>(i - own)];
+    const double now = number_at(moved, free.place);
+    step[i] = std::clamp(now + step[i], free.low, free.high) - now;
+  }
+  double log_ratio = 0.0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (concerned[c] && judged[c]) {
+      const Eigen::VectorXd left =
+          parts[c].residual - own_[c].slope * step.head(own) - parts[c].slope * step.tail(std::ssize(added));
+      log_ratio += 0.5 * std::log((own_[c].residual.squaredNorm() + 1e-300) / (left.squaredNorm() + 1e-300));
+    }
+  }
+  return log_ratio;
+}
+
+Screening::Promise Screening::promise_of(plant::EffectId effect) const {
+  const ChannelMask shows = channels_of(effect);
+  const ChannelMask concerned = bench_.closure(shows, from_.halves[0].model.effects);
+  Promise best;
+  for (const auto& start : bench_.simulator().starts(effect)) {
+    Model with = from_.halves[0].model;
+    with.effects.push_back({effect, start});
+    const double log_ratio = predicted_log_ratio(with, shows, concerned);
+    if (best.start.empty() || log_ratio > best.log_ratio) {
+      best = {start, log_ratio};
+    }
+  }
+  return best;
+}
+
+}  // namespace farrier::diagnosis

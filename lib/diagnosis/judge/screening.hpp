@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "diagnosis/judge/hypothesis.hpp"
+
+namespace farrier::diagnosis {
+
+/// Predicts what effects would improve beside a hypothesis, without fits. Each start of an effect takes one simulation with
+/// derivatives, and the Gauss-Newton step from there moves the effect's numbers and those of the hypothesis together.
+class Screening {
+ public:
+  /// Simulates the hypothesis over the first half. Both outlive this.
+  Screening(const Bench& bench, const Hypothesis& from);
+
+  /// Start of an effect's fit and the log ratio of errors that the step from there predicts, over the first half.
+  struct Promise {
+    std::vector<double> start;  ///< empty: the recording cannot show the effect
+    double log_ratio = 0.0;
+  };
+  /// The most promising start of an effect that the hypothesis does not have.
+  Promise promise_of(plant::EffectId effect) const;
+
+ private:
+  /// Residuals of a channel over the half and their derivatives by numbers, both over the deviation that counts as one.
+  struct Linearised {
+    Eigen::VectorXd residual;
+    Eigen::MatrixXd slope;
+  };
+  Linearised linearise(const Model& model, Channel channel, const std::vector<FreeNumber>& free) const;
+  double predicted_log_ratio(const Model& with, const ChannelMask& shows, const ChannelMask& concerned) const;
+
+  const Bench& bench_;
+  const Hypothesis& from_;
+  Span span_;
+  std::vector<FreeNumber> free_;
+  std::array<Linearised, kChannels> own_;
+};
+
+}  // namespace farrier::diagnosis
