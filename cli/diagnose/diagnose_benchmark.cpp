@@ -46,7 +46,12 @@ void add_figures(report::Figures& figures, const std::vector<blind::Outcome>& ou
   add("diagnose.benchmark.within_tolerance", s.within_tolerance, kWithinTolerance);
   add("diagnose.benchmark.false_alarms", s.false_alarms, kFalseAlarms);
   add("diagnose.benchmark.outside_admitted", s.outside_admitted, kOutsideAdmitted);
-  add("diagnose.benchmark.pairs_named", s.pairs_named, kPairsNamed);
+  for (const auto& [size, named] : s.sets_named) {
+    add("diagnose.benchmark.sets_of_" + std::to_string(size) + "_named", named,
+        size == 2 ? std::optional(kPairsNamed) : std::nullopt);
+  }
+  add("diagnose.benchmark.set_names_wrong", s.set_names_wrong);
+  add("diagnose.benchmark.median_s", s.median_s);
   add("diagnose.benchmark.confidently_wrong", s.confidently_wrong, kConfidentlyWrong);
   add("diagnose.benchmark.median_gain", s.median_gain, kMedianGain);
   add("diagnose.benchmark.controlled", static_cast<double>(s.controlled));

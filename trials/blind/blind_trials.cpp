@@ -1,12 +1,16 @@
 #include "trials/blind/blind_trials.hpp"
 
+#include <time.h>
+
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <exception>
 #include <mutex>
 
 #include "control/law/effect_compensation.hpp"
+#include "core/noise.hpp"
 #include "diagnosis/judge/parallel.hpp"
 #include "trials/blind/score.hpp"
 #include "robot/joint_effects.hpp"
@@ -27,7 +31,7 @@ namespace {
 
 constexpr double kPeriod_s = 0.001;
 constexpr int kNone = 60;
-constexpr int kPairs = 30;
+constexpr std::array<int, 4> kSets{60, 40, 24, 12};  // of two, three, four and five effects
 constexpr int kOutside = 36;
 
 /// Held-out rms by channel of the nominal model with its constants fitted.
@@ -77,6 +81,26 @@ std::optional<trials::TrackingGain> control_gain(const std::vector<truth::Answer
   return gain ? std::optional(gain.value()) : std::nullopt;
 }
 
+/// Processor time of this thread.
+double thread_cpu_s() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// Different effects of medium or large size.
+std::vector<truth::Hidden> drawn_set(const std::vector<std::string>& known, std::size_t size, std::uint64_t seed) {
+  const NoiseStream draw(seed, "blind trials", "set");
+  std::vector<truth::Hidden> hidden;
+  for (Tick number = 0; hidden.size() < size; number += 2) {
+    const auto index = static_cast<std::size_t>(draw.uniform(number) * static_cast<double>(known.size()));
+    if (std::ranges::find(hidden, known[index], &truth::Hidden::name) == hidden.end()) {
+      hidden.push_back({known[index], draw.uniform(number + 1) < 0.5 ? 1 : 2});
+    }
+  }
+  return hidden;
+}
+
 }  // namespace
 
 std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed) {
@@ -98,10 +122,10 @@ std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed) {
   for (int i = 0; i < kNone; ++i) {
     add(Kind::kNone, {}, i % 3);
   }
-  for (int i = 0; i < kPairs; ++i) {
-    const auto first = static_cast<std::size_t>(i * 7) % known.size();
-    const std::size_t second = (first + 5 + static_cast<std::size_t>(i) % 9) % known.size();
-    add(Kind::kPair, {{known[first], 1 + i % 2}, {known[second], 1 + (i / 2) % 2}}, i % 3);
+  for (std::size_t more = 0; more < kSets.size(); ++more) {
+    for (int i = 0; i < kSets[more]; ++i) {
+      add(Kind::kSet, drawn_set(known, more + 2, seed + plans.size()), i % 3);
+    }
   }
   for (int i = 0; i < kOutside; ++i) {
     const auto n = static_cast<std::size_t>(i);
@@ -138,7 +162,9 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
   diagnosis::DiagnosisOptions options;
   options.threads = 1;
   const diagnosis::Recording recording = recording_of(trial.value().samples);
+  const double before_s = thread_cpu_s();
   const diagnosis::Diagnosis found = diagnosis::diagnose(recording, joint, options);
+  outcome.cpu_s = thread_cpu_s() - before_s;
   const auto with_none = base_error(twin.value().samples, joint);
   for (std::size_t c = 0; c < with_none.size(); ++c) {
     outcome.detectable = std::max(outcome.detectable, std::sqrt(found.judgement.base.total(c)) / with_none[c] - 1.0);

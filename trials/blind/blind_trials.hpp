@@ -15,7 +15,7 @@
 namespace farrier::blind {
 
 /// Kinds of hidden content in a trial.
-enum class Kind { kNone, kEffect, kPair, kOutside };
+enum class Kind { kNone, kEffect, kSet, kOutside };
 
 struct TrialPlan {
   Kind kind;
@@ -39,6 +39,7 @@ struct Outcome {
   std::vector<std::pair<std::string, std::string>> alternatives;
   double parameter_error = 0.0;  ///< of the first named, when it is the hidden one: of its distance from neutral
   double error_before = 0.0, error_after = 0.0;
+  double cpu_s = 0.0;  ///< of the diagnosis, on one thread
   /// Gain of a controller that knows the named effects, if it can use one of them (control::is_compensated) and the
   /// hidden ones are of the library. Both controllers control the nominal joint with the hidden effects. The headline
   /// parameter is that of the answer, others are as found, or else plant::default_value.
@@ -46,8 +47,8 @@ struct Outcome {
   std::string refused;  ///< why the trial could not be made; empty: it was
 };
 
-/// Every effect of the library at three magnitudes under three excitations, 60 trials with none, 30 pairs, 36 with an
-/// effect outside the library; of `joints` joints in turn.
+/// Every effect of the library at three magnitudes under three excitations, 60 trials with none, sets of two to five effects
+/// of medium and large size, 36 with an effect outside the library; of `joints` joints in turn.
 std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
 
 /// Returns the recording that the diagnosis gets of a truth's samples: current, position, velocity and force.

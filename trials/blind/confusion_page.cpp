@@ -50,13 +50,13 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
   std::string page =
       "# What the diagnosis says of what\n\n"
       "Written by `farrier diagnose --benchmark --confusion FILE`. Each row is what a truth generator that shares no\n"
-      "code with the diagnosis hid in recordings of 8 s; the answers are what `diagnose` made of them, and how often.\n\n"
+      "code with the diagnosis hid in recordings of 8 s; the answers are what `diagnose` made of them, and how "
+      "often.\n\n"
       "| hidden | trials | answers |\n|---|---|---|\n";
   std::map<std::string, std::map<std::string, int>> table;
   std::vector<std::string> order;
   for (const Outcome& outcome : outcomes) {
-    const std::string hidden =
-        outcome.plan.kind == Kind::kPair ? "(pairs) " + hidden_name(outcome) : hidden_name(outcome);
+    const std::string hidden = outcome.plan.kind == Kind::kSet ? "(set) " + hidden_name(outcome) : hidden_name(outcome);
     if (!table.contains(hidden)) {
       order.push_back(hidden);
     }
@@ -76,27 +76,29 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
     }
     page += " |\n";
   }
-  page += "\n## Effects of the library\n\n"
-          "Of the trials in which the effect changes the held-out error by more than 10 %: named (first, or in a pair\n"
-          "that the recording does not tell apart), first and alone, and of those the parameter within 15 % of its\n"
-          "distance from neutral. Control: force tracking error of a controller for the nominal joint over that of one\n"
-          "which knows what was named, where it can use it, on the joint with what is hidden; median, trials.\n\n"
-          "| effect | counted | named | first alone | parameter | error before / after | control |\n"
-          "|---|---|---|---|---|---|---|\n";
+  page +=
+      "\n## Effects of the library\n\n"
+      "Of the trials in which the effect changes the held-out error by more than 10 %: named (first, or in a pair\n"
+      "that the recording does not tell apart), first and alone, and of those the parameter within 15 % of its\n"
+      "distance from neutral. Control: force tracking error of a controller for the nominal joint over that of one\n"
+      "which knows what was named, where it can use it, on the joint with what is hidden; median, trials.\n\n"
+      "| effect | counted | named | first alone | parameter | error before / after | control |\n"
+      "|---|---|---|---|---|---|---|\n";
   for (const auto& [name, s] : score_by_effect(outcomes)) {
     page += "| " + name + " | " + std::to_string(s.counted) + " | " + text("%.0f %%", 100 * s.named) + " | " +
             text("%.0f %%", 100 * s.first_alone) + " | " + text("%.0f %%", 100 * s.within_tolerance) + " | " +
             text("%.1f", s.median_gain) + " | " +
             (s.controlled > 0 ? text("%.2f", s.control_gain) + ", " + std::to_string(s.controlled) : "") + " |\n";
   }
-  page += "\n## Trials that went wrong\n\n| hidden | size | excitation | seed | change of the error | answer |\n"
-          "|---|---|---|---|---|---|\n";
+  page +=
+      "\n## Trials that went wrong\n\n| hidden | size | excitation | seed | change of the error | answer |\n"
+      "|---|---|---|---|---|---|\n";
   for (const Outcome& o : outcomes) {
     const bool good = o.plan.kind == Kind::kNone      ? o.verdict == diagnosis::Verdict::kNone
                       : o.plan.kind == Kind::kOutside ? o.verdict == diagnosis::Verdict::kUnknown ||
-                                                       o.verdict == diagnosis::Verdict::kCannotSeparate
-                      : o.plan.kind == Kind::kPair    ? all_named(o)
-                                                      : first_alone(o) && o.parameter_error <= kParameterTolerance;
+                                                            o.verdict == diagnosis::Verdict::kCannotSeparate
+                      : o.plan.kind == Kind::kSet ? all_named(o)
+                                                  : first_alone(o) && o.parameter_error <= kParameterTolerance;
     if (!good) {
       page += "| " + hidden_name(o) + " | " +
               (o.plan.plan.hidden.empty() ? "" : std::to_string(o.plan.plan.hidden.front().magnitude)) + " | " +

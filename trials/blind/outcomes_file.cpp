@@ -14,7 +14,9 @@ using nlohmann::json;
 /// JSON has no infinity: a number that is not finite becomes text.
 json number(double value) { return std::isfinite(value) ? json(value) : json(std::to_string(value)); }
 
-double number_of(const json& value) { return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>(); }
+double number_of(const json& value) {
+  return value.is_string() ? std::stod(value.get<std::string>()) : value.get<double>();
+}
 
 json to_json(const Outcome& outcome) {
   json line{{"detectable", number(outcome.detectable)},
@@ -22,6 +24,7 @@ json to_json(const Outcome& outcome) {
             {"parameter_error", number(outcome.parameter_error)},
             {"error_before", number(outcome.error_before)},
             {"error_after", number(outcome.error_after)},
+            {"cpu_s", outcome.cpu_s},
             {"answers", json::array()},
             {"named", json::array()},
             {"alternatives", json::array()}};
@@ -50,6 +53,7 @@ Outcome outcome_of(const json& line, const TrialPlan& plan) {
   outcome.parameter_error = number_of(line.at("parameter_error"));
   outcome.error_before = number_of(line.at("error_before"));
   outcome.error_after = number_of(line.at("error_after"));
+  outcome.cpu_s = line.at("cpu_s");
   for (const json& answer : line.at("answers")) {
     outcome.answers.push_back({answer.at("name"), number_of(answer.at("value"))});
   }

@@ -24,9 +24,7 @@ double share(const std::vector<Outcome>& outcomes, Of of, If holds) {
   return all > 0 ? static_cast<double>(good) / static_cast<double>(all) : std::numeric_limits<double>::quiet_NaN();
 }
 
-bool counts(const Outcome& outcome) {
-  return outcome.plan.kind == Kind::kEffect && outcome.detectable > kDetectable;
-}
+bool counts(const Outcome& outcome) { return outcome.plan.kind == Kind::kEffect && outcome.detectable > kDetectable; }
 
 /// Not a number of none.
 double median(std::vector<double> values) {
@@ -36,6 +34,19 @@ double median(std::vector<double> values) {
   const auto middle = values.begin() + std::ssize(values) / 2;
   std::ranges::nth_element(values, middle);
   return *middle;
+}
+
+/// Share of the names in trials of sets that are of no hidden effect.
+double wrong_names(const std::vector<Outcome>& outcomes) {
+  std::size_t all = 0;
+  std::size_t wrong = 0;
+  for (const Outcome& outcome : outcomes) {
+    for (const Named& named : outcome.named) {
+      all += outcome.plan.kind == Kind::kSet ? 1 : 0;
+      wrong += outcome.plan.kind == Kind::kSet && !hides(outcome, named.name) ? 1 : 0;
+    }
+  }
+  return all > 0 ? static_cast<double>(wrong) / static_cast<double>(all) : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -85,9 +96,8 @@ bool all_named(const Outcome& outcome) {
 }
 
 bool confidently_wrong(const Outcome& outcome) {
-  return std::ranges::any_of(outcome.named, [&](const Named& named) {
-    return named.confidence > kConfident && !hides(outcome, named.name);
-  });
+  return std::ranges::any_of(
+      outcome.named, [&](const Named& named) { return named.confidence > kConfident && !hides(outcome, named.name); });
 }
 
 Score score(const std::vector<Outcome>& outcomes) {
@@ -100,20 +110,32 @@ Score score(const std::vector<Outcome>& outcomes) {
   };
   s.named = share(outcomes, counts, named_or_in_pair);
   s.first_alone = share(outcomes, counts, first_alone);
-  s.within_tolerance =
-      share(outcomes, [](const Outcome& o) { return counts(o) && first_alone(o); },
-            [](const Outcome& o) { return o.parameter_error <= kParameterTolerance; });
-  s.false_alarms = share(outcomes, of_kind(Kind::kNone), [](const Outcome& o) {
-    return o.verdict != diagnosis::Verdict::kNone;
-  });
+  s.within_tolerance = share(
+      outcomes, [](const Outcome& o) { return counts(o) && first_alone(o); },
+      [](const Outcome& o) { return o.parameter_error <= kParameterTolerance; });
+  s.false_alarms =
+      share(outcomes, of_kind(Kind::kNone), [](const Outcome& o) { return o.verdict != diagnosis::Verdict::kNone; });
   s.outside_admitted = share(outcomes, detectable(Kind::kOutside), [](const Outcome& o) {
     return o.verdict == diagnosis::Verdict::kUnknown || o.verdict == diagnosis::Verdict::kCannotSeparate;
   });
-  s.pairs_named = share(outcomes, detectable(Kind::kPair), all_named);
-  s.confidently_wrong = share(outcomes, [](const Outcome&) { return true; }, confidently_wrong);
+  for (std::size_t size = 2; size <= kLargestSet; ++size) {
+    s.sets_named[size] = share(
+        outcomes, [&](const Outcome& o) { return detectable(Kind::kSet)(o) && o.plan.plan.hidden.size() == size; },
+        all_named);
+  }
+  s.set_names_wrong = wrong_names(outcomes);
+  std::vector<double> seconds;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.refused.empty()) {
+      seconds.push_back(outcome.cpu_s);
+    }
+  }
+  s.median_s = median(std::move(seconds));
+  s.confidently_wrong = share(
+      outcomes, [](const Outcome&) { return true; }, confidently_wrong);
   std::vector<double> gains;
   for (const Outcome& outcome : outcomes) {
-    if ((counts(outcome) || detectable(Kind::kPair)(outcome)) && outcome.error_after > 0.0) {
+    if ((counts(outcome) || detectable(Kind::kSet)(outcome)) && outcome.error_after > 0.0) {
       gains.push_back(outcome.error_before / outcome.error_after);
     }
   }

@@ -12,6 +12,7 @@ namespace farrier::blind {
 inline constexpr double kDetectable = 0.10;
 inline constexpr double kParameterTolerance = 0.15;
 inline constexpr double kConfident = 0.9;
+inline constexpr std::size_t kLargestSet = 5;
 
 /// Distance of the first named value from the hidden one, over the hidden one's distance from neutral; infinite where
 /// the first named effect is not hidden.
@@ -28,15 +29,17 @@ bool confidently_wrong(const Outcome& outcome);
 
 /// Shares over trials; a share of no trial is not a number.
 struct Score {
-  std::size_t trials = 0, counted = 0;   ///< counted: single effects that change the held-out error enough
+  std::size_t trials = 0, counted = 0;  ///< counted: single effects that change the held-out error enough
   double named = 0.0, first_alone = 0.0, within_tolerance = 0.0;
-  double false_alarms = 0.0;             ///< of trials with none
-  double outside_admitted = 0.0;         ///< unknown or cannot_separate, of detectable trials with an outside effect
-  double pairs_named = 0.0;              ///< both names, of pairs of which each changes the error
-  double confidently_wrong = 0.0;        ///< of all trials
-  std::size_t controlled = 0;            ///< trials in which something was named that a controller can use
-  double control_gain = 0.0;             ///< of those: tracking error without that knowledge over that with it, median
-  double median_gain = 0.0;              ///< held-out error before over after, of detectable trials with an effect
+  double false_alarms = 0.0;      ///< of trials with none
+  double outside_admitted = 0.0;  ///< unknown or cannot_separate, of detectable trials with an outside effect
+  std::map<std::size_t, double> sets_named;  ///< all names, of detectable sets, by their size
+  double set_names_wrong = 0.0;              ///< of the names in these trials: no such effect is hidden
+  double median_s = 0.0;                     ///< processor time of a diagnosis
+  double confidently_wrong = 0.0;            ///< of all trials
+  std::size_t controlled = 0;                ///< trials in which something was named that a controller can use
+  double control_gain = 0.0;  ///< of those: tracking error without that knowledge over that with it, median
+  double median_gain = 0.0;   ///< held-out error before over after, of detectable trials with an effect
 };
 
 Score score(const std::vector<Outcome>& outcomes);
