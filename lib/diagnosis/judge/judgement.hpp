@@ -17,8 +17,9 @@ const char* to_string(Verdict verdict) noexcept;
 /// Bounds of the rules.
 struct Rules {
   std::size_t most_effects = 6;
-  std::size_t most_fitted = 5;    ///< effects of a channel that are fitted in a round, the most promising first
-  double near_best = 0.4;         ///< of the best sketch's promise, below which an effect is not fitted in full
+  bool screens = true;          ///< linearised steps choose what is fitted; false: every effect is, from all its starts
+  std::size_t most_fitted = 5;  ///< effects of a channel that are fitted in a round, the most promising first
+  double near_best = 0.4;       ///< of the best sketch's promise, below which an effect is not fitted in full
   std::size_t most_regrown = 3;   ///< other first effects from which a set is grown anew
   double price_of_effect = 0.03;  ///< log gain that an effect must bring for a larger set to be the better one
   double least_promise = 0.5;     ///< of least_reduction, that a linearised step must predict before a fit is tried

@@ -76,6 +76,7 @@ ScaledDiagnosis diagnose_scaled(const ScaledRecording& recording, const Diagnosi
   // Noise of a position at its sample, and of the mean where the simulation begins.
   const double expected = white_noise(recording.position) * std::sqrt(1.0 + 1.0 / ScaledSimulator::kFirst);
   Rules rules = options.rules;
+  rules.screens = false;  // a simulation that runs freely is far from linear, and fits of six effects are quick
   if (std::sqrt(bench.base().total(0) / static_cast<double>(simulator.size())) < rules.open_ratio * expected) {
     rules.most_effects = 0;  // nothing is left that an effect could explain
   }

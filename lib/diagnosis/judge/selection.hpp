@@ -18,6 +18,12 @@ struct Estimate {
 /// Estimate of the effect at `index` of a hypothesis.
 Estimate pooled(const Hypothesis& hypothesis, std::size_t index);
 
+/// True if a fit ended at the limit of a parameter: the effect then models something else.
+bool at_bound(plant::EffectId id, const Estimate& estimate);
+
+/// True if a hypothesis has the effect.
+bool holds(const Hypothesis& hypothesis, plant::EffectId id);
+
 /// Choice of effects by their gain on held-out time, step by step: adds, removes or exchanges one effect.
 class Selection {
  public:
