@@ -26,7 +26,17 @@ Bench::Bench(const Simulator& simulator, const ChannelMask& judged, const FitOpt
           residuals(simulator, {0, simulator.size()}, simulator.nominal(), static_cast<Channel>(c), options_);
       fit_data_.weight[c] = std::max(judged_rms(error), 1e-12);
     }
+    const auto skip = static_cast<std::size_t>(options_.warm_up_s / simulator.period_s());
+    for (const Span half : halves()) {
+      for (std::size_t i = half.begin + std::min(skip, half.size()); i < half.end; ++i) {
+        count_[c] += simulator.explains(static_cast<Channel>(c), i) ? 1 : 0;
+      }
+    }
   }
+}
+
+double Bench::rms_of(double squares, std::size_t channel) const noexcept {
+  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count_[channel], 1)));
 }
 
 std::array<Span, 2> Bench::halves() const noexcept {
@@ -68,6 +78,7 @@ void Bench::judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelM
     if (like != nullptr && !moved) {
       hypothesis.squares[c] = like->squares[c];
       hypothesis.fitted_squares[c] = like->fitted_squares[c];
+      hypothesis.weight[c] = like->weight[c];
       continue;
     }
     hypothesis.squares[c].clear();
@@ -77,6 +88,8 @@ void Bench::judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelM
       const auto fitted = block_squares(hypothesis.halves[half].model, half, c);
       hypothesis.fitted_squares[c][half] = std::accumulate(fitted.begin(), fitted.end(), 1e-300);
     }
+    const auto& own = hypothesis.fitted_squares[c];
+    hypothesis.weight[c] = std::max(rms_of(own[0] + own[1], c), 1e-12);
   }
 }
 
@@ -111,7 +124,17 @@ Hypothesis Bench::base() const {
     base.halves[half] = fit(fit_data_, halves()[half], simulator_.nominal(), {true, true, true}, options_);
   }
   judge(base, nullptr, {true, true, true});
-  return base;
+  return refined(base);
+}
+
+Hypothesis Bench::refined(const Hypothesis& from) const {
+  Hypothesis again;
+  again.effects = from.effects;
+  for (std::size_t half = 0; half < 2; ++half) {
+    again.halves[half] = fit(beside(from), halves()[half], from.halves[half].model, {true, true, true}, options_);
+  }
+  judge(again, nullptr, {true, true, true});
+  return again;
 }
 
 std::optional<Bench::Sketch> Bench::sketch(const Hypothesis& from, plant::EffectId effect,
@@ -124,7 +147,7 @@ std::optional<Bench::Sketch> Bench::sketch(const Hypothesis& from, plant::Effect
   for (const auto& start : starts) {
     Model model = from.halves[0].model;
     model.effects.push_back({effect, start});
-    FitResult found = fit(fit_data_, halves()[0], model, mask, quick);
+    FitResult found = fit(beside(from), halves()[0], model, mask, quick);
     if (!best || found.cost < best->cost) {
       best = std::move(found);
     }
@@ -144,8 +167,8 @@ std::optional<Hypothesis> Bench::with(const Hypothesis& from, const Sketch& sket
   Hypothesis with;
   with.effects = from.effects;
   with.effects.push_back(sketch.effect);
-  with.halves[0] = fit(fit_data_, halves()[0], sketch.model, mask, options_);
-  with.halves[1] = fit(fit_data_, halves()[1], with.halves[0].model, mask, options_);
+  with.halves[0] = fit(beside(from), halves()[0], sketch.model, mask, options_);
+  with.halves[1] = fit(beside(from), halves()[1], with.halves[0].model, mask, options_);
   judge(with, &from, mask);
   return fitted_gain(from, with, mask) < least_gain ? std::nullopt : std::optional(std::move(with));
 }
@@ -157,7 +180,7 @@ Hypothesis Bench::without(const Hypothesis& from, plant::EffectId effect) const 
   for (std::size_t half = 0; half < 2; ++half) {
     Model model = from.halves[half].model;
     std::erase_if(model.effects, [effect](const auto& e) { return e.id == effect; });
-    less.halves[half] = fit(fit_data_, halves()[half], model, mask, options_);
+    less.halves[half] = fit(beside(from), halves()[half], model, mask, options_);
   }
   judge(less, &from, mask);
   return less;
@@ -179,7 +202,7 @@ Hypothesis Bench::exchanged(const Hypothesis& from, plant::EffectId effect, plan
     Model model = from.halves[half].model;
     std::erase_if(model.effects, [effect](const auto& e) { return e.id == effect; });
     model.effects.push_back({other, fitted[half]});
-    changed.halves[half] = fit(fit_data_, halves()[half], model, mask, options_);
+    changed.halves[half] = fit(beside(from), halves()[half], model, mask, options_);
   }
   judge(changed, &from, mask);
   return changed;

@@ -17,6 +17,9 @@ struct Hypothesis {
   std::array<std::vector<double>, kChannels> squares;
   /// Sum of squared residuals of each half by its own fit, by channel.
   std::array<std::array<double, 2>, kChannels> fitted_squares{};
+  /// Rms of the residuals of each half by its own fit, by channel: what a residual counts as one in fits that go on from
+  /// here. With that of a poorer model priors would outweigh the data, and effects take the place of constants.
+  std::array<double, kChannels> weight{1.0, 1.0, 1.0};
 
   double total(std::size_t channel) const noexcept;
 };
@@ -44,6 +47,8 @@ class Bench {
 
   /// The nominal model, its constants fitted within their band.
   Hypothesis base() const;
+  /// `from` fitted again by the weight of its own residuals.
+  Hypothesis refined(const Hypothesis& from) const;
   /// An effect beside a hypothesis, fitted to the first half in few steps.
   struct Sketch {
     plant::EffectId effect;
@@ -77,10 +82,15 @@ class Bench {
   std::vector<double> block_squares(const Model& model, std::size_t half, std::size_t channel) const;
   double fitted_gain(const Hypothesis& from, const Hypothesis& with, const ChannelMask& mask) const;
   double promise(const Hypothesis& from, const Model& model, const ChannelMask& mask) const;
+  /// Root mean square over the samples of both halves that are judged, for the sum of their squares.
+  double rms_of(double squares, std::size_t channel) const noexcept;
+  /// The recording, a residual counting as it does beside `from`.
+  FitData beside(const Hypothesis& from) const noexcept { return {&simulator_, fit_data_.judged, from.weight}; }
 
   const Simulator& simulator_;
   FitOptions options_;
   FitData fit_data_;
+  std::array<std::size_t, kChannels> count_{};  ///< samples of both halves that are judged
 };
 
 }  // namespace farrier::diagnosis

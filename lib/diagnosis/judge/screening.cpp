@@ -41,7 +41,7 @@ Screening::Linearised Screening::linearise(const Model& model, Channel channel,
   const Simulator& simulator = bench_.simulator();
   const FitOptions& options = bench_.options();
   const auto c = static_cast<std::size_t>(channel);
-  const double scale = 1.0 / (bench_.fit_data().weight[c] * std::sqrt(options.samples_per_fact));
+  const double scale = 1.0 / (from_.weight[c] * std::sqrt(options.samples_per_fact));
   const auto skip = static_cast<std::size_t>(options.warm_up_s / simulator.period_s());
   const std::vector<double>& measured = simulator.measured(channel);
   std::vector<std::size_t> mine;

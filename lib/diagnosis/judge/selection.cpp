@@ -73,7 +73,8 @@ void Selection::grow() {
 
 void Selection::grow_from_others() {
   const ChannelMask open = open_channels();
-  if (chosen_.effects.size() < 2 && !meet(open, open)) {
+  // One effect that left nothing to explain would have been the best at first, so two that do are as few as can be.
+  if (chosen_.effects.size() < 3 && !meet(open, open)) {
     return;
   }
   std::size_t grown = 0;
@@ -89,7 +90,7 @@ void Selection::grow_from_others() {
     confidence_.fill(1.0);
     rivals_.clear();
     rounds_.resize(1);
-    choose(first_[i]);
+    choose(bench_.refined(first_[i]));
     grow();
     if (score(chosen_) <= score(best)) {
       choose(best);
@@ -219,7 +220,7 @@ bool Selection::add(const ChannelMask& open) {
     return false;
   }
   note_rivals(tried, best);
-  choose(std::move(*tried[best].hypothesis));
+  choose(bench_.refined(*tried[best].hypothesis));
   return true;
 }
 

@@ -78,7 +78,7 @@ void Selection::exchange() {
     auto other = sketch ? bench_.with(less, *sketch, 0.5 * rules_.least_reduction) : std::optional<Hypothesis>();
     if (other && bench_.gain(chosen_, *other).low > 0.0 && !at_bound(id, pooled(*other, other->effects.size() - 1)) &&
         outside_neutral(id, pooled(*other, other->effects.size() - 1))) {
-      choose(std::move(*other));
+      choose(bench_.refined(*other));
       prune();
       i = 0;
     } else {
