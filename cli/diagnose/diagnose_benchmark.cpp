@@ -51,6 +51,7 @@ void add_figures(report::Figures& figures, const std::vector<blind::Outcome>& ou
         size == 2 ? std::optional(kPairsNamed) : std::nullopt);
   }
   add("diagnose.benchmark.set_names_wrong", s.set_names_wrong);
+  add("diagnose.benchmark.median_size_error", s.median_size_error);
   add("diagnose.benchmark.median_s", s.median_s);
   add("diagnose.benchmark.confidently_wrong", s.confidently_wrong, kConfidentlyWrong);
   add("diagnose.benchmark.median_gain", s.median_gain, kMedianGain);

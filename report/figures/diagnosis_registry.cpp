@@ -56,6 +56,8 @@ constexpr std::array kDiagnosisSpecs{
                "Of trials with so many effects: all are named. Bounded for two."},
     FigureSpec{"diagnose.benchmark.set_names_wrong", "1", kNone,
                "Of the names in trials of several effects: no such effect is hidden."},
+    FigureSpec{"diagnose.benchmark.median_size_error", "1", kNone,
+               "Error of the first named value over the hidden effect's distance from neutral, median."},
     FigureSpec{"diagnose.benchmark.median_s", "s", kNone, "Processor time of one diagnosis, median of the trials."},
     FigureSpec{"diagnose.benchmark.confidently_wrong", "1", kAtMost,
                "Of all trials: an effect that is not there is named with a confidence above 0.9."},

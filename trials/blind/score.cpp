@@ -125,12 +125,17 @@ Score score(const std::vector<Outcome>& outcomes) {
   }
   s.set_names_wrong = wrong_names(outcomes);
   std::vector<double> seconds;
+  std::vector<double> sizes;
   for (const Outcome& outcome : outcomes) {
     if (outcome.refused.empty()) {
       seconds.push_back(outcome.cpu_s);
     }
+    if ((counts(outcome) || detectable(Kind::kSet)(outcome)) && std::isfinite(outcome.parameter_error)) {
+      sizes.push_back(outcome.parameter_error);
+    }
   }
   s.median_s = median(std::move(seconds));
+  s.median_size_error = median(std::move(sizes));
   s.confidently_wrong = share(
       outcomes, [](const Outcome&) { return true; }, confidently_wrong);
   std::vector<double> gains;

@@ -36,10 +36,12 @@ struct Score {
   std::map<std::size_t, double> sets_named;  ///< all names, of detectable sets, by their size
   double set_names_wrong = 0.0;              ///< of the names in these trials: no such effect is hidden
   double median_s = 0.0;                     ///< processor time of a diagnosis
-  double confidently_wrong = 0.0;            ///< of all trials
-  std::size_t controlled = 0;                ///< trials in which something was named that a controller can use
-  double control_gain = 0.0;  ///< of those: tracking error without that knowledge over that with it, median
-  double median_gain = 0.0;   ///< held-out error before over after, of detectable trials with an effect
+  /// Distance of the first named value from the hidden one over its distance from neutral, where it is hidden; median.
+  double median_size_error = 0.0;
+  double confidently_wrong = 0.0;  ///< of all trials
+  std::size_t controlled = 0;      ///< trials in which something was named that a controller can use
+  double control_gain = 0.0;       ///< of those: tracking error without that knowledge over that with it, median
+  double median_gain = 0.0;        ///< held-out error before over after, of detectable trials with an effect
 };
 
 Score score(const std::vector<Outcome>& outcomes);
