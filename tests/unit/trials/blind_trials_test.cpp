@@ -92,6 +92,15 @@ TEST(BlindTrials, AFewOfThemAreNamedAndNothingIsNamedWhereNothingIsHidden) {
   EXPECT_GT(s.median_gain, 3.0);
 }
 
+TEST(BlindTrials, ConstantsOffTheirFileAreNoSecondEffectBesideALargeOne) {
+  const robot::Robot legs = robot::load_robot(FARRIER_ROBOTS "hyq.yaml", {.without_effects = true}).value();
+  const TrialPlan plan{Kind::kEffect, 0, {5003, truth::Excitation::kMultisine, {{"internal_leakage", 1}}}};
+  const Outcome outcome = run_trial(plan, {&legs.joints.front()});
+  ASSERT_EQ(outcome.named.size(), 1u) << outcome.named.back().name;
+  EXPECT_EQ(outcome.named.front().name, "internal_leakage");
+  EXPECT_LT(outcome.parameter_error, 0.1);
+}
+
 TEST(BlindTrials, AfterAStopAreNotRunAndSaySo) {
   const robot::Robot rig = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
   const std::vector<TrialPlan> plans(3, {Kind::kNone, 0, {80, truth::Excitation::kMultisine, {}}});
