@@ -32,9 +32,10 @@ struct Rules {
   double open_ratio = 1.15;         ///< rms over that of a twin with its sensors' noise, above which there may be more
   double unexplained = 0.2;         ///< of a channel's rms before any effect, above which a remainder is no detail
   double least_nrmse = 0.02;        ///< NRMSE that a simulation of this form cannot improve
-  double confidence_if_unknown = 0.5;  ///< factor on the confidence of effects that leave a structure behind
-  double tie_chance = 0.025;           ///< chance of being right above which a rival cannot be excluded
-  double clear_lead = 0.05;            ///< of a channel's held-out rms, from which a lead over a rival counts in full
+  double confidence_if_unknown = 0.5;          ///< factor on the confidence of effects that leave a structure behind
+  double most_confidence = 1.0 - 1.0 / 430.0;  ///< one over the trials of farrier diagnose --benchmark from certainty
+  double tie_chance = 0.025;                   ///< chance of being right above which a rival cannot be excluded
+  double clear_lead = 0.05;  ///< of a channel's held-out rms, from which a lead over a rival counts in full
 };
 
 /// One effect that was named.

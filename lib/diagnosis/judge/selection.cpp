@@ -45,7 +45,7 @@ Selection::Selection(const Bench& bench, const ExpectedResiduals& expected, cons
       base_(bench.base()),
       chosen_(base_),
       before_(remainder(bench, base_, expected)) {
-  confidence_.fill(1.0);
+  confidence_.fill(rules_.most_confidence);
 }
 
 ChannelMask Selection::open_channels() const {
@@ -87,7 +87,7 @@ void Selection::grow_from_others() {
     const auto confidence = confidence_;
     const auto rivals = rivals_;
     const auto rounds = rounds_;
-    confidence_.fill(1.0);
+    confidence_.fill(rules_.most_confidence);
     rivals_.clear();
     rounds_.resize(1);
     choose(bench_.refined(first_[i]));

@@ -99,6 +99,8 @@ TEST(BlindTrials, ConstantsOffTheirFileAreNoSecondEffectBesideALargeOne) {
   ASSERT_EQ(outcome.named.size(), 1u) << outcome.named.back().name;
   EXPECT_EQ(outcome.named.front().name, "internal_leakage");
   EXPECT_LT(outcome.parameter_error, 0.1);
+  EXPECT_GT(outcome.named.front().confidence, kConfident);
+  EXPECT_LT(outcome.named.front().confidence, 1.0);
 }
 
 TEST(BlindTrials, AfterAStopAreNotRunAndSaySo) {
