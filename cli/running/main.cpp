@@ -1,4 +1,4 @@
-// farrier-robot: the program of deploy, doctor, echo, request, security and topics.
+// farrier-robot: the program of deploy, doctor, echo, request, robot, security and topics.
 
 #include "cli/base/command.hpp"
 #include "cli/base/command_line.hpp"
@@ -10,6 +10,7 @@ int main(int argc, char** argv) {
       {"doctor", declare_doctor},
       {"echo", declare_echo},
       {"request", declare_request},
+      {"robot", declare_robot},
       {"security", declare_security},
       {"topics", declare_topics}};
   return run_program(kVerbs, argc, argv);

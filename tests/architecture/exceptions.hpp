@@ -17,6 +17,7 @@ inline constexpr Exception kVendorHeaders[] = {
     {"lib/bus_cyclone", "the Cyclone DDS bus"},
     {"lib/bus_fastdds", "the Fast DDS bus"},
     {"lib/body/engine/mujoco_engine.cpp", "the physics engine"},
+    {"tests/unit/urdf/urdf_engine_test.cpp", "has MuJoCo read a URDF by itself"},
     {"tests/fuzz/cyclone_codec.cpp", "feeds bytes to Cyclone's decoder, which no bus exposes"},
     {"tests/contract/wire_bytes_cyclone.cpp", "the same, to hold recordings to what Cyclone reads"},
     {"tests/contract/cyclone_waits_test.cpp", "waits by a call of Cyclone's, which no bus exposes"},
