@@ -85,7 +85,7 @@ TEST_F(OfHyq, TurnedFramesOfLinksDifferInNothing) {
   std::string turned = at("lf_hip", "rpy=\"0 0 0\"", "rpy=\"0 0 0\"");
   const body::Link& hip = hyq_.body->legs[0].links[0];
   const auto text = [](double x, double y, double z) {
-    return config::number_text(x) + " " + config::number_text(y) + " " + config::number_text(z);
+    return config::number_text(x + 0.0) + " " + config::number_text(y + 0.0) + " " + config::number_text(z + 0.0);
   };
   const auto v = [&](const Eigen::Vector3d& u) { return text(u.x(), u.y(), u.z()); };
   const Eigen::Vector3d c = hip.inertia.com_m;
