@@ -1,0 +1,3 @@
+#pragma once
+
+#include "ros_messages/generated/structs.hpp"
