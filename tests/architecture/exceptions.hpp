@@ -16,6 +16,8 @@ inline constexpr Exception kVendorHeaders[] = {
     {"lib/signals", "the structs and field lists that from_idl writes"},
     {"lib/bus_cyclone", "the Cyclone DDS bus"},
     {"lib/bus_fastdds", "the Fast DDS bus"},
+    {"lib/ros_messages/messages.hpp", "the structs that ros_from_idl writes"},
+    {"lib/bus_ros", "a node of ROS 2 by Cyclone DDS"},
     {"lib/body/engine/mujoco_engine.cpp", "the physics engine"},
     {"tests/unit/urdf/urdf_engine_test.cpp", "has MuJoCo read a URDF by itself"},
     {"tests/fuzz/cyclone_codec.cpp", "feeds bytes to Cyclone's decoder, which no bus exposes"},

@@ -52,9 +52,9 @@ TEST(Cdr, NoBytesThatAreCutOffAreAMessage) {
 TEST(Cdr, LengthsBeyondTheBytesAreRefused) {
   std::vector<std::uint8_t> bytes;
   to_cdr(std_msgs::String{.data = "hello"}, bytes);
-  for (const std::uint8_t length : {0xff, 0x00, 0x07}) {
-    bytes[4] = length;
-    EXPECT_FALSE(from_cdr<std_msgs::String>(bytes).has_value()) << int{length};
+  for (const int length : {0xff, 0x00, 0x07}) {
+    bytes[4] = static_cast<std::uint8_t>(length);
+    EXPECT_FALSE(from_cdr<std_msgs::String>(bytes).has_value()) << length;
   }
   bytes = {0, 1, 0, 0, 0xff, 0xff, 0xff, 0xff};
   EXPECT_FALSE(from_cdr<tf2_msgs::TFMessage>(bytes).has_value());
