@@ -41,6 +41,7 @@ std::function<int()> declare_replay(CLI::App& app);
 std::function<int()> declare_reproduce(CLI::App& app);
 std::function<int()> declare_request(CLI::App& app);
 std::function<int()> declare_robot(CLI::App& app);
+std::function<int()> declare_ros(CLI::App& app);
 std::function<int()> declare_security(CLI::App& app);
 std::function<int()> declare_tables(CLI::App& app);
 std::function<int()> declare_topics(CLI::App& app);
