@@ -118,6 +118,11 @@ class CycloneRosReader final : public RawRosReader {
     dds_get_subscription_matched_status(reader_, &status);
     return static_cast<int>(status.current_count);
   }
+  std::uint64_t lost() const override {
+    dds_sample_lost_status_t status{};
+    dds_get_sample_lost_status(reader_, &status);
+    return status.total_count;
+  }
   Gid gid() const override { return gid_of(reader_); }
 
  private:

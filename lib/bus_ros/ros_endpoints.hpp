@@ -41,6 +41,8 @@ class RawRosReader {
   /// Calls use(cdr, sender) with each message that waits; `sender` differs between writers.
   virtual void take(const std::function<void(std::span<const std::uint8_t>, std::uint64_t sender)>& use) = 0;
   virtual int matched_writers() const = 0;
+  /// Messages that Cyclone knows to be lost.
+  virtual std::uint64_t lost() const = 0;
   virtual Gid gid() const = 0;
 };
 
