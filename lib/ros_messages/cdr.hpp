@@ -1,7 +1,7 @@
 #pragma once
 
-// Messages as bytes of the representation that ROS 2 uses on DDS, in Foxglove and in bags: plain CDR (XCDR1),
-// little-endian, alignment counted from behind the header of four bytes (RTPS 2.2, section 10.2; XTypes 1.3, 7.4.1).
+// Messages as bytes of the representation that ROS 2 uses on DDS, in Foxglove and in bags: plain CDR (XCDR1), little-endian.
+// Alignment counts from behind the header of four bytes (RTPS 2.2, section 10.2; XTypes 1.3, 7.4.1).
 
 #include <bit>
 #include <cstring>

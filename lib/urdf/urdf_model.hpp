@@ -35,7 +35,7 @@ struct UrdfJoint {
   bool moves() const noexcept { return type != UrdfJointType::kFixed; }
 };
 
-/// What a URDF says of a mechanism: a tree of links.
+/// A mechanism as a URDF describes it: a tree of links.
 struct UrdfModel {
   std::string name;
   std::string file;

@@ -8,9 +8,9 @@
 
 namespace farrier::urdf {
 
-/// Reads a URDF without xacro. Refuses, all mistakes together with their lines: XML that is damaged, another root than
-/// robot, names given twice, joints between links that are not there, links with two parents, none or several roots,
-/// loops, numbers that are none, axes of length zero, and inertias that no masses can have.
+/// Reads a URDF without xacro. Refuses all mistakes together, with their lines: XML that is damaged or has another root,
+/// names given twice, numbers that are none, axes of length zero, inertias that no masses can have. Links must be a tree:
+/// joints between links that are there, one root, one parent each, no loop.
 Result<UrdfModel, config::Problems> read_urdf_text(const std::string& text, const std::string& file);
 
 /// The same, of a file.

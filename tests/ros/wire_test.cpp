@@ -1,4 +1,4 @@
-// What a bare Cyclone DDS program, which knows nothing of our nodes, finds of one on the wire.
+// A bare Cyclone DDS program, which knows nothing of our nodes, looks at one on the wire.
 
 #include <dds/dds.h>
 #include <gtest/gtest.h>
