@@ -5,6 +5,9 @@ farrier_test(ros_node_test ros ${ros_dir}/graph_test.cpp ${ros_dir}/ros_node_tes
 target_link_libraries(ros_node_test PRIVATE farrier_bus_ros CycloneDDS::ddsc Threads::Threads)
 
 farrier_test(ros_command_test ros ${ros_dir}/ros_command_test.cpp ${ros_dir}/../system/farrier_command.cpp)
+if(TARGET farrier_body_world)
+  target_sources(ros_command_test PRIVATE ${ros_dir}/velocity_command_test.cpp)
+endif()
 target_include_directories(ros_command_test PRIVATE ${ros_dir}/../system)
 target_link_libraries(ros_command_test PRIVATE farrier_bus farrier_bus_ros farrier_cli_processes farrier_signals
   farrier_tool_process farrier_trace farrier_urdf nlohmann_json::nlohmann_json Threads::Threads)
