@@ -41,6 +41,7 @@ constexpr RosQos kClock{.reliable = true, .transient_local = false, .depth = 1};
 // Hears reliable and best-effort writers alike.
 constexpr RosQos kCommands{.reliable = false, .transient_local = false, .depth = 1};
 
+constexpr Nanoseconds kView = 100ms;
 constexpr Nanoseconds kSlow = 20ms;    // dynamic_joint_states and tf
 constexpr Nanoseconds kRepeat = 50ms;  // of a command; locomotion takes half a second of silence for a lost operator
 constexpr Nanoseconds kSecond = 1s;
@@ -87,8 +88,8 @@ struct RosBridge::Parts {
   std::uint32_t count = 0;
   monitor::Frame frame{};
   std::map<std::string, SteadyTime> told{};
-  Due due_state{Nanoseconds(1s)}, due_transforms{kSlow}, due_view{kSlow}, due_diagnostics{kSecond}, due_graph{500ms},
-      due_command{kRepeat};
+  Due due_state{Nanoseconds(1s)}, due_transforms{kSlow}, due_dynamic{kSlow}, due_view{kView}, due_diagnostics{kSecond},
+      due_graph{500ms}, due_command{kRepeat};
   std::uint64_t states_sent = 0;
 
   /// Time of a sample in ROS: the date when it was taken, or the simulation's. Clocks of other computers count from other
@@ -141,6 +142,9 @@ struct RosBridge::Parts {
         writers.clock->write({.clock = stamp});
       }
       states_sent += writers.joints.write(joint_state(robot, joints, stamp)) ? 1 : 0;
+      if (due_dynamic.now(now)) {
+        writers.dynamic_joints.write(dynamic_joint_state(robot, joints, stamp));
+      }
     }
     if (imu && imu->drain()) {
       const signals::BodyImu& sample = imu->sample();
@@ -177,9 +181,6 @@ struct RosBridge::Parts {
     }
     for (std::size_t i = 0; i < joints.size(); ++i) {
       joints[i].summary = frame.joints[i].newest;
-    }
-    if (tick != kNoTick) {
-      writers.dynamic_joints.write(dynamic_joint_state(robot, joints, stamp_of(tick, sample_time_ns, now)));
     }
   }
 
