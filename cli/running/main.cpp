@@ -5,13 +5,9 @@
 
 int main(int argc, char** argv) {
   using namespace farrier::cli;
-  constexpr DeclaredVerb kVerbs[] = {
-      {"deploy", declare_deploy},
-      {"doctor", declare_doctor},
-      {"echo", declare_echo},
-      {"request", declare_request},
-      {"robot", declare_robot},
-      {"security", declare_security},
-      {"topics", declare_topics}};
+  constexpr DeclaredVerb kVerbs[] = {{"deploy", declare_deploy}, {"doctor", declare_doctor},
+                                     {"echo", declare_echo},     {"request", declare_request},
+                                     {"robot", declare_robot},   {"security", declare_security},
+                                     {"topics", declare_topics}};
   return run_program(kVerbs, argc, argv);
 }

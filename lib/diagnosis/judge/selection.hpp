@@ -32,7 +32,7 @@ class Selection {
 
   /// Adds effects while a channel is open and one is accepted; removes those that later ones made needless.
   void grow();
-  /// Grows anew from the other effects that were accepted at first, and keeps the set that explains most. A wrong first
+  /// Grows sets from the other effects that were accepted at first, too, and keeps the one that explains most. A wrong first
   /// effect may stand for two or three right ones.
   void grow_from_others();
 

@@ -68,7 +68,7 @@ struct Case {
   };
 };
 
-/// What the three effects of the file give, made once.
+/// A recording with the three effects of the file, made once.
 const Case& three() {
   static const Case one(recorded(kMass, kGain, kLate));
   return one;
@@ -139,7 +139,7 @@ TEST(Remainder, IsThatOfATwinWhereNothingIsHiddenAndMoreBesideAnEffect) {
   }
 }
 
-TEST(Remainder, OfAChannelThatIsNotJudgedIsNone) {
+TEST(Remainder, LeavesOutAChannelThatIsNotJudged) {
   const Case& all = three();
   const Bench load(all.simulator, {false, true, false}, {});
   const auto left = remainder(load, base_of_three(), [](const Hypothesis&) {
