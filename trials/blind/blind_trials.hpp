@@ -47,8 +47,9 @@ struct Outcome {
   std::string refused;  ///< why the trial could not be made; empty: it was
 };
 
-/// Every effect of the library at three magnitudes under three excitations, 60 trials with none, sets of two to five effects
-/// of medium and large size, 36 with an effect outside the library; of `joints` joints in turn.
+/// Every effect of the library at three magnitudes under three excitations, and 60 trials with none. Then sets of two to
+/// five effects of medium and large size, and 36 trials with an effect outside the library. They are of `joints` joints in
+/// turn.
 std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
 
 /// Returns the recording that the diagnosis gets of a truth's samples: current, position, velocity and force.
