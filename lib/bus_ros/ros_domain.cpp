@@ -20,7 +20,7 @@ std::string element(const std::string& name, const std::string& content) {
 
 std::string ros_config(const Network& network) {
   const bool multicast = network.discovery == Discovery::kSubnet;
-  std::string peers = multicast ? "" : "<Peer Address=\"localhost\"/>";
+  std::string peers = multicast ? "" : "<Peer Address=\"127.0.0.1\"/>";
   for (const std::string& peer : network.peers) {
     peers += "<Peer Address=\"" + peer + "\"/>";
   }

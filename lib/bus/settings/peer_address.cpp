@@ -42,6 +42,9 @@ Result<std::string> resolve_peer(const std::string& peer) {
   if (is_v4(peer)) {
     return peer;
   }
+  if (peer == "localhost") {  // also where no /etc/hosts has it (RFC 6761, 6.3)
+    return std::string("127.0.0.1");
+  }
   if (is_v6(peer)) {
     return v6_refused(peer);
   }
