@@ -98,7 +98,8 @@ class CycloneRosReader final : public RawRosReader {
     constexpr std::uint32_t kAtOnce = 16;
     std::array<ddsi_serdata*, kAtOnce> samples{};
     std::array<dds_sample_info_t, kAtOnce> infos;
-    for (dds_return_t count = 1; count > 0;) {
+    dds_return_t count = 0;
+    do {
       count = dds_takecdr(reader_, samples.data(), kAtOnce, infos.data(), DDS_ANY_STATE);
       for (dds_return_t i = 0; i < count; ++i) {
         ddsi_serdata* const sample = samples[static_cast<std::size_t>(i)];
@@ -111,7 +112,7 @@ class CycloneRosReader final : public RawRosReader {
         }
         ddsi_serdata_unref(sample);
       }
-    }
+    } while (count > 0);
   }
   int matched_writers() const override {
     dds_subscription_matched_status_t status{};
