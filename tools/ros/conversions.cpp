@@ -27,7 +27,7 @@ struct JointReading {
   double position_rad, velocity_rad_s, effort_Nm;
 };
 
-/// None before the first sample, and where a number is not finite.
+/// Empty before the first sample, and where a number is not finite.
 std::optional<JointReading> reading_of(const robot::Joint& joint, const signals::JointSensors& sensors) {
   if (sensors.tick == kNoTick) {
     return std::nullopt;
