@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <sstream>
 
@@ -61,13 +60,14 @@ Result<std::string> description(const RosOptions& o, const robot::Robot& robot) 
   if (o.urdf.empty()) {
     return robot.body ? urdf::urdf_text(robot) : Result<std::string>(std::string());
   }
-  if (const auto read = urdf::read_urdf(o.urdf); !read) {
+  auto text = urdf::urdf_file_text(o.urdf);
+  if (!text) {
+    return Error{config::to_string(text.error())};
+  }
+  if (const auto read = urdf::read_urdf_text(text.value(), o.urdf); !read) {
     return Error{config::to_string(read.error())};
   }
-  std::ifstream file(o.urdf, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
+  return std::move(text).value();
 }
 
 int run_ros(RosOptions o) {

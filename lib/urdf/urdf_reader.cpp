@@ -262,14 +262,19 @@ Result<UrdfModel, config::Problems> read_urdf_text(const std::string& text, cons
   return Reader(file, *root).read();
 }
 
-Result<UrdfModel, config::Problems> read_urdf(const std::string& path) {
+Result<std::string, config::Problems> urdf_file_text(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
   text << file.rdbuf();
   if (!file || text.str().empty()) {
     return config::Problems{{path, 0, "", "cannot be read, or is empty: give a URDF"}};
   }
-  return read_urdf_text(text.str(), path);
+  return text.str();
+}
+
+Result<UrdfModel, config::Problems> read_urdf(const std::string& path) {
+  const std::string text = FARRIER_TRY(urdf_file_text(path));
+  return read_urdf_text(text, path);
 }
 
 }  // namespace farrier::urdf

@@ -13,7 +13,10 @@ namespace farrier::urdf {
 /// joints between links that are there, one root, one parent each, no loop.
 Result<UrdfModel, config::Problems> read_urdf_text(const std::string& text, const std::string& file);
 
-/// The same, of a file.
+/// The text of a file. Refuses one that cannot be read or is empty.
+Result<std::string, config::Problems> urdf_file_text(const std::string& path);
+
+/// read_urdf_text() of a file.
 Result<UrdfModel, config::Problems> read_urdf(const std::string& path);
 
 }  // namespace farrier::urdf

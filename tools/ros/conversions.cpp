@@ -9,14 +9,6 @@
 
 namespace farrier::ros_bridge {
 
-namespace control_msgs = ros_messages::control_msgs;
-namespace diagnostic_msgs = ros_messages::diagnostic_msgs;
-namespace geometry_msgs = ros_messages::geometry_msgs;
-namespace nav_msgs = ros_messages::nav_msgs;
-namespace rcl_interfaces = ros_messages::rcl_interfaces;
-namespace sensor_msgs = ros_messages::sensor_msgs;
-namespace tf2_msgs = ros_messages::tf2_msgs;
-
 namespace {
 
 constexpr std::byte kOk{0}, kWarn{1}, kError{2}, kStale{3};

@@ -13,6 +13,14 @@
 
 namespace farrier::ros_bridge {
 
+namespace control_msgs = ros_messages::control_msgs;
+namespace diagnostic_msgs = ros_messages::diagnostic_msgs;
+namespace geometry_msgs = ros_messages::geometry_msgs;
+namespace nav_msgs = ros_messages::nav_msgs;
+namespace rcl_interfaces = ros_messages::rcl_interfaces;
+namespace sensor_msgs = ros_messages::sensor_msgs;
+namespace tf2_msgs = ros_messages::tf2_msgs;
+
 using ros_messages::builtin_interfaces::Time;
 
 inline constexpr const char* kBaseFrame = "base_link";
@@ -29,31 +37,27 @@ struct JointSamples {
 
 /// Angles, velocities and torques of all joints that have a sample, in the robot's order: actuator readings through the
 /// linkage. The arrays are equally long.
-ros_messages::sensor_msgs::JointState joint_state(const robot::Robot& robot, std::span<const JointSamples> joints,
-                                                  const Time& stamp);
+sensor_msgs::JointState joint_state(const robot::Robot& robot, std::span<const JointSamples> joints, const Time& stamp);
 
 /// The same with more interfaces by joint: position, velocity, effort, and of the actuator force, force_reference,
 /// valve_current, gain_generation and faults.
-ros_messages::control_msgs::DynamicJointState dynamic_joint_state(const robot::Robot& robot,
-                                                                  std::span<const JointSamples> joints,
-                                                                  const Time& stamp);
+control_msgs::DynamicJointState dynamic_joint_state(const robot::Robot& robot, std::span<const JointSamples> joints,
+                                                    const Time& stamp);
 
 /// The IMU's reading; its attitude counts as not measured (covariance -1). None if a number is not finite.
-std::optional<ros_messages::sensor_msgs::Imu> imu(const signals::BodyImu& reading, const Time& stamp);
+std::optional<sensor_msgs::Imu> imu(const signals::BodyImu& reading, const Time& stamp);
 
 /// The trunk as locomotion believes it to be; the twist is in the axes of base_link. Covariances are unknown: 0. None if a
 /// number is not finite.
-std::optional<ros_messages::nav_msgs::Odometry> odometry(const signals::BodyState& state, const Time& stamp);
+std::optional<nav_msgs::Odometry> odometry(const signals::BodyState& state, const Time& stamp);
 
 /// The same as a transform from odom to base_link.
-ros_messages::tf2_msgs::TFMessage transform(const ros_messages::nav_msgs::Odometry& odometry);
+tf2_msgs::TFMessage transform(const nav_msgs::Odometry& odometry);
 
 /// A status of the robot, of each joint and of each process.
-ros_messages::diagnostic_msgs::DiagnosticArray diagnostics(const robot::Robot& robot, const monitor::Frame& frame,
-                                                           const Time& stamp);
+diagnostic_msgs::DiagnosticArray diagnostics(const robot::Robot& robot, const monitor::Frame& frame, const Time& stamp);
 
 /// An event as a line of the log of `node`.
-ros_messages::rcl_interfaces::Log log_line(const monitor::EventFrame& event, const std::string& node,
-                                           const Time& stamp);
+rcl_interfaces::Log log_line(const monitor::EventFrame& event, const std::string& node, const Time& stamp);
 
 }  // namespace farrier::ros_bridge

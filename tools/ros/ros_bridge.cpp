@@ -16,15 +16,8 @@
 
 namespace farrier::ros_bridge {
 
-namespace control_msgs = ros_messages::control_msgs;
-namespace diagnostic_msgs = ros_messages::diagnostic_msgs;
-namespace geometry_msgs = ros_messages::geometry_msgs;
-namespace nav_msgs = ros_messages::nav_msgs;
-namespace rcl_interfaces = ros_messages::rcl_interfaces;
 namespace rosgraph_msgs = ros_messages::rosgraph_msgs;
-namespace sensor_msgs = ros_messages::sensor_msgs;
 namespace std_msgs = ros_messages::std_msgs;
-namespace tf2_msgs = ros_messages::tf2_msgs;
 
 using bus_ros::RosQos;
 using bus_ros::RosReader;

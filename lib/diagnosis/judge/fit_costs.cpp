@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "diagnosis/judge/lane_slopes.hpp"
+
 namespace farrier::diagnosis {
 namespace {
 
@@ -35,38 +37,17 @@ class SideCost : public ceres::CostFunction {
     }
     const std::size_t columns = free_.size();
     std::fill_n(jacobians[0], span_.size() * columns, 0.0);
-    std::vector<std::size_t> mine;
-    for (std::size_t i = 0; i < columns; ++i) {
-      if (free_[i].channels[static_cast<std::size_t>(channel_)]) {
-        mine.push_back(i);
-      }
-    }
-    bool first = true;
-    for (std::size_t from = 0; from < mine.size() || first; from += Simulator::kLanes) {
-      std::vector<std::size_t> lanes;
-      for (std::size_t i = from; i < std::min(from + Simulator::kLanes, mine.size()); ++i) {
-        lanes.push_back(free_[mine[i]].place);
-      }
-      std::vector<double> jacobian;
-      const auto simulated = simulator_.simulate_lanes(span_, model, channel_, options_.observer, lanes, jacobian);
-      if (first) {
-        put(simulated);
-      }
-      first = false;
-      for (std::size_t i = 0; i < span_.size(); ++i) {
-        for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-          jacobians[0][i * columns + mine[from + lane]] =
-              judged(i) ? -scale_ * jacobian[i * lanes.size() + lane] : 0.0;
-        }
-      }
-    }
+    put(simulate_with_slopes(simulator_, span_, model, channel_, options_.observer, free_,
+                             [&](std::size_t sample, std::size_t number, double slope) {
+                               if (judged(sample)) {
+                                 jacobians[0][sample * columns + number] = -scale_ * slope;
+                               }
+                             }));
     return finite(residual);
   }
 
  private:
-  bool judged(std::size_t i) const noexcept {
-    return i >= skip_ && simulator_.explains(channel_, span_.begin + i);
-  }
+  bool judged(std::size_t i) const noexcept { return i >= skip_ && simulator_.explains(channel_, span_.begin + i); }
   bool finite(const double* residual) const {
     return std::all_of(residual, residual + span_.size(), [](double r) { return std::isfinite(r); });
   }

@@ -48,7 +48,7 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   Selection selection(bench, expected, rules, for_each);
   Judgement judgement;
   judgement.base = selection.base();
-  const auto before = remainder(bench, judgement.base, expected);
+  const auto& before = selection.before();
   selection.grow();
   selection.grow_from_others();
   selection.exchange();

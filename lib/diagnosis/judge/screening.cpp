@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 
 #include "diagnosis/judge/fit_costs.hpp"
+#include "diagnosis/judge/lane_slopes.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -44,33 +45,20 @@ Screening::Linearised Screening::linearise(const Model& model, Channel channel,
   const double scale = 1.0 / (from_.weight[c] * std::sqrt(options.samples_per_fact));
   const auto skip = static_cast<std::size_t>(options.warm_up_s / simulator.period_s());
   const std::vector<double>& measured = simulator.measured(channel);
-  std::vector<std::size_t> mine;
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    if (free[i].channels[c]) {
-      mine.push_back(i);
-    }
-  }
+  const auto judged = [&](std::size_t i) { return i >= skip && simulator.explains(channel, span_.begin + i); };
   const auto rows = static_cast<Eigen::Index>(span_.size());
   Linearised out{Eigen::VectorXd::Zero(rows), Eigen::MatrixXd::Zero(rows, std::ssize(free))};
-  bool first = true;
-  for (std::size_t from = 0; from < mine.size() || first; from += Simulator::kLanes) {
-    std::vector<std::size_t> lanes;
-    for (std::size_t i = from; i < std::min(from + Simulator::kLanes, mine.size()); ++i) {
-      lanes.push_back(free[mine[i]].place);
+  const std::vector<double> simulated = simulate_with_slopes(
+      simulator, span_, model, channel, options.observer, free,
+      [&](std::size_t sample, std::size_t number, double slope) {
+        if (judged(sample)) {
+          out.slope(static_cast<Eigen::Index>(sample), static_cast<Eigen::Index>(number)) = scale * slope;
+        }
+      });
+  for (std::size_t i = skip; i < span_.size(); ++i) {
+    if (judged(i)) {
+      out.residual[static_cast<Eigen::Index>(i)] = scale * (measured[span_.begin + i] - simulated[i]);
     }
-    std::vector<double> jacobian;
-    const auto simulated = simulator.simulate_lanes(span_, model, channel, options.observer, lanes, jacobian);
-    for (std::size_t i = skip; i < span_.size(); ++i) {
-      if (!simulator.explains(channel, span_.begin + i)) {
-        continue;
-      }
-      const auto row = static_cast<Eigen::Index>(i);
-      out.residual[row] = scale * (measured[span_.begin + i] - simulated[i]);
-      for (std::size_t lane = 0; lane < lanes.size(); ++lane) {
-        out.slope(row, static_cast<Eigen::Index>(mine[from + lane])) = scale * jacobian[i * lanes.size() + lane];
-      }
-    }
-    first = false;
   }
   return out;
 }

@@ -72,9 +72,12 @@ void Selection::grow() {
 }
 
 void Selection::grow_from_others() {
-  const ChannelMask open = open_channels();
+  const auto explains_all = [this] {
+    const ChannelMask open = open_channels();
+    return !meet(open, open);
+  };
   // One effect that left nothing to explain would have been the best at first, so two that do are as few as can be.
-  if (chosen_.effects.size() < 3 && !meet(open, open)) {
+  if (chosen_.effects.size() < 3 && explains_all()) {
     return;
   }
   std::size_t grown = 0;

@@ -43,6 +43,8 @@ class Selection {
   void compare_rivals();
 
   const Hypothesis& base() const noexcept { return base_; }
+  /// Remainders of the base.
+  const std::array<Remainder, kChannels>& before() const noexcept { return before_; }
   const Hypothesis& chosen() const noexcept { return chosen_; }
   const std::vector<std::vector<Candidate>>& rounds() const noexcept { return rounds_; }
 
