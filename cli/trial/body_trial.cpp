@@ -161,7 +161,8 @@ int run_body_trials(const BodyTrialOptions& options) {
   if (chosen_cases(robot.value(), o).empty() && !searches_push_limit(o)) {
     return refuse("trial",
                   "no such trial has a run for this robot: "
-                  "supply, low_supply, pump_stops, dead_joint, open_valve and energy need supply.pump in its file, "
+                  "supply, low_supply, pump_stops, dead_joint, dead_hip, dead_abduction, open_valve and energy need "
+                  "supply.pump in its file, "
                   "and joints that are not ideal");
   }
   const auto directory = OutputDirectory::claim(o.out);

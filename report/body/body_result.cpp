@@ -34,9 +34,9 @@ constexpr double kUprightShare = 0.95;
 
 bool has_obstacles(const std::string& trial) { return trial == "blocks" || trial == "step"; }
 bool is_search(const std::string& trial) { return trial == trials::PushLimitSearch::kTrial; }
-// Falls of dead_joint are judged with its landings.
+// Falls with a stuck valve are judged with the landings.
 bool is_judged(const std::string& trial) {
-  return trial != "long_lag" && trial != "dead_joint" && trial != "open_valve" && !is_search(trial);
+  return trial != "long_lag" && !trials::trot_trial(trial).valve_sticks && !is_search(trial);
 }
 bool is_judged_closely(const std::string& trial) { return trial == "flat"; }
 
@@ -85,7 +85,7 @@ void add_row(const trials::TrotFigures& figures, BodyTrialResult& result) {
 // The means of pushes that are made to fall, and of robots that become slower or lie down for a fault, say nothing.
 bool has_means(const BodyTrialResult& result) {
   return result.falls < result.runs && !is_search(result.trial) && result.trial != "low_supply" &&
-         result.trial != "pump_stops" && result.trial != "dead_joint" && result.trial != "open_valve";
+         result.trial != "pump_stops" && !trials::trot_trial(result.trial).valve_sticks;
 }
 
 /// Figures of simulated actuators and their supply, where there are any.

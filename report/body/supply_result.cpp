@@ -84,15 +84,15 @@ void add_supply(Figures& figures, std::span<const SupplyTrialResult> results) {
       }
     };
     const bool walks_on = supply_result::walks_on(result);
-    const bool dead_joint = result.trial == "dead_joint";
-    const bool stuck = dead_joint || result.trial == "open_valve";
+    const trials::TrotTrial trial = trials::trot_trial(result.trial);
     add("slowed", static_cast<double>(result.slowed), result.trial == "supply");
     add("acted", static_cast<double>(result.acted), walks_on);
-    add("unnoticed_sags", static_cast<double>(result.unnoticed_sags), !stuck);
+    add("unnoticed_sags", static_cast<double>(result.unnoticed_sags), !trial.valve_sticks);
     add("not_recovered", static_cast<double>(result.not_recovered), walks_on);
     add_at_most("hard_landings", static_cast<double>(result.hard_landings),
-                dead_joint ? std::optional(static_cast<double>(result.runs / supply_result::kRunsPerHardLanding))
-                           : std::nullopt);
+                trial.lands_softly
+                    ? std::optional(static_cast<double>(result.runs / supply_result::kRunsPerHardLanding))
+                    : std::nullopt);
     add("not_lying", static_cast<double>(result.not_lying), result.trial == "pump_stops");
     add_if("low_s", result.low_s);
     add_if("sag_20mm_s", result.sag_s);

@@ -35,7 +35,7 @@ struct SupplyTrialResult {
 std::vector<SupplyTrialResult> supply_results(std::span<const trials::TrotRow> rows);
 
 /// Adds body.<trial>.* of them, with bounds: `supply` goes on, `low_supply` goes on more slowly,
-/// `pump_stops` ends lying, `dead_joint` lands softly in seven of eight runs.
+/// `pump_stops` ends lying, trials that are marked so land softly in seven of eight runs.
 void add_supply(Figures& figures, std::span<const SupplyTrialResult> results);
 
 /// A line for every trial.

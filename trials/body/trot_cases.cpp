@@ -163,32 +163,33 @@ TrotCase supply_case(const robot::Robot& robot, const std::string& trial, int se
   return one;
 }
 
-// The valve of the first knee stays at this share of its full current, from a phase of the stride on.
-TrotCase stuck_case(const robot::Robot& robot, const std::string& trial, double share, int phase) {
-  const robot::Joint& knee = robot.joints[body::kJointsPerLeg - 1];
+// The valve of this joint stays at this share of its full current, from a phase of the stride on.
+TrotCase stuck_case(const robot::Robot& robot, const std::string& trial, const robot::Joint& joint, double share,
+                    int phase) {
   const double stride_s = 1.0 / robot.plan.gait.frequency_Hz;
   const double fault_s = kTrot_s + 6.0 + phase * stride_s / kPushPhases;
   const std::string sign = share > 0.0 ? "out, " : (share < 0.0 ? "in, " : "");
   TrotCase one = walk(trial, sign + "phase " + std::to_string(phase) + " of 8", 1, trot(0.4), 12.0);
-  one.scene += "actuators: {dead: {joint: " + knee.name + ", start_s: " + config::number_text(fault_s) +
-               ", stuck_A: " + config::number_text(share * knee.actuator.valve_current_max_A) + "}}\n";
+  one.scene += "actuators: {dead: {joint: " + joint.name + ", start_s: " + config::number_text(fault_s) +
+               ", stuck_A: " + config::number_text(share * joint.actuator.valve_current_max_A) + "}}\n";
   one.fault_s = fault_s;
   one.may_sink = true;
   return one;
 }
 
 void add_dead_joints(const robot::Robot& robot, std::vector<TrotCase>& cases) {
-  if (!robot.supply || robot.joints[body::kJointsPerLeg - 1].electric) {
-    return;
-  }
-  for (int phase = 0; phase < kPushPhases; ++phase) {
-    cases.push_back(stuck_case(robot, "dead_joint", 0.0, phase));
-  }
-  for (const double share : {0.5, -0.5}) {
-    for (int phase = 0; phase < kPushPhases; ++phase) {
-      cases.push_back(stuck_case(robot, "open_valve", share, phase));
+  const auto add = [&](const char* trial, std::size_t joint_of_leg, double share) {
+    const robot::Joint& joint = robot.joints[joint_of_leg];
+    for (int phase = 0; phase < kPushPhases && !joint.electric; ++phase) {
+      cases.push_back(stuck_case(robot, trial, joint, share, phase));
     }
-  }
+  };
+  constexpr std::size_t kHaa = 0, kHfe = 1, kKnee = 2;
+  add("dead_joint", kKnee, 0.0);
+  add("dead_hip", kHfe, 0.0);
+  add("dead_abduction", kHaa, 0.0);
+  add("open_valve", kKnee, 0.5);
+  add("open_valve", kKnee, -0.5);
 }
 
 void add_supply_trials(const robot::Robot& robot, std::vector<TrotCase>& cases) {

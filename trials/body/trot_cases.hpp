@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "robot/robot.hpp"
@@ -16,6 +17,8 @@ namespace farrier::trials {
 struct TrotTrial {
   const char* name;
   const char* sentence;
+  bool valve_sticks = false;  ///< a valve stops moving, and the robot shall lie down
+  bool lands_softly = false;  ///< it must do so softly in seven of eight runs
 };
 
 inline constexpr std::array kTrotTrials{
@@ -35,10 +38,23 @@ inline constexpr std::array kTrotTrials{
     TrotTrial{"supply", "0.4 m/s while the pump gives 7/12 and the accumulator a fifth; ten seeds"},
     TrotTrial{"low_supply", "0.4 m/s while the pump gives half, 20 s; ten seeds"},
     TrotTrial{"pump_stops", "0.4 m/s while the pump stops; three seeds"},
-    TrotTrial{"dead_joint", "0.4 m/s while the valve of the first knee sticks shut; eight phases of the stride"},
-    TrotTrial{"open_valve", "the same half open to either side; not judged"},
+    TrotTrial{"dead_joint", "0.4 m/s while the valve of the first knee sticks shut; eight phases of the stride", true,
+              true},
+    TrotTrial{"dead_hip", "the same with the valve of the first HFE joint; not judged", true},
+    TrotTrial{"dead_abduction", "the same with the valve of the first HAA joint", true, true},
+    TrotTrial{"open_valve", "dead_joint with the valve half open to either side; not judged", true},
     TrotTrial{"energy",
               "the account of the pump's work over 10 s at 0.4 m/s, and again with half the step; ten seeds"}};
+
+/// The trial of that name; one that lets no valve stick if there is none.
+constexpr TrotTrial trot_trial(std::string_view name) noexcept {
+  for (const TrotTrial& trial : kTrotTrials) {
+    if (name == trial.name) {
+      return trial;
+    }
+  }
+  return {"", ""};
+}
 
 /// One run: a robot, a scene and a script.
 struct TrotCase {
