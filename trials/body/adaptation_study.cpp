@@ -15,11 +15,11 @@ constexpr double kWalk_s = 14.0;   // of a row without a drift
 constexpr double kStrides = 3.0;   // after a step before figures begin
 
 // `farrier compare adaptation --search` prints them.
-constexpr control::FeedbackLinearisationGains kTunedGains{.force_1_s = 839.0,
+constexpr control::FeedbackLinearisationGains kTunedGains{.force_1_s = 774.8,
                                                           .integral_1_s2 = 0.0,
-                                                          .velocity_compensation = 0.88,
-                                                          .velocity_lead_s = 0.00054,
-                                                          .swing_gain = 1.145};
+                                                          .velocity_compensation = 0.6206,
+                                                          .velocity_lead_s = 0.001922,
+                                                          .swing_gain = 1.5};
 constexpr double kObserver_1_s = 50.0;
 
 control::FeedbackLinearisationGains observer_gains() noexcept {
