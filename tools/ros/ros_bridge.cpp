@@ -9,15 +9,20 @@
 #include "monitor/robot_view.hpp"
 #include "participant/clock.hpp"
 #include "participant/participant.hpp"
+#include "recorder/polling.hpp"
 #include "recorder/recorder.hpp"
-#include "tools/ros/conversions.hpp"
-#include "tools/ros/polling.hpp"
+#include "ros_view/conversions.hpp"
 #include "tools/ros/velocity_commands.hpp"
 
 namespace farrier::ros_bridge {
 
 namespace rosgraph_msgs = ros_messages::rosgraph_msgs;
 namespace std_msgs = ros_messages::std_msgs;
+
+using namespace ros_view;
+using recorder::Due;
+using recorder::Newest;
+using recorder::polled_endpoint;
 
 using bus_ros::RosQos;
 using bus_ros::RosReader;

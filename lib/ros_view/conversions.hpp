@@ -11,7 +11,7 @@
 #include "ros_messages/messages.hpp"
 #include "signals/signals.hpp"
 
-namespace farrier::ros_bridge {
+namespace farrier::ros_view {
 
 namespace control_msgs = ros_messages::control_msgs;
 namespace diagnostic_msgs = ros_messages::diagnostic_msgs;
@@ -60,4 +60,4 @@ diagnostic_msgs::DiagnosticArray diagnostics(const robot::Robot& robot, const mo
 /// An event as a line of the log of `node`.
 rcl_interfaces::Log log_line(const monitor::EventFrame& event, const std::string& node, const Time& stamp);
 
-}  // namespace farrier::ros_bridge
+}  // namespace farrier::ros_view

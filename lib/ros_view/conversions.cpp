@@ -1,4 +1,4 @@
-#include "tools/ros/conversions.hpp"
+#include "ros_view/conversions.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include "config/visitor.hpp"
 #include "core/fault.hpp"
 
-namespace farrier::ros_bridge {
+namespace farrier::ros_view {
 
 namespace {
 
@@ -215,4 +215,4 @@ rcl_interfaces::Log log_line(const monitor::EventFrame& event, const std::string
   return line;
 }
 
-}  // namespace farrier::ros_bridge
+}  // namespace farrier::ros_view

@@ -5,11 +5,11 @@
 #include "robot/robot.hpp"
 #include "signals/tick_of.hpp"
 
-namespace farrier::ros_bridge {
+namespace farrier::recorder {
 
 /// The reading end of an observer who polls: one sample of each key is kept, and none wakes a thread.
 inline bus::EndpointSpec polled_endpoint(const robot::Robot& robot, bus::TopicId topic) {
-  bus::EndpointSpec endpoint = recorder::watching_endpoint(robot, topic, 1);
+  bus::EndpointSpec endpoint = watching_endpoint(robot, topic, 1);
   endpoint.wakes = false;
   return endpoint;
 }
@@ -60,4 +60,4 @@ class Newest {
   Signal sample_;
 };
 
-}  // namespace farrier::ros_bridge
+}  // namespace farrier::recorder
