@@ -6,6 +6,7 @@
 
 #include "config/visitor.hpp"
 #include "core/fault.hpp"
+#include "ros_view/topics.hpp"
 
 namespace farrier::ros_view {
 
@@ -34,6 +35,28 @@ std::optional<JointReading> reading_of(const robot::Joint& joint, const signals:
 template <class Values>
 bool all_finite(const Values& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+Eigen::Quaterniond attitude_of(const signals::BodyState& state) {
+  return {state.attitude[0], state.attitude[1], state.attitude[2], state.attitude[3]};
+}
+
+/// Rotation from the axes of a leg's last link to those of the trunk; none if a joint is not heard.
+std::optional<Eigen::Quaterniond> last_link_rotation(const robot::Robot& robot, std::size_t leg,
+                                                     std::span<const JointSamples> joints) {
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+  for (const robot::Joint& joint : robot.joints) {  // from the trunk outwards
+    if (static_cast<std::size_t>(joint.leg) != leg) {
+      continue;
+    }
+    const auto reading = reading_of(joint, joints[joint.number].sensors);
+    if (!reading) {
+      return std::nullopt;
+    }
+    const Eigen::Vector3d& axis = robot.body->legs[leg].links[static_cast<std::size_t>(joint.index_in_leg)].axis;
+    rotation = rotation * Eigen::AngleAxisd(reading->position_rad, axis);
+  }
+  return rotation;
 }
 
 geometry_msgs::Vector3 vector_of(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -154,7 +177,7 @@ std::optional<nav_msgs::Odometry> odometry(const signals::BodyState& state, cons
       !all_finite(state.angular_velocity_rad_s)) {
     return std::nullopt;
   }
-  const Eigen::Quaterniond attitude(state.attitude[0], state.attitude[1], state.attitude[2], state.attitude[3]);
+  const Eigen::Quaterniond attitude = attitude_of(state);
   const Eigen::Vector3d velocity_m_s(state.velocity_m_s[0], state.velocity_m_s[1], state.velocity_m_s[2]);
   nav_msgs::Odometry message;
   message.header = {.stamp = stamp, .frame_id = kOdomFrame};
@@ -174,6 +197,20 @@ tf2_msgs::TFMessage transform(const nav_msgs::Odometry& odometry) {
   stamped.transform.translation = {position.x, position.y, position.z};
   stamped.transform.rotation = odometry.pose.pose.orientation;
   return {.transforms = {stamped}};
+}
+
+std::optional<geometry_msgs::WrenchStamped> foot_wrench(const robot::Robot& robot, std::size_t leg,
+                                                        const signals::BodyState& state,
+                                                        std::span<const JointSamples> joints, const Time& stamp) {
+  const auto rotation = last_link_rotation(robot, leg, joints);
+  const Eigen::Map<const Eigen::Vector3d> force_N(state.felt_force_N.data() + 3 * leg);
+  if (!rotation || !force_N.allFinite() || !all_finite(state.attitude)) {
+    return std::nullopt;
+  }
+  geometry_msgs::WrenchStamped message;
+  message.header = {.stamp = stamp, .frame_id = foot_frame(robot.body->legs[leg].name)};
+  message.wrench.force = vector_of((attitude_of(state) * *rotation).conjugate() * force_N);
+  return message;
 }
 
 diagnostic_msgs::DiagnosticArray diagnostics(const robot::Robot& robot, const monitor::Frame& frame,

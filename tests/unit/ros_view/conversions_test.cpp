@@ -1,4 +1,4 @@
-#include "tools/ros/conversions.hpp"
+#include "ros_view/conversions.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,9 +6,10 @@
 #include <limits>
 
 #include "core/fault.hpp"
+#include "ros_view/topics.hpp"
 #include "tests/unit/robot/test_files.hpp"
 
-namespace farrier::ros_bridge {
+namespace farrier::ros_view {
 namespace conversions_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -114,6 +115,35 @@ TEST(Odometry, TheTwistIsInTheAxesOfTheBase) {
   EXPECT_EQ(tf.transforms[0].transform.translation.y, 2.0);
 }
 
+// A vertical force of the ground on a robot that stands upright: the foot's frame is pitched as its lower leg is.
+TEST_F(OfHyq, TheWrenchOfAFootIsInTheFramesOfTheFoot) {
+  signals::BodyState state;
+  state.attitude = {1.0, 0.0, 0.0, 0.0};
+  state.felt_force_N[3 * 1 + 2] = 100.0;
+  const std::string leg = hyq_.body->legs[1].name;
+  double pitch_rad = 0.0;
+  for (const robot::Joint& joint : hyq_.joints) {
+    if (joint.leg == 1) {
+      const double angle_rad = joint.index_in_leg == 0 ? 0.0 : joint.home_angle_rad;
+      samples_[joint.number].sensors.position_m_or_rad = joint.linkage.position(angle_rad);
+      pitch_rad += angle_rad * hyq_.body->legs[1].links[static_cast<std::size_t>(joint.index_in_leg)].axis.y();
+    }
+  }
+  const auto message = foot_wrench(hyq_, 1, state, samples_, {.sec = 7, .nanosec = 0});
+  ASSERT_TRUE(message.has_value());
+  EXPECT_EQ(message->header.frame_id, leg + "_foot");
+  EXPECT_EQ(foot_wrench_topic(leg), leg + "_foot/wrench");
+  EXPECT_NEAR(message->wrench.force.x, -100.0 * std::sin(pitch_rad), 1e-6);
+  EXPECT_NEAR(message->wrench.force.y, 0.0, 1e-6);
+  EXPECT_NEAR(message->wrench.force.z, 100.0 * std::cos(pitch_rad), 1e-6);
+  EXPECT_GT(std::abs(pitch_rad), 0.1) << "or the test says little";
+  state.felt_force_N[3] = kNan;
+  EXPECT_FALSE(foot_wrench(hyq_, 1, state, samples_, {}).has_value());
+  EXPECT_TRUE(foot_wrench(hyq_, 0, state, samples_, {}).has_value());
+  samples_[0].sensors.tick = kNoTick;
+  EXPECT_FALSE(foot_wrench(hyq_, 0, state, samples_, {}).has_value()) << "a joint of the leg is not heard";
+}
+
 TEST(Stamp, CountsSecondsAndNanoseconds) {
   EXPECT_EQ(time_of(1'500'000'002), (Time{.sec = 1, .nanosec = 500'000'002}));
   EXPECT_EQ(time_of(-1), (Time{}));
@@ -132,4 +162,4 @@ TEST(Log, LevelsAreThoseOfRos) {
 }
 
 }  // namespace conversions_test
-}  // namespace farrier::ros_bridge
+}  // namespace farrier::ros_view
