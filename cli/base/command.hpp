@@ -31,6 +31,7 @@ std::function<int()> declare_diagnose(CLI::App& app);
 std::function<int()> declare_doctor(CLI::App& app);
 std::function<int()> declare_drive(CLI::App& app);
 std::function<int()> declare_echo(CLI::App& app);
+std::function<int()> declare_export(CLI::App& app);
 std::function<int()> declare_faults(CLI::App& app);
 std::function<int()> declare_identify(CLI::App& app);
 std::function<int()> declare_info(CLI::App& app);

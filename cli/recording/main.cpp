@@ -1,4 +1,4 @@
-// farrier-recording: the program of convert, info, record and replay.
+// farrier-recording: the program of convert, export, info, record and replay.
 
 #include "cli/base/command.hpp"
 #include "cli/base/command_line.hpp"
@@ -7,6 +7,7 @@ int main(int argc, char** argv) {
   using namespace farrier::cli;
   constexpr DeclaredVerb kVerbs[] = {
       {"convert", declare_convert},
+      {"export", declare_export},
       {"info", declare_info},
       {"record", declare_record},
       {"replay", declare_replay}};

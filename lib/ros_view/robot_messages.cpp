@@ -15,6 +15,13 @@ using namespace std::chrono_literals;
 constexpr Nanoseconds kSlow = 20ms;  // dynamic_joint_states and tf
 constexpr Nanoseconds kSecond = 1s;
 
+/// Stamps of ticks are not exactly a period apart, so a rate as high as theirs takes every tick.
+Nanoseconds period_of(double rate_Hz, const robot::Robot& robot) {
+  constexpr double kAlmost = 0.99;
+  const double period_s = rate_Hz * robot.period_s > kAlmost ? 0.0 : 1.0 / rate_Hz;
+  return std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(period_s));
+}
+
 /// For recorder::Due, whose clock only has to go on.
 SteadyTime clock_of(std::uint64_t time_ns) { return SteadyTime(Nanoseconds(static_cast<std::int64_t>(time_ns))); }
 
@@ -46,7 +53,7 @@ RobotMessages::RobotMessages(const robot::Robot& robot, const Options& options)
       dynamic_(add_topic<control_msgs::DynamicJointState>(kDynamicJointStates)),
       diagnostics_topic_(add_topic<diagnostic_msgs::DiagnosticArray>(kDiagnostics)),
       log_(add_topic<rcl_interfaces::Log>(kLog, true, 1000)),
-      due_fast_(std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(1.0 / options.rate_Hz))),
+      due_fast_(period_of(options.rate_Hz, robot)),
       due_dynamic_(kSlow),
       due_transforms_(kSlow),
       due_diagnostics_(kSecond),
@@ -87,7 +94,8 @@ void RobotMessages::take(const signals::BodyImu& imu, std::uint64_t stamp_ns) {
 }
 
 void RobotMessages::take(const signals::BodyState& state, std::uint64_t stamp_ns) {
-  state_ = {.sample = state, .stamp_ns = stamp_ns, .waits = true};
+  const std::uint64_t sampled_ns = state.tick == joints_tick_ ? joints_stamp_ns_ : stamp_ns;
+  state_ = {.sample = state, .stamp_ns = sampled_ns, .waits = true};
 }
 
 void RobotMessages::take(const monitor::Frame& frame, std::uint64_t now_ns) {

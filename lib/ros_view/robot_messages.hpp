@@ -43,7 +43,8 @@ class RobotMessages {
 
   const std::vector<Topic>& topics() const noexcept { return topics_; }
 
-  /// Newest samples. `stamp_ns`: when a sample was taken.
+  /// Newest samples. `stamp_ns`: when a sample was taken. A state is estimated from the sensors of its tick, and has their
+  /// stamp where that tick is the newest.
   void take(const signals::JointSensors& sensors, std::uint64_t stamp_ns);
   void take(const signals::JointSummary& summary);
   void take(const signals::BodyImu& imu, std::uint64_t stamp_ns);

@@ -32,7 +32,7 @@ Result<RecordedRun> RecordedRun::open(const std::string& path, const robot::Over
   if (!robot) {
     return Error{config::to_string(robot.error())};
   }
-  return RecordedRun(std::move(file), std::move(robot).value(), first);
+  return RecordedRun(std::move(file), std::move(robot).value(), std::move(facts), first);
 }
 
 bool RecordedRun::next(recording::Sample& sample) {

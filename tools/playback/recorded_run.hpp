@@ -19,6 +19,9 @@ class RecordedRun {
 
   const robot::Robot& robot() const noexcept { return robot_; }
 
+  /// recording::kRunFacts
+  const mcap::Text& facts() const noexcept { return facts_; }
+
   /// Reads the next sample, valid until the next call. Returns false at the end: see `ending`.
   bool next(recording::Sample& sample);
 
@@ -27,11 +30,12 @@ class RecordedRun {
   const recording::Timeline& timeline() const noexcept { return file_.timeline(); }
 
  private:
-  RecordedRun(recording::RunFileReader file, robot::Robot robot, const recording::Sample& first)
-      : file_(std::move(file)), robot_(std::move(robot)), first_(first) {}
+  RecordedRun(recording::RunFileReader file, robot::Robot robot, mcap::Text facts, const recording::Sample& first)
+      : file_(std::move(file)), robot_(std::move(robot)), facts_(std::move(facts)), first_(first) {}
 
   recording::RunFileReader file_;
   robot::Robot robot_;
+  mcap::Text facts_;
   recording::Sample first_;  ///< read in advance: the facts before it are then known
   bool first_is_next_ = true;
 };
