@@ -16,6 +16,7 @@
 #include "cli/base/command.hpp"
 #include "cli/record/guest.hpp"
 #include "cli/monitor/monitor_web.hpp"
+#include "tools/foxglove/foxglove_display.hpp"
 #include "tools/monitor/plain_text.hpp"
 #include "tools/monitor/prometheus_exposer.hpp"
 #include "tools/monitor/terminal.hpp"
@@ -31,6 +32,7 @@ constexpr double kWholeLook_s = 1.2;  // errors and rates are over a second
 
 struct MonitorOptions {
   std::string prometheus;
+  std::string foxglove;
   bool once = false;
   WebOptions web;
   GuestOptions guest;
@@ -38,14 +40,20 @@ struct MonitorOptions {
 
 using Displays = std::vector<std::unique_ptr<display::Display>>;
 
+/// Displays for other programs. One of them is `foxglove`, or it is null.
+struct Servers {
+  Displays displays;
+  foxglove::FoxgloveDisplay* foxglove = nullptr;
+};
+
 std::string nothing_comes(const MonitorOptions& o) {
   const std::string domain = std::to_string(o.guest.network.domain);
   return "nothing comes in domain " + domain + "; why: farrier doctor --domain " + domain;
 }
 
 /// Servers for other programs, opened before anything moves: an address that cannot be had is a mistake in the options.
-Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot) {
-  Displays servers;
+Result<Servers> open_servers(const MonitorOptions& o, const robot::Robot& robot) {
+  Servers servers;
   if (!o.prometheus.empty()) {
     const auto address = display::parse_listen_address(o.prometheus);
     if (!address) {
@@ -56,10 +64,23 @@ Result<Displays> open_servers(const MonitorOptions& o, const robot::Robot& robot
       return Error{"--prometheus: " + server.error().message};
     }
     std::fprintf(stderr, "farrier monitor: metrics at http://%s/metrics\n", address.value().text().c_str());
-    servers.push_back(std::move(server).value());
+    servers.displays.push_back(std::move(server).value());
   }
   if (!o.web.address.empty()) {
-    servers.push_back(FARRIER_TRY(open_web(o.web, robot)));
+    servers.displays.push_back(FARRIER_TRY(open_web(o.web, robot)));
+  }
+  if (!o.foxglove.empty()) {
+    const auto address = display::parse_listen_address(o.foxglove);
+    if (!address) {
+      return Error{"--foxglove: " + address.error().message};
+    }
+    auto server = foxglove::FoxgloveDisplay::create(address.value(), robot);
+    if (!server) {
+      return Error{"--foxglove: " + server.error().message};
+    }
+    servers.foxglove = server.value().get();
+    std::fprintf(stderr, "farrier monitor: Foxglove at %s\n", servers.foxglove->url().c_str());
+    servers.displays.push_back(std::move(server).value());
   }
   return servers;
 }
@@ -77,11 +98,26 @@ Result<bool> open_table(Displays& displays, const robot::Robot& robot) {
   return false;
 }
 
+/// Waits until the next look is due, while viewers of Foxglove are served.
+void wait_for_look(bus::Bus& bus, foxglove::FoxgloveDisplay* foxglove) {
+  const SteadyTime look = participant::steady_now() + kNextLook;
+  if (foxglove == nullptr) {
+    nap(bus, look);
+    return;
+  }
+  for (SteadyTime now = participant::steady_now(); now < look && !participant::stop_requested();
+       now = participant::steady_now()) {
+    nap(bus, std::min<SteadyTime>(look, now + foxglove::FoxgloveDisplay::kStep));
+    foxglove->step();
+  }
+}
+
 /// Shows frames until the user asks for the end. `quiet`: prints nothing itself.
-int show(bus::Bus& bus, monitor::Watch& watch, const Displays& displays, const MonitorOptions& o, bool quiet) {
+int show(bus::Bus& bus, monitor::Watch& watch, const Servers& servers, const MonitorOptions& o, bool quiet) {
+  const Displays& displays = servers.displays;
   SteadyTime complaint = participant::steady_now() + kSilenceWorthSaying;
   while (!participant::stop_requested()) {
-    nap(bus, participant::steady_now() + kNextLook);
+    wait_for_look(bus, servers.foxglove);
     const monitor::Frame frame = watch.look();
     for (const auto& display : displays) {
       display->show(frame);
@@ -145,12 +181,23 @@ int run_monitor(const MonitorOptions& o) {
   }
   try {
     // Here, so that the terminal is restored before errors are printed.
-    Displays displays = std::move(servers).value();
-    const auto screen = open_table(displays, robot.value());
+    Servers shown = std::move(servers).value();
+    if (shown.foxglove != nullptr) {
+      if (auto joined = shown.foxglove->join(*bus.value()); !joined) {
+        return fail("monitor", joined.error().message);
+      }
+    }
+    const auto screen = open_table(shown.displays, robot.value());
     if (!screen) {
       return fail("monitor", screen.error().message);
     }
-    return show(*bus.value(), watch.value(), displays, o, screen.value());
+    const int result = show(*bus.value(), watch.value(), shown, o, screen.value());
+    const std::string summary = shown.foxglove == nullptr ? "" : shown.foxglove->summary();
+    shown.displays.clear();  // the screen is the user's again
+    if (!summary.empty()) {
+      std::fprintf(stderr, "farrier monitor: %s\n", summary.c_str());
+    }
+    return result;
   } catch (const std::exception& problem) {
     return fail("monitor", problem.what());
   }
@@ -164,6 +211,11 @@ std::function<int()> declare_monitor(CLI::App& app) {
   app.add_option("--prometheus", o->prometheus,
                  "serve metrics for Prometheus, of which docs/metrics.md has a list; :9464 is on this computer alone, "
                  "0.0.0.0:9464 on all its addresses")
+      ->type_name("<address:port>")
+      ->excludes(once);
+  app.add_option("--foxglove", o->foxglove,
+                 "serve Foxglove, Lichtblick and PlotJuggler by WebSocket; :8765 is on this computer alone, "
+                 "0.0.0.0:8765 on all its addresses, for anybody to read")
       ->type_name("<address:port>")
       ->excludes(once);
   declare_web(app, o->web, once);

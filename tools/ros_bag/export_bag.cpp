@@ -20,7 +20,7 @@ namespace {
 constexpr std::uint64_t kFrame_ns = 50'000'000;
 constexpr std::uint64_t kViewBegin_ns = 1'000'000'000;  // for the view 0 is no time
 constexpr std::uint64_t kLongestLag_ns = 2'000'000'000;  // of a topic behind another: recorders write them in blocks
-constexpr Tick kMostTicks = 1'000'000'000'000;           // more is damage
+constexpr Tick kMostTicks = 4'000'000'000;               // 46 days at 1 kHz; more is damage
 
 /// Topics of which messages are made.
 std::vector<bus::TopicId> all_topics() {
@@ -49,8 +49,11 @@ class SampleTime {
     const std::uint64_t heard_ns = begin_->time_ns + sample.elapsed_ns;
     if constexpr (requires { signal.sample_time_ns; }) {
       const std::uint64_t age_ns = sample.log_time_ns - std::min(sample.publish_time_ns, sample.log_time_ns);
-      sampled_ = TickTime{tick, heard_ns - std::min(age_ns, sample.elapsed_ns)};
-      return sampled_->time_ns;
+      const std::uint64_t time_ns = heard_ns - std::min(age_ns, sample.elapsed_ns);
+      if (tick >= 0 && tick <= kMostTicks) {
+        sampled_ = TickTime{tick, time_ns};
+      }
+      return time_ns;
     }
     // Heard in blocks, so its tick says more than when it was heard.
     return sampled_ ? time_of_tick(*sampled_, tick).value_or(heard_ns) : heard_ns;
@@ -64,9 +67,11 @@ class SampleTime {
 
   /// Time of a tick, counted in periods from another one; none for no tick, and for one that is damaged.
   std::optional<std::uint64_t> time_of_tick(const TickTime& known, Tick tick) const {
+    if (tick < 0 || tick > kMostTicks) {
+      return std::nullopt;
+    }
     const double since_s = static_cast<double>(tick - known.tick) * period_s_;
-    const double time_ns = static_cast<double>(known.time_ns) + since_s * 1e9;
-    if (tick < 0 || tick > kMostTicks || time_ns < 1.0) {
+    if (static_cast<double>(known.time_ns) + since_s * 1e9 < 1.0) {
       return std::nullopt;
     }
     return known.time_ns + static_cast<std::uint64_t>(std::llround(since_s * 1e9));
