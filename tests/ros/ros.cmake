@@ -13,3 +13,28 @@ target_link_libraries(ros_command_test PRIVATE farrier_bus farrier_bus_ros farri
   farrier_tool_process farrier_trace farrier_urdf nlohmann_json::nlohmann_json Threads::Threads)
 target_compile_definitions(ros_command_test PRIVATE ${system_definitions})
 add_dependencies(ros_command_test farrier farrier_program_ros bare_exchange ${FARRIER_PROCESSES})
+
+# Others' software, from npm: what package-lock.json names is fetched into the build tree, once. Without npm these tests are
+# left out.
+if(FARRIER_NPM AND TARGET farrier_foxglove AND TARGET farrier_body_world)
+  set(ros_npm ${PROJECT_BINARY_DIR}/ros_npm)
+  file(GLOB ros_scripts CONFIGURE_DEPENDS ${ros_dir}/npm/*.mjs)
+  add_custom_command(OUTPUT ${ros_npm}/node_modules/.package-lock.json
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${ros_npm}
+    COMMAND ${CMAKE_COMMAND} -E copy ${ros_dir}/npm/package.json ${ros_dir}/npm/package-lock.json ${ros_npm}
+    COMMAND ${FARRIER_NPM} ci --prefix ${ros_npm} --no-audit --no-fund --loglevel=error
+    DEPENDS ${ros_dir}/npm/package.json ${ros_dir}/npm/package-lock.json
+    COMMENT "Fetching npm's readers of ROS 2 messages" VERBATIM)
+  add_custom_command(OUTPUT ${ros_npm}/decoder.mjs
+    COMMAND ${CMAKE_COMMAND} -E copy ${ros_scripts} ${ros_npm} DEPENDS ${ros_scripts} VERBATIM)
+  add_custom_target(ros_readers DEPENDS ${ros_npm}/node_modules/.package-lock.json ${ros_npm}/decoder.mjs)
+
+  farrier_test(ros_ecosystem_test ros ${ros_dir}/bag_test.cpp ${ros_dir}/foxglove_test.cpp
+    ${ros_dir}/message_bytes_test.cpp ${ros_dir}/../system/farrier_command.cpp)
+  target_include_directories(ros_ecosystem_test PRIVATE ${ros_dir}/../system)
+  target_link_libraries(ros_ecosystem_test PRIVATE farrier_bus farrier_cli_processes farrier_playback farrier_recording
+    farrier_ros_messages farrier_signals farrier_tool_process farrier_trace nlohmann_json::nlohmann_json Threads::Threads)
+  target_compile_definitions(ros_ecosystem_test PRIVATE ${system_definitions} FARRIER_ROS_NPM="${ros_npm}")
+  add_dependencies(ros_ecosystem_test ros_readers farrier farrier_program_monitor farrier_program_recording bare_exchange
+    ${FARRIER_PROCESSES})
+endif()

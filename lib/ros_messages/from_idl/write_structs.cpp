@@ -66,7 +66,8 @@ class Writer {
         throw std::runtime_error("unexpected word: " + word);
       }
     }
-    out_ << "\n}  // namespace farrier::ros_messages\n";
+    out_ << "\n/// List<...> of every message.\ntemplate <template <class...> class List>\nusing AllMessages = List<" << all_
+         << ">;\n\n}  // namespace farrier::ros_messages\n";
   }
 
  private:
@@ -109,6 +110,7 @@ class Writer {
     std::string name = next();
     name.pop_back();  // the underscore that rosidl appends
     const std::string& package = modules_.front();
+    all_ += (all_.empty() ? "" : ", ") + package + "::" + name;
     out_ << "\nnamespace " << package << " {\nstruct " << name << " {\n  static constexpr const char* kRosName = \""
          << package << "/msg/" << name << "\";\n";
     expect("{");
@@ -134,6 +136,7 @@ class Writer {
   std::vector<std::string> words_;
   std::size_t at_ = 0;
   std::vector<std::string> modules_;
+  std::string all_;  // names of all structs
   std::ostream& out_;
 };
 
