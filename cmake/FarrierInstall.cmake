@@ -5,6 +5,7 @@
 #   libexec/farrier/          its other programs (farrier-<program>) and the processes
 #   share/farrier/robots/     robot files
 #   share/farrier/scenes/     scene files
+#   share/farrier/foxglove/   layout for Foxglove and Lichtblick
 #   share/farrier/monitoring/ configuration and alert rules for Prometheus
 #   share/farrier/page/       the page of farrier monitor --web (tools/web/page)
 #   share/man/, share/bash-completion/, share/zsh/, share/fish/    written by the command, where Debian looks for them
@@ -19,7 +20,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/deploy/scenes ${PROJECT_BINARY_DIR}/share
 
 install(TARGETS ${FARRIER_PROCESSES} DESTINATION libexec/farrier COMPONENT runtime)
 install(DIRECTORY deploy/robots deploy/scenes DESTINATION share/farrier COMPONENT runtime)
-install(DIRECTORY deploy/monitoring DESTINATION share/farrier COMPONENT tools)
+install(DIRECTORY deploy/foxglove deploy/monitoring DESTINATION share/farrier COMPONENT tools)
 install(TARGETS bare_exchange farrier_wall_clock ${FARRIER_FAULTY_PROGRAMS} DESTINATION libexec/farrier COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.

@@ -43,6 +43,7 @@ void run_file(Bytes bytes);
 void log_times(Bytes bytes);
 void dds_settings(Bytes bytes);
 void description(Bytes bytes);
+void foxglove_text(Bytes bytes);
 
 // Samples as they come from the network; the first byte is the topic's number.
 void cyclone_codec(Bytes bytes);

@@ -14,6 +14,7 @@ std::span<const Harness> harnesses() noexcept {
       {"log_times", log_times},
       {"dds_settings", dds_settings},
       {"description", description},
+      {"foxglove_text", foxglove_text},
       {"cyclone_codec", cyclone_codec},
       {"fast_codec", fast_codec},
       {"cyclone_datagram", cyclone_datagram},

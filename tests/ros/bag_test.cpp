@@ -31,8 +31,7 @@ std::map<bus::TopicId, std::size_t> ticks_of(const std::string& path) {
   std::map<bus::TopicId, std::set<Tick>> ticks;
   auto run = playback::RecordedRun::open(path).value();
   for (recording::Sample sample; run.next(sample);) {
-    recording::visit_sample(sample,
-                            [&](const auto& signal) { ticks[sample.topic].insert(signals::tick_of(signal)); });
+    recording::visit_sample(sample, [&](const auto& signal) { ticks[sample.topic].insert(signals::tick_of(signal)); });
   }
   std::map<bus::TopicId, std::size_t> counts;
   for (const auto& [topic, all] : ticks) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <set>
 
 #include "tests/system/farrier_command.hpp"
 #include "tools/tool_process/tool_process.hpp"
@@ -42,6 +43,18 @@ class Foxglove : public testing::Test {
   FarrierCommand trot_;
 };
 
+/// Texts of a JSON document, at any depth.
+void texts_of(const json& value, std::vector<std::string>& texts) {
+  if (value.is_string()) {
+    texts.push_back(value);
+  }
+  if (value.is_structured()) {
+    for (const json& one : value) {
+      texts_of(one, texts);
+    }
+  }
+}
+
 TEST_F(Foxglove, ViewersDecodeEveryChannelAndHostileOnesChangeNothing) {
   FarrierCommand monitor({"monitor", "--domain", std::to_string(trot_.domain()), "--foxglove", ":0"});
   const std::string url = url_of(monitor);
@@ -56,11 +69,23 @@ TEST_F(Foxglove, ViewersDecodeEveryChannelAndHostileOnesChangeNothing) {
     EXPECT_GT(topic.at("messages"), 0) << name;
   }
   EXPECT_EQ(topics.at("/hyq/joint_states").at("message").at("name").size(), 12u);
+  std::vector<std::string> texts;
+  texts_of(read_json(FARRIER_LAYOUT), texts);
+  std::set<std::string> shown;
+  for (const std::string& text : texts) {
+    if (text.starts_with('/')) {
+      shown.insert(text.substr(0, text.find('.')));
+    }
+  }
+  EXPECT_GE(shown.size(), 8u);
+  for (const std::string& topic : shown) {
+    EXPECT_TRUE(topics.contains(topic)) << "the layout shows " << topic;
+  }
   EXPECT_EQ(topics.at("/hyq/lf_foot/wrench").at("message").at("header").at("frame_id"), "lf_foot");
 
   const json answers = run_script({"foxglove_hostile.mjs", url});
-  for (const char* text : {"garbage", "noObject", "deep", "unknownOp", "unknownChannel", "noNumbers", "twice",
-                           "unknownSubscription"}) {
+  for (const char* text :
+       {"garbage", "noObject", "deep", "unknownOp", "unknownChannel", "noNumbers", "twice", "unknownSubscription"}) {
     EXPECT_EQ(answers.at(text).get<std::string>().substr(0, 8), "status 2") << text << ": " << answers.at(text);
   }
   EXPECT_EQ(answers.at("huge"), "closed 1009");

@@ -34,7 +34,8 @@ if(FARRIER_NPM AND TARGET farrier_foxglove AND TARGET farrier_body_world)
   target_include_directories(ros_ecosystem_test PRIVATE ${ros_dir}/../system)
   target_link_libraries(ros_ecosystem_test PRIVATE farrier_bus farrier_cli_processes farrier_playback farrier_recording
     farrier_ros_messages farrier_signals farrier_tool_process farrier_trace nlohmann_json::nlohmann_json Threads::Threads)
-  target_compile_definitions(ros_ecosystem_test PRIVATE ${system_definitions} FARRIER_ROS_NPM="${ros_npm}")
+  target_compile_definitions(ros_ecosystem_test PRIVATE ${system_definitions} FARRIER_ROS_NPM="${ros_npm}"
+    FARRIER_LAYOUT="${PROJECT_SOURCE_DIR}/deploy/foxglove/farrier.json")
   add_dependencies(ros_ecosystem_test ros_readers farrier farrier_program_monitor farrier_program_recording bare_exchange
     ${FARRIER_PROCESSES})
 endif()

@@ -12,3 +12,8 @@ target_compile_definitions(ros_view_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURC
 farrier_test(ros_bridge_test unit
   ${CMAKE_CURRENT_LIST_DIR}/ros_bridge/velocity_commands_test.cpp)
 target_link_libraries(ros_bridge_test PRIVATE farrier_ros_bridge)
+
+if(TARGET farrier_foxglove)
+  farrier_test(foxglove_viewers_test unit ${CMAKE_CURRENT_LIST_DIR}/foxglove/viewers_test.cpp)
+  target_link_libraries(foxglove_viewers_test PRIVATE farrier_foxglove Threads::Threads)
+endif()

@@ -18,8 +18,7 @@ Result<std::unique_ptr<FoxgloveDisplay>> FoxgloveDisplay::create(const display::
   if (const std::vector<std::uint8_t> cdr = messages.description_cdr(); !cdr.empty()) {
     server->send(messages.description_topic(), participant::date_now_ns(), cdr);
   }
-  return std::unique_ptr<FoxgloveDisplay>(
-      new FoxgloveDisplay(robot, std::move(messages), address, std::move(server)));
+  return std::unique_ptr<FoxgloveDisplay>(new FoxgloveDisplay(robot, std::move(messages), address, std::move(server)));
 }
 
 Result<Done> FoxgloveDisplay::join(bus::Bus& bus) {

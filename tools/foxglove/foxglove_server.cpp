@@ -126,18 +126,28 @@ class FoxgloveServer::Impl {
 
   int handle(lws* wsi, lws_callback_reasons reason, Viewer** viewer, void* in, std::size_t length) {
     switch (reason) {
-      case LWS_CALLBACK_EVENT_WAIT_CANCELLED: distribute(); return 0;
-      case LWS_CALLBACK_HTTP: return refuse(wsi, HTTP_STATUS_BAD_REQUEST, "This is a server for Foxglove: open ws://");
+      case LWS_CALLBACK_EVENT_WAIT_CANCELLED:
+        distribute();
+        return 0;
+      case LWS_CALLBACK_HTTP:
+        return refuse(wsi, HTTP_STATUS_BAD_REQUEST, "This is a server for Foxglove: open ws://");
       case LWS_CALLBACK_HTTP_CONFIRM_UPGRADE:
         if (!offers_subprotocol(offered(wsi))) {
           return refuse(wsi, HTTP_STATUS_BAD_REQUEST, "Sec-WebSocket-Protocol must be foxglove.sdk.v1");
         }
         return viewers_.size() < kMostViewers ? 0 : refuse(wsi, HTTP_STATUS_SERVICE_UNAVAILABLE, "too many viewers");
-      case LWS_CALLBACK_ESTABLISHED: *viewer = welcome(wsi); return 0;
-      case LWS_CALLBACK_RECEIVE: return hear(wsi, **viewer, {static_cast<const char*>(in), length});
-      case LWS_CALLBACK_SERVER_WRITEABLE: return write(wsi, **viewer);
-      case LWS_CALLBACK_CLOSED: leave(wsi); return 0;
-      default: return 0;
+      case LWS_CALLBACK_ESTABLISHED:
+        *viewer = welcome(wsi);
+        return 0;
+      case LWS_CALLBACK_RECEIVE:
+        return hear(wsi, **viewer, {static_cast<const char*>(in), length});
+      case LWS_CALLBACK_SERVER_WRITEABLE:
+        return write(wsi, **viewer);
+      case LWS_CALLBACK_CLOSED:
+        leave(wsi);
+        return 0;
+      default:
+        return 0;
     }
   }
 

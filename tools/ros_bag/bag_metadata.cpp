@@ -22,8 +22,8 @@ std::string qos_profiles(const ros_view::Topic& topic) {
   return "- history: " + std::to_string(kKeepLast) + "\n  depth: " + std::to_string(topic.depth) +
          "\n  reliability: " + std::to_string(kReliable) +
          "\n  durability: " + std::to_string(topic.kept ? kTransientLocal : kVolatile) + "\n  deadline:" + kInfinite +
-         "  lifespan:" + kInfinite + "  liveliness: " + std::to_string(kAutomatic) + "\n  liveliness_lease_duration:" +
-         kInfinite + "  avoid_ros_namespace_conventions: false\n";
+         "  lifespan:" + kInfinite + "  liveliness: " + std::to_string(kAutomatic) +
+         "\n  liveliness_lease_duration:" + kInfinite + "  avoid_ros_namespace_conventions: false\n";
 }
 
 std::string bag_information(const BagContent& content, int indent) {

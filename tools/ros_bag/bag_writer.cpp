@@ -57,9 +57,9 @@ void BagWriter::write(std::size_t index, const ros_view::Topic& topic, std::uint
       schema = file_->add_schema({.name = topic.type, .encoding = "ros2msg", .data = topic.definition});
     }
     const mcap::Text metadata = {{"offered_qos_profiles", qos_profiles(topic)}, {"topic_type_hash", topic.type_hash}};
-    channel = {file_->add_channel(
-                   {.schema_id = schema, .topic = topic.name, .message_encoding = "cdr", .metadata = metadata}),
-               content_.topics.size()};
+    channel = {
+        file_->add_channel({.schema_id = schema, .topic = topic.name, .message_encoding = "cdr", .metadata = metadata}),
+        content_.topics.size()};
     content_.topics.push_back({topic});
   }
   std::uint64_t& count = content_.topics[channel->place].messages;

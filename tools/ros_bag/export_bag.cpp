@@ -18,7 +18,7 @@ namespace farrier::ros_bag {
 namespace {
 
 constexpr std::uint64_t kFrame_ns = 50'000'000;
-constexpr std::uint64_t kViewBegin_ns = 1'000'000'000;  // for the view 0 is no time
+constexpr std::uint64_t kViewBegin_ns = 1'000'000'000;   // for the view 0 is no time
 constexpr std::uint64_t kLongestLag_ns = 2'000'000'000;  // of a topic behind another: recorders write them in blocks
 constexpr Tick kMostTicks = 4'000'000'000;               // 46 days at 1 kHz; more is damage
 

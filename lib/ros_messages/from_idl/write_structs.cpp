@@ -66,8 +66,8 @@ class Writer {
         throw std::runtime_error("unexpected word: " + word);
       }
     }
-    out_ << "\n/// List<...> of every message.\ntemplate <template <class...> class List>\nusing AllMessages = List<" << all_
-         << ">;\n\n}  // namespace farrier::ros_messages\n";
+    out_ << "\n/// List<...> of every message.\ntemplate <template <class...> class List>\nusing AllMessages = List<"
+         << all_ << ">;\n\n}  // namespace farrier::ros_messages\n";
   }
 
  private:
