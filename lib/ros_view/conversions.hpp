@@ -55,8 +55,8 @@ std::optional<nav_msgs::Odometry> odometry(const signals::BodyState& state, cons
 tf2_msgs::TFMessage transform(const nav_msgs::Odometry& odometry);
 
 /// The force of the ground on a foot as locomotion feels it by the joint torques, in the frame of the foot, of which the
-/// origin is the middle of the foot's sphere. The torque is 0: a foot is a point. `leg` is a place in Robot::body. None if
-/// a joint of the leg is not heard, or a number is not finite.
+/// origin is the middle of the foot's sphere. The torque is 0: a foot is a point. `leg` is a place in Robot::body. Empty
+/// if a joint of the leg is not heard, or a number is not finite.
 std::optional<geometry_msgs::WrenchStamped> foot_wrench(const robot::Robot& robot, std::size_t leg,
                                                         const signals::BodyState& state,
                                                         std::span<const JointSamples> joints, const Time& stamp);

@@ -123,7 +123,7 @@ TEST_F(Bag, OfARecordingThatLacksTopicsIsWithoutThemAndSaysSo) {
   EXPECT_EQ(topics.size(), 3u) << "joint_states, dynamic_joint_states, robot_description";
 }
 
-TEST_F(Bag, NothingIsLeftOfARefusal) {
+TEST_F(Bag, ARefusalLeavesNoFolder) {
   const std::string folder = scratch_->file("refused");
   std::string output;
   EXPECT_EQ(run_farrier({"export", "--ros2", scratch_->file("out/trace.csv"), folder}, &output), 2) << output;

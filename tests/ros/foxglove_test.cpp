@@ -13,7 +13,7 @@ namespace foxglove_test {
 
 using nlohmann::json;
 
-/// What a script of tests/ros/npm prints about the server at this address.
+/// Runs a script of tests/ros/npm; returns the JSON that it prints.
 json run_script(const std::vector<std::string>& arguments) {
   const ScratchDirectory scratch;
   const auto ran = run_tool({"node", "nodejs"}, arguments, FARRIER_ROS_NPM, scratch.file("said.json"));

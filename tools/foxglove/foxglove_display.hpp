@@ -14,7 +14,7 @@ namespace farrier::foxglove {
 /// A running robot for viewers that speak Foxglove's protocol: the topics of RobotMessages.
 class FoxgloveDisplay final : public display::Display {
  public:
-  /// How often step() is to be called.
+  /// Time between calls of step().
   static constexpr std::chrono::milliseconds kStep{10};
 
   /// Opens the server. `robot` must outlive it. Refuses an address that cannot be had.

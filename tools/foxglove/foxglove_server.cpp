@@ -63,9 +63,9 @@ class FoxgloveServer::Impl {
       FARRIER_TRY(display::check_listening(address));  // with the system's reason
     }
     // The first has requests that are no upgrades, and upgrades that name no protocol.
-    protocols_ = {lws_protocols{"http", &Impl::on_event, sizeof(Viewer*), kReadBytes, 0, nullptr, 0},
-                  lws_protocols{kSubprotocols[0], &Impl::on_event, sizeof(Viewer*), kReadBytes, 0, nullptr, 0},
-                  lws_protocols{kSubprotocols[1], &Impl::on_event, sizeof(Viewer*), kReadBytes, 0, nullptr, 0},
+    protocols_ = {lws_protocols{"http", &Impl::on_event, sizeof(void*), kReadBytes, 0, nullptr, 0},
+                  lws_protocols{kSubprotocols[0], &Impl::on_event, sizeof(void*), kReadBytes, 0, nullptr, 0},
+                  lws_protocols{kSubprotocols[1], &Impl::on_event, sizeof(void*), kReadBytes, 0, nullptr, 0},
                   lws_protocols{}};
     retry_.secs_since_valid_ping = kPing_s;
     retry_.secs_since_valid_hangup = kHangUp_s;
@@ -248,7 +248,7 @@ class FoxgloveServer::Impl {
   std::mutex mutex_;
   std::vector<std::shared_ptr<const SharedMessage>> arriving_;
 
-  // Of the thread.
+  // Used by the thread alone.
   std::map<lws*, Viewer> viewers_;
   std::vector<std::deque<std::shared_ptr<const SharedMessage>>> kept_;  // by topic
   std::vector<std::uint8_t> bytes_;

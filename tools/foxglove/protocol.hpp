@@ -37,7 +37,7 @@ class Subscriptions {
  public:
   explicit Subscriptions(std::size_t channels) : ids_(channels) {}
 
-  /// What a text of the viewer leads to.
+  /// Effect of a text of the viewer.
   struct Outcome {
     std::vector<std::size_t> begun;     ///< channels
     std::vector<std::string> problems;  ///< sentences; what else the text says counts all the same

@@ -17,12 +17,12 @@ struct SharedMessage {
   std::vector<std::uint8_t> cdr;
 };
 
-/// One viewer that is connected: what it has subscribed to, and what waits until its connection takes it. What waits is
+/// One viewer that is connected: what it has subscribed to, and what waits until its connection takes it. The queue is
 /// bounded: old messages go first, and are counted.
 class Viewer {
  public:
   static constexpr std::size_t kMostWaitingBytes = 4u << 20;
-  /// Of texts, and of messages that are kept for late joiners, which are not dropped. Beyond it the viewer has to go.
+  /// Texts, and messages that are kept for late joiners, are not dropped. Beyond this sum the viewer has to go.
   static constexpr std::size_t kMostOwedBytes = 8u << 20;
   static constexpr std::size_t kLargestText = 64u << 10;
 

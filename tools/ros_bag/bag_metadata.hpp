@@ -8,7 +8,7 @@
 
 namespace farrier::ros_bag {
 
-/// What rosbag2 knows of a bag of one file.
+/// Content of a bag of one file, as rosbag2 describes it.
 struct BagContent {
   struct TopicCount {
     ros_view::Topic topic;

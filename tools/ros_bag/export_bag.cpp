@@ -146,7 +146,7 @@ class Exporter {
     }
   }
 
-  /// What has come so far is of earlier times.
+  /// Samples up to now are of earlier times, so that messages can be made of them.
   void advance(std::uint64_t time_ns) {
     if (time_ns <= now_ns_) {
       return;

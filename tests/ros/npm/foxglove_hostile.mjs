@@ -6,7 +6,7 @@ import { request } from "node:http";
 const url = process.argv[2];
 const kLimit_ms = 20_000;
 
-/// What comes of a connection that does this once it is advertised to.
+/// Opens a connection, does this once channels are advertised, and resolves with the answer.
 function after(act) {
   return new Promise((resolve) => {
     const socket = new WebSocket(url, ["foxglove.websocket.v1"]);

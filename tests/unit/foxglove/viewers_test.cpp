@@ -75,7 +75,7 @@ TEST(Viewer, LosesItsOldestMessagesAndIsToldOnceItReadsAgain) {
   EXPECT_NE(told.find("2 messages were dropped"), std::string::npos) << told;
 }
 
-TEST(Viewer, WhoeverAsksAndNeverReadsIsHopeless) {
+TEST(Viewer, IsHopelessIfItAsksAndNeverReads) {
   Viewer viewer(1);
   for (int i = 0; i < 200'000 && !viewer.is_hopeless(); ++i) {
     ASSERT_TRUE(viewer.take("{}", true));
