@@ -90,7 +90,7 @@ TEST(Commands, InBlocksForTheShellAreTaken) {
 // In a sentence a command may be short of arguments or name several; command and options must be there.
 TEST(Commands, InSentencesNameCommandsAndOptionsThatAreThere) {
   static const std::regex command(R"re(^(?:\./)?farrier ([a-z]+))re");
-  static const std::regex option(R"re((?:^|\s)(--[a-z-]+))re");
+  static const std::regex option(R"re((?:^|\s)(--[a-z0-9-]+))re");
   std::function<int()> run;
   const auto app = cli::command_line(cli::all_verbs(), run);
   const std::vector<cli::CommandText> commands = cli::command_texts(*app);

@@ -18,7 +18,7 @@ struct ServerCounts {
   std::uint64_t dropped = 0;  ///< messages that slow viewers left no room for
 };
 
-/// A server of Foxglove's protocol, on a thread of its own. Viewers can only read. Each has a queue of its own: whoever
+/// A server of Foxglove's protocol, on a thread of its own. Viewers can only read. Each has a queue of its own: one that
 /// reads slowly loses messages, and delays nobody.
 class FoxgloveServer {
  public:
