@@ -24,7 +24,7 @@ install(DIRECTORY deploy/foxglove deploy/monitoring DESTINATION share/farrier CO
 install(TARGETS bare_exchange farrier_wall_clock ${FARRIER_FAULTY_PROGRAMS} DESTINATION libexec/farrier COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.
-set(FARRIER_EXPORTED core signals config runtime plant control estimation gait body locomotion robot bus bus_cyclone
+set(FARRIER_EXPORTED core signals config runtime plant control estimation gait body locomotion robot bus cyclone_base bus_cyclone
   bus_fastdds bus_factory participant process security wire_gains)
 foreach(library IN LISTS FARRIER_EXPORTED)
   if(NOT TARGET farrier_${library})

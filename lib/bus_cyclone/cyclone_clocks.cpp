@@ -6,7 +6,6 @@
 
 #include "bus/topics.hpp"
 #include "bus_cyclone/cyclone_endpoints.hpp"
-#include "bus_cyclone/cyclone_guid.hpp"
 #include "bus_cyclone/cyclone_qos.hpp"
 
 namespace farrier::bus_cyclone {
@@ -21,7 +20,7 @@ std::string writer_of(dds_entity_t reader, dds_instance_handle_t publication) {
   if (endpoint == nullptr) {
     return {};
   }
-  std::string prefix = prefix_text(endpoint->participant_key);
+  std::string prefix = cyclone_base::prefix_text(endpoint->participant_key);
   dds_builtintopic_free_endpoint(endpoint);
   return prefix;
 }
@@ -33,8 +32,7 @@ std::vector<bus::DiscoveredClock> compare_clocks(dds_entity_t participant, Nanos
   endpoint.qos.reliability = bus::Reliability::kBestEffort;
   const dds_entity_t topic = dds_create_topic(participant, &topic_descriptor(endpoint.topic),
                                               bus::spec(endpoint.topic).name, nullptr, nullptr);
-  const dds_entity_t subscriber =
-      dds_create_subscriber(participant, partition_qos(endpoint.partitions).get(), nullptr);
+  const dds_entity_t subscriber = dds_create_subscriber(participant, partition_qos(endpoint.partitions).get(), nullptr);
   const dds_entity_t reader = dds_create_reader(subscriber, topic, endpoint_qos(endpoint).get(), nullptr);
   std::map<std::string, dds_duration_t> ahead;
   const dds_time_t end = dds_time() + how_long.count();

@@ -1,5 +1,7 @@
 #include "bus_cyclone/cyclone_config.hpp"
 
+#include "cyclone_base/cyclone_base.hpp"
+
 namespace farrier::bus_cyclone {
 namespace {
 
@@ -23,28 +25,20 @@ constexpr const char* kMessageSize = "34000 B";
 // announces itself at once and everyone answers.
 constexpr const char* kAnnouncementPeriod = "5 s";
 
-std::string element(const std::string& name, const std::string& content) {
-  return '<' + name + '>' + content + "</" + name + '>';
-}
-
 }  // namespace
 
 std::string cyclone_config(const bus::NetworkOptions& options) {
-  std::string peers;
-  for (const std::string& peer : options.peers) {
-    peers += "<Peer Address=\"" + peer + "\"/>";
-  }
-  const std::string general = "<Interfaces><NetworkInterface address=\"" + options.address +
-                              "\"/></Interfaces>" + element("AllowMulticast", "false") +
-                              element("Transport", "udp") + element("FragmentSize", kFragmentSize) +
-                              element("MaxMessageSize", kMessageSize);
+  using cyclone_base::element;
+  const std::string general = "<Interfaces><NetworkInterface address=\"" + options.address + "\"/></Interfaces>" +
+                              element("AllowMulticast", "false") + element("Transport", "udp") +
+                              element("FragmentSize", kFragmentSize) + element("MaxMessageSize", kMessageSize);
   // Cyclone 0.10 announces itself to this index, too, but does not take it for itself.
   const int max_index = options.max_processes;
-  const std::string discovery = element("ExternalDomainId", std::to_string(options.domain)) +
-                                element("ParticipantIndex", "auto") +
-                                element("MaxAutoParticipantIndex", std::to_string(max_index)) +
-                                element("Peers", peers) + element("SPDPInterval", kAnnouncementPeriod) +
-                                element("LeaseDuration", std::to_string(options.lease.count()) + " s");
+  const std::string discovery =
+      element("ExternalDomainId", std::to_string(options.domain)) + element("ParticipantIndex", "auto") +
+      element("MaxAutoParticipantIndex", std::to_string(max_index)) +
+      element("Peers", cyclone_base::peer_elements(options.peers)) + element("SPDPInterval", kAnnouncementPeriod) +
+      element("LeaseDuration", std::to_string(options.lease.count()) + " s");
   // Data have a thread of their own, which waits in recvmsg; one thread for all sockets asks select before each datagram.
   // Writers hold samples until they are flushed: those of one tick share a datagram.
   const std::string internal = element("MultipleReceiveThreads", "true") + element("WriteBatch", "true") +

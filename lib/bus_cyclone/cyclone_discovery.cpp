@@ -5,7 +5,6 @@
 
 #include "bus_cyclone/cyclone_clocks.hpp"
 #include "bus_cyclone/cyclone_domain.hpp"
-#include "bus_cyclone/cyclone_guid.hpp"
 
 namespace farrier::bus_cyclone {
 namespace {
@@ -19,21 +18,21 @@ bus::Qos qos_of(const dds_qos_t* announced) {
   dds_reliability_kind_t reliability = DDS_RELIABILITY_BEST_EFFORT;
   dds_duration_t time = DDS_INFINITY;
   dds_qget_reliability(announced, &reliability, &time);
-  qos.reliability = reliability == DDS_RELIABILITY_RELIABLE ? bus::Reliability::kReliable
-                                                            : bus::Reliability::kBestEffort;
+  qos.reliability =
+      reliability == DDS_RELIABILITY_RELIABLE ? bus::Reliability::kReliable : bus::Reliability::kBestEffort;
   dds_durability_kind_t durability = DDS_DURABILITY_VOLATILE;
   dds_qget_durability(announced, &durability);
   // Transient and persistent offer more than transient local, which is what is asked for here.
-  qos.durability = durability == DDS_DURABILITY_VOLATILE ? bus::Durability::kVolatile
-                                                         : bus::Durability::kTransientLocal;
+  qos.durability =
+      durability == DDS_DURABILITY_VOLATILE ? bus::Durability::kVolatile : bus::Durability::kTransientLocal;
   time = DDS_INFINITY;
   dds_qget_deadline(announced, &time);
   qos.deadline = time_of(time);
   dds_liveliness_kind_t liveliness = DDS_LIVELINESS_AUTOMATIC;
   time = DDS_INFINITY;
   dds_qget_liveliness(announced, &liveliness, &time);
-  qos.liveliness = liveliness == DDS_LIVELINESS_AUTOMATIC ? bus::Liveliness::kAutomatic
-                                                          : bus::Liveliness::kManualByTopic;
+  qos.liveliness =
+      liveliness == DDS_LIVELINESS_AUTOMATIC ? bus::Liveliness::kAutomatic : bus::Liveliness::kManualByTopic;
   qos.lease = time_of(time);
   dds_ownership_kind_t ownership = DDS_OWNERSHIP_SHARED;
   dds_qget_ownership(announced, &ownership);
@@ -57,7 +56,7 @@ std::vector<std::string> partitions_of(const dds_qos_t* announced) {
 
 bus::DiscoveredEndpoint endpoint_of(const dds_builtintopic_endpoint_t& announced, bool writes) {
   bus::DiscoveredEndpoint endpoint{.writes = writes,
-                                   .participant = prefix_text(announced.participant_key),
+                                   .participant = cyclone_base::prefix_text(announced.participant_key),
                                    .topic = announced.topic_name,
                                    .type = announced.type_name,
                                    .qos = qos_of(announced.qos),
@@ -96,18 +95,18 @@ Result<bus::Discovery> discover(const bus::NetworkOptions& options, Nanoseconds 
   const dds_entity_t participant = joined;
   dds_guid_t self{};
   dds_get_guid(participant, &self);
-  const std::string own = prefix_text(self);
+  const std::string own = cyclone_base::prefix_text(self);
   bus::Discovery found;
   found.clocks = compare_clocks(participant, how_long);
   for_each_alive<dds_builtintopic_participant_t>(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, [&](const auto& p) {
-    if (prefix_text(p.key) != own) {
-      found.participants.push_back(prefix_text(p.key));
+    if (cyclone_base::prefix_text(p.key) != own) {
+      found.participants.push_back(cyclone_base::prefix_text(p.key));
     }
   });
   for (const bool writes : {true, false}) {
     const dds_entity_t topic = writes ? DDS_BUILTIN_TOPIC_DCPSPUBLICATION : DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION;
     for_each_alive<dds_builtintopic_endpoint_t>(participant, topic, [&](const auto& endpoint) {
-      if (prefix_text(endpoint.participant_key) != own) {
+      if (cyclone_base::prefix_text(endpoint.participant_key) != own) {
         found.endpoints.push_back(endpoint_of(endpoint, writes));
       }
     });

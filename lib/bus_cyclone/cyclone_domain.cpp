@@ -45,10 +45,6 @@ Domain open_domain_with(const std::string& config, const bus::NetworkOptions& op
 
 }  // namespace
 
-Error refused(const std::string& what, dds_return_t code) {
-  return Error{"Cyclone refuses " + what + ": " + dds_strretcode(code)};
-}
-
 Result<Domain> open_domain(const bus::NetworkOptions& options) {
   if (options.domain < 0 || options.domain > kMaxDomain) {
     return Error{"DDS domain " + std::to_string(options.domain) + " is outside 0.." + std::to_string(kMaxDomain)};

@@ -6,6 +6,7 @@
 
 #include "bus/network.hpp"
 #include "core/result.hpp"
+#include "cyclone_base/cyclone_base.hpp"
 
 namespace farrier::bus_cyclone {
 
@@ -15,8 +16,7 @@ struct Domain {
   dds_domainid_t number;  ///< Cyclone's own, by which its log distinguishes domains of a process
 };
 
-/// Error for a call that Cyclone refused, with its reason.
-Error refused(const std::string& what, dds_return_t code);
+using cyclone_base::refused;
 
 /// Opens the domain of `options`. The settings of a user's CYCLONEDDS_URI that bus::cyclone_settings honours are read after
 /// those made here. If Cyclone refuses them, they are set aside, which is said on stderr.

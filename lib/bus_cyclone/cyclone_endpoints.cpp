@@ -146,7 +146,7 @@ Result<std::unique_ptr<bus::RawReader>> make_typed_reader(dds_entity_t subscribe
   auto reader = std::make_unique<CycloneReader<Signal>>(std::move(notifier));
   const dds_return_t opened = reader->open(subscriber, topic, qos);
   if (opened < 0) {
-    return Error{std::string("Cyclone refuses the reader of ") + bus::spec(bus::TopicOf<Signal>::id).name + ": " + dds_strretcode(opened)};
+    return cyclone_base::refused(std::string("the reader of ") + bus::spec(bus::TopicOf<Signal>::id).name, opened);
   }
   return std::unique_ptr<bus::RawReader>(std::move(reader));
 }
@@ -158,7 +158,7 @@ struct TopicFactory {
   decltype(&make_typed_reader<signals::ClockTick>) reader;
 };
 
-#define FARRIER_FACTORY(Signal, file)                                                \
+#define FARRIER_FACTORY(Signal, file)                                                   \
   TopicFactory{&Wire<signals::Signal>::descriptor, &wrap_typed_writer<signals::Signal>, \
                &make_typed_reader<signals::Signal>},
 constexpr std::array<TopicFactory, bus::kTopicCount> kFactories{FARRIER_SIGNALS(FARRIER_FACTORY)};
@@ -174,9 +174,8 @@ std::unique_ptr<bus::RawWriter> wrap_writer(bus::TopicId topic, dds_entity_t wri
   return factory(topic).writer(writer, bus::spec(topic).sending);
 }
 
-Result<std::unique_ptr<bus::RawReader>> make_reader(bus::TopicId topic, dds_entity_t subscriber,
-                                                    dds_entity_t dds_topic, const dds_qos_t& qos,
-                                                    std::shared_ptr<bus::Notifier> notifier) {
+Result<std::unique_ptr<bus::RawReader>> make_reader(bus::TopicId topic, dds_entity_t subscriber, dds_entity_t dds_topic,
+                                                    const dds_qos_t& qos, std::shared_ptr<bus::Notifier> notifier) {
   return factory(topic).reader(subscriber, dds_topic, qos, std::move(notifier));
 }
 

@@ -33,12 +33,9 @@ QosPtr participant_qos(const std::optional<bus::SecurityFiles>& security) {
   use_plugin(*qos, "access", "dds_security_ac", "access_control");
   use_plugin(*qos, "crypto", "dds_security_crypto", "crypto");
   const std::pair<const char*, const std::string&> files[] = {
-      {"dds.sec.auth.identity_ca", security->identity_ca},
-      {"dds.sec.auth.identity_certificate", security->certificate},
-      {"dds.sec.auth.private_key", security->private_key},
-      {"dds.sec.access.permissions_ca", security->permissions_ca},
-      {"dds.sec.access.governance", security->governance},
-      {"dds.sec.access.permissions", security->permissions}};
+      {"dds.sec.auth.identity_ca", security->identity_ca}, {"dds.sec.auth.identity_certificate", security->certificate},
+      {"dds.sec.auth.private_key", security->private_key}, {"dds.sec.access.permissions_ca", security->permissions_ca},
+      {"dds.sec.access.governance", security->governance}, {"dds.sec.access.permissions", security->permissions}};
   for (const auto& [name, path] : files) {
     dds_qset_prop(qos.get(), name, ("file:" + path).c_str());
   }
@@ -59,28 +56,18 @@ QosPtr partition_qos(const std::vector<std::string>& partitions) {
 
 QosPtr endpoint_qos(const bus::EndpointSpec& endpoint) {
   const bus::Qos& wanted = endpoint.qos;
-  QosPtr qos(dds_create_qos());
-  dds_qset_reliability(qos.get(),
-                       wanted.reliability == bus::Reliability::kReliable ? DDS_RELIABILITY_RELIABLE
-                                                                         : DDS_RELIABILITY_BEST_EFFORT,
-                       kMaxBlockingTime);
-  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, wanted.history_depth);
-  dds_qset_durability(qos.get(), wanted.durability == bus::Durability::kTransientLocal
-                                     ? DDS_DURABILITY_TRANSIENT_LOCAL
-                                     : DDS_DURABILITY_VOLATILE);
-  // This, not the history, sets what a transient-local writer keeps for late joiners.
-  dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, wanted.history_depth, DDS_LENGTH_UNLIMITED,
-                              DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
+  QosPtr qos = cyclone_base::endpoint_qos(wanted.history_depth);
+  dds_qset_reliability(
+      qos.get(),
+      wanted.reliability == bus::Reliability::kReliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
+      kMaxBlockingTime);
+  dds_qset_durability(qos.get(), wanted.durability == bus::Durability::kTransientLocal ? DDS_DURABILITY_TRANSIENT_LOCAL
+                                                                                       : DDS_DURABILITY_VOLATILE);
   dds_qset_deadline(qos.get(), wanted.deadline.count());
   dds_qset_liveliness(qos.get(), liveliness_kind(wanted.liveliness), wanted.lease.count());
-  dds_qset_ownership(qos.get(), wanted.ownership == bus::Ownership::kExclusive ? DDS_OWNERSHIP_EXCLUSIVE
-                                                                               : DDS_OWNERSHIP_SHARED);
+  dds_qset_ownership(qos.get(),
+                     wanted.ownership == bus::Ownership::kExclusive ? DDS_OWNERSHIP_EXCLUSIVE : DDS_OWNERSHIP_SHARED);
   dds_qset_ownership_strength(qos.get(), endpoint.ownership_strength);
-  // A key whose writer ended is kept: no sample of ours means "gone".
-  dds_qset_writer_data_lifecycle(qos.get(), false);
-  // The only representation Fast DDS 2.9 knows.
-  const dds_data_representation_id_t representation = DDS_DATA_REPRESENTATION_XCDR1;
-  dds_qset_data_representation(qos.get(), 1, &representation);
   return qos;
 }
 

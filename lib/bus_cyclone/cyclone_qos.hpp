@@ -2,20 +2,17 @@
 
 #include <dds/dds.h>
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "bus/bus.hpp"
 #include "bus/network.hpp"
+#include "cyclone_base/cyclone_base.hpp"
 
 namespace farrier::bus_cyclone {
 
-struct QosDeleter {
-  void operator()(dds_qos_t* qos) const noexcept { dds_delete_qos(qos); }
-};
-using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
+using cyclone_base::QosPtr;
 
 /// QoS of a participant: DDS Security as the files say, or none.
 QosPtr participant_qos(const std::optional<bus::SecurityFiles>& security);

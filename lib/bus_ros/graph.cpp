@@ -5,15 +5,13 @@
 #include <string_view>
 
 #include "bus_ros/cyclone_ros_endpoints.hpp"
-#include "bus_ros/ros_domain.hpp"
+#include "cyclone_base/cyclone_base.hpp"
 
 namespace farrier::bus_ros {
 namespace {
 
-constexpr std::size_t kPrefixBytes = 12;  // of a GUID, which all entities of a participant share
-
 bool same_participant(const dds_guid_t& guid, const Gid& gid) {
-  return std::equal(gid.begin(), gid.begin() + kPrefixBytes, std::begin(guid.v));
+  return std::equal(gid.begin(), gid.begin() + cyclone_base::kPrefixBytes, std::begin(guid.v));
 }
 
 bool has_hash(const dds_qos_t* qos) {
@@ -44,7 +42,7 @@ Result<GraphWatch> GraphWatch::create(dds_entity_t participant) {
   for (const dds_entity_t topic : {DDS_BUILTIN_TOPIC_DCPSPUBLICATION, DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION}) {
     const dds_entity_t reader = dds_create_reader(participant, topic, nullptr, nullptr);
     if (reader < 0) {
-      return refused_by_cyclone("a reader of discovery", reader);
+      return cyclone_base::refused("a reader of discovery", reader);
     }
     readers.push_back(reader);
   }

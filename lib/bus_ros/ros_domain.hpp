@@ -18,7 +18,4 @@ Result<dds_entity_t> open_ros_domain(const Network& network);
 /// A participant of that domain with the user data of a ROS context: "enclave=/;".
 Result<dds_entity_t> join_ros_domain(dds_entity_t domain);
 
-/// "Cyclone refuses <what>: <reason>"
-Error refused_by_cyclone(const std::string& what, dds_return_t code);
-
 }  // namespace farrier::bus_ros

@@ -9,27 +9,16 @@
 #include "bus_ros/cyclone_ros_endpoints.hpp"
 #include "bus_ros/ros_domain.hpp"
 #include "bus_ros/ros_types.hpp"
+#include "cyclone_base/cyclone_base.hpp"
 
 namespace farrier::bus_ros {
 namespace {
 
-struct QosDeleter {
-  void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
-};
-using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
-
-/// As both rmw implementations have them: XCDR1, no partition, no automatic disposal. A reliable writer of ours never
-/// waits for a slow reader.
-QosPtr dds_qos(const RosQos& wanted, const std::string& user_data) {
-  QosPtr qos(dds_create_qos());
+/// As both rmw implementations have them, without a partition. A reliable writer of ours never waits for a slow reader.
+cyclone_base::QosPtr dds_qos(const RosQos& wanted, const std::string& user_data) {
+  cyclone_base::QosPtr qos = cyclone_base::endpoint_qos(wanted.depth);
   dds_qset_reliability(qos.get(), wanted.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, 0);
-  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, wanted.depth);
   dds_qset_durability(qos.get(), wanted.transient_local ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
-  dds_qset_durability_service(qos.get(), 0, DDS_HISTORY_KEEP_LAST, wanted.depth, DDS_LENGTH_UNLIMITED,
-                              DDS_LENGTH_UNLIMITED, DDS_LENGTH_UNLIMITED);
-  dds_qset_writer_data_lifecycle(qos.get(), false);
-  const dds_data_representation_id_t representation = DDS_DATA_REPRESENTATION_XCDR1;
-  dds_qset_data_representation(qos.get(), 1, &representation);
   if (!user_data.empty()) {
     dds_qset_userdata(qos.get(), user_data.data(), user_data.size());
   }
@@ -138,7 +127,7 @@ Result<dds_entity_t> open_topic(dds_entity_t participant, const std::string& top
     return Error{"ros.idl has no message " + ros_type};
   }
   const dds_entity_t entity = dds_create_topic(participant, type, topic.c_str(), nullptr, nullptr);
-  return entity < 0 ? Result<dds_entity_t>(refused_by_cyclone("topic " + topic, entity)) : entity;
+  return entity < 0 ? Result<dds_entity_t>(cyclone_base::refused("topic " + topic, entity)) : entity;
 }
 
 }  // namespace
@@ -158,7 +147,7 @@ Result<std::shared_ptr<RawRosWriter>> open_writer(dds_entity_t participant, cons
   const dds_entity_t writer = dds_create_writer(participant, entity, dds_qos(qos, user_data).get(), nullptr);
   dds_delete(entity);  // the writer keeps it
   if (writer < 0) {
-    return refused_by_cyclone("a writer of " + topic, writer);
+    return cyclone_base::refused("a writer of " + topic, writer);
   }
   return std::shared_ptr<RawRosWriter>(std::make_shared<CycloneRosWriter>(writer, *descriptor_of(ros_type)));
 }
@@ -170,7 +159,7 @@ Result<std::shared_ptr<RawRosReader>> open_reader(dds_entity_t participant, cons
   const dds_entity_t reader = dds_create_reader(participant, entity, dds_qos(qos, user_data).get(), nullptr);
   dds_delete(entity);
   if (reader < 0) {
-    return refused_by_cyclone("a reader of " + topic, reader);
+    return cyclone_base::refused("a reader of " + topic, reader);
   }
   return std::shared_ptr<RawRosReader>(std::make_shared<CycloneRosReader>(reader));
 }

@@ -12,9 +12,11 @@ namespace farrier::bus_ros {
 enum class Discovery {
   kLocalhost,  ///< on this computer, by unicast
   kSubnet,     ///< on the network of the interface, by multicast
+  kOff,        ///< nowhere: no node finds this one, and it finds none
 };
 inline constexpr std::array kDiscoveries{Option<Discovery>{"localhost", Discovery::kLocalhost},
-                                         Option<Discovery>{"subnet", Discovery::kSubnet}};
+                                         Option<Discovery>{"subnet", Discovery::kSubnet},
+                                         Option<Discovery>{"off", Discovery::kOff}};
 
 /// Form of the graph message, ros_discovery_info, which tells other nodes this node's name and endpoints.
 enum class Graph {
