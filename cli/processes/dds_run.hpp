@@ -35,8 +35,9 @@ struct DdsRun {
   DdsChoice dds = DdsChoice::kCyclone;
   run::Grouping grouping = run::Grouping::kPerLeg;
   participant::ProcessOptions common;
-  std::string executables;  ///< directory of the node executables
-  std::string locomotion;   ///< path of a program that runs in place of locomotion; empty: the shipped one
+  std::string executables;     ///< directory of the node executables
+  std::string locomotion;      ///< path of a program that runs in place of locomotion; empty: the shipped one
+  bool no_locomotion = false;  ///< none is started: a process that somebody else starts takes its part
   std::string log_directory;
   std::string record_path;  ///< a recording of everything goes there; empty: none
   mcap::Text record_facts;  ///< recording::kRunFacts of it

@@ -59,7 +59,7 @@ Result<std::vector<ChildProcess>> start_children(const DdsRun& run, const partic
                                                  const std::vector<run::Member>& members, const HostClock* clock) {
   std::vector<ChildProcess> children;
   for (const run::Member& member : members) {
-    if (member.executable.empty()) {
+    if (member.executable.empty() || (run.no_locomotion && member.number == participant::kLocomotion)) {
       continue;
     }
     children.push_back(FARRIER_TRY(start_child(run, common, member, member.name, member.name, clock)));

@@ -2,13 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <memory>
-#include <sstream>
+#include <optional>
 
 #include "cli/base/command.hpp"
 #include "cli/base/help.hpp"
 #include "cli/record/guest.hpp"
+#include "cli/ros/ros_network.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
 #include "tools/ros/ros_bridge.hpp"
@@ -18,42 +18,22 @@
 namespace farrier::cli {
 namespace {
 
-using namespace std::chrono_literals;
+constexpr double kVelocityTimeout_s = 0.3;
+constexpr double kJointTimeout_s = 0.1;
+constexpr int kMostParticipants = 256;
 
 struct RosOptions {
   ros_bridge::BridgeOptions bridge;
-  std::string discovery;
+  RosNetworkOptions network;
   std::string graph = "auto";
   std::string urdf;
-  double command_timeout_s = 0.3;
+  bool commands = false;
+  bool joint_commands = false;
+  bool allow_arm = false;
+  std::optional<double> command_timeout_s;
+  int participants = 0;
   GuestOptions guest;
 };
-
-/// A variable of the environment, or `otherwise` where it is not set or empty.
-std::string variable(const char* name, const std::string& otherwise) {
-  const char* const value = std::getenv(name);
-  return value == nullptr || *value == '\0' ? otherwise : value;
-}
-
-/// The discovery range that the environment of ROS names: that of Iron and later, else that of Humble.
-std::string usual_discovery() {
-  const std::string range = variable("ROS_AUTOMATIC_DISCOVERY_RANGE", "");
-  return range == "SUBNET" ? "subnet" : "localhost";
-}
-
-/// Computers of ROS_STATIC_PEERS, which semicolons separate.
-std::vector<std::string> static_peers() {
-  std::vector<std::string> peers;
-  std::istringstream list(variable("ROS_STATIC_PEERS", ""));
-  for (std::string peer; std::getline(list, peer, ';');) {
-    if (!peer.empty()) {
-      peers.push_back(peer);
-    }
-  }
-  return peers;
-}
-
-int usual_domain() { return std::atoi(variable("ROS_DOMAIN_ID", "0").c_str()); }
 
 /// The URDF to publish: that of the user, or one of the robot file; empty for a robot without rigid bodies.
 Result<std::string> description(const RosOptions& o, const robot::Robot& robot) {
@@ -70,6 +50,47 @@ Result<std::string> description(const RosOptions& o, const robot::Robot& robot) 
   return std::move(text).value();
 }
 
+/// What nodes of ROS may do to the robot.
+ros_bridge::CommandOptions commands_of(const RosOptions& o) {
+  ros_bridge::CommandOptions commands;
+  const double timeout_s = o.command_timeout_s.value_or(o.joint_commands ? kJointTimeout_s : kVelocityTimeout_s);
+  commands.timeout = std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(timeout_s));
+  commands.arm = o.allow_arm;
+  if (o.joint_commands) {
+    participant::ProcessOptions& process = commands.joints.emplace();
+    process.robot_path = o.guest.robot_path;
+    process.vendor = bus::parse_vendor(o.guest.vendor).value();
+    process.network = o.guest.network;
+    process.security = o.guest.security;
+    process.participants = static_cast<std::uint16_t>(o.participants);
+  }
+  return commands;
+}
+
+const char* taken_text(const RosOptions& o) {
+  return !o.commands ? "refused" : o.joint_commands ? "of joints, taken from any node" : "taken from any node";
+}
+
+int run_bridge(const RosOptions& o, const robot::Robot& robot, const ros_bridge::BridgeOptions& bridge) {
+  auto bus = join_as_guest(o.guest, o.commands ? bus::Role::kOperator : bus::Role::kMonitor);
+  if (!bus) {
+    return fail("ros", bus.error().message, bus.error().status);
+  }
+  auto made = ros_bridge::RosBridge::create(*bus.value(), robot, bridge);
+  if (!made) {
+    return fail("ros", made.error().message);
+  }
+  const bus_ros::RosNode::Options& node = bridge.node;
+  std::fprintf(stderr, "farrier ros: node %s%s%s in ROS domain %d, discovery %s; commands are %s\n",
+               node.ros_namespace.c_str(), node.ros_namespace == "/" ? "" : "/", node.name.c_str(), node.network.domain,
+               name_of(bus_ros::kDiscoveries, node.network.discovery), taken_text(o));
+  while (!participant::stop_requested()) {
+    nap(*bus.value(), made.value().step(participant::steady_now()));
+  }
+  std::fprintf(stderr, "farrier ros: %s\n", made.value().summary().c_str());
+  return participant::stop_status();
+}
+
 int run_ros(RosOptions o) {
   participant::install_signal_handlers();
   const auto robot = robot::load_robot(o.guest.robot_path);
@@ -78,36 +99,27 @@ int run_ros(RosOptions o) {
     return kBadInput;
   }
   ros_bridge::BridgeOptions& bridge = o.bridge;
-  bridge.node.network.discovery = parse_choice("discovery", bus_ros::kDiscoveries, o.discovery).value();
+  auto network = ros_network(o.network);
+  if (!network) {
+    return refuse("ros", network.error().message);
+  }
+  bridge.node.network = std::move(network).value();
   bridge.node.graph = parse_choice("graph", bus_ros::kGraphs, o.graph).value();
-  bridge.command_timeout = std::chrono::duration_cast<Nanoseconds>(std::chrono::duration<double>(o.command_timeout_s));
   if (bridge.node.ros_namespace.empty()) {
     bridge.node.ros_namespace = "/" + robot.value().name;
   }
-  if (bridge.commands && !robot.value().can_walk()) {
-    return refuse("ros", "--commands: " + robot.value().cannot_walk_error());
+  if (o.commands && !o.joint_commands && !robot.value().can_walk()) {
+    return refuse("ros", "--commands: " + robot.value().cannot_walk_error() + ", or add --joint-commands");
+  }
+  if (o.commands) {
+    bridge.commands = commands_of(o);
   }
   auto urdf = description(o, robot.value());
   if (!urdf) {
     return refuse("ros", urdf.error().message);
   }
   bridge.description = std::move(urdf).value();
-  auto bus = join_as_guest(o.guest, bridge.commands ? bus::Role::kOperator : bus::Role::kMonitor);
-  if (!bus) {
-    return fail("ros", bus.error().message, bus.error().status);
-  }
-  auto made = ros_bridge::RosBridge::create(*bus.value(), robot.value(), bridge);
-  if (!made) {
-    return fail("ros", made.error().message);
-  }
-  std::fprintf(stderr, "farrier ros: node %s%s%s in ROS domain %d, discovery %s; commands are %s\n",
-               bridge.node.ros_namespace.c_str(), bridge.node.ros_namespace == "/" ? "" : "/", bridge.node.name.c_str(),
-               bridge.node.network.domain, o.discovery.c_str(), bridge.commands ? "taken from any node" : "refused");
-  while (!participant::stop_requested()) {
-    nap(*bus.value(), made.value().step(participant::steady_now()));
-  }
-  std::fprintf(stderr, "farrier ros: %s\n", made.value().summary().c_str());
-  return participant::stop_status();
+  return run_bridge(o, robot.value(), bridge);
 }
 
 std::string namespace_error(const std::string& text) {
@@ -118,29 +130,33 @@ std::string namespace_error(const std::string& text) {
   return good ? "" : "give / or a name like /hyq, of letters, digits and _";
 }
 
+void declare_commands(CLI::App& app, RosOptions& o) {
+  CLI::Option* const commands =
+      app.add_flag("--commands", o.commands, "take cmd_vel and stop of any node in the ROS domain");
+  app.add_flag("--joint-commands", o.joint_commands,
+               "with --commands: take joint_commands and impedance_commands in place of cmd_vel, and the part of "
+               "locomotion in a run with --no-locomotion")
+      ->needs(commands);
+  app.add_flag("--allow-arm", o.allow_arm, "with --commands: nodes may also arm the robot, by the topic arm")
+      ->needs(commands);
+  app.add_option("--command-timeout", o.command_timeout_s, "age of the newest command from which on there is none")
+      ->check(between(0.02, 5.0))
+      ->type_name("<s>")
+      ->default_str("0.3; 0.1 with --joint-commands");
+  app.add_option("--participants", o.participants,
+                 "with --joint-commands: processes of the run, where no farrier trot started it")
+      ->check(CLI::Range(2, kMostParticipants))
+      ->type_name("<n>")
+      ->default_str("those that farrier trot started");
+}
+
 }  // namespace
 
 std::function<int()> declare_ros(CLI::App& app) {
   auto o = std::make_shared<RosOptions>();
   ros_bridge::BridgeOptions& bridge = o->bridge;
-  bridge.node.network.domain = usual_domain();
-  bridge.node.network.peers = static_peers();
   bridge.node.ros_namespace.clear();
-  o->discovery = usual_discovery();
-  app.add_option("--ros-domain", bridge.node.network.domain, "domain of the nodes of ROS 2")
-      ->check(CLI::Range(0, 232))
-      ->type_name("<n>")
-      ->default_str("ROS_DOMAIN_ID, else 0");
-  add_name(app, "--ros-discovery", o->discovery, bus_ros::kDiscoveries,
-           "where nodes are searched: on this computer, or on its network by multicast")
-      ->default_str("localhost, or what ROS_AUTOMATIC_DISCOVERY_RANGE says");
-  app.add_option("--ros-address", bridge.node.network.address, "IPv4 address of this computer for ROS 2")
-      ->type_name("<ip>")
-      ->default_str("Cyclone's choice");
-  app.add_option("--ros-peers", bridge.node.network.peers, "further computers to look for nodes on")
-      ->delimiter(',')
-      ->type_name("<ip>,...")
-      ->default_str("ROS_STATIC_PEERS");
+  declare_ros_network(app, o->network);
   app.add_option("--ros-namespace", bridge.node.ros_namespace, "namespace of the topics")
       ->check(namespace_error)
       ->type_name("<name>")
@@ -158,11 +174,7 @@ std::function<int()> declare_ros(CLI::App& app) {
       ->default_str("as farrier robot urdf writes it");
   app.add_flag("--tf", bridge.transforms, "publish /tf from odom to base_link");
   app.add_flag("--sim-time", bridge.simulated_time, "stamps count from tick 0, and /clock says so; for lock-step");
-  app.add_flag("--commands", bridge.commands, "take velocities from cmd_vel, of any node in the ROS domain");
-  app.add_option("--command-timeout", o->command_timeout_s, "age of the newest cmd_vel from which on there is none")
-      ->check(between(0.02, 5.0))
-      ->type_name("<s>")
-      ->capture_default_str();
+  declare_commands(app, *o);
   declare_guest(app, o->guest);
   return [o] { return run_ros(*o); };
 }

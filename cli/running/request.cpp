@@ -7,7 +7,7 @@
 
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
-#include "participant/participant.hpp"
+#include "participant/operator.hpp"
 #include "process/process.hpp"
 #include "cli/base/command.hpp"
 #include "cli/record/guest.hpp"
@@ -19,7 +19,6 @@ using namespace std::chrono_literals;
 
 /// For discovery, the request's way and the answer's.
 constexpr auto kPatience = 5s;
-constexpr auto kAskAgain = 500ms;
 
 struct RequestOptions {
   std::string what;
@@ -27,32 +26,20 @@ struct RequestOptions {
   GuestOptions guest;
 };
 
-/// Asks until the supervisor answers with a mode that is newer than those before; that mode.
+/// Asks until the supervisor answers; the mode of its answer.
 std::optional<signals::SystemMode> ask(bus::Bus& bus, bus::Publisher<signals::SystemRequest>& requests,
-                                       bus::Subscription<signals::SystemMode>& modes, signals::SystemRequest request) {
+                                       bus::Subscription<signals::SystemMode>& modes,
+                                       participant::ModeRequest request) {
   const SteadyTime end = participant::steady_now() + kPatience;
-  SteadyTime next{};
-  std::optional<std::uint32_t> before;
-  std::optional<signals::SystemMode> answer;
-  while (!answer && participant::steady_now() < end && !participant::stop_requested()) {
+  while (!request.answer() && participant::steady_now() < end && !participant::stop_requested()) {
     const std::uint64_t arrivals = bus.arrivals();
-    modes.drain([&](const signals::SystemMode& mode) {
-      if (mode.session != request.session || mode.epoch == 0) {
-        return;
-      }
-      if (request.count > 0 && before && mode.epoch > *before) {
-        answer = mode;
-      }
-      before = std::max(before.value_or(0), mode.epoch);
-    });
-    if (before && requests.matched_readers() > 0 && participant::steady_now() >= next) {
-      next = participant::steady_now() + kAskAgain;
-      ++request.count;
-      requests.publish(request);
+    modes.drain([&](const signals::SystemMode& mode) { request.take(mode); });
+    if (const auto due = request.due(participant::steady_now(), requests.matched_readers() > 0)) {
+      requests.publish(*due);
     }
     bus.wait_for_arrivals(arrivals + 1, 20ms);
   }
-  return answer;
+  return request.answer();
 }
 
 int run_request(const RequestOptions& o) {
@@ -68,8 +55,7 @@ int run_request(const RequestOptions& o) {
   if (!bus) {
     return fail("request", bus.error().message, bus.error().status);
   }
-  const participant::Identity identity{
-      .name = "operator", .robot = robot.value().name, .session = o.session, .clock = bus::ClockKind::kRealtime};
+  const participant::Identity identity = participant::operator_of(robot.value().name, o.session);
   auto requests = bus::Publisher<signals::SystemRequest>::create(
       *bus.value(), participant::endpoint_of(identity, bus::TopicId::kSystemRequest));
   auto modes = bus::Subscription<signals::SystemMode>::create(
@@ -77,11 +63,8 @@ int run_request(const RequestOptions& o) {
   if (!requests || !modes) {
     return fail("request", !requests ? requests.error().message : modes.error().message);
   }
-  signals::SystemRequest request;
-  request.session = o.session;
-  request.tick = 0;
-  request.request = o.what == "arm" ? signals::Request::kArm : signals::Request::kStop;
-  const auto answer = ask(*bus.value(), requests.value(), modes.value(), request);
+  const signals::Request asked = o.what == "arm" ? signals::Request::kArm : signals::Request::kStop;
+  const auto answer = ask(*bus.value(), requests.value(), modes.value(), {o.session, asked});
   if (!answer) {
     return fail("request", "no supervisor of " + robot.value().name + ", session " + std::to_string(o.session) +
                                ", domain " + std::to_string(o.guest.network.domain) +

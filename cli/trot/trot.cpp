@@ -74,6 +74,12 @@ std::string refusal(const robot::Robot& robot, const TrotOptions& o) {
   if (o.soak && o.dds == DdsChoice::kInproc) {
     return "--soak watches the processes of one run over DDS: leave --dds inproc out";
   }
+  if (o.no_locomotion && (!realtime || !o.locomotion.empty())) {
+    return realtime
+               ? "--no-locomotion starts none: leave --locomotion out"
+               : "--no-locomotion is for the real-time clock, in lock-step a run waits for every command: add --clock "
+                 "realtime";
+  }
   if (!o.locomotion.empty()) {
     if (o.dds == DdsChoice::kInproc) {
       return "--locomotion starts a process: leave --dds inproc out";

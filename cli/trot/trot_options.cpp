@@ -107,6 +107,10 @@ void declare(CLI::App& app, TrotOptions& o) {
       ->capture_default_str();
   app.add_option("--locomotion", o.locomotion, "program that runs in place of locomotion, as the how-to explains")
       ->type_name("<program>");
+  app.add_flag("--no-locomotion", o.no_locomotion,
+               "starts no locomotion: another process takes its part, such as farrier ros --joint-commands; real time "
+               "only")
+      ->type_name("");
   app.add_option("--trace", o.trace_path, "where the trace goes")
       ->type_name("<file>")
       ->default_str("trace.csv in --out");

@@ -21,7 +21,8 @@ struct TrotOptions {
   participant::World world = participant::World::kBench;
   std::string scene_path;                       ///< of a body's ground; empty: a plane
   std::vector<double> velocity{0.4, 0.0, 0.0};  ///< of a body's trot: forward, left in m/s, yaw rate in rad/s
-  std::string locomotion;  ///< program of the user's in place of locomotion; empty: the shipped one
+  std::string locomotion;      ///< program of the user's in place of locomotion; empty: the shipped one
+  bool no_locomotion = false;  ///< no locomotion is started; another process takes its part
   double duration_s = 9.0;
   std::string gait;         ///< empty: the robot file's
   double frequency_Hz = 0;  ///< 0: the robot file's

@@ -47,6 +47,7 @@ DdsRun dds_run(const robot::Robot& robot, const TrotOptions& o, const std::strin
   run.common.ticks = run::ticks_of(o.duration_s, robot);
   run.executables = processes_directory();
   run.locomotion = o.locomotion.empty() ? "" : std::filesystem::absolute(o.locomotion).string();
+  run.no_locomotion = o.no_locomotion;
   run.log_directory = o.out + "/log";
   run.record_path = o.record_path;
   run.record_facts = record_facts(robot, o);

@@ -10,8 +10,11 @@ target_link_libraries(ros_view_test PRIVATE farrier_body farrier_ros_view)
 target_compile_definitions(ros_view_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 
 farrier_test(ros_bridge_test unit
+  ${CMAKE_CURRENT_LIST_DIR}/ros_bridge/asked_joints_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/ros_bridge/joint_references_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/ros_bridge/velocity_commands_test.cpp)
 target_link_libraries(ros_bridge_test PRIVATE farrier_ros_bridge)
+target_compile_definitions(ros_bridge_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 
 if(TARGET farrier_foxglove)
   farrier_test(foxglove_viewers_test unit ${CMAKE_CURRENT_LIST_DIR}/foxglove/viewers_test.cpp)

@@ -1,26 +1,35 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "bus/bus.hpp"
 #include "bus_ros/ros_node.hpp"
+#include "participant/options.hpp"
 #include "robot/robot.hpp"
 
 namespace farrier::ros_bridge {
 
-struct BridgeOptions {
-  bus_ros::RosNode::Options node;
-  double rate_Hz = 100.0;       ///< of joint_states, imu and odom; 1 to 1000
-  bool transforms = false;      ///< tf from odom to base_link
-  bool simulated_time = false;  ///< stamps count from tick 0, and /clock says so
-  bool commands = false;        ///< takes cmd_vel
-  Nanoseconds command_timeout = std::chrono::milliseconds(300);
-  std::string description;  ///< URDF; empty: none is published
+/// What nodes of ROS may do to the robot.
+struct CommandOptions {
+  Nanoseconds timeout = std::chrono::milliseconds(300);  ///< age of the newest message beyond which there is none
+  bool arm = false;                                      ///< they may arm it
+  /// They command joints, in the part of locomotion of this run; none: they command velocities.
+  std::optional<participant::ProcessOptions> joints = std::nullopt;
 };
 
-/// Hands what a robot's processes publish on to ROS 2, and, if it may, velocities of ROS on to the robot. It reads topics
-/// by polled readers that no writer waits for. Joints of a robot that walks nowhere have joint_states all the same.
+struct BridgeOptions {
+  bus_ros::RosNode::Options node;
+  double rate_Hz = 100.0;                  ///< of joint_states, imu and odom; 1 to 1000
+  bool transforms = false;                 ///< tf from odom to base_link
+  bool simulated_time = false;             ///< stamps count from tick 0, and /clock says so
+  std::optional<CommandOptions> commands;  ///< none: nothing is taken from ROS
+  std::string description;                 ///< URDF; empty: none is published
+};
+
+/// Hands what a robot's processes publish on to ROS 2, and, if it may, commands of ROS on to the robot. It reads topics by
+/// polled readers that no writer waits for. Joints of a robot that walks nowhere have joint_states all the same.
 class RosBridge {
  public:
   /// `bus` and `robot` must outlive it.

@@ -15,17 +15,16 @@ std::string VelocityCommands::take(const ros_messages::geometry_msgs::Twist& twi
   if (twist.linear.z != 0.0 || twist.angular.x != 0.0 || twist.angular.y != 0.0) {
     return "cmd_vel with linear.z, angular.x or angular.y: give linear.x, linear.y and angular.z alone";
   }
-  if (heard_ && sender != sender_ && now - *heard_ <= timeout_) {
-    return "cmd_vel of a second sender: the first one has the robot until it is silent";
+  if (sender_.taken_by_another(sender, now)) {
+    return std::string("cmd_vel") + kSecondSender;
   }
   newest_ = twist;
-  sender_ = sender;
-  heard_ = now;
+  sender_.heard(sender, now);
   return "";
 }
 
 std::optional<signals::BodyCommand> VelocityCommands::command(SteadyTime now, MotionMode mode) const {
-  if (!heard_ || now - *heard_ > timeout_) {
+  if (sender_.silent(now)) {
     return std::nullopt;
   }
   const bool stands = newest_.linear.x == 0.0 && newest_.linear.y == 0.0 && newest_.angular.z == 0.0;

@@ -7,6 +7,7 @@
 #include "core/time.hpp"
 #include "ros_messages/messages.hpp"
 #include "signals/signals.hpp"
+#include "tools/ros/one_sender.hpp"
 
 namespace farrier::ros_bridge {
 
@@ -15,7 +16,7 @@ namespace farrier::ros_bridge {
 class VelocityCommands {
  public:
   /// `timeout`: age of the newest message beyond which there is no command, and the place is free for another sender.
-  explicit VelocityCommands(Nanoseconds timeout) : timeout_(timeout) {}
+  explicit VelocityCommands(Nanoseconds timeout) : sender_(timeout) {}
 
   /// Takes a message of `sender`. Returns why it is refused: a number that is not finite, a velocity that no body can
   /// have in its plane, or another sender whose newest message is not too old. Empty: taken.
@@ -26,10 +27,8 @@ class VelocityCommands {
   std::optional<signals::BodyCommand> command(SteadyTime now, MotionMode mode) const;
 
  private:
-  Nanoseconds timeout_;
+  OneSender sender_;
   ros_messages::geometry_msgs::Twist newest_;
-  std::uint64_t sender_ = 0;
-  std::optional<SteadyTime> heard_;
 };
 
 }  // namespace farrier::ros_bridge

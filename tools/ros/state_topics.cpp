@@ -1,0 +1,113 @@
+#include "tools/ros/state_topics.hpp"
+
+#include "ros_view/topics.hpp"
+#include "tools/ros/ros_qos.hpp"
+
+namespace farrier::ros_bridge {
+namespace {
+
+constexpr Nanoseconds kSlow = std::chrono::milliseconds(20);  // dynamic_joint_states and /tf
+
+}  // namespace
+
+StateTopics::StateTopics(const robot::Robot& robot, const SampleStamps& stamps,
+                         Writer<sensor_msgs::JointState> joint_states,
+                         Writer<control_msgs::DynamicJointState> dynamic_joint_states,
+                         bus::Subscription<signals::JointSensors> sensors)
+    : robot_(robot),
+      stamps_(stamps),
+      joint_states_(std::move(joint_states)),
+      dynamic_joint_states_(std::move(dynamic_joint_states)),
+      sensors_(std::move(sensors)),
+      joints_(robot.joints.size()),
+      due_dynamic_(kSlow),
+      due_transforms_(kSlow) {}
+
+Result<StateTopics> StateTopics::create(bus::Bus& bus, const robot::Robot& robot, bus_ros::RosNode& node,
+                                        const SampleStamps& stamps, const Options& options) {
+  StateTopics topics(
+      robot, stamps, FARRIER_TRY(node.writer<sensor_msgs::JointState>(ros_view::kJointStates, kStreamQos)),
+      FARRIER_TRY(node.writer<control_msgs::DynamicJointState>(ros_view::kDynamicJointStates, kStreamQos)),
+      FARRIER_TRY(
+          bus::Subscription<signals::JointSensors>::create(bus, polled_endpoint(robot, bus::TopicId::kJointSensors))));
+  if (robot.body) {
+    topics.imu_out_ = FARRIER_TRY(node.writer<sensor_msgs::Imu>(ros_view::kImu, kStreamQos));
+    topics.odometry_ = FARRIER_TRY(node.writer<nav_msgs::Odometry>(ros_view::kOdometry, kStreamQos));
+    topics.imu_ = FARRIER_TRY(Newest<signals::BodyImu>::create(bus, robot));
+    topics.state_ = FARRIER_TRY(Newest<signals::BodyState>::create(bus, robot));
+  }
+  if (robot.can_walk()) {
+    for (const gait::Leg& leg : robot.plan.legs) {
+      topics.wrenches_.push_back(
+          FARRIER_TRY(node.writer<geometry_msgs::WrenchStamped>(ros_view::foot_wrench_topic(leg.name), kStreamQos)));
+    }
+  }
+  if (options.transforms) {
+    topics.transforms_ = FARRIER_TRY(node.writer<tf2_msgs::TFMessage>(ros_view::kTransforms, kTransformsQos));
+  }
+  if (options.clock) {
+    topics.clock_ = FARRIER_TRY(node.writer<rosgraph_msgs::Clock>("/clock", kClockQos));
+  }
+  return topics;
+}
+
+void StateTopics::hear_joints() {
+  sensors_.drain([this](const signals::JointSensors& sample) {
+    if (signals::is_probe(sample) || sample.joint >= joints_.size()) {
+      return;
+    }
+    joints_[sample.joint].sensors = sample;
+    if (sample.tick >= tick_) {
+      tick_ = sample.tick;
+      sample_time_ns_ = sample.sample_time_ns;
+    }
+  });
+}
+
+void StateTopics::publish_joints(SteadyTime now) {
+  const Tick before = tick_;
+  hear_joints();
+  if (tick_ == before) {
+    return;
+  }
+  const Time stamp = stamps_.of(tick_, sample_time_ns_, now);
+  if (clock_) {
+    clock_->write({.clock = stamp});
+  }
+  sent_ += joint_states_.write(ros_view::joint_state(robot_, joints_, stamp)) ? 1 : 0;
+  if (due_dynamic_.now(now)) {
+    dynamic_joint_states_.write(ros_view::dynamic_joint_state(robot_, joints_, stamp));
+  }
+}
+
+void StateTopics::publish_body(SteadyTime now) {
+  if (imu_ && imu_->drain()) {
+    const signals::BodyImu& sample = imu_->sample();
+    if (const auto message = ros_view::imu(sample, stamps_.of(sample.tick, sample.sample_time_ns, now))) {
+      imu_out_->write(*message);
+    }
+  }
+  if (state_ && state_->drain()) {
+    const signals::BodyState& sample = state_->sample();
+    // A state is estimated from the sensors of its tick.
+    const Time stamp = stamps_.of(sample.tick, sample.tick == tick_ ? sample_time_ns_ : 0, now);
+    for (std::size_t leg = 0; leg < wrenches_.size(); ++leg) {
+      if (const auto message = ros_view::foot_wrench(robot_, leg, sample, joints_, stamp)) {
+        wrenches_[leg].write(*message);
+      }
+    }
+    if (const auto message = ros_view::odometry(sample, stamp)) {
+      odometry_->write(*message);
+      if (transforms_ && due_transforms_.now(now)) {
+        transforms_->write(ros_view::transform(*message));
+      }
+    }
+  }
+}
+
+void StateTopics::publish(SteadyTime now) {
+  publish_joints(now);
+  publish_body(now);
+}
+
+}  // namespace farrier::ros_bridge
