@@ -21,6 +21,9 @@ constexpr dds_domainid_t kMostOfAProcess = 64;
 // rmw_cyclonedds looks for at most so many nodes on a computer that has no multicast.
 constexpr const char* kMaxIndex = "32";
 
+// Without multicast nobody hears a node of Fast DDS that has just started: it learns of us by the next announcement.
+constexpr const char* kUnicastInterval = "1 s";
+
 }  // namespace
 
 std::string ros_config(const Network& network) {
@@ -36,7 +39,8 @@ std::string ros_config(const Network& network) {
                               element("AllowMulticast", multicast ? "true" : "false") + element("Transport", "udp");
   // Participants of other tags do not see each other.
   const std::string tag = off ? element("Tag", "ros_discovery_off_" + std::to_string(::getpid())) : "";
-  const std::string discovery = tag + element("ExternalDomainId", std::to_string(network.domain)) +
+  const std::string interval = multicast ? "" : element("SPDPInterval", kUnicastInterval);
+  const std::string discovery = tag + interval + element("ExternalDomainId", std::to_string(network.domain)) +
                                 element("ParticipantIndex", "auto") + element("MaxAutoParticipantIndex", kMaxIndex) +
                                 (peers.empty() ? "" : element("Peers", peers));
   return element("CycloneDDS",

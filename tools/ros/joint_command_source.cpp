@@ -51,6 +51,7 @@ class JointCommandSource final : public locomotion::Locomotion {
   void drain() override;
   void begin(Tick first, Tick tick) override;
   void take_commands(SteadyTime now);
+  void tell_change(bool silent);
   void note(const std::string& refusal) {
     if (!refusal.empty()) {
       state_.notices.put(signals::Severity::kWarning, "refused: " + refusal);
@@ -64,6 +65,7 @@ class JointCommandSource final : public locomotion::Locomotion {
   JointReferences references_;
   std::vector<JointNow> joints_;
   SteadyTime looked_{};
+  int silences_ = 0;
 };
 
 void JointCommandSource::drain() {
@@ -97,12 +99,22 @@ void JointCommandSource::take_commands(SteadyTime now) {
   });
 }
 
+// The number makes each silence a text of its own, which Notices says however soon it follows another.
+void JointCommandSource::tell_change(bool silent) {
+  if (silent) {
+    state_.notices.put(
+        signals::Severity::kWarning,
+        "joint commands are silent, silence " + std::to_string(++silences_) + " of this run: joints damp, and trip");
+  } else {
+    state_.notices.put(signals::Severity::kInfo, "joints follow commands of ROS");
+  }
+}
+
 void JointCommandSource::begin(Tick /*first*/, Tick tick) {
   const auto references = references_.references(participant::steady_now());
   const bool silent = references.empty();
   if (state_.commands.exchange(!silent) == silent) {
-    state_.notices.put(silent ? signals::Severity::kWarning : signals::Severity::kInfo,
-                       silent ? "joint commands are silent: joints damp, and trip" : "joints follow commands of ROS");
+    tell_change(silent);
   }
   if (silent) {
     return;
