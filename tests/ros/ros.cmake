@@ -50,3 +50,16 @@ if(FARRIER_NPM AND TARGET farrier_foxglove AND TARGET farrier_body_world)
   add_dependencies(ros_ecosystem_test ros_readers farrier farrier_program_monitor farrier_program_recording bare_exchange
     ${FARRIER_PROCESSES})
 endif()
+
+# A node of RTPS from npm looks at the robot; a minute of it is of the tests that take long.
+if(TARGET ecosystem_readers)
+  farrier_test_executable(ros_peer_test ${ros_dir}/peer_test.cpp ${ros_dir}/../system/farrier_command.cpp
+    ${ros_dir}/../support/network_namespaces.cpp)
+  target_include_directories(ros_peer_test PRIVATE ${ros_dir}/../system)
+  target_link_libraries(ros_peer_test PRIVATE farrier_cli_processes farrier_tool_process farrier_trace
+    nlohmann_json::nlohmann_json)
+  target_compile_definitions(ros_peer_test PRIVATE ${system_definitions} FARRIER_ECOSYSTEM="${ecosystem_build}")
+  add_dependencies(ros_peer_test farrier farrier_program_ros ecosystem_readers ${FARRIER_PROCESSES})
+  farrier_test_entry(ros_peer_test ros ros_peer_test --gtest_filter=-*Minute*)
+  farrier_test_entry(ros_peer_minute_test long ros_peer_test --gtest_filter=*Minute*)
+endif()

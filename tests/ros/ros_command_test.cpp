@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <thread>
 
-#include "bus_ros/ros_node.hpp"
+#include "tests/ros/user_node.hpp"
 #include "tests/system/farrier_command.hpp"
 #include "urdf/urdf_reader.hpp"
 
@@ -75,6 +76,9 @@ TEST(RosCommand, ANodeGetsJointStatesWithoutAGapAndTheDescriptionAsALateJoiner) 
   FarrierCommand ros({"ros", "--domain", std::to_string(trot.domain()), "--ros-domain", std::to_string(kRosDomain),
                       "--ros-address", "127.0.0.1", "--sim-time"});
   ASSERT_TRUE(ros.says("commands are refused")) << ros.output();
+  FarrierCommand second({"ros", "--domain", std::to_string(trot.domain()), "--ros-domain", std::to_string(kRosDomain),
+                         "--ros-address", "127.0.0.1", "--ros-namespace", "/second"});
+  ASSERT_TRUE(second.says("commands are refused")) << second.output();
   User user;
   ASSERT_TRUE(user.hears([&] { return user.joints.size() >= 100 && user.clock && user.diagnostics; })) << ros.output();
   EXPECT_EQ(user.lost(), 0u);
@@ -96,6 +100,10 @@ TEST(RosCommand, ANodeGetsJointStatesWithoutAGapAndTheDescriptionAsALateJoiner) 
         << name;
   }
   EXPECT_TRUE(ros.says("this node has its name for nodes of Iron and later")) << ros.output();
+  UserNode beside(kRosDomain, "/second");
+  EXPECT_TRUE(beside.until([&] { return beside.angle_rad("rh_kfe").has_value(); })) << second.output();
+  second.signal(SIGINT);
+  EXPECT_EQ(second.wait(), 130);
   ros.signal(SIGINT);
   EXPECT_EQ(ros.wait(), 130);
   EXPECT_NE(ros.output().find("0 dropped for slow readers"), std::string::npos) << ros.output();
@@ -108,8 +116,24 @@ TEST(RosCommand, RefusesWhatItCannotDo) {
   std::string output;
   EXPECT_EQ(run_farrier({"ros", "--robot", std::string(FARRIER_ROBOTS) + "/fc1d.yaml", "--commands"}, &output), 2);
   EXPECT_NE(output.find("--commands: "), std::string::npos) << output;
-  EXPECT_EQ(run_farrier({"ros", "--ros-namespace", "hyq/"}, &output), 2);
-  EXPECT_NE(output.find("give / or a name like /hyq"), std::string::npos) << output;
+  const auto refuses = [&](const std::vector<std::string>& arguments, const char* why) {
+    std::vector<std::string> all{"ros"};
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    EXPECT_EQ(run_farrier(all, &output), 2);
+    EXPECT_NE(output.find(why), std::string::npos) << output;
+  };
+  refuses({"--ros-namespace", "hyq/"}, "give / or a name like /hyq");
+  refuses({"--ros-address", "here"}, "--ros-address");
+  refuses({"--ros-peers", "no such host"}, "--ros-peers");
+  refuses({"--allow-arm"}, "--commands");
+  for (const auto& [name, value] : {std::pair{"ROS_DOMAIN_ID", "5x"},
+                                    {"ROS_DOMAIN_ID", "233"},
+                                    {"ROS_AUTOMATIC_DISCOVERY_RANGE", "EVERYWHERE"},
+                                    {"ROS_STATIC_PEERS", "no such host"}}) {
+    ::setenv(name, value, 1);
+    refuses({}, name);
+    ::unsetenv(name);
+  }
 }
 
 }  // namespace ros_command_test

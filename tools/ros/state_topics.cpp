@@ -33,14 +33,12 @@ Result<StateTopics> StateTopics::create(bus::Bus& bus, const robot::Robot& robot
   if (robot.body) {
     topics.imu_out_ = FARRIER_TRY(node.writer<sensor_msgs::Imu>(ros_view::kImu, kStreamQos));
     topics.odometry_ = FARRIER_TRY(node.writer<nav_msgs::Odometry>(ros_view::kOdometry, kStreamQos));
-    topics.imu_ = FARRIER_TRY(Newest<signals::BodyImu>::create(bus, robot));
-    topics.state_ = FARRIER_TRY(Newest<signals::BodyState>::create(bus, robot));
-  }
-  if (robot.can_walk()) {
-    for (const gait::Leg& leg : robot.plan.legs) {
+    for (const body::LegModel& leg : robot.body->legs) {
       topics.wrenches_.push_back(
           FARRIER_TRY(node.writer<geometry_msgs::WrenchStamped>(ros_view::foot_wrench_topic(leg.name), kStreamQos)));
     }
+    topics.imu_ = FARRIER_TRY(Newest<signals::BodyImu>::create(bus, robot));
+    topics.state_ = FARRIER_TRY(Newest<signals::BodyState>::create(bus, robot));
   }
   if (options.transforms) {
     topics.transforms_ = FARRIER_TRY(node.writer<tf2_msgs::TFMessage>(ros_view::kTransforms, kTransformsQos));
