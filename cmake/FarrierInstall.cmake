@@ -20,7 +20,7 @@ file(CREATE_LINK ${PROJECT_SOURCE_DIR}/deploy/scenes ${PROJECT_BINARY_DIR}/share
 
 install(TARGETS ${FARRIER_PROCESSES} DESTINATION libexec/farrier COMPONENT runtime)
 install(DIRECTORY deploy/robots deploy/scenes DESTINATION share/farrier COMPONENT runtime)
-install(DIRECTORY deploy/foxglove deploy/monitoring DESTINATION share/farrier COMPONENT tools)
+install(DIRECTORY deploy/foxglove deploy/monitoring deploy/ros2 DESTINATION share/farrier COMPONENT tools)
 install(TARGETS bare_exchange farrier_wall_clock ${FARRIER_FAULTY_PROGRAMS} DESTINATION libexec/farrier COMPONENT tools)
 
 # What a process of a robot is made of, for those who write one of their own.

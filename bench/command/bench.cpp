@@ -13,6 +13,7 @@
 #include "process/process.hpp"
 #include "bench/command/body_part.hpp"
 #include "bench/command/bench_onlookers.hpp"
+#include "bench/command/bench_ros.hpp"
 #include "bench/command/computed_parts.hpp"
 #include "bench/command/parts.hpp"
 #include "cli/base/command.hpp"
@@ -32,8 +33,8 @@ constexpr double kLockstepRatio = 0.5;
 constexpr double kBodyRatio = 0.7;
 constexpr int kBodyPairs = 3;
 
-const std::vector<std::string> kAll{"lockstep", "body_lockstep", "onlookers", "plant", "riccati", "control",
-                                    "rls",      "estimators",    "greybox",   "tick",  "body"};
+const std::vector<std::string> kAll{"lockstep", "body_lockstep", "onlookers",  "ros",     "plant", "riccati",
+                                    "control",  "rls",           "estimators", "greybox", "tick",  "body"};
 
 /// All that this build can measure.
 std::vector<std::string> possible() {
@@ -144,6 +145,8 @@ std::vector<Part> parts_of(const BenchOptions& o, const robot::Robot& robot) {
     add("onlookers", std::string("onlookers ") + to_string(dds) + " in real time",
         [&o, &robot, plain](report::Figures& figures) { return bench_beside(robot, plain, o.out, figures); });
   }
+  add("ros", "ros in real time",
+      [&robot, plain = lockstep_run(o)](report::Figures& figures) { return bench_ros(robot, plain, figures); });
   for (const ComputedPart& computed : computed_parts(robot)) {
     const Part part = interruptible(computed.part);
     add(computed.only, part.name, part.measure);

@@ -50,6 +50,9 @@ target_link_libraries(fuzzed_files PRIVATE farrier_bus farrier_robot farrier_wor
 farrier_fuzz(fuzzed_viewers SOURCES ${fuzz_dir}/viewer.cpp HARNESSES foxglove_text)
 target_link_libraries(fuzzed_viewers PRIVATE farrier_foxglove)
 
+farrier_fuzz(fuzzed_ros SOURCES ${fuzz_dir}/ros.cpp HARNESSES ros_message urdf_file)
+target_link_libraries(fuzzed_ros PRIVATE farrier_ros_bridge farrier_robot farrier_urdf)
+
 farrier_fuzz(fuzzed_cores SOURCES ${fuzz_dir}/joint_core.cpp ${fuzz_dir}/adaptation_cores.cpp
   HARNESSES joint_node estimator_service supervisor)
 target_link_libraries(fuzzed_cores PRIVATE farrier_joint_node_core farrier_estimator_service_core
@@ -57,5 +60,5 @@ target_link_libraries(fuzzed_cores PRIVATE farrier_joint_node_core farrier_estim
 
 farrier_test(fuzz_replay_test unit ${fuzz_dir}/replay_test.cpp ${fuzz_dir}/harnesses.cpp)
 target_link_libraries(fuzz_replay_test PRIVATE fuzzed_faults fuzzed_codecs fuzzed_ports fuzzed_journals fuzzed_files fuzzed_viewers
-  fuzzed_cores)
+  fuzzed_ros fuzzed_cores)
 target_compile_definitions(fuzz_replay_test PRIVATE FARRIER_CORPUS="${fuzz_dir}/corpus")

@@ -44,12 +44,14 @@ void log_times(Bytes bytes);
 void dds_settings(Bytes bytes);
 void description(Bytes bytes);
 void foxglove_text(Bytes bytes);
+void urdf_file(Bytes bytes);
 
 // Samples as they come from the network; the first byte is the topic's number.
 void cyclone_codec(Bytes bytes);
 void fast_codec(Bytes bytes);
 void cyclone_datagram(Bytes bytes);
 void journal(Bytes bytes);
+void ros_message(Bytes bytes);
 
 // Process cores, with their state, behind signals of any content.
 void ports(Bytes bytes);

@@ -12,6 +12,7 @@ target_compile_definitions(ros_view_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURC
 farrier_test(ros_bridge_test unit
   ${CMAKE_CURRENT_LIST_DIR}/ros_bridge/asked_joints_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/ros_bridge/joint_references_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/ros_bridge/ros2_control_example_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/ros_bridge/velocity_commands_test.cpp)
 target_link_libraries(ros_bridge_test PRIVATE farrier_ros_bridge)
 target_compile_definitions(ros_bridge_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
