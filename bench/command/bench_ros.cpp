@@ -14,11 +14,11 @@ namespace {
 
 constexpr int kRosDomain = 66;
 constexpr const char* kLoopback = "127.0.0.1";
-constexpr Tick kTicks = 5000;
-constexpr int kPairs = 9;
+constexpr Tick kRosTicks = 5000;
+constexpr int kRosPairs = 9;
 // The least the product promises.
-constexpr double kProcessorPercent = 3.0;
-constexpr double kLatencyRatio = 1.05;
+constexpr double kRosPercent = 3.0;
+constexpr double kRosLatencyRatio = 1.05;
 
 /// A node that reads joint states while it lives.
 class Reader {
@@ -65,7 +65,7 @@ struct Measured {
   double latency_s = 0.0, processor_share = 0.0, messages_per_s = 0.0;
 };
 
-Result<Measured> measure(const robot::Robot& robot, DdsRun run, bool beside) {
+Result<Measured> measure_ros(const robot::Robot& robot, DdsRun run, bool beside) {
   std::unique_ptr<Reader> reader;
   if (beside) {
     reader = FARRIER_TRY(Reader::create(robot));
@@ -86,15 +86,15 @@ Result<Measured> measure(const robot::Robot& robot, DdsRun run, bool beside) {
 
 Result<Done> bench_ros(const robot::Robot& robot, const DdsRun& plain, report::Figures& figures) {
   std::vector<double> alone, beside, ratios, shares, rates;
-  for (int pair = 1; pair <= kPairs; ++pair) {
+  for (int pair = 1; pair <= kRosPairs; ++pair) {
     // The order alternates, too: a speed that rises or falls for a while favours neither.
     for (const bool with_node : {pair % 2 == 0, pair % 2 == 1}) {
       DdsRun run = plain;
       run.common.clock = bus::ClockKind::kRealtime;
-      run.common.ticks = kTicks;
+      run.common.ticks = kRosTicks;
       run.title = std::string(with_node ? "real time, beside a node of ROS 2" : "real time, alone") + ", pair " +
-                  std::to_string(pair) + " of " + std::to_string(kPairs);
-      const auto measured = FARRIER_TRY(measure(robot, run, with_node));
+                  std::to_string(pair) + " of " + std::to_string(kRosPairs);
+      const auto measured = FARRIER_TRY(measure_ros(robot, run, with_node));
       (with_node ? beside : alone).push_back(measured.latency_s);
       if (with_node) {
         shares.push_back(measured.processor_share);
@@ -103,11 +103,11 @@ Result<Done> bench_ros(const robot::Robot& robot, const DdsRun& plain, report::F
     }
     ratios.push_back(beside.back() / alone.back());
   }
-  figures.add("bench.ros.processor_percent", 1e2 * median(shares), kProcessorPercent);
+  figures.add("bench.ros.processor_percent", 1e2 * median(shares), kRosPercent);
   figures.add("bench.ros.messages_per_s", median(rates));
   figures.add("bench.ros.alone_latency_p50_us", 1e6 * median(alone));
   figures.add("bench.ros.latency_p50_us", 1e6 * median(beside));
-  figures.add("bench.ros.latency_p50_ratio", median(ratios), kLatencyRatio);
+  figures.add("bench.ros.latency_p50_ratio", median(ratios), kRosLatencyRatio);
   return Done{};
 }
 
