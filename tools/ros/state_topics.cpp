@@ -13,12 +13,12 @@ constexpr Nanoseconds kSlow = std::chrono::milliseconds(20);  // dynamic_joint_s
 StateTopics::StateTopics(const robot::Robot& robot, const SampleStamps& stamps,
                          Writer<sensor_msgs::JointState> joint_states,
                          Writer<control_msgs::DynamicJointState> dynamic_joint_states,
-                         bus::Subscription<signals::JointSensors> sensors)
+                         bus::Subscription<signals::JointMeasurement> measurements)
     : robot_(robot),
       stamps_(stamps),
       joint_states_(std::move(joint_states)),
       dynamic_joint_states_(std::move(dynamic_joint_states)),
-      sensors_(std::move(sensors)),
+      measurements_(std::move(measurements)),
       joints_(robot.joints.size()),
       due_dynamic_(kSlow),
       due_transforms_(kSlow) {}
@@ -28,8 +28,8 @@ Result<StateTopics> StateTopics::create(bus::Bus& bus, const robot::Robot& robot
   StateTopics topics(
       robot, stamps, FARRIER_TRY(node.writer<sensor_msgs::JointState>(ros_view::kJointStates, kStreamQos)),
       FARRIER_TRY(node.writer<control_msgs::DynamicJointState>(ros_view::kDynamicJointStates, kStreamQos)),
-      FARRIER_TRY(
-          bus::Subscription<signals::JointSensors>::create(bus, polled_endpoint(robot, bus::TopicId::kJointSensors))));
+      FARRIER_TRY(bus::Subscription<signals::JointMeasurement>::create(
+          bus, polled_endpoint(robot, bus::TopicId::kJointMeasurement))));
   if (robot.body) {
     topics.imu_out_ = FARRIER_TRY(node.writer<sensor_msgs::Imu>(ros_view::kImu, kStreamQos));
     topics.odometry_ = FARRIER_TRY(node.writer<nav_msgs::Odometry>(ros_view::kOdometry, kStreamQos));
@@ -50,11 +50,17 @@ Result<StateTopics> StateTopics::create(bus::Bus& bus, const robot::Robot& robot
 }
 
 void StateTopics::hear_joints() {
-  sensors_.drain([this](const signals::JointSensors& sample) {
+  measurements_.drain([this](const signals::JointMeasurement& sample) {
     if (signals::is_probe(sample) || sample.joint >= joints_.size()) {
       return;
     }
-    joints_[sample.joint].sensors = sample;
+    signals::JointSensors& sensors = joints_[sample.joint].sensors;
+    sensors.joint = sample.joint;
+    sensors.tick = sample.tick;
+    sensors.sample_time_ns = sample.sample_time_ns;
+    sensors.position_m_or_rad = sample.position_m_or_rad;
+    sensors.velocity_m_s_or_rad_s = sample.velocity_m_s_or_rad_s;
+    sensors.force_N_or_Nm = sample.force_N_or_Nm;
     if (sample.tick >= tick_) {
       tick_ = sample.tick;
       sample_time_ns_ = sample.sample_time_ns;

@@ -12,7 +12,8 @@
 namespace farrier::ros_bridge {
 
 /// Topics of the robot's state: joint_states, dynamic_joint_states, and of a robot on a ground imu, odom, a wrench by foot and /tf; /clock.
-/// The newest samples, by polled readers that no writer waits for.
+/// The newest samples, by polled readers that no writer waits for. Joints are read from joint/measurement, which joint_node
+/// sends after the valve commands: another reader of joint/sensors would be on the way from sensor to valve.
 class StateTopics {
  public:
   struct Options {
@@ -44,7 +45,7 @@ class StateTopics {
 
   StateTopics(const robot::Robot& robot, const SampleStamps& stamps, Writer<sensor_msgs::JointState> joint_states,
               Writer<control_msgs::DynamicJointState> dynamic_joint_states,
-              bus::Subscription<signals::JointSensors> sensors);
+              bus::Subscription<signals::JointMeasurement> measurements);
   void hear_joints();
   void publish_joints(SteadyTime now);
   void publish_body(SteadyTime now);
@@ -58,7 +59,7 @@ class StateTopics {
   std::vector<Writer<geometry_msgs::WrenchStamped>> wrenches_;  ///< by leg
   std::optional<Writer<tf2_msgs::TFMessage>> transforms_;
   std::optional<Writer<rosgraph_msgs::Clock>> clock_;
-  bus::Subscription<signals::JointSensors> sensors_;
+  bus::Subscription<signals::JointMeasurement> measurements_;
   std::optional<Newest<signals::BodyImu>> imu_;
   std::optional<Newest<signals::BodyState>> state_;
   std::vector<ros_view::JointSamples> joints_;
