@@ -50,7 +50,7 @@ Result<std::string> description(const RosOptions& o, const robot::Robot& robot) 
   return std::move(text).value();
 }
 
-/// What nodes of ROS may do to the robot.
+/// The commands that nodes of ROS may give.
 ros_bridge::CommandOptions commands_of(const RosOptions& o) {
   ros_bridge::CommandOptions commands;
   const double timeout_s = o.command_timeout_s.value_or(o.joint_commands ? kJointTimeout_s : kVelocityTimeout_s);

@@ -1,6 +1,6 @@
 #pragma once
 
-// What both users of Cyclone DDS need of it: the robot's bus and the node of ROS 2.
+// Calls of Cyclone DDS that both of its users share: the robot's bus and the node of ROS 2.
 
 #include <dds/dds.h>
 
@@ -16,9 +16,9 @@ struct QosDeleter {
 };
 using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
 
-/// QoS of every endpoint: the newest `depth` samples of a key are kept, also for late joiners of a transient-local writer; a
-/// key whose writer has ended stays, as no sample means "gone"; XCDR1, the one representation that Fast DDS 2.9 and the
-/// nodes of ROS 2 know.
+/// QoS of every endpoint. The newest `depth` samples of a key are kept, also for late joiners of a transient-local writer. A
+/// key whose writer has ended stays: no sample means "gone". The representation is XCDR1, the only one that Fast DDS 2.9 and
+/// the nodes of ROS 2 know.
 QosPtr endpoint_qos(int depth);
 
 /// Error for a call that Cyclone refused, with its reason.

@@ -14,7 +14,7 @@ struct Exception {
 /// Where a vendor's or a generated header may be included.
 inline constexpr Exception kVendorHeaders[] = {
     {"lib/signals", "the structs and field lists that from_idl writes"},
-    {"lib/cyclone_base", "what both users of Cyclone DDS need of it"},
+    {"lib/cyclone_base", "calls of Cyclone DDS that its users share"},
     {"lib/bus_cyclone", "the Cyclone DDS bus"},
     {"lib/bus_fastdds", "the Fast DDS bus"},
     {"lib/ros_messages/messages.hpp", "the structs that ros_from_idl writes"},

@@ -27,7 +27,7 @@ struct JointCommandReaders {
   static Result<JointCommandReaders> open(bus_ros::RosNode& node);
 };
 
-/// What the source's thread and the bridge tell each other.
+/// State that the source's thread and the bridge share.
 struct JointCommandState {
   std::atomic<bool> ends{false};      ///< the source is asked to leave the run
   std::atomic<bool> commands{false};  ///< it sends commands

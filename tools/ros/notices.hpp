@@ -12,7 +12,7 @@
 
 namespace farrier::ros_bridge {
 
-/// What a user of ROS and of this command should know: lines of /rosout and of standard error. A text is said at most
+/// Lines of /rosout and of standard error for users of ROS and of this command. A text is said at most
 /// once in five seconds, and at most kMost texts are.
 class Notices {
  public:

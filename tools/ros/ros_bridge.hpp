@@ -11,7 +11,7 @@
 
 namespace farrier::ros_bridge {
 
-/// What nodes of ROS may do to the robot.
+/// The commands that nodes of ROS may give.
 struct CommandOptions {
   Nanoseconds timeout = std::chrono::milliseconds(300);  ///< age of the newest message beyond which there is none
   bool arm = false;                                      ///< they may arm it

@@ -23,7 +23,7 @@ class SampleStamps {
     const bool possible = sampled_ns > 0 && age_ns >= 0 && age_ns < Nanoseconds(1s).count();
     return ros_view::time_of(possible ? date_ns - age_ns : date_ns);
   }
-  /// Of something that is said now.
+  /// Stamp of something that is said now.
   Time of_now(Tick tick, SteadyTime now) const { return of(tick, 0, now); }
 
  private:
