@@ -114,7 +114,7 @@ Diagnosis diagnose_with_bar(const Recording& recording, const robot::Joint& join
 Result<std::string> write_model(const std::string& path, const robot::Robot& robot, const robot::Joint& joint,
                                 const Diagnosis& found) {
   const std::vector<plant::ActiveEffect> effects = diagnosis::found_effects(found, joint);
-  if (effects.empty()) {
+  if (effects.empty() || joint.electric) {
     return std::string();
   }
   const auto model = report::extended_model(robot, joint, effects);
@@ -180,7 +180,13 @@ int diagnose(const DiagnoseOptions& o) {
   }
   if (o.benchmark) {
     return o.recording.empty()
-               ? run_diagnose_benchmark({o.json_path, o.confusion_path, o.seed, o.trials, o.threads, o.go_on},
+               ? run_diagnose_benchmark({.json_path = o.json_path,
+                                        .confusion_path = o.confusion_path,
+                                        .seed = o.seed,
+                                        .trials = o.trials,
+                                        .threads = o.threads,
+                                        .go_on = o.go_on,
+                                        .electric = o.actuator == Actuator::kElectric},
                                         robots_directory())
                : refuse("diagnose", "--benchmark makes its recordings: name none");
   }
@@ -196,11 +202,6 @@ int diagnose(const DiagnoseOptions& o) {
   const auto joint = joint_of(robot, o.joint);
   if (!joint) {
     return refuse("diagnose", joint.error().message);
-  }
-  if (joint.value()->electric) {
-    return refuse("diagnose", "--model: " + joint.value()->name + " of " + robot.name +
-                                  " is electric, and only what hydraulic "
-                                  "joints have is looked for: name a hydraulic one");
   }
   std::optional<OutputDirectory> directory;
   if (!o.out.empty()) {

@@ -114,9 +114,10 @@ Trials run_all(const std::vector<blind::TrialPlan>& plans, const std::vector<con
 
 }  // namespace
 
-Result<TrialRobots> load_trial_robots(const std::string& folder) {
-  auto rig = robot::load_robot((std::filesystem::path(folder) / "fc1d.yaml").string());
-  auto legs = robot::load_robot((std::filesystem::path(folder) / "hyq.yaml").string(), {.without_effects = true});
+Result<TrialRobots> load_trial_robots(const std::string& folder, bool electric) {
+  const std::filesystem::path in(folder);
+  auto rig = robot::load_robot((in / (electric ? "electric_leg.yaml" : "fc1d.yaml")).string());
+  auto legs = robot::load_robot((in / (electric ? "go1.yaml" : "hyq.yaml")).string(), {.without_effects = true});
   if (!rig || !legs) {
     return Error{config::to_string(!rig ? rig.error() : legs.error())};
   }
@@ -132,13 +133,14 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
       }
     }
   }
-  const auto loaded = load_trial_robots(robots);
+  const auto loaded = load_trial_robots(robots, o.electric);
   if (!loaded) {
     return refuse("diagnose --benchmark", loaded.error().message);
   }
   const auto& [rig, legs] = loaded.value();
   const std::vector<const robot::Joint*> joints = loaded.value().joints();
-  const auto plans = blind::spread(blind::all_trials(joints.size(), o.seed), o.trials);
+  const auto plans = blind::spread(
+      o.electric ? blind::all_electric_trials(joints, o.seed) : blind::all_trials(joints.size(), o.seed), o.trials);
   const std::string kept_path = o.json_path.empty() ? "" : o.json_path + ".trials";
   const std::string origin = report::build_name() + ", " + report::run_info(rig, o.seed).configuration_hash + ", " +
                              report::run_info(legs, o.seed).configuration_hash + ", seed " + std::to_string(o.seed) +

@@ -15,19 +15,21 @@ struct DiagnoseBenchmark {
   std::uint64_t seed = 1;
   int trials = 0;  ///< spread evenly over all; 0: all
   int threads = 2;
+  bool electric = false;  ///< trials of electric joints
   bool go_on = false;  ///< takes the trials over that an earlier run of this build kept beside `json_path`
 };
 
-/// Robots of which trials are made: a rig with one cylinder, and legs without the effects of their file.
+/// Robots of which trials are made: a rig with one cylinder, and legs without the effects of their file. Electric ones:
+/// a leg with springs in its joints, and one with rigid drives.
 struct TrialRobots {
   robot::Robot rig, legs;
 
-  /// The joints of blind trials: the rig's and the first of the legs.
+  /// The joints of blind trials: the first of either.
   std::vector<const robot::Joint*> joints() const { return {&rig.joints.front(), &legs.joints.front()}; }
 };
 
-/// fc1d.yaml and hyq.yaml of a folder.
-Result<TrialRobots> load_trial_robots(const std::string& folder);
+/// fc1d.yaml and hyq.yaml of a folder, or electric_leg.yaml and go1.yaml.
+Result<TrialRobots> load_trial_robots(const std::string& folder, bool electric = false);
 
 /// Blind trials of the diagnosis on the nominal robots in `robots`, a folder with fc1d.yaml and hyq.yaml. Exit status of
 /// the command.

@@ -11,6 +11,9 @@ namespace {
 
 const std::map<std::string, Units> kUnits{{"si", Units::kSi}, {"scaled", Units::kScaled}};
 
+const std::map<std::string, Actuator> kActuators{{"hydraulic", Actuator::kHydraulic},
+                                                 {"electric", Actuator::kElectric}};
+
 }  // namespace
 
 void declare(CLI::App& app, DiagnoseOptions& o) {
@@ -37,6 +40,9 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   app.add_flag("--benchmark", o.benchmark,
                "run blind trials in place of a recording: effects hidden in recordings by a generator that shares no "
                "code with the diagnosis; takes up to half an hour");
+  add_choice(app, "--actuator", o.actuator, kActuators, "hydraulic|electric", "of the joints of --benchmark")
+      ->default_str("hydraulic")
+      ->needs("--benchmark");
   app.add_flag(
       "--wiring", o.wiring,
       "put faults of wiring into recordings of the same generator in place of a recording, and count those named; "

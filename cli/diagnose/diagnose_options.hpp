@@ -9,6 +9,9 @@ namespace farrier::cli {
 /// In what a recording was written.
 enum class Units { kSi, kScaled };
 
+/// Kind of the joints of blind trials.
+enum class Actuator { kHydraulic, kElectric };
+
 /// Options of `farrier diagnose`.
 struct DiagnoseOptions {
   std::string recording;
@@ -19,6 +22,7 @@ struct DiagnoseOptions {
   std::string json_path;  ///< empty: figures.json in `out`, or none
   int threads = 2;
   bool benchmark = false;      ///< run blind trials in place of a recording
+  Actuator actuator = Actuator::kHydraulic;  ///< of the benchmark's joints
   bool wiring = false;         ///< likewise trials of faults of wiring
   std::string confusion_path;  ///< of those: what was taken for what; empty: none
   std::uint64_t seed = 1;

@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "diagnosis/model/scaled_simulator.hpp"
+#include "robot/joint_scales.hpp"
 
 namespace farrier::report {
 namespace {
@@ -73,7 +74,7 @@ ShownEffect shown(const diagnosis::NamedEffect& effect, const plant::Scales& sca
 }
 
 ShownEffect shown(const diagnosis::NamedEffect& effect, const robot::Joint& joint) {
-  return shown(effect, plant::Scales(joint.actuator, joint.swing_load), joint.rotary ? Units::kRotary : Units::kLinear);
+  return shown(effect, robot::scales_of(joint), joint.rotary ? Units::kRotary : Units::kLinear);
 }
 
 bool is_refused(const DiagnosisResult& result) noexcept {

@@ -13,7 +13,10 @@
 #include "core/noise.hpp"
 #include "diagnosis/judge/parallel.hpp"
 #include "trials/blind/score.hpp"
+#include "diagnosis/model/sides_of_joint.hpp"
 #include "robot/joint_effects.hpp"
+#include "robot/joint_scales.hpp"
+#include "trials/truth/electric_truth.hpp"
 
 namespace farrier::blind {
 
@@ -33,12 +36,17 @@ constexpr double kPeriod_s = 0.001;
 constexpr int kNone = 60;
 constexpr std::array<int, 4> kSets{60, 40, 24, 12};  // of two, three, four and five effects
 constexpr int kOutside = 36;
+// Of each electric joint.
+constexpr int kElectricNone = 24;
+constexpr int kElectricPairs = 12;
 
 /// Held-out rms by channel of the nominal model with its constants fitted.
 std::array<double, diagnosis::kChannels> base_error(const truth::Samples& samples, const robot::Joint& joint) {
-  const diagnosis::JointModel model(joint.actuator, joint.swing_load);
-  const auto data = diagnosis::prepare(recording_of(samples), joint.actuator, joint.noise.position);
-  const diagnosis::JointSimulator simulator(model, data);
+  robot::Joint plain = joint;
+  plain.effects.clear();
+  const auto sides = diagnosis::sides_of(plain);
+  const diagnosis::JointData data = sides->prepared(recording_of(samples), joint.noise.position);
+  const diagnosis::JointSimulator simulator(*sides, data);
   const diagnosis::Bench bench(simulator, {true, true, true}, {});
   const diagnosis::Hypothesis base = bench.base();
   return {std::sqrt(base.total(0)), std::sqrt(base.total(1)), std::sqrt(base.total(2))};
@@ -68,6 +76,9 @@ std::vector<plant::ActiveEffect> hidden_effects(const std::vector<truth::Answer>
 
 std::optional<trials::TrackingGain> control_gain(const std::vector<truth::Answer>& answers, const robot::Joint& joint,
                                                  const std::vector<plant::ActiveEffect>& found) {
+  if (joint.electric) {
+    return std::nullopt;
+  }
   const std::vector<plant::ActiveEffect> hidden = hidden_effects(answers, joint, found);
   if (hidden.empty() || std::ranges::none_of(found, control::is_compensated, &plant::ActiveEffect::id)) {
     return std::nullopt;
@@ -134,6 +145,36 @@ std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed) {
   return plans;
 }
 
+std::vector<TrialPlan> all_electric_trials(const std::vector<const robot::Joint*>& joints, std::uint64_t seed) {
+  std::vector<TrialPlan> plans;
+  const auto add = [&](Kind kind, std::size_t joint, std::vector<truth::Hidden> hidden, int excitation) {
+    plans.push_back({kind, joint, {seed + plans.size(), static_cast<truth::Excitation>(excitation), std::move(hidden)}});
+  };
+  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+    const std::vector<std::string> known = truth::known_electric_effects(*joints[joint]);
+    for (const std::string& name : known) {
+      for (int magnitude = 0; magnitude < 3; ++magnitude) {
+        for (int excitation = 0; excitation < 3; ++excitation) {
+          add(Kind::kEffect, joint, {{name, magnitude}}, excitation);
+        }
+      }
+    }
+    for (int i = 0; i < kElectricNone; ++i) {
+      add(Kind::kNone, joint, {}, i % 3);
+    }
+    for (int i = 0; i < kElectricPairs; ++i) {
+      add(Kind::kSet, joint, drawn_set(known, 2, seed + plans.size()), i % 3);
+    }
+    const std::vector<std::string> outside = truth::outside_electric_effects();
+    for (const std::string& name : outside) {
+      for (int excitation = 0; excitation < 3; ++excitation) {
+        add(Kind::kOutside, joint, {{name, 1 + excitation % 2}}, excitation);
+      }
+    }
+  }
+  return plans;
+}
+
 std::vector<TrialPlan> spread(const std::vector<TrialPlan>& all, int count) {
   if (count <= 0 || static_cast<std::size_t>(count) >= all.size()) {
     return all;
@@ -172,7 +213,7 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
   outcome.verdict = found.judgement.verdict;
   outcome.error_before = found.nrmse_before;
   outcome.error_after = found.nrmse_after;
-  const plant::Scales scales(joint.actuator, joint.swing_load);
+  const plant::Scales scales = robot::scales_of(joint);
   for (const diagnosis::NamedEffect& effect : found.judgement.effects) {
     const plant::EffectInfo& info = plant::effect_info(effect.id);
     outcome.named.push_back({info.name, scales.value(info.parameters[0], effect.fitted[0]), effect.confidence});

@@ -52,6 +52,10 @@ struct Outcome {
 /// turn.
 std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
 
+/// The same of electric joints, each with every effect that it can have: 24 trials with none, 12 with sets of two, and
+/// three with each effect outside the library.
+std::vector<TrialPlan> all_electric_trials(const std::vector<const robot::Joint*>& joints, std::uint64_t seed);
+
 /// Returns the recording that the diagnosis gets of a truth's samples: current, position, velocity and force.
 diagnosis::Recording recording_of(const truth::Samples& samples);
 

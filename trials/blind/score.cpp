@@ -60,7 +60,7 @@ double parameter_error(const Outcome& outcome, const plant::Scales& scales) {
   if (answer == outcome.answers.end()) {
     return std::numeric_limits<double>::infinity();
   }
-  const plant::Parameter& parameter = plant::effect_info(plant::find_effect(first.name)).parameters[0];
+  const plant::Parameter& parameter = plant::effect_info(plant::find_nameable(first.name)).parameters[0];
   // A frequency's or a saturation's neutral value is infinite: there the distance is that of the inverses.
   if (parameter.reciprocal) {
     return std::abs(answer->value / first.value - 1.0);

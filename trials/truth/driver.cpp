@@ -6,6 +6,8 @@
 #include <complex>
 #include <numbers>
 
+#include "trials/truth/excitation.hpp"
+
 namespace farrier::truth {
 namespace {
 
@@ -15,19 +17,6 @@ constexpr double kLargestCurrent = 0.8;    ///< of the valve's largest
 constexpr double kMeasuredShare = 0.5;     ///< of the velocity feed-forward that comes from the sensor
 constexpr double kResetTime_s = 0.12;      ///< of the force controller's integral
 
-/// Numbers of a seed, by name.
-class Draws {
- public:
-  Draws(const robot::Joint& joint, const Plan& plan, const char* channel) : stream_(plan.seed, joint.name, channel) {}
-  double within(double low, double high) { return low + (high - low) * stream_.uniform(next_++); }
-  double log_within(double low, double high) { return low * std::pow(high / low, within(0.0, 1.0)); }
-  double sign() { return within(0.0, 1.0) < 0.5 ? -1.0 : 1.0; }
-
- private:
-  NoiseStream stream_;
-  Tick next_ = 0;
-};
-
 // Impedance of the load, F = Z v, and velocity per current with the oil's spring between valve and masses.
 std::complex<double> impedance(const Mechanics& m, double omega, double extra_stiffness) {
   return {m.load_damping, m.load_mass * omega - (m.load_stiffness + extra_stiffness) / omega};
@@ -36,32 +25,6 @@ std::complex<double> velocity_per_A(const Mechanics& m, double omega) {
   const std::complex<double> oil{0.0, -m.oil_stiffness / omega};
   const std::complex<double> piston{m.piston_damping, (m.mass - m.load_mass) * omega};
   return m.speed_per_A * oil / (oil + piston + impedance(m, omega, 0.0));
-}
-
-// Levels of eight parts, shuffled within each half so that both hold calm and strong ones; ramps of 60 ms between.
-std::vector<double> envelope(const robot::Joint& joint, const Plan& plan, double period_s, int ticks) {
-  std::array<double, 8> levels{0.15, 0.45, 0.75, 1.0, 0.2, 0.5, 0.7, 1.0};
-  Draws draws(joint, plan, "truth envelope");
-  for (const std::size_t half : {std::size_t{0}, std::size_t{4}}) {
-    for (std::size_t i = 3; i > 0; --i) {
-      const auto other = static_cast<std::size_t>(draws.within(0.0, 1.0 + static_cast<double>(i)));
-      std::swap(levels[half + i], levels[half + other]);
-    }
-  }
-  std::vector<double> out;
-  double level = 0.0;
-  const double most = period_s / 0.060;
-  for (int k = 0; k < ticks; ++k) {
-    level += std::clamp(levels[static_cast<std::size_t>(8 * k / ticks)] - level, -most, most);
-    out.push_back(level);
-  }
-  return out;
-}
-
-void add_sine(std::vector<double>& signal, double period_s, double omega, double amplitude, double phase) {
-  for (std::size_t k = 0; k < signal.size(); ++k) {
-    signal[k] += amplitude * std::sin(omega * period_s * static_cast<double>(k) + phase);
-  }
 }
 
 // 12 lines of current, 0.5 to 80 Hz. Each moves the joint by at most 6 % of its stroke and asks at most 5 % of its

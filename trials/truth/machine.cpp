@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "trials/truth/contact.hpp"
+
 namespace farrier::truth {
 namespace {
 
@@ -93,22 +95,6 @@ double stiffness_of_mixture(const Machine& m, double pressure_Pa) {
   return volume / ((1.0 - r) / m.bulk_modulus_Pa + air / (kPolytropic * p));
 }
 
-// F = s0 z + s1 z', z' = v - s0 |v| z / g(v), g(v) = F_c + (F_s - F_c) exp(-(v / v_s)^2)
-double rub(const Contact& c, double off_middle, double v, double z, double& dz) {
-  if (c.coulomb <= 0.0) {
-    dz = 0.0;
-    return 0.0;
-  }
-  const double ratio = v / c.stribeck_velocity, stribeck = std::exp(-ratio * ratio);
-  double level = c.coulomb + (c.breakaway - c.coulomb) * stribeck;
-  if (c.waviness > 0.0) {
-    level *= 1.0 + c.waviness * std::sin(2.0 * std::numbers::pi * off_middle / c.wavelength);
-  }
-  const double stiffness = c.breakaway / c.presliding;
-  dz = v - stiffness * std::abs(v) * z / level;
-  return stiffness * z + c.bristle_damping * stribeck * dz;
-}
-
 // A stop pushes and never pulls; its damper engages with depth, so that force is continuous at first touch.
 double push(double depth, double approach, double stiffness, double damping, double engage) {
   return depth <= 0.0 ? 0.0 : std::max(0.0, stiffness * depth + damping * std::min(1.0, depth / engage) * approach);
@@ -142,6 +128,21 @@ double feed(const Machine& m, double time_s, double drawn, const Vector& x, Vect
 }
 
 }  // namespace
+
+double rub(const Contact& c, double off_middle, double v, double z, double& dz) {
+  if (c.coulomb <= 0.0) {
+    dz = 0.0;
+    return 0.0;
+  }
+  const double ratio = v / c.stribeck_velocity, stribeck = std::exp(-ratio * ratio);
+  double level = c.coulomb + (c.breakaway - c.coulomb) * stribeck;
+  if (c.waviness > 0.0) {
+    level *= 1.0 + c.waviness * std::sin(2.0 * std::numbers::pi * off_middle / c.wavelength);
+  }
+  const double stiffness = c.breakaway / c.presliding;
+  dz = v - stiffness * std::abs(v) * z / level;
+  return stiffness * z + c.bristle_damping * stribeck * dz;
+}
 
 double contact_damping(const Machine& m) { return 0.6 * std::sqrt(m.stop_stiffness * m.load_mass); }
 

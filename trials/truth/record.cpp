@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "trials/truth/driver.hpp"
+#include "trials/truth/sensor_channel.hpp"
 
 namespace farrier::truth {
 namespace {
@@ -13,21 +14,6 @@ constexpr double kStep_s = 2e-5;
 constexpr double kContactStep_s = 1e-5;  ///< with bristles, play or stops in touch
 constexpr double kPressureNoise_Pa = 2e3;
 constexpr double kPressureStep_Pa = 500.0;
-
-/// A sensor's noise and digits.
-class Channel {
- public:
-  Channel(const Plan& plan, const robot::Joint& joint, const char* name, double noise, double step)
-      : stream_(plan.seed, joint.name, name), noise_(noise), step_(step) {}
-  double operator()(double truth, int tick) const {
-    const double noisy = truth + noise_ * stream_.normal(tick);
-    return step_ > 0.0 ? step_ * std::round(noisy / step_) : noisy;
-  }
-
- private:
-  NoiseStream stream_;
-  double noise_, step_;
-};
 
 /// All sensors of a joint. A cylinder's digits are an encoder's micrometre, 0.1 mm/s and a quarter of a newton.
 class SensorSet {
@@ -56,16 +42,6 @@ class SensorSet {
   Channel position_, velocity_, force_, pressure_a_, pressure_b_, supply_;
 };
 
-double rms_about_mean(const std::vector<double>& x) {
-  double sum = 0.0, squares = 0.0;
-  for (const double value : x) {
-    sum += value - x.front();
-    squares += (value - x.front()) * (value - x.front());
-  }
-  const double n = static_cast<double>(x.size());
-  return std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)));
-}
-
 void note(Went& went, const Machine& m, const Simulator& simulator, double current_A) {
   const Vector& x = simulator.state();
   went.peak_current_A = std::max(went.peak_current_A, std::abs(current_A));
@@ -88,6 +64,16 @@ void append(Samples& out, const Reading& seen, double current_A) {
 }
 
 }  // namespace
+
+double rms_about_mean(const std::vector<double>& x) {
+  double sum = 0.0, squares = 0.0;
+  for (const double value : x) {
+    sum += value - x.front();
+    squares += (value - x.front()) * (value - x.front());
+  }
+  const double n = static_cast<double>(x.size());
+  return std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)));
+}
 
 Machine machine_of(const robot::Joint& joint, std::uint64_t seed) {
   const plant::ActuatorParams& a = joint.actuator;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "trials/truth/driver.hpp"
+#include "trials/truth/electric_truth.hpp"
 #include "trials/truth/record.hpp"
 
 namespace farrier::truth {
@@ -64,6 +65,9 @@ Result<Done> check(const robot::Joint& joint, double period_s, const Plan& plan)
   if (!(plan.duration_s >= 1.0 && plan.duration_s <= 600.0)) {
     return Error{"truth: duration_s must lie in [1, 600]"};
   }
+  if (joint.electric) {
+    return Done{};
+  }
   const plant::ActuatorParams& a = joint.actuator;
   const plant::LoadParams& l = joint.swing_load;
   if (a.spool.on || a.valve_deadband_A > 0.0 || a.line.length_m > 0.0 || l.friction.coulomb > 0.0) {
@@ -92,6 +96,9 @@ Result<Done> check(const robot::Joint& joint, double period_s, const Plan& plan)
 
 Result<Trial> generate(const robot::Joint& joint, double period_s, const Plan& plan) {
   FARRIER_TRY(check(joint, period_s, plan));
+  if (joint.electric) {
+    return generate_electric(joint, period_s, plan);
+  }
   Machine machine = machine_of(joint, plan.seed);
   const Base base = find_scale(joint, period_s, plan, machine);
   if (base.scale == 0.0) {

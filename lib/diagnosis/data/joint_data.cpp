@@ -137,7 +137,11 @@ MotionSmoother::MotionSmoother(double period_s, double jerk_density, double posi
   }
 }
 
-JointData prepare(const Recording& recording, const plant::ActuatorParams& actuator, double position_noise) {
+namespace {
+
+/// Fills all but the bend; `take(data, motion, motion of the next sample)` is called for each sample.
+template <class Take>
+JointData prepare_with(const Recording& recording, double position_noise, Take&& take) {
   const double h = recording.period_s;
   const std::vector<double>& x = recording.position;
   const double density = likeliest_density(kinematics(h), position_noise, x);
@@ -177,14 +181,27 @@ JointData prepare(const Recording& recording, const plant::ActuatorParams& actua
       data.middle_velocity.push_back((at(j, 1.0, JointData::kSubsteps)[0] - at(j, 0.0, JointData::kSubsteps)[0]) /
                                      data.step_s());
     }
-    const double here = oil_pull(actuator, motion[i]);
-    const double there = oil_pull(actuator, next);
-    for (std::size_t j = 0; j < JointData::kLoadSubsteps; ++j) {
-      const double share = (static_cast<double>(j) + 0.5) / JointData::kLoadSubsteps;
-      data.bend.push_back(here + share * (there - here) - oil_pull(actuator, at(j, 0.5, JointData::kLoadSubsteps)));
-    }
+    take(data, motion[i], next);
   }
   return data;
+}
+
+}  // namespace
+
+JointData prepare(const Recording& recording, double position_noise) {
+  return prepare_with(recording, position_noise, [](JointData&, const auto&, const auto&) {});
+}
+
+JointData prepare(const Recording& recording, const plant::ActuatorParams& actuator, double position_noise) {
+  return prepare_with(recording, position_noise, [&](JointData& data, const auto& from, const auto& to) {
+    const double here = oil_pull(actuator, from);
+    const double there = oil_pull(actuator, to);
+    for (std::size_t j = 0; j < JointData::kLoadSubsteps; ++j) {
+      const double share = (static_cast<double>(j) + 0.5) / JointData::kLoadSubsteps;
+      data.bend.push_back(here + share * (there - here) -
+                          oil_pull(actuator, motion_at(from, to, data.period_s, share)));
+    }
+  });
 }
 
 }  // namespace farrier::diagnosis

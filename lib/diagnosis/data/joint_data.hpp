@@ -82,7 +82,10 @@ std::vector<std::array<T, 3>> MotionSmoother::smooth(const std::vector<T>& posit
   return states;
 }
 
-/// `position_noise` is the standard deviation of a measured position, m or rad, > 0. Between samples the force follows
+/// `position_noise` is the standard deviation of a measured position, m or rad, > 0. Leaves JointData::bend empty.
+JointData prepare(const Recording& recording, double position_noise);
+
+/// The same of a hydraulic joint. Between samples the force follows
 /// the motion as the oil of `actuator` makes it: the valve's flow changes little within a period, and the force rings.
 JointData prepare(const Recording& recording, const plant::ActuatorParams& actuator, double position_noise);
 

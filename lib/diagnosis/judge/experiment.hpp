@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "diagnosis/model/joint_model.hpp"
 #include "diagnosis/model/twin.hpp"
 
 namespace farrier::diagnosis {

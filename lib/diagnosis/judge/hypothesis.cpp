@@ -46,7 +46,7 @@ std::array<Span, 2> Bench::halves() const noexcept {
 ChannelMask Bench::closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept {
   for (int pass = 0; pass < 2; ++pass) {
     for (const Model::Effect& effect : effects) {
-      const ChannelMask mine = channels_of(effect.id);
+      const ChannelMask mine = simulator_.channels(effect.id);
       if (meet(mask, mine)) {
         for (std::size_t c = 0; c < kChannels; ++c) {
           mask[c] = mask[c] || mine[c];
@@ -139,7 +139,7 @@ Hypothesis Bench::refined(const Hypothesis& from) const {
 
 std::optional<Bench::Sketch> Bench::sketch(const Hypothesis& from, plant::EffectId effect,
                                            const std::vector<std::vector<double>>& starts) const {
-  const ChannelMask mask = closure(channels_of(effect), from.halves[0].model.effects);
+  const ChannelMask mask = closure(simulator_.channels(effect), from.halves[0].model.effects);
   FitOptions quick = options_;
   quick.most_iterations = 6;
   quick.tolerance = 1e-2;
@@ -163,7 +163,7 @@ std::optional<Hypothesis> Bench::with(const Hypothesis& from, const Sketch& sket
   if (sketch.promise < least_gain) {
     return std::nullopt;
   }
-  const ChannelMask mask = closure(channels_of(sketch.effect), from.halves[0].model.effects);
+  const ChannelMask mask = closure(simulator_.channels(sketch.effect), from.halves[0].model.effects);
   Hypothesis with;
   with.effects = from.effects;
   with.effects.push_back(sketch.effect);
@@ -176,7 +176,7 @@ std::optional<Hypothesis> Bench::with(const Hypothesis& from, const Sketch& sket
 Hypothesis Bench::without(const Hypothesis& from, plant::EffectId effect) const {
   Hypothesis less;
   std::ranges::copy_if(from.effects, std::back_inserter(less.effects), [effect](auto id) { return id != effect; });
-  const ChannelMask mask = closure(channels_of(effect), from.halves[0].model.effects);
+  const ChannelMask mask = closure(simulator_.channels(effect), from.halves[0].model.effects);
   for (std::size_t half = 0; half < 2; ++half) {
     Model model = from.halves[half].model;
     std::erase_if(model.effects, [effect](const auto& e) { return e.id == effect; });
@@ -192,8 +192,8 @@ Hypothesis Bench::exchanged(const Hypothesis& from, plant::EffectId effect, plan
   std::ranges::copy_if(from.effects, std::back_inserter(changed.effects), [effect](auto id) { return id != effect; });
   changed.effects.push_back(other);
   const auto& effects = from.halves[0].model.effects;
-  const ChannelMask was = channels_of(effect);
-  ChannelMask mask = channels_of(other);
+  const ChannelMask was = simulator_.channels(effect);
+  ChannelMask mask = simulator_.channels(other);
   for (std::size_t c = 0; c < kChannels; ++c) {
     mask[c] = mask[c] || was[c];
   }

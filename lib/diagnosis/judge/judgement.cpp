@@ -16,10 +16,10 @@ bool is_structured(const Remainder& left, const Rules& rules) {
 
 /// True if an effect beside a larger one shows where a remainder is no noise. It may then be a part that the larger
 /// one's model lacks.
-bool may_be_a_detail(plant::EffectId id, const std::array<Remainder, kChannels>& left, const Rules& rules) {
+bool may_be_a_detail(const ChannelMask& shows, const std::array<Remainder, kChannels>& left, const Rules& rules) {
   ChannelMask structured{};
   std::ranges::transform(left, structured.begin(), [&](const Remainder& one) { return is_structured(one, rules); });
-  return meet(channels_of(id), structured);
+  return meet(shows, structured);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   }
   for (std::size_t i = 1; i < judgement.effects.size(); ++i) {
     NamedEffect& further = judgement.effects[i];
-    further.confidence *= may_be_a_detail(further.id, judgement.left, rules) ? rules.confidence_if_unknown : 1.0;
+    further.confidence *= may_be_a_detail(bench.simulator().channels(further.id), judgement.left, rules) ? rules.confidence_if_unknown : 1.0;
   }
   for (NamedEffect& effect : judgement.effects) {
     effect.confidence *= structured ? rules.confidence_if_unknown : 1.0;

@@ -45,13 +45,13 @@ std::vector<plant::EffectId> not_judged(const Bench& bench, const Model& model,
   const double kept = 1.0 - least_reduction;
   const double visible = std::sqrt(1.0 / (kept * kept) - 1.0);
   std::vector<plant::EffectId> hidden;
-  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
-    if (model.has(id) || simulator.known(id) != nullptr) {
+  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
+    const ChannelMask mine = simulator.channels(id);
+    if (!meet(mine, mine) || model.has(id) || simulator.known(id) != nullptr) {
       continue;
     }
     Model with = model;
     with.effects.push_back({id, usual_size(simulator, id)});
-    const ChannelMask mine = channels_of(id);
     bool shows = false;
     for (std::size_t c = 0; c < kChannels && !shows && !with.effects.back().fitted.empty(); ++c) {
       shows = mine[c] && bench.fit_data().judged[c] &&

@@ -121,7 +121,7 @@ double Screening::predicted_log_ratio(const Model& with, const ChannelMask& show
 }
 
 Screening::Promise Screening::promise_of(plant::EffectId effect) const {
-  const ChannelMask shows = channels_of(effect);
+  const ChannelMask shows = bench_.simulator().channels(effect);
   const ChannelMask concerned = bench_.closure(shows, from_.halves[0].model.effects);
   Promise best;
   for (const auto& start : bench_.simulator().starts(effect)) {

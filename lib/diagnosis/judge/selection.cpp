@@ -133,7 +133,7 @@ std::vector<plant::EffectId> Selection::promising(const std::vector<Screening::P
                                                   const ChannelMask& open) const {
   const double least = rules_.least_promise * rules_.least_reduction;
   std::vector<plant::EffectId> all;
-  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
     if (!promises[id].start.empty() && (!rules_.screens || promises[id].log_ratio > least)) {
       all.push_back(id);
     }
@@ -142,7 +142,7 @@ std::vector<plant::EffectId> Selection::promising(const std::vector<Screening::P
   std::vector<plant::EffectId> kept;
   std::array<std::size_t, kChannels> on_channel{};
   for (const plant::EffectId id : all) {
-    const ChannelMask shows = channels_of(id);
+    const ChannelMask shows = bench_.simulator().channels(id);
     bool wanted = false;
     for (std::size_t c = 0; c < kChannels; ++c) {
       wanted = wanted || (shows[c] && open[c] && (on_channel[c]++ < rules_.most_fitted || !rules_.screens));
@@ -155,11 +155,11 @@ std::vector<plant::EffectId> Selection::promising(const std::vector<Screening::P
 }
 
 std::vector<Selection::Tried> Selection::try_all(const ChannelMask& open) const {
-  std::vector<Tried> tried(plant::kEffectCount);
+  std::vector<Tried> tried(plant::kNameableCount);
   const Screening screening(bench_, chosen_);
-  std::vector<Screening::Promise> promises(plant::kEffectCount);
-  for_each_(plant::kEffectCount, [&](std::size_t id) {
-    if (meet(channels_of(id), open) && !holds(chosen_, id)) {
+  std::vector<Screening::Promise> promises(plant::kNameableCount);
+  for_each_(plant::kNameableCount, [&](std::size_t id) {
+    if (meet(bench_.simulator().channels(id), open) && !holds(chosen_, id)) {
       promises[id] = screening.promise_of(id);
     }
   });
@@ -199,14 +199,14 @@ bool Selection::add(const ChannelMask& open) {
   }
   std::vector<Tried> tried = try_all(open);
   std::vector<Candidate> lines;
-  plant::EffectId best = plant::kEffectCount;
-  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+  plant::EffectId best = plant::kNameableCount;
+  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
     const Tried& one = tried[id];
     if (!one.hypothesis) {
       continue;
     }
     lines.push_back({id, one.gain, one.estimate.fitted[0], one.estimate.deviation, one.accepted});
-    if (one.accepted && (best == plant::kEffectCount || one.gain.log_ratio > tried[best].gain.log_ratio)) {
+    if (one.accepted && (best == plant::kNameableCount || one.gain.log_ratio > tried[best].gain.log_ratio)) {
       best = id;
     }
   }
@@ -219,7 +219,7 @@ bool Selection::add(const ChannelMask& open) {
     }
     std::ranges::sort(first_, std::greater{}, [&](const Hypothesis& h) { return score(h); });
   }
-  if (best == plant::kEffectCount) {
+  if (best == plant::kNameableCount) {
     return false;
   }
   note_rivals(tried, best);

@@ -94,6 +94,9 @@ class Selection {
   /// Chance that `one` is right and not `other`, which explains the same. It is the share of resampled blocks in which
   /// it is better, reduced for a small lead, since small leads come from details that neither has.
   double chance_of(const Hypothesis& one, const Hypothesis& other) const;
+  /// True if two effects show on one channel: only then may one stand for the other.
+  bool may_be_rivals(plant::EffectId one, plant::EffectId other) const;
+  std::ptrdiff_t channel_count(plant::EffectId id) const;
   void note_rivals(const std::vector<Tried>& tried, plant::EffectId best);
 
   const Bench& bench_;
@@ -107,7 +110,7 @@ class Selection {
   std::vector<std::vector<Candidate>> rounds_;
   std::vector<Rival> rivals_;
   std::vector<Tie> ties_;
-  std::array<double, plant::kEffectCount> confidence_;
+  std::array<double, plant::kNameableCount> confidence_;
 };
 
 }  // namespace farrier::diagnosis

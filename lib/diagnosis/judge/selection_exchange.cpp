@@ -6,14 +6,14 @@
 #include "diagnosis/judge/selection.hpp"
 
 namespace farrier::diagnosis {
-namespace {
 
-/// True if two effects show on one channel: only then may one stand for the other.
-bool may_be_rivals(plant::EffectId one, plant::EffectId other) { return meet(channels_of(one), channels_of(other)); }
+bool Selection::may_be_rivals(plant::EffectId one, plant::EffectId other) const {
+  return meet(bench_.simulator().channels(one), bench_.simulator().channels(other));
+}
 
-std::ptrdiff_t channel_count(plant::EffectId id) { return std::ranges::count(channels_of(id), true); }
-
-}  // namespace
+std::ptrdiff_t Selection::channel_count(plant::EffectId id) const {
+  return std::ranges::count(bench_.simulator().channels(id), true);
+}
 
 double Selection::chance_of(const Hypothesis& one, const Hypothesis& other) const {
   const Gain lead = bench_.gain(other, one);
@@ -25,7 +25,7 @@ double Selection::chance_of(const Hypothesis& one, const Hypothesis& other) cons
 }
 
 void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId best) {
-  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
     if (id == best || !tried[id].accepted || !may_be_rivals(id, best)) {
       continue;
     }
@@ -62,8 +62,8 @@ void Selection::exchange() {
     const Hypothesis less = without(was);
     const double mine = bench_.gain(less, chosen_).log_ratio;
     const Screening screening(bench_, less);
-    std::vector<Screening::Promise> promises(plant::kEffectCount);
-    for_each_(plant::kEffectCount, [&](std::size_t id) {
+    std::vector<Screening::Promise> promises(plant::kNameableCount);
+    for_each_(plant::kNameableCount, [&](std::size_t id) {
       if (may_be_rivals(id, was) && !holds(chosen_, id)) {
         promises[id] = screening.promise_of(id);
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +21,15 @@ inline Jet jet_at(std::size_t place, double value, const std::vector<std::size_t
     jet.v[lane - lanes.begin()] = 1.0;
   }
   return jet;
+}
+
+/// The nominal factors of a model.
+inline std::array<Jet, kNominals> factor_jets(const Model& model, const std::vector<std::size_t>& lanes) {
+  std::array<Jet, kNominals> factors;
+  for (std::size_t i = 0; i < kNominals; ++i) {
+    factors[i] = jet_at(i, model.factors[i], lanes);
+  }
+  return factors;
 }
 
 /// The numbers of a model's effects, places from kNominals on.

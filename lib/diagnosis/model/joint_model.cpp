@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "diagnosis/model/jets.hpp"
+#include "plant/terms/active_effect.hpp"
 
 namespace farrier::diagnosis {
 
@@ -12,6 +13,7 @@ namespace {
 double step_of(plant::Side side, const JointData& data) noexcept {
   switch (side) {
     case plant::Side::kValveAndOil:
+    case plant::Side::kDrive:
       return data.step_s();
     case plant::Side::kLoad:
       return data.load_step_s();
@@ -31,6 +33,39 @@ JointModel::JointModel(const plant::ActuatorParams& actuator, const plant::LoadP
 const std::vector<double>* JointModel::known(plant::EffectId id) const noexcept {
   const auto found = std::ranges::find(known_, id, &Model::Effect::id);
   return found == known_.end() ? nullptr : &found->fitted;
+}
+
+ChannelMask JointModel::channels(plant::EffectId id) const noexcept {
+  return id < plant::kEffectCount ? channels_of(id) : ChannelMask{};
+}
+
+ChannelMask JointModel::nominal_channels(std::size_t factor) const noexcept {
+  const bool absent = (factor == static_cast<std::size_t>(Nominal::kStiffness) && load_.stiffness == 0.0) ||
+                      (factor == static_cast<std::size_t>(Nominal::kPistonMass) && actuator_.piston_mass == 0.0);
+  return absent                                               ? ChannelMask{}
+         : factor < static_cast<std::size_t>(Nominal::kMass) ? ChannelMask{true, false, false}
+                                                              : ChannelMask{false, true, false};
+}
+
+bool JointModel::fits(plant::EffectId id, std::size_t parameter) const noexcept {
+  return !plant::effect_info(id).parameters[parameter].held;
+}
+
+std::vector<std::vector<double>> JointModel::starts(plant::EffectId effect, const JointData& data) const {
+  if (effect >= plant::kEffectCount) {
+    return {};
+  }
+  if (const std::vector<double>* known = this->known(effect)) {
+    return {*known};
+  }
+  std::vector<std::vector<double>> all = usual_starts(*this, effect, data);
+  if (effect == plant::effect_id<plant::EndStop>()) {
+    // A stop is seen where the motion turns: just inside the outermost position.
+    const auto [low, high] = std::ranges::minmax(data.position);
+    const double length = scales_.of(plant::Scale::kLength);
+    all[0][0] = (std::min(low, length - high) + 0.02 * (high - low)) / length;
+  }
+  return all;
 }
 
 template <class T>
@@ -72,102 +107,37 @@ std::vector<T> JointModel::run(const JointData& data, Span span, const std::arra
                                const EffectNumbers<T>& effects, Channel channel, const Observer& observer) const {
   plant::TermSet<T> terms = this->terms(data, effects);
   const Constants<T> c = constants(factors);
-  std::vector<T> out;
-  out.reserve(span.size());
   switch (channel) {
     case Channel::kForce:
-      simulate_oil(data, span, c, terms, observer.oil_s, [&](std::size_t, const T& force) { out.push_back(force); });
-      break;
-    case Channel::kMotion: {
-      // The smoother turns the error in position into an error in velocity plus a weighted error in position, where a
-      // constant force shows. It is linear.
-      simulate_load(data, span, c, terms, observer.load_s,
-                    [&](std::size_t k, const T& position) { out.push_back(data.measured_position[k] - position); });
-      for (std::size_t from = 0; from < out.size();) {
-        std::size_t to = from + 1;
-        while (to < out.size() && knows_load(data, span.begin + to) == knows_load(data, span.begin + from)) {
-          ++to;
-        }
-        const std::vector<T> stretch(out.begin() + std::ptrdiff_t(from), out.begin() + std::ptrdiff_t(to));
-        const auto error = data.smoother.smooth<T>(stretch, {stretch[0], T(0.0), T(0.0)});
-        for (std::size_t i = from; i < to; ++i) {
-          const std::array<T, 3>& e = error[i - from];
-          out[i] = data.motion[span.begin + i] - (e[1] + e[0] / JointData::kMotionTime_s);
-        }
-        from = to;
-      }
-      break;
-    }
+      return run_drive<T>(data, span, OilSimulation<T>(data, c, terms, span.begin), observer.oil_s);
+    case Channel::kMotion:
+      return run_load<T>(data, span, LoadSimulation<T>(data, c, terms, span.begin), observer.load_s);
     case Channel::kVelocitySensor:
-      for (std::size_t k = span.begin; k < span.end; ++k) {
-        out.push_back(terms.on_velocity(T(data.velocity[k])));
-      }
       break;
   }
-  return out;
+  return run_velocity_sensor<T>(data, span, terms);
 }
-
-namespace {
-
-EffectNumbers<double> numbers(const Model& model) {
-  EffectNumbers<double> effects;
-  for (const Model::Effect& effect : model.effects) {
-    effects.emplace_back(effect.id, effect.fitted);
-  }
-  return effects;
-}
-
-}  // namespace
 
 std::vector<double> JointModel::simulate(const JointData& data, Span span, const Model& model, Channel channel,
                                          const Observer& observer) const {
-  return run<double>(data, span, model.factors, numbers(model), channel, observer);
+  return run<double>(data, span, model.factors, effect_numbers(model), channel, observer);
 }
 
 std::vector<double> JointModel::errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
                                              const Observer& observer, std::size_t steps, std::size_t every) const {
-  const auto set = terms<double>(data, numbers(model));
+  const auto set = terms<double>(data, effect_numbers(model));
   const Constants<double> c = constants(model.factors);
-  OilSimulation<double> oil(data, c, set, span.begin);
-  LoadSimulation<double> load(data, c, set, span.begin);
-  std::vector<double> errors;
-  for (std::size_t k = span.begin; k + steps < span.end; ++k) {
-    const bool leaves = (k - span.begin) % every == 0;
-    if (channel == Channel::kForce) {
-      if (leaves) {
-        auto ahead = oil;
-        for (std::size_t i = k; i < k + steps; ++i) {
-          ahead.read(i);
-          ahead.advance(i, 0.0, 0.0);
-        }
-        errors.push_back(data.force[k + steps] - ahead.read(k + steps));
-      }
-      const double force = oil.read(k);
-      oil.advance(k, data.force[k] - force, pull_of(data.period_s, observer.oil_s));
-    } else {
-      if (leaves) {
-        auto ahead = load;
-        ahead.settle(k);
-        for (std::size_t i = k; i < k + steps; ++i) {
-          ahead.advance(i, 0.0);
-        }
-        const double error = data.position[k + steps] - ahead.read();
-        errors.push_back(knows_load(data, k) && knows_load(data, k + steps) ? error / JointData::kMotionTime_s : 0.0);
-      }
-      load.advance(k, pull_of(data.period_s, observer.load_s));
-    }
-  }
-  return errors;
+  return channel == Channel::kForce
+             ? drive_errors_ahead(data, span, OilSimulation<double>(data, c, set, span.begin), observer.oil_s, steps,
+                                  every)
+             : load_errors_ahead(data, span, LoadSimulation<double>(data, c, set, span.begin), observer.load_s, steps,
+                                 every);
 }
 
 std::vector<double> JointModel::simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,
                                                const Observer& observer, const std::vector<std::size_t>& lanes,
                                                std::vector<double>& jacobian) const {
-  std::array<Jet, kNominals> factors;
-  for (std::size_t i = 0; i < kNominals; ++i) {
-    factors[i] = jet_at(i, model.factors[i], lanes);
-  }
-  const auto jets = run<Jet>(data, span, factors, effect_jets(model, lanes), channel, observer);
+  const auto jets = run<Jet>(data, span, factor_jets(model, lanes), effect_jets(model, lanes), channel, observer);
   return values_and_jacobian(jets, lanes.size(), jacobian);
 }
 

@@ -6,45 +6,47 @@
 
 #include "core/result.hpp"
 #include "diagnosis/data/joint_data.hpp"
+#include "diagnosis/model/joint_sides.hpp"
 #include "diagnosis/model/model.hpp"
 #include "diagnosis/model/side_models.hpp"
 #include "plant/terms/terms.hpp"
 
 namespace farrier::diagnosis {
 
-/// A joint as its file has it, for simulations of its sides.
-class JointModel {
+/// A hydraulic joint as its file has it, for simulations of its sides.
+class JointModel final : public JointSides {
  public:
   /// `known` effects are in every simulation, unless the model has its own of that kind.
   JointModel(const plant::ActuatorParams& actuator, const plant::LoadParams& load,
              std::vector<Model::Effect> known = {});
 
-  /// Numbers of an effect that the joint is known to have, null for none.
-  const std::vector<double>* known(plant::EffectId id) const noexcept;
+  const std::vector<double>* known(plant::EffectId id) const noexcept override;
   const std::vector<Model::Effect>& known() const noexcept { return known_; }
 
-  const plant::Scales& scales() const noexcept { return scales_; }
+  const plant::Scales& scales() const noexcept override { return scales_; }
   const plant::ActuatorParams& actuator() const noexcept { return actuator_; }
-  const plant::LoadParams& load() const noexcept { return load_; }
+  const plant::LoadParams& load() const noexcept override { return load_; }
+
+  ChannelMask channels(plant::EffectId id) const noexcept override;
+  ChannelMask nominal_channels(std::size_t factor) const noexcept override;
+  std::size_t replaced(plant::EffectId id) const noexcept override { return replaced_of_load(id); }
+  bool fits(plant::EffectId id, std::size_t parameter) const noexcept override;
+  std::vector<std::vector<double>> starts(plant::EffectId id, const JointData& data) const override;
 
   /// Constants for factors.
   template <class T>
   Constants<T> constants(const std::array<T, kNominals>& factors) const;
 
-  /// Simulated readings over a span: force; motion of the load, as JointData::motion; velocity sensor.
+  JointData prepared(const Recording& recording, double position_noise) const override {
+    return prepare(recording, actuator_, position_noise);
+  }
   std::vector<double> simulate(const JointData& data, Span span, const Model& model, Channel channel,
-                               const Observer& observer) const;
-
-  /// Errors, measured less simulated, of simulations that leave an observed one every `every` samples of a span and run
-  /// freely for `steps`, by the places where they leave. They are errors of the force, or of the load's position over
-  /// JointData::kMotionTime_s.
+                               const Observer& observer) const override;
   std::vector<double> errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
-                                   const Observer& observer, std::size_t steps, std::size_t every) const;
-
-  /// simulate() with derivatives as Simulator::simulate_lanes has them.
+                                   const Observer& observer, std::size_t steps, std::size_t every) const override;
   std::vector<double> simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,
                                      const Observer& observer, const std::vector<std::size_t>& lanes,
-                                     std::vector<double>& jacobian) const;
+                                     std::vector<double>& jacobian) const override;
 
  private:
   template <class T>

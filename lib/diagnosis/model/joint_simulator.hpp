@@ -1,6 +1,6 @@
 #pragma once
 
-#include "diagnosis/model/joint_model.hpp"
+#include "diagnosis/model/joint_sides.hpp"
 #include "diagnosis/model/simulator.hpp"
 
 namespace farrier::diagnosis {
@@ -8,10 +8,10 @@ namespace farrier::diagnosis {
 /// The sides of a joint, from its recording. Both outlive this.
 class JointSimulator final : public Simulator {
  public:
-  /// `force_noise`: standard deviation of the load cell, N or Nm; smaller forces are no effects.
-  JointSimulator(const JointModel& model, const JointData& data, double force_noise = 0.0);
+  /// `force_noise`: standard deviation of the force sensor, N or Nm; smaller forces are no effects.
+  JointSimulator(const JointSides& model, const JointData& data, double force_noise = 0.0);
 
-  const JointModel& model() const noexcept { return model_; }
+  const JointSides& model() const noexcept { return model_; }
   const JointData& data() const noexcept { return data_; }
 
   double period_s() const noexcept override { return data_.period_s; }
@@ -22,7 +22,8 @@ class JointSimulator final : public Simulator {
   const std::vector<double>* known(plant::EffectId id) const noexcept override { return model_.known(id); }
   double least(plant::EffectId effect) const noexcept override;
   Model nominal() const override { return Model::nominal(); }
-  std::vector<std::vector<double>> starts(plant::EffectId effect) const override;
+  ChannelMask channels(plant::EffectId effect) const noexcept override { return model_.channels(effect); }
+  std::vector<std::vector<double>> starts(plant::EffectId effect) const override { return starts_[effect]; }
   std::vector<FreeNumber> free_numbers(const Model& model, const ChannelMask& mask,
                                        double nominal_spread) const override;
   std::vector<double> simulate(Span span, const Model& model, Channel channel,
@@ -36,10 +37,10 @@ class JointSimulator final : public Simulator {
   }
 
  private:
-  const JointModel& model_;
+  const JointSides& model_;
   const JointData& data_;
   double force_noise_;
-  double least_position_, most_position_;
+  std::vector<std::vector<std::vector<double>>> starts_;  ///< by effect
 };
 
 }  // namespace farrier::diagnosis

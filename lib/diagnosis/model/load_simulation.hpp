@@ -12,6 +12,15 @@
 
 namespace farrier::diagnosis {
 
+/// Mean speed of a load over a step of `h` s from position x and speed v, under a mean force:
+/// m (2 w - 2 v) / h = F - d w - C (x + h w / 2 - x_eq) - hold - slope w, (2.24) in the mean speed w.
+template <class T>
+T mean_speed(const plant::LoadMoment<T>& load, const T& x, const T& v, const T& force, double h) {
+  const T along = load.damping + load.slope + 0.5 * h * load.stiffness;
+  const T push = force + load.external_force - load.stiffness * (x - load.slack_position) - load.hold;
+  return (2.0 / h * load.mass * v + push) / (2.0 / h * load.mass + along);
+}
+
 /// Simulates the load from a sample on, driven by the measured force. A copy continues from the state of the original.
 template <class T>
 class LoadSimulation {
@@ -57,11 +66,7 @@ class LoadSimulation {
       plant::LoadMoment<T> load{x_ + 0.5 * h * v_,     v_,     c_->mass, c_->damping, c_->stiffness,
                                 T(c_->slack_position), T(0.0), T(0.0),   T(0.0)};
       terms_.on_load(load);
-      // (2.24) over a step in its mean velocity w:
-      // m (2 w - 2 v) / h = F - d w - C (x + h w / 2 - x_eq) - hold - slope w
-      const T along = load.damping + load.slope + 0.5 * h * load.stiffness;
-      const T push = force + load.external_force - load.stiffness * (x_ - load.slack_position) - load.hold;
-      const T mean = (2.0 / h * load.mass * v_ + push) / (2.0 / h * load.mass + along);
+      const T mean = mean_speed(load, x_, v_, force, h);
       terms_.after_load(mean);
       x_ += h * mean;
       v_ += 2.0 * (mean - v_);

@@ -7,6 +7,7 @@ namespace farrier::diagnosis {
 ChannelMask channels_of(plant::Side side) noexcept {
   switch (side) {
     case plant::Side::kValveAndOil:
+    case plant::Side::kDrive:
       return {true, false, false};
     case plant::Side::kLoad:
       return {false, true, false};
@@ -35,6 +36,14 @@ std::vector<std::vector<double>> starts_of(const plant::EffectInfo& info) {
 
 bool Model::has(plant::EffectId id) const noexcept {
   return std::ranges::any_of(effects, [id](const Effect& effect) { return effect.id == id; });
+}
+
+EffectNumbers<double> effect_numbers(const Model& model) {
+  EffectNumbers<double> effects;
+  for (const Model::Effect& effect : model.effects) {
+    effects.emplace_back(effect.id, effect.fitted);
+  }
+  return effects;
 }
 
 }  // namespace farrier::diagnosis

@@ -75,5 +75,6 @@ struct Model {
 /// Numbers of a model's effects, as a simulation has them.
 template <class T>
 using EffectNumbers = std::vector<std::pair<plant::EffectId, std::vector<T>>>;
+EffectNumbers<double> effect_numbers(const Model& model);
 
 }  // namespace farrier::diagnosis

@@ -64,6 +64,10 @@ ScaledSimulator::ScaledSimulator(const ScaledRecording& recording)
   }
 }
 
+ChannelMask ScaledSimulator::channels(plant::EffectId effect) const noexcept {
+  return effect < plant::kEffectCount ? channels_of(effect) : ChannelMask{};
+}
+
 std::vector<std::vector<double>> ScaledSimulator::starts(plant::EffectId effect) const {
   if (std::ranges::find(kEffects, effect) == kEffects.end()) {
     return {};

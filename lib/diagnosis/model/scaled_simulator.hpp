@@ -34,6 +34,7 @@ class ScaledSimulator final : public Simulator {
   /// Gain and drift that fit the steps of the position best.
   Model nominal() const override { return nominal_; }
   /// Starts for effects between command and flow.
+  ChannelMask channels(plant::EffectId effect) const noexcept override;
   std::vector<std::vector<double>> starts(plant::EffectId effect) const override;
   std::vector<FreeNumber> free_numbers(const Model& model, const ChannelMask& mask,
                                        double nominal_spread) const override;

@@ -13,6 +13,7 @@
 #include "diagnosis/data/joint_data.hpp"
 #include "diagnosis/model/load_simulation.hpp"
 #include "diagnosis/model/model.hpp"
+#include "diagnosis/model/side_runs.hpp"
 #include "plant/oil.hpp"
 #include "plant/terms/terms.hpp"
 
@@ -128,44 +129,5 @@ class OilSimulation {
   T p_a_, p_b_;
   T supply_flow_ = T(0.0);
 };
-
-/// Share of an error that a simulation drawn with this time constant loses in a period.
-inline double pull_of(double period_s, double time_constant_s) noexcept {
-  return 1.0 - std::exp(-period_s / time_constant_s);
-}
-
-/// True if the load at a sample is the one in its model.
-inline bool knows_load(const JointData& data, std::size_t k) noexcept {
-  return data.swing.empty() || data.swing[k] != 0;
-}
-
-/// Valve and oil over a span: gives the simulated reading of each sample's load cell to `take(index, force)`.
-template <class T, class Take>
-void simulate_oil(const JointData& data, Span span, const Constants<T>& c, const plant::TermSet<T>& terms,
-                  double observer_s, Take&& take) {
-  OilSimulation<T> oil(data, c, terms, span.begin);
-  const double pull = pull_of(data.period_s, observer_s);
-  for (std::size_t k = span.begin; k < span.end; ++k) {
-    const T force = oil.read(k);
-    take(k, force);
-    oil.advance(k, data.force[k] - force, pull);
-  }
-}
-
-/// The load over a span: gives its position to `take(index, position)`. Where the load is not the one in its model, the
-/// simulation stays at the measurement.
-template <class T, class Take>
-void simulate_load(const JointData& data, Span span, const Constants<T>& c, const plant::TermSet<T>& terms,
-                   double observer_s, Take&& take) {
-  LoadSimulation<T> load(data, c, terms, span.begin);
-  const double pull = pull_of(data.period_s, observer_s);
-  for (std::size_t k = span.begin; k < span.end; ++k) {
-    if (!knows_load(data, k)) {
-      load.settle(k);
-    }
-    take(k, load.read());
-    load.advance(k, pull);
-  }
-}
 
 }  // namespace farrier::diagnosis

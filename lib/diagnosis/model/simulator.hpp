@@ -37,6 +37,8 @@ class Simulator {
 
   /// The model without effects.
   virtual Model nominal() const = 0;
+  /// Channels on which an effect shows; none for an effect that what is simulated does not have.
+  virtual ChannelMask channels(plant::EffectId effect) const noexcept = 0;
   /// Numbers of an effect's parameters from which its fits begin; none for an effect that this recording cannot show.
   virtual std::vector<std::vector<double>> starts(plant::EffectId effect) const = 0;
   /// Factors and numbers of effects of `model` that concern channels of `mask`. A factor that is known to

@@ -47,7 +47,7 @@ std::array<double, kChannels> expected_residuals(const Bench& bench, const Joint
       oil ? joint.model().simulate(data, all, model, Channel::kForce, {kFree_s, kFree_s}) : data.force;
   twin.force = sum_of(force, force_noise);
   twin.swing = data.swing;
-  const JointData observed = prepare(twin, joint.model().actuator(), noise.position);
+  const JointData observed = joint.model().prepared(twin, noise.position);
   std::array<double, kChannels> rms{};
   for (std::size_t c = 0; c < kChannels; ++c) {
     if (!bench.fit_data().judged[c]) {

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "plant/actuator.hpp"
+#include "plant/electric_actuator.hpp"
 
 namespace farrier::plant {
 
@@ -15,13 +16,14 @@ enum class Side {
   kLoad,            ///< right of it: from force to motion
   kForceSensor,     ///< the cell itself: shows on both sides
   kVelocitySensor,  ///< shows between position and velocity
+  kDrive,           ///< motor and gear of an electric joint, left of its torque sensor
 };
 
 /// Unit of a parameter of an effect: fitted numbers are multiples of it and of order one.
 enum class Scale {
   kOne,
   kCurrent,  ///< valve_current_max_A
-  kForce,    ///< supply pressure times the larger area, N or Nm
+  kForce,    ///< supply pressure times the larger area, N or Nm; of an electric joint its rated torque
   kLength,   ///< stroke, m or rad
   kSpeed,    ///< velocity_scale(), m/s or rad/s
   kSecond,
@@ -32,6 +34,8 @@ enum class Scale {
   kDamping,    ///< of the nominal load
   kStiffness,  ///< of the nominal load, or a fifth of kForce over kLength where it has none
   kCubic,      ///< kStiffness over kLength squared
+  kRotor,      ///< rotor of an electric joint, kg m^2
+  kGearStiffness,  ///< its spring, or plant::softest_rigid_spring_Nm_rad of a rigid drive
 };
 
 /// Range of a parameter.
@@ -96,12 +100,37 @@ class Scales {
               stiffness / (actuator.stroke * actuator.stroke)};
   }
 
+  /// Of an electric joint. `rated_torque_Nm` > 0.
+  Scales(const ElectricParams& drive, const LoadParams& load, double rated_torque_Nm) noexcept
+      : load_(load), gear_neutral_(drive.rigid ? 0.0 : 1.0) {
+    const double speed = no_load_speed(drive);
+    const double stiffness = load.stiffness > 0.0 ? load.stiffness : 0.2 * rated_torque_Nm / drive.travel;
+    sizes_ = {1.0,
+              current_max_A(drive),
+              rated_torque_Nm,
+              drive.travel,
+              speed,
+              1.0,
+              1.0,
+              1.0,
+              1.0,
+              load.mass,
+              load.damping > 0.0 ? load.damping : 0.01 * rated_torque_Nm / speed,
+              stiffness,
+              stiffness / (drive.travel * drive.travel),
+              drive.rotor_inertia_kg_m2,
+              drive.rigid ? softest_rigid_spring_Nm_rad(drive) : drive.spring_stiffness};
+  }
+
   double of(Scale scale) const noexcept { return sizes_[static_cast<std::size_t>(scale)]; }
   /// Fitted number at which a parameter changes nothing.
   double neutral(const Parameter& parameter) const noexcept {
     switch (parameter.scale) {
       case Scale::kMass:
+      case Scale::kRotor:
         return 1.0;
+      case Scale::kGearStiffness:
+        return gear_neutral_;
       case Scale::kDamping:
         return load_.damping / of(Scale::kDamping);
       case Scale::kStiffness:
@@ -119,7 +148,8 @@ class Scales {
 
  private:
   LoadParams load_;
-  std::array<double, 13> sizes_;
+  double gear_neutral_ = 0.0;
+  std::array<double, 15> sizes_{};
 };
 
 // Values that the terms of a joint read and change. T is double, or a number that carries derivatives; all values in

@@ -16,6 +16,7 @@ inline constexpr std::array kSideTexts{
     SideText{"load", "Effect behind the load cell."},
     SideText{"force sensor", "Effect of the load cell."},
     SideText{"velocity sensor", "Effect of the velocity sensor."},
+    SideText{"drive", "Effect between the current and the torque sensor."},
 };
 constexpr const SideText& text_of(Side side) { return kSideTexts[static_cast<std::size_t>(side)]; }
 
@@ -41,8 +42,10 @@ inline constexpr std::array kScaleTexts{
               "the stiffness of the swing load, or a fifth of full push over stroke"},
     ScaleText{"stiffness / stroke^2",
               "the stiffness of the swing load, or a fifth of full push over stroke, over the stroke's square"},
+    ScaleText{"the model's", "the inertia of the rotor"},
+    ScaleText{"the model's, or (2 pi 100 Hz)^2 rotor", "the spring, or that on which the rotor swings at 100 Hz"},
 };
-static_assert(kScaleTexts.size() == static_cast<std::size_t>(Scale::kCubic) + 1, "a text per scale, in their order");
+static_assert(kScaleTexts.size() == static_cast<std::size_t>(Scale::kGearStiffness) + 1, "a text per scale, in their order");
 constexpr const ScaleText& text_of(Scale scale) { return kScaleTexts[static_cast<std::size_t>(scale)]; }
 
 }  // namespace farrier::plant

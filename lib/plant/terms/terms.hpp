@@ -9,6 +9,7 @@
 
 #include "plant/terms/air_entrainment.hpp"
 #include "plant/terms/backlash.hpp"
+#include "plant/terms/electric_effects.hpp"
 #include "plant/terms/end_stop.hpp"
 #include "plant/terms/external_force.hpp"
 #include "plant/terms/flow_saturation.hpp"
@@ -49,19 +50,28 @@ using AllTerms = TermList<T, InputDelay, ValveBias, ValveDynamics, ValveDeadband
                           ForceSensorGain, ForceSensorOffset, VelocityFilterLag>;
 
 inline constexpr std::size_t kEffectCount = AllTerms<double>::kCount;
-/// Place of an effect in AllTerms: what it is called inside the program.
+/// Effects that a diagnosis may name: those of AllTerms, which robot files have, then kElectricEffects.
+inline constexpr std::size_t kNameableCount = kEffectCount + kElectricEffects.size();
+/// Place of an effect among those that a diagnosis may name: what it is called inside the program.
 using EffectId = std::size_t;
 
-constexpr const EffectInfo& effect_info(EffectId id) { return *AllTerms<double>::kInfos[id]; }
+constexpr const EffectInfo& effect_info(EffectId id) {
+  return id < kEffectCount ? *AllTerms<double>::kInfos[id] : kElectricEffects[id - kEffectCount];
+}
 
-/// The effect of that name, or kEffectCount.
-constexpr EffectId find_effect(std::string_view name) {
-  for (EffectId id = 0; id < kEffectCount; ++id) {
-    if (name == effect_info(id).name) {
-      return id;
-    }
+/// The effect of that name among those that a diagnosis may name, or kNameableCount.
+constexpr EffectId find_nameable(std::string_view name) {
+  EffectId id = 0;
+  while (id < kNameableCount && name != effect_info(id).name) {
+    ++id;
   }
-  return kEffectCount;
+  return id;
+}
+
+/// The effect of that name in AllTerms, or kEffectCount.
+constexpr EffectId find_effect(std::string_view name) {
+  const EffectId id = find_nameable(name);
+  return id < kEffectCount ? id : kEffectCount;
 }
 
 /// The terms that a joint has, with their states.

@@ -1,0 +1,184 @@
+#include "diagnosis/model/electric_model.hpp"
+
+#include <string_view>
+
+#include "diagnosis/model/electric_load.hpp"
+#include "diagnosis/model/electric_starts.hpp"
+#include "diagnosis/model/jets.hpp"
+#include "diagnosis/model/side_runs.hpp"
+
+namespace farrier::diagnosis {
+namespace {
+
+constexpr ChannelMask kOnDrive{true, false, false};
+constexpr ChannelMask kOnLoad{false, true, false};
+
+/// Effects of hydraulic joints that electric ones have too.
+constexpr std::array kShared{"input_delay",      "backlash",          "load_mass",           "load_stiffness",
+                             "load_damping",     "spring_hardening",  "external_force",      "load_friction",
+                             "force_sensor_lag", "force_sensor_gain", "force_sensor_offset", "velocity_filter_lag"};
+
+constexpr std::size_t kLoadNominals = static_cast<std::size_t>(Nominal::kMass);
+
+bool is(plant::EffectId id, std::string_view name) noexcept { return plant::effect_info(id).name == name; }
+
+}  // namespace
+
+ElectricModel::ElectricModel(const plant::ElectricParams& drive, const plant::LoadParams& load, double rated_torque_Nm)
+    : drive_(drive), load_(load), scales_(drive, load, rated_torque_Nm) {}
+
+ChannelMask ElectricModel::channels(plant::EffectId id) const noexcept {
+  const plant::EffectInfo& info = plant::effect_info(id);
+  const bool shared = std::ranges::any_of(kShared, [&](std::string_view name) { return name == info.name; });
+  if (id < plant::kEffectCount && !shared) {
+    return {};
+  }
+  if (info.side == plant::Side::kForceSensor) {
+    return drive_.rigid ? ChannelMask{} : channels_of(info.side);
+  }
+  if (is(id, "rotor_inertia") || is(id, "gear_friction")) {
+    return drive_.rigid ? ChannelMask{} : kOnDrive;
+  }
+  if (is(id, "torque_constant") || is(id, "gear_stiffness") || is(id, "cogging") || is(id, "backlash")) {
+    return drive_.rigid ? kOnLoad : kOnDrive;
+  }
+  return channels_of(info.side);
+}
+
+ChannelMask ElectricModel::nominal_channels(std::size_t factor) const noexcept {
+  if (factor >= kLoadNominals) {
+    const bool absent = (factor == static_cast<std::size_t>(Nominal::kStiffness) && load_.stiffness == 0.0) ||
+                        (factor == static_cast<std::size_t>(Nominal::kDamping) && load_.damping == 0.0);
+    return absent ? ChannelMask{} : kOnLoad;
+  }
+  const auto mine = [&](bool there, bool rigid_too) {
+    return !there || (drive_.rigid && !rigid_too) ? ChannelMask{} : drive_.rigid ? kOnLoad : kOnDrive;
+  };
+  switch (static_cast<DriveNominal>(factor)) {
+    case DriveNominal::kTorqueConstant:
+      return mine(true, true);
+    case DriveNominal::kRotor:
+      return mine(drive_.rotor_inertia_kg_m2 > 0.0, true);
+    case DriveNominal::kDamping:
+      return mine(drive_.damping > 0.0, true);
+    case DriveNominal::kCoulomb:
+      return mine(drive_.coulomb > 0.0, true);
+    case DriveNominal::kResistance:
+    case DriveNominal::kInductance:
+    case DriveNominal::kStiffness:
+      return mine(true, false);
+    case DriveNominal::kLag:
+      return drive_.rigid ? kOnDrive : ChannelMask{};
+  }
+  return {};
+}
+
+std::size_t ElectricModel::replaced(plant::EffectId id) const noexcept {
+  if (is(id, "rotor_inertia")) {
+    return static_cast<std::size_t>(DriveNominal::kRotor);
+  }
+  if (is(id, "torque_constant")) {
+    return static_cast<std::size_t>(DriveNominal::kTorqueConstant);
+  }
+  if (is(id, "gear_stiffness")) {
+    return static_cast<std::size_t>(DriveNominal::kStiffness);
+  }
+  return replaced_of_load(id);
+}
+
+bool ElectricModel::fits(plant::EffectId id, std::size_t parameter) const noexcept {
+  const bool relaxation = is(id, "gear_stiffness") && parameter == 1;
+  return !plant::effect_info(id).parameters[parameter].held && !(relaxation && !drive_.rigid);
+}
+
+std::vector<std::vector<double>> ElectricModel::starts(plant::EffectId id, const JointData& data) const {
+  const ChannelMask shows = channels(id);
+  if (!meet(shows, shows)) {
+    return {};
+  }
+  if (is(id, "current_limit")) {
+    return starts_of_limit(data, scales_);
+  }
+  if (is(id, "cogging")) {
+    return starts_of_cogging(data, drive_, load_, scales_);
+  }
+  if (is(id, "gravity")) {
+    return starts_of_gravity(data, drive_, load_, scales_);
+  }
+  if (is(id, "gear_stiffness") && drive_.rigid) {
+    const double relaxation_s = plant::effect_info(id).parameters[1].starts[0];
+    return {{0.3, relaxation_s}, {3.0, relaxation_s}};
+  }
+  return usual_starts(*this, id, data);
+}
+
+JointData ElectricModel::prepared(const Recording& recording, double position_noise) const {
+  return prepare(recording, position_noise);
+}
+
+/// A joint with a model's factors and effects.
+template <class T>
+struct ElectricModel::Parts {
+  DriveNumbers<T> drive;
+  LoadNumbers<T> load;
+  plant::TermSet<T> terms;  ///< effects of input, load and sensors
+};
+
+template <class T>
+ElectricModel::Parts<T> ElectricModel::parts(const JointData& data, const std::array<T, kNominals>& factors,
+                                             const EffectNumbers<T>& effects) const {
+  const auto of_load = [&](Nominal place) { return factors[static_cast<std::size_t>(place)]; };
+  Parts<T> parts{drive_numbers(drive_, scales_, factors, effects, DriveSimulation<T>::step_of(data)),
+                 {of_load(Nominal::kMass) * load_.mass, of_load(Nominal::kDamping) * load_.damping,
+                  of_load(Nominal::kStiffness) * load_.stiffness, load_.equilibrium_position},
+                 {}};
+  for (const auto& [id, fitted] : effects) {
+    if (id < plant::kEffectCount && !is(id, "backlash")) {
+      const bool of_side = plant::effect_info(id).side == plant::Side::kLoad;
+      parts.terms.add(id, fitted.data(), scales_, of_side ? data.load_step_s() : data.period_s);
+    }
+  }
+  return parts;
+}
+
+template <class T>
+std::vector<T> ElectricModel::run(const JointData& data, Span span, const std::array<T, kNominals>& factors,
+                                  const EffectNumbers<T>& effects, Channel channel, const Observer& observer) const {
+  Parts<T> joint = parts(data, factors, effects);
+  switch (channel) {
+    case Channel::kForce:
+      return run_drive<T>(data, span, DriveSimulation<T>(data, joint.drive, joint.terms, span.begin), observer.oil_s);
+    case Channel::kMotion:
+      return run_load<T>(data, span, ElectricLoad<T>(data, joint.drive, joint.load, joint.terms, span.begin),
+                         observer.load_s);
+    case Channel::kVelocitySensor:
+      break;
+  }
+  return run_velocity_sensor<T>(data, span, joint.terms);
+}
+
+std::vector<double> ElectricModel::simulate(const JointData& data, Span span, const Model& model, Channel channel,
+                                            const Observer& observer) const {
+  return run<double>(data, span, model.factors, effect_numbers(model), channel, observer);
+}
+
+std::vector<double> ElectricModel::simulate_lanes(const JointData& data, Span span, const Model& model,
+                                                  Channel channel, const Observer& observer,
+                                                  const std::vector<std::size_t>& lanes,
+                                                  std::vector<double>& jacobian) const {
+  const auto jets = run<Jet>(data, span, factor_jets(model, lanes), effect_jets(model, lanes), channel, observer);
+  return values_and_jacobian(jets, lanes.size(), jacobian);
+}
+
+std::vector<double> ElectricModel::errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
+                                                const Observer& observer, std::size_t steps, std::size_t every) const {
+  const Parts<double> joint = parts<double>(data, model.factors, effect_numbers(model));
+  return channel == Channel::kForce
+             ? drive_errors_ahead(data, span, DriveSimulation<double>(data, joint.drive, joint.terms, span.begin),
+                                  observer.oil_s, steps, every)
+             : load_errors_ahead(data, span,
+                                 ElectricLoad<double>(data, joint.drive, joint.load, joint.terms, span.begin),
+                                 observer.load_s, steps, every);
+}
+
+}  // namespace farrier::diagnosis

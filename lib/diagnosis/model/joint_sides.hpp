@@ -1,0 +1,58 @@
+#pragma once
+
+#include <vector>
+
+#include "diagnosis/data/joint_data.hpp"
+#include "diagnosis/data/recording.hpp"
+#include "diagnosis/model/model.hpp"
+#include "plant/terms/terms.hpp"
+
+namespace farrier::diagnosis {
+
+/// Simulations of the two sides into which the force sensor splits a joint, and of its velocity sensor. Hydraulic joints
+/// are a JointModel, electric ones an ElectricModel.
+class JointSides {
+ public:
+  virtual ~JointSides() = default;
+
+  virtual const plant::Scales& scales() const noexcept = 0;
+  virtual const plant::LoadParams& load() const noexcept = 0;
+  /// Numbers of an effect that the joint is known to have, null for none.
+  virtual const std::vector<double>* known(plant::EffectId id) const noexcept = 0;
+
+  /// Channels on which an effect shows; none for one that such joints do not have.
+  virtual ChannelMask channels(plant::EffectId id) const noexcept = 0;
+  /// Channels that a nominal factor concerns; none for one that the joint's model does not have.
+  virtual ChannelMask nominal_channels(std::size_t factor) const noexcept = 0;
+  /// Nominal factor whose place an effect takes, kNominals for none.
+  virtual std::size_t replaced(plant::EffectId id) const noexcept = 0;
+  /// True if a fit may change that number of an effect.
+  virtual bool fits(plant::EffectId id, std::size_t parameter) const noexcept = 0;
+  /// Numbers of an effect from which its fits to `data` begin.
+  virtual std::vector<std::vector<double>> starts(plant::EffectId id, const JointData& data) const = 0;
+
+  /// A recording made ready; `position_noise` as of the joint's sensor, > 0.
+  virtual JointData prepared(const Recording& recording, double position_noise) const = 0;
+
+  /// Simulated readings over a span: force; motion of the load, as JointData::motion; velocity sensor.
+  virtual std::vector<double> simulate(const JointData& data, Span span, const Model& model, Channel channel,
+                                       const Observer& observer) const = 0;
+  /// simulate() with derivatives as Simulator::simulate_lanes has them.
+  virtual std::vector<double> simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,
+                                             const Observer& observer, const std::vector<std::size_t>& lanes,
+                                             std::vector<double>& jacobian) const = 0;
+  /// Errors, measured less simulated, of simulations that leave an observed one every `every` samples of a span and run
+  /// freely for `steps`, by the places where they leave. They are errors of the force, or of the load's position over
+  /// JointData::kMotionTime_s.
+  virtual std::vector<double> errors_ahead(const JointData& data, Span span, const Model& model, Channel channel,
+                                           const Observer& observer, std::size_t steps, std::size_t every) const = 0;
+};
+
+/// Starts of an effect of either kind of joint: those of the library, springs slack where the load's is or amid the
+/// recorded positions.
+std::vector<std::vector<double>> usual_starts(const JointSides& joint, plant::EffectId id, const JointData& data);
+
+/// Nominal factor of the load whose place an effect of the load takes, kNominals for none.
+std::size_t replaced_of_load(plant::EffectId id) noexcept;
+
+}  // namespace farrier::diagnosis
