@@ -63,6 +63,7 @@ Result<Recording, Refusal> read(const DiagnoseOptions& o, const robot::Robot& ro
   if (!recording) {
     return Refusal{std::move(recording).error()};
   }
+  recording = diagnosis::with_current(std::move(recording).value(), joint);
   if (auto wiring = wiring_of(o, robot, joint, recording.value()); !wiring.empty()) {
     auto findings = diagnosis::wiring_findings(wiring, recording.value(), joint.name);
     return Refusal{{std::move(findings), recording.value().remarks}, std::move(wiring)};
@@ -185,8 +186,8 @@ int diagnose(const DiagnoseOptions& o) {
                                         .seed = o.seed,
                                         .trials = o.trials,
                                         .threads = o.threads,
-                                        .go_on = o.go_on,
-                                        .electric = o.actuator == Actuator::kElectric},
+                                        .electric = o.actuator == Actuator::kElectric,
+                                        .go_on = o.go_on},
                                         robots_directory())
                : refuse("diagnose", "--benchmark makes its recordings: name none");
   }

@@ -24,7 +24,7 @@ std::string range_text(const plant::Parameter& p) {
 
 std::string effects_table_markdown() {
   std::string table = "| effect | place | parameter | unit | range | meaning |\n|---|---|---|---|---|---|\n";
-  for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
+  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
     const plant::EffectInfo& info = plant::effect_info(id);
     for (const plant::Parameter& p : info.parameters) {
       const bool first = &p == info.parameters.data();

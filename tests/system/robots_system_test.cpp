@@ -50,12 +50,5 @@ INSTANTIATE_TEST_SUITE_P(
                     Misuse{"trial", {"trial"}, "the effect is hidden in a hydraulic joint, and haa is electric"}),
     [](const auto& misuse) { return std::string(misuse.param.name); });
 
-TEST(ElectricLegDiagnosed, IsRefused) {
-  std::string output;
-  EXPECT_EQ(run_farrier({"diagnose", shipped("electric_leg"), "--model", shipped("electric_leg"), "--joint", "kfe"},
-                        &output), 2);
-  EXPECT_NE(output.find("kfe of electric_leg is electric"), std::string::npos) << output;
-}
-
 }  // namespace robots_system_test
 }  // namespace farrier::test

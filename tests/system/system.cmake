@@ -7,7 +7,8 @@ set(system_definitions FARRIER_COMMAND="$<TARGET_FILE:farrier>" FARRIER_JOINT_NO
   FARRIER_MONITORING="${PROJECT_SOURCE_DIR}/deploy/monitoring")
 
 # One robot on this computer.
-set(system_tests trace_identity process_failure command_line bench_parts reproduce diagnose diagnose_scaled process_end
+set(system_tests trace_identity process_failure command_line bench_parts reproduce diagnose diagnose_electric diagnose_scaled
+  process_end
   surroundings robots_system security_system echo monitor_command monitor_page record recorded_run faults_refusals)
 if(TARGET farrier_report_body)
   list(APPEND system_tests body/trial_body body/walk body/other_processor)

@@ -1,5 +1,6 @@
 farrier_test(diagnosis_test unit
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/derive_velocity_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/electric_model_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/fit_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/not_judged_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/recording_check_test.cpp

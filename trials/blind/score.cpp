@@ -115,6 +115,8 @@ Score score(const std::vector<Outcome>& outcomes) {
       [](const Outcome& o) { return o.parameter_error <= kParameterTolerance; });
   s.false_alarms =
       share(outcomes, of_kind(Kind::kNone), [](const Outcome& o) { return o.verdict != diagnosis::Verdict::kNone; });
+  s.outside_unknown = share(outcomes, detectable(Kind::kOutside),
+                            [](const Outcome& o) { return o.verdict == diagnosis::Verdict::kUnknown; });
   s.outside_admitted = share(outcomes, detectable(Kind::kOutside), [](const Outcome& o) {
     return o.verdict == diagnosis::Verdict::kUnknown || o.verdict == diagnosis::Verdict::kCannotSeparate;
   });

@@ -32,6 +32,7 @@ struct Score {
   std::size_t trials = 0, counted = 0;  ///< counted: single effects that change the held-out error enough
   double named = 0.0, first_alone = 0.0, within_tolerance = 0.0;
   double false_alarms = 0.0;      ///< of trials with none
+  double outside_unknown = 0.0;   ///< of detectable trials with an outside effect
   double outside_admitted = 0.0;  ///< unknown or cannot_separate, of detectable trials with an outside effect
   std::map<std::size_t, double> sets_named;  ///< all names, of detectable sets, by their size
   double set_names_wrong = 0.0;              ///< of the names in these trials: no such effect is hidden

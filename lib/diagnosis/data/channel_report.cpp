@@ -16,10 +16,10 @@ constexpr int kLags = 100;
 constexpr int kSegment = 512;
 constexpr std::size_t kAheadEvery = 10;
 
-const char* name_of(Channel channel) noexcept {
+const char* name_of(Channel channel, const JointSides& joint) noexcept {
   switch (channel) {
     case Channel::kForce:
-      return "valve_and_oil";
+      return joint.actuator_side();
     case Channel::kMotion:
       return "load";
     case Channel::kVelocitySensor:
@@ -96,7 +96,7 @@ std::vector<ChannelReport> report_channels(const Bench& bench, const JointSimula
     const std::vector<double>& input =
         channel == Channel::kForce ? data.current_A : channel == Channel::kMotion ? data.force : data.velocity;
     ChannelReport report{.channel = channel,
-                         .name = name_of(channel),
+                         .name = name_of(channel, joint.model()),
                          .before = horizons(bench, joint, before, channel, deviation),
                          .after = horizons(bench, joint, after, channel, deviation),
                          .whiteness = whiteness(was, kLags),

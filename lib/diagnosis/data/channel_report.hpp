@@ -17,7 +17,7 @@ struct Horizons {
 /// Errors of a model on one channel.
 struct ChannelReport {
   Channel channel;
-  const char* name;          ///< "valve_and_oil", "load", "velocity_sensor"
+  const char* name;          ///< "valve_and_oil" or "drive", "load", "velocity_sensor"
   Horizons before, after;    ///< the nominal model with its constants fitted within 3 %; the chosen model
   double whiteness;          ///< of the residual before, see residual_statistics.hpp
   double cross_correlation;  ///< of the residual before with the input of the channel

@@ -30,12 +30,14 @@ enum Column : std::size_t {
   kLinearForce,
   kRotaryPosition,
   kRotaryVelocity,
-  kRotaryForce
+  kRotaryForce,
+  kTorqueCommand
 };
 
 const std::vector<std::string> kNames = {
     "time_s",     "valve_current_A", "pressure_a_Pa", "pressure_b_Pa", "supply_pressure_Pa", "swing",
-    "position_m", "velocity_m_s",    "force_N",       "angle_rad",     "velocity_rad_s",     "torque_Nm"};
+    "position_m", "velocity_m_s",    "force_N",       "angle_rad",     "velocity_rad_s",     "torque_Nm",
+    "torque_command_Nm"};
 
 constexpr std::array kLinear = {kLinearPosition, kLinearVelocity, kLinearForce};
 constexpr std::array kRotary = {kRotaryPosition, kRotaryVelocity, kRotaryForce};
@@ -45,6 +47,9 @@ std::vector<std::string> names_of(Coordinates coordinates) {
   std::vector<std::string> names(kNames.begin(), kNames.begin() + kLinearPosition);
   for (const Column column : coordinates == Coordinates::kLinear ? kLinear : kRotary) {
     names.push_back(kNames[column]);
+  }
+  if (coordinates == Coordinates::kRotary) {
+    names.push_back(kNames[kTorqueCommand]);
   }
   return names;
 }
@@ -158,11 +163,12 @@ class RecordingReader {
     }
     std::vector<TimedColumn> columns;
     for (const Column column :
-         {motion()[0], motion()[1], motion()[2], kCurrent, kPressureA, kPressureB, kSupply, kSwing}) {
+         {motion()[0], motion()[1], motion()[2], kCurrent, kTorqueCommand, kPressureA, kPressureB, kSupply,
+          kSwing}) {
       columns.push_back({.values = &csv_.columns[column],
-                         .carry = column == kCurrent ? Carry::kHeld
-                                  : column == kSwing ? Carry::kFlag
-                                                     : Carry::kInterpolated,
+                         .carry = column == kCurrent || column == kTorqueCommand ? Carry::kHeld
+                                  : column == kSwing                              ? Carry::kFlag
+                                                                                  : Carry::kInterpolated,
                          .name = kNames[column]});
     }
     EvenTimes even = make_even(csv_.columns[kTime], csv_.line, columns);
@@ -177,6 +183,7 @@ class RecordingReader {
     recording_.period_s = period_of(csv_.columns[kTime]);
     recording_.time_s = std::move(csv_.columns[kTime]);
     recording_.valve_current_A = std::move(csv_.columns[kCurrent]);
+    recording_.torque_command_Nm = std::move(csv_.columns[kTorqueCommand]);
     recording_.position = std::move(csv_.columns[motion()[0]]);
     recording_.velocity = std::move(csv_.columns[motion()[1]]);
     recording_.force = std::move(csv_.columns[motion()[2]]);
@@ -185,7 +192,7 @@ class RecordingReader {
     recording_.supply_pressure_Pa = std::move(csv_.columns[kSupply]);
     recording_.swing.assign(csv_.columns[kSwing].begin(), csv_.columns[kSwing].end());
     recording_.line = std::move(csv_.line);
-    if (!has(kCurrent)) {
+    if (!has(kCurrent) && !has(kTorqueCommand)) {
       recording_.remarks.push_back("No valve_current_A is recorded: the joint is diagnosed on its load side alone.");
     }
     if (!has(motion()[1])) {

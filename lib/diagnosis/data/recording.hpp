@@ -22,6 +22,7 @@ struct Recording {
   double period_s = 0.0;  ///< in [20e-6, 50e-3]
   std::vector<double> time_s;
   std::vector<double> valve_current_A;                                   ///< empty: not recorded
+  std::vector<double> torque_command_Nm;                                 ///< asked of an electric joint; likewise
   std::vector<double> position, velocity, force;                         ///< m, m/s, N or rad, rad/s, Nm
   std::vector<double> pressure_a_Pa, pressure_b_Pa, supply_pressure_Pa;  ///< absolute; empty: not recorded
   std::vector<std::uint8_t> swing;      ///< 1 where the joint carries its swing load; empty: one load throughout
@@ -50,7 +51,7 @@ struct RecordingProblems {
 std::string to_string(const std::vector<Finding>& findings, const std::string& source);
 
 /// Reads a CSV file with a header: time_s, position_m and force_N (a rotary motor: angle_rad and torque_Nm), and where
-/// recorded valve_current_A, velocity_m_s (velocity_rad_s), pressure_a_Pa, pressure_b_Pa, supply_pressure_Pa and swing
+/// recorded valve_current_A (torque_command_Nm), velocity_m_s (velocity_rad_s), pressure_a_Pa, pressure_b_Pa, supply_pressure_Pa and swing
 /// (0 or 1). Columns in any order, others are ignored with a remark; white space, quotes, CRLF, a UTF-8 byte order
 /// mark, empty lines and comments are allowed. Without a velocity it is derived from the position.
 ///

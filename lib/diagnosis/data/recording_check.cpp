@@ -14,4 +14,14 @@ std::vector<Finding> check_recording(const Recording& recording, const robot::Jo
   return findings;
 }
 
+Recording with_current(Recording recording, const robot::Joint& joint) {
+  if (joint.electric && recording.valve_current_A.empty()) {
+    const double constant = joint.electric->gear_ratio * joint.electric->torque_constant_Nm_A;
+    for (const double torque : recording.torque_command_Nm) {
+      recording.valve_current_A.push_back(torque / constant);
+    }
+  }
+  return recording;
+}
+
 }  // namespace farrier::diagnosis

@@ -22,4 +22,8 @@ namespace farrier::diagnosis {
 /// A chamber at the return pressure, where oil cavitates, and a constant supply pressure are not faults.
 std::vector<Finding> check_recording(const Recording& recording, const robot::Joint& joint);
 
+/// The recording with the current that its torque command asks of an electric joint's drive, where it has no current;
+/// others as they are.
+Recording with_current(Recording recording, const robot::Joint& joint);
+
 }  // namespace farrier::diagnosis

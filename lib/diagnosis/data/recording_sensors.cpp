@@ -7,6 +7,7 @@
 
 #include "diagnosis/data/derive_velocity.hpp"
 #include "diagnosis/judge/finding_text.hpp"
+#include "robot/joint_scales.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -50,14 +51,14 @@ class SensorCheck {
     if (!recording.velocity_derived) {
       velocity_ = channels_.size();
       channels_.emplace_back(velocity_column(recording.coordinates), recording.velocity,
-                             0.02 * plant::velocity_scale(actuator));
+                             0.02 * robot::scales_of(joint).of(plant::Scale::kSpeed));
     }
     force_ = channels_.size();
     channels_.emplace_back(force_column(recording.coordinates), recording.force, 0.01 * force);
-    if (!recording.pressure_a_Pa.empty()) {
+    if (!recording.pressure_a_Pa.empty() && !joint.electric) {
       channels_.emplace_back("pressure_a_Pa", recording.pressure_a_Pa, 0.01 * actuator.supply_pressure_Pa);
     }
-    if (!recording.pressure_b_Pa.empty()) {
+    if (!recording.pressure_b_Pa.empty() && !joint.electric) {
       channels_.emplace_back("pressure_b_Pa", recording.pressure_b_Pa, 0.01 * actuator.supply_pressure_Pa);
     }
   }
@@ -182,7 +183,7 @@ class SensorCheck {
     if (static_cast<double>(places.count()) > kCurrentShare * static_cast<double>(current.size())) {
       findings_.push_back({"saturated", places.first(),
                            "column valve_current_A: " + counted(places.count(), "sample") + " of " +
-                               std::to_string(current.size()) + " at the valve's limit of " + rounded(limit) +
+                               std::to_string(current.size()) + " at the limit of " + rounded(limit) +
                                " A; record with smaller commands"});
     }
   }

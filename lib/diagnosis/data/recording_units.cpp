@@ -8,6 +8,7 @@
 #include "core/units.hpp"
 #include "diagnosis/judge/finding_text.hpp"
 #include "diagnosis/data/sample_statistics.hpp"
+#include "robot/joint_scales.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -20,6 +21,12 @@ class UnitCheck {
   std::vector<Finding> check() && {
     // Chambers of a vane motor have equal areas. So have those of a cylinder with two rods, which this test cannot
     // distinguish.
+    if (joint_.electric && !rotary_) {
+      findings_.push_back({"wrong_coordinates", 0,
+                           "the file has positions and forces, but joint " + joint_.name +
+                               " is electric; record angle_rad, velocity_rad_s and torque_Nm"});
+      return std::move(findings_);
+    }
     if (rotary_ && joint_.actuator.area_a != joint_.actuator.area_b) {
       findings_.push_back({"wrong_coordinates", 0,
                            "the file has angles and torques, but joint " + joint_.name +
@@ -130,12 +137,12 @@ class UnitCheck {
     const char* const column = force_column(recording_.coordinates);
     const double size = magnitude(recording_.force);
     const double limit = std::max(joint_.push_limit, joint_.pull_limit);
-    const double hydraulic =
-        std::max(joint_.actuator.area_a, joint_.actuator.area_b) * joint_.actuator.supply_pressure_Pa;
+    const double full = joint_.electric ? plant::stall_torque(*joint_.electric)
+                                        : robot::scales_of(joint_).of(plant::Scale::kForce);
     const std::string unit_name = rotary_ ? "Nm" : "N";
-    if (size > 3.0 * hydraulic) {
+    if (size > 3.0 * full) {
       refuse_unit(column,
-                  "values up to " + rounded(size) + " where the supply gives " + rounded(hydraulic) + " " + unit_name,
+                  "values up to " + rounded(size) + " where the " + (joint_.electric ? "drive" : "supply") + " gives " + rounded(full) + " " + unit_name,
                   nullptr, unit_name);
       return;
     }
@@ -172,14 +179,14 @@ class UnitCheck {
       const Unit percent{"percent of full opening", 100.0 / limit};
       looks_like = looks_like == nullptr && size <= 101.0 ? &percent : looks_like;
       refuse_unit("valve_current_A",
-                  "values up to " + rounded(size) + " where the valve is full open at " + rounded(limit) + " A",
+                  "values up to " + rounded(size) + (joint_.electric ? " where the drive gives " : " where the valve is full open at ") + rounded(limit) + " A",
                   looks_like, "A");
     }
   }
 
   // `least` and `usual`: shares of the supply that the largest values of a live machine exceed and are near.
   void check_pressure(const char* column, const std::vector<double>& values, double least, double usual) {
-    if (values.empty()) {
+    if (values.empty() || joint_.electric) {
       return;
     }
     const double supply = joint_.actuator.supply_pressure_Pa;

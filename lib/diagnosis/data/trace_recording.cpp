@@ -87,8 +87,10 @@ Result<Recording, RecordingProblems> recording_of_trace(const std::string& path,
   recording.position = std::move(csv.columns[kPosition]);
   recording.velocity = std::move(csv.columns[kVelocity]);
   recording.force = std::move(csv.columns[kForce]);
-  recording.pressure_a_Pa = std::move(csv.columns[kPressureA]);
-  recording.pressure_b_Pa = std::move(csv.columns[kPressureB]);
+  if (!joint.electric) {
+    recording.pressure_a_Pa = std::move(csv.columns[kPressureA]);
+    recording.pressure_b_Pa = std::move(csv.columns[kPressureB]);
+  }
   for (const double phase : csv.columns[kActualPhase]) {
     recording.swing.push_back(phase == static_cast<double>(signals::Phase::kSwing) ? 1 : 0);
   }

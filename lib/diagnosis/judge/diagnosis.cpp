@@ -28,6 +28,14 @@ std::vector<plant::EffectId> all_effects(const JointSides& joint) {
   return all;
 }
 
+/// Rules for an electric joint. Fits of its few effects are quick, so that none is passed over. What its effects leave is
+/// closer to the sensors' noise than what those of oil leave.
+Rules rules_of_electric(Rules rules) {
+  rules.screens = false;
+  rules.unexplained = std::min(rules.unexplained, 0.1);
+  return rules;
+}
+
 /// Experiments that tell the alternatives apart. Those of electric joints are not planned.
 std::vector<Experiment> telling_experiments(const JointSides& sides, const Judgement& judgement,
                                             const SensorNoiseLevels& noise, double stroke) {
@@ -73,8 +81,7 @@ Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const 
   const auto expected = [&](const Hypothesis& hypothesis) {
     return expected_residuals(bench, simulator, hypothesis, noise);
   };
-  Rules rules = options.rules;
-  rules.screens = rules.screens && !joint.electric;  // fits of its few effects are quick, and none is passed over
+  const Rules rules = joint.electric ? rules_of_electric(options.rules) : options.rules;
   result.judgement = judge(bench, expected, rules, by_threads(options.threads, options.progress, rules.most_effects));
   result.judgement.not_judged =
       not_judged(bench, result.judgement.chosen.halves[0].model, result.judgement.left, options.rules.least_reduction);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <array>
-#include <numbers>
 #include <optional>
 #include <string_view>
 
@@ -34,14 +33,14 @@ struct DriveNumbers {
   T half_play;      ///< of the gear
   bool plays;
   bool cogs;
-  T cogging, periods_1_rad, phase_rad;
+  T cogging, periods_per_turn, phase_rad;
   bool hangs;
   T moment, hanging_rad;
   std::optional<plant::LoadFriction<T>> gear_friction;
 
   T cogging_torque(const T& position) const {
     using std::sin;
-    return cogs ? T(cogging * sin(periods_1_rad * position + phase_rad)) : T(0.0);
+    return cogs ? T(cogging * sin(periods_per_turn * position + phase_rad)) : T(0.0);
   }
 };
 
@@ -140,7 +139,7 @@ DriveNumbers<T> drive_numbers(const plant::ElectricParams& a, const plant::Scale
     } else if (name == "cogging") {
       n.cogs = true;
       n.cogging = value(0);
-      n.periods_1_rad = value(1) / (2.0 * std::numbers::pi);
+      n.periods_per_turn = value(1);
       n.phase_rad = value(2);
     } else if (name == "gravity") {
       n.hangs = true;

@@ -105,9 +105,11 @@ std::vector<std::vector<double>> ElectricModel::starts(plant::EffectId id, const
   if (is(id, "gravity")) {
     return starts_of_gravity(data, drive_, load_, scales_);
   }
-  if (is(id, "gear_stiffness") && drive_.rigid) {
-    const double relaxation_s = plant::effect_info(id).parameters[1].starts[0];
-    return {{0.3, relaxation_s}, {3.0, relaxation_s}};
+  if (is(id, "gear_stiffness")) {
+    const auto& [stiffness, relaxation] = plant::kGearStiffnessParameters;
+    return drive_.rigid ? std::vector<std::vector<double>>{{0.3, relaxation.starts[0]}, {3.0, relaxation.starts[0]}}
+                        : std::vector<std::vector<double>>{{stiffness.starts[0],
+                                                            drive_.spring_damping / drive_.spring_stiffness}};
   }
   return usual_starts(*this, id, data);
 }

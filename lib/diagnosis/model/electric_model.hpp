@@ -23,6 +23,7 @@ class ElectricModel final : public JointSides {
 
   const plant::ElectricParams& drive() const noexcept { return drive_; }
 
+  const char* actuator_side() const noexcept override { return "drive"; }
   const plant::Scales& scales() const noexcept override { return scales_; }
   const plant::LoadParams& load() const noexcept override { return load_; }
   const std::vector<double>* known(plant::EffectId) const noexcept override { return nullptr; }

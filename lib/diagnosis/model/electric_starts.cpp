@@ -18,7 +18,7 @@ constexpr double kFullTurn = 2.0 * std::numbers::pi;
 /// Samples of a balance of torques: every other.
 constexpr std::size_t kEvery = 2;
 constexpr std::size_t kMargin = 20;  ///< from the ends, where the smoothed motion settles
-constexpr double kMostPeriods_1_rad = 400.0;
+constexpr double kMostPeriods = 600.0;
 constexpr double kGridShare = 0.3;  ///< of the distance at which a sinusoid over the recorded positions is another
 constexpr std::size_t kMostStarts = 3;
 
@@ -30,20 +30,20 @@ struct Balance {
 
 /// A sinusoid b sin(q x) + c cos(q x) beside the terms: its numbers, and the squares that it explains.
 struct Sinusoid {
-  double periods_1_rad, sine, cosine, explained;
+  double periods, sine, cosine, explained;  ///< periods per turn
 };
 
 Sinusoid sinusoid_of(const Balance& balance, const Eigen::LLT<Eigen::MatrixXd>& normal, const Eigen::VectorXd& left,
-                     double periods_1_rad) {
+                     double periods) {
   Eigen::MatrixXd wave(balance.position.size(), 2);
-  wave.col(0) = (periods_1_rad * balance.position.array()).sin();
-  wave.col(1) = (periods_1_rad * balance.position.array()).cos();
+  wave.col(0) = (periods * balance.position.array()).sin();
+  wave.col(1) = (periods * balance.position.array()).cos();
   const Eigen::MatrixXd cross = balance.terms.transpose() * wave;
   Eigen::Matrix2d own = wave.transpose() * wave - cross.transpose() * normal.solve(cross);
   own.diagonal().array() += 1e-9 * static_cast<double>(balance.position.size());
   const Eigen::Vector2d along = wave.transpose() * left;
   const Eigen::Vector2d amplitudes = own.llt().solve(along);
-  return {periods_1_rad, amplitudes[0], amplitudes[1], amplitudes.dot(along)};
+  return {periods, amplitudes[0], amplitudes[1], amplitudes.dot(along)};
 }
 
 struct Fit {
@@ -124,9 +124,9 @@ std::vector<Sinusoid> strongest(const Balance& balance) {
     return {};
   }
   const Fit fit = fit_of(balance);
-  const double step = std::max(kGridShare * kFullTurn / range, kMostPeriods_1_rad / 2000.0);
+  const double step = std::max(kGridShare * kFullTurn / range, kMostPeriods / 2000.0);
   std::vector<Sinusoid> grid;
-  for (double q = std::max(4.0 * step, 1.0); q < kMostPeriods_1_rad; q += step) {
+  for (double q = std::max(4.0 * step, 1.0); q < kMostPeriods; q += step) {
     grid.push_back(sinusoid_of(balance, fit.normal, fit.left, q));
   }
   std::vector<Sinusoid> peaks;
@@ -170,7 +170,7 @@ std::vector<std::vector<double>> starts_of_cogging(const JointData& data, const 
   for (const Sinusoid& peak : strongest(balance)) {
     // The balance has the torque that the ripple takes away: -A sin(q x + p).
     const double size = std::hypot(peak.sine, peak.cosine) / scales.of(plant::Scale::kForce);
-    starts.push_back({within(amplitude, size), within(periods, kFullTurn * peak.periods_1_rad),
+    starts.push_back({within(amplitude, size), within(periods, peak.periods),
                       within(phase, std::atan2(-peak.cosine, -peak.sine))});
   }
   return starts;

@@ -23,6 +23,7 @@ class JointModel final : public JointSides {
   const std::vector<double>* known(plant::EffectId id) const noexcept override;
   const std::vector<Model::Effect>& known() const noexcept { return known_; }
 
+  const char* actuator_side() const noexcept override { return "valve_and_oil"; }
   const plant::Scales& scales() const noexcept override { return scales_; }
   const plant::ActuatorParams& actuator() const noexcept { return actuator_; }
   const plant::LoadParams& load() const noexcept override { return load_; }

@@ -15,6 +15,8 @@ class JointSides {
  public:
   virtual ~JointSides() = default;
 
+  /// Name of the side of the actuator, in reports and JSON.
+  virtual const char* actuator_side() const noexcept = 0;
   virtual const plant::Scales& scales() const noexcept = 0;
   virtual const plant::LoadParams& load() const noexcept = 0;
   /// Numbers of an effect that the joint is known to have, null for none.

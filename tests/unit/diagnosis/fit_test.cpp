@@ -9,7 +9,9 @@
 
 #include "core/noise.hpp"
 #include "diagnosis/judge/fit.hpp"
+#include "diagnosis/model/joint_model.hpp"
 #include "diagnosis/model/joint_simulator.hpp"
+#include "tests/unit/diagnosis/derivatives.hpp"
 #include "tests/unit/diagnosis/rig.hpp"
 
 namespace farrier::diagnosis {
@@ -23,16 +25,6 @@ Recording recorded(double duration_s, double mass_factor = 1.0) {
   return recorded_rig(static_cast<int>(duration_s * 1000), load, [&](int k) {
     return (2.0 * draw.uniform(k / 60) - 1.0) * ((k / 1000) % 2 == 0 ? 0.5e-3 : 2e-3);
   });
-}
-
-double relative_error(const std::vector<double>& measured, const std::vector<double>& simulated, std::size_t from) {
-  double error = 0.0;
-  double power = 0.0;
-  for (std::size_t i = from; i < measured.size(); ++i) {
-    error += (measured[i] - simulated[i]) * (measured[i] - simulated[i]);
-    power += measured[i] * measured[i];
-  }
-  return std::sqrt(error / power);
 }
 
 TEST(SideModels, TheyFollowTheWholeJointsForceAndMotion) {
@@ -63,8 +55,6 @@ TEST(SideModels, TheMassOfALoadThatRingsWithTheOilIsFoundWithoutBias) {
 TEST(SideModels, DerivativesAreThoseOfFiniteDifferences) {
   const JointData data = prepare(recorded(1.0), rig().actuator, rig().noise.position);
   const JointModel model(rig().actuator, rig().swing_load);
-  const Observer observer;
-  const Span all{0, data.size()};
   for (plant::EffectId id = 0; id < plant::kEffectCount; ++id) {
     const plant::EffectInfo& info = plant::effect_info(id);
     if (std::string_view(info.name) == "end_stop") {
@@ -78,25 +68,7 @@ TEST(SideModels, DerivativesAreThoseOfFiniteDifferences) {
     for (const plant::Parameter& parameter : info.parameters) {
       middle.effects[0].fitted.push_back(parameter.starts[0]);
     }
-    std::vector<double> jacobian;
-    const auto value = model.simulate_lanes(data, all, middle, channel, observer, {kNominals}, jacobian);
-    EXPECT_LT(relative_error(model.simulate(data, all, middle, channel, observer), value, 0), 1e-9) << info.name;
-    const double step = 1e-4 * std::abs(info.parameters[0].starts[0]);
-    Model above = middle;
-    Model below = middle;
-    above.effects[0].fitted[0] += step;
-    below.effects[0].fitted[0] -= step;
-    const auto high = model.simulate(data, all, above, channel, observer);
-    const auto low = model.simulate(data, all, below, channel, observer);
-    double error = 0.0;
-    double size = 1e-30;
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      const double slope = (high[i] - low[i]) / (2.0 * step);
-      error += (slope - jacobian[i]) * (slope - jacobian[i]);
-      size += slope * slope;
-    }
-    // Branches (a deadband's edge, a contact) flip between the two sides at single samples.
-    EXPECT_LT(std::sqrt(error / size), 0.05) << info.name;
+    expect_slopes(model, data, middle, 0, channel);
   }
 }
 

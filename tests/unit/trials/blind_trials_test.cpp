@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <set>
 
+#include "diagnosis/model/sides_of_joint.hpp"
 #include "tests/support/scratch_directory.hpp"
 #include "trials/blind/outcomes_file.hpp"
 #include "trials/blind/score.hpp"
@@ -90,6 +93,43 @@ TEST(BlindTrials, AFewOfThemAreNamedAndNothingIsNamedWhereNothingIsHidden) {
   EXPECT_DOUBLE_EQ(s.within_tolerance, 1.0) << confusion_page(outcomes);
   EXPECT_DOUBLE_EQ(s.false_alarms, 0.0) << confusion_page(outcomes);
   EXPECT_GT(s.median_gain, 3.0);
+}
+
+TEST(BlindTrials, EffectsOfElectricJointsAreNamedAndNothingIsWhereNothingIsHidden) {
+  const robot::Robot leg = robot::load_robot(FARRIER_ROBOTS "electric_leg.yaml").value();
+  const robot::Robot go1 = robot::load_robot(FARRIER_ROBOTS "go1.yaml").value();
+  const std::vector<const robot::Joint*> joints{&leg.joints.front(), &go1.joints.front()};
+  const auto plan = [](Kind kind, std::size_t joint, std::vector<truth::Hidden> hidden) {
+    return TrialPlan{kind, joint, {90, truth::Excitation::kMultisine, std::move(hidden), 4.0}};
+  };
+  const auto outcomes = run_trials({plan(Kind::kEffect, 0, {{"gear_friction", 1}}),
+                                    plan(Kind::kEffect, 1, {{"cogging", 2}}), plan(Kind::kNone, 1, {})},
+                                   joints, 2, [](std::size_t, const Outcome&) { return true; });
+  const Score s = score(outcomes);
+  EXPECT_EQ(s.counted, 2u);
+  EXPECT_DOUBLE_EQ(s.first_alone, 1.0) << confusion_page(outcomes);
+  EXPECT_DOUBLE_EQ(s.within_tolerance, 1.0) << confusion_page(outcomes);
+  EXPECT_DOUBLE_EQ(s.false_alarms, 0.0) << confusion_page(outcomes);
+}
+
+TEST(BlindTrials, EveryEffectOfTheLibraryIsHiddenInElectricJointsThatCanHaveIt) {
+  const robot::Robot leg = robot::load_robot(FARRIER_ROBOTS "electric_leg.yaml").value();
+  const robot::Robot go1 = robot::load_robot(FARRIER_ROBOTS "go1.yaml").value();
+  const std::vector<const robot::Joint*> joints{&leg.joints.front(), &go1.joints.front()};
+  std::array<std::set<std::string>, 2> hidden;
+  for (const TrialPlan& plan : all_electric_trials(joints, 1)) {
+    if (plan.kind == Kind::kEffect) {
+      hidden[plan.joint].insert(plan.plan.hidden.front().name);
+    }
+  }
+  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+    const auto sides = diagnosis::sides_of(*joints[joint]);
+    for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
+      const diagnosis::ChannelMask shows = sides->channels(id);
+      EXPECT_EQ(hidden[joint].contains(plant::effect_info(id).name), diagnosis::meet(shows, shows))
+          << joint << " " << plant::effect_info(id).name;
+    }
+  }
 }
 
 TEST(BlindTrials, ConstantsOffTheirFileAreNoSecondEffectBesideALargeOne) {
