@@ -180,16 +180,15 @@ int diagnose(const DiagnoseOptions& o) {
                : refuse("diagnose", "--wiring makes its recordings: name none, and no --benchmark");
   }
   if (o.benchmark) {
-    return o.recording.empty()
-               ? run_diagnose_benchmark({.json_path = o.json_path,
-                                        .confusion_path = o.confusion_path,
-                                        .seed = o.seed,
-                                        .trials = o.trials,
-                                        .threads = o.threads,
-                                        .electric = o.actuator == Actuator::kElectric,
-                                        .go_on = o.go_on},
-                                        robots_directory())
-               : refuse("diagnose", "--benchmark makes its recordings: name none");
+    return o.recording.empty() ? run_diagnose_benchmark({.json_path = o.json_path,
+                                                         .confusion_path = o.confusion_path,
+                                                         .seed = o.seed,
+                                                         .trials = o.trials,
+                                                         .threads = o.threads,
+                                                         .electric = o.actuator == Actuator::kElectric,
+                                                         .go_on = o.go_on},
+                                                        robots_directory())
+                               : refuse("diagnose", "--benchmark makes its recordings: name none");
   }
   if (o.recording.empty()) {
     return refuse("diagnose", "name a recording; see 'farrier diagnose --help'");

@@ -16,7 +16,7 @@ struct DiagnoseBenchmark {
   int trials = 0;  ///< spread evenly over all; 0: all
   int threads = 2;
   bool electric = false;  ///< trials of electric joints
-  bool go_on = false;  ///< takes the trials over that an earlier run of this build kept beside `json_path`
+  bool go_on = false;     ///< takes the trials over that an earlier run of this build kept beside `json_path`
 };
 
 /// Robots of which trials are made: a rig with one cylinder, and legs without the effects of their file. Electric ones:

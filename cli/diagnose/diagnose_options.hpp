@@ -21,10 +21,10 @@ struct DiagnoseOptions {
   std::string out;        ///< empty: no files but `json_path`
   std::string json_path;  ///< empty: figures.json in `out`, or none
   int threads = 2;
-  bool benchmark = false;      ///< run blind trials in place of a recording
+  bool benchmark = false;                    ///< run blind trials in place of a recording
   Actuator actuator = Actuator::kHydraulic;  ///< of the benchmark's joints
-  bool wiring = false;         ///< likewise trials of faults of wiring
-  std::string confusion_path;  ///< of those: what was taken for what; empty: none
+  bool wiring = false;                       ///< likewise trials of faults of wiring
+  std::string confusion_path;                ///< of those: what was taken for what; empty: none
   std::uint64_t seed = 1;
   int trials = 0;      ///< 0: all
   bool go_on = false;  ///< the benchmark goes on from the trials that are kept

@@ -228,7 +228,8 @@ std::string diagnosis_console(const DiagnosisResult& result) {
   }
   if (!d.judgement.effects.empty()) {
     text += "\nextended model: " +
-            (result.joint.electric ? "robot files have no effects of electric joints; change the values of its drive and load"
+            (result.joint.electric
+                 ? "robot files have no effects of electric joints; change the values of its drive and load"
              : result.extended_model.empty() ? "not written: give --out"
                                              : result.extended_model + ", which loads") +
             "\n";

@@ -46,7 +46,8 @@ INSTANTIATE_TEST_SUITE_P(
                            {"trot", "--controller", "flow_inversion"},
                            "joints.haa.controller: torque is of kind flow_inversion, which inverts the flow of oil: an "
                            "electric joint takes lqr or pid"},
-                    Misuse{"compare", {"compare", "varied"}, "comparisons are of hydraulic joints, and haa is electric"},
+                    Misuse{
+                        "compare", {"compare", "varied"}, "comparisons are of hydraulic joints, and haa is electric"},
                     Misuse{"trial", {"trial"}, "the effect is hidden in a hydraulic joint, and haa is electric"}),
     [](const auto& misuse) { return std::string(misuse.param.name); });
 

@@ -148,7 +148,8 @@ std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed) {
 std::vector<TrialPlan> all_electric_trials(const std::vector<const robot::Joint*>& joints, std::uint64_t seed) {
   std::vector<TrialPlan> plans;
   const auto add = [&](Kind kind, std::size_t joint, std::vector<truth::Hidden> hidden, int excitation) {
-    plans.push_back({kind, joint, {seed + plans.size(), static_cast<truth::Excitation>(excitation), std::move(hidden)}});
+    plans.push_back(
+        {kind, joint, {seed + plans.size(), static_cast<truth::Excitation>(excitation), std::move(hidden)}});
   };
   for (std::size_t joint = 0; joint < joints.size(); ++joint) {
     const std::vector<std::string> known = truth::known_electric_effects(*joints[joint]);

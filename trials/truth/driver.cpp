@@ -12,10 +12,10 @@ namespace farrier::truth {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kCentring_s = 0.3;        ///< time constant of the way back to where the joint should be
-constexpr double kLargestCurrent = 0.8;    ///< of the valve's largest
-constexpr double kMeasuredShare = 0.5;     ///< of the velocity feed-forward that comes from the sensor
-constexpr double kResetTime_s = 0.12;      ///< of the force controller's integral
+constexpr double kCentring_s = 0.3;      ///< time constant of the way back to where the joint should be
+constexpr double kLargestCurrent = 0.8;  ///< of the valve's largest
+constexpr double kMeasuredShare = 0.5;   ///< of the velocity feed-forward that comes from the sensor
+constexpr double kResetTime_s = 0.12;    ///< of the force controller's integral
 
 // Impedance of the load, F = Z v, and velocity per current with the oil's spring between valve and masses.
 std::complex<double> impedance(const Mechanics& m, double omega, double extra_stiffness) {
@@ -37,9 +37,9 @@ std::vector<double> current_sines(const robot::Joint& joint, const Plan& plan, c
   for (int i = 0; i < 12; ++i) {
     const double f = 0.5 * std::pow(fastest / 0.5, (i + draws.within(-0.3, 0.3)) / 11.0), omega = kTwoPi * f;
     const std::complex<double> v = velocity_per_A(m, omega);
-    const double amplitude = std::min({0.11 * m.current_max_A * std::pow(f / 0.5, -0.3),
-                                       0.06 * m.stroke * omega / std::abs(v),
-                                       0.05 * m.push / std::abs(v * impedance(m, omega, 0.0))});
+    const double amplitude =
+        std::min({0.11 * m.current_max_A * std::pow(f / 0.5, -0.3), 0.06 * m.stroke * omega / std::abs(v),
+                  0.05 * m.push / std::abs(v * impedance(m, omega, 0.0))});
     add_sine(out, period_s, omega, amplitude * draws.within(0.8, 1.2), draws.within(0.0, kTwoPi));
   }
   return out;
@@ -73,8 +73,7 @@ std::vector<double> current_steps(const robot::Joint& joint, const Plan& plan, c
   std::vector<double> out;
   Draws draws(joint, plan, "truth steps");
   const double ramp_s = kTwoPi / resonance(m);
-  const double by_force =
-      smoothed_share(m) > 0.0 ? 0.5 * m.push * ramp_s / (m.mass * m.speed_per_A) : m.current_max_A;
+  const double by_force = smoothed_share(m) > 0.0 ? 0.5 * m.push * ramp_s / (m.mass * m.speed_per_A) : m.current_max_A;
   while (out.size() < static_cast<std::size_t>(ticks)) {
     const double hold_s = draws.log_within(0.010, 0.150);
     const double most = std::min({0.5 * m.current_max_A, 0.12 * m.stroke / (hold_s * m.speed_per_A), by_force});
@@ -120,8 +119,8 @@ Mechanics mechanics_of(const robot::Joint& joint) {
   const plant::ActuatorParams& a = joint.actuator;
   const double half = 0.5 * a.stroke;
   Mechanics m;
-  m.speed_per_A = a.valve_gain * std::sqrt(0.5 * (a.supply_pressure_Pa - a.return_pressure_Pa)) /
-                  (0.5 * (a.area_a + a.area_b));
+  m.speed_per_A =
+      a.valve_gain * std::sqrt(0.5 * (a.supply_pressure_Pa - a.return_pressure_Pa)) / (0.5 * (a.area_a + a.area_b));
   m.oil_stiffness = a.bulk_modulus_Pa * (a.area_a * a.area_a / (a.line_volume_m3 + a.area_a * half) +
                                          a.area_b * a.area_b / (a.line_volume_m3 + a.area_b * half));
   m.load_mass = joint.swing_load.mass;
@@ -175,8 +174,8 @@ double Driver::track(double reference, const Reading& measured) {
   const double gain = bandwidth_rad_s / (m.oil_stiffness * m.speed_per_A);
   const double error = wanted - measured.force;
   const double feed_forward = (kMeasuredShare * measured.velocity + (1.0 - kMeasuredShare) * model_v_) / m.speed_per_A;
-  integral_A_ = std::clamp(integral_A_ + gain * error * period_s_ / kResetTime_s, -0.1 * m.current_max_A,
-                           0.1 * m.current_max_A);
+  integral_A_ =
+      std::clamp(integral_A_ + gain * error * period_s_ / kResetTime_s, -0.1 * m.current_max_A, 0.1 * m.current_max_A);
   return feed_forward + bring_back(model_x_, measured) + gain * error + integral_A_;
 }
 

@@ -11,9 +11,9 @@ namespace farrier::truth::electric {
 /// Reference values of the sizes of effects; the motion is that of the same plan without effect.
 struct Extents {
   double rated_Nm, period_s, duration_s;
-  double peak_A;               ///< largest command
-  double excursion;            ///< largest, from mid-travel
-  double rms_torque;           ///< at the sensor, about its mean
+  double peak_A;      ///< largest command
+  double excursion;   ///< largest, from mid-travel
+  double rms_torque;  ///< at the sensor, about its mean
   double rms_motion;
 };
 
@@ -21,7 +21,7 @@ struct Extents {
 struct Entry {
   const char* name;
   const char* headline;
-  bool of_spring, of_rigid;    ///< drives that have it
+  bool of_spring, of_rigid;  ///< drives that have it
   double sizes[3];
   double (*hide)(ElectricMachine&, double size, const Extents&, const Chance&);
 };

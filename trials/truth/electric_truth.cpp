@@ -14,12 +14,12 @@ namespace electric {
 namespace {
 
 constexpr double kLead_s = 0.3;
-constexpr double kTravelUsed = 0.22;     ///< to either side, without effect
-constexpr double kTravelAllowed = 0.4;   ///< with it
-constexpr double kTorqueUsed = 0.8;      ///< of the rating
-constexpr double kCurrentUsed = 0.6;     ///< of the largest
-constexpr double kSpeedUsed = 0.5;       ///< of that at no load
-constexpr int kGrid = 50;                ///< steps of a tick: a delay is a whole number of them
+constexpr double kTravelUsed = 0.22;    ///< to either side, without effect
+constexpr double kTravelAllowed = 0.4;  ///< with it
+constexpr double kTorqueUsed = 0.8;     ///< of the rating
+constexpr double kCurrentUsed = 0.6;    ///< of the largest
+constexpr double kSpeedUsed = 0.5;      ///< of that at no load
+constexpr int kGrid = 50;               ///< steps of a tick: a delay is a whole number of them
 constexpr int kScoutGrid = 25;
 
 /// Every number of the file but the ends of the travel is off by 1 to 2 %.
@@ -171,8 +171,9 @@ Base find_scale(const robot::Joint& joint, double period_s, const Plan& plan, co
   double scale = 1.0;
   for (int tries = 0; tries < 12 && (tries < 5 || best.scale == 0.0); ++tries) {
     Run run = record(joint, period_s, plan, machine, scale, kScoutGrid);
-    const double used = std::max({run.excursion / (kTravelUsed * a.travel), run.peak_A / (kCurrentUsed * machine.current_max_A),
-                                  run.peak_torque / (kTorqueUsed * joint.push_limit), run.peak_speed / (kSpeedUsed * no_load)});
+    const double used =
+        std::max({run.excursion / (kTravelUsed * a.travel), run.peak_A / (kCurrentUsed * machine.current_max_A),
+                  run.peak_torque / (kTorqueUsed * joint.push_limit), run.peak_speed / (kSpeedUsed * no_load)});
     if (run.finite && used <= 1.0 && scale > best.scale) {
       best = {scale, std::move(run)};
       if (used > 0.9) {

@@ -55,11 +55,11 @@ double port_node(const Machine& m, double open_supply, double open_return, doubl
   const double r = (filling ? open_supply : open_return) / us;
   double p = (chamber + r * r * (filling ? supply : m.return_Pa)) / (1.0 + r * r);
   for (int i = 0; i < 40; ++i) {
-    const double excess = open_supply * orifice(supply - p, d) - open_return * orifice(p - m.return_Pa, d) -
-                          us * orifice(p - chamber, d);
+    const double excess =
+        open_supply * orifice(supply - p, d) - open_return * orifice(p - m.return_Pa, d) - us * orifice(p - chamber, d);
     (excess > 0.0 ? low : high) = p;
-    const double fall = open_supply * slope(supply - p, d) + open_return * slope(p - m.return_Pa, d) +
-                        us * slope(p - chamber, d);
+    const double fall =
+        open_supply * slope(supply - p, d) + open_return * slope(p - m.return_Pa, d) + us * slope(p - chamber, d);
     double next = p + excess / fall;
     if (!(next >= low && next <= high)) {
       next = 0.5 * (low + high);
@@ -166,8 +166,8 @@ Outcome differentiate(const Machine& m, double time_s, const Vector& x, const Ac
   if (m.spool_rad_s > 0.0) {
     spool = x[kSpool];
     dx[kSpool] = x[kSpoolRate];
-    dx[kSpoolRate] = m.spool_rad_s * (m.spool_rad_s * (acting.command_A - spool) -
-                                      2.0 * m.spool_damping * x[kSpoolRate]);
+    dx[kSpoolRate] =
+        m.spool_rad_s * (m.spool_rad_s * (acting.command_A - spool) - 2.0 * m.spool_damping * x[kSpoolRate]);
   }
 
   // p' = beta / V (q - V')

@@ -22,12 +22,9 @@ class SensorSet {
       : SensorSet(plan, joint, joint.actuator.area_a == joint.actuator.area_b) {}
 
   Reading operator()(const Reading& truth, int tick) const {
-    return {position_(truth.position, tick),
-            velocity_(truth.velocity, tick),
-            force_(truth.force, tick),
-            pressure_a_(truth.pressure_a_Pa, tick),
-            pressure_b_(truth.pressure_b_Pa, tick),
-            supply_(truth.supply_Pa, tick)};
+    return {
+        position_(truth.position, tick),        velocity_(truth.velocity, tick),        force_(truth.force, tick),
+        pressure_a_(truth.pressure_a_Pa, tick), pressure_b_(truth.pressure_b_Pa, tick), supply_(truth.supply_Pa, tick)};
   }
 
  private:

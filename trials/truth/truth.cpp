@@ -26,9 +26,9 @@ struct Base {
 
 // Largest share of its limits that a run used; above 1 it used too much.
 double load_of(const Went& went, const Machine& m) {
-  const double used = std::max({went.excursion / (kStrokeUsed * m.stroke),
-                                went.peak_current_A / (kCurrentUsed * m.current_max_A),
-                                went.peak_force / (kPushUsed * m.supply_Pa * std::min(m.area_a, m.area_b))});
+  const double used =
+      std::max({went.excursion / (kStrokeUsed * m.stroke), went.peak_current_A / (kCurrentUsed * m.current_max_A),
+                went.peak_force / (kPushUsed * m.supply_Pa * std::min(m.area_a, m.area_b))});
   return went.lowest_Pa < kLowestPressure * m.supply_Pa ? std::max(used, 1.15) : used;
 }
 
@@ -54,8 +54,16 @@ Base find_scale(const robot::Joint& joint, double period_s, const Plan& plan, co
 }
 
 Extents extents_of(const robot::Joint& joint, double period_s, const Plan& plan, const Went& went) {
-  return {mechanics_of(joint).push, joint.actuator.stroke / 0.08, period_s, plan.duration_s, went.peak_current_A,
-          went.peak_flow_m3_s, went.excursion, went.stretch, went.rms_force, went.rms_motion};
+  return {mechanics_of(joint).push,
+          joint.actuator.stroke / 0.08,
+          period_s,
+          plan.duration_s,
+          went.peak_current_A,
+          went.peak_flow_m3_s,
+          went.excursion,
+          went.stretch,
+          went.rms_force,
+          went.rms_motion};
 }
 
 Result<Done> check(const robot::Joint& joint, double period_s, const Plan& plan) {
@@ -71,7 +79,8 @@ Result<Done> check(const robot::Joint& joint, double period_s, const Plan& plan)
   const plant::ActuatorParams& a = joint.actuator;
   const plant::LoadParams& l = joint.swing_load;
   if (a.spool.on || a.valve_deadband_A > 0.0 || a.line.length_m > 0.0 || l.friction.coulomb > 0.0) {
-    return Error{"truth: joint " + joint.name + " has effects in its file; take a robot without spool, "
+    return Error{"truth: joint " + joint.name +
+                 " has effects in its file; take a robot without spool, "
                  "deadband, friction and lines, such as fc1d or hyq"};
   }
   if (!(a.piston_mass > 0.0 && l.mass > 0.0)) {

@@ -29,13 +29,14 @@ const char* name_of(Channel channel, const JointSides& joint) noexcept {
 }
 
 /// Held-out residual of a hypothesis over the whole recording: each half by the other half's fit.
-std::vector<double> held_out_channel(const Bench& bench, const Hypothesis& hypothesis, Channel channel, double observer_s) {
+std::vector<double> held_out_channel(const Bench& bench, const Hypothesis& hypothesis, Channel channel,
+                                     double observer_s) {
   FitOptions options = bench.options();
   options.observer = {observer_s, observer_s};
   std::vector<double> all;
   for (std::size_t half = 0; half < 2; ++half) {
-    const auto part = residuals(bench.simulator(), bench.halves()[half],
-                                hypothesis.halves[1 - half].model, channel, options);
+    const auto part =
+        residuals(bench.simulator(), bench.halves()[half], hypothesis.halves[1 - half].model, channel, options);
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -93,8 +94,9 @@ std::vector<ChannelReport> report_channels(const Bench& bench, const JointSimula
     const double observer_s = channel == Channel::kForce ? observer.oil_s : observer.load_s;
     const auto was = held_out_channel(bench, before, channel, observer_s);
     const auto is = held_out_channel(bench, after, channel, observer_s);
-    const std::vector<double>& input =
-        channel == Channel::kForce ? data.current_A : channel == Channel::kMotion ? data.force : data.velocity;
+    const std::vector<double>& input = channel == Channel::kForce    ? data.current_A
+                                       : channel == Channel::kMotion ? data.force
+                                                                     : data.velocity;
     ChannelReport report{.channel = channel,
                          .name = name_of(channel, joint.model()),
                          .before = horizons(bench, joint, before, channel, deviation),

@@ -22,9 +22,9 @@ struct ChannelReport {
   double whiteness;          ///< of the residual before, see residual_statistics.hpp
   double cross_correlation;  ///< of the residual before with the input of the channel
   double whiteness_after, cross_correlation_after;
-  std::vector<Dependence> dependences;  ///< of the residual before
-  std::vector<double> frequency_Hz, spectrum_before, spectrum_after;      ///< power density of both residuals
-  std::vector<double> measured, simulated_before, simulated_after;        ///< over the recording, for pictures
+  std::vector<Dependence> dependences;                                ///< of the residual before
+  std::vector<double> frequency_Hz, spectrum_before, spectrum_after;  ///< power density of both residuals
+  std::vector<double> measured, simulated_before, simulated_after;    ///< over the recording, for pictures
 };
 
 /// One report per judged channel. `bench` judges hypotheses by `joint`.

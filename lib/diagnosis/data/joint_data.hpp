@@ -38,16 +38,16 @@ struct JointData {
   static constexpr double kMotionTime_s = 0.05;
 
   double period_s = 0.0;
-  std::vector<double> current_A;         ///< empty: not recorded
-  std::vector<double> current_integral;  ///< A s up to a sample; one more than samples
+  std::vector<double> current_A;                         ///< empty: not recorded
+  std::vector<double> current_integral;                  ///< A s up to a sample; one more than samples
   std::vector<double> position, velocity, acceleration;  ///< smoothed
-  std::vector<double> motion;            ///< smoothed velocity + position / kMotionTime_s
-  std::vector<double> middle_position;   ///< of each substep
-  std::vector<double> middle_velocity;   ///< mean over each substep
+  std::vector<double> motion;                            ///< smoothed velocity + position / kMotionTime_s
+  std::vector<double> middle_position;                   ///< of each substep
+  std::vector<double> middle_velocity;                   ///< mean over each substep
   std::vector<double> measured_position, measured_velocity;
   std::vector<double> force;
-  std::vector<double> bend;              ///< of the force beyond its chord, mean over each of the load's substeps
-  std::vector<std::uint8_t> swing;       ///< 1 where the load is the one in the model; empty: everywhere
+  std::vector<double> bend;         ///< of the force beyond its chord, mean over each of the load's substeps
+  std::vector<std::uint8_t> swing;  ///< 1 where the load is the one in the model; empty: everywhere
   MotionSmoother smoother;
 
   double step_s() const noexcept { return period_s / kSubsteps; }

@@ -35,9 +35,9 @@ enum Column : std::size_t {
 };
 
 const std::vector<std::string> kNames = {
-    "time_s",     "valve_current_A", "pressure_a_Pa", "pressure_b_Pa", "supply_pressure_Pa", "swing",
-    "position_m", "velocity_m_s",    "force_N",       "angle_rad",     "velocity_rad_s",     "torque_Nm",
-    "torque_command_Nm"};
+    "time_s",         "valve_current_A", "pressure_a_Pa",    "pressure_b_Pa", "supply_pressure_Pa",
+    "swing",          "position_m",      "velocity_m_s",     "force_N",       "angle_rad",
+    "velocity_rad_s", "torque_Nm",       "torque_command_Nm"};
 
 constexpr std::array kLinear = {kLinearPosition, kLinearVelocity, kLinearForce};
 constexpr std::array kRotary = {kRotaryPosition, kRotaryVelocity, kRotaryForce};
@@ -163,12 +163,11 @@ class RecordingReader {
     }
     std::vector<TimedColumn> columns;
     for (const Column column :
-         {motion()[0], motion()[1], motion()[2], kCurrent, kTorqueCommand, kPressureA, kPressureB, kSupply,
-          kSwing}) {
+         {motion()[0], motion()[1], motion()[2], kCurrent, kTorqueCommand, kPressureA, kPressureB, kSupply, kSwing}) {
       columns.push_back({.values = &csv_.columns[column],
                          .carry = column == kCurrent || column == kTorqueCommand ? Carry::kHeld
-                                  : column == kSwing                              ? Carry::kFlag
-                                                                                  : Carry::kInterpolated,
+                                  : column == kSwing                             ? Carry::kFlag
+                                                                                 : Carry::kInterpolated,
                          .name = kNames[column]});
     }
     EvenTimes even = make_even(csv_.columns[kTime], csv_.line, columns);

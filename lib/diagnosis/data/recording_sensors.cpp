@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kShortestAtExtreme = 20;  // samples at a time
 constexpr std::size_t kShortestBetween = 50;
-constexpr double kLeastShare = 0.01;            // of all samples
+constexpr double kLeastShare = 0.01;  // of all samples
 constexpr double kCurrentShare = 0.5;
 
 /// One sensor.
@@ -24,7 +24,8 @@ struct SensorChannel {
   double least = 0.0, most = 0.0;
   double movement = 0.0;  ///< a larger range exceeds its noise and a tenth of its whole range
 
-  SensorChannel(std::string name, std::span<const double> of, double significant) : column(std::move(name)), values(of) {
+  SensorChannel(std::string name, std::span<const double> of, double significant)
+      : column(std::move(name)), values(of) {
     const auto [low, high] = std::minmax_element(of.begin(), of.end());
     least = *low;
     most = *high;
@@ -82,7 +83,8 @@ class SensorCheck {
 
   void check_constant(std::size_t of) {
     const SensorChannel& channel = channels_[of];
-    const auto moving = std::find_if(channels_.begin(), channels_.end(), [](const SensorChannel& c) { return c.moves(); });
+    const auto moving =
+        std::find_if(channels_.begin(), channels_.end(), [](const SensorChannel& c) { return c.moves(); });
     std::string evidence = moving == channels_.end() ? "" : moving->column;
     if (evidence.empty() && !recording_.valve_current_A.empty()) {
       const auto& current = recording_.valve_current_A;

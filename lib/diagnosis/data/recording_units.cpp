@@ -137,12 +137,13 @@ class UnitCheck {
     const char* const column = force_column(recording_.coordinates);
     const double size = magnitude(recording_.force);
     const double limit = std::max(joint_.push_limit, joint_.pull_limit);
-    const double full = joint_.electric ? plant::stall_torque(*joint_.electric)
-                                        : robot::scales_of(joint_).of(plant::Scale::kForce);
+    const double full =
+        joint_.electric ? plant::stall_torque(*joint_.electric) : robot::scales_of(joint_).of(plant::Scale::kForce);
     const std::string unit_name = rotary_ ? "Nm" : "N";
     if (size > 3.0 * full) {
       refuse_unit(column,
-                  "values up to " + rounded(size) + " where the " + (joint_.electric ? "drive" : "supply") + " gives " + rounded(full) + " " + unit_name,
+                  "values up to " + rounded(size) + " where the " + (joint_.electric ? "drive" : "supply") + " gives " +
+                      rounded(full) + " " + unit_name,
                   nullptr, unit_name);
       return;
     }
@@ -179,7 +180,9 @@ class UnitCheck {
       const Unit percent{"percent of full opening", 100.0 / limit};
       looks_like = looks_like == nullptr && size <= 101.0 ? &percent : looks_like;
       refuse_unit("valve_current_A",
-                  "values up to " + rounded(size) + (joint_.electric ? " where the drive gives " : " where the valve is full open at ") + rounded(limit) + " A",
+                  "values up to " + rounded(size) +
+                      (joint_.electric ? " where the drive gives " : " where the valve is full open at ") +
+                      rounded(limit) + " A",
                   looks_like, "A");
     }
   }

@@ -16,9 +16,9 @@ namespace {
 /// Columns, in the order of kTraceNames.
 enum Column : std::size_t { kTick, kPosition, kVelocity, kForce, kPressureA, kPressureB, kCurrent, kActualPhase };
 
-const std::vector<std::string> kTraceNames = {"tick",          "position_m_or_rad", "velocity_m_s_or_rad_s",
-                                         "force_N_or_Nm", "pressure_a_Pa",     "pressure_b_Pa",
-                                         "valve_current_A", "actual_phase"};
+const std::vector<std::string> kTraceNames = {
+    "tick",          "position_m_or_rad", "velocity_m_s_or_rad_s", "force_N_or_Nm",
+    "pressure_a_Pa", "pressure_b_Pa",     "valve_current_A",       "actual_phase"};
 constexpr const char* kJoint = "joint";
 constexpr const char* kRemedy = " is missing; give a trace of this version of farrier";
 
@@ -30,13 +30,11 @@ void check_trace_names(CsvColumns& csv) {
   const std::string place = "line " + std::to_string(csv.header_line);
   for (std::size_t i = 0; i < kTraceNames.size(); ++i) {
     if (!csv.present[i]) {
-      csv.findings.push_back({"missing_column", csv.header_line,
-                              place + ", column " + kTraceNames[i] + kRemedy});
+      csv.findings.push_back({"missing_column", csv.header_line, place + ", column " + kTraceNames[i] + kRemedy});
     }
   }
   if (!has_column(csv.header, kJoint)) {
-    csv.findings.push_back({"missing_column", csv.header_line,
-                            place + ", column " + kJoint + kRemedy});
+    csv.findings.push_back({"missing_column", csv.header_line, place + ", column " + kJoint + kRemedy});
   }
 }
 
@@ -52,7 +50,8 @@ void refuse_joint(CsvColumns& csv, const std::string& joint) {
 
 bool is_trace(const std::string& path) {
   const std::vector<std::string> header = read_header(path);
-  return has_column(header, kTraceNames[kTick]) && has_column(header, kJoint) && has_column(header, kTraceNames[kPosition]);
+  return has_column(header, kTraceNames[kTick]) && has_column(header, kJoint) &&
+         has_column(header, kTraceNames[kPosition]);
 }
 
 Coordinates coordinates_of(const robot::Joint& joint) {

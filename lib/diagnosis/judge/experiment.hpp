@@ -11,9 +11,9 @@ namespace farrier::diagnosis {
 /// simulated joints differ most.
 struct Experiment {
   plant::EffectId one, other;
-  std::string excitation;   ///< "sine" or "steps"
+  std::string excitation;  ///< "sine" or "steps"
   double amplitude_A, frequency_Hz, duration_s;
-  double difference;        ///< largest rms difference of force, position or velocity, over that sensor's noise
+  double difference;  ///< largest rms difference of force, position or velocity, over that sensor's noise
 };
 
 /// Simulates both hypotheses, which differ in their last effect, from rest at `position`. Leaves out excitations that

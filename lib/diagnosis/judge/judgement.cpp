@@ -75,7 +75,9 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   }
   for (std::size_t i = 1; i < judgement.effects.size(); ++i) {
     NamedEffect& further = judgement.effects[i];
-    further.confidence *= may_be_a_detail(bench.simulator().channels(further.id), judgement.left, rules) ? rules.confidence_if_unknown : 1.0;
+    further.confidence *= may_be_a_detail(bench.simulator().channels(further.id), judgement.left, rules)
+                              ? rules.confidence_if_unknown
+                              : 1.0;
   }
   for (NamedEffect& effect : judgement.effects) {
     effect.confidence *= structured ? rules.confidence_if_unknown : 1.0;

@@ -20,17 +20,17 @@ enum class DriveNominal { kTorqueConstant, kResistance, kInductance, kRotor, kSt
 template <class T>
 struct DriveNumbers {
   bool rigid;
-  T reading_Nm_A;   ///< torque that a rigid drive believes to have per current: N K of the file
-  T constant;       ///< N K
+  T reading_Nm_A;  ///< torque that a rigid drive believes to have per current: N K of the file
+  T constant;      ///< N K
   T resistance, inductance;
-  T rotor;          ///< J N^2
+  T rotor;  ///< J N^2
   T damping, coulomb;
   T stiffness, relaxation;  ///< k, and b; of the gear of a rigid drive if `elastic`
-  bool elastic;     ///< rotor and load of a rigid drive are two
-  T lag_s;          ///< of a rigid drive's current; of another drive's command, 0 for none
+  bool elastic;             ///< rotor and load of a rigid drive are two
+  T lag_s;                  ///< of a rigid drive's current; of another drive's command, 0 for none
   double slip_velocity, voltage_V, most_A;
-  T limit_A;        ///< of the command
-  T half_play;      ///< of the gear
+  T limit_A;    ///< of the command
+  T half_play;  ///< of the gear
   bool plays;
   bool cogs;
   T cogging, periods_per_turn, phase_rad;
@@ -93,8 +93,7 @@ inline constexpr double kFlankRelaxation_s = 2e-4;
 
 template <class T>
 DriveNumbers<T> drive_numbers(const plant::ElectricParams& a, const plant::Scales& scales,
-                              const std::array<T, kNominals>& factors, const EffectNumbers<T>& effects,
-                              double step_s) {
+                              const std::array<T, kNominals>& factors, const EffectNumbers<T>& effects, double step_s) {
   const auto nominal = [&](DriveNominal place) -> const T& { return factors[static_cast<std::size_t>(place)]; };
   const double constant = a.gear_ratio * a.torque_constant_Nm_A;
   DriveNumbers<T> n{};

@@ -108,8 +108,8 @@ std::vector<std::vector<double>> ElectricModel::starts(plant::EffectId id, const
   if (is(id, "gear_stiffness")) {
     const auto& [stiffness, relaxation] = plant::kGearStiffnessParameters;
     return drive_.rigid ? std::vector<std::vector<double>>{{0.3, relaxation.starts[0]}, {3.0, relaxation.starts[0]}}
-                        : std::vector<std::vector<double>>{{stiffness.starts[0],
-                                                            drive_.spring_damping / drive_.spring_stiffness}};
+                        : std::vector<std::vector<double>>{
+                              {stiffness.starts[0], drive_.spring_damping / drive_.spring_stiffness}};
   }
   return usual_starts(*this, id, data);
 }
@@ -164,9 +164,8 @@ std::vector<double> ElectricModel::simulate(const JointData& data, Span span, co
   return run<double>(data, span, model.factors, effect_numbers(model), channel, observer);
 }
 
-std::vector<double> ElectricModel::simulate_lanes(const JointData& data, Span span, const Model& model,
-                                                  Channel channel, const Observer& observer,
-                                                  const std::vector<std::size_t>& lanes,
+std::vector<double> ElectricModel::simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,
+                                                  const Observer& observer, const std::vector<std::size_t>& lanes,
                                                   std::vector<double>& jacobian) const {
   const auto jets = run<Jet>(data, span, factor_jets(model, lanes), effect_jets(model, lanes), channel, observer);
   return values_and_jacobian(jets, lanes.size(), jacobian);

@@ -46,8 +46,7 @@ class ElectricModel final : public JointSides {
   template <class T>
   struct Parts;
   template <class T>
-  Parts<T> parts(const JointData& data, const std::array<T, kNominals>& factors,
-                 const EffectNumbers<T>& effects) const;
+  Parts<T> parts(const JointData& data, const std::array<T, kNominals>& factors, const EffectNumbers<T>& effects) const;
   template <class T>
   std::vector<T> run(const JointData& data, Span span, const std::array<T, kNominals>& factors,
                      const EffectNumbers<T>& effects, Channel channel, const Observer& observer) const;

@@ -170,8 +170,8 @@ std::vector<std::vector<double>> starts_of_cogging(const JointData& data, const 
   for (const Sinusoid& peak : strongest(balance)) {
     // The balance has the torque that the ripple takes away: -A sin(q x + p).
     const double size = std::hypot(peak.sine, peak.cosine) / scales.of(plant::Scale::kForce);
-    starts.push_back({within(amplitude, size), within(periods, peak.periods),
-                      within(phase, std::atan2(-peak.cosine, -peak.sine))});
+    starts.push_back(
+        {within(amplitude, size), within(periods, peak.periods), within(phase, std::atan2(-peak.cosine, -peak.sine))});
   }
   return starts;
 }

@@ -42,9 +42,9 @@ ChannelMask JointModel::channels(plant::EffectId id) const noexcept {
 ChannelMask JointModel::nominal_channels(std::size_t factor) const noexcept {
   const bool absent = (factor == static_cast<std::size_t>(Nominal::kStiffness) && load_.stiffness == 0.0) ||
                       (factor == static_cast<std::size_t>(Nominal::kPistonMass) && actuator_.piston_mass == 0.0);
-  return absent                                               ? ChannelMask{}
+  return absent                                              ? ChannelMask{}
          : factor < static_cast<std::size_t>(Nominal::kMass) ? ChannelMask{true, false, false}
-                                                              : ChannelMask{false, true, false};
+                                                             : ChannelMask{false, true, false};
 }
 
 bool JointModel::fits(plant::EffectId id, std::size_t parameter) const noexcept {
@@ -127,11 +127,10 @@ std::vector<double> JointModel::errors_ahead(const JointData& data, Span span, c
                                              const Observer& observer, std::size_t steps, std::size_t every) const {
   const auto set = terms<double>(data, effect_numbers(model));
   const Constants<double> c = constants(model.factors);
-  return channel == Channel::kForce
-             ? drive_errors_ahead(data, span, OilSimulation<double>(data, c, set, span.begin), observer.oil_s, steps,
-                                  every)
-             : load_errors_ahead(data, span, LoadSimulation<double>(data, c, set, span.begin), observer.load_s, steps,
-                                 every);
+  return channel == Channel::kForce ? drive_errors_ahead(data, span, OilSimulation<double>(data, c, set, span.begin),
+                                                         observer.oil_s, steps, every)
+                                    : load_errors_ahead(data, span, LoadSimulation<double>(data, c, set, span.begin),
+                                                        observer.load_s, steps, every);
 }
 
 std::vector<double> JointModel::simulate_lanes(const JointData& data, Span span, const Model& model, Channel channel,

@@ -13,8 +13,8 @@ std::vector<std::vector<double>> usual_starts(const JointSides& joint, plant::Ef
   for (auto& start : all) {
     for (std::size_t i = 1; i < start.size(); ++i) {
       if (std::string_view(info.parameters[i].name) == "slack_position_m") {
-        start[i] = joint.load().stiffness > 0.0 ? joint.load().equilibrium_position / length
-                                                : 0.5 * (low + high) / length;
+        start[i] =
+            joint.load().stiffness > 0.0 ? joint.load().equilibrium_position / length : 0.5 * (low + high) / length;
       }
     }
   }

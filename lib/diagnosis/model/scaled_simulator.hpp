@@ -38,8 +38,7 @@ class ScaledSimulator final : public Simulator {
   std::vector<std::vector<double>> starts(plant::EffectId effect) const override;
   std::vector<FreeNumber> free_numbers(const Model& model, const ChannelMask& mask,
                                        double nominal_spread) const override;
-  std::vector<double> simulate(Span span, const Model& model, Channel channel,
-                               const Observer& observer) const override;
+  std::vector<double> simulate(Span span, const Model& model, Channel channel, const Observer& observer) const override;
   std::vector<double> simulate_lanes(Span span, const Model& model, Channel channel, const Observer& observer,
                                      const std::vector<std::size_t>& lanes,
                                      std::vector<double>& jacobian) const override;

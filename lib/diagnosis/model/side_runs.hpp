@@ -102,8 +102,8 @@ std::vector<double> drive_errors_ahead(const JointData& data, Span span, Drive d
 
 /// The same of the load's position.
 template <class Load>
-std::vector<double> load_errors_ahead(const JointData& data, Span span, Load load, double observer_s,
-                                      std::size_t steps, std::size_t every) {
+std::vector<double> load_errors_ahead(const JointData& data, Span span, Load load, double observer_s, std::size_t steps,
+                                      std::size_t every) {
   std::vector<double> errors;
   for (std::size_t k = span.begin; k + steps < span.end; ++k) {
     if ((k - span.begin) % every == 0) {

@@ -26,8 +26,7 @@ std::unique_ptr<JointSides> sides_of(const robot::Joint& joint) {
   if (joint.electric) {
     return std::make_unique<ElectricModel>(*joint.electric, joint.swing_load, joint.push_limit);
   }
-  return std::make_unique<JointModel>(joint.actuator, joint.swing_load,
-                                      known_effects(joint, robot::scales_of(joint)));
+  return std::make_unique<JointModel>(joint.actuator, joint.swing_load, known_effects(joint, robot::scales_of(joint)));
 }
 
 }  // namespace farrier::diagnosis

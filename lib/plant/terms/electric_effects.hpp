@@ -77,7 +77,8 @@ inline constexpr std::array kCoggingParameters{
               "Periods in a turn of the output."},
     Parameter{"phase_rad", "phase_rad", "rad", "rad", Scale::kOne, false, -20.0, 20.0, {0.0, 0.0}, "Phase at 0 rad."}};
 inline constexpr std::array kGravityParameters{
-    Parameter{"moment_Nm", "moment_Nm", "Nm", "Nm", Scale::kForce, false, 0.0, 3.0, {0.05, 0.05}, "Largest torque, m g l."},
+    Parameter{
+        "moment_Nm", "moment_Nm", "Nm", "Nm", Scale::kForce, false, 0.0, 3.0, {0.05, 0.05}, "Largest torque, m g l."},
     Parameter{"hanging_rad",
               "hanging_rad",
               "rad",

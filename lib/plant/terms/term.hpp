@@ -27,14 +27,14 @@ enum class Scale {
   kLength,   ///< stroke, m or rad
   kSpeed,    ///< velocity_scale(), m/s or rad/s
   kSecond,
-  kRate,       ///< 1/s
-  kLeakage,    ///< full flow of the valve at supply pressure, per supply pressure, m^3/s/Pa
-  kDroop,      ///< its inverse, Pa s/m^3
-  kMass,       ///< of the nominal load
-  kDamping,    ///< of the nominal load
-  kStiffness,  ///< of the nominal load, or a fifth of kForce over kLength where it has none
-  kCubic,      ///< kStiffness over kLength squared
-  kRotor,      ///< rotor of an electric joint, kg m^2
+  kRate,           ///< 1/s
+  kLeakage,        ///< full flow of the valve at supply pressure, per supply pressure, m^3/s/Pa
+  kDroop,          ///< its inverse, Pa s/m^3
+  kMass,           ///< of the nominal load
+  kDamping,        ///< of the nominal load
+  kStiffness,      ///< of the nominal load, or a fifth of kForce over kLength where it has none
+  kCubic,          ///< kStiffness over kLength squared
+  kRotor,          ///< rotor of an electric joint, kg m^2
   kGearStiffness,  ///< its spring, or plant::softest_rigid_spring_Nm_rad of a rigid drive
 };
 

@@ -45,7 +45,8 @@ inline constexpr std::array kScaleTexts{
     ScaleText{"the model's", "the inertia of the rotor"},
     ScaleText{"the model's, or (2 pi 100 Hz)^2 rotor", "the spring, or that on which the rotor swings at 100 Hz"},
 };
-static_assert(kScaleTexts.size() == static_cast<std::size_t>(Scale::kGearStiffness) + 1, "a text per scale, in their order");
+static_assert(kScaleTexts.size() == static_cast<std::size_t>(Scale::kGearStiffness) + 1,
+              "a text per scale, in their order");
 constexpr const ScaleText& text_of(Scale scale) { return kScaleTexts[static_cast<std::size_t>(scale)]; }
 
 }  // namespace farrier::plant

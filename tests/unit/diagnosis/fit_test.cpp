@@ -108,8 +108,8 @@ TEST(SideModels, AFastWaySmoothlyMadeLooksLikeNoForceOnTheLoad) {
   const JointModel model(rig().actuator, rig().swing_load);
   const JointSimulator simulator(model, data);
   const auto error = residuals(simulator, {0, data.size()}, Model::nominal(), Channel::kMotion, {});
-  const double force = rig().swing_load.damping * std::accumulate(error.begin(), error.end(), 0.0) /
-                       static_cast<double>(error.size());
+  const double force =
+      rig().swing_load.damping * std::accumulate(error.begin(), error.end(), 0.0) / static_cast<double>(error.size());
   EXPECT_LT(std::abs(force), 0.1);
   EXPECT_LT(rig().swing_load.damping * judged_rms(error), 0.3);
 }
