@@ -36,7 +36,7 @@ constexpr double kPeriod_s = 0.001;
 constexpr int kNone = 60;
 constexpr std::array<int, 4> kSets{60, 40, 24, 12};  // of two, three, four and five effects
 constexpr int kOutside = 36;
-// Of each electric joint.
+// Trials of each electric joint.
 constexpr int kElectricNone = 24;
 constexpr int kElectricPairs = 12;
 

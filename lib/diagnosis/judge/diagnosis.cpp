@@ -28,8 +28,8 @@ std::vector<plant::EffectId> all_effects(const JointSides& joint) {
   return all;
 }
 
-/// Rules for an electric joint. Fits of its few effects are quick, so that none is passed over. What its effects leave is
-/// closer to the sensors' noise than what those of oil leave.
+/// Rules for an electric joint. Fits of its few effects are quick, so that none is passed over. Its
+/// effects leave less beside the sensors' noise than those of oil.
 Rules rules_of_electric(Rules rules) {
   rules.screens = false;
   rules.unexplained = std::min(rules.unexplained, 0.1);

@@ -16,8 +16,8 @@ struct LoadNumbers {
   double slack_position;
 };
 
-/// Simulates the load of an electric joint from a sample on, driven by the measured torque. Of a rigid drive rotor and
-/// gear move with the load, or at the other end of a soft gear. A copy continues from the state of the original.
+/// Simulates the load of an electric joint from a sample on, driven by the measured torque. The rotor of a rigid
+/// drive moves with the load, or at the other end of a soft gear. A copy continues from the state of the original.
 template <class T>
 class ElectricLoad {
  public:

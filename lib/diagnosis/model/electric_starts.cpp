@@ -74,7 +74,7 @@ Balance balance_over(const std::vector<std::size_t>& samples, Eigen::Index terms
   return {Eigen::VectorXd(rows), Eigen::VectorXd(rows), Eigen::MatrixXd(rows, terms)};
 }
 
-/// What drives the load less its spring, beside its inertia, damping and dry friction.
+/// The torque on the load less that of its spring, beside its inertia, damping and dry friction.
 Balance balance_of_load(const JointData& data, const plant::ElectricParams& drive, const plant::LoadParams& load,
                         bool with_spring) {
   const std::vector<std::size_t> samples = chosen_samples(data);

@@ -12,8 +12,9 @@
 
 namespace farrier::diagnosis {
 
-/// Mean speed of a load over a step of `h` s from position x and speed v, under a mean force:
-/// m (2 w - 2 v) / h = F - d w - C (x + h w / 2 - x_eq) - hold - slope w, (2.24) in the mean speed w.
+/// Mean speed w of a load over a step of `h` s from position x and speed v, under a mean force. It is (2.24) in w:
+///
+///   m (2 w - 2 v) / h = F - d w - C (x + h w / 2 - x_eq) - hold - slope w
 template <class T>
 T mean_speed(const plant::LoadMoment<T>& load, const T& x, const T& v, const T& force, double h) {
   const T along = load.damping + load.slope + 0.5 * h * load.stiffness;

@@ -100,7 +100,7 @@ class Scales {
               stiffness / (actuator.stroke * actuator.stroke)};
   }
 
-  /// Of an electric joint. `rated_torque_Nm` > 0.
+  /// Sizes of an electric joint. `rated_torque_Nm` > 0.
   Scales(const ElectricParams& drive, const LoadParams& load, double rated_torque_Nm) noexcept
       : load_(load), gear_neutral_(drive.rigid ? 0.0 : 1.0) {
     const double speed = no_load_speed(drive);

@@ -93,7 +93,7 @@ TEST_P(ElectricModelOf, LacksTheEffectsOfOil) {
 INSTANTIATE_TEST_SUITE_P(Drives, ElectricModelOf, testing::Values("electric_leg", "go1"),
                          [](const auto& drive) { return std::string(drive.param); });
 
-/// A recording of a joint that stands still under a step of its command at sample 500.
+/// A recording of a joint that is held under a step of its command at sample 500.
 Recording stalled(const robot::Joint& joint, double command_A) {
   Recording recording;
   recording.period_s = 0.001;
