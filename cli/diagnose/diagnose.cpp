@@ -7,6 +7,8 @@
 
 #include "core/text.hpp"
 #include "diagnosis/judge/diagnosis.hpp"
+#include "diagnosis/judge/joint_bench.hpp"
+#include "diagnosis/judge/what_can_be_told.hpp"
 #include "diagnosis/data/recording_check.hpp"
 #include "diagnosis/data/trace_recording.hpp"
 #include "participant/loop.hpp"
@@ -26,6 +28,8 @@
 #include "report/diagnosis/diagnosis_json.hpp"
 #include "report/diagnosis/diagnosis_page.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
+#include "report/diagnosis/judgement_json.hpp"
+#include "report/diagnosis/told_text.hpp"
 #include "core/replace_file.hpp"
 #include "report/diagnosis/extended_model.hpp"
 
@@ -100,15 +104,38 @@ Outputs outputs_of(const DiagnoseOptions& o, const robot::Robot& robot, const ro
           .model = in_out(robot.name + "_" + joint.name + "_extended.yaml")};
 }
 
-Diagnosis diagnose_with_bar(const Recording& recording, const robot::Joint& joint, int threads) {
-  std::optional<Diagnosis> found;
+/// What `work` makes with `threads` and a bar of its progress.
+template <class Work>
+auto with_options(int threads, const Work& work) {
+  std::optional<decltype(work(diagnosis::DiagnosisOptions()))> made;
   with_bar("diagnose", [&](const auto& progress) {
     diagnosis::DiagnosisOptions options;
     options.threads = threads;
     options.progress = progress;
-    found = diagnosis::diagnose(recording, joint, options);
+    made = work(options);
   });
-  return std::move(*found);
+  return std::move(*made);
+}
+
+/// Prints what a recording can tell, and writes it to `json_path` unless that is empty.
+int tell(const Recording& recording, const robot::Robot& robot, const robot::Joint& joint, const DiagnoseOptions& o,
+         const std::string& json_path) {
+  if (!diagnosis::JointBench::is_excited(recording, diagnosis::JointBench::noise_of(recording, joint))) {
+    return refuse("diagnose",
+                  "neither position nor force rises above ten times its sensor's noise: record a joint that moves");
+  }
+  const report::ToldResult result{
+      .told = with_options(o.threads, [&](const auto& options) { return what_can_be_told(recording, joint, options); }),
+      .robot = robot,
+      .joint = joint,
+      .recording = o.recording};
+  if (!json_path.empty()) {
+    if (const auto written = report::write_diagnosis_text(json_path, report::told_json(result)); !written) {
+      return fail("diagnose", written.error().message);
+    }
+  }
+  std::fputs(report::told_console(result).c_str(), stdout);
+  return kPassed;
 }
 
 /// The effects found, into the file of the extended model, which is loaded again; its path, empty where there are none.
@@ -232,7 +259,11 @@ int diagnose(const DiagnoseOptions& o) {
                    .wiring = refusal.wiring},
                   outputs, o);
   }
-  const Diagnosis found = diagnose_with_bar(recording.value(), *joint.value(), o.threads);
+  if (o.what_can_be_told) {
+    return tell(recording.value(), robot, *joint.value(), o, outputs.json);
+  }
+  const Diagnosis found = with_options(
+      o.threads, [&](const auto& options) { return diagnosis::diagnose(recording.value(), *joint.value(), options); });
   const auto model = write_model(outputs.model, robot, *joint.value(), found);
   if (!model) {
     return fail("diagnose", model.error().message);

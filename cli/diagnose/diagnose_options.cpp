@@ -37,6 +37,9 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   app.add_option("--json", o.json_path, "where the diagnosis goes as JSON")
       ->type_name("<file>")
       ->default_str("figures.json in --out");
+  app.add_flag("--what-can-be-told", o.what_can_be_told,
+               "print which effects this recording can show, which it cannot tell apart and what would, in place of a "
+               "verdict");
   app.add_flag("--benchmark", o.benchmark,
                "run blind trials in place of a recording: effects hidden in recordings by a generator that shares no "
                "code with the diagnosis; takes up to half an hour");

@@ -21,7 +21,8 @@ struct DiagnoseOptions {
   std::string out;        ///< empty: no files but `json_path`
   std::string json_path;  ///< empty: figures.json in `out`, or none
   int threads = 2;
-  bool benchmark = false;                    ///< run blind trials in place of a recording
+  bool what_can_be_told = false;  ///< effects that the recording shows and tells apart, in place of a verdict
+  bool benchmark = false;         ///< run blind trials in place of a recording
   Actuator actuator = Actuator::kHydraulic;  ///< of the benchmark's joints
   bool wiring = false;                       ///< likewise trials of faults of wiring
   std::string confusion_path;                ///< of those: what was taken for what; empty: none

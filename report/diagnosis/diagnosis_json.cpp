@@ -9,8 +9,6 @@ namespace {
 
 using diagnosis::Diagnosis;
 
-const char* effect_name(plant::EffectId id) { return plant::effect_info(id).name; }
-
 Json experiment_json(const diagnosis::Experiment& experiment) {
   return {{"one", effect_name(experiment.one)},      {"other", effect_name(experiment.other)},
           {"excitation", experiment.excitation},     {"amplitude_A", experiment.amplitude_A},

@@ -14,8 +14,6 @@ using diagnosis::ChannelReport;
 using diagnosis::Diagnosis;
 using diagnosis::Verdict;
 
-const char* name_of(plant::EffectId id) { return plant::effect_info(id).name; }
-
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -73,6 +71,8 @@ std::vector<std::string> remainders(const DiagnosisResult& result) {
 
 }  // namespace
 
+const char* effect_name(plant::EffectId id) noexcept { return plant::effect_info(id).name; }
+
 std::string experiment_text(const diagnosis::Experiment& experiment) {
   if (!(experiment.difference > 0.0)) {
     return "no sine and no steps of the current that were tried";
@@ -91,7 +91,7 @@ std::string words_of(const char* name) {
 
 std::string verdict_sentence(const diagnosis::Judgement& judgement) {
   const std::string found =
-      listed(judgement.effects, [](const diagnosis::NamedEffect& effect) { return name_of(effect.id); });
+      listed(judgement.effects, [](const diagnosis::NamedEffect& effect) { return effect_name(effect.id); });
   switch (judgement.verdict) {
     case Verdict::kEffects:
       return "the model lacks " + found;
@@ -100,7 +100,7 @@ std::string verdict_sentence(const diagnosis::Judgement& judgement) {
     case Verdict::kCannotSeparate: {
       std::vector<std::string> pairs;
       for (const auto& [one, other] : judgement.alternatives) {
-        pairs.push_back(std::string(name_of(one)) + " or " + name_of(other));
+        pairs.push_back(std::string(effect_name(one)) + " or " + effect_name(other));
       }
       return "something is missing, but this recording cannot separate its causes: " + joined(pairs);
     }
@@ -125,7 +125,7 @@ std::vector<std::string> alternatives_text(const diagnosis::Judgement& judgement
       return (experiment.one == one && experiment.other == other) ||
              (experiment.one == other && experiment.other == one);
     });
-    lines.push_back(std::string("this recording does not tell ") + name_of(one) + " from " + name_of(other) +
+    lines.push_back(std::string("this recording does not tell ") + effect_name(one) + " from " + effect_name(other) +
                     (found == experiments.end() ? "" : "; what would: " + experiment_text(*found)));
   }
   return lines;
@@ -141,7 +141,8 @@ std::vector<std::string> findings_text(std::span<const diagnosis::Finding> findi
 }
 
 std::string not_judged_text(const diagnosis::Judgement& judgement) {
-  return judgement.not_judged.empty() ? "" : "this recording could not show: " + listed(judgement.not_judged, name_of);
+  return judgement.not_judged.empty() ? ""
+                                      : "this recording could not show: " + listed(judgement.not_judged, effect_name);
 }
 
 std::vector<std::string> verdict_details(const DiagnosisResult& result) {

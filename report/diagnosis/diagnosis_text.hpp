@@ -8,6 +8,8 @@
 
 namespace farrier::report {
 
+const char* effect_name(plant::EffectId id) noexcept;
+
 /// Autocorrelation below which a residual counts as white, ChannelReport::whiteness.
 inline constexpr double kWhite = 4.0;
 

@@ -10,7 +10,8 @@ farrier_test(diagnosis_test unit
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/scaled_recording_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/scaled_test.cpp
   ${CMAKE_CURRENT_LIST_DIR}/diagnosis/selection_test.cpp
-  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/trace_recording_test.cpp)
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/trace_recording_test.cpp
+  ${CMAKE_CURRENT_LIST_DIR}/diagnosis/what_can_be_told_test.cpp)
 target_link_libraries(diagnosis_test PRIVATE farrier_diagnosis)
 target_compile_definitions(diagnosis_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 

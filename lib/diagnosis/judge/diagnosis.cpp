@@ -3,19 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/judge/joint_bench.hpp"
 #include "diagnosis/judge/not_judged.hpp"
 #include "diagnosis/judge/parallel.hpp"
-#include "diagnosis/data/sample_statistics.hpp"
-#include "diagnosis/model/twin.hpp"
 #include "diagnosis/model/joint_model.hpp"
 #include "diagnosis/model/sides_of_joint.hpp"
 #include "robot/joint_scales.hpp"
 
 namespace farrier::diagnosis {
 namespace {
-
-/// Least ratio of a recording's signals to its sensors' noise: below it nothing can be judged.
-constexpr double kLeastExcitation = 10.0;
 
 /// Effects that a joint may have.
 std::vector<plant::EffectId> all_effects(const JointSides& joint) {
@@ -60,34 +56,23 @@ std::vector<Experiment> telling_experiments(const JointSides& sides, const Judge
 Diagnosis diagnose(const Recording& recording, const robot::Joint& joint, const DiagnosisOptions& options) {
   Diagnosis result;
   result.remarks = recording.remarks;
-  const std::unique_ptr<JointSides> sides = sides_of(joint);
-  const double velocity_noise = recording.velocity_derived ? recording.derived_velocity_noise : joint.noise.velocity;
-  const SensorNoiseLevels noise{std::hypot(joint.noise.position, recording.position_error),
-                                std::hypot(velocity_noise, recording.velocity_error),
-                                std::hypot(joint.noise.force, recording.force_error)};
-  const bool moves = standard_deviation(recording.position) > kLeastExcitation * noise.position;
-  const bool pushes = standard_deviation(recording.force) > kLeastExcitation * noise.force;
-  if (!moves && !pushes) {
+  if (!JointBench::is_excited(recording, JointBench::noise_of(recording, joint))) {
     result.judgement.verdict = Verdict::kNotExcited;
-    result.judgement.not_judged = all_effects(*sides);
+    result.judgement.not_judged = all_effects(*sides_of(joint));
     result.remarks.push_back(
         "neither position nor force rises above ten times its sensor's noise: record a joint that moves");
     return result;
   }
-  const JointData data = sides->prepared(recording, noise.position);
-  const ChannelMask judged{!recording.valve_current_A.empty(), true, !recording.velocity_derived};
-  const JointSimulator simulator(*sides, data, noise.force);
-  const Bench bench(simulator, judged, options.fit);
-  const auto expected = [&](const Hypothesis& hypothesis) {
-    return expected_residuals(bench, simulator, hypothesis, noise);
-  };
+  const JointBench of_joint(recording, joint, options.fit);
+  const Bench& bench = of_joint.bench();
   const Rules rules = joint.electric ? rules_of_electric(options.rules) : options.rules;
-  result.judgement = judge(bench, expected, rules, by_threads(options.threads, options.progress, rules.most_effects));
+  result.judgement =
+      judge(bench, of_joint.expected(), rules, by_threads(options.threads, options.progress, rules.most_effects));
   result.judgement.not_judged =
       not_judged(bench, result.judgement.chosen.halves[0].model, result.judgement.left, options.rules.least_reduction);
   const Judgement& judgement = result.judgement;
-  result.channels = report_channels(bench, simulator, judgement.base, judgement.chosen);
-  result.experiments = telling_experiments(*sides, judgement, noise, joint.actuator.stroke);
+  result.channels = report_channels(bench, of_joint.simulator(), judgement.base, judgement.chosen);
+  result.experiments = telling_experiments(of_joint.sides(), judgement, of_joint.noise(), joint.actuator.stroke);
   const ErrorRatio ratio = bench.error_ratio(judgement.base, judgement.chosen);
   result.nrmse_before = ratio.before;
   result.nrmse_after = ratio.after;

@@ -3,23 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "diagnosis/judge/separability.hpp"
+
 namespace farrier::diagnosis {
 namespace {
-
-/// The effect at a usual size; nothing where its fits have no start.
-std::vector<double> usual_size(const Simulator& simulator, plant::EffectId id) {
-  const auto starts = simulator.starts(id);
-  if (starts.empty()) {
-    return {};
-  }
-  std::vector<double> fitted = starts.front();
-  const plant::EffectInfo& info = plant::effect_info(id);
-  const double neutral = simulator.scales().neutral(info.parameters[0]);
-  if (info.nominal && neutral != 0.0) {
-    fitted[0] = 1.2 * neutral;
-  }
-  return fitted;
-}
 
 double rms_between(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0.0;

@@ -6,7 +6,6 @@
 #include <Eigen/Cholesky>
 
 #include "diagnosis/judge/fit_costs.hpp"
-#include "diagnosis/judge/lane_slopes.hpp"
 
 namespace farrier::diagnosis {
 namespace {
@@ -37,30 +36,9 @@ Screening::Screening(const Bench& bench, const Hypothesis& from)
   }
 }
 
-Screening::Linearised Screening::linearise(const Model& model, Channel channel,
-                                           const std::vector<FreeNumber>& free) const {
-  const Simulator& simulator = bench_.simulator();
-  const FitOptions& options = bench_.options();
-  const auto c = static_cast<std::size_t>(channel);
-  const double scale = 1.0 / (from_.weight[c] * std::sqrt(options.samples_per_fact));
-  const auto skip = static_cast<std::size_t>(options.warm_up_s / simulator.period_s());
-  const std::vector<double>& measured = simulator.measured(channel);
-  const auto judged = [&](std::size_t i) { return i >= skip && simulator.explains(channel, span_.begin + i); };
-  const auto rows = static_cast<Eigen::Index>(span_.size());
-  Linearised out{Eigen::VectorXd::Zero(rows), Eigen::MatrixXd::Zero(rows, std::ssize(free))};
-  const std::vector<double> simulated = simulate_with_slopes(
-      simulator, span_, model, channel, options.observer, free,
-      [&](std::size_t sample, std::size_t number, double slope) {
-        if (judged(sample)) {
-          out.slope(static_cast<Eigen::Index>(sample), static_cast<Eigen::Index>(number)) = scale * slope;
-        }
-      });
-  for (std::size_t i = skip; i < span_.size(); ++i) {
-    if (judged(i)) {
-      out.residual[static_cast<Eigen::Index>(i)] = scale * (measured[span_.begin + i] - simulated[i]);
-    }
-  }
-  return out;
+Linearised Screening::linearise(const Model& model, Channel channel, const std::vector<FreeNumber>& free) const {
+  const double unit = from_.weight[static_cast<std::size_t>(channel)] * std::sqrt(bench_.options().samples_per_fact);
+  return linearised(bench_, span_, model, channel, free, unit);
 }
 
 double Screening::predicted_log_ratio(const Model& with, const ChannelMask& shows, const ChannelMask& concerned) const {

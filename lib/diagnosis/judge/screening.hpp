@@ -3,9 +3,8 @@
 #include <array>
 #include <vector>
 
-#include <Eigen/Core>
-
 #include "diagnosis/judge/hypothesis.hpp"
+#include "diagnosis/judge/linearised.hpp"
 
 namespace farrier::diagnosis {
 
@@ -25,11 +24,6 @@ class Screening {
   Promise promise_of(plant::EffectId effect) const;
 
  private:
-  /// Residuals of a channel over the half and their derivatives by numbers, both over the deviation that counts as one.
-  struct Linearised {
-    Eigen::VectorXd residual;
-    Eigen::MatrixXd slope;
-  };
   Linearised linearise(const Model& model, Channel channel, const std::vector<FreeNumber>& free) const;
   double predicted_log_ratio(const Model& with, const ChannelMask& shows, const ChannelMask& concerned) const;
 

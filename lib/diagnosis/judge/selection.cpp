@@ -44,8 +44,17 @@ Selection::Selection(const Bench& bench, const ExpectedResiduals& expected, cons
       for_each_(for_each),
       base_(bench.base()),
       chosen_(base_),
-      before_(remainder(bench, base_, expected)) {
+      before_(remainder(bench, base_, expected)),
+      above_noise_(channels_above_noise()) {
   confidence_.fill(rules_.most_confidence);
+}
+
+ChannelMask Selection::channels_above_noise() const {
+  ChannelMask above{};
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    above[c] = bench_.fit_data().judged[c] && (1.0 - rules_.least_reduction) * before_[c].rms > before_[c].expected;
+  }
+  return above;
 }
 
 ChannelMask Selection::open_channels() const {
@@ -64,7 +73,7 @@ double Selection::score(const Hypothesis& hypothesis) const {
 }
 
 void Selection::grow() {
-  ChannelMask open = chosen_.effects.empty() ? bench_.fit_data().judged : open_channels();
+  ChannelMask open = chosen_.effects.empty() ? above_noise_ : open_channels();
   for (std::size_t round = 0; round < 2 * rules_.most_effects && meet(open, open) && add(open); ++round) {
     prune();
     open = open_channels();
@@ -114,7 +123,7 @@ bool Selection::outside_neutral(plant::EffectId id, const Estimate& estimate) co
   return std::abs(estimate.fitted[0] - neutral) > band + rules_.neutral_deviations * estimate.deviation;
 }
 
-/// True if a hypothesis sufficiently reduces the chosen one's remainder on some channel.
+/// True if a hypothesis sufficiently reduces the chosen one's remainder on some channel where that is more than noise.
 bool Selection::worth_it(const Hypothesis& after) const {
   for (std::size_t c = 0; c < kChannels; ++c) {
     const double was = chosen_.total(c);
@@ -122,7 +131,7 @@ bool Selection::worth_it(const Hypothesis& after) const {
     const double share = chosen_.effects.empty() ? rules_.least_step : rules_.further_step;
     const double step = share * share * base_.total(c);
     const double ratio = 1.0 - rules_.least_reduction;
-    if (was > 0.0 && is < ratio * ratio * was && was - is > step) {
+    if (above_noise_[c] && is < ratio * ratio * was && was - is > step) {
       return true;
     }
   }

@@ -78,6 +78,8 @@ class Selection {
   void prune();
   /// Channels on which something is left to explain.
   ChannelMask open_channels() const;
+  /// Channels on which the base leaves so much more than its sensors' noise that an effect can bring least_reduction.
+  ChannelMask channels_above_noise() const;
   /// Log ratio of errors that a set explains, less what each effect must bring.
   double score(const Hypothesis& hypothesis) const;
   /// The promising effects of each open channel, the most promising first.
@@ -105,6 +107,7 @@ class Selection {
   const ForEach& for_each_;
   Hypothesis base_, chosen_;
   std::array<Remainder, kChannels> before_;        ///< of the base
+  ChannelMask above_noise_;                        ///< where `before_` is more than noise
   std::vector<Hypothesis> first_;                  ///< accepted in the first round, the best first
   std::map<plant::EffectId, Hypothesis> without_;  ///< by effect, of the chosen hypothesis as it is
   std::vector<std::vector<Candidate>> rounds_;
