@@ -96,6 +96,27 @@ TEST(Diagnose, NamesADeadbandThatTheModelLacksAndTheExtendedModelLoads) {
   EXPECT_FALSE(fs::exists(scratch.file("out/figures.json"))) << "--json said where";
 }
 
+TEST(Diagnose, TellsWhatARecordingCanShowBeforeAnyVerdict) {
+  const ScratchDirectory scratch;
+  const std::string recording = scratch.file("run.csv");
+  write_recording(recording, [](int, const std::string& line) { return line; });
+  const std::string json_path = scratch.file("told.json");
+  std::string output;
+  ASSERT_EQ(run_farrier(
+                {"diagnose", recording, "--model", robot_file("fc1d.yaml"), "--what-can-be-told", "--json", json_path},
+                &output),
+            0)
+      << output;
+  EXPECT_NE(output.find("could be taken for"), std::string::npos) << output;
+  const auto json = read_json(json_path);
+  const auto friction =
+      std::ranges::find_if(json["effects"], [](const auto& one) { return one["name"] == "load_friction"; });
+  ASSERT_NE(friction, json["effects"].end()) << json;
+  EXPECT_TRUE((*friction)["shows"]);
+  EXPECT_GT((*friction)["shows_from"]["value"], 0.0);
+  EXPECT_FALSE(json.contains("verdict"));
+}
+
 TEST(Diagnose, RefusesBadDataWithItsRowsAndStillWritesThem) {
   const ScratchDirectory scratch;
   write_recording(scratch.file("run.csv"), [](int i, const std::string& line) {
