@@ -18,7 +18,8 @@ namespace commands_test {
 std::vector<std::string> farrier_commands(const std::string& line) {
   static const std::regex comment(R"re((^|\s)#.*$)re");
   static const std::regex separator(R"re([|;&<>()]+)re");
-  static const std::regex call(R"re(^\s*(?:sudo\s+|ssh \S+\s+)?(?:[A-Z_]+=\S*\s+)*(?:\S*/)?farrier(?:\s+(.*?))?\s*$)re");
+  static const std::regex call(
+      R"re(^\s*(?:sudo\s+|ssh \S+\s+)?(?:[A-Z_]+=\S*\s+)*(?:\S*/)?farrier(?:\s+(.*?))?\s*$)re");
   const std::string code = std::regex_replace(line, comment, "");
   std::vector<std::string> commands;
   for (std::sregex_token_iterator part(code.begin(), code.end(), separator, -1), end; part != end; ++part) {
@@ -107,9 +108,10 @@ TEST(Commands, InSentencesNameCommandsAndOptionsThatAreThere) {
           continue;
         }
         for (std::sregex_iterator named(span.begin(), span.end(), option), end; named != end; ++named) {
-          EXPECT_TRUE(std::ranges::any_of(known->options, [&](const cli::OptionText& o) {
-            return std::ranges::find(o.names, (*named)[1].str()) != o.names.end();
-          })) << at(document, line) << ": no such option: " << span;
+          EXPECT_TRUE(std::ranges::any_of(
+              known->options,
+              [&](const cli::OptionText& o) { return std::ranges::find(o.names, (*named)[1].str()) != o.names.end(); }))
+              << at(document, line) << ": no such option: " << span;
         }
       }
     }
