@@ -25,6 +25,7 @@ constexpr const char* kVendor = "cyclone";
 constexpr const char* kJoint = "lf_kfe";
 constexpr const char* kStatus = "hyq: joint lf_kfe";
 constexpr double kStep_rad = 0.12;
+constexpr double kStays_rad = 0.06;  // it gives way to its load for a while
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 JointState positions(std::vector<std::string> names, std::vector<double> position_rad) {
@@ -44,7 +45,7 @@ class JointCommands : public testing::Test {
     ASSERT_TRUE(trot_->says("trot: tick 0 of")) << trot_->output();
     ros_ = std::make_unique<FarrierCommand>(std::vector<std::string>{
         "ros", "--domain", std::to_string(trot_->domain()), "--ros-domain", std::to_string(kRosDomain), "--ros-address",
-        "127.0.0.1", "--commands", "--joint-commands", "--allow-arm"});
+        "127.0.0.1", "--commands", "--joint-commands", "--allow-arm", "--command-timeout", "1"});
     ASSERT_TRUE(ros_->says("commands are of joints, taken from any node")) << ros_->output();
   }
   static void TearDownTestSuite() {
@@ -101,7 +102,7 @@ class JointCommands : public testing::Test {
                             }))
         << text << "\n"
         << ros_->output();
-    EXPECT_NEAR(*user_.angle_rad(kJoint), settled_rad_, 0.03) << text;
+    EXPECT_NEAR(*user_.angle_rad(kJoint), settled_rad_, kStays_rad) << text;
   }
 
   UserNode user_{kRosDomain};
@@ -144,7 +145,7 @@ TEST_F(JointCommands, CommandsThatNoRobotShouldObeyChangeNothing) {
   is_refused_with("has no joint 'xxx", send(positions({std::string(1'000'000, 'x')}, {0.5})));
   is_refused_with("position is infinite", send(positions({kJoint}, {std::numeric_limits<double>::infinity()})));
   const auto second = sender_of<JointState>(kVendor, kRosDomain, "/hyq/joint_commands");
-  is_refused_with("of a second sender", [&] { second->send(positions({kJoint}, {start_rad_ + 0.1})); });
+  is_refused_with("of a second sender", [&] { second->send(positions({kJoint}, {start_rad_ + 0.15})); });
   // NaN commands nothing: the joint holds its place.
   int turns = 0;
   EXPECT_TRUE(user_.until([&] { return turns > 30 && tracks(); },
@@ -153,7 +154,7 @@ TEST_F(JointCommands, CommandsThatNoRobotShouldObeyChangeNothing) {
                             ++turns;
                           }))
       << user_.status(kStatus);
-  EXPECT_NEAR(*user_.angle_rad(kJoint), settled_rad_, 0.03);
+  EXPECT_NEAR(*user_.angle_rad(kJoint), settled_rad_, kStays_rad);
 }
 
 TEST_F(JointCommands, AnyNodeStopsTheRobotAndARepeatedArmDoesNotUndoIt) {

@@ -26,7 +26,7 @@ struct RosBridge::Parts {
 
   CommandTopics::Tell tell(SteadyTime now) {
     return [this, now](signals::Severity severity, const std::string& text) {
-      notices.tell(severity, text, stamps.of_now(states.tick(), now), now);
+      notices.tell(severity, text, stamps.of_now(states.tick()), now);
     };
   }
 
@@ -37,7 +37,7 @@ struct RosBridge::Parts {
       states.begin_run();
     }
     for (const monitor::EventFrame& event : status.frame().events) {
-      notices.write(event, stamps.of_now(event.tick, now));
+      notices.write(event, stamps.of_now(event.tick));
     }
     for (std::size_t i = 0; i < status.frame().joints.size(); ++i) {
       states.take(i, status.frame().joints[i].newest);
@@ -89,7 +89,7 @@ SteadyTime RosBridge::step(SteadyTime now) {
     p.look(now);
   }
   if (p.due_diagnostics.now(now)) {
-    p.status.publish(p.stamps.of_now(p.states.tick(), now));
+    p.status.publish(p.stamps.of_now(p.states.tick()));
   }
   if (p.due_graph.now(now)) {
     p.tell(now)(signals::Severity::kInfo, p.node.look());

@@ -74,7 +74,7 @@ void StateTopics::publish_joints(SteadyTime now) {
   if (tick_ == before) {
     return;
   }
-  const Time stamp = stamps_.of(tick_, sample_time_ns_, now);
+  const Time stamp = stamps_.of(tick_, sample_time_ns_);
   if (clock_) {
     clock_->write({.clock = stamp});
   }
@@ -87,14 +87,14 @@ void StateTopics::publish_joints(SteadyTime now) {
 void StateTopics::publish_body(SteadyTime now) {
   if (imu_ && imu_->drain()) {
     const signals::BodyImu& sample = imu_->sample();
-    if (const auto message = ros_view::imu(sample, stamps_.of(sample.tick, sample.sample_time_ns, now))) {
+    if (const auto message = ros_view::imu(sample, stamps_.of(sample.tick, sample.sample_time_ns))) {
       imu_out_->write(*message);
     }
   }
   if (state_ && state_->drain()) {
     const signals::BodyState& sample = state_->sample();
     // A state is estimated from the sensors of its tick.
-    const Time stamp = stamps_.of(sample.tick, sample.tick == tick_ ? sample_time_ns_ : 0, now);
+    const Time stamp = stamps_.of(sample.tick, sample.tick == tick_ ? sample_time_ns_ : 0);
     for (std::size_t leg = 0; leg < wrenches_.size(); ++leg) {
       if (const auto message = ros_view::foot_wrench(robot_, leg, sample, joints_, stamp)) {
         wrenches_[leg].write(*message);
