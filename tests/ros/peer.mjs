@@ -53,6 +53,7 @@ function readJoints(cdr) {
 }
 
 const joints = { count: 0, missing: 0, backwards: 0, first_s: 0, last_s: 0, names: 0, finite: true };
+const sequences = new Set(); // a sample that is sent again may come twice
 let newest = { sequence: 0n, stamp_s: 0 };
 
 participant.on("userData", (sample) => {
@@ -65,14 +66,16 @@ participant.on("userData", (sample) => {
     seen.description_s = since();
   } else if (topic.endsWith("/joint_states")) {
     const message = readJoints(cdr);
-    const sequence = BigInt(sample.writerSeqNumber.value ?? sample.writerSeqNumber);
-    if (joints.count > 0) {
-      joints.missing += Number(sequence - newest.sequence) - 1;
-      joints.backwards += message.stamp_s > newest.stamp_s ? 0 : 1;
-    } else {
-      joints.first_s = since();
+    const sequence = sample.writerSeqNumber;
+    if (sequences.has(sequence)) {
+      return;
     }
-    newest = { sequence, stamp_s: message.stamp_s };
+    sequences.add(sequence);
+    joints.first_s = joints.count === 0 ? since() : joints.first_s;
+    if (sequence > newest.sequence) {
+      joints.backwards += message.stamp_s > newest.stamp_s ? 0 : 1;
+      newest = { sequence, stamp_s: message.stamp_s };
+    }
     joints.count += 1;
     joints.last_s = since();
     joints.names = message.names.length;
@@ -102,6 +105,8 @@ while (since() < patience_s && (joints.count === 0 || seen.description === 0 || 
 while (joints.count > 0 && joints.last_s - joints.first_s < Number(seconds) && since() < patience_s + Number(seconds)) {
   await wait(50);
 }
+const first = [...sequences].reduce((one, other) => (other < one ? other : one), newest.sequence);
+joints.missing = joints.count === 0 ? 0 : Number(newest.sequence - first) + 1 - joints.count;
 seen.joints = joints;
 console.log(JSON.stringify(seen));
 process.exit(0);
