@@ -22,16 +22,16 @@ inline double relative_error(const std::vector<double>& measured, const std::vec
 }
 
 /// Expects derivatives of a channel by the number `parameter` of a model's only effect to be those of central
-/// differences, and its values those of a simulation without derivatives.
+/// differences over `share` of it, and its values those of a simulation without derivatives.
 inline void expect_slopes(const JointSides& joint, const JointData& data, const Model& middle, std::size_t parameter,
-                          Channel channel) {
+                          Channel channel, double share = 1e-4) {
   const Observer observer;
   const Span all{0, data.size()};
   const char* const name = plant::effect_info(middle.effects[0].id).name;
   std::vector<double> jacobian;
   const auto value = joint.simulate_lanes(data, all, middle, channel, observer, {kNominals + parameter}, jacobian);
   EXPECT_LT(relative_error(joint.simulate(data, all, middle, channel, observer), value, 0), 1e-9) << name;
-  const double step = 1e-4 * std::abs(middle.effects[0].fitted[parameter]);
+  const double step = share * std::abs(middle.effects[0].fitted[parameter]);
   Model above = middle;
   Model below = middle;
   above.effects[0].fitted[parameter] += step;

@@ -74,7 +74,8 @@ TEST_P(ElectricModelOf, HasDerivativesThatAreThoseOfDifferences) {
       if (shows[c]) {
         Model middle = Model::nominal();
         middle.effects = {{id, starts.front()}};
-        expect_slopes(model, data, middle, 0, static_cast<Channel>(c));
+        // A wider step moves the ends of a play past the rotor.
+        expect_slopes(model, data, middle, 0, static_cast<Channel>(c), 1e-6);
         ++checked;
       }
     }
