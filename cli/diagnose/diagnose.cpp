@@ -104,7 +104,7 @@ Outputs outputs_of(const DiagnoseOptions& o, const robot::Robot& robot, const ro
           .model = in_out(robot.name + "_" + joint.name + "_extended.yaml")};
 }
 
-/// What `work` makes with `threads` and a bar of its progress.
+/// Result of `work` with `threads` and a bar of its progress.
 template <class Work>
 auto with_options(int threads, const Work& work) {
   std::optional<decltype(work(diagnosis::DiagnosisOptions()))> made;

@@ -7,7 +7,7 @@
 
 namespace farrier::report {
 
-/// What a recording of a joint can tell, before any verdict.
+/// Effects that a recording of a joint shows and tells apart, before any verdict.
 struct ToldResult {
   diagnosis::WhatCanBeTold told;
   robot::Robot robot;

@@ -98,8 +98,7 @@ TEST(Diagnose, NamesADeadbandThatTheModelLacksAndTheExtendedModelLoads) {
 
 TEST(Diagnose, TellsWhatARecordingCanShowBeforeAnyVerdict) {
   const ScratchDirectory scratch;
-  const std::string recording = scratch.file("run.csv");
-  write_recording(recording, [](int, const std::string& line) { return line; });
+  const std::string recording = record(scratch, robot_file("fc1d.yaml"), "3");
   const std::string json_path = scratch.file("told.json");
   std::string output;
   ASSERT_EQ(run_farrier(

@@ -84,13 +84,13 @@ void JointCommandSource::drain() {
 }
 
 void JointCommandSource::take_commands(SteadyTime now) {
-  // Messages that waited while this process stood still are older than they look.
-  const bool stood_still = looked_ != SteadyTime{} && now - looked_ > timeout_;
+  // Messages that waited while this process was not run are older than they look.
+  const bool was_not_run = looked_ != SteadyTime{} && now - looked_ > timeout_;
   looked_ = now;
-  if (stood_still) {
+  if (was_not_run) {
     references_.forget();
   }
-  const bool counts = !stood_still && participant().has_started();
+  const bool counts = !was_not_run && participant().has_started();
   readers_.joints.take([&](const sensor_msgs::JointState& message, std::uint64_t sender) {
     note(counts ? references_.take(kJointCommands, message, sender, now, joints_) : "");
   });

@@ -1,9 +1,9 @@
 #pragma once
 
-// Commands of ROS in the part of locomotion:
+// Commands of ROS in the part of locomotion.
 //
 //   joint_commands, impedance_commands (ROS) ──▶ JointReferences ──▶ joint/command for tick k + 1, when clock/tick k comes
-//   joint/sensors, lf/joint/summary ─────────────────▲ measured angles, and which joints follow
+//   joint/sensors, lf/joint/summary ─────────────────▲ measured angles, and which joints follow.
 //
 // It announces no phase, so every joint keeps the gains of stance. While the sender of ROS is silent it says nothing: joints
 // damp, and trip, by their own rules.

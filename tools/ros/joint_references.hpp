@@ -22,11 +22,12 @@ struct JointReference {
 
 /// The joints' references as one sender of ROS commands them.
 ///
-/// - A joint that is not commanded holds its position with the impedance of the robot file: that of its last command, or
-///   its measured one.
-/// - Stiffness acts on a commanded position alone, damping on a commanded position or velocity. An effort alone is a torque.
-/// - A command begins within kNear of the measured angle: the first one after a silence, one of a joint that was commanded
-///   no position, and each one while the joint does not follow.
+/// A joint that is not commanded holds its position with the impedance of the robot file. The position is that of its last
+/// command, or the measured one. Stiffness acts on a commanded position alone, and damping on a commanded position or
+/// velocity. An effort alone is a torque.
+///
+/// Some commands must begin within kNear_rad of the measured angle. They are the first one after a silence, one of a joint
+/// that was commanded no position, and each one while the joint does not follow.
 class JointReferences {
  public:
   static constexpr double kNear_rad = 0.2;

@@ -20,7 +20,7 @@ double visible_beside_noise(double share) {
   return std::sqrt(1.0 / (kept * kept) - 1.0);
 }
 
-/// What an effect with these numbers does to the simulated channels: columns in the matrix of all changes.
+/// Columns, in the matrix of all changes, that an effect with these numbers has.
 struct Response {
   std::vector<double> numbers;
   Eigen::Index change = 0;       ///< column of its change
@@ -47,7 +47,7 @@ class Changes {
     double rms;                   ///< largest of a channel, over the noise
     std::vector<double> numbers;  ///< of the effect that follows
   };
-  /// What is left of a change when the model's constants follow it, and an effect from one of its starts.
+  /// Remainder of a change when the model's constants follow it, and an effect from one of its starts.
   Left left_of(const EffectResponses& target, const EffectResponses* other, const Response* start) const;
 
  private:

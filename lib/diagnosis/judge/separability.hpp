@@ -15,7 +15,7 @@ struct LikeEffect {
   double left;  ///< largest rms on a channel that it leaves of the other one's change, over the noise that is expected
 };
 
-/// What a recording would show of one effect beside a model.
+/// Change that one effect makes beside a model, and the effects that explain it as well.
 struct EffectVisibility {
   plant::EffectId id;
   std::vector<double> size;  ///< numbers of the effect that is looked at: its usual size
@@ -28,11 +28,14 @@ struct EffectVisibility {
 /// The effect at a usual size: the start of its fits, a fifth of a nominal parameter. Empty where its fits have no start.
 std::vector<double> usual_size(const Simulator& simulator, plant::EffectId id);
 
-/// What a recording shows of each effect beside `model`, and which effects explain the same. An effect of usual size changes
-/// what the model simulates. The model's constants and each other effect, within their ranges, follow that change by the
-/// linear least squares step from the starts of their fits. An effect does not show if the constants alone leave less than
-/// `rules` ask of one that is named; another is its rival if it leaves less than a clear lead. `expected`: rms by channel of
-/// the sensors' noise in residuals, N | m/s. In the order of the effects, those without a start left out.
+/// Finds for each effect whether a recording shows it beside `model`, and which effects explain the same.
+///
+/// An effect of usual size changes the simulated channels. The model's constants and each other effect, within their ranges,
+/// follow that change by the linear least squares step from the starts of their fits. An effect does not show if the
+/// constants alone leave less than `rules` ask of a name. Another one is its rival if it leaves less than a clear lead.
+///
+/// `expected` is the rms by channel of the sensors' noise in residuals, N | m/s. The order is that of the effects; those
+/// without a start are left out.
 std::vector<EffectVisibility> effect_visibilities(const Bench& bench, const Model& model,
                                                   const std::array<double, kChannels>& expected, const Rules& rules,
                                                   const ForEach& for_each);

@@ -1,4 +1,4 @@
-// What a recording can show and tell apart, before any verdict.
+// Effects that a recording shows and tells apart, before any verdict.
 
 #include <gtest/gtest.h>
 

@@ -81,7 +81,7 @@ TEST_F(JointReferencesTest, AFirstCommandFarFromTheMeasuredAngleIsRefused) {
   EXPECT_NE(take(knee_at(-1.5), kStart + 20ms + kTimeout), "") << "after a silence it is a first one again";
 }
 
-// Whoever arms the robot must not make it jump.
+// Arming must not make the robot jump.
 TEST_F(JointReferencesTest, WhileAJointDoesNotFollowEveryCommandOfItBeginsNearIt) {
   EXPECT_EQ(take(knee_at(-1.1), kStart), "");
   joints_[knee_.number] = {.angle_rad = -0.5, .follows = false};
