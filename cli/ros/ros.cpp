@@ -11,6 +11,7 @@
 #include "cli/ros/ros_network.hpp"
 #include "participant/clock.hpp"
 #include "participant/loop.hpp"
+#include "ros_messages/names.hpp"
 #include "tools/ros/ros_bridge.hpp"
 #include "urdf/urdf_reader.hpp"
 #include "urdf/urdf_text.hpp"
@@ -122,14 +123,6 @@ int run_ros(RosOptions o) {
   return run_bridge(o, robot.value(), bridge);
 }
 
-std::string namespace_error(const std::string& text) {
-  const bool good = text == "/" || (text.size() > 1 && text.front() == '/' && text.back() != '/' &&
-                                    text.find("//") == std::string::npos &&
-                                    text.find_first_not_of("/_abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                           "0123456789") == std::string::npos);
-  return good ? "" : "give / or a name like /hyq, of letters, digits and _";
-}
-
 void declare_commands(CLI::App& app, RosOptions& o) {
   CLI::Option* const commands =
       app.add_flag("--commands", o.commands, "take cmd_vel and stop of any node in the ROS domain");
@@ -158,7 +151,7 @@ std::function<int()> declare_ros(CLI::App& app) {
   bridge.node.ros_namespace.clear();
   declare_ros_network(app, o->network);
   app.add_option("--ros-namespace", bridge.node.ros_namespace, "namespace of the topics")
-      ->check(namespace_error)
+      ->check(ros_messages::namespace_error)
       ->type_name("<name>")
       ->default_str("/ and the robot's name");
   add_name(app, "--graph", o->graph, bus_ros::kGraphs,

@@ -6,6 +6,7 @@
 #include "bus_ros/graph.hpp"
 #include "bus_ros/ros_domain.hpp"
 #include "ros_messages/cdr.hpp"
+#include "ros_messages/names.hpp"
 
 namespace farrier::bus_ros {
 
@@ -100,11 +101,7 @@ Result<RosNode> RosNode::create(const Options& options) {
 }
 
 std::string RosNode::full_name(const std::string& topic) const {
-  if (topic.starts_with('/')) {
-    return topic;
-  }
-  const std::string& ns = parts_->options.ros_namespace;
-  return (ns == "/" ? "" : ns) + "/" + topic;
+  return ros_messages::full_name(parts_->options.ros_namespace, topic);
 }
 
 Graph RosNode::acting_graph() const noexcept { return parts_->acting; }
