@@ -1,25 +1,10 @@
 // Reads a recording with @mcap/core, its IDL with @foxglove/omgidl-parser and its samples with
 // @foxglove/omgidl-serialization, and prints per topic how many samples there are and the sum of all their numbers.
-import { McapIndexedReader } from "@mcap/core";
 import { parseIDL } from "@foxglove/omgidl-parser";
 import { MessageReader } from "@foxglove/omgidl-serialization";
-import { decompress } from "fzstd";
-import { open } from "node:fs/promises";
+import { openMcap } from "./indexed_mcap.mjs";
 
-const handle = await open(process.argv[2]);
-const readable = {
-  size: async () => BigInt((await handle.stat()).size),
-  read: async (offset, length) => {
-    const bytes = new Uint8Array(Number(length));
-    await handle.read(bytes, 0, bytes.length, Number(offset));
-    return bytes;
-  },
-};
-const reader = await McapIndexedReader.Initialize({
-  readable,
-  decompressHandlers: { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) },
-});
-
+const { reader, handle } = await openMcap(process.argv[2]);
 const decoders = new Map();
 for (const channel of reader.channelsById.values()) {
   const schema = reader.schemasById.get(channel.schemaId);

@@ -8,10 +8,10 @@ if(FARRIER_NPM)
   add_custom_command(OUTPUT ${ecosystem_build}/node_modules/.package-lock.json
     COMMAND ${CMAKE_COMMAND} -E make_directory ${ecosystem_build}
     COMMAND ${CMAKE_COMMAND} -E copy ${ecosystem_dir}/package.json ${ecosystem_dir}/package-lock.json
-      ${ecosystem_dir}/decode_recording.mjs ${ros_peer} ${ecosystem_build}
+      ${ecosystem_dir}/decode_recording.mjs ${ecosystem_dir}/indexed_mcap.mjs ${ros_peer} ${ecosystem_build}
     COMMAND ${FARRIER_NPM} ci --prefix ${ecosystem_build} --no-audit --no-fund --loglevel=error
     DEPENDS ${ecosystem_dir}/package.json ${ecosystem_dir}/package-lock.json ${ecosystem_dir}/decode_recording.mjs
-      ${ros_peer}
+      ${ecosystem_dir}/indexed_mcap.mjs ${ros_peer}
     COMMENT "Fetching npm's readers of recordings and its node of RTPS" VERBATIM)
   add_custom_target(ecosystem_readers DEPENDS ${ecosystem_build}/node_modules/.package-lock.json)
 

@@ -4,13 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <csignal>
 #include <limits>
 #include <memory>
 
+#include "tests/ros/robot_with_node.hpp"
 #include "tests/ros/sender.hpp"
 #include "tests/ros/user_node.hpp"
-#include "tests/system/farrier_command.hpp"
 
 namespace farrier::test {
 namespace joint_command_test {
@@ -38,29 +37,18 @@ JointState positions(std::vector<std::string> names, std::vector<double> positio
 class JointCommands : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    scratch_ = std::make_unique<ScratchDirectory>();
-    trot_ = std::make_unique<FarrierCommand>(std::vector<std::string>{
-        "trot", "--world", "bench", "--gait", "stand", "--clock", "realtime", "--no-locomotion", "--no-comparison",
-        "--duration", "600", "--start-limit", "0", "--out", scratch_->file("out")});
-    ASSERT_TRUE(trot_->says("trot: tick 0 of")) << trot_->output();
-    ros_ = std::make_unique<FarrierCommand>(std::vector<std::string>{
-        "ros", "--domain", std::to_string(trot_->domain()), "--ros-domain", std::to_string(kRosDomain), "--ros-address",
-        "127.0.0.1", "--commands", "--joint-commands", "--allow-arm", "--command-timeout", "1"});
-    ASSERT_TRUE(ros_->says("commands are of joints, taken from any node")) << ros_->output();
+    robot_ = std::make_unique<RobotWithNode>();
+    robot_->start({"--world", "bench", "--gait", "stand", "--clock", "realtime", "--no-locomotion", "--no-comparison",
+                   "--start-limit", "0"},
+                  {"--ros-domain", std::to_string(kRosDomain), "--commands", "--joint-commands", "--allow-arm",
+                   "--command-timeout", "1"},
+                  "commands are of joints, taken from any node");
   }
-  static void TearDownTestSuite() {
-    ros_->signal(SIGINT);
-    EXPECT_EQ(ros_->wait(), 130);
-    trot_->signal(SIGINT);
-    trot_->wait();
-    ros_.reset();
-    trot_.reset();
-    scratch_.reset();
-  }
+  static void TearDownTestSuite() { robot_.reset(); }
 
   void SetUp() override {
     ASSERT_TRUE(user_.until([&] { return user_.angle_rad(kJoint) && joints_->matched_readers() > 0; }))
-        << ros_->output();
+        << robot_->ros().output();
     start_rad_ = *user_.angle_rad(kJoint);
   }
 
@@ -85,7 +73,7 @@ class JointCommands : public testing::Test {
                               }
                             }))
         << user_.status(kStatus) << "\n"
-        << ros_->output();
+        << robot_->ros().output();
     user_.until([&] { return ++turns % 50 == 0; }, hold);  // settles under its load
     settled_rad_ = *user_.angle_rad(kJoint);
     user_.forget();
@@ -101,7 +89,7 @@ class JointCommands : public testing::Test {
                               act();
                             }))
         << text << "\n"
-        << ros_->output();
+        << robot_->ros().output();
     EXPECT_NEAR(*user_.angle_rad(kJoint), settled_rad_, kStays_rad) << text;
   }
 
@@ -109,8 +97,7 @@ class JointCommands : public testing::Test {
   std::unique_ptr<Sender> joints_ = sender_of<JointState>(kVendor, kRosDomain, "/hyq/joint_commands");
   double start_rad_ = 0.0, settled_rad_ = 0.0;
 
-  static inline std::unique_ptr<ScratchDirectory> scratch_;
-  static inline std::unique_ptr<FarrierCommand> trot_, ros_;
+  static inline std::unique_ptr<RobotWithNode> robot_;
 };
 
 // The bench loads its joints with a constant torque: a step of the reference is a step of the angle.
@@ -131,7 +118,7 @@ TEST_F(JointCommands, AJointFollowsImpedanceCommandsOfBothVendorsAndTripsWhenThe
         << vendor << ": " << *user_.angle_rad(kJoint) << " after " << settled_rad_;
     user_.forget();
     EXPECT_TRUE(user_.until([&] { return user_.was_told("joint commands are silent"); })) << vendor;
-    EXPECT_TRUE(user_.until([&] { return user_.was_told("tripped"); })) << vendor << "\n" << ros_->output();
+    EXPECT_TRUE(user_.until([&] { return user_.was_told("tripped"); })) << vendor << "\n" << robot_->ros().output();
   }
 }
 
@@ -166,7 +153,7 @@ TEST_F(JointCommands, AnyNodeStopsTheRobotAndARepeatedArmDoesNotUndoIt) {
                             hold();
                             stop->send(Bool{.data = true});
                           }))
-      << ros_->output();
+      << robot_->ros().output();
   user_.forget();
   int turns = 0;
   user_.until([&] { return turns > 150 || user_.was_told("the robot is armed"); },

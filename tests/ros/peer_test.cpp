@@ -4,7 +4,6 @@
 #include <sched.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -12,8 +11,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "tests/ros/robot_with_node.hpp"
 #include "tests/support/network_namespaces.hpp"
-#include "tests/system/farrier_command.hpp"
 #include "tools/tool_process/tool_process.hpp"
 
 namespace farrier::test {
@@ -46,27 +45,12 @@ class RosPeer : public testing::Test {
     // The loopback interface of a namespace of its own has multicast, which that of a computer has not.
     ASSERT_EQ(::unshare(CLONE_NEWNET), 0);
     ASSERT_EQ(std::system("ip link set lo up multicast on && ip route add 224.0.0.0/4 dev lo"), 0);
-    scratch_ = std::make_unique<ScratchDirectory>();
-    trot_ = std::make_unique<FarrierCommand>(std::vector<std::string>{"trot", "--world", "bench", "--clock", "realtime",
-                                                                      "--no-comparison", "--duration", "600", "--out",
-                                                                      scratch_->file("out")});
-    ASSERT_TRUE(trot_->says("trot: tick 0 of")) << trot_->output();
-    ros_ = std::make_unique<FarrierCommand>(std::vector<std::string>{
-        "ros", "--domain", std::to_string(trot_->domain()), "--ros-domain", kRosDomain, "--ros-discovery", "subnet",
-        "--ros-address", "127.0.0.1", "--graph", "jazzy", "--tf"});
-    ASSERT_TRUE(ros_->says("commands are refused")) << ros_->output();
+    robot_ = std::make_unique<RobotWithNode>();
+    robot_->start({"--world", "bench", "--clock", "realtime", "--no-comparison"},
+                  {"--ros-domain", kRosDomain, "--ros-discovery", "subnet", "--graph", "jazzy", "--tf"},
+                  "commands are refused");
   }
-  static void TearDownTestSuite() {
-    if (ros_ != nullptr) {
-      ros_->signal(SIGINT);
-      EXPECT_EQ(ros_->wait(), 130);
-      trot_->signal(SIGINT);
-      trot_->wait();
-    }
-    ros_.reset();
-    trot_.reset();
-    scratch_.reset();
-  }
+  static void TearDownTestSuite() { robot_.reset(); }
   void SetUp() override {
     if (!refusal_.empty()) {
       GTEST_SKIP() << refusal_;
@@ -75,7 +59,7 @@ class RosPeer : public testing::Test {
 
   /// Has the peer look, and read joint states for so long; what it has seen.
   static json look(int seconds) {
-    const std::string output = scratch_->file("peer.json");
+    const std::string output = robot_->scratch().file("peer.json");
     const auto ran = run_tool({"node", "nodejs"}, {"peer.mjs", kRosDomain, "/hyq", std::to_string(seconds)},
                               FARRIER_ECOSYSTEM, output);
     EXPECT_TRUE(ran.ok()) << ran.error().message;
@@ -95,8 +79,7 @@ class RosPeer : public testing::Test {
   }
 
   static inline std::string refusal_;
-  static inline std::unique_ptr<ScratchDirectory> scratch_;
-  static inline std::unique_ptr<FarrierCommand> trot_, ros_;
+  static inline std::unique_ptr<RobotWithNode> robot_;
 };
 
 TEST_F(RosPeer, FindsTopicsTypesQosAndNodeAndReadsThemWithoutAGap) {

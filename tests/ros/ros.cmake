@@ -30,6 +30,7 @@ add_dependencies(ros_command_test farrier farrier_program_ros bare_exchange ${FA
 if(FARRIER_NPM AND TARGET farrier_foxglove AND TARGET farrier_body_world)
   set(ros_npm ${PROJECT_BINARY_DIR}/ros_npm)
   file(GLOB ros_scripts CONFIGURE_DEPENDS ${ros_dir}/npm/*.mjs)
+  list(APPEND ros_scripts ${ros_dir}/../ecosystem/indexed_mcap.mjs)
   add_custom_command(OUTPUT ${ros_npm}/node_modules/.package-lock.json
     COMMAND ${CMAKE_COMMAND} -E make_directory ${ros_npm}
     COMMAND ${CMAKE_COMMAND} -E copy ${ros_dir}/npm/package.json ${ros_dir}/npm/package-lock.json ${ros_npm}

@@ -7,6 +7,7 @@
 
 #include "trials/truth/electric_driver.hpp"
 #include "trials/truth/electric_hide.hpp"
+#include "trials/truth/jitter.hpp"
 #include "trials/truth/sensor_channel.hpp"
 
 namespace farrier::truth {
@@ -26,14 +27,7 @@ constexpr int kScoutGrid = 25;
 ElectricMachine machine_of(const robot::Joint& joint, std::uint64_t seed) {
   const plant::ElectricParams& a = *joint.electric;
   const plant::LoadParams& l = joint.swing_load;
-  const NoiseStream stream(seed, joint.name, "truth jitter");
-  Tick next = 0;
-  const auto off = [&](double value) {
-    const double sign = stream.uniform(next) < 0.5 ? -1.0 : 1.0;
-    const double size = 0.01 + 0.01 * stream.uniform(next + 1);
-    next += 2;
-    return value * (1.0 + sign * size);
-  };
+  Jitter off(seed, joint.name);
   ElectricMachine m{};
   m.rigid = a.rigid;
   m.gear_ratio = a.gear_ratio;

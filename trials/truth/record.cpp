@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "trials/truth/driver.hpp"
+#include "trials/truth/jitter.hpp"
 #include "trials/truth/sensor_channel.hpp"
 
 namespace farrier::truth {
@@ -75,14 +76,7 @@ double rms_about_mean(const std::vector<double>& x) {
 Machine machine_of(const robot::Joint& joint, std::uint64_t seed) {
   const plant::ActuatorParams& a = joint.actuator;
   const plant::LoadParams& l = joint.swing_load;
-  const NoiseStream stream(seed, joint.name, "truth jitter");
-  Tick next = 0;
-  const auto off = [&](double value) {
-    const double sign = stream.uniform(next) < 0.5 ? -1.0 : 1.0;
-    const double size = 0.01 + 0.01 * stream.uniform(next + 1);
-    next += 2;
-    return value * (1.0 + sign * size);
-  };
+  Jitter off(seed, joint.name);
   Machine m{};
   m.area_a = off(a.area_a);
   m.area_b = off(a.area_b);

@@ -19,4 +19,12 @@ struct Linearised {
 Linearised linearised(const Bench& bench, Span span, const Model& model, Channel channel,
                       const std::vector<FreeNumber>& free, double unit);
 
+/// Numbers of the last effect of `with` that a fit may change on channels of `shows`.
+std::vector<FreeNumber> numbers_of_last_effect(const Simulator& simulator, const Model& with, const ChannelMask& shows);
+
+/// Least squares step of `free` from their places in `from`. Each number stays within its range. The normal matrix and its
+/// right side, `descent`, come without the weight of priors; that is added to `normal` here.
+Eigen::VectorXd bounded_step(Eigen::MatrixXd normal, const Eigen::VectorXd& descent,
+                             const std::vector<FreeNumber>& free, Model from);
+
 }  // namespace farrier::diagnosis

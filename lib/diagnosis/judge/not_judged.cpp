@@ -28,9 +28,7 @@ std::vector<plant::EffectId> not_judged(const Bench& bench, const Model& model,
       without[c] = residuals(simulator, all, model, static_cast<Channel>(c), bench.options());
     }
   }
-  // sqrt(1 + d^2) - 1 of what is left, when the effect adds d of it to what is left.
-  const double kept = 1.0 - least_reduction;
-  const double visible = std::sqrt(1.0 / (kept * kept) - 1.0);
+  const double visible = visible_beside_noise(least_reduction);
   std::vector<plant::EffectId> hidden;
   for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
     const ChannelMask mine = simulator.channels(id);

@@ -6,6 +6,11 @@
 
 namespace farrier::diagnosis {
 
+double visible_beside_noise(double share) noexcept {
+  const double kept = 1.0 - share;
+  return std::sqrt(1.0 / (kept * kept) - 1.0);
+}
+
 std::array<Remainder, kChannels> remainder(const Bench& bench, const Hypothesis& hypothesis,
                                            const ExpectedResiduals& expected_residuals) {
   std::array<Remainder, kChannels> left{};

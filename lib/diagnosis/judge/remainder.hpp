@@ -14,6 +14,9 @@ struct Remainder {
   double nrmse;     ///< rms over the standard deviation of the measurement
 };
 
+/// The rms of a change, over that of independent noise, with which the rms of both is larger than the noise by `share` of it.
+double visible_beside_noise(double share) noexcept;
+
 /// Root mean square by channel of a hypothesis's residuals if it were right.
 using ExpectedResiduals = std::function<std::array<double, kChannels>(const Hypothesis& hypothesis)>;
 

@@ -3,25 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include <Eigen/Cholesky>
-
 #include "diagnosis/judge/fit_costs.hpp"
 
 namespace farrier::diagnosis {
-namespace {
-
-/// Least diagonal of a normal matrix, over its largest element: numbers that nothing shows stay where they are.
-constexpr double kLeastDiagonal = 1e-9;
-
-std::size_t number_count(const Model& model) {
-  std::size_t count = 0;
-  for (const Model::Effect& effect : model.effects) {
-    count += effect.fitted.size();
-  }
-  return count;
-}
-
-}  // namespace
 
 Screening::Screening(const Bench& bench, const Hypothesis& from)
     : bench_(bench),
@@ -44,9 +28,7 @@ Linearised Screening::linearise(const Model& model, Channel channel, const std::
 double Screening::predicted_log_ratio(const Model& with, const ChannelMask& shows, const ChannelMask& concerned) const {
   const Simulator& simulator = bench_.simulator();
   const ChannelMask& judged = bench_.fit_data().judged;
-  const std::size_t first_place = kNominals + number_count(from_.halves[0].model);
-  std::vector<FreeNumber> added = simulator.free_numbers(with, shows, bench_.options().nominal_spread);
-  std::erase_if(added, [&](const FreeNumber& free) { return free.place < first_place; });
+  const std::vector<FreeNumber> added = numbers_of_last_effect(simulator, with, shows);
   const Eigen::Index own = std::ssize(free_);
   const Eigen::Index all = own + std::ssize(added);
   std::array<Linearised, kChannels> parts;
@@ -75,18 +57,12 @@ double Screening::predicted_log_ratio(const Model& with, const ChannelMask& show
     const FreeNumber& free = free_[static_cast<std::size_t>(i)];
     if (free.spread > 0.0) {
       const double weight = 1.0 / (free.spread * free.spread);
-      normal(i, i) += weight;
       descent[i] += weight * (free.prior - number_at(from, free.place));
     }
   }
-  normal.diagonal().array() += kLeastDiagonal * std::max(normal.diagonal().maxCoeff(), 1e-300);
-  Eigen::VectorXd step = normal.ldlt().solve(descent);
-  Model moved = with;
-  for (Eigen::Index i = 0; i < all; ++i) {
-    const FreeNumber& free = i < own ? free_[static_cast<std::size_t>(i)] : added[static_cast<std::size_t>(i - own)];
-    const double now = number_at(moved, free.place);
-    step[i] = std::clamp(now + step[i], free.low, free.high) - now;
-  }
+  std::vector<FreeNumber> free = free_;
+  free.insert(free.end(), added.begin(), added.end());
+  const Eigen::VectorXd step = bounded_step(std::move(normal), descent, free, with);
   double log_ratio = 0.0;
   for (std::size_t c = 0; c < kChannels; ++c) {
     if (concerned[c] && judged[c]) {

@@ -2,23 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Cholesky>
+#include <numeric>
 
 #include "diagnosis/judge/fit_costs.hpp"
 #include "diagnosis/judge/linearised.hpp"
 
 namespace farrier::diagnosis {
 namespace {
-
-/// Least diagonal of a normal matrix, over its largest element: numbers that nothing shows stay where they are.
-constexpr double kLeastDiagonal = 1e-9;
-
-/// An rms that a change must have, over the noise, so that the rms of both is larger than the noise by this share.
-double visible_beside_noise(double share) {
-  const double kept = 1.0 - share;
-  return std::sqrt(1.0 / (kept * kept) - 1.0);
-}
 
 /// Columns, in the matrix of all changes, that an effect with these numbers has.
 struct Response {
@@ -51,29 +41,25 @@ class Changes {
   Left left_of(const EffectResponses& target, const EffectResponses* other, const Response* start) const;
 
  private:
-  void add(plant::EffectId id, const std::array<double, kChannels>& expected);
-  Response placed(const std::vector<double>& numbers, Eigen::Index& columns, const plant::EffectId id) const;
+  Response placed(const std::vector<double>& numbers, Eigen::Index& columns, plant::EffectId id) const;
 
   const Bench& bench_;
   const Model& model_;
   std::vector<FreeNumber> own_;
   std::vector<EffectResponses> effects_;
+  Eigen::Index column_count_ = 0;
   std::array<Eigen::MatrixXd, kChannels> products_;
   std::array<double, kChannels> count_{};
 };
 
-Response Changes::placed(const std::vector<double>& numbers, Eigen::Index& columns, const plant::EffectId id) const {
+Response Changes::placed(const std::vector<double>& numbers, Eigen::Index& columns, plant::EffectId id) const {
   Model with = model_;
   with.effects.push_back({id, numbers});
-  std::size_t first = kNominals;
-  for (const Model::Effect& effect : model_.effects) {
-    first += effect.fitted.size();
-  }
+  const Simulator& simulator = bench_.simulator();
   Response response{.numbers = numbers,
                     .change = columns,
                     .slopes = columns + 1,
-                    .free = bench_.simulator().free_numbers(with, bench_.simulator().channels(id), 0.0)};
-  std::erase_if(response.free, [&](const FreeNumber& free) { return free.place < first; });
+                    .free = numbers_of_last_effect(simulator, with, simulator.channels(id))};
   columns += 1 + std::ssize(response.free);
   return response;
 }
@@ -98,6 +84,7 @@ Changes::Changes(const Bench& bench, const Model& model, const std::array<double
     }
     effects_.push_back(std::move(effect));
   }
+  column_count_ = columns;
   const Span all{0, simulator.size()};
   for (std::size_t c = 0; c < kChannels; ++c) {
     if (!judged[c]) {
@@ -130,65 +117,43 @@ Changes::Changes(const Bench& bench, const Model& model, const std::array<double
 
 Changes::Left Changes::left_of(const EffectResponses& target, const EffectResponses* other,
                                const Response* start) const {
-  std::vector<Eigen::Index> columns;
-  std::vector<const FreeNumber*> free;
-  for (std::size_t i = 0; i < own_.size(); ++i) {
-    columns.push_back(static_cast<Eigen::Index>(i));
-    free.push_back(&own_[i]);
-  }
-  for (std::size_t i = 0; start != nullptr && i < start->free.size(); ++i) {
-    columns.push_back(start->slopes + static_cast<Eigen::Index>(i));
-    free.push_back(&start->free[i]);
-  }
+  std::vector<Eigen::Index> columns(own_.size());
+  std::iota(columns.begin(), columns.end(), Eigen::Index{0});
+  std::vector<FreeNumber> free = own_;
   Model with = model_;
   if (start != nullptr) {
+    for (std::size_t i = 0; i < start->free.size(); ++i) {
+      columns.push_back(start->slopes + static_cast<Eigen::Index>(i));
+    }
+    free.insert(free.end(), start->free.begin(), start->free.end());
     with.effects.push_back({other->id, start->numbers});
   }
   const ChannelMask& judged = bench_.fit_data().judged;
   const auto concerns = [&](std::size_t c) {
     return judged[c] && (target.shows[c] || (other != nullptr && other->shows[c]));
   };
+  // Coefficients of the columns that make up what is to be followed, and then what is left of it.
+  Eigen::VectorXd part = Eigen::VectorXd::Zero(column_count_);
+  part[target.usual.change] = 1.0;
+  if (start != nullptr) {
+    part[start->change] = -1.0;
+  }
   const Eigen::Index count = std::ssize(columns);
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(count, count);
   Eigen::VectorXd descent = Eigen::VectorXd::Zero(count);
   for (std::size_t c = 0; c < kChannels; ++c) {
-    if (!concerns(c)) {
-      continue;
-    }
-    const double weight = 1.0 / bench_.options().samples_per_fact;
-    normal += weight * products_[c](columns, columns);
-    descent += weight * products_[c](columns, target.usual.change);
-    if (start != nullptr) {
-      descent -= weight * products_[c](columns, start->change);
+    if (concerns(c)) {
+      const double weight = 1.0 / bench_.options().samples_per_fact;
+      normal += weight * products_[c](columns, columns);
+      descent += weight * products_[c](columns, Eigen::all) * part;
     }
   }
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const FreeNumber& one = *free[static_cast<std::size_t>(i)];
-    if (one.spread > 0.0) {
-      normal(i, i) += 1.0 / (one.spread * one.spread);
-    }
+  const Eigen::VectorXd step = bounded_step(std::move(normal), descent, free, with);
+  part(columns) -= step;
+  for (std::size_t i = own_.size(); i < free.size(); ++i) {
+    number_at(with, free[i].place) += step[static_cast<Eigen::Index>(i)];
   }
-  normal.diagonal().array() += kLeastDiagonal * std::max(normal.diagonal().maxCoeff(), 1e-300);
-  const Eigen::VectorXd step = normal.ldlt().solve(descent);
-  // Coefficients of the columns that make up what is left.
-  Eigen::VectorXd part = Eigen::VectorXd::Zero(products_[0].size() > 0 ? products_[0].cols() : products_[1].cols());
-  part[target.usual.change] += 1.0;
-  if (start != nullptr) {
-    part[start->change] -= 1.0;
-  }
-  Left left{0.0, start != nullptr ? start->numbers : std::vector<double>()};
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const FreeNumber& one = *free[static_cast<std::size_t>(i)];
-    const double now = number_at(with, one.place);
-    const double moved = std::clamp(now + step[i], one.low, one.high);
-    part[columns[static_cast<std::size_t>(i)]] -= moved - now;
-    if (static_cast<std::size_t>(i) >= own_.size()) {
-      number_at(with, one.place) = moved;
-    }
-  }
-  if (start != nullptr) {
-    left.numbers = with.effects.back().fitted;
-  }
+  Left left{0.0, start != nullptr ? with.effects.back().fitted : std::vector<double>()};
   for (std::size_t c = 0; c < kChannels; ++c) {
     if (concerns(c) && count_[c] > 0.0) {
       const double squares = std::max(0.0, part.dot(products_[c] * part));

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "diagnosis/model/constants.hpp"
 #include "diagnosis/model/drive_simulation.hpp"
 #include "diagnosis/model/load_simulation.hpp"
+#include "diagnosis/model/sensed_force.hpp"
 
 namespace farrier::diagnosis {
 
@@ -24,20 +24,10 @@ class ElectricLoad {
   /// Starts in the measured motion. The references must outlive this.
   ElectricLoad(const JointData& data, const DriveNumbers<T>& numbers, const LoadNumbers<T>& load,
                const plant::TermSet<T>& terms, std::size_t begin)
-      : data_(&data), n_(&numbers), c_(&load), terms_(terms) {
-    if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
-      sensor_gain_ = gain->gain();
-    }
-    if (const auto* offset = terms_.template find<plant::ForceSensorOffset>()) {
-      sensor_offset_ = offset->offset();
-    }
-    if (const auto* lag = terms_.template find<plant::ForceSensorLag>()) {
-      lag_.emplace(lag->lag_s(), data.period_s);
-    }
+      : data_(&data), n_(&numbers), c_(&load), terms_(terms), torque_(data, terms, begin) {
     if (!data.current_A.empty()) {
       drive_.emplace(data, numbers, terms, begin);
     }
-    torque_ = measured_torque(begin);
     settle(begin);
   }
 
@@ -48,7 +38,7 @@ class ElectricLoad {
     rotor_ = v_;
     bent_ = T(0.0);
     if (n_->elastic) {
-      const T torque = motor_torque(torque_) - n_->rotor * data_->acceleration[k];
+      const T torque = motor_torque(torque_.now()) - n_->rotor * data_->acceleration[k];
       bent_ = torque / n_->stiffness;
       bent_ += !n_->plays ? T(0.0) : torque > 0.0 ? n_->half_play : T(-n_->half_play);
     }
@@ -87,10 +77,8 @@ class ElectricLoad {
   }
 
  private:
-  static constexpr std::size_t kParts = JointData::kLoadSubsteps;
-  using Parts = std::array<T, kParts>;
-
-  T measured_torque(std::size_t k) const { return (data_->force[k] - sensor_offset_) / sensor_gain_; }
+  static constexpr std::size_t kParts = SensedForce<T>::kParts;
+  using Parts = typename SensedForce<T>::Parts;
 
   /// Torque of a rigid drive's motor for one that it believes to have.
   T motor_torque(const T& believed) const { return n_->constant / n_->reading_Nm_A * believed; }
@@ -121,23 +109,11 @@ class ElectricLoad {
   }
 
   /// Mean torque over each substep from sample k on: its chord, bent as the drive bends it, or without a current as the
-  /// samples about it. A lag of the sensor is inverted.
-  Parts torques(std::size_t k) {
-    Parts bend = drive_ ? bend_by_drive(k) : bend_by_samples(k);
-    T next = measured_torque(std::min(k + 1, data_->size() - 1));
-    if (lag_) {
-      next = lag_->input_for(measured_torque(k), next, torque_, bend);
-    }
-    Parts torque;
-    for (std::size_t j = 0; j < kParts; ++j) {
-      torque[j] = torque_ + (static_cast<double>(j) + 0.5) / kParts * (next - torque_) + bend[j];
-    }
-    torque_ = next;
-    return torque;
-  }
+  /// samples about it.
+  Parts torques(std::size_t k) { return torque_.advance(k, drive_ ? bend_by_drive(k) : bend_by_samples(k)); }
 
   Parts bend_by_drive(std::size_t k) {
-    drive_->shift(torque_ - drive_->torque(k));
+    drive_->shift(torque_.now() - drive_->torque(k));
     const T from = drive_->torque(k);
     Parts bend;
     drive_->advance(k, bend);
@@ -158,7 +134,7 @@ class ElectricLoad {
     const double curved = 0.5 * (f[k - 1] - f[k] - f[k + 1] + f[k + 2]);
     for (std::size_t j = 0; j < kParts; ++j) {
       const double s = (static_cast<double>(j) + 0.5) / kParts;
-      bend[j] = -0.5 * curved * s * (1.0 - s) / sensor_gain_;
+      bend[j] = -0.5 * curved * s * (1.0 - s) / torque_.gain();
     }
     return bend;
   }
@@ -169,11 +145,8 @@ class ElectricLoad {
   plant::TermSet<T> terms_;
   std::optional<DriveSimulation<T>> drive_;
   T x_, v_;
-  T rotor_, bent_;  ///< speed of the rotor, and its way ahead of the load
-  T sensor_gain_ = T(1.0);
-  T sensor_offset_ = T(0.0);
-  std::optional<plant::FirstOrderLag<T>> lag_;
-  T torque_;  ///< at the sensor, at the current sample
+  T rotor_, bent_;         ///< speed of the rotor, and its way ahead of the load
+  SensedForce<T> torque_;  ///< at the sensor
 };
 
 }  // namespace farrier::diagnosis

@@ -2,10 +2,10 @@
 
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "diagnosis/model/constants.hpp"
 #include "diagnosis/model/delayed_command.hpp"
+#include "diagnosis/model/sensed_force.hpp"
 #include "diagnosis/data/joint_data.hpp"
 #include "plant/oil.hpp"
 #include "plant/terms/terms.hpp"
@@ -32,19 +32,10 @@ class LoadSimulation {
       : data_(&data),
         c_(&constants),
         terms_(terms),
-        current_({data.current_A, data.current_integral, data.period_s}, terms, begin) {
-    if (const auto* gain = terms_.template find<plant::ForceSensorGain>()) {
-      sensor_gain_ = gain->gain();
-    }
-    if (const auto* offset = terms_.template find<plant::ForceSensorOffset>()) {
-      sensor_offset_ = offset->offset();
-    }
-    if (const auto* lag = terms_.template find<plant::ForceSensorLag>()) {
-      lag_.emplace(lag->lag_s(), data.period_s);
-    }
+        current_({data.current_A, data.current_integral, data.period_s}, terms, begin),
+        force_(data, terms, begin) {
     valve_moves_ =
         !data.current_A.empty() && (current_.delayed() || terms_.template find<plant::ValveDynamics>() != nullptr);
-    force_ = measured_force(begin);
     settle(begin);
   }
 
@@ -75,13 +66,10 @@ class LoadSimulation {
   }
 
  private:
-  static constexpr std::size_t kParts = JointData::kLoadSubsteps;
-  using Parts = std::array<T, kParts>;
+  static constexpr std::size_t kParts = SensedForce<T>::kParts;
+  using Parts = typename SensedForce<T>::Parts;
 
-  /// Reading of the cell at sample k without gain and offset.
-  T measured_force(std::size_t k) const { return (data_->force[k] - sensor_offset_) / sensor_gain_; }
-
-  /// Mean force over each substep from sample k on: its chord, bent as the oil bends it. A lag of the cell is inverted.
+  /// Mean force over each substep from sample k on: its chord, bent as the oil bends it.
   Parts forces(std::size_t k) {
     Parts bend{};
     if (valve_moves_) {
@@ -90,16 +78,7 @@ class LoadSimulation {
     for (std::size_t j = 0; j < kParts; ++j) {
       bend[j] += data_->bend[k * kParts + j];
     }
-    T next = measured_force(std::min(k + 1, data_->size() - 1));
-    if (lag_) {
-      next = lag_->input_for(measured_force(k), next, force_, bend);
-    }
-    Parts force;
-    for (std::size_t j = 0; j < kParts; ++j) {
-      force[j] = force_ + (static_cast<double>(j) + 0.5) / kParts * (next - force_) + bend[j];
-    }
-    force_ = next;
-    return force;
+    return force_.advance(k, bend);
   }
 
   /// Bend of the force within a period, about its chord, by a valve that opens differently in both halves: the flow at
@@ -126,10 +105,7 @@ class LoadSimulation {
   DelayedCommand<T> current_;
   bool valve_moves_ = false;
   T x_, v_;
-  T sensor_gain_ = T(1.0);
-  T sensor_offset_ = T(0.0);
-  std::optional<plant::FirstOrderLag<T>> lag_;
-  T force_;  ///< on the load, at the current sample
+  SensedForce<T> force_;  ///< on the load
 };
 
 }  // namespace farrier::diagnosis

@@ -1,28 +1,14 @@
 // Reads a bag of rosbag2: metadata.yaml, and its MCAP file by @mcap/core, each message by its schema. Prints counts, the
 // first and last message of each topic, and what is wrong. "read_bag.mjs FOLDER"
-import { McapIndexedReader } from "@mcap/core";
-import { decompress } from "fzstd";
 import { readFileSync } from "node:fs";
-import { open } from "node:fs/promises";
 import { join } from "node:path";
 import { parse as parseYaml } from "yaml";
 import { readerOf, toJson } from "./decoder.mjs";
+import { openMcap } from "./indexed_mcap.mjs";
 
 const folder = process.argv[2];
 const information = parseYaml(readFileSync(join(folder, "metadata.yaml"), "utf8")).rosbag2_bagfile_information;
-const handle = await open(join(folder, information.relative_file_paths[0]));
-const readable = {
-  size: async () => BigInt((await handle.stat()).size),
-  read: async (offset, length) => {
-    const bytes = new Uint8Array(Number(length));
-    await handle.read(bytes, 0, bytes.length, Number(offset));
-    return bytes;
-  },
-};
-const bag = await McapIndexedReader.Initialize({
-  readable,
-  decompressHandlers: { zstd: (bytes, size) => decompress(bytes, new Uint8Array(Number(size))) },
-});
+const { reader: bag, handle } = await openMcap(join(folder, information.relative_file_paths[0]));
 const topics = {};
 const readers = new Map();
 for (const channel of bag.channelsById.values()) {
