@@ -168,13 +168,14 @@ Base find_scale(const robot::Joint& joint, double period_s, const Plan& plan, co
     const double used =
         std::max({run.excursion / (kTravelUsed * a.travel), run.peak_A / (kCurrentUsed * machine.current_max_A),
                   run.peak_torque / (kTorqueUsed * joint.push_limit), run.peak_speed / (kSpeedUsed * no_load)});
-    if (run.finite && used <= 1.0 && scale > best.scale) {
+    const bool finite = run.finite;
+    if (finite && used <= 1.0 && scale > best.scale) {
       best = {scale, std::move(run)};
       if (used > 0.9) {
         break;
       }
     }
-    scale *= run.finite ? std::clamp(0.95 / used, 0.4, 2.0) : 0.4;
+    scale *= finite ? std::clamp(0.95 / used, 0.4, 2.0) : 0.4;
   }
   return best;
 }
