@@ -49,6 +49,7 @@ Result<std::unique_ptr<bus::Bus>, Refused> join_as_guest(const GuestOptions& opt
     runtime::give_way();  // an observer must not delay the robot
   }
   bus::NetworkOptions network = options.network;
+  network.unhurried = network.unhurried || role == bus::Role::kMonitor;
   if (auto secured = process::secure(network, options.security, role, vendor); !secured) {
     return Refused{secured.error().message, kBadInput};
   }

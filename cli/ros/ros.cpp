@@ -73,7 +73,9 @@ const char* taken_text(const RosOptions& o) {
 }
 
 int run_bridge(const RosOptions& o, const robot::Robot& robot, const ros_bridge::BridgeOptions& bridge) {
-  auto bus = join_as_guest(o.guest, o.commands ? bus::Role::kOperator : bus::Role::kMonitor);
+  GuestOptions guest = o.guest;
+  guest.network.unhurried = !o.joint_commands;
+  auto bus = join_as_guest(guest, o.commands ? bus::Role::kOperator : bus::Role::kMonitor);
   if (!bus) {
     return fail("ros", bus.error().message, bus.error().status);
   }

@@ -35,6 +35,9 @@ struct NetworkOptions {
   /// Silence after which the others drop a process. In lock-step a debugger may stop one for long, and its samples
   /// after that would be lost: kPatientLease.
   std::chrono::seconds lease{10};
+  /// Samples may wait for some milliseconds before they are received, so that this process wakes up less often. Cyclone
+  /// alone does so, for the whole process: not in one that also takes part in a loop.
+  bool unhurried = false;
   /// Without it, DDS is not secured. With it, a bus that cannot honour it is refused.
   std::optional<SecurityFiles> security = std::nullopt;
 };

@@ -7,6 +7,7 @@
 #include "bus/settings/user_settings.hpp"
 #include "bus_cyclone/cyclone_config.hpp"
 #include "bus_cyclone/cyclone_qos.hpp"
+#include "bus_cyclone/cyclone_reception.hpp"
 #include "bus_cyclone/cyclone_waits.hpp"
 
 namespace farrier::bus_cyclone {
@@ -53,6 +54,9 @@ Result<Domain> open_domain(const bus::NetworkOptions& options) {
     return Error{"network: max_processes must be at least 1 and peers must name a computer"};
   }
   wait_on_steady_clock();
+  if (options.unhurried) {
+    gather_arrivals();
+  }
   const std::string config = cyclone_config(options);
   const std::string users = users_config(options);
   Domain domain = open_domain_with(users.empty() ? config : config + "," + users, options);

@@ -25,7 +25,7 @@ cyclone_base::QosPtr dds_qos(const RosQos& wanted, const std::string& user_data)
   return qos;
 }
 
-/// A sample of Cyclone's in memory of its size, aligned.
+/// A sample of Cyclone's in memory of its size, aligned. Memory that one message takes beyond it serves the next one.
 class Sample {
  public:
   explicit Sample(const dds_topic_descriptor_t& type) : type_(type), words_((type.m_size + 7) / 8, 0) {}
@@ -35,10 +35,10 @@ class Sample {
 
   /// Reads bytes that are a message of this type, behind their header.
   void read(std::span<const std::uint8_t> bytes) {
-    std::vector<std::uint64_t> aligned((bytes.size() + 7) / 8 + 1);
-    std::copy(bytes.begin(), bytes.end(), reinterpret_cast<std::uint8_t*>(aligned.data()));
+    aligned_.resize((bytes.size() + 7) / 8 + 1);
+    std::copy(bytes.begin(), bytes.end(), reinterpret_cast<std::uint8_t*>(aligned_.data()));
     dds_istream_t stream;
-    dds_istream_init(&stream, static_cast<std::uint32_t>(bytes.size()), aligned.data(), CDR_ENC_VERSION_1);
+    dds_istream_init(&stream, static_cast<std::uint32_t>(bytes.size()), aligned_.data(), CDR_ENC_VERSION_1);
     dds_stream_read(&stream, reinterpret_cast<char*>(words_.data()), type_.m_ops);
   }
   const void* data() const noexcept { return words_.data(); }
@@ -46,19 +46,19 @@ class Sample {
  private:
   const dds_topic_descriptor_t& type_;
   std::vector<std::uint64_t> words_;
+  std::vector<std::uint64_t> aligned_;
 };
 
 class CycloneRosWriter final : public RawRosWriter {
  public:
-  CycloneRosWriter(dds_entity_t writer, const dds_topic_descriptor_t& type) : writer_(writer), type_(type) {}
+  CycloneRosWriter(dds_entity_t writer, const dds_topic_descriptor_t& type) : writer_(writer), sample_(type) {}
   ~CycloneRosWriter() override { dds_delete(writer_); }
   CycloneRosWriter(const CycloneRosWriter&) = delete;
   CycloneRosWriter& operator=(const CycloneRosWriter&) = delete;
 
   bool write(std::span<const std::uint8_t> cdr) override {
-    Sample sample(type_);
-    sample.read(cdr.subspan(ros_messages::kCdrHeader.size()));
-    const bool written = dds_write(writer_, sample.data()) == DDS_RETCODE_OK;
+    sample_.read(cdr.subspan(ros_messages::kCdrHeader.size()));
+    const bool written = dds_write(writer_, sample_.data()) == DDS_RETCODE_OK;
     dropped_ += written ? 0 : 1;
     return written;
   }
@@ -72,7 +72,7 @@ class CycloneRosWriter final : public RawRosWriter {
 
  private:
   dds_entity_t writer_;
-  const dds_topic_descriptor_t& type_;
+  Sample sample_;
   std::uint64_t dropped_ = 0;
 };
 

@@ -55,6 +55,8 @@ class RosWriter {
     ros_messages::to_cdr(message, bytes_);
     return raw_->write(bytes_);
   }
+  /// False: a message of a topic that keeps none for late joiners need not be made.
+  bool has_readers() const { return raw_->matched_readers() > 0; }
   const RawRosWriter& raw() const noexcept { return *raw_; }
 
  private:

@@ -21,6 +21,9 @@ target_link_libraries(contract_text_test PRIVATE farrier_bus)
 farrier_test(cyclone_bus_test contract ${contract_dir}/cyclone_bus_test.cpp)
 target_link_libraries(cyclone_bus_test PRIVATE farrier_bus_cyclone)
 
+farrier_test(cyclone_reception_test contract ${contract_dir}/cyclone_reception_test.cpp)
+target_link_libraries(cyclone_reception_test PRIVATE farrier_bus_cyclone)
+
 farrier_test(cyclone_waits_test system ${contract_dir}/cyclone_waits_test.cpp  # preloads: not with sanitizers
   ${PROJECT_SOURCE_DIR}/cli/processes/host_clock.cpp)
 target_link_libraries(cyclone_waits_test PRIVATE farrier_bus_cyclone CycloneDDS::ddsc)

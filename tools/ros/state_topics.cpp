@@ -78,14 +78,16 @@ void StateTopics::publish_joints(SteadyTime now) {
   if (clock_) {
     clock_->write({.clock = stamp});
   }
-  sent_ += joint_states_.write(ros_view::joint_state(robot_, joints_, stamp)) ? 1 : 0;
-  if (due_dynamic_.now(now)) {
+  if (joint_states_.has_readers()) {
+    sent_ += joint_states_.write(ros_view::joint_state(robot_, joints_, stamp)) ? 1 : 0;
+  }
+  if (due_dynamic_.now(now) && dynamic_joint_states_.has_readers()) {
     dynamic_joint_states_.write(ros_view::dynamic_joint_state(robot_, joints_, stamp));
   }
 }
 
 void StateTopics::publish_body(SteadyTime now) {
-  if (imu_ && imu_->drain()) {
+  if (imu_ && imu_->drain() && imu_out_->has_readers()) {
     const signals::BodyImu& sample = imu_->sample();
     if (const auto message = ros_view::imu(sample, stamps_.of(sample.tick, sample.sample_time_ns))) {
       imu_out_->write(*message);
@@ -96,6 +98,9 @@ void StateTopics::publish_body(SteadyTime now) {
     // A state is estimated from the sensors of its tick.
     const Time stamp = stamps_.of(sample.tick, sample.tick == tick_ ? sample_time_ns_ : 0);
     for (std::size_t leg = 0; leg < wrenches_.size(); ++leg) {
+      if (!wrenches_[leg].has_readers()) {
+        continue;
+      }
       if (const auto message = ros_view::foot_wrench(robot_, leg, sample, joints_, stamp)) {
         wrenches_[leg].write(*message);
       }
