@@ -33,6 +33,7 @@ class User {
       description_.take([this](const msgs::std_msgs::String& message, std::uint64_t) { description = message.data; });
       clock_.take([this](const msgs::rosgraph_msgs::Clock& message, std::uint64_t) { clock = message; });
       diagnostics_.take([this](const auto& message, std::uint64_t) { diagnostics = message; });
+      log_.take([this](const msgs::rcl_interfaces::Log& message, std::uint64_t) { log += message.msg + "\n"; });
       if (done()) {
         return true;
       }
@@ -46,6 +47,7 @@ class User {
   std::string description;
   std::optional<msgs::rosgraph_msgs::Clock> clock;
   std::optional<msgs::diagnostic_msgs::DiagnosticArray> diagnostics;
+  std::string log;  ///< texts of /rosout, a line each
 
  private:
   bus_ros::RosNode node_ =
@@ -62,6 +64,8 @@ class User {
       node_.reader<msgs::rosgraph_msgs::Clock>("/clock", {.reliable = false, .depth = 1}).value();
   bus_ros::RosReader<msgs::diagnostic_msgs::DiagnosticArray> diagnostics_ =
       node_.reader<msgs::diagnostic_msgs::DiagnosticArray>("/diagnostics", {.depth = 10}).value();
+  bus_ros::RosReader<msgs::rcl_interfaces::Log> log_ =
+      node_.reader<msgs::rcl_interfaces::Log>("/rosout", {.transient_local = true, .depth = 1000}).value();
 };
 
 std::int64_t ns_of(const msgs::builtin_interfaces::Time& time) {
@@ -102,6 +106,13 @@ TEST(RosCommand, ANodeGetsJointStatesWithoutAGapAndTheDescriptionAsALateJoiner) 
   EXPECT_TRUE(ros.says("this node has its name for nodes of Iron and later")) << ros.output();
   UserNode beside(kRosDomain, "/second");
   EXPECT_TRUE(beside.until([&] { return beside.angle_rad("rh_kfe").has_value(); })) << second.output();
+  const auto humble = bus_ros::RosNode::create({.network = {.domain = kRosDomain, .address = "127.0.0.1", .peers = {}},
+                                                .name = "humble",
+                                                .ros_namespace = "/",
+                                                .graph = bus_ros::Graph::kHumble});
+  ASSERT_TRUE(humble.ok());
+  EXPECT_TRUE(user.hears([&] { return user.log.find("nodes of Humble and of a later ROS 2") != std::string::npos; }))
+      << user.log << ros.output();
   second.signal(SIGINT);
   EXPECT_EQ(second.wait(), 130);
   ros.signal(SIGINT);
