@@ -11,9 +11,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
 Json json_of(const Figure& figure) {
   Json json{{"name", figure.name},
-            {"value", std::isfinite(figure.value) ? Json(figure.value) : Json(nullptr)},
+            {"value", number(figure.value)},
             {"unit", figure.spec->unit}};
   if (figure.bound) {
     json["relation"] = to_string(figure.spec->relation);
@@ -24,19 +26,47 @@ Json json_of(const Figure& figure) {
 }
 
 Json json_of(const Claim& claim) {
-  return {{"id", claim.id},
-          {"figure", claim.figure},
-          {"section", claim.section},
-          {"sentence", claim.sentence},
-          {"claim", claim.claim},
-          {"measured",
-           {{"name", claim.name},
-            {"value", std::isfinite(claim.value) ? Json(claim.value) : Json(nullptr)},
-            {"unit", claim.unit},
-            {"relation", to_string(claim.relation)},
-            {"bound", claim.bound}}},
-          {"verdict", claim.verdict},
-          {"reason", claim.reason}};
+  Json by_seed = Json::array();
+  for (const double value : claim.values) {
+    by_seed.push_back(number(value));
+  }
+  Json json{{"id", claim.id},
+            {"figure", claim.figure},
+            {"section", claim.section},
+            {"sentence", claim.sentence},
+            {"claim", claim.claim},
+            {"kind", claim.kind},
+            {"measured",
+             {{"name", claim.name},
+              {"value", number(claim.value)},
+              {"worst", number(claim.worst)},
+              {"by_seed", std::move(by_seed)},
+              {"unit", claim.unit},
+              {"relation", to_string(claim.relation)},
+              {"bound", claim.bound}}},
+            {"verdict", claim.verdict},
+            {"reason", claim.reason}};
+  if (claim.condition) {
+    json["condition"] = {{"name", claim.condition->name},
+                         {"meaning", claim.condition->meaning},
+                         {"source", claim.condition->source},
+                         {"value", number(claim.condition->value)},
+                         {"worst", number(claim.condition->worst)}};
+  }
+  if (!claim.tried.empty()) {
+    json["tried"] = claim.tried;
+  }
+  return json;
+}
+
+/// Counts of claims by kind and verdict.
+Json totals_of(const std::vector<Claim>& claims) {
+  Json totals = Json::object();
+  for (const Claim& claim : claims) {
+    Json& count = totals[claim.kind][claim.verdict];
+    count = count.is_null() ? 1 : count.get<int>() + 1;
+  }
+  return totals;
 }
 
 Json json_of(const ProcessInfo& process) {
@@ -125,6 +155,9 @@ std::string to_json(const Outcome& outcome) {
   json["figures"] = Json::array();
   for (const Figure& figure : outcome.figures.all()) {
     json["figures"].push_back(json_of(figure));
+  }
+  if (!outcome.claims.empty()) {
+    json["totals"] = totals_of(outcome.claims);
   }
   for (const Claim& claim : outcome.claims) {
     json["claims"].push_back(json_of(claim));

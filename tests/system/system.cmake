@@ -42,6 +42,7 @@ farrier_suites(system_test long ${system_dir}/soak_test.cpp NAME long_soak_test
   ENVIRONMENT FARRIER_TEST_DURATION_S=600 FARRIER_TEST_VENDORS=cyclone,fast)
 set_tests_properties(long/diagnose_benchmark_test long/long_soak_test PROPERTIES TIMEOUT 3600)
 set_tests_properties(system/recorded_run_test PROPERTIES LABELS "system;ecosystem")  # replayed, the same estimates
+set_tests_properties(system/reproduce_test PROPERTIES LABELS "system;thesis")  # all studies with seven seeds
 # Debian's Prometheus, which the test looks for itself.
 farrier_suites(system_test ecosystem ${prometheus_source})
 

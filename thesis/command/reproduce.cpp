@@ -12,6 +12,7 @@
 #include "cli/base/installation.hpp"
 #include "cli/base/output_file.hpp"
 #include "cli/base/progress.hpp"
+#include "thesis/report/pinned_verdicts.hpp"
 #include "thesis/report/run_studies.hpp"
 #include "thesis/report/study_page.hpp"
 #include "thesis/report/study_pictures.hpp"
@@ -26,6 +27,8 @@ struct ReproduceOptions {
   std::string json_path;
   bool json_to_stdout = false;  ///< the claims in place of the text, besides figures.json
   std::uint64_t seed = 1;
+  int seeds = 7;
+  bool pin = false;  ///< prints the verdicts as pinned_verdicts.def has them, in place of the text
   int threads = 2;
 };
 
@@ -55,45 +58,58 @@ Result<std::vector<thesis::Study>> chosen(const std::vector<thesis::Study>& all,
 std::vector<thesis::StudyRun> run_with_bar(const std::vector<thesis::Study>& some, const ReproduceOptions& o) {
   constexpr Tick kSteps = 100;
   participant::install_signal_handlers();
-  const thesis::StudyContext context{
-      robots_directory(), o.seed, {}};
+  const thesis::StudyContext context{robots_directory(), o.seed, {}};
+  std::vector<std::uint64_t> seeds;
+  for (int i = 0; i < o.seeds; ++i) {
+    seeds.push_back(o.seed + static_cast<std::uint64_t>(i));
+  }
   Progress bar("reproduce", kSteps, "percent");
-  return thesis::run_studies(some, context, o.threads, [&](double share) {
+  return thesis::run_studies(some, context, seeds, o.threads, [&](double share) {
     bar.update(static_cast<Tick>(share * static_cast<double>(kSteps)));
     return !participant::stop_requested();
   });
 }
 
-/// The claims of all studies. Those of a study that a stop kept from its end are left out, and the study is a failure.
+/// True if every run of the study came to its end.
+bool ended(const thesis::StudyRun& run) {
+  return std::ranges::all_of(run.seeds, [](const thesis::SeedRun& one) { return one.result.ok(); });
+}
+
+/// The claims of all studies. Those of a study that a stop kept from its end are left out, and the study is a failure. So
+/// is each claim whose verdict is not the pinned one.
 report::Outcome outcome_of(const std::vector<thesis::StudyRun>& runs, const ReproduceOptions& o) {
   report::Outcome outcome;
   outcome.command = "reproduce";
   outcome.run = report::run_info(o.seed);
   for (const thesis::StudyRun& run : runs) {
-    if (!run.result.ok() && participant::stop_requested()) {
-      outcome.failures.push_back("study " + std::string(run.study.number) + ": " + run.result.error().message);
+    if (!ended(run) && participant::stop_requested()) {
+      outcome.failures.push_back("study " + std::string(run.study.number) + ": " + thesis::stopped().message);
       continue;
     }
     thesis::add_claims(outcome, thesis::claims_of(run));
     thesis::add_figures(outcome, run);
   }
+  for (std::string& slide : thesis::slides(outcome.claims)) {
+    outcome.failures.push_back(std::move(slide));
+  }
   return outcome;
 }
 
 void print(const report::Outcome& outcome, const std::vector<thesis::StudyRun>& runs) {
-  int counts[3] = {};
   for (const report::Claim& claim : outcome.claims) {
     std::fputs(thesis::claim_text(claim).c_str(), stdout);
-    ++counts[claim.verdict == "holds" ? 0 : claim.verdict == "refuted" ? 1 : 2];
   }
   for (const thesis::StudyRun& run : runs) {
-    if (run.result.ok()) {
-      for (const thesis::StudyFigure& figure : run.result.value().figures) {
+    if (const thesis::StudyResult* result = thesis::shown(run)) {
+      for (const thesis::StudyFigure& figure : result->figures) {
         std::fputs(thesis::figure_text(figure).c_str(), stdout);
       }
     }
   }
-  std::printf("%d claims hold, %d are refuted, %d fail\n", counts[0], counts[1], counts[2]);
+  std::fputs(thesis::totals_text(outcome).c_str(), stdout);
+  for (const std::string& failure : outcome.failures) {
+    std::printf("%s\n", failure.c_str());
+  }
 }
 
 int reproduce_studies(const ReproduceOptions& o) {
@@ -125,7 +141,9 @@ int reproduce_studies(const ReproduceOptions& o) {
   const report::Outcome outcome = outcome_of(runs, o);
   // First what was measured: a page that cannot be drawn loses no figure.
   const auto written = report::write_json(json_path, outcome);
-  if (o.json_to_stdout) {
+  if (o.pin) {
+    std::fputs(thesis::pinned_text(outcome.claims).c_str(), stdout);
+  } else if (o.json_to_stdout) {
     std::printf("%s", report::to_json(outcome).c_str());
   } else {
     print(outcome, runs);
@@ -143,10 +161,10 @@ int reproduce_studies(const ReproduceOptions& o) {
   if (!page) {
     return fail("reproduce", page.error().message + "; the figures are in " + json_path);
   }
-  if (!o.json_to_stdout) {
+  if (!o.json_to_stdout && !o.pin) {
     std::printf("report: %s\nfigures: %s\n", page.value().c_str(), json_path.c_str());
   }
-  return outcome.passes() ? kPassed : kFailed;
+  return o.pin || outcome.passes() ? kPassed : kFailed;
 }
 
 }  // namespace
@@ -161,15 +179,23 @@ std::function<int()> declare_reproduce(CLI::App& app) {
                      "where the claims go (figures.json in --out unless told); without <file>, standard output in place of the text")
           ->expected(0, 1)
           ->type_name("[<file>]");
-  app.add_option("--seed", o->seed, "seed of whatever is drawn")
-      ->check(between(0.0, 18446744073709551615.0))
-      ->type_name("<n>")
-      ->capture_default_str();
+  const CLI::Option* seed = app.add_option("--seed", o->seed, "seed of all that is drawn; runs this one alone without --seeds")
+                                ->check(between(0.0, 18446744073709551615.0))
+                                ->type_name("<n>")
+                                ->capture_default_str();
+  const CLI::Option* seeds =
+      app.add_option("--seeds", o->seeds, "seeds from --seed on; a claim is judged by its median over them")
+          ->check(between(1, 100))
+          ->type_name("<n>")
+          ->capture_default_str();
+  app.add_flag("--pin", o->pin, "print the verdicts as the list of the expected ones, for developers, and pass")
+      ->type_name("");
   app.add_option("--threads", o->threads, "studies at a time")
       ->check(between(1, 64))
       ->type_name("<n>")
       ->capture_default_str();
-  return [o, json] {
+  return [o, json, seed, seeds] {
+    o->seeds = seed->count() > 0 && seeds->count() == 0 ? 1 : o->seeds;
     o->json_to_stdout = json->count() > 0 && o->json_path.empty();
     return reproduce_studies(*o);
   };

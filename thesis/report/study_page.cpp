@@ -38,12 +38,13 @@ std::string claim_rows(const report::Outcome& outcome, const char* number) {
 }
 
 std::string figures_html(const StudyRun& run) {
-  if (!run.result.ok() || run.result.value().figures.empty()) {
+  const StudyResult* result = shown(run);
+  if (result == nullptr || result->figures.empty()) {
     return "";
   }
   std::string html =
       "<table><thead><tr><th>figure</th><th>what was measured besides</th><th>value</th></tr></thead>\n<tbody>\n";
-  for (const thesis::StudyFigure& figure : run.result.value().figures) {
+  for (const thesis::StudyFigure& figure : result->figures) {
     html += "<tr><td>" + escape_html(figure.id) + "</td><td>" + escape_html(figure.meaning) +
             "</td><td class=\"number\">" + number_html(figure.value, figure.unit) + "</td></tr>\n";
   }
@@ -53,8 +54,8 @@ std::string figures_html(const StudyRun& run) {
 std::string study_html(const report::Outcome& outcome, const StudyRun& run) {
   const std::string number = escape_html(run.study.number);
   std::string html = "<h2 id=\"s" + number + "\">" + number + " " + escape_html(run.study.title) + "</h2>\n";
-  if (run.result.ok()) {
-    const auto& pictures = run.result.value().pictures;
+  if (const StudyResult* result = shown(run)) {
+    const auto& pictures = result->pictures;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
       html += report::captioned_image_html(picture_path(run.study, i), pictures[i].caption);
     }

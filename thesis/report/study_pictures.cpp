@@ -18,8 +18,9 @@ std::string picture_path(const Study& study, std::size_t index) {
 Result<Done> draw_studies(const std::string& out_dir, std::span<const StudyRun> runs) {
   report::Drawing drawing(out_dir);
   for (const StudyRun& run : runs) {
-    for (std::size_t i = 0; run.result.ok() && i < run.result.value().pictures.size(); ++i) {
-      drawing.add(picture_name(run.study, i), run.result.value().pictures[i]);
+    const StudyResult* result = shown(run);
+    for (std::size_t i = 0; result != nullptr && i < result->pictures.size(); ++i) {
+      drawing.add(picture_name(run.study, i), result->pictures[i]);
     }
   }
   return drawing.draw();

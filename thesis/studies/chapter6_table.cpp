@@ -28,10 +28,10 @@ constexpr const char* kNoisy = "Grey box: the same, of the mass, with the sensor
 // the table's.
 constexpr double kGood_dB = 3.0;
 
-constexpr ClaimSpec gain(const char* id) { return {id, "6.3.2", kAsked, kGain, "dB", Relation::kAtMost, 2.0}; }
-constexpr ClaimSpec phase(const char* id) { return {id, "6.3.2", kAsked, kPhase, "deg", Relation::kAtMost, 10.0}; }
-constexpr ClaimSpec mass(const char* id) { return {id, "6.3.2", kAsked, kMass, "1", Relation::kAtMost, 0.1}; }
-constexpr ClaimSpec noisy(const char* id) { return {id, "6.3.2", kAsked, kNoisy, "1", Relation::kAtMost, 0.2}; }
+constexpr ClaimSpec gain(const char* id) { return aim({id, "6.3.2", kAsked, kGain, "dB", Relation::kAtMost, 2.0}); }
+constexpr ClaimSpec phase(const char* id) { return aim({id, "6.3.2", kAsked, kPhase, "deg", Relation::kAtMost, 10.0}); }
+constexpr ClaimSpec mass(const char* id) { return aim({id, "6.3.2", kAsked, kMass, "1", Relation::kAtMost, 0.1}); }
+constexpr ClaimSpec noisy(const char* id) { return aim({id, "6.3.2", kAsked, kNoisy, "1", Relation::kAtMost, 0.2}); }
 
 constexpr ClaimSpec kClaims[] = {
     {"6.1.rls.rich_low.gain_error_dB", "Table 6.1", kGood, "Least squares, rich and low: median over changes of the largest gain error, 60 ms after.", "dB",

@@ -154,12 +154,12 @@ constexpr ClaimSpec kBodeClaims[] = {
      Relation::kAtLeast, 6.0},
     {"C.4.quarter_3_low", "Fig. C.4", kLowToMiddle, "The same from 2 to 20 Hz, third quarter.", "dB", Relation::kAtMost,
      3.0, Refutation{kShortMemory, 10.0, 40.0}},
-    {"C.4.quarter_3_low_longer", "Fig. C.4", kLowToMiddle, "The same with lambda = 0.95.", "dB", Relation::kAtMost,
-     3.0},
+    proof({"C.4.quarter_3_low_longer", "Fig. C.4", kLowToMiddle, "The same with lambda = 0.95.", "dB", Relation::kAtMost,
+     3.0}),
     {"C.4.quarter_2_low", "7.5", kQuiteWell, "As C.4.quarter_3_low, second quarter.", "dB", Relation::kAtMost, 3.0},
     {"C.4.quarter_4_low", "7.5", kQuiteWell, "The same, fourth quarter.", "dB", Relation::kAtMost, 3.0,
      Refutation{kShortMemory, 3.0, 6.0}},
-    {"C.4.quarter_4_low_longer", "7.5", kQuiteWell, "The same with lambda = 0.95.", "dB", Relation::kAtMost, 3.0}};
+    proof({"C.4.quarter_4_low_longer", "7.5", kQuiteWell, "The same with lambda = 0.95.", "dB", Relation::kAtMost, 3.0})};
 
 Result<StudyResult> run_bode(const StudyContext& context) {
   const auto made = FARRIER_TRY(run_cycle_as_printed(context));

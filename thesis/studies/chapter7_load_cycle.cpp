@@ -103,9 +103,9 @@ constexpr ClaimSpec kFixedClaims[] = {
      Relation::kAtLeast, 1.0},
     {"7.7.quarter_3_error", "7.5", kFair, "The same, third quarter.", "1", Relation::kAtMost, 0.25},
     {"7.7.quarter_4_error", "7.5", kUnstable, "The same, fourth quarter.", "1", Relation::kAtLeast, 1.0},
-    {"7.7.radius_heavy", "7.5", kUnstable, "Spectral radius of the light load's gains on the second quarter's model.",
-     "1", Relation::kAtLeast, 1.0},
-    {"7.7.radius_sticky", "7.5", kUnstable, "The same on the fourth quarter's.", "1", Relation::kAtLeast, 1.0}};
+    proof({"7.7.radius_heavy", "7.5", kUnstable, "Spectral radius of the light load's gains on the second quarter's model.",
+     "1", Relation::kAtLeast, 1.0}),
+    proof({"7.7.radius_sticky", "7.5", kUnstable, "The same on the fourth quarter's.", "1", Relation::kAtLeast, 1.0})};
 
 Result<StudyResult> run_fixed(const StudyContext& context) {
   const auto made = FARRIER_TRY(run_cycle(context, trials::kFixedCase));
@@ -146,9 +146,9 @@ constexpr ClaimSpec kAdaptiveClaims[] = {
     {"7.8.quarter_3_improvement", "7.5",
      "... as well as improved the force tracking of the stable set of parameters (third quarter).",
      "The same, third quarter: below 1.", "1", Relation::kBelow, 1.0},
-    {"7.8.first_update", "7.5",
+    proof({"7.8.first_update", "7.5",
      "At around 0.4 s, the system is identified and the update logic allows the controller to update its gains.",
-     "Time of the first new gains after the run's start.", "s", Relation::kAtMost, 0.45},
+     "Time of the first new gains after the run's start.", "s", Relation::kAtMost, 0.45}),
     {"7.8.quarter_2_settled", "7.5",
      "During the first 80 ms, the gains are updated several times ... After this phase ... the proper controller gains "
      "are calculated ...",

@@ -56,7 +56,7 @@ constexpr ClaimSpec kMethodClaims[] = {
      Refutation{"behind filters of 100 Hz adaptive forgetting alone leaves a hundredth of its estimates with such a peak: nothing is left to "
                 "improve; behind those of 20 Hz, as in 9.1.peaks_aggressive, the gate does (9.4.pe_improves_aggressive)",
                 1.0, 10.0}},
-    {"9.4.pe_improves_aggressive", "Fig. 9.4", kImproves, "The same behind filters of 20 Hz.", "1", Relation::kBelow, 1.0},
+    proof({"9.4.pe_improves_aggressive", "Fig. 9.4", kImproves, "The same behind filters of 20 Hz.", "1", Relation::kBelow, 1.0}),
     {"9.4.fft_better", "Fig. 9.4", "... however, the simpler FFT method on the right performs even better.",
      "The same share of the FFT gate less that of the PE gate: at most 0.", "1", Relation::kAtMost, 0.0}};
 
@@ -105,7 +105,7 @@ constexpr ClaimSpec kPeForgettingClaims[] = {
      Refutation{"behind filters of 100 Hz the least singular value rises throughout the chirp, so the gate opens once, between the two times "
                 "the largest one crosses its limit; behind those of 20 Hz, as in 9.1.peaks_aggressive, it rises and falls (9.5.several_times_aggressive)",
                 1.0, 1.0}},
-    {"9.5.several_times_aggressive", "9.1.2", kSeveralTimes, "The same behind filters of 20 Hz.", "1", Relation::kAtLeast, 2.0},
+    proof({"9.5.several_times_aggressive", "9.1.2", kSeveralTimes, "The same behind filters of 20 Hz.", "1", Relation::kAtLeast, 2.0}),
     {"9.5.high", "9.1.2", "The AFF algorithm keeps the forgetting factors high due to relatively small prediction errors.",
      "Least mean lambda of a row: 0.95.", "1", Relation::kAtLeast, 0.95}};
 

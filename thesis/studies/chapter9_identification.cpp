@@ -70,12 +70,12 @@ constexpr ClaimSpec kFrictionClaims[] = {
                 "F_c / |v| is "
                 "not small against d_l",
                 0.5, 4.0}},
-    {"9.19.slope", "9.3.1",
+    proof({"9.19.slope", "9.3.1",
      "... the following expression for identifying the viscous friction coefficient is obtained ...",
      "Distance of the slope of force over velocity between the two highest velocities from the rig's d_l, over it: a "
      "tenth, as the "
      "proof of 9.19.viscous asks for.",
-     "1", Relation::kAtMost, 0.1}};
+     "1", Relation::kAtMost, 0.1})};
 
 Result<StudyResult> run_friction(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load_rig(context));
@@ -138,8 +138,8 @@ constexpr ClaimSpec kSpringClaims[] = {
                 "stays is a "
                 "matter of how the piston came to rest, which the text does not say",
                 0.02, 0.07}},
-    {"9.20.without_friction", "9.3.2", kStiffness, "The same without dry friction, as the proof of 9.20.mean asks for.",
-     "1", Relation::kAtMost, 0.02}};
+    proof({"9.20.without_friction", "9.3.2", kStiffness, "The same without dry friction, as the proof of 9.20.mean asks for.",
+     "1", Relation::kAtMost, 0.02})};
 
 /// Mean of |F_s| / |y| (9.7) at rest at one end, of a single spring.
 Result<double> stiffness_at(const robot::Robot& rig, double sign, std::uint64_t seed) {

@@ -49,9 +49,9 @@ constexpr ClaimSpec kDeadbandClaims[] = {
      "Smallest distance of the delay from 10 ms over references that rise to 400 N in 0 to 2 s: 3 ms, the value that "
      "would make 9.22.step true.",
      "s", Relation::kAtMost, 0.003},
-    {"9.22.by_deadband", "9.3.4",
+    proof({"9.22.by_deadband", "9.3.4",
      "The load pressure follows the commands with a 10 ms time-delay due to the valve deadband.",
-     "The same delay without the deadband over the delay with it: a half.", "1", Relation::kAtMost, 0.5},
+     "The same delay without the deadband over the delay with it: a half.", "1", Relation::kAtMost, 0.5}),
     {"9.22.input", "9.3.4",
      "... this point of increase is exactly related to the amount of valve deadband, which is again ... at around 0.6 "
      "% ...",
@@ -204,15 +204,15 @@ constexpr ClaimSpec kOscillationClaims[] = {
                 "(9.23.returns), so its length is a matter of how the reference rose, which the text does not say "
                 "(docs/derivations/load-pressure-oscillation.md)",
                 0.02, 0.15}},
-    {"9.23.wide_open", "9.4",
+    proof({"9.23.wide_open", "9.4",
      "The inertia of the piston and the magnitude of valve input command seem to somehow dampen these high frequency "
      "oscillations.",
      "Largest swing quicker than 5 ms while the valve is full open over that before: a quarter.", "1",
-     Relation::kAtMost, 0.25},
-    {"9.23.returns", "9.4", "... after about 55 ms the oscillations have disappeared.",
+     Relation::kAtMost, 0.25}),
+    proof({"9.23.returns", "9.4", "... after about 55 ms the oscillations have disappeared.",
      "The same after the valve was full open over that before, as the proof of 9.23.decay asks for: a tenth, where it "
      "counts as gone.",
-     "1", Relation::kAtLeast, 0.1}};
+     "1", Relation::kAtLeast, 0.1})};
 
 Result<StudyResult> run_oscillation(const StudyContext& context) {
   auto loaded = FARRIER_TRY(load(context, "fc1d_real.yaml"));

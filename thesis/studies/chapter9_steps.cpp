@@ -142,17 +142,17 @@ constexpr ClaimSpec kStepClaims[] = {
      Refutation{kFullOpen, 8.0, 12.0}},
     {"9.13.full_open", "9.2.3", kLag, "Share of the two periods about 2.5 Hz, chirp to 3 Hz, for which the valve is full open: a half.", "1",
      Relation::kAtLeast, 0.5},
-    {"9.13.slow_data_sheet", "9.2.3", "... able to follow the force reference without loosing phase and with little amplitude distortion.",
-     "9.13.slow_chirp_lag with four times the valve gain, as its proof asks for: 8 degrees.", "deg", Relation::kAtMost, 8.0},
+    proof({"9.13.slow_data_sheet", "9.2.3", "... able to follow the force reference without loosing phase and with little amplitude distortion.",
+     "9.13.slow_chirp_lag with four times the valve gain, as its proof asks for: 8 degrees.", "deg", Relation::kAtMost, 8.0}),
     {"9.13.fast_chirp_lag", "9.2.3", kLag, "Lag at 4.5 Hz of the chirp to 5 Hz less that at 1.5 Hz: above 0.", "deg", Relation::kAtLeast, 1.0},
     {"9.13.fast_chirp_lag_is_slight", "9.2.3", kLag, "Lag at 4.5 Hz: 30 degrees.", "deg", Relation::kAtMost, 30.0,
      Refutation{kFullOpen, 30.0, 40.0}},
-    {"9.13.fast_data_sheet", "9.2.3", kLag, "The same with four times the valve gain, as its proof asks for: 30 degrees.", "deg",
-     Relation::kAtMost, 30.0},
-    {"9.13.sticks_first", "9.2.3", kRipples,
-     "Share of the first 2.5 s of the chirp to 3 Hz in which the piston stands, over that of the last 2.5 s.", "1", Relation::kAtLeast, 2.0},
-    {"9.13.sticks_less", "9.2.3", "The experiment on the right side shows only little sign of the just described phenomena ...",
-     "Share of the chirp to 5 Hz in which the piston stands less that of the chirp to 3 Hz: below 0.", "1", Relation::kBelow, 0.0}};
+    proof({"9.13.fast_data_sheet", "9.2.3", kLag, "The same with four times the valve gain, as its proof asks for: 30 degrees.", "deg",
+     Relation::kAtMost, 30.0}),
+    proof({"9.13.sticks_first", "9.2.3", kRipples,
+     "Share of the first 2.5 s of the chirp to 3 Hz in which the piston stands, over that of the last 2.5 s.", "1", Relation::kAtLeast, 2.0}),
+    proof({"9.13.sticks_less", "9.2.3", "The experiment on the right side shows only little sign of the just described phenomena ...",
+     "Share of the chirp to 5 Hz in which the piston stands less that of the chirp to 3 Hz: below 0.", "1", Relation::kBelow, 0.0})};
 
 Result<StudyResult> run_steps(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load_rig(context));
@@ -229,8 +229,8 @@ constexpr ClaimSpec kFormClaims[] = {
      Relation::kAtLeast, 2.0,
      Refutation{"with xi = 6 the integrator makes up for the position part while the compliant form still overshoots; with a sixtieth of "
                 "that (9.15.late_slow_integrator) the claim holds", 0.3, 1.0}},
-    {"9.15.late_slow_integrator", "Fig. 9.15", "The added integrator term eventually drives the system to zero force tracking error.",
-     "9.15.late with xi = 0.1, as its proof asks for: 2.", "1", Relation::kAtLeast, 2.0},
+    proof({"9.15.late_slow_integrator", "Fig. 9.15", "The added integrator term eventually drives the system to zero force tracking error.",
+     "9.15.late with xi = 0.1, as its proof asks for: 2.", "1", Relation::kAtLeast, 2.0}),
     {"9.15.integrator", "Fig. 9.15", "The added integrator term eventually drives the system to zero force tracking error.",
      "Mean error of the full-state form at its end, over the step.", "1", Relation::kAtMost, 0.02},
     {"9.15.compliant_settles", "9.2.4", "... the \"compliant\" LQR controller has a fast rise time and reaches steady-state behavior quickly.",

@@ -75,14 +75,14 @@ constexpr const char* kIdeal = "The same with sensors that give the truth.";
 
 constexpr ClaimSpec kWeightClaims[] = {
     {"9.8.shift_5", "9.1.3", kShift, kFrom2s, "1", Relation::kBelow, 0.9, Refutation{kHidden, 0.9, 2.0}},
-    {"9.8.shift_5_ideal", "9.1.3", kShift, kIdeal, "1", Relation::kBelow, 0.9,
+    proof({"9.8.shift_5_ideal", "9.1.3", kShift, kIdeal, "1", Relation::kBelow, 0.9,
      Refutation{"where no noise is to be allowed for, (9.3) gives every row its least lambda, 1 - 2/12: six ticks of "
                 "memory. What 5 kg shift is then "
                 "within their scatter; what 15 kg shift is not (9.8.shift_15_ideal)",
-                0.9, 1.0}},
+                0.9, 1.0}}),
     {"9.8.shift_15", "9.1.3", kShift, "The same, 15 kg against 5 kg.", "1", Relation::kBelow, 0.9,
      Refutation{kHidden, 0.9, 2.0}},
-    {"9.8.shift_15_ideal", "9.1.3", kShift, kIdeal, "1", Relation::kBelow, 0.9},
+    proof({"9.8.shift_15_ideal", "9.1.3", kShift, kIdeal, "1", Relation::kBelow, 0.9}),
     {"9.8.anti_resonance", "9.1.3", kSuppressed,
      "Depth of the anti-resonance of the last estimate without weight less that with 15 kg: 3 dB.", "dB",
      Relation::kAtLeast, 3.0,
@@ -90,13 +90,13 @@ constexpr ClaimSpec kWeightClaims[] = {
                 "friction for every weight "
                 "the depth stays, with one in proportion to the weight it goes (9.8.anti_resonance_friction)",
                 -3.0, 3.0}},
-    {"9.8.anti_resonance_friction", "9.1.3", kSuppressed,
-     "The same, the cart's dry friction in proportion to its weight.", "dB", Relation::kAtLeast, 3.0},
+    proof({"9.8.anti_resonance_friction", "9.1.3", kSuppressed,
+     "The same, the cart's dry friction in proportion to its weight.", "dB", Relation::kAtLeast, 3.0}),
     {"9.8.still_visible", "9.1.3",
      "Less so in case of added weight, where a resonance peak around 40 Hz is still visible.",
      "Distance from 40 Hz of the resonance of the last estimate with 15 kg: a quarter.", "Hz", Relation::kAtMost, 10.0},
     {"9.8.quick", "9.1.3", kQuick, kDistanceOf1s, "1", Relation::kAtMost, 0.5, Refutation{kHidden, 0.5, 1.0}},
-    {"9.8.quick_ideal", "9.1.3", kQuick, kIdeal, "1", Relation::kAtMost, 0.5}};
+    proof({"9.8.quick_ideal", "9.1.3", kQuick, kIdeal, "1", Relation::kAtMost, 0.5})};
 
 /// A run for each weight.
 Result<std::vector<ChirpEstimates>> run_each(const StudyContext& context, const robot::Robot& rig, double from,

@@ -7,40 +7,6 @@
 
 namespace farrier::thesis {
 
-const char* to_string(Verdict verdict) noexcept {
-  switch (verdict) {
-    case Verdict::kHolds: return "holds";
-    case Verdict::kRefuted: return "refuted";
-    case Verdict::kFails: return "fails";
-  }
-  return "";
-}
-
-namespace {
-
-bool related(Relation relation, double value, double bound) noexcept {
-  switch (relation) {
-    case Relation::kAtMost: return value <= bound;
-    case Relation::kBelow: return value < bound;
-    case Relation::kAtLeast: return value >= bound;
-  }
-  return false;
-}
-
-}  // namespace
-
-Verdict judge(const ClaimSpec& claim, double value) noexcept {
-  if (!std::isfinite(value)) {
-    return Verdict::kFails;
-  }
-  if (related(claim.relation, value, claim.bound)) {
-    return Verdict::kHolds;
-  }
-  const auto& refutation = claim.refutation;
-  return refutation && value >= refutation->at_least && value <= refutation->at_most ? Verdict::kRefuted
-                                                                                     : Verdict::kFails;
-}
-
 Error stopped() { return Error{"the study was stopped before its end"}; }
 
 bool keep_going(const StudyContext& context, double share) { return !context.progress || context.progress(share); }

@@ -15,48 +15,15 @@
 #include "core/result.hpp"
 #include "report/page/picture.hpp"
 #include "robot/robot.hpp"
+#include "thesis/study/claim.hpp"
 
 namespace farrier::thesis {
-
-/// Relation of a measured value to a claim's bound.
-enum class Relation { kAtMost, kBelow, kAtLeast };
-
-enum class Verdict {
-  kHolds,
-  kRefuted,  ///< not as the text says, for a reason we know and whose own prediction the value meets
-  kFails,
-};
-
-/// "holds", "refuted", "fails".
-const char* to_string(Verdict verdict) noexcept;
-
-/// Why a claim does not hold as printed, and where the value must lie if that reason is right.
-struct Refutation {
-  const char* reason;  ///< the proof or counter-example, as a sentence
-  double at_least;
-  double at_most;
-};
-
-/// A number or relation from the text.
-struct ClaimSpec {
-  const char* id;        ///< the figure's number and a name: "7.8.quarter_2"; "reproduce." before it names the figure
-  const char* section;   ///< where it is said: "7.5", "Fig. 7.8"
-  const char* sentence;  ///< the text's own words, shortened with "..."
-  const char* claim;     ///< what is measured, and how it must relate to the bound, as a sentence
-  const char* unit;      ///< of value and bound; "1" for ratios, counts and decisions (1 yes, 0 no)
-  Relation relation;
-  double bound;
-  std::optional<Refutation> refutation = std::nullopt;
-};
-
-/// `value` against the claim: holds when its relation does; refuted when not and the value is what the refutation
-/// predicts; fails otherwise, and always when not finite.
-Verdict judge(const ClaimSpec& claim, double value) noexcept;
 
 struct Measured {
   std::string id;    ///< of a claim of the study
   double value;      ///< not finite: could not be measured
   std::string note;  ///< what it was made of, for people; may be empty
+  std::optional<double> under_condition = std::nullopt;  ///< the same measurement of a run under the claim's condition
 };
 
 /// A value that a study measures and no claim judges.

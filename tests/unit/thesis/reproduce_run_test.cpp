@@ -31,12 +31,21 @@ Result<StudyResult> quick(const StudyContext& context) {
   return StudyResult{{{"9.98.value", 0.5, ""}}, {{"one", 2, {panel, {.title = "z", .x_label = "x", .y_label = "y", .unit_circle = true}}}}};
 }
 
+constexpr std::uint64_t kSeeds[] = {1, 2, 3};
+constexpr std::span<const std::uint64_t> kOneSeed{kSeeds, 1};
+
+/// A value by seed, and a picture.
+Result<StudyResult> drawn(const StudyContext& context) {
+  Picture picture{.caption = "one", .panels = {{.title = "z", .x_label = "x", .y_label = "y"}}};
+  return StudyResult{{{"9.98.value", 0.25 * static_cast<double>(context.seed), ""}}, {picture}};
+}
+
 const std::vector<thesis::Study> kStudies{{"9.98", "first", kClaims, quick}, {"9.97", "second", kClaims, quick}, {"9.96", "third", kClaims, quick}};
 
 TEST(RunStudies, KeepsTheirOrderAndReportsEveryShare) {
   for (const int threads : {1, 2, 5}) {
     double last = 0.0;
-    const auto runs = run_studies(kStudies, {}, threads, [&](double share) {
+    const auto runs = run_studies(kStudies, {}, kSeeds, threads, [&](double share) {
       EXPECT_GE(share, last);
       last = share;
       return true;
@@ -45,31 +54,45 @@ TEST(RunStudies, KeepsTheirOrderAndReportsEveryShare) {
     ASSERT_EQ(runs.size(), 3u);
     for (std::size_t i = 0; i < runs.size(); ++i) {
       EXPECT_EQ(std::string(runs[i].study.number), kStudies[i].number);
-      EXPECT_TRUE(runs[i].result.ok());
+      EXPECT_TRUE(runs[i].seeds.front().result.ok());
     }
   }
 }
 
 TEST(RunStudies, StopsAllWhenToldTo) {
-  const auto runs = run_studies(kStudies, {}, 2, [](double) { return false; });
+  const auto runs = run_studies(kStudies, {}, kOneSeed, 2, [](double) { return false; });
   for (const StudyRun& run : runs) {
-    ASSERT_FALSE(run.result.ok());
-    EXPECT_EQ(run.result.error().message, thesis::stopped().message);
+    ASSERT_FALSE(run.seeds.front().result.ok());
+    EXPECT_EQ(run.seeds.front().result.error().message, thesis::stopped().message);
   }
 }
 
 TEST(RunStudies, OneThatThrowsLosesNoOther) {
   std::vector<thesis::Study> studies = kStudies;
   studies[1].run = [](const StudyContext&) -> Result<StudyResult> { throw std::runtime_error("no memory"); };
-  const auto runs = run_studies(studies, {}, 2, [](double) { return true; });
-  EXPECT_TRUE(runs[0].result.ok());
-  ASSERT_FALSE(runs[1].result.ok());
-  EXPECT_EQ(runs[1].result.error().message, "no memory");
-  EXPECT_TRUE(runs[2].result.ok());
+  const auto runs = run_studies(studies, {}, kOneSeed, 2, [](double) { return true; });
+  EXPECT_TRUE(runs[0].seeds[0].result.ok());
+  ASSERT_FALSE(runs[1].seeds[0].result.ok());
+  EXPECT_EQ(runs[1].seeds[0].result.error().message, "no memory");
+  EXPECT_TRUE(runs[2].seeds[0].result.ok());
   const auto claims = claims_of(runs[1]);
   ASSERT_EQ(claims.size(), 1u);
   EXPECT_EQ(claims[0].verdict, "fails");
   EXPECT_EQ(claims[0].reason, "the study could not run: no memory");
+}
+
+TEST(RunStudies, RunAStudyThatDrawsNothingWithOneSeedAndAnyOtherWithAll) {
+  std::vector<thesis::Study> studies = kStudies;
+  studies[1].run = drawn;
+  const auto runs = run_studies(studies, {}, kSeeds, 2, [](double) { return true; });
+  EXPECT_EQ(runs[0].seeds.size(), 1u);
+  ASSERT_EQ(runs[1].seeds.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(runs[1].seeds[i].seed, kSeeds[i]);
+    ASSERT_TRUE(runs[1].seeds[i].result.ok());
+    EXPECT_EQ(runs[1].seeds[i].result.value().measured[0].value, 0.25 * static_cast<double>(kSeeds[i]));
+    EXPECT_EQ(runs[1].seeds[i].result.value().pictures.size(), i == 0 ? 1u : 0u);
+  }
 }
 
 class Folder {
@@ -86,7 +109,7 @@ class Folder {
 
 TEST(StudyPage, HasEveryPictureBesideItsClaim) {
   const Folder folder;
-  const auto runs = run_studies({kStudies.data(), 1}, {}, 1, [](double) { return true; });
+  const auto runs = run_studies({kStudies.data(), 1}, {}, kOneSeed, 1, [](double) { return true; });
   report::Outcome outcome;
   outcome.command = "reproduce";
   add_claims(outcome, claims_of(runs[0]));
