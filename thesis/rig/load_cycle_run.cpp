@@ -1,6 +1,7 @@
 #include "thesis/rig/load_cycle_run.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -14,7 +15,7 @@ using signals::JointControllerGains;
 
 namespace {
 
-using Change = std::function<void(robot::Robot&)>;
+using Change = std::function<Result<Done>(robot::Robot&, run::InprocRun&)>;
 
 Result<CycleRun> run_changed(const StudyContext& context, const trials::LoadCycleCase& one, double from, double to,
                              const Change& change) {
@@ -32,7 +33,8 @@ Result<CycleRun> run_changed(const StudyContext& context, const trials::LoadCycl
     return !stop;
   };
   robot::Robot robot = trials::robot_of(run.cycle, one);
-  change(robot);
+  FARRIER_TRY(change(robot, settings));
+  run.cycle.robot = robot;
   const auto ran = run::run_inproc(robot, settings);
   if (!ran) {
     return stop ? stopped() : ran.error();
@@ -52,21 +54,40 @@ Result<CycleRun> run_changed(const StudyContext& context, const trials::LoadCycl
 }  // namespace
 
 Result<CycleRun> run_cycle(const StudyContext& context, const trials::LoadCycleCase& one, double from, double to) {
-  return run_changed(context, one, from, to, [](robot::Robot&) {});
+  return run_changed(context, one, from, to, [](robot::Robot&, run::InprocRun&) -> Result<Done> { return Done{}; });
 }
 
-Result<CycleRun> run_cycle_as_printed(const StudyContext& context, double forgetting_factor) {
-  return run_changed(context, trials::kAdaptiveNoiselessCase, 0.0, 1.0, [=](robot::Robot& robot) {
+Result<control::Gains> printed_gains(const robot::Robot& robot, const plant::LoadParams& load) {
+  const robot::Joint& joint = robot.joints[0];
+  const auto gains =
+      control::design(robot::model_of(joint, load, robot.period_s, {.piston = plant::PistonMass::kNeglected}),
+                      joint.design, joint.normalisation, joint.form, 0, robot.period_s);
+  if (!gains) {
+    return Error{std::string("no design on (3.51) for ") + std::to_string(load.mass) + " kg: " + control::to_string(gains.error())};
+  }
+  return gains.value();
+}
+
+Result<CycleRun> run_cycle_as_printed(const StudyContext& context, const PrintedCycle& printed, double from, double to) {
+  trials::LoadCycleCase one = printed.adaptive ? trials::kAdaptiveCase : trials::kFixedCase;
+  one.noiseless = true;
+  return run_changed(context, one, from, to, [&](robot::Robot& robot, run::InprocRun& settings) -> Result<Done> {
     robot::Joint& joint = robot.joints[0];
-    joint.dither_percent = 0.0;
+    joint.dither_percent = printed.probing_percent;
+    joint.name += "_" + std::to_string(context.seed);  // the dither is drawn by name
     joint.estimator.model_error = 0.0;
-    joint.estimator.forgetting_factor = forgetting_factor;
+    joint.estimator.forgetting_factor = printed.forgetting_factor;
     joint.estimator.bias = false;
     joint.estimator.operating_point_order = 0;
     joint.estimator.full_weight_norm = 1e6;
     joint.design.weights.integral_factor = 6.0;
     robot.update_logic.validity_min = 0.05;
     robot.update_logic.model_uncertainty = 1.0;
+    robot.update_logic.disk_margin_min = 0.0;
+    robot.update_logic.delay_margin_min_s = 0.0;
+    const auto light = FARRIER_TRY(printed_gains(robot, joint.swing_load));
+    settings.first_gains = {{light, light}};
+    return Done{};
   });
 }
 
@@ -88,6 +109,46 @@ const JointControllerGains& at_end_of(const CycleRun& run, std::size_t quarter) 
 
 control::DiscreteModel truth_of(const CycleRun& run, std::size_t quarter) {
   return robot::model_of(run.cycle.robot.joints[0], run.cycle.loads[quarter - 1], run.cycle.robot.period_s);
+}
+
+Picture force_picture(const CycleRun& run, const std::string& caption) {
+  Series reference{"reference", {}, {}, Style::kLine, 1};
+  Series force{"force", {}, {}, Style::kLine, 3};
+  double highest_N = 0.0;
+  double largest_N = 0.0;
+  for (const trace::TraceRow& row : run.rows) {
+    highest_N = std::max(highest_N, std::abs(row.force_reference_N_or_Nm));
+  }
+  for (const trace::TraceRow& row : run.rows) {
+    const double t = static_cast<double>(row.tick) * run.cycle.robot.period_s;
+    reference.x.push_back(t);
+    reference.y.push_back(row.force_reference_N_or_Nm);
+    force.x.push_back(t);
+    largest_N = std::max(largest_N, std::abs(row.force_N_or_Nm));
+    force.y.push_back(std::clamp(row.force_N_or_Nm, -2.0 * highest_N, 2.0 * highest_N));
+  }
+  std::array<Series, 3> gains{{{"position", {}, {}, Style::kLine, 1},
+                               {"velocity", {}, {}, Style::kLine, 2},
+                               {"force", {}, {}, Style::kLine, 3}}};
+  for (Tick tick = 0; tick < run.cycle.begin.back(); tick += 5) {
+    const JointControllerGains& acting = acting_before(run, tick + 1);
+    const double values[] = {acting.k_position, acting.k_velocity, acting.k_force};
+    for (std::size_t i = 0; i < gains.size(); ++i) {
+      gains[i].x.push_back(static_cast<double>(tick) * run.cycle.robot.period_s);
+      gains[i].y.push_back(values[i]);
+    }
+  }
+  const bool cut = largest_N > 2.0 * highest_N;
+  return {caption,
+          1,
+          {{.title = cut ? text_of("cut at twice the reference; the force goes to %.0f N", largest_N) : "",
+            .x_label = "time (s)",
+            .y_label = "force (N)",
+            .series = {std::move(reference), std::move(force)}},
+           {.title = "",
+            .x_label = "time (s)",
+            .y_label = "gain",
+            .series = {std::move(gains[0]), std::move(gains[1]), std::move(gains[2])}}}};
 }
 
 std::string gains_text(const JointControllerGains& gains) {

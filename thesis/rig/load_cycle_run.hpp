@@ -1,11 +1,13 @@
 #pragma once
 
-// A run through the load cycle of Hubacher (2014), Section 7.5, as the studies of its figures judge it. The rig is
-// deploy/robots/fc1d.yaml: its sensors are noisy, its integral factor is not the thesis's (7.11), its valve is probed.
+// A run through the load cycle of Hubacher (2014), Section 7.5, as the studies of its figures judge it: as the text has
+// it, or as Farrier does it. Farrier's rig is deploy/robots/fc1d.yaml: its sensors are noisy, its integral factor is not
+// the thesis's (7.11), its valve is probed, and its supervisor refuses gains that the stored model does not bear.
 
 #include <string>
 #include <vector>
 
+#include "control/design/closed_loop.hpp"
 #include "control/model/discretise.hpp"
 #include "trials/load_cycle.hpp"
 #include "thesis/study/study.hpp"
@@ -24,12 +26,24 @@ struct CycleRun {
 Result<CycleRun> run_cycle(const StudyContext& context, const trials::LoadCycleCase& one, double from = 0.0,
                            double to = 1.0);
 
-/// Lambda of (6.21) in the adaptive case as the text has it.
-inline constexpr double kPrintedForgetting = 0.9;
+/// The run of 7.5 as the text has it.
+struct PrintedCycle {
+  bool adaptive = true;
+  double forgetting_factor = 0.9;  ///< lambda of (6.21)
+  double probing_percent = 0.0;    ///< of the nominal current: a random binary signal at the valve
+};
 
-/// The adaptive case as the text has it: perfect measurements, no dither, the bare recursion (6.21) on deviations from
-/// home, xi = 6, and no guard by the stored model. Refuses as run_cycle does.
-Result<CycleRun> run_cycle_as_printed(const StudyContext& context, double forgetting_factor = kPrintedForgetting);
+/// The amplitude of Condition::kProbedValve.
+inline constexpr double kProbing_percent = 0.25;
+
+/// Gains of the cycle's robot for a load, designed as the text does on (3.51), which neglects the piston's mass. Refuses
+/// where there is no design.
+Result<control::Gains> printed_gains(const robot::Robot& robot, const plant::LoadParams& load);
+
+/// The cycle as the text has it: first gains of the light load by (3.51), perfect measurements, xi = 6, the bare recursion (6.21) on deviations from home, update
+/// logic (d), and no guard: neither margins nor the stored model refuse gains. Refuses as run_cycle does.
+Result<CycleRun> run_cycle_as_printed(const StudyContext& context, const PrintedCycle& printed = {}, double from = 0.0,
+                                      double to = 1.0);
 
 // Quarters count from 1.
 
@@ -42,6 +56,9 @@ const signals::JointControllerGains& at_end_of(const CycleRun& run, std::size_t 
 
 /// The model of the quarter's true load.
 control::DiscreteModel truth_of(const CycleRun& run, std::size_t quarter);
+
+/// Force and gains over time. The force is cut at twice the reference; the panel's title says how far it goes.
+Picture force_picture(const CycleRun& run, const std::string& caption);
 
 /// "K = [0.1, -4.4, 8.5]".
 std::string gains_text(const signals::JointControllerGains& gains);

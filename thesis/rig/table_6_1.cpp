@@ -31,11 +31,25 @@ Complex force_response(const control::DiscreteModel& model, double frequency_Hz)
   return control::response<3>({model.a, model.b, Eigen::RowVector3d(0.0, 0.0, 1.0), 0.0, kCyclePeriod_s}, frequency_Hz);
 }
 
-Result<std::unique_ptr<Estimator>> make(EstimationMethod method, const estimation::JointScales& scales) {
+struct Method {
+  const char* name;
+  EstimationMethod method;
+  double valve_gain = 1.0, bulk_modulus = 1.0;  ///< the actuator it is given, as factors of the truth
+};
+
+constexpr Method kMethods[] = {{"rls", EstimationMethod::kRls},
+                               {"aff", EstimationMethod::kAff},
+                               {"greybox", EstimationMethod::kGreyBox},
+                               {"greybox_wrong", EstimationMethod::kGreyBox, kWrongValveGain, kWrongBulkModulus}};
+
+Result<std::unique_ptr<Estimator>> make(const Method& method, const estimation::JointScales& scales) {
   estimation::EstimatorParams params;
-  params.method = method;
-  if (method == EstimationMethod::kGreyBox) {
-    auto made = FARRIER_TRY(estimation::GreyBoxEstimator::create(params, scales, plant::nominal_cylinder(),
+  params.method = method.method;
+  if (method.method == EstimationMethod::kGreyBox) {
+    plant::ActuatorParams actuator = plant::nominal_cylinder();
+    actuator.valve_gain *= method.valve_gain;
+    actuator.bulk_modulus_Pa *= method.bulk_modulus;
+    auto made = FARRIER_TRY(estimation::GreyBoxEstimator::create(params, scales, actuator,
                                                     {walking_cycle()[2], walking_cycle()[1]}));
     return std::unique_ptr<Estimator>(std::make_unique<estimation::GreyBoxEstimator>(std::move(made)));
   }
@@ -77,7 +91,7 @@ void judge(const estimation::ModelEstimate& estimate, const plant::LoadParams& t
   cell.mass_error[change] = std::abs(mass / truth.mass - 1.0);
 }
 
-Result<Done> run(EstimationMethod method, std::uint64_t seed, Table61Cell& cell) {
+Result<Done> run(const Method& method, std::uint64_t seed, Table61Cell& cell) {
   const Eigen::Vector3d noise = cell.noisy ? Eigen::Vector3d(2e-6, 1.5e-3, 1.0) : Eigen::Vector3d::Zero();
   auto estimator = make(method, {.state = {0.04, 1.2, 5000.0},
                                  .current_A = plant::kNominalCurrent_A,
@@ -109,14 +123,12 @@ Result<Done> run(EstimationMethod method, std::uint64_t seed, Table61Cell& cell)
 }  // namespace
 
 Result<std::vector<Table61Cell>> table_6_1(std::uint64_t seed) {
-  const std::pair<const char*, EstimationMethod> methods[] = {
-      {"rls", EstimationMethod::kRls}, {"aff", EstimationMethod::kAff}, {"greybox", EstimationMethod::kGreyBox}};
   std::vector<Table61Cell> cells;
-  for (const auto& [name, method] : methods) {
+  for (const Method& method : kMethods) {
     for (const bool noisy : {false, true}) {
       for (const bool rich : {false, true}) {
         for (const bool high : {false, true}) {
-          Table61Cell cell{.method = name, .rich = rich, .high = high, .noisy = noisy, .gain_error_dB = {},
+          Table61Cell cell{.method = method.name, .rich = rich, .high = high, .noisy = noisy, .gain_error_dB = {},
                            .phase_error_deg = {}, .mass_error = {}};
           FARRIER_TRY(run(method, seed, cell));
           cells.push_back(cell);

@@ -12,7 +12,7 @@ namespace farrier::thesis {
 /// Hubacher (2014), Table 6.1: how an estimator does for each combination of the valve signal's frequencies and
 /// amplitude, on the changes of load of Fig. 6.1 (walking_cycle.hpp).
 struct Table61Cell {
-  const char* method;  ///< "rls", "aff" or "greybox"
+  const char* method;  ///< "rls", "aff", "greybox" or "greybox_wrong"
   bool rich;           ///< white noise; else 5 and 10 Hz (C.1)
   bool high;           ///< 100 % of the nominal valve opening; else 5 %
   bool noisy;          ///< with the sensors of fc1d.yaml
@@ -23,8 +23,13 @@ struct Table61Cell {
   std::array<double, 3> mass_error;  ///< relative; of linear models as 6.3.1 extracts it, infinite where that fails
 };
 
-/// All cells of all methods: 24 of them. The linear methods as in 6.3: lambda 0.85 (aff: its own), the home pose
-/// subtracted, no bias, normalised; the grey-box estimator with its defaults. Refuses nothing but a bug.
+/// Errors of the actuator that "greybox_wrong" is given, as factors of the truth.
+inline constexpr double kWrongValveGain = 1.2;
+inline constexpr double kWrongBulkModulus = 0.8;
+
+/// All cells of all methods: 32 of them. The linear methods as in 6.3: lambda 0.85 (aff: its own), the home pose
+/// subtracted, no bias, normalised; the grey-box estimator with its defaults, once with the true actuator and once with
+/// a wrong one. Refuses nothing but a bug.
 Result<std::vector<Table61Cell>> table_6_1(std::uint64_t seed);
 
 }  // namespace farrier::thesis

@@ -61,8 +61,8 @@ constexpr const char* kForce =
     "Note the steep slope at low frequencies, the dent around middle frequencies ..., and the sharp resonance peak at high frequencies ...";
 
 constexpr const char* kTwoCauses =
-    "the chamber pressures of Chapter 3 are not those of steady flow, (3.19) and (3.20), which the simplified models assume: 0.53 dB at "
-    "every frequency; and the load-cell model leaves out the piston's mass: 1.5 % of the resonance's frequency";
+    "the chamber pressures of Chapter 3 are not those of steady flow, (3.19) and (3.20), which the simplified models assume: "
+    "0.53 dB at every frequency; near the resonance (3.51), with the piston's mass in one row alone, adds 0.13 dB";
 
 constexpr ClaimSpec kOutputClaims[] = {
     {"4.2.position_integrates", "4.2", kPosition, "Distance of the position's slope from 0.01 to 0.1 Hz from -20 dB per decade.", "dB",
@@ -76,8 +76,7 @@ constexpr ClaimSpec kOutputClaims[] = {
     {"4.2.force_resonance", "4.2", kForce, "Frequency of the force's resonance: in the upper of the three decades 1 to 1000 Hz.", "Hz",
      Relation::kAtLeast, 100.0},
     {"4.2.full_is_simple", "4.2.1", "As can be seen, all models give the same transfer function ...",
-     "Largest difference of the full and the load-cell model over all three outputs.", "dB", Relation::kAtMost, 1.0,
-     Refutation{kTwoCauses, 1.0, 2.5}}};
+     "Largest difference of the full and the load-cell model over all three outputs.", "dB", Relation::kAtMost, 1.0}};
 
 Result<StudyResult> run_outputs(const StudyContext&) {
   const plant::ChamberPoint chambers = plant::nominal_chamber_point(1.0);
@@ -181,7 +180,7 @@ constexpr const char* kOnlyLow = "However, in both cases they only differ in the
 
 constexpr ClaimSpec kValveClaims[] = {
     {"4.4.nominal_same", "4.2.1", kSame, "Largest difference of the three models at the nominal point.", "dB", Relation::kAtMost, 0.5,
-     Refutation{kTwoCauses, 0.5, 2.5}},
+     Refutation{kTwoCauses, 0.6, 0.8}},
     {"4.4.simplified_differ", "4.2.1", kNotCapture,
      "Valve at 30 %: largest difference of a simplified model to the full one below 10 Hz.", "dB", Relation::kAtLeast, 1.0},
     {"4.4.only_low", "4.2.1", kOnlyLow, "The same above 100 Hz.", "dB", Relation::kAtMost, 1.0},
@@ -193,7 +192,7 @@ constexpr ClaimSpec kVelocityClaims[] = {
     {"4.5.simplified_differ", "4.2.1", "The two simplified models are again not able to fully cope with the changed operating point ...",
      "1 m/s: largest difference of a simplified model to the full one below 10 Hz.", "dB", Relation::kAtLeast, 1.0,
      Refutation{"they follow: (3.24) holds the velocity, and the 0.53 dB that remain are those of the nominal point", 0.4, 0.8}},
-    {"4.5.only_low", "4.2.1", kOnlyLow, "The same above 100 Hz.", "dB", Relation::kAtMost, 1.0, Refutation{kTwoCauses, 1.0, 2.5}},
+    {"4.5.only_low", "4.2.1", kOnlyLow, "The same above 100 Hz.", "dB", Relation::kAtMost, 1.0},
     {"4.5.constant_volume_is_nominal", "4.2.1",
      "... the transfer functions of column three look exactly like the ones from column one ...",
      "Largest difference of any model with constant volumes at 1 m/s to itself at the nominal point.", "dB", Relation::kAtMost, 1e-6},
@@ -245,10 +244,14 @@ Result<StudyResult> run_velocity_point(const StudyContext&) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"4.2", "Transfer functions to position, velocity and force", kOutputClaims, run_outputs},
-                              {"4.3", "Load-cell, hydraulic and total force", kForceClaims, run_forces},
-                              {"4.4", "Models at another valve opening, and with constant volumes", kValveClaims, run_valve_point},
-                              {"4.5", "Models at another velocity, and with constant volumes", kVelocityClaims, run_velocity_point}};
+constexpr const char* kConditions =
+    "Joint of Table A.1, positive valve sign; load-cell model (3.51) with the piston's mass in its row 2. Figs 4.4 and 4.5 are "
+    "drawn, as the text's, at points that are not steady. Nothing is drawn by chance.";
+
+constexpr Study kStudies[] = {{"4.2", "Transfer functions to position, velocity and force", kOutputClaims, run_outputs, kConditions},
+ {"4.3", "Load-cell, hydraulic and total force", kForceClaims, run_forces, kConditions},
+ {"4.4", "Models at another valve opening, and with constant volumes", kValveClaims, run_valve_point, kConditions},
+ {"4.5", "Models at another velocity, and with constant volumes", kVelocityClaims, run_velocity_point, kConditions}};
 
 }  // namespace
 }  // namespace chapter4_models_studies

@@ -99,13 +99,10 @@ double ringing(const std::vector<double>& force_N) {
 constexpr const char* kForce = "... all linear models are able to accurately reproduce the force compared to the response of the nonlinear model.";
 constexpr const char* kLoadPressure = "... where the load pressure ... is shown, the response of all three systems is again nearly identical.";
 
-constexpr const char* kWithoutPiston =
-    "the load-cell model leaves the piston's mass out, 3 % of the load's: it resonates 1.5 % too high and falls out of step";
-
 constexpr ClaimSpec kClaims[] = {
     {"4.1.force_full", "4.1", kForce, "RMS error over RMS of the force, full model: a tenth.", "1", Relation::kAtMost, 0.1},
     {"4.1.force_load_pressure", "4.1", kForce, "The same, load-pressure model.", "1", Relation::kAtMost, 0.1},
-    {"4.1.force_load_cell", "4.1", kForce, "The same, load-cell model.", "1", Relation::kAtMost, 0.1, Refutation{kWithoutPiston, 0.1, 0.2}},
+    {"4.1.force_load_cell", "4.1", kForce, "The same, load-cell model.", "1", Relation::kAtMost, 0.1},
     {"4.1.ringing", "4.1", "The force response of the linear models seems to be less damped than the nonlinear response.",
      "RMS of the oscillation left over the last quarter of the time, full model over nonlinear.", "1", Relation::kAtLeast, 1.0},
     {"4.1.position_full", "4.1", "The full model almost exactly reproduces the position signal ...",
@@ -119,8 +116,7 @@ constexpr ClaimSpec kClaims[] = {
      Relation::kAtLeast, 0.1},
     {"4.1.load_pressure_full", "4.1", kLoadPressure, "RMS error over RMS of the load pressure, full model: a tenth.", "1", Relation::kAtMost, 0.1},
     {"4.1.load_pressure_simple", "4.1", kLoadPressure, "The same, load-pressure model.", "1", Relation::kAtMost, 0.1},
-    {"4.1.load_pressure_load_cell", "4.1", kLoadPressure, "The same, load-cell model.", "1", Relation::kAtMost, 0.1,
-     Refutation{kWithoutPiston, 0.1, 0.2}}};
+    {"4.1.load_pressure_load_cell", "4.1", kLoadPressure, "The same, load-cell model.", "1", Relation::kAtMost, 0.1}};
 
 Result<StudyResult> run_step(const StudyContext&) {
   const auto made = FARRIER_TRY(simulate());
@@ -181,7 +177,9 @@ Result<StudyResult> run_step(const StudyContext&) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"4.1", "Nonlinear joint and three linear models after a step", kClaims, run_step}};
+constexpr Study kStudies[] = {{"4.1", "Nonlinear joint and three linear models after a step", kClaims, run_step,
+     "Joint of Table A.1 at the nominal point, without friction and spool. The load-cell model is (3.51): the piston's "
+     "mass is in its row 2 alone. Nothing is drawn."}};
 
 }  // namespace
 }  // namespace chapter4_step_studies

@@ -44,15 +44,6 @@ Picture bode_of(const CycleEstimates& estimates, const char* caption) {
 
 // 6.1
 
-constexpr const char* kSequence =
-    "... during the first section the weight is low ... followed by a heavy weight section ... quickly reduced again ... only increased little, but the friction coefficient greatly ...";
-
-constexpr ClaimSpec kLoadClaims[] = {
-    {"6.1.heavy", "6.3", kSequence, "Mass of the second section over the heaviest other one.", "1", Relation::kAtLeast, 5.0},
-    {"6.1.friction", "6.3", kSequence, "Friction of the fourth section over the third's.", "1", Relation::kAtLeast, 2.0},
-    {"6.1.stance", "6.3", "... a walking cycle of 2 Hz ... a stance phase duration of 0.25 s.", "Distance of a section's length from it.",
-     "s", Relation::kAtMost, 1e-12}};
-
 Result<StudyResult> run_loads(const StudyContext&) {
   const auto& loads = thesis::walking_cycle();
   Series mass{"", {}, {}, Style::kLine, 0}, damping{"", {}, {}, Style::kLine, 1};
@@ -64,11 +55,7 @@ Result<StudyResult> run_loads(const StudyContext&) {
       damping.y.push_back(loads[i].damping);
     }
   }
-  const double section_s = static_cast<double>(thesis::kSectionTicks) * thesis::kCyclePeriod_s;
   StudyResult result;
-  result.measured = {{"6.1.heavy", loads[1].mass / std::max({loads[0].mass, loads[2].mass, loads[3].mass}), ""},
-                     {"6.1.friction", loads[3].damping / loads[2].damping, ""},
-                     {"6.1.stance", std::abs(section_s - 0.25), ""}};
   result.pictures = {{"Load of the joint. The numbers are ours: the text prints the order and not the values", 1,
                       {{.title = "load mass", .x_label = "time (s)", .y_label = "mass (kg)", .log_y = true, .series = {std::move(mass)}},
                        {.title = "load friction", .x_label = "time (s)", .y_label = "friction (Ns/m)", .series = {std::move(damping)}}}}};
@@ -201,10 +188,6 @@ Result<StudyResult> run_full(const StudyContext& context) {
   return result;
 }
 
-constexpr ClaimSpec kMultisineClaims[] = {
-    {"C.1.amplitude", "C.1", "... amplitude of 5 % of the nominal valve opening ...", "Largest current over a twentieth of the nominal one.", "1",
-     Relation::kAtMost, 1.0}};
-
 Result<StudyResult> run_multisine(const StudyContext& context) {
   Series current{"", {}, {}, Style::kLine, 0};
   for (const CycleSample& sample : thesis::drive(thesis::walking_cycle(), false, thesis::kSmallOpening, context.seed)) {
@@ -212,7 +195,6 @@ Result<StudyResult> run_multisine(const StudyContext& context) {
     current.y.push_back(100.0 * sample.current_A / plant::kNominalCurrent_A);
   }
   StudyResult result;
-  result.measured = {{"C.1.amplitude", std::ranges::max(current.y, {}, [](double y) { return std::abs(y); }) / 5.0, ""}};
   result.pictures = {{"Sines of 5 and 10 Hz", 1, {{.title = "", .x_label = "time (s)", .y_label = "valve current (% of nominal)", .series = {std::move(current)}}}}};
   return result;
 }
@@ -233,13 +215,19 @@ Result<StudyResult> run_low(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"6.1", "Load of the joint the estimator is tried on", kLoadClaims, run_loads},
-                              {"6.2", "Estimated transfer functions, white noise of 5 %", kIdealClaims, run_ideal},
-                              {"6.3", "Estimated poles and zeros, white noise of 5 %", kPoleClaims, run_poles},
-                              {"6.4", "Estimated load mass, white noise of 5 %", kMassClaims, run_mass},
-                              {"6.5", "Estimated transfer functions, white noise of 100 %", kFullClaims, run_full},
-                              {"C.1", "Valve current with two frequencies", kMultisineClaims, run_multisine},
-                              {"C.2", "Estimated transfer functions, two frequencies", kLowClaims, run_low}};
+constexpr const char* kIdentified =
+    "Joint of Table A.1 without friction that sticks and without spool, perfect sensors. Least squares (6.21), lambda 0.85, the "
+    "operating point subtracted. The loads are ours, in the text's order. First covariance 0.14 I. Values are medians of 15 runs.";
+constexpr const char* kInputs = "These are inputs of ours, so nothing is claimed of them.";
+
+constexpr Study kStudies[] = {
+    {"6.1", "Load of the joint the estimator is tried on", {}, run_loads, kInputs},
+    {"6.2", "Estimated transfer functions, white noise of 5 %", kIdealClaims, run_ideal, kIdentified},
+    {"6.3", "Estimated poles and zeros, white noise of 5 %", kPoleClaims, run_poles, kIdentified},
+    {"6.4", "Estimated load mass, white noise of 5 %", kMassClaims, run_mass, kIdentified},
+    {"6.5", "Estimated transfer functions, white noise of 100 %", kFullClaims, run_full, kIdentified},
+    {"C.1", "Valve current with two frequencies", {}, run_multisine, kInputs},
+    {"C.2", "Estimated transfer functions, two frequencies", kLowClaims, run_low, kIdentified}};
 
 }  // namespace
 }  // namespace chapter6_signals_studies

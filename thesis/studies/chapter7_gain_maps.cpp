@@ -32,11 +32,11 @@ constexpr ClaimSpec kMassFrictionClaims[] = {
     {"7.4.force_rises_with_mass", "Fig. 7.4", kWithMass, "The same, force: all of them.", "1", Relation::kAtLeast, 1.0,
      Refutation{"with the piston's mass counted, and only with much friction, it falls first: at 2000 Ns/m from 8.1 at "
                 "1 kg to 7.5 at 2 kg",
-                0.9, 1.0}},
+                0.93, 0.97}},
     {"7.4.velocity_falls_with_friction", "Fig. 7.4",
      "Increasing friction coefficient means that the velocity gain can be decreased ...",
      "Share of steps to a larger friction over which |K| of the velocity rises.", "1", Relation::kAtMost, 0.0,
-     Refutation{"of 10 kg and more it rises first, at 50 kg from 4.33 to 4.47 at 286 Ns/m, and falls then", 0.05, 0.2}},
+     Refutation{"of 10 kg and more it rises first, at 50 kg from 4.33 to 4.47 at 286 Ns/m, and falls then", 0.06, 0.2}},
     {"7.4.force_falls_with_friction", "7.4", "... decreases only slightly for a higher friction coefficient.",
      "Share of steps to a larger friction over which |K| of the force rises.", "1", Relation::kAtMost, 0.0,
      Refutation{kForceRises, 0.7, 1.0}},
@@ -118,9 +118,12 @@ constexpr ClaimSpec kFrictionStiffnessClaims[] = {
      "... the friction coefficient largely affects the gains for both velocity and force.",
      "Change of the velocity gain over all frictions, of the map's largest: a quarter.", "1", Relation::kAtLeast,
      kSlight},
-    {"7.5.force_and_friction", "7.4",
-     "... the friction coefficient largely affects the gains for both velocity and force.", "The same, force.", "1",
-     Relation::kAtLeast, kSlight, Refutation{"with the rig's 2.5 kg it goes from 6.3 to 7.5, a sixth", 0.1, 0.25}}};
+    fails("other loads: with 1 kg the force gain changes by 0.60 of the map's largest (7.4.force_falls_slightly), with the rig's 2.5 kg "
+          "from 6.3 to 7.5, with 127 kg hardly; the stiffness changes nothing (7.5.force_and_stiffness)",
+          {"7.5.force_and_friction", "7.4",
+           "... the friction coefficient largely affects the gains for both velocity and force.", "The same, force.",
+           "1", Relation::kAtLeast, kSlight})};
+
 
 Result<StudyResult> run_friction_stiffness(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
@@ -182,10 +185,14 @@ Result<StudyResult> run_mass_stiffness(const StudyContext& context) {
   return result;
 }
 
+constexpr const char* kConditions =
+    "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m), its exact load-cell model for an extending valve. Weights (7.9) and "
+    "(7.10). K is normalised by (3.52). Nothing is drawn by chance.";
+
 constexpr Study kStudies[] = {
-    {"7.4", "LQR gains over mass and friction", kMassFrictionClaims, run_mass_friction},
-    {"7.5", "LQR gains over friction and stiffness", kFrictionStiffnessClaims, run_friction_stiffness},
-    {"C.3", "LQR gains over mass and stiffness", kMassStiffnessClaims, run_mass_stiffness}};
+    {"7.4", "LQR gains over mass and friction", kMassFrictionClaims, run_mass_friction, kConditions},
+    {"7.5", "LQR gains over friction and stiffness", kFrictionStiffnessClaims, run_friction_stiffness, kConditions},
+    {"C.3", "LQR gains over mass and stiffness", kMassStiffnessClaims, run_mass_stiffness, kConditions}};
 
 }  // namespace
 }  // namespace chapter7_gain_maps_studies

@@ -11,6 +11,12 @@ constexpr ConditionSpec kConditions[] = {
     {Condition::kStrongFilters, "strong filters",
      "Position, velocity and force pass filters of the first order at 20 Hz before they reach the estimator.",
      "10.2: \"We used a rather aggressive filter\", without a number"},
+    {Condition::kProbedValve, "probed valve",
+     "A random binary signal of 0.25 % of the nominal current is added to the valve's current.",
+     "6.3.1: white noise at the valve, of 5 % there; 7.5 mentions none"},
+    {Condition::kLinearPlant, "linear plant",
+     "The plant is the linear model that the gains are designed on, that of an extending valve, for both signs.",
+     "3.3: the model (3.51) of the design; 7.3 does not say on which model its responses are simulated"},
 };
 
 }  // namespace

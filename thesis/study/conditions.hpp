@@ -13,6 +13,8 @@ inline constexpr std::size_t kMostConditions = 6;
 /// A line of conditions.cpp for each.
 enum class Condition {
   kStrongFilters,
+  kProbedValve,
+  kLinearPlant,
 };
 
 struct ConditionSpec {

@@ -54,9 +54,10 @@ struct StudyContext {
 struct Study {
   const char* number;                 ///< as the text counts: "7.8", "A.2"; a table's begins with T: "T6.1"
   const char* title;                  ///< one line
-  std::span<const ClaimSpec> claims;  ///< not empty
+  std::span<const ClaimSpec> claims;  ///< empty for a figure that shows inputs alone
   /// Refuses when it cannot be run, and with stopped() when progress says stop. May run in any thread.
   Result<StudyResult> (*run)(const StudyContext& context);
+  const char* conditions = "";  ///< machine, sensors, estimator and design of its runs, in sentences
 };
 
 /// The error of a study that was told to stop.

@@ -67,8 +67,7 @@ TEST(Registry, RefutationsKeepAGapFromTheirBounds) {
   for (const Study& study : all_studies()) {
     for (const ClaimSpec& claim : study.claims) {
       const std::string id = claim.id;
-      const bool later = is_of_the_rig(id) || id.starts_with("4.") || id.starts_with("7.") || id.starts_with("C.");
-      EXPECT_TRUE(keeps_its_gap(claim) || later) << id;
+      EXPECT_TRUE(keeps_its_gap(claim) || is_of_the_rig(id)) << id;
     }
   }
 }
@@ -108,12 +107,12 @@ std::string prefix_of(const Study& study) {
   return (number.starts_with('T') ? number.substr(1) : number) + ".";
 }
 
-TEST(Registry, EveryStudyHasItsOwnNumberATitleAndAtLeastOneClaim) {
+TEST(Registry, EveryStudyHasItsOwnNumberATitleAndClaimsUnlessItShowsInputs) {
   std::set<std::string> numbers;
   for (const Study& study : all_studies()) {
     EXPECT_TRUE(numbers.insert(study.number).second) << study.number;
     EXPECT_NE(std::string(study.title), "") << study.number;
-    EXPECT_FALSE(study.claims.empty()) << study.number;
+    EXPECT_TRUE(!study.claims.empty() || std::string(study.conditions).find("inputs of ours") != std::string::npos) << study.number;
     EXPECT_NE(study.run, nullptr) << study.number;
   }
   EXPECT_GE(numbers.size(), 20u);
