@@ -21,6 +21,9 @@ td.number { white-space: nowrap; } td.meaning { color: #56616a; } td small { col
 td.fails { color: #a63603; font-weight: 700; }
 .verdict { display: inline-block; padding: .05rem .6rem; border-radius: .3rem; color: #fff; }
 .pass { background: #00704f; } .fail { background: #b03a00; }
+td.refuted { color: #7a4b9a; font-weight: 600; } td.needs { color: #8a6100; font-weight: 600; } td.holds { color: #00704f; }
+tr.fails td { background: #fdf1ea; } tr.refuted td { background: #f7f2fa; } tr.needs td { background: #fdf7e6; }
+.box { border-left: 4px solid #d8dde1; background: #f6f8f9; padding: .4rem .8rem; margin: .4rem 0 .8rem; font-size: .9rem; }
 ul.reasons { color: #a63603; }
 .beside { display: flex; flex-wrap: wrap; gap: .5rem 1rem; align-items: flex-start; }
 figure.poles { width: 420px; }

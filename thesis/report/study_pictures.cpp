@@ -20,7 +20,9 @@ Result<Done> draw_studies(const std::string& out_dir, std::span<const StudyRun> 
   for (const StudyRun& run : runs) {
     const StudyResult* result = shown(run);
     for (std::size_t i = 0; result != nullptr && i < result->pictures.size(); ++i) {
-      drawing.add(picture_name(run.study, i), result->pictures[i]);
+      Picture picture = result->pictures[i];
+      picture.key = report::Key::kBelow;  // a key inside covers data
+      drawing.add(picture_name(run.study, i), picture);
     }
   }
   return drawing.draw();

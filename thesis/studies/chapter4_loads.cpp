@@ -273,7 +273,7 @@ Result<StudyResult> run_loci(const StudyContext&) {
 
 constexpr const char* kConditions =
     "Joint of Table A.1 at the nominal point; load-cell model (3.51) with the piston's mass in its row 2. Ranges of 4.3.2. "
-    "Nothing is drawn.";
+    "It has no random part.";
 
 constexpr Study kStudies[] = {
     {"4.8", "Load-cell force over the load's mass", kMassClaims, run_mass, kConditions},

@@ -246,7 +246,7 @@ Result<StudyResult> run_velocity_point(const StudyContext&) {
 
 constexpr const char* kConditions =
     "Joint of Table A.1, positive valve sign; load-cell model (3.51) with the piston's mass in its row 2. Figs 4.4 and 4.5 are "
-    "drawn, as the text's, at points that are not steady. Nothing is drawn by chance.";
+    "drawn, as the text's, at points that are not steady. It has no random part.";
 
 constexpr Study kStudies[] = {{"4.2", "Transfer functions to position, velocity and force", kOutputClaims, run_outputs, kConditions},
  {"4.3", "Load-cell, hydraulic and total force", kForceClaims, run_forces, kConditions},

@@ -119,7 +119,7 @@ Result<StudyResult> run_points(const StudyContext& context) {
 }
 
 constexpr Study kStudies[] = {{"4.6", "Load-cell force with the valve shut and full open", kValveClaims, run_valve,
-                               "Joint of Table A.1, load-cell model (3.51), shut valve and 10 mA. Nothing is drawn."},
+                               "Joint of Table A.1, load-cell model (3.51), shut valve and 10 mA. It has no random part."},
                               {"4.7", "Load-cell force at 2400 operating points", kPointClaims, run_points,
                                "The same joint at 2400 points drawn from the ranges of 4.3.1; the end of a range counts in place of a percentage of zero."}};
 

@@ -179,7 +179,7 @@ Result<StudyResult> run_step(const StudyContext&) {
 
 constexpr Study kStudies[] = {{"4.1", "Nonlinear joint and three linear models after a step", kClaims, run_step,
      "Joint of Table A.1 at the nominal point, without friction and spool. The load-cell model is (3.51): the piston's "
-     "mass is in its row 2 alone. Nothing is drawn."}};
+     "mass is in its row 2 alone. It has no random part."}};
 
 }  // namespace
 }  // namespace chapter4_step_studies

@@ -121,7 +121,7 @@ constexpr ClaimSpec kFrictionStiffnessClaims[] = {
     fails("other loads: with 1 kg the force gain changes by 0.60 of the map's largest (7.4.force_falls_slightly), with the rig's 2.5 kg "
           "from 6.3 to 7.5, with 127 kg hardly; the stiffness changes nothing (7.5.force_and_stiffness)",
           {"7.5.force_and_friction", "7.4",
-           "... the friction coefficient largely affects the gains for both velocity and force.", "The same, force.",
+           "... the friction coefficient largely affects the gains for both velocity and force.", "Change of the force gain over all frictions, of the map's largest: a quarter.",
            "1", Relation::kAtLeast, kSlight})};
 
 
@@ -187,7 +187,7 @@ Result<StudyResult> run_mass_stiffness(const StudyContext& context) {
 
 constexpr const char* kConditions =
     "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m), its exact load-cell model for an extending valve. Weights (7.9) and "
-    "(7.10). K is normalised by (3.52). Nothing is drawn by chance.";
+    "(7.10). K is normalised by (3.52). It has no random part.";
 
 constexpr Study kStudies[] = {
     {"7.4", "LQR gains over mass and friction", kMassFrictionClaims, run_mass_friction, kConditions},

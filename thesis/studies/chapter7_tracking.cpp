@@ -254,7 +254,7 @@ Result<StudyResult> run_parts(const StudyContext& context) {
 
 constexpr const char* kConditions =
     "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m) with 2.5 kg, perfect sensors, no spool. Weights (7.9) to (7.11), xi 6. "
-    "Sines of 53 N, a third of the 160 N of 7.5; Fig. 7.2 names no amplitude. Nothing is drawn by chance.";
+    "Sines of 53 N, a third of the 160 N of 7.5; Fig. 7.2 names no amplitude. It has no random part.";
 
 constexpr Study kStudies[] = {
     {"7.2", "Force tracking of the LQR: step, sine, multisine", kTrackingClaims, run_tracking, kConditions},
