@@ -35,12 +35,14 @@ struct Method {
   const char* name;
   EstimationMethod method;
   double valve_gain = 1.0, bulk_modulus = 1.0;  ///< the actuator it is given, as factors of the truth
+  double uncertainty = 0.0;                     ///< of ln K_v and ln beta_e; 0: taken as known
 };
 
 constexpr Method kMethods[] = {{"rls", EstimationMethod::kRls},
                                {"aff", EstimationMethod::kAff},
                                {"greybox", EstimationMethod::kGreyBox},
-                               {"greybox_wrong", EstimationMethod::kGreyBox, kWrongValveGain, kWrongBulkModulus}};
+                               {"greybox_wrong", EstimationMethod::kGreyBox, kWrongValveGain, kWrongBulkModulus},
+                               {"greybox_finds", EstimationMethod::kGreyBox, kWrongValveGain, kWrongBulkModulus, 0.2}};
 
 Result<std::unique_ptr<Estimator>> make(const Method& method, const estimation::JointScales& scales) {
   estimation::EstimatorParams params;
@@ -49,6 +51,9 @@ Result<std::unique_ptr<Estimator>> make(const Method& method, const estimation::
     plant::ActuatorParams actuator = plant::nominal_cylinder();
     actuator.valve_gain *= method.valve_gain;
     actuator.bulk_modulus_Pa *= method.bulk_modulus;
+    params.grey_box.emplace();
+    params.grey_box->valve_gain_uncertainty = method.uncertainty;
+    params.grey_box->bulk_modulus_uncertainty = method.uncertainty;
     auto made = FARRIER_TRY(estimation::GreyBoxEstimator::create(params, scales, actuator,
                                                     {walking_cycle()[2], walking_cycle()[1]}));
     return std::unique_ptr<Estimator>(std::make_unique<estimation::GreyBoxEstimator>(std::move(made)));
