@@ -76,15 +76,7 @@ void learn(estimation::LinearRegression& regression, const RigTrace& trace, cons
 
 }  // namespace
 
-Result<robot::Robot> load_estimation_rig(const StudyContext& context) {
-  auto rig = load_rig(context);
-  if (rig) {
-    robot::Joint& joint = rig.value().joints[0];
-    joint.noise = {.position = 2e-5, .velocity = 3e-3, .force = 10.0};
-    joint.sensors.position = joint.sensors.force = joint.sensors.velocity;
-  }
-  return rig;
-}
+Result<robot::Robot> load_estimation_rig(const StudyContext& context) { return load_old_rig(context); }
 
 robot::Robot aggressively_filtered(robot::Robot rig) {
   robot::Sensors& sensors = rig.joints[0].sensors;

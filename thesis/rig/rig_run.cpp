@@ -98,13 +98,9 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-Result<robot::Robot> load_rig(const StudyContext& context) {
-  auto rig = load(context, "fc1d_real.yaml");
-  if (rig) {
-    rig.value().joints[0].actuator.line = {};
-  }
-  return rig;
-}
+Result<robot::Robot> load_rig(const StudyContext& context) { return load(context, "fc1d_real.yaml"); }
+
+Result<robot::Robot> load_old_rig(const StudyContext& context) { return load(context, "fc1d_old.yaml"); }
 
 robot::Robot unfiltered(robot::Robot rig) {
   rig.joints[0].sensors = {};

@@ -13,10 +13,11 @@ namespace farrier::thesis {
 
 using Signal = std::function<double(double)>;  ///< of the time in s
 
-/// deploy/robots/fc1d_real.yaml without the oil's inertia in its lines. With it the controllers of 9.2 swing without
-/// end under a slow reference, 2.5 kg on the cart (9.11.lines); the rig of the text did not
-/// (docs/decisions/0033-rig-without-line-inertia.md). Fig. 9.23 alone is about them.
+/// deploy/robots/fc1d_real.yaml, the new set-up: Figs 1.2, 9.13 to 9.18, 9.20 to 9.23 and G.7 to G.10.
 Result<robot::Robot> load_rig(const StudyContext& context);
+
+/// deploy/robots/fc1d_old.yaml, the old set-up with its potentiometer: Figs 9.1 to 9.12, 9.19 and G.1 to G.6.
+Result<robot::Robot> load_old_rig(const StudyContext& context);
 
 /// Table A.2 fits a quarter of the data sheet's valve gain to the rig, "no physical meaning": by how much a study opens
 /// the valve to see what that quarter costs.

@@ -216,7 +216,7 @@ constexpr ClaimSpec kOscillationClaims[] = {
 
 Result<StudyResult> run_oscillation(const StudyContext& context) {
   auto loaded = FARRIER_TRY(load(context, "fc1d_real.yaml"));
-  robot::Robot rig = with_spool(std::move(loaded));
+  robot::Robot rig = std::move(loaded);
   rig.joints[0].noise = {};
   const auto made = FARRIER_TRY(thesis::run_force_step(rig, {.to_N = kTo_N, .rise_s = kRise_s, .seed = context.seed}));
   const std::vector<thesis::ForceStepSample>& run = made;

@@ -66,7 +66,7 @@ constexpr ClaimSpec kFrequencyClaims[] = {
      "RMS error over RMS reference at 3.5 Hz: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_frequencies(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_rig(context));
+  const auto rig = FARRIER_TRY(load_old_rig(context));
   const auto runs = FARRIER_TRY(run_sines(context, rig, kFrequencies, Form::kFullState));
   const std::vector<double> errors = errors_of(runs);
   StudyResult result;
@@ -89,7 +89,7 @@ constexpr ClaimSpec kAmplitudeClaims[] = {
      "Largest of the three RMS errors over RMS reference: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_amplitudes(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_rig(context));
+  const auto rig = FARRIER_TRY(load_old_rig(context));
   const auto runs = FARRIER_TRY(run_sines(context, rig, kAmplitudes, Form::kFullState));
   StudyResult result;
   result.measured = {{"9.12.error", std::ranges::max(errors_of(runs)), ""}};
