@@ -16,7 +16,7 @@ using estimation::GateKind;
 constexpr int kColumns = 4;  // x, v, F, u
 /// c_1 of (9.1), (9.3): sigma_v is that of raw readings (9.1.1) and the signals are filtered, so what noise is left in an
 /// error is far below sigma_v. With 4 no lambda ever leaves 1; with 0.25 noise alone keeps them at 0.97.
-constexpr double kNoiseFactor = 1.0;
+constexpr double kNoiseFactor = 32.0;
 
 /// A current answered by a force of its own size, with the memory of a tick: phase zero, no resonance.
 control::DiscreteModel wrong_model() { return {0.5 * Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.0, 0.0, 0.5)}; }

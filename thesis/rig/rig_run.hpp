@@ -41,13 +41,16 @@ struct AddedWeight {
   double total_kg;  ///< beyond the swing load's mass
 };
 
+/// Gamma over the design's own: the compliant form's term "is very small" (9.2.2, 9.2.4), the full-state form needs it all.
+inline constexpr double kSmallFeedForward = 0.1;
+
 /// A force reference on the rig, gains for its swing load whatever it carries.
 struct Tracking {
   Signal reference;
   double duration_s = 2.0;
   control::Kind kind = control::Kind::kLqr;  ///< kLqr, or kFeedbackLinearisation with the robot file's gains
   control::Form form = control::Form::kCompliant;
-  double feed_forward_factor = 1.0;
+  double feed_forward_factor = kSmallFeedForward;
   double integral_factor = 6.0;         ///< xi (7.11)
   std::vector<AddedWeight> added = {};  ///< in order of time
   int delay_ticks = 0;                  ///< by which a current acts late, 0 to 8; the gains do not know it

@@ -21,7 +21,7 @@ Result<std::vector<RigTrace>> run_sines(const StudyContext& context, const robot
   std::vector<RigTrace> runs;
   for (std::size_t i = 0; i < sines.size(); ++i) {
     auto run = FARRIER_TRY(track(rig, {.reference = sine(sines[i].amplitude_N, sines[i].frequency_Hz), .duration_s = kRun_s,
-                           .form = form}, context.seed));
+                           .form = form, .feed_forward_factor = form == Form::kFullState ? 1.0 : kSmallFeedForward}, context.seed));
     if (!keep_going(context, static_cast<double>(i + 1) / static_cast<double>(sines.size()))) {
       return stopped();
     }
@@ -141,7 +141,7 @@ constexpr ClaimSpec kFormClaims[] = {
 
 Result<StudyResult> run_forms(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load_rig(context));
-  const auto full = track(rig, {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState},
+  const auto full = track(rig, {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState, .feed_forward_factor = 1.0},
                           context.seed);
   const auto without = full ? track(rig, {.reference = sine(300.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState,
                                                   .feed_forward_factor = 0.0}, context.seed) : full;
