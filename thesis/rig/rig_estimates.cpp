@@ -14,8 +14,8 @@ using estimation::EstimationMethod;
 using estimation::GateKind;
 
 constexpr int kColumns = 4;  // x, v, F, u
-/// c_1 of (9.1), (9.3): sigma_v is that of raw readings (9.1.1) and the signals are filtered, so what noise is left in an
-/// error is far below sigma_v. With 4 no lambda ever leaves 1; with 0.25 noise alone keeps them at 0.97.
+/// c_1 of (9.1), (9.3), which 9.1.1 calls a tuning factor: the smallest power of two with which the factors of Fig. 9.3
+/// "remain largely at 1" (0.95 and more). With 1 the force's falls to 0.85, with 256 none leaves 1.
 constexpr double kNoiseFactor = 32.0;
 
 /// A current answered by a force of its own size, with the memory of a tick: phase zero, no resonance.
@@ -75,31 +75,6 @@ void learn(estimation::LinearRegression& regression, const RigTrace& trace, cons
 }
 
 }  // namespace
-
-Result<robot::Robot> load_estimation_rig(const StudyContext& context) { return load_old_rig(context); }
-
-robot::Robot aggressively_filtered(robot::Robot rig) {
-  robot::Sensors& sensors = rig.joints[0].sensors;
-  for (control::LowPassParams* filter : {&sensors.position, &sensors.velocity, &sensors.force}) {
-    filter->cut_off_Hz = 20.0;
-  }
-  return rig;
-}
-
-robot::Robot with_ideal_sensors(robot::Robot rig) {
-  rig.joints[0].noise = {};
-  return unfiltered(std::move(rig));
-}
-
-robot::Robot with_friction_of_weight(robot::Robot rig, double added_kg) {
-  robot::Joint& joint = rig.joints[0];
-  for (plant::ActiveEffect& effect : joint.effects) {
-    if (effect.id == plant::effect_id<plant::LoadFriction>()) {
-      effect.values[0] *= 1.0 + added_kg / joint.swing_load.mass;  // the breakaway friction is a multiple of it
-    }
-  }
-  return rig;
-}
 
 ChirpCase weighted_chirp(double added_kg, GateKind gate) {
   return {.amplitude = 0.2, .added_kg = added_kg, .gate = gate, .frequencies_min = 24};

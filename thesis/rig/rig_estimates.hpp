@@ -54,22 +54,6 @@ struct ChirpEstimates {
 
 inline constexpr double kModel_s = 0.02;
 
-/// load_rig behind the sensors of the estimator's experiments. The potentiometer is "a relatively noisy measurement,
-/// hence the calculated velocity is even more noisy" (10.2); the other sensor is a load cell. Here their noise is 20
-/// um, 3 mm/s and 10 N, and the filters are second-order low passes of 100 Hz. The text gives no numbers
-/// (docs/decisions/0034-sensors-of-the-estimator.md). The sigma_v of (9.1) is that of the raw readings, as in 9.1.1.
-/// Refuses as load_rig does.
-Result<robot::Robot> load_estimation_rig(const StudyContext& context);
-
-// Alternatives that the thesis may have used. Claims that need one of these are refuted, and measured again with it.
-
-/// "We used a rather aggressive filter" (10.2): low passes of 20 Hz.
-robot::Robot aggressively_filtered(robot::Robot rig);
-/// The truth, every tick.
-robot::Robot with_ideal_sensors(robot::Robot rig);
-/// Dry friction in proportion to what the cart weighs (Coulomb): "bearing compression due to weight" (9.1.3).
-robot::Robot with_friction_of_weight(robot::Robot rig, double added_kg);
-
 /// (6.21) with the regressor (x, v, F, u) of Section 6.2: every row is estimated, nothing is washed out or filtered.
 /// Refuses what track() and the estimators refuse.
 Result<ChirpEstimates> estimate_chirp(const robot::Robot& rig, const ChirpCase& one, std::uint64_t seed);

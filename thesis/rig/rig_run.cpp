@@ -102,31 +102,18 @@ Result<robot::Robot> load_rig(const StudyContext& context) { return load(context
 
 Result<robot::Robot> load_old_rig(const StudyContext& context) { return load(context, "fc1d_old.yaml"); }
 
-robot::Robot unfiltered(robot::Robot rig) {
-  rig.joints[0].sensors = {};
-  return rig;
-}
-
-robot::Robot without_effect(robot::Robot rig, plant::EffectId effect) {
-  std::erase_if(rig.joints[0].effects, [=](const plant::ActiveEffect& has) { return has.id == effect; });
-  return rig;
-}
-
-robot::Robot with_spool(robot::Robot rig) {
-  rig.joints[0].effects.push_back({plant::effect_id<plant::ValveDynamics>(), {1570.0, 0.5}});
-  return rig;
-}
-
 Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std::uint64_t seed) {
   const robot::Joint& joint = robot.joints[0];
   plant::LoadParams load = joint.swing_load;
   auto made = FARRIER_TRY(Rig::assemble(robot, load, 0.0, seed));
   Rig rig = std::move(made);
+  plant::LoadParams designed_for = load;
+  designed_for.mass += tracking.designed_for_kg;
   control::LqrWeights weights;
   weights.feed_forward_factor = tracking.feed_forward_factor;
   weights.integral_factor = tracking.integral_factor;
   const auto gains =
-      control::design_lqr(robot::model_of(joint, load, robot.period_s), weights, joint.normalisation, tracking.form, 0);
+      control::design_lqr(robot::model_of(joint, designed_for, robot.period_s), weights, joint.normalisation, tracking.form, 0);
   if (!gains) {
     return Error{joint.name + ": no gains for this load: " + control::to_string(gains.error())};
   }
@@ -137,8 +124,6 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
   trace.period_s = robot.period_s;
   const auto ticks = static_cast<Tick>(std::llround(tracking.duration_s / robot.period_s));
   std::size_t weight = 0;
-  std::vector<double> late(static_cast<std::size_t>(tracking.delay_ticks),
-                           0.0);  // every current, after those of before
   while (rig.tick < ticks) {
     while (weight < tracking.added.size() && rig.time_s() >= tracking.added[weight].at_s) {
       load.mass = joint.swing_load.mass + tracking.added[weight++].total_kg;
@@ -152,8 +137,7 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
       out = lqr.step(reference, rig.measured());
     }
     note(trace, rig, reference, out);
-    late.push_back(out.valve_current_A);
-    rig.advance(late[late.size() - 1 - static_cast<std::size_t>(tracking.delay_ticks)]);
+    rig.advance(out.valve_current_A);
   }
   return trace;
 }
@@ -191,14 +175,6 @@ double rms(const RigTrace& run, const std::vector<double>& values, double from_s
     sum += values[i] * values[i];
   }
   return range.end > range.begin ? std::sqrt(sum / static_cast<double>(range.end - range.begin)) : kNothing;
-}
-
-double share_full_open(const RigTrace& run, double nominal_A, double from_s, double to_s) {
-  const Range range = range_of(run, from_s, to_s);
-  const auto full = std::count_if(run.current_A.begin() + static_cast<std::ptrdiff_t>(range.begin),
-                                  run.current_A.begin() + static_cast<std::ptrdiff_t>(range.end),
-                                  [=](double current) { return std::abs(current) >= 0.999 * nominal_A; });
-  return range.end > range.begin ? static_cast<double>(full) / static_cast<double>(range.end - range.begin) : kNothing;
 }
 
 double tracking_error(const RigTrace& run, double from_s, double to_s) {

@@ -19,10 +19,6 @@ Result<robot::Robot> load_rig(const StudyContext& context);
 /// deploy/robots/fc1d_old.yaml, the old set-up with its potentiometer: Figs 9.1 to 9.12, 9.19 and G.1 to G.6.
 Result<robot::Robot> load_old_rig(const StudyContext& context);
 
-/// Table A.2 fits a quarter of the data sheet's valve gain to the rig, "no physical meaning": by how much a study opens
-/// the valve to see what that quarter costs.
-inline constexpr double kDataSheetOverRig = 4.0;
-
 /// A run, a value a tick, SI. Forces and motion are the truth; what the controller saw is measured_*.
 struct RigTrace {
   double period_s = 0.0;
@@ -44,7 +40,7 @@ struct AddedWeight {
 /// Gamma over the design's own: the compliant form's term "is very small" (9.2.2, 9.2.4), the full-state form needs it all.
 inline constexpr double kSmallFeedForward = 0.1;
 
-/// A force reference on the rig, gains for its swing load whatever it carries.
+/// A force reference on the rig, gains for one load whatever it carries.
 struct Tracking {
   Signal reference;
   double duration_s = 2.0;
@@ -53,19 +49,8 @@ struct Tracking {
   double feed_forward_factor = kSmallFeedForward;
   double integral_factor = 6.0;         ///< xi (7.11)
   std::vector<AddedWeight> added = {};  ///< in order of time
-  int delay_ticks = 0;                  ///< by which a current acts late, 0 to 8; the gains do not know it
+  double designed_for_kg = 0.0;         ///< weight beyond the swing load's that the gains are for
 };
-
-/// The delay of the text's rig by filters, valve and lines is not known. With two ticks in the place of our filters,
-/// fixed gains for 2.5 kg hold 2.5 kg and lose 20 kg (9.17.late, 9.17.late_nominal).
-inline constexpr int kLate_ticks = 2;
-robot::Robot unfiltered(robot::Robot rig);
-
-/// The rig without one of its effects; no other changes.
-robot::Robot without_effect(robot::Robot rig, plant::EffectId effect);
-
-/// The rig with the spool of Table A.1, which the text leaves out (2.4).
-robot::Robot with_spool(robot::Robot rig);
 
 /// Runs `tracking` with weights (7.9) to (7.11), which are the defaults of LqrWeights. Refuses joints that cannot be
 /// simulated and loads without a design, with the reason.
@@ -87,8 +72,6 @@ Signal sine(double amplitude, double frequency_Hz);
 // Measures of a run between two times. A range without ticks gives NaN.
 
 double rms(const RigTrace& run, const std::vector<double>& values, double from_s, double to_s);
-/// Share of the ticks in which the current asks for the full open valve.
-double share_full_open(const RigTrace& run, double nominal_A, double from_s, double to_s);
 /// RMS(F_ref - F) / RMS(F_ref).
 double tracking_error(const RigTrace& run, double from_s, double to_s);
 /// Lag of the force behind a sine reference of that frequency, degrees, over whole periods from from_s on.

@@ -6,6 +6,7 @@
 
 #include "thesis/rig/bode.hpp"
 #include "thesis/rig/chirp_figures.hpp"
+#include "thesis/rig/rig_conditions.hpp"
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
@@ -66,16 +67,18 @@ constexpr const char* kPeaks =
     "... the system is not fully excited, hence the estimated transfer functions contain fictive resonance peaks at "
     "low frequencies.";
 constexpr ClaimSpec kConstantClaims[] = {
-    needs(Condition::kStrongFilters, {"9.1.peaks", "9.1", kPeaks,
-     "Share of the first 2 s of estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes: a "
-     "tenth or more.",
-     "1", Relation::kAtLeast, 0.1}),
-    needs(Condition::kStrongFilters, {"9.1.disappear", "9.1", kDisappear, "The share from 4 s on over that of the first 2 s: a half.", "1",
-     Relation::kAtMost, 0.5}),
-    proof({"9.1.later", "9.1", kDisappear, "The share from 4 s on: a tenth.", "1", Relation::kAtMost, 0.1}),
+    needs(Condition::kStrongFilters,
+          {"9.1.peaks", "9.1", kPeaks,
+           "Share of the first 2 s of estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes: a "
+           "tenth or more.",
+           "1", Relation::kAtLeast, 0.1}),
+    needs(Condition::kStrongFilters,
+          {"9.1.disappear", "9.1", kDisappear, "The share from 4 s on over that of the first 2 s: a half.", "1",
+           Relation::kAtMost, 0.5}),
+    {"9.1.later", "9.1", kDisappear, "The share from 4 s on: a tenth.", "1", Relation::kAtMost, 0.1},
     {"9.1.amplitude", "9.1", kAmplitude,
-     "RMS distance from the nominal response, 1 to 100 Hz, last second, at 5 % less that at 20 %: above 0.", "dB",
-     Relation::kAtLeast, 0.0},
+     "RMS distance from the nominal response, 1 to 100 Hz, last second, at 5 % less that at 20 %: a decibel or more.",
+     "dB", Relation::kAtLeast, 1.0},
     {"9.1.rough", "9.1",
      "Even towards the end of the chirp signal, the estimator is only able to give a rough approximation ...",
      "The distance at 20 %: 2 dB or more.", "dB", Relation::kAtLeast, 2.0},
@@ -84,30 +87,24 @@ constexpr ClaimSpec kConstantClaims[] = {
      "The distance at 20 %, over that of the first guess: a half.", "1", Relation::kAtMost, 0.5}};
 
 Result<StudyResult> run_constant(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_estimation_rig(context));
-  const auto made = run_amplitudes(context, rig, EstimationMethod::kRls, 0.0, 0.5);
-  const auto filtered =
-      made ? run_amplitudes(context, aggressively_filtered(rig), EstimationMethod::kRls, 0.5, 1.0) : made;
-  if (!filtered) {
-    return filtered.error();
-  }
-  const std::vector<ChirpEstimates>& runs = made.value();
-  const std::vector<ChirpEstimates>& slow = filtered.value();
-  const double early = mean_share(slow, 0.0, kEarly_s);
-  const double later = mean_share(runs, kLate_s, kChirp_s);
-  const double weak = distance_dB(runs.front(), kChirp_s - 1.0, kChirp_s);
-  const double strong = distance_dB(runs.back(), kChirp_s - 1.0, kChirp_s);
-  StudyResult result;
-  result.measured = {
-      {"9.1.peaks", mean_share(runs, 0.0, kEarly_s), shares_text(runs, 0.0, kEarly_s), early},
-      {"9.1.disappear", later / mean_share(runs, 0.0, kEarly_s), "", mean_share(slow, kLate_s, kChirp_s) / early},
-      {"9.1.later", later, shares_text(runs, kLate_s, kChirp_s)},
-      {"9.1.amplitude", weak - strong, text_of("%.1f dB, ", weak) + text_of("%.1f dB", strong)},
-      {"9.1.rough", strong, ""},
-      {"9.1.approximation", strong / first_distance_dB(runs.back()), ""}};
-  result.pictures = {picture_of("Estimates with a forgetting factor of 0.92, black to yellow over the chirp", runs),
-                     picture_of("The same behind filters of 20 Hz, black to yellow over the chirp", slow)};
-  return result;
+  const auto old = FARRIER_TRY(load_old_rig(context));
+  return measure_on(old, kConstantClaims, [&](const robot::Robot& rig) -> Result<StudyResult> {
+    const auto runs = FARRIER_TRY(run_amplitudes(context, rig, EstimationMethod::kRls, 0.0, 1.0));
+    const double early = mean_share(runs, 0.0, kEarly_s);
+    const double later = mean_share(runs, kLate_s, kChirp_s);
+    const double weak = distance_dB(runs.front(), kChirp_s - 1.0, kChirp_s);
+    const double strong = distance_dB(runs.back(), kChirp_s - 1.0, kChirp_s);
+    StudyResult result;
+    result.measured = {{"9.1.peaks", early, shares_text(runs, 0.0, kEarly_s)},
+                       {"9.1.disappear", later / early, ""},
+                       {"9.1.later", later, shares_text(runs, kLate_s, kChirp_s)},
+                       {"9.1.amplitude", weak - strong, text_of("%.1f dB, ", weak) + text_of("%.1f dB", strong)},
+                       {"9.1.rough", strong, ""},
+                       {"9.1.approximation", strong / first_distance_dB(runs.back()), ""}};
+    result.pictures = {
+        picture_of("Estimates with a forgetting factor of 0.92, black to yellow over the chirp", runs)};
+    return result;
+  });
 }
 
 constexpr ClaimSpec kAdaptiveClaims[] = {
@@ -119,14 +116,14 @@ constexpr ClaimSpec kAdaptiveClaims[] = {
      "The gradient of estimates is much smoother from one time step to the next and consequently slower.",
      "Mean RMS change of the response in 20 ms, from 0.5 s on, over that of Fig. 9.1: a half.", "1", Relation::kAtMost,
      0.5},
-    {"9.2.amplitude", "9.1.1",
-     "The estimator is able to identify more high frequency parts of the system because the magnitude of the input is "
-     "larger ...",
-     "RMS distance from the nominal response, 30 to 150 Hz, last second, at 5 % less that at 20 %: above 0.", "dB",
-     Relation::kAtLeast, 0.0}};
+    needs(Condition::kPerfectMeasurements,
+          {"9.2.amplitude", "9.1.1",
+           "The estimator is able to identify more high frequency parts of the system because the magnitude of the "
+           "input is larger ...",
+           "RMS distance from the nominal response, 30 to 150 Hz, last second, at 5 % less that at 20 %: above 0.",
+           "dB", Relation::kAtLeast, 0.0})};
 
-Result<StudyResult> run_adaptive(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_estimation_rig(context));
+Result<StudyResult> adapt_on(const robot::Robot& rig, const StudyContext& context) {
   const auto adaptive = run_amplitudes(context, rig, EstimationMethod::kAff, 0.0, 0.5);
   const auto constant = adaptive ? run_amplitudes(context, rig, EstimationMethod::kRls, 0.5, 1.0) : adaptive;
   if (!constant) {
@@ -149,6 +146,11 @@ Result<StudyResult> run_adaptive(const StudyContext& context) {
                       text_of("%.1f dB, ", high(runs.front())) + text_of("%.1f dB", high(runs.back()))}};
   result.pictures = {picture_of("Estimates with adaptive forgetting, black to yellow over the chirp", runs)};
   return result;
+}
+
+Result<StudyResult> run_adaptive(const StudyContext& context) {
+  const auto old = FARRIER_TRY(load_old_rig(context));
+  return measure_on(old, kAdaptiveClaims, [&](const robot::Robot& rig) { return adapt_on(rig, context); });
 }
 
 /// Mean of a row's lambda between two times.
@@ -177,22 +179,25 @@ double least_lambda(const ChirpEstimates& run, int row, double from_s) {
 constexpr const char* kLargely = "They remain largely at 1 (meaning less forgetting) ...";
 constexpr const char* kByNoise = "... but the velocity related forgetting factor is influenced slightly by the noise.";
 
+constexpr const char* kForceAlone =
+    "c_1 of 1 to 256: sigma_v is that of raw readings and the velocity passes 30 Hz, so its errors stay below; the force, "
+    "whose cell is the better sensor, is the one that forgets. With perfect measurements all three forget alike";
+
 constexpr ClaimSpec kForgettingClaims[] = {
     {"9.3.largely", "9.1.1", kLargely, "Smallest mean lambda of a row from 1 s on: 0.95.", "1", Relation::kAtLeast,
      0.95},
-    {"9.3.velocity", "9.1.1", kByNoise,
-     "Mean lambda of the velocity less the smaller of the other two, from 1 s on: at most 0.", "1", Relation::kAtMost,
-     0.0},
-    {"9.3.velocity_slightly", "9.1.1", kByNoise, "1 less mean lambda of the velocity from 1 s on: 0.05.", "1",
-     Relation::kAtMost, 0.05},
-    {"9.3.dips", "9.1.1", kByNoise, "Least lambda of the velocity from 1 s on: 0.99.", "1", Relation::kAtMost, 0.99},
+    fails(kForceAlone, {"9.3.velocity", "9.1.1", kByNoise,
+                        "Mean lambda of the velocity less the smaller of the other two, from 1 s on: at most 0.", "1",
+                        Relation::kAtMost, 0.0}),
+    fails(kForceAlone, {"9.3.dips", "9.1.1", kByNoise, "Least lambda of the velocity from 1 s on: 0.99.", "1",
+                        Relation::kAtMost, 0.99}),
     {"9.3.promptly", "9.1.1",
      "The prediction error of the estimator decreases promptly ... in accordance to a steep increase of all three "
      "forgetting factors.",
      "Least of the mean lambdas of the rows from 0.1 to 0.3 s: 0.9.", "1", Relation::kAtLeast, 0.9}};
 
 Result<StudyResult> run_forgetting(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_estimation_rig(context));
+  const auto rig = FARRIER_TRY(load_old_rig(context));
   const auto made = FARRIER_TRY(estimate_chirp(rig, {.amplitude = 0.2}, context.seed));
   const ChirpEstimates& run = made;
   double later[3];
@@ -206,7 +211,6 @@ Result<StudyResult> run_forgetting(const StudyContext& context) {
       {"9.3.largely", std::min({later[0], later[1], later[2]}),
        text_of("position %.4f, ", later[0]) + text_of("velocity %.4f, ", later[1]) + text_of("force %.4f", later[2])},
       {"9.3.velocity", later[1] - std::min(later[0], later[2]), ""},
-      {"9.3.velocity_slightly", 1.0 - later[1], ""},
       {"9.3.dips", least_lambda(run, 1, 1.0), ""},
       {"9.3.promptly", std::min({soon[0], soon[1], soon[2]}), ""}};
   result.pictures = {forgetting_picture("Forgetting factors, chirp of 20 %", run)};

@@ -96,33 +96,22 @@ std::vector<Panel> gain_panels(const std::string& title, const ChirpEstimates& r
 constexpr const char* kSteady =
     "Observe how the controller gains increase steadily and reach steady-state after about 0.3 s.";
 constexpr const char* kFirstPeriod =
-    "by 0.3 s a chirp of 0 to 30 Hz in 8 s has turned by 61 degrees, too little for a model of 12 parameters; its "
-    "first two periods "
-    "end at 1.03 s, and by then an estimator that has been running is there (9.10.two_periods). The text's rig was "
-    "excited at the beginning by "
-    "\"the pressure builds up and the piston starts to move\" (9.1.2), with no numbers";
+    "by 0.3 s a chirp of 0 to 30 Hz in 8 s has turned by 61 degrees, too little for 12 parameters; covariances of 1 to 1e5, c_1 of 1 to "
+    "256 and perfect measurements do not bring it below 0.6 s. The text's rig was excited at the beginning by \"the pressure builds up and "
+    "the piston starts to move\" (9.1.2), with no numbers";
 constexpr const char* kLessSmooth =
     "The evolution is less smooth and it can be questioned if these fast changes at around 4 - 6 s will not lead to "
     "instability ...";
 
 constexpr ClaimSpec kGainClaims[] = {
-    {"9.10.steady_nominal", "9.1.4", kSteady,
-     "Time from which on the force gain without weight stays within a quarter of its value at 0.5 to 1.5 s: 0.4 s.",
-     "s", Relation::kAtMost, 0.4, Refutation{kFirstPeriod, 0.5, 1.5}},
-    {"9.10.steady_heavy", "9.1.4", kSteady, "The same with 15 kg added.", "s", Relation::kAtMost, 0.4,
-     Refutation{kFirstPeriod, 0.5, 1.5}},
-    proof({"9.10.two_periods", "9.1.4", kSteady,
-     "The later of both for an estimator whose covariance is 1 when the chirp begins: two periods of the chirp.", "s",
-     Relation::kAtMost, 1.03}),
+    fails(kFirstPeriod,
+          {"9.10.steady_nominal", "9.1.4", kSteady,
+           "Time from which on the force gain without weight stays within a quarter of its value at 0.5 to 1.5 s: 0.4 s.",
+           "s", Relation::kAtMost, 0.4}),
+    fails(kFirstPeriod, {"9.10.steady_heavy", "9.1.4", kSteady, "The same with 15 kg added.", "s", Relation::kAtMost, 0.4}),
     {"9.10.less_smooth", "9.1.4", kLessSmooth,
-     "Mean relative change of the force gain in 20 ms at 4 to 6 s over that at 0.5 to 1.5 s, without weight.", "1",
-     Relation::kAtLeast, 1.0,
-     Refutation{"errors of the predictions that exceed the sensors' noise make the estimates jump, and the noise of a "
-                "potentiometer hides them; "
-                "with the sensors of the robot file, finer by ten, they jump (9.10.less_smooth_fine)",
-                0.0, 1.0}},
-    proof({"9.10.less_smooth_fine", "9.1.4", kLessSmooth, "The same behind the sensors of fc1d_real.yaml.", "1",
-     Relation::kAtLeast, 1.0}),
+     "Mean relative change of the force gain in 20 ms at 4 to 6 s over that at 0.5 to 1.5 s, without weight: 1.1 or more.",
+     "1", Relation::kAtLeast, 1.1},
     {"9.10.accordingly", "9.1.4",
      "It can be observed how the system changes during the experiment and towards the end of the sequence ...",
      "Distance of the force gain's median in the last second from that at 0.5 to 1.5 s, over it, the larger of both "
@@ -156,47 +145,31 @@ double changed(const GainRun& run) {
 }
 
 Result<StudyResult> run_gains(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_estimation_rig(context));
-  const auto fine = FARRIER_TRY(load_rig(context));
-  const ChirpCase nominal = weighted_chirp(0.0, GateKind::kNone);
-  const ChirpCase heavy = weighted_chirp(15.0, GateKind::kNone);
-  ChirpCase nominal_running = nominal;
-  ChirpCase heavy_running = heavy;
-  nominal_running.initial_covariance = heavy_running.initial_covariance = 1.0;
-  std::vector<GainRun> runs;
-  for (const auto& [robot, one] : {std::pair{&rig, &nominal},
-                                   {&rig, &heavy},
-                                   {&rig, &nominal_running},
-                                   {&rig, &heavy_running},
-                                   {&fine, &nominal}}) {
-    runs.push_back(FARRIER_TRY(run_chirp(*robot, *one, context.seed)));
-  }
+  const auto rig = FARRIER_TRY(load_old_rig(context));
+  const GainRun light = FARRIER_TRY(run_chirp(rig, weighted_chirp(0.0, GateKind::kNone), context.seed));
+  const GainRun heavy = FARRIER_TRY(run_chirp(rig, weighted_chirp(15.0, GateKind::kNone), context.seed));
   StudyResult result;
-  result.measured = {{"9.10.steady_nominal", settled_s(runs[0]), ""},
-                     {"9.10.steady_heavy", settled_s(runs[1]), ""},
-                     {"9.10.two_periods", std::max(settled_s(runs[2]), settled_s(runs[3])), ""},
-                     {"9.10.less_smooth", quickening(runs[0]), ""},
-                     {"9.10.less_smooth_fine", quickening(runs[4]), ""},
-                     {"9.10.accordingly", std::max(changed(runs[0]), changed(runs[1])), ""}};
-  const std::vector<Panel> left = gain_panels("+0 kg", runs[2].estimates, runs[2].gains);
-  const std::vector<Panel> right = gain_panels("+15 kg", runs[3].estimates, runs[3].gains);
-  result.pictures = {
-      {"Gains of the compliant LQR for the estimates of a running estimator, black to yellow; cut at five times their "
-       "median",
-       2,
-       {left[0], right[0], left[1], right[1]}}};
+  result.measured = {{"9.10.steady_nominal", settled_s(light), ""},
+                     {"9.10.steady_heavy", settled_s(heavy), ""},
+                     {"9.10.less_smooth", quickening(light), ""},
+                     {"9.10.accordingly", std::max(changed(light), changed(heavy)), ""}};
+  const std::vector<Panel> left = gain_panels("+0 kg", light.estimates, light.gains);
+  const std::vector<Panel> right = gain_panels("+15 kg", heavy.estimates, heavy.gains);
+  result.pictures = {{"Gains of the compliant LQR for the estimates, black to yellow; cut at five times their median",
+                      2,
+                      {left[0], right[0], left[1], right[1]}}};
   return result;
 }
 
 constexpr ClaimSpec kPeGainClaims[] = {
-    {"G.5.held", "Fig. G.5", "The system estimates were calculated using the AFF and PE algorithm ...",
-     "Largest change of the force gain in 20 ms while the gate is closed.", "1", Relation::kAtMost, 1e-12}};
+    proof({"G.5.held", "Fig. G.5", "The system estimates were calculated using the AFF and PE algorithm ...",
+     "Largest change of the force gain in 20 ms while the gate is closed.", "1", Relation::kAtMost, 1e-12})};
 constexpr ClaimSpec kFftGainClaims[] = {
-    {"G.6.held", "Fig. G.6", "The system estimates were calculated using the AFF and FFT algorithm ...",
-     "Largest change of the force gain in 20 ms while the gate is closed.", "1", Relation::kAtMost, 1e-12}};
+    proof({"G.6.held", "Fig. G.6", "The system estimates were calculated using the AFF and FFT algorithm ...",
+     "Largest change of the force gain in 20 ms while the gate is closed.", "1", Relation::kAtMost, 1e-12})};
 
 Result<StudyResult> run_gated_gains(const StudyContext& context, GateKind gate, const char* id) {
-  const auto rig = FARRIER_TRY(load_estimation_rig(context));
+  const auto rig = FARRIER_TRY(load_old_rig(context));
   const auto made = FARRIER_TRY(run_chirp(rig, weighted_chirp(0.0, gate), context.seed));
   const ChirpEstimates& run = made.estimates;
   const GainTrack& track = made.gains;

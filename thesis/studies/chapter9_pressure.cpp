@@ -4,8 +4,9 @@
 #include <cmath>
 
 #include "thesis/rig/force_step.hpp"
-#include "thesis/studies/registry.hpp"
+#include "thesis/rig/rig_conditions.hpp"
 #include "thesis/rig/rig_run.hpp"
+#include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
 namespace chapter9_pressure_studies {
@@ -41,17 +42,16 @@ constexpr ClaimSpec kDeadbandClaims[] = {
     {"9.22.step", "9.3.4", kDelay,
      "Delay of the load pressure after a reference that steps within a tick, distance from 10 ms: 3 ms.", "s",
      Relation::kAtMost, 0.003,
-     Refutation{
-         "a step of 400 N asks for more than the deadband within the tick it comes in; the text does not say how its "
-         "reference rose",
-         0.003, 0.01}},
-    {"9.22.rise", "9.3.4", kDelay,
+     Refutation{"the weights of (7.9) to (7.11) ask for some 40 % of the opening within the tick of a step of 400 N, and the deadband is "
+                "0.6 %; the caption's \"increasing reference\" is another input (9.22.rise)",
+                0.005, 0.01}},
+    proof({"9.22.rise", "9.3.4", kDelay,
      "Smallest distance of the delay from 10 ms over references that rise to 400 N in 0 to 2 s: 3 ms, the value that "
      "would make 9.22.step true.",
-     "s", Relation::kAtMost, 0.003},
-    proof({"9.22.by_deadband", "9.3.4",
+     "s", Relation::kAtMost, 0.003}),
+    {"9.22.by_deadband", "9.3.4",
      "The load pressure follows the commands with a 10 ms time-delay due to the valve deadband.",
-     "The same delay without the deadband over the delay with it: a half.", "1", Relation::kAtMost, 0.5}),
+     "The same delay without the deadband over the delay with it: a half.", "1", Relation::kAtMost, 0.5},
     {"9.22.input", "9.3.4",
      "... this point of increase is exactly related to the amount of valve deadband, which is again ... at around 0.6 "
      "% ...",
@@ -65,7 +65,10 @@ Result<StudyResult> run_deadband(const StudyContext& context) {
   auto loaded = FARRIER_TRY(load_rig(context));
   robot::Robot rig = std::move(loaded);
   rig.joints[0].noise = {};
-  const robot::Robot without = without_effect(rig, plant::effect_id<plant::ValveDeadband>());
+  robot::Robot without = rig;
+  std::erase_if(without.joints[0].effects, [](const plant::ActiveEffect& has) {
+    return has.id == plant::effect_id<plant::ValveDeadband>();
+  });
   const double nominal_A = rig.joints[0].normalisation.current_A;
   const auto run_rise = [&](const robot::Robot& robot, double rise_s) {
     return track(robot,
@@ -139,6 +142,7 @@ constexpr double kBegin23_s = 0.05;
 constexpr double kMoving_m_s = 5e-3;  // faster than this the piston does not stick
 constexpr double kMoving_s[] = {0.066, 0.12};
 constexpr double kEnd_s = 0.28;
+constexpr double kGone_s = 0.075;  // the text's 55 ms, and 20 ms
 constexpr double kWindow_s = 0.01;
 constexpr double kShortWindow_s = 0.005;  // fits between the reference's start and the start of motion
 constexpr double kPassing_s = 0.01;       // what starts and saturation themselves do to the pressure
@@ -180,10 +184,12 @@ double quick(std::span<const thesis::ForceStepSample> samples, double from_s, do
 }
 
 constexpr ClaimSpec kOscillationClaims[] = {
-    {"9.23.on_motion", "9.4", "The issue seems to be related to the begin of piston movement ...",
-     "Largest swing of the load pressure quicker than 5 ms, from 10 ms after the start of motion on, over that while "
-     "the piston sticks: three.",
-     "1", Relation::kAtLeast, 3.0},
+    fails("2.9 with xi = 6, 22 with the xi = 14 of the robot file; without dry friction 7.6, which is another matter than a piston that "
+          "breaks away",
+          {"9.23.on_motion", "9.4", "The issue seems to be related to the begin of piston movement ...",
+           "Largest swing of the load pressure quicker than 5 ms, from 10 ms after the start of motion on, over that while "
+           "the piston sticks: three.",
+           "1", Relation::kAtLeast, 3.0}),
     {"9.23.velocity", "9.4", "This oscillation begins to be visible in the velocity signal ...",
      "RMS of what is quicker than 10 ms in the true velocity, after the start of motion.", "m/s", Relation::kAtLeast,
      1e-3},
@@ -191,33 +197,22 @@ constexpr ClaimSpec kOscillationClaims[] = {
      "The oscillation also penetrates the control signal (comment (4)) because the piston's velocity is a direct "
      "feedback signal.",
      "RMS of what is quicker than 10 ms in the velocity part over that in the whole valve current: a half.", "1",
-     Relation::kAtLeast, 0.5,
-     Refutation{
-         "with the piston's mass counted the gain on the force is a fifth higher, and the force's part is the larger",
-         0.35, 0.5}},
-    {"9.23.decay", "Fig. 9.23", "After about 55 ms the controller managed to dampen the oscillation.",
-     "Distance from 55 ms of the time from the largest swing, whenever the piston moves, until less than a tenth of it "
-     "is left: 20 ms.",
-     "s", Relation::kAtMost, 0.02,
-     Refutation{"the swing does not die by itself: it is gone while the valve is full open (9.23.wide_open) and comes "
-                "back when that ends "
-                "(9.23.returns), so its length is a matter of how the reference rose, which the text does not say "
-                "(docs/derivations/load-pressure-oscillation.md)",
-                0.02, 0.15}},
-    proof({"9.23.wide_open", "9.4",
+     Relation::kAtLeast, 0.5},
+    fails("a swing of 0.4 to 0.6 bar stays: the loop circles about the uncompensated deadband with the phase that spool, lines and filters "
+          "take. Perfect measurements leave 0.8, the absence of dry friction 0.4, references that rise over 0 to 200 ms no less",
+          {"9.23.decay", "Fig. 9.23", "After about 55 ms the controller managed to dampen the oscillation.",
+           "Largest swing of the load pressure quicker than 5 ms from 75 ms after the start of motion on, over that before: a "
+           "tenth, where it counts as gone.",
+           "1", Relation::kAtMost, 0.1}),
+    {"9.23.wide_open", "9.4",
      "The inertia of the piston and the magnitude of valve input command seem to somehow dampen these high frequency "
      "oscillations.",
      "Largest swing quicker than 5 ms while the valve is full open over that before: a quarter.", "1",
-     Relation::kAtMost, 0.25}),
-    proof({"9.23.returns", "9.4", "... after about 55 ms the oscillations have disappeared.",
-     "The same after the valve was full open over that before, as the proof of 9.23.decay asks for: a tenth, where it "
-     "counts as gone.",
-     "1", Relation::kAtLeast, 0.1})};
+     Relation::kAtMost, 0.25}};
 
-Result<StudyResult> run_oscillation(const StudyContext& context) {
-  auto loaded = FARRIER_TRY(load(context, "fc1d_real.yaml"));
-  robot::Robot rig = std::move(loaded);
+Result<StudyResult> oscillate(robot::Robot rig, const StudyContext& context) {
   rig.joints[0].noise = {};
+  rig.joints[0].design.weights = {.feed_forward_factor = kSmallFeedForward};  // (7.9) to (7.11)
   const auto made = FARRIER_TRY(thesis::run_force_step(rig, {.to_N = kTo_N, .rise_s = kRise_s, .seed = context.seed}));
   const std::vector<thesis::ForceStepSample>& run = made;
   const double nominal_A = rig.joints[0].normalisation.current_A;
@@ -240,10 +235,9 @@ Result<StudyResult> run_oscillation(const StudyContext& context) {
        quick(run, kMoving_s[0], kMoving_s[1], &thesis::ForceStepSample::velocity_part_A) /
            quick(run, kMoving_s[0], kMoving_s[1], &thesis::ForceStepSample::valve_current_A),
        ""},
-      {"9.23.decay", std::abs(moving.decay_s - 0.055), text_of("%.0f ms", 1e3 * moving.decay_s)},
+      {"9.23.decay", swing(moves_s + kGone_s, kEnd_s) / swing(moves_s + kPassing_s, moves_s + kGone_s), ""},
       {"9.23.wide_open", swing(open.first + kPassing_s, open.second - kPassing_s) / before_Pa,
-       text_of("full open from %.0f ", 1e3 * open.first) + text_of("to %.0f ms", 1e3 * open.second)},
-      {"9.23.returns", swing(open.second + kPassing_s, kEnd_s) / before_Pa, ""}};
+       text_of("full open from %.0f ", 1e3 * open.first) + text_of("to %.0f ms", 1e3 * open.second)}};
   Series force{"force", {}, {}, Style::kLine, 1};
   Series reference{"reference", {}, {}, Style::kLine, 0};
   Series pressure{"", {}, {}, Style::kLine, 2};
@@ -264,7 +258,7 @@ Result<StudyResult> run_oscillation(const StudyContext& context) {
     }
   }
   result.pictures = {
-      {text_of("Reference that rises to 400 N in %g s, spool dynamics on", kRise_s),
+      {text_of("Reference that rises to 400 N in %g s", kRise_s),
        1,
        {{.title = "all of it",
          .x_label = "time (s)",
@@ -274,6 +268,11 @@ Result<StudyResult> run_oscillation(const StudyContext& context) {
         {.title = "", .x_label = "time (s)", .y_label = "velocity (mm/s)", .series = {std::move(velocity)}},
         {.title = "", .x_label = "time (s)", .y_label = "valve input (%)", .series = {std::move(current)}}}}};
   return result;
+}
+
+Result<StudyResult> run_oscillation(const StudyContext& context) {
+  const auto rig = FARRIER_TRY(load_rig(context));
+  return measure_on(rig, kOscillationClaims, [&](const robot::Robot& robot) { return oscillate(robot, context); });
 }
 
 constexpr Study kStudies[] = {

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "thesis/studies/registry.hpp"
+#include "thesis/rig/rig_conditions.hpp"
 #include "thesis/rig/rig_run.hpp"
+#include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
 namespace chapter9_sines_studies {
@@ -20,8 +21,12 @@ Result<std::vector<RigTrace>> run_sines(const StudyContext& context, const robot
                                         std::span<const Sine> sines, Form form) {
   std::vector<RigTrace> runs;
   for (std::size_t i = 0; i < sines.size(); ++i) {
-    auto run = FARRIER_TRY(track(rig, {.reference = sine(sines[i].amplitude_N, sines[i].frequency_Hz), .duration_s = kRun_s,
-                           .form = form, .feed_forward_factor = form == Form::kFullState ? 1.0 : kSmallFeedForward}, context.seed));
+    auto run = FARRIER_TRY(track(rig,
+                                 {.reference = sine(sines[i].amplitude_N, sines[i].frequency_Hz),
+                                  .duration_s = kRun_s,
+                                  .form = form,
+                                  .feed_forward_factor = form == Form::kFullState ? 1.0 : kSmallFeedForward},
+                                 context.seed));
     if (!keep_going(context, static_cast<double>(i + 1) / static_cast<double>(sines.size()))) {
       return stopped();
     }
@@ -38,6 +43,14 @@ std::vector<double> errors_of(const std::vector<RigTrace>& runs) {
   return errors;
 }
 
+std::string errors_text(const std::vector<double>& errors) {
+  std::string text = "errors:";
+  for (const double error : errors) {
+    text += text_of(" %.3f", error);
+  }
+  return text;
+}
+
 Picture force_picture(const std::string& caption, std::span<const Sine> sines, const std::vector<RigTrace>& runs) {
   Picture picture{caption, 1, {}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -51,50 +64,47 @@ constexpr Sine kFrequencies[] = {{120.0, 1.0}, {120.0, 1.5}, {120.0, 2.0}, {120.
 constexpr const char* kRatherGood = "As can be seen, the force tracking is rather good, regardless of reference signal frequency.";
 
 constexpr ClaimSpec kFrequencyClaims[] = {
-    {"9.11.error", "Fig. 9.11", kRatherGood, "Largest of the five RMS errors over RMS reference: a quarter.", "1",
-     Relation::kAtMost, 0.25},
-    {"9.11.regardless", "Fig. 9.11", kRatherGood, "Largest of the five over the smallest: three.", "1", Relation::kAtMost, 3.0,
-     Refutation{"the error of a fixed linear controller grows with the frequency, here in proportion (9.11.proportional), and the text's "
-                "frequencies span 3.5; good at each of them it is (9.11.error)", 3.0, 3.9}},
-    proof({"9.11.proportional", "Fig. 9.11", kRatherGood,
-     "Distance from 1 of the error at 3.5 Hz over that at 1 Hz, divided by 3.5, as the proof of 9.11.regardless asks for: a tenth.", "1",
-     Relation::kAtMost, 0.1}),
-    proof({"9.11.lines", "Fig. 9.11", kRatherGood,
-     "Error at 1 Hz on a rig whose lines' oil has inertia: one or more, no tracking at all, for which reason the studies of 9.2 leave it out.",
-     "1", Relation::kAtLeast, 1.0}),
-    {"9.11.highest", "9.2.1", "... the force tracking performance is quite good, even for signals with a higher frequency of 3.5 Hz.",
-     "RMS error over RMS reference at 3.5 Hz: a quarter.", "1", Relation::kAtMost, 0.25}};
+    needs(Condition::kPerfectMeasurements,
+          {"9.11.error", "Fig. 9.11", kRatherGood, "Largest of the five RMS errors over RMS reference: a quarter.", "1",
+           Relation::kAtMost, 0.25}),
+    {"9.11.regardless", "Fig. 9.11", kRatherGood, "Largest of the five over the smallest: three.", "1", Relation::kAtMost, 3.0},
+    needs(Condition::kPerfectMeasurements,
+          {"9.11.highest", "9.2.1",
+           "... the force tracking performance is quite good, even for signals with a higher frequency of 3.5 Hz.",
+           "RMS error over RMS reference at 3.5 Hz: a quarter.", "1", Relation::kAtMost, 0.25})};
 
 Result<StudyResult> run_frequencies(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_old_rig(context));
-  const auto runs = FARRIER_TRY(run_sines(context, rig, kFrequencies, Form::kFullState));
-  const std::vector<double> errors = errors_of(runs);
-  StudyResult result;
-  const auto lines = load(context, "fc1d_real.yaml");
-  const auto swinging = FARRIER_TRY(lines ? track(lines.value(), {.reference = sine(120.0, 1.0), .duration_s = kRun_s, .form = Form::kFullState},
-                                      context.seed) : Result<RigTrace>(lines.error()));
-  result.measured = {{"9.11.error", std::ranges::max(errors), ""},
-                     {"9.11.proportional", std::abs(errors.back() / errors.front() / 3.5 - 1.0), ""},
-                     {"9.11.lines", tracking_error(swinging, kSettled_s, kRun_s), ""},
-                     {"9.11.regardless", std::ranges::max(errors) / std::ranges::min(errors), ""},
-                     {"9.11.highest", errors.back(), ""}};
-  result.pictures = {force_picture("Full-state LQR, sines of 120 N", kFrequencies, runs)};
-  return result;
+  const auto old = FARRIER_TRY(load_old_rig(context));
+  return measure_on(old, kFrequencyClaims, [&](const robot::Robot& rig) -> Result<StudyResult> {
+    const auto runs = FARRIER_TRY(run_sines(context, rig, kFrequencies, Form::kFullState));
+    const std::vector<double> errors = errors_of(runs);
+    StudyResult result;
+    result.measured = {{"9.11.error", std::ranges::max(errors), errors_text(errors)},
+                       {"9.11.regardless", std::ranges::max(errors) / std::ranges::min(errors), ""},
+                       {"9.11.highest", errors.back(), ""}};
+    result.pictures = {force_picture("Full-state LQR, sines of 120 N", kFrequencies, runs)};
+    return result;
+  });
 }
 
 constexpr Sine kAmplitudes[] = {{60.0, 0.5}, {160.0, 1.0}, {260.0, 1.0}};
 
 constexpr ClaimSpec kAmplitudeClaims[] = {
-    {"9.12.error", "Fig. 9.12", "The force tracking, as can be seen, is quite good, regardless of reference signal amplitude.",
-     "Largest of the three RMS errors over RMS reference: a quarter.", "1", Relation::kAtMost, 0.25}};
+    needs(Condition::kPerfectMeasurements,
+          {"9.12.error", "Fig. 9.12",
+           "The force tracking, as can be seen, is quite good, regardless of reference signal amplitude.",
+           "Largest of the three RMS errors over RMS reference: a quarter.", "1", Relation::kAtMost, 0.25})};
 
 Result<StudyResult> run_amplitudes(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_old_rig(context));
-  const auto runs = FARRIER_TRY(run_sines(context, rig, kAmplitudes, Form::kFullState));
-  StudyResult result;
-  result.measured = {{"9.12.error", std::ranges::max(errors_of(runs)), ""}};
-  result.pictures = {force_picture("Full-state LQR, sines of three amplitudes", kAmplitudes, runs)};
-  return result;
+  const auto old = FARRIER_TRY(load_old_rig(context));
+  return measure_on(old, kAmplitudeClaims, [&](const robot::Robot& rig) -> Result<StudyResult> {
+    const auto runs = FARRIER_TRY(run_sines(context, rig, kAmplitudes, Form::kFullState));
+    const std::vector<double> errors = errors_of(runs);
+    StudyResult result;
+    result.measured = {{"9.12.error", std::ranges::max(errors), errors_text(errors)}};
+    result.pictures = {force_picture("Full-state LQR, sines of three amplitudes", kAmplitudes, runs)};
+    return result;
+  });
 }
 
 /// Cosine between two signals from kSettled_s on: -1 where the one undoes the other.
@@ -134,8 +144,10 @@ constexpr ClaimSpec kFormClaims[] = {
     {"9.14.compliant_error", "9.2.4", "... little loss in tracking performance when eliminating the position channel ...",
      "RMS error over RMS reference of the compliant form, without feed-forward, less the full-state form's: a tenth.", "1",
      Relation::kAtMost, 0.1},
-    {"9.14.compliant_lag", "Fig. 9.14", "However, a slight phase delay is visible.",
-     "Lag of the compliant form less that of the full-state form: above 0.", "deg", Relation::kAtLeast, 0.1},
+    fails("without dry friction 0.0, with the valve of the data sheet 0.2, with perfect measurements 0.2 degrees: the integrator of xi = 6 "
+          "leaves no more",
+          {"9.14.compliant_lag", "Fig. 9.14", "However, a slight phase delay is visible.",
+           "Lag of the compliant form less that of the full-state form: a degree or more.", "deg", Relation::kAtLeast, 1.0}),
     {"9.14.compliant_lag_is_slight", "9.2.4", "There is some small phase delay in the force tracking when using the \"compliant\" LQR controller (right).",
      "Lag of the compliant form: 15 degrees.", "deg", Relation::kAtMost, 15.0}};
 
@@ -171,7 +183,6 @@ Result<StudyResult> run_forms(const StudyContext& context) {
   return result;
 }
 
-constexpr std::string_view kStrongFigure = "G.8";
 constexpr Sine kWeak[] = {{200.0, 1.0}, {200.0, 2.0}, {200.0, 3.0}, {200.0, 5.0}};
 constexpr Sine kStrong[] = {{400.0, 1.0}, {400.0, 2.0}, {400.0, 3.0}, {400.0, 5.0}};
 
@@ -181,8 +192,8 @@ double sticking(const RigTrace& run, double frequency_Hz) {
          rms(run, run.velocity_part_A, kSettled_s, kRun_s);
 }
 
-Result<StudyResult> run_compliant(const StudyContext& context, std::span<const Sine> sines, std::string_view figure) {
-  const auto rig = FARRIER_TRY(load_rig(context));
+Result<StudyResult> run_compliant(const robot::Robot& rig, const StudyContext& context, std::span<const Sine> sines,
+                                  std::string_view figure) {
   const auto made = run_sines(context, rig, sines, Form::kCompliant);
   if (!made) {
     return made.error();
@@ -204,16 +215,6 @@ Result<StudyResult> run_compliant(const StudyContext& context, std::span<const S
                      {id("lag_grows"), lags.back() - lags.front(), ""},
                      {id("sticks"), sticks.front() / sticks.back(), text_of("at 1 Hz %.3f", sticks.front()) + text_of(", at 5 Hz %.3f", sticks.back())}};
   result.pictures = {std::move(picture)};
-  if (figure == kStrongFigure) {
-    robot::Robot open = rig;
-    open.joints[0].actuator.valve_gain *= kDataSheetOverRig;
-    const auto again = FARRIER_TRY(run_sines(context, open, sines, Form::kCompliant));
-    const std::vector<double> better = errors_of(again);
-    result.measured.push_back({id("full_open"), share_full_open(runs[2], rig.joints[0].normalisation.current_A, kSettled_s, kRun_s), ""});
-    result.measured.push_back({id("data_sheet"), *std::max_element(better.begin(), better.end() - 1), ""});
-    result.measured.push_back({id("sticks_data_sheet"), sticking(again.front(), sines.front().frequency_Hz) /
-                                                            sticking(again.back(), sines.back().frequency_Hz), ""});
-  }
   return result;
 }
 
@@ -223,34 +224,33 @@ constexpr ClaimSpec kWeakClaims[] = {
     {"G.7.error", "Fig. G.7", "The force tracking, as can be seen, is quite good, for sine waves below 5 Hz.",
      "Largest RMS error over RMS reference at 1, 2 and 3 Hz: a quarter.", "1", Relation::kAtMost, 0.25},
     {"G.7.lag", "Fig. G.7", "A phase delay is present for frequencies higher than 5 Hz.", "Lag at 5 Hz: 5 degrees or more.", "deg",
-     Relation::kAtLeast, 5.0, Refutation{"5 Hz is where the text's delay begins; the gain on the force is a fifth higher with the piston's mass counted", 4.0, 5.0}},
-    {"G.7.lag_grows", "Fig. G.7", "A phase delay is present for frequencies higher than 5 Hz.", "Lag at 5 Hz less that at 1 Hz.", "deg",
-     Relation::kAtLeast, 0.0},
-    proof({"G.7.sticks", "Fig. G.7", kSticks,
-     "Quick ripple of the velocity part over its RMS, at 1 Hz over that at 5 Hz: 1.5 or more.", "1", Relation::kAtLeast, 1.5})};
+     Relation::kAtLeast, 5.0},
+    {"G.7.lag_grows", "Fig. G.7", "A phase delay is present for frequencies higher than 5 Hz.",
+     "Lag at 5 Hz less that at 1 Hz: a degree or more.", "deg", Relation::kAtLeast, 1.0},
+    {"G.7.sticks", "Fig. G.7", kSticks, "Quick ripple of the velocity part over its RMS, at 1 Hz over that at 5 Hz: 1.5 or more.", "1",
+     Relation::kAtLeast, 1.5}};
 
 constexpr ClaimSpec kStrongClaims[] = {
-    {"G.8.error", "G.2.1", "Similar sine waves but with increased amplitude 400 N were commanded ...",
-     "Largest RMS error over RMS reference at 1, 2 and 3 Hz: a quarter.", "1", Relation::kAtMost, 0.25,
-     Refutation{"the valve of Table A.2, \"no physical meaning\", passes a quarter of the data sheet's flow and is full open most of the "
-                "time at 3 Hz (G.8.full_open); with the data sheet's the claim holds (G.8.data_sheet)", 0.3, 0.55}},
-    {"G.8.full_open", "G.2.1", "Similar sine waves but with increased amplitude 400 N were commanded ...",
-     "Share of the time for which the valve is full open at 3 Hz: a half.", "1", Relation::kAtLeast, 0.5},
-    proof({"G.8.data_sheet", "G.2.1", "Similar sine waves but with increased amplitude 400 N were commanded ...",
-     "G.8.error with four times the valve gain, as its proof asks for: a quarter.", "1", Relation::kAtMost, 0.25}),
+    needs(Condition::kDataSheetValve,
+          {"G.8.error", "G.2.1", "Similar sine waves but with increased amplitude 400 N were commanded ...",
+           "Largest RMS error over RMS reference at 1, 2 and 3 Hz: a quarter.", "1", Relation::kAtMost, 0.25}),
     {"G.8.lag", "Fig. G.8", "Again, a phase delay is present for frequencies higher than 3 Hz.", "Lag at 5 Hz: 5 degrees or more.",
      "deg", Relation::kAtLeast, 5.0},
     {"G.8.lag_grows", "Fig. G.8", "Again, a phase delay is present for frequencies higher than 3 Hz.",
-     "Lag at 5 Hz less that at 1 Hz.", "deg", Relation::kAtLeast, 0.0},
-    proof({"G.8.sticks", "Fig. G.8", "... the stick friction influence is particularly visible for the 1 Hz sine wave ...",
-     "Quick ripple of the velocity part over its RMS, at 1 Hz over that at 5 Hz: 1.5 or more.", "1", Relation::kAtLeast, 1.5,
-     Refutation{"the corners of the full open valve (G.8.full_open) are quick too and make up the ripple at 5 Hz; without them "
-                "(G.8.sticks_data_sheet) the claim holds", 1.0, 1.5}}),
-    proof({"G.8.sticks_data_sheet", "Fig. G.8", "... the stick friction influence is particularly visible for the 1 Hz sine wave ...",
-     "G.8.sticks with four times the valve gain, as its proof asks for: 1.5 or more.", "1", Relation::kAtLeast, 1.5})};
+     "Lag at 5 Hz less that at 1 Hz: a degree or more.", "deg", Relation::kAtLeast, 1.0},
+    {"G.8.sticks", "Fig. G.8", "... the stick friction influence is particularly visible for the 1 Hz sine wave ...",
+     "Quick ripple of the velocity part over its RMS, at 1 Hz over that at 5 Hz: 1.5 or more.", "1", Relation::kAtLeast, 1.5}};
 
-Result<StudyResult> run_weak(const StudyContext& context) { return run_compliant(context, kWeak, "G.7"); }
-Result<StudyResult> run_strong(const StudyContext& context) { return run_compliant(context, kStrong, kStrongFigure); }
+Result<StudyResult> run_weak(const StudyContext& context) {
+  const auto rig = FARRIER_TRY(load_rig(context));
+  return run_compliant(rig, context, kWeak, "G.7");
+}
+
+Result<StudyResult> run_strong(const StudyContext& context) {
+  const auto rig = FARRIER_TRY(load_rig(context));
+  return measure_on(rig, kStrongClaims,
+                    [&](const robot::Robot& robot) { return run_compliant(robot, context, kStrong, "G.8"); });
+}
 
 constexpr Study kStudies[] = {
     {"9.11", "LQR on the rig: sines of 1 to 3.5 Hz", kFrequencyClaims, run_frequencies},

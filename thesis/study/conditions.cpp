@@ -9,7 +9,7 @@ namespace {
 
 constexpr ConditionSpec kConditions[] = {
     {Condition::kStrongFilters, "strong filters",
-     "Position, velocity and force pass filters of the first order at 20 Hz before they reach the estimator.",
+     "Position, velocity and force pass filters of the second order at 20 Hz before they reach the estimator.",
      "10.2: \"We used a rather aggressive filter\", without a number"},
     {Condition::kProbedValve, "probed valve",
      "A random binary signal of 0.25 % of the nominal current is added to the valve's current.",
@@ -17,6 +17,12 @@ constexpr ConditionSpec kConditions[] = {
     {Condition::kLinearPlant, "linear plant",
      "The plant is the linear model that the gains are designed on, that of an extending valve, for both signs.",
      "3.3: the model (3.51) of the design; 7.3 does not say on which model its responses are simulated"},
+    {Condition::kPerfectMeasurements, "perfect measurements", "Sensors give the truth at every tick, without filters.",
+     "6.3: \"measurements are perfect\""},
+    {Condition::kDataSheetValve, "the data sheet's valve",
+     "The valve passes the flow of its data sheet, four times that which was fitted to the rig.",
+     "Table A.1; Table A.2 fits a quarter, \"absolutely no meaning\""},
+    {Condition::kViscousFriction, "viscous friction alone", "The cart has no dry friction.", "2.1, (2.5): d_l alone"},
 };
 
 }  // namespace

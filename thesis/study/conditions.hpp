@@ -15,6 +15,9 @@ enum class Condition {
   kStrongFilters,
   kProbedValve,
   kLinearPlant,
+  kPerfectMeasurements,
+  kDataSheetValve,
+  kViscousFriction,
 };
 
 struct ConditionSpec {

@@ -39,12 +39,6 @@ TEST(RigFigures, TrackingErrorIsRelativeToTheReference) {
   EXPECT_TRUE(std::isnan(tracking_error(lagging(0.0, 1.0), 3.0, 4.0))) << "no ticks";
 }
 
-TEST(RigFigures, FullOpeningIsCountedInTheRangeAlone) {
-  const RigTrace run = lagging(0.0, 1.0);
-  EXPECT_DOUBLE_EQ(share_full_open(run, 0.01, 0.0, 1.0), 0.5);
-  EXPECT_DOUBLE_EQ(share_full_open(run, 0.01, 0.5, 2.0), 0.0);
-}
-
 TEST(RigFigures, RippleIsWhatIsQuickerThanItsWindow) {
   RigTrace run = lagging(0.0, 1.0);
   std::vector<double> quick(run.time_s.size());
