@@ -54,7 +54,7 @@ TEST(FilterStudy, RefusesWhatItCannotRunWithTheReason) {
 }
 
 robot::Robot oscillating_rig() {
-  robot::Robot rig = with_spool(load("fc1d_real"));
+  robot::Robot rig = load("fc1d_real");
   rig.joints[0].noise = {};
   return rig;
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "thesis/rig/rig_conditions.hpp"
+
 namespace farrier::thesis {
 namespace studies_chirp_figures_test {
 
@@ -78,27 +80,41 @@ TEST(ChirpSettings, LimitsGrowWithTheSignals) {
   EXPECT_NEAR(large.fft->magnitude_min / small.fft->magnitude_min, 2.0, 1e-12);
 }
 
-TEST(RigVariants, ChangeWhatTheyAreCalled) {
+robot::Robot rig_under(Condition condition) {
   StudyContext context;
   context.robots = FARRIER_ROBOTS;
-  const auto loaded = load_estimation_rig(context);
-  ASSERT_TRUE(loaded) << loaded.error().message;
-  const robot::Robot& rig = loaded.value();
-  EXPECT_EQ(rig.joints[0].sensors.force.cut_off_Hz, 100.0);
-  EXPECT_EQ(rig.joints[0].noise.position, 2e-5);
-  const robot::Robot filtered = aggressively_filtered(rig);
-  EXPECT_EQ(filtered.joints[0].sensors.position.cut_off_Hz, 20.0);
-  EXPECT_EQ(filtered.joints[0].sensors.velocity.cut_off_Hz, 20.0);
-  EXPECT_EQ(filtered.joints[0].sensors.force.cut_off_Hz, 20.0);
-  const robot::Robot ideal = with_ideal_sensors(filtered);
-  EXPECT_EQ(ideal.joints[0].noise.force, 0.0);
-  EXPECT_EQ(ideal.joints[0].sensors.force.cut_off_Hz, 0.0);
-  const robot::Robot rubbing = with_friction_of_weight(rig, 5.0);
-  const plant::ActiveEffect* friction = plant::find(rubbing.joints[0].effects, plant::effect_id<plant::LoadFriction>());
-  ASSERT_NE(friction, nullptr);
-  EXPECT_DOUBLE_EQ(plant::parameter_value(*friction, "coulomb_N").value_or(0.0), 120.0);
-  EXPECT_EQ(plant::parameter_value(*friction, "breakaway_ratio"), 1.5);
-  EXPECT_EQ(rubbing.joints[0].swing_load.mass, 2.5) << "the run adds the weight";
+  return under(condition, load_old_rig(context).value());
+}
+
+TEST(RigConditions, ChangeWhatTheyAreCalled) {
+  const robot::Joint strong = rig_under(Condition::kStrongFilters).joints[0];
+  EXPECT_EQ(strong.sensors.position.cut_off_Hz, 20.0);
+  EXPECT_EQ(strong.sensors.velocity.cut_off_Hz, 20.0);
+  EXPECT_EQ(strong.sensors.force.cut_off_Hz, 20.0);
+  EXPECT_EQ(strong.noise.position, 2e-5);
+  const robot::Joint perfect = rig_under(Condition::kPerfectMeasurements).joints[0];
+  EXPECT_EQ(perfect.noise.force, 0.0);
+  EXPECT_EQ(perfect.sensors.force.cut_off_Hz, 0.0);
+  EXPECT_NEAR(rig_under(Condition::kDataSheetValve).joints[0].actuator.valve_gain, 6.6815e-6, 1e-9) << "Table A.1";
+  const robot::Joint viscous = rig_under(Condition::kViscousFriction).joints[0];
+  EXPECT_EQ(plant::find(viscous.effects, plant::effect_id<plant::LoadFriction>()), nullptr);
+  EXPECT_NE(plant::find(viscous.effects, plant::effect_id<plant::ValveDeadband>()), nullptr);
+}
+
+TEST(RigConditions, GiveEachClaimItsValueUnderItsOwnCondition) {
+  constexpr ClaimSpec kClaims[] = {
+      {"9.99.as_it_is", "9", "words", "what", "1", Relation::kAtMost, 1.0},
+      needs(Condition::kViscousFriction, {"9.99.dry", "9", "words", "what", "1", Relation::kAtMost, 1.0})};
+  StudyContext context;
+  context.robots = FARRIER_ROBOTS;
+  const auto count_effects = [](const robot::Robot& rig) -> Result<StudyResult> {
+    const auto count = static_cast<double>(rig.joints[0].effects.size());
+    return StudyResult{{{"9.99.as_it_is", count, ""}, {"9.99.dry", count, ""}}, {}};
+  };
+  const StudyResult result = measure_on(load_old_rig(context).value(), kClaims, count_effects).value();
+  EXPECT_EQ(result.measured[0].under_condition, std::nullopt);
+  EXPECT_EQ(result.measured[1].value, 3.0);
+  EXPECT_EQ(result.measured[1].under_condition, 2.0);
 }
 
 }  // namespace studies_chirp_figures_test
