@@ -109,7 +109,7 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
   Rig rig = std::move(made);
   plant::LoadParams designed_for = load;
   designed_for.mass += tracking.designed_for_kg;
-  control::LqrWeights weights;
+  control::LqrWeights weights = tracking.weights;
   weights.feed_forward_factor = tracking.feed_forward_factor;
   weights.integral_factor = tracking.integral_factor;
   const auto gains =

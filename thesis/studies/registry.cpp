@@ -14,7 +14,8 @@ constexpr std::span<const Study> (*kGroups[])() = {
     chapter6_forgetting, chapter6_table,        chapter7_tracking,   chapter7_gain_maps,  chapter7_load_cycle,
     chapter7_estimates, chapter8,               chapter9_estimates,  chapter9_gates,      chapter9_weights,
     chapter9_gains,     chapter9_sines,         chapter9_steps,      chapter9_fixed,      chapter9_ramps,
-    chapter9_identification, chapter9_pressure, chapter10};
+    chapter9_identification, chapter9_pressure, chapter10,           section4_sensitivity,
+    section5_update,    section6_sampling,      section7_weights,    appendix_parameters};
 
 int number_of(std::string_view text) {
   int value = 0;
@@ -22,20 +23,23 @@ int number_of(std::string_view text) {
   return value;
 }
 
-/// Chapters by number, then appendices by letter; tables of a chapter after its figures.
-std::tuple<int, bool, int> order_of(std::string_view number) {
-  const bool table = number.starts_with('T');
-  number.remove_prefix(table ? 1 : 0);
+/// Place within a chapter: figures, then tables, then sections.
+int kind_of(std::string_view number) { return number.starts_with('T') ? 1 : number.starts_with('S') ? 2 : 0; }
+
+/// Chapters by number, then appendices by letter.
+std::tuple<int, int, int> order_of(std::string_view number) {
+  const int kind = kind_of(number);
+  number.remove_prefix(kind > 0 ? 1 : 0);
   const std::size_t dot = number.find('.');
   const std::string_view chapter = number.substr(0, dot);
   constexpr int kAfterChapters = 1000;
   const bool appendix = !chapter.empty() && chapter.front() >= 'A' && chapter.front() <= 'Z';
-  return {appendix ? kAfterChapters + chapter.front() : number_of(chapter), table,
+  return {appendix ? kAfterChapters + chapter.front() : number_of(chapter), kind,
           dot == std::string_view::npos ? 0 : number_of(number.substr(dot + 1))};
 }
 
 std::string_view chapter_of(std::string_view number) {
-  number.remove_prefix(number.starts_with('T') ? 1 : 0);
+  number.remove_prefix(kind_of(number) > 0 ? 1 : 0);
   return number.substr(0, number.find('.'));
 }
 

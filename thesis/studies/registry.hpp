@@ -32,6 +32,12 @@ std::span<const Study> chapter9_ramps();           // G.9, G.10
 std::span<const Study> chapter9_identification();  // 9.19 to 9.21
 std::span<const Study> chapter9_pressure();        // 9.22, 9.23
 std::span<const Study> chapter10();            // 10.2
+// Sentences of a section that no figure shows: numbers that begin with S.
+std::span<const Study> section4_sensitivity();  // S4.3
+std::span<const Study> section5_update();       // S5.3, S10.3
+std::span<const Study> section6_sampling();     // S6.3
+std::span<const Study> section7_weights();      // S7.2, S8.2
+std::span<const Study> appendix_parameters();   // A.1, TA.1, TA.2
 
 /// Every study, in the order of the text: chapters, then appendices, by number within each.
 std::vector<Study> all_studies();
