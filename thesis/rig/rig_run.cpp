@@ -100,8 +100,6 @@ constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 Result<robot::Robot> load_rig(const StudyContext& context) { return load(context, "fc1d_real.yaml"); }
 
-Result<robot::Robot> load_old_rig(const StudyContext& context) { return load(context, "fc1d_old.yaml"); }
-
 Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std::uint64_t seed) {
   const robot::Joint& joint = robot.joints[0];
   plant::LoadParams load = joint.swing_load;

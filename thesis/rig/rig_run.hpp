@@ -13,11 +13,8 @@ namespace farrier::thesis {
 
 using Signal = std::function<double(double)>;  ///< of the time in s
 
-/// deploy/robots/fc1d_real.yaml, the new set-up: Figs 1.2, 9.13 to 9.18, 9.20 to 9.23 and G.7 to G.10.
+/// deploy/robots/fc1d_real.yaml: the rig of Figs 1.2, 9.1 to 9.23 and G.1 to G.10.
 Result<robot::Robot> load_rig(const StudyContext& context);
-
-/// deploy/robots/fc1d_old.yaml, the old set-up with its potentiometer: Figs 9.1 to 9.12, 9.19 and G.1 to G.6.
-Result<robot::Robot> load_old_rig(const StudyContext& context);
 
 /// A run, a value a tick, SI. Forces and motion are the truth; what the controller saw is measured_*.
 struct RigTrace {

@@ -87,8 +87,8 @@ constexpr ClaimSpec kConstantClaims[] = {
      "The distance at 20 %, over that of the first guess: a half.", "1", Relation::kAtMost, 0.5}};
 
 Result<StudyResult> run_constant(const StudyContext& context) {
-  const auto old = FARRIER_TRY(load_old_rig(context));
-  return measure_on(old, kConstantClaims, [&](const robot::Robot& rig) -> Result<StudyResult> {
+  const auto loaded = FARRIER_TRY(load_rig(context));
+  return measure_on(loaded, kConstantClaims, [&](const robot::Robot& rig) -> Result<StudyResult> {
     const auto runs = FARRIER_TRY(run_amplitudes(context, rig, EstimationMethod::kRls, 0.0, 1.0));
     const double early = mean_share(runs, 0.0, kEarly_s);
     const double later = mean_share(runs, kLate_s, kChirp_s);
@@ -149,8 +149,8 @@ Result<StudyResult> adapt_on(const robot::Robot& rig, const StudyContext& contex
 }
 
 Result<StudyResult> run_adaptive(const StudyContext& context) {
-  const auto old = FARRIER_TRY(load_old_rig(context));
-  return measure_on(old, kAdaptiveClaims, [&](const robot::Robot& rig) { return adapt_on(rig, context); });
+  const auto loaded = FARRIER_TRY(load_rig(context));
+  return measure_on(loaded, kAdaptiveClaims, [&](const robot::Robot& rig) { return adapt_on(rig, context); });
 }
 
 /// Mean of a row's lambda between two times.
@@ -197,7 +197,7 @@ constexpr ClaimSpec kForgettingClaims[] = {
      "Least of the mean lambdas of the rows from 0.1 to 0.3 s: 0.9.", "1", Relation::kAtLeast, 0.9}};
 
 Result<StudyResult> run_forgetting(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_old_rig(context));
+  const auto rig = FARRIER_TRY(load_rig(context));
   const auto made = FARRIER_TRY(estimate_chirp(rig, {.amplitude = 0.2}, context.seed));
   const ChirpEstimates& run = made;
   double later[3];

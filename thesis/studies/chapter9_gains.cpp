@@ -145,7 +145,7 @@ double changed(const GainRun& run) {
 }
 
 Result<StudyResult> run_gains(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_old_rig(context));
+  const auto rig = FARRIER_TRY(load_rig(context));
   const GainRun light = FARRIER_TRY(run_chirp(rig, weighted_chirp(0.0, GateKind::kNone), context.seed));
   const GainRun heavy = FARRIER_TRY(run_chirp(rig, weighted_chirp(15.0, GateKind::kNone), context.seed));
   StudyResult result;
@@ -169,7 +169,7 @@ constexpr ClaimSpec kFftGainClaims[] = {
      "Largest change of the force gain in 20 ms while the gate is closed.", "1", Relation::kAtMost, 1e-12})};
 
 Result<StudyResult> run_gated_gains(const StudyContext& context, GateKind gate, const char* id) {
-  const auto rig = FARRIER_TRY(load_old_rig(context));
+  const auto rig = FARRIER_TRY(load_rig(context));
   const auto made = FARRIER_TRY(run_chirp(rig, weighted_chirp(0.0, gate), context.seed));
   const ChirpEstimates& run = made.estimates;
   const GainTrack& track = made.gains;

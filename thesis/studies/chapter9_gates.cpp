@@ -23,7 +23,7 @@ Result<ChirpEstimates> run_gate(const robot::Robot& rig, const StudyContext& con
 }
 
 Result<ChirpEstimates> run_gate(const StudyContext& context, GateKind gate) {
-  const auto rig = FARRIER_TRY(load_old_rig(context));
+  const auto rig = FARRIER_TRY(load_rig(context));
   return run_gate(rig, context, gate);
 }
 
@@ -223,8 +223,8 @@ Result<StudyResult> frequencies_on(const robot::Robot& rig, const StudyContext& 
 }
 
 Result<StudyResult> run_frequencies(const StudyContext& context) {
-  const auto old = FARRIER_TRY(load_old_rig(context));
-  return measure_on(old, kFrequencyClaims, [&](const robot::Robot& rig) { return frequencies_on(rig, context); });
+  const auto loaded = FARRIER_TRY(load_rig(context));
+  return measure_on(loaded, kFrequencyClaims, [&](const robot::Robot& rig) { return frequencies_on(rig, context); });
 }
 
 constexpr ClaimSpec kAloneClaims[] = {

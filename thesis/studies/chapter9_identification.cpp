@@ -79,7 +79,7 @@ constexpr ClaimSpec kFrictionClaims[] = {
      "1", Relation::kAtMost, 0.1})};
 
 Result<StudyResult> run_friction(const StudyContext& context) {
-  const auto rig = FARRIER_TRY(load_old_rig(context));
+  const auto rig = FARRIER_TRY(load_rig(context));
   const double damping = rig.joints[0].swing_load.damping;
   Series there{"extending", {}, {}, Style::kPoints, 1};
   Series back{"retracting", {}, {}, Style::kPoints, 2};

@@ -74,8 +74,8 @@ constexpr ClaimSpec kFrequencyClaims[] = {
            "RMS error over RMS reference at 3.5 Hz: a quarter.", "1", Relation::kAtMost, 0.25})};
 
 Result<StudyResult> run_frequencies(const StudyContext& context) {
-  const auto old = FARRIER_TRY(load_old_rig(context));
-  return measure_on(old, kFrequencyClaims, [&](const robot::Robot& rig) -> Result<StudyResult> {
+  const auto loaded = FARRIER_TRY(load_rig(context));
+  return measure_on(loaded, kFrequencyClaims, [&](const robot::Robot& rig) -> Result<StudyResult> {
     const auto runs = FARRIER_TRY(run_sines(context, rig, kFrequencies, Form::kFullState));
     const std::vector<double> errors = errors_of(runs);
     StudyResult result;
@@ -96,8 +96,8 @@ constexpr ClaimSpec kAmplitudeClaims[] = {
            "Largest of the three RMS errors over RMS reference: a quarter.", "1", Relation::kAtMost, 0.25})};
 
 Result<StudyResult> run_amplitudes(const StudyContext& context) {
-  const auto old = FARRIER_TRY(load_old_rig(context));
-  return measure_on(old, kAmplitudeClaims, [&](const robot::Robot& rig) -> Result<StudyResult> {
+  const auto loaded = FARRIER_TRY(load_rig(context));
+  return measure_on(loaded, kAmplitudeClaims, [&](const robot::Robot& rig) -> Result<StudyResult> {
     const auto runs = FARRIER_TRY(run_sines(context, rig, kAmplitudes, Form::kFullState));
     const std::vector<double> errors = errors_of(runs);
     StudyResult result;

@@ -142,8 +142,8 @@ Result<StudyResult> weights_on(const robot::Robot& rig, const StudyContext& cont
 }
 
 Result<StudyResult> run_weights(const StudyContext& context) {
-  const auto old = FARRIER_TRY(load_old_rig(context));
-  return measure_on(old, kWeightClaims, [&](const robot::Robot& rig) { return weights_on(rig, context); });
+  const auto loaded = FARRIER_TRY(load_rig(context));
+  return measure_on(loaded, kWeightClaims, [&](const robot::Robot& rig) { return weights_on(rig, context); });
 }
 
 /// Share of [from_s, to_s) in which the gate was open.
@@ -225,8 +225,8 @@ constexpr ClaimSpec kMiddleClaims[] = {
 
 Result<StudyResult> methods_of(const StudyContext& context, std::span<const ClaimSpec> claims, double added_kg,
                                const char* figure) {
-  const auto old = FARRIER_TRY(load_old_rig(context));
-  return measure_on(old, claims,
+  const auto loaded = FARRIER_TRY(load_rig(context));
+  return measure_on(loaded, claims,
                     [&](const robot::Robot& rig) { return run_methods(rig, context, added_kg, figure); });
 }
 

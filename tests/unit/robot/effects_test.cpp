@@ -27,49 +27,34 @@ TEST(RobotEffects, AreNoneUnlessTheFileAsksForThem) {
 }
 
 TEST(RobotEffects, OfTheRealRigAreThoseOfItsExperiments) {
-  for (const char* name : {"fc1d_real", "fc1d_old"}) {
-    const Robot real = load_shipped(name);
-    ASSERT_EQ(real.joints.size(), 1u);
-    const Joint& joint = real.joints[0];
-    const auto value = [&](plant::EffectId id, const char* parameter) {
-      const plant::ActiveEffect* found = plant::find(joint.effects, id);
-      return found == nullptr ? std::nullopt : plant::parameter_value(*found, parameter);
-    };
-    EXPECT_EQ(value(plant::effect_id<plant::ValveDynamics>(), "natural_frequency_rad_s"), 1570.0);
-    EXPECT_EQ(value(plant::effect_id<plant::ValveDynamics>(), "damping"), 0.5);
-    EXPECT_EQ(value(plant::effect_id<plant::ValveDeadband>(), "half_width_A"), 6e-5);
-    EXPECT_EQ(value(plant::effect_id<plant::LoadFriction>(), "coulomb_N"), 40.0);
-    EXPECT_EQ(value(plant::effect_id<plant::LoadFriction>(), "breakaway_ratio"), 1.5);
-    EXPECT_EQ(value(plant::effect_id<plant::LoadFriction>(), "stribeck_velocity_m_s"), 0.01);
-    EXPECT_EQ(joint.effects.size(), 3u);
-    EXPECT_EQ(joint.actuator.line.length_m, 0.6);
-    EXPECT_EQ(joint.actuator.line.bore_m, 0.0038);
-    for (const plant::LoadParams& load : {joint.swing_load, joint.stance_load}) {
-      const plant::State rest = plant::equilibrium(joint.actuator, load, 0.04, 0.0);
-      const auto plant = plant::HydraulicJoint::create(joint.actuator, load, rest,
-                                                       plant::HydraulicJoint::kDefaultTolerance, joint.effects);
-      ASSERT_TRUE(plant.ok());
-      const plant::FrictionParams& guide = plant.value().load().friction;
-      EXPECT_EQ(guide.breakaway, 60.0);
-      EXPECT_EQ(guide.presliding, 1e-5);
-    }
-    EXPECT_EQ(joint.sensors.velocity.order, 2);
+  const Robot real = load_shipped("fc1d_real");
+  ASSERT_EQ(real.joints.size(), 1u);
+  const Joint& joint = real.joints[0];
+  const auto value = [&](plant::EffectId id, const char* parameter) {
+    const plant::ActiveEffect* found = plant::find(joint.effects, id);
+    return found == nullptr ? std::nullopt : plant::parameter_value(*found, parameter);
+  };
+  EXPECT_EQ(value(plant::effect_id<plant::ValveDynamics>(), "natural_frequency_rad_s"), 1570.0);
+  EXPECT_EQ(value(plant::effect_id<plant::ValveDynamics>(), "damping"), 0.5);
+  EXPECT_EQ(value(plant::effect_id<plant::ValveDeadband>(), "half_width_A"), 6e-5);
+  EXPECT_EQ(value(plant::effect_id<plant::LoadFriction>(), "coulomb_N"), 10.0);
+  EXPECT_EQ(value(plant::effect_id<plant::LoadFriction>(), "breakaway_ratio"), 1.3);
+  EXPECT_EQ(value(plant::effect_id<plant::LoadFriction>(), "stribeck_velocity_m_s"), 0.01);
+  EXPECT_EQ(joint.effects.size(), 3u);
+  EXPECT_EQ(joint.actuator.line.length_m, 0.6);
+  EXPECT_EQ(joint.actuator.line.bore_m, 0.0038);
+  for (const plant::LoadParams& load : {joint.swing_load, joint.stance_load}) {
+    const plant::State rest = plant::equilibrium(joint.actuator, load, 0.04, 0.0);
+    const auto plant = plant::HydraulicJoint::create(joint.actuator, load, rest,
+                                                     plant::HydraulicJoint::kDefaultTolerance, joint.effects);
+    ASSERT_TRUE(plant.ok());
+    const plant::FrictionParams& guide = plant.value().load().friction;
+    EXPECT_EQ(guide.breakaway, 13.0);
+    EXPECT_EQ(guide.presliding, 1e-5);
   }
-}
-
-// Hubacher (2014), 10.2 and appendix D: the sensors are all that tells the two set-ups apart.
-TEST(RobotEffects, OfTheOldRigHaveAPotentiometerAndSlowerFilters) {
-  const Joint real = load_shipped("fc1d_real").joints.at(0);
-  const Joint old = load_shipped("fc1d_old").joints.at(0);
-  EXPECT_EQ(real.noise.position, 2e-6);
-  EXPECT_EQ(old.noise.position, 2e-5);
-  EXPECT_EQ(real.noise.force, old.noise.force);
-  EXPECT_EQ(real.sensors.velocity.cut_off_Hz, 300.0);
-  EXPECT_EQ(real.sensors.force.cut_off_Hz, 200.0);
-  EXPECT_EQ(old.sensors.velocity.cut_off_Hz, 30.0);
-  EXPECT_EQ(old.sensors.force.cut_off_Hz, 100.0);
-  EXPECT_EQ(real.actuator.valve_gain, old.actuator.valve_gain);
-  EXPECT_EQ(real.swing_load.mass, old.swing_load.mass);
+  EXPECT_EQ(joint.sensors.velocity.order, 2);
+  EXPECT_EQ(joint.sensors.velocity.cut_off_Hz, 20.0);
+  EXPECT_EQ(joint.sensors.force.cut_off_Hz, 100.0);
 }
 
 // Beside the effects it is the rig: all that control is designed by stays.

@@ -83,7 +83,7 @@ TEST(ChirpSettings, LimitsGrowWithTheSignals) {
 robot::Robot rig_under(Condition condition) {
   StudyContext context;
   context.robots = FARRIER_ROBOTS;
-  return under(condition, load_old_rig(context).value());
+  return under(condition, load_rig(context).value());
 }
 
 TEST(RigConditions, ChangeWhatTheyAreCalled) {
@@ -111,7 +111,7 @@ TEST(RigConditions, GiveEachClaimItsValueUnderItsOwnCondition) {
     const auto count = static_cast<double>(rig.joints[0].effects.size());
     return StudyResult{{{"9.99.as_it_is", count, ""}, {"9.99.dry", count, ""}}, {}};
   };
-  const StudyResult result = measure_on(load_old_rig(context).value(), kClaims, count_effects).value();
+  const StudyResult result = measure_on(load_rig(context).value(), kClaims, count_effects).value();
   EXPECT_EQ(result.measured[0].under_condition, std::nullopt);
   EXPECT_EQ(result.measured[1].value, 3.0);
   EXPECT_EQ(result.measured[1].under_condition, 2.0);
