@@ -15,8 +15,8 @@ using estimation::GateKind;
 
 constexpr int kColumns = 4;  // x, v, F, u
 /// c_1 of (9.1), (9.3), which 9.1.1 calls a tuning factor: the smallest power of two with which the factors of Fig. 9.3
-/// "remain largely at 1" (0.95 and more). With 1 the force's falls to 0.85, with 256 none leaves 1.
-constexpr double kNoiseFactor = 32.0;
+/// "remain largely at 1" (0.95 and more). With 1 the force's falls to 0.90, with 16 none leaves 1.
+constexpr double kNoiseFactor = 4.0;
 
 /// A current answered by a force of its own size, with the memory of a tick: phase zero, no resonance.
 control::DiscreteModel wrong_model() { return {0.5 * Eigen::Matrix3d::Identity(), Eigen::Vector3d(0.0, 0.0, 0.5)}; }

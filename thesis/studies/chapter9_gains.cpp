@@ -97,7 +97,7 @@ constexpr const char* kSteady =
     "Observe how the controller gains increase steadily and reach steady-state after about 0.3 s.";
 constexpr const char* kFirstPeriod =
     "by 0.3 s a chirp of 0 to 30 Hz in 8 s has turned by 61 degrees, too little for 12 parameters; covariances of 1 to 1e5, c_1 of 1 to "
-    "256 and perfect measurements do not bring it below 0.6 s. The text's rig was excited at the beginning by \"the pressure builds up and "
+    "256 and perfect measurements do not bring both below 0.5 s. The text's rig was excited at the beginning by \"the pressure builds up and "
     "the piston starts to move\" (9.1.2), with no numbers";
 constexpr const char* kLessSmooth =
     "The evolution is less smooth and it can be questioned if these fast changes at around 4 - 6 s will not lead to "

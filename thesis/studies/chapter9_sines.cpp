@@ -64,14 +64,13 @@ constexpr Sine kFrequencies[] = {{120.0, 1.0}, {120.0, 1.5}, {120.0, 2.0}, {120.
 constexpr const char* kRatherGood = "As can be seen, the force tracking is rather good, regardless of reference signal frequency.";
 
 constexpr ClaimSpec kFrequencyClaims[] = {
-    needs(Condition::kPerfectMeasurements,
-          {"9.11.error", "Fig. 9.11", kRatherGood, "Largest of the five RMS errors over RMS reference: a quarter.", "1",
-           Relation::kAtMost, 0.25}),
-    {"9.11.regardless", "Fig. 9.11", kRatherGood, "Largest of the five over the smallest: three.", "1", Relation::kAtMost, 3.0},
-    needs(Condition::kPerfectMeasurements,
-          {"9.11.highest", "9.2.1",
-           "... the force tracking performance is quite good, even for signals with a higher frequency of 3.5 Hz.",
-           "RMS error over RMS reference at 3.5 Hz: a quarter.", "1", Relation::kAtMost, 0.25})};
+    {"9.11.error", "Fig. 9.11", kRatherGood, "Largest of the five RMS errors over RMS reference: a quarter.", "1",
+     Relation::kAtMost, 0.25},
+    fails("the errors are 0.03 to 0.14: small at each frequency (9.11.error), and growing with it, as a fixed linear controller's do. Perfect measurements make the small ones smaller (7.7)",
+          {"9.11.regardless", "Fig. 9.11", kRatherGood, "Largest of the five over the smallest: three.", "1", Relation::kAtMost, 3.0}),
+    {"9.11.highest", "9.2.1",
+     "... the force tracking performance is quite good, even for signals with a higher frequency of 3.5 Hz.",
+     "RMS error over RMS reference at 3.5 Hz: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_frequencies(const StudyContext& context) {
   const auto loaded = FARRIER_TRY(load_rig(context));
@@ -90,10 +89,9 @@ Result<StudyResult> run_frequencies(const StudyContext& context) {
 constexpr Sine kAmplitudes[] = {{60.0, 0.5}, {160.0, 1.0}, {260.0, 1.0}};
 
 constexpr ClaimSpec kAmplitudeClaims[] = {
-    needs(Condition::kPerfectMeasurements,
-          {"9.12.error", "Fig. 9.12",
-           "The force tracking, as can be seen, is quite good, regardless of reference signal amplitude.",
-           "Largest of the three RMS errors over RMS reference: a quarter.", "1", Relation::kAtMost, 0.25})};
+    {"9.12.error", "Fig. 9.12",
+     "The force tracking, as can be seen, is quite good, regardless of reference signal amplitude.",
+     "Largest of the three RMS errors over RMS reference: a quarter.", "1", Relation::kAtMost, 0.25}};
 
 Result<StudyResult> run_amplitudes(const StudyContext& context) {
   const auto loaded = FARRIER_TRY(load_rig(context));

@@ -70,20 +70,19 @@ constexpr const char* kDistanceOf1s =
     "a half.";
 
 constexpr ClaimSpec kWeightClaims[] = {
-    needs(Condition::kViscousFriction, {"9.8.shift_5", "9.1.3", kShift, kFrom2s, "1", Relation::kBelow, 0.9}),
+    {"9.8.shift_5", "9.1.3", kShift, kFrom2s, "1", Relation::kBelow, 0.9},
     needs(Condition::kPerfectMeasurements,
           {"9.8.shift_15", "9.1.3", kShift, "The same, 15 kg against 5 kg.", "1", Relation::kBelow, 0.9}),
-    fails("with friction in proportion to the weight, the text's own explanation without an amount, the difference grows to "
-          "some 5 dB; the condition would serve this claim alone",
+    needs(Condition::kViscousFriction,
           {"9.8.anti_resonance", "9.1.3", kSuppressed,
            "Depth of the anti-resonance of the last estimate without weight less that with 15 kg: 3 dB.", "dB",
            Relation::kAtLeast, 3.0}),
-    fails("filters of 30 Hz leave no maximum between 20 and 400 Hz; with perfect measurements it lies at 63 Hz",
+    fails("filters of 20 Hz leave no maximum between 20 and 400 Hz; with perfect measurements it lies at 56 Hz",
           {"9.8.still_visible", "9.1.3",
            "Less so in case of added weight, where a resonance peak around 40 Hz is still visible.",
            "Distance from 40 Hz of the resonance of the last estimate with 15 kg: a quarter.", "Hz",
            Relation::kAtMost, 10.0}),
-    needs(Condition::kPerfectMeasurements,
+    fails("0.58 with perfect measurements, and no less with c_1 of 0.25 to 256: 0.5 s into the chirp it has turned by 169 degrees",
           {"9.8.quick", "9.1.3", kQuick, kDistanceOf1s, "1", Relation::kAtMost, 0.5})};
 
 /// A run for each weight.
@@ -113,7 +112,9 @@ OfWeights of_weights(const std::vector<ChirpEstimates>& runs) {
     resonance[i] = median_resonance_Hz(runs[i], 2.0, kChirp_s);
     slow = std::max(slow, distance_dB(runs[i], 0.5, 1.0, 5.0, 100.0) / first_distance_dB(runs[i], 5.0, 100.0));
   }
-  return {resonance[1] / resonance[0], resonance[2] / resonance[1], slow,
+  // Without a resonance nothing is seen to shift.
+  const auto shift = [](double to, double from) { return std::isfinite(to / from) ? to / from : 1.0; };
+  return {shift(resonance[1], resonance[0]), shift(resonance[2], resonance[1]), slow,
           text_of("%.0f, ", resonance[0]) + text_of("%.0f, ", resonance[1]) + text_of("%.0f Hz", resonance[2])};
 }
 
@@ -203,7 +204,8 @@ constexpr const char* kOpenLate = "Share of the time from 5 s on in which the FF
 
 constexpr ClaimSpec kHeavyClaims[] = {
     {"9.9.alone", "Fig. 9.9", kSimpler, kDistance, "1", Relation::kAtMost, 1.5},
-    {"9.9.fft_late", "9.1.3", kFftLate, kOpenLate, "1", Relation::kAtLeast, 0.25},
+    needs(Condition::kPerfectMeasurements,
+          {"9.9.fft_late", "9.1.3", kFftLate, kOpenLate, "1", Relation::kAtLeast, 0.25}),
     {"9.9.pe_middle", "9.1.3",
      "Observe how the PE algorithm turns the estimation on during the middle of the experiment and off again towards "
      "the end.",
@@ -215,12 +217,11 @@ constexpr ClaimSpec kHeavyClaims[] = {
 constexpr ClaimSpec kNominalClaims[] = {
     {"G.3.alone", "9.1.3", "Similar observations can be drawn from figures G.3 and G.4.", kDistance, "1",
      Relation::kAtMost, 1.5},
-    fails("said of 15 kg, \"similar\" of this figure: without weight the gate opens later as well, by less; 0.20 with "
-          "perfect measurements",
+    fails("said of 15 kg, \"similar\" of this figure: without weight the count of frequencies does not rise; 0.20 with perfect measurements",
           {"G.3.fft_late", "9.1.3", kFftLate, kOpenLate, "1", Relation::kAtLeast, 0.25})};
 constexpr ClaimSpec kMiddleClaims[] = {
     {"G.4.alone", "Fig. G.4", kSimpler, kDistance, "1", Relation::kAtMost, 1.5},
-    needs(Condition::kPerfectMeasurements,
+    fails("the count of frequencies over the threshold hardly rises behind filters of 20 Hz; 0.250 with perfect measurements, just short of it",
           {"G.4.fft_late", "9.1.3", kFftLate, kOpenLate, "1", Relation::kAtLeast, 0.25})};
 
 Result<StudyResult> methods_of(const StudyContext& context, std::span<const ClaimSpec> claims, double added_kg,
