@@ -7,7 +7,6 @@ namespace farrier::thesis {
 namespace {
 
 constexpr double kDataSheetOverRig = 4.0;  // K_v of Table A.1 over that of Table A.2
-constexpr double kStrong_Hz = 20.0;
 
 const Measured* find_measured(const StudyResult& result, std::string_view id) {
   const auto found = std::ranges::find(result.measured, id, &Measured::id);
@@ -19,11 +18,6 @@ const Measured* find_measured(const StudyResult& result, std::string_view id) {
 robot::Robot under(Condition condition, robot::Robot rig) {
   robot::Joint& joint = rig.joints[0];
   switch (condition) {
-    case Condition::kStrongFilters:
-      for (control::LowPassParams* filter : {&joint.sensors.position, &joint.sensors.velocity, &joint.sensors.force}) {
-        filter->cut_off_Hz = kStrong_Hz;
-      }
-      break;
     case Condition::kPerfectMeasurements:
       joint.noise = {};
       joint.sensors = {};

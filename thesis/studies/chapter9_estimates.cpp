@@ -67,14 +67,13 @@ constexpr const char* kPeaks =
     "... the system is not fully excited, hence the estimated transfer functions contain fictive resonance peaks at "
     "low frequencies.";
 constexpr ClaimSpec kConstantClaims[] = {
-    needs(Condition::kStrongFilters,
+    fails("0.07 to 0.11 over the seeds, 0.09 to 0.14 with 20 Hz on the force as well, 0.04 without dry friction, 0.05 with perfect measurements",
           {"9.1.peaks", "9.1", kPeaks,
            "Share of the first 2 s of estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes: a "
            "tenth or more.",
            "1", Relation::kAtLeast, 0.1}),
-    needs(Condition::kStrongFilters,
-          {"9.1.disappear", "9.1", kDisappear, "The share from 4 s on over that of the first 2 s: a half.", "1",
-           Relation::kAtMost, 0.5}),
+    {"9.1.disappear", "9.1", kDisappear, "The share from 4 s on over that of the first 2 s: a half.", "1",
+     Relation::kAtMost, 0.5},
     {"9.1.later", "9.1", kDisappear, "The share from 4 s on: a tenth.", "1", Relation::kAtMost, 0.1},
     needs(Condition::kPerfectMeasurements,
           {"9.1.amplitude", "9.1", kAmplitude,

@@ -65,7 +65,7 @@ constexpr ClaimSpec aim(ClaimSpec spec) {
   return spec;
 }
 
-/// A claim that is measured under a condition, too: needs(Condition::kStrongFilters, {"9.1.peaks", ...}).
+/// A claim that is measured under a condition, too: needs(Condition::kPerfectMeasurements, {"9.7.rises", ...}).
 constexpr ClaimSpec needs(Condition condition, ClaimSpec spec) {
   spec.condition = condition;
   return spec;

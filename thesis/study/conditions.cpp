@@ -8,9 +8,6 @@ namespace farrier::thesis {
 namespace {
 
 constexpr ConditionSpec kConditions[] = {
-    {Condition::kStrongFilters, "strong filters",
-     "Position, velocity and force pass filters of the second order at 20 Hz before they reach the estimator.",
-     "10.2: \"We used a rather aggressive filter\", without a number"},
     {Condition::kProbedValve, "probed valve",
      "A random binary signal of 0.25 % of the nominal current is added to the valve's current.",
      "6.3.1: white noise at the valve, of 5 % there; 7.5 mentions none"},

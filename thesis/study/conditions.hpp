@@ -12,7 +12,6 @@ inline constexpr std::size_t kMostConditions = 6;
 
 /// A line of conditions.cpp for each.
 enum class Condition {
-  kStrongFilters,
   kProbedValve,
   kLinearPlant,
   kPerfectMeasurements,

@@ -25,7 +25,7 @@ StudyRun run_of(Result<StudyResult> result) {
 }
 
 constexpr ClaimSpec kNoisyClaims[] = {
-    needs(Condition::kStrongFilters, {"9.99.large", "9.9", "it is large", "size", "1", Relation::kAtLeast, 1.0}),
+    needs(Condition::kPerfectMeasurements, {"9.99.large", "9.9", "it is large", "size", "1", Relation::kAtLeast, 1.0}),
     fails("other signals, which gave 3", {"9.99.small", "9.9", "it is small", "size", "1", Relation::kAtMost, 1.0}),
     proof({"9.99.ours", "9.9", "it is small", "size", "1", Relation::kAtMost, 1.0})};
 
@@ -102,7 +102,7 @@ TEST(Claims, ThatNeedTheirConditionShowBothValues) {
   ASSERT_TRUE(claims[0].condition.has_value());
   EXPECT_EQ(claims[0].condition->value, 3.0);
   EXPECT_EQ(claims[0].condition->worst, 2.5);
-  EXPECT_EQ(claims[0].condition->name, "strong filters");
+  EXPECT_EQ(claims[0].condition->name, "perfect measurements");
   EXPECT_FALSE(claims[1].condition.has_value());
 }
 

@@ -87,11 +87,6 @@ robot::Robot rig_under(Condition condition) {
 }
 
 TEST(RigConditions, ChangeWhatTheyAreCalled) {
-  const robot::Joint strong = rig_under(Condition::kStrongFilters).joints[0];
-  EXPECT_EQ(strong.sensors.position.cut_off_Hz, 20.0);
-  EXPECT_EQ(strong.sensors.velocity.cut_off_Hz, 20.0);
-  EXPECT_EQ(strong.sensors.force.cut_off_Hz, 20.0);
-  EXPECT_EQ(strong.noise.position, 2e-5);
   const robot::Joint perfect = rig_under(Condition::kPerfectMeasurements).joints[0];
   EXPECT_EQ(perfect.noise.force, 0.0);
   EXPECT_EQ(perfect.sensors.force.cut_off_Hz, 0.0);

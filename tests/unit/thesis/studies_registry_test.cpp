@@ -36,7 +36,7 @@ TEST(Judging, WhatIsNotFiniteFails) {
 }
 
 TEST(Judging, NeedsItsConditionWhereTheRelationHoldsUnderThatAlone) {
-  ClaimSpec claim = needs(Condition::kStrongFilters, kClaim);
+  ClaimSpec claim = needs(Condition::kPerfectMeasurements, kClaim);
   EXPECT_EQ(judge(claim, 1.0, 2.5), Verdict::kHolds);
   EXPECT_EQ(judge(claim, 2.5, 1.0), Verdict::kNeeds);
   EXPECT_EQ(judge(claim, 3.5, 1.0), Verdict::kRefuted);
