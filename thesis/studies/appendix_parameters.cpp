@@ -118,9 +118,9 @@ Result<StudyResult> run_model(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"A.1", "The model that the rig was compared with", kModelClaims, run_model},
-                              {"TA.1", "Parameters of the nominal model", kNominalClaims, run_nominal},
-                              {"TA.2", "Parameters fitted to the rig", kRigClaims, run_rig}};
+constexpr Study kStudies[] = {{"A.1", "The model that the rig was compared with", kModelClaims, run_model, "Model (3.51) of fc1d.yaml, which has Table A.2, at mid-stroke."},
+                              {"TA.1", "Parameters of the nominal model", kNominalClaims, run_nominal, "Arithmetic on the entries of the table."},
+                              {"TA.2", "Parameters fitted to the rig", kRigClaims, run_rig, "Arithmetic on the entries of the table."}};
 
 }  // namespace
 }  // namespace appendix_parameters_studies

@@ -217,9 +217,9 @@ Result<StudyResult> run_forgetting(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"9.1", "Estimates on the rig, constant forgetting", kConstantClaims, run_constant},
-                              {"9.2", "Estimates on the rig, adaptive forgetting", kAdaptiveClaims, run_adaptive},
-                              {"9.3", "Forgetting factors on the rig", kForgettingClaims, run_forgetting}};
+constexpr Study kStudies[] = {{"9.1", "Estimates on the rig, constant forgetting", kConstantClaims, run_constant, kOnTheRigEstimated},
+                              {"9.2", "Estimates on the rig, adaptive forgetting", kAdaptiveClaims, run_adaptive, kOnTheRigEstimated},
+                              {"9.3", "Forgetting factors on the rig", kForgettingClaims, run_forgetting, kOnTheRigEstimated}};
 
 }  // namespace
 }  // namespace chapter9_estimates_studies

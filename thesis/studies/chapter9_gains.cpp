@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "control/design/lqr.hpp"
+#include "thesis/rig/rig_conditions.hpp"
 #include "thesis/studies/registry.hpp"
 #include "thesis/rig/rig_estimates.hpp"
 
@@ -199,9 +200,9 @@ Result<StudyResult> run_fft_gains(const StudyContext& context) {
   return run_gated_gains(context, GateKind::kFft, "G.6.held");
 }
 
-constexpr Study kStudies[] = {{"9.10", "Gains for the estimates", kGainClaims, run_gains},
-                              {"G.5", "Gains for the estimates behind the PE gate", kPeGainClaims, run_pe_gains},
-                              {"G.6", "Gains for the estimates behind the FFT gate", kFftGainClaims, run_fft_gains}};
+constexpr Study kStudies[] = {{"9.10", "Gains for the estimates", kGainClaims, run_gains, kOnTheRigEstimated},
+                              {"G.5", "Gains for the estimates behind the PE gate", kPeGainClaims, run_pe_gains, kOnTheRigEstimated},
+                              {"G.6", "Gains for the estimates behind the FFT gate", kFftGainClaims, run_fft_gains, kOnTheRigEstimated}};
 
 }  // namespace
 }  // namespace chapter9_gains_studies

@@ -267,12 +267,12 @@ Result<StudyResult> run_fft_forgetting(const StudyContext& context) {
                     [&](const robot::Robot& rig) { return fft_forgetting_on(rig, context); });
 }
 
-constexpr Study kStudies[] = {{"9.4", "Estimates behind gates of excitation", kMethodClaims, run_methods},
-                              {"9.5", "Forgetting factors behind the PE gate", kPeForgettingClaims, run_pe_forgetting},
-                              {"9.6", "Singular values of the PE gate", kSingularClaims, run_singular},
-                              {"9.7", "Frequencies of the FFT gate", kFrequencyClaims, run_frequencies},
-                              {"G.1", "Forgetting factors without a gate", kAloneClaims, run_alone},
-                              {"G.2", "Forgetting factors behind the FFT gate", kFftForgettingClaims, run_fft_forgetting}};
+constexpr Study kStudies[] = {{"9.4", "Estimates behind gates of excitation", kMethodClaims, run_methods, kOnTheRigEstimated},
+                              {"9.5", "Forgetting factors behind the PE gate", kPeForgettingClaims, run_pe_forgetting, kOnTheRigEstimated},
+                              {"9.6", "Singular values of the PE gate", kSingularClaims, run_singular, kOnTheRigEstimated},
+                              {"9.7", "Frequencies of the FFT gate", kFrequencyClaims, run_frequencies, kOnTheRigEstimated},
+                              {"G.1", "Forgetting factors without a gate", kAloneClaims, run_alone, kOnTheRigEstimated},
+                              {"G.2", "Forgetting factors behind the FFT gate", kFftForgettingClaims, run_fft_forgetting, kOnTheRigEstimated}};
 
 }  // namespace
 }  // namespace chapter9_gates_studies

@@ -235,9 +235,9 @@ Result<StudyResult> run_threshold(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"9.19", "Friction coefficient over velocity", kFrictionClaims, run_friction},
-                              {"9.20", "Stiffness of the springs", kSpringClaims, run_springs},
-                              {"9.21", "Threshold of the valve", kThresholdClaims, run_threshold}};
+constexpr Study kStudies[] = {{"9.19", "Friction coefficient over velocity", kFrictionClaims, run_friction, kOnTheRig},
+                              {"9.20", "Stiffness of the springs", kSpringClaims, run_springs, kOnTheRig},
+                              {"9.21", "Threshold of the valve", kThresholdClaims, run_threshold, kOnTheRig}};
 
 }  // namespace
 }  // namespace chapter9_identification_studies

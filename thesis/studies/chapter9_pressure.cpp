@@ -275,8 +275,8 @@ Result<StudyResult> run_oscillation(const StudyContext& context) {
 }
 
 constexpr Study kStudies[] = {
-    {"9.22", "Delay of the load pressure by the valve's deadband", kDeadbandClaims, run_deadband},
-    {"9.23", "Oscillation of the load pressure", kOscillationClaims, run_oscillation}};
+    {"9.22", "Delay of the load pressure by the valve's deadband", kDeadbandClaims, run_deadband, kOnTheRigCompliant},
+    {"9.23", "Oscillation of the load pressure", kOscillationClaims, run_oscillation, kOnTheRigCompliant}};
 
 }  // namespace
 }  // namespace chapter9_pressure_studies

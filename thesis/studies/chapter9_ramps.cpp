@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "thesis/studies/registry.hpp"
+#include "thesis/rig/rig_conditions.hpp"
 #include "thesis/rig/rig_run.hpp"
 
 namespace farrier::thesis {
@@ -56,8 +57,8 @@ Result<StudyResult> run_references(const StudyContext& context, double rise_s, c
 Result<StudyResult> run_ramps(const StudyContext& context) { return run_references(context, kRamp_s, "G.9"); }
 Result<StudyResult> run_steps(const StudyContext& context) { return run_references(context, 0.0, "G.10"); }
 
-constexpr Study kStudies[] = {{"G.9", "Fixed LQR under added weight: ramps", kRampClaims, run_ramps},
-                              {"G.10", "Fixed LQR under added weight: steps", kStepClaims, run_steps}};
+constexpr Study kStudies[] = {{"G.9", "Fixed LQR under added weight: ramps", kRampClaims, run_ramps, kOnTheRigCompliant},
+                              {"G.10", "Fixed LQR under added weight: steps", kStepClaims, run_steps, kOnTheRigCompliant}};
 
 }  // namespace
 }  // namespace chapter9_ramps_studies

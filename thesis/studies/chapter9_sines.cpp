@@ -251,11 +251,11 @@ Result<StudyResult> run_strong(const StudyContext& context) {
 }
 
 constexpr Study kStudies[] = {
-    {"9.11", "LQR on the rig: sines of 1 to 3.5 Hz", kFrequencyClaims, run_frequencies},
-    {"9.12", "LQR on the rig: sines of 60 to 260 N", kAmplitudeClaims, run_amplitudes},
-    {"9.14", "Compliant against full-state LQR: sine", kFormClaims, run_forms},
-    {"G.7", "Compliant LQR: sines of 200 N", kWeakClaims, run_weak},
-    {"G.8", "Compliant LQR: sines of 400 N", kStrongClaims, run_strong}};
+    {"9.11", "LQR on the rig: sines of 1 to 3.5 Hz", kFrequencyClaims, run_frequencies, kOnTheRigFullState},
+    {"9.12", "LQR on the rig: sines of 60 to 260 N", kAmplitudeClaims, run_amplitudes, kOnTheRigFullState},
+    {"9.14", "Compliant against full-state LQR: sine", kFormClaims, run_forms, kOnTheRigCompliant},
+    {"G.7", "Compliant LQR: sines of 200 N", kWeakClaims, run_weak, kOnTheRigCompliant},
+    {"G.8", "Compliant LQR: sines of 400 N", kStrongClaims, run_strong, kOnTheRigCompliant}};
 
 }  // namespace
 }  // namespace chapter9_sines_studies

@@ -276,8 +276,8 @@ Result<StudyResult> run_forms(const StudyContext& context) {
   return measure_on(rig, kFormClaims, [&](const robot::Robot& robot) { return forms_on(robot, context); });
 }
 
-constexpr Study kStudies[] = {{"9.13", "Compliant LQR: steps and chirps", kStepClaims, run_steps},
-                              {"9.15", "Compliant against full-state LQR: step", kFormClaims, run_forms}};
+constexpr Study kStudies[] = {{"9.13", "Compliant LQR: steps and chirps", kStepClaims, run_steps, kOnTheRigCompliant},
+                              {"9.15", "Compliant against full-state LQR: step", kFormClaims, run_forms, kOnTheRigCompliant}};
 
 }  // namespace
 }  // namespace chapter9_steps_studies

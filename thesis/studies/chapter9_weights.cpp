@@ -235,10 +235,10 @@ Result<StudyResult> run_heavy(const StudyContext& context) { return methods_of(c
 Result<StudyResult> run_nominal(const StudyContext& context) { return methods_of(context, kNominalClaims, 0.0, "G.3"); }
 Result<StudyResult> run_middle(const StudyContext& context) { return methods_of(context, kMiddleClaims, 5.0, "G.4"); }
 
-constexpr Study kStudies[] = {{"9.8", "Estimates under added weight", kWeightClaims, run_weights},
-                              {"9.9", "Estimates behind gates, +15 kg", kHeavyClaims, run_heavy},
-                              {"G.3", "Estimates behind gates, +0 kg", kNominalClaims, run_nominal},
-                              {"G.4", "Estimates behind gates, +5 kg", kMiddleClaims, run_middle}};
+constexpr Study kStudies[] = {{"9.8", "Estimates under added weight", kWeightClaims, run_weights, kOnTheRigEstimated},
+                              {"9.9", "Estimates behind gates, +15 kg", kHeavyClaims, run_heavy, kOnTheRigEstimated},
+                              {"G.3", "Estimates behind gates, +0 kg", kNominalClaims, run_nominal, kOnTheRigEstimated},
+                              {"G.4", "Estimates behind gates, +5 kg", kMiddleClaims, run_middle, kOnTheRigEstimated}};
 
 }  // namespace
 }  // namespace chapter9_weights_studies

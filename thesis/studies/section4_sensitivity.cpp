@@ -132,7 +132,7 @@ Result<StudyResult> run(const StudyContext&) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"S4.3", "Operating point, stiffness and zeros", kClaims, run}};
+constexpr Study kStudies[] = {{"S4.3", "Operating point, stiffness and zeros", kClaims, run, "Model (3.51) of Table A.1, continuous; zeros and poles sampled with 1 ms."}};
 
 }  // namespace
 }  // namespace section4_sensitivity_studies

@@ -109,8 +109,8 @@ Result<StudyResult> run_switch(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"S5.3", "The four update logics", kLogicClaims, run_logics},
-                              {"S10.3", "Switching between stance and flight", kSwitchClaims, run_switch}};
+constexpr Study kStudies[] = {{"S5.3", "The four update logics", kLogicClaims, run_logics, "fc1d.yaml on the load cycle of Fig. 7.6: noise, probed valve, xi = 14, estimator and thresholds of the file."},
+                              {"S10.3", "Switching between stance and flight", kSwitchClaims, run_switch, "hyq.yaml, gains for its stance and swing loads, lock-step clock."}};
 
 }  // namespace
 }  // namespace section5_update_studies

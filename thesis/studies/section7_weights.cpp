@@ -150,8 +150,8 @@ Result<StudyResult> run_normalised(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"S7.2", "Influence of the weights", kWeightClaims, run_weights},
-                              {"S8.2", "Normalisation and the Riccati iteration", kNormalisedClaims, run_normalised}};
+constexpr Study kStudies[] = {{"S7.2", "Influence of the weights", kWeightClaims, run_weights, "fc1d.yaml with its noise, full-state LQR, xi = 6, multisine of 160 N and step of 400 N."},
+                              {"S8.2", "Normalisation and the Riccati iteration", kNormalisedClaims, run_normalised, "fc1d.yaml, 2.5 kg, full state, weights (7.9) and (7.10), double precision."}};
 
 }  // namespace
 }  // namespace section7_weights_studies
