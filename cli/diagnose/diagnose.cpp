@@ -213,6 +213,8 @@ int diagnose(const DiagnoseOptions& o) {
                                                          .trials = o.trials,
                                                          .threads = o.threads,
                                                          .electric = o.actuator == Actuator::kElectric,
+                                                         .healthy = o.healthy,
+                                                         .calibration_path = o.calibration_path,
                                                          .go_on = o.go_on},
                                                         robots_directory())
                                : refuse("diagnose", "--benchmark makes its recordings: name none");

@@ -3,84 +3,24 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <map>
-#include <optional>
 
+#include "trials/blind/calibration.hpp"
 #include "trials/blind/outcomes_file.hpp"
 #include "trials/blind/score.hpp"
 #include "participant/loop.hpp"
 #include "cli/base/command.hpp"
 #include "cli/base/output_file.hpp"
 #include "cli/base/progress.hpp"
+#include "cli/diagnose/diagnose_benchmark_figures.hpp"
 #include "report/figures/console.hpp"
 #include "core/replace_file.hpp"
 #include "report/figures/outcome.hpp"
 
 namespace farrier::cli {
 namespace {
-
-/// Bounds of the diagnosis, over the trials that count.
-struct Bounds {
-  double named = 0.95;
-  double first_alone = 0.85;
-  double within_tolerance = 0.85;
-  double false_alarms = 0.02;
-  double outside_admitted = 0.90;
-  double pairs_named = 0.80;
-  double confidently_wrong = 0.01;
-  double median_gain = 3.0;
-  double control_gain = 1.3;
-  std::optional<double> outside_unknown, median_size_error;
-};
-
-Bounds bounds_of(bool electric) {
-  Bounds bounds;
-  if (electric) {
-    bounds.named = 0.92;
-    bounds.confidently_wrong = 0.005;
-    bounds.outside_unknown = 0.95;
-    bounds.median_size_error = 0.10;
-  }
-  return bounds;
-}
-
-void add_figures(report::Figures& figures, const std::vector<blind::Outcome>& outcomes, const Bounds& bounds) {
-  const blind::Score s = blind::score(outcomes);
-  const auto add = [&](const std::string& name, double value, std::optional<double> bound = std::nullopt) {
-    if (std::isfinite(value)) {
-      figures.add(name, value, bound);
-    }
-  };
-  add("diagnose.benchmark.trials", static_cast<double>(s.trials));
-  add("diagnose.benchmark.counted", static_cast<double>(s.counted));
-  add("diagnose.benchmark.named", s.named, bounds.named);
-  add("diagnose.benchmark.first_alone", s.first_alone, bounds.first_alone);
-  add("diagnose.benchmark.within_tolerance", s.within_tolerance, bounds.within_tolerance);
-  add("diagnose.benchmark.false_alarms", s.false_alarms, bounds.false_alarms);
-  add("diagnose.benchmark.outside_admitted", s.outside_admitted, bounds.outside_admitted);
-  add("diagnose.benchmark.outside_unknown", s.outside_unknown, bounds.outside_unknown);
-  for (const auto& [size, named] : s.sets_named) {
-    add("diagnose.benchmark.sets_of_" + std::to_string(size) + "_named", named,
-        size == 2 ? std::optional(bounds.pairs_named) : std::nullopt);
-  }
-  add("diagnose.benchmark.set_names_wrong", s.set_names_wrong);
-  add("diagnose.benchmark.median_size_error", s.median_size_error, bounds.median_size_error);
-  add("diagnose.benchmark.median_s", s.median_s);
-  add("diagnose.benchmark.confidently_wrong", s.confidently_wrong, bounds.confidently_wrong);
-  add("diagnose.benchmark.median_gain", s.median_gain, bounds.median_gain);
-  add("diagnose.benchmark.controlled", static_cast<double>(s.controlled));
-  add("diagnose.benchmark.control_gain", s.control_gain, bounds.control_gain);
-  for (const auto& [name, mine] : blind::score_by_effect(outcomes)) {
-    add("diagnose.benchmark.effect." + name + ".counted", static_cast<double>(mine.counted));
-    add("diagnose.benchmark.effect." + name + ".named", mine.named);
-    add("diagnose.benchmark.effect." + name + ".first_alone", mine.first_alone);
-    add("diagnose.benchmark.effect." + name + ".within_tolerance", mine.within_tolerance);
-    add("diagnose.benchmark.effect." + name + ".control_gain", mine.control_gain);
-  }
-}
 
 /// Outcomes in the order of the plans, and the reason if some are not kept for --continue; empty: all are.
 struct Trials {
@@ -99,13 +39,13 @@ Trials run_all(const std::vector<blind::TrialPlan>& plans, const std::vector<con
     std::filesystem::remove(kept_path, none);
   }
   std::vector<std::size_t> left;
-  std::vector<blind::TrialPlan> left_plans;
-  for (std::size_t i = 0; i < plans.size(); ++i) {
+  for (const std::size_t i : blind::mixed_order(plans.size())) {
     if (!kept.contains(i)) {
       left.push_back(i);
-      left_plans.push_back(plans[i]);
     }
   }
+  std::vector<blind::TrialPlan> left_plans;
+  std::ranges::transform(left, std::back_inserter(left_plans), [&](std::size_t i) { return plans[i]; });
   Trials trials;
   Progress bar("diagnose --benchmark", static_cast<Tick>(plans.size()), "trials");
   std::size_t done = kept.size();
@@ -128,6 +68,39 @@ Trials run_all(const std::vector<blind::TrialPlan>& plans, const std::vector<con
   return trials;
 }
 
+/// The joints that trials are made of.
+std::vector<const robot::Joint*> joints_of(const TrialRobots& robots, bool healthy) {
+  if (!healthy) {
+    return robots.joints();
+  }
+  std::vector<const robot::Joint*> all;
+  for (const robot::Joint& joint : robots.legs.joints) {
+    all.push_back(&joint);
+  }
+  return all;
+}
+
+std::vector<blind::TrialPlan> plans_of(const DiagnoseBenchmark& o, const std::vector<const robot::Joint*>& joints) {
+  if (o.healthy) {
+    return blind::healthy_trials(joints.size(), static_cast<std::size_t>(o.trials > 0 ? o.trials : kHealthyRobots),
+                                 o.seed);
+  }
+  return blind::spread(
+      o.electric ? blind::all_electric_trials(joints, o.seed) : blind::all_trials(joints.size(), o.seed), o.trials);
+}
+
+/// Writes the map of confidences that the trials give, with its source.
+Result<Done> calibrate(const std::vector<blind::Outcome>& outcomes, const DiagnoseBenchmark& o) {
+  const auto map = blind::fitted_map(outcomes);
+  if (!map) {
+    return Error{"a map of confidences needs right and wrong names: run more trials"};
+  }
+  const std::string source = "Fitted by farrier diagnose --benchmark" +
+                             std::string(o.electric ? " --actuator electric" : "") + " --calibrate, seed " +
+                             std::to_string(o.seed) + ", " + std::to_string(outcomes.size()) + " trials.";
+  return replace_file(o.calibration_path, blind::map_text(*map, source));
+}
+
 }  // namespace
 
 Result<TrialRobots> load_trial_robots(const std::string& folder, bool electric) {
@@ -142,7 +115,11 @@ Result<TrialRobots> load_trial_robots(const std::string& folder, bool electric) 
 
 int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots) {
   participant::install_signal_handlers();
-  for (const std::string* path : {&o.json_path, &o.confusion_path}) {
+  if (!o.calibration_path.empty() && o.seed < blind::kCalibrationSeed) {
+    return refuse("diagnose --benchmark", "--calibrate needs a --seed of " + std::to_string(blind::kCalibrationSeed) +
+                                              " or more: lower ones are those that test the confidences");
+  }
+  for (const std::string* path : {&o.json_path, &o.confusion_path, &o.calibration_path}) {
     if (!path->empty()) {
       if (auto free = make_way(*path); !free) {
         return refuse("diagnose --benchmark", free.error().message);
@@ -154,13 +131,12 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
     return refuse("diagnose --benchmark", loaded.error().message);
   }
   const auto& [rig, legs] = loaded.value();
-  const std::vector<const robot::Joint*> joints = loaded.value().joints();
-  const auto plans = blind::spread(
-      o.electric ? blind::all_electric_trials(joints, o.seed) : blind::all_trials(joints.size(), o.seed), o.trials);
+  const std::vector<const robot::Joint*> joints = joints_of(loaded.value(), o.healthy);
+  const auto plans = plans_of(o, joints);
   const std::string kept_path = o.json_path.empty() ? "" : o.json_path + ".trials";
   const std::string origin = report::build_name() + ", " + report::run_info(rig, o.seed).configuration_hash + ", " +
                              report::run_info(legs, o.seed).configuration_hash + ", seed " + std::to_string(o.seed) +
-                             ", " + std::to_string(plans.size()) + " trials";
+                             ", " + std::to_string(plans.size()) + (o.healthy ? " healthy joints" : " trials");
   Trials trials = run_all(plans, joints, o, kept_path, origin);
   std::vector<blind::Outcome>& outcomes = trials.outcomes;
   report::Outcome outcome;
@@ -180,7 +156,11 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
       outcome.failures.push_back("a trial could not be made: " + trial.refused);
     }
   }
-  add_figures(outcome.figures, outcomes, bounds_of(o.electric));
+  if (o.healthy) {
+    add_healthy_figures(outcome.figures, outcomes, joints.size());
+  } else {
+    add_benchmark_figures(outcome.figures, outcomes, o.electric);
+  }
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   if (!o.json_path.empty()) {
     if (auto written = report::write_json(o.json_path, outcome); !written) {
@@ -194,6 +174,11 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
   }
   if (!o.confusion_path.empty()) {
     if (auto written = replace_file(o.confusion_path, blind::confusion_page(outcomes)); !written) {
+      return fail("diagnose --benchmark", written.error().message);
+    }
+  }
+  if (!o.calibration_path.empty()) {
+    if (auto written = calibrate(outcomes, o); !written) {
       return fail("diagnose --benchmark", written.error().message);
     }
   }

@@ -8,6 +8,9 @@
 
 namespace farrier::cli {
 
+/// Healthy robots of `farrier diagnose --benchmark --healthy`, 12 joints each.
+inline constexpr int kHealthyRobots = 300;
+
 /// Options of `farrier diagnose --benchmark`.
 struct DiagnoseBenchmark {
   std::string json_path;       ///< empty: none
@@ -16,6 +19,8 @@ struct DiagnoseBenchmark {
   int trials = 0;  ///< spread evenly over all; 0: all
   int threads = 2;
   bool electric = false;  ///< trials of electric joints
+  bool healthy = false;   ///< trials of whole robots that hide nothing; `trials` counts robots, 0: kHealthyRobots
+  std::string calibration_path;  ///< where the map of confidences goes that these trials give; empty: none is fitted
   bool go_on = false;     ///< takes the trials over that an earlier run of this build kept beside `json_path`
 };
 

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "cli/base/help.hpp"
+#include "trials/blind/blind_trials.hpp"
 
 namespace farrier::cli {
 namespace {
@@ -46,6 +47,17 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   add_choice(app, "--actuator", o.actuator, kActuators, "hydraulic|electric", "of the joints of --benchmark")
       ->default_str("hydraulic")
       ->needs("--benchmark");
+  app.add_flag("--healthy", o.healthy,
+               "--benchmark diagnoses every joint of healthy robots, hyq or go1, in place of hidden effects, and counts "
+               "the robots with an alarm; --trials counts robots, 0: 300")
+      ->needs("--benchmark");
+  auto* const calibrate =
+      app.add_option("--calibrate", o.calibration_path,
+                     "--benchmark fits the map of confidences to its trials and writes it, as "
+                     "lib/diagnosis/judge/confidence_hydraulic.def; its --seed is 100001 unless told, and not lower")
+          ->type_name("<file>")
+          ->needs("--benchmark")
+          ->excludes("--healthy");
   app.add_flag(
       "--wiring", o.wiring,
       "put faults of wiring into recordings of the same generator in place of a recording, and count those named; "
@@ -57,7 +69,8 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   confusion->type_name("<file>")->needs("--benchmark");
   seed->type_name("<n>")->capture_default_str();
   trials->check(between(0, 100000))->type_name("<n>")->capture_default_str();
-  app.parse_complete_callback([seed, trials, &o] {
+  app.parse_complete_callback([seed, trials, calibrate, &o] {
+    o.seed = calibrate->count() > 0 && seed->count() == 0 ? blind::kCalibrationSeed : o.seed;
     for (const CLI::Option* const option : {seed, trials}) {
       if (option->count() > 0 && !o.benchmark && !o.wiring) {
         throw CLI::RequiresError(option->get_name(), "--benchmark or --wiring");

@@ -24,6 +24,8 @@ struct DiagnoseOptions {
   bool what_can_be_told = false;  ///< effects that the recording shows and tells apart, in place of a verdict
   bool benchmark = false;         ///< run blind trials in place of a recording
   Actuator actuator = Actuator::kHydraulic;  ///< of the benchmark's joints
+  bool healthy = false;                      ///< the benchmark is of healthy robots
+  std::string calibration_path;              ///< of the map of confidences that the benchmark gives; empty: none
   bool wiring = false;                       ///< likewise trials of faults of wiring
   std::string confusion_path;                ///< of those: what was taken for what; empty: none
   std::uint64_t seed = 1;

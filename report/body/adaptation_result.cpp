@@ -5,6 +5,7 @@
 #include <map>
 
 #include "core/median.hpp"
+#include "core/wilson.hpp"
 #include "report/figures/text_format.hpp"
 
 namespace farrier::report {
@@ -71,17 +72,6 @@ std::optional<double> bound_of(const AdaptationRow& row) {
 
 }  // namespace
 
-WilsonInterval wilson_interval(int count, int of) noexcept {
-  constexpr double z = 1.959963984540054;
-  if (of <= 0) {
-    return {0.0, 1.0};
-  }
-  const double n = of, share = count / n;
-  const double middle = (share + z * z / (2.0 * n)) / (1.0 + z * z / n);
-  const double half = z / (1.0 + z * z / n) * std::sqrt(share * (1.0 - share) / n + z * z / (4.0 * n * n));
-  return {std::max(0.0, middle - half), std::min(1.0, middle + half)};
-}
-
 std::vector<AdaptationRow> adaptation_rows(std::span<const trials::StudyDesign> designs,
                                            std::span<const trials::TrotRow> runs) {
   std::vector<AdaptationRow> rows;
@@ -121,7 +111,7 @@ void add_adaptation(Figures& figures, std::span<const AdaptationRow> rows) {
     for (const AdaptationCell& of : row.cells) {
       figures.add(prefix + of.design + ".runs", of.runs);
       figures.add(prefix + of.design + ".falls", of.falls);
-      const WilsonInterval share = wilson_interval(of.falls, of.runs);
+      const WilsonInterval share = wilson_interval(static_cast<std::size_t>(of.falls), static_cast<std::size_t>(of.runs));
       figures.add(prefix + of.design + ".fall_share_low", share.low);
       figures.add(prefix + of.design + ".fall_share_high", share.high);
       if (of.falls < of.runs) {
@@ -157,7 +147,7 @@ std::string adaptation_text(std::span<const AdaptationRow> rows) {
     }
     std::vector<std::string> line{row.row, row.condition};
     for (const AdaptationCell& of : row.cells) {
-      const WilsonInterval share = wilson_interval(of.falls, of.runs);
+      const WilsonInterval share = wilson_interval(static_cast<std::size_t>(of.falls), static_cast<std::size_t>(of.runs));
       const auto percent = [](double value) { return std::to_string(std::lround(kPercentOfShare * value)); };
       line.push_back(std::to_string(of.falls) + "/" + std::to_string(of.runs) + " (" + percent(share.low) + "-" +
                      percent(share.high) + " %) " + (of.falls < of.runs ? short_number(of.stance_nrmse) : "-"));

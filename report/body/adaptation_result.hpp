@@ -17,12 +17,6 @@ namespace farrier::report {
 inline constexpr double kAdaptiveRatioAtMost = 1.3;
 inline constexpr double kNoCostRatioAtMost = 1.1;
 
-/// Bounds of a share of `count` in `of`, at 95 % (Wilson 1927).
-struct WilsonInterval {
-  double low, high;
-};
-WilsonInterval wilson_interval(int count, int of) noexcept;
-
 /// The runs of a design in a row under a condition.
 struct AdaptationCell {
   std::string design;

@@ -15,6 +15,8 @@ farrier_test(diagnosis_test unit
 target_link_libraries(diagnosis_test PRIVATE farrier_diagnosis)
 target_compile_definitions(diagnosis_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")
 
+farrier_test(calibration_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/calibration_test.cpp)
+target_link_libraries(calibration_test PRIVATE farrier_blind)
 farrier_test(blind_trials_test unit ${CMAKE_CURRENT_LIST_DIR}/trials/blind_trials_test.cpp)
 target_link_libraries(blind_trials_test PRIVATE farrier_blind)
 target_compile_definitions(blind_trials_test PRIVATE FARRIER_ROBOTS="${PROJECT_SOURCE_DIR}/deploy/robots/")

@@ -7,7 +7,10 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <mutex>
+#include <numbers>
+#include <numeric>
 
 #include "control/law/effect_compensation.hpp"
 #include "core/noise.hpp"
@@ -38,7 +41,7 @@ constexpr std::array<int, 4> kSets{60, 40, 24, 12};  // of two, three, four and 
 constexpr int kOutside = 36;
 // Trials of each electric joint.
 constexpr int kElectricNone = 24;
-constexpr int kElectricPairs = 12;
+constexpr std::array<int, 3> kElectricSets{12, 8, 4};  // of two, three and four effects
 
 /// Held-out rms by channel of the nominal model with its constants fitted.
 std::array<double, diagnosis::kChannels> base_error(const truth::Samples& samples, const robot::Joint& joint) {
@@ -163,14 +166,28 @@ std::vector<TrialPlan> all_electric_trials(const std::vector<const robot::Joint*
     for (int i = 0; i < kElectricNone; ++i) {
       add(Kind::kNone, joint, {}, i % 3);
     }
-    for (int i = 0; i < kElectricPairs; ++i) {
-      add(Kind::kSet, joint, drawn_set(known, 2, seed + plans.size()), i % 3);
+    for (std::size_t more = 0; more < kElectricSets.size(); ++more) {
+      for (int i = 0; i < kElectricSets[more]; ++i) {
+        add(Kind::kSet, joint, drawn_set(known, more + 2, seed + plans.size()), i % 3);
+      }
     }
     const std::vector<std::string> outside = truth::outside_electric_effects();
     for (const std::string& name : outside) {
       for (int excitation = 0; excitation < 3; ++excitation) {
         add(Kind::kOutside, joint, {{name, 1 + excitation % 2}}, excitation);
       }
+    }
+  }
+  return plans;
+}
+
+std::vector<TrialPlan> healthy_trials(std::size_t joints, std::size_t robots, std::uint64_t seed) {
+  std::vector<TrialPlan> plans;
+  for (std::size_t robot = 0; robot < robots; ++robot) {
+    for (std::size_t joint = 0; joint < joints; ++joint) {
+      plans.push_back({Kind::kNone,
+                       joint,
+                       {(seed + robot) * joints + joint, static_cast<truth::Excitation>(robot % 3), {}}});
     }
   }
   return plans;
@@ -188,16 +205,25 @@ std::vector<TrialPlan> spread(const std::vector<TrialPlan>& all, int count) {
   return some;
 }
 
+std::vector<std::size_t> mixed_order(std::size_t count) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  // Multiples of the golden ratio, less their whole parts, lie evenly however many there are.
+  const auto place = [](std::size_t i) {
+    const double turns = std::numbers::phi * static_cast<double>(i);
+    return turns - std::floor(turns);
+  };
+  std::ranges::sort(order, {}, place);
+  return order;
+}
+
 Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints) {
   Outcome outcome;
   outcome.plan = plan;
   const robot::Joint& joint = *joints[plan.joint];
   const auto trial = truth::generate(joint, kPeriod_s, plan.plan);
-  truth::Plan without = plan.plan;
-  without.hidden.clear();
-  const auto twin = truth::generate(joint, kPeriod_s, without);
-  if (!trial || !twin) {
-    outcome.refused = trial ? twin.error().message : trial.error().message;
+  if (!trial) {
+    outcome.refused = trial.error().message;
     return outcome;
   }
   outcome.answers = trial.value().answers;
@@ -207,9 +233,18 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
   const double before_s = thread_cpu_s();
   const diagnosis::Diagnosis found = diagnosis::diagnose(recording, joint, options);
   outcome.cpu_s = thread_cpu_s() - before_s;
-  const auto with_none = base_error(twin.value().samples, joint);
-  for (std::size_t c = 0; c < with_none.size(); ++c) {
-    outcome.detectable = std::max(outcome.detectable, std::sqrt(found.judgement.base.total(c)) / with_none[c] - 1.0);
+  if (!plan.plan.hidden.empty()) {
+    truth::Plan without = plan.plan;
+    without.hidden.clear();
+    const auto twin = truth::generate(joint, kPeriod_s, without);
+    if (!twin) {
+      outcome.refused = twin.error().message;
+      return outcome;
+    }
+    const auto with_none = base_error(twin.value().samples, joint);
+    for (std::size_t c = 0; c < with_none.size(); ++c) {
+      outcome.detectable = std::max(outcome.detectable, std::sqrt(found.judgement.base.total(c)) / with_none[c] - 1.0);
+    }
   }
   outcome.verdict = found.judgement.verdict;
   outcome.error_before = found.nrmse_before;
@@ -217,12 +252,21 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
   const plant::Scales scales = robot::scales_of(joint);
   for (const diagnosis::NamedEffect& effect : found.judgement.effects) {
     const plant::EffectInfo& info = plant::effect_info(effect.id);
-    outcome.named.push_back({info.name, scales.value(info.parameters[0], effect.fitted[0]), effect.confidence});
+    Named named{info.name, scales.value(info.parameters[0], effect.fitted[0]), effect.confidence, effect.evidence,
+                effect.deviation, effect.fit_deviation, effect.distance, std::nullopt, std::nullopt};
+    const auto answer = std::ranges::find(outcome.answers, named.name, &truth::Answer::name);
+    if (answer != outcome.answers.end()) {
+      named.fit_error = std::abs(effect.fitted[0] - scales.fitted(info.parameters[0], answer->value));
+      named.size_error = size_error(info.parameters[0], named.value, answer->value, scales);
+    }
+    outcome.named.push_back(std::move(named));
   }
   for (const auto& [one, other] : found.judgement.alternatives) {
     outcome.alternatives.emplace_back(plant::effect_info(one).name, plant::effect_info(other).name);
   }
-  outcome.parameter_error = parameter_error(outcome, scales);
+  outcome.parameter_error = outcome.named.empty()
+                                ? std::numeric_limits<double>::infinity()
+                                : outcome.named.front().size_error.value_or(std::numeric_limits<double>::infinity());
   outcome.control = control_gain(outcome.answers, joint, diagnosis::found_effects(found, joint));
   return outcome;
 }

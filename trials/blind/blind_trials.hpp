@@ -26,6 +26,12 @@ struct TrialPlan {
 struct Named {
   std::string name;
   double value, confidence;
+  diagnosis::Evidence evidence = {};
+  /// Of the fitted number: calibrated deviation, that of the fit, and distance from neutral.
+  double deviation = 0.0, fit_deviation = 0.0, distance = 0.0;
+  /// Where the effect is hidden: distance of the fitted number from the true one, and that of the value from the hidden
+  /// one over the hidden one's distance from neutral.
+  std::optional<double> fit_error = {}, size_error = {};
 };
 
 struct Outcome {
@@ -47,20 +53,31 @@ struct Outcome {
   std::string refused;  ///< why the trial could not be made; empty: it was
 };
 
+/// The least seed of trials that calibrate confidences: tests of them have lower ones.
+inline constexpr std::uint64_t kCalibrationSeed = 100001;
+
 /// Every effect of the library at three magnitudes under three excitations, and 60 trials with none. Then sets of two to
 /// five effects of medium and large size, and 36 trials with an effect outside the library. They are of `joints` joints in
 /// turn.
 std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed);
 
-/// The same of electric joints, each with every effect that it can have: 24 trials with none, 12 with sets of two, and
-/// three with each effect outside the library.
+/// The same of electric joints, each with every effect that it can have: 24 trials with none, 24 with sets of two to four,
+/// and three with each effect outside the library.
 std::vector<TrialPlan> all_electric_trials(const std::vector<const robot::Joint*>& joints, std::uint64_t seed);
+
+/// Trials of `robots` robots with these joints in which nothing is hidden, robot by robot: each robot is off its file in its
+/// own way. Their seeds are `seed` and the next ones, a multiple of the joints and one for each.
+std::vector<TrialPlan> healthy_trials(std::size_t joints, std::size_t robots, std::uint64_t seed);
 
 /// Returns the recording that the diagnosis gets of a truth's samples: current, position, velocity and force.
 diagnosis::Recording recording_of(const truth::Samples& samples);
 
 /// `count` of the trials, spread evenly over all; 0: all.
 std::vector<TrialPlan> spread(const std::vector<TrialPlan>& all, int count);
+
+/// The numbers below `count`, each stretch of them spread over all: trials in this order give tables that mean something
+/// before the last.
+std::vector<std::size_t> mixed_order(std::size_t count);
 
 /// `joints` outlive the call; nominal ones.
 Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints);

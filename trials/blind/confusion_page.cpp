@@ -2,16 +2,11 @@
 #include <cstdio>
 #include <map>
 
+#include "trials/blind/number_text.hpp"
 #include "trials/blind/score.hpp"
 
 namespace farrier::blind {
 namespace {
-
-std::string text(const char* format, double value) {
-  char buffer[32];
-  std::snprintf(buffer, sizeof buffer, format, value);
-  return buffer;
-}
 
 std::string hidden_name(const Outcome& outcome) {
   std::string name;
@@ -85,10 +80,10 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
       "| effect | counted | named | first alone | parameter | error before / after | control |\n"
       "|---|---|---|---|---|---|---|\n";
   for (const auto& [name, s] : score_by_effect(outcomes)) {
-    page += "| " + name + " | " + std::to_string(s.counted) + " | " + text("%.0f %%", 100 * s.named) + " | " +
-            text("%.0f %%", 100 * s.first_alone) + " | " + text("%.0f %%", 100 * s.within_tolerance) + " | " +
-            text("%.1f", s.median_gain) + " | " +
-            (s.controlled > 0 ? text("%.2f", s.control_gain) + ", " + std::to_string(s.controlled) : "") + " |\n";
+    page += "| " + name + " | " + std::to_string(s.counted) + " | " + number_text("%.0f %%", 100 * s.named) + " | " +
+            number_text("%.0f %%", 100 * s.first_alone) + " | " + number_text("%.0f %%", 100 * s.within_tolerance) + " | " +
+            number_text("%.1f", s.median_gain) + " | " +
+            (s.controlled > 0 ? number_text("%.2f", s.control_gain) + ", " + std::to_string(s.controlled) : "") + " |\n";
   }
   page +=
       "\n## Trials that went wrong\n\n| hidden | size | excitation | seed | change of the error | answer |\n"
@@ -103,7 +98,7 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
       page += "| " + hidden_name(o) + " | " +
               (o.plan.plan.hidden.empty() ? "" : std::to_string(o.plan.plan.hidden.front().magnitude)) + " | " +
               name_of(o.plan.plan.excitation) + " | " + std::to_string(o.plan.plan.seed) + " | " +
-              text("%.0f %%", 100 * o.detectable) + " | " + (o.refused.empty() ? answer_name(o) : o.refused) + " |\n";
+              number_text("%.0f %%", 100 * o.detectable) + " | " + (o.refused.empty() ? answer_name(o) : o.refused) + " |\n";
     }
   }
   return page;

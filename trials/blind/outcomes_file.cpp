@@ -32,8 +32,21 @@ json to_json(const Outcome& outcome) {
     line["answers"].push_back({{"name", answer.name}, {"value", number(answer.value)}});
   }
   for (const Named& named : outcome.named) {
-    line["named"].push_back(
-        {{"name", named.name}, {"value", number(named.value)}, {"confidence", number(named.confidence)}});
+    json one{{"name", named.name},
+             {"value", number(named.value)},
+             {"confidence", number(named.confidence)},
+             {"deviation", number(named.deviation)},
+             {"fit_deviation", number(named.fit_deviation)},
+             {"distance", number(named.distance)},
+             {"evidence", json::array()}};
+    for (const double value : diagnosis::numbers_of(named.evidence)) {
+      one["evidence"].push_back(number(value));
+    }
+    if (named.fit_error) {
+      one["fit_error"] = number(*named.fit_error);
+      one["size_error"] = number(*named.size_error);
+    }
+    line["named"].push_back(std::move(one));
   }
   for (const auto& [one, other] : outcome.alternatives) {
     line["alternatives"].push_back({one, other});
@@ -58,7 +71,20 @@ Outcome outcome_of(const json& line, const TrialPlan& plan) {
     outcome.answers.push_back({answer.at("name"), number_of(answer.at("value"))});
   }
   for (const json& named : line.at("named")) {
-    outcome.named.push_back({named.at("name"), number_of(named.at("value")), number_of(named.at("confidence"))});
+    Named one{named.at("name"), number_of(named.at("value")), number_of(named.at("confidence"))};
+    one.deviation = number_of(named.at("deviation"));
+    one.fit_deviation = number_of(named.at("fit_deviation"));
+    one.distance = number_of(named.at("distance"));
+    std::array<double, diagnosis::kEvidences> evidence{};
+    for (std::size_t i = 0; i < evidence.size(); ++i) {
+      evidence[i] = number_of(named.at("evidence").at(i));
+    }
+    one.evidence = diagnosis::evidence_of(evidence);
+    if (named.contains("fit_error")) {
+      one.fit_error = number_of(named["fit_error"]);
+      one.size_error = number_of(named["size_error"]);
+    }
+    outcome.named.push_back(std::move(one));
   }
   for (const json& pair : line.at("alternatives")) {
     outcome.alternatives.emplace_back(pair.at(0), pair.at(1));

@@ -4,12 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "core/wilson.hpp"
+
 namespace farrier::blind {
 namespace {
-
-bool hides(const Outcome& outcome, const std::string& name) {
-  return std::ranges::any_of(outcome.plan.plan.hidden, [&](const truth::Hidden& h) { return h.name == name; });
-}
 
 template <class Of, class If>
 double share(const std::vector<Outcome>& outcomes, Of of, If holds) {
@@ -51,22 +49,17 @@ double wrong_names(const std::vector<Outcome>& outcomes) {
 
 }  // namespace
 
-double parameter_error(const Outcome& outcome, const plant::Scales& scales) {
-  if (outcome.named.empty()) {
-    return std::numeric_limits<double>::infinity();
-  }
-  const Named& first = outcome.named.front();
-  const auto answer = std::ranges::find(outcome.answers, first.name, &truth::Answer::name);
-  if (answer == outcome.answers.end()) {
-    return std::numeric_limits<double>::infinity();
-  }
-  const plant::Parameter& parameter = plant::effect_info(plant::find_nameable(first.name)).parameters[0];
+bool hides(const Outcome& outcome, const std::string& name) {
+  return std::ranges::any_of(outcome.plan.plan.hidden, [&](const truth::Hidden& h) { return h.name == name; });
+}
+
+double size_error(const plant::Parameter& parameter, double value, double truth, const plant::Scales& scales) {
   // A frequency's or a saturation's neutral value is infinite: there the distance is that of the inverses.
   if (parameter.reciprocal) {
-    return std::abs(answer->value / first.value - 1.0);
+    return std::abs(truth / value - 1.0);
   }
   const double neutral = scales.value(parameter, scales.neutral(parameter));
-  return std::abs(first.value - answer->value) / std::abs(answer->value - neutral);
+  return std::abs(value - truth) / std::abs(truth - neutral);
 }
 
 bool first_alone(const Outcome& outcome) {
@@ -132,8 +125,10 @@ Score score(const std::vector<Outcome>& outcomes) {
     if (outcome.refused.empty()) {
       seconds.push_back(outcome.cpu_s);
     }
-    if ((counts(outcome) || detectable(Kind::kSet)(outcome)) && std::isfinite(outcome.parameter_error)) {
-      sizes.push_back(outcome.parameter_error);
+    for (const Named& named : outcome.named) {
+      if (named.size_error) {
+        sizes.push_back(*named.size_error);
+      }
     }
   }
   s.median_s = median(std::move(seconds));
@@ -156,6 +151,32 @@ Score score(const std::vector<Outcome>& outcomes) {
   s.controlled = control.size();
   s.control_gain = median(std::move(control));
   return s;
+}
+
+Alarms alarms_of(const std::vector<Outcome>& outcomes, std::size_t joints) {
+  struct Robot {
+    std::size_t joints = 0, alarms = 0;
+  };
+  std::map<std::uint64_t, Robot> robots;
+  std::vector<double> seconds;
+  Alarms alarms;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.refused.empty()) {
+      Robot& robot = robots[(outcome.plan.plan.seed - outcome.plan.joint) / joints];
+      ++robot.joints;
+      robot.alarms += outcome.verdict != diagnosis::Verdict::kNone ? 1 : 0;
+      seconds.push_back(outcome.cpu_s);
+    }
+  }
+  for (const auto& [number, robot] : robots) {
+    alarms.robots += robot.joints == joints ? 1 : 0;
+    alarms.joints += robot.joints;
+    alarms.alarms += robot.alarms > 0 ? 1 : 0;
+    alarms.joint_alarms += robot.alarms;
+  }
+  alarms.rate_high = wilson_interval(alarms.alarms, alarms.robots).high;
+  alarms.median_s = median(std::move(seconds));
+  return alarms;
 }
 
 std::map<std::string, Score> score_by_effect(const std::vector<Outcome>& outcomes) {

@@ -14,9 +14,11 @@ inline constexpr double kParameterTolerance = 0.15;
 inline constexpr double kConfident = 0.9;
 inline constexpr std::size_t kLargestSet = 5;
 
-/// Distance of the first named value from the hidden one, over the hidden one's distance from neutral; infinite where
-/// the first named effect is not hidden.
-double parameter_error(const Outcome& outcome, const plant::Scales& scales);
+/// True if such an effect is hidden.
+bool hides(const Outcome& outcome, const std::string& name);
+
+/// Distance of a value from the true one over the true one's distance from neutral.
+double size_error(const plant::Parameter& parameter, double value, double truth, const plant::Scales& scales);
 
 /// The hidden effect is named first and no other stands beside it as an alternative.
 bool first_alone(const Outcome& outcome);
@@ -37,7 +39,7 @@ struct Score {
   std::map<std::size_t, double> sets_named;  ///< all names, of detectable sets, by their size
   double set_names_wrong = 0.0;              ///< of the names in these trials: no such effect is hidden
   double median_s = 0.0;                     ///< processor time of a diagnosis
-  /// Distance of the first named value from the hidden one over its distance from neutral, where it is hidden; median.
+  /// Distance of a named value from the hidden one over its distance from neutral, of all names that are hidden; median.
   double median_size_error = 0.0;
   double confidently_wrong = 0.0;  ///< of all trials
   std::size_t controlled = 0;      ///< trials in which something was named that a controller can use
@@ -46,6 +48,17 @@ struct Score {
 };
 
 Score score(const std::vector<Outcome>& outcomes);
+
+/// Alarms among healthy robots: a verdict other than none for any joint of a robot is an alarm.
+struct Alarms {
+  std::size_t robots = 0, joints = 0;  ///< robots of which every joint was diagnosed, and all joints that were
+  std::size_t alarms = 0, joint_alarms = 0;
+  double rate_high = 0.0;  ///< upper end of the 95 % interval of the share of robots with an alarm (Wilson 1927)
+  double median_s = 0.0;   ///< processor time of a joint's diagnosis
+};
+
+/// Alarms of trials in the order of robots of `joints` joints; the last robot may be incomplete.
+Alarms alarms_of(const std::vector<Outcome>& outcomes, std::size_t joints);
 
 /// Score of the single-effect trials of each effect.
 std::map<std::string, Score> score_by_effect(const std::vector<Outcome>& outcomes);

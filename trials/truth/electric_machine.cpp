@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "trials/truth/contact.hpp"
+#include "trials/truth/wave.hpp"
 
 namespace farrier::truth::electric {
 namespace {
@@ -43,9 +44,9 @@ double admitted(const ElectricMachine& m, double command_A, double rotor_speed) 
 double on_load(const ElectricMachine& m, double time_s, const Vector& x, const Acting& acting, Vector& dx) {
   const double place = x[kX];
   const double from_rest = place - m.spring_rest;
-  double torque = acting.random_Nm + m.external_torque + m.beat_Nm * std::sin(m.beat_rad_s * time_s);
+  double torque = acting.random_Nm + m.external_torque + wave(m.beat_Nm, m.beat_rad_s * time_s);
   torque -= m.load_damping * x[kV] + m.load_spring * from_rest + m.cubic_spring * from_rest * from_rest * from_rest;
-  torque -= m.weight_Nm * std::sin(place - m.hanging);
+  torque -= wave(m.weight_Nm, place - m.hanging);
   torque -= rub(m.load_contact, place - 0.5 * m.travel, x[kV], x[kLoadBristle], dx[kLoadBristle]);
   dx[kBranchX] = dx[kBranchV] = 0.0;
   if (m.branch > 0.0) {
@@ -82,7 +83,7 @@ double differentiate(const ElectricMachine& m, double time_s, const Vector& x, c
 
   double motor = strength * x[kCurrent] - m.damping * rotor_speed -
                  smooth_friction(m.coulomb, rotor_speed, m.slip_speed) +
-                 m.ripple_Nm * std::sin(m.ripple_periods * rotor_place + m.ripple_phase);
+                 wave(m.ripple_Nm, m.ripple_periods * rotor_place + m.ripple_phase);
   motor -= rub(m.gear_contact, 0.0, rotor_speed, x[kGearBristle], dx[kGearBristle]);
 
   const double load_torque = on_load(m, time_s, x, acting, dx);

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "trials/truth/contact.hpp"
+#include "trials/truth/wave.hpp"
 
 namespace farrier::truth {
 namespace {
@@ -116,7 +117,7 @@ double across_play(const Machine& m, const Vector& x) {
 
 // Supply at the valve: ideal, behind a resistance, or an accumulator fed through a line.
 double feed(const Machine& m, double time_s, double drawn, const Vector& x, Vector& dx) {
-  const double pump = m.supply_Pa + m.ripple_Pa * std::sin(m.ripple_rad_s * time_s);
+  const double pump = m.supply_Pa + wave(m.ripple_Pa, m.ripple_rad_s * time_s);
   dx[kSupply] = dx[kFeed] = 0.0;
   if (m.accumulator_Pa_m3 > 0.0) {
     dx[kSupply] = m.accumulator_Pa_m3 * (x[kFeed] - drawn);
@@ -173,7 +174,7 @@ Outcome differentiate(const Machine& m, double time_s, const Vector& x, const Ac
   // p' = beta / V (q - V')
   const double pa = std::max(x[kPa], 0.0), pb = std::max(x[kPb], 0.0);
   const bool held_supply = m.accumulator_Pa_m3 > 0.0 || m.supply_resistance > 0.0;
-  const double supply = held_supply ? x[kSupply] : m.supply_Pa + m.ripple_Pa * std::sin(m.ripple_rad_s * time_s);
+  const double supply = held_supply ? x[kSupply] : m.supply_Pa + wave(m.ripple_Pa, m.ripple_rad_s * time_s);
   const Flows q = valve(m, lands(m, time_s, spool), supply, pa, pb);
   const double drawn = std::max(q.supply, 0.0), leak = m.leakage_m3_s_Pa * (pa - pb);
   feed(m, time_s, drawn, x, dx);
@@ -189,7 +190,7 @@ Outcome differentiate(const Machine& m, double time_s, const Vector& x, const Ac
                            m.piston_damping * piston_v -
                            rub(m.piston_contact, piston_x - middle, piston_v, x[kPistonBristle], dx[kPistonBristle]);
   const double stretch = position - m.spring_rest;
-  double on_load = m.external_force + acting.random_force + m.beat_force * std::sin(m.beat_rad_s * time_s) -
+  double on_load = m.external_force + acting.random_force + wave(m.beat_force, m.beat_rad_s * time_s) -
                    m.load_damping * v - (m.load_stiffness + m.cubic_stiffness * stretch * stretch) * stretch -
                    rub(m.load_contact, position - middle, v, x[kLoadBristle], dx[kLoadBristle]);
   double near_mass = m.load_mass;

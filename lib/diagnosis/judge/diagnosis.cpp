@@ -29,6 +29,7 @@ std::vector<plant::EffectId> all_effects(const JointSides& joint) {
 Rules rules_of_electric(Rules rules) {
   rules.screens = false;
   rules.unexplained = std::min(rules.unexplained, 0.1);
+  rules.confidence = &confidence_map(true);
   return rules;
 }
 

@@ -4,15 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/noise.hpp"
-#include "diagnosis/data/sample_statistics.hpp"
+#include "diagnosis/judge/fit_costs.hpp"
 
 namespace farrier::diagnosis {
-namespace {
-
-constexpr int kResamplings = 400;
-
-}  // namespace
 
 double Hypothesis::total(std::size_t channel) const noexcept {
   return std::accumulate(squares[channel].begin(), squares[channel].end(), 0.0);
@@ -27,16 +21,21 @@ Bench::Bench(const Simulator& simulator, const ChannelMask& judged, const FitOpt
       fit_data_.weight[c] = std::max(judged_rms(error), 1e-12);
     }
     const auto skip = static_cast<std::size_t>(options_.warm_up_s / simulator.period_s());
-    for (const Span half : halves()) {
-      for (std::size_t i = half.begin + std::min(skip, half.size()); i < half.end; ++i) {
-        count_[c] += simulator.explains(static_cast<Channel>(c), i) ? 1 : 0;
+    for (std::size_t half = 0; half < 2; ++half) {
+      const Span span = halves()[half];
+      for (std::size_t i = span.begin + std::min(skip, span.size()); i < span.end; ++i) {
+        count_[c][half] += simulator.explains(static_cast<Channel>(c), i) ? 1 : 0;
       }
     }
   }
 }
 
 double Bench::rms_of(double squares, std::size_t channel) const noexcept {
-  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count_[channel], 1)));
+  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count_[channel][0] + count_[channel][1], 1)));
+}
+
+double Bench::rms_of_half(double squares, std::size_t half, std::size_t channel) const noexcept {
+  return std::sqrt(squares / static_cast<double>(std::max<std::size_t>(count_[channel][half], 1)));
 }
 
 std::array<Span, 2> Bench::halves() const noexcept {
@@ -55,6 +54,32 @@ ChannelMask Bench::closure(ChannelMask mask, const std::vector<Model::Effect>& e
     }
   }
   return mask;
+}
+
+FitResult Bench::fit_half(const Hypothesis& from, std::size_t half, const Model& start, const ChannelMask& mask,
+                          bool bent) const {
+  FitResult result = fit(beside(from), halves()[half], start, mask, options_);
+  const ChannelMask load = closure({false, true, false}, start.effects);
+  if (bent && !load[static_cast<std::size_t>(Channel::kForce)]) {
+    result.model = fit(beside(from), halves()[half], result.model, load, options_).model;
+  }
+  return result;
+}
+
+Model Bench::start_of_other(const Model& fitted, const Model& own, const ChannelMask& mask) const {
+  Model start = fitted;
+  const std::vector<FreeNumber> free = simulator_.free_numbers(own, mask, options_.nominal_spread);
+  Model kept = own;
+  std::size_t count = kNominals;
+  for (const Model::Effect& effect : own.effects) {
+    count += effect.fitted.size();
+  }
+  for (std::size_t place = 0; place < count; ++place) {
+    if (std::ranges::find(free, place, &FreeNumber::place) == free.end()) {
+      number_at(start, place) = number_at(kept, place);
+    }
+  }
+  return start;
 }
 
 std::vector<double> Bench::block_squares(const Model& model, std::size_t half, std::size_t channel) const {
@@ -85,12 +110,16 @@ void Bench::judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelM
     for (std::size_t half = 0; fit_data_.judged[c] && half < 2; ++half) {
       const auto squares = block_squares(hypothesis.halves[1 - half].model, half, c);
       hypothesis.squares[c].insert(hypothesis.squares[c].end(), squares.begin(), squares.end());
-      const auto fitted = block_squares(hypothesis.halves[half].model, half, c);
-      hypothesis.fitted_squares[c][half] = std::accumulate(fitted.begin(), fitted.end(), 1e-300);
+      hypothesis.fitted_squares[c][half] = fitted_square(hypothesis, half, c);
     }
     const auto& own = hypothesis.fitted_squares[c];
     hypothesis.weight[c] = std::max(rms_of(own[0] + own[1], c), 1e-12);
   }
+}
+
+double Bench::fitted_square(const Hypothesis& hypothesis, std::size_t half, std::size_t channel) const {
+  const auto fitted = block_squares(hypothesis.halves[half].model, half, channel);
+  return std::accumulate(fitted.begin(), fitted.end(), 1e-300);
 }
 
 double Bench::promise(const Hypothesis& from, const Model& model, const ChannelMask& mask) const {
@@ -167,10 +196,39 @@ std::optional<Hypothesis> Bench::with(const Hypothesis& from, const Sketch& sket
   Hypothesis with;
   with.effects = from.effects;
   with.effects.push_back(sketch.effect);
-  with.halves[0] = fit(beside(from), halves()[0], sketch.model, mask, options_);
-  with.halves[1] = fit(beside(from), halves()[1], with.halves[0].model, mask, options_);
+  const bool bent = simulator_.bends_force(sketch.effect);
+  with.halves[0] = fit_half(from, 0, sketch.model, mask, bent);
+  const Model second = start_of_other(with.halves[0].model, from.halves[1].model, mask);
+  with.halves[1] = fit_half(from, 1, second, mask, bent);
   judge(with, &from, mask);
   return fitted_gain(from, with, mask) < least_gain ? std::nullopt : std::optional(std::move(with));
+}
+
+std::optional<Hypothesis> Bench::with_in_half(const Hypothesis& from, plant::EffectId effect, std::size_t half) const {
+  const ChannelMask mask = closure(simulator_.channels(effect), from.halves[0].model.effects);
+  std::optional<FitResult> best;
+  for (const auto& start : simulator_.starts(effect)) {
+    Model model = from.halves[half].model;
+    model.effects.push_back({effect, start});
+    FitResult found = fit(beside(from), halves()[half], model, mask, options_);
+    if (!best || found.cost < best->cost) {
+      best = std::move(found);
+    }
+  }
+  if (!best) {
+    return std::nullopt;
+  }
+  Hypothesis with;
+  with.effects = from.effects;
+  with.effects.push_back(effect);
+  const Model::Effect& added = best->model.effects.back();
+  FitResult idle = from.halves[1 - half];
+  idle.model.effects.push_back(added);
+  idle.deviation.insert(idle.deviation.end(), best->deviation.end() - std::ssize(added.fitted), best->deviation.end());
+  with.halves[1 - half] = std::move(idle);
+  with.halves[half] = std::move(*best);
+  judge(with, &from, mask);
+  return with;
 }
 
 Hypothesis Bench::without(const Hypothesis& from, plant::EffectId effect) const {
@@ -180,7 +238,7 @@ Hypothesis Bench::without(const Hypothesis& from, plant::EffectId effect) const 
   for (std::size_t half = 0; half < 2; ++half) {
     Model model = from.halves[half].model;
     std::erase_if(model.effects, [effect](const auto& e) { return e.id == effect; });
-    less.halves[half] = fit(beside(from), halves()[half], model, mask, options_);
+    less.halves[half] = fit_half(from, half, model, mask, simulator_.bends_force(effect));
   }
   judge(less, &from, mask);
   return less;
@@ -198,97 +256,15 @@ Hypothesis Bench::exchanged(const Hypothesis& from, plant::EffectId effect, plan
     mask[c] = mask[c] || was[c];
   }
   mask = closure(mask, effects);
+  const bool bent = simulator_.bends_force(effect) || simulator_.bends_force(other);
   for (std::size_t half = 0; half < 2; ++half) {
     Model model = from.halves[half].model;
     std::erase_if(model.effects, [effect](const auto& e) { return e.id == effect; });
     model.effects.push_back({other, fitted[half]});
-    changed.halves[half] = fit(beside(from), halves()[half], model, mask, options_);
+    changed.halves[half] = fit_half(from, half, model, mask, bent);
   }
   judge(changed, &from, mask);
   return changed;
-}
-
-Gain Bench::gain(const Hypothesis& before, const Hypothesis& after) const {
-  Gain gain{};
-  std::size_t blocks = 0;
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    blocks = std::max(blocks, before.squares[c].size());
-  }
-  const auto over = [&](auto&& index_of, std::size_t count) {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      if (before.squares[c].empty()) {
-        continue;
-      }
-      double was = 1e-300;
-      double is = 1e-300;
-      for (std::size_t i = 0; i < count; ++i) {
-        was += before.squares[c][index_of(i)];
-        is += after.squares[c][index_of(i)];
-      }
-      sum += 0.5 * std::log(was / is);
-    }
-    return sum;
-  };
-  gain.log_ratio = over([](std::size_t i) { return i; }, blocks);
-  gain.by_half = {over([](std::size_t i) { return i; }, blocks / 2),
-                  over([&](std::size_t i) { return blocks / 2 + i; }, blocks - blocks / 2)};
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    const double was = before.total(c);
-    gain.reduction[c] = was > 0.0 ? 1.0 - std::sqrt(after.total(c) / was) : 0.0;
-  }
-  const NoiseStream draws(1, "diagnosis", "bootstrap");
-  std::vector<double> samples;
-  for (int r = 0; r < kResamplings; ++r) {
-    const auto drawn = [&](std::size_t i) {
-      return static_cast<std::size_t>(draws.uniform(static_cast<Tick>(r) * 100000 + static_cast<Tick>(i)) *
-                                      static_cast<double>(blocks));
-    };
-    samples.push_back(over(drawn, blocks));
-  }
-  std::ranges::sort(samples);
-  gain.low = samples[kResamplings / 40];
-  gain.high = samples[kResamplings - 1 - kResamplings / 40];
-  gain.chance = static_cast<double>(std::ranges::count_if(samples, [](double s) { return s > 0.0; })) / kResamplings;
-  return gain;
-}
-
-ErrorRatio Bench::error_ratio(const Hypothesis& before, const Hypothesis& after) const {
-  std::size_t blocks = 0;
-  std::array<double, kChannels> weight{};
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    blocks = std::max(blocks, before.squares[c].size());
-    if (fit_data_.judged[c]) {
-      const std::vector<double>& values = simulator_.measured(static_cast<Channel>(c));
-      const double deviation = standard_deviation(values);
-      weight[c] = 1.0 / std::max(deviation * deviation * static_cast<double>(values.size()), 1e-300);
-    }
-  }
-  const auto error = [&](const Hypothesis& hypothesis, const std::vector<std::size_t>& drawn) {
-    double sum = 0.0;
-    for (std::size_t c = 0; c < kChannels; ++c) {
-      for (const std::size_t i : drawn) {
-        sum += i < hypothesis.squares[c].size() ? weight[c] * hypothesis.squares[c][i] : 0.0;
-      }
-    }
-    return std::sqrt(sum / static_cast<double>(std::ranges::count(fit_data_.judged, true)));
-  };
-  std::vector<std::size_t> drawn(blocks);
-  std::iota(drawn.begin(), drawn.end(), std::size_t{0});
-  ErrorRatio ratio{error(before, drawn), error(after, drawn), 1.0, 1.0};
-  const NoiseStream draws(1, "diagnosis", "ratio");
-  std::vector<double> samples;
-  for (int r = 0; r < kResamplings; ++r) {
-    for (std::size_t i = 0; i < blocks; ++i) {
-      const Tick number = static_cast<Tick>(r) * static_cast<Tick>(blocks) + static_cast<Tick>(i);
-      drawn[i] = static_cast<std::size_t>(draws.uniform(number) * static_cast<double>(blocks));
-    }
-    samples.push_back(error(before, drawn) / std::max(error(after, drawn), 1e-300));
-  }
-  std::ranges::sort(samples);
-  ratio.low = samples[kResamplings / 40];
-  ratio.high = samples[kResamplings - 1 - kResamplings / 40];
-  return ratio;
 }
 
 }  // namespace farrier::diagnosis

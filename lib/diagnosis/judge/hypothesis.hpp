@@ -61,6 +61,13 @@ class Bench {
   /// Adds the sketched effect to `from`. Empty if the sketch promises less than `least_gain` of log ratio, or if a fit
   /// improves its own half by less.
   std::optional<Hypothesis> with(const Hypothesis& from, const Sketch& sketch, double least_gain) const;
+  /// Adds an effect to `from` by its numbers in one half: the other half, on which it is not to act, gets the same. Empty
+  /// without a start.
+  std::optional<Hypothesis> with_in_half(const Hypothesis& from, plant::EffectId effect, std::size_t half) const;
+  /// Sum of squared residuals of a half by its own fit.
+  double fitted_square(const Hypothesis& hypothesis, std::size_t half, std::size_t channel) const;
+  /// Rms over a half for the sum of its squares.
+  double rms_of_half(double squares, std::size_t half, std::size_t channel) const noexcept;
   /// `from` with one effect less.
   Hypothesis without(const Hypothesis& from, plant::EffectId effect) const;
   /// `from` with `other` in place of `effect`, its fits beginning at `fitted` by half; it stands last.
@@ -78,11 +85,18 @@ class Bench {
   ChannelMask closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept;
 
  private:
+  /// Fits `start` to a half. If `bent`, an effect that bends the force between samples has come or gone, and the load's
+  /// constants are fitted again by that force: else they stand for the bend. The effect itself is not, since the bend goes
+  /// up and down with a delay.
+  FitResult fit_half(const Hypothesis& from, std::size_t half, const Model& start, const ChannelMask& mask,
+                     bool bent) const;
+  /// `fitted` to one half as a start for the other: numbers that concern no channel of `mask` are those of `own`.
+  Model start_of_other(const Model& fitted, const Model& own, const ChannelMask& mask) const;
   void judge(Hypothesis& hypothesis, const Hypothesis* like, const ChannelMask& changed) const;
   std::vector<double> block_squares(const Model& model, std::size_t half, std::size_t channel) const;
   double fitted_gain(const Hypothesis& from, const Hypothesis& with, const ChannelMask& mask) const;
   double promise(const Hypothesis& from, const Model& model, const ChannelMask& mask) const;
-  /// Root mean square over the samples of both halves that are judged, for the sum of their squares.
+  /// Rms over both halves for the sum of their squares.
   double rms_of(double squares, std::size_t channel) const noexcept;
   /// The recording, a residual counting as it does beside `from`.
   FitData beside(const Hypothesis& from) const noexcept { return {&simulator_, fit_data_.judged, from.weight}; }
@@ -90,7 +104,7 @@ class Bench {
   const Simulator& simulator_;
   FitOptions options_;
   FitData fit_data_;
-  std::array<std::size_t, kChannels> count_{};  ///< samples of both halves that are judged
+  std::array<std::array<std::size_t, 2>, kChannels> count_{};  ///< samples that are judged, by half
 };
 
 }  // namespace farrier::diagnosis

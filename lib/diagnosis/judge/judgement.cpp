@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "diagnosis/judge/remainder.hpp"
 #include "diagnosis/judge/selection.hpp"
@@ -14,12 +15,43 @@ bool is_structured(const Remainder& left, const Rules& rules) {
   return left.nrmse > rules.least_nrmse && left.rms > rules.structure_ratio * left.expected;
 }
 
-/// True if an effect beside a larger one shows where a remainder is no noise. It may then be a part that the larger
-/// one's model lacks.
-bool may_be_a_detail(const ChannelMask& shows, const std::array<Remainder, kChannels>& left, const Rules& rules) {
-  ChannelMask structured{};
-  std::ranges::transform(left, structured.begin(), [&](const Remainder& one) { return is_structured(one, rules); });
-  return meet(shows, structured);
+/// Largest remainders over the channels of a mask: over that of noise, and over that before any effect.
+std::pair<double, double> largest(const ChannelMask& mask, const std::array<Remainder, kChannels>& left,
+                                  const std::array<Remainder, kChannels>& before) {
+  double over_noise = 0.0;
+  double unexplained = 0.0;
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    if (mask[c] && before[c].rms > 0.0) {
+      over_noise = std::max(over_noise, left[c].rms / std::max(left[c].expected, 1e-12));
+      unexplained = std::max(unexplained, left[c].rms / before[c].rms);
+    }
+  }
+  return {over_noise, unexplained};
+}
+
+/// The chosen effect at `index` with all that speaks for it.
+NamedEffect named(Selection& selection, const Bench& bench, std::size_t index,
+                  const std::array<Remainder, kChannels>& left, const ConfidenceMap& map) {
+  const Hypothesis& chosen = selection.chosen();
+  const plant::EffectId id = chosen.effects[index];
+  const Estimate estimate = pooled(chosen, index);
+  const double distance = std::abs(estimate.fitted[0] - neutral_value(bench.simulator(), id));
+  Evidence evidence = selection.evidence(id);
+  std::tie(evidence.own_left, evidence.unexplained) = largest(bench.simulator().channels(id), left, selection.before());
+  evidence.all_left = largest({true, true, true}, left, selection.before()).first;
+  evidence.share = selection.share_of(id);
+  evidence.gain = selection.gain_of(id);
+  evidence.deviations = distance / std::max(estimate.deviation, 1e-12);
+  evidence.halves_apart = estimate.halves_apart / std::max(distance, 1e-12);
+  evidence.effects = static_cast<double>(chosen.effects.size());
+  return {.id = id,
+          .fitted = estimate.fitted,
+          .deviation = covering_deviation(estimate.deviation, distance, map),
+          .share = evidence.share,
+          .confidence = confidence_of(evidence, map),
+          .evidence = evidence,
+          .fit_deviation = estimate.deviation,
+          .distance = distance};
 }
 
 }  // namespace
@@ -62,25 +94,13 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   judgement.left = remainder(bench, judgement.chosen, expected);
   judgement.gain = bench.gain(judgement.base, judgement.chosen);
   for (std::size_t i = 0; i < judgement.chosen.effects.size(); ++i) {
-    const plant::EffectId id = judgement.chosen.effects[i];
-    const Estimate estimate = pooled(judgement.chosen, i);
-    judgement.effects.push_back(
-        {id, estimate.fitted, estimate.deviation, selection.share_of(id), selection.confidence(id)});
+    judgement.effects.push_back(named(selection, bench, i, judgement.left, *rules.confidence));
   }
   std::ranges::stable_sort(judgement.effects, std::greater{}, &NamedEffect::share);
   bool structured = false;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const Remainder& left = judgement.left[c];
     structured = structured || (is_structured(left, rules) && left.rms > rules.unexplained * before[c].rms);
-  }
-  for (std::size_t i = 1; i < judgement.effects.size(); ++i) {
-    NamedEffect& further = judgement.effects[i];
-    further.confidence *= may_be_a_detail(bench.simulator().channels(further.id), judgement.left, rules)
-                              ? rules.confidence_if_unknown
-                              : 1.0;
-  }
-  for (NamedEffect& effect : judgement.effects) {
-    effect.confidence *= structured ? rules.confidence_if_unknown : 1.0;
   }
   judgement.verdict = structured                        ? Verdict::kUnknown
                       : judgement.effects.empty()       ? Verdict::kNone

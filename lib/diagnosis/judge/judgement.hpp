@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "diagnosis/judge/confidence.hpp"
 #include "diagnosis/judge/hypothesis.hpp"
 #include "diagnosis/judge/remainder.hpp"
 
@@ -33,8 +34,7 @@ struct Rules {
   double open_ratio = 1.15;      ///< rms over that of a twin with its sensors' noise, above which there may be more
   double unexplained = 0.2;      ///< of a channel's rms before any effect, above which a remainder is no detail
   double least_nrmse = 0.02;     ///< NRMSE that a simulation of this form cannot improve
-  double confidence_if_unknown = 0.5;          ///< factor on the confidence of effects that leave a structure behind
-  double most_confidence = 1.0 - 1.0 / 430.0;  ///< one over the trials of farrier diagnose --benchmark from certainty
+  const ConfidenceMap* confidence = &confidence_map(false);  ///< outlives the rules
   double tie_chance = 0.025;                   ///< chance of being right above which a rival cannot be excluded
   double clear_lead = 0.05;  ///< of a channel's held-out rms, from which a lead over a rival counts in full
 };
@@ -43,9 +43,12 @@ struct Rules {
 struct NamedEffect {
   plant::EffectId id;
   std::vector<double> fitted;  ///< numbers of its parameters
-  double deviation;            ///< standard deviation of the first
+  double deviation;            ///< standard deviation of the first: 1.96 of it cover as often as they say
   double share;                ///< of the whole log gain
-  double confidence;           ///< chance that it is present and no rival is
+  double confidence;           ///< calibrated probability that it is present
+  Evidence evidence = {};           ///< from which the confidence follows
+  double fit_deviation = 0.0;        ///< standard deviation of the first by the fits alone
+  double distance = 0.0;             ///< of the first from its neutral value
 };
 
 /// One line of the table of candidates, for reports.

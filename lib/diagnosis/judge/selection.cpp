@@ -27,14 +27,19 @@ Estimate pooled(const Hypothesis& hypothesis, std::size_t index) {
   for (std::size_t i = 0; i < index; ++i) {
     place += hypothesis.halves[0].model.effects[i].fitted.size();
   }
-  Estimate estimate{number(0), 0.0};
+  Estimate estimate{number(0), 0.0, std::abs(number(0)[0] - number(1)[0])};
   for (std::size_t i = 0; i < estimate.fitted.size(); ++i) {
     estimate.fitted[i] = 0.5 * (number(0)[i] + number(1)[i]);
   }
   const double a = hypothesis.halves[0].deviation[place];
   const double b = hypothesis.halves[1].deviation[place];
-  estimate.deviation = std::max(0.5 * std::sqrt(a * a + b * b), 0.5 * std::abs(number(0)[0] - number(1)[0]));
+  estimate.deviation = std::max(0.5 * std::sqrt(a * a + b * b), 0.5 * estimate.halves_apart);
   return estimate;
+}
+
+double neutral_value(const Simulator& simulator, plant::EffectId id) {
+  const std::vector<double>* const known = simulator.known(id);
+  return known != nullptr ? (*known)[0] : simulator.scales().neutral(plant::effect_info(id).parameters[0]);
 }
 
 Selection::Selection(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each)
@@ -46,7 +51,7 @@ Selection::Selection(const Bench& bench, const ExpectedResiduals& expected, cons
       chosen_(base_),
       before_(remainder(bench, base_, expected)),
       above_noise_(channels_above_noise()) {
-  confidence_.fill(rules_.most_confidence);
+  chance_.fill(1.0);
 }
 
 ChannelMask Selection::channels_above_noise() const {
@@ -96,17 +101,17 @@ void Selection::grow_from_others() {
       continue;
     }
     ++grown;
-    const auto confidence = confidence_;
+    const auto chance = chance_;
     const auto rivals = rivals_;
     const auto rounds = rounds_;
-    confidence_.fill(rules_.most_confidence);
+    chance_.fill(1.0);
     rivals_.clear();
     rounds_.resize(1);
     choose(bench_.refined(first_[i]));
     grow();
     if (score(chosen_) <= score(best)) {
       choose(best);
-      confidence_ = confidence;
+      chance_ = chance;
       rivals_ = rivals;
       rounds_ = rounds;
     }
@@ -116,9 +121,8 @@ void Selection::grow_from_others() {
 bool Selection::outside_neutral(plant::EffectId id, const Estimate& estimate) const {
   const Simulator& simulator = bench_.simulator();
   const plant::EffectInfo& info = plant::effect_info(id);
-  const std::vector<double>* known = simulator.known(id);
-  const double neutral = known != nullptr ? (*known)[0] : simulator.scales().neutral(info.parameters[0]);
-  const double nominal = info.nominal || known != nullptr ? kNominalBand * std::abs(neutral) : 0.0;
+  const double neutral = neutral_value(simulator, id);
+  const double nominal = info.nominal || simulator.known(id) != nullptr ? kNominalBand * std::abs(neutral) : 0.0;
   const double band = std::max(nominal, simulator.least(id));
   return std::abs(estimate.fitted[0] - neutral) > band + rules_.neutral_deviations * estimate.deviation;
 }
@@ -229,7 +233,7 @@ bool Selection::add(const ChannelMask& open) {
     std::ranges::sort(first_, std::greater{}, [&](const Hypothesis& h) { return score(h); });
   }
   if (best == plant::kNameableCount) {
-    return false;
+    return add_once(open);
   }
   note_rivals(tried, best);
   choose(bench_.refined(*tried[best].hypothesis));

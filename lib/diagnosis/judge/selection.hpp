@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "diagnosis/judge/judgement.hpp"
@@ -9,14 +10,18 @@
 namespace farrier::diagnosis {
 
 /// Numbers of an effect by both halves' models: their means, and a deviation of the first no smaller than half of the
-/// halves' difference.
+/// halves' difference, which is the last.
 struct Estimate {
   std::vector<double> fitted;
   double deviation;
+  double halves_apart;
 };
 
 /// Estimate of the effect at `index` of a hypothesis.
 Estimate pooled(const Hypothesis& hypothesis, std::size_t index);
+
+/// Where an effect's first number is without it, or as the joint's file has it.
+double neutral_value(const Simulator& simulator, plant::EffectId id);
 
 /// True if a fit ended at the limit of a parameter: the effect then models something else.
 bool at_bound(plant::EffectId id, const Estimate& estimate);
@@ -56,8 +61,12 @@ class Selection {
   const std::vector<Tie>& ties() const noexcept { return ties_; }
   /// Share of a chosen effect in the log gain of all: the loss without it.
   double share_of(plant::EffectId effect);
-  /// Chance that the effect is present and none of its rivals is.
-  double confidence(plant::EffectId effect) const noexcept { return confidence_[effect]; }
+  /// Log gain that is lost without a chosen effect.
+  double gain_of(plant::EffectId effect);
+  /// Its rivals' part of the evidence.
+  Evidence evidence(plant::EffectId effect) const noexcept {
+    return {.rival_chance = chance_[effect], .runner_up = runner_up_[effect]};
+  }
 
  private:
   struct Tried {
@@ -74,6 +83,12 @@ class Selection {
   /// Tries every effect that concerns an open channel beside the chosen ones and keeps the best that is accepted.
   /// Returns false if none is, or there are most_effects.
   bool add(const ChannelMask& open);
+  /// The same for an effect that shows in one half of the recording alone, as a stop that is hit once: the other half cannot
+  /// confirm it. It must leave no structure where it shows, and change nothing elsewhere.
+  bool add_once(const ChannelMask& open);
+  /// The half that has nearly all error of an open channel, if one has.
+  std::optional<std::size_t> eventful_half(const ChannelMask& open) const;
+  bool explains_once(const Hypothesis& with, std::size_t half, const ChannelMask& shows) const;
   /// Removes effects that became negligible beside later ones.
   void prune();
   /// Channels on which something is left to explain.
@@ -111,9 +126,11 @@ class Selection {
   std::vector<Hypothesis> first_;                  ///< accepted in the first round, the best first
   std::map<plant::EffectId, Hypothesis> without_;  ///< by effect, of the chosen hypothesis as it is
   std::vector<std::vector<Candidate>> rounds_;
+  std::vector<plant::EffectId> once_;  ///< that add_once added
   std::vector<Rival> rivals_;
   std::vector<Tie> ties_;
-  std::array<double, plant::kNameableCount> confidence_;
+  std::array<double, plant::kNameableCount> chance_{};     ///< that no rival of it explains more
+  std::array<double, plant::kNameableCount> runner_up_{};  ///< as in Evidence
 };
 
 }  // namespace farrier::diagnosis

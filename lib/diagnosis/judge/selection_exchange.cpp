@@ -34,7 +34,7 @@ void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId bes
       const auto& halves = tried[id].hypothesis->halves;
       rivals_.push_back({best, id, {halves[0].model.effects.back().fitted, halves[1].model.effects.back().fitted}});
     } else {
-      confidence_[best] = std::min(confidence_[best], chance);
+      chance_[best] = std::min(chance_[best], chance);
     }
   }
 }
@@ -52,7 +52,9 @@ void Selection::choose(Hypothesis hypothesis) {
 
 bool Selection::is_needed(std::size_t index) {
   const Gain gain = bench_.gain(without(chosen_.effects[index]), chosen_);
-  return outside_neutral(chosen_.effects[index], pooled(chosen_, index)) && gain.low > 0.0 &&
+  // Half of the resamplings may lack the one event that an effect explains.
+  const bool lasting = gain.low > 0.0 || std::ranges::find(once_, chosen_.effects[index]) != once_.end();
+  return outside_neutral(chosen_.effects[index], pooled(chosen_, index)) && lasting &&
          *std::ranges::max_element(gain.reduction) > 0.5 * rules_.least_reduction;
 }
 
@@ -70,6 +72,7 @@ void Selection::exchange() {
     });
     const auto best = std::ranges::max_element(promises, {}, &Screening::Promise::log_ratio);
     const auto id = static_cast<plant::EffectId>(best - promises.begin());
+    runner_up_[was] = best->start.empty() ? 0.0 : best->log_ratio / std::max(mine, 1e-12);
     if (best->start.empty() || best->log_ratio < rules_.least_exchange * mine) {
       ++i;
       continue;
@@ -103,7 +106,11 @@ double Selection::share_of(plant::EffectId effect) {
   if (chosen_.effects.size() < 2) {
     return 1.0;
   }
-  return bench_.gain(without(effect), chosen_).log_ratio / std::max(bench_.gain(base_, chosen_).log_ratio, 1e-12);
+  return gain_of(effect) / std::max(bench_.gain(base_, chosen_).log_ratio, 1e-12);
+}
+
+double Selection::gain_of(plant::EffectId effect) {
+  return bench_.gain(chosen_.effects.size() < 2 ? base_ : without(effect), chosen_).log_ratio;
 }
 
 void Selection::compare_rivals() {
@@ -119,10 +126,11 @@ void Selection::compare_rivals() {
       Hypothesis better = std::exchange(tie.with_rival, chosen_);
       choose(std::move(better));
       std::swap(tie.chosen, tie.rival);
+      runner_up_[tie.chosen] = 1.0;
       std::erase_if(ties_, [&](const Tie& earlier) { return earlier.chosen == tie.rival; });
       chance = std::max(chance, 1.0 - chance);
     }
-    confidence_[tie.chosen] = std::min(confidence_[tie.chosen], chance);
+    chance_[tie.chosen] = std::min(chance_[tie.chosen], chance);
     if (1.0 - chance > rules_.tie_chance) {
       ties_.push_back(std::move(tie));
     }

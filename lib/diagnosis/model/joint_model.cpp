@@ -39,6 +39,10 @@ ChannelMask JointModel::channels(plant::EffectId id) const noexcept {
   return id < plant::kEffectCount ? channels_of(id) : ChannelMask{};
 }
 
+bool JointModel::bends_force(plant::EffectId id) const noexcept {
+  return id == plant::effect_id<plant::InputDelay>() || id == plant::effect_id<plant::ValveDynamics>();
+}
+
 ChannelMask JointModel::nominal_channels(std::size_t factor) const noexcept {
   const bool absent = (factor == static_cast<std::size_t>(Nominal::kStiffness) && load_.stiffness == 0.0) ||
                       (factor == static_cast<std::size_t>(Nominal::kPistonMass) && actuator_.piston_mass == 0.0);

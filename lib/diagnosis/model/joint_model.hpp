@@ -29,6 +29,7 @@ class JointModel final : public JointSides {
   const plant::LoadParams& load() const noexcept override { return load_; }
 
   ChannelMask channels(plant::EffectId id) const noexcept override;
+  bool bends_force(plant::EffectId id) const noexcept override;
   ChannelMask nominal_channels(std::size_t factor) const noexcept override;
   std::size_t replaced(plant::EffectId id) const noexcept override { return replaced_of_load(id); }
   bool fits(plant::EffectId id, std::size_t parameter) const noexcept override;

@@ -24,6 +24,8 @@ class JointSides {
 
   /// Channels on which an effect shows; none for one that such joints do not have.
   virtual ChannelMask channels(plant::EffectId id) const noexcept = 0;
+  /// True if an effect of the valve also bends the force between samples, which moves the load.
+  virtual bool bends_force(plant::EffectId) const noexcept { return false; }
   /// Channels that a nominal factor concerns; none for one that the joint's model does not have.
   virtual ChannelMask nominal_channels(std::size_t factor) const noexcept = 0;
   /// Nominal factor whose place an effect takes, kNominals for none.

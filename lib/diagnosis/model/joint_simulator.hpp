@@ -23,6 +23,7 @@ class JointSimulator final : public Simulator {
   double least(plant::EffectId effect) const noexcept override;
   Model nominal() const override { return Model::nominal(); }
   ChannelMask channels(plant::EffectId effect) const noexcept override { return model_.channels(effect); }
+  bool bends_force(plant::EffectId effect) const noexcept override { return model_.bends_force(effect); }
   std::vector<std::vector<double>> starts(plant::EffectId effect) const override { return starts_[effect]; }
   std::vector<FreeNumber> free_numbers(const Model& model, const ChannelMask& mask,
                                        double nominal_spread) const override;

@@ -39,6 +39,8 @@ class Simulator {
   virtual Model nominal() const = 0;
   /// Channels on which an effect shows; none for an effect that what is simulated does not have.
   virtual ChannelMask channels(plant::EffectId effect) const noexcept = 0;
+  /// True if an effect of the valve also bends the force between samples, which moves the load.
+  virtual bool bends_force(plant::EffectId) const noexcept { return false; }
   /// Numbers of an effect's parameters from which its fits begin; none for an effect that this recording cannot show.
   virtual std::vector<std::vector<double>> starts(plant::EffectId effect) const = 0;
   /// Factors and numbers of effects of `model` that concern channels of `mask`. A factor that is known to

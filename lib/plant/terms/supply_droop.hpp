@@ -18,7 +18,7 @@ class SupplyDroop {
                 Scale::kDroop,
                 false,
                 0.0,
-                5.0,
+                50.0,
                 {0.1, 0.8},
                 "Fall of the supply pressure per flow, R."},
       Parameter{"time_constant_s",

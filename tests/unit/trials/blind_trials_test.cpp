@@ -141,6 +141,31 @@ TEST(BlindTrials, ConstantsOffTheirFileAreNoSecondEffectBesideALargeOne) {
   EXPECT_LT(outcome.parameter_error, 0.1);
   EXPECT_GT(outcome.named.front().confidence, kConfident);
   EXPECT_LT(outcome.named.front().confidence, 1.0);
+  ASSERT_TRUE(outcome.named.front().fit_error);
+}
+
+/// What is named in a trial of the first joint of HyQ.
+Outcome of_hyq(truth::Hidden hidden, std::uint64_t seed, truth::Excitation excitation) {
+  const robot::Robot legs = robot::load_robot(FARRIER_ROBOTS "hyq.yaml", {.without_effects = true}).value();
+  return run_trial({Kind::kEffect, 0, {seed, excitation, {std::move(hidden)}}}, {&legs.joints.front()});
+}
+
+TEST(BlindTrials, AStopThatIsHitOnceIsNamedAlthoughOneHalfCannotShowIt) {
+  const Outcome outcome = of_hyq({"end_stop", 0}, 200192, truth::Excitation::kForceTracking);
+  EXPECT_TRUE(first_alone(outcome)) << confusion_page({outcome});
+  EXPECT_EQ(outcome.verdict, diagnosis::Verdict::kEffects);
+  EXPECT_LT(outcome.parameter_error, 0.02);
+}
+
+TEST(BlindTrials, ADelayBeforeAValveFarTooLargeIsNoSlowSpool) {
+  const Outcome outcome = of_hyq({"input_delay", 0}, 200048, truth::Excitation::kForceTracking);
+  EXPECT_TRUE(named_or_in_pair(outcome)) << confusion_page({outcome});
+}
+
+TEST(BlindTrials, AnOverlapIsSoughtAtTheSizeOfTheCurrentsThatFlow) {
+  const Outcome outcome = of_hyq({"valve_deadband", 0}, 200002, truth::Excitation::kRandomSteps);
+  EXPECT_TRUE(first_alone(outcome)) << confusion_page({outcome});
+  EXPECT_LT(outcome.parameter_error, 0.1);
 }
 
 TEST(BlindTrials, AfterAStopAreNotRunAndSaySo) {
@@ -160,6 +185,9 @@ TEST(OutcomesFile, ReturnsTheOutcomesOfItsOriginAlsoAfterALineThatWasCutOff) {
   first.parameter_error = std::numeric_limits<double>::infinity();
   first.alternatives = {{"load_mass", "load_friction"}};
   first.control = trials::TrackingGain{0.3, 0.1};
+  first.named.front().evidence.runner_up = 0.25;
+  first.named.front().fit_error = 0.5;
+  first.named.front().size_error = 0.125;
   ASSERT_TRUE(append_outcome(path, "this build", 0, first));
   std::ofstream(path, std::ios::app) << R"({"trial":1,"detect)";
   ASSERT_TRUE(append_outcome(path, "this build", 2, outcome(Kind::kEffect, "load_mass", "", 0.0)));
@@ -170,6 +198,10 @@ TEST(OutcomesFile, ReturnsTheOutcomesOfItsOriginAlsoAfterALineThatWasCutOff) {
   EXPECT_EQ(back.plan.kind, Kind::kEffect);
   EXPECT_EQ(back.answers.front().name, first.answers.front().name);
   EXPECT_EQ(back.named.front().confidence, first.named.front().confidence);
+  EXPECT_EQ(back.named.front().evidence.runner_up, 0.25);
+  EXPECT_EQ(back.named.front().fit_error, 0.5);
+  EXPECT_EQ(back.named.front().size_error, 0.125);
+  EXPECT_FALSE(kept.at(2).control);
   EXPECT_EQ(back.detectable, first.detectable);
   EXPECT_EQ(back.parameter_error, first.parameter_error);
   EXPECT_EQ(back.alternatives, first.alternatives);

@@ -1,0 +1,58 @@
+#include "diagnosis/judge/confidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace farrier::diagnosis {
+namespace {
+
+constexpr ConfidenceMap kHydraulic =
+#include "diagnosis/judge/confidence_hydraulic.def"
+    ;
+constexpr ConfidenceMap kElectric =
+#include "diagnosis/judge/confidence_electric.def"
+    ;
+
+double log_within(double value, double low, double high) noexcept { return std::log(std::clamp(value, low, high)); }
+
+}  // namespace
+
+std::array<double, kEvidences> numbers_of(const Evidence& e) noexcept {
+  return {e.rival_chance, e.runner_up, e.own_left,   e.all_left,     e.unexplained,
+          e.share,        e.gain,      e.deviations, e.halves_apart, e.effects};
+}
+
+Evidence evidence_of(const std::array<double, kEvidences>& n) noexcept {
+  return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]};
+}
+
+std::array<double, kEvidences> certainties(const Evidence& e) noexcept {
+  const double chance = std::clamp(e.rival_chance, 0.02, 0.998);
+  return {std::log(chance / (1.0 - chance)),
+          -std::clamp(e.runner_up, 0.0, 1.5),
+          -log_within(e.own_left, 1.0, 20.0),
+          -log_within(e.all_left, 1.0, 20.0),
+          -log_within(e.unexplained, 0.01, 1.0),
+          log_within(e.share, 0.01, 1.0),
+          log_within(e.gain, 0.03, 5.0),
+          log_within(e.deviations, 3.0, 300.0),
+          -log_within(e.halves_apart, 0.003, 1.0),
+          1.0 - std::clamp(e.effects, 1.0, 6.0)};
+}
+
+const ConfidenceMap& confidence_map(bool electric) noexcept { return electric ? kElectric : kHydraulic; }
+
+double confidence_of(const Evidence& evidence, const ConfidenceMap& map) noexcept {
+  const auto certain = certainties(evidence);
+  double log_odds = map.bias;
+  for (std::size_t i = 0; i < kEvidences; ++i) {
+    log_odds += map.weights[i] * certain[i];
+  }
+  return std::min(1.0 / (1.0 + std::exp(-log_odds)), 1.0 - 1.0 / map.trials);
+}
+
+double covering_deviation(double deviation, double distance, const ConfidenceMap& map) noexcept {
+  return map.widening * std::hypot(deviation, map.least_share * distance);
+}
+
+}  // namespace farrier::diagnosis
