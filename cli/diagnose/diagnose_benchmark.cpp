@@ -39,7 +39,7 @@ Trials run_all(const std::vector<blind::TrialPlan>& plans, const std::vector<con
     std::filesystem::remove(kept_path, none);
   }
   std::vector<std::size_t> left;
-  for (const std::size_t i : blind::mixed_order(plans.size())) {
+  for (std::size_t i = 0; i < plans.size(); ++i) {
     if (!kept.contains(i)) {
       left.push_back(i);
     }
@@ -85,7 +85,7 @@ std::vector<blind::TrialPlan> plans_of(const DiagnoseBenchmark& o, const std::ve
     return blind::healthy_trials(joints.size(), static_cast<std::size_t>(o.trials > 0 ? o.trials : kHealthyRobots),
                                  o.seed);
   }
-  return blind::spread(
+  return blind::mixed(
       o.electric ? blind::all_electric_trials(joints, o.seed) : blind::all_trials(joints.size(), o.seed), o.trials);
 }
 
@@ -136,7 +136,7 @@ int run_diagnose_benchmark(const DiagnoseBenchmark& o, const std::string& robots
   const std::string kept_path = o.json_path.empty() ? "" : o.json_path + ".trials";
   const std::string origin = report::build_name() + ", " + report::run_info(rig, o.seed).configuration_hash + ", " +
                              report::run_info(legs, o.seed).configuration_hash + ", seed " + std::to_string(o.seed) +
-                             ", " + std::to_string(plans.size()) + (o.healthy ? " healthy joints" : " trials");
+                             (o.healthy ? ", healthy" : "");
   Trials trials = run_all(plans, joints, o, kept_path, origin);
   std::vector<blind::Outcome>& outcomes = trials.outcomes;
   report::Outcome outcome;

@@ -16,12 +16,12 @@ struct DiagnoseBenchmark {
   std::string json_path;       ///< empty: none
   std::string confusion_path;  ///< Markdown of what was taken for what; empty: none
   std::uint64_t seed = 1;
-  int trials = 0;  ///< spread evenly over all; 0: all
+  int trials = 0;  ///< the first in a mixed order; 0: all
   int threads = 2;
   bool electric = false;  ///< trials of electric joints
   bool healthy = false;   ///< trials of whole robots that hide nothing; `trials` counts robots, 0: kHealthyRobots
   std::string calibration_path;  ///< where the map of confidences goes that these trials give; empty: none is fitted
-  bool go_on = false;     ///< takes the trials over that an earlier run of this build kept beside `json_path`
+  bool go_on = false;            ///< takes the trials over that an earlier run of this build kept beside `json_path`
 };
 
 /// Robots of which trials are made: a rig with one cylinder, and legs without the effects of their file. Electric ones:

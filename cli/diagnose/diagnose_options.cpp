@@ -47,9 +47,10 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   add_choice(app, "--actuator", o.actuator, kActuators, "hydraulic|electric", "of the joints of --benchmark")
       ->default_str("hydraulic")
       ->needs("--benchmark");
-  app.add_flag("--healthy", o.healthy,
-               "--benchmark diagnoses every joint of healthy robots, hyq or go1, in place of hidden effects, and counts "
-               "the robots with an alarm; --trials counts robots, 0: 300")
+  app.add_flag(
+         "--healthy", o.healthy,
+         "--benchmark diagnoses every joint of healthy robots, hyq or go1, in place of hidden effects, and counts "
+         "the robots with an alarm; --trials counts robots, 0: 300")
       ->needs("--benchmark");
   auto* const calibrate =
       app.add_option("--calibrate", o.calibration_path,
@@ -65,7 +66,8 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   auto* const confusion =
       app.add_option("--confusion", o.confusion_path, "Markdown of what --benchmark hid and what it was taken for");
   auto* const seed = app.add_option("--seed", o.seed, "of the first trial of --benchmark or --wiring");
-  auto* const trials = app.add_option("--trials", o.trials, "how many of the blind trials, spread evenly; 0: all");
+  auto* const trials =
+      app.add_option("--trials", o.trials, "how many of the blind trials, the first in a mixed order; 0: all");
   confusion->type_name("<file>")->needs("--benchmark");
   seed->type_name("<n>")->capture_default_str();
   trials->check(between(0, 100000))->type_name("<n>")->capture_default_str();
@@ -77,10 +79,10 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
       }
     }
   });
-  app.add_flag(
-         "--continue", o.go_on,
-         "--benchmark takes over the trials that an interrupted run of the same build, --seed and --trials kept beside "
-         "--json")
+  app.add_flag("--continue", o.go_on,
+               "--benchmark takes over the trials that an interrupted or shorter run of the same build and --seed kept "
+               "beside "
+               "--json")
       ->needs("--benchmark")
       ->needs("--json");
   app.add_option("--threads", o.threads, "candidates, or trials of --benchmark, that are fitted at a time")

@@ -53,7 +53,7 @@ int run_wiring_benchmark(const std::string& json_path, std::uint64_t seed, int t
   }
   print_scores(scores.value());
   std::fflush(stdout);
-  const auto plans = blind::spread(blind::all_trials(joints.size(), seed), trials);
+  const auto plans = blind::mixed(blind::all_trials(joints.size(), seed), trials);
   Progress bar("diagnose --wiring", static_cast<Tick>(plans.size()), "trials");
   std::size_t done = 0;
   const std::vector<std::string> alarms = wiring::false_alarms(plans, joints, threads, [&] {

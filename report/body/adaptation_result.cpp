@@ -111,7 +111,8 @@ void add_adaptation(Figures& figures, std::span<const AdaptationRow> rows) {
     for (const AdaptationCell& of : row.cells) {
       figures.add(prefix + of.design + ".runs", of.runs);
       figures.add(prefix + of.design + ".falls", of.falls);
-      const WilsonInterval share = wilson_interval(static_cast<std::size_t>(of.falls), static_cast<std::size_t>(of.runs));
+      const WilsonInterval share =
+          wilson_interval(static_cast<std::size_t>(of.falls), static_cast<std::size_t>(of.runs));
       figures.add(prefix + of.design + ".fall_share_low", share.low);
       figures.add(prefix + of.design + ".fall_share_high", share.high);
       if (of.falls < of.runs) {
@@ -147,7 +148,8 @@ std::string adaptation_text(std::span<const AdaptationRow> rows) {
     }
     std::vector<std::string> line{row.row, row.condition};
     for (const AdaptationCell& of : row.cells) {
-      const WilsonInterval share = wilson_interval(static_cast<std::size_t>(of.falls), static_cast<std::size_t>(of.runs));
+      const WilsonInterval share =
+          wilson_interval(static_cast<std::size_t>(of.falls), static_cast<std::size_t>(of.runs));
       const auto percent = [](double value) { return std::to_string(std::lround(kPercentOfShare * value)); };
       line.push_back(std::to_string(of.falls) + "/" + std::to_string(of.runs) + " (" + percent(share.low) + "-" +
                      percent(share.high) + " %) " + (of.falls < of.runs ? short_number(of.stance_nrmse) : "-"));

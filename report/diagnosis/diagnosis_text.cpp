@@ -150,6 +150,8 @@ std::vector<std::string> verdict_details(const DiagnosisResult& result) {
   std::vector<std::string> lines;
   switch (d.judgement.verdict) {
     case Verdict::kEffects:
+      lines = d.judgement.unexplained ? remainders(result) : lines;
+      break;
     case Verdict::kNone:
       break;
     case Verdict::kNotExcited:

@@ -9,17 +9,13 @@
 #include <exception>
 #include <limits>
 #include <mutex>
-#include <numbers>
-#include <numeric>
 
 #include "control/law/effect_compensation.hpp"
-#include "core/noise.hpp"
 #include "diagnosis/judge/parallel.hpp"
 #include "trials/blind/score.hpp"
 #include "diagnosis/model/sides_of_joint.hpp"
 #include "robot/joint_effects.hpp"
 #include "robot/joint_scales.hpp"
-#include "trials/truth/electric_truth.hpp"
 
 namespace farrier::blind {
 
@@ -36,13 +32,6 @@ diagnosis::Recording recording_of(const truth::Samples& samples) {
 namespace {
 
 constexpr double kPeriod_s = 0.001;
-constexpr int kNone = 60;
-constexpr std::array<int, 4> kSets{60, 40, 24, 12};  // of two, three, four and five effects
-constexpr int kOutside = 36;
-// Trials of each electric joint.
-constexpr int kElectricNone = 24;
-constexpr std::array<int, 3> kElectricSets{12, 8, 4};  // of two, three and four effects
-
 /// Held-out rms by channel of the nominal model with its constants fitted.
 std::array<double, diagnosis::kChannels> base_error(const truth::Samples& samples, const robot::Joint& joint) {
   robot::Joint plain = joint;
@@ -102,120 +91,7 @@ double thread_cpu_s() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Different effects of medium or large size.
-std::vector<truth::Hidden> drawn_set(const std::vector<std::string>& known, std::size_t size, std::uint64_t seed) {
-  const NoiseStream draw(seed, "blind trials", "set");
-  std::vector<truth::Hidden> hidden;
-  for (Tick number = 0; hidden.size() < size; number += 2) {
-    const auto index = static_cast<std::size_t>(draw.uniform(number) * static_cast<double>(known.size()));
-    if (std::ranges::find(hidden, known[index], &truth::Hidden::name) == hidden.end()) {
-      hidden.push_back({known[index], draw.uniform(number + 1) < 0.5 ? 1 : 2});
-    }
-  }
-  return hidden;
-}
-
 }  // namespace
-
-std::vector<TrialPlan> all_trials(std::size_t joints, std::uint64_t seed) {
-  std::vector<TrialPlan> plans;
-  const auto add = [&](Kind kind, std::vector<truth::Hidden> hidden, int excitation) {
-    plans.push_back({kind,
-                     plans.size() % joints,
-                     {seed + plans.size(), static_cast<truth::Excitation>(excitation), std::move(hidden)}});
-  };
-  const std::vector<std::string> known = truth::known_effects();
-  const std::vector<std::string> outside = truth::outside_effects();
-  for (const std::string& name : known) {
-    for (int magnitude = 0; magnitude < 3; ++magnitude) {
-      for (int excitation = 0; excitation < 3; ++excitation) {
-        add(Kind::kEffect, {{name, magnitude}}, excitation);
-      }
-    }
-  }
-  for (int i = 0; i < kNone; ++i) {
-    add(Kind::kNone, {}, i % 3);
-  }
-  for (std::size_t more = 0; more < kSets.size(); ++more) {
-    for (int i = 0; i < kSets[more]; ++i) {
-      add(Kind::kSet, drawn_set(known, more + 2, seed + plans.size()), i % 3);
-    }
-  }
-  for (int i = 0; i < kOutside; ++i) {
-    const auto n = static_cast<std::size_t>(i);
-    add(Kind::kOutside, {{outside[n % outside.size()], 1 + (i / static_cast<int>(outside.size())) % 2}}, i % 3);
-  }
-  return plans;
-}
-
-std::vector<TrialPlan> all_electric_trials(const std::vector<const robot::Joint*>& joints, std::uint64_t seed) {
-  std::vector<TrialPlan> plans;
-  const auto add = [&](Kind kind, std::size_t joint, std::vector<truth::Hidden> hidden, int excitation) {
-    plans.push_back(
-        {kind, joint, {seed + plans.size(), static_cast<truth::Excitation>(excitation), std::move(hidden)}});
-  };
-  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
-    const std::vector<std::string> known = truth::known_electric_effects(*joints[joint]);
-    for (const std::string& name : known) {
-      for (int magnitude = 0; magnitude < 3; ++magnitude) {
-        for (int excitation = 0; excitation < 3; ++excitation) {
-          add(Kind::kEffect, joint, {{name, magnitude}}, excitation);
-        }
-      }
-    }
-    for (int i = 0; i < kElectricNone; ++i) {
-      add(Kind::kNone, joint, {}, i % 3);
-    }
-    for (std::size_t more = 0; more < kElectricSets.size(); ++more) {
-      for (int i = 0; i < kElectricSets[more]; ++i) {
-        add(Kind::kSet, joint, drawn_set(known, more + 2, seed + plans.size()), i % 3);
-      }
-    }
-    const std::vector<std::string> outside = truth::outside_electric_effects();
-    for (const std::string& name : outside) {
-      for (int excitation = 0; excitation < 3; ++excitation) {
-        add(Kind::kOutside, joint, {{name, 1 + excitation % 2}}, excitation);
-      }
-    }
-  }
-  return plans;
-}
-
-std::vector<TrialPlan> healthy_trials(std::size_t joints, std::size_t robots, std::uint64_t seed) {
-  std::vector<TrialPlan> plans;
-  for (std::size_t robot = 0; robot < robots; ++robot) {
-    for (std::size_t joint = 0; joint < joints; ++joint) {
-      plans.push_back({Kind::kNone,
-                       joint,
-                       {(seed + robot) * joints + joint, static_cast<truth::Excitation>(robot % 3), {}}});
-    }
-  }
-  return plans;
-}
-
-std::vector<TrialPlan> spread(const std::vector<TrialPlan>& all, int count) {
-  if (count <= 0 || static_cast<std::size_t>(count) >= all.size()) {
-    return all;
-  }
-  std::vector<TrialPlan> some;
-  const auto n = static_cast<std::size_t>(count);
-  for (std::size_t i = 0; i < n; ++i) {
-    some.push_back(all[i * all.size() / n]);
-  }
-  return some;
-}
-
-std::vector<std::size_t> mixed_order(std::size_t count) {
-  std::vector<std::size_t> order(count);
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  // Multiples of the golden ratio, less their whole parts, lie evenly however many there are.
-  const auto place = [](std::size_t i) {
-    const double turns = std::numbers::phi * static_cast<double>(i);
-    return turns - std::floor(turns);
-  };
-  std::ranges::sort(order, {}, place);
-  return order;
-}
 
 Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints) {
   Outcome outcome;
@@ -252,8 +128,11 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
   const plant::Scales scales = robot::scales_of(joint);
   for (const diagnosis::NamedEffect& effect : found.judgement.effects) {
     const plant::EffectInfo& info = plant::effect_info(effect.id);
-    Named named{info.name, scales.value(info.parameters[0], effect.fitted[0]), effect.confidence, effect.evidence,
-                effect.deviation, effect.fit_deviation, effect.distance, std::nullopt, std::nullopt};
+    Named named{info.name,         scales.value(info.parameters[0], effect.fitted[0]),
+                effect.confidence, effect.evidence,
+                effect.deviation,  effect.fit_deviation,
+                effect.distance,   std::nullopt,
+                std::nullopt};
     const auto answer = std::ranges::find(outcome.answers, named.name, &truth::Answer::name);
     if (answer != outcome.answers.end()) {
       named.fit_error = std::abs(effect.fitted[0] - scales.fitted(info.parameters[0], answer->value));

@@ -72,12 +72,9 @@ std::vector<TrialPlan> healthy_trials(std::size_t joints, std::size_t robots, st
 /// Returns the recording that the diagnosis gets of a truth's samples: current, position, velocity and force.
 diagnosis::Recording recording_of(const truth::Samples& samples);
 
-/// `count` of the trials, spread evenly over all; 0: all.
-std::vector<TrialPlan> spread(const std::vector<TrialPlan>& all, int count);
-
-/// The numbers below `count`, each stretch of them spread over all: trials in this order give tables that mean something
-/// before the last.
-std::vector<std::size_t> mixed_order(std::size_t count);
+/// The first `count` of the trials in an order in which each stretch of them is spread over all, so that figures mean
+/// something before the last; 0: all.
+std::vector<TrialPlan> mixed(const std::vector<TrialPlan>& all, int count);
 
 /// `joints` outlive the call; nominal ones.
 Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>& joints);

@@ -75,8 +75,7 @@ diagnosis::ConfidenceMap logistic(std::vector<Example> examples, double ridge) {
   const Standard standard(examples);
   for (Example& one : examples) {
     for (std::size_t j = 0; j < kEvidences; ++j) {
-      one.certain[j] =
-          standard.deviation[j] > 0.0 ? (one.certain[j] - standard.mean[j]) / standard.deviation[j] : 0.0;
+      one.certain[j] = standard.deviation[j] > 0.0 ? (one.certain[j] - standard.mean[j]) / standard.deviation[j] : 0.0;
     }
   }
   double bias = 0.0;
@@ -163,8 +162,8 @@ std::vector<Statement> statements_of(const std::vector<Outcome>& outcomes) {
 }
 
 Calibration calibration_of(std::vector<Statement> statements) {
-  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-  Calibration result{statements.size(), kNone, kNone, kNone, kNone, kNone};
+  constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
+  Calibration result{statements.size(), kNoNumber, kNoNumber, kNoNumber, kNoNumber, kNoNumber};
   if (statements.empty()) {
     return result;
   }
@@ -186,10 +185,11 @@ Calibration calibration_of(std::vector<Statement> statements) {
   result.expected = 0.0;
   for (Tick draw = 0; draw < kDraws; ++draw) {
     const Tick first = draw * static_cast<Tick>(statements.size());
-    result.expected += calibration_error(statements, [&](std::size_t i) {
-                         return stream.uniform(first + static_cast<Tick>(i)) < statements[i].confidence;
-                       }) /
-                       static_cast<double>(kDraws);
+    result.expected +=
+        calibration_error(
+            statements,
+            [&](std::size_t i) { return stream.uniform(first + static_cast<Tick>(i)) < statements[i].confidence; }) /
+        static_cast<double>(kDraws);
   }
   return result;
 }
@@ -229,8 +229,9 @@ std::string map_text(const diagnosis::ConfidenceMap& map, const std::string& sou
   for (const double weight : map.weights) {
     weights += (weights.empty() ? "" : ", ") + number_text("%.6g", weight);
   }
-  return "// " + source + "\n{" + number_text("%.6g", map.bias) + ",\n {" + weights + "},\n " + number_text("%.1f", map.trials) +
-         ", " + number_text("%.6g", map.least_share) + ", " + number_text("%.6g", map.widening) + "}\n";
+  return "// " + source + "\n{" + number_text("%.6g", map.bias) + ",\n {" + weights + "},\n " +
+         number_text("%.1f", map.trials) + ", " + number_text("%.6g", map.least_share) + ", " +
+         number_text("%.6g", map.widening) + "}\n";
 }
 
 }  // namespace farrier::blind

@@ -24,7 +24,7 @@ std::vector<Statement> statements_of(const std::vector<Outcome>& outcomes);
 /// Figures of forecasts; those of no statement are not numbers.
 struct Calibration {
   std::size_t statements = 0;
-  double brier = 0.0;  ///< mean square of confidence less 0 or 1 (Brier 1950)
+  double brier = 0.0;            ///< mean square of confidence less 0 or 1 (Brier 1950)
   double spiegelhalter_z = 0.0;  ///< of standard normal distribution if every confidence is true (Spiegelhalter 1986)
   double error = 0.0;     ///< mean over statements of |mean confidence - share right| of their tenth, by confidence
   double expected = 0.0;  ///< the mean error if every confidence is true

@@ -57,6 +57,7 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
     }
     ++table[hidden][answer_name(outcome)];
   }
+  std::ranges::sort(order);  // trials run in a mixed order
   for (const std::string& hidden : order) {
     std::vector<std::pair<int, std::string>> answers;
     int trials = 0;
@@ -81,9 +82,10 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
       "|---|---|---|---|---|---|---|\n";
   for (const auto& [name, s] : score_by_effect(outcomes)) {
     page += "| " + name + " | " + std::to_string(s.counted) + " | " + number_text("%.0f %%", 100 * s.named) + " | " +
-            number_text("%.0f %%", 100 * s.first_alone) + " | " + number_text("%.0f %%", 100 * s.within_tolerance) + " | " +
-            number_text("%.1f", s.median_gain) + " | " +
-            (s.controlled > 0 ? number_text("%.2f", s.control_gain) + ", " + std::to_string(s.controlled) : "") + " |\n";
+            number_text("%.0f %%", 100 * s.first_alone) + " | " + number_text("%.0f %%", 100 * s.within_tolerance) +
+            " | " + number_text("%.1f", s.median_gain) + " | " +
+            (s.controlled > 0 ? number_text("%.2f", s.control_gain) + ", " + std::to_string(s.controlled) : "") +
+            " |\n";
   }
   page +=
       "\n## Trials that went wrong\n\n| hidden | size | excitation | seed | change of the error | answer |\n"
@@ -98,7 +100,8 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
       page += "| " + hidden_name(o) + " | " +
               (o.plan.plan.hidden.empty() ? "" : std::to_string(o.plan.plan.hidden.front().magnitude)) + " | " +
               name_of(o.plan.plan.excitation) + " | " + std::to_string(o.plan.plan.seed) + " | " +
-              number_text("%.0f %%", 100 * o.detectable) + " | " + (o.refused.empty() ? answer_name(o) : o.refused) + " |\n";
+              number_text("%.0f %%", 100 * o.detectable) + " | " + (o.refused.empty() ? answer_name(o) : o.refused) +
+              " |\n";
     }
   }
   return page;

@@ -28,16 +28,11 @@ Evidence evidence_of(const std::array<double, kEvidences>& n) noexcept {
 
 std::array<double, kEvidences> certainties(const Evidence& e) noexcept {
   const double chance = std::clamp(e.rival_chance, 0.02, 0.998);
-  return {std::log(chance / (1.0 - chance)),
-          -std::clamp(e.runner_up, 0.0, 1.5),
-          -log_within(e.own_left, 1.0, 20.0),
-          -log_within(e.all_left, 1.0, 20.0),
-          -log_within(e.unexplained, 0.01, 1.0),
-          log_within(e.share, 0.01, 1.0),
-          log_within(e.gain, 0.03, 5.0),
-          log_within(e.deviations, 3.0, 300.0),
-          -log_within(e.halves_apart, 0.003, 1.0),
-          1.0 - std::clamp(e.effects, 1.0, 6.0)};
+  return {std::log(chance / (1.0 - chance)),       -std::clamp(e.runner_up, 0.0, 1.5),
+          -log_within(e.own_left, 1.0, 20.0),      -log_within(e.all_left, 1.0, 20.0),
+          -log_within(e.unexplained, 0.01, 1.0),   log_within(e.share, 0.01, 1.0),
+          log_within(e.gain, 0.03, 5.0),           log_within(e.deviations, 3.0, 300.0),
+          -log_within(e.halves_apart, 0.003, 1.0), 1.0 - std::clamp(e.effects, 1.0, 6.0)};
 }
 
 const ConfidenceMap& confidence_map(bool electric) noexcept { return electric ? kElectric : kHydraulic; }

@@ -9,16 +9,16 @@ namespace farrier::diagnosis {
 
 /// Figures about a named effect that its confidence depends on.
 struct Evidence {
-  double rival_chance = 1.0;     ///< share of resampled blocks in which no rival explains more, reduced for a small lead
-  double runner_up = 0.0;        ///< log gain that a linear step promises of the best other effect in its place, over its own
-  double own_left = 1.0;         ///< rms of what is left over that of noise, the largest on channels on which it shows
-  double all_left = 1.0;         ///< the same on all channels
-  double unexplained = 0.0;      ///< rms of what is left over that before any effect, the largest on its channels
-  double share = 1.0;            ///< of the whole log gain
-  double gain = 0.0;             ///< log gain that is lost without the effect
-  double deviations = 0.0;       ///< distance from its neutral value over its standard deviation
-  double halves_apart = 0.0;     ///< difference of both halves' values over the distance from the neutral value
-  double effects = 1.0;          ///< that are named
+  double rival_chance = 1.0;  ///< share of resampled blocks in which no rival explains more, reduced for a small lead
+  double runner_up = 0.0;  ///< log gain that a linear step promises of the best other effect in its place, over its own
+  double own_left = 1.0;   ///< rms of what is left over that of noise, the largest on channels on which it shows
+  double all_left = 1.0;   ///< the same on all channels
+  double unexplained = 0.0;   ///< rms of what is left over that before any effect, the largest on its channels
+  double share = 1.0;         ///< of the whole log gain
+  double gain = 0.0;          ///< log gain that is lost without the effect
+  double deviations = 0.0;    ///< distance from its neutral value over its standard deviation
+  double halves_apart = 0.0;  ///< difference of both halves' values over the distance from the neutral value
+  double effects = 1.0;       ///< that are named
 };
 
 inline constexpr std::size_t kEvidences = 10;
@@ -35,9 +35,9 @@ std::array<double, kEvidences> certainties(const Evidence& evidence) noexcept;
 struct ConfidenceMap {
   double bias;
   std::array<double, kEvidences> weights;
-  double trials;          ///< that it was fitted to; no confidence exceeds 1 - 1/trials
-  double least_share;     ///< of the distance from neutral, that the deviation of a size is at least before it is widened
-  double widening;        ///< of deviations, with which 95 % intervals covered 95 % of the sizes in these trials
+  double trials;       ///< that it was fitted to; no confidence exceeds 1 - 1/trials
+  double least_share;  ///< of the distance from neutral, that the deviation of a size is at least before it is widened
+  double widening;     ///< of deviations, with which 95 % intervals covered 95 % of the sizes in these trials
 };
 
 /// The map of joints of oil or electric ones, fitted by `farrier diagnose --benchmark --calibrate`.

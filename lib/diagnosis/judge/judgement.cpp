@@ -10,6 +10,9 @@
 namespace farrier::diagnosis {
 namespace {
 
+/// Of a channel's rms before any effect: what a sure name may leave there with a structure, and still be the verdict.
+constexpr double kMostLeft = 0.35;
+
 /// True if a channel's remainder is more than its sensors' noise.
 bool is_structured(const Remainder& left, const Rules& rules) {
   return left.nrmse > rules.least_nrmse && left.rms > rules.structure_ratio * left.expected;
@@ -80,7 +83,6 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   Selection selection(bench, expected, rules, for_each);
   Judgement judgement;
   judgement.base = selection.base();
-  const auto& before = selection.before();
   selection.grow();
   selection.grow_from_others();
   selection.exchange();
@@ -97,12 +99,16 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
     judgement.effects.push_back(named(selection, bench, i, judgement.left, *rules.confidence));
   }
   std::ranges::stable_sort(judgement.effects, std::greater{}, &NamedEffect::share);
-  bool structured = false;
+  bool sure = !judgement.effects.empty() && judgement.effects.front().confidence >= rules.sure;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const Remainder& left = judgement.left[c];
-    structured = structured || (is_structured(left, rules) && left.rms > rules.unexplained * before[c].rms);
+    const double share = left.rms / std::max(selection.before()[c].rms, 1e-300);
+    if (is_structured(left, rules) && share > rules.unexplained) {
+      judgement.unexplained = true;
+      sure = sure && share < kMostLeft;
+    }
   }
-  judgement.verdict = structured                        ? Verdict::kUnknown
+  judgement.verdict = judgement.unexplained && !sure    ? Verdict::kUnknown
                       : judgement.effects.empty()       ? Verdict::kNone
                       : !judgement.alternatives.empty() ? Verdict::kCannotSeparate
                                                         : Verdict::kEffects;

@@ -34,9 +34,11 @@ struct Rules {
   double open_ratio = 1.15;      ///< rms over that of a twin with its sensors' noise, above which there may be more
   double unexplained = 0.2;      ///< of a channel's rms before any effect, above which a remainder is no detail
   double least_nrmse = 0.02;     ///< NRMSE that a simulation of this form cannot improve
+  double sure =
+      0.9;  ///< confidence of the name with the largest share, from which a remainder does not make it unknown
   const ConfidenceMap* confidence = &confidence_map(false);  ///< outlives the rules
-  double tie_chance = 0.025;                   ///< chance of being right above which a rival cannot be excluded
-  double clear_lead = 0.05;  ///< of a channel's held-out rms, from which a lead over a rival counts in full
+  double tie_chance = 0.025;  ///< chance of being right above which a rival cannot be excluded
+  double clear_lead = 0.05;   ///< of a channel's held-out rms, from which a lead over a rival counts in full
 };
 
 /// One effect that was named.
@@ -46,9 +48,9 @@ struct NamedEffect {
   double deviation;            ///< standard deviation of the first: 1.96 of it cover as often as they say
   double share;                ///< of the whole log gain
   double confidence;           ///< calibrated probability that it is present
-  Evidence evidence = {};           ///< from which the confidence follows
-  double fit_deviation = 0.0;        ///< standard deviation of the first by the fits alone
-  double distance = 0.0;             ///< of the first from its neutral value
+  Evidence evidence = {};      ///< from which the confidence follows
+  double fit_deviation = 0.0;  ///< standard deviation of the first by the fits alone
+  double distance = 0.0;       ///< of the first from its neutral value
 };
 
 /// One line of the table of candidates, for reports.
@@ -69,6 +71,7 @@ struct Judgement {
   Hypothesis base, chosen;
   Gain gain{};                              ///< from base to chosen
   std::array<Remainder, kChannels> left{};  ///< after `chosen`
+  bool unexplained = false;                 ///< a channel's remainder has a structure and is no detail
 };
 
 /// Runs `count` pieces of work, possibly in parallel.
