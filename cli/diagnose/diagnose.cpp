@@ -69,7 +69,7 @@ Result<Recording, Refusal> read(const DiagnoseOptions& o, const robot::Robot& ro
   }
   recording = diagnosis::with_current(std::move(recording).value(), joint);
   if (auto wiring = wiring_of(o, robot, joint, recording.value()); !wiring.empty()) {
-    auto findings = diagnosis::wiring_findings(wiring, recording.value(), joint.name);
+    auto findings = diagnosis::wiring_findings(wiring, recording.value(), joint);
     return Refusal{{std::move(findings), recording.value().remarks}, std::move(wiring)};
   }
   if (auto findings = diagnosis::check_recording(recording.value(), joint); !findings.empty()) {
@@ -203,7 +203,8 @@ int diagnose(const DiagnoseOptions& o) {
   }
   if (o.wiring) {
     return o.recording.empty() && !o.benchmark
-               ? run_wiring_benchmark(o.json_path, o.seed, o.trials, o.threads, robots_directory())
+               ? run_wiring_benchmark(o.json_path, o.seed, o.trials, o.threads, robots_directory(),
+                                      o.actuator == Actuator::kElectric)
                : refuse("diagnose", "--wiring makes its recordings: name none, and no --benchmark");
   }
   if (o.benchmark) {

@@ -44,9 +44,9 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   app.add_flag("--benchmark", o.benchmark,
                "run blind trials in place of a recording: effects hidden in recordings by a generator that shares no "
                "code with the diagnosis; takes up to half an hour");
-  add_choice(app, "--actuator", o.actuator, kActuators, "hydraulic|electric", "of the joints of --benchmark")
-      ->default_str("hydraulic")
-      ->needs("--benchmark");
+  auto* const actuator = add_choice(app, "--actuator", o.actuator, kActuators, "hydraulic|electric",
+                                    "of the joints of --benchmark or --wiring")
+                             ->default_str("hydraulic");
   app.add_flag(
          "--healthy", o.healthy,
          "--benchmark diagnoses every joint of healthy robots, hyq or go1, in place of hidden effects, and counts "
@@ -71,9 +71,9 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   confusion->type_name("<file>")->needs("--benchmark");
   seed->type_name("<n>")->capture_default_str();
   trials->check(between(0, 100000))->type_name("<n>")->capture_default_str();
-  app.parse_complete_callback([seed, trials, calibrate, &o] {
+  app.parse_complete_callback([seed, trials, actuator, calibrate, &o] {
     o.seed = calibrate->count() > 0 && seed->count() == 0 ? blind::kCalibrationSeed : o.seed;
-    for (const CLI::Option* const option : {seed, trials}) {
+    for (const CLI::Option* const option : {seed, trials, actuator}) {
       if (option->count() > 0 && !o.benchmark && !o.wiring) {
         throw CLI::RequiresError(option->get_name(), "--benchmark or --wiring");
       }

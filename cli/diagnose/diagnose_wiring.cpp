@@ -3,19 +3,20 @@
 #include <utility>
 
 #include "cli/base/long_work.hpp"
+#include "diagnosis/data/recording_check.hpp"
 #include "diagnosis/data/trace_recording.hpp"
 #include "tools/offline/joint_recording.hpp"
 
 namespace farrier::cli {
 namespace {
 
-/// Recordings of the robot's other hydraulic joints in the same file; none of a file of one joint.
+/// Recordings of the robot's other joints of the same kind in the same file; none of a file of one joint.
 std::vector<diagnosis::OtherJoint> others_of(const DiagnoseOptions& o, const robot::Robot& robot,
                                              const robot::Joint& joint) {
   std::vector<diagnosis::OtherJoint> others;
   const auto each = [&](auto&& read) {
     for (const robot::Joint& other : robot.joints) {
-      if (other.name != joint.name && !other.electric) {
+      if (other.name != joint.name && other.electric.has_value() == joint.electric.has_value()) {
         read(other);
       }
     }
@@ -36,7 +37,7 @@ std::vector<diagnosis::OtherJoint> others_of(const DiagnoseOptions& o, const rob
     auto recording = trace ? diagnosis::recording_of_trace(o.recording, robot, other)
                            : diagnosis::read_recording(o.recording, other.name);
     if (recording) {
-      others.push_back({other.name, std::move(recording).value()});
+      others.push_back({other.name, diagnosis::with_current(std::move(recording).value(), other)});
     }
   });
   return others;

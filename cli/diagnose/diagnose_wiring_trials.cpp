@@ -17,9 +17,9 @@
 namespace farrier::cli {
 namespace {
 
-constexpr double kFaultsNamed = 0.9;    // of the recordings with a fault
-constexpr double kAnotherNamed = 0.03;  // likewise
-constexpr double kFalselyNamed = 0;     // of the recordings without
+constexpr double kFaultsNamed = 1;   // of the recordings with a fault
+constexpr double kAnotherNamed = 0;  // likewise
+constexpr double kFalselyNamed = 0;  // of the recordings without
 
 void print_scores(const std::vector<wiring::KindScore>& scores) {
   std::vector<std::vector<std::string>> rows{{"fault", "recordings", "named first", "named", "another named"}};
@@ -33,27 +33,35 @@ void print_scores(const std::vector<wiring::KindScore>& scores) {
 }  // namespace
 
 int run_wiring_benchmark(const std::string& json_path, std::uint64_t seed, int trials, int threads,
-                         const std::string& robots) {
+                         const std::string& robots, bool electric) {
   participant::install_signal_handlers();
   if (!json_path.empty()) {
     if (auto free = make_way(json_path); !free) {
       return refuse("diagnose --wiring", free.error().message);
     }
   }
-  const auto loaded = load_trial_robots(robots);
+  const auto loaded = load_trial_robots(robots, electric);
   if (!loaded) {
     return refuse("diagnose --wiring", loaded.error().message);
   }
   const std::vector<const robot::Joint*> joints = loaded.value().joints();
   std::vector<const robot::Joint*> wired = joints;
-  wired.push_back(loaded.value().legs.find("lf_hfe"));
-  const auto scores = wiring::run_wiring_trials(wired, seed);
-  if (!scores) {
-    return fail("diagnose --wiring", scores.error().message);
+  if (!electric) {
+    wired.push_back(loaded.value().legs.find("lf_hfe"));
   }
+  auto scores = wiring::run_wiring_trials(wired, seed);
+  const auto of_robot = wiring::run_robot_wiring_trials(loaded.value().legs, seed);
+  if (!scores || !of_robot) {
+    return fail("diagnose --wiring", (scores ? of_robot : scores).error().message);
+  }
+  scores.value().insert(scores.value().end(), of_robot.value().begin(), of_robot.value().end() - 1);
   print_scores(scores.value());
+  const wiring::KindScore& right_cables = of_robot.value().back();
+  std::printf("%s: %d, of which %d had a fault named\n", right_cables.name.c_str(), right_cables.recordings,
+              right_cables.wrong);
   std::fflush(stdout);
-  const auto plans = blind::mixed(blind::all_trials(joints.size(), seed), trials);
+  const auto plans = blind::mixed(
+      electric ? blind::all_electric_trials(joints, seed) : blind::all_trials(joints.size(), seed), trials);
   Progress bar("diagnose --wiring", static_cast<Tick>(plans.size()), "trials");
   std::size_t done = 0;
   const std::vector<std::string> alarms = wiring::false_alarms(plans, joints, threads, [&] {
@@ -77,11 +85,12 @@ int run_wiring_benchmark(const std::string& json_path, std::uint64_t seed, int t
     outcome.failures.push_back(alarm);
   }
   outcome.figures.add("diagnose.wiring.recordings", recordings);
-  outcome.figures.add("diagnose.wiring.named_first", first / recordings);
-  outcome.figures.add("diagnose.wiring.named", possible / recordings, kFaultsNamed);
+  outcome.figures.add("diagnose.wiring.named_first", first / recordings, kFaultsNamed);
+  outcome.figures.add("diagnose.wiring.named", possible / recordings);
   outcome.figures.add("diagnose.wiring.another_named", wrong / recordings, kAnotherNamed);
-  outcome.figures.add("diagnose.wiring.trials", static_cast<double>(plans.size()));
-  outcome.figures.add("diagnose.wiring.false_alarms", static_cast<double>(alarms.size()), kFalselyNamed);
+  outcome.figures.add("diagnose.wiring.trials", static_cast<double>(plans.size()) + right_cables.recordings);
+  outcome.figures.add("diagnose.wiring.false_alarms", static_cast<double>(alarms.size()) + right_cables.wrong,
+                      kFalselyNamed);
   std::fputs(report::console_text(outcome, report::wants_colour(STDOUT_FILENO)).c_str(), stdout);
   if (!json_path.empty()) {
     if (auto written = report::write_json(json_path, outcome); !written) {

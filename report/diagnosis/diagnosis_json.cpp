@@ -33,9 +33,9 @@ Json channel_json(const diagnosis::ChannelReport& channel, const DiagnosisResult
           {"left", {{"rms", left.rms}, {"expected", left.expected}, {"nrmse", left.nrmse}}}};
 }
 
-Json wiring_json(const diagnosis::WiringAnswer& answer, const robot::Joint& joint) {
+Json wiring_json(const diagnosis::WiringAnswer& answer) {
   return {{"what", diagnosis::to_string(answer.fault.kind)},
-          {"columns", diagnosis::columns_of(answer.fault, diagnosis::coordinates_of(joint))},
+          {"columns", answer.columns},
           {"amount", answer.fault.amount},
           {"joint", answer.fault.joint.empty() ? Json(nullptr) : Json(answer.fault.joint)},
           {"confidence", answer.confidence},
@@ -85,7 +85,7 @@ std::string diagnosis_json(const DiagnosisResult& result, const Outcome& outcome
   if (!result.wiring.empty()) {
     json["wiring"] = Json::array();
     for (const diagnosis::WiringAnswer& answer : result.wiring) {
-      json["wiring"].push_back(wiring_json(answer, result.joint));
+      json["wiring"].push_back(wiring_json(answer));
     }
   }
   json["figures"] = std::move(common["figures"]);

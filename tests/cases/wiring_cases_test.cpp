@@ -16,7 +16,7 @@ class WiringCase : public RecordingFile {
   std::vector<Finding> said_of(const CsvFile& file) const {
     const auto recording = read(file);
     EXPECT_TRUE(recording.ok());
-    return recording ? wiring_findings(find_wiring(recording.value(), joint()), recording.value(), joint().name)
+    return recording ? wiring_findings(find_wiring(recording.value(), joint()), recording.value(), joint())
                      : std::vector<Finding>{};
   }
 

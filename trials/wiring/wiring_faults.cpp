@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <utility>
 
 #include "core/noise.hpp"
@@ -87,6 +88,19 @@ FaultKind lagged(const char* name, int sign, std::vector<WiredChannel> channels)
           }};
 }
 
+FaultKind pressures_scaled(const char* name, std::vector<WiredChannel> channels) {
+  return {name, [channels = std::move(channels)](Recording& r, const robot::Joint&, const OtherJoint&, int number) {
+            const double factor = kPressureFactors[static_cast<std::size_t>(number)];
+            for (const WiredChannel channel : channels) {
+              scale(column(r, channel), factor);
+            }
+            return WiringFault{.kind = WiringKind::kScaled,
+                               .channel = channels.front(),
+                               .amount = factor,
+                               .both_pressures = channels.size() > 1};
+          }};
+}
+
 FaultKind exchanged(const char* name, WiredChannel one, WiredChannel other) {
   return {name, [one, other](Recording& r, const robot::Joint&, const OtherJoint&, int) {
             std::swap(column(r, one), column(r, other));
@@ -103,8 +117,8 @@ FaultKind foreign(const char* name, WiredChannel channel) {
 
 }  // namespace
 
-std::vector<FaultKind> fault_kinds() {
-  return {
+std::vector<FaultKind> fault_kinds(bool electric) {
+  std::vector<FaultKind> kinds{
       reversed("force reversed", kForce),
       reversed("current reversed", kCurrent),
       reversed("velocity reversed", kVelocity),
@@ -120,28 +134,19 @@ std::vector<FaultKind> fault_kinds() {
          scale(r.position, -1.0);
          return WiringFault{.kind = WiringKind::kMirrored, .channel = kPosition};
        }},
-      exchanged("pressures exchanged", kPressureA, kPressureB),
       exchanged("force and current exchanged", kForce, kCurrent),
       exchanged("position and velocity exchanged", kPosition, kVelocity),
+      exchanged("position and force exchanged", kPosition, kForce),
+      exchanged("force and velocity exchanged", kForce, kVelocity),
+      exchanged("velocity and current exchanged", kVelocity, kCurrent),
       dead("force dead", kForce),
       dead("current dead", kCurrent),
       dead("velocity dead", kVelocity),
       dead("position dead", kPosition),
-      dead("pressure a dead", kPressureA),
-      dead("pressure b dead", kPressureB),
-      dead("supply dead", kSupply),
       scaled("force in other units", kForce),
       scaled("current in other units", kCurrent),
       scaled("velocity in other units", kVelocity),
       scaled("position in other units", kPosition),
-      {"pressures in other units",
-       [](Recording& r, const robot::Joint&, const OtherJoint&, int number) {
-         const double factor = kPressureFactors[static_cast<std::size_t>(number)];
-         scale(r.pressure_a_Pa, factor);
-         scale(r.pressure_b_Pa, factor);
-         return WiringFault{
-             .kind = WiringKind::kScaled, .channel = kPressureA, .amount = factor, .both_pressures = true};
-       }},
       lagged("force late", 1, {kForce}),
       lagged("force early", -1, {kForce}),
       lagged("current late", 1, {kCurrent}),
@@ -151,11 +156,27 @@ std::vector<FaultKind> fault_kinds() {
       lagged("velocity early", -1, {kVelocity}),
       lagged("position late", 1, {kPosition}),
       lagged("position early", -1, {kPosition}),
-      lagged("pressures late", 1, {kPressureA, kPressureB}),
-      lagged("pressures early", -1, {kPressureA, kPressureB}),
       foreign("force of another joint", kForce),
       foreign("position of another joint", kPosition),
+      foreign("velocity of another joint", kVelocity),
+      foreign("current of another joint", kCurrent),
   };
+  if (!electric) {
+    std::ranges::move(
+        std::vector<FaultKind>{
+            exchanged("pressures exchanged", kPressureA, kPressureB),
+            dead("pressure a dead", kPressureA),
+            dead("pressure b dead", kPressureB),
+            dead("supply dead", kSupply),
+            pressures_scaled("pressures in other units", {kPressureA, kPressureB}),
+            pressures_scaled("pressure a in other units", {kPressureA}),
+            pressures_scaled("supply in other units", {kSupply}),
+            lagged("pressures late", 1, {kPressureA, kPressureB}),
+            lagged("pressures early", -1, {kPressureA, kPressureB}),
+        },
+        std::back_inserter(kinds));
+  }
+  return kinds;
 }
 
 }  // namespace farrier::wiring

@@ -21,7 +21,8 @@ struct FaultKind {
 /// Recordings of each kind.
 inline constexpr int kRecordings = 5;
 
-/// All kinds: reversed, mirrored, dead, scaled, late, early and exchanged channels, and another joint's.
-std::vector<FaultKind> fault_kinds();
+/// All kinds: reversed, mirrored, dead, scaled, late, early and exchanged channels, and another joint's. An electric joint
+/// has no pressures.
+std::vector<FaultKind> fault_kinds(bool electric = false);
 
 }  // namespace farrier::wiring

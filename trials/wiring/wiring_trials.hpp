@@ -28,8 +28,13 @@ bool is_fault(const diagnosis::WiringFault& answer, const diagnosis::WiringFault
 diagnosis::Recording recording_of(const truth::Samples& samples, const robot::Joint& joint);
 
 /// Every kind in kRecordings recordings, of `joints` in turn under all excitations; others are of the next joint.
-/// `joints` are hydraulic ones of `truth::generate`, at least two. Refuses what the generator does.
+/// `joints` are those of `truth::generate`, all hydraulic or all electric, at least two. Refuses what the generator does.
 Result<std::vector<KindScore>> run_wiring_trials(const std::vector<const robot::Joint*>& joints, std::uint64_t seed);
+
+/// The same over a whole robot: two joints have their cables of one channel exchanged, in kRecordings pairs for each of
+/// four channels, and each recording is judged beside those of all joints. Named means that both joints name the other. The
+/// last score counts the joints whose cables are right: a name for one of them is `wrong`.
+Result<std::vector<KindScore>> run_robot_wiring_trials(const robot::Robot& robot, std::uint64_t seed);
 
 /// Blind trials in which a fault of wiring was named, as "trial 12, valve_bias: ...". Each is judged with and without its
 /// pressures. `done` is called after each trial; if it returns false, the rest is left out.

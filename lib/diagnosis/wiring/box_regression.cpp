@@ -21,6 +21,7 @@ void BoxRegression::add(double y, const Values& r) noexcept {
 BoxRegression::Result BoxRegression::solve(const std::array<Bounds, kMost>& bounds) const noexcept {
   constexpr int kSweeps = 200;
   constexpr double kSettled = 1e-7;
+  constexpr double kRounding = 1e-12;  // of the mean square: a constant varies by no more
   Result result;
   const double n = static_cast<double>(std::max<std::size_t>(points_, 1));
   const double variance = yy_ / n - y_ / n * (y_ / n);
@@ -30,19 +31,21 @@ BoxRegression::Result BoxRegression::solve(const std::array<Bounds, kMost>& boun
   const double rms = std::sqrt(variance);
   Values along{};
   std::array<Values, kMost> gram{};
+  std::array<bool, kMost> moves{};
   for (std::size_t i = 0; i < count_; ++i) {
     along[i] = ry_[i] / n - r_[i] / n * (y_ / n);
     for (std::size_t j = 0; j <= i; ++j) {
       gram[i][j] = gram[j][i] = rr_[i][j] / n - r_[i] / n * (r_[j] / n);
     }
+    moves[i] = gram[i][i] > kRounding * rr_[i][i] / n;
     result.coefficients[i] = 0.5 * (bounds[i].low + bounds[i].high);
   }
   Values& c = result.coefficients;
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     double moved = 0.0;
     for (std::size_t i = 0; i < count_; ++i) {
-      if (!(gram[i][i] > 0.0)) {
-        c[i] = bounds[i].low;
+      if (!moves[i]) {
+        c[i] = 0.0;  // a constant, which the regression has
         continue;
       }
       double rest = along[i];

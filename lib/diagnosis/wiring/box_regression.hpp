@@ -9,7 +9,7 @@ namespace farrier::diagnosis {
 /// point. A regressor with equal bounds has that coefficient.
 class BoxRegression {
  public:
-  static constexpr std::size_t kMost = 4;
+  static constexpr std::size_t kMost = 6;
   struct Bounds {
     double low = 0.0, high = 0.0;
   };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "diagnosis/data/sample_statistics.hpp"
 
@@ -11,7 +12,7 @@ namespace {
 
 using enum WiredChannel;
 
-constexpr double kBad = 0.15;            // of a law unexplained: more than most effects leave
+constexpr double kBad = 0.03;            // of a law unexplained: a joint much like this one may leave no more
 constexpr double kLeastMovement = 10.0;  // of a sensor's noise, that a channel should have had
 
 bool recorded(const Recording& recording, WiredChannel channel) {
@@ -31,7 +32,7 @@ double noise_of(const robot::Joint& joint, WiredChannel channel) {
     case kPressureA:
     case kPressureB:
     case kSupply:
-      return 1e-3 * joint.actuator.supply_pressure_Pa;
+      return 1e-4 * joint.actuator.supply_pressure_Pa;
   }
   return 0.0;
 }
@@ -64,17 +65,15 @@ std::vector<WiringFault> dead_channels(const WiringJudge& judge, const Recording
   return dead;
 }
 
-/// A supply whose level is a power of ten or another unit away from the file's.
-void add_scaled_supply(const Recording& recording, const robot::Joint& joint, std::vector<WiringAnswer>& answers) {
+/// The factor by which a supply's level is a power of ten or another unit away from the file's; none for a right one.
+std::optional<double> factor_of_supply(const Recording& recording, const robot::Joint& joint) {
   if (recording.supply_pressure_Pa.empty()) {
-    return;
+    return std::nullopt;
   }
   const double level = quantile(recording.supply_pressure_Pa, 0.5) / joint.actuator.supply_pressure_Pa;
-  for (const double factor : kPressureFactors) {
-    if (level > 0.75 * factor && level < 1.3 * factor) {
-      answers.push_back({{.kind = WiringKind::kScaled, .channel = kSupply, .amount = factor}, 1.0, 0.0});
-    }
-  }
+  const auto found = std::ranges::find_if(
+      kPressureFactors, [level](double factor) { return level > 0.75 * factor && level < 1.3 * factor; });
+  return found == kPressureFactors.end() ? std::nullopt : std::optional(*found);
 }
 
 double relative_difference(const std::vector<double>& one, const std::vector<double>& other) {
@@ -156,9 +155,12 @@ double share_left(const Unexplained& before, const JudgedFault& fault) {
 std::vector<WiringAnswer> find_wiring(const Recording& recording, const robot::Joint& joint,
                                       std::span<const OtherJoint> others, const WiringRules& rules) {
   std::vector<WiringAnswer> answers;
-  if (recording.position.size() < kFewestSamples || joint.electric) {
+  if (recording.position.size() < kFewestSamples) {
     return answers;
   }
+  const auto answer = [&](const WiringFault& fault, double confidence, double left) {
+    answers.push_back({fault, columns_of(fault, recording), std::min(confidence, rules.most_confidence), left});
+  };
   const WiringJudge judge(recording, joint);
   std::vector<JudgedFault> faults = judge_faults(judge, recording, joint);
   const std::vector<JudgedFault> foreign = of_other_joints(judge, recording, joint, others, rules.same_share);
@@ -167,7 +169,9 @@ std::vector<WiringAnswer> find_wiring(const Recording& recording, const robot::J
     return !explains(judge.without_fault(), fault, rules.most_unexplained);
   });
   std::ranges::stable_sort(faults, std::greater{}, &JudgedFault::gain);
-  add_scaled_supply(recording, joint, answers);
+  if (const std::optional<double> factor = factor_of_supply(recording, joint)) {
+    answer({.kind = WiringKind::kScaled, .channel = kSupply, .amount = *factor}, 1.0, 0.0);
+  }
   if (!faults.empty() && faults.front().gain >= rules.least_gain) {
     double weights = std::exp(-faults.front().gain);  // of no fault
     for (const JudgedFault& fault : faults) {
@@ -178,18 +182,18 @@ std::vector<WiringAnswer> find_wiring(const Recording& recording, const robot::J
       if (weight < rules.rival_weight || fault.gain < rules.least_gain) {
         break;
       }
-      answers.push_back({fault.fault, weight / weights, share_left(judge.without_fault(), fault)});
+      answer(fault.fault, weight / weights, share_left(judge.without_fault(), fault));
     }
     return answers;
   }
   for (const WiringFault& fault : dead_channels(judge, recording, joint, rules.dead_share)) {
-    answers.push_back({fault, 1.0, 0.0});
+    answer(fault, 1.0, 0.0);
   }
   return answers;
 }
 
 bool may_be_of_another_joint(const Recording& recording, const robot::Joint& joint) {
-  if (recording.position.size() < kFewestSamples || joint.electric) {
+  if (recording.position.size() < kFewestSamples) {
     return false;
   }
   const Unexplained laws = WiringJudge(recording, joint).without_fault();

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <utility>
 
 #include "core/units.hpp"
@@ -11,9 +12,11 @@
 namespace farrier::diagnosis {
 namespace {
 
-/// Unexplained parts that count as nothing, by law: the noise and a shape that is not exact. The oil's nonlinearity in a
-/// trot leaves 1 % of the current's mean square.
-constexpr std::array<double, kWiringLaws> kFloors{5e-4, 1e-3, 1e-3, 5e-3, 5e-3, 5e-4, 5e-4};
+/// Unexplained parts that count as nothing, by law. Those of oil and drive have no winding, spool or nonlinear flow.
+constexpr std::array<double, kWiringLaws> kFloors{1e-6, 1e-6, 1e-6, 5e-4, 5e-4, 1e-6, 1e-6};
+
+/// Weights of the laws. No effect changes velocity and position, and pressures and force, beyond what their laws allow.
+constexpr std::array<double, kWiringLaws> kWeights{2.0, 1.0, 1.0, 1.0, 1.0, 2.0, 1.0};
 
 /// Searches the faults of one recording.
 class Search {
@@ -89,46 +92,35 @@ class Search {
     add({.kind = WiringKind::kScaled, .channel = channel, .amount = factor, .both_pressures = both}, hypothesis);
   }
 
-  /// Adds the best lag of either sign, from coarse to fine.
+  /// Adds the best lag of either sign.
   void lag(const std::vector<WiredChannel>& channels) {
     for (const int sign : {1, -1}) {
-      const auto at = [&](int samples) {
-        WiringHypothesis hypothesis;
-        for (const WiredChannel channel : channels) {
-          hypothesis.of(channel).late = sign * samples;
-        }
-        return judged({.kind = sign > 0 ? WiringKind::kLate : WiringKind::kEarly,
-                       .channel = channels.front(),
-                       .amount = static_cast<double>(samples),
-                       .both_pressures = channels.size() > 1},
-                      hypothesis);
-      };
       const bool delayed = sign < 0 && channels.front() == WiredChannel::kCurrent;
-      const int first = delayed ? judge_.longest_delay() + 1 : 1;
-      const int last = judge_.most_late();
-      if (first > last) {
-        continue;
-      }
-      JudgedFault best = at(first);
-      int step = 1;
-      for (int samples = first + 1; samples <= last; samples += step) {
-        step = std::max(1, samples / 5);
-        if (JudgedFault next = at(samples); next.gain > best.gain) {
-          best = next;
+      int best = 0;
+      double least = std::numeric_limits<double>::infinity();
+      for (int samples = delayed ? judge_.longest_delay() + 1 : 1; samples <= judge_.most_late(); ++samples) {
+        const double misfit = judge_.misfit_of_lag(channels.front(), lagging(channels, sign * samples));
+        if (misfit < least) {
+          least = misfit;
+          best = samples;
         }
       }
-      for (int reach = std::max(1, static_cast<int>(best.fault.amount) / 5) / 2 + 1; reach >= 1; reach /= 2) {
-        const int middle = static_cast<int>(best.fault.amount);
-        for (const int samples : {middle - reach, middle + reach}) {
-          if (samples >= first && samples <= last) {
-            if (JudgedFault next = at(samples); next.gain > best.gain) {
-              best = next;
-            }
-          }
-        }
+      if (best > 0) {
+        add({.kind = sign > 0 ? WiringKind::kLate : WiringKind::kEarly,
+             .channel = channels.front(),
+             .amount = static_cast<double>(best),
+             .both_pressures = channels.size() > 1},
+            lagging(channels, sign * best));
       }
-      faults_.push_back(best);
     }
+  }
+
+  static WiringHypothesis lagging(const std::vector<WiredChannel>& channels, int late) {
+    WiringHypothesis hypothesis;
+    for (const WiredChannel channel : channels) {
+      hypothesis.of(channel).late = late;
+    }
+    return hypothesis;
   }
 
   void exchange(const std::vector<WiredChannel>& channels) {
@@ -180,7 +172,8 @@ double log_gain(const Unexplained& before, const Unexplained& after) noexcept {
   double gain = 0.0;
   for (std::size_t i = 0; i < kWiringLaws; ++i) {
     if (!std::isnan(before[i]) && !std::isnan(after[i])) {
-      gain += std::log(std::max(std::min(before[i], 1.0), kFloors[i]) / std::max(std::min(after[i], 1.0), kFloors[i]));
+      const auto at_most_all = [&](double unexplained) { return std::clamp(unexplained, kFloors[i], 1.0); };
+      gain += kWeights[i] * std::log(at_most_all(before[i]) / at_most_all(after[i]));
     }
   }
   return gain;

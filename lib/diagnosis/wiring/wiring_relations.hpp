@@ -3,6 +3,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "diagnosis/wiring/box_regression.hpp"
 #include "diagnosis/wiring/wiring_signals.hpp"
@@ -29,11 +30,13 @@ struct WiringHypothesis {
 /// of the position or that of the velocity.
 enum class WiringLaw {
   kKinematics,      ///< v = x' - t v'
-  kLoadByPosition,  ///< F = m a + d v + C x - t F'
+  kLoadByPosition,  ///< F = m a + d v + C x + dry friction - t F'
   kLoadByVelocity,
-  kOilByPosition,  ///< u = (K_h v + d_p a + m_p a' + F') / (S K_v root), after a delay
-  kOilByVelocity,
-  kCell,   ///< F = g (A_a p_a - A_b p_b) - d_p v - m_p a - t F'
+  /// Oil: u = (K_h v + d_p a + m_p a' + F') / (S K_v root), after a delay. Drive with a spring: N K u = T + D w + J w' with
+  /// w = v + T'/k. Rigid drive: N K u = T + t T'.
+  kActuatorByPosition,
+  kActuatorByVelocity,
+  kCell,   ///< F = g (A_a p_a - A_b p_b) - e A_b p_b - d_p v - m_p a - dry friction - t F'
   kLevels  ///< p_a + p_b = p_s
 };
 inline constexpr std::size_t kWiringLaws = 7;
@@ -53,6 +56,10 @@ class WiringJudge {
   Unexplained judge(const WiringHypothesis& hypothesis) const;
   const Unexplained& without_fault() const noexcept { return none_; }
 
+  /// Sum of the logarithms of unexplained over the laws that show best by how many samples `channel` lags: sensors have no
+  /// lag of their own in it, so that a lag of samples is not taken for one of a filter. kPressureA: of both pressures.
+  double misfit_of_lag(WiredChannel channel, const WiringHypothesis& hypothesis) const;
+
   /// Root mean square of a channel about its mean (of the position: of its derivative), and about as large as the other
   /// channels say that it should be; not a number where none does.
   double seen(WiredChannel channel) const noexcept;
@@ -67,10 +74,16 @@ class WiringJudge {
   struct Motion;
 
   double law(WiringLaw law, const WiringHypothesis& hypothesis) const;
-  BoxRegression::Result kinematics(const WiringHypothesis& h) const;
-  BoxRegression::Result load(const WiringHypothesis& h, const Motion& motion) const;
-  BoxRegression::Result cell(const WiringHypothesis& h) const;
+  BoxRegression::Result kinematics(const WiringHypothesis& h, double longest_lag_s) const;
+  BoxRegression::Result load(const WiringHypothesis& h, const Motion& motion, double longest_lag_s,
+                             double motion_lag_s = 0.0) const;
+  BoxRegression::Result cell(const WiringHypothesis& h, double longest_lag_s) const;
+  /// Unexplained of the current by motion and force: oil or drive.
+  double actuator_law(const WiringHypothesis& h, const Motion& motion) const;
   double oil(const WiringHypothesis& h, const Motion& motion) const;
+  double drive(const WiringHypothesis& h, const Motion& motion) const;
+  /// Delays of the input that are tried, samples: the current of an earlier sample acts now.
+  std::vector<int> input_delays(const ChannelChange& current) const;
   double levels(const WiringHypothesis& h) const;
   Motion by_position(const WiringHypothesis& h) const;
   Motion by_velocity(const WiringHypothesis& h, double lag_s, bool quick) const;
@@ -86,6 +99,10 @@ class WiringJudge {
   WiringSignals signals_;
   plant::ActuatorParams actuator_;
   plant::LoadParams load_;
+  std::optional<plant::ElectricParams> electric_;
+  struct {
+    double inertia = 0.0, damping = 0.0, coulomb = 0.0;
+  } rotor_;  ///< of a rigid drive, which moves with the load
   double period_s_;
   int most_late_, longest_delay_;
   std::size_t margin_, stride_;

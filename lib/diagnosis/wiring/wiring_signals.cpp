@@ -113,8 +113,11 @@ WiringSignals::WiringSignals(const Recording& recording, const robot::Joint& joi
       at.pop_back();
       return at;
     };
-    current = {held(through_ports(recording, joint.actuator, 1.0)),
-               held(through_ports(recording, joint.actuator, -1.0)), held(recording.valve_current_A)};
+    current[2] = held(recording.valve_current_A);
+    for (const std::size_t reversed : {0, 1}) {
+      current[reversed] =
+          joint.electric ? current[2] : held(through_ports(recording, joint.actuator, reversed == 0 ? 1.0 : -1.0));
+    }
   }
   if (!recording.pressure_a_Pa.empty()) {
     pressure_a = middles(pass(recording.pressure_a_Pa));

@@ -14,7 +14,8 @@ namespace {
 
 using enum WiredChannel;
 
-std::string column_name(WiredChannel channel, Coordinates coordinates) {
+std::string column_name(WiredChannel channel, const Recording& recording) {
+  const Coordinates coordinates = recording.coordinates;
   switch (channel) {
     case kPosition:
       return position_column(coordinates);
@@ -23,7 +24,7 @@ std::string column_name(WiredChannel channel, Coordinates coordinates) {
     case kForce:
       return force_column(coordinates);
     case kCurrent:
-      return "valve_current_A";
+      return recording.torque_command_Nm.empty() ? "valve_current_A" : "torque_command_Nm";
     case kPressureA:
       return "pressure_a_Pa";
     case kPressureB:
@@ -34,19 +35,15 @@ std::string column_name(WiredChannel channel, Coordinates coordinates) {
   return "";
 }
 
-std::string reversed_text(const WiringFault& fault, const std::string& column) {
+std::string reversed_text(const WiringFault& fault, const std::string& column, bool electric) {
   const std::string remedy = " Exchange them, or multiply the column by -1.";
   switch (fault.channel) {
     case kForce:
-      return column +
-             " is reversed: the load cell's wires are exchanged, or its sign convention is (positive pushes "
-             "towards extension)." +
-             remedy;
+      return column + " is reversed: " + (electric ? "the torque sensor's" : "the load cell's") +
+             " wires are exchanged, or its sign convention is (positive pushes towards extension)." + remedy;
     case kCurrent:
-      return column +
-             " is reversed: the wires of the valve's coil are exchanged, or its sign convention is (positive "
-             "extends)." +
-             remedy;
+      return column + " is reversed: " + (electric ? "two phases of the motor" : "the wires of the valve's coil") +
+             " are exchanged, or its sign convention is (positive extends)." + remedy;
     default:
       return column + " is reversed: the sensor's wires are exchanged, or its sign convention is (positive extends)." +
              remedy;
@@ -90,13 +87,14 @@ std::string factor_text(double factor) {
   return factor >= 1.0 ? rounded(factor) + " times as large as" : "a " + rounded(1.0 / factor) + "th of";
 }
 
-std::string body_of(const WiringFault& fault, const Recording& recording, const std::string& joint) {
+std::string body_of(const WiringAnswer& answer, const Recording& recording, const robot::Joint& joint) {
+  const WiringFault& fault = answer.fault;
   const bool rotary = recording.coordinates == Coordinates::kRotary;
-  const std::string columns = columns_of(fault, recording.coordinates);
+  const std::string& columns = answer.columns;
   const bool many = fault.both_pressures;
   switch (fault.kind) {
     case WiringKind::kReversed:
-      return reversed_text(fault, columns);
+      return reversed_text(fault, columns, joint.electric.has_value());
     case WiringKind::kMirrored:
       return quantile(recording.position, 0.5) < 0.0
                  ? columns + " is reversed in sign: multiply the column by -1; it counts from the fully retracted end."
@@ -124,8 +122,8 @@ std::string body_of(const WiringFault& fault, const Recording& recording, const 
     case WiringKind::kExchanged:
       return columns + " are exchanged: two cables or two columns are. Exchange them.";
     case WiringKind::kOtherJoint:
-      return columns + " of " + joint + " is that of joint " + fault.joint + ": the cables of " + joint + " and " +
-             fault.joint + " are exchanged. Plug each sensor into its own joint, or exchange the columns.";
+      return columns + " of " + joint.name + " is that of joint " + fault.joint + ": the cables of " + joint.name +
+             " and " + fault.joint + " are exchanged. Plug each sensor into its own joint, or exchange the columns.";
   }
   return "";
 }
@@ -154,19 +152,19 @@ const char* to_string(WiringKind kind) noexcept {
   return "";
 }
 
-std::string columns_of(const WiringFault& fault, Coordinates coordinates) {
-  const std::string first = column_name(fault.channel, coordinates);
+std::string columns_of(const WiringFault& fault, const Recording& recording) {
+  const std::string first = column_name(fault.channel, recording);
   if (fault.both_pressures) {
-    return first + " and " + column_name(kPressureB, coordinates);
+    return first + " and " + column_name(kPressureB, recording);
   }
-  return fault.kind == WiringKind::kExchanged ? first + " and " + column_name(fault.other, coordinates) : first;
+  return fault.kind == WiringKind::kExchanged ? first + " and " + column_name(fault.other, recording) : first;
 }
 
 std::vector<Finding> wiring_findings(const std::vector<WiringAnswer>& answers, const Recording& recording,
-                                     const std::string& joint) {
+                                     const robot::Joint& joint) {
   std::vector<Finding> findings;
   for (const WiringAnswer& answer : answers) {
-    std::string text = body_of(answer.fault, recording, joint);
+    std::string text = body_of(answer, recording, joint);
     text += " Confidence " + rounded(std::floor(1000.0 * answer.confidence) / 1000.0);
     text += answer.left > 0.0 ? "; undone, " + rounded(std::max(0.1, 100.0 * answer.left)) +
                                     " % of the deviation from the laws of the joint is left."

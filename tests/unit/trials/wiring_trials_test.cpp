@@ -18,6 +18,15 @@ const robot::Joint& leg() {
   return *robot.find("lf_haa");
 }
 
+const robot::Joint& electric() {
+  static const robot::Robot robot = robot::load_shipped("electric_leg");
+  return robot.joints.front();
+}
+const robot::Joint& electric_leg() {
+  static const robot::Robot robot = robot::load_shipped("go1");
+  return *robot.find("lf_haa");
+}
+
 diagnosis::Recording good(const robot::Joint& joint, const std::vector<truth::Hidden>& hidden = {}) {
   const auto trial = truth::generate(
       joint, 1e-3, {.seed = 7, .excitation = truth::Excitation::kRandomSteps, .hidden = hidden, .duration_s = 3.0});
@@ -39,6 +48,33 @@ TEST(Wiring, EveryKindOfFaultIsNamedWithItsChannel) {
   }
 }
 
+TEST(Wiring, EveryKindOfFaultOfAnElectricJointIsNamedWithItsChannel) {
+  const diagnosis::OtherJoint other{"lf_haa", good(electric_leg())};
+  const diagnosis::Recording recording = good(electric());
+  EXPECT_TRUE(diagnosis::find_wiring(recording, electric()).empty());
+  for (const FaultKind& kind : fault_kinds(true)) {
+    diagnosis::Recording faulty = recording;
+    const diagnosis::WiringFault fault = kind.put(faulty, electric(), other, 3);
+    const auto answers = diagnosis::find_wiring(faulty, electric(), {&other, 1});
+    ASSERT_FALSE(answers.empty()) << kind.name;
+    EXPECT_TRUE(is_fault(answers.front().fault, fault)) << kind.name;
+  }
+}
+
+TEST(Wiring, ALagOfTwoSamplesIsNamed) {
+  const diagnosis::Recording recording = good(rig());
+  const diagnosis::OtherJoint other{"lf_haa", good(leg())};
+  for (const FaultKind& kind : fault_kinds()) {
+    if (kind.name.ends_with(" late") || kind.name.ends_with(" early")) {
+      diagnosis::Recording faulty = recording;
+      const diagnosis::WiringFault fault = kind.put(faulty, rig(), other, 0);
+      const auto answers = diagnosis::find_wiring(faulty, rig());
+      ASSERT_FALSE(answers.empty()) << kind.name;
+      EXPECT_TRUE(is_fault(answers.front().fault, fault)) << kind.name;
+    }
+  }
+}
+
 TEST(Wiring, NoFaultIsNamedInGoodRecordings) {
   EXPECT_TRUE(diagnosis::find_wiring(good(rig()), rig()).empty());
   EXPECT_TRUE(diagnosis::find_wiring(good(leg()), leg()).empty());
@@ -56,7 +92,7 @@ TEST(Wiring, AForceOfAnotherJointUnderTwoNamesIsNamedWithBoth) {
   recording.force = other.recording.force;
   const auto answers = diagnosis::find_wiring(recording, rig(), {&other, 1});
   ASSERT_FALSE(answers.empty());
-  const auto findings = diagnosis::wiring_findings(answers, recording, "fc1d");
+  const auto findings = diagnosis::wiring_findings(answers, recording, rig());
   EXPECT_NE(findings.front().text.find("force_N of fc1d is that of joint lf_haa"), std::string::npos)
       << findings.front().text;
 }
