@@ -18,6 +18,7 @@
 #include "cli/trot/trot_security.hpp"
 #include "process/process.hpp"
 #include "cli/trial/body_trial.hpp"
+#include "cli/trial/controller_study.hpp"
 #include "cli/trial/trial_study.hpp"
 #include "report/figures/console.hpp"
 #include "report/figures/outcome.hpp"
@@ -84,7 +85,7 @@ int prepare(TrialOptions o) {
   if (auto way = make_way({o.trace_path, o.json_path, o.record_path}, {o.robot_path}); !way) {
     return refuse("trial", way.error().message);
   }
-  return trial(robot.value(), o);
+  return o.controllers ? run_controller_study(robot.value(), o) : trial(robot.value(), o);
 }
 
 enum class What { kHide, kBody };
@@ -164,6 +165,10 @@ std::function<int()> declare_trial(CLI::App& app) {
       ->check(between(1, 10000))
       ->type_name("<n>")
       ->capture_default_str();
+  app.add_flag("--controllers", options->controllers,
+               "diagnose the hidden joint under every kind of controller, in one process: names must be the same and "
+               "sizes within 5 %")
+      ->type_name("");
   app.add_option("--record", options->record_path, "where the recording of the run goes")
       ->type_name("<file>")
       ->default_str("run.mcap in --out");

@@ -12,8 +12,9 @@ namespace farrier::cli {
 
 /// The command line of `farrier trial`: a recorded run of the gait, with an effect hidden in the simulated robot.
 struct TrialOptions : TrotOptions {
-  std::uint64_t hide = 1;  ///< seed of joint, effect and size
-  int seeds = 1;           ///< number of effects, hidden one at a time, from `hide` on
+  std::uint64_t hide = 1;    ///< seed of joint, effect and size
+  bool controllers = false;  ///< the same effect under every kind of controller, in place of the suspects
+  int seeds = 1;             ///< number of effects, hidden one at a time, from `hide` on
 };
 
 /// Makes `o.seeds` robots with an effect that only their sim_bridge knows, from seed `o.hide` on. Each trots and is

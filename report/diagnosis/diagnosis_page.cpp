@@ -1,9 +1,8 @@
 #include "report/diagnosis/diagnosis_page.hpp"
 
-#include <filesystem>
-
 #include "report/diagnosis/diagnosis_html.hpp"
 #include "report/diagnosis/diagnosis_pictures.hpp"
+#include "report/diagnosis/diagnosis_summary.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
 #include "report/page/html_page.hpp"
 #include "report/page/html_tables.hpp"
@@ -33,55 +32,68 @@ std::string channels_table(const Diagnosis& d) {
   return html + "</tbody></table>\n";
 }
 
-std::string where_html(const Diagnosis& d, const DiagnosisPictures& pictures) {
-  if (d.channels.empty()) {
-    return "";
+std::string meaning_of(diagnosis::Channel channel, bool rotary) {
+  const std::string force = rotary ? "torque" : "force";
+  switch (channel) {
+    case diagnosis::Channel::kForce:
+      return "The " + force + " that the actuator makes of the measured current and motion.";
+    case diagnosis::Channel::kMotion:
+      return "The speed that the load has under the measured " + force + ".";
+    case diagnosis::Channel::kVelocitySensor:
+      return "The reading of the velocity sensor by the measured position.";
   }
-  std::string html = "<h2>Where the simulation is wrong</h2>\n" +
-                     paragraph(
-                         "NRMSE on time that no fit has seen: the model as given → the extended model. "
-                         "Whiteness below 4 is that of noise.") +
-                     channels_table(d);
+  return "";
+}
+
+/// Pictures of a channel. The first of them is enough to see the error.
+std::string channel_html(const ChannelReport& channel, const ChannelPictures& pictures, bool rotary) {
+  const std::string name = words_of(channel.name);
+  return "<h3>" + escape_html(name) + "</h3>\n" + paragraph(meaning_of(channel.channel, rotary)) +
+         captioned_image_html(pictures.time, name +
+                                                 ": the second in which the model as given is furthest off. The error "
+                                                 "should be noise about 0.") +
+         captioned_image_html(pictures.dependence,
+                              name +
+                                  ": error of the model as given over what may drive it, mean and standard deviation. "
+                                  "A line that is not flat shows a cause.") +
+         captioned_image_html(pictures.spectrum, name + ": the error by frequency");
+}
+
+/// True for a channel in which the extended model is better, or in which more than noise is left.
+bool shows_something(const Diagnosis& d, const ChannelReport& channel) {
+  constexpr double kBetter = 0.95;
+  const diagnosis::Remainder& left = d.judgement.left[static_cast<std::size_t>(channel.channel)];
+  return channel.after.free_running < kBetter * channel.before.free_running ||
+         left.rms > diagnosis::Rules{}.open_ratio * left.expected;
+}
+
+std::string evidence_html(const Diagnosis& d, const DiagnosisPictures& pictures, bool rotary) {
+  std::string shown, others;
   for (std::size_t i = 0; i < d.channels.size(); ++i) {
-    const std::string name = words_of(d.channels[i].name);
-    html +=
-        "<h3>" + escape_html(name) + "</h3>\n" +
-        captioned_image_html(pictures.channels[i].time,
-                             name + ": the second in which the model as given is furthest off") +
-        captioned_image_html(pictures.channels[i].dependence,
-                             name + ": mean and standard deviation of the residual before, by bins of equal counts") +
-        captioned_image_html(pictures.channels[i].spectrum, name + ": spectrum of the residual");
+    (shows_something(d, d.channels[i]) ? shown : others) += channel_html(d.channels[i], pictures.channels[i], rotary);
+  }
+  std::string html = "<h2>The evidence</h2>\n";
+  html += shown.empty() ? paragraph("The model follows every channel of the recording.") : shown;
+  if (!others.empty()) {
+    html += "<details><summary>Channels in which nothing is wrong</summary>\n" + others + "</details>\n";
   }
   return html;
 }
 
-std::string cause_html(const DiagnosisResult& result, const DiagnosisPictures& pictures) {
+std::string details_html(const DiagnosisResult& result, const DiagnosisPictures& pictures) {
   std::vector<ShownEffect> effects;
   for (const diagnosis::NamedEffect& effect : result.diagnosis.judgement.effects) {
     effects.push_back(shown(effect, result.joint));
   }
-  std::string html = "<h2>The cause</h2>\n" + paragraph(verdict_sentence(result.diagnosis.judgement)) +
-                     effects_html(effects) + list(verdict_details(result));
+  std::string html = "<h2>Details for the one who made the model</h2>\n" + effects_html(effects) +
+                     paragraph(
+                         "NRMSE on time that no fit has seen: the model as given → the extended model. "
+                         "Whiteness below 4 is that of noise.") +
+                     channels_table(result.diagnosis);
   for (std::size_t i = 0; i < pictures.rounds.size(); ++i) {
     html += captioned_image_html(pictures.rounds[i], round_caption(i));
   }
   return html;
-}
-
-std::string gain_html(const DiagnosisResult& result) {
-  const Diagnosis& d = result.diagnosis;
-  std::string html;
-  if (!result.extended_model.empty()) {
-    const std::string file = std::filesystem::path(result.extended_model).filename().string();
-    html += "<h2>The extended model</h2>\n<p><a href=\"" + escape_html(file) + "\">" + escape_html(file) +
-            "</a>: the robot file with these effects of " + escape_html(result.joint.name) +
-            " in its section <code>effects</code>. It was loaded again.</p>\n";
-  }
-  if (!d.judgement.effects.empty()) {
-    html += "<h2>The gain</h2>\n" + paragraph("Held-out NRMSE: " + gain_text(error_of(d)));
-  }
-  const std::string control = control_text(result);
-  return html + (control.empty() ? "" : paragraph(control));
 }
 
 }  // namespace
@@ -89,10 +101,14 @@ std::string gain_html(const DiagnosisResult& result) {
 Result<std::string> write_diagnosis_page(const std::string& out_dir, const DiagnosisResult& result,
                                          const Outcome& outcome) {
   const auto pictures = FARRIER_TRY(draw_diagnosis(out_dir, result));
-  const std::string html = page_head(result.robot.name + ", joint " + result.joint.name + ": diagnosis", outcome) +
-                           paragraph("Recording: " + result.recording) + list(result.diagnosis.remarks) +
-                           where_html(result.diagnosis, pictures) + cause_html(result, pictures) + gain_html(result) +
-                           page_foot(outcome);
+  std::string html = page_head(result.robot.name + ", joint " + result.joint.name + ": diagnosis", outcome,
+                               badge_of(result.diagnosis.judgement.verdict)) +
+                     paragraph("Recording: " + result.recording) + list(result.diagnosis.remarks) +
+                     summary_html(result);
+  if (!result.diagnosis.channels.empty()) {
+    html += evidence_html(result.diagnosis, pictures, result.joint.rotary) + details_html(result, pictures);
+  }
+  html += page_foot(outcome);
   return write_page(out_dir, html);
 }
 

@@ -11,6 +11,7 @@
 #include "report/diagnosis/diagnosis_pictures.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
 #include "report/diagnosis/effects_table.hpp"
+#include "report/diagnosis/remedies.hpp"
 
 namespace farrier::report {
 namespace diagnosis_test {
@@ -19,6 +20,12 @@ using diagnosis::Diagnosis;
 using diagnosis::Verdict;
 using testing::diagnosis_of;
 using testing::id_of;
+
+std::string text_of(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
 
 class DiagnosisReport : public testing::OwnFolder {
  protected:
@@ -241,11 +248,6 @@ TEST_F(DiagnosisReport, PageShowsEveryPictureItNamesAndNothingFromElsewhere) {
                         {}};
   const auto page = write_diagnosis_page(path_, result(d), outcome(d));
   ASSERT_TRUE(page.ok()) << page.error().message;
-  const auto text_of = [](const std::string& path) {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  };
   const std::string html = text_of(page.value());
   int pictures = 0;
   for (std::size_t at = 0; (at = html.find("<img src=\"", at)) != std::string::npos; ++pictures) {
@@ -255,7 +257,7 @@ TEST_F(DiagnosisReport, PageShowsEveryPictureItNamesAndNothingFromElsewhere) {
   }
   EXPECT_EQ(pictures, 4);
   EXPECT_EQ(html.find("http"), std::string::npos);
-  EXPECT_NE(html.find("class=\"verdict pass\">effects<"), std::string::npos);
+  EXPECT_NE(html.find("class=\"verdict warn\">cause found<"), std::string::npos);
 }
 
 TEST_F(DiagnosisReport, PageOfBadDataOrOfEmptyChannelsHasNoPictures) {
@@ -267,6 +269,39 @@ TEST_F(DiagnosisReport, PageOfBadDataOrOfEmptyChannelsHasNoPictures) {
   for (const Diagnosis& one : {bad(), d}) {
     const auto page = write_diagnosis_page(path_, result(one), outcome(one));
     EXPECT_TRUE(page.ok()) << page.error().message;
+  }
+}
+
+TEST_F(DiagnosisReport, PageBeginsWithThePartThatIsFaultyAndTheNextSteps) {
+  Diagnosis d = inseparable();
+  const auto page = write_diagnosis_page(path_, result(d), outcome(d));
+  ASSERT_TRUE(page.ok());
+  const std::string html = text_of(page.value());
+  EXPECT_NE(html.find("several causes possible"), std::string::npos);
+  const std::size_t steps = html.find("Next steps");
+  ASSERT_NE(steps, std::string::npos);
+  for (const char* const text : {"<b>load friction</b>", "load bearings", "one of several", "<b>load damping</b>"}) {
+    EXPECT_LT(html.find(text), steps) << text;
+  }
+  EXPECT_NE(html.find("a sine of the current of 2 mA at 3 Hz", steps), std::string::npos);
+}
+
+TEST_F(DiagnosisReport, PageOfWrongWiringHasTheColumnAndTheRemedy) {
+  const Diagnosis d = diagnosis_of(Verdict::kWiring);
+  DiagnosisResult wrong = result(d);
+  wrong.wiring = {{.fault = {.kind = diagnosis::WiringKind::kReversed}, .columns = "force_N", .confidence = 0.997}};
+  wrong.findings = {{"reversed", 0, "force_N is reversed: exchange its wires. Confidence 0.997."}};
+  const auto page = write_diagnosis_page(path_, wrong, outcome(d));
+  ASSERT_TRUE(page.ok());
+  const std::string html = text_of(page.value());
+  EXPECT_NE(html.find("<b>force_N</b></td><td>force_N is reversed: exchange its wires.</td><td>almost certain"),
+            std::string::npos);
+  EXPECT_EQ(html.find("The evidence"), std::string::npos);
+}
+
+TEST(Remedies, StandForEveryEffectThatADiagnosisNames) {
+  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
+    EXPECT_STREQ(remedy_of(id).effect, plant::effect_info(id).name);
   }
 }
 
