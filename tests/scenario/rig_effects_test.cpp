@@ -53,9 +53,20 @@ TEST(FilterStudy, RefusesWhatItCannotRunWithTheReason) {
   EXPECT_FALSE(filter_study(load("fc1d"), filter_cases(), 0.1));
 }
 
+/// The rig with the velocity alone filtered, at 100 Hz, and a cart that sticks more: its loop has no margin at the mode of
+/// the load on the oil. Behind the filters of the file that mode is quiet.
 robot::Robot oscillating_rig() {
   robot::Robot rig = load("fc1d_real");
-  rig.joints[0].noise = {};
+  robot::Joint& joint = rig.joints[0];
+  joint.noise = {};
+  joint.sensors.position.cut_off_Hz = joint.sensors.force.cut_off_Hz = 0.0;
+  joint.sensors.velocity.cut_off_Hz = 100.0;
+  for (plant::ActiveEffect& effect : joint.effects) {
+    if (effect.id == plant::effect_id<plant::LoadFriction>()) {
+      effect.values[0] = 40.0;  // coulomb_N
+      effect.values[1] = 1.5;   // breakaway_ratio
+    }
+  }
   return rig;
 }
 
@@ -70,7 +81,7 @@ double ring_Pa(const robot::Robot& rig) {
 // Hubacher (2014), 9.4 and Fig. 9.23; docs/derivations/load-pressure-oscillation.md. The valve command is smooth, the
 // piston breaks away, and only then the load pressure swings. Without the line, or without the velocity filter, less
 // than a tenth of it is left while the reference still rises.
-TEST(ForceStep, OfTheRealRigMakesTheLoadPressureSwingWhenThePistonBreaksAway) {
+TEST(ForceStep, OfARigThatSticksMakesTheLoadPressureSwingWhenThePistonBreaksAway) {
   const robot::Robot rig = oscillating_rig();
   const auto run = run_force_step(rig, kSlowStep);
   ASSERT_TRUE(run.ok()) << run.error().message;
