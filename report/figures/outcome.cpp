@@ -14,9 +14,7 @@ using Json = nlohmann::ordered_json;
 Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 Json json_of(const Figure& figure) {
-  Json json{{"name", figure.name},
-            {"value", number(figure.value)},
-            {"unit", figure.spec->unit}};
+  Json json{{"name", figure.name}, {"value", number(figure.value)}, {"unit", figure.spec->unit}};
   if (figure.bound) {
     json["relation"] = to_string(figure.spec->relation);
     json["bound"] = *figure.bound;

@@ -31,8 +31,8 @@ struct Claim {
   std::string unit;
   Relation relation;
   double bound;
-  std::string verdict;   ///< "holds", "needs", "refuted", "fails"
-  std::string reason;    ///< the proof, the condition or the cause of a failure; a note when it holds
+  std::string verdict;              ///< "holds", "needs", "refuted", "fails"
+  std::string reason;               ///< the proof, the condition or the cause of a failure; a note when it holds
   std::string kind = "text";        ///< "text", "proof", "aim"
   std::vector<double> values = {};  ///< by seed; one if nothing is drawn
   double worst = 0.0;               ///< of them
@@ -45,7 +45,7 @@ struct Outcome {
   std::string command;  ///< "trot", "bench", ...
   Figures figures;
   RunInfo run;
-  std::vector<std::string> failures;  ///< errors besides figures: "joint_node_lf ended with status 1"
+  std::vector<std::string> failures;       ///< errors besides figures: "joint_node_lf ended with status 1"
   std::vector<std::string> warnings = {};  ///< what went wrong and fails nothing
   std::vector<Claim> claims = {};          ///< of a command that checks a text's
   std::string finding = {};                ///< the verdict in one word of a command that finds out; empty: pass or fail

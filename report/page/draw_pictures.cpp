@@ -163,7 +163,8 @@ std::string axes(const Panel& panel) {
   if (panel.unit_circle) {
     const Range sides = panel.x_range.value_or(Range{-1.15, 1.15});
     script += "set size ratio -1\n" + range("x", sides) + range("y", sides) +
-              "set object circle at 0,0 size 1 behind fillstyle solid 0.06 border rgb '#56616a' fillcolor rgb '#0072b2' linewidth 1.5\n";
+              "set object circle at 0,0 size 1 behind fillstyle solid 0.06 border rgb '#56616a' fillcolor rgb "
+              "'#0072b2' linewidth 1.5\n";
   } else if (panel.x_range) {
     script += range("x", *panel.x_range);
   }

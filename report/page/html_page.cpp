@@ -43,9 +43,10 @@ std::string page_head(const std::string& plain_title, const Outcome& outcome) {
 std::string page_head(const std::string& plain_title, const Outcome& outcome, const Badge& badge) {
   const char* const colour = badge.tone == Tone::kGood ? "pass" : badge.tone == Tone::kWarning ? "warn" : "fail";
   const std::string title = escape_html(plain_title);
-  std::string html = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-                     "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-                     title + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
+      title + "</title>\n<style>" + kStyle + "</style>\n</head>\n<body>\n";
   html += "<h1>" + title + " <span class=\"verdict " + colour + "\">" + escape_html(badge.text) + "</span></h1>\n";
   html += "<p class=\"where\">Farrier " + escape_html(outcome.run.version) + ", revision " +
           escape_html(outcome.run.git_revision) + ", seed " + std::to_string(outcome.run.seed) + "</p>\n";

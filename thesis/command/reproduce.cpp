@@ -34,7 +34,7 @@ struct ReproduceOptions {
 
 /// The studies asked for, in the order of the text; refuses numbers there are none of.
 Result<std::vector<thesis::Study>> chosen(const std::vector<thesis::Study>& all,
-                                           const std::vector<std::string>& numbers) {
+                                          const std::vector<std::string>& numbers) {
   std::vector<thesis::Study> some;
   for (const std::string& number : numbers) {
     if (number != "all" && thesis::find_study(all, number) == nullptr) {
@@ -171,18 +171,20 @@ int reproduce_studies(const ReproduceOptions& o) {
 
 std::function<int()> declare_reproduce(CLI::App& app) {
   auto o = std::make_shared<ReproduceOptions>();
-  app.add_option("studies", o->numbers, "figures and tables by their number, such as 7.8, or all")->type_name("<number>...");
+  app.add_option("studies", o->numbers, "figures and tables by their number, such as 7.8, or all")
+      ->type_name("<number>...");
   app.add_flag("--list", o->list, "name every study and what it must show")->type_name("");
   app.add_option("--out", o->out, "directory for the page and its pictures")->type_name("<dir>")->capture_default_str();
-  const CLI::Option* json =
-      app.add_option("--json", o->json_path,
-                     "where the claims go (figures.json in --out unless told); without <file>, standard output in place of the text")
-          ->expected(0, 1)
-          ->type_name("[<file>]");
-  const CLI::Option* seed = app.add_option("--seed", o->seed, "seed of all that is drawn; runs this one alone without --seeds")
-                                ->check(between(0.0, 18446744073709551615.0))
-                                ->type_name("<n>")
-                                ->capture_default_str();
+  const CLI::Option* json = app.add_option("--json", o->json_path,
+                                           "where the claims go (figures.json in --out unless told); without <file>, "
+                                           "standard output in place of the text")
+                                ->expected(0, 1)
+                                ->type_name("[<file>]");
+  const CLI::Option* seed =
+      app.add_option("--seed", o->seed, "seed of all that is drawn; runs this one alone without --seeds")
+          ->check(between(0.0, 18446744073709551615.0))
+          ->type_name("<n>")
+          ->capture_default_str();
   const CLI::Option* seeds =
       app.add_option("--seeds", o->seeds, "seeds from --seed on; a claim is judged by its median over them")
           ->check(between(1, 100))

@@ -14,9 +14,12 @@ namespace {
 
 report::Relation relation_of(thesis::Relation relation) {
   switch (relation) {
-    case thesis::Relation::kAtMost: return report::Relation::kAtMost;
-    case thesis::Relation::kBelow: return report::Relation::kBelow;
-    case thesis::Relation::kAtLeast: return report::Relation::kAtLeast;
+    case thesis::Relation::kAtMost:
+      return report::Relation::kAtMost;
+    case thesis::Relation::kBelow:
+      return report::Relation::kBelow;
+    case thesis::Relation::kAtLeast:
+      return report::Relation::kAtLeast;
   }
   return report::Relation::kNone;
 }
@@ -57,10 +60,17 @@ std::string reason_of(const ClaimSpec& spec, Verdict verdict, double value, cons
   }
   std::string reason;
   switch (verdict) {
-    case Verdict::kHolds: return measured->note;
-    case Verdict::kNeeds: reason = spec_of(*spec.condition).meaning; break;
-    case Verdict::kRefuted: reason = spec.refutation->proof; break;
-    case Verdict::kFails: reason = std::isfinite(value) ? "measured otherwise" : "could not be measured"; break;
+    case Verdict::kHolds:
+      return measured->note;
+    case Verdict::kNeeds:
+      reason = spec_of(*spec.condition).meaning;
+      break;
+    case Verdict::kRefuted:
+      reason = spec.refutation->proof;
+      break;
+    case Verdict::kFails:
+      reason = std::isfinite(value) ? "measured otherwise" : "could not be measured";
+      break;
   }
   return measured->note.empty() ? reason : reason + " (" + measured->note + ")";
 }
@@ -80,29 +90,31 @@ report::Claim claim_of(const StudyRun& run, const ClaimSpec& spec) {
   const double value = plain.middle();
   const Verdict verdict = judge(spec, value, under.middle());
   // The note of the run whose value is the median.
-  const auto at = std::ranges::find_if(
-      values, [&](double one) { return one == value || (std::isnan(one) && std::isnan(value)); });
-  report::Claim claim{.id = spec.id,
-                      .figure = run.study.number,
-                      .section = spec.section,
-                      .sentence = spec.sentence,
-                      .claim = spec.claim,
-                      .name = std::string("reproduce.") + spec.id,
-                      .value = value,
-                      .unit = spec.unit,
-                      .relation = relation_of(spec.relation),
-                      .bound = spec.bound,
-                      .verdict = to_string(verdict),
-                      .reason = reason_of(spec, verdict, value,
-                                          find_measured(run.seeds[static_cast<std::size_t>(at - values.begin())], spec.id),
-                                          std::isfinite(value) ? "" : refusal),
-                      .kind = to_string(spec.kind),
-                      .values = std::move(values),
-                      .worst = plain.worst(),
-                      .tried = verdict == Verdict::kFails ? spec.tried : ""};
+  const auto at =
+      std::ranges::find_if(values, [&](double one) { return one == value || (std::isnan(one) && std::isnan(value)); });
+  report::Claim claim{
+      .id = spec.id,
+      .figure = run.study.number,
+      .section = spec.section,
+      .sentence = spec.sentence,
+      .claim = spec.claim,
+      .name = std::string("reproduce.") + spec.id,
+      .value = value,
+      .unit = spec.unit,
+      .relation = relation_of(spec.relation),
+      .bound = spec.bound,
+      .verdict = to_string(verdict),
+      .reason = reason_of(spec, verdict, value,
+                          find_measured(run.seeds[static_cast<std::size_t>(at - values.begin())], spec.id),
+                          std::isfinite(value) ? "" : refusal),
+      .kind = to_string(spec.kind),
+      .values = std::move(values),
+      .worst = plain.worst(),
+      .tried = verdict == Verdict::kFails ? spec.tried : ""};
   if (spec.condition) {
     const ConditionSpec& condition = spec_of(*spec.condition);
-    claim.condition = report::ClaimCondition{condition.name, condition.meaning, condition.source, under.middle(), under.worst()};
+    claim.condition =
+        report::ClaimCondition{condition.name, condition.meaning, condition.source, under.middle(), under.worst()};
   }
   return claim;
 }
@@ -195,11 +207,13 @@ std::string figure_text(const thesis::StudyFigure& figure) {
 }
 
 std::string claim_text(const report::Claim& claim) {
-  std::string text = claim.id + "  " + claim.verdict + (claim.kind == to_string(ClaimKind::kText) ? "" : " (" + claim.kind + ")") + "\n";
+  std::string text = claim.id + "  " + claim.verdict +
+                     (claim.kind == to_string(ClaimKind::kText) ? "" : " (" + claim.kind + ")") + "\n";
   text += "    \"" + claim.sentence + "\" (" + claim.section + ")\n    " + claim.claim + "\n";
   text += "    measured " + with_unit(claim.value, claim.unit);
   if (claim.values.size() > 1) {
-    text += " (median of " + std::to_string(claim.values.size()) + " seeds, worst " + with_unit(claim.worst, claim.unit) + ")";
+    text += " (median of " + std::to_string(claim.values.size()) + " seeds, worst " +
+            with_unit(claim.worst, claim.unit) + ")";
   }
   text += ", claimed " + std::string(to_string(claim.relation)) + " " + with_unit(claim.bound, claim.unit) + "\n";
   if (claim.condition) {
@@ -215,8 +229,8 @@ std::string claim_text(const report::Claim& claim) {
 std::string listing(const thesis::Study& study) {
   std::string text = std::string(study.number) + "  " + study.title + "\n";
   for (const ClaimSpec& spec : study.claims) {
-    text += std::string("      ") + spec.id + ": " + spec.claim + " [" +
-            to_string(relation_of(spec.relation)) + " " + with_unit(spec.bound, spec.unit) + "; " + spec.section + "]\n";
+    text += std::string("      ") + spec.id + ": " + spec.claim + " [" + to_string(relation_of(spec.relation)) + " " +
+            with_unit(spec.bound, spec.unit) + "; " + spec.section + "]\n";
   }
   return text;
 }

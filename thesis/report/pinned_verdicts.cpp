@@ -23,8 +23,7 @@ std::string constant_of(const std::string& verdict) {
 std::span<const PinnedVerdict> pinned_verdicts() noexcept { return kPinned; }
 
 std::optional<Verdict> pinned_verdict(std::string_view id) noexcept {
-  const auto* const found =
-      std::ranges::find_if(kPinned, [&](const PinnedVerdict& pinned) { return pinned.id == id; });
+  const auto* const found = std::ranges::find_if(kPinned, [&](const PinnedVerdict& pinned) { return pinned.id == id; });
   return found == std::end(kPinned) ? std::nullopt : std::optional(found->verdict);
 }
 
@@ -43,7 +42,8 @@ std::vector<std::string> slides(const std::vector<report::Claim>& claims) {
 
 std::string pinned_text(const std::vector<report::Claim>& claims) {
   std::string text =
-      "// The verdict of every claim over the seeds 1 to 7. The command 'farrier reproduce all --pin' prints this file.\n";
+      "// The verdict of every claim over the seeds 1 to 7. The command 'farrier reproduce all --pin' prints this "
+      "file.\n";
   std::map<std::string, std::string> by_id;
   for (const report::Claim& claim : claims) {
     by_id[claim.id] = constant_of(claim.verdict);

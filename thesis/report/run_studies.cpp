@@ -68,8 +68,12 @@ struct Job {
 class Jobs {
  public:
   Jobs(std::vector<StudyRun>& runs, const StudyContext& context, int threads, const Progress& progress)
-      : runs_(runs), context_(context), threads_(threads), progress_(progress),
-        stride_(runs.front().seeds.size()), shares_(runs.size() * stride_, 0.0) {}
+      : runs_(runs),
+        context_(context),
+        threads_(threads),
+        progress_(progress),
+        stride_(runs.front().seeds.size()),
+        shares_(runs.size() * stride_, 0.0) {}
 
   void run(const std::vector<Job>& jobs) {
     std::atomic<std::size_t> next = 0;

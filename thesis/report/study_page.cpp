@@ -21,8 +21,9 @@ struct VerdictText {
 constexpr VerdictText kVerdicts[] = {
     {Verdict::kFails, "Measured otherwise, and we know no proof. Each says what was tried."},
     {Verdict::kNeeds, "Holds only under a condition that the text does not state. Both values are shown."},
-    {Verdict::kRefuted, "False as printed, by a proof or a counter-example that rests on no choice of ours. The value is where the "
-                        "proof says."},
+    {Verdict::kRefuted,
+     "False as printed, by a proof or a counter-example that rests on no choice of ours. The value is where the "
+     "proof says."},
     {Verdict::kHolds, "Measured as the text says."}};
 
 struct KindText {
@@ -44,10 +45,12 @@ std::string number_html(double value, const std::string& unit) {
 std::string values_html(const Claim& claim) {
   std::string html = number_html(claim.value, claim.unit);
   if (claim.values.size() > 1) {
-    html += "<br><small>worst of " + std::to_string(claim.values.size()) + ": " + number_html(claim.worst, claim.unit) + "</small>";
+    html += "<br><small>worst of " + std::to_string(claim.values.size()) + ": " + number_html(claim.worst, claim.unit) +
+            "</small>";
   }
   if (claim.condition) {
-    html += "<br><small>" + escape_html(claim.condition->name) + ": " + number_html(claim.condition->value, claim.unit) + ", worst " +
+    html += "<br><small>" + escape_html(claim.condition->name) + ": " +
+            number_html(claim.condition->value, claim.unit) + ", worst " +
             number_html(claim.condition->worst, claim.unit) + "</small>";
   }
   return html;
@@ -68,11 +71,11 @@ const char* name_of_reason(const Claim& claim) {
 std::string claim_row(const Claim& claim) {
   return "<tr class=\"" + claim.verdict + "\"><td class=\"number " + claim.verdict + "\">" + claim.verdict +
          (claim.kind == to_string(ClaimKind::kText) ? "" : "<br><small>" + claim.kind + " of ours</small>") +
-         "</td><td>&ldquo;" + escape_html(claim.sentence) + "&rdquo; <small>" + escape_html(claim.section) + "</small></td><td>" +
-         escape_html(claim.claim) + small_line(name_of_reason(claim), claim.reason) + small_line("Tried: ", claim.tried) +
-         "<br><small>" + escape_html(claim.id) + "</small></td><td class=\"number\">" + values_html(claim) +
-         "</td><td class=\"number\">" + escape_html(to_string(claim.relation)) + " " + number_html(claim.bound, claim.unit) +
-         "</td></tr>\n";
+         "</td><td>&ldquo;" + escape_html(claim.sentence) + "&rdquo; <small>" + escape_html(claim.section) +
+         "</small></td><td>" + escape_html(claim.claim) + small_line(name_of_reason(claim), claim.reason) +
+         small_line("Tried: ", claim.tried) + "<br><small>" + escape_html(claim.id) +
+         "</small></td><td class=\"number\">" + values_html(claim) + "</td><td class=\"number\">" +
+         escape_html(to_string(claim.relation)) + " " + number_html(claim.bound, claim.unit) + "</td></tr>\n";
 }
 
 std::string claims_table(const std::vector<const Claim*>& claims) {
@@ -81,8 +84,10 @@ std::string claims_table(const std::vector<const Claim*>& claims) {
     rows += claim_row(*claim);
   }
   return rows.empty() ? ""
-                      : "<table><thead><tr><th>verdict</th><th>the text</th><th>what was measured</th><th>median</th><th>claimed</th>"
-                        "</tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
+                      : "<table><thead><tr><th>verdict</th><th>the text</th><th>what was "
+                        "measured</th><th>median</th><th>claimed</th>"
+                        "</tr></thead>\n<tbody>\n" +
+                            rows + "</tbody></table>\n";
 }
 
 /// Claims of a study in the order in which it makes them.
@@ -103,7 +108,8 @@ std::string figures_html(const StudyRun& run) {
     return "";
   }
   std::string html =
-      "<table><thead><tr><th>figure</th><th>what was measured besides, with the first seed</th><th>value</th></tr></thead>\n<tbody>\n";
+      "<table><thead><tr><th>figure</th><th>what was measured besides, with the first "
+      "seed</th><th>value</th></tr></thead>\n<tbody>\n";
   for (const StudyFigure& figure : result->figures) {
     html += "<tr><td>" + escape_html(figure.id) + "</td><td>" + escape_html(figure.meaning) +
             "</td><td class=\"number\">" + number_html(figure.value, figure.unit) + "</td></tr>\n";
@@ -114,14 +120,14 @@ std::string figures_html(const StudyRun& run) {
 std::string seeds_text(const StudyRun& run) {
   return run.seeds.size() == 1
              ? "One run with seed " + std::to_string(run.seeds.front().seed) + "."
-             : std::to_string(run.seeds.size()) + " runs with the seeds " + std::to_string(run.seeds.front().seed) + " to " +
-                   std::to_string(run.seeds.back().seed) + "; pictures are of the first.";
+             : std::to_string(run.seeds.size()) + " runs with the seeds " + std::to_string(run.seeds.front().seed) +
+                   " to " + std::to_string(run.seeds.back().seed) + "; pictures are of the first.";
 }
 
 std::string study_html(const report::Outcome& outcome, const StudyRun& run) {
   const std::string number = escape_html(run.study.number);
-  std::string html = "<h2 id=\"s" + number + "\">" + number + " " + escape_html(run.study.title) + "</h2>\n<p class=\"box\">" +
-                     escape_html(run.study.conditions) + " " + seeds_text(run) + "</p>\n";
+  std::string html = "<h2 id=\"s" + number + "\">" + number + " " + escape_html(run.study.title) +
+                     "</h2>\n<p class=\"box\">" + escape_html(run.study.conditions) + " " + seeds_text(run) + "</p>\n";
   if (const StudyResult* result = shown(run)) {
     const auto& pictures = result->pictures;
     for (std::size_t i = 0; i < pictures.size(); ++i) {
@@ -135,7 +141,8 @@ template <class Counted>
 std::string count_cell(const report::Outcome& outcome, const char* verdict, const Counted& counted) {
   const auto count = std::ranges::count_if(
       outcome.claims, [&](const Claim& claim) { return claim.verdict == verdict && counted(claim); });
-  return "<td class=\"number" + (count == 0 ? std::string() : " " + std::string(verdict)) + "\">" + std::to_string(count) + "</td>";
+  return "<td class=\"number" + (count == 0 ? std::string() : " " + std::string(verdict)) + "\">" +
+         std::to_string(count) + "</td>";
 }
 
 template <class Counted>
@@ -160,15 +167,17 @@ std::string totals_html(const report::Outcome& outcome) {
   std::string html = "<table><thead><tr><th></th>" + verdict_heads() + "<th></th></tr></thead>\n<tbody>\n";
   for (const KindText& kind : kKinds) {
     html += "<tr><td>" + std::string(kind.name) + "</td>" +
-            count_cells(outcome, [&](const Claim& claim) { return claim.kind == to_string(kind.kind); }) + "<td class=\"meaning\">" +
-            kind.meaning + "</td></tr>\n";
+            count_cells(outcome, [&](const Claim& claim) { return claim.kind == to_string(kind.kind); }) +
+            "<td class=\"meaning\">" + kind.meaning + "</td></tr>\n";
   }
   html += "</tbody></table>\n<p class=\"box\">";
   for (const VerdictText& one : kVerdicts) {
     html += "<b>" + std::string(to_string(one.verdict)) + "</b>: " + one.meaning + "<br>\n";
   }
-  return html + "A claim is judged by its median over the seeds; the worst value stands below it. Bounds of words without a number "
-                "(&ldquo;slight&rdquo;) are ours and were chosen before measuring.</p>\n";
+  return html +
+         "A claim is judged by its median over the seeds; the worst value stands below it. Bounds of words without a "
+         "number "
+         "(&ldquo;slight&rdquo;) are ours and were chosen before measuring.</p>\n";
 }
 
 /// The conditions that claims need, with those claims.
@@ -177,16 +186,20 @@ std::string conditions_html(const report::Outcome& outcome) {
   for (const ConditionSpec& condition : conditions()) {
     std::string claims;
     for (const Claim& claim : outcome.claims) {
-      const bool needed = claim.condition && claim.condition->name == condition.name && claim.verdict == to_string(Verdict::kNeeds);
+      const bool needed =
+          claim.condition && claim.condition->name == condition.name && claim.verdict == to_string(Verdict::kNeeds);
       claims += needed ? (claims.empty() ? "" : ", ") + escape_html(claim.id) : "";
     }
-    rows += claims.empty() ? ""
-                           : "<tr><td>" + escape_html(condition.name) + "</td><td>" + escape_html(condition.meaning) + "<br><small>" +
-                                 escape_html(condition.source) + "</small></td><td>" + claims + "</td></tr>\n";
+    rows += claims.empty()
+                ? ""
+                : "<tr><td>" + escape_html(condition.name) + "</td><td>" + escape_html(condition.meaning) +
+                      "<br><small>" + escape_html(condition.source) + "</small></td><td>" + claims + "</td></tr>\n";
   }
   return rows.empty() ? ""
-                      : "<h2>Conditions that the text does not state</h2>\n<table><thead><tr><th>condition</th><th></th><th>needed by</th>"
-                        "</tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
+                      : "<h2>Conditions that the text does not "
+                        "state</h2>\n<table><thead><tr><th>condition</th><th></th><th>needed by</th>"
+                        "</tr></thead>\n<tbody>\n" +
+                            rows + "</tbody></table>\n";
 }
 
 std::string failing_html(const report::Outcome& outcome) {
@@ -205,8 +218,9 @@ std::string summary_html(const report::Outcome& outcome, std::span<const StudyRu
       "<h2>Studies</h2>\n<table><thead><tr><th>figure</th><th></th>" + verdict_heads() + "</tr></thead>\n<tbody>\n";
   for (const StudyRun& run : runs) {
     const std::string number = escape_html(run.study.number);
-    html += "<tr><td><a href=\"#s" + number + "\">" + number + "</a></td><td>" + escape_html(run.study.title) + "</td>" +
-            count_cells(outcome, [&](const Claim& claim) { return claim.figure == run.study.number; }) + "</tr>\n";
+    html += "<tr><td><a href=\"#s" + number + "\">" + number + "</a></td><td>" + escape_html(run.study.title) +
+            "</td>" + count_cells(outcome, [&](const Claim& claim) { return claim.figure == run.study.number; }) +
+            "</tr>\n";
   }
   return html + "</tbody></table>\n";
 }
@@ -215,8 +229,8 @@ std::string summary_html(const report::Outcome& outcome, std::span<const StudyRu
 
 Result<std::string> write_study_page(const std::string& out_dir, const report::Outcome& outcome,
                                      std::span<const StudyRun> runs) {
-  std::string html = report::page_head("Hubacher (2014), reproduced", outcome) + totals_html(outcome) + failing_html(outcome) +
-                     conditions_html(outcome) + summary_html(outcome, runs);
+  std::string html = report::page_head("Hubacher (2014), reproduced", outcome) + totals_html(outcome) +
+                     failing_html(outcome) + conditions_html(outcome) + summary_html(outcome, runs);
   for (const StudyRun& run : runs) {
     html += study_html(outcome, run);
   }

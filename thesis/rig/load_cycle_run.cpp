@@ -63,12 +63,14 @@ Result<control::Gains> printed_gains(const robot::Robot& robot, const plant::Loa
       control::design(robot::model_of(joint, load, robot.period_s, {.piston = plant::PistonMass::kNeglected}),
                       joint.design, joint.normalisation, joint.form, 0, robot.period_s);
   if (!gains) {
-    return Error{std::string("no design on (3.51) for ") + std::to_string(load.mass) + " kg: " + control::to_string(gains.error())};
+    return Error{std::string("no design on (3.51) for ") + std::to_string(load.mass) +
+                 " kg: " + control::to_string(gains.error())};
   }
   return gains.value();
 }
 
-Result<CycleRun> run_cycle_as_printed(const StudyContext& context, const PrintedCycle& printed, double from, double to) {
+Result<CycleRun> run_cycle_as_printed(const StudyContext& context, const PrintedCycle& printed, double from,
+                                      double to) {
   trials::LoadCycleCase one = printed.adaptive ? trials::kAdaptiveCase : trials::kFixedCase;
   one.noiseless = true;
   return run_changed(context, one, from, to, [&](robot::Robot& robot, run::InprocRun& settings) -> Result<Done> {

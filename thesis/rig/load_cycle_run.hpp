@@ -40,8 +40,9 @@ inline constexpr double kProbing_percent = 0.25;
 /// where there is no design.
 Result<control::Gains> printed_gains(const robot::Robot& robot, const plant::LoadParams& load);
 
-/// The cycle as the text has it: first gains of the light load by (3.51), perfect measurements, xi = 6, the bare recursion (6.21) on deviations from home, update
-/// logic (d), and no guard: neither margins nor the stored model refuse gains. Refuses as run_cycle does.
+/// The cycle as the text has it: perfect measurements, xi = 6, the bare recursion (6.21) on deviations from home, update
+/// logic (d). The first gains are those of the light load by (3.51). There is no guard: neither margins nor the stored
+/// model refuse gains. Refuses as run_cycle does.
 Result<CycleRun> run_cycle_as_printed(const StudyContext& context, const PrintedCycle& printed = {}, double from = 0.0,
                                       double to = 1.0);
 

@@ -54,8 +54,8 @@ Result<std::unique_ptr<Estimator>> make(const Method& method, const estimation::
     params.grey_box.emplace();
     params.grey_box->valve_gain_uncertainty = method.uncertainty;
     params.grey_box->bulk_modulus_uncertainty = method.uncertainty;
-    auto made = FARRIER_TRY(estimation::GreyBoxEstimator::create(params, scales, actuator,
-                                                    {walking_cycle()[2], walking_cycle()[1]}));
+    auto made = FARRIER_TRY(
+        estimation::GreyBoxEstimator::create(params, scales, actuator, {walking_cycle()[2], walking_cycle()[1]}));
     return std::unique_ptr<Estimator>(std::make_unique<estimation::GreyBoxEstimator>(std::move(made)));
   }
   params.forgetting_factor = 0.85;
@@ -108,7 +108,8 @@ Result<Done> run(const Method& method, std::uint64_t seed, Table61Cell& cell) {
     return estimator.error();
   }
   const NoiseStream sensors[] = {{seed, "table 6.1", "x"}, {seed, "table 6.1", "v"}, {seed, "table 6.1", "F"}};
-  const std::vector<CycleSample> samples = drive(walking_cycle(), cell.rich, cell.high ? kFullOpening : kSmallOpening, seed);
+  const std::vector<CycleSample> samples =
+      drive(walking_cycle(), cell.rich, cell.high ? kFullOpening : kSmallOpening, seed);
   for (Tick k = 0; k < static_cast<Tick>(samples.size()); ++k) {
     const auto& [state, current_A] = samples[static_cast<std::size_t>(k)];
     const auto section = static_cast<std::size_t>(k / kSectionTicks);
@@ -133,8 +134,13 @@ Result<std::vector<Table61Cell>> table_6_1(std::uint64_t seed) {
     for (const bool noisy : {false, true}) {
       for (const bool rich : {false, true}) {
         for (const bool high : {false, true}) {
-          Table61Cell cell{.method = method.name, .rich = rich, .high = high, .noisy = noisy, .gain_error_dB = {},
-                           .phase_error_deg = {}, .mass_error = {}};
+          Table61Cell cell{.method = method.name,
+                           .rich = rich,
+                           .high = high,
+                           .noisy = noisy,
+                           .gain_error_dB = {},
+                           .phase_error_deg = {},
+                           .mass_error = {}};
           FARRIER_TRY(run(method, seed, cell));
           cells.push_back(cell);
         }

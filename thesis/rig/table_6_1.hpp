@@ -28,9 +28,9 @@ struct Table61Cell {
 inline constexpr double kWrongValveGain = 1.2;
 inline constexpr double kWrongBulkModulus = 0.8;
 
-/// All cells of all methods: 40 of them. The linear methods as in 6.3: lambda 0.85 (aff: its own), the home pose
-/// subtracted, no bias, normalised; the grey-box estimator with its defaults, once with the true actuator and with
-/// a wrong one, and with a wrong one that it estimates, too. Refuses nothing but a bug.
+/// All cells of all methods: 40 of them. The linear methods are as in 6.3: lambda 0.85 (aff: its own), the home pose
+/// subtracted, no bias, normalised. The grey-box estimator has its defaults: with the true actuator, with a wrong one, and
+/// with a wrong one that it estimates. Refuses nothing but a bug.
 Result<std::vector<Table61Cell>> table_6_1(std::uint64_t seed);
 
 }  // namespace farrier::thesis

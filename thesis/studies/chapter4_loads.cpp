@@ -104,7 +104,8 @@ constexpr const char* kFriction =
 constexpr ClaimSpec kFrictionClaims[] = {
     {"4.9.low_frequencies", "Fig. 4.9", kFriction,
      "Spread of the magnitude over all frictions, the largest below 50 Hz.", "dB", Relation::kAtLeast, 6.0},
-    {"4.9.resonance_less", "Fig. 4.9", kFriction, "Spread at the nominal resonance over the largest below 50 Hz: a half. The text gives no number for \"slightly\".",
+    {"4.9.resonance_less", "Fig. 4.9", kFriction,
+     "Spread at the nominal resonance over the largest below 50 Hz: a half. The text gives no number for \"slightly\".",
      "1", Relation::kAtMost, 0.5}};
 
 double largest_spread_below(const Sweep& s, double limit_Hz) {
@@ -166,9 +167,11 @@ constexpr ClaimSpec kLociClaims[] = {
      "... increasing the friction coefficient effectively pulls the poles closer to the origin ...",
      "The same of the complex pair alone, where there is one before and after the step.", "1", Relation::kAtLeast, 1.0},
     {"4.10.mass_pushes_outward", "4.3.2", "Increasing mass shifts the poles closer to the edge of the unit circle ...",
-     "Share of steps to a larger mass over which the complex pair comes closer to it, where there is one before and after.",
+     "Share of steps to a larger mass over which the complex pair comes closer to it, where there is one before and "
+     "after.",
      "1", Relation::kAtLeast, 1.0},
-    fails("the masses and frictions of 4.3.2 from end to end, (3.51) as printed but for its row 2; other masses were not tried, "
+    fails("the masses and frictions of 4.3.2 from end to end, (3.51) as printed but for its row 2; other masses were "
+          "not tried, "
           "and the bound, two thirds of the half disc, stays as it was chosen",
           {"4.10.across_the_disc", "4.3.2", "The changes in mass ... getting shifted almost all across the unit disc.",
            "Range of the angles of complex poles above the real axis: 120 degrees or more.", "deg", Relation::kAtLeast,
@@ -272,7 +275,8 @@ Result<StudyResult> run_loci(const StudyContext&) {
 }
 
 constexpr const char* kConditions =
-    "Joint of Table A.1 at the nominal point; load-cell model (3.51) with the piston's mass in its row 2. Ranges of 4.3.2. "
+    "Joint of Table A.1 at the nominal point; load-cell model (3.51) with the piston's mass in its row 2. Ranges of "
+    "4.3.2. "
     "It has no random part.";
 
 constexpr Study kStudies[] = {

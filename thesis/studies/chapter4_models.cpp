@@ -56,25 +56,30 @@ double dent_dB(const Response& response, double from_Hz, double to_Hz) {
 }
 
 constexpr const char* kPosition =
-    "The position transfer function has an integrator at the origin ... and only a small resonance peak followed by a quick roll-off.";
+    "The position transfer function has an integrator at the origin ... and only a small resonance peak followed by a "
+    "quick roll-off.";
 constexpr const char* kForce =
-    "Note the steep slope at low frequencies, the dent around middle frequencies ..., and the sharp resonance peak at high frequencies ...";
+    "Note the steep slope at low frequencies, the dent around middle frequencies ..., and the sharp resonance peak at "
+    "high frequencies ...";
 
 constexpr const char* kTwoCauses =
-    "the chamber pressures of Chapter 3 are not those of steady flow, (3.19) and (3.20), which the simplified models assume: "
+    "the chamber pressures of Chapter 3 are not those of steady flow, (3.19) and (3.20), which the simplified models "
+    "assume: "
     "0.53 dB at every frequency; near the resonance (3.51), with the piston's mass in one row alone, adds 0.13 dB";
 
 constexpr ClaimSpec kOutputClaims[] = {
-    {"4.2.position_integrates", "4.2", kPosition, "Distance of the position's slope from 0.01 to 0.1 Hz from -20 dB per decade.", "dB",
-     Relation::kAtMost, 0.5},
-    {"4.2.position_rolls_off", "4.2", kPosition, "Slope of the position from 500 to 1000 Hz, per decade: -40 dB or steeper.", "dB",
-     Relation::kAtMost, -40.0},
-    {"4.2.force_slope", "4.2", kForce, "Distance of the force's slope from 0.01 to 0.1 Hz from -20 dB per decade.", "dB",
-     Relation::kAtMost, 0.5},
-    {"4.2.force_dent", "4.2", kForce, "Depth of the force's dent between 0.1 Hz and its resonance below the lower of both.", "dB",
-     Relation::kAtLeast, 3.0},
-    {"4.2.force_resonance", "4.2", kForce, "Frequency of the force's resonance: in the upper of the three decades 1 to 1000 Hz.", "Hz",
-     Relation::kAtLeast, 100.0},
+    {"4.2.position_integrates", "4.2", kPosition,
+     "Distance of the position's slope from 0.01 to 0.1 Hz from -20 dB per decade.", "dB", Relation::kAtMost, 0.5},
+    {"4.2.position_rolls_off", "4.2", kPosition,
+     "Slope of the position from 500 to 1000 Hz, per decade: -40 dB or steeper.", "dB", Relation::kAtMost, -40.0},
+    {"4.2.force_slope", "4.2", kForce, "Distance of the force's slope from 0.01 to 0.1 Hz from -20 dB per decade.",
+     "dB", Relation::kAtMost, 0.5},
+    {"4.2.force_dent", "4.2", kForce,
+     "Depth of the force's dent between 0.1 Hz and its resonance below the lower of both.", "dB", Relation::kAtLeast,
+     3.0},
+    {"4.2.force_resonance", "4.2", kForce,
+     "Frequency of the force's resonance: in the upper of the three decades 1 to 1000 Hz.", "Hz", Relation::kAtLeast,
+     100.0},
     {"4.2.full_is_simple", "4.2.1", "As can be seen, all models give the same transfer function ...",
      "Largest difference of the full and the load-cell model over all three outputs.", "dB", Relation::kAtMost, 1.0}};
 
@@ -110,37 +115,42 @@ Result<StudyResult> run_outputs(const StudyContext&) {
 constexpr const char* kCoincide = "... all three transfer functions coincide for frequencies above 10^2 Hz ...";
 
 constexpr ClaimSpec kForceClaims[] = {
-    {"4.3.above_100_hydraulic", "4.2", kCoincide, "Largest difference of F_h and F_s from 100 Hz to 1000 Hz.", "dB", Relation::kAtMost, 1.0},
-    {"4.3.above_100_total", "4.2", kCoincide, "Largest difference of F_t and F_s from 100 Hz to 1000 Hz.", "dB", Relation::kAtMost, 1.0},
-    {"4.3.below_100", "4.2", "Their shape differs at frequencies below 10^2 Hz.", "Largest difference of F_t and F_s from 1 to 100 Hz.",
-     "dB", Relation::kAtLeast, 6.0},
+    {"4.3.above_100_hydraulic", "4.2", kCoincide, "Largest difference of F_h and F_s from 100 Hz to 1000 Hz.", "dB",
+     Relation::kAtMost, 1.0},
+    {"4.3.above_100_total", "4.2", kCoincide, "Largest difference of F_t and F_s from 100 Hz to 1000 Hz.", "dB",
+     Relation::kAtMost, 1.0},
+    {"4.3.below_100", "4.2", "Their shape differs at frequencies below 10^2 Hz.",
+     "Largest difference of F_t and F_s from 1 to 100 Hz.", "dB", Relation::kAtLeast, 6.0},
     {"4.3.total_zeros", "4.2", "... the total force transfer function u_v -> F_t has two zeros at the origin ...",
      "Larger modulus of its two smallest zeros.", "1/s", Relation::kAtMost, 1e-3},
     {"4.3.hydraulic_is_near", "4.2", "The other two transfer functions only differ slightly ...",
-     "Largest difference of F_h and F_s over that of F_t and F_s, 0.1 to 100 Hz: a fifth.", "1", Relation::kAtMost, 0.2}};
+     "Largest difference of F_h and F_s over that of F_t and F_s, 0.1 to 100 Hz: a fifth.", "1", Relation::kAtMost,
+     0.2}};
 
 Result<StudyResult> run_forces(const StudyContext&) {
   const plant::OperatingPoint point = plant::nominal_point(1.0);
   const Response cell = load_cell(point, Output::kLoadCellForce);
   const Response hydraulic = load_cell(point, Output::kHydraulicForce);
   const Response total = load_cell(point, Output::kTotalForce);
-  const auto zeros = control::zeros<3>(
-      control::load_cell_system(cylinder(), plant::nominal_load(), point, Output::kTotalForce));
+  const auto zeros =
+      control::zeros<3>(control::load_cell_system(cylinder(), plant::nominal_load(), point, Output::kTotalForce));
   std::vector<double> moduli;
   for (Eigen::Index i = 0; i < zeros.size(); ++i) {
     moduli.push_back(std::abs(zeros(i)));
   }
   std::ranges::sort(moduli);
   StudyResult result;
-  result.measured = {
-      {"4.3.above_100_hydraulic", largest_difference_dB(grid(), hydraulic, cell, 100.0, 1000.0), ""},
-      {"4.3.above_100_total", largest_difference_dB(grid(), total, cell, 100.0, 1000.0), ""},
-      {"4.3.below_100", largest_difference_dB(grid(), total, cell, 1.0, 100.0), ""},
-      {"4.3.total_zeros", moduli.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : moduli[1], ""},
-      {"4.3.hydraulic_is_near", largest_difference_dB(grid(), hydraulic, cell, 0.1, 100.0) /
-                                    largest_difference_dB(grid(), total, cell, 0.1, 100.0), ""}};
+  result.measured = {{"4.3.above_100_hydraulic", largest_difference_dB(grid(), hydraulic, cell, 100.0, 1000.0), ""},
+                     {"4.3.above_100_total", largest_difference_dB(grid(), total, cell, 100.0, 1000.0), ""},
+                     {"4.3.below_100", largest_difference_dB(grid(), total, cell, 1.0, 100.0), ""},
+                     {"4.3.total_zeros", moduli.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : moduli[1], ""},
+                     {"4.3.hydraulic_is_near",
+                      largest_difference_dB(grid(), hydraulic, cell, 0.1, 100.0) /
+                          largest_difference_dB(grid(), total, cell, 0.1, 100.0),
+                      ""}};
   const Curve curves[] = {{"load cell", cell, 1}, {"hydraulic", hydraulic, 2}, {"total", total, 3}};
-  result.pictures = {bode_picture("Three forces, load-cell model, nominal operating point", {bode_panels("force (N/A)", grid(), curves)})};
+  result.pictures = {bode_picture("Three forces, load-cell model, nominal operating point",
+                                  {bode_panels("force (N/A)", grid(), curves)})};
   return result;
 }
 
@@ -148,7 +158,9 @@ Result<StudyResult> run_forces(const StudyContext&) {
 struct Column {
   Response full, simple, cell;
   std::vector<Panel> panels(const char* title) const {
-    const Curve curves[] = {{"full", full, 1}, {"load pressure", simple, 3, -1.0, Style::kDashed}, {"load cell", cell, 2, -1.0, Style::kDashed}};
+    const Curve curves[] = {{"full", full, 1},
+                            {"load pressure", simple, 3, -1.0, Style::kDashed},
+                            {"load cell", cell, 2, -1.0, Style::kDashed}};
     return bode_panels(title, grid(), curves);
   }
   /// Largest difference of either simplified model to the full one.
@@ -173,31 +185,42 @@ Column column_at(double velocity, double valve_share, Volumes volumes) {
 constexpr double kLow_Hz = 10.0;    // "low frequency": below the dent of the nominal response
 constexpr double kHigh_Hz = 100.0;  // and what lies above the "low to middle" ones
 
-constexpr const char* kSame = "As can be seen, all models give the same transfer function, thus the assumptions appear to have no influence.";
+constexpr const char* kSame =
+    "As can be seen, all models give the same transfer function, thus the assumptions appear to have no influence.";
 constexpr const char* kNotCapture =
     "... the simple ... and simple F_s ... model are not able to capture the impact of the changed operating point ...";
 constexpr const char* kOnlyLow = "However, in both cases they only differ in the low frequency range.";
 
 constexpr ClaimSpec kValveClaims[] = {
-    {"4.4.nominal_same", "4.2.1", kSame, "Largest difference of the three models at the nominal point.", "dB", Relation::kAtMost, 0.5,
-     Refutation{kTwoCauses, 0.6, 0.8}},
+    {"4.4.nominal_same", "4.2.1", kSame, "Largest difference of the three models at the nominal point.", "dB",
+     Relation::kAtMost, 0.5, Refutation{kTwoCauses, 0.6, 0.8}},
     {"4.4.simplified_differ", "4.2.1", kNotCapture,
-     "Valve at 30 %: largest difference of a simplified model to the full one below 10 Hz.", "dB", Relation::kAtLeast, 1.0},
+     "Valve at 30 %: largest difference of a simplified model to the full one below 10 Hz.", "dB", Relation::kAtLeast,
+     1.0},
     {"4.4.only_low", "4.2.1", kOnlyLow, "The same above 100 Hz.", "dB", Relation::kAtMost, 1.0},
-    {"4.4.constant_volume", "4.2.1", "... this assumption influences all three models not being able to completely capture the low frequency dynamics ...",
-     "Least, over the models, of the largest difference below 10 Hz of the one with constant volumes to the full model without.", "dB",
-     Relation::kAtLeast, 1.0}};
+    {"4.4.constant_volume", "4.2.1",
+     "... this assumption influences all three models not being able to completely capture the low frequency dynamics "
+     "...",
+     "Least, over the models, of the largest difference below 10 Hz of the one with constant volumes to the full model "
+     "without.",
+     "dB", Relation::kAtLeast, 1.0}};
 
 constexpr ClaimSpec kVelocityClaims[] = {
-    {"4.5.simplified_differ", "4.2.1", "The two simplified models are again not able to fully cope with the changed operating point ...",
+    {"4.5.simplified_differ", "4.2.1",
+     "The two simplified models are again not able to fully cope with the changed operating point ...",
      "1 m/s: largest difference of a simplified model to the full one below 10 Hz.", "dB", Relation::kAtLeast, 1.0,
-     Refutation{"they follow: (3.24) holds the velocity, and the 0.53 dB that remain are those of the nominal point", 0.4, 0.8}},
+     Refutation{"they follow: (3.24) holds the velocity, and the 0.53 dB that remain are those of the nominal point",
+                0.4, 0.8}},
     {"4.5.only_low", "4.2.1", kOnlyLow, "The same above 100 Hz.", "dB", Relation::kAtMost, 1.0},
     {"4.5.constant_volume_is_nominal", "4.2.1",
      "... the transfer functions of column three look exactly like the ones from column one ...",
-     "Largest difference of any model with constant volumes at 1 m/s to itself at the nominal point.", "dB", Relation::kAtMost, 1e-6},
-    {"4.5.constant_volume", "4.2.1", "The influence of this \"constant volume\" assumption is even more severe when changing the velocity operating point ...",
-     "Difference below 10 Hz of the full model with constant volumes to that without, 1 m/s over 30 % valve.", "1", Relation::kAtLeast, 1.0}};
+     "Largest difference of any model with constant volumes at 1 m/s to itself at the nominal point.", "dB",
+     Relation::kAtMost, 1e-6},
+    {"4.5.constant_volume", "4.2.1",
+     "The influence of this \"constant volume\" assumption is even more severe when changing the velocity operating "
+     "point ...",
+     "Difference below 10 Hz of the full model with constant volumes to that without, 1 m/s over 30 % valve.", "1",
+     Relation::kAtLeast, 1.0}};
 
 struct Columns {
   Column nominal, moved, constant;
@@ -220,12 +243,14 @@ double full_lost_dB(const Columns& columns) {
 Result<StudyResult> run_valve_point(const StudyContext&) {
   const Columns c = columns_at(0.0, 0.3);
   StudyResult result;
-  result.measured = {{"4.4.nominal_same", c.nominal.simplified_dB(0.01, 1000.0), ""},
-                     {"4.4.simplified_differ", c.moved.simplified_dB(0.01, kLow_Hz), ""},
-                     {"4.4.only_low", c.moved.simplified_dB(kHigh_Hz, 1000.0), ""},
-                     {"4.4.constant_volume",
-                      std::min({full_lost_dB(c), largest_difference_dB(grid(), c.constant.simple, c.moved.full, 0.01, kLow_Hz),
-                                largest_difference_dB(grid(), c.constant.cell, c.moved.full, 0.01, kLow_Hz)}), ""}};
+  result.measured = {
+      {"4.4.nominal_same", c.nominal.simplified_dB(0.01, 1000.0), ""},
+      {"4.4.simplified_differ", c.moved.simplified_dB(0.01, kLow_Hz), ""},
+      {"4.4.only_low", c.moved.simplified_dB(kHigh_Hz, 1000.0), ""},
+      {"4.4.constant_volume",
+       std::min({full_lost_dB(c), largest_difference_dB(grid(), c.constant.simple, c.moved.full, 0.01, kLow_Hz),
+                 largest_difference_dB(grid(), c.constant.cell, c.moved.full, 0.01, kLow_Hz)}),
+       ""}};
   result.pictures = {picture_of("Load-cell force, valve at 30 %", c)};
   return result;
 }
@@ -245,13 +270,15 @@ Result<StudyResult> run_velocity_point(const StudyContext&) {
 }
 
 constexpr const char* kConditions =
-    "Joint of Table A.1, positive valve sign; load-cell model (3.51) with the piston's mass in its row 2. Figs 4.4 and 4.5 are "
+    "Joint of Table A.1, positive valve sign; load-cell model (3.51) with the piston's mass in its row 2. Figs 4.4 and "
+    "4.5 are "
     "drawn, as the text's, at points that are not steady. It has no random part.";
 
-constexpr Study kStudies[] = {{"4.2", "Transfer functions to position, velocity and force", kOutputClaims, run_outputs, kConditions},
- {"4.3", "Load-cell, hydraulic and total force", kForceClaims, run_forces, kConditions},
- {"4.4", "Models at another valve opening, and with constant volumes", kValveClaims, run_valve_point, kConditions},
- {"4.5", "Models at another velocity, and with constant volumes", kVelocityClaims, run_velocity_point, kConditions}};
+constexpr Study kStudies[] = {
+    {"4.2", "Transfer functions to position, velocity and force", kOutputClaims, run_outputs, kConditions},
+    {"4.3", "Load-cell, hydraulic and total force", kForceClaims, run_forces, kConditions},
+    {"4.4", "Models at another valve opening, and with constant volumes", kValveClaims, run_valve_point, kConditions},
+    {"4.5", "Models at another velocity, and with constant volumes", kVelocityClaims, run_velocity_point, kConditions}};
 
 }  // namespace
 }  // namespace chapter4_models_studies

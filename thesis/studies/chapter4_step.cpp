@@ -12,13 +12,15 @@ namespace farrier::thesis {
 namespace chapter4_step_studies {
 namespace {
 
-constexpr double kPeriod_s = 1e-4;     // fine enough to show the resonance; the input is constant over it
+constexpr double kPeriod_s = 1e-4;  // fine enough to show the resonance; the input is constant over it
 constexpr double kOn_s = 0.001;
 constexpr double kOff_s = 0.05;
 constexpr double kEnd_s = 0.1;
-constexpr double kShare = 0.01;        // of the nominal valve opening
+constexpr double kShare = 0.01;  // of the nominal valve opening
 
-double current_A(double t) { return t >= kOn_s && t < kOff_s ? kShare * plant::nominal_cylinder().valve_current_max_A : 0.0; }
+double current_A(double t) {
+  return t >= kOn_s && t < kOff_s ? kShare * plant::nominal_cylinder().valve_current_max_A : 0.0;
+}
 
 /// Deviations from the operating point, a value a period.
 struct Track {
@@ -96,25 +98,33 @@ double ringing(const std::vector<double>& force_N) {
   return rms(rest);
 }
 
-constexpr const char* kForce = "... all linear models are able to accurately reproduce the force compared to the response of the nonlinear model.";
-constexpr const char* kLoadPressure = "... where the load pressure ... is shown, the response of all three systems is again nearly identical.";
+constexpr const char* kForce =
+    "... all linear models are able to accurately reproduce the force compared to the response of the nonlinear model.";
+constexpr const char* kLoadPressure =
+    "... where the load pressure ... is shown, the response of all three systems is again nearly identical.";
 
 constexpr ClaimSpec kClaims[] = {
-    {"4.1.force_full", "4.1", kForce, "RMS error over RMS of the force, full model: a tenth.", "1", Relation::kAtMost, 0.1},
+    {"4.1.force_full", "4.1", kForce, "RMS error over RMS of the force, full model: a tenth.", "1", Relation::kAtMost,
+     0.1},
     {"4.1.force_load_pressure", "4.1", kForce, "The same, load-pressure model.", "1", Relation::kAtMost, 0.1},
     {"4.1.force_load_cell", "4.1", kForce, "The same, load-cell model.", "1", Relation::kAtMost, 0.1},
-    {"4.1.ringing", "4.1", "The force response of the linear models seems to be less damped than the nonlinear response.",
-     "RMS of the oscillation left over the last quarter of the time, full model over nonlinear.", "1", Relation::kAtLeast, 1.0},
+    {"4.1.ringing", "4.1",
+     "The force response of the linear models seems to be less damped than the nonlinear response.",
+     "RMS of the oscillation left over the last quarter of the time, full model over nonlinear.", "1",
+     Relation::kAtLeast, 1.0},
     {"4.1.position_full", "4.1", "The full model almost exactly reproduces the position signal ...",
      "RMS error over RMS of the position: a twentieth.", "1", Relation::kAtMost, 0.05},
     {"4.1.position_simplified", "4.1", "... while the two simplified models do not fully reproduce the position.",
-     "Position error of the better simplified model over that of the full one: twice or more.", "1", Relation::kAtLeast, 2.0},
+     "Position error of the better simplified model over that of the full one: twice or more.", "1", Relation::kAtLeast,
+     2.0},
     {"4.1.simplified_alike", "4.1", "However, these two models are almost indistinguishable.",
      "RMS difference of their positions over RMS: a fiftieth.", "1", Relation::kAtMost, 0.02},
-    {"4.1.pressure_offset", "4.1", "... is not able to reproduce the whole pressure dynamics existing in the chambers and a pressure offset results.",
-     "Error of the full model's pressure in chamber a at the end, over the largest deviation it has: a tenth or more.", "1",
-     Relation::kAtLeast, 0.1},
-    {"4.1.load_pressure_full", "4.1", kLoadPressure, "RMS error over RMS of the load pressure, full model: a tenth.", "1", Relation::kAtMost, 0.1},
+    {"4.1.pressure_offset", "4.1",
+     "... is not able to reproduce the whole pressure dynamics existing in the chambers and a pressure offset results.",
+     "Error of the full model's pressure in chamber a at the end, over the largest deviation it has: a tenth or more.",
+     "1", Relation::kAtLeast, 0.1},
+    {"4.1.load_pressure_full", "4.1", kLoadPressure, "RMS error over RMS of the load pressure, full model: a tenth.",
+     "1", Relation::kAtMost, 0.1},
     {"4.1.load_pressure_simple", "4.1", kLoadPressure, "The same, load-pressure model.", "1", Relation::kAtMost, 0.1},
     {"4.1.load_pressure_load_cell", "4.1", kLoadPressure, "The same, load-cell model.", "1", Relation::kAtMost, 0.1}};
 
@@ -133,8 +143,9 @@ Result<StudyResult> run_step(const StudyContext&) {
                                   plant::load_pressure_output(Output::kLoadCellForceWithInertia, cylinder, load),
                                   Eigen::RowVector3d(0.0, 0.0, 1.0), -1);
   // p_l = (F_s + d_p v) / A_p, (3.3)
-  const Track cell = respond<3>(plant::linearise_load_cell_force(cylinder, load, point), Eigen::RowVector3d(0.0, 0.0, 1.0),
-                                Eigen::RowVector3d(0.0, cylinder.piston_damping, 1.0) / cylinder.area_a, -1);
+  const Track cell =
+      respond<3>(plant::linearise_load_cell_force(cylinder, load, point), Eigen::RowVector3d(0.0, 0.0, 1.0),
+                 Eigen::RowVector3d(0.0, cylinder.piston_damping, 1.0) / cylinder.area_a, -1);
 
   const double full_error = relative_error(full.position_m, truth.position_m);
   const double simple_error = relative_error(simple.position_m, truth.position_m);
@@ -157,7 +168,7 @@ Result<StudyResult> run_step(const StudyContext&) {
       {"4.1.load_pressure_simple", relative_error(simple.load_pressure_Pa, truth.load_pressure_Pa), ""},
       {"4.1.load_pressure_load_cell", relative_error(cell.load_pressure_Pa, truth.load_pressure_Pa), ""}};
   const std::vector<double> t = times();
-  const auto panel = [&](const char* label, std::vector<double> Track::* member, double per_unit) {
+  const auto panel = [&](const char* label, std::vector<double> Track::*member, double per_unit) {
     Panel one{.title = "", .x_label = "time (s)", .y_label = label};
     const Track* const tracks[] = {&truth, &full, &simple, &cell};
     constexpr const char* kNames[] = {"nonlinear", "full", "load pressure", "load cell"};
@@ -165,19 +176,23 @@ Result<StudyResult> run_step(const StudyContext&) {
       std::vector<double> values = tracks[i]->*member;
       if (!values.empty()) {
         std::ranges::for_each(values, [&](double& value) { value *= per_unit; });
-        one.series.push_back({kNames[i], t, std::move(values), i == 0 ? Style::kLine : Style::kDashed, static_cast<int>(i)});
+        one.series.push_back(
+            {kNames[i], t, std::move(values), i == 0 ? Style::kLine : Style::kDashed, static_cast<int>(i)});
       }
     }
     return one;
   };
-  result.pictures = {{"Valve 1 % open from 0.001 s to 0.05 s; deviations from the operating point", 2,
-                      {panel("load-cell force (N)", &Track::force_N, 1.0), panel("position (mm)", &Track::position_m, 1e3),
-                       panel("pressure a (bar)", &Track::pressure_a_Pa, 1e-5),
-                       panel("load pressure (bar)", &Track::load_pressure_Pa, 1e-5)}}};
+  result.pictures = {
+      {"Valve 1 % open from 0.001 s to 0.05 s; deviations from the operating point",
+       2,
+       {panel("load-cell force (N)", &Track::force_N, 1.0), panel("position (mm)", &Track::position_m, 1e3),
+        panel("pressure a (bar)", &Track::pressure_a_Pa, 1e-5),
+        panel("load pressure (bar)", &Track::load_pressure_Pa, 1e-5)}}};
   return result;
 }
 
-constexpr Study kStudies[] = {{"4.1", "Nonlinear joint and three linear models after a step", kClaims, run_step,
+constexpr Study kStudies[] = {
+    {"4.1", "Nonlinear joint and three linear models after a step", kClaims, run_step,
      "Joint of Table A.1 at the nominal point, without friction and spool. The load-cell model is (3.51): the piston's "
      "mass is in its row 2 alone. It has no random part."}};
 

@@ -88,10 +88,13 @@ constexpr ClaimSpec kPoleClaims[] = {
      "radius.",
      "1", Relation::kAtMost, 0.1},
     {"7.9.quarter_4", "Fig. 7.9", kAccurate, "The same, fourth quarter.", "1", Relation::kAtMost, 0.1},
-    fails("lambda 0.9, 0.95 and 0.98, a valve that is probed with 0.25, 1 and 5 % of its current, and first gains by the exact model: "
-          "the imaginary part is 0.18 to 0.58. The text's cause, a reference without high frequencies, is met by a pair that is wrong (7.9.quarter_3_wrong)",
+    fails("lambda 0.9, 0.95 and 0.98, a valve that is probed with 0.25, 1 and 5 % of its current, and first gains by "
+          "the exact model: "
+          "the imaginary part is 0.18 to 0.58. The text's cause, a reference without high frequencies, is met by a "
+          "pair that is wrong (7.9.quarter_3_wrong)",
           {"7.9.quarter_3_real", "Fig. 7.9", kAccurate,
-           "Largest imaginary part of the poles behind the third quarter's last gains: none.", "1", Relation::kAtMost, 1e-6}),
+           "Largest imaginary part of the poles behind the third quarter's last gains: none.", "1", Relation::kAtMost,
+           1e-6}),
     {"7.9.quarter_3_wrong", "Fig. 7.9", kAccurate, "As 7.9.quarter_2, third quarter: more than a tenth.", "1",
      Relation::kAtLeast, 0.1}};
 
@@ -146,9 +149,11 @@ Result<StudyResult> run_poles(const StudyContext& context) {
       "quarter's second half.";
   result.figures = {{"7.9.farrier_quarter_2", pair_error(ours, 2), "1", kPair},
                     {"7.9.farrier_quarter_4", pair_error(ours, 4), "1", kPair}};
-  result.pictures = {poles_picture(run, "As the text has it: poles of the models the acting gains were designed for, black to "
-                                        "yellow within the quarter; crosses: the true load"),
-                     poles_picture(ours, "As Farrier does it")};
+  result.pictures = {
+      poles_picture(run,
+                    "As the text has it: poles of the models the acting gains were designed for, black to "
+                    "yellow within the quarter; crosses: the true load"),
+      poles_picture(ours, "As Farrier does it")};
   return result;
 }
 
@@ -157,7 +162,8 @@ constexpr const char* kLowToMiddle =
 
 constexpr const char* kQuiteWell = "The linear estimator does quite well ... in identifying the system ...";
 constexpr const char* kMemory =
-    "lambda 0.95 and 0.98. Lambda 0.9 remembers ten ticks, a fiftieth of a period of 2 Hz, and the text does not print the lambda of "
+    "lambda 0.95 and 0.98. Lambda 0.9 remembers ten ticks, a fiftieth of a period of 2 Hz, and the text does not print "
+    "the lambda of "
     "this run";
 
 constexpr ClaimSpec low(const char* id, const char* section, const char* sentence, const char* claim) {
@@ -167,10 +173,10 @@ constexpr ClaimSpec low(const char* id, const char* section, const char* sentenc
 constexpr ClaimSpec kBodeClaims[] = {
     fails("a probed valve (2.5 dB), and first gains by the exact model in place of (3.51), whose run has 28 dB",
           {"C.4.quarter_1_diverges", "Fig. C.4",
-     "The system estimates in column one diverge since the multisine force signal does not excite enough high "
-     "frequencies of the system.",
-     "Largest error of the acting gains' model above 50 Hz, median over the second half of the first quarter.", "dB",
-     Relation::kAtLeast, 6.0}),
+           "The system estimates in column one diverge since the multisine force signal does not excite enough high "
+           "frequencies of the system.",
+           "Largest error of the acting gains' model above 50 Hz, median over the second half of the first quarter.",
+           "dB", Relation::kAtLeast, 6.0}),
     low("C.4.quarter_3_low", "Fig. C.4", kLowToMiddle, "The same from 2 to 20 Hz, third quarter."),
     low("C.4.quarter_2_low", "7.5", kQuiteWell, "As C.4.quarter_3_low, second quarter."),
     low("C.4.quarter_4_low", "7.5", kQuiteWell, "The same, fourth quarter.")};
@@ -203,23 +209,26 @@ Result<StudyResult> run_bode(const StudyContext& context) {
     return bode_picture(caption, std::move(columns));
   };
   StudyResult result;
-  result.measured = {
-      {"C.4.quarter_1_diverges", error_dB(run, 1, 50.0, 450.0), ""},
-      {"C.4.quarter_3_low", error_dB(run, 3, 2.0, 20.0), "", error_dB(probed, 3, 2.0, 20.0)},
-      {"C.4.quarter_2_low", error_dB(run, 2, 2.0, 20.0), "", error_dB(probed, 2, 2.0, 20.0)},
-      {"C.4.quarter_4_low", error_dB(run, 4, 2.0, 20.0), "", error_dB(probed, 4, 2.0, 20.0)}};
+  result.measured = {{"C.4.quarter_1_diverges", error_dB(run, 1, 50.0, 450.0), ""},
+                     {"C.4.quarter_3_low", error_dB(run, 3, 2.0, 20.0), "", error_dB(probed, 3, 2.0, 20.0)},
+                     {"C.4.quarter_2_low", error_dB(run, 2, 2.0, 20.0), "", error_dB(probed, 2, 2.0, 20.0)},
+                     {"C.4.quarter_4_low", error_dB(run, 4, 2.0, 20.0), "", error_dB(probed, 4, 2.0, 20.0)}};
   constexpr const char* kAbove =
-      "As Farrier does it: largest error of the acting gains' model from 30 to 100 Hz, median over the second half of the quarter.";
+      "As Farrier does it: largest error of the acting gains' model from 30 to 100 Hz, median over the second half of "
+      "the quarter.";
   result.figures = {{"C.4.farrier_quarter_2", error_dB(ours, 2, 30.0, 100.0), "dB", kAbove},
                     {"C.4.farrier_quarter_4", error_dB(ours, 4, 30.0, 100.0), "dB", kAbove}};
-  result.pictures = {picture_of(run, "As the text has it, from valve current to force: models behind the acting gains, black to "
-                                     "yellow within the quarter; blue: the true load"),
-                     picture_of(ours, "As Farrier does it")};
+  result.pictures = {
+      picture_of(run,
+                 "As the text has it, from valve current to force: models behind the acting gains, black to "
+                 "yellow within the quarter; blue: the true load"),
+      picture_of(ours, "As Farrier does it")};
   return result;
 }
 
 constexpr const char* kConditions =
-    "The runs of Fig. 7.8. As the text has it: perfect sensors, xi 6, least squares (6.21) with lambda 0.9, valve not probed, no "
+    "The runs of Fig. 7.8. As the text has it: perfect sensors, xi 6, least squares (6.21) with lambda 0.9, valve not "
+    "probed, no "
     "guards. As Farrier does it: the noise of fc1d.yaml, xi 14, its own estimator, valve probed, guards.";
 
 constexpr Study kStudies[] = {

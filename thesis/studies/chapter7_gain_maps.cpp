@@ -118,12 +118,13 @@ constexpr ClaimSpec kFrictionStiffnessClaims[] = {
      "... the friction coefficient largely affects the gains for both velocity and force.",
      "Change of the velocity gain over all frictions, of the map's largest: a quarter.", "1", Relation::kAtLeast,
      kSlight},
-    fails("other loads: with 1 kg the force gain changes by 0.60 of the map's largest (7.4.force_falls_slightly), with the rig's 2.5 kg "
+    fails("other loads: with 1 kg the force gain changes by 0.60 of the map's largest (7.4.force_falls_slightly), with "
+          "the rig's 2.5 kg "
           "from 6.3 to 7.5, with 127 kg hardly; the stiffness changes nothing (7.5.force_and_stiffness)",
           {"7.5.force_and_friction", "7.4",
-           "... the friction coefficient largely affects the gains for both velocity and force.", "Change of the force gain over all frictions, of the map's largest: a quarter.",
-           "1", Relation::kAtLeast, kSlight})};
-
+           "... the friction coefficient largely affects the gains for both velocity and force.",
+           "Change of the force gain over all frictions, of the map's largest: a quarter.", "1", Relation::kAtLeast,
+           kSlight})};
 
 Result<StudyResult> run_friction_stiffness(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
@@ -186,7 +187,8 @@ Result<StudyResult> run_mass_stiffness(const StudyContext& context) {
 }
 
 constexpr const char* kConditions =
-    "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m), its exact load-cell model for an extending valve. Weights (7.9) and "
+    "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m), its exact load-cell model for an extending valve. "
+    "Weights (7.9) and "
     "(7.10). K is normalised by (3.52). It has no random part.";
 
 constexpr Study kStudies[] = {

@@ -52,8 +52,8 @@ constexpr ClaimSpec kFixedClaims[] = {
      Relation::kAtLeast, 1.0},
     {"7.7.quarter_3_error", "7.5", kFair, "The same, third quarter.", "1", Relation::kAtMost, 0.25},
     {"7.7.quarter_4_error", "7.5", kUnstable, "The same, fourth quarter.", "1", Relation::kAtLeast, 1.0},
-    proof({"7.7.radius_heavy", "7.5", kUnstable, "Spectral radius of the light load's gains on the second quarter's model.",
-     "1", Relation::kAtLeast, 1.0}),
+    proof({"7.7.radius_heavy", "7.5", kUnstable,
+           "Spectral radius of the light load's gains on the second quarter's model.", "1", Relation::kAtLeast, 1.0}),
     proof({"7.7.radius_sticky", "7.5", kUnstable, "The same on the fourth quarter's.", "1", Relation::kAtLeast, 1.0})};
 
 Result<StudyResult> run_fixed(const StudyContext& context) {
@@ -78,15 +78,15 @@ constexpr const char* kVeryGood = "The force tracking is very good with minimal 
 constexpr const char* kSecondGains =
     "... \"online\" calculated gains within the second quarter, which are K ~ [0, -4, 8].";
 constexpr const char* kThird = "... one can see that the tracking performance is very good ...";
-constexpr const char* kFourth =
-    "... evolution of the controller gains of the fourth quarter behave again as expected.";
+constexpr const char* kFourth = "... evolution of the controller gains of the fourth quarter behave again as expected.";
 constexpr const char* kStable =
     "... as well as improved the force tracking of the stable set of parameters (third quarter).";
 constexpr const char* kEighty =
     "During the first 80 ms, the gains are updated several times ... After this phase ... the proper controller gains "
     "are calculated ...";
 constexpr const char* kTried =
-    "lambda 0.9, 0.95 and 0.98; a valve that is probed with 0.25, 1 and 5 % of its current; margins as guards or not; first gains by "
+    "lambda 0.9, 0.95 and 0.98; a valve that is probed with 0.25, 1 and 5 % of its current; margins as guards or not; "
+    "first gains by "
     "(3.51) and by the exact model. Farrier's own estimator and guards track it (7.8.farrier_...)";
 
 /// Claims of the run as the text has it, and with a probed valve.
@@ -107,12 +107,14 @@ constexpr const char* kSettled =
 constexpr ClaimSpec kAdaptiveClaims[] = {
     printed("7.8.quarter_2_error", kVeryGood, "RMS error over RMS reference, second quarter: a tenth.", "1",
             Relation::kAtMost, 0.1),
-    printed("7.8.quarter_3_error", kThird, "RMS error over RMS reference, third quarter: a tenth.", "1", Relation::kAtMost, 0.1),
+    printed("7.8.quarter_3_error", kThird, "RMS error over RMS reference, third quarter: a tenth.", "1",
+            Relation::kAtMost, 0.1),
     printed("7.8.quarter_4_error", kFourth, "The same, fourth quarter.", "1", Relation::kAtMost, 0.1),
     printed("7.8.quarter_2_improvement", kSignificantly,
             "Error of the second quarter over that without adaption: a half.", "1", Relation::kAtMost, 0.5),
     printed("7.8.quarter_4_improvement", kSignificantly, "The same, fourth quarter.", "1", Relation::kAtMost, 0.5),
-    printed("7.8.quarter_3_improvement", kStable, "Error of the third quarter over that without adaption: below 1.", "1", Relation::kBelow, 1.0),
+    printed("7.8.quarter_3_improvement", kStable, "Error of the third quarter over that without adaption: below 1.",
+            "1", Relation::kBelow, 1.0),
     printed("7.8.first_update",
             "At around 0.4 s, the system is identified and the update logic allows the controller to update its gains.",
             "Time of the first new gains after the run's start.", "s", Relation::kAtMost, 0.45),
@@ -120,10 +122,10 @@ constexpr ClaimSpec kAdaptiveClaims[] = {
     printed("7.8.quarter_2_position", kSecondGains,
             "Distance of the position gain at the second quarter's end from 0: half a unit.", "1", Relation::kAtMost,
             0.5),
-    printed("7.8.quarter_2_velocity", kSecondGains, "Distance of the velocity gain at the second quarter's end from -4: a unit.", "1",
-            Relation::kAtMost, 1.0),
-    printed("7.8.quarter_2_force", kSecondGains, "Distance of the force gain at the second quarter's end from 8: a unit.", "1", Relation::kAtMost,
-            1.0),
+    printed("7.8.quarter_2_velocity", kSecondGains,
+            "Distance of the velocity gain at the second quarter's end from -4: a unit.", "1", Relation::kAtMost, 1.0),
+    printed("7.8.quarter_2_force", kSecondGains,
+            "Distance of the force gain at the second quarter's end from 8: a unit.", "1", Relation::kAtMost, 1.0),
     printed("7.8.quarter_4_force", "The gains are a little higher since the friction is increased by a factor of 5.",
             "Force gain at the fourth quarter's end less that at the second's.", "1", Relation::kAtLeast, 0.0),
     printed("7.8.quarter_3_gains", "... consequently this results in higher controller gains than expected.",
@@ -141,7 +143,7 @@ constexpr ClaimSpec kAdaptiveClaims[] = {
             "As Farrier does it: 7.8.first_update.", "s", Relation::kAtMost, 0.45),
     fails("perfect sensors, with which it takes 0.073 s",
           farrier("7.8.farrier_quarter_2_settled", kEighty, "As Farrier does it: 7.8.quarter_2_settled.", "s",
-            Relation::kAtMost, 0.08))};
+                  Relation::kAtMost, 0.08))};
 
 /// Gains for the true load of a quarter while the valve extends the piston, and while it retracts it.
 struct TrueGains {
@@ -187,7 +189,10 @@ struct CycleNumbers {
 };
 
 Result<CycleNumbers> numbers_of(const CycleRun& run, const CycleRun& fixed) {
-  CycleNumbers numbers{.error = {}, .improvement = {}, .second = at_end_of(run, 2), .third = at_end_of(run, 3),
+  CycleNumbers numbers{.error = {},
+                       .improvement = {},
+                       .second = at_end_of(run, 2),
+                       .third = at_end_of(run, 3),
                        .fourth = at_end_of(run, 4)};
   for (std::size_t i = 0; i < trials::kQuarters; ++i) {
     numbers.error[i] = quarter_error(run, i + 1);
@@ -211,8 +216,7 @@ Result<StudyResult> run_adaptive(const StudyContext& context) {
   const CycleNumbers plain = FARRIER_TRY(numbers_of(plain_run, fixed_run));
   const CycleNumbers probed = FARRIER_TRY(numbers_of(probed_run, fixed_run));
   const CycleNumbers ours = FARRIER_TRY(numbers_of(farriers_run, farriers_fixed));
-  const control::Gains light =
-      FARRIER_TRY(true_gains(plain_run.cycle.robot, plain_run.cycle.loads[2])).extending;
+  const control::Gains light = FARRIER_TRY(true_gains(plain_run.cycle.robot, plain_run.cycle.loads[2])).extending;
   StudyResult result;
   const auto add = [&](const char* id, const auto& number, const std::string& note = "") {
     result.measured.push_back({id, number(plain), note, number(probed)});
@@ -227,12 +231,17 @@ Result<StudyResult> run_adaptive(const StudyContext& context) {
   const std::string second = gains_text(plain.second) + ", probed " + gains_text(probed.second);
   add("7.8.first_update", [](const CycleNumbers& n) { return n.first_update_s; });
   add("7.8.quarter_2_settled", [](const CycleNumbers& n) { return n.settled_s; });
-  add("7.8.quarter_2_position", [](const CycleNumbers& n) { return std::abs(n.second.k_position); }, second);
-  add("7.8.quarter_2_velocity", [](const CycleNumbers& n) { return std::abs(n.second.k_velocity + 4.0); }, second);
-  add("7.8.quarter_2_force", [](const CycleNumbers& n) { return std::abs(n.second.k_force - 8.0); }, second);
-  add("7.8.quarter_4_force", [](const CycleNumbers& n) { return n.fourth.k_force - n.second.k_force; },
+  add(
+      "7.8.quarter_2_position", [](const CycleNumbers& n) { return std::abs(n.second.k_position); }, second);
+  add(
+      "7.8.quarter_2_velocity", [](const CycleNumbers& n) { return std::abs(n.second.k_velocity + 4.0); }, second);
+  add(
+      "7.8.quarter_2_force", [](const CycleNumbers& n) { return std::abs(n.second.k_force - 8.0); }, second);
+  add(
+      "7.8.quarter_4_force", [](const CycleNumbers& n) { return n.fourth.k_force - n.second.k_force; },
       gains_text(plain.fourth) + ", probed " + gains_text(probed.fourth));
-  add("7.8.quarter_3_gains", [&](const CycleNumbers& n) { return n.third.k_position / light.position; },
+  add(
+      "7.8.quarter_3_gains", [&](const CycleNumbers& n) { return n.third.k_position / light.position; },
       gains_text(plain.third) + ", probed " + gains_text(probed.third));
   result.measured.push_back({"7.8.farrier_quarter_2_error", ours.error[1], gains_text(ours.second)});
   result.measured.push_back({"7.8.farrier_quarter_3_error", ours.error[2], gains_text(ours.third)});
@@ -240,21 +249,28 @@ Result<StudyResult> run_adaptive(const StudyContext& context) {
   result.measured.push_back({"7.8.farrier_quarter_3_improvement", ours.improvement[2], ""});
   result.measured.push_back({"7.8.farrier_first_update", ours.first_update_s, ""});
   result.measured.push_back({"7.8.farrier_quarter_2_settled", ours.settled_s, ""});
-  result.pictures = {force_picture(plain_run, "As the text has it: perfect sensors, xi 6, least squares, valve not probed"),
-                     force_picture(probed_run, "The same with a probed valve"),
-                     force_picture(farriers_run, "As Farrier does it: sensors of fc1d.yaml, xi 14, its estimator and guards")};
+  result.pictures = {
+      force_picture(plain_run, "As the text has it: perfect sensors, xi 6, least squares, valve not probed"),
+      force_picture(probed_run, "The same with a probed valve"),
+      force_picture(farriers_run, "As Farrier does it: sensors of fc1d.yaml, xi 14, its estimator and guards")};
   return result;
 }
 
 constexpr const char* kAsPrinted =
-    "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m) without spool and friction that sticks. As the text has it: perfect "
-    "sensors, xi 6, least squares (6.21) with lambda 0.9 on deviations from home, update logic (d), no margin and no stored model that "
+    "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m) without spool and friction that sticks. As the text has "
+    "it: perfect "
+    "sensors, xi 6, least squares (6.21) with lambda 0.9 on deviations from home, update logic (d), no margin and no "
+    "stored model that "
     "refuse gains. The text prints neither lambda nor the first covariance of this run.";
 constexpr const char* kBoth =
-    "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m) without spool and friction that sticks. As the text has it: perfect "
-    "sensors, xi 6, least squares (6.21) with lambda 0.9 on deviations from home, update logic (d), no margin and no stored model that "
-    "refuse gains; the valve is not probed, and for comparison probed by a random binary signal of 0.25 %. As Farrier does it: the noise of "
-    "fc1d.yaml, xi 14, slow content washed out of the estimate, the valve probed, gains refused that the stored model or the margins do "
+    "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m) without spool and friction that sticks. As the text has "
+    "it: perfect "
+    "sensors, xi 6, least squares (6.21) with lambda 0.9 on deviations from home, update logic (d), no margin and no "
+    "stored model that "
+    "refuse gains; the valve is not probed, and for comparison probed by a random binary signal of 0.25 %. As Farrier "
+    "does it: the noise of "
+    "fc1d.yaml, xi 14, slow content washed out of the estimate, the valve probed, gains refused that the stored model "
+    "or the margins do "
     "not bear.";
 
 constexpr Study kStudies[] = {

@@ -141,18 +141,22 @@ double lag_deg(const Response& r, double period_s) {
 }
 
 constexpr const char* kTried =
-    "on the rig's nonlinear model the retracting valve moves the force by sqrt(alpha) = 0.78 of what the design's model says "
+    "on the rig's nonlinear model the retracting valve moves the force by sqrt(alpha) = 0.78 of what the design's "
+    "model says "
     "(errata, 3.1); a feed-forward of 1.5 times the design's leaves 0.16 for the sine and 0.11 for the multisine";
 
 constexpr ClaimSpec kTrackingClaims[] = {
-    fails(kTried, needs(Condition::kLinearPlant, {"7.2.sine_error", "7.3", "As can be seen, the force tracking is very good.",
-     "RMS error over RMS reference of the 10 Hz sine: a tenth.", "1", Relation::kAtMost, 0.1})),
+    fails(kTried, needs(Condition::kLinearPlant,
+                        {"7.2.sine_error", "7.3", "As can be seen, the force tracking is very good.",
+                         "RMS error over RMS reference of the 10 Hz sine: a tenth.", "1", Relation::kAtMost, 0.1})),
     proof({"7.2.sine_error_by_signs", "7.3", "As can be seen, the force tracking is very good.",
-     "Two linear models, that of the valve's sign at each tick, under the same gains err as the nonlinear one does: "
-     "difference of the errors over theirs.",
-     "1", Relation::kAtMost, 0.2}),
-    fails(kTried, needs(Condition::kLinearPlant, {"7.2.multisine_error", "7.3", "As can be seen, the force tracking is very good.",
-     "RMS error over RMS reference of the multisine: a tenth.", "1", Relation::kAtMost, 0.1})),
+           "Two linear models, that of the valve's sign at each tick, under the same gains err as the nonlinear one "
+           "does: "
+           "difference of the errors over theirs.",
+           "1", Relation::kAtMost, 0.2}),
+    fails(kTried, needs(Condition::kLinearPlant,
+                        {"7.2.multisine_error", "7.3", "As can be seen, the force tracking is very good.",
+                         "RMS error over RMS reference of the multisine: a tenth.", "1", Relation::kAtMost, 0.1})),
     {"7.2.overshoot", "7.3", "There is a slight overshoot in the step response ...",
      "There is an overshoot, over the step.", "1", Relation::kAtLeast, 0.001},
     {"7.2.overshoot_is_slight", "7.3", "There is a slight overshoot in the step response ...",
@@ -190,15 +194,16 @@ Result<StudyResult> run_tracking(const StudyContext& context) {
   double sum = 0.0;
   std::for_each(stepped.force_N.end() - tail, stepped.force_N.end(), [&](double f) { sum += kAmplitude_N - f; });
   StudyResult result;
-  result.measured = {{"7.2.sine_error", relative_error(responses[1], period_s),
-                      text_of("lag %.3g degrees", lag_deg(responses[1], period_s)), relative_error(linear_sine, period_s)},
-                     {"7.2.sine_error_by_signs", std::abs(relative_error(responses[1], period_s) - of_signs) / of_signs,
-                      text_of("linear %.3g", of_signs)},
-                     {"7.2.multisine_error", relative_error(responses[2], period_s), "", relative_error(linear_multisine, period_s)},
-                     {"7.2.overshoot", overshoot(stepped), ""},
-                     {"7.2.overshoot_is_slight", overshoot(stepped), ""},
-                     {"7.2.overshoot_by_feed_forward", overshoot(stepped) - overshoot(without), ""},
-                     {"7.2.steady_state_error", std::abs(sum) / static_cast<double>(tail) / kAmplitude_N, ""}};
+  result.measured = {
+      {"7.2.sine_error", relative_error(responses[1], period_s),
+       text_of("lag %.3g degrees", lag_deg(responses[1], period_s)), relative_error(linear_sine, period_s)},
+      {"7.2.sine_error_by_signs", std::abs(relative_error(responses[1], period_s) - of_signs) / of_signs,
+       text_of("linear %.3g", of_signs)},
+      {"7.2.multisine_error", relative_error(responses[2], period_s), "", relative_error(linear_multisine, period_s)},
+      {"7.2.overshoot", overshoot(stepped), ""},
+      {"7.2.overshoot_is_slight", overshoot(stepped), ""},
+      {"7.2.overshoot_by_feed_forward", overshoot(stepped) - overshoot(without), ""},
+      {"7.2.steady_state_error", std::abs(sum) / static_cast<double>(tail) / kAmplitude_N, ""}};
   result.pictures = {std::move(picture)};
   return result;
 }
@@ -253,7 +258,8 @@ Result<StudyResult> run_parts(const StudyContext& context) {
 }
 
 constexpr const char* kConditions =
-    "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m) with 2.5 kg, perfect sensors, no spool. Weights (7.9) to (7.11), xi 6. "
+    "The rig of fc1d.yaml (Tables A.1 and A.2, lines of 0.6 m) with 2.5 kg, perfect sensors, no spool. Weights (7.9) "
+    "to (7.11), xi 6. "
     "Sines of 53 N, a third of the 160 N of 7.5; Fig. 7.2 names no amplitude. It has no random part.";
 
 constexpr Study kStudies[] = {

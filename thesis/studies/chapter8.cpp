@@ -164,7 +164,8 @@ constexpr Study kStudies[] = {
     {"8.9", "Iterative solution of the Riccati equation", kRiccatiClaims, run_riccati,
      "The rig of fc1d.yaml with 2.5 kg, weights (7.9) and (7.10), normalised. It has no random part."},
     {"8.11", "Recursive least squares, two implementations", kRlsClaims, run_rls,
-     "The rig of fc1d.yaml, perfect sensors, white noise of 5 % at the valve, lambda 0.85, first covariance 1000 I. The text compares "
+     "The rig of fc1d.yaml, perfect sensors, white noise of 5 % at the valve, lambda 0.85, first covariance 1000 I. "
+     "The text compares "
      "C++ with MATLAB."}};
 
 }  // namespace

@@ -6,19 +6,26 @@ namespace farrier::thesis {
 
 const char* to_string(ClaimKind kind) noexcept {
   switch (kind) {
-    case ClaimKind::kText: return "text";
-    case ClaimKind::kProof: return "proof";
-    case ClaimKind::kAim: return "aim";
+    case ClaimKind::kText:
+      return "text";
+    case ClaimKind::kProof:
+      return "proof";
+    case ClaimKind::kAim:
+      return "aim";
   }
   return "";
 }
 
 const char* to_string(Verdict verdict) noexcept {
   switch (verdict) {
-    case Verdict::kHolds: return "holds";
-    case Verdict::kNeeds: return "needs";
-    case Verdict::kRefuted: return "refuted";
-    case Verdict::kFails: return "fails";
+    case Verdict::kHolds:
+      return "holds";
+    case Verdict::kNeeds:
+      return "needs";
+    case Verdict::kRefuted:
+      return "refuted";
+    case Verdict::kFails:
+      return "fails";
   }
   return "";
 }
@@ -28,9 +35,12 @@ bool holds(const ClaimSpec& claim, double value) noexcept {
     return false;
   }
   switch (claim.relation) {
-    case Relation::kAtMost: return value <= claim.bound;
-    case Relation::kBelow: return value < claim.bound;
-    case Relation::kAtLeast: return value >= claim.bound;
+    case Relation::kAtMost:
+      return value <= claim.bound;
+    case Relation::kBelow:
+      return value < claim.bound;
+    case Relation::kAtLeast:
+      return value >= claim.bound;
   }
   return false;
 }

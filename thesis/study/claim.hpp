@@ -11,7 +11,7 @@ namespace farrier::thesis {
 /// Relation of a measured value to a claim's bound.
 enum class Relation { kAtMost, kBelow, kAtLeast };
 
-/// Who says it. The kinds are counted apart.
+/// The author of a claim. The kinds are counted apart.
 enum class ClaimKind {
   kText,   ///< the thesis
   kProof,  ///< Farrier: a measurement that shows why a claim of the text is as it is

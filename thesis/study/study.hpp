@@ -20,9 +20,9 @@
 namespace farrier::thesis {
 
 struct Measured {
-  std::string id;    ///< of a claim of the study
-  double value;      ///< not finite: could not be measured
-  std::string note;  ///< what it was made of, for people; may be empty
+  std::string id;                                        ///< of a claim of the study
+  double value;                                          ///< not finite: could not be measured
+  std::string note;                                      ///< what it was made of, for people; may be empty
   std::optional<double> under_condition = std::nullopt;  ///< the same measurement of a run under the claim's condition
 };
 

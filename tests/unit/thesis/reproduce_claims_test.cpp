@@ -13,10 +13,10 @@ using thesis::ClaimSpec;
 using thesis::Relation;
 using thesis::StudyResult;
 
-constexpr ClaimSpec kClaims[] = {
-    {"9.99.first", "9.9", "the first is small", "first", "1", Relation::kAtMost, 1.0},
-    {"9.99.second", "9.9", "the second is large", "second", "s", Relation::kAtLeast, 5.0, thesis::Refutation{"it is not", 0.0, 4.0}},
-    {"9.99.third", "9.9", "the third is small", "third", "1", Relation::kBelow, 1.0}};
+constexpr ClaimSpec kClaims[] = {{"9.99.first", "9.9", "the first is small", "first", "1", Relation::kAtMost, 1.0},
+                                 {"9.99.second", "9.9", "the second is large", "second", "s", Relation::kAtLeast, 5.0,
+                                  thesis::Refutation{"it is not", 0.0, 4.0}},
+                                 {"9.99.third", "9.9", "the third is small", "third", "1", Relation::kBelow, 1.0}};
 
 Result<StudyResult> unused(const thesis::StudyContext&) { return StudyResult{}; }
 
@@ -71,7 +71,8 @@ TEST(Claims, NoneIsDroppedWhenItIsNotMeasuredOrTheStudyCannotRun) {
 }
 
 TEST(ClaimsDeathTest, AMeasurementWithoutAClaimIsABug) {
-  EXPECT_DEATH((void)claims_of(run_of(StudyResult{{{"9.99.fourth", 0.5, ""}}, {}})), "claims nothing called 9.99.fourth");
+  EXPECT_DEATH((void)claims_of(run_of(StudyResult{{{"9.99.fourth", 0.5, ""}}, {}})),
+               "claims nothing called 9.99.fourth");
 }
 
 TEST(Claims, AreJudgedByTheMedianOverTheSeedsAndKeepTheWorst) {
@@ -151,7 +152,8 @@ TEST(PinnedVerdicts, ArePrintedAsTheirFileHasThem) {
   second.id = "2.1.a";
   second.verdict = "needs";
   const std::string text = pinned_text({first, second});
-  EXPECT_NE(text.find("\nFARRIER_PINNED(\"2.1.a\", kNeeds)\nFARRIER_PINNED(\"2.1.b\", kFails)\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nFARRIER_PINNED(\"2.1.a\", kNeeds)\nFARRIER_PINNED(\"2.1.b\", kFails)\n"), std::string::npos)
+      << text;
 }
 
 TEST(Claims, StandInTheJsonWithWhatWasMeasured) {

@@ -18,17 +18,21 @@ using thesis::ClaimSpec;
 using thesis::StudyContext;
 using thesis::StudyResult;
 
-constexpr ClaimSpec kClaims[] = {{"9.98.value", "9.9", "the <value> is small", "value", "1", thesis::Relation::kAtMost, 1.0}};
+constexpr ClaimSpec kClaims[] = {
+    {"9.98.value", "9.9", "the <value> is small", "value", "1", thesis::Relation::kAtMost, 1.0}};
 
 Result<StudyResult> quick(const StudyContext& context) {
   if (!thesis::keep_going(context, 0.5)) {
     return thesis::stopped();
   }
-  thesis::Panel panel{.title = "quotes \" and \\", .x_label = "x", .y_label = "y",
-                       .series = {{"line", {0.0, 1.0, 2.0}, {1.0, 0.0 / 0.0, 3.0}},
-                                  {"", {0.0, 1.0}, {1.0, 2.0}, thesis::Style::kPoints, 0, {0.0, 1.0}},
-                                  {"empty", {}, {}}}};
-  return StudyResult{{{"9.98.value", 0.5, ""}}, {{"one", 2, {panel, {.title = "z", .x_label = "x", .y_label = "y", .unit_circle = true}}}}};
+  thesis::Panel panel{.title = "quotes \" and \\",
+                      .x_label = "x",
+                      .y_label = "y",
+                      .series = {{"line", {0.0, 1.0, 2.0}, {1.0, 0.0 / 0.0, 3.0}},
+                                 {"", {0.0, 1.0}, {1.0, 2.0}, thesis::Style::kPoints, 0, {0.0, 1.0}},
+                                 {"empty", {}, {}}}};
+  return StudyResult{{{"9.98.value", 0.5, ""}},
+                     {{"one", 2, {panel, {.title = "z", .x_label = "x", .y_label = "y", .unit_circle = true}}}}};
 }
 
 constexpr std::uint64_t kSeeds[] = {1, 2, 3};
@@ -40,7 +44,8 @@ Result<StudyResult> drawn(const StudyContext& context) {
   return StudyResult{{{"9.98.value", 0.25 * static_cast<double>(context.seed), ""}}, {picture}};
 }
 
-const std::vector<thesis::Study> kStudies{{"9.98", "first", kClaims, quick}, {"9.97", "second", kClaims, quick}, {"9.96", "third", kClaims, quick}};
+const std::vector<thesis::Study> kStudies{
+    {"9.98", "first", kClaims, quick}, {"9.97", "second", kClaims, quick}, {"9.96", "third", kClaims, quick}};
 
 TEST(RunStudies, KeepsTheirOrderAndReportsEveryShare) {
   for (const int threads : {1, 2, 5}) {
@@ -97,7 +102,8 @@ TEST(RunStudies, RunAStudyThatDrawsNothingWithOneSeedAndAnyOtherWithAll) {
 
 class Folder {
  public:
-  Folder() : path_((std::filesystem::temp_directory_path() / ("farrier_reproduce_" + std::to_string(::getpid()))).string()) {
+  Folder()
+      : path_((std::filesystem::temp_directory_path() / ("farrier_reproduce_" + std::to_string(::getpid()))).string()) {
     std::filesystem::create_directories(path_);
   }
   ~Folder() { std::filesystem::remove_all(path_); }

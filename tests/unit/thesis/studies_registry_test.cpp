@@ -11,7 +11,8 @@
 namespace farrier::thesis {
 namespace studies_registry_test {
 
-constexpr ClaimSpec kClaim{"1.2.name", "1.2", "words", "what", "1", Relation::kAtMost, 2.0, Refutation{"because", 3.0, 4.0}};
+constexpr ClaimSpec kClaim{
+    "1.2.name", "1.2", "words", "what", "1", Relation::kAtMost, 2.0, Refutation{"because", 3.0, 4.0}};
 
 TEST(Judging, HoldsWhenTheRelationDoesAndAtItsBound) {
   EXPECT_EQ(judge(kClaim, 1.0), Verdict::kHolds);
@@ -106,7 +107,8 @@ TEST(Registry, EveryStudyHasItsOwnNumberATitleAndClaimsUnlessItShowsInputs) {
   for (const Study& study : all_studies()) {
     EXPECT_TRUE(numbers.insert(study.number).second) << study.number;
     EXPECT_NE(std::string(study.title), "") << study.number;
-    EXPECT_TRUE(!study.claims.empty() || std::string(study.conditions).find("inputs of ours") != std::string::npos) << study.number;
+    EXPECT_TRUE(!study.claims.empty() || std::string(study.conditions).find("inputs of ours") != std::string::npos)
+        << study.number;
     EXPECT_NE(study.run, nullptr) << study.number;
   }
   EXPECT_GE(numbers.size(), 20u);
@@ -119,7 +121,8 @@ TEST(Registry, EveryClaimIsNamedAfterItsFigureOnceAndSaysWhereItStands) {
       const std::string id = claim.id;
       EXPECT_TRUE(ids.insert(id).second) << id << " is claimed twice";
       EXPECT_TRUE(id.starts_with(prefix_of(study))) << id << " of " << study.number;
-      EXPECT_TRUE(std::string_view(study.number).starts_with('T') || id.find('.', prefix_of(study).size()) == std::string::npos)
+      EXPECT_TRUE(std::string_view(study.number).starts_with('T') ||
+                  id.find('.', prefix_of(study).size()) == std::string::npos)
           << id << ": only a table's claims have further parts";
       EXPECT_TRUE(std::isfinite(claim.bound)) << id;
       EXPECT_NE(std::string(claim.sentence), "") << id;
@@ -129,7 +132,9 @@ TEST(Registry, EveryClaimIsNamedAfterItsFigureOnceAndSaysWhereItStands) {
 }
 
 TEST(Registry, StudiesStandInTheOrderOfTheText) {
-  const auto place = [studies = all_studies()](const char* number) { return find_study(studies, number) - studies.data(); };
+  const auto place = [studies = all_studies()](const char* number) {
+    return find_study(studies, number) - studies.data();
+  };
   EXPECT_LT(place("4.9"), place("4.10"));
   EXPECT_LT(place("4.10"), place("7.2"));
   EXPECT_LT(place("8.11"), place("A.2"));
