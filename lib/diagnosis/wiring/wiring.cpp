@@ -124,7 +124,9 @@ std::vector<JudgedFault> of_other_joints(const WiringJudge& judge, const Recordi
 }
 
 /// True if each law that undoing the fault changes is explained well enough then.
-bool explains(const Unexplained& before, const JudgedFault& fault, double most_unexplained) {
+bool explains(const Unexplained& before, const JudgedFault& fault, const WiringRules& rules) {
+  const bool lag = fault.fault.kind == WiringKind::kLate || fault.fault.kind == WiringKind::kEarly;
+  const double most_unexplained = lag ? rules.most_unexplained_of_lag : rules.most_unexplained;
   for (std::size_t i = 0; i < kWiringLaws; ++i) {
     if (!std::isnan(before[i]) && fault.unexplained[i] != before[i] && fault.unexplained[i] > most_unexplained) {
       return false;
@@ -165,9 +167,7 @@ std::vector<WiringAnswer> find_wiring(const Recording& recording, const robot::J
   std::vector<JudgedFault> faults = judge_faults(judge, recording, joint);
   const std::vector<JudgedFault> foreign = of_other_joints(judge, recording, joint, others, rules.same_share);
   faults.insert(faults.end(), foreign.begin(), foreign.end());
-  std::erase_if(faults, [&](const JudgedFault& fault) {
-    return !explains(judge.without_fault(), fault, rules.most_unexplained);
-  });
+  std::erase_if(faults, [&](const JudgedFault& fault) { return !explains(judge.without_fault(), fault, rules); });
   std::ranges::stable_sort(faults, std::greater{}, &JudgedFault::gain);
   if (const std::optional<double> factor = factor_of_supply(recording, joint)) {
     answer({.kind = WiringKind::kScaled, .channel = kSupply, .amount = *factor}, 1.0, 0.0);

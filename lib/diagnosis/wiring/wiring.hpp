@@ -26,10 +26,11 @@ struct OtherJoint {
 struct WiringRules {
   /// Sum over the laws of the logarithm of unexplained mean squares, without the fault over with it undone.
   double least_gain = 3.0;
-  double most_unexplained = 0.35;  ///< of each law that undoing the fault changes, after it
-  double rival_weight = 0.05;      ///< of the best, above which another fault may be meant as well
-  double dead_share = 0.02;        ///< of a channel's expected movement, below which it is dead
-  double same_share = 0.02;        ///< of a channel's movement, within which it is another joint's
+  double most_unexplained = 0.35;         ///< of each law that undoing the fault changes, after it
+  double most_unexplained_of_lag = 0.05;  ///< the same of a lag: an elastic gear may look like a poor one
+  double rival_weight = 0.05;             ///< of the best, above which another fault may be meant as well
+  double dead_share = 0.02;               ///< of a channel's expected movement, below which it is dead
+  double same_share = 0.02;               ///< of a channel's movement, within which it is another joint's
   /// The trials of `farrier diagnose --wiring` with a fault, hydraulic and electric, cannot show rarer errors.
   double most_confidence = 1.0 - 1.0 / 385.0;
 };

@@ -287,7 +287,8 @@ TEST_F(DiagnosisReport, PageBeginsWithThePartThatIsFaultyAndTheNextSteps) {
 }
 
 TEST_F(DiagnosisReport, PageOfWrongWiringHasTheColumnAndTheRemedy) {
-  const Diagnosis d = diagnosis_of(Verdict::kWiring);
+  Diagnosis d{};
+  d.judgement.verdict = Verdict::kWiring;
   DiagnosisResult wrong = result(d);
   wrong.wiring = {{.fault = {.kind = diagnosis::WiringKind::kReversed}, .columns = "force_N", .confidence = 0.997}};
   wrong.findings = {{"reversed", 0, "force_N is reversed: exchange its wires. Confidence 0.997."}};
