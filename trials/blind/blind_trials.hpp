@@ -27,7 +27,7 @@ struct Named {
   std::string name;
   double value, confidence;
   diagnosis::Evidence evidence = {};
-  /// Of the fitted number: calibrated deviation, that of the fit, and distance from neutral.
+  /// The fitted number: its calibrated deviation, that of the fit, and its distance from neutral.
   double deviation = 0.0, fit_deviation = 0.0, distance = 0.0;
   /// Where the effect is hidden: distance of the fitted number from the true one, and that of the value from the hidden
   /// one over the hidden one's distance from neutral.

@@ -1,6 +1,6 @@
 #pragma once
 
-// How far confidences and intervals of blind trials can be trusted, and the map that makes them so.
+// Measures of how far confidences and intervals of blind trials hold, and the map that they are fitted by.
 
 #include <cstddef>
 #include <optional>

@@ -10,7 +10,7 @@
 namespace farrier::diagnosis {
 namespace {
 
-/// Of a channel's rms before any effect: what a sure name may leave there with a structure, and still be the verdict.
+/// A sure name is the verdict if less than this share of a channel's rms before any effect is left with a structure.
 constexpr double kMostLeft = 0.35;
 
 /// True if a channel's remainder is more than its sensors' noise.

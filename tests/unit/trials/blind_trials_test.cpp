@@ -144,7 +144,7 @@ TEST(BlindTrials, ConstantsOffTheirFileAreNoSecondEffectBesideALargeOne) {
   ASSERT_TRUE(outcome.named.front().fit_error);
 }
 
-/// What is named in a trial of the first joint of HyQ.
+/// Runs a trial of the first joint of HyQ.
 Outcome of_hyq(truth::Hidden hidden, std::uint64_t seed, truth::Excitation excitation) {
   const robot::Robot legs = robot::load_robot(FARRIER_ROBOTS "hyq.yaml", {.without_effects = true}).value();
   return run_trial({Kind::kEffect, 0, {seed, excitation, {std::move(hidden)}}}, {&legs.joints.front()});
