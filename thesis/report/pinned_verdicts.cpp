@@ -48,9 +48,12 @@ std::string pinned_text(const std::vector<report::Claim>& claims) {
   for (const report::Claim& claim : claims) {
     by_id[claim.id] = constant_of(claim.verdict);
   }
+  bool second = false;  // of two in a line
   for (const auto& [id, verdict] : by_id) {
-    text += "FARRIER_PINNED(\"" + id + "\", " + verdict + ")\n";
+    text += "FARRIER_PINNED(\"" + id + "\", " + verdict + (second ? ")\n" : ") ");
+    second = !second;
   }
+  text += second ? "\n" : "";
   return text;
 }
 
