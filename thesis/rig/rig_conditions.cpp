@@ -26,9 +26,8 @@ robot::Robot under(Condition condition, robot::Robot rig) {
       joint.actuator.valve_gain *= kDataSheetOverRig;
       break;
     case Condition::kViscousFriction:
-      std::erase_if(joint.effects, [](const plant::ActiveEffect& has) {
-        return has.id == plant::effect_id<plant::LoadFriction>();
-      });
+      std::erase_if(joint.effects,
+                    [](const plant::ActiveEffect& has) { return has.id == plant::effect_id<plant::LoadFriction>(); });
       break;
     default:
       break;
@@ -45,8 +44,8 @@ Result<StudyResult> measure_on(const robot::Robot& rig, std::span<const ClaimSpe
     }
     const StudyResult again = FARRIER_TRY(measure(under(condition.condition, rig)));
     for (Measured& one : result.measured) {
-      const auto claim = std::ranges::find_if(
-          claims, [&](const ClaimSpec& spec) { return spec.id == one.id && is_its(spec); });
+      const auto claim =
+          std::ranges::find_if(claims, [&](const ClaimSpec& spec) { return spec.id == one.id && is_its(spec); });
       const Measured* value = find_measured(again, one.id);
       if (claim != claims.end() && value != nullptr) {
         one.under_condition = value->value;

@@ -27,8 +27,8 @@ struct ChirpCase {
   double added_kg = 0.0;
   estimation::EstimationMethod method = estimation::EstimationMethod::kAff;  ///< kAff, or kRls with lambda = 0.92
   estimation::GateKind gate = estimation::GateKind::kNone;
-  int frequencies_min = 28;           ///< f_min of (9.5); a gate is tuned for each experiment (9.1.5)
-  double initial_covariance = 1e5;    ///< nothing is known
+  int frequencies_min = 28;         ///< f_min of (9.5); a gate is tuned for each experiment (9.1.5)
+  double initial_covariance = 1e5;  ///< nothing is known
 };
 
 /// The chirp of Figs 9.8 to 9.10 with weight on the cart, learned from with adaptive forgetting. The text gives no
@@ -38,18 +38,18 @@ ChirpCase weighted_chirp(double added_kg, estimation::GateKind gate);
 /// Everything of one case. Models are normalised, (3.52), (3.53), states from mid-stroke.
 struct ChirpEstimates {
   double period_s = 0.0;
-  control::DiscreteModel first;                 ///< where the estimator began: intentionally wrong
-  control::DiscreteModel nominal;               ///< (3.51) at rest, of the load that was on the cart
-  std::vector<double> time_s;                   ///< of the models, one every kModel_s
+  control::DiscreteModel first;    ///< where the estimator began: intentionally wrong
+  control::DiscreteModel nominal;  ///< (3.51) at rest, of the load that was on the cart
+  std::vector<double> time_s;      ///< of the models, one every kModel_s
   std::vector<control::DiscreteModel> models;
-  std::vector<bool> learning;                   ///< whether the gate was open when each was taken
+  std::vector<bool> learning;  ///< whether the gate was open when each was taken
   // A value a tick:
   std::vector<double> tick_s;
-  std::vector<Eigen::Vector3d> forgetting;      ///< lambda of the rows of position, velocity, force
-  std::vector<Eigen::Vector3d> error;           ///< y - H Theta before the sample is learned from, normalised
+  std::vector<Eigen::Vector3d> forgetting;  ///< lambda of the rows of position, velocity, force
+  std::vector<Eigen::Vector3d> error;       ///< y - H Theta before the sample is learned from, normalised
   std::vector<bool> open;
-  std::vector<Eigen::Vector2d> singular_values; ///< smallest and largest, of a PE gate
-  std::vector<int> frequencies;                 ///< above the threshold, of an FFT gate
+  std::vector<Eigen::Vector2d> singular_values;  ///< smallest and largest, of a PE gate
+  std::vector<int> frequencies;                  ///< above the threshold, of an FFT gate
 };
 
 inline constexpr double kModel_s = 0.02;

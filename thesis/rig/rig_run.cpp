@@ -110,8 +110,8 @@ Result<RigTrace> track(const robot::Robot& robot, const Tracking& tracking, std:
   control::LqrWeights weights = tracking.weights;
   weights.feed_forward_factor = tracking.feed_forward_factor;
   weights.integral_factor = tracking.integral_factor;
-  const auto gains =
-      control::design_lqr(robot::model_of(joint, designed_for, robot.period_s), weights, joint.normalisation, tracking.form, 0);
+  const auto gains = control::design_lqr(robot::model_of(joint, designed_for, robot.period_s), weights,
+                                         joint.normalisation, tracking.form, 0);
   if (!gains) {
     return Error{joint.name + ": no gains for this load: " + control::to_string(gains.error())};
   }

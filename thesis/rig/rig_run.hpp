@@ -44,10 +44,10 @@ struct Tracking {
   control::Kind kind = control::Kind::kLqr;  ///< kLqr, or kFeedbackLinearisation with the robot file's gains
   control::Form form = control::Form::kCompliant;
   double feed_forward_factor = kSmallFeedForward;  ///< replaces that of `weights`
-  double integral_factor = 6.0;         ///< xi (7.11); replaces that of `weights`
-  std::vector<AddedWeight> added = {};  ///< in order of time
-  control::LqrWeights weights = {};     ///< (7.9), (7.10) unless told
-  double designed_for_kg = 0.0;         ///< weight beyond the swing load's that the gains are for
+  double integral_factor = 6.0;                    ///< xi (7.11); replaces that of `weights`
+  std::vector<AddedWeight> added = {};             ///< in order of time
+  control::LqrWeights weights = {};                ///< (7.9), (7.10) unless told
+  double designed_for_kg = 0.0;                    ///< weight beyond the swing load's that the gains are for
 };
 
 /// Runs `tracking`. Refuses joints that cannot be

@@ -41,10 +41,11 @@ constexpr ClaimSpec kClaims[] = {
     proof({"10.2.alike_at_50", "10.2", kRobustness,
            "Disk margin with all three filtered alike at 50 Hz over that without, xi = 14: at most half.", "1",
            Relation::kAtMost, 0.5}),
-    proof({"10.2.velocity_alone", "10.2", kRobustness,
-           "Disk margin with the velocity alone filtered at 100 Hz over that without, xi = 14: 0.8 or more, the gain on "
-           "the force being the largest.",
-           "1", Relation::kAtLeast, 0.8}),
+    proof(
+        {"10.2.velocity_alone", "10.2", kRobustness,
+         "Disk margin with the velocity alone filtered at 100 Hz over that without, xi = 14: 0.8 or more, the gain on "
+         "the force being the largest.",
+         "1", Relation::kAtLeast, 0.8}),
     {"10.2.phase_margin_lost", "10.2, footnote 6",
      "The phase delay of the measurement essentially 'eats' up the phase margin of the LQR controller ...",
      "Phase margin with the velocity filtered at 50 Hz less that without, 2.5 kg, xi = 14: a degree less, at least.",
@@ -168,18 +169,19 @@ Result<StudyResult> run_filters(const StudyContext& context) {
   const double force_alone = margin_share(gains, {0.0, 0.0, kRigFilter_Hz});
 
   StudyResult result;
-  result.measured = {{"10.2.margin_lost", force_alone,
-                      text_of("disk margin %.2f without filters", bare.margins.disk) +
-                          text_of("; force at 150 Hz: %.2f of it", margin_share(gains, {0.0, 0.0, 1.5 * kRigFilter_Hz}))},
-                     {"10.2.margin_lost_thesis", margin_share(thesis_gains.value(), {20.0, 20.0, kRigFilter_Hz}),
-                      text_of("force alone at 100 Hz: %.2f", margin_share(thesis_gains.value(), {0.0, 0.0, kRigFilter_Hz}))},
-                     {"10.2.alike", margin_share(gains, {kRigFilter_Hz, kRigFilter_Hz, kRigFilter_Hz}) - force_alone, ""},
-                     {"10.2.alike_at_50", margin_share(gains, {kAggressive_Hz, kAggressive_Hz, kAggressive_Hz}), ""},
-                     {"10.2.velocity_alone", filtered.margins.disk / bare.margins.disk, ""},
-                     {"10.2.phase_margin_lost",
-                      (aggressive.margins.phase_rad - bare.margins.phase_rad) * 180.0 / std::numbers::pi, ""},
-                     {"10.2.tracking_lost", aggressive.run.nrmse / bare.run.nrmse, ""},
-                     {"10.2.oversampling", at(0.0, true, heavy).run.nrmse / at(0.0, false, heavy).run.nrmse, ""}};
+  result.measured = {
+      {"10.2.margin_lost", force_alone,
+       text_of("disk margin %.2f without filters", bare.margins.disk) +
+           text_of("; force at 150 Hz: %.2f of it", margin_share(gains, {0.0, 0.0, 1.5 * kRigFilter_Hz}))},
+      {"10.2.margin_lost_thesis", margin_share(thesis_gains.value(), {20.0, 20.0, kRigFilter_Hz}),
+       text_of("force alone at 100 Hz: %.2f", margin_share(thesis_gains.value(), {0.0, 0.0, kRigFilter_Hz}))},
+      {"10.2.alike", margin_share(gains, {kRigFilter_Hz, kRigFilter_Hz, kRigFilter_Hz}) - force_alone, ""},
+      {"10.2.alike_at_50", margin_share(gains, {kAggressive_Hz, kAggressive_Hz, kAggressive_Hz}), ""},
+      {"10.2.velocity_alone", filtered.margins.disk / bare.margins.disk, ""},
+      {"10.2.phase_margin_lost", (aggressive.margins.phase_rad - bare.margins.phase_rad) * 180.0 / std::numbers::pi,
+       ""},
+      {"10.2.tracking_lost", aggressive.run.nrmse / bare.run.nrmse, ""},
+      {"10.2.oversampling", at(0.0, true, heavy).run.nrmse / at(0.0, false, heavy).run.nrmse, ""}};
   const std::vector<double> masses{light, heavy};
   result.pictures = {
       {"What a velocity filter of second order costs the rig's LQR; gains for the load in question",
@@ -191,8 +193,10 @@ Result<StudyResult> run_filters(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {
-    {"10.2", "Velocity filters and oversampling: margin, tracking, noise at the valve", kClaims, run_filters, "fc1d.yaml: perfect valve, no dry friction, no lines, noise of good sensors. Full-state LQR, xi = 14 unless a claim says 6."}};
+constexpr Study kStudies[] = {{"10.2", "Velocity filters and oversampling: margin, tracking, noise at the valve",
+                               kClaims, run_filters,
+                               "fc1d.yaml: perfect valve, no dry friction, no lines, noise of good sensors. Full-state "
+                               "LQR, xi = 14 unless a claim says 6."}};
 
 }  // namespace
 }  // namespace chapter10_studies

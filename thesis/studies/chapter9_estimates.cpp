@@ -67,18 +67,20 @@ constexpr const char* kPeaks =
     "... the system is not fully excited, hence the estimated transfer functions contain fictive resonance peaks at "
     "low frequencies.";
 constexpr ClaimSpec kConstantClaims[] = {
-    fails("0.07 to 0.11 over the seeds, 0.09 to 0.14 with 20 Hz on the force as well, 0.04 without dry friction, 0.05 with perfect measurements",
-          {"9.1.peaks", "9.1", kPeaks,
-           "Share of the first 2 s of estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes: a "
-           "tenth or more.",
-           "1", Relation::kAtLeast, 0.1}),
+    fails(
+        "0.07 to 0.11 over the seeds, 0.09 to 0.14 with 20 Hz on the force as well, 0.04 without dry friction, 0.05 "
+        "with perfect measurements",
+        {"9.1.peaks", "9.1", kPeaks,
+         "Share of the first 2 s of estimates with a maximum of 3 dB between 0.3 and 10 Hz, mean of the amplitudes: a "
+         "tenth or more.",
+         "1", Relation::kAtLeast, 0.1}),
     {"9.1.disappear", "9.1", kDisappear, "The share from 4 s on over that of the first 2 s: a half.", "1",
      Relation::kAtMost, 0.5},
     {"9.1.later", "9.1", kDisappear, "The share from 4 s on: a tenth.", "1", Relation::kAtMost, 0.1},
-    needs(Condition::kPerfectMeasurements,
-          {"9.1.amplitude", "9.1", kAmplitude,
-           "RMS distance from the nominal response, 1 to 100 Hz, last second, at 5 % less that at 20 %: a decibel or more.",
-           "dB", Relation::kAtLeast, 1.0}),
+    needs(Condition::kPerfectMeasurements, {"9.1.amplitude", "9.1", kAmplitude,
+                                            "RMS distance from the nominal response, 1 to 100 Hz, last second, at 5 % "
+                                            "less that at 20 %: a decibel or more.",
+                                            "dB", Relation::kAtLeast, 1.0}),
     {"9.1.rough", "9.1",
      "Even towards the end of the chirp signal, the estimator is only able to give a rough approximation ...",
      "The distance at 20 %: 2 dB or more.", "dB", Relation::kAtLeast, 2.0},
@@ -101,8 +103,7 @@ Result<StudyResult> run_constant(const StudyContext& context) {
                        {"9.1.amplitude", weak - strong, text_of("%.1f dB, ", weak) + text_of("%.1f dB", strong)},
                        {"9.1.rough", strong, ""},
                        {"9.1.approximation", strong / first_distance_dB(runs.back()), ""}};
-    result.pictures = {
-        picture_of("Estimates with a forgetting factor of 0.92, black to yellow over the chirp", runs)};
+    result.pictures = {picture_of("Estimates with a forgetting factor of 0.92, black to yellow over the chirp", runs)};
     return result;
   });
 }
@@ -180,8 +181,10 @@ constexpr const char* kLargely = "They remain largely at 1 (meaning less forgett
 constexpr const char* kByNoise = "... but the velocity related forgetting factor is influenced slightly by the noise.";
 
 constexpr const char* kForceAlone =
-    "c_1 of 0.25 to 256: sigma_v is that of raw readings and the velocity passes 20 Hz, so its errors stay below; the force, whose cell is "
-    "the better sensor and whose filter the faster, is the one that forgets. With perfect measurements all three forget alike";
+    "c_1 of 0.25 to 256: sigma_v is that of raw readings and the velocity passes 20 Hz, so its errors stay below; the "
+    "force, whose cell is "
+    "the better sensor and whose filter the faster, is the one that forgets. With perfect measurements all three "
+    "forget alike";
 
 constexpr ClaimSpec kForgettingClaims[] = {
     {"9.3.largely", "9.1.1", kLargely, "Smallest mean lambda of a row from 1 s on: 0.95.", "1", Relation::kAtLeast,
@@ -217,9 +220,10 @@ Result<StudyResult> run_forgetting(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"9.1", "Estimates on the rig, constant forgetting", kConstantClaims, run_constant, kOnTheRigEstimated},
-                              {"9.2", "Estimates on the rig, adaptive forgetting", kAdaptiveClaims, run_adaptive, kOnTheRigEstimated},
-                              {"9.3", "Forgetting factors on the rig", kForgettingClaims, run_forgetting, kOnTheRigEstimated}};
+constexpr Study kStudies[] = {
+    {"9.1", "Estimates on the rig, constant forgetting", kConstantClaims, run_constant, kOnTheRigEstimated},
+    {"9.2", "Estimates on the rig, adaptive forgetting", kAdaptiveClaims, run_adaptive, kOnTheRigEstimated},
+    {"9.3", "Forgetting factors on the rig", kForgettingClaims, run_forgetting, kOnTheRigEstimated}};
 
 }  // namespace
 }  // namespace chapter9_estimates_studies

@@ -67,8 +67,8 @@ Result<StudyResult> run_example(const StudyContext& context) {
 constexpr const char* kIdentical = "... it can be seen that the force tracking performance is almost identical ...";
 
 constexpr ClaimSpec kComparisonClaims[] = {
-    {"9.16.sine", "9.2.5", kIdentical,
-     "RMS difference of the two forces over RMS reference, sine of 1 Hz: a fifth.", "1", Relation::kAtMost, 0.2},
+    {"9.16.sine", "9.2.5", kIdentical, "RMS difference of the two forces over RMS reference, sine of 1 Hz: a fifth.",
+     "1", Relation::kAtMost, 0.2},
     {"9.16.fast_sine", "9.2.5", kIdentical, "The same, sine of 3.5 Hz.", "1", Relation::kAtMost, 0.2},
     {"9.16.step", "9.2.5", kIdentical, "The same, step of 200 N.", "1", Relation::kAtMost, 0.2},
     {"9.16.satisfactory", "9.2.5",
@@ -147,10 +147,13 @@ constexpr ClaimSpec kSlowWeightClaims[] = {
     {"9.17.unstable_20", "Fig. 9.17", kTooMuch,
      "RMS of what is quicker than 20 ms in the force, over the RMS of the reference, with 20 kg added: a half.", "1",
      Relation::kAtLeast, kUnstable},
-    fails("gains for 22 kg make this rig oscillate under their own weight and not without it; perfect measurements and the data sheet's "
-          "valve leave the ratio below 0.1. The text reports \"problems with the filter\" and \"unreliable measurements\"",
+    fails("gains for 22 kg make this rig oscillate under their own weight and not without it; perfect measurements and "
+          "the data sheet's "
+          "valve leave the ratio below 0.1. The text reports \"problems with the filter\" and \"unreliable "
+          "measurements\"",
           {"9.17.removed", "9.2.6",
-           "A similar experiment using a LQR controller designed for a system with heavy weight +22 kg was also carried out. "
+           "A similar experiment using a LQR controller designed for a system with heavy weight +22 kg was also "
+           "carried out. "
            "Weight was removed ... a similar trend was observed ...",
            "RMS error of gains for 22 kg added once they are taken off, over that with them on: 1.1 or more.", "1",
            Relation::kAtLeast, 1.1})};
@@ -227,7 +230,8 @@ Result<StudyResult> run_fast_weights(const StudyContext& context) {
 }
 
 constexpr Study kStudies[] = {
-    {"1.2", "Feedback linearisation with fixed gains under added weight", kExampleClaims, run_example, "The rig of fc1d_real.yaml under feedback linearisation with the gains of the file, tuned for 2.5 kg."},
+    {"1.2", "Feedback linearisation with fixed gains under added weight", kExampleClaims, run_example,
+     "The rig of fc1d_real.yaml under feedback linearisation with the gains of the file, tuned for 2.5 kg."},
     {"9.16", "LQR against feedback linearisation", kComparisonClaims, run_comparison, kOnTheRigCompliant},
     {"9.17", "Fixed LQR under added weight: sine of 0.5 Hz", kSlowWeightClaims, run_slow_weights, kOnTheRigCompliant},
     {"9.18", "Fixed LQR under added weight: sine of 3.5 Hz", kFastWeightClaims, run_fast_weights, kOnTheRigCompliant}};

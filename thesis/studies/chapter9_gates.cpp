@@ -53,7 +53,8 @@ constexpr ClaimSpec kMethodClaims[] = {
     {"9.4.misses_beginning", "9.1.2", "Unfortunately, the PE algorithm misses the first region.",
      "Ticks of the first 0.5 s in which the gate was open.", "1", Relation::kAtMost, 0.0},
     {"9.4.pe_improves", "Fig. 9.4", kImproves,
-     "Share of estimates, while their gate was open, with a maximum of 3 dB between 0.3 and 10 Hz, over that of adaptive forgetting alone: below 1.",
+     "Share of estimates, while their gate was open, with a maximum of 3 dB between 0.3 and 10 Hz, over that of "
+     "adaptive forgetting alone: below 1.",
      "1", Relation::kBelow, 1.0},
     {"9.4.fft_better", "Fig. 9.4", "... however, the simpler FFT method on the right performs even better.",
      "The same share of the FFT gate less that of the PE gate: at most 0.", "1", Relation::kAtMost, 0.0}};
@@ -81,42 +82,52 @@ Result<StudyResult> run_methods(const StudyContext& context) {
   const double pe = open_share(runs[1]);
   const double fft = open_share(runs[2]);
   StudyResult result;
-  result.measured = {{"9.4.misses_beginning", static_cast<double>(std::count(runs[1].open.begin(), runs[1].open.begin() + 500, true)), ""},
-                     {"9.4.pe_improves", pe / alone, text_of("%.3f alone, ", alone) + text_of("%.3f behind the gate", pe)},
-                     {"9.4.fft_better", fft - pe, text_of("%.3f", fft)}};
-  result.pictures = {bode_picture("Estimates of a chirp of 10 %, black to yellow; only those taken while the gate was open",
-                                  {estimates_panels("adaptive forgetting", runs[0]), estimates_panels("and PE gate", runs[1]),
-                                   estimates_panels("and FFT gate", runs[2])})};
+  result.measured = {
+      {"9.4.misses_beginning", static_cast<double>(std::count(runs[1].open.begin(), runs[1].open.begin() + 500, true)),
+       ""},
+      {"9.4.pe_improves", pe / alone, text_of("%.3f alone, ", alone) + text_of("%.3f behind the gate", pe)},
+      {"9.4.fft_better", fft - pe, text_of("%.3f", fft)}};
+  result.pictures = {
+      bode_picture("Estimates of a chirp of 10 %, black to yellow; only those taken while the gate was open",
+                   {estimates_panels("adaptive forgetting", runs[0]), estimates_panels("and PE gate", runs[1]),
+                    estimates_panels("and FFT gate", runs[2])})};
   return result;
 }
 
 // 9.5, 9.6
 
 constexpr const char* kSeveralTimes =
-    "... the estimation algorithm is switched on and off several times due to the permission given by the PE condition.";
+    "... the estimation algorithm is switched on and off several times due to the permission given by the PE "
+    "condition.";
 
 constexpr const char* kRisesOnce =
-    "every lower limit: the least singular value of the chirp of 10 % is 1.4e-3 at most in the first 600 samples and 2e-3 to 5e-3 from 1 s "
-    "on, so a limit that the beginning exceeds (9.6.beginning_min) is never undercut later; neither filters of 20 Hz nor perfect "
+    "every lower limit: the least singular value of the chirp of 10 % is 1.4e-3 at most in the first 600 samples and "
+    "2e-3 to 5e-3 from 1 s "
+    "on, so a limit that the beginning exceeds (9.6.beginning_min) is never undercut later; neither filters of 20 Hz "
+    "nor perfect "
     "measurements change that";
 
 constexpr ClaimSpec kPeForgettingClaims[] = {
     fails(kRisesOnce,
           {"9.5.when", "9.1.2",
-           "A first activation occurs after 3000 samples lasting for roughly 650 samples. A second activation occurs ... around sample "
+           "A first activation occurs after 3000 samples lasting for roughly 650 samples. A second activation occurs "
+           "... around sample "
            "5100 till 6300.",
            "Of these two openings, those that the gate has within 300 samples: two.", "1", Relation::kAtLeast, 2.0}),
-    fails(kRisesOnce,
-          {"9.5.several_times", "9.1.2", kSeveralTimes, "Times the gate opened for 50 ticks or more: two.", "1", Relation::kAtLeast, 2.0}),
-    {"9.5.high", "9.1.2", "The AFF algorithm keeps the forgetting factors high due to relatively small prediction errors.",
+    fails(kRisesOnce, {"9.5.several_times", "9.1.2", kSeveralTimes, "Times the gate opened for 50 ticks or more: two.",
+                       "1", Relation::kAtLeast, 2.0}),
+    {"9.5.high", "9.1.2",
+     "The AFF algorithm keeps the forgetting factors high due to relatively small prediction errors.",
      "Least mean lambda of a row: 0.95.", "1", Relation::kAtLeast, 0.95}};
 
 constexpr ClaimSpec kSingularClaims[] = {
-    {"9.6.beginning_min", "9.1.2", "... during the first few hundred samples the minimum singular value is larger than the lower limit ...",
+    {"9.6.beginning_min", "9.1.2",
+     "... during the first few hundred samples the minimum singular value is larger than the lower limit ...",
      "Largest smallest singular value of the first 600 samples, over the limit.", "1", Relation::kAtLeast, 1.0},
     {"9.6.beginning_max", "9.1.2", "... but the maximum singular value violates the limit.",
      "Largest singular value of the first 600 samples, over the limit.", "1", Relation::kAtLeast, 1.0},
-    {"9.6.decisive", "9.1.2", "The maximum value then dives under the limit and remains there ... hence only the minimum value is decisive.",
+    {"9.6.decisive", "9.1.2",
+     "The maximum value then dives under the limit and remains there ... hence only the minimum value is decisive.",
      "Largest singular value from sample 3000 to 6000, over the limit.", "1", Relation::kAtMost, 1.0}};
 
 /// Openings of the text that have one of the run within 300 samples of their beginning and their end.
@@ -151,7 +162,8 @@ Panel open_panel(const ChirpEstimates& run) {
   for (const bool open : run.open) {
     series.y.push_back(open ? 1.0 : 0.0);
   }
-  return {.title = "permission to update", .x_label = "time (s)", .y_label = "1 yes, 0 no", .series = {std::move(series)}};
+  return {
+      .title = "permission to update", .x_label = "time (s)", .y_label = "1 yes, 0 no", .series = {std::move(series)}};
 }
 
 Result<StudyResult> run_singular(const StudyContext& context) {
@@ -176,7 +188,9 @@ Result<StudyResult> run_singular(const StudyContext& context) {
       series.y.push_back(std::max(1e-12, values(which)));
     }
     const double limit = which == 1 ? limits.information_max : limits.information_min;
-    picture.panels.push_back({.title = which == 1 ? "largest" : "smallest", .x_label = "time (s)", .y_label = "singular value (1)",
+    picture.panels.push_back({.title = which == 1 ? "largest" : "smallest",
+                              .x_label = "time (s)",
+                              .y_label = "singular value (1)",
                               .log_y = true,
                               .series = {std::move(series), {"", {0.0, kChirp_s}, {limit, limit}, Style::kDashed, 2}}});
   }
@@ -190,11 +204,15 @@ Result<StudyResult> run_singular(const StudyContext& context) {
 constexpr ClaimSpec kFrequencyClaims[] = {
     needs(Condition::kPerfectMeasurements,
           {"9.7.rises", "9.1.2",
-           "... the number of significant frequencies rises contiguously with the frequency increase of the chirp input signal.",
+           "... the number of significant frequencies rises contiguously with the frequency increase of the chirp "
+           "input signal.",
            "Mean number from 6 to 8 s less that from 1 to 3 s.", "1", Relation::kAtLeast, 1.0}),
-    {"9.7.burst", "9.1.2", "However, at the very beginning of the experiment, a high number of excited frequencies occurs.",
-     "Largest number of the windows that end in the first 0.6 s less the mean from 1 to 3 s.", "1", Relation::kAtLeast, 1.0},
-    {"9.7.not_in_the_middle", "9.1.2", "... the FFT algorithm does not show any increase in excitation in the middle of the experiment.",
+    {"9.7.burst", "9.1.2",
+     "However, at the very beginning of the experiment, a high number of excited frequencies occurs.",
+     "Largest number of the windows that end in the first 0.6 s less the mean from 1 to 3 s.", "1", Relation::kAtLeast,
+     1.0},
+    {"9.7.not_in_the_middle", "9.1.2",
+     "... the FFT algorithm does not show any increase in excitation in the middle of the experiment.",
      "Times the gate opened for 50 ticks or more after 1 s.", "1", Relation::kAtMost, 1.0}};
 
 Result<StudyResult> frequencies_on(const robot::Robot& rig, const StudyContext& context) {
@@ -215,10 +233,14 @@ Result<StudyResult> frequencies_on(const robot::Robot& rig, const StudyContext& 
   Series series{"frequencies", {run.tick_s.begin() + window, run.tick_s.end()}, {}, Style::kLine, 1};
   series.y.assign(run.frequencies.begin() + window, run.frequencies.end());
   const double limit = gate.frequencies_min;
-  result.pictures = {{"Frequencies of the signals above the threshold", 1,
-                      {{.title = "", .x_label = "time (s)", .y_label = "count",
-                        .series = {std::move(series), {"more are needed", {0.0, kChirp_s}, {limit, limit}, Style::kDashed, 2}}},
-                       open_panel(run)}}};
+  result.pictures = {
+      {"Frequencies of the signals above the threshold",
+       1,
+       {{.title = "",
+         .x_label = "time (s)",
+         .y_label = "count",
+         .series = {std::move(series), {"more are needed", {0.0, kChirp_s}, {limit, limit}, Style::kDashed, 2}}},
+        open_panel(run)}}};
   return result;
 }
 
@@ -228,14 +250,20 @@ Result<StudyResult> run_frequencies(const StudyContext& context) {
 }
 
 constexpr ClaimSpec kAloneClaims[] = {
-    {"G.1.high", "Fig. G.1", "Plot of the individual forgetting factors lambda_i calculated by the adaptive forgetting factor (AFF) algorithm ...",
-     "Least mean lambda of a row from 1 s on, as 9.1.1 has it for Fig. 9.3 (\"They remain largely at 1\"): 0.95.", "1", Relation::kAtLeast, 0.95}};
+    {"G.1.high", "Fig. G.1",
+     "Plot of the individual forgetting factors lambda_i calculated by the adaptive forgetting factor (AFF) algorithm "
+     "...",
+     "Least mean lambda of a row from 1 s on, as 9.1.1 has it for Fig. 9.3 (\"They remain largely at 1\"): 0.95.", "1",
+     Relation::kAtLeast, 0.95}};
 constexpr ClaimSpec kFftForgettingClaims[] = {
     needs(Condition::kPerfectMeasurements,
-          {"G.2.gated", "9.1.2", "... this burst of excitation is not long enough or the algorithm does not take full advantage of it ...",
+          {"G.2.gated", "9.1.2",
+           "... this burst of excitation is not long enough or the algorithm does not take full advantage of it ...",
            "Ticks of the first 1 s in which the gate was open, over those from 5 s on.", "1", Relation::kAtMost, 0.5}),
-    {"G.2.inaccurate", "9.1.2", "... the prediction error is drastically reduced, however not enough, yielding inaccurate estimates.",
-     "RMS distance in dB from the nominal response, 1 to 100 Hz, mean from 2 to 3 s: 2 dB or more.", "dB", Relation::kAtLeast, 2.0}};
+    {"G.2.inaccurate", "9.1.2",
+     "... the prediction error is drastically reduced, however not enough, yielding inaccurate estimates.",
+     "RMS distance in dB from the nominal response, 1 to 100 Hz, mean from 2 to 3 s: 2 dB or more.", "dB",
+     Relation::kAtLeast, 2.0}};
 
 Result<StudyResult> run_alone(const StudyContext& context) {
   const auto made = FARRIER_TRY(run_gate(context, GateKind::kNone));
@@ -267,12 +295,13 @@ Result<StudyResult> run_fft_forgetting(const StudyContext& context) {
                     [&](const robot::Robot& rig) { return fft_forgetting_on(rig, context); });
 }
 
-constexpr Study kStudies[] = {{"9.4", "Estimates behind gates of excitation", kMethodClaims, run_methods, kOnTheRigEstimated},
-                              {"9.5", "Forgetting factors behind the PE gate", kPeForgettingClaims, run_pe_forgetting, kOnTheRigEstimated},
-                              {"9.6", "Singular values of the PE gate", kSingularClaims, run_singular, kOnTheRigEstimated},
-                              {"9.7", "Frequencies of the FFT gate", kFrequencyClaims, run_frequencies, kOnTheRigEstimated},
-                              {"G.1", "Forgetting factors without a gate", kAloneClaims, run_alone, kOnTheRigEstimated},
-                              {"G.2", "Forgetting factors behind the FFT gate", kFftForgettingClaims, run_fft_forgetting, kOnTheRigEstimated}};
+constexpr Study kStudies[] = {
+    {"9.4", "Estimates behind gates of excitation", kMethodClaims, run_methods, kOnTheRigEstimated},
+    {"9.5", "Forgetting factors behind the PE gate", kPeForgettingClaims, run_pe_forgetting, kOnTheRigEstimated},
+    {"9.6", "Singular values of the PE gate", kSingularClaims, run_singular, kOnTheRigEstimated},
+    {"9.7", "Frequencies of the FFT gate", kFrequencyClaims, run_frequencies, kOnTheRigEstimated},
+    {"G.1", "Forgetting factors without a gate", kAloneClaims, run_alone, kOnTheRigEstimated},
+    {"G.2", "Forgetting factors behind the FFT gate", kFftForgettingClaims, run_fft_forgetting, kOnTheRigEstimated}};
 
 }  // namespace
 }  // namespace chapter9_gates_studies

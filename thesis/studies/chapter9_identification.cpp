@@ -67,13 +67,15 @@ constexpr ClaimSpec kFrictionClaims[] = {
      1.0},
     needs(Condition::kViscousFriction,
           {"9.19.viscous", "9.3.1", "The coefficient of viscous friction is then calculated using d_l = |F_s| / |v|.",
-           "Distance of (9.6) at the highest velocity from the rig's d_l, over it: a tenth.", "1", Relation::kAtMost, 0.1}),
+           "Distance of (9.6) at the highest velocity from the rig's d_l, over it: a tenth.", "1", Relation::kAtMost,
+           0.1}),
     proof({"9.19.slope", "9.3.1",
-     "... the following expression for identifying the viscous friction coefficient is obtained ...",
-     "Distance of the slope of force over velocity between the two highest velocities from the rig's d_l, over it: a "
-     "tenth, as the "
-     "proof of 9.19.viscous asks for.",
-     "1", Relation::kAtMost, 0.1})};
+           "... the following expression for identifying the viscous friction coefficient is obtained ...",
+           "Distance of the slope of force over velocity between the two highest velocities from the rig's d_l, over "
+           "it: a "
+           "tenth, as the "
+           "proof of 9.19.viscous asks for.",
+           "1", Relation::kAtMost, 0.1})};
 
 Result<StudyResult> friction_of(const robot::Robot& rig, const StudyContext& context) {
   const double damping = rig.joints[0].swing_load.damping;
@@ -131,10 +133,10 @@ constexpr const char* kStiffness =
     "The mean spring stiffness value for a single spring of about 5278 N/m is almost identical to the value ... [5360 "
     "N/m].";
 
-constexpr ClaimSpec kSpringClaims[] = {
-    {"9.20.mean", "9.3.2", kStiffness,
-     "Distance of the mean over both ends and all data sets from the springs' stiffness, over it: 2 %, the text's own being 1.5 %.",
-     "1", Relation::kAtMost, 0.02}};
+constexpr ClaimSpec kSpringClaims[] = {{"9.20.mean", "9.3.2", kStiffness,
+                                        "Distance of the mean over both ends and all data sets from the springs' "
+                                        "stiffness, over it: 2 %, the text's own being 1.5 %.",
+                                        "1", Relation::kAtMost, 0.02}};
 
 /// Mean of |F_s| / |y| (9.7) at rest at one end, of a single spring.
 Result<double> stiffness_at(const robot::Robot& rig, double sign, std::uint64_t seed) {
@@ -191,13 +193,13 @@ constexpr const char* kThreshold = "The identified threshold is about 0.6 % of t
 
 constexpr ClaimSpec kThresholdClaims[] = {
     proof({"9.21.positive", "9.3.4", kThreshold,
-     "Distance from 0.6 of the opening in % at which the load pressure begins to rise: 0.1.", "%", Relation::kAtMost,
-     0.1}),
+           "Distance from 0.6 of the opening in % at which the load pressure begins to rise: 0.1.", "%",
+           Relation::kAtMost, 0.1}),
     proof({"9.21.negative", "9.3.4", kThreshold, "The same of the negative opening at which it begins to fall.", "%",
-     Relation::kAtMost, 0.1}),
+           Relation::kAtMost, 0.1}),
     proof({"9.21.specification", "9.3.4",
-     "... a threshold of 0.5 % - 1 % (in percentage of the valve opening) depending on the supply pressure.",
-     "Distance of both from the middle of that range, the larger: 0.25.", "%", Relation::kAtMost, 0.25})};
+           "... a threshold of 0.5 % - 1 % (in percentage of the valve opening) depending on the supply pressure.",
+           "Distance of both from the middle of that range, the larger: 0.25.", "%", Relation::kAtMost, 0.25})};
 
 Result<StudyResult> run_threshold(const StudyContext& context) {
   const auto rig = FARRIER_TRY(load_rig(context));

@@ -42,13 +42,15 @@ constexpr ClaimSpec kDeadbandClaims[] = {
     {"9.22.step", "9.3.4", kDelay,
      "Delay of the load pressure after a reference that steps within a tick, distance from 10 ms: 3 ms.", "s",
      Relation::kAtMost, 0.003,
-     Refutation{"the weights of (7.9) to (7.11) ask for some 40 % of the opening within the tick of a step of 400 N, and the deadband is "
+     Refutation{"the weights of (7.9) to (7.11) ask for some 40 % of the opening within the tick of a step of 400 N, "
+                "and the deadband is "
                 "0.6 %; the caption's \"increasing reference\" is another input (9.22.rise)",
                 0.005, 0.01}},
     proof({"9.22.rise", "9.3.4", kDelay,
-     "Smallest distance of the delay from 10 ms over references that rise to 400 N in 0 to 2 s: 3 ms, the value that "
-     "would make 9.22.step true.",
-     "s", Relation::kAtMost, 0.003}),
+           "Smallest distance of the delay from 10 ms over references that rise to 400 N in 0 to 2 s: 3 ms, the value "
+           "that "
+           "would make 9.22.step true.",
+           "s", Relation::kAtMost, 0.003}),
     {"9.22.by_deadband", "9.3.4",
      "The load pressure follows the commands with a 10 ms time-delay due to the valve deadband.",
      "The same delay without the deadband over the delay with it: a half.", "1", Relation::kAtMost, 0.5},
@@ -66,9 +68,8 @@ Result<StudyResult> run_deadband(const StudyContext& context) {
   robot::Robot rig = std::move(loaded);
   rig.joints[0].noise = {};
   robot::Robot without = rig;
-  std::erase_if(without.joints[0].effects, [](const plant::ActiveEffect& has) {
-    return has.id == plant::effect_id<plant::ValveDeadband>();
-  });
+  std::erase_if(without.joints[0].effects,
+                [](const plant::ActiveEffect& has) { return has.id == plant::effect_id<plant::ValveDeadband>(); });
   const double nominal_A = rig.joints[0].normalisation.current_A;
   const auto run_rise = [&](const robot::Robot& robot, double rise_s) {
     return track(robot,
@@ -197,10 +198,13 @@ constexpr ClaimSpec kOscillationClaims[] = {
            "feedback signal.",
            "RMS of what is quicker than 10 ms in the velocity part over that in the whole valve current: a half.", "1",
            Relation::kAtLeast, 0.5}),
-    fails("a swing stays: the loop circles about the uncompensated deadband with the phase that spool, lines and filters take. Perfect "
-          "measurements leave 0.5 of the swing, the absence of dry friction 0.6, references that rise over 0 to 200 ms no less",
+    fails("a swing stays: the loop circles about the uncompensated deadband with the phase that spool, lines and "
+          "filters take. Perfect "
+          "measurements leave 0.5 of the swing, the absence of dry friction 0.6, references that rise over 0 to 200 ms "
+          "no less",
           {"9.23.decay", "Fig. 9.23", "After about 55 ms the controller managed to dampen the oscillation.",
-           "Largest swing of the load pressure quicker than 5 ms from 75 ms after the start of motion on, over that before: a "
+           "Largest swing of the load pressure quicker than 5 ms from 75 ms after the start of motion on, over that "
+           "before: a "
            "tenth, where it counts as gone.",
            "1", Relation::kAtMost, 0.1}),
     {"9.23.wide_open", "9.4",

@@ -19,15 +19,16 @@ constexpr double kBegin_s = 0.5;
 constexpr double kRamp_s = 0.5;
 constexpr double kReferenceRun_s = 2.0;
 constexpr const char* kDeteriorates =
-    "It can again be observed that the force tracking deteriorates for increased weight (+20 kg) when the controller gains remain fixed.";
+    "It can again be observed that the force tracking deteriorates for increased weight (+20 kg) when the controller "
+    "gains remain fixed.";
 
 constexpr ClaimSpec kRampClaims[] = {
-    {"G.9.200", "9.2.6", kDeteriorates, "RMS error of the ramp to 200 N with 20 kg added over that without: 1.1 or more.", "1",
-     Relation::kAtLeast, 1.1},
+    {"G.9.200", "9.2.6", kDeteriorates,
+     "RMS error of the ramp to 200 N with 20 kg added over that without: 1.1 or more.", "1", Relation::kAtLeast, 1.1},
     {"G.9.400", "9.2.6", kDeteriorates, "The same, 400 N.", "1", Relation::kAtLeast, 1.1}};
 constexpr ClaimSpec kStepClaims[] = {
-    {"G.10.200", "9.2.6", kDeteriorates, "Overshoot of the step to 200 N with 20 kg added over that without: 1.1 or more.", "1",
-     Relation::kAtLeast, 1.1},
+    {"G.10.200", "9.2.6", kDeteriorates,
+     "Overshoot of the step to 200 N with 20 kg added over that without: 1.1 or more.", "1", Relation::kAtLeast, 1.1},
     {"G.10.400", "9.2.6", kDeteriorates, "The same, 400 N.", "1", Relation::kAtLeast, 1.1}};
 
 Result<StudyResult> run_references(const StudyContext& context, double rise_s, const char* figure) {
@@ -47,7 +48,8 @@ Result<StudyResult> run_references(const StudyContext& context, double rise_s, c
       picture.panels.push_back(force_panel(text_of("%g N, ", to_N) + text_of("+%g kg", added_kg), run));
     }
     const std::string id = figure + text_of(".%g", to_N);
-    const std::string note = "RMS error " + pair_text(errors[0], errors[1]) + "; overshoot " + pair_text(peaks[0], peaks[1]);
+    const std::string note =
+        "RMS error " + pair_text(errors[0], errors[1]) + "; overshoot " + pair_text(peaks[0], peaks[1]);
     result.measured.push_back({id, rise_s > 0.0 ? errors[1] / errors[0] : peaks[1] / peaks[0], note});
   }
   result.pictures = {std::move(picture)};
@@ -57,8 +59,9 @@ Result<StudyResult> run_references(const StudyContext& context, double rise_s, c
 Result<StudyResult> run_ramps(const StudyContext& context) { return run_references(context, kRamp_s, "G.9"); }
 Result<StudyResult> run_steps(const StudyContext& context) { return run_references(context, 0.0, "G.10"); }
 
-constexpr Study kStudies[] = {{"G.9", "Fixed LQR under added weight: ramps", kRampClaims, run_ramps, kOnTheRigCompliant},
-                              {"G.10", "Fixed LQR under added weight: steps", kStepClaims, run_steps, kOnTheRigCompliant}};
+constexpr Study kStudies[] = {
+    {"G.9", "Fixed LQR under added weight: ramps", kRampClaims, run_ramps, kOnTheRigCompliant},
+    {"G.10", "Fixed LQR under added weight: steps", kStepClaims, run_steps, kOnTheRigCompliant}};
 
 }  // namespace
 }  // namespace chapter9_ramps_studies

@@ -122,42 +122,57 @@ double standing(const RigTrace& run, double from_s, double to_s) {
   return still / count;
 }
 
-constexpr const char* kOvershoot = "Note that the controller is able to reach the step very quickly albeit with some overshoot.";
-constexpr const char* kVelocityMost = "... one can see that the velocity channel contributes the most to the total signal.";
+constexpr const char* kOvershoot =
+    "Note that the controller is able to reach the step very quickly albeit with some overshoot.";
+constexpr const char* kVelocityMost =
+    "... one can see that the velocity channel contributes the most to the total signal.";
 constexpr const char* kLag = "... a slight phase lag appears for frequencies above approximately 3.5 Hz.";
 constexpr const char* kRipples =
-    "... distinct ripples of the velocity related controller output signal u_vel within the first few seconds of the chirp ...";
+    "... distinct ripples of the velocity related controller output signal u_vel within the first few seconds of the "
+    "chirp ...";
 
 constexpr ClaimSpec kStepClaims[] = {
     {"9.13.rise", "9.2.2", kOvershoot, "Time to nine tenths of the step of 400 N: 0.1 s.", "s", Relation::kAtMost, 0.1},
-    {"9.13.overshoot", "9.2.2", kOvershoot, "There is an overshoot, over the step of 400 N.", "1", Relation::kAtLeast, 0.01},
-    {"9.13.overshoot_is_some", "9.2.2", kOvershoot, "It is three tenths of the step at most.", "1", Relation::kAtMost, 0.3},
+    {"9.13.overshoot", "9.2.2", kOvershoot, "There is an overshoot, over the step of 400 N.", "1", Relation::kAtLeast,
+     0.01},
+    {"9.13.overshoot_is_some", "9.2.2", kOvershoot, "It is three tenths of the step at most.", "1", Relation::kAtMost,
+     0.3},
     {"9.13.steady_error", "9.2.2", "The steady-state force tracking is very good and is reached fast.",
      "Mean error from 0.8 s after the step on, over the step.", "1", Relation::kAtMost, 0.02},
     {"9.13.velocity_most", "9.2.2", kVelocityMost,
-     "Largest velocity part over the largest of any other part shown, within 0.15 s of the step of 400 N.", "1", Relation::kAtLeast, 1.0},
+     "Largest velocity part over the largest of any other part shown, within 0.15 s of the step of 400 N.", "1",
+     Relation::kAtLeast, 1.0},
     {"9.13.feed_forward_omitted", "9.2.4", "... and hence the feedforward term can also be omitted.",
      "9.13.rise without feed-forward: 0.1 s.", "s", Relation::kAtMost, 0.1},
     {"9.13.negative_overshoot", "9.2.2", "Some difference is visible for the negative step, the overshoot is less ...",
-     "Overshoot of the step from 400 to -400 N less that of 0 to 400 N, each over its step: below 0.", "1", Relation::kBelow, 0.0},
+     "Overshoot of the step from 400 to -400 N less that of 0 to 400 N, each over its step: below 0.", "1",
+     Relation::kBelow, 0.0},
     needs(Condition::kDataSheetValve,
-          {"9.13.slow_chirp_lag", "9.2.3", "... able to follow the force reference without loosing phase and with little amplitude distortion.",
+          {"9.13.slow_chirp_lag", "9.2.3",
+           "... able to follow the force reference without loosing phase and with little amplitude distortion.",
            "Lag at 2.5 Hz of the chirp to 3 Hz: 8 degrees.", "deg", Relation::kAtMost, 8.0}),
-    {"9.13.fast_chirp_lag", "9.2.3", kLag, "Lag at 4.5 Hz of the chirp to 5 Hz less that at 1.5 Hz: above 0.", "deg", Relation::kAtLeast, 1.0},
+    {"9.13.fast_chirp_lag", "9.2.3", kLag, "Lag at 4.5 Hz of the chirp to 5 Hz less that at 1.5 Hz: above 0.", "deg",
+     Relation::kAtLeast, 1.0},
+    needs(Condition::kDataSheetValve, {"9.13.fast_chirp_lag_is_slight", "9.2.3", kLag, "Lag at 4.5 Hz: 30 degrees.",
+                                       "deg", Relation::kAtMost, 30.0}),
     needs(Condition::kDataSheetValve,
-          {"9.13.fast_chirp_lag_is_slight", "9.2.3", kLag, "Lag at 4.5 Hz: 30 degrees.", "deg", Relation::kAtMost, 30.0}),
-    needs(Condition::kDataSheetValve,
-          {"9.13.overshoots", "9.2.3", "... starts to overshoot towards the middle of the chirp signal experiment on the right side ...",
-           "Size of the force at 2 Hz of the chirp to 5 Hz over the reference: 1.01 or more.", "1", Relation::kAtLeast, 1.01}),
+          {"9.13.overshoots", "9.2.3",
+           "... starts to overshoot towards the middle of the chirp signal experiment on the right side ...",
+           "Size of the force at 2 Hz of the chirp to 5 Hz over the reference: 1.01 or more.", "1", Relation::kAtLeast,
+           1.01}),
     {"9.13.undershoots", "9.2.3", "The overshoot mutates into an undershoot towards the end of the experiment.",
      "The same at 4.5 Hz: 0.99 at most.", "1", Relation::kAtMost, 0.99},
     {"9.13.force_leads", "9.2.3", "... the force term of the controller u_force leads ahead of the velocity signal ...",
-     "Lead of the force part before the velocity part at 1 Hz of the chirp to 3 Hz, within half a turn: a degree or more.", "deg",
-     Relation::kAtLeast, 1.0},
+     "Lead of the force part before the velocity part at 1 Hz of the chirp to 3 Hz, within half a turn: a degree or "
+     "more.",
+     "deg", Relation::kAtLeast, 1.0},
     {"9.13.sticks_first", "9.2.3", kRipples,
-     "Share of the first 2.5 s of the chirp to 3 Hz in which the piston stands, over that of the last 2.5 s.", "1", Relation::kAtLeast, 2.0},
-    {"9.13.sticks_less", "9.2.3", "The experiment on the right side shows only little sign of the just described phenomena ...",
-     "Share of the chirp to 5 Hz in which the piston stands less that of the chirp to 3 Hz: below 0.", "1", Relation::kBelow, 0.0}};
+     "Share of the first 2.5 s of the chirp to 3 Hz in which the piston stands, over that of the last 2.5 s.", "1",
+     Relation::kAtLeast, 2.0},
+    {"9.13.sticks_less", "9.2.3",
+     "The experiment on the right side shows only little sign of the just described phenomena ...",
+     "Share of the chirp to 5 Hz in which the piston stands less that of the chirp to 3 Hz: below 0.", "1",
+     Relation::kBelow, 0.0}};
 
 Result<StudyResult> steps_on(const robot::Robot& rig, const StudyContext& context) {
   const double nominal_A = rig.joints[0].normalisation.current_A;
@@ -184,25 +199,24 @@ Result<StudyResult> steps_on(const robot::Robot& rig, const StudyContext& contex
   const double rise_up = overshoot(up, 0.0, 400.0);
   const double last = chirp_lag_deg(fast, 5.0, 4.5);
   StudyResult result;
-  result.measured = {
-      {"9.13.rise", rise_s(up, 0.0, 400.0), ""},
-      {"9.13.overshoot", rise_up, ""},
-      {"9.13.overshoot_is_some", rise_up, ""},
-      {"9.13.steady_error", steady_error(up, 0.0, 400.0), ""},
-      {"9.13.velocity_most", velocity / others, ""},
-      {"9.13.feed_forward_omitted", rise_s(without, 0.0, 400.0), ""},
-      {"9.13.negative_overshoot", overshoot(down, 400.0, -400.0) - rise_up, ""},
-      {"9.13.slow_chirp_lag", chirp_lag_deg(slow, 3.0, 2.5), ""},
-      {"9.13.fast_chirp_lag", last - chirp_lag_deg(fast, 5.0, 1.5), ""},
-      {"9.13.fast_chirp_lag_is_slight", last, ""},
-      {"9.13.overshoots", std::abs(chirp_phasor(fast, fast.force_N, 5.0, 2.0)), ""},
-      {"9.13.undershoots", std::abs(chirp_phasor(fast, fast.force_N, 5.0, 4.5)), ""},
-      {"9.13.force_leads",
-       degrees(std::arg(chirp_phasor(slow, slow.force_part_A, 3.0, 1.0) /
-                        chirp_phasor(slow, slow.velocity_part_A, 3.0, 1.0))),
-       ""},
-      {"9.13.sticks_first", standing(slow, 0.5, 3.0) / standing(slow, 5.5, 8.0), ""},
-      {"9.13.sticks_less", standing(fast, 0.5, 8.0) - standing(slow, 0.5, 8.0), ""}};
+  result.measured = {{"9.13.rise", rise_s(up, 0.0, 400.0), ""},
+                     {"9.13.overshoot", rise_up, ""},
+                     {"9.13.overshoot_is_some", rise_up, ""},
+                     {"9.13.steady_error", steady_error(up, 0.0, 400.0), ""},
+                     {"9.13.velocity_most", velocity / others, ""},
+                     {"9.13.feed_forward_omitted", rise_s(without, 0.0, 400.0), ""},
+                     {"9.13.negative_overshoot", overshoot(down, 400.0, -400.0) - rise_up, ""},
+                     {"9.13.slow_chirp_lag", chirp_lag_deg(slow, 3.0, 2.5), ""},
+                     {"9.13.fast_chirp_lag", last - chirp_lag_deg(fast, 5.0, 1.5), ""},
+                     {"9.13.fast_chirp_lag_is_slight", last, ""},
+                     {"9.13.overshoots", std::abs(chirp_phasor(fast, fast.force_N, 5.0, 2.0)), ""},
+                     {"9.13.undershoots", std::abs(chirp_phasor(fast, fast.force_N, 5.0, 4.5)), ""},
+                     {"9.13.force_leads",
+                      degrees(std::arg(chirp_phasor(slow, slow.force_part_A, 3.0, 1.0) /
+                                       chirp_phasor(slow, slow.velocity_part_A, 3.0, 1.0))),
+                      ""},
+                     {"9.13.sticks_first", standing(slow, 0.5, 3.0) / standing(slow, 5.5, 8.0), ""},
+                     {"9.13.sticks_less", standing(fast, 0.5, 8.0) - standing(slow, 0.5, 8.0), ""}};
   Picture steps{"Compliant LQR: steps", 2, {}};
   Picture chirps{"Compliant LQR: chirps of 400 N", 2, {}};
   for (std::size_t i = 0; i < made.size(); ++i) {
@@ -223,20 +237,30 @@ Result<StudyResult> run_steps(const StudyContext& context) {
 }
 
 constexpr const char* kPrevents =
-    "Note again how the position channel of the full LQR controller prevents the force from reaching the commanded steady-state force value.";
+    "Note again how the position channel of the full LQR controller prevents the force from reaching the commanded "
+    "steady-state force value.";
 
 constexpr ClaimSpec kFormClaims[] = {
-    {"9.15.against", "9.2.4", "The position channel of the \"non-compliant\" LQR controller is again acting against the velocity and force channel.",
-     "Position part at the full-state form's end, over the nominal current: below 0, against a positive step.", "1", Relation::kBelow, 0.0},
+    {"9.15.against", "9.2.4",
+     "The position channel of the \"non-compliant\" LQR controller is again acting against the velocity and force "
+     "channel.",
+     "Position part at the full-state form's end, over the nominal current: below 0, against a positive step.", "1",
+     Relation::kBelow, 0.0},
     {"9.15.prevents", "Fig. 9.15", kPrevents,
-     "Mean error at the end over the step, full-state form without feed-forward and with a thousandth of the integrator's gain, less the "
-     "compliant form's: a fifth or more.", "1", Relation::kAtLeast, 0.2},
-    fails("with xi = 0.1 in place of 6 it holds (the note has the value); with xi = 6 neither perfect measurements nor the data sheet's "
+     "Mean error at the end over the step, full-state form without feed-forward and with a thousandth of the "
+     "integrator's gain, less the "
+     "compliant form's: a fifth or more.",
+     "1", Relation::kAtLeast, 0.2},
+    fails("with xi = 0.1 in place of 6 it holds (the note has the value); with xi = 6 neither perfect measurements nor "
+          "the data sheet's "
           "valve nor the absence of dry friction make the full-state form the slower one",
-          {"9.15.late", "Fig. 9.15", "The added integrator term eventually drives the system to zero force tracking error.",
-           "Time until the full-state form, without feed-forward, stays within a tenth of the step, over the compliant form's.", "1",
-           Relation::kAtLeast, 2.0}),
-    {"9.15.integrator", "Fig. 9.15", "The added integrator term eventually drives the system to zero force tracking error.",
+          {"9.15.late", "Fig. 9.15",
+           "The added integrator term eventually drives the system to zero force tracking error.",
+           "Time until the full-state form, without feed-forward, stays within a tenth of the step, over the compliant "
+           "form's.",
+           "1", Relation::kAtLeast, 2.0}),
+    {"9.15.integrator", "Fig. 9.15",
+     "The added integrator term eventually drives the system to zero force tracking error.",
      "Mean error of the full-state form at its end, over the step.", "1", Relation::kAtMost, 0.02},
     needs(Condition::kPerfectMeasurements,
           {"9.15.compliant_settles", "9.2.4",
@@ -250,8 +274,13 @@ Result<StudyResult> forms_on(const robot::Robot& rig, const StudyContext& contex
   std::vector<RigTrace> runs;  // full state, compliant; for each xi
   for (const double xi : {6.0, 0.1, 0.006}) {
     for (const Form form : {Form::kFullState, Form::kCompliant}) {
-      auto run = FARRIER_TRY(track(rig, {.reference = step(0.0, 400.0), .duration_s = kRun_s, .form = form, .feed_forward_factor = 0.0,
-                                     .integral_factor = xi}, context.seed));
+      auto run = FARRIER_TRY(track(rig,
+                                   {.reference = step(0.0, 400.0),
+                                    .duration_s = kRun_s,
+                                    .form = form,
+                                    .feed_forward_factor = 0.0,
+                                    .integral_factor = xi},
+                                   context.seed));
       runs.push_back(std::move(run));
     }
   }
@@ -265,7 +294,8 @@ Result<StudyResult> forms_on(const robot::Robot& rig, const StudyContext& contex
                      {"9.15.integrator", steady_error(f, 0.0, 400.0), ""},
                      {"9.15.compliant_settles", quick, ""},
                      {"9.15.compliant_error", steady_error(c, 0.0, 400.0), ""}};
-  result.pictures = {{"Step of 400 N without feed-forward", 2,
+  result.pictures = {{"Step of 400 N without feed-forward",
+                      2,
                       {force_panel("full state", f), force_panel("compliant", c), parts_panel(f, nominal_A),
                        parts_panel(c, nominal_A)}}};
   return result;
@@ -276,8 +306,9 @@ Result<StudyResult> run_forms(const StudyContext& context) {
   return measure_on(rig, kFormClaims, [&](const robot::Robot& robot) { return forms_on(robot, context); });
 }
 
-constexpr Study kStudies[] = {{"9.13", "Compliant LQR: steps and chirps", kStepClaims, run_steps, kOnTheRigCompliant},
-                              {"9.15", "Compliant against full-state LQR: step", kFormClaims, run_forms, kOnTheRigCompliant}};
+constexpr Study kStudies[] = {
+    {"9.13", "Compliant LQR: steps and chirps", kStepClaims, run_steps, kOnTheRigCompliant},
+    {"9.15", "Compliant against full-state LQR: step", kFormClaims, run_forms, kOnTheRigCompliant}};
 
 }  // namespace
 }  // namespace chapter9_steps_studies

@@ -80,9 +80,10 @@ constexpr ClaimSpec kWeightClaims[] = {
     fails("filters of 20 Hz leave no maximum between 20 and 400 Hz; with perfect measurements it lies at 56 Hz",
           {"9.8.still_visible", "9.1.3",
            "Less so in case of added weight, where a resonance peak around 40 Hz is still visible.",
-           "Distance from 40 Hz of the resonance of the last estimate with 15 kg: a quarter.", "Hz",
-           Relation::kAtMost, 10.0}),
-    fails("0.58 with perfect measurements, and no less with c_1 of 0.25 to 256: 0.5 s into the chirp it has turned by 169 degrees",
+           "Distance from 40 Hz of the resonance of the last estimate with 15 kg: a quarter.", "Hz", Relation::kAtMost,
+           10.0}),
+    fails("0.58 with perfect measurements, and no less with c_1 of 0.25 to 256: 0.5 s into the chirp it has turned by "
+          "169 degrees",
           {"9.8.quick", "9.1.3", kQuick, kDistanceOf1s, "1", Relation::kAtMost, 0.5})};
 
 /// A run for each weight.
@@ -127,18 +128,17 @@ Result<StudyResult> weights_on(const robot::Robot& rig, const StudyContext& cont
   const std::vector<ChirpEstimates> runs = FARRIER_TRY(run_each(context, rig, 0.0, 1.0));
   const OfWeights found = of_weights(runs);
   StudyResult result;
-  result.measured = {
-      {"9.8.shift_5", found.shift_5, found.resonances},
-      {"9.8.shift_15", found.shift_15, ""},
-      {"9.8.anti_resonance", last_dip_dB(runs[0]) - last_dip_dB(runs[2]), dips_text(runs[0], runs[2])},
-      {"9.8.still_visible", std::abs(last_resonance_Hz(runs[2]) - 40.0), ""},
-      {"9.8.quick", found.quick, ""}};
+  result.measured = {{"9.8.shift_5", found.shift_5, found.resonances},
+                     {"9.8.shift_15", found.shift_15, ""},
+                     {"9.8.anti_resonance", last_dip_dB(runs[0]) - last_dip_dB(runs[2]), dips_text(runs[0], runs[2])},
+                     {"9.8.still_visible", std::abs(last_resonance_Hz(runs[2]) - 40.0), ""},
+                     {"9.8.quick", found.quick, ""}};
   std::vector<std::vector<Panel>> columns;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     columns.push_back(estimates_panels(text_of("+%g kg", kWeights_kg[i]), runs[i]));
   }
-  result.pictures = {bode_picture("Estimates of a chirp of 20 % with weight on the cart, black to yellow over the chirp",
-                                  std::move(columns))};
+  result.pictures = {bode_picture(
+      "Estimates of a chirp of 20 % with weight on the cart, black to yellow over the chirp", std::move(columns))};
   return result;
 }
 
@@ -217,11 +217,13 @@ constexpr ClaimSpec kHeavyClaims[] = {
 constexpr ClaimSpec kNominalClaims[] = {
     {"G.3.alone", "9.1.3", "Similar observations can be drawn from figures G.3 and G.4.", kDistance, "1",
      Relation::kAtMost, 1.5},
-    fails("said of 15 kg, \"similar\" of this figure: without weight the count of frequencies does not rise; 0.20 with perfect measurements",
+    fails("said of 15 kg, \"similar\" of this figure: without weight the count of frequencies does not rise; 0.20 with "
+          "perfect measurements",
           {"G.3.fft_late", "9.1.3", kFftLate, kOpenLate, "1", Relation::kAtLeast, 0.25})};
 constexpr ClaimSpec kMiddleClaims[] = {
     {"G.4.alone", "Fig. G.4", kSimpler, kDistance, "1", Relation::kAtMost, 1.5},
-    fails("the count of frequencies over the threshold hardly rises behind filters of 20 Hz; 0.250 with perfect measurements, just short of it",
+    fails("the count of frequencies over the threshold hardly rises behind filters of 20 Hz; 0.250 with perfect "
+          "measurements, just short of it",
           {"G.4.fft_late", "9.1.3", kFftLate, kOpenLate, "1", Relation::kAtLeast, 0.25})};
 
 Result<StudyResult> methods_of(const StudyContext& context, std::span<const ClaimSpec> claims, double added_kg,

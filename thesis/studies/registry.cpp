@@ -10,12 +10,12 @@ namespace farrier::thesis {
 namespace {
 
 constexpr std::span<const Study> (*kGroups[])() = {
-    chapter4_step,      chapter4_models,        chapter4_points,     chapter4_loads,      chapter6_signals,
-    chapter6_forgetting, chapter6_table,        chapter7_tracking,   chapter7_gain_maps,  chapter7_load_cycle,
-    chapter7_estimates, chapter8,               chapter9_estimates,  chapter9_gates,      chapter9_weights,
-    chapter9_gains,     chapter9_sines,         chapter9_steps,      chapter9_fixed,      chapter9_ramps,
-    chapter9_identification, chapter9_pressure, chapter10,           section4_sensitivity,
-    section5_update,    section6_sampling,      section7_weights,    appendix_parameters};
+    chapter4_step,           chapter4_models,   chapter4_points,    chapter4_loads,       chapter6_signals,
+    chapter6_forgetting,     chapter6_table,    chapter7_tracking,  chapter7_gain_maps,   chapter7_load_cycle,
+    chapter7_estimates,      chapter8,          chapter9_estimates, chapter9_gates,       chapter9_weights,
+    chapter9_gains,          chapter9_sines,    chapter9_steps,     chapter9_fixed,       chapter9_ramps,
+    chapter9_identification, chapter9_pressure, chapter10,          section4_sensitivity, section5_update,
+    section6_sampling,       section7_weights,  appendix_parameters};
 
 int number_of(std::string_view text) {
   int value = 0;
@@ -72,11 +72,12 @@ std::vector<std::string> near_numbers(std::span<const Study> studies, const std:
   }
   // The numbers of a chapter stand in their order: those that follow the unknown one and those just before it.
   if (near.size() > kMost) {
-    const auto after = std::ranges::find_if(
-        near, [&](const std::string& number) { return order_of(number) > order_of(unknown); });
+    const auto after =
+        std::ranges::find_if(near, [&](const std::string& number) { return order_of(number) > order_of(unknown); });
     const auto centre = static_cast<std::size_t>(after - near.begin());
     const std::size_t first = std::min(centre > kMost / 2 ? centre - kMost / 2 : 0, near.size() - kMost);
-    near = {near.begin() + static_cast<std::ptrdiff_t>(first), near.begin() + static_cast<std::ptrdiff_t>(first + kMost)};
+    near = {near.begin() + static_cast<std::ptrdiff_t>(first),
+            near.begin() + static_cast<std::ptrdiff_t>(first + kMost)};
   }
   if (near.empty()) {
     const config::Suggestion one = config::suggest(unknown, known);

@@ -9,18 +9,18 @@
 namespace farrier::thesis {
 
 // One file per chapter or group of figures gives its studies here.
-std::span<const Study> chapter4_step();        // 4.1
-std::span<const Study> chapter4_models();      // 4.2 to 4.5
-std::span<const Study> chapter4_points();      // 4.6, 4.7
-std::span<const Study> chapter4_loads();       // 4.8 to 4.10, A.2
-std::span<const Study> chapter6_signals();     // 6.1 to 6.5, C.1, C.2
-std::span<const Study> chapter6_forgetting();  // 6.6, 6.7
-std::span<const Study> chapter6_table();       // T6.1
-std::span<const Study> chapter7_tracking();    // 7.2, 7.3
-std::span<const Study> chapter7_gain_maps();   // 7.4, 7.5, C.3
-std::span<const Study> chapter7_load_cycle();  // 7.6 to 7.8
-std::span<const Study> chapter7_estimates();   // 7.9, C.4
-std::span<const Study> chapter8();             // 8.9, 8.11
+std::span<const Study> chapter4_step();            // 4.1
+std::span<const Study> chapter4_models();          // 4.2 to 4.5
+std::span<const Study> chapter4_points();          // 4.6, 4.7
+std::span<const Study> chapter4_loads();           // 4.8 to 4.10, A.2
+std::span<const Study> chapter6_signals();         // 6.1 to 6.5, C.1, C.2
+std::span<const Study> chapter6_forgetting();      // 6.6, 6.7
+std::span<const Study> chapter6_table();           // T6.1
+std::span<const Study> chapter7_tracking();        // 7.2, 7.3
+std::span<const Study> chapter7_gain_maps();       // 7.4, 7.5, C.3
+std::span<const Study> chapter7_load_cycle();      // 7.6 to 7.8
+std::span<const Study> chapter7_estimates();       // 7.9, C.4
+std::span<const Study> chapter8();                 // 8.9, 8.11
 std::span<const Study> chapter9_estimates();       // 9.1 to 9.3
 std::span<const Study> chapter9_gates();           // 9.4 to 9.7, G.1, G.2
 std::span<const Study> chapter9_weights();         // 9.8, 9.9, G.3, G.4
@@ -31,7 +31,7 @@ std::span<const Study> chapter9_fixed();           // 1.2, 9.16 to 9.18
 std::span<const Study> chapter9_ramps();           // G.9, G.10
 std::span<const Study> chapter9_identification();  // 9.19 to 9.21
 std::span<const Study> chapter9_pressure();        // 9.22, 9.23
-std::span<const Study> chapter10();            // 10.2
+std::span<const Study> chapter10();                // 10.2
 // Sentences of a section that no figure shows: numbers that begin with S.
 std::span<const Study> section4_sensitivity();  // S4.3
 std::span<const Study> section5_update();       // S5.3, S10.3

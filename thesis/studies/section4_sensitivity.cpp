@@ -19,18 +19,22 @@ constexpr double kPeriod_s = 1e-3;
 
 constexpr ClaimSpec kClaims[] = {
     {"S4.3.opening_most", "4.3.1",
-     "... varying the operating point of the valve results in the most dramatic change. The individual influence of the other three "
+     "... varying the operating point of the valve results in the most dramatic change. The individual influence of "
+     "the other three "
      "operating points is smaller.",
-     "Largest spread of the magnitude, 1 to 1000 Hz, over the valve's full range less that over the position's, the velocity's and the "
+     "Largest spread of the magnitude, 1 to 1000 Hz, over the valve's full range less that over the position's, the "
+     "velocity's and the "
      "load pressure's, the largest: above 0.",
      "dB", Relation::kAtLeast, 0.5},
     {"S4.3.stiffness_less", "4.3.2", "Variations in the spring stiffness, shown in figure A.2, are even less severe.",
-     "Mean spread of the magnitude in dB, 1 to 1000 Hz, over the stiffness's range over that over the friction's: below 1.", "1",
-     Relation::kBelow, 1.0},
+     "Mean spread of the magnitude in dB, 1 to 1000 Hz, over the stiffness's range over that over the friction's: "
+     "below 1.",
+     "1", Relation::kBelow, 1.0},
     {"S4.3.zeros", "4.3.2", "... since the location of zeros is only slightly affected.",
      "Largest way of a zero in the z-plane over the ranges of mass and friction, over that of a pole: a quarter.", "1",
      Relation::kAtMost, 0.25,
-     Refutation{"the zeros of (4.1) are the roots of m_l s^2 + d_l s + C: with 1 kg and 2000 Ns/m one lies at s = -2000 / s, which is z = 0.14, "
+     Refutation{"the zeros of (4.1) are the roots of m_l s^2 + d_l s + C: with 1 kg and 2000 Ns/m one lies at s = "
+                "-2000 / s, which is z = 0.14, "
                 "with 127 kg both lie by z = 1",
                 0.6, 1.2}}};
 
@@ -75,8 +79,8 @@ std::vector<Response> family_of(double plant::OperatingPoint::*value, double low
 }
 
 std::vector<Response> family_of(control::LoadParameter parameter, control::Range range) {
-  return control::responses_to_load(plant::nominal_cylinder(), plant::nominal_load(), plant::nominal_point(1.0), parameter,
-                                    linear_space(range.low, range.high, kSteps), force_grid());
+  return control::responses_to_load(plant::nominal_cylinder(), plant::nominal_load(), plant::nominal_point(1.0),
+                                    parameter, linear_space(range.low, range.high, kSteps), force_grid());
 }
 
 /// Largest distance of any of a load's poles or zeros from the nearest of the nominal load.
@@ -110,29 +114,33 @@ Result<StudyResult> run(const StudyContext&) {
   const auto nominal = sampled_of(plant::nominal_load().mass, plant::nominal_load().damping);
   double zeros = 0.0, poles = 0.0;
   for (const double mass : log_space(control::kMassRange_kg.low, control::kMassRange_kg.high, kSteps)) {
-    for (const double damping : linear_space(control::kDampingRange_Ns_m.low, control::kDampingRange_Ns_m.high, kSteps)) {
+    for (const double damping :
+         linear_space(control::kDampingRange_Ns_m.low, control::kDampingRange_Ns_m.high, kSteps)) {
       const auto system = sampled_of(mass, damping);
       zeros = std::max(zeros, way(control::zeros(system), control::zeros(nominal)));
       poles = std::max(poles, way(control::poles(system), control::poles(nominal)));
     }
   }
   StudyResult result;
-  result.measured = {{"S4.3.opening_most", opening - std::max({position, velocity, load_pressure}),
-                      text_of("opening %.1f, ", opening) + text_of("position %.1f, ", position) +
-                          text_of("velocity %.1f, ", velocity) + text_of("load pressure %.1f dB", load_pressure)},
-                     {"S4.3.stiffness_less", mean(spreads_dB(stiffness)) / mean(spreads_dB(friction)),
-                      text_of("%.2f dB, ", mean(spreads_dB(stiffness))) + text_of("%.2f dB", mean(spreads_dB(friction)))},
-                     {"S4.3.zeros", zeros / poles, text_of("zeros %.2f, ", zeros) + text_of("poles %.2f", poles)}};
+  result.measured = {
+      {"S4.3.opening_most", opening - std::max({position, velocity, load_pressure}),
+       text_of("opening %.1f, ", opening) + text_of("position %.1f, ", position) +
+           text_of("velocity %.1f, ", velocity) + text_of("load pressure %.1f dB", load_pressure)},
+      {"S4.3.stiffness_less", mean(spreads_dB(stiffness)) / mean(spreads_dB(friction)),
+       text_of("%.2f dB, ", mean(spreads_dB(stiffness))) + text_of("%.2f dB", mean(spreads_dB(friction)))},
+      {"S4.3.zeros", zeros / poles, text_of("zeros %.2f, ", zeros) + text_of("poles %.2f", poles)}};
   std::vector<Curve> curves;
   for (std::size_t i = 0; i < openings.size(); ++i) {
     curves.push_back({"", openings[i], 0, static_cast<double>(i) / static_cast<double>(openings.size())});
   }
-  result.pictures = {bode_picture("Load-cell force over the valve's opening, full negative (black) to full positive (yellow)",
-                                  {bode_panels("force (N/A)", force_grid(), curves)})};
+  result.pictures = {
+      bode_picture("Load-cell force over the valve's opening, full negative (black) to full positive (yellow)",
+                   {bode_panels("force (N/A)", force_grid(), curves)})};
   return result;
 }
 
-constexpr Study kStudies[] = {{"S4.3", "Operating point, stiffness and zeros", kClaims, run, "Model (3.51) of Table A.1, continuous; zeros and poles sampled with 1 ms."}};
+constexpr Study kStudies[] = {{"S4.3", "Operating point, stiffness and zeros", kClaims, run,
+                               "Model (3.51) of Table A.1, continuous; zeros and poles sampled with 1 ms."}};
 
 }  // namespace
 }  // namespace section4_sensitivity_studies

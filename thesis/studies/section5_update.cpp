@@ -16,11 +16,17 @@ namespace section5_update_studies {
 namespace {
 
 constexpr ClaimSpec kLogicClaims[] = {
-    {"S5.3.least_designs", "5.3.1", "The advantages of this method (d) are that it minimizes the computational burden ...",
-     "Controllers designed by (d) over the least of (a), (b) and (c), load cycle of Fig. 7.6: at most 1.", "1", Relation::kAtMost, 1.0},
-    {"S5.3.appropriate", "5.3.1", "We give a short reasoning on why method (d) seems to be the most appropriate for our scenario.",
-     "Largest NRMSE of a quarter by (d) over the least of the largest of (a), (b) and (c): 1.1.", "1", Relation::kAtMost, 1.1},
-    {"S5.3.robust", "5.3", "... the controller designed for the previously estimated system will still be able to give satisfactory performance ...",
+    {"S5.3.least_designs", "5.3.1",
+     "The advantages of this method (d) are that it minimizes the computational burden ...",
+     "Controllers designed by (d) over the least of (a), (b) and (c), load cycle of Fig. 7.6: at most 1.", "1",
+     Relation::kAtMost, 1.0},
+    {"S5.3.appropriate", "5.3.1",
+     "We give a short reasoning on why method (d) seems to be the most appropriate for our scenario.",
+     "Largest NRMSE of a quarter by (d) over the least of the largest of (a), (b) and (c): 1.1.", "1",
+     Relation::kAtMost, 1.1},
+    {"S5.3.robust", "5.3",
+     "... the controller designed for the previously estimated system will still be able to give satisfactory "
+     "performance ...",
      "Gains accepted by (d) over estimates looked at: a tenth.", "1", Relation::kAtMost, 0.1}};
 
 Result<StudyResult> run_logics(const StudyContext& context) {
@@ -66,21 +72,27 @@ Result<StudyResult> run_logics(const StudyContext& context) {
   result.measured = {{"S5.3.least_designs", designs / other_designs, designs_text + " by (a) to (d)"},
                      {"S5.3.appropriate", error / other_error, errors_text + " by (a) to (d)"},
                      {"S5.3.robust", accepted, ""}};
-  result.pictures = {{"Update logics on the load cycle: 1 to 4 are (a) to (d)",
-                      2,
-                      {{.title = "", .x_label = "logic", .y_label = "controllers designed", .log_y = true, .series = {std::move(work)}},
-                       {.title = "", .x_label = "logic", .y_label = "NRMSE", .log_y = true, .series = {std::move(quality)}}}}};
+  result.pictures = {
+      {"Update logics on the load cycle: 1 to 4 are (a) to (d)",
+       2,
+       {{.title = "",
+         .x_label = "logic",
+         .y_label = "controllers designed",
+         .log_y = true,
+         .series = {std::move(work)}},
+        {.title = "", .x_label = "logic", .y_label = "NRMSE", .log_y = true, .series = {std::move(quality)}}}}};
   return result;
 }
 
 constexpr const char* kSwitch =
-    "The adaptive controller behavior shall be stable and robust against switching dynamics, that is, when the robot switches from a "
+    "The adaptive controller behavior shall be stable and robust against switching dynamics, that is, when the robot "
+    "switches from a "
     "stance phase to a flight phase.";
 
-constexpr ClaimSpec kSwitchClaims[] = {
-    aim({"S10.3.dwell", "10.3", kSwitch,
-         "Largest dwell time that a joint of hyq.yaml needs between the gains stored for its phases, over its shortest phase: 1.", "1",
-         Relation::kAtMost, 1.0})};
+constexpr ClaimSpec kSwitchClaims[] = {aim({"S10.3.dwell", "10.3", kSwitch,
+                                            "Largest dwell time that a joint of hyq.yaml needs between the gains "
+                                            "stored for its phases, over its shortest phase: 1.",
+                                            "1", Relation::kAtMost, 1.0})};
 
 Result<StudyResult> run_switch(const StudyContext& context) {
   const auto hyq = FARRIER_TRY(load(context, "hyq.yaml"));
@@ -89,28 +101,32 @@ Result<StudyResult> run_switch(const StudyContext& context) {
   double common = 0.0, longest = 0.0;
   for (const robot::Joint& joint : hyq.joints) {
     const auto design = [&](const plant::LoadParams& load_of) {
-      return control::design_lqr(robot::model_of(joint, load_of, hyq.period_s), joint.design.weights, joint.normalisation,
-                                 joint.form, delay);
+      return control::design_lqr(robot::model_of(joint, load_of, hyq.period_s), joint.design.weights,
+                                 joint.normalisation, joint.form, delay);
     };
     const auto stance = design(joint.stance_load);
     const auto swing = design(joint.swing_load);
     if (!stance || !swing) {
       return Error{joint.name + ": no gains for one of its phases"};
     }
-    const control::SwitchingVerdict verdict = control::switching_verdict(stance.value().model, stance.value(),
-                                                                         swing.value().model, swing.value(), delay);
+    const control::SwitchingVerdict verdict =
+        control::switching_verdict(stance.value().model, stance.value(), swing.value().model, swing.value(), delay);
     common += verdict.common ? 1.0 : 0.0;
     longest = std::max(longest, static_cast<double>(verdict.dwell_ticks));
   }
   StudyResult result;
   result.measured = {{"S10.3.dwell", longest / shortest,
-                      text_of("%.0f ticks of ", longest) + text_of("%.0f; a common quadratic Lyapunov function: ", shortest) +
+                      text_of("%.0f ticks of ", longest) +
+                          text_of("%.0f; a common quadratic Lyapunov function: ", shortest) +
                           text_of("%.0f joints", common)}};
   return result;
 }
 
-constexpr Study kStudies[] = {{"S5.3", "The four update logics", kLogicClaims, run_logics, "fc1d.yaml on the load cycle of Fig. 7.6: noise, probed valve, xi = 14, estimator and thresholds of the file."},
-                              {"S10.3", "Switching between stance and flight", kSwitchClaims, run_switch, "hyq.yaml, gains for its stance and swing loads, lock-step clock."}};
+constexpr Study kStudies[] = {
+    {"S5.3", "The four update logics", kLogicClaims, run_logics,
+     "fc1d.yaml on the load cycle of Fig. 7.6: noise, probed valve, xi = 14, estimator and thresholds of the file."},
+    {"S10.3", "Switching between stance and flight", kSwitchClaims, run_switch,
+     "hyq.yaml, gains for its stance and swing loads, lock-step clock."}};
 
 }  // namespace
 }  // namespace section5_update_studies

@@ -22,15 +22,20 @@ constexpr double kLength_s = 0.25;
 constexpr std::uint64_t kRuns = 9;
 
 constexpr ClaimSpec kClaims[] = {
-    fails("samples of a held input and the whole state do not alias (docs/errata.md, 6.3.1), and the error left is the plant's nonlinearity, "
+    fails("samples of a held input and the whole state do not alias (docs/errata.md, 6.3.1), and the error left is the "
+          "plant's nonlinearity, "
           "which a run of 0.25 s shows as well at either rate",
           {"S6.3.sampling", "6.3.1",
-           "Hence, doubling the current sampling frequency of 1000 Hz might improve the estimation performance in general.",
-           "Median error of the magnitude, 1 to 450 Hz, of least squares on 0.25 s of white noise at 1.05 kg, sampled at 2 kHz over that at "
+           "Hence, doubling the current sampling frequency of 1000 Hz might improve the estimation performance in "
+           "general.",
+           "Median error of the magnitude, 1 to 450 Hz, of least squares on 0.25 s of white noise at 1.05 kg, sampled "
+           "at 2 kHz over that at "
            "1 kHz: below 1.",
            "1", Relation::kBelow, 1.0}),
-    {"S6.3.noise_needs_memory", "6.3.3", "... the forgetting factor needs to be increased in order to reduce the influence of the noise ...",
-     "Mean error after a change to 105 kg, noise of fc1d.yaml, with 0.9 over that with 0.8: below 1.", "1", Relation::kBelow, 1.0},
+    {"S6.3.noise_needs_memory", "6.3.3",
+     "... the forgetting factor needs to be increased in order to reduce the influence of the noise ...",
+     "Mean error after a change to 105 kg, noise of fc1d.yaml, with 0.9 over that with 0.8: below 1.", "1",
+     Relation::kBelow, 1.0},
     {"S6.3.compromise", "6.3.3", "... a good compromise was found by using a forgetting factor of 0.9.",
      "The same with 0.9 over the least with 0.8, 0.85 and 0.98: 1.1.", "1", Relation::kAtMost, 1.1}};
 
@@ -58,7 +63,8 @@ double sampled_error_dB(double period_s, std::uint64_t seed) {
     answers.row(i) = state().transpose();
   }
   const Eigen::MatrixXd theta = regressors.colPivHouseholderQr().solve(answers);
-  control::SingleInOut<3> model{theta.topRows(3).transpose(), theta.row(3).transpose(), Eigen::RowVector3d::UnitZ(), 0.0, period_s};
+  control::SingleInOut<3> model{theta.topRows(3).transpose(), theta.row(3).transpose(), Eigen::RowVector3d::UnitZ(),
+                                0.0, period_s};
   const auto truth = control::sampled(
       control::load_cell_system(cylinder, load, plant::nominal_point(0.0), plant::Output::kLoadCellForce), period_s);
   const double factor = cylinder.valve_current_max_A / plant::kNominalForce_N;
@@ -106,16 +112,20 @@ Result<StudyResult> run(const StudyContext& context) {
   }
   const std::vector<double> errors = series.y;
   StudyResult result;
-  result.measured = {{"S6.3.sampling", at_2_kHz / at_1_kHz, text_of("%.2f dB, ", at_2_kHz) + text_of("%.2f dB", at_1_kHz)},
-                     {"S6.3.noise_needs_memory", errors[2] / errors[0], text},
-                     {"S6.3.compromise", errors[2] / std::min({errors[0], errors[1], errors[3]}), ""}};
-  result.pictures = {{"Error of least squares with the noise of fc1d.yaml after a change to 105 kg",
-                      1,
-                      {{.title = "", .x_label = "forgetting factor", .y_label = "mean error (dB)", .series = {std::move(series)}}}}};
+  result.measured = {
+      {"S6.3.sampling", at_2_kHz / at_1_kHz, text_of("%.2f dB, ", at_2_kHz) + text_of("%.2f dB", at_1_kHz)},
+      {"S6.3.noise_needs_memory", errors[2] / errors[0], text},
+      {"S6.3.compromise", errors[2] / std::min({errors[0], errors[1], errors[3]}), ""}};
+  result.pictures = {
+      {"Error of least squares with the noise of fc1d.yaml after a change to 105 kg",
+       1,
+       {{.title = "", .x_label = "forgetting factor", .y_label = "mean error (dB)", .series = {std::move(series)}}}}};
   return result;
 }
 
-constexpr Study kStudies[] = {{"S6.3", "Sampling rate and forgetting with noise", kClaims, run, "Joint of Table A.1, white noise of 5 % at the valve, no sensor noise at 1.05 kg, noise of fc1d.yaml at 105 kg; medians of nine runs."}};
+constexpr Study kStudies[] = {{"S6.3", "Sampling rate and forgetting with noise", kClaims, run,
+                               "Joint of Table A.1, white noise of 5 % at the valve, no sensor noise at 1.05 kg, noise "
+                               "of fc1d.yaml at 105 kg; medians of nine runs."}};
 
 }  // namespace
 }  // namespace section6_sampling_studies

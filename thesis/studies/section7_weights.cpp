@@ -18,20 +18,27 @@ constexpr double kRun_s = 2.0, kSettled_s = 0.5, kStep_s = 0.1;
 constexpr double kMore = 100.0;  // times the weight
 
 constexpr ClaimSpec kWeightClaims[] = {
-    {"S7.2.velocity", "7.2.3", "... the velocity of the cylinder is allowed to be increased to give better force tracking.",
-     "Tracking error of the multisine with a hundred times the velocity's weight over that with (7.9): 1.25 or more.", "1",
-     Relation::kAtLeast, 1.25},
-    fails("a tenth and a hundredth of the weight track the multisine better, 0.07 of the reference in place of 0.14: the integral's weight and "
+    {"S7.2.velocity", "7.2.3",
+     "... the velocity of the cylinder is allowed to be increased to give better force tracking.",
+     "Tracking error of the multisine with a hundred times the velocity's weight over that with (7.9): 1.25 or more.",
+     "1", Relation::kAtLeast, 1.25},
+    fails("a tenth and a hundredth of the weight track the multisine better, 0.07 of the reference in place of 0.14: "
+          "the integral's weight and "
           "xi then rule the loop. With a thousandth there is no stable loop; a step is tracked alike with all",
           {"S7.2.force", "7.2.3",
-           "The weight on the force channel ... is several magnitudes higher ... since we are particularly interested in good force tracking.",
+           "The weight on the force channel ... is several magnitudes higher ... since we are particularly interested "
+           "in good force tracking.",
            "The same with a hundredth of the force's weight: 1.25 or more.", "1", Relation::kAtLeast, 1.25}),
     {"S7.2.input", "7.2.3",
-     "... the weight for the input energy was increased with the goal of minimizing the occurrence of controller outputs reaching the "
+     "... the weight for the input energy was increased with the goal of minimizing the occurrence of controller "
+     "outputs reaching the "
      "actuator limits.",
-     "Share of 0.2 s after a step of 400 N in which the valve is full open, with a thousand times R over that with (7.10): 0.75.", "1",
-     Relation::kAtMost, 0.75},
-    {"S7.2.integrator", "7.2.3", "The weighting for the integrator state and its additional gain were tuned to give zero steady-state tracking error.",
+     "Share of 0.2 s after a step of 400 N in which the valve is full open, with a thousand times R over that with "
+     "(7.10): 0.75.",
+     "1", Relation::kAtMost, 0.75},
+    {"S7.2.integrator", "7.2.3",
+     "The weighting for the integrator state and its additional gain were tuned to give zero steady-state tracking "
+     "error.",
      "Mean error at the end of a step of 400 N, over the step: 0.02.", "1", Relation::kAtMost, 0.02}};
 
 double end_error(const RigTrace& run, double to_N) {
@@ -86,11 +93,13 @@ Result<StudyResult> run_weights(const StudyContext& context) {
   const double nominal_A = rig.joints[0].normalisation.current_A;
   const double error = tracking_error(usual, kSettled_s, kRun_s);
   StudyResult result;
-  result.measured = {{"S7.2.velocity", tracking_error(slow, kSettled_s, kRun_s) / error, text_of("with (7.9) %.3f", error)},
-                     {"S7.2.force", tracking_error(weak, kSettled_s, kRun_s) / error, ""},
-                     {"S7.2.input", full_open(dear_step, nominal_A) / full_open(cheap_step, nominal_A), ""},
-                     {"S7.2.integrator", end_error(cheap_step, 400.0), ""}};
-  result.pictures = {{"Multisine with (7.9), with a heavy velocity and with a light force", 1,
+  result.measured = {
+      {"S7.2.velocity", tracking_error(slow, kSettled_s, kRun_s) / error, text_of("with (7.9) %.3f", error)},
+      {"S7.2.force", tracking_error(weak, kSettled_s, kRun_s) / error, ""},
+      {"S7.2.input", full_open(dear_step, nominal_A) / full_open(cheap_step, nominal_A), ""},
+      {"S7.2.integrator", end_error(cheap_step, 400.0), ""}};
+  result.pictures = {{"Multisine with (7.9), with a heavy velocity and with a light force",
+                      1,
                       {force_panel("(7.9)", usual), force_panel("a hundred times the velocity's weight", slow),
                        force_panel("a hundredth of the force's weight", weak)}}};
   return result;
@@ -100,11 +109,14 @@ Result<StudyResult> run_weights(const StudyContext& context) {
 
 constexpr ClaimSpec kNormalisedClaims[] = {
     {"S8.2.normalised", "8.2.2",
-     "... using normalization for both the estimator and controller greatly improve the numerical stability of this iterative approach.",
-     "Error of the gain that (8.1) leaves after 1000 steps in SI units, over that with normalised states, the same weights in both: ten or "
+     "... using normalization for both the estimator and controller greatly improve the numerical stability of this "
+     "iterative approach.",
+     "Error of the gain that (8.1) leaves after 1000 steps in SI units, over that with normalised states, the same "
+     "weights in both: ten or "
      "more.",
      "1", Relation::kAtLeast, 10.0,
-     Refutation{"a change of units is a similarity under which (8.1) goes through the same matrices, and the only inverse in it is that of "
+     Refutation{"a change of units is a similarity under which (8.1) goes through the same matrices, and the only "
+                "inverse in it is that of "
                 "a number, B'SB + R: nothing in it becomes ill-conditioned",
                 0.0, 5.0}}};
 
@@ -150,8 +162,11 @@ Result<StudyResult> run_normalised(const StudyContext& context) {
   return result;
 }
 
-constexpr Study kStudies[] = {{"S7.2", "Influence of the weights", kWeightClaims, run_weights, "fc1d.yaml with its noise, full-state LQR, xi = 6, multisine of 160 N and step of 400 N."},
-                              {"S8.2", "Normalisation and the Riccati iteration", kNormalisedClaims, run_normalised, "fc1d.yaml, 2.5 kg, full state, weights (7.9) and (7.10), double precision."}};
+constexpr Study kStudies[] = {
+    {"S7.2", "Influence of the weights", kWeightClaims, run_weights,
+     "fc1d.yaml with its noise, full-state LQR, xi = 6, multisine of 160 N and step of 400 N."},
+    {"S8.2", "Normalisation and the Riccati iteration", kNormalisedClaims, run_normalised,
+     "fc1d.yaml, 2.5 kg, full state, weights (7.9) and (7.10), double precision."}};
 
 }  // namespace
 }  // namespace section7_weights_studies

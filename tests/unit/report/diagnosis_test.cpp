@@ -48,9 +48,7 @@ class DiagnosisReport : public testing::OwnFolder {
     add_diagnosis(made.figures, result(d));
     return made;
   }
-  nlohmann::json json(const Diagnosis& d) const {
-    return nlohmann::json::parse(diagnosis_json(result(d), outcome(d)));
-  }
+  nlohmann::json json(const Diagnosis& d) const { return nlohmann::json::parse(diagnosis_json(result(d), outcome(d))); }
   std::string console(const Diagnosis& d) const { return diagnosis_console(result(d)); }
 
   /// The experiment and the pair it is for.
@@ -128,8 +126,8 @@ TEST_F(DiagnosisReport, RotaryJointsHaveTheirOwnNamesAndUnits) {
   const ShownEffect effect = shown(testing::two_effects()[0], hip);
   EXPECT_EQ(effect.numbers[0].name, "coulomb_Nm");
   EXPECT_EQ(effect.numbers[0].unit, "Nm");
-  EXPECT_NEAR(effect.numbers[0].value,
-              0.02 * plant::Scales(hip.actuator, hip.swing_load).of(plant::Scale::kForce), 1e-9);
+  EXPECT_NEAR(effect.numbers[0].value, 0.02 * plant::Scales(hip.actuator, hip.swing_load).of(plant::Scale::kForce),
+              1e-9);
 }
 
 TEST_F(DiagnosisReport, AnIntervalStaysWithinWhatItsParameterMayBe) {
@@ -170,8 +168,7 @@ TEST_F(DiagnosisReport, JsonHasTheGainOfControlWhereItWasMeasured) {
   EXPECT_EQ(with.figures.find("diagnose.control.new_nrmse")->value, 0.05);
   EXPECT_EQ(with.figures.find("diagnose.control.ratio")->value, 2.0);
   const auto j = nlohmann::json::parse(diagnosis_json(measured, with));
-  EXPECT_EQ(j["control"],
-            nlohmann::json::parse(R"({"effect": "load_friction", "old_nrmse": 0.1, "new_nrmse": 0.05})"));
+  EXPECT_EQ(j["control"], nlohmann::json::parse(R"({"effect": "load_friction", "old_nrmse": 0.1, "new_nrmse": 0.05})"));
   EXPECT_NE(diagnosis_console(measured).find("force control that knows load_friction: NRMSE 0.1 before, 0.05 after"),
             std::string::npos);
 }

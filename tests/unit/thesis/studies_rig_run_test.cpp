@@ -99,7 +99,8 @@ TEST(Bode, ComparesWithinAFrequencyRange) {
 
 TEST(GainMap, SaysHowAGainGoesOverAnAxis) {
   Map map{{"first", {1.0, 2.0, 3.0}, {}}, {"second", {1.0, 2.0}, {}}, {}};
-  map.k = {{{0.0, -1.0, 5.0}, {0.0, -1.0, 5.0}}, {{0.0, -2.0, 5.0}, {0.0, -2.0, 5.0}}, {{0.0, -4.0, 5.0}, {0.0, -1.5, 5.0}}};
+  map.k = {
+      {{0.0, -1.0, 5.0}, {0.0, -1.0, 5.0}}, {{0.0, -2.0, 5.0}, {0.0, -2.0, 5.0}}, {{0.0, -4.0, 5.0}, {0.0, -1.5, 5.0}}};
   EXPECT_DOUBLE_EQ(rising(map, kVelocity), 0.75);
   EXPECT_DOUBLE_EQ(change(map, kVelocity, 0), 0.75);
   EXPECT_DOUBLE_EQ(change(map, kVelocity, 1), 0.25);
