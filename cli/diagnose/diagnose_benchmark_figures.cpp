@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "diagnosis/judge/confidence.hpp"
+#include "diagnosis/confidence/confidence.hpp"
 #include "trials/blind/calibration.hpp"
 #include "trials/blind/score.hpp"
 

@@ -53,9 +53,10 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
          "the robots with an alarm; --trials counts robots, 0: 300")
       ->needs("--benchmark");
   auto* const calibrate =
-      app.add_option("--calibrate", o.calibration_path,
-                     "--benchmark fits the map of confidences to its trials and writes it, as "
-                     "lib/diagnosis/judge/confidence_hydraulic.def; its --seed is 100001 unless told, and not lower")
+      app.add_option(
+             "--calibrate", o.calibration_path,
+             "--benchmark fits the map of confidences to its trials and writes it, as "
+             "lib/diagnosis/confidence/confidence_hydraulic.def; its --seed is 100001 unless told, and not lower")
           ->type_name("<file>")
           ->needs("--benchmark")
           ->excludes("--healthy");

@@ -8,7 +8,7 @@ namespace farrier::report {
 struct Remedy {
   const char* effect;  ///< name of the effect
   const char* part;    ///< of the machine: "valve", "load cell"
-  const char* check;   ///< what to look at or to mend, a sentence or two
+  const char* check;   ///< what to look at or to repair, a sentence or two
 };
 
 /// Advice on any effect that a diagnosis may name.

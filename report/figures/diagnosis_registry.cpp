@@ -97,6 +97,12 @@ constexpr std::array kDiagnosisSpecs{
     FigureSpec{"diagnose.healthy.alarms_high", "1", kNone,
                "Upper end of the 95 % interval of the share of robots with an alarm (Wilson 1927)."},
     FigureSpec{"diagnose.healthy.median_s", "s", kNone, "Processor time of one joint's diagnosis, median."},
+    // trial hide --controllers
+    FigureSpec{"hide.controllers.seeds", "1", kNone, "trial hide --controllers: effects that were hidden, one at a time."},
+    FigureSpec{"hide.controllers.same_name", "1", kAtLeast,
+               "Of them: the same effect is named first under all kinds of controllers."},
+    FigureSpec{"hide.controllers.size_spread", "1", kAtMost,
+               "Largest difference of its sizes under two controllers over their mean, the worst of these."},
 };
 // clang-format on
 

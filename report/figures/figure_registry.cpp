@@ -172,12 +172,6 @@ constexpr std::array kSpecs{
     FigureSpec{"hide.nrmse_known", "1", kAtMost,
                "The same with what was found in the robot file of everybody, or known to nobody where nothing was found."},
 
-    FigureSpec{"hide.controllers.seeds", "1", kNone, "trial hide --controllers: effects that were hidden, one at a time."},
-    FigureSpec{"hide.controllers.same_name", "1", kAtLeast,
-               "Of them: the same effect is named first under all kinds of controllers."},
-    FigureSpec{"hide.controllers.size_spread", "1", kAtMost,
-               "Largest difference of its sizes under two controllers over their mean, the worst of these."},
-
     FigureSpec{"bench.lockstep.<vendor>.ticks_per_s", "1/s", kNone, "Ticks per second of a robot in lock-step over this vendor."},
     FigureSpec{"bench.lockstep.<vendor>.bare_ticks_per_s", "1/s", kNone,
                "Ticks per second of the bare vendor: the same samples between the same processes, nothing computed."},

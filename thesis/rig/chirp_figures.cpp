@@ -114,6 +114,26 @@ std::vector<Span> open_spans(const ChirpEstimates& run, std::size_t shortest) {
   return spans;
 }
 
+std::string spans_text(const std::vector<Span>& spans) {
+  std::string text = "open from sample";
+  for (const Span& span : spans) {
+    text += text_of(" %.0f", static_cast<double>(span.begin)) + text_of(" to %.0f,", static_cast<double>(span.end));
+  }
+  return text;
+}
+
+double open_share(const ChirpEstimates& run) {
+  double peaks = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < run.models.size(); ++i) {
+    if (run.learning[i]) {
+      peaks += has_fictive_peak(run.models[i], run.period_s) ? 1.0 : 0.0;
+      count += 1.0;
+    }
+  }
+  return count > 0.0 ? peaks / count : 0.0;
+}
+
 std::vector<Panel> estimates_panels(const std::string& title, const ChirpEstimates& run) {
   constexpr std::size_t kDrawn = 40;
   std::vector<Curve> curves;
@@ -138,7 +158,9 @@ Picture forgetting_picture(const std::string& caption, const ChirpEstimates& run
     for (const Eigen::Vector3d& lambda : run.forgetting) {
       series.y.push_back(lambda(row));
     }
-    picture.panels.push_back({.title = kNames[row], .x_label = "time (s)", .y_label = "forgetting factor (1)",
+    picture.panels.push_back({.title = kNames[row],
+                              .x_label = "time (s)",
+                              .y_label = "forgetting factor (1)",
                               .series = {std::move(series)}});
   }
   return picture;

@@ -31,6 +31,10 @@ struct Span {
   std::size_t begin, end;
 };
 std::vector<Span> open_spans(const ChirpEstimates& run, std::size_t shortest = 1);
+/// "open from sample 3000 to 3650,", for a note.
+std::string spans_text(const std::vector<Span>& spans);
+/// Share of the estimates taken while the gate was open that have a fictive peak.
+double open_share(const ChirpEstimates& run);
 
 /// Magnitude and phase over frequency: estimates from black to yellow, the last one green, the first purple, nominal
 /// blue.

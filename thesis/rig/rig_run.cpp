@@ -194,6 +194,31 @@ double lag_deg(const RigTrace& run, double frequency_Hz, double from_s) {
   return range.end > range.begin ? -std::atan2(quadrature, in_phase) * 180.0 / std::numbers::pi : kNothing;
 }
 
+double mean(const RigTrace& run, const std::vector<double>& values, double from_s, double to_s) {
+  double sum = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (run.time_s[i] >= from_s && run.time_s[i] < to_s) {
+      sum += values[i];
+      count += 1.0;
+    }
+  }
+  return sum / count;
+}
+
+double standing(const RigTrace& run, double from_s, double to_s) {
+  constexpr double kStanding_m_s = 1e-3;
+  double still = 0.0;
+  double count = 0.0;
+  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
+    if (run.time_s[i] >= from_s && run.time_s[i] < to_s) {
+      still += std::abs(run.velocity_m_s[i]) < kStanding_m_s ? 1.0 : 0.0;
+      count += 1.0;
+    }
+  }
+  return still / count;
+}
+
 double ripple(const RigTrace& run, const std::vector<double>& values, double window_s, double from_s, double to_s) {
   const auto half = static_cast<std::size_t>(std::max(1.0, std::round(0.5 * window_s / run.period_s)));
   std::vector<double> total(values.size() + 1, 0.0);

@@ -74,6 +74,10 @@ double rms(const RigTrace& run, const std::vector<double>& values, double from_s
 double tracking_error(const RigTrace& run, double from_s, double to_s);
 /// Lag of the force behind a sine reference of that frequency, degrees, over whole periods from from_s on.
 double lag_deg(const RigTrace& run, double frequency_Hz, double from_s);
+/// Mean of the values within [from_s, to_s).
+double mean(const RigTrace& run, const std::vector<double>& values, double from_s, double to_s);
+/// Share of the time within [from_s, to_s) in which the piston stands: slower than the Stribeck velocity's tenth.
+double standing(const RigTrace& run, double from_s, double to_s);
 /// RMS of the difference to the mean over `window_s` centred: what is quicker than the window.
 double ripple(const RigTrace& run, const std::vector<double>& values, double window_s, double from_s, double to_s);
 

@@ -27,14 +27,6 @@ Result<ChirpEstimates> run_gate(const StudyContext& context, GateKind gate) {
   return run_gate(rig, context, gate);
 }
 
-std::string spans_text(const std::vector<Span>& spans) {
-  std::string text = "open from sample";
-  for (const Span& span : spans) {
-    text += text_of(" %.0f", static_cast<double>(span.begin)) + text_of(" to %.0f,", static_cast<double>(span.end));
-  }
-  return text;
-}
-
 /// Mean over the ticks within [from, to) of a value.
 template <class Value>
 double mean(std::size_t from, std::size_t to, const Value& value) {
@@ -58,19 +50,6 @@ constexpr ClaimSpec kMethodClaims[] = {
      "1", Relation::kBelow, 1.0},
     {"9.4.fft_better", "Fig. 9.4", "... however, the simpler FFT method on the right performs even better.",
      "The same share of the FFT gate less that of the PE gate: at most 0.", "1", Relation::kAtMost, 0.0}};
-
-/// Share of the estimates taken while the gate was open that have a fictive peak.
-double open_share(const ChirpEstimates& run) {
-  double peaks = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i < run.models.size(); ++i) {
-    if (run.learning[i]) {
-      peaks += has_fictive_peak(run.models[i], run.period_s) ? 1.0 : 0.0;
-      count += 1.0;
-    }
-  }
-  return count > 0.0 ? peaks / count : 0.0;
-}
 
 Result<StudyResult> run_methods(const StudyContext& context) {
   std::vector<ChirpEstimates> runs;

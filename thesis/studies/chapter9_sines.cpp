@@ -14,7 +14,6 @@ namespace {
 using control::Form;
 
 constexpr double kSettled_s = 1.0, kRun_s = 5.0;
-
 struct Sine {
   double amplitude_N, frequency_Hz;
 };

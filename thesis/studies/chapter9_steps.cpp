@@ -56,18 +56,6 @@ double settled_s(const RigTrace& run, double from_N, double to_N) {
   return last - kStep_s;
 }
 
-double mean(const RigTrace& run, const std::vector<double>& values, double from_s, double to_s) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (run.time_s[i] >= from_s && run.time_s[i] < to_s) {
-      sum += values[i];
-      count += 1.0;
-    }
-  }
-  return sum / count;
-}
-
 double steady_error(const RigTrace& run, double from_N, double to_N) {
   return std::abs(mean(run, run.force_N, kRun_s - 0.2, kRun_s) - to_N) / std::abs(to_N - from_N);
 }
@@ -106,20 +94,6 @@ double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
 /// Lag of the force behind a chirp about a frequency.
 double chirp_lag_deg(const RigTrace& run, double to_Hz, double frequency_Hz) {
   return -degrees(std::arg(chirp_phasor(run, run.force_N, to_Hz, frequency_Hz)));
-}
-
-/// Share of the time within [from_s, to_s) in which the piston stands: slower than the Stribeck velocity's tenth.
-double standing(const RigTrace& run, double from_s, double to_s) {
-  constexpr double kStanding_m_s = 1e-3;
-  double still = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
-    if (run.time_s[i] >= from_s && run.time_s[i] < to_s) {
-      still += std::abs(run.velocity_m_s[i]) < kStanding_m_s ? 1.0 : 0.0;
-      count += 1.0;
-    }
-  }
-  return still / count;
 }
 
 constexpr const char* kOvershoot =

@@ -111,8 +111,8 @@ diagnosis::ConfidenceMap logistic(std::vector<Example> examples, double ridge) {
   return map;
 }
 
-/// Sets what 95 % intervals need to cover 95 % of these sizes: of a few shares of the distance from neutral, added to the
-/// deviation of a fit, the one with the narrowest intervals in the mean of their logarithms.
+/// Widens 95 % intervals until they cover 95 % of these sizes. A share of the distance from neutral is added to the
+/// deviation of a fit: of a few shares the one with the narrowest intervals, in the mean of their logarithms.
 void cover(diagnosis::ConfidenceMap& map, const std::vector<Outcome>& outcomes) {
   std::vector<const Named*> sizes;
   for (const Outcome& outcome : outcomes) {

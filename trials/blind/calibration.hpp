@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/judge/confidence.hpp"
+#include "diagnosis/confidence/confidence.hpp"
 #include "trials/blind/blind_trials.hpp"
 
 namespace farrier::blind {
@@ -43,7 +43,7 @@ Coverage coverage_of(const std::vector<Outcome>& outcomes);
 /// Empty if they have no wrong name or no right one.
 std::optional<diagnosis::ConfidenceMap> fitted_map(const std::vector<Outcome>& outcomes);
 
-/// The map as lib/diagnosis/judge/confidence_*.def has it, after a comment with its source.
+/// The map as lib/diagnosis/confidence/confidence_*.def has it, after a comment with its source.
 std::string map_text(const diagnosis::ConfidenceMap& map, const std::string& source);
 
 }  // namespace farrier::blind

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "diagnosis/judge/confidence.hpp"
+#include "diagnosis/confidence/confidence.hpp"
 #include "diagnosis/judge/hypothesis.hpp"
 #include "diagnosis/judge/remainder.hpp"
 

@@ -56,7 +56,7 @@ class WiringJudge {
   Unexplained judge(const WiringHypothesis& hypothesis) const;
   const Unexplained& without_fault() const noexcept { return none_; }
 
-  /// Sum of the logarithms of unexplained over the laws that show best by how many samples `channel` lags: sensors have no
+  /// Sum of the logarithms of unexplained over the laws that show best by how many samples `channel` lags. Sensors have no
   /// lag of their own in it, so that a lag of samples is not taken for one of a filter. kPressureA: of both pressures.
   double misfit_of_lag(WiredChannel channel, const WiringHypothesis& hypothesis) const;
 

@@ -1,4 +1,4 @@
-#include "diagnosis/judge/confidence.hpp"
+#include "diagnosis/confidence/confidence.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@ namespace farrier::diagnosis {
 namespace {
 
 constexpr ConfidenceMap kHydraulic =
-#include "diagnosis/judge/confidence_hydraulic.def"
+#include "diagnosis/confidence/confidence_hydraulic.def"
     ;
 constexpr ConfidenceMap kElectric =
-#include "diagnosis/judge/confidence_electric.def"
+#include "diagnosis/confidence/confidence_electric.def"
     ;
 
 double log_within(double value, double low, double high) noexcept { return std::log(std::clamp(value, low, high)); }
