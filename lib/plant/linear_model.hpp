@@ -54,7 +54,7 @@ struct ChamberPoint {
   double valve_sign = 0.0;       ///< +1, -1, or 0 for the mean of both signs
 };
 
-/// Full model, states (x, v, p_a, p_b): Hubacher (2014) (A.4)-(A.19) with errata in (A.7), (A.13), (A.16). The exact
+/// Full model, states (x, v, p_a, p_b): Hubacher (2014) (A.4)-(A.19) with an erratum in (A.7). The exact
 /// Jacobian of the simulated joint away from end stops and voids: its orifices are laminar below the laminar pressure,
 /// where the thesis's roots have no slope.
 StateSpace<4> linearise_full(const ActuatorParams& actuator, const LoadParams& load, const ChamberPoint& point,

@@ -25,7 +25,8 @@ TEST(ReproduceAll, GivesEveryClaimItsPinnedVerdictOverSevenSeeds) {
   for (const auto& claim : run["claims"]) {
     verdicts.insert(claim["verdict"]);
     studies.insert(claim["figure"]);
-    EXPECT_TRUE(claim["measured"]["value"].is_number()) << claim;
+    // A claim whose value does not exist, such as the frequency of a peak that is not there, fails.
+    EXPECT_TRUE(claim["measured"]["value"].is_number() || claim["verdict"] == "fails") << claim;
     most_seeds = std::max(most_seeds, claim["measured"]["by_seed"].size());
   }
   EXPECT_EQ(most_seeds, 7u);

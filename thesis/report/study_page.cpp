@@ -162,6 +162,12 @@ std::string verdict_heads() {
   return html;
 }
 
+/// A run is judged by the pinned list, which knows claims that fail.
+report::Badge badge_of(const report::Outcome& outcome) {
+  return outcome.passes() ? report::Badge{"verdicts as expected", report::Tone::kGood}
+                          : report::Badge{"verdicts differ from the list", report::Tone::kBad};
+}
+
 /// Claims by kind and verdict, and the meaning of both.
 std::string totals_html(const report::Outcome& outcome) {
   std::string html = "<table><thead><tr><th></th>" + verdict_heads() + "<th></th></tr></thead>\n<tbody>\n";
@@ -229,8 +235,9 @@ std::string summary_html(const report::Outcome& outcome, std::span<const StudyRu
 
 Result<std::string> write_study_page(const std::string& out_dir, const report::Outcome& outcome,
                                      std::span<const StudyRun> runs) {
-  std::string html = report::page_head("Hubacher (2014), reproduced", outcome) + totals_html(outcome) +
-                     failing_html(outcome) + conditions_html(outcome) + summary_html(outcome, runs);
+  std::string html = report::page_head("Hubacher (2014), reproduced", outcome, badge_of(outcome)) +
+                     totals_html(outcome) + failing_html(outcome) + conditions_html(outcome) +
+                     summary_html(outcome, runs);
   for (const StudyRun& run : runs) {
     html += study_html(outcome, run);
   }
