@@ -19,18 +19,13 @@ class UnitCheck {
       : recording_(recording), joint_(joint), rotary_(recording.coordinates == Coordinates::kRotary) {}
 
   std::vector<Finding> check() && {
-    // Chambers of a vane motor have equal areas. So have those of a cylinder with two rods, which this test cannot
-    // distinguish.
-    if (joint_.electric && !rotary_) {
-      findings_.push_back({"wrong_coordinates", 0,
-                           "the file has positions and forces, but joint " + joint_.name +
-                               " is electric; record angle_rad, velocity_rad_s and torque_Nm"});
-      return std::move(findings_);
-    }
-    if (rotary_ && joint_.actuator.area_a != joint_.actuator.area_b) {
-      findings_.push_back({"wrong_coordinates", 0,
-                           "the file has angles and torques, but joint " + joint_.name +
-                               " is moved by a cylinder; record position_m, velocity_m_s and force_N of its piston"});
+    if (!has_coordinates_of(recording_, joint_)) {
+      findings_.push_back(
+          {"wrong_coordinates", 0,
+           joint_.electric ? "the file has positions and forces, but joint " + joint_.name +
+                                 " is electric; record angle_rad, velocity_rad_s and torque_Nm"
+                           : "the file has angles and torques, but joint " + joint_.name +
+                                 " is moved by a cylinder; record position_m, velocity_m_s and force_N of its piston"});
       return std::move(findings_);
     }
     check_position();
@@ -227,6 +222,11 @@ class UnitCheck {
 };
 
 }  // namespace
+
+bool has_coordinates_of(const Recording& recording, const robot::Joint& joint) {
+  const bool rotary = recording.coordinates == Coordinates::kRotary;
+  return joint.electric ? rotary : !rotary || joint.actuator.area_a == joint.actuator.area_b;
+}
 
 std::vector<Finding> check_units(const Recording& recording, const robot::Joint& joint) {
   return recording.position.empty() ? std::vector<Finding>{} : UnitCheck(recording, joint).check();

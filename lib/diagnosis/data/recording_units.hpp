@@ -19,6 +19,10 @@ inline constexpr std::array kPressureUnits{Unit{"bar", 1e-5}, Unit{"megapascals"
                                            Unit{"pounds per square inch", 1.0 / kPascalPerPsi},
                                            Unit{"kilopascals", 1e-3}};
 
+/// False for angles of a cylinder and for positions in metres of an electric joint. Chambers of a vane motor have equal
+/// areas. So have those of a cylinder with two rods, which this test cannot distinguish.
+bool has_coordinates_of(const Recording& recording, const robot::Joint& joint);
+
 /// wrong_coordinates, wrong_units, out_of_range, wrong_sign and inconsistent of check_recording.
 std::vector<Finding> check_units(const Recording& recording, const robot::Joint& joint);
 

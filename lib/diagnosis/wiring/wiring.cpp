@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 
+#include "diagnosis/data/recording_units.hpp"
 #include "diagnosis/data/sample_statistics.hpp"
 
 namespace farrier::diagnosis {
@@ -157,7 +158,7 @@ double share_left(const Unexplained& before, const JudgedFault& fault) {
 std::vector<WiringAnswer> find_wiring(const Recording& recording, const robot::Joint& joint,
                                       std::span<const OtherJoint> others, const WiringRules& rules) {
   std::vector<WiringAnswer> answers;
-  if (recording.position.size() < kFewestSamples) {
+  if (recording.position.size() < kFewestSamples || !has_coordinates_of(recording, joint)) {
     return answers;
   }
   const auto answer = [&](const WiringFault& fault, double confidence, double left) {
