@@ -23,7 +23,7 @@ control::DiscreteModel wrong_model() { return {0.5 * Eigen::Matrix3d::Identity()
 
 template <class Engine>
 control::DiscreteModel model_of(const Engine& engine) {
-  const auto theta = engine.parameters();
+  const auto& theta = engine.parameters();
   return {theta.template leftCols<3>(), theta.col(3)};
 }
 
