@@ -39,13 +39,15 @@ std::vector<Experiment> telling_experiments(const JointSides& sides, const Judge
   const auto* const hydraulic = dynamic_cast<const JointModel*>(&sides);
   std::vector<Experiment> experiments;
   for (std::size_t i = 0; hydraulic != nullptr && i < judgement.alternatives.size(); ++i) {
+    const auto [named, rival] = judgement.alternatives[i];
     Hypothesis chosen = judgement.rivals[i];
-    chosen.effects.back() = judgement.alternatives[i].first;
+    const auto place = std::ranges::find(chosen.effects, rival) - chosen.effects.begin();
+    chosen.effects[static_cast<std::size_t>(place)] = named;
     // Restores the chosen effect with its numbers in place of the rival.
     for (std::size_t half = 0; half < 2; ++half) {
-      auto& effects = chosen.halves[half].model.effects;
       const auto& all = judgement.chosen.halves[half].model.effects;
-      effects.back() = *std::ranges::find(all, chosen.effects.back(), &Model::Effect::id);
+      chosen.halves[half].model.effects[static_cast<std::size_t>(place)] =
+          *std::ranges::find(all, named, &Model::Effect::id);
     }
     experiments.push_back(telling_experiment(*hydraulic, chosen, judgement.rivals[i], noise, 0.5 * stroke));
   }

@@ -7,6 +7,14 @@
 #include "diagnosis/judge/fit_costs.hpp"
 
 namespace farrier::diagnosis {
+namespace {
+
+/// Square of residuals that stands for a simulation without a finite end: more than any recording leaves.
+constexpr double kDiverged = 1e60;
+/// Log ratio of errors by which a fit that goes on may be worse on held-out time.
+constexpr double kNoWorse = 0.02;
+
+}  // namespace
 
 double Hypothesis::total(std::size_t channel) const noexcept {
   return std::accumulate(squares[channel].begin(), squares[channel].end(), 0.0);
@@ -45,15 +53,20 @@ std::array<Span, 2> Bench::halves() const noexcept {
 ChannelMask Bench::closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept {
   for (int pass = 0; pass < 2; ++pass) {
     for (const Model::Effect& effect : effects) {
-      const ChannelMask mine = simulator_.channels(effect.id);
-      if (meet(mask, mine)) {
-        for (std::size_t c = 0; c < kChannels; ++c) {
-          mask[c] = mask[c] || mine[c];
-        }
+      if (const ChannelMask mine = simulator_.channels(effect.id); meet(mask, mine)) {
+        mask = either_of(mask, mine);
       }
     }
   }
   return mask;
+}
+
+ChannelMask Bench::closure_of(const std::vector<plant::EffectId>& added, const Hypothesis& from) const noexcept {
+  ChannelMask shows{};
+  for (const plant::EffectId id : added) {
+    shows = either_of(shows, simulator_.channels(id));
+  }
+  return closure(shows, from.halves[0].model.effects);
 }
 
 FitResult Bench::fit_half(const Hypothesis& from, std::size_t half, const Model& start, const ChannelMask& mask,
@@ -91,7 +104,7 @@ std::vector<double> Bench::block_squares(const Model& model, std::size_t half, s
     for (std::size_t i = from; i < from + block; ++i) {
       sum += error[i] * error[i];
     }
-    squares.push_back(sum);
+    squares.push_back(std::isfinite(sum) ? std::min(sum, kDiverged) : kDiverged);
   }
   return squares;
 }
@@ -163,40 +176,47 @@ Hypothesis Bench::refined(const Hypothesis& from) const {
     again.halves[half] = fit(beside(from), halves()[half], from.halves[half].model, {true, true, true}, options_);
   }
   judge(again, nullptr, {true, true, true});
-  return again;
+  return gain(from, again).log_ratio < -kNoWorse ? from : again;
+}
+
+Bench::Sketch Bench::sketch(const Hypothesis& from, const std::vector<Model::Effect>& start) const {
+  FitOptions quick = options_;
+  quick.most_iterations = 6;
+  quick.tolerance = 1e-2;
+  Sketch sketch{.added = {}, .model = from.halves[0].model, .cost = 0.0, .promise = 0.0};
+  for (const Model::Effect& effect : start) {
+    sketch.added.push_back(effect.id);
+    sketch.model.effects.push_back(effect);
+  }
+  const ChannelMask mask = closure_of(sketch.added, from);
+  FitResult found = fit(beside(from), halves()[0], sketch.model, mask, quick);
+  sketch.model = std::move(found.model);
+  sketch.cost = found.cost;
+  sketch.promise = promise(from, sketch.model, mask);
+  return sketch;
 }
 
 std::optional<Bench::Sketch> Bench::sketch(const Hypothesis& from, plant::EffectId effect,
                                            const std::vector<std::vector<double>>& starts) const {
-  const ChannelMask mask = closure(simulator_.channels(effect), from.halves[0].model.effects);
-  FitOptions quick = options_;
-  quick.most_iterations = 6;
-  quick.tolerance = 1e-2;
-  std::optional<FitResult> best;
+  std::optional<Sketch> best;
   for (const auto& start : starts) {
-    Model model = from.halves[0].model;
-    model.effects.push_back({effect, start});
-    FitResult found = fit(beside(from), halves()[0], model, mask, quick);
+    Sketch found = sketch(from, {{effect, start}});
     if (!best || found.cost < best->cost) {
       best = std::move(found);
     }
   }
-  if (!best) {
-    return std::nullopt;
-  }
-  const double promised = promise(from, best->model, mask);
-  return Sketch{effect, std::move(best->model), promised};
+  return best;
 }
 
 std::optional<Hypothesis> Bench::with(const Hypothesis& from, const Sketch& sketch, double least_gain) const {
   if (sketch.promise < least_gain) {
     return std::nullopt;
   }
-  const ChannelMask mask = closure(simulator_.channels(sketch.effect), from.halves[0].model.effects);
+  const ChannelMask mask = closure_of(sketch.added, from);
   Hypothesis with;
   with.effects = from.effects;
-  with.effects.push_back(sketch.effect);
-  const bool bent = simulator_.bends_force(sketch.effect);
+  std::ranges::copy(sketch.added, std::back_inserter(with.effects));
+  const bool bent = std::ranges::any_of(sketch.added, [this](auto id) { return simulator_.bends_force(id); });
   with.halves[0] = fit_half(from, 0, sketch.model, mask, bent);
   const Model second = start_of_other(with.halves[0].model, from.halves[1].model, mask);
   with.halves[1] = fit_half(from, 1, second, mask, bent);
@@ -249,13 +269,7 @@ Hypothesis Bench::exchanged(const Hypothesis& from, plant::EffectId effect, plan
   Hypothesis changed;
   std::ranges::copy_if(from.effects, std::back_inserter(changed.effects), [effect](auto id) { return id != effect; });
   changed.effects.push_back(other);
-  const auto& effects = from.halves[0].model.effects;
-  const ChannelMask was = simulator_.channels(effect);
-  ChannelMask mask = simulator_.channels(other);
-  for (std::size_t c = 0; c < kChannels; ++c) {
-    mask[c] = mask[c] || was[c];
-  }
-  mask = closure(mask, effects);
+  const ChannelMask mask = closure_of({effect, other}, from);
   const bool bent = simulator_.bends_force(effect) || simulator_.bends_force(other);
   for (std::size_t half = 0; half < 2; ++half) {
     Model model = from.halves[half].model;

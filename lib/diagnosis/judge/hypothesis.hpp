@@ -47,18 +47,21 @@ class Bench {
 
   /// The nominal model, its constants fitted within their band.
   Hypothesis base() const;
-  /// `from` fitted again by the weight of its own residuals.
+  /// `from` fitted again by the weight of its own residuals; `from` itself if that leaves more on held-out time.
   Hypothesis refined(const Hypothesis& from) const;
-  /// An effect beside a hypothesis, fitted to the first half in few steps.
+  /// Effects beside a hypothesis, fitted to the first half in few steps.
   struct Sketch {
-    plant::EffectId effect;
+    std::vector<plant::EffectId> added;
     Model model;
-    double promise;  ///< log ratio of errors that it improves on the second half
+    double cost;     ///< of the fit; infinite if it has no finite simulation
+    double promise;  ///< log ratio of errors that they improve on the second half
   };
   /// Sketches one effect beside `from`, from the best of `starts`; empty without a start.
   std::optional<Sketch> sketch(const Hypothesis& from, plant::EffectId effect,
                                const std::vector<std::vector<double>>& starts) const;
-  /// Adds the sketched effect to `from`. Empty if the sketch promises less than `least_gain` of log ratio, or if a fit
+  /// Sketches effects together beside `from`, which has none of them.
+  Sketch sketch(const Hypothesis& from, const std::vector<Model::Effect>& start) const;
+  /// Adds the sketched effects to `from`. Empty if the sketch promises less than `least_gain` of log ratio, or if a fit
   /// improves its own half by less.
   std::optional<Hypothesis> with(const Hypothesis& from, const Sketch& sketch, double least_gain) const;
   /// Adds an effect to `from` by its numbers in one half: the other half, on which it is not to act, gets the same. Empty
@@ -83,6 +86,8 @@ class Bench {
   std::array<Span, 2> halves() const noexcept;
   /// `mask` and the channels of those effects that reach into it: what must be fitted together.
   ChannelMask closure(ChannelMask mask, const std::vector<Model::Effect>& effects) const noexcept;
+  /// The channels of effects beside `from`, and those that must be fitted with them.
+  ChannelMask closure_of(const std::vector<plant::EffectId>& added, const Hypothesis& from) const noexcept;
 
  private:
   /// Fits `start` to a half. If `bent`, an effect that bends the force between samples has come or gone, and the load's

@@ -85,8 +85,8 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   judgement.base = selection.base();
   selection.grow();
   selection.grow_from_others();
+  selection.grow_from_pairs();
   selection.exchange();
-  selection.compare_rivals();
   judgement.chosen = selection.chosen();
   judgement.rounds = selection.rounds();
   for (const Selection::Tie& tie : selection.ties()) {

@@ -41,9 +41,9 @@ Linearised linearised(const Bench& bench, Span span, const Model& model, Channel
 }
 
 std::vector<FreeNumber> numbers_of_last_effect(const Simulator& simulator, const Model& with,
-                                               const ChannelMask& shows) {
+                                               const ChannelMask& shows, std::size_t count) {
   std::size_t first = kNominals;
-  for (std::size_t i = 0; i + 1 < with.effects.size(); ++i) {
+  for (std::size_t i = 0; i + count < with.effects.size(); ++i) {
     first += with.effects[i].fitted.size();
   }
   std::vector<FreeNumber> numbers = simulator.free_numbers(with, shows, 0.0);

@@ -19,8 +19,9 @@ struct Linearised {
 Linearised linearised(const Bench& bench, Span span, const Model& model, Channel channel,
                       const std::vector<FreeNumber>& free, double unit);
 
-/// Numbers of the last effect of `with` that a fit may change on channels of `shows`.
-std::vector<FreeNumber> numbers_of_last_effect(const Simulator& simulator, const Model& with, const ChannelMask& shows);
+/// Numbers of the last `count` effects of `with` that a fit may change on channels of `shows`.
+std::vector<FreeNumber> numbers_of_last_effect(const Simulator& simulator, const Model& with, const ChannelMask& shows,
+                                               std::size_t count = 1);
 
 /// Least squares step of `free` from their places in `from`. Each number stays within its range. The normal matrix and its
 /// right side, `descent`, come without the weight of priors; that is added to `normal` here.

@@ -25,10 +25,17 @@ Linearised Screening::linearise(const Model& model, Channel channel, const std::
   return linearised(bench_, span_, model, channel, free, unit);
 }
 
-double Screening::predicted_log_ratio(const Model& with, const ChannelMask& shows, const ChannelMask& concerned) const {
+double Screening::predicted_log_ratio(const std::vector<Model::Effect>& effects) const {
   const Simulator& simulator = bench_.simulator();
   const ChannelMask& judged = bench_.fit_data().judged;
-  const std::vector<FreeNumber> added = numbers_of_last_effect(simulator, with, shows);
+  Model with = from_.halves[0].model;
+  ChannelMask shows{};
+  for (const Model::Effect& effect : effects) {
+    with.effects.push_back(effect);
+    shows = either_of(shows, simulator.channels(effect.id));
+  }
+  const ChannelMask concerned = bench_.closure(shows, from_.halves[0].model.effects);
+  const std::vector<FreeNumber> added = numbers_of_last_effect(simulator, with, shows, effects.size());
   const Eigen::Index own = std::ssize(free_);
   const Eigen::Index all = own + std::ssize(added);
   std::array<Linearised, kChannels> parts;
@@ -75,15 +82,25 @@ double Screening::predicted_log_ratio(const Model& with, const ChannelMask& show
 }
 
 Screening::Promise Screening::promise_of(plant::EffectId effect) const {
-  const ChannelMask shows = bench_.simulator().channels(effect);
-  const ChannelMask concerned = bench_.closure(shows, from_.halves[0].model.effects);
   Promise best;
   for (const auto& start : bench_.simulator().starts(effect)) {
-    Model with = from_.halves[0].model;
-    with.effects.push_back({effect, start});
-    const double log_ratio = predicted_log_ratio(with, shows, concerned);
+    const double log_ratio = predicted_log_ratio({{effect, start}});
     if (best.start.empty() || log_ratio > best.log_ratio) {
       best = {start, log_ratio};
+    }
+  }
+  return best;
+}
+
+Screening::PairPromise Screening::promise_of(plant::EffectId one, plant::EffectId other) const {
+  PairPromise best;
+  for (const auto& first : bench_.simulator().starts(one)) {
+    for (const auto& second : bench_.simulator().starts(other)) {
+      std::vector<Model::Effect> start{{one, first}, {other, second}};
+      const double log_ratio = predicted_log_ratio(start);
+      if (best.start.empty() || log_ratio > best.log_ratio) {
+        best = {std::move(start), log_ratio};
+      }
     }
   }
   return best;

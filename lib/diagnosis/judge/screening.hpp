@@ -22,10 +22,18 @@ class Screening {
   };
   /// The most promising start of an effect that the hypothesis does not have.
   Promise promise_of(plant::EffectId effect) const;
+  /// Starts of two effects that the hypothesis does not have, the most promising together; `start` is empty if the
+  /// recording cannot show one of them.
+  struct PairPromise {
+    std::vector<Model::Effect> start;
+    double log_ratio = 0.0;
+  };
+  PairPromise promise_of(plant::EffectId one, plant::EffectId other) const;
 
  private:
   Linearised linearise(const Model& model, Channel channel, const std::vector<FreeNumber>& free) const;
-  double predicted_log_ratio(const Model& with, const ChannelMask& shows, const ChannelMask& concerned) const;
+  /// Log ratio that a step of the hypothesis with `added` from their starts predicts.
+  double predicted_log_ratio(const std::vector<Model::Effect>& added) const;
 
   const Bench& bench_;
   const Hypothesis& from_;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "diagnosis/judge/screening.hpp"
+#include "plant/terms/load_effects.hpp"
 
 namespace farrier::diagnosis {
 
@@ -96,25 +97,23 @@ void Selection::grow_from_others() {
   }
   std::size_t grown = 0;
   for (std::size_t i = 1; i < first_.size() && grown < rules_.most_regrown; ++i) {
-    const Hypothesis best = chosen_;
-    if (holds(best, first_[i].effects.front())) {
-      continue;
+    if (!holds(chosen_, first_[i].effects.front())) {
+      ++grown;
+      try_growing_from(first_[i]);
     }
-    ++grown;
-    const auto chance = chance_;
-    const auto rivals = rivals_;
-    const auto rounds = rounds_;
-    chance_.fill(1.0);
-    rivals_.clear();
-    rounds_.resize(1);
-    choose(bench_.refined(first_[i]));
-    grow();
-    if (score(chosen_) <= score(best)) {
-      choose(best);
-      chance_ = chance;
-      rivals_ = rivals;
-      rounds_ = rounds;
-    }
+  }
+}
+
+void Selection::try_growing_from(const Hypothesis& first) {
+  const Hypothesis best = chosen_;
+  const auto rounds = rounds_;
+  rounds_.resize(1);
+  choose(bench_.refined(first));
+  prune();
+  grow();
+  if (score(chosen_) <= score(best)) {
+    choose(best);
+    rounds_ = rounds;
   }
 }
 
@@ -122,7 +121,8 @@ bool Selection::outside_neutral(plant::EffectId id, const Estimate& estimate) co
   const Simulator& simulator = bench_.simulator();
   const plant::EffectInfo& info = plant::effect_info(id);
   const double neutral = neutral_value(simulator, id);
-  const double nominal = info.nominal || simulator.known(id) != nullptr ? kNominalBand * std::abs(neutral) : 0.0;
+  const double share = plant::is_in_load(id) ? rules_.load_band : kNominalBand;
+  const double nominal = info.nominal || simulator.known(id) != nullptr ? share * std::abs(neutral) : 0.0;
   const double band = std::max(nominal, simulator.least(id));
   return std::abs(estimate.fitted[0] - neutral) > band + rules_.neutral_deviations * estimate.deviation;
 }

@@ -41,12 +41,14 @@ class Selection {
   /// effect may stand for two or three right ones.
   void grow_from_others();
 
-  /// Tries every effect in the place of each chosen one, and takes those that explain more, until none does.
-  void exchange();
-  /// Fits every rival in the place of the effect it was tried beside and keeps the better one. A rival that may be
-  /// right by more than tie_chance cannot be excluded; of these two the one that shows on fewer channels stays.
-  void compare_rivals();
+  /// While more than noise is left: adds two effects at once that explain it together, though neither does so alone; and grows
+  /// sets from such pairs in place of the chosen ones, of which it keeps the one that explains most.
+  void grow_from_pairs();
 
+  /// Tries rivals in the place of each chosen effect until no exchange is better. A rival that explains more is taken, and
+  /// one with which a further effect is needless. A rival that may be right by more than tie_chance cannot be excluded; of
+  /// these two the one that shows on fewer channels stays.
+  void exchange();
   const Hypothesis& base() const noexcept { return base_; }
   /// Remainders of the base.
   const std::array<Remainder, kChannels>& before() const noexcept { return before_; }
@@ -56,7 +58,7 @@ class Selection {
   /// A rival of a chosen effect that cannot be excluded.
   struct Tie {
     plant::EffectId chosen, rival;
-    Hypothesis with_rival;  ///< the chosen hypothesis with the rival, at its end, in place of the effect
+    Hypothesis with_rival;  ///< the chosen hypothesis with the rival in place of the effect
   };
   const std::vector<Tie>& ties() const noexcept { return ties_; }
   /// Share of a chosen effect in the log gain of all: the loss without it.
@@ -75,10 +77,8 @@ class Selection {
     Gain gain{};
     bool accepted = false;
   };
-  struct Rival {
-    plant::EffectId chosen, rival;
-    std::array<std::vector<double>, 2> fitted;  ///< of the rival, by half
-  };
+  /// Result of an exchange: none, a better set, or a set that explains the same and shows on fewer channels.
+  enum class Exchange { kNo, kBetter, kAlike };
 
   /// Tries every effect that concerns an open channel beside the chosen ones and keeps the best that is accepted.
   /// Returns false if none is, or there are most_effects.
@@ -89,6 +89,23 @@ class Selection {
   /// The half that has nearly all error of an open channel, if one has.
   std::optional<std::size_t> eventful_half(const ChannelMask& open) const;
   bool explains_once(const Hypothesis& with, std::size_t half, const ChannelMask& shows) const;
+  /// Every two effects of one open channel that the chosen hypothesis has not, by what a linear step beside `from` promises.
+  std::vector<Screening::PairPromise> pair_promises(const Hypothesis& from, const ChannelMask& open) const;
+  /// True if `with`, which has two effects more than `from`, explains more and needs both.
+  bool explains_as_pair(const Hypothesis& from, const Hypothesis& with) const;
+  /// True if `with` explains sufficiently more than `less` on a channel.
+  bool adds_to(const Hypothesis& less, const Hypothesis& with) const;
+  /// Pairs beside `from` that explain open channels and each of which is needed, fitted, the best first.
+  std::vector<Hypothesis> pairs_beside(const Hypothesis& from, const ChannelMask& open) const;
+  /// Grows from a set and keeps the result if it explains more than the chosen one.
+  void try_growing_from(const Hypothesis& first);
+  /// The chosen hypothesis with rivals in the place of an effect, each with its name: those that a linear step promises to
+  /// explain nearly as much, and those that did so when either was added.
+  std::vector<std::pair<plant::EffectId, Hypothesis>> rivals_of(plant::EffectId effect);
+  /// Takes `other`, which has `rival` in the place of `effect`, or notes how near it is.
+  Exchange compare(plant::EffectId effect, plant::EffectId rival, const Hypothesis& other);
+  /// Notes a rival that explains nearly the same.
+  void note_tie(Tie tie, double chance);
   /// Removes effects that became negligible beside later ones.
   void prune();
   /// Channels on which something is left to explain.
@@ -109,7 +126,8 @@ class Selection {
   bool worth_it(const Hypothesis& after) const;
   bool outside_neutral(plant::EffectId id, const Estimate& estimate) const;
   /// Chance that `one` is right and not `other`, which explains the same. It is the share of resampled blocks in which
-  /// it is better, reduced for a small lead, since small leads come from details that neither has.
+  /// it is better, reduced for a small lead, and for one that is small beside what `one` leaves unexplained: such leads come
+  /// from details that neither has.
   double chance_of(const Hypothesis& one, const Hypothesis& other) const;
   /// True if two effects show on one channel: only then may one stand for the other.
   bool may_be_rivals(plant::EffectId one, plant::EffectId other) const;
@@ -127,7 +145,8 @@ class Selection {
   std::map<plant::EffectId, Hypothesis> without_;  ///< by effect, of the chosen hypothesis as it is
   std::vector<std::vector<Candidate>> rounds_;
   std::vector<plant::EffectId> once_;  ///< that add_once added
-  std::vector<Rival> rivals_;
+  /// Numbers of the second effect of a pair, by half, where both explained nearly the same when one was added.
+  std::map<std::pair<plant::EffectId, plant::EffectId>, std::array<std::vector<double>, 2>> rivals_;
   std::vector<Tie> ties_;
   std::array<double, plant::kNameableCount> chance_{};     ///< that no rival of it explains more
   std::array<double, plant::kNameableCount> runner_up_{};  ///< as in Evidence

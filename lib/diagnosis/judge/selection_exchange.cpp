@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <utility>
 
 #include "diagnosis/judge/screening.hpp"
@@ -17,24 +17,32 @@ std::ptrdiff_t Selection::channel_count(plant::EffectId id) const {
 
 double Selection::chance_of(const Hypothesis& one, const Hypothesis& other) const {
   const Gain lead = bench_.gain(other, one);
+  const auto left = remainder(bench_, one, expected_);
   double clearest = 0.0;
+  double over_structure = 0.0;
   for (std::size_t c = 0; c < kChannels; ++c) {
-    clearest = std::max(clearest, std::abs(lead.reduction[c]));
+    if (bench_.fit_data().judged[c] && std::abs(lead.reduction[c]) > clearest) {
+      clearest = std::abs(lead.reduction[c]);
+      const double step = std::abs(other.total(c) / one.total(c) - 1.0);
+      const double noise = std::min(1.0, left[c].expected / std::max(left[c].rms, 1e-300));
+      over_structure = step / std::max(1.0 - noise * noise, 1e-12);
+    }
   }
-  return 0.5 + (lead.chance - 0.5) * std::min(1.0, clearest / rules_.clear_lead);
+  const double trust = std::min({1.0, clearest / rules_.clear_lead, over_structure / rules_.clear_structure});
+  return 0.5 + (lead.chance - 0.5) * trust;
 }
 
 void Selection::note_rivals(const std::vector<Tried>& tried, plant::EffectId best) {
+  const auto numbers = [&](plant::EffectId id) {
+    const auto& halves = tried[id].hypothesis->halves;
+    return std::array{halves[0].model.effects.back().fitted, halves[1].model.effects.back().fitted};
+  };
   for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
-    if (id == best || !tried[id].accepted || !may_be_rivals(id, best)) {
-      continue;
-    }
-    const double chance = chance_of(*tried[best].hypothesis, *tried[id].hypothesis);
-    if (1.0 - chance > rules_.tie_chance) {
-      const auto& halves = tried[id].hypothesis->halves;
-      rivals_.push_back({best, id, {halves[0].model.effects.back().fitted, halves[1].model.effects.back().fitted}});
-    } else {
-      chance_[best] = std::min(chance_[best], chance);
+    const bool near = tried[id].accepted && id != best && may_be_rivals(id, best) &&
+                      tried[id].gain.log_ratio > rules_.least_exchange * tried[best].gain.log_ratio;
+    if (near) {
+      rivals_[{best, id}] = numbers(id);
+      rivals_[{id, best}] = numbers(best);
     }
   }
 }
@@ -50,44 +58,117 @@ void Selection::choose(Hypothesis hypothesis) {
   without_.clear();
 }
 
+bool Selection::adds_to(const Hypothesis& less, const Hypothesis& with) const {
+  const Gain gain = bench_.gain(less, with);
+  return gain.low > 0.0 && *std::ranges::max_element(gain.reduction) > 0.5 * rules_.least_reduction;
+}
+
 bool Selection::is_needed(std::size_t index) {
-  const Gain gain = bench_.gain(without(chosen_.effects[index]), chosen_);
+  const plant::EffectId id = chosen_.effects[index];
+  if (!outside_neutral(id, pooled(chosen_, index))) {
+    return false;
+  }
+  if (adds_to(without(id), chosen_)) {
+    return true;
+  }
   // Half of the resamplings may lack the one event that an effect explains.
-  const bool lasting = gain.low > 0.0 || std::ranges::find(once_, chosen_.effects[index]) != once_.end();
-  return outside_neutral(chosen_.effects[index], pooled(chosen_, index)) && lasting &&
+  const Gain gain = bench_.gain(without(id), chosen_);
+  return std::ranges::find(once_, id) != once_.end() &&
          *std::ranges::max_element(gain.reduction) > 0.5 * rules_.least_reduction;
 }
 
-void Selection::exchange() {
-  for (std::size_t i = 0; i < chosen_.effects.size();) {
-    const plant::EffectId was = chosen_.effects[i];
-    const Hypothesis less = without(was);
-    const double mine = bench_.gain(less, chosen_).log_ratio;
-    const Screening screening(bench_, less);
-    std::vector<Screening::Promise> promises(plant::kNameableCount);
-    for_each_(plant::kNameableCount, [&](std::size_t id) {
-      if (may_be_rivals(id, was) && !holds(chosen_, id)) {
-        promises[id] = screening.promise_of(id);
-      }
-    });
-    const auto best = std::ranges::max_element(promises, {}, &Screening::Promise::log_ratio);
-    const auto id = static_cast<plant::EffectId>(best - promises.begin());
-    runner_up_[was] = best->start.empty() ? 0.0 : best->log_ratio / std::max(mine, 1e-12);
-    if (best->start.empty() || best->log_ratio < rules_.least_exchange * mine) {
-      ++i;
-      continue;
+std::vector<std::pair<plant::EffectId, Hypothesis>> Selection::rivals_of(plant::EffectId effect) {
+  const Hypothesis& less = without(effect);
+  const double mine = bench_.gain(less, chosen_).log_ratio;
+  const Screening screening(bench_, less);
+  std::vector<Screening::Promise> promises(plant::kNameableCount);
+  for_each_(plant::kNameableCount, [&](std::size_t id) {
+    if (may_be_rivals(id, effect) && !holds(chosen_, id)) {
+      promises[id] = screening.promise_of(id);
     }
-    const auto sketch = bench_.sketch(less, id, {best->start});
-    auto other = sketch ? bench_.with(less, *sketch, 0.5 * rules_.least_reduction) : std::optional<Hypothesis>();
-    if (other && bench_.gain(chosen_, *other).low > 0.0 && !at_bound(id, pooled(*other, other->effects.size() - 1)) &&
-        outside_neutral(id, pooled(*other, other->effects.size() - 1))) {
-      choose(bench_.refined(*other));
-      prune();
-      i = 0;
-    } else {
-      ++i;
+  });
+  runner_up_[effect] =
+      std::ranges::max(promises, {}, &Screening::Promise::log_ratio).log_ratio / std::max(mine, 1e-12);
+  std::vector<plant::EffectId> near;
+  for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
+    if (!promises[id].start.empty() && promises[id].log_ratio >= rules_.least_exchange * mine) {
+      near.push_back(id);
     }
   }
+  std::ranges::stable_sort(near, std::greater{}, [&](plant::EffectId id) { return promises[id].log_ratio; });
+  near.resize(std::min(near.size(), rules_.most_exchanged));
+  std::vector<std::pair<plant::EffectId, Hypothesis>> rivals;
+  for (const plant::EffectId id : near) {
+    auto with = bench_.with(less, bench_.sketch(less, {{id, promises[id].start}}), 0.5 * rules_.least_reduction);
+    if (with) {
+      rivals.emplace_back(id, std::move(*with));
+    }
+  }
+  for (const auto& [pair, fitted] : rivals_) {
+    if (pair.first == effect && !holds(chosen_, pair.second)) {
+      rivals.emplace_back(pair.second, bench_.exchanged(chosen_, effect, pair.second, fitted));
+    }
+  }
+  return rivals;
+}
+
+void Selection::note_tie(Tie tie, double chance) {
+  chance_[tie.chosen] = std::min(chance_[tie.chosen], chance);
+  const bool known = std::ranges::any_of(
+      ties_, [&](const Tie& other) { return other.chosen == tie.chosen && other.rival == tie.rival; });
+  if (1.0 - chance > rules_.tie_chance && !known) {
+    ties_.push_back(std::move(tie));
+  }
+}
+
+Selection::Exchange Selection::compare(plant::EffectId effect, plant::EffectId rival, const Hypothesis& other) {
+  const Estimate estimate = pooled(other, other.effects.size() - 1);
+  if (at_bound(rival, estimate) || !outside_neutral(rival, estimate)) {
+    return Exchange::kNo;
+  }
+  const Hypothesis was = chosen_;
+  const bool better = bench_.gain(was, other).low > 0.0;
+  choose(bench_.refined(other));
+  prune();
+  if (better || (chosen_.effects.size() < was.effects.size() && score(chosen_) > score(was))) {
+    return Exchange::kBetter;
+  }
+  choose(was);
+  const double chance = chance_of(was, other);
+  const bool simpler = channel_count(rival) < channel_count(effect);
+  if (chance < 0.5 || (simpler && 1.0 - chance > rules_.tie_chance)) {
+    choose(other);
+    runner_up_[rival] = 1.0;
+    note_tie({rival, effect, was}, std::max(chance, 1.0 - chance));
+    return Exchange::kAlike;
+  }
+  note_tie({effect, rival, other}, chance);
+  return Exchange::kNo;
+}
+
+void Selection::exchange() {
+  std::vector<plant::EffectId> compared;
+  const auto next = [&] {
+    return std::ranges::find_if(chosen_.effects, [&](auto id) { return std::ranges::count(compared, id) == 0; });
+  };
+  for (auto at = next(); at != chosen_.effects.end(); at = next()) {
+    const plant::EffectId effect = *at;
+    compared.push_back(effect);
+    for (const auto& [rival, other] : rivals_of(effect)) {
+      const Exchange exchange = compare(effect, rival, other);
+      if (exchange == Exchange::kBetter) {
+        compared.clear();
+        ties_.clear();
+        chance_.fill(1.0);
+        break;
+      }
+      if (exchange == Exchange::kAlike) {
+        compared.push_back(rival);
+        break;
+      }
+    }
+  }
+  prune();
 }
 
 void Selection::prune() {
@@ -111,30 +192,6 @@ double Selection::share_of(plant::EffectId effect) {
 
 double Selection::gain_of(plant::EffectId effect) {
   return bench_.gain(chosen_.effects.size() < 2 ? base_ : without(effect), chosen_).log_ratio;
-}
-
-void Selection::compare_rivals() {
-  for (const Rival& pair : rivals_) {
-    if (!holds(chosen_, pair.chosen) || holds(chosen_, pair.rival)) {
-      continue;
-    }
-    Hypothesis with_rival = bench_.exchanged(chosen_, pair.chosen, pair.rival, pair.fitted);
-    Tie tie{pair.chosen, pair.rival, std::move(with_rival)};
-    double chance = chance_of(chosen_, tie.with_rival);
-    const bool simpler = channel_count(pair.rival) < channel_count(pair.chosen);
-    if (chance < 0.5 || (simpler && 1.0 - chance > rules_.tie_chance)) {
-      Hypothesis better = std::exchange(tie.with_rival, chosen_);
-      choose(std::move(better));
-      std::swap(tie.chosen, tie.rival);
-      runner_up_[tie.chosen] = 1.0;
-      std::erase_if(ties_, [&](const Tie& earlier) { return earlier.chosen == tie.rival; });
-      chance = std::max(chance, 1.0 - chance);
-    }
-    chance_[tie.chosen] = std::min(chance_[tie.chosen], chance);
-    if (1.0 - chance > rules_.tie_chance) {
-      ties_.push_back(std::move(tie));
-    }
-  }
 }
 
 }  // namespace farrier::diagnosis

@@ -23,6 +23,17 @@ bool meet(const ChannelMask& a, const ChannelMask& b) noexcept {
   return (a[0] && b[0]) || (a[1] && b[1]) || (a[2] && b[2]);
 }
 
+ChannelMask both_of(const ChannelMask& a, const ChannelMask& b) noexcept {
+  return {a[0] && b[0], a[1] && b[1], a[2] && b[2]};
+}
+
+ChannelMask either_of(ChannelMask a, const ChannelMask& b) noexcept {
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    a[c] = a[c] || b[c];
+  }
+  return a;
+}
+
 std::vector<std::vector<double>> starts_of(const plant::EffectInfo& info) {
   const bool alike = info.parameters[0].starts[0] == info.parameters[0].starts[1];
   std::vector<std::vector<double>> starts(alike ? 1 : 2);

@@ -27,6 +27,10 @@ ChannelMask channels_of(plant::Side side) noexcept;
 inline ChannelMask channels_of(plant::EffectId effect) noexcept { return channels_of(plant::effect_info(effect).side); }
 /// True if two masks have a channel in common.
 bool meet(const ChannelMask& a, const ChannelMask& b) noexcept;
+/// The channels of either mask.
+ChannelMask either_of(ChannelMask a, const ChannelMask& b) noexcept;
+/// The channels of both masks.
+ChannelMask both_of(const ChannelMask& a, const ChannelMask& b) noexcept;
 
 /// Numbers of an effect's parameters from which its fits begin, as the library has them; equal ones once.
 std::vector<std::vector<double>> starts_of(const plant::EffectInfo& info);
