@@ -18,15 +18,15 @@ struct Diagnosis {
   Judgement judgement;
   std::vector<ChannelReport> channels;
   std::vector<Experiment> experiments;
-  double nrmse_before = 0.0, nrmse_after = 0.0;    ///< held out, the mean square over the judged channels
-  double ratio_low = 1.0, ratio_high = 1.0;        ///< 95 % band of before / after
-  std::vector<std::string> remarks;                ///< what was not judged and why, what the reader did
+  double nrmse_before = 0.0, nrmse_after = 0.0;  ///< held out, the mean square over the judged channels
+  double ratio_low = 1.0, ratio_high = 1.0;      ///< 95 % band of before / after
+  std::vector<std::string> remarks;              ///< what was not judged and why, what the reader did
 };
 
 struct DiagnosisOptions {
   Rules rules;
   FitOptions fit;
-  int threads = 2;                                        ///< >= 1
+  int threads = 2;                                            ///< >= 1
   std::function<void(double done)> progress = [](double) {};  ///< gets 0 to 1
 };
 

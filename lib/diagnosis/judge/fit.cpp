@@ -14,9 +14,7 @@ namespace farrier::diagnosis {
 namespace {
 
 /// A fit that fails is an answer, not news for the terminal.
-void quieten_ceres() {
-  [[maybe_unused]] static const int level = FLAGS_minloglevel = google::GLOG_FATAL;
-}
+void quieten_ceres() { [[maybe_unused]] static const int level = FLAGS_minloglevel = google::GLOG_FATAL; }
 
 /// Standard deviations by the sandwich of blocks (Liang and Zeger 1986): residuals of a block may say the same thing.
 Eigen::VectorXd deviations(ceres::Problem& problem, const std::vector<FreeNumber>& free, std::size_t block) {

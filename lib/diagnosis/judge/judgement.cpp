@@ -57,6 +57,35 @@ NamedEffect named(Selection& selection, const Bench& bench, std::size_t index,
           .distance = distance};
 }
 
+/// The chosen effects, by share.
+std::vector<NamedEffect> named(Selection& selection, const Bench& bench, const ExpectedResiduals& expected,
+                               const ConfidenceMap& map) {
+  const auto left = remainder(bench, selection.chosen(), expected);
+  std::vector<NamedEffect> effects;
+  for (std::size_t i = 0; i < selection.chosen().effects.size(); ++i) {
+    effects.push_back(named(selection, bench, i, left, map));
+  }
+  std::ranges::stable_sort(effects, std::greater{}, &NamedEffect::share);
+  return effects;
+}
+
+/// Names the chosen effects. One that is most likely absent is removed, unless it stands for a rival, too.
+std::vector<NamedEffect> named_likely(Selection& selection, const Bench& bench, const ExpectedResiduals& expected,
+                                      const Rules& rules) {
+  for (;;) {
+    std::vector<NamedEffect> effects = named(selection, bench, expected, *rules.confidence);
+    const auto tied = [&](plant::EffectId id) {
+      return std::ranges::find(selection.ties(), id, &Selection::Tie::chosen) != selection.ties().end();
+    };
+    const auto least = std::ranges::min_element(
+        effects, {}, [&](const NamedEffect& effect) { return tied(effect.id) ? 1.0 : effect.confidence; });
+    if (effects.size() < 2 || least->confidence >= rules.least_confidence || tied(least->id)) {
+      return effects;
+    }
+    selection.remove(least->id);
+  }
+}
+
 }  // namespace
 
 const char* to_string(Verdict verdict) noexcept {
@@ -87,6 +116,7 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   selection.grow_from_others();
   selection.grow_from_pairs();
   selection.exchange();
+  judgement.effects = named_likely(selection, bench, expected, rules);
   judgement.chosen = selection.chosen();
   judgement.rounds = selection.rounds();
   for (const Selection::Tie& tie : selection.ties()) {
@@ -95,10 +125,6 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   }
   judgement.left = remainder(bench, judgement.chosen, expected);
   judgement.gain = bench.gain(judgement.base, judgement.chosen);
-  for (std::size_t i = 0; i < judgement.chosen.effects.size(); ++i) {
-    judgement.effects.push_back(named(selection, bench, i, judgement.left, *rules.confidence));
-  }
-  std::ranges::stable_sort(judgement.effects, std::greater{}, &NamedEffect::share);
   bool sure = !judgement.effects.empty() && judgement.effects.front().confidence >= rules.sure;
   for (std::size_t c = 0; c < kChannels; ++c) {
     const Remainder& left = judgement.left[c];

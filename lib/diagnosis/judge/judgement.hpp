@@ -26,23 +26,25 @@ struct Rules {
   double least_promise = 0.5;     ///< of least_reduction, that a linearised step must predict before a fit is tried
   double least_exchange = 0.8;  ///< of an effect's log gain, that another must promise in its place before it is fitted
   std::size_t most_exchanged = 2;  ///< effects that are fitted in the place of a chosen one, the most promising first
-  double least_reduction = 0.08;  ///< of a channel's held-out rms, that an effect must bring
+  double least_reduction = 0.08;   ///< of a channel's held-out rms, that an effect must bring
   double neutral_deviations =
-      4.0;                     ///< by which a parameter must lie outside its neutral band: a robot has hundreds of them
-  double load_band = 2.0 * kNominalBand;  ///< share by which a number of the load may be off its file and is no effect: it
-                                          ///< takes up errors of the force sensor and the piston, too
-  double least_step = 0.04;    ///< of a channel's rms before any effect, that the first effect must remove
-  double further_step = 0.02;  ///< the same of further ones, which may be details of the first
+      4.0;  ///< by which a parameter must lie outside its neutral band: a robot has hundreds of them
+  double load_band =
+      2.0 * kNominalBand;        ///< share by which a number of the load may be off its file and is no effect: it
+                                 ///< takes up errors of the force sensor and the piston, too
+  double least_step = 0.04;      ///< of a channel's rms before any effect, that the first effect must remove
+  double further_step = 0.02;    ///< the same of further ones, which may be details of the first
   double structure_ratio = 1.6;  ///< rms over that of a twin, above which a remainder has a structure
   double open_ratio = 1.15;      ///< rms over that of a twin with its sensors' noise, above which there may be more
   double unexplained = 0.2;      ///< of a channel's rms before any effect, above which a remainder is no detail
   double least_nrmse = 0.02;     ///< NRMSE that a simulation of this form cannot improve
   double sure =
       0.9;  ///< confidence of the name with the largest share, from which a remainder does not make it unknown
+  double least_confidence = 0.05;                            ///< below which an effect beside others is not named
   const ConfidenceMap* confidence = &confidence_map(false);  ///< outlives the rules
-  double tie_chance = 0.025;  ///< chance of being right above which a rival cannot be excluded
+  double tie_chance = 0.025;     ///< chance of being right above which a rival cannot be excluded
   double clear_structure = 2.0;  ///< lead in squares over what is left beside noise, from which the lead counts in full
-  double clear_lead = 0.05;   ///< of a channel's held-out rms, from which a lead over a rival counts in full
+  double clear_lead = 0.05;      ///< of a channel's held-out rms, from which a lead over a rival counts in full
 };
 
 /// One effect that was named.

@@ -40,8 +40,8 @@ Linearised linearised(const Bench& bench, Span span, const Model& model, Channel
   return out;
 }
 
-std::vector<FreeNumber> numbers_of_last_effect(const Simulator& simulator, const Model& with,
-                                               const ChannelMask& shows, std::size_t count) {
+std::vector<FreeNumber> numbers_of_last_effect(const Simulator& simulator, const Model& with, const ChannelMask& shows,
+                                               std::size_t count) {
   std::size_t first = kNominals;
   for (std::size_t i = 0; i + count < with.effects.size(); ++i) {
     first += with.effects[i].fitted.size();

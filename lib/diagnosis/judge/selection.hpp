@@ -49,6 +49,9 @@ class Selection {
   /// one with which a further effect is needless. A rival that may be right by more than tie_chance cannot be excluded; of
   /// these two the one that shows on fewer channels stays.
   void exchange();
+  /// Removes a chosen effect.
+  void remove(plant::EffectId effect) { choose(Hypothesis(without(effect))); }
+
   const Hypothesis& base() const noexcept { return base_; }
   /// Remainders of the base.
   const std::array<Remainder, kChannels>& before() const noexcept { return before_; }

@@ -87,8 +87,7 @@ std::vector<std::pair<plant::EffectId, Hypothesis>> Selection::rivals_of(plant::
       promises[id] = screening.promise_of(id);
     }
   });
-  runner_up_[effect] =
-      std::ranges::max(promises, {}, &Screening::Promise::log_ratio).log_ratio / std::max(mine, 1e-12);
+  runner_up_[effect] = std::ranges::max(promises, {}, &Screening::Promise::log_ratio).log_ratio / std::max(mine, 1e-12);
   std::vector<plant::EffectId> near;
   for (plant::EffectId id = 0; id < plant::kNameableCount; ++id) {
     if (!promises[id].start.empty() && promises[id].log_ratio >= rules_.least_exchange * mine) {
