@@ -145,27 +145,64 @@ TEST(BlindTrials, ConstantsOffTheirFileAreNoSecondEffectBesideALargeOne) {
 }
 
 /// Runs a trial of the first joint of HyQ.
-Outcome of_hyq(truth::Hidden hidden, std::uint64_t seed, truth::Excitation excitation) {
+Outcome of_hyq(std::vector<truth::Hidden> hidden, std::uint64_t seed, truth::Excitation excitation,
+               double duration_s = 8.0) {
   const robot::Robot legs = robot::load_robot(FARRIER_ROBOTS "hyq.yaml", {.without_effects = true}).value();
-  return run_trial({Kind::kEffect, 0, {seed, excitation, {std::move(hidden)}}}, {&legs.joints.front()});
+  const Kind kind = hidden.size() > 1 ? Kind::kSet : Kind::kEffect;
+  return run_trial({kind, 0, {seed, excitation, std::move(hidden), duration_s}}, {&legs.joints.front()});
 }
 
 TEST(BlindTrials, AStopThatIsHitOnceIsNamedAlthoughOneHalfCannotShowIt) {
-  const Outcome outcome = of_hyq({"end_stop", 0}, 200192, truth::Excitation::kForceTracking);
+  const Outcome outcome = of_hyq({{"end_stop", 0}}, 200192, truth::Excitation::kForceTracking);
   EXPECT_TRUE(first_alone(outcome)) << confusion_page({outcome});
   EXPECT_EQ(outcome.verdict, diagnosis::Verdict::kEffects);
   EXPECT_LT(outcome.parameter_error, 0.02);
 }
 
 TEST(BlindTrials, ADelayBeforeAValveFarTooLargeIsNoSlowSpool) {
-  const Outcome outcome = of_hyq({"input_delay", 0}, 200048, truth::Excitation::kForceTracking);
+  const Outcome outcome = of_hyq({{"input_delay", 0}}, 200048, truth::Excitation::kForceTracking);
   EXPECT_TRUE(named_or_in_pair(outcome)) << confusion_page({outcome});
 }
 
 TEST(BlindTrials, AnOverlapIsSoughtAtTheSizeOfTheCurrentsThatFlow) {
-  const Outcome outcome = of_hyq({"valve_deadband", 0}, 200002, truth::Excitation::kRandomSteps);
+  const Outcome outcome = of_hyq({{"valve_deadband", 0}}, 200002, truth::Excitation::kRandomSteps);
   EXPECT_TRUE(first_alone(outcome)) << confusion_page({outcome});
   EXPECT_LT(outcome.parameter_error, 0.1);
+}
+
+TEST(BlindTrials, AnOverlapAndABiasOfWhichNeitherExplainsTheForceAloneAreNamedTogether) {
+  const Outcome outcome =
+      of_hyq({{"valve_bias", 2}, {"valve_deadband", 2}}, 200304, truth::Excitation::kMultisine, 3.0);
+  EXPECT_TRUE(all_named(outcome)) << confusion_page({outcome});
+  EXPECT_EQ(outcome.named.size(), 2u);
+  EXPECT_EQ(outcome.verdict, diagnosis::Verdict::kEffects);
+  for (const Named& named : outcome.named) {
+    EXPECT_LT(named.size_error.value(), 0.02) << named.name;
+  }
+}
+
+TEST(BlindTrials, ASpringOfAnotherStiffnessThatHardensIsNamedAlthoughAFitDiverges) {
+  const robot::Robot rig = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
+  const Outcome outcome = run_trial({Kind::kSet,
+                                     0,
+                                     {200335,
+                                      truth::Excitation::kRandomSteps,
+                                      {{"spring_hardening", 1}, {"internal_leakage", 2}, {"load_stiffness", 2}}}},
+                                    {&rig.joints.front()});
+  EXPECT_TRUE(all_named(outcome)) << confusion_page({outcome});
+  for (const Named& named : outcome.named) {
+    EXPECT_TRUE(std::isfinite(named.confidence)) << named.name;
+  }
+}
+
+TEST(BlindTrials, AForceNamedForAnOffsetBesideSomethingUnexplainedIsNotSure) {
+  const Outcome outcome = of_hyq({{"force_sensor_offset", 2}, {"valve_dynamics", 1}, {"air_entrainment", 1}}, 200324,
+                                 truth::Excitation::kForceTracking);
+  for (const Named& named : outcome.named) {
+    const auto& hidden = outcome.plan.plan.hidden;
+    const bool there = std::ranges::find(hidden, named.name, &truth::Hidden::name) != hidden.end();
+    EXPECT_TRUE(there || named.evidence.rival_chance < 0.98) << named.name << " " << named.evidence.rival_chance;
+  }
 }
 
 TEST(BlindTrials, AfterAStopAreNotRunAndSaySo) {
