@@ -64,6 +64,7 @@ HydraulicJoint::HydraulicJoint(const ActuatorParams& actuator, const LoadParams&
       effects_(actuator, load, effects, tolerance),
       has_effects_(effects_.active()),
       delay_(delay_of(effects)),
+      hysteresis_(hysteresis_of(effects, Scales(actuator, load))),
       integrated_{{initial.position, initial.velocity, initial.pressure_a_Pa, initial.pressure_b_Pa},
                   effects_.rest({initial.pressure_a_Pa, initial.pressure_b_Pa})},
       state_(initial),
@@ -143,6 +144,21 @@ double HydraulicJoint::error_ratio(const EffectState<Set>& error) const noexcept
   return sum;
 }
 
+double HydraulicJoint::through_hysteresis(double current_A) noexcept {
+  ValveMoment<double> valve{current_A, 1.0};
+  if (hysteresis_) {
+    hysteresis_->on_valve(valve);
+  }
+  return valve.opening_A;
+}
+
+CommandInput HydraulicJoint::at_spool(CommandInput input) noexcept {
+  if (!delay_.active()) {
+    input.command_A = through_hysteresis(input.command_A);
+  }
+  return input;
+}
+
 template <class Equations, class EquationState>
 double HydraulicJoint::integrate(const Equations& equations, const typename Equations::Input& input,
                                  EquationState& state, EquationState& derivative, double period_s, StepReport& report,
@@ -194,7 +210,7 @@ double HydraulicJoint::advance_delayed(double period_s, StepReport& report, OilA
   double relative_error = 0.0;
   for (double left_s = period_s; left_s > DelayLine::kNoTime_s;) {
     const DelayLine::Stretch stretch = delay_.take(left_s);
-    hold({stretch.current_A, given.external_force, given.supply_fall_Pa});
+    hold({through_hysteresis(stretch.current_A), given.external_force, given.supply_fall_Pa});
     differentiate();
     relative_error += advance(stretch.length_s, report, account);
     left_s -= stretch.length_s;
@@ -204,9 +220,11 @@ double HydraulicJoint::advance_delayed(double period_s, StepReport& report, OilA
 
 StepReport HydraulicJoint::step(double valve_current_A, double external_force, double period_s) noexcept {
   StepReport report;
-  hold(admit(valve_current_A, external_force, report));
+  const CommandInput input = admit(valve_current_A, external_force, report);
+  const bool moves = period_s > 0.0 && period_s <= kLongestPeriod_s;
+  hold(moves ? at_spool(input) : input);
   differentiate();
-  if (!(period_s > 0.0 && period_s <= kLongestPeriod_s)) {
+  if (!moves) {
     report.input_refused = true;
     return report;
   }

@@ -12,12 +12,13 @@
 #include "plant/motion.hpp"
 #include "plant/oil_account.hpp"
 #include "plant/step_report.hpp"
+#include "plant/terms/valve_hysteresis.hpp"
 
 namespace farrier::plant {
 
 /// Present values of a joint's effects; without effects those of (2.30).
 struct EffectReadings {
-  double opening_A = 0.0;           ///< current the valve is open for, after spool and deadband
+  double opening_A = 0.0;           ///< current the valve is open for, after hysteresis, spool and deadband
   double line_pressure_a_Pa = 0.0;  ///< behind the valve; the chamber's without lines
   double line_pressure_b_Pa = 0.0;
   double line_flow_a_m3_s = 0.0;  ///< into the chamber through its line; 0 without lines
@@ -93,6 +94,10 @@ class HydraulicJoint {
 
   CommandInput admit(double valve_current_A, double external_force, StepReport& report) const noexcept;
   void report_errors(double relative_error, StepReport& report) const noexcept;
+  /// A current that now acts, after the valve's hysteresis.
+  double through_hysteresis(double current_A) noexcept;
+  /// An input as it reaches the spool; unchanged if it waits in the delay.
+  CommandInput at_spool(CommandInput input) noexcept;
   void find_lean() noexcept;
   void hold(const CommandInput& input) noexcept;
   using AllState = EffectState<Effects>;
@@ -131,9 +136,10 @@ class HydraulicJoint {
   std::optional<LeanEffects> lean_;  ///< the same effects, where they are lean
   std::optional<SlidingEffects> sliding_;
   DelayLine delay_;
-  std::optional<FrictionParams> guide_;  ///< of an effect: replaces the load's own
+  std::optional<ValveHysteresis<double>> hysteresis_;  ///< exact for the currents that are held
+  std::optional<FrictionParams> guide_;                ///< of an effect: replaces the load's own
   AllState integrated_;
-  CommandInput command_{0.0, 0.0};
+  CommandInput command_{0.0, 0.0};  ///< after delay and hysteresis
   HeldInput input_;
   OpeningInput lean_input_;
   AllState derivative_;

@@ -24,7 +24,7 @@ StepReport HydraulicJoint::follow(double valve_current_A, double supply_pressure
   equations_.set_load({.mass = std::numeric_limits<double>::infinity()});
   const double velocity_before = state_.velocity;
   integrated_.velocity = (end.position - integrated_.position) / period_s;
-  hold(input);
+  hold(at_spool(input));
   differentiate();
   const double relative_error =
       delay_.active() ? advance_delayed(period_s, report, &account) : advance(period_s, report, &account);
@@ -89,6 +89,10 @@ bool HydraulicJoint::set_actuator(const ActuatorParams& nominal, std::span<const
   actuator_ = actuator;
   equations_ = JointEquations(without_lines(actuator), load);
   effects_ = effects;
+  hysteresis_ = hysteresis_of(given, Scales(actuator, load));
+  if (hysteresis_) {
+    hysteresis_->put(command_.command_A);
+  }
   has_effects_ = effects_.active();
   find_lean();
   hold(command_);

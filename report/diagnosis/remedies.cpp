@@ -9,6 +9,8 @@ namespace {
 constexpr Remedy kRemedies[] = {
     {"input_delay", "command path",
      "Compare the time of a command with that of the current: buffers, bus cycles, driver."},
+    {"valve_hysteresis", "valve",
+     "Check oil and filters for dirt that holds the spool, and the driver for its dither."},
     {"valve_bias", "valve", "Set the valve's null at rest, or the offset of its driver."},
     {"valve_dynamics", "valve", "Check that pilot stage, filter and driver gain are as ordered: the spool is slow."},
     {"valve_deadband", "valve", "Compare with the valve's data sheet: a worn or wrong spool overlaps its ports."},

@@ -113,6 +113,9 @@ double backlash(Machine& m, double size_m, const Extents& e, const Chance& c) {
 double end_stop(Machine& m, double cut, const Extents& e, const Chance& c) {
   return m.stop_inset = 0.5 * m.stroke - e.excursion * (1.0 - cut * c.spread());
 }
+double valve_hysteresis(Machine& m, double size, const Extents& e, const Chance& c) {
+  return m.hysteresis_A = size * c.spread() * current_unit(m, e);
+}
 
 // From a quarter of the level to nearly twice it and back over two thirds of the largest excursion.
 double position_dependent_friction(Machine& m, double size, const Extents& e, const Chance& c) {
@@ -125,9 +128,6 @@ double position_dependent_friction(Machine& m, double size, const Extents& e, co
 double pump_ripple(Machine& m, double size, const Extents&, const Chance& c) {
   m.ripple_rad_s = kFullTurn * c.within(20.0, 60.0);
   return m.ripple_Pa = size * c.spread() * m.supply_Pa;
-}
-double valve_hysteresis(Machine& m, double size, const Extents& e, const Chance& c) {
-  return m.hysteresis_A = size * c.spread() * current_unit(m, e);
 }
 double gain_drift(Machine& m, double size, const Extents& e, const Chance& c) {
   const double lost = size * c.spread();
@@ -187,12 +187,12 @@ constexpr Entry kKnown[] = {
     {"velocity_filter_lag", "time_constant_s", {0.002, 0.005, 0.012}, velocity_filter_lag},
     {"backlash", "play", {0.15e-3, 0.4e-3, 1.0e-3}, backlash},
     {"end_stop", "inset", {0.05, 0.15, 0.30}, end_stop},
+    {"valve_hysteresis", "half_width_A", {0.015, 0.035, 0.08}, valve_hysteresis},
 };
 
 constexpr Entry kOutside[] = {
     {"position_dependent_friction", "coulomb", {0.04, 0.08, 0.15}, position_dependent_friction},
     {"pump_ripple", "amplitude_Pa", {0.08, 0.16, 0.3}, pump_ripple},
-    {"valve_hysteresis", "half_width_A", {0.015, 0.035, 0.08}, valve_hysteresis},
     {"gain_drift", "loss", {0.15, 0.25, 0.4}, gain_drift},
     {"flexible_load", "share_of_mass", {0.15, 0.3, 0.6}, flexible_load},
     {"force_sensor_crosstalk", "gain_per_position", {0.15, 0.3, 0.6}, force_sensor_crosstalk},

@@ -62,10 +62,10 @@ struct Trial {
 /// the plain one. The load is the joint's swing load, the motion about mid-stroke, inside [0.1, 0.9] stroke.
 Result<Trial> generate(const robot::Joint& joint, double period_s, const Plan& plan);
 
-/// Effects the library knows, 22 names.
+/// Effects the library knows, 23 names.
 std::vector<std::string> known_effects();
 
-/// Effects it does not know, and that none of the 22 can stand for.
+/// Effects it does not know, and that none of these can stand for.
 std::vector<std::string> outside_effects();
 
 /// Name of an effect's headline parameter, unit in it where it has one of its own; empty for an unknown effect.

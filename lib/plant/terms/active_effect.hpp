@@ -90,4 +90,12 @@ inline void add_to(TermSet<double>& terms, const ActiveEffect& effect, const Sca
   terms.add(effect.id, fitted_of(effect, scales).data(), scales, step_s);
 }
 
+/// The hysteresis of the valve with its state; none if it is not among the effects.
+inline std::optional<ValveHysteresis<double>> hysteresis_of(std::span<const ActiveEffect> effects,
+                                                            const Scales& scales) noexcept {
+  const ActiveEffect* effect = find(effects, effect_id<ValveHysteresis>());
+  return effect != nullptr ? std::optional(ValveHysteresis<double>(fitted_of(*effect, scales).data(), scales, 0.0))
+                           : std::nullopt;
+}
+
 }  // namespace farrier::plant

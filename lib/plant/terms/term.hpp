@@ -71,8 +71,8 @@ struct EffectInfo {
   bool either_sign;
   std::span<const Parameter> parameters;
   const char* meaning;  ///< a sentence, for reports
-  /// True if the plant integrates a state of it: by a class of plant/effects or the delay line. The term's own code,
-  /// which steps from sample to sample, is then for fits alone.
+  /// True if the plant has a state of it: in a class of plant/effects, the delay line or the joint. But for the joint's
+  /// the term's own code, which steps from sample to sample, is then for fits alone.
   bool has_state = false;
 };
 

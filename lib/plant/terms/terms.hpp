@@ -29,6 +29,7 @@
 #include "plant/terms/valve_bias.hpp"
 #include "plant/terms/valve_deadband.hpp"
 #include "plant/terms/valve_dynamics.hpp"
+#include "plant/terms/valve_hysteresis.hpp"
 #include "plant/terms/velocity_filter_lag.hpp"
 
 namespace farrier::plant {
@@ -41,13 +42,13 @@ struct TermList {
 };
 
 /// Every effect, in the order in which those of one hook act. A new one is its file and a line here, and
-/// robot files, the simulated plant and sensors have it. One of the plant with a state says so (EffectInfo::has_state)
-/// and needs a class in plant/effects, which integrates it.
+/// robot files, the simulated plant and sensors have it. One of the plant with a state says so (EffectInfo::has_state):
+/// a class in plant/effects integrates it, or HydraulicJoint steps it.
 template <class T>
-using AllTerms = TermList<T, InputDelay, ValveBias, ValveDynamics, ValveDeadband, ValveAsymmetry, FlowSaturation,
-                          SupplyDroop, InternalLeakage, AirEntrainment, Backlash, PistonFriction, EndStop, LoadMass,
-                          LoadStiffness, LoadDamping, SpringHardening, ExternalForce, LoadFriction, ForceSensorLag,
-                          ForceSensorGain, ForceSensorOffset, VelocityFilterLag>;
+using AllTerms = TermList<T, InputDelay, ValveHysteresis, ValveBias, ValveDynamics, ValveDeadband, ValveAsymmetry,
+                          FlowSaturation, SupplyDroop, InternalLeakage, AirEntrainment, Backlash, PistonFriction,
+                          EndStop, LoadMass, LoadStiffness, LoadDamping, SpringHardening, ExternalForce, LoadFriction,
+                          ForceSensorLag, ForceSensorGain, ForceSensorOffset, VelocityFilterLag>;
 
 inline constexpr std::size_t kEffectCount = AllTerms<double>::kCount;
 /// Effects that a diagnosis may name: those of AllTerms, which robot files have, then kElectricEffects.

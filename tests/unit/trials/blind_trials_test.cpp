@@ -205,6 +205,16 @@ TEST(BlindTrials, AForceNamedForAnOffsetBesideSomethingUnexplainedIsNotSure) {
   }
 }
 
+TEST(BlindTrials, AHysteresisOfTheValveIsNamedAtEachOfItsSizes) {
+  const robot::Robot rig = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
+  for (int magnitude = 0; magnitude < 3; ++magnitude) {
+    const truth::Plan plan{200001, static_cast<truth::Excitation>(magnitude), {{"valve_hysteresis", magnitude}}, 4.0};
+    const Outcome outcome = run_trial({Kind::kEffect, 0, plan}, {&rig.joints.front()});
+    EXPECT_TRUE(first_alone(outcome)) << confusion_page({outcome});
+    EXPECT_LT(outcome.parameter_error, 0.05) << magnitude;
+  }
+}
+
 TEST(BlindTrials, AfterAStopAreNotRunAndSaySo) {
   const robot::Robot rig = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
   const std::vector<TrialPlan> plans(3, {Kind::kNone, 0, {80, truth::Excitation::kMultisine, {}}});
