@@ -7,8 +7,6 @@
 
 #include "core/text.hpp"
 #include "diagnosis/judge/diagnosis.hpp"
-#include "diagnosis/judge/joint_bench.hpp"
-#include "diagnosis/judge/what_can_be_told.hpp"
 #include "diagnosis/data/recording_check.hpp"
 #include "diagnosis/data/trace_recording.hpp"
 #include "participant/loop.hpp"
@@ -18,18 +16,16 @@
 #include "cli/diagnose/diagnose_control.hpp"
 #include "cli/diagnose/diagnose_options.hpp"
 #include "cli/diagnose/diagnose_scaled.hpp"
+#include "cli/diagnose/diagnose_tell.hpp"
 #include "cli/diagnose/diagnose_wiring.hpp"
 #include "cli/diagnose/diagnose_wiring_trials.hpp"
 #include "cli/base/installation.hpp"
 #include "cli/base/long_work.hpp"
 #include "cli/base/output_file.hpp"
-#include "cli/base/with_bar.hpp"
 #include "tools/offline/joint_recording.hpp"
 #include "report/diagnosis/diagnosis_json.hpp"
 #include "report/diagnosis/diagnosis_page.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
-#include "report/diagnosis/judgement_json.hpp"
-#include "report/diagnosis/told_text.hpp"
 #include "core/replace_file.hpp"
 #include "report/diagnosis/extended_model.hpp"
 
@@ -102,40 +98,6 @@ Outputs outputs_of(const DiagnoseOptions& o, const robot::Robot& robot, const ro
   return {.json = o.json_path.empty() ? in_out("figures.json") : o.json_path,
           .page = in_out("index.html"),
           .model = in_out(robot.name + "_" + joint.name + "_extended.yaml")};
-}
-
-/// Result of `work` with `threads` and a bar of its progress.
-template <class Work>
-auto with_options(int threads, const Work& work) {
-  std::optional<decltype(work(diagnosis::DiagnosisOptions()))> made;
-  with_bar("diagnose", [&](const auto& progress) {
-    diagnosis::DiagnosisOptions options;
-    options.threads = threads;
-    options.progress = progress;
-    made = work(options);
-  });
-  return std::move(*made);
-}
-
-/// Prints what a recording can tell, and writes it to `json_path` unless that is empty.
-int tell(const Recording& recording, const robot::Robot& robot, const robot::Joint& joint, const DiagnoseOptions& o,
-         const std::string& json_path) {
-  if (!diagnosis::JointBench::is_excited(recording, diagnosis::JointBench::noise_of(recording, joint))) {
-    return refuse("diagnose",
-                  "neither position nor force rises above ten times its sensor's noise: record a joint that moves");
-  }
-  const report::ToldResult result{
-      .told = with_options(o.threads, [&](const auto& options) { return what_can_be_told(recording, joint, options); }),
-      .robot = robot,
-      .joint = joint,
-      .recording = o.recording};
-  if (!json_path.empty()) {
-    if (const auto written = report::write_diagnosis_text(json_path, report::told_json(result)); !written) {
-      return fail("diagnose", written.error().message);
-    }
-  }
-  std::fputs(report::told_console(result).c_str(), stdout);
-  return kPassed;
 }
 
 /// The effects found, into the file of the extended model, which is loaded again; its path, empty where there are none.
@@ -233,6 +195,10 @@ int diagnose(const DiagnoseOptions& o) {
   if (!joint) {
     return refuse("diagnose", joint.error().message);
   }
+  const auto set = asked_set(o.set, *joint.value());
+  if (!set) {
+    return refuse("diagnose", set.error().message);
+  }
   std::optional<OutputDirectory> directory;
   if (!o.out.empty()) {
     auto claimed = OutputDirectory::claim(o.out);
@@ -263,7 +229,7 @@ int diagnose(const DiagnoseOptions& o) {
                   outputs, o);
   }
   if (o.what_can_be_told) {
-    return tell(recording.value(), robot, *joint.value(), o, outputs.json);
+    return tell(recording.value(), robot, *joint.value(), set.value(), o, outputs.json);
   }
   const Diagnosis found = with_options(
       o.threads, [&](const auto& options) { return diagnosis::diagnose(recording.value(), *joint.value(), options); });

@@ -29,7 +29,7 @@ struct Bounds {
   double interval = 0.95;  ///< that intervals say they cover
 };
 
-/// Least share of sets of so many effects that are all named.
+/// Least share of separable sets of so many effects that are all named.
 std::optional<double> least_of_sets(std::size_t effects) {
   return effects == 2   ? std::optional(0.9)
          : effects == 3 ? std::optional(0.8)
@@ -85,7 +85,10 @@ void add_benchmark_figures(report::Figures& figures, const std::vector<blind::Ou
   add("diagnose.benchmark.outside_admitted", s.outside_admitted, bounds.outside_admitted);
   add("diagnose.benchmark.outside_unknown", s.outside_unknown, bounds.outside_unknown);
   for (const auto& [size, named] : s.sets_named) {
-    add("diagnose.benchmark.sets_of_" + std::to_string(size) + "_named", named, least_of_sets(size));
+    const std::string sets = "diagnose.benchmark.sets_of_" + std::to_string(size);
+    add(sets + "_named", named);
+    add(sets + "_separable", static_cast<double>(s.separable.at(size)));
+    add(sets + "_separable_named", s.separable_named.at(size), least_of_sets(size));
   }
   add("diagnose.benchmark.set_names_wrong", s.set_names_wrong);
   add("diagnose.benchmark.median_size_error", s.median_size_error, bounds.median_size_error);

@@ -41,6 +41,13 @@ void declare(CLI::App& app, DiagnoseOptions& o) {
   app.add_flag("--what-can-be-told", o.what_can_be_told,
                "print which effects this recording can show, which it cannot tell apart and what would, in place of a "
                "verdict");
+  app.add_option(
+         "--set", o.set,
+         "--what-can-be-told says of these effects, all in one joint, which of them this recording can separate, "
+         "and what hides the others")
+      ->delimiter(',')
+      ->type_name("<effect>,...")
+      ->needs("--what-can-be-told");
   app.add_flag("--benchmark", o.benchmark,
                "run blind trials in place of a recording: effects hidden in recordings by a generator that shares no "
                "code with the diagnosis; takes up to half an hour");

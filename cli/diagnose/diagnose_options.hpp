@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace farrier::cli {
 
@@ -22,6 +23,7 @@ struct DiagnoseOptions {
   std::string json_path;  ///< empty: figures.json in `out`, or none
   int threads = 2;
   bool what_can_be_told = false;  ///< effects that the recording shows and tells apart, in place of a verdict
+  std::vector<std::string> set;   ///< of that: effects that are asked about together; empty: each alone
   bool benchmark = false;         ///< run blind trials in place of a recording
   Actuator actuator = Actuator::kHydraulic;  ///< of the benchmark's joints
   bool healthy = false;                      ///< the benchmark is of healthy robots

@@ -116,6 +116,32 @@ TEST(Diagnose, TellsWhatARecordingCanShowBeforeAnyVerdict) {
   EXPECT_FALSE(json.contains("verdict"));
 }
 
+TEST(Diagnose, TellsWhichEffectsOfASetARecordingSeparates) {
+  const ScratchDirectory scratch;
+  const std::string recording = record(scratch, robot_file("fc1d.yaml"), "3");
+  const std::string json_path = scratch.file("told.json");
+  const auto ask = [&](const std::string& set, std::string& output) {
+    return run_farrier({"diagnose", recording, "--model", robot_file("fc1d.yaml"), "--what-can-be-told", "--set", set,
+                        "--json", json_path},
+                       &output);
+  };
+  std::string output;
+  ASSERT_EQ(ask("load_damping,load_friction", output), 0) << output;
+  EXPECT_NE(output.find("deviations"), std::string::npos) << output;
+  const auto json = read_json(json_path);
+  ASSERT_EQ(json["set"].size(), 2u) << json;
+  EXPECT_EQ(json["set"][0]["name"], "load_damping");
+  EXPECT_EQ(json["separable"], json["set"][0]["separable"] && json["set"][1]["separable"]);
+  EXPECT_FALSE(json.contains("effects"));
+  EXPECT_EQ(ask("load_damping,load_mess", output), 2);
+  EXPECT_NE(output.find("no effect is called 'load_mess'"), std::string::npos) << output;
+  EXPECT_NE(output.find("load_mass"), std::string::npos) << output;
+  EXPECT_EQ(ask("cogging", output), 2);
+  EXPECT_NE(output.find("cannot have 'cogging'"), std::string::npos) << output;
+  EXPECT_EQ(ask("load_mass,load_mass", output), 2);
+  EXPECT_NE(output.find("stands twice"), std::string::npos) << output;
+}
+
 TEST(Diagnose, RefusesBadDataWithItsRowsAndStillWritesThem) {
   const ScratchDirectory scratch;
   write_recording(scratch.file("run.csv"), [](int i, const std::string& line) {

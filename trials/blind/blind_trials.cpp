@@ -11,7 +11,9 @@
 #include <mutex>
 
 #include "control/law/effect_compensation.hpp"
+#include "diagnosis/judge/joint_bench.hpp"
 #include "diagnosis/judge/parallel.hpp"
+#include "diagnosis/separability/separability.hpp"
 #include "trials/blind/score.hpp"
 #include "diagnosis/model/sides_of_joint.hpp"
 #include "robot/joint_effects.hpp"
@@ -84,6 +86,33 @@ std::optional<trials::TrackingGain> control_gain(const std::vector<truth::Answer
   return gain ? std::optional(gain.value()) : std::nullopt;
 }
 
+/// Hidden effects that a recording of a joint with all of them does not separate. Parameters but the hidden ones are as the fits
+/// of the effects begin.
+std::vector<std::string> inseparable_of(const diagnosis::Recording& recording, const robot::Joint& joint,
+                                        const std::vector<truth::Answer>& answers,
+                                        const diagnosis::DiagnosisOptions& options) {
+  const diagnosis::JointBench of_joint(recording, joint, options.fit);
+  const diagnosis::JointSimulator& simulator = of_joint.simulator();
+  std::vector<diagnosis::Model::Effect> set;
+  for (const truth::Answer& answer : answers) {
+    const plant::EffectId id = plant::find_nameable(answer.name);
+    const auto starts = simulator.starts(id);
+    set.push_back({id, starts.empty() ? std::vector<double>() : starts.front()});
+    if (!starts.empty()) {
+      set.back().fitted[0] = simulator.scales().fitted(plant::effect_info(id).parameters[0], answer.value);
+    }
+  }
+  const auto expected = of_joint.expected_of(simulator.nominal());
+  const auto in_turn = diagnosis::by_threads(options.threads, options.progress, 1);
+  std::vector<std::string> names;
+  for (const auto& member : diagnosis::member_visibilities(of_joint.bench(), set, expected, options.rules, in_turn)) {
+    if (!member.separable()) {
+      names.emplace_back(plant::effect_info(member.beside.id).name);
+    }
+  }
+  return names;
+}
+
 /// Processor time of this thread.
 double thread_cpu_s() {
   timespec now{};
@@ -106,6 +135,9 @@ Outcome run_trial(const TrialPlan& plan, const std::vector<const robot::Joint*>&
   diagnosis::DiagnosisOptions options;
   options.threads = 1;
   const diagnosis::Recording recording = recording_of(trial.value().samples);
+  if (plan.kind == Kind::kSet) {
+    outcome.inseparable = inseparable_of(recording, joint, outcome.answers, options);
+  }
   const double before_s = thread_cpu_s();
   const diagnosis::Diagnosis found = diagnosis::diagnose(recording, joint, options);
   outcome.cpu_s = thread_cpu_s() - before_s;

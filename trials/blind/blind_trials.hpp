@@ -40,6 +40,9 @@ struct Outcome {
   /// By how much the hidden effects change the held-out error of the nominal model, its constants fitted: error with
   /// them over that without, less one; the largest over channels.
   double detectable = 0.0;
+  /// Hidden effects of a set that the recording does not tell from the rest and from others, by their hidden sizes. It is known
+  /// before the diagnosis (diagnosis::member_visibilities). Empty: the set is separable, or the trial has no set.
+  std::vector<std::string> inseparable;
   diagnosis::Verdict verdict = diagnosis::Verdict::kNone;
   std::vector<Named> named;
   std::vector<std::pair<std::string, std::string>> alternatives;

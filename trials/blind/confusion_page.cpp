@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <map>
 
+#include "core/text.hpp"
 #include "trials/blind/number_text.hpp"
 #include "trials/blind/score.hpp"
 
@@ -88,8 +89,9 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
             " |\n";
   }
   page +=
-      "\n## Trials that went wrong\n\n| hidden | size | excitation | seed | change of the error | answer |\n"
-      "|---|---|---|---|---|---|\n";
+      "\n## Trials that went wrong\n\n| hidden | size | excitation | seed | change of the error | cannot be separated "
+      "| answer |\n"
+      "|---|---|---|---|---|---|---|\n";
   for (const Outcome& o : outcomes) {
     const bool good = o.plan.kind == Kind::kNone      ? o.verdict == diagnosis::Verdict::kNone
                       : o.plan.kind == Kind::kOutside ? o.verdict == diagnosis::Verdict::kUnknown ||
@@ -100,8 +102,8 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
       page += "| " + hidden_name(o) + " | " +
               (o.plan.plan.hidden.empty() ? "" : std::to_string(o.plan.plan.hidden.front().magnitude)) + " | " +
               name_of(o.plan.plan.excitation) + " | " + std::to_string(o.plan.plan.seed) + " | " +
-              number_text("%.0f %%", 100 * o.detectable) + " | " + (o.refused.empty() ? answer_name(o) : o.refused) +
-              " |\n";
+              number_text("%.0f %%", 100 * o.detectable) + " | " + join(o.inseparable, ", ") + " | " +
+              (o.refused.empty() ? answer_name(o) : o.refused) + " |\n";
     }
   }
   return page;

@@ -26,6 +26,7 @@ json to_json(const Outcome& outcome) {
             {"error_after", number(outcome.error_after)},
             {"cpu_s", outcome.cpu_s},
             {"answers", json::array()},
+            {"inseparable", outcome.inseparable},
             {"named", json::array()},
             {"alternatives", json::array()}};
   for (const truth::Answer& answer : outcome.answers) {
@@ -67,6 +68,7 @@ Outcome outcome_of(const json& line, const TrialPlan& plan) {
   outcome.error_before = number_of(line.at("error_before"));
   outcome.error_after = number_of(line.at("error_after"));
   outcome.cpu_s = line.at("cpu_s");
+  outcome.inseparable = line.at("inseparable");
   for (const json& answer : line.at("answers")) {
     outcome.answers.push_back({answer.at("name"), number_of(answer.at("value"))});
   }

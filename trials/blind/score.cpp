@@ -82,6 +82,10 @@ bool named_or_in_pair(const Outcome& outcome) {
                                    }));
 }
 
+bool separable_set(const Outcome& outcome) {
+  return outcome.plan.kind == Kind::kSet && outcome.refused.empty() && outcome.inseparable.empty();
+}
+
 bool all_named(const Outcome& outcome) {
   return std::ranges::all_of(outcome.plan.plan.hidden, [&](const truth::Hidden& hidden) {
     return std::ranges::any_of(outcome.named, [&](const Named& named) { return named.name == hidden.name; });
@@ -114,9 +118,12 @@ Score score(const std::vector<Outcome>& outcomes) {
     return o.verdict == diagnosis::Verdict::kUnknown || o.verdict == diagnosis::Verdict::kCannotSeparate;
   });
   for (std::size_t size = 2; size <= kLargestSet; ++size) {
+    const auto of_size = [size](const Outcome& o) { return o.plan.plan.hidden.size() == size; };
     s.sets_named[size] = share(
-        outcomes, [&](const Outcome& o) { return detectable(Kind::kSet)(o) && o.plan.plan.hidden.size() == size; },
-        all_named);
+        outcomes, [&](const Outcome& o) { return detectable(Kind::kSet)(o) && of_size(o); }, all_named);
+    const auto separable = [&](const Outcome& o) { return separable_set(o) && of_size(o); };
+    s.separable[size] = static_cast<std::size_t>(std::ranges::count_if(outcomes, separable));
+    s.separable_named[size] = share(outcomes, separable, all_named);
   }
   s.set_names_wrong = wrong_names(outcomes);
   std::vector<double> seconds;

@@ -24,6 +24,8 @@ double size_error(const plant::Parameter& parameter, double value, double truth,
 bool first_alone(const Outcome& outcome);
 /// It is named first, or in a set of two that the recording does not tell apart.
 bool named_or_in_pair(const Outcome& outcome);
+/// A set is hidden whose effects the recording can separate.
+bool separable_set(const Outcome& outcome);
 /// Every hidden effect is among the named.
 bool all_named(const Outcome& outcome);
 /// An effect that is not hidden is named with more than kConfident.
@@ -37,8 +39,11 @@ struct Score {
   double outside_unknown = 0.0;   ///< of detectable trials with an outside effect
   double outside_admitted = 0.0;  ///< unknown or cannot_separate, of detectable trials with an outside effect
   std::map<std::size_t, double> sets_named;  ///< all names, of detectable sets, by their size
-  double set_names_wrong = 0.0;              ///< of the names in these trials: no such effect is hidden
-  double median_s = 0.0;                     ///< processor time of a diagnosis
+  /// The same of the sets that their recordings can separate, and how many these are, detectable or not.
+  std::map<std::size_t, double> separable_named;
+  std::map<std::size_t, std::size_t> separable;
+  double set_names_wrong = 0.0;  ///< of the names in these trials: no such effect is hidden
+  double median_s = 0.0;         ///< processor time of a diagnosis
   /// Distance of a named value from the hidden one over its distance from neutral, of all names that are hidden; median.
   double median_size_error = 0.0;
   double confidently_wrong = 0.0;  ///< of all trials

@@ -82,7 +82,8 @@ double difference_of(const std::vector<Reading>& a, const std::vector<Reading>& 
 
 Experiment telling_experiment(const JointModel& joint, const Hypothesis& one, const Hypothesis& other,
                               const SensorNoiseLevels& noise, double position) {
-  Experiment best{one.effects.back(), other.effects.back(), "sine", 0.0, 0.0, kDuration_s, 0.0};
+  const plant::EffectId last = one.effects.back();
+  Experiment best{last, other.effects.empty() ? last : other.effects.back(), "sine", 0.0, 0.0, kDuration_s, 0.0};
   for (const char* excitation : {"sine", "steps"}) {
     for (const double amplitude : kAmplitudes) {
       for (const double frequency_Hz : kFrequencies_Hz) {

@@ -16,8 +16,8 @@ struct Experiment {
   double difference;  ///< largest rms difference of force, position or velocity, over that sensor's noise
 };
 
-/// Simulates both hypotheses, which differ in their last effect, from rest at `position`. Leaves out excitations that
-/// drive a joint out of the middle nine tenths of its stroke; difference 0 when none is left.
+/// Simulates both hypotheses, which differ in their last effect, from rest at `position`. `other` may have no effect at all.
+/// Leaves out excitations that drive a joint out of the middle nine tenths of its stroke; difference 0 when none is left.
 Experiment telling_experiment(const JointModel& joint, const Hypothesis& one, const Hypothesis& other,
                               const SensorNoiseLevels& noise, double position);
 

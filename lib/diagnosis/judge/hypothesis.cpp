@@ -20,6 +20,14 @@ double Hypothesis::total(std::size_t channel) const noexcept {
   return std::accumulate(squares[channel].begin(), squares[channel].end(), 0.0);
 }
 
+Hypothesis hypothesis_of(const Model& model) {
+  Hypothesis all;
+  std::ranges::transform(model.effects, std::back_inserter(all.effects), &Model::Effect::id);
+  const FitResult half{.model = model, .cost = 0.0, .deviation = {}};
+  all.halves = {half, half};
+  return all;
+}
+
 Bench::Bench(const Simulator& simulator, const ChannelMask& judged, const FitOptions& options)
     : simulator_(simulator), options_(options), fit_data_{&simulator, judged, {1.0, 1.0, 1.0}} {
   for (std::size_t c = 0; c < kChannels; ++c) {

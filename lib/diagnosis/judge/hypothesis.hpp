@@ -24,6 +24,9 @@ struct Hypothesis {
   double total(std::size_t channel) const noexcept;
 };
 
+/// The hypothesis that a model is right, which nothing was fitted to or judged by.
+Hypothesis hypothesis_of(const Model& model);
+
 /// By how much the held-out error of `after` is below that of `before`.
 struct Gain {
   double log_ratio;  ///< sum over the channels of ln(rms before / rms after)

@@ -39,4 +39,8 @@ ExpectedResiduals JointBench::expected() const {
   return [this](const Hypothesis& hypothesis) { return expected_residuals(bench_, simulator_, hypothesis, noise_); };
 }
 
+std::array<double, kChannels> JointBench::expected_of(const Model& model) const {
+  return expected()(hypothesis_of(model));
+}
+
 }  // namespace farrier::diagnosis

@@ -28,6 +28,8 @@ class JointBench {
   const Bench& bench() const noexcept { return bench_; }
   /// Root mean square by channel of residuals if a hypothesis were right, by its sensors' noise.
   ExpectedResiduals expected() const;
+  /// The same of a model, without a fit.
+  std::array<double, kChannels> expected_of(const Model& model) const;
 
  private:
   SensorNoiseLevels noise_;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "diagnosis/judge/separability.hpp"
+#include "diagnosis/separability/separability.hpp"
 
 namespace farrier::diagnosis {
 namespace {

@@ -47,6 +47,29 @@ TEST(BlindScore, CountsWhatTheEffectChangedAndNotTheRest) {
   EXPECT_DOUBLE_EQ(s.median_gain, 3.0);
 }
 
+TEST(BlindScore, SetsThatTheirRecordingsSeparateAreCountedBesideAll) {
+  const auto set = [](bool named, bool separable) {
+    Outcome o = outcome(Kind::kSet, "valve_bias", "valve_bias", 0.9);
+    o.plan.plan.hidden.push_back({"external_force", 1});
+    if (named) {
+      o.named.push_back({"external_force", 1.0, 0.9});
+    }
+    if (!separable) {
+      o.inseparable = {"external_force"};
+    }
+    return o;
+  };
+  Outcome refused = set(false, true);
+  refused.refused = kNotRun;
+  const Score s = score({set(true, true), set(true, true), set(false, true), set(false, false), set(true, false),
+                         refused, outcome(Kind::kEffect, "valve_bias", "", 0.0)});
+  EXPECT_DOUBLE_EQ(s.sets_named.at(2), 0.6);
+  EXPECT_EQ(s.separable.at(2), 3u);
+  EXPECT_DOUBLE_EQ(s.separable_named.at(2), 2.0 / 3.0);
+  EXPECT_EQ(s.separable.at(3), 0u);
+  EXPECT_TRUE(std::isnan(s.separable_named.at(3)));
+}
+
 TEST(BlindScore, ASetOfTwoNamesTheEffectAndIsNotAlone) {
   Outcome o = outcome(Kind::kEffect, "valve_bias", "valve_asymmetry", 0.6);
   o.alternatives = {{"valve_asymmetry", "valve_bias"}};
@@ -215,6 +238,17 @@ TEST(BlindTrials, AHysteresisOfTheValveIsNamedAtEachOfItsSizes) {
   }
 }
 
+TEST(BlindTrials, ASetSaysBeforeItsDiagnosisWhatTheRecordingCannotSeparate) {
+  const robot::Robot legs = robot::load_robot(FARRIER_ROBOTS "hyq.yaml", {.without_effects = true}).value();
+  const auto inseparable = [&](std::vector<truth::Hidden> hidden) {
+    const TrialPlan plan{Kind::kSet, 0, {200380, truth::Excitation::kMultisine, std::move(hidden), 2.0}};
+    return run_trial(plan, {&legs.joints.front()}).inseparable;
+  };
+  // A spring that is slack away from the joint's middle pulls as a constant force does.
+  EXPECT_EQ(inseparable({{"load_stiffness", 1}, {"external_force", 1}}), std::vector<std::string>{"external_force"});
+  EXPECT_TRUE(inseparable({{"load_stiffness", 1}, {"valve_deadband", 1}}).empty());
+}
+
 TEST(BlindTrials, AfterAStopAreNotRunAndSaySo) {
   const robot::Robot rig = robot::load_robot(FARRIER_ROBOTS "fc1d.yaml").value();
   const std::vector<TrialPlan> plans(3, {Kind::kNone, 0, {80, truth::Excitation::kMultisine, {}}});
@@ -224,6 +258,7 @@ TEST(BlindTrials, AfterAStopAreNotRunAndSaySo) {
   EXPECT_EQ(std::ranges::count(outcomes, kNotRun, &Outcome::refused), 2);
 }
 
+// The line of trial 1 does not say what its recording can separate, as those of earlier versions.
 TEST(OutcomesFile, ReturnsTheOutcomesOfItsOriginAlsoAfterALineThatWasCutOff) {
   const test::ScratchDirectory scratch;
   const std::string path = scratch.file("figures.json.trials");
@@ -232,6 +267,7 @@ TEST(OutcomesFile, ReturnsTheOutcomesOfItsOriginAlsoAfterALineThatWasCutOff) {
   first.parameter_error = std::numeric_limits<double>::infinity();
   first.alternatives = {{"load_mass", "load_friction"}};
   first.control = trials::TrackingGain{0.3, 0.1};
+  first.inseparable = {"load_mass"};
   first.named.front().evidence.runner_up = 0.25;
   first.named.front().fit_error = 0.5;
   first.named.front().size_error = 0.125;
@@ -239,6 +275,10 @@ TEST(OutcomesFile, ReturnsTheOutcomesOfItsOriginAlsoAfterALineThatWasCutOff) {
   std::ofstream(path, std::ios::app) << R"({"trial":1,"detect)";
   ASSERT_TRUE(append_outcome(path, "this build", 2, outcome(Kind::kEffect, "load_mass", "", 0.0)));
   ASSERT_TRUE(append_outcome(path, "another build", 1, first));
+  std::ofstream(path, std::ios::app)
+      << R"({"origin":"this build","trial":1,"detectable":1.0,"verdict":1,"parameter_error":0.0,"error_before":0.0,)"
+      << R"("error_after":0.0,"cpu_s":1.0,"answers":[],"named":[],"alternatives":[]})"
+      << "\n";
   const auto kept = read_outcomes(path, "this build", plans);
   ASSERT_EQ(kept.size(), 2u);
   const Outcome& back = kept.at(0);
@@ -252,6 +292,7 @@ TEST(OutcomesFile, ReturnsTheOutcomesOfItsOriginAlsoAfterALineThatWasCutOff) {
   EXPECT_EQ(back.detectable, first.detectable);
   EXPECT_EQ(back.parameter_error, first.parameter_error);
   EXPECT_EQ(back.alternatives, first.alternatives);
+  EXPECT_EQ(back.inseparable, first.inseparable);
   EXPECT_EQ(back.control->new_nrmse, 0.1);
   EXPECT_TRUE(kept.at(2).named.empty());
   EXPECT_TRUE(read_outcomes(scratch.file("no such file"), "this build", plans).empty());
