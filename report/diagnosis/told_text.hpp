@@ -17,12 +17,12 @@ struct ToldResult {
   std::string recording;
 };
 
-/// A table of effects, the pairs that are not told apart and what would tell them apart, the effects that do not show. Of a
+/// A table of effects, the pairs that are not told apart and what would tell them apart, the effects that do not show. For a
 /// set: a table of its effects, what hides them and what would tell them.
 std::string told_console(const ToldResult& result);
 
 /// The same as JSON: "effects" with "name", "size", "change", "shows", "shows_from", "taken_for"; "pairs" with "one", "other", "left",
-/// "column", "experiment"; "other_columns". Of a set: "separable" and "set" with the same keys as "effects", "deviations",
+/// "column", "experiment"; "other_columns". For a set: "separable" and "set" with the same keys as "effects", "deviations",
 /// "separable", "hidden_by", "column", "experiment".
 std::string told_json(const ToldResult& result);
 

@@ -21,7 +21,7 @@ using AddedEffects = std::vector<Model::Effect>;
 class Changes {
  public:
   /// `targets` are the additions whose changes are followed. `others` are effects that may follow from the starts of their
-  /// fits; those of the reference, those that the joint's file has and those that no judged channel shows are passed over.
+  /// fits. Passed over are those of the reference or of the joint's file, and those that no judged channel shows.
   /// `unit`: rms by channel that counts as one, N | m/s. `bench` outlives this.
   Changes(const Bench& bench, const Model& reference, const std::array<double, kChannels>& unit,
           const std::vector<AddedEffects>& targets, const std::vector<plant::EffectId>& others,

@@ -20,7 +20,7 @@ double neutral_band(const Simulator& simulator, plant::EffectId id) {
 /// Most alike effects whose remainders are settled; those of the others are of one linear step.
 constexpr std::size_t kSettled = 2;
 
-/// What a change must be to be named by.
+/// The least change that an effect is named by.
 struct Enough {
   const Rules& rules;
   std::array<double, kChannels> whole;  ///< rms change of all effects by channel, over the noise

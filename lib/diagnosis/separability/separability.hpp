@@ -52,8 +52,8 @@ std::vector<EffectVisibility> effect_visibilities(const Bench& bench, const Mode
                                                   const ForEach& for_each);
 
 /// Finds for each effect of a set of these sizes whether a recording of a joint with the whole set shows it and tells it from
-/// others. The same rules hold for each beside the rest of the set as for one effect alone: the numbers of the others follow
-/// its change from their own sizes together with the constants, then also each effect outside the set. It must also change a
+/// others. The same rules hold for each beside the rest of the set as for one effect alone. The constants and the numbers of
+/// the others, from their own sizes, follow its change, and then each effect outside the set does too. It must also change a
 /// channel by as much of the whole set's change as a further effect must explain.
 ///
 /// Nothing is fitted. Measurements are the trajectory along which changes are simulated. `set` has no effect twice, and none

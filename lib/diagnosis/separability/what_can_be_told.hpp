@@ -8,7 +8,7 @@
 
 namespace farrier::diagnosis {
 
-/// What would tell an effect from those that explain the same. Empty: no column, and no experiment that was tried.
+/// A column or an experiment that would tell an effect from those that explain the same. Empty: no column, and no experiment that was tried.
 struct Remedy {
   std::optional<Channel> column;         ///< not recorded, and the effect shows there otherwise than they
   std::optional<Experiment> experiment;  ///< that would tell them apart
