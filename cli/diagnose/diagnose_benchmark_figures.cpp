@@ -85,10 +85,11 @@ void add_benchmark_figures(report::Figures& figures, const std::vector<blind::Ou
   add("diagnose.benchmark.outside_admitted", s.outside_admitted, bounds.outside_admitted);
   add("diagnose.benchmark.outside_unknown", s.outside_unknown, bounds.outside_unknown);
   for (const auto& [size, named] : s.sets_named) {
-    const std::string sets = "diagnose.benchmark.sets_of_" + std::to_string(size);
-    add(sets + "_named", named);
-    add(sets + "_separable", static_cast<double>(s.separable.at(size)));
-    add(sets + "_separable_named", s.separable_named.at(size), least_of_sets(size));
+    const std::string sets = "sets_of_" + std::to_string(size);
+    const std::string separable = "diagnose.benchmark.separable_" + sets;
+    add("diagnose.benchmark." + sets + "_named", named);
+    add(separable + "_counted", static_cast<double>(s.separable.at(size)));
+    add(separable + "_named", s.separable_named.at(size), least_of_sets(size));
   }
   add("diagnose.benchmark.set_names_wrong", s.set_names_wrong);
   add("diagnose.benchmark.median_size_error", s.median_size_error, bounds.median_size_error);
