@@ -12,8 +12,9 @@ namespace farrier::plant {
 
 /// Most parameters that an effect has.
 inline constexpr std::size_t kMostParameters =
-    std::ranges::max(AllTerms<double>::kInfos, {}, [](const EffectInfo* info) { return info->parameters.size(); })
-        ->parameters.size();
+    std::ranges::max(AllTerms<double>::kInfos, {}, [](const EffectInfo* info) {
+      return info->parameters.size();
+    })->parameters.size();
 
 /// An effect that a joint has, with numbers as a robot file has them.
 struct ActiveEffect {
