@@ -48,8 +48,8 @@ std::complex<double> complex_pole(const Eigen::Matrix3d& a) {
   return *std::ranges::max_element(z, {}, [](std::complex<double> one) { return one.imag(); });
 }
 
-CycleEstimates::CycleEstimates(const std::vector<thesis::CycleSample>& samples, std::span<const plant::LoadParams> loads,
-                               double forgetting_factor)
+CycleEstimates::CycleEstimates(const std::vector<thesis::CycleSample>& samples,
+                               std::span<const plant::LoadParams> loads, double forgetting_factor)
     : loads_(loads.begin(), loads.end()), models_(thesis::identify(samples, forgetting_factor)) {
   for (std::size_t section = 0; section < sections(); ++section) {
     const std::vector<double> wanted = decibels(true_response(section, error_grid()));
@@ -115,6 +115,14 @@ double CycleEstimates::mass_detour(std::size_t section) const {
     way += std::abs(mass(section, tick) - mass(section, tick - 1));
   }
   return way / std::abs(loads_[section].mass - loads_[section - 1].mass);
+}
+
+double CycleEstimates::least_mass(std::size_t section, Tick within) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t tick = 0; tick < static_cast<std::size_t>(within); ++tick) {
+    least = std::min(least, mass(section, tick));
+  }
+  return least / loads_[section].mass;
 }
 
 double CycleEstimates::resonance_missed(std::size_t section) const {
@@ -193,7 +201,10 @@ Panel CycleEstimates::mass_panel(const std::string& title, Tick until) const {
     wanted.x.push_back(time_s);
     wanted.y.push_back(loads_[at / kTicks].mass);
   }
-  return {.title = title, .x_label = "time (s)", .y_label = "load mass (kg)", .series = {std::move(estimated), std::move(wanted)}};
+  return {.title = title,
+          .x_label = "time (s)",
+          .y_label = "load mass (kg)",
+          .series = {std::move(estimated), std::move(wanted)}};
 }
 
 }  // namespace farrier::thesis

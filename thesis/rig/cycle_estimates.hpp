@@ -49,6 +49,9 @@ class CycleEstimates {
   /// Way of the estimated mass in the 60 ms after the section's begin over the distance of the two loads.
   double mass_detour(std::size_t section) const;
 
+  /// Least estimated mass in the `within` ticks after the section's begin, over the section's true mass.
+  double least_mass(std::size_t section, Tick within) const;
+
   /// Share of a section's models, from 60 ms on, with a highest magnitude more than 3 dB off the true one's.
   double resonance_missed(std::size_t section) const;
 

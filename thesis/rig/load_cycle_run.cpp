@@ -1,10 +1,14 @@
 #include "thesis/rig/load_cycle_run.hpp"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <numbers>
+#include <span>
 
 #include "trace/force_error.hpp"
 #include "robot/joint_model.hpp"
@@ -19,7 +23,8 @@ using Change = std::function<Result<Done>(robot::Robot&, run::InprocRun&)>;
 
 Result<CycleRun> run_changed(const StudyContext& context, const trials::LoadCycleCase& one, double from, double to,
                              const Change& change) {
-  const auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
+  auto rig = FARRIER_TRY(load(context, "fc1d.yaml"));
+  rig.file.gait.lead_in_s = 0.0;  // Figs 7.7 and 7.8 begin with the whole reference
   auto cycle = trials::make_load_cycle(rig);
   if (!cycle) {
     return cycle.error();
@@ -49,6 +54,42 @@ Result<CycleRun> run_changed(const StudyContext& context, const trials::LoadCycl
   }
   std::ranges::stable_sort(run.gains, {}, &JointControllerGains::effective_tick);
   return run;
+}
+
+double highest_frequency_Hz(const CycleRun& run) {
+  return std::ranges::max(run.cycle.robot.file.gait.multisine_frequencies_Hz);
+}
+
+/// Rows of a quarter without its transient.
+std::vector<trace::TraceRow> settled_rows(const CycleRun& run, std::size_t quarter) {
+  const Tick from = run.cycle.begin[quarter - 1] + run::ticks_of(trace::kJudgedAfter_s, run.cycle.robot);
+  std::vector<trace::TraceRow> rows;
+  std::ranges::copy_if(run.rows, std::back_inserter(rows), [&](const trace::TraceRow& row) {
+    return row.tick >= from && row.tick < run.cycle.begin[quarter];
+  });
+  return rows;
+}
+
+/// Phase (rad) at the highest of the frequencies, of sines of all of them fitted to `value` of the rows.
+template <class Value>
+double phase_of(std::span<const trace::TraceRow> rows, const std::vector<double>& frequencies_Hz, double period_s,
+                const Value& value) {
+  const auto count = static_cast<Eigen::Index>(frequencies_Hz.size());
+  Eigen::MatrixXd sines(std::ssize(rows), 2 * count);
+  Eigen::VectorXd values(std::ssize(rows));
+  for (Eigen::Index i = 0; i < std::ssize(rows); ++i) {
+    const trace::TraceRow& row = rows[static_cast<std::size_t>(i)];
+    values(i) = value(row);
+    for (Eigen::Index f = 0; f < count; ++f) {
+      const double angle = 2.0 * std::numbers::pi * frequencies_Hz[static_cast<std::size_t>(f)] *
+                           static_cast<double>(row.tick) * period_s;
+      sines(i, 2 * f) = std::sin(angle);
+      sines(i, 2 * f + 1) = std::cos(angle);
+    }
+  }
+  const Eigen::VectorXd fitted = sines.colPivHouseholderQr().solve(values);
+  const auto highest = 2 * std::distance(frequencies_Hz.begin(), std::ranges::max_element(frequencies_Hz));
+  return std::atan2(fitted(highest + 1), fitted(highest));
 }
 
 }  // namespace
@@ -95,6 +136,29 @@ Result<CycleRun> run_cycle_as_printed(const StudyContext& context, const Printed
 
 double quarter_error(const CycleRun& run, std::size_t quarter) {
   return trials::quarter_error(run.cycle, run.rows, quarter - 1);
+}
+
+double error_from(const CycleRun& run, Tick tick) {
+  return trace::relative_error(run.rows, tick, tick + run::ticks_of(1.0 / highest_frequency_Hz(run), run.cycle.robot));
+}
+
+double quarter_lag_deg(const CycleRun& run, std::size_t quarter) {
+  const std::vector<trace::TraceRow> rows = settled_rows(run, quarter);
+  const auto phase = [&](double trace::TraceRow::*value) {
+    return phase_of(rows, run.cycle.robot.file.gait.multisine_frequencies_Hz, run.cycle.robot.period_s,
+                    [&](const trace::TraceRow& row) { return row.*value; });
+  };
+  const double lag = phase(&trace::TraceRow::force_reference_N_or_Nm) - phase(&trace::TraceRow::force_N_or_Nm);
+  return std::remainder(lag, 2.0 * std::numbers::pi) * 180.0 / std::numbers::pi;
+}
+
+double quarter_overshoot(const CycleRun& run, std::size_t quarter) {
+  double reference = 0.0, force = 0.0;
+  for (const trace::TraceRow& row : settled_rows(run, quarter)) {
+    reference = std::max(reference, std::abs(row.force_reference_N_or_Nm));
+    force = std::max(force, std::abs(row.force_N_or_Nm));
+  }
+  return force / reference - 1.0;
 }
 
 const JointControllerGains& acting_before(const CycleRun& run, Tick tick) {

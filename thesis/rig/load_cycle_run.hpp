@@ -1,7 +1,7 @@
 #pragma once
 
 // A run through the load cycle of Hubacher (2014), Section 7.5, as the studies of its figures judge it: as the text has
-// it, or as Farrier does it. Farrier's rig is deploy/robots/fc1d.yaml: its sensors are noisy, its integral factor is not
+// it, or as Farrier does it. Both begin with the whole reference, as Fig. 7.8 does, without the robot file's lead-in. Farrier's rig is deploy/robots/fc1d.yaml: its sensors are noisy, its integral factor is not
 // the thesis's (7.11), its valve is probed, and its supervisor refuses gains that the stored model does not bear.
 
 #include <string>
@@ -50,6 +50,14 @@ Result<CycleRun> run_cycle_as_printed(const StudyContext& context, const Printed
 
 /// RMS force error over RMS reference of a quarter without its transient.
 double quarter_error(const CycleRun& run, std::size_t quarter);
+
+/// RMS force error over RMS reference in the period of the reference's highest frequency that begins at `tick`.
+double error_from(const CycleRun& run, Tick tick);
+/// Lag (degrees) of the force behind the reference at the reference's highest frequency in a quarter without its
+/// transient. The sines of the reference are fitted to both by least squares.
+double quarter_lag_deg(const CycleRun& run, std::size_t quarter);
+/// Largest force over the largest reference in a quarter without its transient, less 1.
+double quarter_overshoot(const CycleRun& run, std::size_t quarter);
 
 /// The gains that act just before `tick`.
 const signals::JointControllerGains& acting_before(const CycleRun& run, Tick tick);

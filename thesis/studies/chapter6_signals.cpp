@@ -1,4 +1,4 @@
-// Hubacher (2014), Figs 6.1 to 6.5, C.1 and C.2: least squares on the joint of Table A.1 while its load changes.
+// Hubacher (2014), Figs 6.2 to 6.5 and C.2: least squares on the joint of Table A.1 while its load changes.
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +7,10 @@
 #include "estimation/poles.hpp"
 #include "thesis/rig/cycle_estimates.hpp"
 #include "thesis/studies/registry.hpp"
-#include "plant/nominal.hpp"
 
 namespace farrier::thesis {
 namespace chapter6_signals_studies {
 namespace {
-
-using thesis::CycleSample;
 
 constexpr double kForgetting = 0.85;  // 6.3: "all use"
 
@@ -41,34 +38,6 @@ Picture bode_of(const CycleEstimates& estimates, const char* caption) {
     columns.push_back(estimates.bode("to " + std::to_string((section + 1) * 250) + " ms", section));
   }
   return bode_picture(caption, std::move(columns));
-}
-
-// 6.1
-
-Result<StudyResult> run_loads(const StudyContext&) {
-  const auto& loads = thesis::walking_cycle();
-  Series mass{"", {}, {}, Style::kLine, 0}, damping{"", {}, {}, Style::kLine, 1};
-  for (std::size_t i = 0; i < loads.size(); ++i) {
-    for (const double t : {0.25 * static_cast<double>(i), 0.25 * static_cast<double>(i + 1)}) {
-      mass.x.push_back(t);
-      mass.y.push_back(loads[i].mass);
-      damping.x.push_back(t);
-      damping.y.push_back(loads[i].damping);
-    }
-  }
-  StudyResult result;
-  result.pictures = {{"Load of the joint. The numbers are ours: the text prints the order and not the values",
-                      1,
-                      {{.title = "load mass",
-                        .x_label = "time (s)",
-                        .y_label = "mass (kg)",
-                        .log_y = true,
-                        .series = {std::move(mass)}},
-                       {.title = "load friction",
-                        .x_label = "time (s)",
-                        .y_label = "friction (Ns/m)",
-                        .series = {std::move(damping)}}}}};
-  return result;
 }
 
 // 6.2
@@ -181,7 +150,15 @@ constexpr ClaimSpec kMassClaims[] = {
      "to be about the same.",
      "Largest difference over sections two to four of when the mass is within a twentieth and when the transfer "
      "function is within 2.15 dB.",
-     "ms", Relation::kAtMost, 25.0}};
+     "ms", Relation::kAtMost, 25.0},
+    fails(
+        "lambda 0.7 to 0.95, white noise of 1 and 20 % and ten other pairs of loads. From 0.5 to 1 kg 98 of 105 runs "
+        "have such a peak; from 1.05 kg and more at most 4 have. The text does not print the loads",
+        {"6.4.negative_peak", "6.3.1",
+         "... the sharp negative peak visible in the estimated load mass just after the system dynamics have changed "
+         "at 0.75 s.",
+         "Least estimated mass in the 25 ms after 0.75 s, in which column four converges, over the true one: below 0.",
+         "1", Relation::kBelow, 0.0})};
 
 Result<StudyResult> run_mass(const StudyContext& context) {
   const auto over = [&](const auto& value) { return over_runs(context, thesis::kSmallOpening, value); };
@@ -200,12 +177,14 @@ Result<StudyResult> run_mass(const StudyContext& context) {
        "median of 15 runs"},
       {"6.4.superior", over([](const CycleEstimates& one) { return one.mass_detour(1) / one.mass_detour(2); }),
        "median of 15 runs"},
-      {"6.4.same_speed", slowest, "medians of 15 runs"}};
+      {"6.4.same_speed", slowest, "medians of 15 runs"},
+      {"6.4.negative_peak", over([](const CycleEstimates& one) { return one.least_mass(3, 25); }),
+       "median of 15 runs"}};
   result.pictures = {{"Load mass: of the model of each tick, and the truth", 1, {shown.mass_panel("")}}};
   return result;
 }
 
-// 6.5, C.1, C.2
+// 6.5, C.2
 
 constexpr ClaimSpec kFullClaims[] = {
     {"6.5.resonance", "6.3.2", "Therefore, the estimator is not able to identify the resonance peaks ...",
@@ -237,22 +216,6 @@ Result<StudyResult> run_full(const StudyContext& context) {
   return result;
 }
 
-Result<StudyResult> run_multisine(const StudyContext& context) {
-  Series current{"", {}, {}, Style::kLine, 0};
-  for (const CycleSample& sample : thesis::drive(thesis::walking_cycle(), false, thesis::kSmallOpening, context.seed)) {
-    current.x.push_back(static_cast<double>(current.x.size()) * thesis::kCyclePeriod_s);
-    current.y.push_back(100.0 * sample.current_A / plant::kNominalCurrent_A);
-  }
-  StudyResult result;
-  result.pictures = {{"Sines of 5 and 10 Hz",
-                      1,
-                      {{.title = "",
-                        .x_label = "time (s)",
-                        .y_label = "valve current (% of nominal)",
-                        .series = {std::move(current)}}}}};
-  return result;
-}
-
 constexpr const char* kTooFew =
     "... thus not exciting enough frequencies of the system dynamics to enable a good estimation.";
 
@@ -281,15 +244,12 @@ constexpr const char* kIdentified =
     "0.85, the "
     "operating point subtracted. The loads are ours, in the text's order. First covariance 0.14 I. Values are medians "
     "of 15 runs.";
-constexpr const char* kInputs = "These are inputs of ours, so nothing is claimed of them.";
 
 constexpr Study kStudies[] = {
-    {"6.1", "Load of the joint the estimator is tried on", {}, run_loads, kInputs},
     {"6.2", "Estimated transfer functions, white noise of 5 %", kIdealClaims, run_ideal, kIdentified},
     {"6.3", "Estimated poles and zeros, white noise of 5 %", kPoleClaims, run_poles, kIdentified},
     {"6.4", "Estimated load mass, white noise of 5 %", kMassClaims, run_mass, kIdentified},
     {"6.5", "Estimated transfer functions, white noise of 100 %", kFullClaims, run_full, kIdentified},
-    {"C.1", "Valve current with two frequencies", {}, run_multisine, kInputs},
     {"C.2", "Estimated transfer functions, two frequencies", kLowClaims, run_low, kIdentified}};
 
 }  // namespace

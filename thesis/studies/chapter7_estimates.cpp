@@ -88,13 +88,12 @@ constexpr ClaimSpec kPoleClaims[] = {
      "radius.",
      "1", Relation::kAtMost, 0.1},
     {"7.9.quarter_4", "Fig. 7.9", kAccurate, "The same, fourth quarter.", "1", Relation::kAtMost, 0.1},
-    fails("lambda 0.9, 0.95 and 0.98, a valve that is probed with 0.25, 1 and 5 % of its current, and first gains by "
-          "the exact model: "
-          "the imaginary part is 0.18 to 0.58. The text's cause, a reference without high frequencies, is met by a "
-          "pair that is wrong (7.9.quarter_3_wrong)",
-          {"7.9.quarter_3_real", "Fig. 7.9", kAccurate,
-           "Largest imaginary part of the poles behind the third quarter's last gains: none.", "1", Relation::kAtMost,
-           1e-6}),
+    fails(
+        "lambda 0.85 to 0.98, a valve that is probed with 0.25, 1 and 5 % of its current, and first gains by the exact "
+        "model. The poles are real in 9 of 80 runs; else their imaginary part is at most 0.57",
+        {"7.9.quarter_3_real", "Fig. 7.9", kAccurate,
+         "Largest imaginary part of the poles behind the third quarter's last gains: none.", "1", Relation::kAtMost,
+         1e-6}),
     {"7.9.quarter_3_wrong", "Fig. 7.9", kAccurate, "As 7.9.quarter_2, third quarter: more than a tenth.", "1",
      Relation::kAtLeast, 0.1}};
 
@@ -161,22 +160,16 @@ constexpr const char* kLowToMiddle =
     "This approximation, as can be seen, is quite accurate for low to middle frequencies.";
 
 constexpr const char* kQuiteWell = "The linear estimator does quite well ... in identifying the system ...";
-constexpr const char* kMemory =
-    "lambda 0.95 and 0.98. Lambda 0.9 remembers ten ticks, a fiftieth of a period of 2 Hz, and the text does not print "
-    "the lambda of "
-    "this run";
-
 constexpr ClaimSpec low(const char* id, const char* section, const char* sentence, const char* claim) {
-  return fails(kMemory, needs(Condition::kProbedValve, {id, section, sentence, claim, "dB", Relation::kAtMost, 3.0}));
+  return needs(Condition::kProbedValve, {id, section, sentence, claim, "dB", Relation::kAtMost, 3.0});
 }
 
 constexpr ClaimSpec kBodeClaims[] = {
-    fails("a probed valve (2.5 dB), and first gains by the exact model in place of (3.51), whose run has 28 dB",
-          {"C.4.quarter_1_diverges", "Fig. C.4",
-           "The system estimates in column one diverge since the multisine force signal does not excite enough high "
-           "frequencies of the system.",
-           "Largest error of the acting gains' model above 50 Hz, median over the second half of the first quarter.",
-           "dB", Relation::kAtLeast, 6.0}),
+    {"C.4.quarter_1_diverges", "Fig. C.4",
+     "The system estimates in column one diverge since the multisine force signal does not excite enough high "
+     "frequencies of the system.",
+     "Largest error of the acting gains' model above 50 Hz, median over the second half of the first quarter.", "dB",
+     Relation::kAtLeast, 6.0},
     low("C.4.quarter_3_low", "Fig. C.4", kLowToMiddle, "The same from 2 to 20 Hz, third quarter."),
     low("C.4.quarter_2_low", "7.5", kQuiteWell, "As C.4.quarter_3_low, second quarter."),
     low("C.4.quarter_4_low", "7.5", kQuiteWell, "The same, fourth quarter.")};

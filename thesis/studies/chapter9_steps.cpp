@@ -7,6 +7,7 @@
 
 #include "thesis/rig/rig_conditions.hpp"
 #include "thesis/rig/rig_run.hpp"
+#include "thesis/rig/step_figures.hpp"
 #include "thesis/studies/registry.hpp"
 
 namespace farrier::thesis {
@@ -15,61 +16,8 @@ namespace {
 
 using control::Form;
 
-constexpr double kStep_s = 0.5;
-constexpr double kRun_s = 1.5;
 constexpr double kChirpRun_s = 8.0;
 constexpr double kChirp_N = 400.0;
-
-Signal step(double from_N, double to_N) {
-  return [=](double t) { return t < kStep_s ? from_N : to_N; };
-}
-
-/// Overshoot of the force beyond the new reference, over the step.
-double overshoot(const RigTrace& run, double from_N, double to_N) {
-  double furthest = 0.0;
-  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
-    if (run.time_s[i] > kStep_s) {
-      furthest = std::max(furthest, (run.force_N[i] - to_N) / (to_N - from_N));
-    }
-  }
-  return furthest;
-}
-
-/// Time from the step until the force has gone nine tenths of the way; the run's length when it never does.
-double rise_s(const RigTrace& run, double from_N, double to_N) {
-  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
-    if (run.time_s[i] > kStep_s && (run.force_N[i] - from_N) / (to_N - from_N) >= 0.9) {
-      return run.time_s[i] - kStep_s;
-    }
-  }
-  return kRun_s;
-}
-
-/// Time from the step from which on the force stays within a tenth of it.
-double settled_s(const RigTrace& run, double from_N, double to_N) {
-  double last = kStep_s;
-  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
-    if (std::abs(run.force_N[i] - to_N) > 0.1 * std::abs(to_N - from_N)) {
-      last = run.time_s[i];
-    }
-  }
-  return last - kStep_s;
-}
-
-double steady_error(const RigTrace& run, double from_N, double to_N) {
-  return std::abs(mean(run, run.force_N, kRun_s - 0.2, kRun_s) - to_N) / std::abs(to_N - from_N);
-}
-
-/// Largest of the values' sizes within 0.15 s of the step.
-double largest(const RigTrace& run, const std::vector<double>& values) {
-  double found = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (run.time_s[i] >= kStep_s && run.time_s[i] < kStep_s + 0.15) {
-      found = std::max(found, std::abs(values[i]));
-    }
-  }
-  return found;
-}
 
 /// Values as a share of a chirp's own sine about a frequency: over two periods, each tick with the chirp's phase.
 std::complex<double> chirp_phasor(const RigTrace& run, const std::vector<double>& values, double to_Hz,
@@ -134,8 +82,22 @@ constexpr ClaimSpec kStepClaims[] = {
            "... starts to overshoot towards the middle of the chirp signal experiment on the right side ...",
            "Size of the force at 2 Hz of the chirp to 5 Hz over the reference: 1.01 or more.", "1", Relation::kAtLeast,
            1.01}),
+    {"9.13.overshoots_at_2_to_4_s", "9.2.3", "The overshoot visible between 2 - 4 s ...",
+     "Largest force between 2 and 4 s of the chirp to 5 Hz over the reference's amplitude: 1.01 or more.", "1",
+     Relation::kAtLeast, 1.01},
     {"9.13.undershoots", "9.2.3", "The overshoot mutates into an undershoot towards the end of the experiment.",
-     "The same at 4.5 Hz: 0.99 at most.", "1", Relation::kAtMost, 0.99},
+     "Size of the force at 4.5 Hz of the chirp to 5 Hz over the reference: 0.99 at most.", "1", Relation::kAtMost,
+     0.99},
+    fails(
+        "perfect measurements (0.58), viscous friction alone (0.57), xi 14 (0.59), the whole feed-forward (0.59). The "
+        "valve is fully open for 84 % of the last 0.5 s; with the data sheet's there is an overshoot, 1.33",
+        {"9.13.undershoot_is_slight", "9.2.3", "... the slight undershoot visible towards the end ...",
+         "The same: 0.8 or more.", "1", Relation::kAtLeast, 0.8}),
+    fails("perfect measurements and the data sheet's valve; the overshoot is as large without dry friction",
+          {"9.13.overshoot_by_friction", "9.2.3",
+           "The overshoot visible between 2 - 4 s is probably due to the decrease in friction related forces ...",
+           "9.13.overshoots_at_2_to_4_s less the same with viscous friction alone: 0.01 or more.", "1",
+           Relation::kAtLeast, 0.01}),
     {"9.13.force_leads", "9.2.3", "... the force term of the controller u_force leads ahead of the velocity signal ...",
      "Lead of the force part before the velocity part at 1 Hz of the chirp to 3 Hz, within half a turn: a degree or "
      "more.",
@@ -150,11 +112,12 @@ constexpr ClaimSpec kStepClaims[] = {
 
 Result<StudyResult> steps_on(const robot::Robot& rig, const StudyContext& context) {
   const double nominal_A = rig.joints[0].normalisation.current_A;
-  const Tracking runs[] = {{.reference = step(0.0, 400.0), .duration_s = kRun_s},
-                           {.reference = step(400.0, -400.0), .duration_s = kRun_s},
+  const Tracking runs[] = {{.reference = step(0.0, 400.0), .duration_s = kStepRun_s},
+                           {.reference = step(400.0, -400.0), .duration_s = kStepRun_s},
                            {.reference = chirp(kChirp_N, 3.0, kChirpRun_s), .duration_s = kChirpRun_s},
                            {.reference = chirp(kChirp_N, 5.0, kChirpRun_s), .duration_s = kChirpRun_s},
-                           {.reference = step(0.0, 400.0), .duration_s = kRun_s, .feed_forward_factor = 0.0}};
+                           {.reference = step(0.0, 400.0), .duration_s = kStepRun_s, .feed_forward_factor = 0.0}};
+  const Tracking& fast_chirp = runs[3];
   constexpr const char* kTitles[] = {"0 to 400 N", "400 to -400 N", "0 to 3 Hz", "0 to 5 Hz"};
   std::vector<RigTrace> made;
   for (const Tracking& one : runs) {
@@ -171,6 +134,9 @@ Result<StudyResult> steps_on(const robot::Robot& rig, const StudyContext& contex
   const double feed_forward = largest(up, up.feed_forward_part_A);
   const double others = std::max(largest(up, up.force_part_A), feed_forward);
   const double rise_up = overshoot(up, 0.0, 400.0);
+  const RigTrace viscous = FARRIER_TRY(track(under(Condition::kViscousFriction, rig), fast_chirp, context.seed));
+  const auto overshoot_of = [](const RigTrace& run) { return largest(run, run.force_N, 2.0, 4.0) / kChirp_N; };
+  const double last_size = std::abs(chirp_phasor(fast, fast.force_N, 5.0, 4.5));
   const double last = chirp_lag_deg(fast, 5.0, 4.5);
   StudyResult result;
   result.measured = {{"9.13.rise", rise_s(up, 0.0, 400.0), ""},
@@ -184,7 +150,10 @@ Result<StudyResult> steps_on(const robot::Robot& rig, const StudyContext& contex
                      {"9.13.fast_chirp_lag", last - chirp_lag_deg(fast, 5.0, 1.5), ""},
                      {"9.13.fast_chirp_lag_is_slight", last, ""},
                      {"9.13.overshoots", std::abs(chirp_phasor(fast, fast.force_N, 5.0, 2.0)), ""},
-                     {"9.13.undershoots", std::abs(chirp_phasor(fast, fast.force_N, 5.0, 4.5)), ""},
+                     {"9.13.overshoots_at_2_to_4_s", overshoot_of(fast), ""},
+                     {"9.13.overshoot_by_friction", overshoot_of(fast) - overshoot_of(viscous), ""},
+                     {"9.13.undershoots", last_size, ""},
+                     {"9.13.undershoot_is_slight", last_size, ""},
                      {"9.13.force_leads",
                       degrees(std::arg(chirp_phasor(slow, slow.force_part_A, 3.0, 1.0) /
                                        chirp_phasor(slow, slow.velocity_part_A, 3.0, 1.0))),
@@ -250,7 +219,7 @@ Result<StudyResult> forms_on(const robot::Robot& rig, const StudyContext& contex
     for (const Form form : {Form::kFullState, Form::kCompliant}) {
       auto run = FARRIER_TRY(track(rig,
                                    {.reference = step(0.0, 400.0),
-                                    .duration_s = kRun_s,
+                                    .duration_s = kStepRun_s,
                                     .form = form,
                                     .feed_forward_factor = 0.0,
                                     .integral_factor = xi},

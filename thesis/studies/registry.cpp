@@ -10,12 +10,12 @@ namespace farrier::thesis {
 namespace {
 
 constexpr std::span<const Study> (*kGroups[])() = {
-    chapter4_step,           chapter4_models,   chapter4_points,    chapter4_loads,       chapter6_signals,
-    chapter6_forgetting,     chapter6_table,    chapter7_tracking,  chapter7_gain_maps,   chapter7_load_cycle,
-    chapter7_estimates,      chapter8,          chapter9_estimates, chapter9_gates,       chapter9_weights,
-    chapter9_gains,          chapter9_sines,    chapter9_steps,     chapter9_fixed,       chapter9_ramps,
-    chapter9_identification, chapter9_pressure, chapter10,          section4_sensitivity, section5_update,
-    section6_sampling,       section7_weights,  appendix_parameters};
+    chapter4_step,       chapter4_models,         chapter4_points,   chapter4_loads,     chapter6_inputs,
+    chapter6_signals,    chapter6_forgetting,     chapter6_table,    chapter7_tracking,  chapter7_gain_maps,
+    chapter7_load_cycle, chapter7_estimates,      chapter8,          chapter9_estimates, chapter9_gates,
+    chapter9_weights,    chapter9_gains,          chapter9_sines,    chapter9_steps,     chapter9_fixed,
+    chapter9_ramps,      chapter9_identification, chapter9_pressure, chapter10,          section4_sensitivity,
+    section5_update,     section6_sampling,       section7_weights,  appendix_parameters};
 
 int number_of(std::string_view text) {
   int value = 0;

@@ -13,7 +13,8 @@ std::span<const Study> chapter4_step();            // 4.1
 std::span<const Study> chapter4_models();          // 4.2 to 4.5
 std::span<const Study> chapter4_points();          // 4.6, 4.7
 std::span<const Study> chapter4_loads();           // 4.8 to 4.10, A.2
-std::span<const Study> chapter6_signals();         // 6.1 to 6.5, C.1, C.2
+std::span<const Study> chapter6_inputs();          // 6.1, C.1
+std::span<const Study> chapter6_signals();         // 6.2 to 6.5, C.2
 std::span<const Study> chapter6_forgetting();      // 6.6, 6.7
 std::span<const Study> chapter6_table();           // T6.1
 std::span<const Study> chapter7_tracking();        // 7.2, 7.3
