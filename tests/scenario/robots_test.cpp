@@ -1,4 +1,4 @@
-// Robots of other kinds than HyQ, by their files alone: six legs, and joints with electric motors.
+// Robots of other kinds than HyQ, by their files alone: six legs, one leg, and joints with electric motors.
 
 #include <algorithm>
 #include <cmath>
@@ -62,7 +62,7 @@ TEST_P(OtherRobot, LeavesTheSameTraceHoweverItsJointsAreGrouped) {
   EXPECT_TRUE(run(robot, grouped).trace == per_leg) << "all in one";
 }
 
-INSTANTIATE_TEST_SUITE_P(Shipped, OtherRobot, testing::Values("hexapod", "electric_leg", "electric_quad"),
+INSTANTIATE_TEST_SUITE_P(Shipped, OtherRobot, testing::Values("hexapod", "electric_leg", "electric_quad", "hyl"),
                          [](const auto& robot) { return std::string(robot.param); });
 
 // Share of the weight that all legs in stance carry together, as the reference plans it.
