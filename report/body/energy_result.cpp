@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/median.hpp"
+#include "core/number_as.hpp"
 #include "core/units.hpp"
 #include "report/figures/text_format.hpp"
 

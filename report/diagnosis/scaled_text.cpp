@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/number_as.hpp"
 #include "report/diagnosis/diagnosis_text.hpp"
 #include "report/diagnosis/effects_table.hpp"
 #include "report/figures/text_format.hpp"

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "core/number_as.hpp"
 
 namespace farrier::report {
 
@@ -12,15 +13,7 @@ std::string short_number(double value) {
   }
   constexpr double kLongestWhole = 1e15;
   const bool whole = value == std::floor(value) && std::abs(value) < kLongestWhole;
-  char text[32];
-  std::snprintf(text, sizeof text, whole ? "%.0f" : "%.4g", value);
-  return text;
-}
-
-std::string number_as(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
+  return number_as(whole ? "%.0f" : "%.4g", value);
 }
 
 std::string value_with_unit(const Figure& figure) {

@@ -13,9 +13,6 @@ namespace farrier::report {
 /// Four significant digits; whole numbers in full up to 15 digits; "-" for what is not finite.
 std::string short_number(double value);
 
-/// As `format` of printf writes it, "%.1f", in at most 31 characters.
-std::string number_as(const char* format, double value);
-
 /// "310 us"; just the number where the unit is "1".
 std::string value_with_unit(const Figure& figure);
 

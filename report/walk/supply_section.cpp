@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/number_as.hpp"
 #include "report/figures/text_format.hpp"
 #include "report/page/html_tables.hpp"
 #include "world/energy_audit.hpp"

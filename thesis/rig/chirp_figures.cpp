@@ -117,7 +117,7 @@ std::vector<Span> open_spans(const ChirpEstimates& run, std::size_t shortest) {
 std::string spans_text(const std::vector<Span>& spans) {
   std::string text = "open from sample";
   for (const Span& span : spans) {
-    text += text_of(" %.0f", static_cast<double>(span.begin)) + text_of(" to %.0f,", static_cast<double>(span.end));
+    text += number_as(" %.0f", static_cast<double>(span.begin)) + number_as(" to %.0f,", static_cast<double>(span.end));
   }
   return text;
 }

@@ -207,7 +207,7 @@ Picture force_picture(const CycleRun& run, const std::string& caption) {
   const bool cut = largest_N > 2.0 * highest_N;
   return {caption,
           1,
-          {{.title = cut ? text_of("cut at twice the reference; the force goes to %.0f N", largest_N) : "",
+          {{.title = cut ? number_as("cut at twice the reference; the force goes to %.0f N", largest_N) : "",
             .x_label = "time (s)",
             .y_label = "force (N)",
             .series = {std::move(reference), std::move(force)}},

@@ -1,4 +1,5 @@
 #include "thesis/rig/rig_run.hpp"
+#include "thesis/study/mean.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -195,28 +196,15 @@ double lag_deg(const RigTrace& run, double frequency_Hz, double from_s) {
 }
 
 double mean(const RigTrace& run, const std::vector<double>& values, double from_s, double to_s) {
-  double sum = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (run.time_s[i] >= from_s && run.time_s[i] < to_s) {
-      sum += values[i];
-      count += 1.0;
-    }
-  }
-  return sum / count;
+  const Range range = range_of(run, from_s, to_s);
+  return mean_over(range.begin, range.end, [&](std::size_t i) { return values[i]; });
 }
 
 double standing(const RigTrace& run, double from_s, double to_s) {
   constexpr double kStanding_m_s = 1e-3;
-  double still = 0.0;
-  double count = 0.0;
-  for (std::size_t i = 0; i < run.time_s.size(); ++i) {
-    if (run.time_s[i] >= from_s && run.time_s[i] < to_s) {
-      still += std::abs(run.velocity_m_s[i]) < kStanding_m_s ? 1.0 : 0.0;
-      count += 1.0;
-    }
-  }
-  return still / count;
+  const Range range = range_of(run, from_s, to_s);
+  return mean_over(range.begin, range.end,
+                   [&](std::size_t i) { return std::abs(run.velocity_m_s[i]) < kStanding_m_s ? 1.0 : 0.0; });
 }
 
 double ripple(const RigTrace& run, const std::vector<double>& values, double window_s, double from_s, double to_s) {

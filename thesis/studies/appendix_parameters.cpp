@@ -125,10 +125,10 @@ Result<StudyResult> run_model(const StudyContext& context) {
   }
   const auto peak = control::resonance<3>(light, 50.0, 500.0);
   StudyResult result;
-  result.measured = {{"A.1.anti_resonance", std::abs(at_Hz - 10.0), text_of("%.1f Hz", at_Hz)},
+  result.measured = {{"A.1.anti_resonance", std::abs(at_Hz - 10.0), number_as("%.1f Hz", at_Hz)},
                      {"A.1.light_resonance", std::abs(poles_Hz - 200.0),
-                      text_of("%.0f Hz", poles_Hz) +
-                          (peak ? text_of("; the magnitude is highest at %.0f Hz", peak->frequency_Hz) : "")}};
+                      number_as("%.0f Hz", poles_Hz) +
+                          (peak ? number_as("; the magnitude is highest at %.0f Hz", peak->frequency_Hz) : "")}};
   const Curve curves[] = {{"Tables A.1 and A.2, 2.5 kg", model, 1}};
   result.pictures = {bode_picture("The model's half of Fig. A.1; the measured half is lost",
                                   {bode_panels("force (N/A)", force_grid(), curves)})};

@@ -171,10 +171,10 @@ Result<StudyResult> run_filters(const StudyContext& context) {
   StudyResult result;
   result.measured = {
       {"10.2.margin_lost", force_alone,
-       text_of("disk margin %.2f without filters", bare.margins.disk) +
-           text_of("; force at 150 Hz: %.2f of it", margin_share(gains, {0.0, 0.0, 1.5 * kRigFilter_Hz}))},
+       number_as("disk margin %.2f without filters", bare.margins.disk) +
+           number_as("; force at 150 Hz: %.2f of it", margin_share(gains, {0.0, 0.0, 1.5 * kRigFilter_Hz}))},
       {"10.2.margin_lost_thesis", margin_share(thesis_gains.value(), {20.0, 20.0, kRigFilter_Hz}),
-       text_of("force alone at 100 Hz: %.2f", margin_share(thesis_gains.value(), {0.0, 0.0, kRigFilter_Hz}))},
+       number_as("force alone at 100 Hz: %.2f", margin_share(thesis_gains.value(), {0.0, 0.0, kRigFilter_Hz}))},
       {"10.2.alike", margin_share(gains, {kRigFilter_Hz, kRigFilter_Hz, kRigFilter_Hz}) - force_alone, ""},
       {"10.2.alike_at_50", margin_share(gains, {kAggressive_Hz, kAggressive_Hz, kAggressive_Hz}), ""},
       {"10.2.velocity_alone", filtered.margins.disk / bare.margins.disk, ""},

@@ -86,7 +86,7 @@ Result<StudyResult> run_valve(const StudyContext&) {
   result.measured = {{"4.6.negative_is_lower", highest, ""},
                      {"4.6.negative_is_lower_above_3_Hz", highest_above, ""},
                      {"4.6.resonance_is_damped", drop, ""},
-                     {"4.6.ten_dB_less", std::abs(loss_dB(f) - 10.0), text_of("it loses %.1f dB", loss_dB(f))}};
+                     {"4.6.ten_dB_less", std::abs(loss_dB(f) - 10.0), number_as("it loses %.1f dB", loss_dB(f))}};
   const Curve curves[] = {
       {"shut", f.shut, 1}, {"full open, extending", f.extending, 3}, {"full open, retracting", f.retracting, 2}};
   result.pictures = {

@@ -5,6 +5,7 @@
 
 #include "control/model/model_analysis.hpp"
 #include "thesis/studies/registry.hpp"
+#include "thesis/study/mean.hpp"
 #include "plant/hydraulic_joint.hpp"
 #include "plant/nominal.hpp"
 
@@ -89,12 +90,8 @@ double relative_error(const std::vector<double>& model, const std::vector<double
 /// RMS of the oscillation that remains half of the time after the valve has shut.
 double ringing(const std::vector<double>& force_N) {
   const std::size_t from = force_N.size() * 3 / 4;
-  double mean = 0.0;
-  for (std::size_t i = from; i < force_N.size(); ++i) {
-    mean += force_N[i] / static_cast<double>(force_N.size() - from);
-  }
   std::vector<double> rest(force_N.begin() + static_cast<std::ptrdiff_t>(from), force_N.end());
-  std::ranges::for_each(rest, [&](double& f) { f -= mean; });
+  std::ranges::for_each(rest, [middle = mean(rest)](double& f) { f -= middle; });
   return rms(rest);
 }
 

@@ -142,7 +142,7 @@ Result<StudyResult> run_poles(const StudyContext& context) {
                      {"7.9.quarter_4", pole_error(run, 4), ""},
                      {"7.9.quarter_3_wrong", pole_error(run, 3), ""},
                      {"7.9.quarter_3_real", largest_imaginary(model_of(at_end_of(run, 3)).a),
-                      text_of("true one %.3g", largest_imaginary(truth_of(run, 3).a))}};
+                      number_as("true one %.3g", largest_imaginary(truth_of(run, 3).a))}};
   constexpr const char* kPair =
       "As Farrier does it: distance of the complex pair behind the acting gains from the true one, median over the "
       "quarter's second half.";

@@ -196,9 +196,9 @@ Result<StudyResult> run_tracking(const StudyContext& context) {
   StudyResult result;
   result.measured = {
       {"7.2.sine_error", relative_error(responses[1], period_s),
-       text_of("lag %.3g degrees", lag_deg(responses[1], period_s)), relative_error(linear_sine, period_s)},
+       number_as("lag %.3g degrees", lag_deg(responses[1], period_s)), relative_error(linear_sine, period_s)},
       {"7.2.sine_error_by_signs", std::abs(relative_error(responses[1], period_s) - of_signs) / of_signs,
-       text_of("linear %.3g", of_signs)},
+       number_as("linear %.3g", of_signs)},
       {"7.2.multisine_error", relative_error(responses[2], period_s), "", relative_error(linear_multisine, period_s)},
       {"7.2.overshoot", overshoot(stepped), ""},
       {"7.2.overshoot_is_slight", overshoot(stepped), ""},

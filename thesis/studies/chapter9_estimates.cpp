@@ -8,6 +8,7 @@
 #include "thesis/rig/chirp_figures.hpp"
 #include "thesis/rig/rig_conditions.hpp"
 #include "thesis/studies/registry.hpp"
+#include "thesis/study/mean.hpp"
 
 namespace farrier::thesis {
 namespace chapter9_estimates_studies {
@@ -36,23 +37,19 @@ Result<std::vector<ChirpEstimates>> run_amplitudes(const StudyContext& context, 
 Picture picture_of(const std::string& caption, const std::vector<ChirpEstimates>& runs) {
   std::vector<std::vector<Panel>> columns;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    columns.push_back(estimates_panels(text_of("%g %% of the opening", 100.0 * kAmplitudes[i]), runs[i]));
+    columns.push_back(estimates_panels(number_as("%g %% of the opening", 100.0 * kAmplitudes[i]), runs[i]));
   }
   return bode_picture(caption, std::move(columns));
 }
 
 double mean_share(const std::vector<ChirpEstimates>& runs, double from_s, double to_s) {
-  double sum = 0.0;
-  for (const ChirpEstimates& run : runs) {
-    sum += fictive_share(run, from_s, to_s) / static_cast<double>(runs.size());
-  }
-  return sum;
+  return mean_over(0, runs.size(), [&](std::size_t i) { return fictive_share(runs[i], from_s, to_s); });
 }
 
 std::string shares_text(const std::vector<ChirpEstimates>& runs, double from_s, double to_s) {
   std::string text = "by amplitude:";
   for (const ChirpEstimates& run : runs) {
-    text += text_of(" %.2f", fictive_share(run, from_s, to_s));
+    text += number_as(" %.2f", fictive_share(run, from_s, to_s));
   }
   return text;
 }
@@ -100,7 +97,7 @@ Result<StudyResult> run_constant(const StudyContext& context) {
     result.measured = {{"9.1.peaks", early, shares_text(runs, 0.0, kEarly_s)},
                        {"9.1.disappear", later / early, ""},
                        {"9.1.later", later, shares_text(runs, kLate_s, kChirp_s)},
-                       {"9.1.amplitude", weak - strong, text_of("%.1f dB, ", weak) + text_of("%.1f dB", strong)},
+                       {"9.1.amplitude", weak - strong, number_as("%.1f dB, ", weak) + number_as("%.1f dB", strong)},
                        {"9.1.rough", strong, ""},
                        {"9.1.approximation", strong / first_distance_dB(runs.back()), ""}};
     result.pictures = {picture_of("Estimates with a forgetting factor of 0.92, black to yellow over the chirp", runs)};
@@ -144,7 +141,7 @@ Result<StudyResult> adapt_on(const robot::Robot& rig, const StudyContext& contex
                       shares_text(runs, 0.0, kChirp_s)},
                      {"9.2.smooth", roughness(runs) / roughness(constant.value()), ""},
                      {"9.2.amplitude", high(runs.front()) - high(runs.back()),
-                      text_of("%.1f dB, ", high(runs.front())) + text_of("%.1f dB", high(runs.back()))}};
+                      number_as("%.1f dB, ", high(runs.front())) + number_as("%.1f dB", high(runs.back()))}};
   result.pictures = {picture_of("Estimates with adaptive forgetting, black to yellow over the chirp", runs)};
   return result;
 }
@@ -210,12 +207,12 @@ Result<StudyResult> run_forgetting(const StudyContext& context) {
     soon[row] = mean_lambda(run, row, 0.1, 0.3);
   }
   StudyResult result;
-  result.measured = {
-      {"9.3.largely", std::min({later[0], later[1], later[2]}),
-       text_of("position %.4f, ", later[0]) + text_of("velocity %.4f, ", later[1]) + text_of("force %.4f", later[2])},
-      {"9.3.velocity", later[1] - std::min(later[0], later[2]), ""},
-      {"9.3.dips", least_lambda(run, 1, 1.0), ""},
-      {"9.3.promptly", std::min({soon[0], soon[1], soon[2]}), ""}};
+  result.measured = {{"9.3.largely", std::min({later[0], later[1], later[2]}),
+                      number_as("position %.4f, ", later[0]) + number_as("velocity %.4f, ", later[1]) +
+                          number_as("force %.4f", later[2])},
+                     {"9.3.velocity", later[1] - std::min(later[0], later[2]), ""},
+                     {"9.3.dips", least_lambda(run, 1, 1.0), ""},
+                     {"9.3.promptly", std::min({soon[0], soon[1], soon[2]}), ""}};
   result.pictures = {forgetting_picture("Forgetting factors, chirp of 20 %", run)};
   return result;
 }

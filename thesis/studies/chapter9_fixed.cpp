@@ -100,7 +100,7 @@ Result<StudyResult> compare(const robot::Robot& rig, const StudyContext& context
     const double error_lqr = tracking_error(lqr.value(), 0.4, kLength_s);
     const double error_fl = tracking_error(fl, 0.4, kLength_s);
     worst = std::max({worst, error_lqr, error_fl});
-    const std::string note = text_of("errors: LQR %.3f, ", error_lqr) + text_of("FL %.3f", error_fl);
+    const std::string note = number_as("errors: LQR %.3f, ", error_lqr) + number_as("FL %.3f", error_fl);
     result.measured.push_back(
         {reference.id, rms(fl, difference, 0.4, kLength_s) / rms(fl, fl.reference_N, 0.4, kLength_s), note});
     Panel panel = force_panel(reference.title, lqr.value());
@@ -178,7 +178,7 @@ Result<Measured> take_off(const robot::Robot& rig, const StudyContext& context) 
                                          context.seed));
   const double on = tracking_error(run, kSettled_s, kEach_s);
   const double off = tracking_error(run, kEach_s + kSettled_s, 2 * kEach_s);
-  return Measured{"9.17.removed", off / on, text_of("errors: %.3f with, ", on) + text_of("%.3f without", off)};
+  return Measured{"9.17.removed", off / on, number_as("errors: %.3f with, ", on) + number_as("%.3f without", off)};
 }
 
 Result<StudyResult> add_weights(const robot::Robot& rig, const StudyContext& context, double frequency_Hz,
@@ -198,7 +198,7 @@ Result<StudyResult> add_weights(const robot::Robot& rig, const StudyContext& con
   const auto text = [](const std::vector<double>& values) {
     std::string all = "by weight:";
     for (std::size_t i = 0; i < values.size(); ++i) {
-      all += text_of(" +%g kg", staircase()[i].total_kg) + text_of(" %.3f", values[i]);
+      all += number_as(" +%g kg", staircase()[i].total_kg) + number_as(" %.3f", values[i]);
     }
     return all;
   };

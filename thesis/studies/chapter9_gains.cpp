@@ -192,7 +192,7 @@ Result<StudyResult> run_gated_gains(const StudyContext& context, GateKind gate, 
     }
   }
   StudyResult result;
-  result.measured = {{id, largest, text_of("held for %.1f s of 8", held * kModel_s)}};
+  result.measured = {{id, largest, number_as("held for %.1f s of 8", held * kModel_s)}};
   result.pictures = {{"Gains of the compliant LQR for the estimates, black to yellow; cut at five times their median",
                       1, gain_panels("+0 kg", run, track)}};
   return result;

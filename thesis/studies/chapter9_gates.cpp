@@ -7,6 +7,7 @@
 #include "thesis/rig/chirp_figures.hpp"
 #include "thesis/rig/rig_conditions.hpp"
 #include "thesis/studies/registry.hpp"
+#include "thesis/study/mean.hpp"
 
 namespace farrier::thesis {
 namespace chapter9_gates_studies {
@@ -25,16 +26,6 @@ Result<ChirpEstimates> run_gate(const robot::Robot& rig, const StudyContext& con
 Result<ChirpEstimates> run_gate(const StudyContext& context, GateKind gate) {
   const auto rig = FARRIER_TRY(load_rig(context));
   return run_gate(rig, context, gate);
-}
-
-/// Mean over the ticks within [from, to) of a value.
-template <class Value>
-double mean(std::size_t from, std::size_t to, const Value& value) {
-  double sum = 0.0;
-  for (std::size_t i = from; i < to; ++i) {
-    sum += value(i);
-  }
-  return sum / static_cast<double>(to - from);
 }
 
 // 9.4
@@ -64,8 +55,8 @@ Result<StudyResult> run_methods(const StudyContext& context) {
   result.measured = {
       {"9.4.misses_beginning", static_cast<double>(std::count(runs[1].open.begin(), runs[1].open.begin() + 500, true)),
        ""},
-      {"9.4.pe_improves", pe / alone, text_of("%.3f alone, ", alone) + text_of("%.3f behind the gate", pe)},
-      {"9.4.fft_better", fft - pe, text_of("%.3f", fft)}};
+      {"9.4.pe_improves", pe / alone, number_as("%.3f alone, ", alone) + number_as("%.3f behind the gate", pe)},
+      {"9.4.fft_better", fft - pe, number_as("%.3f", fft)}};
   result.pictures = {
       bode_picture("Estimates of a chirp of 10 %, black to yellow; only those taken while the gate was open",
                    {estimates_panels("adaptive forgetting", runs[0]), estimates_panels("and PE gate", runs[1]),
@@ -126,7 +117,7 @@ Result<StudyResult> run_pe_forgetting(const StudyContext& context) {
   const std::vector<Span> spans = open_spans(run, kShortest);
   double least = 1.0;
   for (int row = 0; row < 3; ++row) {
-    least = std::min(least, mean(0, run.forgetting.size(), [&](std::size_t i) { return run.forgetting[i](row); }));
+    least = std::min(least, mean_over(0, run.forgetting.size(), [&](std::size_t i) { return run.forgetting[i](row); }));
   }
   StudyResult result;
   result.measured = {{"9.5.several_times", static_cast<double>(spans.size()), spans_text(spans)},
@@ -197,8 +188,8 @@ constexpr ClaimSpec kFrequencyClaims[] = {
 Result<StudyResult> frequencies_on(const robot::Robot& rig, const StudyContext& context) {
   const ChirpEstimates run = FARRIER_TRY(run_gate(rig, context, GateKind::kFft));
   const auto count = [&](std::size_t i) { return static_cast<double>(run.frequencies[i]); };
-  const double quiet = mean(1000, 3000, count);
-  const double late = mean(6000, run.frequencies.size(), count);
+  const double quiet = mean_over(1000, 3000, count);
+  const double late = mean_over(6000, run.frequencies.size(), count);
   const estimation::SpectrumParams gate = *params_of({.amplitude = kAmplitude}).fft;
   const int window = gate.window_ticks;
   const int burst = *std::max_element(run.frequencies.begin() + window, run.frequencies.begin() + 600);
@@ -206,7 +197,7 @@ Result<StudyResult> frequencies_on(const robot::Robot& rig, const StudyContext& 
   const std::string note = spans_text(spans);
   std::erase_if(spans, [](const Span& span) { return span.begin < 1000; });
   StudyResult result;
-  result.measured = {{"9.7.rises", late - quiet, text_of("%.1f, ", late) + text_of("%.1f", quiet)},
+  result.measured = {{"9.7.rises", late - quiet, number_as("%.1f, ", late) + number_as("%.1f", quiet)},
                      {"9.7.burst", burst - quiet, ""},
                      {"9.7.not_in_the_middle", static_cast<double>(spans.size()), note}};
   Series series{"frequencies", {run.tick_s.begin() + window, run.tick_s.end()}, {}, Style::kLine, 1};
@@ -249,7 +240,8 @@ Result<StudyResult> run_alone(const StudyContext& context) {
   const ChirpEstimates& run = made;
   double least = 1.0;
   for (int row = 0; row < 3; ++row) {
-    least = std::min(least, mean(1000, run.forgetting.size(), [&](std::size_t i) { return run.forgetting[i](row); }));
+    least =
+        std::min(least, mean_over(1000, run.forgetting.size(), [&](std::size_t i) { return run.forgetting[i](row); }));
   }
   StudyResult result;
   result.measured = {{"G.1.high", least, ""}};
@@ -262,7 +254,7 @@ Result<StudyResult> fft_forgetting_on(const robot::Robot& rig, const StudyContex
   const double first = static_cast<double>(std::count(run.open.begin(), run.open.begin() + 1000, true));
   const double last = static_cast<double>(std::count(run.open.begin() + 5000, run.open.end(), true));
   StudyResult result;
-  result.measured = {{"G.2.gated", first / last, text_of("%.0f ticks, ", first) + text_of("%.0f", last)},
+  result.measured = {{"G.2.gated", first / last, number_as("%.0f ticks, ", first) + number_as("%.0f", last)},
                      {"G.2.inaccurate", distance_dB(run, 2.0, 3.0), ""}};
   result.pictures = {forgetting_picture("Forgetting factors behind the FFT gate; 1 while it is closed", run)};
   return result;

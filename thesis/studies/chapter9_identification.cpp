@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "thesis/rig/rig_conditions.hpp"
 #include "thesis/rig/rig_run.hpp"
 #include "thesis/studies/registry.hpp"
+#include "thesis/study/mean.hpp"
 
 namespace farrier::thesis {
 namespace chapter9_identification_studies {
 namespace {
-
-double mean(const std::vector<double>& values, std::size_t begin, std::size_t end) {
-  double sum = 0.0;
-  for (std::size_t i = begin; i < end; ++i) {
-    sum += values[i];
-  }
-  return sum / static_cast<double>(end - begin);
-}
 
 // 9.19
 
@@ -53,7 +47,8 @@ Result<FrictionPoint> move_evenly(robot::Robot rig, double share, std::uint64_t 
   }
   const auto begin = static_cast<std::size_t>(first - r.position_m.begin());
   const auto end = static_cast<std::size_t>(last - r.position_m.begin());
-  return FrictionPoint{mean(r.measured_velocity_m_s, begin, end), mean(r.measured_force_N, begin, end)};
+  return FrictionPoint{mean(std::span(r.measured_velocity_m_s).subspan(begin, end - begin)),
+                       mean(std::span(r.measured_force_N).subspan(begin, end - begin))};
 }
 
 constexpr const char* kDependent =
@@ -102,12 +97,12 @@ Result<StudyResult> friction_of(const robot::Robot& rig, const StudyContext& con
   StudyResult result;
   result.measured = {
       {"9.19.dependent", slow.coefficient_Ns_m() / fast.coefficient_Ns_m(),
-       text_of("%.0f Ns/m at ", slow.coefficient_Ns_m()) + text_of("%.1f mm/s, ", 1e3 * slow.velocity_m_s) +
-           text_of("%.0f Ns/m at ", fast.coefficient_Ns_m()) + text_of("%.1f mm/s", 1e3 * fast.velocity_m_s)},
+       number_as("%.0f Ns/m at ", slow.coefficient_Ns_m()) + number_as("%.1f mm/s, ", 1e3 * slow.velocity_m_s) +
+           number_as("%.0f Ns/m at ", fast.coefficient_Ns_m()) + number_as("%.1f mm/s", 1e3 * fast.velocity_m_s)},
       {"9.19.stribeck", dry(slow) - dry(fast),
-       text_of("%.1f N at the lowest, ", dry(slow)) + text_of("%.1f N at the highest", dry(fast))},
+       number_as("%.1f N at the lowest, ", dry(slow)) + number_as("%.1f N at the highest", dry(fast))},
       {"9.19.viscous", std::abs(fast.coefficient_Ns_m() / damping - 1.0), ""},
-      {"9.19.slope", std::abs(slope / damping - 1.0), text_of("%.0f Ns/m", slope)}};
+      {"9.19.slope", std::abs(slope / damping - 1.0), number_as("%.0f Ns/m", slope)}};
   Series truth{"d_l", {0.0, there.x.back()}, {damping, damping}, Style::kDashed, 5};
   result.pictures = {{"Friction coefficient of (9.6), springs removed",
                       1,
@@ -147,8 +142,8 @@ Result<double> stiffness_at(const robot::Robot& rig, double sign, std::uint64_t 
   }
   const std::size_t end = run.value().time_s.size();
   const std::size_t begin = end - 500;
-  return std::abs(mean(run.value().measured_force_N, begin, end)) /
-         std::abs(mean(run.value().measured_position_m, begin, end)) / kSprings;
+  return std::abs(mean(std::span(run.value().measured_force_N).subspan(begin, end - begin))) /
+         std::abs(mean(std::span(run.value().measured_position_m).subspan(begin, end - begin))) / kSprings;
 }
 
 Result<StudyResult> run_springs(const StudyContext& context) {
@@ -170,7 +165,7 @@ Result<StudyResult> run_springs(const StudyContext& context) {
   }
   StudyResult result;
   result.measured = {
-      {"9.20.mean", std::abs(sum / truth - 1.0), text_of("%.0f N/m", sum) + text_of(" of %.0f N/m", truth)}};
+      {"9.20.mean", std::abs(sum / truth - 1.0), number_as("%.0f N/m", sum) + number_as(" of %.0f N/m", truth)}};
   const std::vector<double> across{0.5, kDataSets + 0.5};
   result.pictures = {{"Stiffness of a single spring, (9.7)",
                       1,
@@ -230,8 +225,8 @@ Result<StudyResult> run_threshold(const StudyContext& context) {
                     {"threshold", {opening[at]}, {1e-5 * run.pressure_a_Pa[at]}, Style::kCrosses, 3}}});
   }
   StudyResult result;
-  result.measured = {{"9.21.positive", std::abs(found[0] - 0.6), text_of("%.2f %%", found[0])},
-                     {"9.21.negative", std::abs(found[1] - 0.6), text_of("%.2f %%", found[1])},
+  result.measured = {{"9.21.positive", std::abs(found[0] - 0.6), number_as("%.2f %%", found[0])},
+                     {"9.21.negative", std::abs(found[1] - 0.6), number_as("%.2f %%", found[1])},
                      {"9.21.specification", std::max(std::abs(found[0] - 0.75), std::abs(found[1] - 0.75)), ""}};
   result.pictures = {std::move(picture)};
   return result;

@@ -7,6 +7,7 @@
 #include "thesis/rig/rig_conditions.hpp"
 #include "thesis/rig/rig_run.hpp"
 #include "thesis/studies/registry.hpp"
+#include "thesis/study/mean.hpp"
 
 namespace farrier::thesis {
 namespace chapter9_pressure_studies {
@@ -93,16 +94,16 @@ Result<StudyResult> run_deadband(const StudyContext& context) {
     const std::size_t i = delays.size() - 1;
     nearest = std::abs(delays[i].delay_s - 0.01) < std::abs(delays[nearest].delay_s - 0.01) ? i : nearest;
     shorter += i > 0 && delays[i].delay_s < delays[i - 1].delay_s ? 1.0 : 0.0;
-    note += text_of("%g s: ", rise_s) + text_of("%.0f ms; ", 1e3 * delays[i].delay_s);
+    note += number_as("%g s: ", rise_s) + number_as("%.0f ms; ", 1e3 * delays[i].delay_s);
   }
   const auto plain = FARRIER_TRY(run_rise(without, kRises_s[nearest]));
   StudyResult result;
-  result.measured = {
-      {"9.22.step", std::abs(delays[0].delay_s - 0.01), text_of("%.0f ms", 1e3 * delays[0].delay_s)},
-      {"9.22.rise", std::abs(delays[nearest].delay_s - 0.01), "rise: delay, " + note},
-      {"9.22.by_deadband", delay_of(plain, nominal_A).delay_s / delays[nearest].delay_s, ""},
-      {"9.22.input", std::abs(100.0 * delays[nearest].input - 0.6), text_of("%.2f %%", 100.0 * delays[nearest].input)},
-      {"9.22.rate", shorter, ""}};
+  result.measured = {{"9.22.step", std::abs(delays[0].delay_s - 0.01), number_as("%.0f ms", 1e3 * delays[0].delay_s)},
+                     {"9.22.rise", std::abs(delays[nearest].delay_s - 0.01), "rise: delay, " + note},
+                     {"9.22.by_deadband", delay_of(plain, nominal_A).delay_s / delays[nearest].delay_s, ""},
+                     {"9.22.input", std::abs(100.0 * delays[nearest].input - 0.6),
+                      number_as("%.2f %%", 100.0 * delays[nearest].input)},
+                     {"9.22.rate", shorter, ""}};
   const RigTrace& drawn = runs[nearest];
   const auto from = static_cast<std::ptrdiff_t>(std::llround((kBegin_s - 0.02) / drawn.period_s));
   const auto to = static_cast<std::ptrdiff_t>(std::llround((kBegin_s + 0.06) / drawn.period_s));
@@ -111,7 +112,7 @@ Result<StudyResult> run_deadband(const StudyContext& context) {
   };
   const std::vector<double> time = cut(drawn.time_s);
   const double risen_s = kBegin_s + delays[nearest].delay_s;
-  result.pictures = {{text_of("Reference that rises to 400 N in %g s", kRises_s[nearest]),
+  result.pictures = {{number_as("Reference that rises to 400 N in %g s", kRises_s[nearest]),
                       2,
                       {force_panel("all of it", drawn),
                        {.title = "its beginning",
@@ -173,10 +174,8 @@ double quick(std::span<const thesis::ForceStepSample> samples, double from_s, do
     if (t < from_s || t > to_s) {
       continue;
     }
-    double mean = 0.0;
-    for (std::ptrdiff_t j = i - half; j <= i + half; ++j) {
-      mean += samples[static_cast<std::size_t>(j)].*value / static_cast<double>(2 * half + 1);
-    }
+    const double mean = mean_over(static_cast<std::size_t>(i - half), static_cast<std::size_t>(i + half + 1),
+                                  [&](std::size_t j) { return samples[j].*value; });
     const double off = samples[static_cast<std::size_t>(i)].*value - mean;
     sum += off * off;
     count += 1.0;
@@ -231,8 +230,8 @@ Result<StudyResult> oscillate(robot::Robot rig, const StudyContext& context) {
   StudyResult result;
   result.measured = {
       {"9.23.on_motion", moving.peak_Pa / stuck_Pa,
-       text_of("moves at %.1f ms; ", 1e3 * moves_s) + text_of("%.2f bar, ", 1e-5 * moving.peak_Pa) +
-           text_of("%.0f Hz", moving.frequency_Hz)},
+       number_as("moves at %.1f ms; ", 1e3 * moves_s) + number_as("%.2f bar, ", 1e-5 * moving.peak_Pa) +
+           number_as("%.0f Hz", moving.frequency_Hz)},
       {"9.23.velocity", quick(run, kMoving_s[0], kMoving_s[1], &thesis::ForceStepSample::velocity_m_s), ""},
       {"9.23.control",
        quick(run, kMoving_s[0], kMoving_s[1], &thesis::ForceStepSample::velocity_part_A) /
@@ -240,7 +239,7 @@ Result<StudyResult> oscillate(robot::Robot rig, const StudyContext& context) {
        ""},
       {"9.23.decay", swing(moves_s + kGone_s, kEnd_s) / swing(moves_s + kPassing_s, moves_s + kGone_s), ""},
       {"9.23.wide_open", swing(open.first + kPassing_s, open.second - kPassing_s) / before_Pa,
-       text_of("full open from %.0f ", 1e3 * open.first) + text_of("to %.0f ms", 1e3 * open.second)}};
+       number_as("full open from %.0f ", 1e3 * open.first) + number_as("to %.0f ms", 1e3 * open.second)}};
   Series force{"force", {}, {}, Style::kLine, 1};
   Series reference{"reference", {}, {}, Style::kLine, 0};
   Series pressure{"", {}, {}, Style::kLine, 2};
@@ -261,7 +260,7 @@ Result<StudyResult> oscillate(robot::Robot rig, const StudyContext& context) {
     }
   }
   result.pictures = {
-      {text_of("Reference that rises to 400 N in %g s", kRise_s),
+      {number_as("Reference that rises to 400 N in %g s", kRise_s),
        1,
        {{.title = "all of it",
          .x_label = "time (s)",

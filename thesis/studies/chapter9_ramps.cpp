@@ -12,7 +12,7 @@ namespace chapter9_ramps_studies {
 namespace {
 
 std::string pair_text(double without, double with_20) {
-  return text_of("%.3f, with ", without) + text_of("20 kg %.3f", with_20);
+  return number_as("%.3f, with ", without) + number_as("20 kg %.3f", with_20);
 }
 
 constexpr double kBegin_s = 0.5;
@@ -45,9 +45,9 @@ Result<StudyResult> run_references(const StudyContext& context, double rise_s, c
           rig, {.reference = reference, .duration_s = kReferenceRun_s, .added = {{0.0, added_kg}}}, context.seed));
       errors.push_back(tracking_error(run, kBegin_s, kReferenceRun_s));
       peaks.push_back(std::ranges::max(run.force_N) / to_N - 1.0);
-      picture.panels.push_back(force_panel(text_of("%g N, ", to_N) + text_of("+%g kg", added_kg), run));
+      picture.panels.push_back(force_panel(number_as("%g N, ", to_N) + number_as("+%g kg", added_kg), run));
     }
-    const std::string id = figure + text_of(".%g", to_N);
+    const std::string id = figure + number_as(".%g", to_N);
     const std::string note =
         "RMS error " + pair_text(errors[0], errors[1]) + "; overshoot " + pair_text(peaks[0], peaks[1]);
     result.measured.push_back({id, rise_s > 0.0 ? errors[1] / errors[0] : peaks[1] / peaks[0], note});

@@ -47,7 +47,7 @@ std::vector<double> errors_of(const std::vector<RigTrace>& runs) {
 std::string errors_text(const std::vector<double>& errors) {
   std::string text = "errors:";
   for (const double error : errors) {
-    text += text_of(" %.3f", error);
+    text += number_as(" %.3f", error);
   }
   return text;
 }
@@ -56,7 +56,7 @@ Picture force_picture(const std::string& caption, std::span<const Sine> sines, c
   Picture picture{caption, 1, {}};
   for (std::size_t i = 0; i < runs.size(); ++i) {
     picture.panels.push_back(
-        force_panel(text_of("%g N, ", sines[i].amplitude_N) + text_of("%g Hz", sines[i].frequency_Hz), runs[i]));
+        force_panel(number_as("%g N, ", sines[i].amplitude_N) + number_as("%g Hz", sines[i].frequency_Hz), runs[i]));
   }
   return picture;
 }
@@ -200,7 +200,7 @@ Result<StudyResult> run_forms(const StudyContext& context) {
       {"9.14.fights_rest", agreement(w, w.position_part_A, sum_of(w.force_part_A, w.integral_part_A)), ""},
       {"9.14.feed_forward", agreement(f, f.position_part_A, f.feed_forward_part_A), ""},
       {"9.14.full_error", full_error, ""},
-      {"9.14.compliant_error", compliant_error - full_error, text_of("compliant %.3f", compliant_error)},
+      {"9.14.compliant_error", compliant_error - full_error, number_as("compliant %.3f", compliant_error)},
       {"9.14.compliant_lag", lag - lag_deg(f, 1.0, kSettled_s), ""},
       {"9.14.compliant_lag_is_slight", lag, ""}};
   const double nominal_A = rig.joints[0].normalisation.current_A;
@@ -234,7 +234,7 @@ Result<StudyResult> run_compliant(const robot::Robot& rig, const StudyContext& c
     lags.push_back(lag_deg(runs[i], sines[i].frequency_Hz, kSettled_s));
     sticks.push_back(sticking(runs[i], sines[i].frequency_Hz));
     picture.panels.push_back(
-        force_panel(text_of("%g N, ", sines[i].amplitude_N) + text_of("%g Hz", sines[i].frequency_Hz), runs[i]));
+        force_panel(number_as("%g N, ", sines[i].amplitude_N) + number_as("%g Hz", sines[i].frequency_Hz), runs[i]));
     picture.panels.push_back(parts_panel(runs[i], rig.joints[0].normalisation.current_A));
   }
   const auto id = [&](const char* name) { return std::string(figure) + "." + name; };
@@ -243,7 +243,7 @@ Result<StudyResult> run_compliant(const robot::Robot& rig, const StudyContext& c
                      {id("lag"), lags.back(), ""},
                      {id("lag_grows"), lags.back() - lags.front(), ""},
                      {id("sticks"), sticks.front() / sticks.back(),
-                      text_of("at 1 Hz %.3f", sticks.front()) + text_of(", at 5 Hz %.3f", sticks.back())}};
+                      number_as("at 1 Hz %.3f", sticks.front()) + number_as(", at 5 Hz %.3f", sticks.back())}};
   result.pictures = {std::move(picture)};
   return result;
 }

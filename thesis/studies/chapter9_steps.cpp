@@ -230,13 +230,14 @@ Result<StudyResult> forms_on(const robot::Robot& rig, const StudyContext& contex
   const RigTrace &f = runs[0], &c = runs[1];
   const double quick = settled_s(c, 0.0, 400.0);
   StudyResult result;
-  result.measured = {{"9.15.against", f.position_part_A.back() / nominal_A, ""},
-                     {"9.15.prevents", steady_error(runs[4], 0.0, 400.0) - steady_error(runs[5], 0.0, 400.0), ""},
-                     {"9.15.late", settled_s(f, 0.0, 400.0) / quick,
-                      text_of("with xi = 0.1: %.1f", settled_s(runs[2], 0.0, 400.0) / settled_s(runs[3], 0.0, 400.0))},
-                     {"9.15.integrator", steady_error(f, 0.0, 400.0), ""},
-                     {"9.15.compliant_settles", quick, ""},
-                     {"9.15.compliant_error", steady_error(c, 0.0, 400.0), ""}};
+  result.measured = {
+      {"9.15.against", f.position_part_A.back() / nominal_A, ""},
+      {"9.15.prevents", steady_error(runs[4], 0.0, 400.0) - steady_error(runs[5], 0.0, 400.0), ""},
+      {"9.15.late", settled_s(f, 0.0, 400.0) / quick,
+       number_as("with xi = 0.1: %.1f", settled_s(runs[2], 0.0, 400.0) / settled_s(runs[3], 0.0, 400.0))},
+      {"9.15.integrator", steady_error(f, 0.0, 400.0), ""},
+      {"9.15.compliant_settles", quick, ""},
+      {"9.15.compliant_error", steady_error(c, 0.0, 400.0), ""}};
   result.pictures = {{"Step of 400 N without feed-forward",
                       2,
                       {force_panel("full state", f), force_panel("compliant", c), parts_panel(f, nominal_A),

@@ -116,12 +116,13 @@ OfWeights of_weights(const std::vector<ChirpEstimates>& runs) {
   // Without a resonance nothing is seen to shift.
   const auto shift = [](double to, double from) { return std::isfinite(to / from) ? to / from : 1.0; };
   return {shift(resonance[1], resonance[0]), shift(resonance[2], resonance[1]), slow,
-          text_of("%.0f, ", resonance[0]) + text_of("%.0f, ", resonance[1]) + text_of("%.0f Hz", resonance[2])};
+          number_as("%.0f, ", resonance[0]) + number_as("%.0f, ", resonance[1]) + number_as("%.0f Hz", resonance[2])};
 }
 
 std::string dips_text(const ChirpEstimates& light, const ChirpEstimates& heavy) {
-  return text_of("%.1f dB without, ", last_dip_dB(light)) + text_of("%.1f dB with 15 kg; models ", last_dip_dB(heavy)) +
-         text_of("%.1f, ", dip_dB(light, light.nominal)) + text_of("%.1f dB", dip_dB(heavy, heavy.nominal));
+  return number_as("%.1f dB without, ", last_dip_dB(light)) +
+         number_as("%.1f dB with 15 kg; models ", last_dip_dB(heavy)) +
+         number_as("%.1f, ", dip_dB(light, light.nominal)) + number_as("%.1f dB", dip_dB(heavy, heavy.nominal));
 }
 
 Result<StudyResult> weights_on(const robot::Robot& rig, const StudyContext& context) {
@@ -135,7 +136,7 @@ Result<StudyResult> weights_on(const robot::Robot& rig, const StudyContext& cont
                      {"9.8.quick", found.quick, ""}};
   std::vector<std::vector<Panel>> columns;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    columns.push_back(estimates_panels(text_of("+%g kg", kWeights_kg[i]), runs[i]));
+    columns.push_back(estimates_panels(number_as("+%g kg", kWeights_kg[i]), runs[i]));
   }
   result.pictures = {bode_picture(
       "Estimates of a chirp of 20 % with weight on the cart, black to yellow over the chirp", std::move(columns))};
@@ -177,15 +178,15 @@ Result<StudyResult> run_methods(const robot::Robot& rig, const StudyContext& con
   const auto id = [&](const char* name) { return std::string(figure) + "." + name; };
   StudyResult result;
   result.measured = {{id("alone"), alone / gated,
-                      text_of("%.1f dB, ", alone) + text_of("PE %.1f dB, ", distance(runs[1])) +
-                          text_of("FFT %.1f dB", distance(runs[2]))},
+                      number_as("%.1f dB, ", alone) + number_as("PE %.1f dB, ", distance(runs[1])) +
+                          number_as("FFT %.1f dB", distance(runs[2]))},
                      {id("fft_late"), open_share(runs[2], 5.0, kChirp_s) - open_share(runs[2], 0.0, 4.0), ""}};
   if (std::string_view(figure) == "9.9") {
     result.measured.push_back({id("pe_middle"), open_share(runs[1], 2.0, 6.0), ""});
     result.measured.push_back({id("pe_off"), open_share(runs[1], 7.0, kChirp_s), ""});
   }
   result.pictures = {bode_picture(
-      text_of("Chirp of 20 %% with +%g kg, black to yellow; only estimates taken while the gate was open", added_kg),
+      number_as("Chirp of 20 %% with +%g kg, black to yellow; only estimates taken while the gate was open", added_kg),
       {estimates_panels("adaptive forgetting", runs[0]), estimates_panels("and PE gate", runs[1]),
        estimates_panels("and FFT gate", runs[2])})};
   return result;

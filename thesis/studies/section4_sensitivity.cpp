@@ -8,6 +8,7 @@
 #include "thesis/rig/bode.hpp"
 #include "thesis/rig/nominal_force.hpp"
 #include "thesis/studies/registry.hpp"
+#include "thesis/study/mean.hpp"
 
 namespace farrier::thesis {
 namespace section4_sensitivity_studies {
@@ -54,14 +55,6 @@ std::vector<double> spreads_dB(const std::vector<Response>& family) {
     spreads.push_back(high - low);
   }
   return spreads;
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) {
-    sum += value / static_cast<double>(values.size());
-  }
-  return sum;
 }
 
 /// Responses with one value of the operating point varied over its range.
@@ -124,11 +117,11 @@ Result<StudyResult> run(const StudyContext&) {
   StudyResult result;
   result.measured = {
       {"S4.3.opening_most", opening - std::max({position, velocity, load_pressure}),
-       text_of("opening %.1f, ", opening) + text_of("position %.1f, ", position) +
-           text_of("velocity %.1f, ", velocity) + text_of("load pressure %.1f dB", load_pressure)},
+       number_as("opening %.1f, ", opening) + number_as("position %.1f, ", position) +
+           number_as("velocity %.1f, ", velocity) + number_as("load pressure %.1f dB", load_pressure)},
       {"S4.3.stiffness_less", mean(spreads_dB(stiffness)) / mean(spreads_dB(friction)),
-       text_of("%.2f dB, ", mean(spreads_dB(stiffness))) + text_of("%.2f dB", mean(spreads_dB(friction)))},
-      {"S4.3.zeros", zeros / poles, text_of("zeros %.2f, ", zeros) + text_of("poles %.2f", poles)}};
+       number_as("%.2f dB, ", mean(spreads_dB(stiffness))) + number_as("%.2f dB", mean(spreads_dB(friction)))},
+      {"S4.3.zeros", zeros / poles, number_as("zeros %.2f, ", zeros) + number_as("poles %.2f", poles)}};
   std::vector<Curve> curves;
   for (std::size_t i = 0; i < openings.size(); ++i) {
     curves.push_back({"", openings[i], 0, static_cast<double>(i) / static_cast<double>(openings.size())});

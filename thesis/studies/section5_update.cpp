@@ -61,8 +61,8 @@ Result<StudyResult> run_logics(const StudyContext& context) {
       other_designs = std::min(other_designs, made);
       other_error = std::min(other_error, largest);
     }
-    designs_text += text_of(" %.0f", made);
-    errors_text += text_of(" %.3f", largest);
+    designs_text += number_as(" %.0f", made);
+    errors_text += number_as(" %.3f", largest);
     work.x.push_back(static_cast<double>(i) + 1.0);
     work.y.push_back(made);
     quality.x.push_back(static_cast<double>(i) + 1.0);
@@ -116,9 +116,9 @@ Result<StudyResult> run_switch(const StudyContext& context) {
   }
   StudyResult result;
   result.measured = {{"S10.3.dwell", longest / shortest,
-                      text_of("%.0f ticks of ", longest) +
-                          text_of("%.0f; a common quadratic Lyapunov function: ", shortest) +
-                          text_of("%.0f joints", common)}};
+                      number_as("%.0f ticks of ", longest) +
+                          number_as("%.0f; a common quadratic Lyapunov function: ", shortest) +
+                          number_as("%.0f joints", common)}};
   return result;
 }
 

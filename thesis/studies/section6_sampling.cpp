@@ -108,12 +108,12 @@ Result<StudyResult> run(const StudyContext& context) {
   for (const double forgetting : kForgetting) {
     series.x.push_back(forgetting);
     series.y.push_back(noisy_error_dB(context, forgetting));
-    text += text_of(" %.2f dB", series.y.back());
+    text += number_as(" %.2f dB", series.y.back());
   }
   const std::vector<double> errors = series.y;
   StudyResult result;
   result.measured = {
-      {"S6.3.sampling", at_2_kHz / at_1_kHz, text_of("%.2f dB, ", at_2_kHz) + text_of("%.2f dB", at_1_kHz)},
+      {"S6.3.sampling", at_2_kHz / at_1_kHz, number_as("%.2f dB, ", at_2_kHz) + number_as("%.2f dB", at_1_kHz)},
       {"S6.3.noise_needs_memory", errors[2] / errors[0], text},
       {"S6.3.compromise", errors[2] / std::min({errors[0], errors[1], errors[3]}), ""}};
   result.pictures = {

@@ -94,7 +94,7 @@ Result<StudyResult> run_weights(const StudyContext& context) {
   const double error = tracking_error(usual, kSettled_s, kRun_s);
   StudyResult result;
   result.measured = {
-      {"S7.2.velocity", tracking_error(slow, kSettled_s, kRun_s) / error, text_of("with (7.9) %.3f", error)},
+      {"S7.2.velocity", tracking_error(slow, kSettled_s, kRun_s) / error, number_as("with (7.9) %.3f", error)},
       {"S7.2.force", tracking_error(weak, kSettled_s, kRun_s) / error, ""},
       {"S7.2.input", full_open(dear_step, nominal_A) / full_open(cheap_step, nominal_A), ""},
       {"S7.2.integrator", end_error(cheap_step, 400.0), ""}};
@@ -158,7 +158,7 @@ Result<StudyResult> run_normalised(const StudyContext& context) {
   const double normalised = iteration_error(model, Eigen::Vector4d::Ones(), 1.0);
   const double si = iteration_error(model, {n.force, n.position, n.velocity, n.force}, n.current_A);
   StudyResult result;
-  result.measured = {{"S8.2.normalised", si / normalised, text_of("%.1e, ", si) + text_of("%.1e", normalised)}};
+  result.measured = {{"S8.2.normalised", si / normalised, number_as("%.1e, ", si) + number_as("%.1e", normalised)}};
   return result;
 }
 

@@ -1,7 +1,6 @@
 #include "thesis/study/study.hpp"
 
 #include <cmath>
-#include <cstdio>
 
 #include "config/problem.hpp"
 
@@ -17,12 +16,6 @@ Result<robot::Robot> load(const StudyContext& context, const std::string& file) 
     return Error{config::to_string(loaded.error())};
   }
   return std::move(loaded).value();
-}
-
-std::string text_of(const char* format, double value) {
-  char text[96];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
 }
 
 std::vector<double> linear_space(double low, double high, std::size_t count) {

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/number_as.hpp"  // for notes
 #include "core/result.hpp"
 #include "report/page/picture.hpp"
 #include "robot/robot.hpp"
@@ -68,9 +69,6 @@ bool keep_going(const StudyContext& context, double share);
 
 /// The robot of a shipped file, such as "fc1d.yaml".
 Result<robot::Robot> load(const StudyContext& context, const std::string& file);
-
-/// One number as a note says it, at most 95 characters; `format` takes a double.
-std::string text_of(const char* format, double value);
 
 /// `count` >= 2 values from low to high; both > 0 for the logarithmic one.
 std::vector<double> linear_space(double low, double high, std::size_t count);

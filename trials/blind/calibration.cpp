@@ -7,8 +7,8 @@
 #include <numeric>
 
 #include "core/noise.hpp"
+#include "core/number_as.hpp"
 #include "core/wilson.hpp"
-#include "trials/blind/number_text.hpp"
 #include "trials/blind/score.hpp"
 
 namespace farrier::blind {
@@ -227,11 +227,11 @@ std::optional<diagnosis::ConfidenceMap> fitted_map(const std::vector<Outcome>& o
 std::string map_text(const diagnosis::ConfidenceMap& map, const std::string& source) {
   std::string weights;
   for (const double weight : map.weights) {
-    weights += (weights.empty() ? "" : ", ") + number_text("%.6g", weight);
+    weights += (weights.empty() ? "" : ", ") + number_as("%.6g", weight);
   }
-  return "// " + source + "\n{" + number_text("%.6g", map.bias) + ",\n {" + weights + "},\n " +
-         number_text("%.1f", map.trials) + ", " + number_text("%.6g", map.least_share) + ", " +
-         number_text("%.6g", map.widening) + "}\n";
+  return "// " + source + "\n{" + number_as("%.6g", map.bias) + ",\n {" + weights + "},\n " +
+         number_as("%.1f", map.trials) + ", " + number_as("%.6g", map.least_share) + ", " +
+         number_as("%.6g", map.widening) + "}\n";
 }
 
 }  // namespace farrier::blind

@@ -1,9 +1,8 @@
 #include <algorithm>
-#include <cstdio>
 #include <map>
 
+#include "core/number_as.hpp"
 #include "core/text.hpp"
-#include "trials/blind/number_text.hpp"
 #include "trials/blind/score.hpp"
 
 namespace farrier::blind {
@@ -82,11 +81,10 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
       "| effect | counted | named | first alone | parameter | error before / after | control |\n"
       "|---|---|---|---|---|---|---|\n";
   for (const auto& [name, s] : score_by_effect(outcomes)) {
-    page += "| " + name + " | " + std::to_string(s.counted) + " | " + number_text("%.0f %%", 100 * s.named) + " | " +
-            number_text("%.0f %%", 100 * s.first_alone) + " | " + number_text("%.0f %%", 100 * s.within_tolerance) +
-            " | " + number_text("%.1f", s.median_gain) + " | " +
-            (s.controlled > 0 ? number_text("%.2f", s.control_gain) + ", " + std::to_string(s.controlled) : "") +
-            " |\n";
+    page += "| " + name + " | " + std::to_string(s.counted) + " | " + number_as("%.0f %%", 100 * s.named) + " | " +
+            number_as("%.0f %%", 100 * s.first_alone) + " | " + number_as("%.0f %%", 100 * s.within_tolerance) + " | " +
+            number_as("%.1f", s.median_gain) + " | " +
+            (s.controlled > 0 ? number_as("%.2f", s.control_gain) + ", " + std::to_string(s.controlled) : "") + " |\n";
   }
   page +=
       "\n## Trials that went wrong\n\n| hidden | size | excitation | seed | change of the error | cannot be separated "
@@ -102,7 +100,7 @@ std::string confusion_page(const std::vector<Outcome>& outcomes) {
       page += "| " + hidden_name(o) + " | " +
               (o.plan.plan.hidden.empty() ? "" : std::to_string(o.plan.plan.hidden.front().magnitude)) + " | " +
               name_of(o.plan.plan.excitation) + " | " + std::to_string(o.plan.plan.seed) + " | " +
-              number_text("%.0f %%", 100 * o.detectable) + " | " + join(o.inseparable, ", ") + " | " +
+              number_as("%.0f %%", 100 * o.detectable) + " | " + join(o.inseparable, ", ") + " | " +
               (o.refused.empty() ? answer_name(o) : o.refused) + " |\n";
     }
   }

@@ -35,7 +35,7 @@ StudyRun run_over(std::vector<double> values) {
   for (const double value : values) {
     run.seeds.push_back({.seed = run.seeds.size() + 1,
                          .result = StudyResult{{{"9.99.large", value, "", 10.0 * value},
-                                                {"9.99.small", value, text_of("of %g", value)},
+                                                {"9.99.small", value, number_as("of %g", value)},
                                                 {"9.99.ours", value, ""}},
                                                {}}});
   }
