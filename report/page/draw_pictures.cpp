@@ -150,7 +150,7 @@ std::string key(const Panel& panel, Key where) {
     case Key::kAbove:
       return "set key tmargin right horizontal samplen 2 noautotitle\n";
     case Key::kBelow:
-      return "set key bmargin left vertical Left reverse samplen 1 noautotitle\n";
+      return "set key bmargin left horizontal Left reverse samplen 1 noautotitle\n";
   }
   return "";
 }
@@ -168,6 +168,7 @@ std::string axes(const Panel& panel) {
   } else if (panel.x_range) {
     script += range("x", *panel.x_range);
   }
+  script += panel.y_range ? range("y", *panel.y_range) : "";
   if (!panel.rows.empty()) {
     std::string names;
     for (std::size_t i = 0; i < panel.rows.size(); ++i) {

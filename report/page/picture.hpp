@@ -51,6 +51,7 @@ struct Panel {
   std::vector<Series> series = {};
   std::optional<Range> x_range = std::nullopt;  ///< of both axes with a unit circle; none: that of the data
   std::vector<std::string> rows = {};           ///< names of the heights 0, 1, ... in place of numbers
+  std::optional<Range> y_range = std::nullopt;  ///< none: that of the data
 };
 
 enum class Key { kInside, kAbove, kBelow };

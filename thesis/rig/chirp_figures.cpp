@@ -153,6 +153,10 @@ std::vector<Panel> estimates_panels(const std::string& title, const ChirpEstimat
 Picture forgetting_picture(const std::string& caption, const ChirpEstimates& run) {
   Picture picture{caption, 1, {}};
   constexpr const char* kNames[] = {"position", "velocity", "force"};
+  double least = 1.0;
+  for (const Eigen::Vector3d& lambda : run.forgetting) {
+    least = std::min(least, lambda.minCoeff());
+  }
   for (int row = 0; row < 3; ++row) {
     Series series{"", run.tick_s, {}, Style::kLine, row + 1};
     for (const Eigen::Vector3d& lambda : run.forgetting) {
@@ -161,7 +165,8 @@ Picture forgetting_picture(const std::string& caption, const ChirpEstimates& run
     picture.panels.push_back({.title = kNames[row],
                               .x_label = "time (s)",
                               .y_label = "forgetting factor (1)",
-                              .series = {std::move(series)}});
+                              .series = {std::move(series)},
+                              .y_range = report::Range{least - 0.02, 1.02}});
   }
   return picture;
 }

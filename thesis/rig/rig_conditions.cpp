@@ -43,13 +43,19 @@ Result<StudyResult> measure_on(const robot::Robot& rig, std::span<const ClaimSpe
       continue;
     }
     const StudyResult again = FARRIER_TRY(measure(under(condition.condition, rig)));
+    bool needed = false;
     for (Measured& one : result.measured) {
       const auto claim =
           std::ranges::find_if(claims, [&](const ClaimSpec& spec) { return spec.id == one.id && is_its(spec); });
       const Measured* value = find_measured(again, one.id);
       if (claim != claims.end() && value != nullptr) {
         one.under_condition = value->value;
+        needed = needed || judge(*claim, one.value, value->value) == Verdict::kNeeds;
       }
+    }
+    for (std::size_t i = 0; needed && i < again.pictures.size(); ++i) {
+      result.pictures.push_back(again.pictures[i]);
+      result.pictures.back().caption += std::string(". With ") + condition.name;
     }
   }
   return result;

@@ -31,7 +31,8 @@ robot::Robot under(Condition condition, robot::Robot rig);
 
 using OnRig = std::function<Result<StudyResult>(const robot::Robot& rig)>;
 
-/// Results of `measure` on the rig; each claim with a condition gets its value under that as well. Refuses what
+/// Results of `measure` on the rig; each claim with a condition gets its value under that as well. Pictures of a condition
+/// that a claim needs stand behind those of the rig. Refuses what
 /// `measure` refuses.
 Result<StudyResult> measure_on(const robot::Robot& rig, std::span<const ClaimSpec> claims, const OnRig& measure);
 

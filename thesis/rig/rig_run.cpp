@@ -229,11 +229,15 @@ std::vector<double> scaled(const std::vector<double>& values, double factor) {
 }
 
 Panel force_panel(const std::string& title, const RigTrace& run) {
-  const double highest = std::ranges::max(run.reference_N, {}, [](double f) { return std::abs(f); });
+  constexpr double kDrawn = 3.0;  // over the reference
+  const auto size = [](double f) { return std::abs(f); };
+  const double most_N = kDrawn * std::abs(std::ranges::max(run.reference_N, {}, size));
+  const double largest_N = std::abs(std::ranges::max(run.force_N, {}, size));
   std::vector<double> force(run.force_N);
-  std::ranges::for_each(force,
-                        [=](double& f) { f = std::clamp(f, -3.0 * std::abs(highest), 3.0 * std::abs(highest)); });
-  return {.title = title,
+  std::ranges::for_each(force, [=](double& f) { f = std::clamp(f, -most_N, most_N); });
+  const std::string cut =
+      largest_N > most_N ? number_as("cut at three times the reference; the force goes to %.0f N", largest_N) : "";
+  return {.title = title + (title.empty() || cut.empty() ? "" : ": ") + cut,
           .x_label = "time (s)",
           .y_label = "force (N)",
           .series = {{"reference", run.time_s, run.reference_N, Style::kLine, 0},

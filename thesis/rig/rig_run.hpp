@@ -81,7 +81,7 @@ double standing(const RigTrace& run, double from_s, double to_s);
 /// RMS of the difference to the mean over `window_s` centred: what is quicker than the window.
 double ripple(const RigTrace& run, const std::vector<double>& values, double window_s, double from_s, double to_s);
 
-/// Panel of reference and force.
+/// Panel of reference and force. The force is cut at three times the reference, as the title then says.
 Panel force_panel(const std::string& title, const RigTrace& run);
 /// Panel of what a controller's output is made of, over the valve's nominal current.
 Panel parts_panel(const RigTrace& run, double current_max_A);

@@ -53,12 +53,9 @@ Result<StudyResult> run_example(const StudyContext& context) {
   StudyResult result;
   result.measured = {{"1.2.nominal", nominal, ""},
                      {"1.2.degraded", tracking_error(runs[1], kSettled_s, 4.0) / nominal, ""}};
-  Panel panel = force_panel("", runs[0]);
-  panel.series[1].label = "2.5 kg";
-  panel.series.push_back(force_panel("", runs[1]).series[1]);
-  panel.series.back().label = "+20 kg";
-  panel.series.back().colour = 3;
-  result.pictures = {{"Feedback linearisation, tuned for 2.5 kg", 1, {std::move(panel)}}};
+  result.pictures = {{"Feedback linearisation, tuned for 2.5 kg",
+                      1,
+                      {force_panel("2.5 kg", runs[0]), force_panel("+20 kg", runs[1])}}};
   return result;
 }
 
@@ -194,7 +191,7 @@ Result<StudyResult> add_weights(const robot::Robot& rig, const StudyContext& con
     errors.push_back(tracking_error(run, begin_s + kSettled_s, begin_s + kEach_s));
     swings.push_back(swing(run, begin_s + kSettled_s, begin_s + kEach_s));
   }
-  picture.panels = {force_panel("0, 5, 10, 15 and 20 kg, 4 s each; force cut at three times the reference", run)};
+  picture.panels = {force_panel("0, 5, 10, 15 and 20 kg, 4 s each", run)};
   const auto text = [](const std::vector<double>& values) {
     std::string all = "by weight:";
     for (std::size_t i = 0; i < values.size(); ++i) {

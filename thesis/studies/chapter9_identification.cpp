@@ -175,7 +175,8 @@ Result<StudyResult> run_springs(const StudyContext& context) {
                         .series = {std::move(ends[0]),
                                    std::move(ends[1]),
                                    {"springs of the rig", across, {truth, truth}, Style::kDashed, 5},
-                                   {"mean", across, {sum, sum}, Style::kLine, 3}}}}}};
+                                   {"mean", across, {sum, sum}, Style::kLine, 3}},
+                        .y_range = report::Range{0.96 * truth, 1.04 * truth}}}}};
   return result;
 }
 
