@@ -150,7 +150,7 @@ std::string key(const Panel& panel, Key where) {
     case Key::kAbove:
       return "set key tmargin right horizontal samplen 2 noautotitle\n";
     case Key::kBelow:
-      return "set key bmargin left horizontal Left reverse samplen 1 noautotitle\n";
+      return "set key bmargin left horizontal Left reverse samplen 1 height 1 noautotitle\n";
   }
   return "";
 }
