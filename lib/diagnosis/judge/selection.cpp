@@ -43,6 +43,12 @@ double neutral_value(const Simulator& simulator, plant::EffectId id) {
   return known != nullptr ? (*known)[0] : simulator.scales().neutral(plant::effect_info(id).parameters[0]);
 }
 
+double neutral_band(const Simulator& simulator, plant::EffectId id, const Rules& rules) {
+  const bool nominal = plant::effect_info(id).nominal || simulator.known(id) != nullptr;
+  const double share = plant::is_in_load(id) ? rules.load_band : kNominalBand;
+  return std::max(nominal ? share * std::abs(neutral_value(simulator, id)) : 0.0, simulator.least(id));
+}
+
 Selection::Selection(const Bench& bench, const ExpectedResiduals& expected, const Rules& rules, const ForEach& for_each)
     : bench_(bench),
       expected_(expected),
@@ -118,13 +124,8 @@ void Selection::try_growing_from(const Hypothesis& first) {
 }
 
 bool Selection::outside_neutral(plant::EffectId id, const Estimate& estimate) const {
-  const Simulator& simulator = bench_.simulator();
-  const plant::EffectInfo& info = plant::effect_info(id);
-  const double neutral = neutral_value(simulator, id);
-  const double share = plant::is_in_load(id) ? rules_.load_band : kNominalBand;
-  const double nominal = info.nominal || simulator.known(id) != nullptr ? share * std::abs(neutral) : 0.0;
-  const double band = std::max(nominal, simulator.least(id));
-  return std::abs(estimate.fitted[0] - neutral) > band + rules_.neutral_deviations * estimate.deviation;
+  const double distance = std::abs(estimate.fitted[0] - neutral_value(bench_.simulator(), id));
+  return distance > neutral_band(bench_.simulator(), id, rules_) + rules_.neutral_deviations * estimate.deviation;
 }
 
 /// True if a hypothesis sufficiently reduces the chosen one's remainder on some channel where that is more than noise.

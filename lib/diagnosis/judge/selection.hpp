@@ -23,6 +23,9 @@ Estimate pooled(const Hypothesis& hypothesis, std::size_t index);
 /// Where an effect's first number is without it, or as the joint's file has it.
 double neutral_value(const Simulator& simulator, plant::EffectId id);
 
+/// Distance from its neutral value within which an effect's first number is no effect.
+double neutral_band(const Simulator& simulator, plant::EffectId id, const Rules& rules);
+
 /// True if a fit ended at the limit of a parameter: the effect then models something else.
 bool at_bound(plant::EffectId id, const Estimate& estimate);
 

@@ -11,12 +11,6 @@
 namespace farrier::diagnosis {
 namespace {
 
-/// Distance from its neutral value within which an effect's first number is no effect.
-double neutral_band(const Simulator& simulator, plant::EffectId id) {
-  const double nominal = plant::effect_info(id).nominal ? kNominalBand * std::abs(neutral_value(simulator, id)) : 0.0;
-  return std::max(nominal, simulator.least(id));
-}
-
 /// Most alike effects whose remainders are settled; those of the others are of one linear step.
 constexpr std::size_t kSettled = 2;
 
@@ -80,7 +74,7 @@ EffectVisibility visibility_of(const Simulator& simulator, const Changes& change
   one.change = left.largest();
   const double neutral = neutral_value(simulator, effect.id);
   const double distance = std::abs(effect.fitted[0] - neutral);
-  const double band = neutral_band(simulator, effect.id);
+  const double band = neutral_band(simulator, effect.id, enough.rules);
   const double deviation = changes.deviation_of(target);
   one.deviations = std::max(0.0, distance - band) / std::max(deviation, 1e-300);
   // Factor by which the size would be just enough.
