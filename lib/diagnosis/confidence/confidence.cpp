@@ -19,11 +19,11 @@ double log_within(double value, double low, double high) noexcept { return std::
 
 std::array<double, kEvidences> numbers_of(const Evidence& e) noexcept {
   return {e.rival_chance, e.runner_up, e.own_left,   e.all_left,     e.unexplained,
-          e.share,        e.gain,      e.deviations, e.halves_apart, e.effects};
+          e.share,        e.gain,      e.deviations, e.halves_apart, e.effects, e.rivals};
 }
 
 Evidence evidence_of(const std::array<double, kEvidences>& n) noexcept {
-  return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9]};
+  return {n[0], n[1], n[2], n[3], n[4], n[5], n[6], n[7], n[8], n[9], n[10]};
 }
 
 std::array<double, kEvidences> certainties(const Evidence& e) noexcept {
@@ -32,7 +32,8 @@ std::array<double, kEvidences> certainties(const Evidence& e) noexcept {
           -log_within(e.own_left, 1.0, 20.0),      -log_within(e.all_left, 1.0, 20.0),
           -log_within(e.unexplained, 0.01, 1.0),   log_within(e.share, 0.01, 1.0),
           log_within(e.gain, 0.03, 5.0),           log_within(e.deviations, 3.0, 300.0),
-          -log_within(e.halves_apart, 0.003, 1.0), 1.0 - std::clamp(e.effects, 1.0, 6.0)};
+          -log_within(e.halves_apart, 0.003, 1.0), 1.0 - std::clamp(e.effects, 1.0, 6.0),
+          -std::clamp(e.rivals, 0.0, 1.0)};
 }
 
 const ConfidenceMap& confidence_map(bool electric) noexcept { return electric ? kElectric : kHydraulic; }

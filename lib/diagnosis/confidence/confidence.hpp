@@ -19,9 +19,10 @@ struct Evidence {
   double deviations = 0.0;    ///< distance from its neutral value over its standard deviation
   double halves_apart = 0.0;  ///< difference of both halves' values over the distance from the neutral value
   double effects = 1.0;       ///< that are named
+  double rivals = 0.0;        ///< that cannot be excluded
 };
 
-inline constexpr std::size_t kEvidences = 10;
+inline constexpr std::size_t kEvidences = 11;
 
 /// The figures as numbers in an order, as files of trials keep them, and back.
 std::array<double, kEvidences> numbers_of(const Evidence& evidence) noexcept;

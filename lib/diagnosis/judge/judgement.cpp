@@ -47,6 +47,7 @@ NamedEffect named(Selection& selection, const Bench& bench, std::size_t index,
   evidence.deviations = distance / std::max(estimate.deviation, 1e-12);
   evidence.halves_apart = estimate.halves_apart / std::max(distance, 1e-12);
   evidence.effects = static_cast<double>(chosen.effects.size());
+  evidence.rivals = static_cast<double>(std::ranges::count(selection.ties(), id, &Selection::Tie::chosen));
   return {.id = id,
           .fitted = estimate.fitted,
           .deviation = covering_deviation(estimate.deviation, distance, map),

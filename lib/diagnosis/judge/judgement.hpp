@@ -24,7 +24,7 @@ struct Rules {
   std::size_t most_regrown = 3;   ///< other first effects from which another set is grown
   double price_of_effect = 0.03;  ///< log gain that an effect must bring for a larger set to be the better one
   double least_promise = 0.5;     ///< of least_reduction, that a linearised step must predict before a fit is tried
-  double least_exchange = 0.8;  ///< of an effect's log gain, that another must promise in its place before it is fitted
+  double least_exchange = 0.4;  ///< of an effect's log gain, that another must promise in its place before it is fitted
   std::size_t most_exchanged = 2;  ///< effects that are fitted in the place of a chosen one, the most promising first
   double least_reduction = 0.08;   ///< of a channel's held-out rms, that an effect must bring
   double neutral_deviations =

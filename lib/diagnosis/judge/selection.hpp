@@ -53,7 +53,7 @@ class Selection {
   /// these two the one that shows on fewer channels stays.
   void exchange();
   /// Removes a chosen effect.
-  void remove(plant::EffectId effect) { choose(Hypothesis(without(effect))); }
+  void remove(plant::EffectId effect);
 
   const Hypothesis& base() const noexcept { return base_; }
   /// Remainders of the base.
@@ -112,6 +112,8 @@ class Selection {
   Exchange compare(plant::EffectId effect, plant::EffectId rival, const Hypothesis& other);
   /// Notes a rival that explains nearly the same.
   void note_tie(Tie tie, double chance);
+  /// Forgets ties of effects that are no longer chosen.
+  void forget_ties();
   /// Removes effects that became negligible beside later ones.
   void prune();
   /// Channels on which something is left to explain.

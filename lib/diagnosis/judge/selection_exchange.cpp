@@ -168,6 +168,16 @@ void Selection::exchange() {
     }
   }
   prune();
+  forget_ties();
+}
+
+void Selection::remove(plant::EffectId effect) {
+  choose(Hypothesis(without(effect)));
+  forget_ties();
+}
+
+void Selection::forget_ties() {
+  std::erase_if(ties_, [this](const Tie& tie) { return !holds(chosen_, tie.chosen); });
 }
 
 void Selection::prune() {
