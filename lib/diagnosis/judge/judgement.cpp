@@ -116,6 +116,7 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   selection.grow();
   selection.grow_from_others();
   selection.grow_from_pairs();
+  selection.grow_from_wider();
   selection.exchange();
   judgement.effects = named_likely(selection, bench, expected, rules);
   judgement.chosen = selection.chosen();

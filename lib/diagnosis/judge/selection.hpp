@@ -48,6 +48,11 @@ class Selection {
   /// sets from such pairs in place of the chosen ones, of which it keeps the one that explains most.
   void grow_from_pairs();
 
+  /// Grows sets from each effect of several channels in place of all chosen ones of a channel that has two or more, and keeps
+  /// the set that explains most. A gain of the load cell looks like another mass, damping and stiffness of the load, each
+  /// of which explains the load better than the gain while something else is missing beside the valve.
+  void grow_from_wider();
+
   /// Tries rivals in the place of each chosen effect until no exchange is better. A rival that explains more is taken, and
   /// one with which a further effect is needless. A rival that may be right by more than tie_chance cannot be excluded; of
   /// these two the one that shows on fewer channels stays.

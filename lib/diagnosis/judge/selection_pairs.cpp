@@ -88,6 +88,35 @@ std::vector<Hypothesis> Selection::pairs_beside(const Hypothesis& from, const Ch
   return pairs;
 }
 
+void Selection::grow_from_wider() {
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    Hypothesis less = chosen_;
+    for (const plant::EffectId id : chosen_.effects) {
+      if (bench_.simulator().channels(id)[c]) {
+        less = bench_.without(less, id);
+      }
+    }
+    if (less.effects.size() + 2 > chosen_.effects.size()) {
+      continue;
+    }
+    const Screening screening(bench_, less);
+    std::vector<std::optional<Hypothesis>> wider(plant::kNameableCount);
+    for_each_(plant::kNameableCount, [&](std::size_t id) {
+      if (!bench_.simulator().channels(id)[c] || channel_count(id) < 2 || holds(chosen_, id)) {
+        return;
+      }
+      if (const Screening::Promise promise = screening.promise_of(id); !promise.start.empty()) {
+        wider[id] = bench_.with(less, bench_.sketch(less, {{id, promise.start}}), rules_.least_reduction);
+      }
+    });
+    for (const std::optional<Hypothesis>& one : wider) {
+      if (one) {
+        try_growing_from(*one);
+      }
+    }
+  }
+}
+
 void Selection::grow_from_pairs() {
   ChannelMask open = open_channels();
   if (!meet(open, open)) {
