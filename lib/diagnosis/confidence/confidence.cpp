@@ -18,8 +18,8 @@ double log_within(double value, double low, double high) noexcept { return std::
 }  // namespace
 
 std::array<double, kEvidences> numbers_of(const Evidence& e) noexcept {
-  return {e.rival_chance, e.runner_up, e.own_left,   e.all_left,     e.unexplained,
-          e.share,        e.gain,      e.deviations, e.halves_apart, e.effects, e.rivals};
+  return {e.rival_chance, e.runner_up,  e.own_left,     e.all_left, e.unexplained, e.share,
+          e.gain,         e.deviations, e.halves_apart, e.effects,  e.rivals};
 }
 
 Evidence evidence_of(const std::array<double, kEvidences>& n) noexcept {

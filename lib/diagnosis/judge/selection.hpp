@@ -44,8 +44,8 @@ class Selection {
   /// effect may stand for two or three right ones.
   void grow_from_others();
 
-  /// While more than noise is left: adds two effects at once that explain it together, though neither does so alone; and grows
-  /// sets from such pairs in place of the chosen ones, of which it keeps the one that explains most.
+  /// While more than noise is left: adds two effects at once that explain it together, though neither does so alone. Grows
+  /// sets from such pairs in place of the chosen ones, too, and keeps the set that explains most.
   void grow_from_pairs();
 
   /// Grows sets from each effect of several channels in place of all chosen ones of a channel that has two or more, and keeps
@@ -139,8 +139,8 @@ class Selection {
   bool worth_it(const Hypothesis& after) const;
   bool outside_neutral(plant::EffectId id, const Estimate& estimate) const;
   /// Chance that `one` is right and not `other`, which explains the same. It is the share of resampled blocks in which
-  /// it is better, reduced for a small lead, and for one that is small beside what `one` leaves unexplained: such leads come
-  /// from details that neither has.
+  /// it is better, reduced for a lead that is small or small beside what `one` leaves unexplained. Such leads come from details
+  /// that neither has.
   double chance_of(const Hypothesis& one, const Hypothesis& other) const;
   /// True if two effects show on one channel: only then may one stand for the other.
   bool may_be_rivals(plant::EffectId one, plant::EffectId other) const;
