@@ -100,6 +100,8 @@ class Selection {
   /// The half that has nearly all error of an open channel, if one has.
   std::optional<std::size_t> eventful_half(const ChannelMask& open) const;
   bool explains_once(const Hypothesis& with, std::size_t half, const ChannelMask& shows) const;
+  /// The chosen hypothesis without its effects on channels of `mask`.
+  Hypothesis without_those_of(const ChannelMask& mask) const;
   /// Every two effects of one open channel that the chosen hypothesis has not, by what a linear step beside `from` promises.
   std::vector<Screening::PairPromise> pair_promises(const Hypothesis& from, const ChannelMask& open) const;
   /// True if `with`, which has two effects more than `from`, explains more and needs both.

@@ -88,14 +88,21 @@ std::vector<Hypothesis> Selection::pairs_beside(const Hypothesis& from, const Ch
   return pairs;
 }
 
+Hypothesis Selection::without_those_of(const ChannelMask& mask) const {
+  Hypothesis less = chosen_;
+  for (const plant::EffectId id : chosen_.effects) {
+    if (meet(bench_.simulator().channels(id), mask)) {
+      less = bench_.without(less, id);
+    }
+  }
+  return less;
+}
+
 void Selection::grow_from_wider() {
   for (std::size_t c = 0; c < kChannels; ++c) {
-    Hypothesis less = chosen_;
-    for (const plant::EffectId id : chosen_.effects) {
-      if (bench_.simulator().channels(id)[c]) {
-        less = bench_.without(less, id);
-      }
-    }
+    ChannelMask one{};
+    one[c] = true;
+    const Hypothesis less = without_those_of(one);
     if (less.effects.size() + 2 > chosen_.effects.size()) {
       continue;
     }
@@ -109,9 +116,9 @@ void Selection::grow_from_wider() {
         wider[id] = bench_.with(less, bench_.sketch(less, {{id, promise.start}}), rules_.least_reduction);
       }
     });
-    for (const std::optional<Hypothesis>& one : wider) {
-      if (one) {
-        try_growing_from(*one);
+    for (const std::optional<Hypothesis>& set : wider) {
+      if (set) {
+        try_growing_from(*set);
       }
     }
   }
@@ -126,12 +133,7 @@ void Selection::grow_from_pairs() {
     try_growing_from(beside.front());
     open = open_channels();
   }
-  Hypothesis less = chosen_;
-  for (const plant::EffectId id : chosen_.effects) {
-    if (meet(bench_.simulator().channels(id), open)) {
-      less = bench_.without(less, id);
-    }
-  }
+  const Hypothesis less = without_those_of(open);
   if (less.effects.size() == chosen_.effects.size()) {
     return;
   }
