@@ -106,8 +106,9 @@ class Selection {
   std::vector<Screening::PairPromise> pair_promises(const Hypothesis& from, const ChannelMask& open) const;
   /// True if `with`, which has two effects more than `from`, explains more and needs both.
   bool explains_as_pair(const Hypothesis& from, const Hypothesis& with) const;
-  /// True if `with` explains sufficiently more than `less` on a channel.
-  bool adds_to(const Hypothesis& less, const Hypothesis& with) const;
+  /// True if `with` explains sufficiently more than `less` on a channel. Half of the resamplings may lack the event of an effect
+  /// that shows `once`, so that their band does not count.
+  bool adds_to(const Hypothesis& less, const Hypothesis& with, bool once = false) const;
   /// Pairs beside `from` that explain open channels and each of which is needed, fitted, the best first.
   std::vector<Hypothesis> pairs_beside(const Hypothesis& from, const ChannelMask& open) const;
   /// Grows from a set and keeps the result if it explains more than the chosen one.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <utility>
 
@@ -58,23 +59,15 @@ void Selection::choose(Hypothesis hypothesis) {
   without_.clear();
 }
 
-bool Selection::adds_to(const Hypothesis& less, const Hypothesis& with) const {
+bool Selection::adds_to(const Hypothesis& less, const Hypothesis& with, bool once) const {
   const Gain gain = bench_.gain(less, with);
-  return gain.low > 0.0 && *std::ranges::max_element(gain.reduction) > 0.5 * rules_.least_reduction;
+  return (once || gain.low > 0.0) && *std::ranges::max_element(gain.reduction) > 0.5 * rules_.least_reduction;
 }
 
 bool Selection::is_needed(std::size_t index) {
   const plant::EffectId id = chosen_.effects[index];
-  if (!outside_neutral(id, pooled(chosen_, index))) {
-    return false;
-  }
-  if (adds_to(without(id), chosen_)) {
-    return true;
-  }
-  // Half of the resamplings may lack the one event that an effect explains.
-  const Gain gain = bench_.gain(without(id), chosen_);
-  return std::ranges::find(once_, id) != once_.end() &&
-         *std::ranges::max_element(gain.reduction) > 0.5 * rules_.least_reduction;
+  return outside_neutral(id, pooled(chosen_, index)) &&
+         adds_to(without(id), chosen_, std::ranges::find(once_, id) != once_.end());
 }
 
 std::vector<std::pair<plant::EffectId, Hypothesis>> Selection::rivals_of(plant::EffectId effect) {

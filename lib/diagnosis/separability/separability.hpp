@@ -56,7 +56,7 @@ std::vector<EffectVisibility> effect_visibilities(const Bench& bench, const Mode
 /// the others, from their own sizes, follow its change, and then each effect outside the set does too. It must also change a
 /// channel by as much of the whole set's change as a further effect must explain.
 ///
-/// Nothing is fitted. Measurements are the trajectory along which changes are simulated. `set` has no effect twice, and none
+/// It fits no number. Measurements are the trajectory along which changes are simulated. `set` has no effect twice, and none
 /// that the joint's file has. One with an empty size is not simulated and does not show. The order is that of `set`.
 std::vector<MemberVisibility> member_visibilities(const Bench& bench, const std::vector<Model::Effect>& set,
                                                   const std::array<double, kChannels>& expected, const Rules& rules,
