@@ -88,7 +88,8 @@ std::size_t ElectricModel::replaced(plant::EffectId id) const noexcept {
 
 bool ElectricModel::fits(plant::EffectId id, std::size_t parameter) const noexcept {
   const bool relaxation = is(id, "gear_stiffness") && parameter == 1;
-  return !plant::effect_info(id).parameters[parameter].held && !(relaxation && !drive_.rigid);
+  const bool flanks = is(id, "backlash") && parameter == 1;
+  return !plant::effect_info(id).parameters[parameter].held && !(relaxation && !drive_.rigid) && !flanks;
 }
 
 std::vector<std::vector<double>> ElectricModel::starts(plant::EffectId id, const JointData& data) const {
