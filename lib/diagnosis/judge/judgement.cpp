@@ -13,6 +13,21 @@ namespace {
 /// A sure name is the verdict if less than this share of a channel's rms before any effect is left with a structure.
 constexpr double kMostLeft = 0.35;
 
+/// Share of a channel's rms before any effect that its sensors' noise may stand for. A model with play or friction may hang on
+/// its start so much that noise explains any remainder.
+constexpr double kMostNoise = 0.2;
+
+/// Remainders after a hypothesis, of which noise explains no more than `before` and kMostNoise allow.
+std::array<Remainder, kChannels> remainder_after(const Bench& bench, const Hypothesis& hypothesis,
+                                                 const ExpectedResiduals& expected,
+                                                 const std::array<Remainder, kChannels>& before) {
+  auto left = remainder(bench, hypothesis, expected);
+  for (std::size_t c = 0; c < kChannels; ++c) {
+    left[c].expected = std::min(left[c].expected, std::max(before[c].expected, kMostNoise * before[c].rms));
+  }
+  return left;
+}
+
 /// True if a channel's remainder is more than its sensors' noise.
 bool is_structured(const Remainder& left, const Rules& rules) {
   return left.nrmse > rules.least_nrmse && left.rms > rules.structure_ratio * left.expected;
@@ -61,7 +76,7 @@ NamedEffect named(Selection& selection, const Bench& bench, std::size_t index,
 /// The chosen effects, by share.
 std::vector<NamedEffect> named(Selection& selection, const Bench& bench, const ExpectedResiduals& expected,
                                const ConfidenceMap& map) {
-  const auto left = remainder(bench, selection.chosen(), expected);
+  const auto left = remainder_after(bench, selection.chosen(), expected, selection.before());
   std::vector<NamedEffect> effects;
   for (std::size_t i = 0; i < selection.chosen().effects.size(); ++i) {
     effects.push_back(named(selection, bench, i, left, map));
@@ -118,6 +133,7 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
   selection.grow_from_pairs();
   selection.grow_from_wider();
   selection.exchange();
+  selection.tie_inseparable();
   judgement.effects = named_likely(selection, bench, expected, rules);
   judgement.chosen = selection.chosen();
   judgement.rounds = selection.rounds();
@@ -125,7 +141,7 @@ Judgement judge(const Bench& bench, const ExpectedResiduals& expected, const Rul
     judgement.alternatives.emplace_back(tie.chosen, tie.rival);
     judgement.rivals.push_back(tie.with_rival);
   }
-  judgement.left = remainder(bench, judgement.chosen, expected);
+  judgement.left = remainder_after(bench, judgement.chosen, expected, selection.before());
   judgement.gain = bench.gain(judgement.base, judgement.chosen);
   bool sure = !judgement.effects.empty() && judgement.effects.front().confidence >= rules.sure;
   for (std::size_t c = 0; c < kChannels; ++c) {

@@ -57,6 +57,9 @@ class Selection {
   /// one with which a further effect is needless. A rival that may be right by more than tie_chance cannot be excluded; of
   /// these two the one that shows on fewer channels stays.
   void exchange();
+  /// Ties each chosen effect with those outside the set from which this recording cannot tell it, by member_visibilities(). No
+  /// verdict then contradicts what was said before the fits.
+  void tie_inseparable();
   /// Removes a chosen effect.
   void remove(plant::EffectId effect);
 
@@ -118,6 +121,7 @@ class Selection {
   std::vector<std::pair<plant::EffectId, Hypothesis>> rivals_of(plant::EffectId effect);
   /// Takes `other`, which has `rival` in the place of `effect`, or notes how near it is.
   Exchange compare(plant::EffectId effect, plant::EffectId rival, const Hypothesis& other);
+  bool are_tied(plant::EffectId chosen, plant::EffectId rival) const;
   /// Notes a rival that explains nearly the same.
   void note_tie(Tie tie, double chance);
   /// Forgets ties of effects that are no longer chosen.

@@ -5,6 +5,7 @@
 
 #include "diagnosis/judge/screening.hpp"
 #include "diagnosis/judge/selection.hpp"
+#include "diagnosis/separability/separability.hpp"
 
 namespace farrier::diagnosis {
 
@@ -104,12 +105,29 @@ std::vector<std::pair<plant::EffectId, Hypothesis>> Selection::rivals_of(plant::
   return rivals;
 }
 
+bool Selection::are_tied(plant::EffectId chosen, plant::EffectId rival) const {
+  return std::ranges::any_of(ties_, [&](const Tie& tie) { return tie.chosen == chosen && tie.rival == rival; });
+}
+
 void Selection::note_tie(Tie tie, double chance) {
   chance_[tie.chosen] = std::min(chance_[tie.chosen], chance);
-  const bool known = std::ranges::any_of(
-      ties_, [&](const Tie& other) { return other.chosen == tie.chosen && other.rival == tie.rival; });
-  if (1.0 - chance > rules_.tie_chance && !known) {
+  if (1.0 - chance > rules_.tie_chance && !are_tied(tie.chosen, tie.rival)) {
     ties_.push_back(std::move(tie));
+  }
+}
+
+void Selection::tie_inseparable() {
+  std::vector<Model::Effect> set;
+  for (std::size_t i = 0; i < chosen_.effects.size(); ++i) {
+    set.push_back({chosen_.effects[i], pooled(chosen_, i).fitted});
+  }
+  for (const MemberVisibility& member : member_visibilities(bench_, set, expected_(base_), rules_, for_each_)) {
+    const plant::EffectId effect = member.beside.id;
+    for (const LikeEffect& rival : member.beside.rivals) {
+      if (!are_tied(effect, rival.id)) {
+        ties_.push_back({effect, rival.id, bench_.exchanged(chosen_, effect, rival.id, {rival.fitted, rival.fitted})});
+      }
+    }
   }
 }
 
